@@ -1,0 +1,17 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# The project's warning level and the floating-point rules of emitted C.
+option(SINEW_WERROR "Treat warnings as errors" ON)
+option(SINEW_SANITIZE "Address and undefined-behaviour sanitizers" OFF)
+
+add_library(sinew_warnings INTERFACE)
+target_compile_options(sinew_warnings INTERFACE
+  -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wdouble-promotion
+  $<$<BOOL:${SINEW_WERROR}>:-Werror>)
+if(SINEW_SANITIZE)
+  target_compile_options(sinew_warnings INTERFACE -fsanitize=address,undefined -fno-omit-frame-pointer)
+  target_link_options(sinew_warnings INTERFACE -fsanitize=address,undefined)
+endif()
+
+# Emitted C must give the same bits everywhere: no fused multiply-add unless asked for,
+# and a square root that is one instruction instead of a call that may set errno.
+set(SINEW_C_MODEL_OPTIONS -ffp-contract=off -fno-math-errno)
