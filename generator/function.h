@@ -7,13 +7,9 @@
 #include <string>
 #include <vector>
 
-namespace sinew {
+#include "generator/range.h"
 
-/// Interval a value is expected in, in the argument's own unit.
-struct Range {
-  double low;
-  double high;
-};
+namespace sinew {
 
 /// One array argument of an emitted function; row-major, `rows * cols` symbols.
 struct Argument {

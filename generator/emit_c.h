@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "generator/model.h"
+
+namespace sinew {
+
+/// Text of <model>.c: every function of the model, straight-line, one value a statement.
+std::string emit_c(const EmittedModel& model);
+
+/// Definition of one function.
+std::string emit_function(const EmittedModel& model, const Graph& graph);
+
+/// "void index_bias(const double q[SINEW_AT_LEAST(4)], ..., double h[SINEW_AT_LEAST(4)])".
+std::string signature(const EmittedModel& model, const Graph& graph);
+
+/// Comment block that opens every emitted file.
+std::string file_comment(const EmittedModel& model, const std::string& what);
+
+}  // namespace sinew

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The generator's own form of a function: flat, value-numbered, index-based.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "generator/range.h"
+
+namespace sinew {
+
+enum class Op : std::uint8_t {
+  input,
+  constant,
+  add,
+  subtract,
+  multiply,
+  divide,
+  negate,
+  power,  ///< a^exponent, integer exponent >= 2; the pass `powers` removes it
+  square_root,
+  sine,
+  cosine,
+  arctangent,
+  arctangent2,  ///< a = y, b = x
+  arccosine,
+  arcsine,
+  exponential,
+  logarithm,
+  hyperbolic_tangent,
+  absolute,
+  minimum,
+  maximum,
+  choose,  ///< a >= 0 ? b : c
+};
+
+/// Number of operands of an operation.
+int arity(Op op);
+/// Lower-case name, as in dumps.
+const char* name_of(Op op);
+/// True where a op b == b op a, bit for bit.
+bool is_commutative(Op op);
+
+/// Index of a node.
+using Value = std::int32_t;
+inline constexpr Value no_value = -1;
+
+struct Node {
+  Op op = Op::constant;
+  Value a = no_value;
+  Value b = no_value;
+  Value c = no_value;
+  std::int32_t index = 0;  ///< input: position among all input elements; power: the exponent
+  double constant = 0.0;
+
+  Value operand(int i) const { return i == 0 ? a : i == 1 ? b : c; }
+  Value& operand(int i) { return i == 0 ? a : i == 1 ? b : c; }
+};
+
+/// One array argument or result; row-major.
+struct Port {
+  std::string name;
+  int rows = 1;
+  int cols = 1;
+  std::string unit;
+  std::string doc;
+  std::vector<Range> ranges;   ///< inputs only
+  std::vector<Value> values;   ///< outputs only, rows*cols
+  int size() const { return rows * cols; }
+};
+
+/// A function as a list of operations, operands always before their users.
+/// Equal operations on equal operands have one node (value numbering).
+class Graph {
+ public:
+  std::string name;
+  std::string doc;
+  std::string equation;
+  std::vector<Port> inputs;
+  std::vector<Port> outputs;
+
+  const std::vector<Node>& nodes() const { return nodes_; }
+  const Node& operator[](Value v) const { return nodes_[static_cast<std::size_t>(v)]; }
+  Value size() const { return static_cast<Value>(nodes_.size()); }
+
+  /// The value of `node`, new or already there. No simplification.
+  Value add(const Node& node);
+  Value constant(double value);
+  Value input(int index);
+  Value make(Op op, Value a, Value b = no_value, Value c = no_value);
+
+  /// The derivation's name of a value; empty where it has none.
+  const std::string& label(Value v) const { return labels_[static_cast<std::size_t>(v)]; }
+  void set_label(Value v, const std::string& label);
+
+  bool is_constant(Value v) const { return (*this)[v].op == Op::constant; }
+  bool is_constant(Value v, double value) const;
+
+  /// Number of input elements over all arguments.
+  int input_size() const;
+  /// Name of an input element as the emitted C writes it, for instance "q[2]".
+  std::string input_name(int index) const;
+  /// All output values, one after the other.
+  std::vector<Value> results() const;
+
+  /// A graph with the same signature and no nodes.
+  Graph empty_like() const;
+
+ private:
+  std::vector<Node> nodes_;
+  std::vector<std::string> labels_;
+  std::unordered_map<std::uint64_t, std::vector<Value>> index_;
+};
+
+/// How often each node is used as an operand or result.
+std::vector<int> use_counts(const Graph& graph);
+
+}  // namespace sinew

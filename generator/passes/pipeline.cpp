@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "generator/passes/pipeline.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "generator/passes/passes.h"
+
+namespace sinew {
+
+const std::vector<Pass>& pipeline() {
+  static const std::vector<Pass> passes{
+      {"share", share},
+      {"fold_constants", fold_constants},
+      {"expand_powers", expand_powers},
+      {"pair_sincos", pair_sincos},
+      {"contract_trigonometry", contract_trigonometry},
+      {"move_signs", move_signs},
+      {"combine_constants", combine_constants},
+      {"factor_sums", factor_sums},
+      {"share_reciprocals", share_reciprocals},
+      {"fold_constants", fold_constants},
+      {"move_signs", move_signs},
+      {"share", share},
+      {"remove_dead", remove_dead},
+      {"schedule", schedule},
+  };
+  return passes;
+}
+
+Graph optimise(const Graph& graph, const std::vector<std::string>& without) {
+  for (const std::string& name : without)
+    if (std::none_of(pipeline().begin(), pipeline().end(), [&](const Pass& p) { return p.name == name; }))
+      throw std::invalid_argument(fmt::format("no pass is called '{}'", name));
+  Graph result = graph;
+  for (const Pass& pass : pipeline())
+    if (std::find(without.begin(), without.end(), pass.name) == without.end()) result = pass.run(result);
+  return result;
+}
+
+}  // namespace sinew

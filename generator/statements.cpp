@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "generator/statements.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <set>
+
+#include "generator/literal.h"
+
+namespace sinew {
+namespace {
+
+constexpr std::size_t longest_expression = 72;
+
+/// How tightly an expression binds in C.
+enum Binding { binds_sum = 1, binds_product = 2, binds_unary = 3, binds_atom = 4 };
+
+struct Text {
+  std::string text;
+  Binding binding = binds_atom;
+};
+
+const char* runtime_function(Op op) {
+  switch (op) {
+    case Op::square_root: return "sinew_sqrt";
+    case Op::arctangent: return "sinew_atan";
+    case Op::arctangent2: return "sinew_atan2";
+    case Op::arccosine: return "sinew_acos";
+    case Op::arcsine: return "sinew_asin";
+    case Op::exponential: return "sinew_exp";
+    case Op::logarithm: return "sinew_log";
+    case Op::hyperbolic_tangent: return "sinew_tanh";
+    case Op::absolute: return "sinew_abs";
+    case Op::minimum: return "sinew_min";
+    case Op::maximum: return "sinew_max";
+    case Op::choose: return "sinew_choose";
+    default: return nullptr;
+  }
+}
+
+class Writer {
+ public:
+  Writer(const Graph& graph, const Target& target, const ArrayNames& names)
+      : graph_(graph),
+        target_(target),
+        names_(names),
+        uses_(use_counts(graph)),
+        texts_(static_cast<std::size_t>(graph.size())) {
+    for (const Port& port : graph.inputs) taken_.insert(port.name);
+    for (const Port& port : graph.outputs) taken_.insert(port.name);
+    for (const char* word : {"double", "float", "int", "const", "if", "for", "do", "void", "return",
+                             "sinew_count", "sinew_i"})
+      taken_.insert(word);
+  }
+
+  std::vector<std::string> run() {
+    for (Value v = 0; v < graph_.size(); ++v) write(v);
+    for (const Port& port : graph_.outputs)
+      for (int i = 0; i < port.size(); ++i)
+        lines_.push_back(fmt::format("{} = {};", names_.element(port, i),
+                                     text(port.values[static_cast<std::size_t>(i)]).text));
+    return std::move(lines_);
+  }
+
+ private:
+  Text& text(Value v) { return texts_[static_cast<std::size_t>(v)]; }
+
+  void write(Value v) {
+    const Node& node = graph_[v];
+    if (node.op == Op::sine || node.op == Op::cosine) return write_sincos(v);
+    Text expression = form(node);
+    if (node.op != Op::input && node.op != Op::constant && deserves_name(v, expression)) {
+      const std::string name = fresh_name(v, "t");
+      lines_.push_back(fmt::format("const {} {} = {};", target_.type(), name, expression.text));
+      expression = {name, binds_atom};
+    }
+    text(v) = expression;
+  }
+
+  bool deserves_name(Value v, const Text& expression) const {
+    const int uses = uses_[static_cast<std::size_t>(v)];
+    return uses > 1 || !graph_.label(v).empty() || expression.text.size() > longest_expression;
+  }
+
+  /// The first of a pair writes the call for both.
+  void write_sincos(Value v) {
+    if (!text(v).text.empty()) return;
+    const Value angle = graph_[v].a;
+    Value sine = no_value, cosine = no_value;
+    for (Value w = v; w < graph_.size(); ++w)
+      if (graph_[w].a == angle && graph_[w].op == Op::sine) sine = w;
+      else if (graph_[w].a == angle && graph_[w].op == Op::cosine) cosine = w;
+    const std::string s = sine == no_value ? fresh_name("s") : fresh_name(sine, "s");
+    const std::string c = cosine == no_value ? fresh_name("c") : fresh_name(cosine, "c");
+    lines_.push_back(fmt::format("{} {}, {};", target_.type(), s, c));
+    lines_.push_back(fmt::format("sinew_sincos{}({}, &{}, &{});", target_.suffix(), text(angle).text, s, c));
+    if (sine != no_value) text(sine) = {s, binds_atom};
+    if (cosine != no_value) text(cosine) = {c, binds_atom};
+  }
+
+  std::string fresh_name(Value v, const std::string& prefix) {
+    const std::string& label = graph_.label(v);
+    if (label.empty()) return fresh_name(prefix);
+    std::string name = label;
+    for (int i = 2; !taken_.insert(name).second; ++i) name = fmt::format("{}_{}", label, i);
+    return name;
+  }
+
+  std::string fresh_name(const std::string& prefix) {
+    std::string name;
+    do name = fmt::format("{}{}", prefix, ++numbered_);
+    while (!taken_.insert(name).second);
+    return name;
+  }
+
+  Text form(const Node& node) {
+    switch (node.op) {
+      case Op::input: return {input_text(node.index), binds_atom};
+      case Op::constant:
+        return {literal(node.constant, target_), node.constant < 0 ? binds_unary : binds_atom};
+      case Op::add: return infix(node, " + ", binds_sum);
+      case Op::subtract: return infix(node, " - ", binds_sum);
+      case Op::multiply: return infix(node, " * ", binds_product);
+      case Op::divide: return infix(node, " / ", binds_product);
+      case Op::negate: return {"-" + in_parentheses(node.a, binds_atom), binds_unary};
+      case Op::power: return repeated_product(node);
+      default: return call(node);
+    }
+  }
+
+  Text infix(const Node& node, const char* sign, Binding binding) {
+    return {in_parentheses(node.a, binding) + sign +
+                in_parentheses(node.b, static_cast<Binding>(binding + 1)),
+            binding};
+  }
+
+  Text repeated_product(const Node& node) {
+    std::string product = in_parentheses(node.a, binds_product);
+    for (int i = 1; i < node.index; ++i) product += " * " + in_parentheses(node.a, binds_unary);
+    return {product, binds_product};
+  }
+
+  Text call(const Node& node) {
+    std::string arguments;
+    for (int i = 0; i < arity(node.op); ++i)
+      arguments += (i > 0 ? ", " : "") + text(node.operand(i)).text;
+    return {fmt::format("{}{}({})", runtime_function(node.op), target_.suffix(), arguments), binds_atom};
+  }
+
+  std::string in_parentheses(Value v, Binding least) {
+    const Text& t = text(v);
+    return t.binding >= least ? t.text : "(" + t.text + ")";
+  }
+
+  std::string input_text(int index) const {
+    for (const Port& port : graph_.inputs) {
+      if (index < port.size()) return names_.element(port, index);
+      index -= port.size();
+    }
+    return "?";
+  }
+
+  const Graph& graph_;
+  const Target& target_;
+  const ArrayNames& names_;
+  std::vector<int> uses_;
+  std::vector<Text> texts_;
+  std::set<std::string> taken_;
+  std::vector<std::string> lines_;
+  int numbered_ = 0;
+};
+
+}  // namespace
+
+ArrayNames array_names(const Graph&) {
+  return {[](const Port& port, int element) { return fmt::format("{}[{}]", port.name, element); }};
+}
+
+bool reads_port(const Graph& graph, const std::string& name) {
+  int first = 0;
+  for (const Port& port : graph.inputs) {
+    if (port.name == name) {
+      for (const Node& node : graph.nodes())
+        if (node.op == Op::input && node.index >= first && node.index < first + port.size()) return true;
+      return false;
+    }
+    first += port.size();
+  }
+  return false;
+}
+
+std::vector<std::string> statements(const Graph& graph, const Target& target, const ArrayNames& names) {
+  return Writer(graph, target, names).run();
+}
+
+}  // namespace sinew

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "generator/graph.h"
+#include "generator/target.h"
+
+namespace sinew {
+
+/// How array elements are written: element k of an input or output.
+struct ArrayNames {
+  std::function<std::string(const Port& port, int element)> element;
+};
+
+/// q[2]: plain arrays.
+ArrayNames array_names(const Graph& graph);
+
+/// Whether any element of the named input is used.
+bool reads_port(const Graph& graph, const std::string& name);
+
+/// The body of a function: declarations in the graph's order, then the stores of the results.
+/// A value gets a name where the derivation named it, where it is used more than once or where the
+/// line would grow too long; the rest is written in place.
+std::vector<std::string> statements(const Graph& graph, const Target& target, const ArrayNames& names);
+
+}  // namespace sinew

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+namespace sinew {
+
+enum class Scalar { binary64, binary32 };
+
+/// What the emitted C is meant to run on.
+struct Target {
+  Scalar scalar = Scalar::binary64;
+  const char* type() const { return scalar == Scalar::binary64 ? "double" : "float"; }
+  /// Suffix of the runtime's functions and of literals.
+  const char* suffix() const { return scalar == Scalar::binary64 ? "" : "f"; }
+  int bytes() const { return scalar == Scalar::binary64 ? 8 : 4; }
+};
+
+}  // namespace sinew
