@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "symbolic/check_mechanism.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/Eigenvalues>
+#include <cmath>
+#include <set>
+
+#include "symbolic/identifier.h"
+#include "symbolic/rotation.h"
+#include "symbolic/singular_mass_matrix.h"
+
+namespace sinew {
+namespace {
+
+constexpr double rounding = 1e-12;  // of an eigenvalue, relative to the largest
+
+class Checker {
+ public:
+  Checker(const Mechanism& mechanism, Findings& findings)
+      : mechanism_(mechanism), findings_(findings) {}
+
+  void check() {
+    const std::size_t before = findings_.count();
+    check_name("mechanism", mechanism_.name, {});
+    if (!mechanism_.gravity.allFinite())
+      findings_.add({}, "gravity is not finite", "expected 3 finite numbers");
+    if (mechanism_.bodies.size() != mechanism_.joints.size()) {
+      findings_.add({}, "the numbers of bodies and joints differ",
+                    "expected one joint for each body");
+      return;
+    }
+    if (coordinate_count(mechanism_) == 0)
+      findings_.add({}, "the mechanism has no moving joint", "expected at least one");
+    for (std::size_t i = 0; i < mechanism_.joints.size(); ++i) check_body(i), check_joint(i);
+    check_tendons();
+    check_couplings();
+    check_frames();
+    if (findings_.count() == before) check_mass_matrix();
+  }
+
+ private:
+  void check_name(const std::string& kind, const std::string& name, const SourceLocation& where) {
+    if (const auto why = why_not_identifier(name))
+      findings_.add(where, fmt::format("the name of {} '{}' {}", kind, name, *why),
+                    identifier_rule());
+    if (!names_.insert(kind + " " + name).second)
+      findings_.add(where, fmt::format("{} '{}' appears twice", kind, name),
+                    "expected different names");
+  }
+
+  void check_body(std::size_t index) {
+    const Body& body = mechanism_.bodies[index];
+    check_name("body", body.name, body.where);
+    if (!(body.mass >= 0.0) || !std::isfinite(body.mass))
+      findings_.add(body.where, fmt::format("the mass of body '{}' is {}", body.name, body.mass),
+                    "expected a mass that is not negative");
+    if (!body.centre_of_mass.allFinite())
+      findings_.add(body.where,
+                    fmt::format("the centre of mass of body '{}' is not finite", body.name),
+                    "expected 3 finite numbers");
+    if (body.mass == 0.0 && !body.inertia.isZero(0.0))
+      findings_.add(body.where, fmt::format("body '{}' has inertia but no mass", body.name),
+                    "expected a mass");
+    if (const auto wrong = wrong_inertia(body.inertia, InertiaCheck::as_given))
+      findings_.add(body.where, fmt::format("body '{}': {}", body.name, *wrong),
+                    "expected a symmetric inertia without negative principal moments");
+  }
+
+  void check_joint(std::size_t index) {
+    const Joint& joint = mechanism_.joints[index];
+    const auto wrong = [&](const std::string& what, const char* expected) {
+      findings_.add(joint.where, fmt::format("joint '{}' {}", joint.name, what), expected);
+    };
+    check_name("joint", joint.name, joint.where);
+    if (joint.parent < -1 || joint.parent >= static_cast<int>(index))
+      wrong("does not come after its parent", "expected parents before children");
+    if (!is_rotation(joint.origin.rotation) || !joint.origin.translation.allFinite())
+      wrong("has an origin that is no rigid transform", "expected a rotation and finite numbers");
+    if (joint.type == JointType::fixed) return;
+    if (!(std::abs(joint.axis.norm() - 1.0) <= 1e-12))
+      wrong("has an axis that is not a unit vector", "expected length 1");
+    if (!(joint.low < joint.high) || !std::isfinite(joint.high - joint.low))
+      wrong(fmt::format("has the range {} to {}", joint.low, joint.high), "expected low < high");
+    if (!(joint.max_velocity > 0.0) || !(joint.max_acceleration > 0.0) || !(joint.damping >= 0.0))
+      wrong("has a velocity or acceleration that is not positive, or a negative damping",
+            "expected positive limits and damping >= 0");
+  }
+
+  bool moves(const std::string& name) const {
+    for (const Joint& joint : mechanism_.joints)
+      if (joint.name == name) return joint.type != JointType::fixed;
+    return false;
+  }
+
+  bool is_body(const std::string& name) const {
+    for (const Body& body : mechanism_.bodies)
+      if (body.name == name) return true;
+    return false;
+  }
+
+  void check_tendons() {
+    for (const Tendon& tendon : mechanism_.tendons) {
+      check_name("tendon", tendon.name, tendon.where);
+      const auto wrong = [&](const std::string& what, const char* expected) {
+        findings_.add(tendon.where, fmt::format("tendon '{}' {}", tendon.name, what), expected);
+      };
+      if (tendon.pulleys.empty() && tendon.straights.empty())
+        wrong("has no pulley and no straight stretch", "expected at least one");
+      for (const PulleyRouting& pulley : tendon.pulleys) {
+        if (!moves(pulley.joint))
+          wrong(fmt::format("runs over '{}'", pulley.joint), "expected a moving joint");
+        if (pulley.radius == 0.0 || !std::isfinite(pulley.radius))
+          wrong("has a pulley without radius", "expected a radius other than 0");
+      }
+      for (const StraightRouting& straight : tendon.straights)
+        for (const std::string& body : {straight.from_body, straight.to_body})
+          if (body != "base" && !is_body(body))
+            wrong(fmt::format("runs to the unknown body '{}'", body), "expected 'base' or a body");
+    }
+  }
+
+  void check_couplings() {
+    std::set<std::string> dependent;
+    for (const JointCoupling& coupling : mechanism_.couplings) dependent.insert(coupling.dependent);
+    if (dependent.size() != mechanism_.couplings.size())
+      findings_.add({}, "a joint depends on two others", "expected one coupling for each");
+    for (const JointCoupling& coupling : mechanism_.couplings)
+      if (!moves(coupling.dependent) || !moves(coupling.independent) ||
+          dependent.contains(coupling.independent) || coupling.ratio == 0.0 ||
+          !std::isfinite(coupling.ratio))
+        findings_.add(
+            coupling.where,
+            fmt::format("the coupling of '{}' to '{}' by {} is not possible", coupling.dependent,
+                        coupling.independent, coupling.ratio),
+            "expected two moving joints, the second independent, and a ratio other than 0");
+  }
+
+  void check_frames() {
+    for (const Frame& frame : mechanism_.frames) {
+      check_name("frame", frame.name, frame.where);
+      if (!is_body(frame.body))
+        findings_.add(frame.where,
+                      fmt::format("frame '{}' is on the unknown body '{}'", frame.name, frame.body),
+                      "expected the name of a body");
+      if (!is_rotation(frame.pose.rotation) || !frame.pose.translation.allFinite())
+        findings_.add(frame.where,
+                      fmt::format("frame '{}' has a pose that is no rigid transform", frame.name),
+                      "expected a rotation and finite numbers");
+    }
+  }
+
+  void check_mass_matrix() {
+    const auto index = joint_without_inertia(mechanism_);
+    if (!index) return;
+    const Joint& joint = mechanism_.joints[*index];
+    findings_.add(
+        joint.where,
+        fmt::format("the mass matrix is singular: joint '{}' can move without moving any inertia",
+                    joint.name),
+        "expected mass or inertia on the bodies it carries");
+  }
+
+  const Mechanism& mechanism_;
+  Findings& findings_;
+  std::set<std::string> names_;
+};
+
+}  // namespace
+
+std::optional<std::string> wrong_inertia(const Eigen::Matrix3d& inertia, InertiaCheck check) {
+  if (!inertia.allFinite()) return "the inertia is not finite";
+  if (inertia != inertia.transpose()) return "the inertia is not symmetric";
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(inertia, Eigen::EigenvaluesOnly);
+  const Eigen::Vector3d moment = solver.eigenvalues();
+  const double largest = moment.cwiseAbs().maxCoeff();
+  const std::string moments = fmt::format("principal moments {:.4g}, {:.4g}, {:.4g} kg*m^2",
+                                          moment[0], moment[1], moment[2]);
+  if (moment[0] < -rounding * largest)
+    return fmt::format("the inertia is not positive definite: {}", moments);
+  if (check == InertiaCheck::physical && moment[0] <= rounding * largest)
+    return fmt::format("the inertia is not positive definite: {}", moments);
+  if (check != InertiaCheck::as_given && moment[0] + moment[1] < moment[2] * (1.0 - inertia_margin))
+    return fmt::format("the inertia violates the triangle inequality: {}", moments);
+  return std::nullopt;
+}
+
+std::optional<InertiaCheck> strictest_check(const Eigen::Matrix3d& inertia) {
+  for (const InertiaCheck check :
+       {InertiaCheck::physical, InertiaCheck::idealised, InertiaCheck::as_given})
+    if (!wrong_inertia(inertia, check)) return check;
+  return std::nullopt;
+}
+
+std::string to_text(InertiaCheck check) {
+  if (check == InertiaCheck::physical) return "physical";
+  return check == InertiaCheck::idealised ? "idealised" : "as_given";
+}
+
+void check_mechanism(const Mechanism& mechanism, Findings& findings) {
+  Checker(mechanism, findings).check();
+}
+
+void require_sound(const Mechanism& mechanism) {
+  Findings findings;
+  check_mechanism(mechanism, findings);
+  findings.raise_if_any();
+}
+
+}  // namespace sinew

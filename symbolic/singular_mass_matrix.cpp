@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "symbolic/singular_mass_matrix.h"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+#include <cmath>
+
+namespace sinew {
+namespace {
+
+Transform motion(const Joint& joint, double q) {
+  Transform moved;
+  if (joint.type == JointType::revolute)
+    moved.rotation = Eigen::AngleAxisd(q, joint.axis).toRotationMatrix();
+  else if (joint.type == JointType::prismatic)
+    moved.translation = q * joint.axis;
+  return moved;
+}
+
+Transform operator*(const Transform& a, const Transform& b) {
+  return {a.rotation * b.rotation, a.rotation * b.translation + a.translation};
+}
+
+/// Velocity of a body's centre of mass (rows 0-2) and its angular velocity (3-5) per coordinate.
+Eigen::MatrixXd body_jacobian(const Mechanism& mechanism, const std::vector<Transform>& pose,
+                              const std::vector<int>& coordinate, std::size_t body) {
+  Eigen::MatrixXd jacobian = Eigen::MatrixXd::Zero(6, coordinate_count(mechanism));
+  const Transform& own = pose[body];
+  const Eigen::Vector3d centre =
+      own.rotation * mechanism.bodies[body].centre_of_mass + own.translation;
+  for (int i = static_cast<int>(body); i >= 0;
+       i = mechanism.joints[static_cast<std::size_t>(i)].parent) {
+    const auto k = static_cast<std::size_t>(i);
+    const Joint& joint = mechanism.joints[k];
+    if (joint.type == JointType::fixed) continue;
+    const Eigen::Vector3d axis = pose[k].rotation * joint.axis;
+    if (joint.type == JointType::revolute) {
+      jacobian.block<3, 1>(0, coordinate[k]) = axis.cross(centre - pose[k].translation);
+      jacobian.block<3, 1>(3, coordinate[k]) = axis;
+    } else {
+      jacobian.block<3, 1>(0, coordinate[k]) = axis;
+    }
+  }
+  return jacobian;
+}
+
+/// Index of the largest part of the null vector of a singular symmetric matrix; -1 if regular.
+int null_coordinate(const Eigen::MatrixXd& mass) {
+  Eigen::VectorXd scale = mass.diagonal();
+  const double smallest_normal = 1e-300;
+  for (int i = 0; i < scale.size(); ++i) {
+    if (scale[i] <= smallest_normal) return i;
+    scale[i] = 1.0 / std::sqrt(scale[i]);
+  }
+  const Eigen::MatrixXd unit = scale.asDiagonal() * mass * scale.asDiagonal();
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(unit);
+  if (solver.eigenvalues()[0] >= 1e-13) return -1;
+  Eigen::Index largest = 0;
+  solver.eigenvectors().col(0).cwiseAbs().maxCoeff(&largest);
+  return static_cast<int>(largest);
+}
+
+}  // namespace
+
+Eigen::MatrixXd mass_matrix_at(const Mechanism& mechanism, const Eigen::VectorXd& q) {
+  const std::vector<int> coordinate = coordinate_of_joint(mechanism);
+  std::vector<Transform> pose;
+  Eigen::MatrixXd mass = Eigen::MatrixXd::Zero(q.size(), q.size());
+  for (std::size_t i = 0; i < mechanism.bodies.size(); ++i) {
+    const Joint& joint = mechanism.joints[i];
+    const Transform parent =
+        joint.parent < 0 ? Transform{} : pose[static_cast<std::size_t>(joint.parent)];
+    const double value = coordinate[i] < 0 ? 0.0 : q[coordinate[i]];
+    pose.push_back(parent * joint.origin * motion(joint, value));
+    const Body& body = mechanism.bodies[i];
+    if (body.mass == 0.0 && body.inertia.isZero(0.0)) continue;
+    const Eigen::MatrixXd j = body_jacobian(mechanism, pose, coordinate, i);
+    const Eigen::Matrix3d inertia = pose[i].rotation * body.inertia * pose[i].rotation.transpose();
+    mass += body.mass * j.topRows<3>().transpose() * j.topRows<3>() +
+            j.bottomRows<3>().transpose() * inertia * j.bottomRows<3>();
+  }
+  return mass;
+}
+
+std::optional<std::size_t> joint_without_inertia(const Mechanism& mechanism) {
+  const std::vector<int> coordinate = coordinate_of_joint(mechanism);
+  const int count = coordinate_count(mechanism);
+  if (count == 0) return std::nullopt;
+  int null = -1;
+  for (int sample = 0; sample < 4; ++sample) {
+    Eigen::VectorXd q(count);
+    for (std::size_t i = 0; i < coordinate.size(); ++i) {
+      if (coordinate[i] < 0) continue;
+      const Joint& joint = mechanism.joints[i];
+      const double part = std::fmod(0.31 + 0.618033988749895 * (4 * coordinate[i] + sample), 1.0);
+      q[coordinate[i]] = joint.low + part * (joint.high - joint.low);
+    }
+    null = null_coordinate(mass_matrix_at(mechanism, q));
+    if (null < 0) return std::nullopt;
+  }
+  for (std::size_t i = 0; i < coordinate.size(); ++i)
+    if (coordinate[i] == null) return i;
+  return std::nullopt;
+}
+
+}  // namespace sinew
