@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "symbolic/exact_number.h"
+
+#include <charconv>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+namespace sinew {
+
+GiNaC::numeric exact_number(double value) {
+  if (!std::isfinite(value))
+    throw std::invalid_argument("a model value must be finite, neither infinite nor not-a-number");
+  char text[64];
+  const auto end =
+      std::to_chars(text, text + sizeof text, value, std::chars_format::scientific).ptr;
+  const std::string scientific(text, end);  // for instance -4.2e-02
+  const std::size_t mark = scientific.find('e');
+  int exponent = std::stoi(scientific.substr(mark + 1));
+  std::string digits = scientific.substr(0, mark);
+  if (const std::size_t point = digits.find('.'); point != std::string::npos) {
+    exponent -= static_cast<int>(digits.size() - point - 1);
+    digits.erase(point, 1);
+  }
+  return GiNaC::numeric(digits.c_str()) * GiNaC::numeric(10).power(exponent);
+}
+
+}  // namespace sinew
