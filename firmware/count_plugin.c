@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-2-Clause
  *
- * QEMU plugin: executed instructions between the marks of count.c. For every group one line
- * "count <windows> <fewest> <most>" goes to QEMU's plugin log.
+ * QEMU plugin: executed instructions between the marks of count.c, without those of functions named
+ * call_... . For every group one line "count <windows> <fewest> <most>" goes to QEMU's plugin log.
  *
  * Debian's QEMU loads plugins but comes without qemu-plugin.h; the names used of version 1 of its
  * interface are declared here.
@@ -84,7 +84,9 @@ static void on_translation(qemu_plugin_id_t id, struct qemu_plugin_tb *block) {
   (void)id;
   for (size_t i = 0; i < qemu_plugin_tb_n_insns(block); ++i) {
     struct qemu_plugin_insn *instruction = qemu_plugin_tb_get_insn(block, i);
-    const execution_callback callback = callback_of(qemu_plugin_insn_symbol(instruction));
+    const char *symbol = qemu_plugin_insn_symbol(instruction);
+    if (symbol != NULL && strncmp(symbol, "call_", 5) == 0) continue;
+    const execution_callback callback = callback_of(symbol);
     if (callback != NULL) {
       qemu_plugin_register_vcpu_insn_exec_cb(instruction, callback, QEMU_PLUGIN_CB_NO_REGS, NULL);
     }
