@@ -1,0 +1,39 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# What `cmake --install` gives besides the program: runtime, emitted models, a CMake package
+# (sinew::runtime, sinew::model_<m>) and pkg-config files (sinew, sinew_model_<m>).
+include(CMakePackageConfigHelpers)
+set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/sinew)
+set(header_folder ${CMAKE_INSTALL_INCLUDEDIR}/sinew)
+set(template_folder ${PROJECT_SOURCE_DIR}/cmake)
+set(made_folder ${PROJECT_BINARY_DIR}/package)
+
+# From the folder of the .pc files to the prefix, so that an installed tree may be moved.
+file(RELATIVE_PATH SINEW_PC_TO_PREFIX
+  /prefix/${CMAKE_INSTALL_LIBDIR}/pkgconfig /prefix)
+
+file(GLOB runtime_headers CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/runtime/*.h)
+install(FILES ${runtime_headers} DESTINATION ${header_folder})
+set_target_properties(sinew_runtime PROPERTIES EXPORT_NAME runtime)
+install(TARGETS sinew_runtime EXPORT sinew)
+configure_file(${template_folder}/sinew.pc.in ${made_folder}/sinew.pc @ONLY)
+install(FILES ${made_folder}/sinew.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+
+foreach(SINEW_MODEL IN LISTS SINEW_MODELS)
+  file(GLOB headers CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/generated/${SINEW_MODEL}/*.h)
+  install(FILES ${headers} DESTINATION ${header_folder})
+  set_target_properties(sinew_model_${SINEW_MODEL} PROPERTIES EXPORT_NAME model_${SINEW_MODEL})
+  install(TARGETS sinew_model_${SINEW_MODEL} EXPORT sinew
+    ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+  configure_file(${template_folder}/sinew_model.pc.in ${made_folder}/sinew_model_${SINEW_MODEL}.pc @ONLY)
+  install(FILES ${made_folder}/sinew_model_${SINEW_MODEL}.pc
+    DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+endforeach()
+
+install(EXPORT sinew NAMESPACE sinew:: FILE sinew-targets.cmake DESTINATION ${package_folder})
+configure_package_config_file(${template_folder}/sinew-config.cmake.in
+  ${made_folder}/sinew-config.cmake INSTALL_DESTINATION ${package_folder})
+write_basic_package_version_file(${made_folder}/sinew-config-version.cmake
+  COMPATIBILITY SameMinorVersion)
+install(FILES ${made_folder}/sinew-config.cmake ${made_folder}/sinew-config-version.cmake
+  DESTINATION ${package_folder})
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/LICENSES DESTINATION ${CMAKE_INSTALL_DOCDIR})
