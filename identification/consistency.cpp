@@ -1,0 +1,445 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Channels of one coordinate know of one another: the position's derivative is the velocity, the
+// effort moves the inertia, a measurement follows its reference.
+#include <fmt/format.h>
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <optional>
+
+#include "identification/data_faults.h"
+
+namespace sinew {
+namespace {
+
+using Eigen::ArrayXd;
+
+constexpr double pi = 3.14159265358979323846;
+constexpr long most_points = 6000;
+
+double rms(const ArrayXd& x) {
+  return x.size() == 0 ? 0.0 : std::sqrt(x.square().mean());
+}
+
+ArrayXd centred(const ArrayXd& x) {
+  return x - x.mean();
+}
+
+double correlation(const ArrayXd& a, const ArrayXd& b) {
+  const ArrayXd ca = centred(a), cb = centred(b);
+  const double scale = std::sqrt(ca.square().sum() * cb.square().sum());
+  return scale > 0.0 ? (ca * cb).sum() / scale : 0.0;
+}
+
+double slope(const ArrayXd& y, const ArrayXd& x) {
+  const ArrayXd cx = centred(x);
+  const double power = cx.square().sum();
+  return power > 0.0 ? (centred(y) * cx).sum() / power : 0.0;
+}
+
+// Mean over 2 m + 1 samples; the result is 2 m shorter.
+ArrayXd moving_mean(const ArrayXd& x, long m) {
+  const long n = x.size() - 2 * m;
+  ArrayXd y(n);
+  double sum = x.head(2 * m + 1).sum();
+  const double scale = 1.0 / static_cast<double>(2 * m + 1);
+  y(0) = sum * scale;
+  for (long k = 1; k < n; ++k) {
+    sum += x(k + 2 * m) - x(k - 1);
+    y(k) = sum * scale;
+  }
+  return y;
+}
+
+// Position, velocity, acceleration and effort behind the same smoothing, at spread-out points.
+struct Motion {
+  ArrayXd position, velocity, acceleration, effort;
+};
+
+class Group {
+ public:
+  Group(const Log& log, const std::vector<ChannelSpec>& specs) : log_(log), specs_(specs) {}
+
+  std::map<ChannelRole, int> channel;
+
+  bool has(ChannelRole role) const { return channel.count(role) > 0; }
+  int of(ChannelRole role) const { return channel.at(role); }
+  const ChannelSpec& spec(ChannelRole role) const { return specs_[static_cast<size_t>(of(role))]; }
+  const Channel& info(ChannelRole role) const {
+    return log_.channels[static_cast<size_t>(of(role))];
+  }
+
+ private:
+  const Log& log_;
+  const std::vector<ChannelSpec>& specs_;
+};
+
+class Checker {
+ public:
+  Checker(const Log& log, const std::vector<ChannelSpec>& specs, FaultList& faults)
+      : log_(log), specs_(specs), faults_(faults) {
+    for (size_t s = 1; s < log.segments.size(); ++s)
+      if (log.segments[s].samples.rows() > log.segments[longest_].samples.rows()) longest_ = s;
+    std::map<int, Group> groups;
+    for (size_t i = 0; i < specs.size(); ++i)
+      if (specs[i].group >= 0)
+        groups.try_emplace(specs[i].group, log, specs).first->second.channel[specs[i].role] =
+            static_cast<int>(i);
+    for (auto& [number, group] : groups) groups_.push_back(std::move(group));
+  }
+
+  void run() {
+    if (log_.segments.empty() || samples().rows() < 200) return;
+    for (size_t i = 0; i < specs_.size(); ++i) check_range(i);
+    for (const Group& group : groups_) {
+      check_velocity(group);
+      check_reference(group);
+      check_effort(group);
+    }
+    check_crossed();
+  }
+
+ private:
+  const Eigen::ArrayXXd& samples() const { return log_.segments[longest_].samples; }
+  ArrayXd series(int channel) const { return samples().col(channel); }
+
+  void report(FaultKind kind, Severity severity, int channel, const std::string& meaning,
+              const std::string& action) {
+    const Channel& info = log_.channels[static_cast<size_t>(channel)];
+    if (std::find(reported_.begin(), reported_.end(), channel) != reported_.end()) return;
+    if (severity == Severity::stop) reported_.push_back(channel);
+    faults_.add(kind, severity, log_.segments.front().first_row, log_.segments.front().first_row,
+                info.column, info.name, meaning, action);
+  }
+
+  void slip(int channel, const UnitSlip& found, const std::string& evidence) {
+    const Channel& info = log_.channels[static_cast<size_t>(channel)];
+    report(FaultKind::unit_slip, Severity::stop, channel,
+           fmt::format("'{}' {}: {}", info.name, evidence, found.meaning),
+           fmt::format("units are converted only when told: --map \"{}=#{} [unit]\"", info.name,
+                       info.column));
+  }
+
+  // ---- one channel against what is possible for it
+
+  void check_range(size_t i) {
+    const ChannelSpec& spec = specs_[i];
+    const Channel& info = log_.channels[i];
+    const double largest = std::max(std::abs(info.low), std::abs(info.high));
+    const double allowed = std::max(std::abs(spec.low), std::abs(spec.high));
+    if (!std::isfinite(allowed) || allowed <= 0.0) return;
+    if (largest > 5.0 * allowed) {
+      for (const double factor : {180.0 / pi, 1000.0})
+        if (largest / factor < 1.2 * allowed && largest / factor > 1.0e-3 * allowed) {
+          const UnitSlip found = unit_slip_of(factor, spec.unit, 0.01);
+          if (found.meaning.empty()) continue;
+          slip(static_cast<int>(i), found,
+               fmt::format("reaches {:.4g} {} where {:.4g} is the limit", largest, spec.unit,
+                           allowed));
+          return;
+        }
+    }
+    if (info.low < spec.low - 0.25 * allowed || info.high > spec.high + 0.25 * allowed)
+      report(FaultKind::out_of_range, Severity::doubtful, static_cast<int>(i),
+             fmt::format("'{}' goes from {:.4g} to {:.4g} {}; the model allows {:.4g} to {:.4g}",
+                         info.name, info.low, info.high, spec.unit, spec.low, spec.high),
+             "the values are kept");
+  }
+
+  // ---- position against velocity
+
+  long smoothing(double noise, const ArrayXd& x) const {
+    const double dt = log_.period;
+    long m = 1;
+    while (m < x.size() / 40) {
+      const auto h = static_cast<double>(m) * dt;
+      const long n = x.size() - 2 * m;
+      const ArrayXd second = x.tail(n) - 2.0 * x.segment(m, n) + x.head(n);
+      const double acceleration_noise = noise * std::sqrt(6.0) / (h * h);
+      if (rms(second) / (h * h) > 8.0 * acceleration_noise && h > 2.0 * dt) break;
+      m *= 2;
+    }
+    return m;
+  }
+
+  void check_velocity(const Group& group) {
+    if (!group.has(ChannelRole::position) || !group.has(ChannelRole::velocity)) return;
+    const ArrayXd p = series(group.of(ChannelRole::position));
+    const ArrayXd v = series(group.of(ChannelRole::velocity));
+    const auto m = std::max(1L, std::lround(0.01 / log_.period));
+    if (p.size() < 20 * m) return;
+    const long n = p.size() - 2 * m;
+    const double span = 2.0 * static_cast<double>(m) * log_.period;
+    const ArrayXd rate = (p.tail(n) - p.head(n)) / span;
+    const ArrayXd mean_v = moving_mean(v, m);
+    if (rms(centred(p)) < 20.0 * group.info(ChannelRole::position).noise_floor) return;
+    const double r = correlation(rate, mean_v);
+    if (std::abs(r) < 0.6) {
+      const ArrayXd back = (v.tail(n) - v.head(n)) / span;
+      if (correlation(back, moving_mean(p, m)) > 0.9)
+        swapped(group.of(ChannelRole::position), group.of(ChannelRole::velocity),
+                "the derivative of the second is the first");
+      return;
+    }
+    // Noise in v lowers the plain slope; the ratio of spreads does not turn with it.
+    const double ratio = slope(mean_v, rate);
+    judge_ratio(group.of(ChannelRole::velocity), ratio, std::abs(r),
+                fmt::format("is {:.4g} times the derivative of '{}'", ratio,
+                            group.info(ChannelRole::position).name));
+  }
+
+  void judge_ratio(int channel, double ratio, double trust, const std::string& evidence) {
+    const Channel& info = log_.channels[static_cast<size_t>(channel)];
+    const UnitSlip found = unit_slip_of(std::abs(ratio), info.unit, 0.15);
+    if (!found.meaning.empty() && trust > 0.8)
+      slip(channel, found, evidence);
+    else if (ratio < 0.0 && trust > 0.8)
+      report(FaultKind::reversed_sign, Severity::stop, channel,
+             fmt::format("'{}' {}: the signs do not belong together", info.name, evidence),
+             "the log is not used");
+    else if (trust > 0.95 && std::abs(ratio - 1.0) > 0.25)
+      report(FaultKind::unit_slip, Severity::doubtful, channel,
+             fmt::format("'{}' {}; 1 was expected", info.name, evidence), "the values are kept");
+  }
+
+  void swapped(int a, int b, const std::string& evidence) {
+    const Channel& first = log_.channels[static_cast<size_t>(a)];
+    const Channel& second = log_.channels[static_cast<size_t>(b)];
+    report(FaultKind::swapped_columns, Severity::stop, a,
+           fmt::format("'{}' (column {}) and '{}' (column {}) are exchanged: {}", first.name,
+                       first.column, second.name, second.column, evidence),
+           fmt::format("name them rightly: --map \"{}=#{} [unit]\" --map \"{}=#{} [unit]\"",
+                       first.name, second.column, second.name, first.column));
+    reported_.push_back(b);
+  }
+
+  // ---- measured against commanded position
+
+  void check_reference(const Group& group) {
+    if (!group.has(ChannelRole::position) || !group.has(ChannelRole::reference)) return;
+    const int pc = group.of(ChannelRole::position), rc = group.of(ChannelRole::reference);
+    const ArrayXd p = series(pc), r = series(rc);
+    if (rms(centred(r)) <= 0.0 || std::abs(correlation(p, r)) < 0.8) return;
+    const double ratio = slope(p, r);
+    judge_ratio(pc, ratio, std::abs(correlation(p, r)),
+                fmt::format("is {:.4g} times its reference '{}'", ratio,
+                            group.info(ChannelRole::reference).name));
+    if (std::abs(ratio - 1.0) > 0.3) return;
+    const ArrayXd lag_base = 0.5 * (r.tail(r.size() - 2) - r.head(r.size() - 2));
+    const ArrayXd error = (p - r).segment(1, r.size() - 2);
+    const double lag = -slope(error, lag_base);  // samples that the measurement is behind
+    const double noise_p = group.info(ChannelRole::position).noise_floor;
+    const double noise_r = group.info(ChannelRole::reference).noise_floor;
+    const bool leads = lag < -1.0 && correlation(error, lag_base) > 0.3;
+    if ((leads && noise_r > 1.2 * noise_p) || (lag < 0.5 && noise_r > 3.0 * noise_p))
+      swapped(pc, rc,
+              fmt::format("the first runs {:.1f} samples ahead of the second, which carries the "
+                          "noise of a measurement",
+                          -lag));
+  }
+
+  // ---- effort against motion
+
+  std::optional<Motion> motion(int pc, int ec) const {
+    const ArrayXd p = series(pc), e = series(ec);
+    const double noise = std::max(log_.channels[static_cast<size_t>(pc)].noise_floor,
+                                  log_.channels[static_cast<size_t>(pc)].quantum / std::sqrt(12.0));
+    if (rms(centred(p)) < 20.0 * noise || rms(centred(p)) <= 0.0) return std::nullopt;
+    const long m = smoothing(noise, p);
+    if (p.size() < 40 * m) return std::nullopt;
+    const ArrayXd ps = moving_mean(moving_mean(p, m), m), es = moving_mean(moving_mean(e, m), m);
+    const long n = ps.size() - 2 * m;
+    const auto h = static_cast<double>(m) * log_.period;
+    const long stride = std::max(1L, n / most_points);
+    const long points = (n - 1) / stride + 1;
+    Motion result{ArrayXd(points), ArrayXd(points), ArrayXd(points), ArrayXd(points)};
+    for (long i = 0; i < points; ++i) {
+      const long k = i * stride;
+      result.position(i) = ps(k + m);
+      result.velocity(i) = (ps(k + 2 * m) - ps(k)) / (2.0 * h);
+      result.acceleration(i) = (ps(k + 2 * m) - 2.0 * ps(k + m) + ps(k)) / (h * h);
+      result.effort(i) = es(k + m);
+    }
+    return result;
+  }
+
+  struct Fit {
+    double inertia = 0.0, inertia_error = 1.0e300;
+    double friction_share = 0.0;  // correlation of effort with the direction of motion
+    double explained = 0.0;       // R^2
+  };
+
+  static Fit fit(const Motion& m, bool turns) {
+    const long n = m.effort.size();
+    const double v_scale = std::max(0.1 * rms(m.velocity), 1.0e-300);
+    Eigen::MatrixXd A(n, turns ? 7 : 5);
+    A.col(0) = m.acceleration.matrix();
+    A.col(1) = m.velocity.matrix();
+    A.col(2) = (m.velocity / v_scale).tanh().matrix();
+    A.col(3).setOnes();
+    A.col(4) = m.position.matrix();
+    if (turns) {
+      A.col(5) = m.position.sin().matrix();
+      A.col(6) = m.position.cos().matrix();
+    }
+    Eigen::VectorXd scale = A.colwise().norm();
+    for (long j = 0; j < A.cols(); ++j) A.col(j) /= std::max(scale(j), 1.0e-300);
+    const Eigen::MatrixXd normal =
+        A.transpose() * A + 1.0e-10 * Eigen::MatrixXd::Identity(A.cols(), A.cols());
+    const Eigen::MatrixXd inverse = normal.inverse();
+    const Eigen::VectorXd x = inverse * (A.transpose() * m.effort.matrix());
+    const ArrayXd left = m.effort - (A * x).array();
+    const double total = centred(m.effort).square().sum();
+    Fit result;
+    result.explained = total > 0.0 ? 1.0 - left.square().sum() / total : 0.0;
+    result.inertia = x(0) / scale(0);
+    // Residuals are coloured: as if only every 20th point were new.
+    const double variance = left.square().sum() / static_cast<double>(n) * 20.0;
+    result.inertia_error = std::sqrt(variance * inverse(0, 0)) / scale(0);
+    result.friction_share = correlation(m.effort, (m.velocity / v_scale).tanh());
+    return result;
+  }
+
+  // How fast a signal changes for its size, 1/s.
+  double pace(int channel) const {
+    const ArrayXd x = series(channel);
+    const double size = rms(centred(x));
+    return size > 0.0 ? rms(x.tail(x.size() - 1) - x.head(x.size() - 1)) / (size * log_.period)
+                      : 0.0;
+  }
+
+  void check_effort(const Group& group) {
+    if (!group.has(ChannelRole::position) || !group.has(ChannelRole::effort)) return;
+    const int pc = group.of(ChannelRole::position), ec = group.of(ChannelRole::effort);
+    const double pace_p = pace(pc), pace_e = pace(ec);
+    if (pace_e > 0.0 && pace_p > 2.5 * pace_e) {
+      swapped(pc, ec,
+              "the first changes faster than the second, but motion is smoother than the "
+              "effort that causes it");
+      return;
+    }
+    const auto m = motion(pc, ec);
+    if (!m) return;
+    const bool turns = group.spec(ChannelRole::position).unit == "rad";
+    const Fit found = fit(*m, turns);
+    const double expected = group.spec(ChannelRole::effort).inertia;
+    const bool sure = std::abs(found.inertia) > 5.0 * found.inertia_error && found.explained > 0.3;
+    if (expected > 0.0 && sure && found.inertia > 0.0) {
+      const double ratio = found.inertia / expected;
+      if (ratio > 12.0 || ratio < 1.0 / 12.0) {
+        judge_inertia(group, ratio);
+        return;
+      }
+    }
+    if (found.friction_share < -0.5 || (sure && found.inertia < 0.0 && found.friction_share < -0.1))
+      report(
+          FaultKind::reversed_sign, Severity::stop, ec,
+          fmt::format("'{}' acts against the motion of '{}' all the time: a drive would give "
+                      "energy back; one of the two has the wrong sign",
+                      group.info(ChannelRole::effort).name, group.info(ChannelRole::position).name),
+          "the log is not used");
+  }
+
+  void judge_inertia(const Group& group, double ratio) {
+    const Channel& e = group.info(ChannelRole::effort);
+    const Channel& p = group.info(ChannelRole::position);
+    const UnitSlip effort = unit_slip_of(ratio, e.unit, 0.75);
+    const UnitSlip position = unit_slip_of(1.0 / ratio, p.unit, 0.75);
+    const std::string evidence =
+        fmt::format("and '{}' would mean an inertia {:.3g} times the model's", p.name, ratio);
+    const bool both = !effort.meaning.empty() && !position.meaning.empty();
+    if (!effort.meaning.empty())
+      slip(group.of(ChannelRole::effort),
+           {effort.factor,
+            effort.meaning + (both ? ", or '" + p.name + "' " + position.meaning : "")},
+           evidence);
+    else if (!position.meaning.empty())
+      slip(group.of(ChannelRole::position), position,
+           fmt::format("and '{}' would mean an inertia {:.3g} times the model's", e.name, ratio));
+    else
+      report(FaultKind::unit_slip, Severity::doubtful, group.of(ChannelRole::effort),
+             fmt::format("'{}' {}", e.name, evidence), "the values are kept");
+  }
+
+  // ---- efforts of two coordinates exchanged
+
+  void check_crossed() {
+    std::vector<const Group*> drives;
+    for (const Group& group : groups_)
+      if (group.has(ChannelRole::position) && group.has(ChannelRole::effort))
+        drives.push_back(&group);
+    if (drives.size() < 2 || drives.size() > 12) return;
+    const size_t n = drives.size();
+    Eigen::MatrixXd score = Eigen::MatrixXd::Zero(static_cast<long>(n), static_cast<long>(n));
+    for (size_t i = 0; i < n; ++i)
+      for (size_t j = 0; j < n; ++j)
+        score(static_cast<long>(i), static_cast<long>(j)) = crossed_score(*drives[i], *drives[j]);
+    for (long i = 0; i < static_cast<long>(n); ++i)
+      for (long j = i + 1; j < static_cast<long>(n); ++j)
+        if (score(i, j) > 0.5 && score(j, i) > 0.5 && score(i, i) < 0.5 * score(i, j) &&
+            score(j, j) < 0.5 * score(j, i))
+          swapped(drives[static_cast<size_t>(i)]->of(ChannelRole::effort),
+                  drives[static_cast<size_t>(j)]->of(ChannelRole::effort),
+                  "each belongs to the motion of the other");
+  }
+
+  // How well the position of `b` explains the effort of `a`, in a way that dissipates.
+  double crossed_score(const Group& a, const Group& b) const {
+    if (a.spec(ChannelRole::effort).unit != b.spec(ChannelRole::effort).unit) return 0.0;
+    const auto m = motion(b.of(ChannelRole::position), a.of(ChannelRole::effort));
+    if (!m) return 0.0;
+    const Fit found = fit(*m, false);
+    return found.friction_share > 0.0 ? found.explained : 0.0;
+  }
+
+  const Log& log_;
+  const std::vector<ChannelSpec>& specs_;
+  FaultList& faults_;
+  size_t longest_ = 0;
+  std::vector<Group> groups_;
+  std::vector<int> reported_;
+};
+
+}  // namespace
+
+UnitSlip unit_slip_of(double ratio, const std::string& unit, double tolerance) {
+  struct Known {
+    double factor;
+    const char* unit;  // text that the channel's SI unit has to contain
+    const char* meaning;
+  };
+  static constexpr std::array<Known, 14> known = {{
+      {180.0 / pi, "rad", "degrees taken for radians"},
+      {pi / 180.0, "rad", "radians taken for degrees"},
+      {30.0 / pi, "rad/s", "rpm taken for rad/s"},
+      {pi / 30.0, "rad/s", "rad/s taken for rpm"},
+      {1000.0, "rad", "milliradians taken for radians"},
+      {0.001, "rad", "radians taken for milliradians"},
+      {1000.0, "m", "millimetres taken for metres"},
+      {0.001, "m", "metres taken for millimetres"},
+      {1000.0, "N", "millinewtons (or N·mm) taken for newtons (N·m)"},
+      {0.001, "N", "newtons (N·m) taken for millinewtons (or N·mm)"},
+      {0.001, "rad", "a time in milliseconds taken for seconds"},
+      {1000.0, "A", "milliamperes taken for amperes"},
+      {0.001, "A", "amperes taken for milliamperes"},
+      {1.0e6, "m", "micrometres taken for metres"},
+  }};
+  for (const Known& k : known) {
+    const bool suits =
+        unit == k.unit ||
+        (unit.starts_with(k.unit) && unit.find('/') != unit.npos && std::string(k.unit) != "N") ||
+        (std::string(k.unit) == "N" && unit.starts_with("N"));
+    if (suits && std::abs(std::log(ratio / k.factor)) < std::log1p(tolerance))
+      return {k.factor, k.meaning};
+  }
+  return {};
+}
+
+void judge_consistency(const Log& log, const std::vector<ChannelSpec>& specs, FaultList& faults) {
+  Checker(log, specs, faults).run();
+}
+
+}  // namespace sinew

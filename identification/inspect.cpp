@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "identification/inspect.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sinew {
+namespace {
+
+constexpr long shortest_run = 6;
+constexpr long longest_hold = 20;  // rows; longer is a stand-still, not a slow source
+constexpr size_t candidates_kept = 2048;
+constexpr size_t early_steps = 2000;
+constexpr long context = 48;  // rows after a spike that still tell what is usual there
+
+double quantile_of(std::vector<double> values, double fraction) {
+  if (values.empty()) return 0.0;
+  const auto at = static_cast<size_t>(fraction * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), values.begin() + static_cast<long>(at), values.end());
+  return values[at];
+}
+
+}  // namespace
+
+double StridedSample::quantile(double fraction) const {
+  return quantile_of(values_, fraction);
+}
+
+void StridedSample::halve() {
+  for (size_t i = 0; 2 * i < values_.size(); ++i) values_[i] = values_[2 * i];
+  values_.resize((values_.size() + 1) / 2);
+  stride_ *= 2;
+}
+
+void ChannelInspector::push(long row, double value) {
+  if (!std::isfinite(value)) return;
+  if (count_ == 0) low_ = high_ = value;
+  low_ = std::min(low_, value);
+  high_ = std::max(high_, value);
+  push_step(row, value);
+  ++count_;
+  for (int i = 0; i < 6; ++i) {
+    window_[i] = window_[i + 1];
+    rows_[i] = rows_[i + 1];
+  }
+  window_[6] = value;
+  rows_[6] = row;
+  filled_ = std::min(filled_ + 1, 7);
+  const double* w = window_;
+  if (filled_ >= 4) third_.push(std::abs(w[6] - 3.0 * w[5] + 3.0 * w[4] - w[3]));
+  if (filled_ >= 3) {
+    const double rough = std::abs(w[5] - 0.5 * (w[4] + w[6]));
+    rough_.push(rough);
+    local_ += (rough - local_) / 32.0;
+  }
+  while (!pending_.empty() && pending_.front().due <= count_) {
+    SpikeCandidate& done = pending_.front().candidate;
+    done.local = std::max(done.local, local_);
+    spikes_.push_back(done);
+    pending_.pop_front();
+  }
+  if (filled_ == 7) {
+    look_for_spike(1);
+    look_for_spike(2);
+  }
+}
+
+// A spike leaves its neighbours and comes back to them; a step does not come back.
+void ChannelInspector::look_for_spike(int width) {
+  const double* w = window_ + (width == 1 ? 1 : 0);
+  const double left = w[1], right = w[2 + width];
+  double size = 1.0e300;
+  bool above = true, below = true;
+  for (int i = 0; i < width; ++i) {
+    const double deviation = w[2 + i] - 0.5 * (left + right);
+    above = above && deviation > 0.0;
+    below = below && deviation < 0.0;
+    size = std::min(size, std::abs(deviation));
+  }
+  const double quiet = 0.35 * size;
+  if (!(above || below) || size < 4.0 * local_ / (width + 3.0)) return;
+  if (std::abs(right - left) > quiet || std::abs(left - w[0]) > quiet ||
+      std::abs(w[3 + width] - right) > quiet)
+    return;
+  SpikeCandidate found;
+  const long* r = rows_ + (width == 1 ? 1 : 0);
+  found.first_row = r[2];
+  found.last_row = r[1 + width];
+  found.size = size;
+  // The spike itself has entered the running mean three or four times; take its share out.
+  found.local = std::max(0.0, local_ - size * (width + 2.0) / 32.0);
+  pending_.push_back({found, count_ + context});
+  if (spikes_.size() < candidates_kept) return;
+  const auto middle = spikes_.begin() + static_cast<long>(candidates_kept / 2);
+  std::nth_element(spikes_.begin(), middle, spikes_.end(),
+                   [](const auto& a, const auto& b) { return a.size > b.size; });
+  spikes_.resize(candidates_kept / 2);
+}
+
+void ChannelInspector::push_step(long row, double value) {
+  const double before = window_[6];
+  const bool repeats = count_ > 0 && value == before;
+  if (repeats) {
+    ++run_.length;
+    if (run_.length <= longest_hold) ++repeats_;
+    run_.last_row = row;
+  } else {
+    if (count_ > 0) {
+      close_run(value, false);
+      steps_.push(std::abs(value - before));
+    }
+    run_ = RunCandidate{row, row,   1,           count_ > 0 ? value - before : 0.0,
+                        0.0, value, count_ == 0, false};
+  }
+  extreme(at_high_, value, run_.entry, row, repeats);
+  extreme(at_low_, -value, -run_.entry, row, repeats);
+}
+
+void ChannelInspector::extreme(ExtremeRuns& runs, double value, double entry, long row,
+                               bool repeats) const {
+  if (runs.samples == 0 || value > runs.value)
+    runs = ExtremeRuns{value, 0, 0, 0, row, 0, 0.0};
+  else if (value < runs.value)
+    return;
+  ++runs.samples;
+  if (!repeats) ++runs.runs;
+  runs.longest = std::max(runs.longest, run_.length);
+  if (run_.length == 3) {
+    ++runs.counted_runs;
+    runs.entry_total += std::abs(entry);
+  }
+}
+
+void ChannelInspector::close_run(double next, bool ended) {
+  if (run_.length < shortest_run) return;
+  run_.jump = ended ? 0.0 : next - window_[6];
+  run_.at_end = ended;
+  runs_.push_back(run_);
+  if (runs_.size() < candidates_kept) return;
+  const auto by_length = [](const auto& a, const auto& b) { return a.length > b.length; };
+  const auto by_jump = [](const auto& a, const auto& b) {
+    return std::abs(a.jump) > std::abs(b.jump);
+  };
+  const long half = static_cast<long>(candidates_kept / 4);
+  std::nth_element(runs_.begin(), runs_.begin() + half, runs_.end(), by_length);
+  std::nth_element(runs_.begin() + half, runs_.begin() + 2 * half, runs_.end(), by_jump);
+  runs_.resize(static_cast<size_t>(2 * half));
+}
+
+void ChannelInspector::finish() {
+  if (count_ > 0) close_run(window_[6], true);
+  for (const Pending& p : pending_) spikes_.push_back(p.candidate);
+  pending_.clear();
+  const auto by_row = [](const auto& a, const auto& b) { return a.first_row < b.first_row; };
+  std::sort(spikes_.begin(), spikes_.end(), by_row);
+  std::sort(runs_.begin(), runs_.end(), by_row);
+}
+
+double ChannelInspector::quantum() const {
+  const std::vector<double>& steps = steps_.values();
+  if (steps.size() < 4) return 0.0;
+  const double range = high_ - low_;
+  // A spike's or a rounding error's tiny step must not set the quantum: the 2 % smallest tell.
+  const double smallest = quantile_of(steps, 0.02);
+  if (smallest < 1.0e-9 * range) return 0.0;
+  const double slack =
+      std::max(0.02, 1.0e-12 * std::max(std::abs(low_), std::abs(high_)) / smallest);
+  size_t whole = 0;
+  for (const double step : steps) {
+    const double multiple = step / smallest;
+    whole += std::abs(multiple - std::round(multiple)) < slack && multiple > 0.5 ? 1u : 0u;
+  }
+  return static_cast<double>(whole) > 0.95 * static_cast<double>(steps.size()) ? smallest : 0.0;
+}
+
+double ChannelInspector::noise() const {
+  return third_.quantile(0.5) / (0.674489750196 * std::sqrt(20.0));
+}
+
+double ChannelInspector::roughness() const {
+  return rough_.quantile(0.5) / 0.674489750196;
+}
+
+void TimeInspector::push(long row, double time, int decimals) {
+  if (!std::isfinite(time)) return;
+  decimals_ = std::max(decimals_, std::min(decimals, 15));
+  if (count_ == 0) first_ = time;
+  if (count_ > 0) {
+    const double step = time - previous_;
+    steps_.push(step);
+    if (median_ > 0.0) {
+      use(step, row);
+    } else {
+      early_.emplace_back(step, row);
+      if (early_.size() >= early_steps) settle();
+    }
+  }
+  previous_ = last_ = time;
+  ++count_;
+}
+
+void TimeInspector::settle() {
+  std::vector<double> positive;
+  for (const auto& [step, row] : early_)
+    if (step > 0.0) positive.push_back(step);
+  median_ = quantile_of(positive, 0.5);
+  if (median_ <= 0.0) return;
+  const auto early = std::move(early_);
+  early_.clear();
+  for (const auto& [step, row] : early) use(step, row);
+}
+
+void TimeInspector::use(double step, long row) {
+  if (std::abs(step - median_) < 0.5 * median_) {
+    sum_ += step;
+    ++used_;
+  }
+  const double off = std::abs(step / median_ - 1.0);
+  if (step <= 0.0 || off > 0.8) return;
+  if (off > 0.1) ++off_;
+  if (off > worst_) {
+    worst_ = off;
+    worst_row_ = row;
+  }
+}
+
+void TimeInspector::finish() {
+  if (median_ <= 0.0) settle();
+  resolution_ = decimals_ > -100 ? std::pow(10.0, -decimals_) : 0.0;
+}
+
+double TimeInspector::period() const {
+  return used_ > 0 ? sum_ / static_cast<double>(used_) : 0.0;
+}
+
+double TimeInspector::jitter() const {
+  const double dt = period();
+  if (dt <= 0.0) return 0.0;
+  std::vector<double> off;
+  for (const double step : steps_.values())
+    if (step > 0.0 && step < 1.8 * dt) off.push_back(std::abs(step / dt - 1.0));
+  return quantile_of(off, 0.5) / 0.674489750196;
+}
+
+bool TimeInspector::rounded() const {
+  // Two rounded stamps differ from the true step by at most one unit of the last digit.
+  return worst_ * median_ <= 1.05 * resolution_;
+}
+
+}  // namespace sinew

@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "identification/read_csv.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "identification/csv_rows.h"
+#include "identification/data_faults.h"
+#include "identification/inspect.h"
+#include "identification/sha256.h"
+#include "identification/uniform_grid.h"
+
+namespace sinew {
+namespace {
+
+std::vector<int> columns_of(const ColumnMap& map) {
+  std::vector<int> columns{map.time.column};
+  for (const MappedColumn& m : map.channels) columns.push_back(m.column);
+  return columns;
+}
+
+class Reading {
+ public:
+  Reading(const std::string& path, const std::vector<ChannelSpec>& specs,
+          const ReadOptions& options)
+      : path_(path), options_(options), faults_(path), reader_(path) {
+    log_.file = path;
+    const CsvDialect& dialect = reader_.dialect();
+    map_ = map_columns(dialect.header, specs, options.map, path, dialect.header_row);
+    for (const DataFault& note : map_.notes) faults_.all().push_back(note);
+  }
+
+  Log read() {
+    inspect();
+    if (inspection_.rows == 0)
+      faults_.add(FaultKind::too_short, Severity::stop, reader_.dialect().header_row + 1, 0, 0, "",
+                  "no data after the header", "the log is not used");
+    stop_if_needed();
+    judge_time(inspection_.time, map_.time.column, faults_);
+    const int cells = static_cast<int>(reader_.dialect().header.size());
+    holes_ = judge_channels(inspection_, map_, cells, options_.longest_fill, faults_);
+    stop_if_needed();
+    build();
+    describe_channels();
+    if (log_.segments.empty())
+      faults_.add(FaultKind::too_short, Severity::stop, reader_.dialect().header_row + 1, 0, 0, "",
+                  "no stretch of the log is long enough to be used", "the log is not used");
+    stop_if_needed();
+    if (options_.check_consistency) judge_consistency(log_, used_specs(), faults_);
+    stop_if_needed();
+    log_.faults = std::move(faults_.all());
+    return std::move(log_);
+  }
+
+ private:
+  void stop_if_needed() {
+    if (faults_.stops()) throw LogError(faults_.all());
+  }
+
+  std::vector<ChannelSpec> used_specs() const {
+    std::vector<ChannelSpec> specs;
+    for (const MappedColumn& m : map_.channels) specs.push_back(m.spec);
+    return specs;
+  }
+
+  void inspect() {
+    Sha256 hash;
+    reader_.on_bytes([&](const char* bytes, size_t count) { hash.update(bytes, count); });
+    reader_.select(columns_of(map_));
+    inspection_.channels.resize(map_.channels.size());
+    inspection_.missing.assign(map_.channels.size(), 0);
+    CsvRow row;
+    while (reader_.next(row)) inspect_row(row);
+    inspection_.time.finish();
+    for (ChannelInspector& channel : inspection_.channels) channel.finish();
+    log_.sha256 = hash.finish();
+    log_.rows = inspection_.rows;
+  }
+
+  void inspect_row(const CsvRow& row) {
+    ++inspection_.rows;
+    const int cells = static_cast<int>(reader_.dialect().header.size());
+    if (row.cells > cells && inspection_.long_rows++ == 0) {
+      inspection_.first_long_row = row.line;
+      inspection_.cells_in_long_row = row.cells;
+    }
+    if (row.state[0] != CellState::number) report_cell(row, 0, map_.time);
+    // The digits written are in the file's unit.
+    inspection_.time.push(
+        row.line, row.value[0] * map_.time.factor,
+        row.time_decimals - static_cast<int>(std::lround(std::log10(map_.time.factor))));
+    for (size_t c = 0; c < map_.channels.size(); ++c) {
+      if (row.state[c + 1] != CellState::number) {
+        ++inspection_.missing[c];
+        report_cell(row, c + 1, map_.channels[c]);
+      }
+      inspection_.channels[c].push(row.line, row.value[c + 1] * map_.channels[c].factor);
+    }
+  }
+
+  void report_cell(const CsvRow& row, size_t slot, const MappedColumn& column) {
+    struct Text {
+      FaultKind kind;
+      const char* what;
+    };
+    const auto text = [&]() -> Text {
+      switch (row.state[slot]) {
+        case CellState::empty:
+          return {FaultKind::missing_cell, "the cell is empty"};
+        case CellState::nan:
+          return {FaultKind::not_a_number, "the cell is no finite number"};
+        case CellState::absent:
+          return {FaultKind::row_length, "the row ends before this column"};
+        default:
+          return {FaultKind::not_numeric, "the cell is text, a number was expected"};
+      }
+    }();
+    faults_.add(text.kind, Severity::repaired, row.line, row.line, column.column, column.spec.name,
+                fmt::format("'{}': {}", column.spec.name, text.what),
+                slot == 0 ? "the row is left out"
+                          : fmt::format("up to {} such rows are interpolated, more are left out",
+                                        options_.longest_fill));
+  }
+
+  GridSettings grid_settings() const {
+    const TimeInspector& time = inspection_.time;
+    GridSettings grid;
+    grid.period = time.period();
+    grid.longest_fill = options_.longest_fill;
+    grid.time_column = map_.time.column;
+    grid.count_rows = time.resolution() > 0.5 * grid.period;
+    if (grid.count_rows)
+      grid.period = (time.last() - time.first()) / static_cast<double>(time.count() - 1);
+    const std::vector<DataFault>& found = faults_.all();
+    grid.resample = std::any_of(found.begin(), found.end(),
+                                [](const DataFault& f) { return f.kind == FaultKind::jitter; });
+    grid.decimation =
+        static_cast<int>((inspection_.rows + options_.max_samples - 1) / options_.max_samples);
+    return grid;
+  }
+
+  void build() {
+    const GridSettings grid = grid_settings();
+    log_.raw_period = grid.period;
+    log_.decimation = grid.decimation;
+    log_.period = grid.period * grid.decimation;
+    std::sort(holes_.begin(), holes_.end(),
+              [](const Hole& a, const Hole& b) { return a.first_row < b.first_row; });
+    UniformBuilder builder(grid, map_.channels.size(), faults_);
+    CsvReader again(path_);
+    again.select(columns_of(map_));
+    CsvRow row;
+    std::vector<double> values(map_.channels.size());
+    size_t first_hole = 0;
+    while (again.next(row)) {
+      for (size_t c = 0; c < values.size(); ++c)
+        values[c] = row.value[c + 1] * map_.channels[c].factor;
+      cut_holes(row.line, first_hole, values);
+      builder.push(row.line, row.value[0] * map_.time.factor, values);
+    }
+    log_.segments = builder.finish();
+  }
+
+  // Holes are sorted by their first row; those that ended are passed over once and for all.
+  void cut_holes(long line, size_t& first_hole, std::vector<double>& values) const {
+    while (first_hole < holes_.size() && holes_[first_hole].last_row < line) ++first_hole;
+    for (size_t h = first_hole; h < holes_.size() && holes_[h].first_row <= line; ++h)
+      if (holes_[h].last_row >= line)
+        values[holes_[h].channel] = std::numeric_limits<double>::quiet_NaN();
+  }
+
+  void describe_channels() {
+    for (size_t c = 0; c < map_.channels.size(); ++c) {
+      const MappedColumn& m = map_.channels[c];
+      Channel channel;
+      channel.name = m.spec.name;
+      channel.unit = m.spec.unit;
+      channel.role = m.spec.role;
+      channel.column = m.column;
+      channel.quantum = inspection_.channels[c].quantum();
+      bool any = false;
+      long longest = 0;
+      for (const Segment& segment : log_.segments) {
+        const auto samples = segment.samples.col(static_cast<long>(c));
+        channel.low = any ? std::min(channel.low, samples.minCoeff()) : samples.minCoeff();
+        channel.high = any ? std::max(channel.high, samples.maxCoeff()) : samples.maxCoeff();
+        any = true;
+        if (samples.size() <= longest) continue;
+        longest = samples.size();
+        channel.noise_floor = white_noise_rms(samples);
+      }
+      log_.channels.push_back(std::move(channel));
+    }
+  }
+
+  std::string path_;
+  ReadOptions options_;
+  FaultList faults_;
+  CsvReader reader_;
+  ColumnMap map_;
+  Inspection inspection_;
+  std::vector<Hole> holes_;
+  Log log_;
+};
+
+}  // namespace
+
+Log read_csv(const std::string& path, const std::vector<ChannelSpec>& specs,
+             const ReadOptions& options) {
+  return Reading(path, specs, options).read();
+}
+
+}  // namespace sinew
