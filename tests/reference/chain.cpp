@@ -6,6 +6,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "tests/reference/written_number.h"
+
 namespace sinew::reference {
 namespace {
 
@@ -53,12 +55,12 @@ Chain<Scalar>::Chain(const Mechanism& mechanism) {
     if (joint.parent < -1 || joint.parent >= static_cast<int>(joints_.size()))
       throw std::invalid_argument(joint.name + ": a joint's parent comes before it");
     const Vector3<Scalar> axis = joint.axis.cast<Scalar>();
-    joints_.push_back(
-        {joint.type,
-         joint.parent,
-         joint.type == JointType::fixed ? -1 : coordinates_++,
-         {exact_rotation<Scalar>(joint.origin.rotation), joint.origin.translation.cast<Scalar>()},
-         Vector3<Scalar>(axis / axis.norm())});
+    joints_.push_back({joint.type,
+                       joint.parent,
+                       joint.type == JointType::fixed ? -1 : coordinates_++,
+                       {exact_rotation<Scalar>(joint.origin.rotation),
+                        written_vector<Scalar>(joint.origin.translation)},
+                       Vector3<Scalar>(axis / axis.norm())});
   }
 }
 

@@ -5,6 +5,8 @@
 #include <Eigen/Geometry>
 #include <stdexcept>
 
+#include "tests/reference/written_number.h"
+
 namespace sinew::reference {
 namespace {
 
@@ -19,15 +21,16 @@ int body_index(const Mechanism& mechanism, const std::string& name) {
 
 template <class Scalar>
 NewtonEuler<Scalar>::NewtonEuler(const Mechanism& mechanism)
-    : chain_(mechanism), gravity_(mechanism.gravity.cast<Scalar>()) {
+    : chain_(mechanism), gravity_(written_vector<Scalar>(mechanism.gravity)) {
   for (const Body& body : mechanism.bodies)
-    bodies_.push_back(
-        {Scalar(body.mass), body.centre_of_mass.cast<Scalar>(), body.inertia.cast<Scalar>()});
+    bodies_.push_back({written_number<Scalar>(body.mass),
+                       written_vector<Scalar>(body.centre_of_mass),
+                       written_matrix<Scalar>(body.inertia)});
   if (mechanism.frames.empty()) return;
   const Frame& frame = mechanism.frames.front();
   tip_body_ = body_index(mechanism, frame.body);
-  tip_pose_.push_back(
-      {exact_rotation<Scalar>(frame.pose.rotation), frame.pose.translation.cast<Scalar>()});
+  tip_pose_.push_back({exact_rotation<Scalar>(frame.pose.rotation),
+                       written_vector<Scalar>(frame.pose.translation)});
 }
 
 template <class Scalar>

@@ -4,6 +4,8 @@
 #include <Eigen/Cholesky>
 #include <stdexcept>
 
+#include "tests/reference/written_number.h"
+
 namespace sinew::reference {
 namespace {
 
@@ -25,14 +27,14 @@ std::size_t joint_named(const Mechanism& mechanism, const std::string& name) {
 template <class Scalar>
 TendonPaths<Scalar>::TendonPaths(const Mechanism& mechanism) : chain_(mechanism) {
   for (const sinew::Tendon& given : mechanism.tendons) {
-    Tendon tendon{Scalar(given.h0), Vector::Zero(chain_.coordinates()), {}};
+    Tendon tendon{written_number<Scalar>(given.h0), Vector::Zero(chain_.coordinates()), {}};
     for (const PulleyRouting& pulley : given.pulleys)
       tendon.radii[chain_.joints()[joint_named(mechanism, pulley.joint)].coordinate] +=
-          Scalar(pulley.radius);
+          written_number<Scalar>(pulley.radius);
     for (const StraightRouting& straight : given.straights)
-      tendon.straights.push_back({body_named(mechanism, straight.from_body),
-                                  body_named(mechanism, straight.to_body),
-                                  straight.from.cast<Scalar>(), straight.to.cast<Scalar>()});
+      tendon.straights.push_back(
+          {body_named(mechanism, straight.from_body), body_named(mechanism, straight.to_body),
+           written_vector<Scalar>(straight.from), written_vector<Scalar>(straight.to)});
     tendons_.push_back(tendon);
   }
 }
