@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the engine is given: uniformly sampled recordings, and physical groups that may explain
+// what a baseline leaves over.
+#pragma once
+
+#include <Eigen/Core>
+#include <functional>
+#include <limits>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace sinew {
+
+/// One log, uniformly sampled. Matrices are samples x axes; unused ones stay empty. SI units.
+struct Recording {
+  std::string name;
+  double step = 0.0;            ///< s
+  Eigen::VectorXd time;         ///< s
+  Eigen::MatrixXd q, qd, qdd;   ///< motion, from differentiate() in filter.h or measured
+  Eigen::MatrixXd command;      ///< drive command
+  Eigen::MatrixXd load;         ///< load on each axis, for instance tendon force
+  Eigen::MatrixXd temperature;  ///< deg C
+  std::map<std::string, Eigen::MatrixXd> signals;  ///< anything else a candidate wants
+  std::vector<Eigen::VectorXd> target;  ///< per channel: what is to be explained, force domain
+};
+
+/// A nonlinear parameter: its bounds are physical limits, its grid starts the search.
+struct NonlinearParameter {
+  std::string name, unit;
+  double low = 0.0, high = 1.0;
+  int grid = 5;             ///< starting points between the bounds
+  bool logarithmic = true;  ///< spacing of the starting points; needs low > 0
+};
+
+/// A linear coefficient. An estimate beyond low or high is not this effect.
+struct LinearParameter {
+  std::string name, unit;
+  double low = -std::numeric_limits<double>::infinity();
+  double high = std::numeric_limits<double>::infinity();
+  bool per_log = false;           ///< a nuisance such as a ripple's phase: one value for each log
+  std::optional<double> nominal;  ///< baseline terms only: the value the model under test uses
+};
+
+enum class CandidateKind {
+  named,     ///< a physical cause
+  decoy,     ///< must not win; where it does, the structure is real but none of the named causes
+  flexible,  ///< a spline or periodic family without a physical name
+  delay      ///< shifts the model's time against the target; columns come from the engine
+};
+
+/// Regressor columns (samples x coefficients) of one channel at the given nonlinear parameters;
+/// a matrix without columns where the effect does not act on that channel.
+using ColumnFunction =
+    std::function<Eigen::MatrixXd(const Recording&, int channel, const Eigen::VectorXd& nonlinear)>;
+
+/// A physical group: one name, one place, its parameters and limits.
+struct Candidate {
+  std::string name;   ///< "viscous asymmetry"
+  std::string place;  ///< "motor", "joint 2", "tendon 3"
+  CandidateKind kind = CandidateKind::named;
+  std::vector<NonlinearParameter> nonlinear;
+  std::vector<LinearParameter> linear;
+  ColumnFunction columns;
+  std::vector<int> channels;  ///< where it acts; empty: asked for every channel
+  std::string limit_meaning;  ///< what a violated limit says, for the ruled-out list
+  std::string depends_on;     ///< flexible and decoy: "position x direction", "velocity", ...
+  std::string isolating_experiment;  ///< the experiment that shows this effect alone
+};
+
+/// Everything one diagnosis works on. The baseline's coefficients are re-fitted with every cause.
+struct Problem {
+  std::vector<Recording> training, holdout;
+  std::vector<Candidate> baseline;
+  std::vector<Candidate> library;
+  int channels = 1;
+};
+
+/// How the search is done; the defaults are the calibrated ones (confidence.h).
+struct Settings {
+  double band_hz = 0.0;         ///< highest frequency looked at; 0: chosen from the sampling rate
+  double edge_s = 0.0;          ///< left away at both ends of every log
+  double significance = 0.003;  ///< family-wise probability of a false name
+  double least_share = 0.01;    ///< of the residual's variance: less is not worth a name
+  int surrogates = 200;
+  int blocks = 12;
+  int most_causes = 8;
+  int threads = 2;
+  unsigned seed = 1;
+};
+
+}  // namespace sinew

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "identification/cross_validation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "identification/spectrum.h"
+
+namespace sinew {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+/// A stretch of one segment; stretches of the same log and time share a block.
+struct Stretch {
+  std::size_t segment = 0;
+  Index first = 0, count = 0;
+  int block = 0;
+};
+
+std::vector<Stretch> cut(const Design& design, bool holdout, int blocks, int& total) {
+  std::vector<int> recordings;
+  double duration = 0.0;
+  for (const Segment& s : design.segments())
+    if (s.holdout == holdout &&
+        std::find(recordings.begin(), recordings.end(), s.recording) == recordings.end()) {
+      recordings.push_back(s.recording);
+      duration += static_cast<double>(s.samples) / s.rate_hz;
+    }
+  std::vector<Stretch> list;
+  total = 0;
+  for (const int recording : recordings) {
+    int here = 0;
+    for (std::size_t i = 0; i < design.segments().size(); ++i) {
+      const Segment& s = design.segments()[i];
+      if (s.recording != recording || s.holdout != holdout) continue;
+      const double share = static_cast<double>(s.samples) / s.rate_hz / duration;
+      here = std::max(3, static_cast<int>(std::lround(share * blocks)));
+      for (int b = 0; b < here; ++b) {
+        const Index from = s.samples * b / here, to = s.samples * (b + 1) / here;
+        list.push_back({i, from, to - from, total + b});
+      }
+    }
+    total += here;
+  }
+  return list;
+}
+
+/// Time-domain rows of one segment, columns placed by term; `weight` empty: not whitened.
+MatrixXd time_columns(const Design& design, const Model& model, const VectorXd& weight,
+                      std::size_t segment) {
+  const std::vector<Index> first = first_columns(model);
+  const Segment& s = design.segments()[segment];
+  MatrixXd x = MatrixXd::Zero(s.samples, first.back() + 1);
+  const auto to_time = [&](const MatrixXd& band) {
+    return from_band(weight.size() ? MatrixXd(weight.asDiagonal() * band) : band, s.samples);
+  };
+  for (std::size_t t = 0; t < model.terms.size(); ++t) {
+    const MatrixXd& part = model.terms[t].columns[segment];
+    if (part.cols() > 0) x.middleCols(first[t], part.cols()) = to_time(part);
+  }
+  x.rightCols(1) = to_time(design.target(static_cast<int>(segment), model.advance[segment]));
+  return x;
+}
+
+}  // namespace
+
+BlockLosses cross_validate(const Design& design, const Model& model, const Weights& weights,
+                           int blocks) {
+  int total = 0;
+  const std::vector<Stretch> stretches = cut(design, false, blocks, total);
+  const Index wide = first_columns(model).back();
+  const MatrixXd none = MatrixXd::Zero(wide + 1, wide + 1);
+  std::vector<MatrixXd> whitened(static_cast<std::size_t>(total), none), plain = whitened;
+  BlockLosses losses{VectorXd::Zero(total), VectorXd::Zero(total), VectorXd::Zero(total)};
+  std::size_t last = design.segments().size();
+  MatrixXd x, raw;
+  for (const Stretch& stretch : stretches) {
+    if (stretch.segment != last) {
+      x = time_columns(design, model, weights[stretch.segment], stretch.segment);
+      raw = time_columns(design, model, VectorXd(), stretch.segment);
+      last = stretch.segment;
+    }
+    const auto b = static_cast<std::size_t>(stretch.block);
+    const auto rows = x.middleRows(stretch.first, stretch.count);
+    const auto raw_rows = raw.middleRows(stretch.first, stretch.count);
+    whitened[b] += rows.transpose() * rows;
+    plain[b] += raw_rows.transpose() * raw_rows;
+    losses.samples(stretch.block) += static_cast<double>(stretch.count);
+  }
+  MatrixXd all = none;
+  for (const MatrixXd& gram : whitened) all += gram;
+  for (int b = 0; b < total; ++b) {
+    const MatrixXd others = all - whitened[static_cast<std::size_t>(b)];
+    VectorXd error(wide + 1);
+    error.head(wide) = -scaled_pseudo_inverse(others.topLeftCorner(wide, wide), 1e-9) *
+                       others.topRightCorner(wide, 1);
+    error(wide) = 1.0;
+    losses.whitened(b) = error.dot(whitened[static_cast<std::size_t>(b)] * error);
+    losses.plain(b) = error.dot(plain[static_cast<std::size_t>(b)] * error);
+  }
+  return losses;
+}
+
+BlockLosses held_out(const Design& design, const Model& model, const LinearFit& fit, int blocks) {
+  int total = 0;
+  const std::vector<Stretch> stretches = cut(design, true, blocks, total);
+  const Index wide = first_columns(model).back();
+  std::vector<MatrixXd> grams(static_cast<std::size_t>(total), MatrixXd::Zero(wide + 1, wide + 1));
+  BlockLosses losses{VectorXd::Zero(total), VectorXd::Zero(total), VectorXd::Zero(total)};
+  std::size_t last = design.segments().size();
+  MatrixXd x;
+  for (const Stretch& stretch : stretches) {
+    if (stretch.segment != last) {
+      x = time_columns(design, model, VectorXd(), stretch.segment);
+      last = stretch.segment;
+    }
+    const auto rows = x.middleRows(stretch.first, stretch.count);
+    grams[static_cast<std::size_t>(stretch.block)] += rows.transpose() * rows;
+    losses.samples(stretch.block) += static_cast<double>(stretch.count);
+  }
+  // Coefficients the training knows nothing of: nuisances of the held-out logs.
+  std::vector<Index> own;
+  Index at = 0;
+  for (const Term& term : model.terms)
+    for (const auto& c : design.coefficients(*term.candidate)) {
+      if (c.recording >= static_cast<int>(design.problem().training.size())) own.push_back(at);
+      ++at;
+    }
+  MatrixXd all = MatrixXd::Zero(wide + 1, wide + 1);
+  for (const MatrixXd& gram : grams) all += gram;
+  for (int b = 0; b < total; ++b) {
+    const MatrixXd others = all - grams[static_cast<std::size_t>(b)];
+    VectorXd error(wide + 1);
+    error.head(wide) = -fit.coefficients;
+    error(wide) = 1.0;
+    for (const Index i : own) error(i) = 0.0;
+    if (!own.empty()) {
+      const VectorXd nuisance =
+          scaled_pseudo_inverse(others(own, own), 1e-9) * (others * error)(own);
+      for (std::size_t i = 0; i < own.size(); ++i) error(own[i]) = -nuisance(static_cast<Index>(i));
+    }
+    losses.plain(b) = error.dot(grams[static_cast<std::size_t>(b)] * error);
+  }
+  return losses;
+}
+
+Gain block_bootstrap_gain(const VectorXd& before, const VectorXd& after, double level,
+                          unsigned seed) {
+  Gain gain;
+  if (before.size() == 0 || before.sum() <= 0.0) return gain;
+  gain.share = 1.0 - after.sum() / before.sum();
+  std::mt19937_64 random(seed);
+  std::uniform_int_distribution<Index> pick(0, before.size() - 1);
+  std::vector<double> draws(1000);
+  for (double& draw : draws) {
+    double top = 0.0, bottom = 0.0;
+    for (Index i = 0; i < before.size(); ++i) {
+      const Index b = pick(random);
+      top += after(b);
+      bottom += before(b);
+    }
+    draw = 1.0 - top / bottom;
+  }
+  std::sort(draws.begin(), draws.end());
+  const double tail = 0.5 * (1.0 - level) * static_cast<double>(draws.size());
+  gain.low = draws[static_cast<std::size_t>(tail)];
+  gain.high = draws[draws.size() - 1 - static_cast<std::size_t>(tail)];
+  return gain;
+}
+
+}  // namespace sinew

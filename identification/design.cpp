@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "identification/design.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "identification/spectrum.h"
+
+namespace sinew {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+Index edge_samples(const Settings& settings, double step) {
+  return static_cast<Index>(std::lround(settings.edge_s / step));
+}
+
+bool acts_on(const Candidate& candidate, int channel) {
+  return candidate.channels.empty() ||
+         std::find(candidate.channels.begin(), candidate.channels.end(), channel) !=
+             candidate.channels.end();
+}
+
+}  // namespace
+
+Design::Design(const Problem& problem, const Settings& settings)
+    : problem_(problem), settings_(settings) {
+  add_segments(problem.training, 0, false);
+  if (segments_.empty())
+    throw std::invalid_argument("Design: no training log is long enough for the filter");
+  add_segments(problem.holdout, static_cast<int>(problem.training.size()), true);
+}
+
+void Design::add_segments(const std::vector<Recording>& recordings, int first, bool holdout) {
+  for (std::size_t r = 0; r < recordings.size(); ++r) {
+    const Recording& log = recordings[r];
+    // Half the work of a frictional drive lies below 40 Hz; more band costs time and adds noise.
+    const double band = settings_.band_hz > 0.0 ? settings_.band_hz : 100.0;
+    for (int channel = 0; channel < static_cast<int>(log.target.size()); ++channel) {
+      const Index raw = log.target[static_cast<std::size_t>(channel)].size();
+      if (raw == 0) continue;
+      Segment segment;
+      segment.recording = first + static_cast<int>(r);
+      segment.channel = channel;
+      segment.holdout = holdout;
+      segment.filter = design_decimating_filter(log.step, std::min(band, 0.4 / log.step));
+      segment.samples =
+          filtered_length(segment.filter, raw - 2 * edge_samples(settings_, log.step));
+      if (segment.samples == 0) continue;
+      segment.rate_hz = 1.0 / (log.step * segment.filter.factor);
+      segment.bins = std::min<Index>(segment.samples / 2,
+                                     static_cast<Index>(segment.filter.band_hz / segment.rate_hz *
+                                                        static_cast<double>(segment.samples)) +
+                                         1);
+      segments_.push_back(segment);
+    }
+  }
+}
+
+const Recording& Design::recording(int index) const {
+  const auto training = problem_.training.size();
+  const auto i = static_cast<std::size_t>(index);
+  return i < training ? problem_.training[i] : problem_.holdout[i - training];
+}
+
+MatrixXd Design::filtered(int segment, const MatrixXd& raw, double advance, int derivative) const {
+  const Segment& s = segments_[static_cast<std::size_t>(segment)];
+  const Index edge = edge_samples(settings_, s.filter.step);
+  return filter_decimate(s.filter, raw.middleRows(edge, raw.rows() - 2 * edge), advance, derivative)
+      .topRows(s.samples);
+}
+
+VectorXd Design::at_instants(int segment, const VectorXd& raw) const {
+  const Segment& s = segments_[static_cast<std::size_t>(segment)];
+  const Index edge = edge_samples(settings_, s.filter.step);
+  VectorXd out(s.samples);
+  for (Index k = 0; k < s.samples; ++k) out(k) = raw(edge + centre_sample(s.filter, k));
+  return out;
+}
+
+VectorXd Design::target(int segment, double advance) const {
+  const Segment& s = segments_[static_cast<std::size_t>(segment)];
+  const VectorXd& raw = recording(s.recording).target[static_cast<std::size_t>(s.channel)];
+  return to_band(filtered(segment, raw, advance), s.bins);
+}
+
+std::vector<Design::Coefficient> Design::coefficients(const Candidate& candidate) const {
+  std::vector<Coefficient> list;
+  const int logs = static_cast<int>(problem_.training.size() + problem_.holdout.size());
+  for (int p = 0; p < static_cast<int>(candidate.linear.size()); ++p) {
+    if (!candidate.linear[static_cast<std::size_t>(p)].per_log) {
+      list.push_back({p, -1});
+      continue;
+    }
+    for (int log = 0; log < logs; ++log) list.push_back({p, log});
+  }
+  return list;
+}
+
+Index Design::width(const Candidate& candidate) const {
+  return static_cast<Index>(coefficients(candidate).size());
+}
+
+BandColumns Design::columns(const Candidate& candidate, const VectorXd& nonlinear,
+                            int derivative) const {
+  const std::vector<Coefficient> layout = coefficients(candidate);
+  BandColumns result(segments_.size());
+  for (std::size_t i = 0; i < segments_.size(); ++i) {
+    const Segment& s = segments_[i];
+    if (!acts_on(candidate, s.channel)) continue;
+    const MatrixXd raw = candidate.columns(recording(s.recording), s.channel, nonlinear);
+    if (raw.cols() == 0) continue;
+    if (raw.cols() != static_cast<Index>(candidate.linear.size()))
+      throw std::logic_error("candidate '" + candidate.name + "': columns and coefficients differ");
+    const MatrixXd band = to_band(filtered(static_cast<int>(i), raw, 0.0, derivative), s.bins);
+    result[i] = MatrixXd::Zero(band.rows(), static_cast<Index>(layout.size()));
+    for (std::size_t c = 0; c < layout.size(); ++c)
+      if (layout[c].recording < 0 || layout[c].recording == s.recording)
+        result[i].col(static_cast<Index>(c)) = band.col(layout[c].parameter);
+  }
+  return result;
+}
+
+}  // namespace sinew

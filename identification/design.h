@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Targets and regressor columns of a problem, filtered alike and taken to the band (spectrum.h).
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "identification/candidate.h"
+#include "identification/filter.h"
+
+namespace sinew {
+
+/// One channel of one log.
+struct Segment {
+  int recording = 0;  ///< index into training, then holdout
+  int channel = 0;
+  bool holdout = false;
+  DecimatingFilter filter;
+  Eigen::Index samples = 0;  ///< after decimation
+  Eigen::Index bins = 0;
+  double rate_hz = 0.0;  ///< after decimation
+};
+
+/// Columns of a group in the band, one matrix for each segment; 0 x 0 where it does not act.
+using BandColumns = std::vector<Eigen::MatrixXd>;
+
+/// Filters what a problem holds. Keeps a reference to the problem.
+class Design {
+ public:
+  Design(const Problem& problem, const Settings& settings);
+
+  const Problem& problem() const { return problem_; }
+  const std::vector<Segment>& segments() const { return segments_; }
+  const Recording& recording(int index) const;
+
+  /// Filtered target of one segment in the band, `advance` [s] later than the model's time.
+  Eigen::VectorXd target(int segment, double advance = 0.0) const;
+
+  /// Coefficients of a candidate over all logs: per-log nuisances count once for each log.
+  Eigen::Index width(const Candidate& candidate) const;
+
+  /// Linear parameter behind a coefficient, and its log (-1: shared).
+  struct Coefficient {
+    int parameter = 0;
+    int recording = -1;
+  };
+  std::vector<Coefficient> coefficients(const Candidate& candidate) const;
+
+  /// Filtered columns (derivative = 1: their time derivative) of all segments.
+  BandColumns columns(const Candidate& candidate, const Eigen::VectorXd& nonlinear,
+                      int derivative = 0) const;
+
+  /// Raw columns put through the segment's filter, decimated time domain.
+  Eigen::MatrixXd filtered(int segment, const Eigen::MatrixXd& raw, double advance = 0.0,
+                           int derivative = 0) const;
+
+  /// A signal of the recording at the decimated instants, unfiltered, for plots and splines.
+  Eigen::VectorXd at_instants(int segment, const Eigen::VectorXd& raw) const;
+
+ private:
+  void add_segments(const std::vector<Recording>& recordings, int first, bool holdout);
+  const Problem& problem_;
+  Settings settings_;
+  std::vector<Segment> segments_;
+};
+
+}  // namespace sinew

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "identification/filter.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+namespace sinew {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+constexpr double kPi = std::numbers::pi;
+constexpr double kKaiserBeta = 5.65;  // 60 dB
+
+/// Kaiser-windowed sinc of the given cutoff [cycles/sample] and its derivatives, at x samples.
+double kernel_value(double x, double cutoff, double half_width) {
+  const double u = x / half_width;
+  if (std::abs(u) >= 1.0) return 0.0;
+  const double window = std::cyl_bessel_i(0.0, kKaiserBeta * std::sqrt(1.0 - u * u)) /
+                        std::cyl_bessel_i(0.0, kKaiserBeta);
+  const double phase = 2.0 * kPi * cutoff * x;
+  const double sinc = std::abs(phase) < 1e-9 ? 1.0 : std::sin(phase) / phase;
+  return 2.0 * cutoff * sinc * window;
+}
+
+/// Weights w with y(c) = sum_j w_j x(c + j), j = -half..half, for the signal `advance` samples on.
+VectorXd kernel(double cutoff, Index half, double advance, int derivative) {
+  const double width = static_cast<double>(half) + 1.0;
+  const double h = 1e-3;
+  VectorXd w(2 * half + 1);
+  for (Index j = -half; j <= half; ++j) {
+    const double x = static_cast<double>(j) - advance;
+    const double centre = kernel_value(x, cutoff, width);
+    // d/dt of y moves the kernel, hence the minus sign of the first derivative.
+    const double low = kernel_value(x - h, cutoff, width),
+                 high = kernel_value(x + h, cutoff, width);
+    const double value = derivative == 0   ? centre
+                         : derivative == 1 ? -(high - low) / (2.0 * h)
+                                           : (high - 2.0 * centre + low) / (h * h);
+    w(j + half) = value;
+  }
+  if (derivative == 0) return w / w.sum();
+  // Exact on polynomials: a constant gives 0, and x^d gives d! (d = order).
+  const VectorXd at =
+      VectorXd::LinSpaced(2 * half + 1, -static_cast<double>(half), static_cast<double>(half))
+          .array() -
+      advance;
+  w.array() -= w.mean();
+  const double scale = derivative == 1 ? w.dot(at) : 0.5 * w.dot(at.array().square().matrix());
+  return w / scale;
+}
+
+bool is_smooth(Index n) {
+  for (const Index p : {2, 3, 5})
+    while (n % p == 0) n /= p;
+  return n == 1;
+}
+
+}  // namespace
+
+DecimatingFilter design_decimating_filter(double step, double band_hz) {
+  if (!(step > 0.0) || !(band_hz > 0.0))
+    throw std::invalid_argument("design_decimating_filter: step and band must be positive");
+  DecimatingFilter filter;
+  filter.step = step;
+  filter.factor = std::max(1, static_cast<int>(std::floor(0.4 / (band_hz * step))));
+  filter.band_hz = std::min(band_hz, 0.4 / (step * filter.factor));
+  filter.half_width = 9 * filter.factor;
+  return filter;
+}
+
+Index filtered_length(const DecimatingFilter& filter, Index samples) {
+  const Index inner = samples - 2 * filter.half_width;
+  Index n = inner <= 0 ? 0 : (inner - 1) / filter.factor + 1;
+  while (n > 1 && !(n % 2 == 0 && is_smooth(n))) --n;
+  return n < 32 ? 0 : n;
+}
+
+Index centre_sample(const DecimatingFilter& filter, Index k) {
+  return filter.half_width + k * filter.factor;
+}
+
+MatrixXd filter_decimate(const DecimatingFilter& filter, const MatrixXd& x, double advance,
+                         int derivative) {
+  const Index n = filtered_length(filter, x.rows());
+  const VectorXd w =
+      kernel(0.5 / filter.factor, filter.half_width, advance / filter.step, derivative) /
+      std::pow(filter.step, derivative);
+  MatrixXd out(n, x.cols());
+  for (Index c = 0; c < x.cols(); ++c)
+    for (Index k = 0; k < n; ++k) out(k, c) = w.dot(x.col(c).segment(k * filter.factor, w.size()));
+  return out;
+}
+
+Motion differentiate(const MatrixXd& position, double step, double cutoff_hz) {
+  const double cutoff = std::min(0.5, 1.25 * cutoff_hz * step);
+  // Transition from cutoff to 1.5 cutoff at 60 dB.
+  const Index half = std::max<Index>(4, static_cast<Index>(std::ceil(1.9 / cutoff / 0.5)));
+  const Index n = position.rows();
+  if (n <= half + 1) throw std::invalid_argument("differentiate: log shorter than the smoother");
+  const VectorXd w0 = kernel(cutoff, half, 0.0, 0), w1 = kernel(cutoff, half, 0.0, 1) / step,
+                 w2 = kernel(cutoff, half, 0.0, 2) / (step * step);
+  Motion motion{MatrixXd(n, position.cols()), MatrixXd(n, position.cols()),
+                MatrixXd(n, position.cols())};
+  VectorXd padded(n + 2 * half);
+  for (Index c = 0; c < position.cols(); ++c) {
+    const auto p = position.col(c);
+    padded.segment(half, n) = p;
+    for (Index j = 1; j <= half; ++j) {
+      padded(half - j) = 2.0 * p(0) - p(j);
+      padded(half + n - 1 + j) = 2.0 * p(n - 1) - p(n - 1 - j);
+    }
+    for (Index k = 0; k < n; ++k) {
+      const auto piece = padded.segment(k, w0.size());
+      motion.q(k, c) = w0.dot(piece);
+      motion.qd(k, c) = w1.dot(piece);
+      motion.qdd(k, c) = w2.dot(piece);
+    }
+  }
+  return motion;
+}
+
+}  // namespace sinew

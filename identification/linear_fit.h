@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Generalised least squares over whitened band columns, and the model it is done for.
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "identification/design.h"
+
+namespace sinew {
+
+/// A group that takes part in the fit, at given nonlinear parameters.
+struct Term {
+  const Candidate* candidate = nullptr;
+  bool baseline = false;
+  Eigen::VectorXd nonlinear;
+  BandColumns columns;  ///< unwhitened
+};
+
+/// Baseline terms and accepted causes. A delay's term holds the model's time derivative; what it
+/// has found so far is in `advance`: the target is taken that much later than the model's time.
+struct Model {
+  std::vector<Term> terms;
+  std::vector<double> advance;  ///< s, per segment
+};
+
+/// Weights per band row and segment: 1 / noise standard deviation. Zero rows for held-out logs.
+using Weights = std::vector<Eigen::VectorXd>;
+
+/// Stacked over segments: a is rows x coefficients, y is rows.
+struct Stack {
+  Eigen::MatrixXd a;
+  Eigen::VectorXd y;
+  std::vector<Eigen::Index> first_row;  ///< of each segment, and the total at the end
+};
+
+/// Result of a fit. Coefficients follow the terms, each term's as Design::coefficients lists them.
+struct LinearFit {
+  Eigen::VectorXd coefficients;
+  Eigen::MatrixXd covariance;  ///< pseudo-inverse of the whitened normal matrix
+  Eigen::VectorXd residual;    ///< whitened, stacked
+  double deviance = 0.0;       ///< residual' residual
+};
+
+/// Column of each term's first coefficient, and the total at the end.
+std::vector<Eigen::Index> first_columns(const Model& model);
+
+/// Whitened training rows of all terms and the target.
+Stack stack(const Design& design, const Model& model, const Weights& weights);
+
+/// Least squares; columns that are zero or linearly dependent get the minimum-norm coefficients.
+LinearFit solve(const Stack& stack);
+
+/// Symmetric pseudo-inverse after scaling to a unit diagonal; relative eigenvalues below
+/// `tolerance` count as zero.
+Eigen::MatrixXd scaled_pseudo_inverse(const Eigen::MatrixXd& gram, double tolerance = 1e-10);
+
+/// Model prediction of one segment in the band (derivative columns as given in `columns`).
+Eigen::VectorXd predict(const std::vector<const BandColumns*>& columns,
+                        const Eigen::VectorXd& coefficients, std::size_t segment);
+
+/// Time derivative of the model's prediction: the column a delay is linearised with.
+BandColumns prediction_rate(const Design& design, const Model& model,
+                            const Eigen::VectorXd& coefficients, const Candidate& delay);
+
+}  // namespace sinew

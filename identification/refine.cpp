@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "identification/refine.h"
+
+#include <ceres/ceres.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+namespace sinew {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+/// One nonlinear parameter in the coordinates of the search (logarithm where it is a scale).
+struct Coordinate {
+  std::size_t term = 0;
+  Index parameter = 0;
+  bool logarithmic = false;
+  double low = 0.0, high = 0.0;
+  double to_value(double u) const { return logarithmic ? std::exp(u) : u; }
+  double from_value(double v) const { return logarithmic ? std::log(v) : v; }
+};
+
+std::vector<Coordinate> coordinates(const Model& model, RefineScope scope) {
+  std::vector<Coordinate> list;
+  const std::size_t first = scope == RefineScope::last_term ? model.terms.size() - 1 : 0;
+  for (std::size_t t = first; t < model.terms.size(); ++t) {
+    const Candidate& candidate = *model.terms[t].candidate;
+    if (candidate.kind == CandidateKind::delay) continue;
+    for (std::size_t p = 0; p < candidate.nonlinear.size(); ++p) {
+      const NonlinearParameter& range = candidate.nonlinear[p];
+      Coordinate c{t, static_cast<Index>(p), range.logarithmic, 0.0, 0.0};
+      c.low = c.from_value(range.low);
+      c.high = c.from_value(range.high);
+      if (c.high > c.low) list.push_back(c);
+    }
+  }
+  return list;
+}
+
+/// Whitened residual as a function of the coordinates; keeps the last columns of every term.
+class ProjectedResidual {
+ public:
+  ProjectedResidual(const Design& design, const Weights& weights, const Model& model,
+                    std::vector<Coordinate> coordinates)
+      : design_(design),
+        weights_(weights),
+        model_(model),
+        coordinates_(std::move(coordinates)),
+        stack_(stack(design, model, weights)),
+        first_(first_columns(model)) {}
+
+  bool operator()(double const* const* blocks, double* residual) const {
+    std::vector<VectorXd> wanted;
+    for (const Term& term : model_.terms) wanted.push_back(term.nonlinear);
+    for (std::size_t c = 0; c < coordinates_.size(); ++c)
+      wanted[coordinates_[c].term](coordinates_[c].parameter) =
+          coordinates_[c].to_value(blocks[0][c]);
+    for (std::size_t t = 0; t < wanted.size(); ++t)
+      if (wanted[t] != model_.terms[t].nonlinear) replace(t, wanted[t]);
+    VectorXd::Map(residual, stack_.y.size()) = solve(stack_).residual;
+    return true;
+  }
+
+  Index rows() const { return stack_.y.size(); }
+
+ private:
+  void replace(std::size_t t, const VectorXd& nonlinear) const {
+    Term& term = model_.terms[t];
+    term.nonlinear = nonlinear;
+    term.columns = design_.columns(*term.candidate, nonlinear);
+    for (std::size_t s = 0; s < term.columns.size(); ++s) {
+      const Index rows = stack_.first_row[s + 1] - stack_.first_row[s];
+      if (rows > 0 && term.columns[s].cols() > 0)
+        stack_.a.block(stack_.first_row[s], first_[t], rows, term.columns[s].cols()) =
+            weights_[s].asDiagonal() * term.columns[s];
+    }
+  }
+
+  const Design& design_;
+  const Weights& weights_;
+  mutable Model model_;
+  std::vector<Coordinate> coordinates_;
+  mutable Stack stack_;
+  std::vector<Index> first_;
+};
+
+void fit_nonlinear(const Design& design, const Weights& weights, RefineScope scope, Model& model) {
+  const std::vector<Coordinate> list = coordinates(model, scope);
+  if (list.empty()) return;
+  std::vector<double> u;
+  for (const Coordinate& c : list)
+    u.push_back(
+        std::clamp(c.from_value(model.terms[c.term].nonlinear(c.parameter)), c.low, c.high));
+  auto residual = std::make_unique<ProjectedResidual>(design, weights, model, list);
+  const Index rows = residual->rows();
+  ceres::NumericDiffOptions steps;
+  steps.relative_step_size = 3e-3;  // columns with a kink are smooth on this scale only
+  auto cost =
+      std::make_unique<ceres::DynamicNumericDiffCostFunction<ProjectedResidual, ceres::CENTRAL>>(
+          residual.release(), ceres::TAKE_OWNERSHIP, steps);
+  cost->AddParameterBlock(static_cast<int>(u.size()));
+  cost->SetNumResiduals(static_cast<int>(rows));
+  ceres::Problem problem;
+  problem.AddResidualBlock(cost.release(), nullptr, u.data());
+  for (std::size_t c = 0; c < list.size(); ++c) {
+    problem.SetParameterLowerBound(u.data(), static_cast<int>(c), list[c].low);
+    problem.SetParameterUpperBound(u.data(), static_cast<int>(c), list[c].high);
+  }
+  ceres::Solver::Options options;
+  options.linear_solver_type = ceres::DENSE_NORMAL_CHOLESKY;
+  options.max_num_iterations = scope == RefineScope::all_terms ? 12 : 8;
+  options.function_tolerance = 1e-5;
+  options.logging_type = ceres::SILENT;
+  ceres::Solver::Summary summary;
+  ceres::Solve(options, &problem, &summary);
+  for (std::size_t c = 0; c < list.size(); ++c)
+    model.terms[list[c].term].nonlinear(list[c].parameter) = list[c].to_value(u[c]);
+  for (Term& term : model.terms)
+    if (term.nonlinear.size() > 0 && term.candidate->kind != CandidateKind::delay)
+      term.columns = design.columns(*term.candidate, term.nonlinear);
+}
+
+/// One Gauss-Newton step of every delay; returns the largest change [s].
+double move_delays(const Design& design, const Weights& weights, Model& model) {
+  double largest = 0.0;
+  for (std::size_t t = 0; t < model.terms.size(); ++t) {
+    const Candidate& candidate = *model.terms[t].candidate;
+    if (candidate.kind != CandidateKind::delay) continue;
+    const VectorXd before = solve(stack(design, model, weights)).coefficients;
+    VectorXd plain = before;
+    plain(first_columns(model)[t]) = 0.0;
+    model.terms[t].columns = prediction_rate(design, model, plain, candidate);
+    const double step = solve(stack(design, model, weights)).coefficients(first_columns(model)[t]);
+    const NonlinearParameter& range = candidate.nonlinear.front();
+    const double old = model.terms[t].nonlinear(0);
+    const double now = std::clamp(old + step, range.low, range.high);
+    model.terms[t].nonlinear(0) = now;
+    for (std::size_t s = 0; s < model.advance.size(); ++s)
+      if (model.terms[t].columns[s].cols() > 0) model.advance[s] -= now - old;
+    largest = std::max(largest, std::abs(now - old));
+  }
+  return largest;
+}
+
+}  // namespace
+
+void refine(const Design& design, const Weights& weights, RefineScope scope, Model& model) {
+  const int rounds = scope == RefineScope::all_terms ? 4 : 1;
+  for (int round = 0; round < rounds; ++round) {
+    fit_nonlinear(design, weights, scope, model);
+    if (move_delays(design, weights, model) < 2e-6) break;
+  }
+}
+
+Term make_term(const Design& design, const Candidate& candidate, const VectorXd& nonlinear,
+               bool baseline) {
+  return {&candidate, baseline, nonlinear, design.columns(candidate, nonlinear)};
+}
+
+void append_term(const Design& design, const Weights& weights, const Candidate& candidate,
+                 const VectorXd& nonlinear, Model& model) {
+  if (candidate.kind != CandidateKind::delay) {
+    model.terms.push_back(make_term(design, candidate, nonlinear, false));
+    return;
+  }
+  const VectorXd coefficients = solve(stack(design, model, weights)).coefficients;
+  model.terms.push_back({&candidate, false, VectorXd::Zero(1),
+                         prediction_rate(design, model, coefficients, candidate)});
+}
+
+void remove_term(const Design& design, std::size_t index, Model& model) {
+  const Term term = model.terms[index];
+  if (term.candidate->kind == CandidateKind::delay)
+    for (std::size_t s = 0; s < design.segments().size(); ++s)
+      if (term.columns[s].cols() > 0) model.advance[s] += term.nonlinear(0);
+  model.terms.erase(model.terms.begin() + static_cast<std::ptrdiff_t>(index));
+}
+
+}  // namespace sinew

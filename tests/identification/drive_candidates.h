@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A plain candidate list for one drive, for testing the engine by itself.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "identification/candidate.h"
+
+namespace sinew::test {
+
+/// Scales of a drive, from which starting grids and splines follow.
+struct DriveScales {
+  double speed = 1.0;             ///< largest |qd|
+  double low = -1.0, high = 1.0;  ///< range of q
+  double duration = 60.0;         ///< s
+  double load = 0.0;              ///< largest |load|; 0: no load channel
+  double period_in = 0.0;         ///< q for one turn of the motor; 0: unknown
+  double period_out = 0.0;        ///< q for one turn of the output; 0: none
+  bool revolute = false;
+};
+
+DriveScales drive_scales(const std::vector<Recording>& logs);
+
+/// Inertia, viscous, Coulomb and offset.
+std::vector<Candidate> drive_baseline(const DriveScales& scales);
+
+/// Named causes, decoys and flexible families.
+std::vector<Candidate> drive_library(const DriveScales& scales);
+
+}  // namespace sinew::test
