@@ -110,7 +110,7 @@ class CsvScanner {
                     "expected a comma or the end of the line");
       while (!at_line_end() && now() != ',') advance();
     }
-    return trimmed(std::move(text));
+    return text;
   }
 
   void while_blank() {

@@ -11,7 +11,7 @@
 namespace sinew {
 
 struct TableCell {
-  std::string text;  ///< without surrounding blanks and quotes
+  std::string text;  ///< without quotes, and without blanks around it where there are none
   SourceLocation where;
 };
 

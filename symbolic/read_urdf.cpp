@@ -57,6 +57,13 @@ class Renaming {
   std::set<std::string> taken_;
 };
 
+/// Text fit for any file: bytes outside printable ASCII become question marks.
+std::string printable(std::string text) {
+  for (char& c : text)
+    if (c < ' ' || c > '~') c = '?';
+  return text;
+}
+
 Eigen::Vector3d to_vector(const urdf::Vector3& v) {
   return {v.x, v.y, v.z};
 }
@@ -114,7 +121,8 @@ class UrdfReader {
 
   void name_mechanism() {
     mechanism_.name = Renaming({})(outline_.robot, "robot", outline_.robot_where, notes_);
-    mechanism_.description = fmt::format("Robot '{}', imported from URDF", outline_.robot);
+    mechanism_.description =
+        fmt::format("Robot '{}', imported from URDF", printable(outline_.robot));
     body_names_[outline_.root] = -1;
     const UrdfLink& root = *links_.at(outline_.root);
     if (root.has_inertial)
@@ -130,7 +138,7 @@ class UrdfReader {
     joint.parent = body_names_.at(outline.ends.parent);
     joint.origin.rotation = rotation_from_rpy(outline.rpy);
     joint.origin.translation = to_vector(source.parent_to_joint_origin_transform.position);
-    set_from("joint." + joint.name + ".origin");
+    set_origin_provenance("joint." + joint.name + ".origin", joint.origin);
     if (outline.type != "fixed") set_motion(outline, source, joint);
     if (outline.type == "fixed") joint.type = JointType::fixed;
     joint_names_[outline.name] = joint.name;
@@ -140,6 +148,12 @@ class UrdfReader {
   }
 
   void set_from(const std::string& path) { mechanism_.provenance[path] = "urdf"; }
+
+  void set_origin_provenance(const std::string& path, const Transform& origin) {
+    if (!origin.translation.isZero(0.0)) set_from(path + ".xyz");
+    if (origin.rotation != Eigen::Matrix3d::Identity())
+      set_from(path + (exact_rpy(origin.rotation) ? ".rpy" : ".rotation"));
+  }
 
   void set_motion(const UrdfJoint& outline, const urdf::Joint& source, Joint& joint) {
     const std::string path = "joint." + joint.name;

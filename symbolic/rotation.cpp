@@ -3,6 +3,7 @@
 
 #include <Eigen/LU>
 #include <cmath>
+#include <cstdlib>
 
 namespace sinew {
 
@@ -11,6 +12,26 @@ namespace {
 double snapped_entry(double entry) {
   const double whole = std::round(entry);
   return std::abs(entry - whole) <= 1e-12 ? whole + 0.0 : entry;  // + 0.0: no negative zero
+}
+
+/// The double `steps` places away.
+double moved(double value, int steps) {
+  const double towards = steps < 0 ? -HUGE_VAL : HUGE_VAL;
+  for (int i = 0; i < std::abs(steps); ++i) value = std::nextafter(value, towards);
+  return value;
+}
+
+Eigen::Vector3d nearest_rpy(const Eigen::Matrix3d& rotation) {
+  using Extended = long double;
+  const Eigen::Matrix<Extended, 3, 3> r = rotation.cast<Extended>();
+  Eigen::Matrix<Extended, 3, 1> rpy(0, std::atan2(-r(2, 0), std::hypot(r(0, 0), r(1, 0))), 0);
+  if (std::abs(rotation(2, 0)) < 1.0) {
+    rpy[0] = std::atan2(r(2, 1), r(2, 2));
+    rpy[2] = std::atan2(r(1, 0), r(0, 0));
+  } else {
+    rpy[2] = std::atan2(-r(0, 1), r(1, 1));
+  }
+  return rpy.cast<double>().unaryExpr([](double angle) { return angle + 0.0; });
 }
 
 }  // namespace
@@ -38,17 +59,17 @@ Eigen::Matrix3d rotation_from_rpy(const Eigen::Vector3d& rpy) {
 }
 
 std::optional<Eigen::Vector3d> exact_rpy(const Eigen::Matrix3d& rotation) {
-  const double pitch = std::atan2(-rotation(2, 0), std::hypot(rotation(0, 0), rotation(1, 0)));
-  Eigen::Vector3d rpy(0.0, pitch, 0.0);
-  if (std::abs(rotation(2, 0)) < 1.0) {
-    rpy[0] = std::atan2(rotation(2, 1), rotation(2, 2));
-    rpy[2] = std::atan2(rotation(1, 0), rotation(0, 0));
-  } else {
-    rpy[2] = std::atan2(-rotation(0, 1), rotation(1, 1));
-  }
-  rpy = rpy.unaryExpr([](double angle) { return angle + 0.0; });
-  if (rotation_from_rpy(rpy) != rotation) return std::nullopt;
-  return rpy;
+  const Eigen::Vector3d start = nearest_rpy(rotation);
+  // The matrix is rounded, so angles computed from it may miss those it was made of by a few ulps.
+  static constexpr int order[] = {0, 1, -1, 2, -2};
+  for (const int roll : order)
+    for (const int pitch : order)
+      for (const int yaw : order) {
+        const Eigen::Vector3d rpy(moved(start[0], roll), moved(start[1], pitch),
+                                  moved(start[2], yaw));
+        if (rotation_from_rpy(rpy) == rotation) return rpy;
+      }
+  return std::nullopt;
 }
 
 bool is_rotation(const Eigen::Matrix3d& matrix) {

@@ -1,0 +1,262 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "symbolic/write_mechanism.h"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+#include "symbolic/check_mechanism.h"
+#include "symbolic/origin.h"
+#include "symbolic/read_mechanism.h"
+#include "symbolic/replace_folder.h"
+#include "symbolic/rotation.h"
+#include "symbolic/units.h"
+
+namespace sinew {
+namespace {
+
+std::string quoted(const std::string& text) {
+  std::string out = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\')
+      out += fmt::format("\\{}", c);
+    else if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f)
+      out += fmt::format("\\u{:04x}", static_cast<unsigned>(c));
+    else
+      out += c;
+  }
+  return out + '"';
+}
+
+std::string csv_cell(const std::string& text) {
+  if (text.find_first_of(",\"\r\n#") == std::string::npos && !text.starts_with(' ') &&
+      !text.ends_with(' '))
+    return text;
+  std::string out = "\"";
+  for (const char c : text) out += c == '"' ? "\"\"" : std::string(1, c);
+  return out + '"';
+}
+
+std::string list(const Eigen::Vector3d& v) {
+  return fmt::format("[{}, {}, {}]", v[0], v[1], v[2]);
+}
+
+struct OriginAndReference {
+  std::string from;
+  std::string ref;
+};
+
+/// "text: Table 5.1" taken apart; anything else is "assumed".
+OriginAndReference split_provenance(const std::string& provenance) {
+  const std::size_t colon = provenance.find(": ");
+  const std::string from = provenance.substr(0, colon);
+  const std::string ref = colon == std::string::npos ? "" : provenance.substr(colon + 2);
+  if (is_origin(from) && (from != "text" || !ref.empty())) return {from, ref};
+  return {"assumed", provenance == "assumed" ? "" : provenance};
+}
+
+class Describer {
+ public:
+  explicit Describer(const Mechanism& mechanism) : mechanism_(mechanism) {}
+
+  std::string toml() {
+    header();
+    for (const Body& each : mechanism_.bodies) body(each);
+    for (std::size_t i = 0; i < mechanism_.joints.size(); ++i) joint(i);
+    for (const Frame& each : mechanism_.frames) frame(each);
+    for (const Tendon& each : mechanism_.tendons) tendon(each);
+    for (const JointCoupling& each : mechanism_.couplings) coupling(each);
+    if (!mechanism_.tendons.empty()) tendon_defaults();
+    return std::move(text_);
+  }
+
+ private:
+  bool is_known(const std::string& path) const { return mechanism_.provenance.contains(path); }
+
+  std::string quantity(const std::string& path, const std::string& value,
+                       Dimension dimension) const {
+    const auto found = mechanism_.provenance.find(path);
+    const auto [from, ref] =
+        split_provenance(found == mechanism_.provenance.end() ? "assumed" : found->second);
+    const std::string unit =
+        dimension == Dimension::none ? "" : fmt::format(", unit = \"{}\"", si_unit(dimension));
+    const std::string reference = ref.empty() ? "" : ", ref = " + quoted(ref);
+    return fmt::format("{{ value = {}{}, from = \"{}\"{} }}", value, unit, from, reference);
+  }
+
+  void line(const std::string& key, const std::string& value) {
+    text_ += fmt::format("{} = {}\n", key, value);
+  }
+
+  void line(const std::string& key, const std::string& path, const std::string& value,
+            Dimension dimension) {
+    line(key, quantity(path, value, dimension));
+  }
+
+  void header() {
+    text_ += "[mechanism]\n";
+    line("name", quoted(mechanism_.name));
+    if (!mechanism_.description.empty()) line("description", quoted(mechanism_.description));
+    line("gravity", "mechanism.gravity", list(mechanism_.gravity), Dimension::acceleration);
+  }
+
+  void body(const Body& body) {
+    text_ += fmt::format("\n[[body]]\nname = {}\n", quoted(body.name));
+    if (body.mass == 0.0) return line("massless", "true");
+    const auto check = strictest_check(body.inertia);
+    if (check && check != InertiaCheck::physical) line("inertia_check", quoted(to_text(*check)));
+  }
+
+  void pose(const std::string& key, const std::string& path, const Transform& pose) {
+    if (!pose.translation.isZero(0.0) || is_known(path + ".xyz"))
+      line(key + ".xyz", path + ".xyz", list(pose.translation), Dimension::length);
+    const auto rpy = exact_rpy(pose.rotation);
+    if (rpy && !is_known(path + ".rotation")) {
+      if (pose.rotation != Eigen::Matrix3d::Identity() || is_known(path + ".rpy"))
+        line(key + ".rpy", path + ".rpy", list(*rpy), Dimension::angle);
+      return;
+    }
+    const Eigen::Matrix3d& r = pose.rotation;
+    const std::string known = is_known(path + ".rotation") ? path + ".rotation" : path + ".rpy";
+    line(key + ".rotation", known,
+         fmt::format("[{}, {}, {}]", list(r.row(0)), list(r.row(1)), list(r.row(2))),
+         Dimension::none);
+  }
+
+  void joint(std::size_t index) {
+    static constexpr const char* types[] = {"revolute", "prismatic", "fixed"};
+    const Joint& joint = mechanism_.joints[index];
+    const std::string path = "joint." + joint.name;
+    text_ += fmt::format("\n[[joint]]\nname = {}\ntype = \"{}\"\n", quoted(joint.name),
+                         types[static_cast<int>(joint.type)]);
+    line("parent",
+         quoted(joint.parent < 0 ? "base"
+                                 : mechanism_.bodies[static_cast<std::size_t>(joint.parent)].name));
+    line("child", quoted(mechanism_.bodies[index].name));
+    pose("origin", path + ".origin", joint.origin);
+    if (joint.type == JointType::fixed) return;
+    const bool turns = joint.type == JointType::revolute;
+    if (is_known(path + ".axis"))
+      line("axis", path + ".axis", list(joint.axis), Dimension::none);
+    else
+      line("axis", list(joint.axis));
+    line("range", path + ".range", fmt::format("[{}, {}]", joint.low, joint.high),
+         turns ? Dimension::angle : Dimension::length);
+    line("max_velocity", path + ".max_velocity", fmt::format("{}", joint.max_velocity),
+         turns ? Dimension::angular_velocity : Dimension::velocity);
+    line("max_acceleration", path + ".max_acceleration", fmt::format("{}", joint.max_acceleration),
+         turns ? Dimension::angular_acceleration : Dimension::acceleration);
+    line("damping", path + ".damping", fmt::format("{}", joint.damping),
+         turns ? Dimension::angular_damping : Dimension::damping);
+  }
+
+  void frame(const Frame& frame) {
+    text_ +=
+        fmt::format("\n[[frame]]\nname = {}\nbody = {}\n", quoted(frame.name), quoted(frame.body));
+    pose("pose", "frame." + frame.name + ".pose", frame.pose);
+  }
+
+  void tendon(const Tendon& tendon) {
+    const std::string path = "tendon." + tendon.name;
+    text_ += fmt::format("\n[[tendon]]\nname = {}\n", quoted(tendon.name));
+    if (tendon.h0 != 0.0 || is_known(path + ".h0"))
+      line("h0", path + ".h0", fmt::format("{}", tendon.h0), Dimension::length);
+    if (!tendon.pulleys.empty()) pulleys(tendon, path);
+    if (!tendon.straights.empty()) straights(tendon, path);
+  }
+
+  void pulleys(const Tendon& tendon, const std::string& path) {
+    text_ += "pulleys = [\n";
+    for (std::size_t i = 0; i < tendon.pulleys.size(); ++i) {
+      const PulleyRouting& pulley = tendon.pulleys[i];
+      text_ += fmt::format("  {{ joint = {}, radius = {} }},\n", quoted(pulley.joint),
+                           quantity(fmt::format("{}.pulleys[{}].radius", path, i),
+                                    fmt::format("{}", pulley.radius), Dimension::length));
+    }
+    text_ += "]\n";
+  }
+
+  void straights(const Tendon& tendon, const std::string& path) {
+    text_ += "straights = [\n";
+    for (std::size_t i = 0; i < tendon.straights.size(); ++i) {
+      const StraightRouting& straight = tendon.straights[i];
+      const std::string own = fmt::format("{}.straights[{}]", path, i);
+      text_ +=
+          fmt::format("  {{ from_body = {}, from_point = {}, to_body = {}, to_point = {} }},\n",
+                      quoted(straight.from_body),
+                      quantity(own + ".from_point", list(straight.from), Dimension::length),
+                      quoted(straight.to_body),
+                      quantity(own + ".to_point", list(straight.to), Dimension::length));
+    }
+    text_ += "]\n";
+  }
+
+  void coupling(const JointCoupling& coupling) {
+    text_ += fmt::format("\n[[coupling]]\ndependent = {}\nindependent = {}\n",
+                         quoted(coupling.dependent), quoted(coupling.independent));
+    line("ratio", fmt::format("coupling.{}.ratio", coupling.dependent),
+         fmt::format("{}", coupling.ratio), Dimension::none);
+  }
+
+  void tendon_defaults() {
+    text_ += "\n[tendon_defaults]\n";
+    line("stiffness", "tendon_defaults.stiffness",
+         fmt::format("[{}, {}]", mechanism_.tendon_stiffness_low, mechanism_.tendon_stiffness_high),
+         Dimension::stiffness);
+    line("max_force", "tendon_defaults.max_force", fmt::format("{}", mechanism_.tendon_force_high),
+         Dimension::force);
+  }
+
+  const Mechanism& mechanism_;
+  std::string text_;
+};
+
+std::string csv_row(const Body& body, const std::string& provenance) {
+  const auto [from, ref] = split_provenance(provenance);
+  const Eigen::Vector3d& c = body.centre_of_mass;
+  const Eigen::Matrix3d& i = body.inertia;
+  return fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{}\n", body.name, body.mass, c[0], c[1],
+                     c[2], i(0, 0), i(1, 1), i(2, 2), i(0, 1), i(0, 2), i(1, 2), from,
+                     csv_cell(ref));
+}
+
+std::string csv_table(const Mechanism& mechanism) {
+  std::string text =
+      "link,mass [kg],com_x [m],com_y [m],com_z [m],ixx [kg*m^2],iyy [kg*m^2],izz [kg*m^2],"
+      "ixy [kg*m^2],ixz [kg*m^2],iyz [kg*m^2],from,ref\n";
+  for (const Body& body : mechanism.bodies) {
+    if (body.mass == 0.0) continue;
+    const auto found = mechanism.provenance.find("body." + body.name + ".mass_properties");
+    text += csv_row(body, found == mechanism.provenance.end() ? "assumed" : found->second);
+  }
+  return text;
+}
+
+/// What is written must say exactly what was to be written; else nothing is.
+void require_round_trip(const Mechanism& mechanism, const ModelText& text) {
+  const Mechanism again =
+      parse_mechanism({text.toml, text.csv, "mechanism.toml", "mass_properties.csv"});
+  const ModelText second = describe_mechanism(again, "");
+  const ModelText first = describe_mechanism(mechanism, "");
+  if (first.toml != second.toml || first.csv != second.csv)
+    throw std::runtime_error(
+        "the mechanism does not read back as it was written; expected the same values");
+}
+
+}  // namespace
+
+ModelText describe_mechanism(const Mechanism& mechanism, const std::string& comment) {
+  const std::string head = comment.empty() ? "" : fmt::format("# {}\n", comment);
+  return {head + Describer(mechanism).toml(), head + csv_table(mechanism)};
+}
+
+void write_mechanism(const Mechanism& mechanism, const std::filesystem::path& folder,
+                     const std::string& comment, Existing existing) {
+  const ModelText text = describe_mechanism(mechanism, comment);
+  require_round_trip(mechanism, text);
+  const bool may_replace = existing == Existing::replace;
+  replace_folder(folder, {{"mechanism.toml", text.toml}, {"mass_properties.csv", text.csv}},
+                 may_replace);
+}
+
+}  // namespace sinew
