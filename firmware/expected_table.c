@@ -107,18 +107,21 @@ static int write_source(FILE *file, const request *asked) {
   return status;
 }
 
-/* A file that was not written whole is removed: a build must not go on with it. */
+/* Writes beside the file and renames at the end: a build never goes on with half a table. */
 static int write_file(const char *path, const request *asked) {
-  FILE *file = fopen(path, "w");
+  char beside[4096];
+  const int length = snprintf(beside, sizeof beside, "%s.part", path);
+  FILE *file = length > 0 && length < (int)sizeof beside ? fopen(beside, "w") : NULL;
   if (file == NULL) {
-    fprintf(stderr, "%s: cannot be opened for writing: %s\n", path, strerror(errno));
+    fprintf(stderr, "%s.part: cannot be made: %s\n", path, strerror(errno));
     return 2;
   }
   int status = write_source(file, asked);
   if (ferror(file) != 0 && status == 0) status = 2;
   if (fclose(file) != 0 && status == 0) status = 2;
+  if (status == 0 && rename(beside, path) != 0) status = 2;
   if (status == 2) fprintf(stderr, "%s: not written: %s\n", path, strerror(errno));
-  if (status != 0) remove(path);
+  if (status != 0) remove(beside);
   return status;
 }
 

@@ -1,0 +1,8 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Keeps every rule. */
+static double square(double x) { return x * x; }
+void planted_clean(const double *in, double *out);
+void planted_clean(const double *in, double *out) {
+  out[0] = square(in[0]) + in[1];
+  out[1] = in[0] * out[0];
+}

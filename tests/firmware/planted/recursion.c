@@ -1,0 +1,6 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Planted defect: a function that calls itself. */
+double planted_recursion(const double *in, int n);
+double planted_recursion(const double *in, int n) {
+  return n == 0 ? 0.0 : 1.0 / (in[n] + planted_recursion(in, n - 1));
+}

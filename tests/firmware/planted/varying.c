@@ -1,0 +1,8 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Planted defect: a frame whose size depends on an input. */
+void planted_varying(int size, double *out);
+void planted_varying(int size, double *out) {
+  volatile double values[size];
+  values[0] = 1.0;
+  out[0] = values[0];
+}
