@@ -51,7 +51,7 @@ ex denominator_of(const ex& value) {
 ex partial(const ex& value, const ex& own, const GiNaC::symbol& symbol) {
   if (const auto cases = cases_of(value))
     return choose(cases->condition, cases->a.diff(symbol), cases->b.diff(symbol));
-  if (is_root(value)) return value.op(0).diff(symbol) / (2 * own);
+  if (is_root(value)) return (value.op(0).diff(symbol) / 2) / own;
   if (const ex below = denominator_of(value); !below.is_equal(1))
     return ((value * below).diff(symbol) - own * below.diff(symbol)) / below;
   return value.diff(symbol);
@@ -86,7 +86,7 @@ ex ForwardDerivative::of_definition(std::size_t position) {
 ex ForwardDerivative::total(const ex& value, const ex& own) {
   if (const auto cases = cases_of(value))
     return choose(cases->condition, by_parts(cases->a), by_parts(cases->b));
-  if (is_root(value)) return by_parts(value.op(0)) / (2 * own);
+  if (is_root(value)) return (by_parts(value.op(0)) / 2) / own;
   if (const ex below = denominator_of(value); !below.is_equal(1))
     return (by_parts(value * below) - own * by_parts(below)) / below;
   return by_parts(value);

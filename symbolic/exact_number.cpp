@@ -25,4 +25,12 @@ GiNaC::numeric exact_number(double value) {
   return GiNaC::numeric(digits.c_str()) * GiNaC::numeric(10).power(exponent);
 }
 
+GiNaC::numeric rational_root(const GiNaC::numeric& square) {
+  if (square.is_negative()) throw std::invalid_argument("a negative number has no real root");
+  const GiNaC::numeric scale = GiNaC::numeric(10).power(60);
+  // √(n/d) = √(n d)/d keeps the roots of perfect squares exact.
+  const GiNaC::numeric below = square.denom();
+  return GiNaC::isqrt(square.numer() * below * scale * scale) / (below * scale);
+}
+
 }  // namespace sinew

@@ -10,4 +10,8 @@ namespace sinew {
 /// Throws std::invalid_argument if `value` is not finite.
 GiNaC::numeric exact_number(double value);
 
+/// √square as a rational number, exact where it is one, else correct to 60 digits: a constant that
+/// is rounded once, when it is emitted. Throws std::invalid_argument if `square` is negative.
+GiNaC::numeric rational_root(const GiNaC::numeric& square);
+
 }  // namespace sinew

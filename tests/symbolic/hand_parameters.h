@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The hand's default numbers, for tests of single derivations.
+#pragma once
+
+#include <Eigen/Core>
+#include <numbers>
+#include <vector>
+
+#include "symbolic/wrist.h"
+
+namespace sinew_tests {
+
+constexpr double degree = std::numbers::pi / 180.0;
+
+/// Tables 6.1 and 6.2.
+inline sinew::WristParameters wrist_parameters() {
+  sinew::WristParameters p;
+  p.length = 0.050;
+  p.width = 0.042;
+  p.thickness = 0.036;
+  // y of the forearm and of the palm points, in millimetres, for the two layers of 19 tendons.
+  const int forearm[2][19] = {
+      {7, 8, 10, 11, 13, 15, 16, 18, 19, 21, 23, 24, 26, 27, 29, 31, 32, 34, 35},
+      {6, 7, 9, 11, 12, 14, 15, 17, 19, 20, 22, 23, 25, 27, 28, 30, 31, 33, 35}};
+  const int palm[2][19] = {
+      {-11, -10, -8, -6, -5, -3, -2, 0, 2, 3, 5, 6, 8, 10, 11, 13, 14, 16, 18},
+      {-13, -11, -10, -8, -6, -5, -3, -2, 0, 2, 3, 5, 6, 8, 10, 11, 13, 14, 16}};
+  for (int layer = 0; layer < 2; ++layer)
+    for (int i = 0; i < 19; ++i) {
+      p.forearm_points.emplace_back(0.004, forearm[layer][i] / 1000.0, layer == 0 ? 0.008 : 0.028);
+      p.palm_points.emplace_back(-0.004, palm[layer][i] / 1000.0, layer == 0 ? 0.010 : -0.010);
+    }
+  p.motor_radius = 0.005;
+  p.flexion = {-30 * degree, 30 * degree};
+  p.abduction = {-20 * degree, 20 * degree};
+  return p;
+}
+
+}  // namespace sinew_tests
