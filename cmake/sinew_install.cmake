@@ -10,6 +10,7 @@ set(made_folder ${PROJECT_BINARY_DIR}/package)
 # From the folder of the .pc files to the prefix, so that an installed tree may be moved.
 file(RELATIVE_PATH SINEW_PC_TO_PREFIX
   /prefix/${CMAKE_INSTALL_LIBDIR}/pkgconfig /prefix)
+string(REGEX REPLACE "/$" "" SINEW_PC_TO_PREFIX "${SINEW_PC_TO_PREFIX}")
 
 file(GLOB runtime_headers CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/runtime/*.h)
 install(FILES ${runtime_headers} DESTINATION ${header_folder})
