@@ -71,6 +71,17 @@ function(sinew_equality_images model)
   sinew_image_test(control_loop_${model} 0)
 
   sinew_model_image(count_${model} ${model} count.c)
-  target_compile_definitions(count_${model} PRIVATE COUNT_STATES=${SINEW_COUNT_STATES}U)
-  add_dependencies(count_${model} sinew_count_plugin)
+  sinew_count_test(count_${model} ${model} 0)
+endfunction()
+
+# sinew_count_test(<image> <model> <status>): 0 where every function has one count at all states.
+function(sinew_count_test image model status)
+  target_compile_definitions(${image} PRIVATE COUNT_STATES=${SINEW_COUNT_STATES}U)
+  add_dependencies(${image} sinew_count_plugin)
+  set(test "${SINEW_BOARD}: counting the instructions of ${model} ends with ${status}")
+  add_test(NAME ${test}
+    COMMAND ${PROJECT_SOURCE_DIR}/tests/firmware/expect_status ${status}
+      ${PROJECT_SOURCE_DIR}/scripts/count_instructions --built ${CMAKE_CURRENT_BINARY_DIR}
+      ${SINEW_BOARD} ${model})
+  set_tests_properties(${test} PROPERTIES TIMEOUT 120)
 endfunction()
