@@ -23,16 +23,16 @@ class Checker {
 
   void check() {
     const std::size_t before = findings_.count();
-    check_name("mechanism", mechanism_.name, {});
+    check_name("mechanism", mechanism_.name, here());
     if (!mechanism_.gravity.allFinite())
-      findings_.add({}, "gravity is not finite", "expected 3 finite numbers");
+      findings_.add(here(), "gravity is not finite", "expected 3 finite numbers");
     if (mechanism_.bodies.size() != mechanism_.joints.size()) {
-      findings_.add({}, "the numbers of bodies and joints differ",
+      findings_.add(here(), "the numbers of bodies and joints differ",
                     "expected one joint for each body");
       return;
     }
     if (coordinate_count(mechanism_) == 0)
-      findings_.add({}, "the mechanism has no moving joint", "expected at least one");
+      findings_.add(here(), "the mechanism has no moving joint", "expected at least one");
     for (std::size_t i = 0; i < mechanism_.joints.size(); ++i) check_body(i), check_joint(i);
     check_tendons();
     check_couplings();
@@ -41,6 +41,8 @@ class Checker {
   }
 
  private:
+  SourceLocation here() const { return {"mechanism '" + mechanism_.name + "'", 0, 0}; }
+
   void check_name(const std::string& kind, const std::string& name, const SourceLocation& where) {
     if (const auto why = why_not_identifier(name))
       findings_.add(where, fmt::format("the name of {} '{}' {}", kind, name, *why),
@@ -125,7 +127,7 @@ class Checker {
     std::set<std::string> dependent;
     for (const JointCoupling& coupling : mechanism_.couplings) dependent.insert(coupling.dependent);
     if (dependent.size() != mechanism_.couplings.size())
-      findings_.add({}, "a joint depends on two others", "expected one coupling for each");
+      findings_.add(here(), "a joint depends on two others", "expected one coupling for each");
     for (const JointCoupling& coupling : mechanism_.couplings)
       if (!moves(coupling.dependent) || !moves(coupling.independent) ||
           dependent.contains(coupling.independent) || coupling.ratio == 0.0 ||

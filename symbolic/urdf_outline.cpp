@@ -5,11 +5,10 @@
 #include <tinyxml.h>
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
 #include <map>
 
 #include "symbolic/identifier.h"
+#include "symbolic/xml_checks.h"
 
 namespace sinew {
 namespace {
@@ -18,55 +17,20 @@ constexpr int deepest_nesting = 200;  // the XML reader recurses
 
 using Names = std::vector<std::string>;
 
-/// Depth of nested elements, comments left out; enough to protect a recursive reader.
-int nesting_depth(std::string_view text) {
-  int depth = 0, deepest = 0;
-  for (std::size_t at = text.find('<'); at != std::string_view::npos; at = text.find('<', at + 1)) {
-    const std::string_view rest = text.substr(at);
-    if (rest.starts_with("<!--")) {
-      at = std::min(text.find("-->", at), text.size() - 1);
-    } else if (rest.starts_with("</")) {
-      --depth;
-    } else if (!rest.starts_with("<?") && !rest.starts_with("<!")) {
-      const std::size_t end = rest.find('>');
-      const bool is_empty = end != std::string_view::npos && end > 0 && rest[end - 1] == '/';
-      if (!is_empty) deepest = std::max(deepest, ++depth);
-    }
-  }
-  return deepest;
-}
-
-/// The numbers of an attribute, separated by blanks; nothing if a word is none.
-std::optional<std::vector<double>> parse_numbers(std::string_view text) {
-  std::vector<double> numbers;
-  for (std::size_t at = 0;
-       (at = text.find_first_not_of(" \t\r\n", at)) != std::string_view::npos;) {
-    const std::size_t end = std::min(text.find_first_of(" \t\r\n", at), text.size());
-    std::string_view word = text.substr(at, end - at);
-    if (word.starts_with('+') && !word.starts_with("+-")) word.remove_prefix(1);
-    double number = 0.0;
-    const auto [stop, error] = std::from_chars(word.data(), word.data() + word.size(), number);
-    if (error != std::errc() || stop != word.data() + word.size()) return std::nullopt;
-    numbers.push_back(number);
-    at = end;
-  }
-  return numbers;
-}
-
 class OutlineReader {
  public:
   OutlineReader(const std::string& file, Findings& findings, Names& notes)
-      : file_(file), findings_(findings), notes_(notes) {}
+      : file_(file), findings_(findings), xml_(file, findings, notes) {}
 
   UrdfOutline read(std::string_view text) {
     if (!parse(text)) return outline_;
     TiXmlElement* robot = robot_element();
     if (robot == nullptr) return outline_;
     outline_.robot = name_of(*robot);
-    outline_.robot_where = place(*robot);
+    outline_.robot_where = xml_.place(*robot);
     read_children(*robot);
     if (outline_.links.empty())
-      report(*robot, "the robot has no link", "expected at least one <link>");
+      xml_.report(*robot, "the robot has no link", "expected at least one <link>");
     report_duplicates();
     find_root();
     if (findings_.any()) return outline_;
@@ -77,19 +41,6 @@ class OutlineReader {
   }
 
  private:
-  template <typename Node>
-  SourceLocation place(const Node& node) const {
-    return {file_, node.Row(), node.Column()};
-  }
-
-  void report(const TiXmlNode& node, const std::string& wrong, std::string_view expected) {
-    findings_.add(place(node), wrong, expected);
-  }
-
-  void note(const TiXmlBase& node, const std::string& what) {
-    notes_.push_back(fmt::format("{}: {}", to_text(place(node)), what));
-  }
-
   bool parse(std::string_view text) {
     const std::size_t zero = text.find('\0');
     if (zero != std::string_view::npos || nesting_depth(text) > deepest_nesting) {
@@ -116,13 +67,13 @@ class OutlineReader {
       return nullptr;
     }
     if (robot->ValueStr() != "robot") {
-      report(*robot, fmt::format("the root element is <{}>", robot->ValueStr()),
-             "expected <robot name=\"...\">");
+      xml_.report(*robot, fmt::format("the root element is <{}>", robot->ValueStr()),
+                  "expected <robot name=\"...\">");
       return nullptr;
     }
     for (const TiXmlNode* next = robot->NextSibling(); next != nullptr; next = next->NextSibling())
       if (next->ToElement() != nullptr || next->ToText() != nullptr) {
-        report(*next, "the document goes on after </robot>", "expected one <robot>");
+        xml_.report(*next, "the document goes on after </robot>", "expected one <robot>");
         break;
       }
     return robot;
@@ -131,110 +82,22 @@ class OutlineReader {
   std::string name_of(const TiXmlElement& element) {
     const char* name = element.Attribute("name");
     if (name != nullptr && *name != '\0') return name;
-    report(element, fmt::format("<{}> has no name", element.ValueStr()),
-           fmt::format("expected <{} name=\"...\">", element.ValueStr()));
+    xml_.report(element, fmt::format("<{}> has no name", element.ValueStr()),
+                fmt::format("expected <{} name=\"...\">", element.ValueStr()));
     return "";
   }
 
-  /// Keeps the children with a known name, reports names nearly known, drops and notes the others.
-  void keep_children(TiXmlElement& parent, const Names& used, const Names& ignored) {
-    for (TiXmlNode *child = parent.FirstChild(), *next = nullptr; child != nullptr; child = next) {
-      next = child->NextSibling();
-      const std::string& name = child->ValueStr();
-      const bool is_used = std::find(used.begin(), used.end(), name) != used.end();
-      if (child->ToElement() != nullptr && is_used) continue;
-      if (child->ToElement() != nullptr) drop(*child, parent, used, ignored);
-      if (child->ToText() != nullptr)
-        report(*child, fmt::format("text inside <{}>", parent.ValueStr()),
-               "expected elements only");
-      parent.RemoveChild(child);
-    }
-  }
-
-  void drop(const TiXmlNode& child, const TiXmlElement& parent, const Names& used,
-            const Names& ignored) {
-    const std::string& name = child.ValueStr();
-    if (std::find(ignored.begin(), ignored.end(), name) != ignored.end()) return;
-    if (name.starts_with("xacro:"))
-      report(child, fmt::format("<{}> is a xacro macro", name),
-             "expected a URDF file: run xacro first");
-    else if (const std::string nearby = nearest(name, used); !nearby.empty())
-      report(child, fmt::format("unknown element <{}> in <{}>", name, parent.ValueStr()),
-             fmt::format("expected <{}>", nearby));
-    else
-      note(child, fmt::format("<{}> in <{}> is ignored", name, parent.ValueStr()));
-  }
-
-  /// At most one child of that name.
-  TiXmlElement* only_child(TiXmlElement& parent, const char* name, bool required) {
-    TiXmlElement* child = parent.FirstChildElement(name);
-    if (child == nullptr && required)
-      report(parent, fmt::format("<{}> has no <{}>", parent.ValueStr(), name),
-             fmt::format("expected a <{}>", name));
-    if (child != nullptr && child->NextSiblingElement(name) != nullptr)
-      report(*child->NextSiblingElement(name),
-             fmt::format("<{}> has a second <{}>", parent.ValueStr(), name), "expected one");
-    return child;
-  }
-
-  void check_attributes(const TiXmlElement& element, const Names& known) {
-    for (const TiXmlAttribute* each = element.FirstAttribute(); each != nullptr;
-         each = each->Next()) {
-      const std::string name = each->Name();
-      if (std::find(known.begin(), known.end(), name) != known.end()) continue;
-      const std::string nearby = nearest(name, known);
-      if (nearby.empty())
-        note(*each, fmt::format("attribute '{}' of <{}> is ignored", name, element.ValueStr()));
-      else
-        findings_.add(place(*each),
-                      fmt::format("unknown attribute '{}' of <{}>", name, element.ValueStr()),
-                      fmt::format("expected '{}'", nearby));
-    }
-  }
-
-  const TiXmlAttribute* attribute_of(const TiXmlElement& element, std::string_view name) {
-    const TiXmlAttribute* each = element.FirstAttribute();
-    while (each != nullptr && each->Name() != name) each = each->Next();
-    return each;
-  }
-
-  /// The numbers of an attribute; checked, and written back with single blanks between them.
-  std::optional<std::vector<double>> numbers(TiXmlElement& element, const char* name,
-                                             std::size_t size, bool required) {
-    const TiXmlAttribute* attribute = attribute_of(element, name);
-    const std::string expected =
-        size == 1 ? "expected a finite number" : fmt::format("expected {} finite numbers", size);
-    if (attribute == nullptr) {
-      if (required)
-        report(element, fmt::format("<{}> has no {}", element.ValueStr(), name), expected);
-      return std::nullopt;
-    }
-    const auto values = parse_numbers(attribute->ValueStr());
-    const bool is_fine =
-        values && values->size() == size &&
-        std::all_of(values->begin(), values->end(), [](double v) { return std::isfinite(v); });
-    if (!is_fine) {
-      findings_.add(
-          place(*attribute),
-          fmt::format("{} of <{}> is '{}'", name, element.ValueStr(), attribute->ValueStr()),
-          expected);
-      return std::nullopt;
-    }
-    element.SetAttribute(name, fmt::format("{}", fmt::join(*values, " ")));
-    return values;
-  }
-
   Eigen::Vector3d origin_rpy(TiXmlElement& parent) {
-    TiXmlElement* origin = only_child(parent, "origin", false);
+    TiXmlElement* origin = xml_.only_child(parent, "origin", false);
     if (origin == nullptr) return Eigen::Vector3d::Zero();
-    check_attributes(*origin, {"xyz", "rpy"});
-    numbers(*origin, "xyz", 3, false);
-    const auto rpy = numbers(*origin, "rpy", 3, false);
+    xml_.check_attributes(*origin, {"xyz", "rpy"});
+    xml_.numbers(*origin, "xyz", 3, false);
+    const auto rpy = xml_.numbers(*origin, "rpy", 3, false);
     return rpy ? Eigen::Vector3d(rpy->data()) : Eigen::Vector3d::Zero();
   }
 
   void read_children(TiXmlElement& robot) {
-    keep_children(
+    xml_.keep_children(
         robot, {"link", "joint"},
         {"material", "gazebo", "transmission", "sensor", "ros2_control", "safety_controller"});
     for (TiXmlElement* each = robot.FirstChildElement(); each != nullptr;
@@ -245,50 +108,50 @@ class OutlineReader {
   void read_link(TiXmlElement& element) {
     UrdfLink link;
     link.name = name_of(element);
-    link.where = link.mass_where = link.inertia_where = place(element);
-    keep_children(element, {"inertial"},
-                  {"visual", "collision", "contact", "sensor", "self_collision_checking"});
-    if (TiXmlElement* inertial = only_child(element, "inertial", false))
+    link.where = link.mass_where = link.inertia_where = xml_.place(element);
+    xml_.keep_children(element, {"inertial"},
+                       {"visual", "collision", "contact", "sensor", "self_collision_checking"});
+    if (TiXmlElement* inertial = xml_.only_child(element, "inertial", false))
       read_inertial(*inertial, link);
     outline_.links.push_back(std::move(link));
   }
 
   void read_inertial(TiXmlElement& inertial, UrdfLink& link) {
     link.has_inertial = true;
-    keep_children(inertial, {"origin", "mass", "inertia"}, {});
+    xml_.keep_children(inertial, {"origin", "mass", "inertia"}, {});
     link.inertial_rpy = origin_rpy(inertial);
-    if (TiXmlElement* mass = only_child(inertial, "mass", true)) {
-      link.mass_where = place(*mass);
-      check_attributes(*mass, {"value"});
-      numbers(*mass, "value", 1, true);
+    if (TiXmlElement* mass = xml_.only_child(inertial, "mass", true)) {
+      link.mass_where = xml_.place(*mass);
+      xml_.check_attributes(*mass, {"value"});
+      xml_.numbers(*mass, "value", 1, true);
     }
-    if (TiXmlElement* inertia = only_child(inertial, "inertia", true)) {
-      link.inertia_where = place(*inertia);
-      check_attributes(*inertia, {"ixx", "ixy", "ixz", "iyy", "iyz", "izz"});
+    if (TiXmlElement* inertia = xml_.only_child(inertial, "inertia", true)) {
+      link.inertia_where = xml_.place(*inertia);
+      xml_.check_attributes(*inertia, {"ixx", "ixy", "ixz", "iyy", "iyz", "izz"});
       for (const char* name : {"ixx", "ixy", "ixz", "iyy", "iyz", "izz"})
-        numbers(*inertia, name, 1, true);
+        xml_.numbers(*inertia, name, 1, true);
     }
   }
 
   std::string end_of(TiXmlElement& joint, const char* name, SourceLocation& where) {
-    where = place(joint);
-    TiXmlElement* end = only_child(joint, name, true);
+    where = xml_.place(joint);
+    TiXmlElement* end = xml_.only_child(joint, name, true);
     if (end == nullptr) return "";
-    where = place(*end);
+    where = xml_.place(*end);
     const char* link = end->Attribute("link");
     if (link != nullptr) return link;
-    report(*end, fmt::format("<{}> has no link", name),
-           fmt::format("expected <{} link=\"...\"/>", name));
+    xml_.report(*end, fmt::format("<{}> has no link", name),
+                fmt::format("expected <{} link=\"...\"/>", name));
     return "";
   }
 
   void read_joint(TiXmlElement& element) {
     UrdfJoint joint;
     joint.name = joint.ends.name = name_of(element);
-    joint.ends.where = joint.limit_where = place(element);
+    joint.ends.where = joint.limit_where = xml_.place(element);
     joint.type = type_of(element);
-    keep_children(element, {"origin", "parent", "child", "axis", "limit", "mimic", "dynamics"},
-                  {"calibration", "safety_controller"});
+    xml_.keep_children(element, {"origin", "parent", "child", "axis", "limit", "mimic", "dynamics"},
+                       {"calibration", "safety_controller"});
     joint.ends.parent = end_of(element, "parent", joint.ends.parent_where);
     joint.ends.child = end_of(element, "child", joint.ends.child_where);
     joint.rpy = origin_rpy(element);
@@ -302,78 +165,81 @@ class OutlineReader {
     const std::string type = given == nullptr ? "" : given;
     const std::string expected = fmt::format("expected one of: {}", fmt::join(moving, ", "));
     if (type == "floating" || type == "planar")
-      report(joint, fmt::format("a {} joint is not supported", type), expected);
+      xml_.report(joint, fmt::format("a {} joint is not supported", type), expected);
     else if (std::find(moving.begin(), moving.end(), type) == moving.end())
-      report(joint,
-             given == nullptr
-                 ? "the joint has no type"
-                 : fmt::format("unknown joint type '{}'{}", type, did_you_mean(type, moving)),
-             expected);
+      xml_.report(joint,
+                  given == nullptr
+                      ? "the joint has no type"
+                      : fmt::format("unknown joint type '{}'{}", type, did_you_mean(type, moving)),
+                  expected);
     return type;
   }
 
   void read_motion(TiXmlElement& element, UrdfJoint& joint) {
-    if (TiXmlElement* axis = only_child(element, "axis", false)) {
-      check_attributes(*axis, {"xyz"});
-      const auto xyz = numbers(*axis, "xyz", 3, true);
+    if (TiXmlElement* axis = xml_.only_child(element, "axis", false)) {
+      xml_.check_attributes(*axis, {"xyz"});
+      const auto xyz = xml_.numbers(*axis, "xyz", 3, true);
       if (xyz && (*xyz)[0] == 0.0 && (*xyz)[1] == 0.0 && (*xyz)[2] == 0.0)
-        report(*axis, fmt::format("the axis of joint '{}' is zero", joint.name),
-               "expected a direction");
+        xml_.report(*axis, fmt::format("the axis of joint '{}' is zero", joint.name),
+                    "expected a direction");
     }
     read_limit(element, joint);
-    if (TiXmlElement* dynamics = only_child(element, "dynamics", false)) read_dynamics(*dynamics);
-    if (TiXmlElement* mimic = only_child(element, "mimic", false)) read_mimic(*mimic, joint);
+    if (TiXmlElement* dynamics = xml_.only_child(element, "dynamics", false))
+      read_dynamics(*dynamics);
+    if (TiXmlElement* mimic = xml_.only_child(element, "mimic", false)) read_mimic(*mimic, joint);
   }
 
   /// urdfdom wants a complete limit where sinew can do without: what is missing is filled in.
   void read_limit(TiXmlElement& element, UrdfJoint& joint) {
-    TiXmlElement* limit = only_child(element, "limit", false);
+    TiXmlElement* limit = xml_.only_child(element, "limit", false);
     if (limit == nullptr) {
       TiXmlElement empty("limit");
       limit = element.InsertEndChild(empty)->ToElement();
     } else {
-      joint.limit_where = place(*limit);
-      check_attributes(*limit, {"lower", "upper", "effort", "velocity"});
+      joint.limit_where = xml_.place(*limit);
+      xml_.check_attributes(*limit, {"lower", "upper", "effort", "velocity"});
     }
-    const auto lower = numbers(*limit, "lower", 1, false);
-    const auto upper = numbers(*limit, "upper", 1, false);
-    const auto velocity = numbers(*limit, "velocity", 1, false);
-    numbers(*limit, "effort", 1, false);
+    const auto lower = xml_.numbers(*limit, "lower", 1, false);
+    const auto upper = xml_.numbers(*limit, "upper", 1, false);
+    const auto velocity = xml_.numbers(*limit, "velocity", 1, false);
+    xml_.numbers(*limit, "effort", 1, false);
     joint.has_range = joint.type != "continuous" && (lower || upper);
     joint.has_velocity = velocity && (*velocity)[0] > 0.0;
     if (joint.has_range &&
         !(lower.value_or(std::vector{0.0})[0] < upper.value_or(std::vector{0.0})[0]))
-      report(*limit, fmt::format("the range of joint '{}' is empty", joint.name),
-             "expected lower < upper");
+      xml_.report(*limit, fmt::format("the range of joint '{}' is empty", joint.name),
+                  "expected lower < upper");
     for (const char* name : {"effort", "velocity"})
       if (limit->Attribute(name) == nullptr) limit->SetAttribute(name, "0");
   }
 
   void read_dynamics(TiXmlElement& dynamics) {
-    check_attributes(dynamics, {"damping", "friction"});
-    const auto damping = numbers(dynamics, "damping", 1, false);
-    const auto friction = numbers(dynamics, "friction", 1, false);
+    xml_.check_attributes(dynamics, {"damping", "friction"});
+    const auto damping = xml_.numbers(dynamics, "damping", 1, false);
+    const auto friction = xml_.numbers(dynamics, "friction", 1, false);
     if (damping && (*damping)[0] < 0.0)
-      report(dynamics, "the damping is negative", "expected a damping >= 0");
-    if (friction && (*friction)[0] != 0.0) note(dynamics, "joint friction is ignored");
+      xml_.report(dynamics, "the damping is negative", "expected a damping >= 0");
+    if (friction && (*friction)[0] != 0.0) xml_.note(dynamics, "joint friction is ignored");
     if (!damping && !friction) dynamics.SetAttribute("damping", "0");  // urdfdom wants one of them
   }
 
   void read_mimic(TiXmlElement& mimic, UrdfJoint& joint) {
-    joint.mimic_where = place(mimic);
-    check_attributes(mimic, {"joint", "multiplier", "offset"});
+    joint.mimic_where = xml_.place(mimic);
+    xml_.check_attributes(mimic, {"joint", "multiplier", "offset"});
     const char* other = mimic.Attribute("joint");
     if (other == nullptr)
-      report(mimic, "<mimic> has no joint", "expected <mimic joint=\"...\" multiplier=\"...\"/>");
+      xml_.report(mimic, "<mimic> has no joint",
+                  "expected <mimic joint=\"...\" multiplier=\"...\"/>");
     else
       joint.mimics = other;
-    const auto multiplier = numbers(mimic, "multiplier", 1, false);
-    const auto offset = numbers(mimic, "offset", 1, false);
+    const auto multiplier = xml_.numbers(mimic, "multiplier", 1, false);
+    const auto offset = xml_.numbers(mimic, "offset", 1, false);
     if (multiplier && (*multiplier)[0] == 0.0)
-      report(mimic, "the multiplier of <mimic> is zero",
-             "expected another number, or a fixed joint");
+      xml_.report(mimic, "the multiplier of <mimic> is zero",
+                  "expected another number, or a fixed joint");
     if (offset && (*offset)[0] != 0.0)
-      report(mimic, "<mimic> has an offset", "expected offset 0: put it into the joint's origin");
+      xml_.report(mimic, "<mimic> has an offset",
+                  "expected offset 0: put it into the joint's origin");
   }
 
   void report_duplicates() {
@@ -409,7 +275,7 @@ class OutlineReader {
 
   const std::string& file_;
   Findings& findings_;
-  Names& notes_;
+  XmlChecks xml_;
   TiXmlDocument document_;
   UrdfOutline outline_;
 };

@@ -8,7 +8,7 @@
 #include "symbolic/check_mechanism.h"
 #include "symbolic/origin.h"
 #include "symbolic/read_mechanism.h"
-#include "symbolic/replace_folder.h"
+#include "symbolic/put_files.h"
 #include "symbolic/rotation.h"
 #include "symbolic/units.h"
 
@@ -255,7 +255,7 @@ void write_mechanism(const Mechanism& mechanism, const std::filesystem::path& fo
   const ModelText text = describe_mechanism(mechanism, comment);
   require_round_trip(mechanism, text);
   const bool may_replace = existing == Existing::replace;
-  replace_folder(folder, {{"mechanism.toml", text.toml}, {"mass_properties.csv", text.csv}},
+  put_files(folder, {{"mechanism.toml", text.toml}, {"mass_properties.csv", text.csv}},
                  may_replace);
 }
 

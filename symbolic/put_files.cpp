@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "symbolic/replace_folder.h"
+#include "symbolic/put_files.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -83,8 +83,8 @@ void exchange(const fs::path& draft, const fs::path& target) {
 
 }  // namespace
 
-void replace_folder(const fs::path& folder, const std::map<std::string, std::string>& files,
-                    bool may_replace) {
+void put_files(const fs::path& folder, const std::map<std::string, std::string>& files,
+               bool may_replace) {
   fs::path target = fs::absolute(folder).lexically_normal();
   if (!target.has_filename()) target = target.parent_path();
   if (fs::is_symlink(target)) target = fs::canonical(target);
