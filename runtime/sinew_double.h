@@ -42,18 +42,45 @@
 #define SINEW_WIDE_PIO2_4 0x1.b839a252049c1p-85
 #define SINEW_WIDE_PIO2_5 0.0
 
-#define SINEW_SIN_POLYNOMIAL(z)                                                             \
-    (-0x1.5555555555548p-3 +                                                                \
-     (z) * (0x1.111111110f730p-7 +                                                          \
-            (z) * (-0x1.a01a019be91adp-13 +                                                 \
-                   (z) * (0x1.71de35551f6e2p-19 +                                           \
-                          (z) * (-0x1.ae5e4b9944959p-26 + (z) * 0x1.5d8b7ffc62f7fp-33)))))
-#define SINEW_COS_POLYNOMIAL(z)                                                             \
-    (0x1.555555555554cp-5 +                                                                 \
-     (z) * (-0x1.6c16c16c1521fp-10 +                                                        \
-            (z) * (0x1.a01a019cbf61ep-16 +                                                  \
-                   (z) * (-0x1.27e4f812b525bp-22 +                                          \
-                          (z) * (0x1.1ee9f15129f8cp-29 + (z) * -0x1.8fb130035824bp-37)))))
+/* sin r = r + r z (S1 + S2 z + ...), cos r = 1 - z/2 + z^2 (C1 + C2 z + ...), z = r^2 <= (pi/4)^2. */
+#define SINEW_S1 -0x1.5555555555548p-3
+#define SINEW_S2 0x1.111111110f730p-7
+#define SINEW_S3 -0x1.a01a019be91adp-13
+#define SINEW_S4 0x1.71de35551f6e2p-19
+#define SINEW_S5 -0x1.ae5e4b9944959p-26
+#define SINEW_S6 0x1.5d8b7ffc62f7fp-33
+#define SINEW_C1 0x1.555555555554cp-5
+#define SINEW_C2 -0x1.6c16c16c1521fp-10
+#define SINEW_C3 0x1.a01a019cbf61ep-16
+#define SINEW_C4 -0x1.27e4f812b525bp-22
+#define SINEW_C5 0x1.1ee9f15129f8cp-29
+#define SINEW_C6 -0x1.8fb130035824bp-37
+#define SINEW_SIN_POLYNOMIAL(z) \
+    (SINEW_LANE_CONSTANT(S1) + \
+     (z) * (SINEW_LANE_CONSTANT(S2) + \
+     (z) * (SINEW_LANE_CONSTANT(S3) + \
+     (z) * (SINEW_LANE_CONSTANT(S4) + \
+     (z) * (SINEW_LANE_CONSTANT(S5) + \
+     (z) * SINEW_LANE_CONSTANT(S6))))))
+#define SINEW_COS_POLYNOMIAL(z) \
+    (SINEW_LANE_CONSTANT(C1) + \
+     (z) * (SINEW_LANE_CONSTANT(C2) + \
+     (z) * (SINEW_LANE_CONSTANT(C3) + \
+     (z) * (SINEW_LANE_CONSTANT(C4) + \
+     (z) * (SINEW_LANE_CONSTANT(C5) + \
+     (z) * SINEW_LANE_CONSTANT(C6))))))
+
+/* Two masks and the lowest bit as numbers, and every constant of sincos, for tables of vectors. */
+#define SINEW_HALF 0.5
+#define SINEW_ONE 1.0
+#define SINEW_BOUND -0x1.fffffffffffffp0
+#define SINEW_SIGN_MASK -0.0
+#define SINEW_LOWEST_BIT 0x1p-1074
+#define SINEW_SINCOS_CONSTANTS(each) \
+    each(TURN) each(ROUND) each(PIO2_1) each(PIO2_2) each(PIO2_3) each(HALF) each(ONE) \
+    each(BOUND) each(SIGN_MASK) each(LOWEST_BIT) each(S1) each(S2) each(S3) each(S4) each(S5) \
+    each(S6) each(C1) each(C2) each(C3) each(C4) each(C5) each(C6)
+
 
 /* pi/4 in a part of 50 bits, of which 1 to 4 times is exact, and the rest. */
 #define SINEW_PIO4_1 0x1.921fb54442d18p-1

@@ -40,10 +40,33 @@
 #define SINEW_WIDE_PIO2_4 0x1.184p-33F
 #define SINEW_WIDE_PIO2_5 0x1.a62634p-47F
 
+/* sin r = r + r z (S1 + S2 z + ...), cos r = 1 - z/2 + z^2 (C1 + C2 z + ...), z = r^2 <= (pi/4)^2. */
+#define SINEW_S1 -0x1.555546p-3F
+#define SINEW_S2 0x1.110778p-7F
+#define SINEW_S3 -0x1.995406p-13F
+#define SINEW_C1 0x1.55554ap-5F
+#define SINEW_C2 -0x1.6c0c1ap-10F
+#define SINEW_C3 0x1.99e0f0p-16F
 #define SINEW_SIN_POLYNOMIAL(z) \
-    (-0x1.555546p-3F + (z) * (0x1.110778p-7F + (z) * -0x1.995406p-13F))
+    (SINEW_LANE_CONSTANT(S1) + \
+     (z) * (SINEW_LANE_CONSTANT(S2) + \
+     (z) * SINEW_LANE_CONSTANT(S3)))
 #define SINEW_COS_POLYNOMIAL(z) \
-    (0x1.55554ap-5F + (z) * (-0x1.6c0c1ap-10F + (z) * 0x1.99e0f0p-16F))
+    (SINEW_LANE_CONSTANT(C1) + \
+     (z) * (SINEW_LANE_CONSTANT(C2) + \
+     (z) * SINEW_LANE_CONSTANT(C3)))
+
+/* Two masks and the lowest bit as numbers, and every constant of sincos, for tables of vectors. */
+#define SINEW_HALF 0.5F
+#define SINEW_ONE 1.0F
+#define SINEW_BOUND -0x1.fffffep0F
+#define SINEW_SIGN_MASK -0.0F
+#define SINEW_LOWEST_BIT 0x1p-149F
+#define SINEW_SINCOS_CONSTANTS(each) \
+    each(TURN) each(ROUND) each(PIO2_1) each(PIO2_2) each(PIO2_3) each(HALF) each(ONE) \
+    each(BOUND) each(SIGN_MASK) each(LOWEST_BIT) each(S1) each(S2) each(S3) each(C1) each(C2) \
+    each(C3)
+
 
 #define SINEW_PIO4_1 0x1.921fbp-1F
 #define SINEW_PIO4_2 0x1.5110b4p-23F

@@ -24,7 +24,12 @@ SINEW_INLINE SINEW_REAL SINEW_NAME(sinew_from_bits)(SINEW_BITS bits) {
 
 /* All ones where the top bit is set, else zero. */
 SINEW_INLINE SINEW_BITS SINEW_NAME(sinew_spread)(SINEW_BITS bits) {
-    return (SINEW_BITS)0 - (bits >> SINEW_SIGN_SHIFT);
+    SINEW_BITS mask = (SINEW_BITS)0 - (bits >> SINEW_SIGN_SHIFT);
+#ifdef __clang__
+    /* Without this clang recognises the selection behind the mask and makes it a jump. */
+    __asm__("" : "+r"(mask));
+#endif
+    return mask;
 }
 
 /* The smaller of two integers that both have the top bit clear. */

@@ -25,6 +25,11 @@ extern "C" {
 #define SINEW_INLINE static inline
 #endif
 
+/* Where the processor has vectors with full IEEE arithmetic and the compiler can name them. */
+#if defined(__GNUC__) && (defined(__SSE2__) || defined(__aarch64__))
+#define SINEW_VECTORS
+#endif
+
 /* Each kernel is written once and included once for each precision. */
 #include "sinew_double.h"
 #include "sinew_kernel_select.h"
