@@ -106,9 +106,11 @@ class UrdfReader {
     for (const UrdfJoint& joint : outline_.joints) joints.push_back(joint.ends);
     order_ = order_depth_first(outline_.root, bodies, joints, findings_);
     findings_.raise_if_any();
-    if (order_.empty())
-      findings_.add(outline_.robot_where, "the robot has no joint",
-                    "expected at least one <joint>");
+    const auto moves = [&](std::size_t at) { return outline_.joints[at].type != "fixed"; };
+    if (std::none_of(order_.begin(), order_.end(), moves))
+      findings_.add(outline_.robot_where, "the robot has no moving joint",
+                    "expected at least one <joint> that is not fixed");
+    findings_.raise_if_any();
   }
 
   void read_model() {

@@ -51,12 +51,26 @@ class OutlineReader {
       return false;
     }
     document_.SetTabSize(1);  // columns count characters
-    document_.Parse(std::string(text).c_str(), nullptr, TIXML_ENCODING_UTF8);
-    if (!document_.Error()) return true;
+    const std::string copy(text);
+    const char* end = document_.Parse(copy.c_str(), nullptr, TIXML_ENCODING_UTF8);
+    if (!document_.Error()) return is_read_to_the_end(end == nullptr ? "" : end, copy);
     const bool is_placed = document_.ErrorRow() > 0;
     findings_.add(
         {file_, is_placed ? document_.ErrorRow() : 1, is_placed ? document_.ErrorCol() : 1},
         fmt::format("not well-formed XML: {}", document_.ErrorDesc()), "expected a URDF file");
+    return false;
+  }
+
+  /// TinyXML stops silently at text outside the root element.
+  bool is_read_to_the_end(std::string_view rest, std::string_view text) {
+    const std::size_t skipped = rest.find_first_not_of(" \t\r\n");
+    if (skipped == std::string_view::npos) return true;
+    const std::string_view before = text.substr(0, text.size() - rest.size() + skipped);
+    const std::size_t line_start = before.rfind('\n') + 1;  // 0 where there is none
+    const auto lines = std::count(before.begin(), before.end(), '\n');
+    findings_.add(
+        {file_, static_cast<int>(lines) + 1, static_cast<int>(before.size() - line_start) + 1},
+        "not well-formed XML: text outside the root element", "expected a URDF file");
     return false;
   }
 
@@ -256,13 +270,18 @@ class OutlineReader {
   }
 
   void find_root() {
-    std::map<std::string, bool> is_child;
-    for (const UrdfJoint& joint : outline_.joints) is_child[joint.ends.child] = true;
+    std::map<std::string, int> carriers;
+    for (const UrdfLink& link : outline_.links) carriers[link.name] = 0;
+    bool is_plain = !findings_.any();  // every child is a link, and of one joint only
+    for (const UrdfJoint& joint : outline_.joints) {
+      const auto child = carriers.find(joint.ends.child);
+      is_plain = is_plain && child != carriers.end() && ++child->second == 1;
+    }
     for (const UrdfLink& link : outline_.links) {
-      if (is_child[link.name] || link.name.empty()) continue;
+      if (carriers.at(link.name) > 0 || link.name.empty()) continue;
       if (outline_.root.empty())
         outline_.root = link.name;
-      else
+      else if (is_plain)
         findings_.add(link.where,
                       fmt::format("two root links: '{}' and '{}'", outline_.root, link.name),
                       "expected one link that is no joint's child");
