@@ -30,6 +30,13 @@ double distance(const std::vector<double>& emitted, const VectorX<Real50>& expec
   return worst;
 }
 
+/// Inputs that a float model receives unchanged.
+void round_to_float(State& state) {
+  for (Eigen::VectorXd* values :
+       {&state.q, &state.qd, &state.qdd, &state.tau, &state.f, &state.kt, &state.h})
+    *values = values->cast<float>().cast<double>();
+}
+
 struct Comparison {
   const EmittedModel& emitted;
   const std::vector<State>& states;
@@ -37,6 +44,7 @@ struct Comparison {
   ReferenceModel<double> coarse;
   ReferenceModel<Real50> fine;
   int exact_states;
+  double precision;  ///< 2^-53 or 2^-24
 
   Deviation run(const std::string& function) const;
 };
@@ -64,7 +72,7 @@ Deviation Comparison::run(const std::string& function) const {
   }
   for (std::size_t i = 0; i < static_cast<std::size_t>(exact_states); ++i) {
     const double error = distance(results[i], fine.evaluate(function, states[i]));
-    const double unit = 0x1p-53 * worst.scale * (solves ? conditions[i] : 1.0);
+    const double unit = precision * worst.scale * (solves ? conditions[i] : 1.0);
     if (error == 0.0 || error / unit <= worst.units) continue;
     worst.units = error / unit;
     worst.worst_state = static_cast<int>(i);
@@ -82,7 +90,10 @@ double condition_number(const Eigen::MatrixXd& matrix) {
 
 std::vector<Deviation> compare(const EmittedModel& emitted, const Mechanism& mechanism,
                                const ComparisonSize& size) {
-  const std::vector<State> states = sample_states(mechanism, size.states, size.seed);
+  const bool in_float = emitted.catalogue().scalar_bytes == 4;
+  std::vector<State> states = sample_states(mechanism, size.states, size.seed);
+  if (in_float)
+    for (State& state : states) round_to_float(state);
   const NewtonEuler<double> dynamics(mechanism);
   std::vector<double> conditions;
   for (const State& state : states)
@@ -92,7 +103,8 @@ std::vector<Deviation> compare(const EmittedModel& emitted, const Mechanism& mec
                               conditions,
                               ReferenceModel<double>(mechanism),
                               ReferenceModel<Real50>(mechanism),
-                              std::min(size.states, size.exact_states)};
+                              std::min(size.states, size.exact_states),
+                              in_float ? 0x1p-24 : 0x1p-53};
   std::vector<Deviation> deviations;
   for (const std::string& function : offered_functions(mechanism))
     deviations.push_back(comparison.run(function));

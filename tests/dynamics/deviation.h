@@ -17,8 +17,9 @@ struct Deviation {
   /// its scale); forward dynamics: also divided by the condition number of M at that state over the
   /// smallest one seen. Infinite where a result is not finite or the function is missing.
   double relative = 0.0;
-  /// |emitted - 50-digit Newton-Euler| / (2^-53 scale); forward dynamics: also divided by the
-  /// condition number of M at that state. scale: the output's largest entry over all states.
+  /// |emitted - 50-digit Newton-Euler| / (2^-53 scale), 2^-24 for a float model; forward dynamics:
+  /// also divided by the condition number of M at that state. scale: the output's largest entry
+  /// over all states.
   double units = 0.0;
   double scale = 0.0;
   int worst_state = 0;  ///< where `units` was found
