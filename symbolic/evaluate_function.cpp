@@ -9,6 +9,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "symbolic/working_digits.h"
+
 namespace sinew {
 namespace {
 
@@ -129,18 +131,6 @@ class Evaluator {
 
   const Function& function_;
   std::map<ex, Number, GiNaC::ex_is_less> values_;
-};
-
-/// GiNaC keeps the working precision in one global; it is put back on every way out.
-class WorkingDigits {
- public:
-  explicit WorkingDigits(int digits) : before_(GiNaC::Digits) { GiNaC::Digits = digits; }
-  ~WorkingDigits() { GiNaC::Digits = before_; }
-  WorkingDigits(const WorkingDigits&) = delete;
-  WorkingDigits& operator=(const WorkingDigits&) = delete;
-
- private:
-  long before_;
 };
 
 }  // namespace

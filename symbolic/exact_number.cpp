@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "symbolic/exact_number.h"
 
+#include <cln/cln.h>
+
 #include <charconv>
 #include <cmath>
 #include <stdexcept>
 #include <string>
+
+#include "symbolic/working_digits.h"
 
 namespace sinew {
 
@@ -31,6 +35,15 @@ GiNaC::numeric rational_root(const GiNaC::numeric& square) {
   // √(n/d) = √(n d)/d keeps the roots of perfect squares exact.
   const GiNaC::numeric below = square.denom();
   return GiNaC::isqrt(square.numer() * below * scale * scale) / (below * scale);
+}
+
+GiNaC::numeric rational_value(const GiNaC::ex& constant) {
+  const WorkingDigits scope(65);
+  const GiNaC::ex value = constant.evalf();
+  if (!GiNaC::is_a<GiNaC::numeric>(value) || !GiNaC::ex_to<GiNaC::numeric>(value).is_real())
+    throw std::invalid_argument("expected a constant with a real value");
+  const cln::cl_N number = GiNaC::ex_to<GiNaC::numeric>(value).to_cl_N();
+  return GiNaC::numeric(cln::cl_N(cln::rational(cln::the<cln::cl_R>(number))));
 }
 
 }  // namespace sinew

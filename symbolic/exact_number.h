@@ -14,4 +14,8 @@ GiNaC::numeric exact_number(double value);
 /// is rounded once, when it is emitted. Throws std::invalid_argument if `square` is negative.
 GiNaC::numeric rational_root(const GiNaC::numeric& square);
 
+/// A real constant expression, for instance cos(3/10), as a rational number correct to 60 digits.
+/// Throws std::invalid_argument if it has no real value.
+GiNaC::numeric rational_value(const GiNaC::ex& constant);
+
 }  // namespace sinew

@@ -6,6 +6,8 @@
 #include <numbers>
 #include <vector>
 
+#include "symbolic/four_bar.h"
+#include "symbolic/lever.h"
 #include "symbolic/wrist.h"
 
 namespace sinew_tests {
@@ -33,6 +35,37 @@ inline sinew::WristParameters wrist_parameters() {
   p.motor_radius = 0.005;
   p.flexion = {-30 * degree, 30 * degree};
   p.abduction = {-20 * degree, 20 * degree};
+  return p;
+}
+
+inline sinew::FourBarParameters four_bar_parameters() {
+  sinew::FourBarParameters p;
+  p.ground = 0.012;
+  p.crank = 0.010;
+  p.coupler = 0.012;
+  p.rocker = 0.011;
+  p.branch = -1;
+  p.pulley_radius = 0.005;
+  p.reference_theta2 = 90 * degree;
+  p.theta2 = {60 * degree, 120 * degree};
+  return p;
+}
+
+/// 0 to 99 N over 10 mm.
+inline sinew::LeverParameters lever_parameters() {
+  sinew::LeverParameters p;
+  p.motor = {{0.0, 0.0}, 0.005, 1};
+  p.fixed = {{0.034, 0.0}, 0.004, 1};
+  p.pivot = {0.005, -0.005};
+  p.lever_length = 0.014;
+  p.pulley_radius = 0.004;
+  p.pulley_sense = -1;
+  p.spring_arm = 0.015;
+  p.spring_angle = -130 * degree;
+  p.anchor = {0.025, -0.017};
+  p.spring_stiffness = 6400;
+  p.free_angle = 48 * degree;
+  p.end_angle = sinew::lever_angle_at(p, 0.010);
   return p;
 }
 

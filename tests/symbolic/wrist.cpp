@@ -8,6 +8,7 @@
 #include <random>
 
 #include "symbolic/evaluate_function.h"
+#include "tests/symbolic/differences.h"
 #include "tests/symbolic/hand_parameters.h"
 
 using namespace sinew;
@@ -71,35 +72,12 @@ std::vector<double> bars(const Function& inverse, double flexion, double abducti
   return q;
 }
 
-bool all_finite(const std::vector<double>& values) {
-  for (const double value : values)
-    if (!std::isfinite(value)) return false;
-  return true;
-}
-
 /// R² of the best straight line through (x, y).
 double straightness(const std::vector<double>& x, const std::vector<double>& y) {
   const Eigen::Map<const Eigen::VectorXd> u(x.data(), Eigen::Index(x.size())),
       v(y.data(), Eigen::Index(y.size()));
   const Eigen::VectorXd du = u.array() - u.mean(), dv = v.array() - v.mean();
   return std::pow(du.dot(dv), 2) / (du.squaredNorm() * dv.squaredNorm());
-}
-
-/// Column `input` of the Jacobian of all outputs by central differences in 60 digits.
-std::vector<double> difference(const Function& function, const std::vector<double>& at,
-                               std::size_t input) {
-  std::vector<GiNaC::numeric> plus, minus;
-  for (const double value : at) plus.push_back(binary_fraction(value));
-  minus = plus;
-  const GiNaC::numeric step = GiNaC::numeric(10).power(-15);
-  plus[input] += step;
-  minus[input] -= step;
-  const auto high = evaluate_precisely(function, plus, 60);
-  const auto low = evaluate_precisely(function, minus, 60);
-  std::vector<double> result;
-  for (std::size_t i = 0; i < high.size(); ++i)
-    result.push_back(((high[i] - low[i]) / (2 * step)).to_double());
-  return result;
 }
 
 }  // namespace

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "symbolic/four_bar.h"
+
+#include <cmath>
+#include <stdexcept>
+
+#include "symbolic/argument.h"
+#include "symbolic/definition_list.h"
+#include "symbolic/exact_number.h"
+#include "symbolic/piecewise.h"
+
+namespace sinew {
+namespace {
+
+using GiNaC::ex;
+
+/// The linkage in closed form (Freudenstein's equation), without inverse trigonometry.
+struct Linkage {
+  explicit Linkage(const FourBarParameters& parameters);
+  Function finish(const std::string& name, const std::string& doc,
+                  std::vector<Output> outputs) const {
+    return {name, doc, "", {theta2}, list.items(), std::move(outputs)};
+  }
+
+  Argument theta2;
+  DefinitionList list;
+  ex cos2, sin2, cos3, sin3, cos4, sin4;
+  ex slack;   ///< (reach² - C²) (a/b)² = sin²(theta3 - theta4); negative beyond a locking pose
+  ex sin_34;  ///< sin(theta3 - theta4), kept away from zero
+  ex cos_34;
+  GiNaC::numeric g, a, b, c, margin;
+};
+
+GiNaC::numeric checked_length(double length) {
+  if (!(length > 0.0)) throw std::invalid_argument("a four-bar link needs a length above 0 m");
+  return exact_number(length);
+}
+
+Linkage::Linkage(const FourBarParameters& p)
+    : theta2(scalar_argument("theta2", "rad", p.theta2, "crank angle")),
+      g(checked_length(p.ground)),
+      a(checked_length(p.crank)),
+      b(checked_length(p.coupler)),
+      c(checked_length(p.rocker)),
+      margin(exact_number(p.singular_margin)) {
+  if (p.branch != 1 && p.branch != -1)
+    throw std::invalid_argument("the branch of a four-bar is +1 or -1");
+  const int sigma = p.branch;
+  cos2 = list.define("cos2", GiNaC::cos(theta2.symbols[0]));
+  sin2 = list.define("sin2", GiNaC::sin(theta2.symbols[0]));
+  // A cos θ4 + B sin θ4 = C.
+  const ex A = list.define("A", cos2 - g / a);
+  const ex C = list.define("C", (a * a - b * b + c * c + g * g) / (2 * a * c) - (g / c) * cos2);
+  const ex reach_squared =
+      list.define("reach_squared", maximum(A * A + sin2 * sin2, margin * margin));
+  const ex reach = list.define("reach", GiNaC::sqrt(reach_squared));
+  const ex limited = list.define("limited", clamped(C, -reach, reach));
+  slack = list.define("slack", (a * a / (b * b)) * (reach - C) * (reach + C));
+  // sin(θ3 - θ4) = σ (a/b) √(reach² - C²): one root serves the pose and its derivatives.
+  const ex root = list.define("root", GiNaC::sqrt(maximum(slack, margin * margin)));
+  sin_34 = sigma * root;
+  const ex side = list.define("side", (sigma * b / a) * root);
+  cos4 = list.define("cos4", (A * limited - sin2 * side) / reach_squared);
+  sin4 = list.define("sin4", (sin2 * limited + A * side) / reach_squared);
+  cos_34 = list.define("cos_34", (c - a * limited) / b);
+  // Coupler from the crank's end to the rocker's; its length is b except beyond a locking pose.
+  const ex along = list.define("along", g + c * cos4 - a * cos2);
+  const ex across = list.define("across", c * sin4 - a * sin2);
+  const ex length = list.define(
+      "length", GiNaC::sqrt(maximum(along * along + across * across, margin * margin * b * b)));
+  cos3 = list.define("cos3", along / length);
+  sin3 = list.define("sin3", across / length);
+}
+
+}  // namespace
+
+Function four_bar(const FourBarParameters& parameters) {
+  const Linkage k(parameters);
+  const ex theta3 = GiNaC::atan2(k.sin3, k.cos3), theta4 = GiNaC::atan2(k.sin4, k.cos4);
+  const ex slope3 = k.a * (k.sin4 * k.cos2 - k.cos4 * k.sin2) / (k.b * k.sin_34);
+  const ex slope4 = k.a * (k.sin3 * k.cos2 - k.cos3 * k.sin2) / (k.c * k.sin_34);
+  return k.finish("four_bar", "Coupler and rocker angle of the four-bar and their derivatives.",
+                  {{"out",
+                    4,
+                    1,
+                    {theta3, theta4, slope3, slope4},
+                    "rad, rad, 1, 1",
+                    "theta3, theta4, dtheta3/dtheta2, dtheta4/dtheta2"}});
+}
+
+Function four_bar_locking(const FourBarParameters& parameters) {
+  Linkage k(parameters);
+  const ex sine = k.list.define("sine", GiNaC::sqrt(maximum(k.slack, 0)));
+  // Written so that a comparison that fails, whatever the reason, says 1.
+  const ex status = choose(k.slack - k.margin * k.margin, 0, 1);
+  return k.finish("locking", "How far the four-bar is from locking.",
+                  {{"distance",
+                    1,
+                    1,
+                    {GiNaC::atan2(sine, magnitude(k.cos_34))},
+                    "rad",
+                    "angle between coupler and rocker, folded to 0..pi/2"},
+                   {"status", 1, 1, {status}, "1", "0 fine, 1 at or beyond a locking pose"}});
+}
+
+Function four_bar_coupler_pose(const FourBarParameters& parameters) {
+  const Linkage k(parameters);
+  return k.finish(
+      "coupler_pose", "Pose of the coupler: maps its frame to the linkage's plane frame.",
+      {{"T",
+        4,
+        4,
+        {k.cos3, -k.sin3, 0, k.a * k.cos2, k.sin3, k.cos3, 0, k.a * k.sin2, 0, 0, 1, 0, 0, 0, 0, 1},
+        "1 and m",
+        "homogeneous transform"}});
+}
+
+Function four_bar_tendon_lengths(const FourBarParameters& parameters) {
+  const Argument theta2 = scalar_argument("theta2", "rad", parameters.theta2, "crank angle");
+  DefinitionList list;
+  const ex length =
+      list.define("length", exact_number(parameters.pulley_radius) *
+                                (theta2.symbols[0] - exact_number(parameters.reference_theta2)));
+  return {"tendon_lengths",
+          "Lengths of the two antagonistic tendons on the crank's pulley.",
+          "",
+          {theta2},
+          list.items(),
+          {{"h", 2, 1, {length, -length}, "m", "0 at the reference crank angle"}}};
+}
+
+std::vector<Function> four_bar_functions(const FourBarParameters& p) {
+  return {four_bar(p), four_bar_locking(p), four_bar_coupler_pose(p), four_bar_tendon_lengths(p)};
+}
+
+std::vector<double> locking_angles(const FourBarParameters& p) {
+  std::vector<double> angles;
+  for (const double diagonal : {p.coupler + p.rocker, p.coupler - p.rocker}) {
+    const double cosine =
+        (p.ground * p.ground + p.crank * p.crank - diagonal * diagonal) / (2 * p.ground * p.crank);
+    if (std::abs(cosine) <= 1) angles.push_back(std::acos(cosine));
+  }
+  return angles;
+}
+
+}  // namespace sinew
