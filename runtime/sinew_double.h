@@ -33,14 +33,14 @@
 #define SINEW_PIO2_2 -0x1.cf72cece67600p-37
 #define SINEW_PIO2_3 0x1.701b839a25205p-84
 
-/* sincos_wide: the same with k 2^-19, parts of 33, 33, 33 and 53 bits. */
+/* sincos_wide: the same with k 2^-19, |k| < 2^20, parts of 33, 33, 33, 33 and 53 bits. */
 #define SINEW_WIDE_TURN 0x1.45f306dc9c883p-20
 #define SINEW_WIDE_ROUND 0x1.8p33
 #define SINEW_WIDE_PIO2_1 0x1.921fb544p+19
 #define SINEW_WIDE_PIO2_2 0x1.0b4611a6p-15
-#define SINEW_WIDE_PIO2_3 0x1.3198a2e0p-50
-#define SINEW_WIDE_PIO2_4 0x1.b839a252049c1p-85
-#define SINEW_WIDE_PIO2_5 0.0
+#define SINEW_WIDE_PIO2_3 0x1.3198a2ep-50
+#define SINEW_WIDE_PIO2_4 0x1.b839a252p-85
+#define SINEW_WIDE_PIO2_5 0x1.27044533e63ap-123
 
 /* sin r = r + r z (S1 + S2 z + ...), cos r = 1 - z/2 + z^2 (C1 + C2 z + ...), z = r^2 <= (pi/4)^2. */
 #define SINEW_S1 -0x1.5555555555548p-3

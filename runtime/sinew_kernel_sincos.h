@@ -6,8 +6,10 @@
 #define SINEW_LANE_BITS SINEW_BITS
 #define SINEW_LANE_TO_BITS(x) SINEW_NAME(sinew_bits)(x)
 #define SINEW_LANE_TO_REAL(x) SINEW_NAME(sinew_from_bits)(x)
-#define SINEW_LANE_FUNCTION SINEW_NAME(sinew_sincos_lane)
+#define SINEW_LANE_NAME(name) SINEW_NAME(name##_lane)
 #define SINEW_LANE_TABLE
+#define SINEW_LANE_TABLE_PARAMETER
+#define SINEW_LANE_TABLE_ARGUMENT
 #define SINEW_LANE_CONSTANT(name) SINEW_##name
 #include "sinew_kernel_sincos_lane.h"
 
@@ -17,14 +19,41 @@ SINEW_INLINE void SINEW_NAME(sinew_sincos)(SINEW_REAL x, SINEW_REAL *s, SINEW_RE
     SINEW_NAME(sinew_sincos_lane)(&x, s, c);
 }
 
+/* The same for |x| <= 2^20 (float: 2^12), at the price of nine more operations. */
+SINEW_INLINE void SINEW_NAME(sinew_sincos_wide)(SINEW_REAL x, SINEW_REAL *s, SINEW_REAL *c) {
+    const SINEW_BITS bounded = ~(SINEW_BITS)SINEW_TOP_EXPONENT_BIT;
+    const SINEW_REAL turns =
+        SINEW_NAME(sinew_from_bits)(SINEW_NAME(sinew_bits)(x * SINEW_WIDE_TURN) & bounded);
+    const SINEW_REAL rounded = turns + SINEW_WIDE_ROUND;
+    const SINEW_BITS quadrant = SINEW_NAME(sinew_bits)(rounded);
+    const SINEW_REAL k = rounded - SINEW_WIDE_ROUND;
+
+    /* Every product but the last is exact; each difference is kept with what it loses. */
+    const SINEW_REAL first =
+        SINEW_NAME(sinew_from_bits)(SINEW_NAME(sinew_bits)(x - k * SINEW_WIDE_PIO2_1) & bounded);
+    const SINEW_REAL second = k * SINEW_WIDE_PIO2_2;
+    const SINEW_REAL r2 = first - second;
+    const SINEW_REAL lost2 = (first - r2) - second;
+    const SINEW_REAL third = k * SINEW_WIDE_PIO2_3;
+    const SINEW_REAL r3 = r2 - third;
+    const SINEW_REAL lost3 = (r2 - r3) - third;
+    const SINEW_REAL fourth = k * SINEW_WIDE_PIO2_4;
+    const SINEW_REAL r4 = r3 - fourth;
+    const SINEW_REAL lost4 = (r3 - r4) - fourth;
+    const SINEW_REAL tail = ((lost2 + lost3) + lost4) - k * SINEW_WIDE_PIO2_5;
+    SINEW_NAME(sinew_sincos_rest_lane)(&r4, &tail, &quadrant, s, c);
+}
+
 #ifdef SINEW_VECTORS
 
 #undef SINEW_LANE_REAL
 #undef SINEW_LANE_BITS
 #undef SINEW_LANE_TO_BITS
 #undef SINEW_LANE_TO_REAL
-#undef SINEW_LANE_FUNCTION
+#undef SINEW_LANE_NAME
 #undef SINEW_LANE_TABLE
+#undef SINEW_LANE_TABLE_PARAMETER
+#undef SINEW_LANE_TABLE_ARGUMENT
 #undef SINEW_LANE_CONSTANT
 
 /* Vectors of constants are read from a table whose address the compiler is not allowed to see
@@ -35,6 +64,8 @@ SINEW_INLINE void SINEW_NAME(sinew_sincos)(SINEW_REAL x, SINEW_REAL *s, SINEW_RE
         SINEW_SINCOS_CONSTANTS(SINEW_LANE_BROADCAST)};         \
     const SINEW_LANE_CONSTANTS *table = &constants;            \
     __asm__("" : "+r"(table));
+#define SINEW_LANE_TABLE_PARAMETER const SINEW_LANE_CONSTANTS *table,
+#define SINEW_LANE_TABLE_ARGUMENT table,
 #define SINEW_LANE_MEMBER(name) SINEW_LANE_REAL name;
 
 typedef SINEW_REAL SINEW_NAME(sinew_real2_) __attribute__((vector_size(2 * sizeof(SINEW_REAL))));
@@ -43,7 +74,7 @@ typedef SINEW_BITS SINEW_NAME(sinew_bits2_) __attribute__((vector_size(2 * sizeo
 #define SINEW_LANE_BITS SINEW_NAME(sinew_bits2_)
 #define SINEW_LANE_TO_BITS(x) ((SINEW_LANE_BITS)(x))
 #define SINEW_LANE_TO_REAL(x) ((SINEW_LANE_REAL)(x))
-#define SINEW_LANE_FUNCTION SINEW_NAME(sinew_sincos_two_lanes)
+#define SINEW_LANE_NAME(name) SINEW_NAME(name##_two_lanes)
 #define SINEW_LANE_CONSTANTS SINEW_NAME(sinew_sincos_constants2_)
 #define SINEW_LANE_BROADCAST(name) {SINEW_##name, SINEW_##name},
 typedef struct {
@@ -53,14 +84,14 @@ typedef struct {
 
 #undef SINEW_LANE_REAL
 #undef SINEW_LANE_BITS
-#undef SINEW_LANE_FUNCTION
+#undef SINEW_LANE_NAME
 #undef SINEW_LANE_CONSTANTS
 #undef SINEW_LANE_BROADCAST
 typedef SINEW_REAL SINEW_NAME(sinew_real4_) __attribute__((vector_size(4 * sizeof(SINEW_REAL))));
 typedef SINEW_BITS SINEW_NAME(sinew_bits4_) __attribute__((vector_size(4 * sizeof(SINEW_REAL))));
 #define SINEW_LANE_REAL SINEW_NAME(sinew_real4_)
 #define SINEW_LANE_BITS SINEW_NAME(sinew_bits4_)
-#define SINEW_LANE_FUNCTION SINEW_NAME(sinew_sincos_four_lanes)
+#define SINEW_LANE_NAME(name) SINEW_NAME(name##_four_lanes)
 #define SINEW_LANE_CONSTANTS SINEW_NAME(sinew_sincos_constants4_)
 #define SINEW_LANE_BROADCAST(name) {SINEW_##name, SINEW_##name, SINEW_##name, SINEW_##name},
 typedef struct {
@@ -112,8 +143,10 @@ SINEW_INLINE void SINEW_NAME(sinew_sincos4)(const SINEW_REAL *x, SINEW_REAL *s, 
 #undef SINEW_LANE_BITS
 #undef SINEW_LANE_TO_BITS
 #undef SINEW_LANE_TO_REAL
-#undef SINEW_LANE_FUNCTION
+#undef SINEW_LANE_NAME
 #undef SINEW_LANE_TABLE
+#undef SINEW_LANE_TABLE_PARAMETER
+#undef SINEW_LANE_TABLE_ARGUMENT
 #undef SINEW_LANE_CONSTANT
 #ifdef SINEW_VECTORS
 #undef SINEW_LANE_MEMBER

@@ -9,21 +9,14 @@
  * No input needs a comparison: x 2/pi 2^-8 and the remainder are below 2 whenever x is in range, so
  * the top bit of their exponents is clear; clearing it anyway makes everything else finite too.
  */
-SINEW_INLINE void SINEW_LANE_FUNCTION(const SINEW_LANE_REAL *x, SINEW_LANE_REAL *s,
-                                      SINEW_LANE_REAL *c) {
-    SINEW_LANE_TABLE
-    const SINEW_LANE_BITS bounded = SINEW_LANE_TO_BITS(SINEW_LANE_CONSTANT(BOUND));
-    const SINEW_LANE_REAL turns =
-        SINEW_LANE_TO_REAL(SINEW_LANE_TO_BITS(*x * SINEW_LANE_CONSTANT(TURN)) & bounded);
-    const SINEW_LANE_REAL rounded = turns + SINEW_LANE_CONSTANT(ROUND);
-    const SINEW_LANE_BITS quadrant = SINEW_LANE_TO_BITS(rounded);
-    const SINEW_LANE_REAL k = rounded - SINEW_LANE_CONSTANT(ROUND);
 
-    const SINEW_LANE_REAL remainder = *x - k * SINEW_LANE_CONSTANT(PIO2_1);
-    const SINEW_LANE_REAL first = SINEW_LANE_TO_REAL(SINEW_LANE_TO_BITS(remainder) & bounded);
-    const SINEW_LANE_REAL second = k * SINEW_LANE_CONSTANT(PIO2_2);
-    const SINEW_LANE_REAL r = first - second;
-    const SINEW_LANE_REAL tail = ((first - r) - second) - k * SINEW_LANE_CONSTANT(PIO2_3);
+/* Sine and cosine of k pi/2 + r + tail, where the two lowest bits of quadrant are those of k. */
+SINEW_INLINE void SINEW_LANE_NAME(sinew_sincos_rest)(
+    SINEW_LANE_TABLE_PARAMETER const SINEW_LANE_REAL *remainder, const SINEW_LANE_REAL *rest,
+    const SINEW_LANE_BITS *integer, SINEW_LANE_REAL *s, SINEW_LANE_REAL *c) {
+    const SINEW_LANE_REAL r = *remainder;
+    const SINEW_LANE_REAL tail = *rest;
+    const SINEW_LANE_BITS quadrant = *integer;
 
     /* 1 - z/2 is rounded, but what it loses is known exactly; |tail| <= 2^-54 (float: 2^-25). */
     const SINEW_LANE_REAL z = r * r;
@@ -43,4 +36,22 @@ SINEW_INLINE void SINEW_LANE_FUNCTION(const SINEW_LANE_REAL *x, SINEW_LANE_REAL 
     const SINEW_LANE_BITS exchange = ((turned_sine ^ upright_cosine) & even) ^ half_turn;
     *s = SINEW_LANE_TO_REAL(upright_cosine ^ exchange);
     *c = SINEW_LANE_TO_REAL(turned_sine ^ exchange);
+}
+
+SINEW_INLINE void SINEW_LANE_NAME(sinew_sincos)(const SINEW_LANE_REAL *x, SINEW_LANE_REAL *s,
+                                                SINEW_LANE_REAL *c) {
+    SINEW_LANE_TABLE
+    const SINEW_LANE_BITS bounded = SINEW_LANE_TO_BITS(SINEW_LANE_CONSTANT(BOUND));
+    const SINEW_LANE_REAL turns =
+        SINEW_LANE_TO_REAL(SINEW_LANE_TO_BITS(*x * SINEW_LANE_CONSTANT(TURN)) & bounded);
+    const SINEW_LANE_REAL rounded = turns + SINEW_LANE_CONSTANT(ROUND);
+    const SINEW_LANE_BITS quadrant = SINEW_LANE_TO_BITS(rounded);
+    const SINEW_LANE_REAL k = rounded - SINEW_LANE_CONSTANT(ROUND);
+
+    const SINEW_LANE_REAL remainder = *x - k * SINEW_LANE_CONSTANT(PIO2_1);
+    const SINEW_LANE_REAL first = SINEW_LANE_TO_REAL(SINEW_LANE_TO_BITS(remainder) & bounded);
+    const SINEW_LANE_REAL second = k * SINEW_LANE_CONSTANT(PIO2_2);
+    const SINEW_LANE_REAL r = first - second;
+    const SINEW_LANE_REAL tail = ((first - r) - second) - k * SINEW_LANE_CONSTANT(PIO2_3);
+    SINEW_LANE_NAME(sinew_sincos_rest)(SINEW_LANE_TABLE_ARGUMENT &r, &tail, &quadrant, s, c);
 }
