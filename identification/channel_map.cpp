@@ -42,6 +42,7 @@ std::vector<ChannelSpec> drive_channels(const DriveLimits& limits, const std::st
   e.low = -limits.max_effort;
   e.high = limits.max_effort;
   e.inertia = limits.inertia;
+  e.friction = limits.friction;
   return {p, e, r, v, spec("i", "A", ChannelRole::current, 0, false)};
 }
 

@@ -22,6 +22,8 @@ struct ChannelSpec {
   double high = std::numeric_limits<double>::infinity();
   double max_rate = std::numeric_limits<double>::infinity();  ///< per second
   double inertia = 0.0;  ///< effort channels: effort per acceleration of the group, 0 if unknown
+  double friction =
+      0.0;  ///< effort channels: effort that motion at usual speed takes, 0 if unknown
 };
 
 /// Limits of a single drive, for the plausibility of its channels. Infinite or 0 where unknown.
@@ -31,6 +33,7 @@ struct DriveLimits {
   double max_velocity = std::numeric_limits<double>::infinity();  ///< rad/s or m/s
   double max_effort = std::numeric_limits<double>::infinity();    ///< N·m or N
   double inertia = 0.0;                                           ///< kg·m² or kg
+  double friction = 0.0;  ///< effort at usual speed, N·m or N
 };
 
 /// theta, tau_m and optional theta_ref, omega, i.

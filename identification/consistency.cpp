@@ -93,13 +93,14 @@ class Checker {
 
   void run() {
     if (log_.segments.empty() || samples().rows() < 200) return;
-    for (size_t i = 0; i < specs_.size(); ++i) check_range(i);
     for (const Group& group : groups_) {
+      check_exchanged_effort(group);
       check_velocity(group);
       check_reference(group);
       check_effort(group);
     }
     check_crossed();
+    for (size_t i = 0; i < specs_.size(); ++i) check_range(i);
   }
 
  private:
@@ -109,7 +110,7 @@ class Checker {
   void report(FaultKind kind, Severity severity, int channel, const std::string& meaning,
               const std::string& action) {
     const Channel& info = log_.channels[static_cast<size_t>(channel)];
-    if (std::find(reported_.begin(), reported_.end(), channel) != reported_.end()) return;
+    if (is_reported(channel)) return;
     if (severity == Severity::stop) reported_.push_back(channel);
     faults_.add(kind, severity, log_.segments.front().first_row, log_.segments.front().first_row,
                 info.column, info.name, meaning, action);
@@ -167,6 +168,7 @@ class Checker {
 
   void check_velocity(const Group& group) {
     if (!group.has(ChannelRole::position) || !group.has(ChannelRole::velocity)) return;
+    if (is_reported(group.of(ChannelRole::position))) return;
     const ArrayXd p = series(group.of(ChannelRole::position));
     const ArrayXd v = series(group.of(ChannelRole::velocity));
     const auto m = std::max(1L, std::lround(0.01 / log_.period));
@@ -177,13 +179,15 @@ class Checker {
     const ArrayXd mean_v = moving_mean(v, m);
     if (rms(centred(p)) < 20.0 * group.info(ChannelRole::position).noise_floor) return;
     const double r = correlation(rate, mean_v);
-    if (std::abs(r) < 0.6) {
+    if (r < 0.6) {
       const ArrayXd back = (v.tail(n) - v.head(n)) / span;
-      if (correlation(back, moving_mean(p, m)) > 0.9)
+      if (correlation(back, moving_mean(p, m)) > 0.9) {
         swapped(group.of(ChannelRole::position), group.of(ChannelRole::velocity),
                 "the derivative of the second is the first");
-      return;
+        return;
+      }
     }
+    if (std::abs(r) < 0.6) return;
     // Noise in v lowers the plain slope; the ratio of spreads does not turn with it.
     const double ratio = slope(mean_v, rate);
     judge_ratio(group.of(ChannelRole::velocity), ratio, std::abs(r),
@@ -221,8 +225,10 @@ class Checker {
   void check_reference(const Group& group) {
     if (!group.has(ChannelRole::position) || !group.has(ChannelRole::reference)) return;
     const int pc = group.of(ChannelRole::position), rc = group.of(ChannelRole::reference);
+    if (is_reported(pc)) return;
     const ArrayXd p = series(pc), r = series(rc);
     if (rms(centred(r)) <= 0.0 || std::abs(correlation(p, r)) < 0.8) return;
+    if (is_cut_off(pc, p, r)) return;
     const double ratio = slope(p, r);
     judge_ratio(pc, ratio, std::abs(correlation(p, r)),
                 fmt::format("is {:.4g} times its reference '{}'", ratio,
@@ -231,22 +237,52 @@ class Checker {
     const ArrayXd lag_base = 0.5 * (r.tail(r.size() - 2) - r.head(r.size() - 2));
     const ArrayXd error = (p - r).segment(1, r.size() - 2);
     const double lag = -slope(error, lag_base);  // samples that the measurement is behind
-    const double noise_p = group.info(ChannelRole::position).noise_floor;
-    const double noise_r = group.info(ChannelRole::reference).noise_floor;
+    const double noise_p = noise_of(pc), noise_r = noise_of(rc);
     const bool leads = lag < -1.0 && correlation(error, lag_base) > 0.3;
-    if ((leads && noise_r > 1.2 * noise_p) || (lag < 0.5 && noise_r > 3.0 * noise_p))
+    const bool noise_free = std::max(noise_p, noise_r) < 1.0e-6 * rms(centred(r));
+    if ((leads && (noise_free || noise_r > 1.2 * noise_p)) ||
+        (lag < 0.5 && noise_r > 3.0 * noise_p))
       swapped(pc, rc,
               fmt::format("the first runs {:.1f} samples ahead of the second, which carries the "
                           "noise of a measurement",
                           -lag));
   }
 
+  // At its limit the measurement stays back behind the reference, and nowhere else.
+  bool is_cut_off(int channel, const ArrayXd& p, const ArrayXd& r) {
+    ArrayXd size = (r - p).abs();
+    std::nth_element(size.data(), size.data() + size.size() / 2, size.data() + size.size());
+    const double usual = size(size.size() / 2) + 2.0 * noise_of(channel);
+    for (const double limit : {p.maxCoeff(), p.minCoeff()}) {
+      const auto there = (p == limit).cast<double>();
+      const double count = there.sum();
+      const double behind = ((r - p).abs() * there).sum() / std::max(1.0, count);
+      if (count < 20.0 || behind < 6.0 * usual) continue;
+      const std::string& name = log_.channels[static_cast<size_t>(channel)].name;
+      report(FaultKind::clipping, Severity::doubtful, channel,
+             fmt::format("'{}' stays at {:.6g} in {} samples while its reference goes on", name,
+                         limit, count),
+             "the rows are kept");
+      return true;
+    }
+    return false;
+  }
+
+  // Mean, not median, of third differences: a coarse encoder at rest most of the time still
+  // shows its steps, and a reference made of parabolas shows none.
+  double noise_of(int channel) const {
+    const auto x = samples().col(channel);
+    const long n = x.size() - 3;
+    const double mean =
+        (x.tail(n) - 3.0 * x.segment(2, n) + 3.0 * x.segment(1, n) - x.head(n)).abs().mean();
+    return mean / (0.7978845608 * std::sqrt(20.0));
+  }
+
   // ---- effort against motion
 
   std::optional<Motion> motion(int pc, int ec) const {
     const ArrayXd p = series(pc), e = series(ec);
-    const double noise = std::max(log_.channels[static_cast<size_t>(pc)].noise_floor,
-                                  log_.channels[static_cast<size_t>(pc)].quantum / std::sqrt(12.0));
+    const double noise = noise_of(pc);
     if (rms(centred(p)) < 20.0 * noise || rms(centred(p)) <= 0.0) return std::nullopt;
     const long m = smoothing(noise, p);
     if (p.size() < 40 * m) return std::nullopt;
@@ -268,6 +304,7 @@ class Checker {
 
   struct Fit {
     double inertia = 0.0, inertia_error = 1.0e300;
+    double friction = 0.0;        // mean effort in the direction of motion
     double friction_share = 0.0;  // correlation of effort with the direction of motion
     double explained = 0.0;       // R^2
   };
@@ -299,7 +336,9 @@ class Checker {
     // Residuals are coloured: as if only every 20th point were new.
     const double variance = left.square().sum() / static_cast<double>(n) * 20.0;
     result.inertia_error = std::sqrt(variance * inverse(0, 0)) / scale(0);
-    result.friction_share = correlation(m.effort, (m.velocity / v_scale).tanh());
+    const ArrayXd direction = (m.velocity / v_scale).tanh();
+    result.friction = slope(m.effort, direction);
+    result.friction_share = correlation(m.effort, direction);
     return result;
   }
 
@@ -311,28 +350,56 @@ class Checker {
                       : 0.0;
   }
 
-  void check_effort(const Group& group) {
+  // Position and effort exchanged: told by the pace, by the reference or by the velocity.
+  void check_exchanged_effort(const Group& group) {
     if (!group.has(ChannelRole::position) || !group.has(ChannelRole::effort)) return;
     const int pc = group.of(ChannelRole::position), ec = group.of(ChannelRole::effort);
     const double pace_p = pace(pc), pace_e = pace(ec);
     if (pace_e > 0.0 && pace_p > 2.5 * pace_e) {
       swapped(pc, ec,
-              "the first changes faster than the second, but motion is smoother than the "
-              "effort that causes it");
+              "the first changes faster than the second, but motion is smoother than the effort "
+              "that causes it");
       return;
     }
+    if (group.has(ChannelRole::reference)) {
+      const ArrayXd r = series(group.of(ChannelRole::reference));
+      if (correlation(series(ec), r) > 0.97 && correlation(series(pc), r) < 0.9) {
+        swapped(pc, ec, "the second follows the reference, the first does not");
+        return;
+      }
+    }
+    if (!group.has(ChannelRole::velocity)) return;
+    const ArrayXd v = series(group.of(ChannelRole::velocity));
+    if (rate_correlation(series(ec), v) > 0.95 && rate_correlation(series(pc), v) < 0.8)
+      swapped(pc, ec, "the velocity is the derivative of the second");
+  }
+
+  double rate_correlation(const ArrayXd& x, const ArrayXd& v) const {
+    const auto m = std::max(1L, std::lround(0.01 / log_.period));
+    if (x.size() < 20 * m) return 0.0;
+    const long n = x.size() - 2 * m;
+    return correlation(x.tail(n) - x.head(n), moving_mean(v, m));
+  }
+
+  bool is_reported(int channel) const {
+    return std::find(reported_.begin(), reported_.end(), channel) != reported_.end();
+  }
+
+  void check_effort(const Group& group) {
+    if (!group.has(ChannelRole::position) || !group.has(ChannelRole::effort)) return;
+    const int pc = group.of(ChannelRole::position), ec = group.of(ChannelRole::effort);
+    if (is_reported(pc) || is_reported(ec)) return;
     const auto m = motion(pc, ec);
     if (!m) return;
     const bool turns = group.spec(ChannelRole::position).unit == "rad";
     const Fit found = fit(*m, turns);
     const double expected = group.spec(ChannelRole::effort).inertia;
     const bool sure = std::abs(found.inertia) > 5.0 * found.inertia_error && found.explained > 0.3;
+    const double usual = group.spec(ChannelRole::effort).friction;
     if (expected > 0.0 && sure && found.inertia > 0.0) {
-      const double ratio = found.inertia / expected;
-      if (ratio > 12.0 || ratio < 1.0 / 12.0) {
-        judge_inertia(group, ratio);
-        return;
-      }
+      if (implausible(group, found.inertia / expected, "inertia")) return;
+    } else if (usual > 0.0 && found.friction_share > 0.4) {
+      if (implausible(group, found.friction / usual, "friction")) return;
     }
     if (found.friction_share < -0.5 || (sure && found.inertia < 0.0 && found.friction_share < -0.1))
       report(
@@ -343,25 +410,27 @@ class Checker {
           "the log is not used");
   }
 
-  void judge_inertia(const Group& group, double ratio) {
+  // A payload changes the inertia some times over, a wrong unit at least 57 times.
+  bool implausible(const Group& group, double ratio, const std::string& what) {
+    if (ratio < 12.0 && ratio > 1.0 / 12.0) return false;
     const Channel& e = group.info(ChannelRole::effort);
     const Channel& p = group.info(ChannelRole::position);
-    const UnitSlip effort = unit_slip_of(ratio, e.unit, 0.75);
-    const UnitSlip position = unit_slip_of(1.0 / ratio, p.unit, 0.75);
+    const UnitSlip effort = unit_slip_of(ratio, e.unit, 1.5);
+    const bool turned = what == "inertia";
+    const UnitSlip position = turned ? unit_slip_of(1.0 / ratio, p.unit, 0.75) : UnitSlip{};
     const std::string evidence =
-        fmt::format("and '{}' would mean an inertia {:.3g} times the model's", p.name, ratio);
-    const bool both = !effort.meaning.empty() && !position.meaning.empty();
-    if (!effort.meaning.empty())
-      slip(group.of(ChannelRole::effort),
-           {effort.factor,
-            effort.meaning + (both ? ", or '" + p.name + "' " + position.meaning : "")},
-           evidence);
-    else if (!position.meaning.empty())
-      slip(group.of(ChannelRole::position), position,
-           fmt::format("and '{}' would mean an inertia {:.3g} times the model's", e.name, ratio));
-    else
+        fmt::format("would mean a {} {:.3g} times the model's", what, ratio);
+    if (!effort.meaning.empty()) {
+      const std::string other =
+          position.meaning.empty() ? "" : fmt::format(", or '{}' has {}", p.name, position.meaning);
+      slip(group.of(ChannelRole::effort), {effort.factor, effort.meaning + other}, evidence);
+    } else if (!position.meaning.empty()) {
+      slip(group.of(ChannelRole::position), position, evidence);
+    } else {
       report(FaultKind::unit_slip, Severity::doubtful, group.of(ChannelRole::effort),
              fmt::format("'{}' {}", e.name, evidence), "the values are kept");
+    }
+    return true;
   }
 
   // ---- efforts of two coordinates exchanged

@@ -81,7 +81,11 @@ struct Judge {
                 const RunCandidate& run) const {
     if (spec.role == ChannelRole::reference || run.at_start || run.at_end) return false;
     if (is_noisy(channel)) return is_unlikely(channel, run.length);
-    if (spec.role != ChannelRole::position && spec.role != ChannelRole::velocity) return false;
+    if (spec.role == ChannelRole::current || spec.role == ChannelRole::other) return false;
+    // A commanded effort may rest; it gets there slowly, or by a step as large as the others.
+    const bool at_speed = std::abs(run.entry) > 0.3 * channel.step(0.5) &&
+                          std::abs(run.entry) < 4.0 * channel.step(0.98);
+    if (spec.role == ChannelRole::effort && (!at_speed || channel.runs().size() > 8)) return false;
     const double largest_usual = std::max(channel.step(0.995), 2.5 * channel.quantum());
     return run.length >= 8 && std::abs(run.jump) > 2.5 * largest_usual;
   }
@@ -109,7 +113,8 @@ struct Judge {
     for (const RunCandidate& run : channel.runs()) {
       if (!is_stuck(channel, column(c).spec, run)) continue;
       // A signal that sits at its limit is clipped, not stuck.
-      if (run.value == channel.high() || run.value == channel.low()) continue;
+      const bool at_limit = run.value == channel.high() || run.value == channel.low();
+      if (at_limit && std::abs(run.jump) < 2.5 * channel.step(0.995)) continue;
       add(c, FaultKind::stuck, Severity::repaired, run.first_row, run.last_row,
           fmt::format("'{}' keeps one value for {} rows and then jumps by {:.4g}",
                       column(c).spec.name, run.length, run.jump),
@@ -140,10 +145,15 @@ struct Judge {
   static bool is_clipped(const ChannelInspector& channel, const ExtremeRuns& runs) {
     if (runs.samples < 5 || runs.counted_runs == 0) return false;
     if (is_noisy(channel)) return true;
-    const double entry = runs.entry_total / static_cast<double>(runs.counted_runs);
-    const double usual = channel.step(0.5);
-    const bool at_speed = entry > 0.3 * usual && entry > 2.5 * channel.quantum();
-    return at_speed && entry < 4.0 * channel.step(0.98) && runs.longest >= 4;
+    const auto times = static_cast<double>(runs.counted_runs);
+    const double entry = runs.entry_total / times, approach = runs.approach_total / times;
+    if (entry > 4.0 * channel.step(0.98)) return false;
+    // Where a row moves by less than some quanta, only the rows before tell the speed.
+    if (channel.step(0.5) > 2.5 * channel.quantum())
+      return entry > 0.3 * channel.step(0.5) && runs.longest >= 4;
+    const double usual_run = channel.quantum() / std::max(channel.speed(), 1.0e-300);
+    return approach > 0.4 * channel.speed() &&
+           static_cast<double>(runs.longest) > std::max(4.0, 6.0 * usual_run);
   }
 };
 

@@ -109,17 +109,30 @@ void ChannelInspector::push_step(long row, double value) {
       close_run(value, false);
       steps_.push(std::abs(value - before));
     }
-    run_ = RunCandidate{row, row,   1,           count_ > 0 ? value - before : 0.0,
-                        0.0, value, count_ == 0, false};
+    run_ = RunCandidate();
+    run_.first_row = run_.last_row = row;
+    run_.length = 1;
+    run_.entry = count_ > 0 ? value - before : 0.0;
+    run_.approach = mean_step();
+    run_.value = value;
+    run_.at_start = count_ == 0;
+    if (run_.approach > 0.0) speeds_.push(run_.approach);
   }
-  extreme(at_high_, value, run_.entry, row, repeats);
-  extreme(at_low_, -value, -run_.entry, row, repeats);
+  extreme(at_high_, value, row, repeats);
+  extreme(at_low_, -value, row, repeats);
+  trail_[count_ % approach_rows] = value;
 }
 
-void ChannelInspector::extreme(ExtremeRuns& runs, double value, double entry, long row,
-                               bool repeats) const {
+// Over the rows before the newest one, which is not in the ring yet.
+double ChannelInspector::mean_step() const {
+  if (count_ < approach_rows) return 0.0;
+  const double oldest = trail_[count_ % approach_rows];
+  return std::abs(window_[6] - oldest) / static_cast<double>(approach_rows - 1);
+}
+
+void ChannelInspector::extreme(ExtremeRuns& runs, double value, long row, bool repeats) const {
   if (runs.samples == 0 || value > runs.value)
-    runs = ExtremeRuns{value, 0, 0, 0, row, 0, 0.0};
+    runs = ExtremeRuns{value, 0, 0, 0, row, 0, 0.0, 0.0};
   else if (value < runs.value)
     return;
   ++runs.samples;
@@ -127,7 +140,8 @@ void ChannelInspector::extreme(ExtremeRuns& runs, double value, double entry, lo
   runs.longest = std::max(runs.longest, run_.length);
   if (run_.length == 3) {
     ++runs.counted_runs;
-    runs.entry_total += std::abs(entry);
+    runs.entry_total += std::abs(run_.entry);
+    runs.approach_total += run_.approach;
   }
 }
 
@@ -156,21 +170,30 @@ void ChannelInspector::finish() {
   std::sort(runs_.begin(), runs_.end(), by_row);
 }
 
+// The greatest common divisor of the smallest steps; larger ones carry more rounding error.
 double ChannelInspector::quantum() const {
-  const std::vector<double>& steps = steps_.values();
+  std::vector<double> steps = steps_.values();
   if (steps.size() < 4) return 0.0;
-  const double range = high_ - low_;
-  // A spike's or a rounding error's tiny step must not set the quantum: the 2 % smallest tell.
-  const double smallest = quantile_of(steps, 0.02);
-  if (smallest < 1.0e-9 * range) return 0.0;
-  const double slack =
-      std::max(0.02, 1.0e-12 * std::max(std::abs(low_), std::abs(high_)) / smallest);
-  size_t whole = 0;
-  for (const double step : steps) {
-    const double multiple = step / smallest;
-    whole += std::abs(multiple - std::round(multiple)) < slack && multiple > 0.5 ? 1u : 0u;
+  std::sort(steps.begin(), steps.end());
+  const double floor =
+      std::max(1.0e-8 * (high_ - low_), 64.0e-16 * std::max(std::abs(low_), std::abs(high_)));
+  double divisor = 0.0;
+  for (size_t i = 0; i < std::min<size_t>(steps.size(), 1000); ++i) {
+    if (steps[i] < floor) return 0.0;
+    if (divisor == 0.0) divisor = steps[i];
+    for (double rest = steps[i]; rest > 0.01 * divisor;) {
+      rest = std::abs(steps[i] - divisor * std::round(steps[i] / divisor));
+      if (rest <= 0.01 * divisor) break;
+      divisor = rest;
+      if (divisor < floor) return 0.0;
+    }
   }
-  return static_cast<double>(whole) > 0.95 * static_cast<double>(steps.size()) ? smallest : 0.0;
+  // A motion under constant acceleration has small steps with a common divisor too, but not all.
+  const auto whole = [&](double step) {
+    return std::abs(step - divisor * std::round(step / divisor)) <= 0.02 * divisor;
+  };
+  const auto fitting = std::count_if(steps.begin(), steps.end(), whole);
+  return static_cast<double>(fitting) > 0.95 * static_cast<double>(steps.size()) ? divisor : 0.0;
 }
 
 double ChannelInspector::noise() const {

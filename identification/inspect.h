@@ -38,8 +38,9 @@ struct SpikeCandidate {
 struct RunCandidate {
   long first_row = 0, last_row = 0;
   long length = 0;
-  double entry = 0.0;  ///< step into the run
-  double jump = 0.0;   ///< step out of it; 0 where the log ends
+  double entry = 0.0;     ///< step into the run
+  double approach = 0.0;  ///< step a row over the rows before it
+  double jump = 0.0;      ///< step out of it; 0 where the log ends
   double value = 0.0;
   bool at_start = false, at_end = false;
 };
@@ -48,8 +49,9 @@ struct RunCandidate {
 struct ExtremeRuns {
   double value = 0.0;
   long samples = 0, runs = 0, longest = 0, first_row = 0;
-  long counted_runs = 0;     ///< runs of at least three
-  double entry_total = 0.0;  ///< sum of the steps into them
+  long counted_runs = 0;        ///< runs of at least three
+  double entry_total = 0.0;     ///< sum of the steps into them
+  double approach_total = 0.0;  ///< sum of the mean steps over the rows before
 };
 
 class ChannelInspector {
@@ -69,6 +71,8 @@ class ChannelInspector {
   double roughness() const;
   /// Quantile of the absolute steps that are not zero.
   double step(double fraction) const { return steps_.quantile(fraction); }
+  /// Median of the mean step over a few rows, where it moves.
+  double speed() const { return speeds_.quantile(0.5); }
   const std::vector<SpikeCandidate>& spikes() const { return spikes_; }
   const std::vector<RunCandidate>& runs() const { return runs_; }
   /// Share of rows that repeat the one before, long stand-stills left out.
@@ -79,6 +83,7 @@ class ChannelInspector {
   const ExtremeRuns& at_low() const { return at_low_; }
 
  private:
+  static constexpr long approach_rows = 16;
   struct Pending {
     SpikeCandidate candidate;
     long due = 0;
@@ -86,7 +91,8 @@ class ChannelInspector {
   void push_step(long row, double value);
   void look_for_spike(int width);
   void close_run(double next, bool ended);
-  void extreme(ExtremeRuns& runs, double value, double entry, long row, bool repeats) const;
+  double mean_step() const;
+  void extreme(ExtremeRuns& runs, double value, long row, bool repeats) const;
 
   long count_ = 0;
   long repeats_ = 0;
@@ -95,7 +101,8 @@ class ChannelInspector {
   long rows_[7] = {};
   int filled_ = 0;
   double local_ = 0.0;
-  StridedSample steps_, third_, rough_;
+  StridedSample steps_, third_, rough_, speeds_;
+  double trail_[approach_rows] = {};  // ring of the last values
   std::deque<Pending> pending_;
   std::vector<SpikeCandidate> spikes_;
   std::vector<RunCandidate> runs_;

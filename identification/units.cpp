@@ -109,7 +109,7 @@ Unit product(const Unit& a, const Unit& b, int power) {
 // "Nmm" is newton times millimetre: written without a separator, split where both halves are known.
 std::optional<Unit> symbol_or_run(std::string_view text, int power) {
   if (const auto unit = known_symbol(text)) return product(Unit{}, *unit, power);
-  for (size_t cut = 1; cut < text.size(); ++cut) {
+  for (size_t cut = text.size() - 1; cut > 0; --cut) {
     const auto left = known_symbol(text.substr(0, cut));
     if (!left) continue;
     if (const auto right = symbol_or_run(text.substr(cut), power)) return product(*right, *left, 1);
