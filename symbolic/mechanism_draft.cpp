@@ -1,12 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "symbolic/identifier.h"
 #include "symbolic/mechanism_draft.h"
 #include "symbolic/rotation.h"
 
 namespace sinew {
 namespace {
+
+/// Of length 1 to rounding: such an axis is taken as it is written, so that it reads back the same.
+bool is_unit(const Eigen::Vector3d& axis) {
+  return std::abs(axis.squaredNorm() - 1.0) <= 1e-15;
+}
 
 class SectionReader {
  public:
@@ -27,6 +34,10 @@ class SectionReader {
     for (TomlTable& tendon : root.tables("tendon")) read_tendon(tendon);
     for (TomlTable& coupling : root.tables("coupling")) read_coupling(coupling);
     if (auto defaults = root.table("tendon_defaults", false)) read_tendon_defaults(*defaults);
+    if (root.has("tendon") || root.has("tendon_defaults")) {
+      assume("tendon_defaults.stiffness");
+      assume("tendon_defaults.max_force");
+    }
     root.finish();
     check_values();
   }
@@ -100,10 +111,9 @@ class SectionReader {
     const bool turns = joint.type == JointType::revolute;
     if (const auto axis = table.direction("axis", true)) {
       joint.axis = Eigen::Vector3d(axis->values.data());
-      const double length = joint.axis.stableNorm();
-      if (length == 0.0)
+      if (joint.axis.isZero(0.0))
         findings_.add(axis->where, table.path() + ".axis is zero", "expected a direction");
-      else if (length != 1.0)
+      else if (!is_unit(joint.axis))
         joint.axis = unit_axis(joint.axis);
     }
     if (const auto range = table.quantity("range", Shape::pair,
@@ -125,17 +135,22 @@ class SectionReader {
       if (joint.damping < 0.0)
         findings_.add(damping->where, table.path() + ".damping is negative",
                       "expected a damping >= 0");
+    } else {
+      assume(table.path() + ".damping");
     }
   }
 
   void read_positive(TomlTable& table, std::string_view key, Dimension dimension, double& value) {
     const auto quantity = table.quantity(key, Shape::scalar, dimension, false);
-    if (!quantity) return;
+    if (!quantity) return assume(fmt::format("{}.{}", table.path(), key));
     value = quantity->values[0];
     if (!(value > 0.0))
       findings_.add(quantity->where, fmt::format("{}.{} is not positive", table.path(), key),
                     "expected a number > 0");
   }
+
+  /// A value left out is one assumed.
+  void assume(const std::string& path) { draft_.mechanism.provenance.emplace(path, "assumed"); }
 
   Transform read_pose(TomlTable& table) {
     Transform pose;

@@ -7,8 +7,8 @@
 
 #include "symbolic/check_mechanism.h"
 #include "symbolic/origin.h"
-#include "symbolic/read_mechanism.h"
 #include "symbolic/put_files.h"
+#include "symbolic/read_mechanism.h"
 #include "symbolic/rotation.h"
 #include "symbolic/units.h"
 
@@ -66,7 +66,7 @@ class Describer {
     for (const Frame& each : mechanism_.frames) frame(each);
     for (const Tendon& each : mechanism_.tendons) tendon(each);
     for (const JointCoupling& each : mechanism_.couplings) coupling(each);
-    if (!mechanism_.tendons.empty()) tendon_defaults();
+    if (!mechanism_.tendons.empty() || is_known("tendon_defaults.stiffness")) tendon_defaults();
     return std::move(text_);
   }
 
@@ -256,7 +256,7 @@ void write_mechanism(const Mechanism& mechanism, const std::filesystem::path& fo
   require_round_trip(mechanism, text);
   const bool may_replace = existing == Existing::replace;
   put_files(folder, {{"mechanism.toml", text.toml}, {"mass_properties.csv", text.csv}},
-                 may_replace);
+            may_replace);
 }
 
 }  // namespace sinew
