@@ -4,14 +4,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 
 #include "symbolic/check_mechanism.h"
 #include "symbolic/identifier.h"
 #include "symbolic/mechanism_draft.h"
 #include "symbolic/order_bodies.h"
 #include "symbolic/read_mass_properties.h"
+#include "symbolic/read_text.h"
 
 namespace sinew {
 namespace {
@@ -158,14 +157,6 @@ class MechanismReader {
   bool has_whole_table_ =
       true;  ///< rows with mistakes are left out: missing rows then prove nothing
 };
-
-std::string read_text(const std::filesystem::path& path, Findings& findings) {
-  std::ifstream stream(path, std::ios::binary);
-  std::string text{std::istreambuf_iterator<char>(stream), {}};
-  if (!std::filesystem::is_regular_file(path) || stream.bad())
-    findings.add({path.string(), 0, 0}, "cannot be read", "expected a readable file");
-  return text;
-}
 
 }  // namespace
 

@@ -7,13 +7,12 @@
 #include <urdf_parser/urdf_parser.h>
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 #include <map>
 #include <set>
 
 #include "symbolic/check_mechanism.h"
 #include "symbolic/identifier.h"
+#include "symbolic/read_text.h"
 #include "symbolic/rotation.h"
 #include "symbolic/urdf_outline.h"
 
@@ -286,11 +285,8 @@ Mechanism parse_urdf(std::string_view text, const std::string& name, const Eigen
 
 Mechanism read_urdf(const std::filesystem::path& file, const Eigen::Vector3d& gravity,
                     std::vector<std::string>* notes) {
-  std::ifstream stream(file, std::ios::binary);
-  const std::string text{std::istreambuf_iterator<char>(stream), {}};
   Findings findings;
-  if (!std::filesystem::is_regular_file(file) || stream.bad())
-    findings.add({file.string(), 0, 0}, "cannot be read", "expected a readable URDF file");
+  const std::string text = read_text(file, findings);
   findings.raise_if_any();
   return parse_urdf(text, file.string(), gravity, notes);
 }
