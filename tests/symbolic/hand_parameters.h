@@ -7,7 +7,10 @@
 #include <vector>
 
 #include "symbolic/four_bar.h"
+#include "symbolic/guiding_friction.h"
 #include "symbolic/lever.h"
+#include "symbolic/motor.h"
+#include "symbolic/tendon_force.h"
 #include "symbolic/wrist.h"
 
 namespace sinew_tests {
@@ -67,6 +70,33 @@ inline sinew::LeverParameters lever_parameters() {
   p.free_angle = 48 * degree;
   p.end_angle = sinew::lever_angle_at(p, 0.010);
   return p;
+}
+
+inline sinew::MotorParameters motor_parameters() {
+  sinew::MotorParameters p;
+  p.gear_ratio = 0.01;
+  p.rotor_inertia = 2.0e-7;
+  p.gearbox_inertia = 5e-5;
+  p.torque_constant = 0.0085;
+  p.pulley_radius = 0.005;
+  p.gamma1 = 10;
+  p.gamma2 = 0.5586;
+  p.gamma3 = 0.0356;
+  p.output_ripple = {{1, 0.02, 0.3}};
+  p.input_ripple = {{1, 0.04, 1.1}};
+  return p;
+}
+
+inline sinew::GuidingParameters guiding_parameters() {
+  sinew::GuidingParameters p;
+  p.C0 = 6.0;
+  p.C1 = 0.35;
+  p.friction_coefficient = 0.10;
+  return p;
+}
+
+inline sinew::TendonParameters tendon_parameters() {
+  return {1.0e4, 0.5};
 }
 
 }  // namespace sinew_tests

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "symbolic/tendon_force.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "symbolic/argument.h"
+#include "symbolic/differentiate.h"
+#include "symbolic/evaluate_function.h"
+#include "symbolic/exact_number.h"
+#include "symbolic/lever_geometry.h"
+#include "symbolic/piecewise.h"
+
+namespace sinew {
+namespace {
+
+using GiNaC::ex;
+
+/// l0/(E S) [m/N].
+GiNaC::numeric compliance(const TendonParameters& p) {
+  if (!(p.axial_stiffness > 0 && p.free_length > 0))
+    throw std::invalid_argument("a tendon needs a positive stiffness E S and length");
+  return exact_number(p.free_length) / exact_number(p.axial_stiffness);
+}
+
+/// Lever and tendon at a lever angle: elongation of both, force, and their derivatives by the
+/// angle.
+struct Pair {
+  Pair(DefinitionList& list, const LeverParameters& lever, const GiNaC::numeric& softness,
+       const ex& theta, const GiNaC::symbol& angle)
+      : geometry(lever_geometry(list, lever, theta)), force(lever_force(list, geometry)) {
+    ForwardDerivative by_theta(list, angle, "theta");
+    force_slope = list.define("force_slope", by_theta.of(force));
+    elongation = list.define("elongation_here",
+                             free_path_length(lever) - geometry.length + softness * force);
+    slope = list.define("elongation_slope", softness * force_slope - geometry.safe_slope);
+  }
+  LeverGeometry geometry;
+  ex force, force_slope, elongation, slope;
+};
+
+}  // namespace
+
+Function tendon_series_stiffness(const TendonParameters& parameters) {
+  const Argument k = scalar_argument("k_lever", "N/m", {0.0, 5.0e4}, "stiffness of the lever");
+  const ex stiffness = maximum(k.symbols[0], 0);
+  return {"series_stiffness",
+          "Stiffness of lever and tendon in series.",
+          "4.1",
+          {k},
+          {},
+          {{"k", 1, 1, {stiffness / (1 + compliance(parameters) * stiffness)}, "N/m", ""}}};
+}
+
+Function tendon_force(const TendonParameters& parameters, const LeverParameters& lever) {
+  const GiNaC::numeric softness = compliance(parameters);
+  const auto end = evaluate(lever_state(lever), {lever.end_angle});
+  const Range travel{-0.001, end[1] + softness.to_double() * end[2]};
+  const Argument elongation =
+      scalar_argument("elongation", "m", travel, "of lever and tendon together");
+  const Argument start = scalar_argument(
+      "theta", "rad",
+      {std::min(lever.free_angle, lever.end_angle), std::max(lever.free_angle, lever.end_angle)},
+      "where the search starts, e.g. the last angle");
+  const ex x = elongation.symbols[0];
+  DefinitionList list;
+  ex theta = list.define("theta_start", within_travel(lever, start.symbols[0]));
+  for (int i = 0; i < lever.newton_iterations; ++i) {
+    const Pair here(list, lever, softness, theta, GiNaC::ex_to<GiNaC::symbol>(theta));
+    const ex next = list.define("theta_next", theta - (here.elongation - x) / here.slope);
+    theta = list.define("theta_limited", within_travel(lever, next));
+  }
+  const Pair found(list, lever, softness, theta, GiNaC::ex_to<GiNaC::symbol>(theta));
+  // df/dx over both: the force's slope against that of the whole elongation.
+  const std::vector<ex> out{choose(-x, 0, found.force),
+                            choose(-x, 0, found.force_slope / found.slope), theta};
+  return {"force",
+          "Tendon force and stiffness from the elongation, 0 when slack.",
+          "5.1",
+          {elongation, start},
+          list.items(),
+          {{"out", 3, 1, out, "N, N/m, rad", "force, stiffness, lever angle"},
+           {"residual",
+            1,
+            1,
+            {choose(-x, 0, x - found.elongation)},
+            "m",
+            "what is left of the elongation"}}};
+}
+
+std::vector<Function> tendon_force_functions(const TendonParameters& parameters,
+                                             const LeverParameters& lever) {
+  return {tendon_series_stiffness(parameters), tendon_force(parameters, lever)};
+}
+
+}  // namespace sinew
