@@ -11,17 +11,34 @@ Cost count_operations(const Graph& graph) {
   for (const Node& node : graph.nodes()) {
     switch (node.op) {
       case Op::input:
-      case Op::constant: break;
+      case Op::constant:
+        break;
       case Op::add:
-      case Op::subtract: ++cost.add; break;
-      case Op::multiply: ++cost.multiply; break;
-      case Op::divide: ++cost.divide; break;
-      case Op::negate: ++cost.negate; break;
-      case Op::power: cost.multiply += node.index - 1; break;
-      case Op::square_root: ++cost.square_root; break;
+      case Op::subtract:
+        ++cost.add;
+        break;
+      case Op::multiply:
+        ++cost.multiply;
+        break;
+      case Op::divide:
+        ++cost.divide;
+        break;
+      case Op::negate:
+        ++cost.negate;
+        break;
+      case Op::power:
+        cost.multiply += node.index - 1;
+        break;
+      case Op::square_root:
+        ++cost.square_root;
+        break;
       case Op::sine:
-      case Op::cosine: angles.insert(node.a); break;
-      default: ++cost.other; break;
+      case Op::cosine:
+        angles.insert(node.a);
+        break;
+      default:
+        ++cost.other;
+        break;
     }
   }
   cost.sincos = static_cast<int>(angles.size());

@@ -19,7 +19,8 @@ struct Cost {
   int operations() const { return multiply + add; }
   /// One number for choosing between forms of one function, in multiplications.
   double weight() const {
-    return multiply + add + 0.5 * negate + 8.0 * divide + 8.0 * square_root + 40.0 * sincos + 40.0 * other;
+    return multiply + add + 0.5 * negate + 8.0 * divide + 8.0 * square_root + 40.0 * sincos +
+           40.0 * other;
   }
 };
 

@@ -10,10 +10,14 @@ namespace {
 
 std::string payload(const Graph& graph, const Node& node) {
   switch (node.op) {
-    case Op::input: return graph.input_name(node.index);
-    case Op::constant: return literal(node.constant, Target{});
-    case Op::power: return std::to_string(node.index);
-    default: return "";
+    case Op::input:
+      return graph.input_name(node.index);
+    case Op::constant:
+      return literal(node.constant, Target{});
+    case Op::power:
+      return std::to_string(node.index);
+    default:
+      return "";
   }
 }
 
@@ -37,18 +41,21 @@ std::string dump_text(const Graph& graph) {
 }
 
 std::string dump_dot(const Graph& graph) {
-  std::string text = fmt::format("digraph {} {{\n  node [shape=box, fontname=\"monospace\"];\n", graph.name);
+  std::string text =
+      fmt::format("digraph {} {{\n  node [shape=box, fontname=\"monospace\"];\n", graph.name);
   for (Value v = 0; v < graph.size(); ++v) {
     const Node& node = graph[v];
     const std::string extra = payload(graph, node);
-    text += fmt::format("  v{} [label=\"{}{}{}\"];\n", v, name_of(node.op), extra.empty() ? "" : " " + extra,
+    text += fmt::format("  v{} [label=\"{}{}{}\"];\n", v, name_of(node.op),
+                        extra.empty() ? "" : " " + extra,
                         graph.label(v).empty() ? "" : "\\n" + graph.label(v));
-    for (int i = 0; i < arity(node.op); ++i) text += fmt::format("  v{} -> v{};\n", node.operand(i), v);
+    for (int i = 0; i < arity(node.op); ++i)
+      text += fmt::format("  v{} -> v{};\n", node.operand(i), v);
   }
   for (const Port& port : graph.outputs)
     for (int i = 0; i < port.size(); ++i)
-      text += fmt::format("  \"{0}[{1}]\" [shape=ellipse];\n  v{2} -> \"{0}[{1}]\";\n", port.name, i,
-                          port.values[static_cast<std::size_t>(i)]);
+      text += fmt::format("  \"{0}[{1}]\" [shape=ellipse];\n  v{2} -> \"{0}[{1}]\";\n", port.name,
+                          i, port.values[static_cast<std::size_t>(i)]);
   return text + "}\n";
 }
 

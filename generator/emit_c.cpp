@@ -37,7 +37,8 @@ std::string emit_function(const EmittedModel& model, const Graph& graph) {
   std::string text = signature(model, graph) + "\n{\n";
   for (const Port& port : graph.inputs)
     if (!reads_port(graph, port.name)) text += fmt::format("    (void){};\n", port.name);
-  for (const std::string& line : statements(graph, model.target, names)) text += "    " + line + "\n";
+  for (const std::string& line : statements(graph, model.target, names))
+    text += "    " + line + "\n";
   return text + "}\n";
 }
 

@@ -28,10 +28,12 @@ std::string wrapper(const EmittedModel& model, const Graph& graph) {
     offset += port.size();
   }
   const char* type = model.target.type();
-  const std::string input =
-      graph.inputs.empty() ? "    (void)in;\n" : fmt::format("    const {0} *x = (const {0} *)in;\n", type);
+  const std::string input = graph.inputs.empty()
+                                ? "    (void)in;\n"
+                                : fmt::format("    const {0} *x = (const {0} *)in;\n", type);
   return fmt::format(
-      "static void call_{1}(const void *in, void *out)\n{{\n{4}    {0} *y = ({0} *)out;\n    {2}_{1}({3});\n}}\n",
+      "static void call_{1}(const void *in, void *out)\n{{\n{4}    {0} *y = ({0} *)out;\n    "
+      "{2}_{1}({3});\n}}\n",
       type, graph.name, model.name, arguments, input);
 }
 
@@ -53,38 +55,48 @@ std::string ports(const Graph& graph, const std::vector<Port>& list, const char*
       high = stem + "_high";
       text += bounds(low, port, &Range::low) + bounds(high, port, &Range::high);
     }
-    rows += fmt::format("    {{\"{}\", \"{}\", {}, {}, {}, {}}},\n", port.name, port.unit, port.rows,
-                        port.cols, low, high);
+    rows += fmt::format("    {{\"{}\", \"{}\", {}, {}, {}, {}}},\n", port.name, port.unit,
+                        port.rows, port.cols, low, high);
   }
-  return text + fmt::format("static const sinew_argument {}_{}[] = {{\n{}}};\n", graph.name, direction, rows);
+  return text + fmt::format("static const sinew_argument {}_{}[] = {{\n{}}};\n", graph.name,
+                            direction, rows);
 }
 
 }  // namespace
 
 std::string emit_catalogue_header(const EmittedModel& model) {
-  std::string text = file_comment(model, fmt::format("Every function of the model {} behind one calling convention.", model.name));
+  std::string text = file_comment(
+      model,
+      fmt::format("Every function of the model {} behind one calling convention.", model.name));
   text += fmt::format(
-      "#ifndef SINEW_{0}_CATALOGUE_H\n#define SINEW_{0}_CATALOGUE_H\n\n#include \"sinew_catalogue.h\"\n\n"
-      "#ifdef __cplusplus\nextern \"C\" {{\n#endif\n\nextern const sinew_catalogue {0}_catalogue;\n\n"
+      "#ifndef SINEW_{0}_CATALOGUE_H\n#define SINEW_{0}_CATALOGUE_H\n\n#include "
+      "\"sinew_catalogue.h\"\n\n"
+      "#ifdef __cplusplus\nextern \"C\" {{\n#endif\n\nextern const sinew_catalogue "
+      "{0}_catalogue;\n\n"
       "#ifdef __cplusplus\n}}\n#endif\n#endif\n",
       model.name);
   return text;
 }
 
 std::string emit_catalogue(const EmittedModel& model) {
-  std::string text = file_comment(model, fmt::format("Every function of the model {} behind one calling convention.", model.name));
+  std::string text = file_comment(
+      model,
+      fmt::format("Every function of the model {} behind one calling convention.", model.name));
   text += fmt::format("#include \"{0}_catalogue.h\"\n\n#include \"{0}.h\"\n", model.name);
   std::string rows;
   for (const Graph& graph : model.functions) {
-    text += "\n" + wrapper(model, graph) + ports(graph, graph.inputs, "inputs") + ports(graph, graph.outputs, "outputs");
-    rows += fmt::format("    {{\"{}_{}\", {}, {}, {}, {}, {}, {}, call_{}}},\n", model.name, graph.name,
-                        graph.inputs.size(), graph.outputs.size(), total_size(graph.inputs),
-                        total_size(graph.outputs), graph.inputs.empty() ? "0" : graph.name + "_inputs",
-                        graph.outputs.empty() ? "0" : graph.name + "_outputs", graph.name);
+    text += "\n" + wrapper(model, graph) + ports(graph, graph.inputs, "inputs") +
+            ports(graph, graph.outputs, "outputs");
+    rows +=
+        fmt::format("    {{\"{}_{}\", {}, {}, {}, {}, {}, {}, call_{}}},\n", model.name, graph.name,
+                    graph.inputs.size(), graph.outputs.size(), total_size(graph.inputs),
+                    total_size(graph.outputs), graph.inputs.empty() ? "0" : graph.name + "_inputs",
+                    graph.outputs.empty() ? "0" : graph.name + "_outputs", graph.name);
   }
   text += fmt::format("\nstatic const sinew_function functions[] = {{\n{}}};\n", rows);
-  text += fmt::format("\nconst sinew_catalogue {0}_catalogue = {{\"{0}\", \"{1}\", {2}, {3}, functions}};\n",
-                      model.name, model.hash, model.target.bytes(), model.functions.size());
+  text += fmt::format(
+      "\nconst sinew_catalogue {0}_catalogue = {{\"{0}\", \"{1}\", {2}, {3}, functions}};\n",
+      model.name, model.hash, model.target.bytes(), model.functions.size());
   return text;
 }
 

@@ -27,7 +27,8 @@ std::string range_text(const Port& port) {
   const auto same = [&](const Range& r) {
     return r.low == port.ranges[0].low && r.high == port.ranges[0].high;
   };
-  const std::size_t shown = std::all_of(port.ranges.begin(), port.ranges.end(), same) ? 1 : port.ranges.size();
+  const std::size_t shown =
+      std::all_of(port.ranges.begin(), port.ranges.end(), same) ? 1 : port.ranges.size();
   std::string text;
   for (std::size_t i = 0; i < shown && i < 8; ++i)
     text += fmt::format("{}{:.4g}..{:.4g}", i ? ", " : "", port.ranges[i].low, port.ranges[i].high);
@@ -44,10 +45,12 @@ std::string operations_text(const Cost& c) {
 }
 
 std::string prototype(const EmittedModel& model, const Graph& graph) {
-  std::string text = fmt::format("\n/* {}{}{}\n", graph.doc, graph.equation.empty() ? "" : " ", graph.equation);
+  std::string text =
+      fmt::format("\n/* {}{}{}\n", graph.doc, graph.equation.empty() ? "" : " ", graph.equation);
   for (const Port& port : graph.inputs)
-    text += fmt::format(" *   in  {:<8} {:>6} {}{}{}\n", port.name, shape(port),
-                        port.unit.empty() ? "" : "[" + port.unit + "] ", port.doc, range_text(port));
+    text +=
+        fmt::format(" *   in  {:<8} {:>6} {}{}{}\n", port.name, shape(port),
+                    port.unit.empty() ? "" : "[" + port.unit + "] ", port.doc, range_text(port));
   for (const Port& port : graph.outputs)
     text += fmt::format(" *   out {:<8} {:>6} {}{}\n", port.name, shape(port),
                         port.unit.empty() ? "" : "[" + port.unit + "] ", port.doc);

@@ -15,8 +15,16 @@ struct Runtime;
 
 template <>
 struct Runtime<double> {
-  static double sine(double x) { double s, c; sinew_sincos(x, &s, &c); return s; }
-  static double cosine(double x) { double s, c; sinew_sincos(x, &s, &c); return c; }
+  static double sine(double x) {
+    double s, c;
+    sinew_sincos(x, &s, &c);
+    return s;
+  }
+  static double cosine(double x) {
+    double s, c;
+    sinew_sincos(x, &s, &c);
+    return c;
+  }
   static double square_root(double x) { return sinew_sqrt(x); }
   static double arctangent(double x) { return sinew_atan(x); }
   static double arctangent2(double y, double x) { return sinew_atan2(y, x); }
@@ -33,8 +41,16 @@ struct Runtime<double> {
 
 template <>
 struct Runtime<float> {
-  static float sine(float x) { float s, c; sinew_sincosf(x, &s, &c); return s; }
-  static float cosine(float x) { float s, c; sinew_sincosf(x, &s, &c); return c; }
+  static float sine(float x) {
+    float s, c;
+    sinew_sincosf(x, &s, &c);
+    return s;
+  }
+  static float cosine(float x) {
+    float s, c;
+    sinew_sincosf(x, &s, &c);
+    return c;
+  }
   static float square_root(float x) { return sinew_sqrtf(x); }
   static float arctangent(float x) { return sinew_atanf(x); }
   static float arctangent2(float y, float x) { return sinew_atan2f(y, x); }
@@ -80,28 +96,50 @@ template <class Real>
 Real apply(const Node& node, const Real& a, const Real& b, const Real& c) {
   using F = Runtime<Real>;
   switch (node.op) {
-    case Op::input: break;
-    case Op::constant: return static_cast<Real>(node.constant);
-    case Op::add: return a + b;
-    case Op::subtract: return a - b;
-    case Op::multiply: return a * b;
-    case Op::divide: return a / b;
-    case Op::negate: return -a;
-    case Op::power: return integer_power<Real>(a, node.index);
-    case Op::square_root: return F::square_root(a);
-    case Op::sine: return F::sine(a);
-    case Op::cosine: return F::cosine(a);
-    case Op::arctangent: return F::arctangent(a);
-    case Op::arctangent2: return F::arctangent2(a, b);
-    case Op::arccosine: return F::arccosine(a);
-    case Op::arcsine: return F::arcsine(a);
-    case Op::exponential: return F::exponential(a);
-    case Op::logarithm: return F::logarithm(a);
-    case Op::hyperbolic_tangent: return F::hyperbolic_tangent(a);
-    case Op::absolute: return F::absolute(a);
-    case Op::minimum: return F::minimum(a, b);
-    case Op::maximum: return F::maximum(a, b);
-    case Op::choose: return F::choose(a, b, c);
+    case Op::input:
+      break;
+    case Op::constant:
+      return static_cast<Real>(node.constant);
+    case Op::add:
+      return a + b;
+    case Op::subtract:
+      return a - b;
+    case Op::multiply:
+      return a * b;
+    case Op::divide:
+      return a / b;
+    case Op::negate:
+      return -a;
+    case Op::power:
+      return integer_power<Real>(a, node.index);
+    case Op::square_root:
+      return F::square_root(a);
+    case Op::sine:
+      return F::sine(a);
+    case Op::cosine:
+      return F::cosine(a);
+    case Op::arctangent:
+      return F::arctangent(a);
+    case Op::arctangent2:
+      return F::arctangent2(a, b);
+    case Op::arccosine:
+      return F::arccosine(a);
+    case Op::arcsine:
+      return F::arcsine(a);
+    case Op::exponential:
+      return F::exponential(a);
+    case Op::logarithm:
+      return F::logarithm(a);
+    case Op::hyperbolic_tangent:
+      return F::hyperbolic_tangent(a);
+    case Op::absolute:
+      return F::absolute(a);
+    case Op::minimum:
+      return F::minimum(a, b);
+    case Op::maximum:
+      return F::maximum(a, b);
+    case Op::choose:
+      return F::choose(a, b, c);
   }
   throw std::logic_error("an input has no operation");
 }

@@ -13,13 +13,13 @@ namespace sinew {
 
 /// One array argument of an emitted function; row-major, `rows * cols` symbols.
 struct Argument {
-  std::string name;                    ///< C identifier
+  std::string name;  ///< C identifier
   int rows = 1;
   int cols = 1;
   std::vector<GiNaC::symbol> symbols;  ///< size rows*cols
   std::string unit;                    ///< for the doc comment, for instance "rad"
   std::string doc;
-  std::vector<Range> ranges;           ///< size rows*cols; where tests and the firmware check sample
+  std::vector<Range> ranges;  ///< size rows*cols; where tests and the firmware check sample
 };
 
 /// A named intermediate: `symbol` stands for `value`, which may use the inputs and earlier
@@ -34,7 +34,7 @@ struct Output {
   std::string name;
   int rows = 1;
   int cols = 1;
-  std::vector<GiNaC::ex> values;       ///< size rows*cols
+  std::vector<GiNaC::ex> values;  ///< size rows*cols
   std::string unit;
   std::string doc;
 };
@@ -44,11 +44,11 @@ struct Output {
 /// Expressions may use +, *, integer and half-integer powers, sin, cos, atan, atan2, acos, asin,
 /// exp, log, sqrt, abs and the functions of symbolic/piecewise.h (minimum, maximum, choose).
 struct Function {
-  std::string name;                    ///< without the model's prefix
-  std::string doc;                     ///< one or two sentences
-  std::string equation;                ///< number in the source, for instance "(5.5)"; may be empty
+  std::string name;      ///< without the model's prefix
+  std::string doc;       ///< one or two sentences
+  std::string equation;  ///< number in the source, for instance "(5.5)"; may be empty
   std::vector<Argument> inputs;
-  std::vector<Definition> definitions; ///< in order of evaluation
+  std::vector<Definition> definitions;  ///< in order of evaluation
   std::vector<Output> outputs;
 };
 

@@ -17,17 +17,17 @@ struct OpFacts {
 };
 
 constexpr std::array<OpFacts, 22> op_facts{{
-    {"input", 0, false},        {"constant", 0, false},    {"add", 2, true},
-    {"subtract", 2, false},     {"multiply", 2, true},     {"divide", 2, false},
-    {"negate", 1, false},       {"power", 1, false},       {"sqrt", 1, false},
-    {"sin", 1, false},          {"cos", 1, false},         {"atan", 1, false},
-    {"atan2", 2, false},        {"acos", 1, false},        {"asin", 1, false},
-    {"exp", 1, false},          {"log", 1, false},         {"tanh", 1, false},
-    {"abs", 1, false},          {"min", 2, false},         {"max", 2, false},
-    {"choose", 3, false},
+    {"input", 0, false},   {"constant", 0, false}, {"add", 2, true},     {"subtract", 2, false},
+    {"multiply", 2, true}, {"divide", 2, false},   {"negate", 1, false}, {"power", 1, false},
+    {"sqrt", 1, false},    {"sin", 1, false},      {"cos", 1, false},    {"atan", 1, false},
+    {"atan2", 2, false},   {"acos", 1, false},     {"asin", 1, false},   {"exp", 1, false},
+    {"log", 1, false},     {"tanh", 1, false},     {"abs", 1, false},    {"min", 2, false},
+    {"max", 2, false},     {"choose", 3, false},
 }};
 
-const OpFacts& facts(Op op) { return op_facts[static_cast<std::size_t>(op)]; }
+const OpFacts& facts(Op op) {
+  return op_facts[static_cast<std::size_t>(op)];
+}
 
 std::uint64_t mix(std::uint64_t h, std::uint64_t x) {
   h ^= x + 0x9e3779b97f4a7c15ULL + (h << 6) + (h >> 2);
@@ -55,9 +55,15 @@ std::uint64_t key(const Node& node) {
 
 }  // namespace
 
-int arity(Op op) { return facts(op).arity; }
-const char* name_of(Op op) { return facts(op).name; }
-bool is_commutative(Op op) { return facts(op).commutative; }
+int arity(Op op) {
+  return facts(op).arity;
+}
+const char* name_of(Op op) {
+  return facts(op).name;
+}
+bool is_commutative(Op op) {
+  return facts(op).commutative;
+}
 
 Value Graph::add(const Node& node) {
   std::vector<Value>& bucket = index_[key(node)];

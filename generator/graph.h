@@ -66,8 +66,8 @@ struct Port {
   int cols = 1;
   std::string unit;
   std::string doc;
-  std::vector<Range> ranges;   ///< inputs only
-  std::vector<Value> values;   ///< outputs only, rows*cols
+  std::vector<Range> ranges;  ///< inputs only
+  std::vector<Value> values;  ///< outputs only, rows*cols
   int size() const { return rows * cols; }
 };
 

@@ -58,8 +58,13 @@ class Lowering {
     graph_.equation = function_.equation;
     int next = 0;
     for (const Argument& argument : function_.inputs) {
-      graph_.inputs.push_back({argument.name, argument.rows, argument.cols, argument.unit,
-                               argument.doc, argument.ranges, {}});
+      graph_.inputs.push_back({argument.name,
+                               argument.rows,
+                               argument.cols,
+                               argument.unit,
+                               argument.doc,
+                               argument.ranges,
+                               {}});
       if (static_cast<int>(argument.symbols.size()) != argument.rows * argument.cols)
         fail(fmt::format("argument {} has {} symbols for {}x{}", argument.name,
                          argument.symbols.size(), argument.rows, argument.cols));
@@ -67,7 +72,8 @@ class Lowering {
         symbols_[symbol] = {graph_.input(next++), false};
     }
     for (const Output& output : function_.outputs)
-      graph_.outputs.push_back({output.name, output.rows, output.cols, output.unit, output.doc, {}, {}});
+      graph_.outputs.push_back(
+          {output.name, output.rows, output.cols, output.unit, output.doc, {}, {}});
   }
 
   void define(const Definition& definition) {
@@ -95,7 +101,8 @@ class Lowering {
 
   Signed symbol(const ex& e) {
     const auto found = symbols_.find(e);
-    if (found == symbols_.end()) fail_expression("symbol is neither input nor earlier definition:", e);
+    if (found == symbols_.end())
+      fail_expression("symbol is neither input nor earlier definition:", e);
     return found->second;
   }
 
@@ -106,7 +113,8 @@ class Lowering {
     const bool flip = terms.front().negative;
     Value total = terms.front().value;
     for (std::size_t i = 1; i < terms.size(); ++i)
-      total = graph_.make(terms[i].negative == flip ? Op::add : Op::subtract, total, terms[i].value);
+      total =
+          graph_.make(terms[i].negative == flip ? Op::add : Op::subtract, total, terms[i].value);
     return {total, flip};
   }
 
@@ -151,7 +159,8 @@ class Lowering {
     Signed root = lower(base);
     if (!n.is_integer()) {
       n = n * GiNaC::numeric(2);
-      if (!n.is_integer()) fail_expression("only integer and half-integer powers have a C form:", exponent);
+      if (!n.is_integer())
+        fail_expression("only integer and half-integer powers have a C form:", exponent);
       root = {graph_.make(Op::square_root, positive(root)), false};
     }
     const int count = n.to_int();
@@ -170,7 +179,8 @@ class Lowering {
     const Op op = found->second;
     std::vector<Signed> operands;
     for (std::size_t i = 0; i < e.nops(); ++i) operands.push_back(lower(e.op(i)));
-    const bool odd = op == Op::sine || op == Op::arctangent || op == Op::arcsine || op == Op::hyperbolic_tangent;
+    const bool odd =
+        op == Op::sine || op == Op::arctangent || op == Op::arcsine || op == Op::hyperbolic_tangent;
     const bool even = op == Op::cosine || op == Op::absolute;
     if (odd || even)  // odd and even functions pass the sign on or drop it
       return {graph_.make(op, operands[0].value), odd && operands[0].negative};
@@ -253,6 +263,8 @@ Graph renumber(const Graph& from) {
 
 }  // namespace
 
-Graph lower(const Function& function) { return renumber(Lowering(function).run()); }
+Graph lower(const Function& function) {
+  return renumber(Lowering(function).run());
+}
 
 }  // namespace sinew

@@ -27,14 +27,16 @@ Json port_json(const Port& port) {
 }
 
 Json function_json(const EmittedModel& model, const Graph& graph) {
-  Json json{{"name", model.name + "_" + graph.name}, {"doc", graph.doc}, {"equation", graph.equation}};
+  Json json{
+      {"name", model.name + "_" + graph.name}, {"doc", graph.doc}, {"equation", graph.equation}};
   json["inputs"] = Json::array();
   for (const Port& port : graph.inputs) json["inputs"].push_back(port_json(port));
   json["outputs"] = Json::array();
   for (const Port& port : graph.outputs) json["outputs"].push_back(port_json(port));
   const Cost cost = count_operations(graph);
-  json["operations"] = {{"multiply", cost.multiply}, {"add", cost.add},       {"negate", cost.negate},
-                        {"divide", cost.divide},     {"sqrt", cost.square_root}, {"sincos", cost.sincos},
+  json["operations"] = {{"multiply", cost.multiply}, {"add", cost.add},
+                        {"negate", cost.negate},     {"divide", cost.divide},
+                        {"sqrt", cost.square_root},  {"sincos", cost.sincos},
                         {"other", cost.other},       {"multiply_add", cost.operations()}};
   return json;
 }
@@ -46,7 +48,8 @@ std::string emit_manifest(const EmittedModel& model) {
   json["files"] = Json::array();
   for (const std::string& file : emitted_file_names(model)) json["files"].push_back(file);
   json["functions"] = Json::array();
-  for (const Graph& graph : model.functions) json["functions"].push_back(function_json(model, graph));
+  for (const Graph& graph : model.functions)
+    json["functions"].push_back(function_json(model, graph));
   return json.dump(2) + "\n";
 }
 

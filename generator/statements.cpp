@@ -23,19 +23,32 @@ struct Text {
 
 const char* runtime_function(Op op) {
   switch (op) {
-    case Op::square_root: return "sinew_sqrt";
-    case Op::arctangent: return "sinew_atan";
-    case Op::arctangent2: return "sinew_atan2";
-    case Op::arccosine: return "sinew_acos";
-    case Op::arcsine: return "sinew_asin";
-    case Op::exponential: return "sinew_exp";
-    case Op::logarithm: return "sinew_log";
-    case Op::hyperbolic_tangent: return "sinew_tanh";
-    case Op::absolute: return "sinew_abs";
-    case Op::minimum: return "sinew_min";
-    case Op::maximum: return "sinew_max";
-    case Op::choose: return "sinew_choose";
-    default: return nullptr;
+    case Op::square_root:
+      return "sinew_sqrt";
+    case Op::arctangent:
+      return "sinew_atan";
+    case Op::arctangent2:
+      return "sinew_atan2";
+    case Op::arccosine:
+      return "sinew_acos";
+    case Op::arcsine:
+      return "sinew_asin";
+    case Op::exponential:
+      return "sinew_exp";
+    case Op::logarithm:
+      return "sinew_log";
+    case Op::hyperbolic_tangent:
+      return "sinew_tanh";
+    case Op::absolute:
+      return "sinew_abs";
+    case Op::minimum:
+      return "sinew_min";
+    case Op::maximum:
+      return "sinew_max";
+    case Op::choose:
+      return "sinew_choose";
+    default:
+      return nullptr;
   }
 }
 
@@ -89,12 +102,15 @@ class Writer {
     const Value angle = graph_[v].a;
     Value sine = no_value, cosine = no_value;
     for (Value w = v; w < graph_.size(); ++w)
-      if (graph_[w].a == angle && graph_[w].op == Op::sine) sine = w;
-      else if (graph_[w].a == angle && graph_[w].op == Op::cosine) cosine = w;
+      if (graph_[w].a == angle && graph_[w].op == Op::sine)
+        sine = w;
+      else if (graph_[w].a == angle && graph_[w].op == Op::cosine)
+        cosine = w;
     const std::string s = sine == no_value ? fresh_name("s") : fresh_name(sine, "s");
     const std::string c = cosine == no_value ? fresh_name("c") : fresh_name(cosine, "c");
     lines_.push_back(fmt::format("{} {}, {};", target_.type(), s, c));
-    lines_.push_back(fmt::format("sinew_sincos{}({}, &{}, &{});", target_.suffix(), text(angle).text, s, c));
+    lines_.push_back(
+        fmt::format("sinew_sincos{}({}, &{}, &{});", target_.suffix(), text(angle).text, s, c));
     if (sine != no_value) text(sine) = {s, binds_atom};
     if (cosine != no_value) text(cosine) = {c, binds_atom};
   }
@@ -116,16 +132,24 @@ class Writer {
 
   Text form(const Node& node) {
     switch (node.op) {
-      case Op::input: return {input_text(node.index), binds_atom};
+      case Op::input:
+        return {input_text(node.index), binds_atom};
       case Op::constant:
         return {literal(node.constant, target_), node.constant < 0 ? binds_unary : binds_atom};
-      case Op::add: return infix(node, " + ", binds_sum);
-      case Op::subtract: return infix(node, " - ", binds_sum);
-      case Op::multiply: return infix(node, " * ", binds_product);
-      case Op::divide: return infix(node, " / ", binds_product);
-      case Op::negate: return {"-" + in_parentheses(node.a, binds_atom), binds_unary};
-      case Op::power: return repeated_product(node);
-      default: return call(node);
+      case Op::add:
+        return infix(node, " + ", binds_sum);
+      case Op::subtract:
+        return infix(node, " - ", binds_sum);
+      case Op::multiply:
+        return infix(node, " * ", binds_product);
+      case Op::divide:
+        return infix(node, " / ", binds_product);
+      case Op::negate:
+        return {"-" + in_parentheses(node.a, binds_atom), binds_unary};
+      case Op::power:
+        return repeated_product(node);
+      default:
+        return call(node);
     }
   }
 
@@ -145,7 +169,8 @@ class Writer {
     std::string arguments;
     for (int i = 0; i < arity(node.op); ++i)
       arguments += (i > 0 ? ", " : "") + text(node.operand(i)).text;
-    return {fmt::format("{}{}({})", runtime_function(node.op), target_.suffix(), arguments), binds_atom};
+    return {fmt::format("{}{}({})", runtime_function(node.op), target_.suffix(), arguments),
+            binds_atom};
   }
 
   std::string in_parentheses(Value v, Binding least) {
@@ -182,7 +207,8 @@ bool reads_port(const Graph& graph, const std::string& name) {
   for (const Port& port : graph.inputs) {
     if (port.name == name) {
       for (const Node& node : graph.nodes())
-        if (node.op == Op::input && node.index >= first && node.index < first + port.size()) return true;
+        if (node.op == Op::input && node.index >= first && node.index < first + port.size())
+          return true;
       return false;
     }
     first += port.size();
@@ -190,7 +216,8 @@ bool reads_port(const Graph& graph, const std::string& name) {
   return false;
 }
 
-std::vector<std::string> statements(const Graph& graph, const Target& target, const ArrayNames& names) {
+std::vector<std::string> statements(const Graph& graph, const Target& target,
+                                    const ArrayNames& names) {
   return Writer(graph, target, names).run();
 }
 

@@ -24,6 +24,7 @@ bool reads_port(const Graph& graph, const std::string& name);
 /// The body of a function: declarations in the graph's order, then the stores of the results.
 /// A value gets a name where the derivation named it, where it is used more than once or where the
 /// line would grow too long; the rest is written in place.
-std::vector<std::string> statements(const Graph& graph, const Target& target, const ArrayNames& names);
+std::vector<std::string> statements(const Graph& graph, const Target& target,
+                                    const ArrayNames& names);
 
 }  // namespace sinew

@@ -51,16 +51,18 @@ std::string unified_diff(const std::string& before, const std::string& after,
                          const std::string& before_label, const std::string& after_label) {
   if (before == after) return "";
   const PrivateFolder folder;
-  const std::string command =
-      fmt::format("LC_ALL=C diff -u --label {} --label {} {} {}", quoted(before_label), quoted(after_label),
-                  quoted(folder.file("before", before).string()), quoted(folder.file("after", after).string()));
+  const std::string command = fmt::format(
+      "LC_ALL=C diff -u --label {} --label {} {} {}", quoted(before_label), quoted(after_label),
+      quoted(folder.file("before", before).string()), quoted(folder.file("after", after).string()));
   FILE* pipe = ::popen(command.c_str(), "r");
   if (!pipe) throw std::runtime_error("cannot run diff");
   std::string text;
   std::array<char, 4096> buffer;
-  for (std::size_t n; (n = ::fread(buffer.data(), 1, buffer.size(), pipe)) > 0;) text.append(buffer.data(), n);
+  for (std::size_t n; (n = ::fread(buffer.data(), 1, buffer.size(), pipe)) > 0;)
+    text.append(buffer.data(), n);
   const int status = ::pclose(pipe);
-  if (!WIFEXITED(status) || WEXITSTATUS(status) > 1) throw std::runtime_error("diff failed; is diffutils installed?");
+  if (!WIFEXITED(status) || WEXITSTATUS(status) > 1)
+    throw std::runtime_error("diff failed; is diffutils installed?");
   return text;
 }
 

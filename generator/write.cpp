@@ -62,7 +62,8 @@ void flush_folder(const fs::path& path) {
 }
 
 std::set<std::string> listed_files(const fs::path& folder) {
-  const nlohmann::json manifest = nlohmann::json::parse(read_file(folder / "manifest.json"), nullptr, false);
+  const nlohmann::json manifest =
+      nlohmann::json::parse(read_file(folder / "manifest.json"), nullptr, false);
   std::set<std::string> names;
   if (manifest.is_object() && manifest.contains("files") && manifest["files"].is_array())
     for (const auto& name : manifest["files"])
@@ -73,16 +74,20 @@ std::set<std::string> listed_files(const fs::path& folder) {
 void refuse_foreign_files(const fs::path& folder) {
   if (!fs::exists(folder)) return;
   if (!fs::is_directory(folder))
-    throw std::runtime_error(fmt::format("{}: is not a folder; give a folder to write into", folder.string()));
+    throw std::runtime_error(
+        fmt::format("{}: is not a folder; give a folder to write into", folder.string()));
   const std::set<std::string> ours = listed_files(folder);
   for (const fs::directory_entry& entry : fs::directory_iterator(folder))
     if (!ours.count(entry.path().filename().string()))
-      throw std::runtime_error(fmt::format(
-          "{}: not a file that sinew wrote; generating would remove it. Move it away or choose another folder",
-          entry.path().string()));
+      throw std::runtime_error(
+          fmt::format("{}: not a file that sinew wrote; generating would remove it. Move it away "
+                      "or choose another folder",
+                      entry.path().string()));
 }
 
-std::string temporary_prefix(const fs::path& folder) { return "." + folder.filename().string() + ".new-"; }
+std::string temporary_prefix(const fs::path& folder) {
+  return "." + folder.filename().string() + ".new-";
+}
 
 /// Temporaries whose process no longer runs.
 void remove_left_overs(const fs::path& folder) {
@@ -125,12 +130,14 @@ FileSet emit_files(const EmittedModel& model) {
 }
 
 void replace_folder(const fs::path& given, const FileSet& files) {
-  const fs::path folder = fs::absolute(given).lexically_normal().parent_path() /
-                          (given.has_filename() ? given.filename() : given.parent_path().filename());
+  const fs::path folder =
+      fs::absolute(given).lexically_normal().parent_path() /
+      (given.has_filename() ? given.filename() : given.parent_path().filename());
   refuse_foreign_files(folder);
   fs::create_directories(folder.parent_path());
   remove_left_overs(folder);
-  const fs::path temporary = folder.parent_path() / (temporary_prefix(folder) + std::to_string(::getpid()));
+  const fs::path temporary =
+      folder.parent_path() / (temporary_prefix(folder) + std::to_string(::getpid()));
   fs::remove_all(temporary);
   try {
     if (!fs::create_directory(temporary)) fail("cannot create", temporary);
@@ -154,7 +161,8 @@ std::string difference(const fs::path& folder, const FileSet& files) {
   for (const std::string& name : names) {
     const auto now = files.find(name);
     const std::string label = (folder.filename() / name).string();
-    text += unified_diff(read_file(folder / name), now == files.end() ? "" : now->second, "a/" + label, "b/" + label);
+    text += unified_diff(read_file(folder / name), now == files.end() ? "" : now->second,
+                         "a/" + label, "b/" + label);
   }
   return text;
 }

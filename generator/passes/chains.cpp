@@ -6,7 +6,9 @@
 namespace sinew {
 namespace {
 
-bool used_once(const std::vector<int>& uses, Value v) { return uses[static_cast<std::size_t>(v)] == 1; }
+bool used_once(const std::vector<int>& uses, Value v) {
+  return uses[static_cast<std::size_t>(v)] == 1;
+}
 
 void collect_terms(const Graph& g, const std::vector<int>& uses, Value v, bool negative, bool top,
                    std::vector<Term>& terms) {
@@ -49,8 +51,8 @@ std::vector<bool> inner_links(const Graph& graph, const std::vector<int>& uses) 
   for (const Node& n : graph.nodes())
     for (int i = 0; i < arity(n.op); ++i) {
       const Value v = n.operand(i);
-      const bool same_kind = (is_sum(n) && is_sum(graph[v])) ||
-                             (n.op == Op::multiply && graph[v].op == Op::multiply);
+      const bool same_kind =
+          (is_sum(n) && is_sum(graph[v])) || (n.op == Op::multiply && graph[v].op == Op::multiply);
       if (same_kind && used_once(uses, v)) inner[static_cast<std::size_t>(v)] = true;
     }
   return inner;
@@ -58,19 +60,22 @@ std::vector<bool> inner_links(const Graph& graph, const std::vector<int>& uses) 
 
 Value make_sum(Graph& graph, std::vector<Term> terms) {
   if (terms.empty()) return graph.constant(0.0);
-  const auto first = std::find_if(terms.begin(), terms.end(), [](const Term& t) { return !t.negative; });
+  const auto first =
+      std::find_if(terms.begin(), terms.end(), [](const Term& t) { return !t.negative; });
   const bool all_negative = first == terms.end();
   if (!all_negative) std::rotate(terms.begin(), first, first + 1);
   Value total = terms.front().value;
   for (std::size_t i = 1; i < terms.size(); ++i)
-    total = graph.make(terms[i].negative == all_negative ? Op::add : Op::subtract, total, terms[i].value);
+    total = graph.make(terms[i].negative == all_negative ? Op::add : Op::subtract, total,
+                       terms[i].value);
   return all_negative ? graph.make(Op::negate, total) : total;
 }
 
 Value make_product(Graph& graph, const std::vector<Value>& factors) {
   if (factors.empty()) return graph.constant(1.0);
   Value total = factors.front();
-  for (std::size_t i = 1; i < factors.size(); ++i) total = graph.make(Op::multiply, total, factors[i]);
+  for (std::size_t i = 1; i < factors.size(); ++i)
+    total = graph.make(Op::multiply, total, factors[i]);
   return total;
 }
 

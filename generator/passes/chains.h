@@ -14,7 +14,9 @@ struct Term {
   bool negative;
 };
 
-inline bool is_sum(const Node& n) { return n.op == Op::add || n.op == Op::subtract; }
+inline bool is_sum(const Node& n) {
+  return n.op == Op::add || n.op == Op::subtract;
+}
 
 /// Terms of the sum that ends in `v`, looking through sums used only there.
 std::vector<Term> terms_of(const Graph& graph, const std::vector<int>& uses, Value v);

@@ -67,7 +67,8 @@ Graph combine_constants(const Graph& graph) {
     const bool whole = !inner[static_cast<std::size_t>(v)];
     if (whole && is_sum(node)) {
       const std::vector<Term> terms = terms_of(graph, uses, v);
-      if (constants_among(graph, values_of(terms)) > 1) target = combine_sum(graph, to, terms, moved);
+      if (constants_among(graph, values_of(terms)) > 1)
+        target = combine_sum(graph, to, terms, moved);
     } else if (whole && node.op == Op::multiply) {
       const std::vector<Value> factors = factors_of(graph, uses, v);
       if (constants_among(graph, factors) > 1) target = combine_product(graph, to, factors, moved);

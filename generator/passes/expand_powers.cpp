@@ -12,7 +12,8 @@ Graph expand_powers(const Graph& graph) {
     if (n.op != Op::power) return g.add(n);
     Value square = n.a, result = no_value;
     for (int left = n.index; left > 0; left /= 2) {
-      if (left % 2 == 1) result = result == no_value ? square : g.make(Op::multiply, square, result);
+      if (left % 2 == 1)
+        result = result == no_value ? square : g.make(Op::multiply, square, result);
       if (left > 1) square = g.make(Op::multiply, square, square);
     }
     return result == no_value ? g.constant(1.0) : result;

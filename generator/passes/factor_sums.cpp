@@ -72,7 +72,8 @@ class SumFactoring {
 
   Value plain(const std::vector<Product>& terms) {
     std::vector<Term> sum;
-    for (const Product& term : terms) sum.push_back({make_product(to_, term.factors), term.negative});
+    for (const Product& term : terms)
+      sum.push_back({make_product(to_, term.factors), term.negative});
     return make_sum(to_, sum);
   }
 

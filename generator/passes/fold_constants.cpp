@@ -61,7 +61,8 @@ Graph fold_constants(const Graph& graph) {
     if (all_constant(to, node)) {
       const auto value = [&](int i) { return to[node.operand(i)].constant; };
       const int n = arity(node.op);
-      const double folded = apply<double>(node, value(0), n > 1 ? value(1) : 0.0, n > 2 ? value(2) : 0.0);
+      const double folded =
+          apply<double>(node, value(0), n > 1 ? value(1) : 0.0, n > 2 ? value(2) : 0.0);
       if (std::isfinite(folded)) return to.constant(folded);
     }
     if (const std::optional<Value> v = identity(to, node)) return *v;

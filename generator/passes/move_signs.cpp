@@ -31,7 +31,8 @@ Value negate_if(Graph& g, Value v, bool negative) {
 
 Value sum(Graph& g, Parted a, Parted b) {
   if (a.negative == b.negative) return negate_if(g, g.make(Op::add, a.value, b.value), a.negative);
-  return a.negative ? g.make(Op::subtract, b.value, a.value) : g.make(Op::subtract, a.value, b.value);
+  return a.negative ? g.make(Op::subtract, b.value, a.value)
+                    : g.make(Op::subtract, a.value, b.value);
 }
 
 }  // namespace

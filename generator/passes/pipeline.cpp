@@ -32,11 +32,13 @@ const std::vector<Pass>& pipeline() {
 
 Graph optimise(const Graph& graph, const std::vector<std::string>& without) {
   for (const std::string& name : without)
-    if (std::none_of(pipeline().begin(), pipeline().end(), [&](const Pass& p) { return p.name == name; }))
+    if (std::none_of(pipeline().begin(), pipeline().end(),
+                     [&](const Pass& p) { return p.name == name; }))
       throw std::invalid_argument(fmt::format("no pass is called '{}'", name));
   Graph result = graph;
   for (const Pass& pass : pipeline())
-    if (std::find(without.begin(), without.end(), pass.name) == without.end()) result = pass.run(result);
+    if (std::find(without.begin(), without.end(), pass.name) == without.end())
+      result = pass.run(result);
   return result;
 }
 

@@ -42,7 +42,8 @@ class Scheduler {
         if (after_sincos_[operand] || is_sincos(from_[node.operand(i)]))
           after_sincos_[static_cast<std::size_t>(v)] = true;
       }
-      weight_[static_cast<std::size_t>(v)] = std::min(weight_[static_cast<std::size_t>(v)], 1 << 20);
+      weight_[static_cast<std::size_t>(v)] =
+          std::min(weight_[static_cast<std::size_t>(v)], 1 << 20);
     }
   }
 
@@ -50,7 +51,8 @@ class Scheduler {
     for (Value v = 0; v < from_.size(); ++v)
       if (is_sincos(from_[v]) && !after_sincos_[static_cast<std::size_t>(v)]) place(from_[v].a);
     for (Value v = 0; v < from_.size(); ++v)
-      if (is_sincos(from_[v]) && !after_sincos_[static_cast<std::size_t>(v)]) place_pair(from_[v].a);
+      if (is_sincos(from_[v]) && !after_sincos_[static_cast<std::size_t>(v)])
+        place_pair(from_[v].a);
   }
 
   /// Sine and cosine of one angle stand side by side, so that one call gives both.
@@ -93,6 +95,8 @@ class Scheduler {
 
 }  // namespace
 
-Graph schedule(const Graph& graph) { return Scheduler(graph).run(); }
+Graph schedule(const Graph& graph) {
+  return Scheduler(graph).run();
+}
 
 }  // namespace sinew

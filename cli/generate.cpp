@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/generate.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "cli/model_folder.h"
+#include "generator/cost.h"
+#include "generator/write.h"
+
+namespace sinew {
+namespace {
+
+struct Options {
+  std::string folder, out, scalar = "double";
+  std::vector<std::string> without;
+  bool json = false;
+};
+
+void add_common_options(CLI::App& command, Options& o) {
+  command.add_option("model", o.folder, "Model folder with mechanism.toml and mass_properties.csv")
+      ->required();
+  command.add_option("--out", o.out, "Folder of the emitted C (default: generated/<model>)");
+  command.add_option("--scalar", o.scalar, "double or float");
+  command.add_option("--without", o.without, "Optimisation passes to leave out");
+  command.add_flag("--json", o.json, "Report for machines");
+}
+
+EmittedModel emit(const Options& o, const ModelFolder& folder) {
+  return assemble(folder.identity, derive_functions(folder), target_named(o.scalar), o.without);
+}
+
+std::filesystem::path output_folder(const Options& o, const ModelFolder& folder) {
+  return o.out.empty() ? default_output(folder) : std::filesystem::path(o.out);
+}
+
+void report_generated(const EmittedModel& model, const std::filesystem::path& out, double seconds,
+                      bool json) {
+  if (json) {
+    nlohmann::ordered_json report{{"model", model.name},
+                                  {"out", out.string()},
+                                  {"sha256", model.hash},
+                                  {"functions", model.functions.size()},
+                                  {"seconds", seconds}};
+    fmt::print("{}\n", report.dump(2));
+    return;
+  }
+  fmt::print("{}: {} functions written to {} in {:.2f} s\n", model.name, model.functions.size(),
+             out.string(), seconds);
+}
+
+void run_generate(const Options& o) {
+  const auto start = std::chrono::steady_clock::now();
+  const ModelFolder folder = open_model_folder(o.folder);
+  const EmittedModel model = emit(o, folder);
+  const std::filesystem::path out = output_folder(o, folder);
+  replace_folder(out, emit_files(model));
+  report_generated(model, out,
+                   std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(),
+                   o.json);
+}
+
+int run_check(const Options& o) {
+  const ModelFolder folder = open_model_folder(o.folder);
+  const std::filesystem::path out = output_folder(o, folder);
+  const std::string diff = difference(out, emit_files(emit(o, folder)));
+  const std::string accept =
+      fmt::format("sinew generate {}{}{}", o.folder, o.out.empty() ? "" : " --out " + o.out,
+                  o.scalar == "double" ? "" : " --scalar " + o.scalar);
+  if (o.json) {
+    nlohmann::ordered_json report{{"model", folder.mechanism.name},
+                                  {"same", diff.empty()},
+                                  {"diff", diff},
+                                  {"accept", accept}};
+    fmt::print("{}\n", report.dump(2));
+  } else if (diff.empty()) {
+    fmt::print("{}: {} is up to date\n", folder.mechanism.name, out.string());
+  } else {
+    fmt::print("{}\n{} differs from what the model gives now. To accept the change:\n  {}\n", diff,
+               out.string(), accept);
+  }
+  return diff.empty() ? 0 : 1;
+}
+
+}  // namespace
+
+void add_generate_command(CLI::App& app, int&) {
+  CLI::App* command = app.add_subcommand("generate", "Derive a model and write its C");
+  auto options = std::make_shared<Options>();
+  add_common_options(*command, *options);
+  command->callback([options] { run_generate(*options); });
+}
+
+void add_check_command(CLI::App& app, int& exit_status) {
+  CLI::App* command =
+      app.add_subcommand("check", "Derive a model again and compare with the C that is there");
+  auto options = std::make_shared<Options>();
+  add_common_options(*command, *options);
+  command->callback([options, &exit_status] { exit_status = run_check(*options); });
+}
+
+}  // namespace sinew

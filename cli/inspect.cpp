@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/inspect.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "cli/model_folder.h"
+#include "generator/cost.h"
+#include "generator/dump.h"
+#include "generator/lower.h"
+#include "generator/passes/pipeline.h"
+
+namespace sinew {
+namespace {
+
+struct Options {
+  std::string folder, function, after;
+  bool passes = false, dot = false, json = false;
+};
+
+nlohmann::ordered_json cost_json(const Cost& c) {
+  return {{"multiply", c.multiply}, {"add", c.add},       {"multiply_add", c.operations()},
+          {"negate", c.negate},     {"divide", c.divide}, {"sqrt", c.square_root},
+          {"sincos", c.sincos},     {"other", c.other}};
+}
+
+void print_costs(const std::vector<Function>& functions, bool json) {
+  nlohmann::ordered_json report = nlohmann::ordered_json::array();
+  if (!json)
+    fmt::print("{:<24} {:>7} {:>6} {:>6} {:>6} {:>6} {:>6} {:>7} {:>6}\n", "function", "mul+add",
+               "mul", "add", "neg", "div", "sqrt", "sincos", "other");
+  for (const Function& function : functions) {
+    const Cost c = count_operations(optimise(lower(function)));
+    if (json) {
+      nlohmann::ordered_json row = cost_json(c);
+      row["function"] = function.name;
+      report.push_back(row);
+    } else {
+      fmt::print("{:<24} {:>7} {:>6} {:>6} {:>6} {:>6} {:>6} {:>7} {:>6}\n", function.name,
+                 c.operations(), c.multiply, c.add, c.negate, c.divide, c.square_root, c.sincos,
+                 c.other);
+    }
+  }
+  if (json) fmt::print("{}\n", report.dump(2));
+}
+
+/// For every pass: operations of all functions with that pass left out, less those with all.
+void print_pass_gains(const std::vector<Function>& functions, bool json) {
+  std::vector<Graph> graphs;
+  for (const Function& function : functions) graphs.push_back(lower(function));
+  const auto total = [&](const std::vector<std::string>& without) {
+    int sum = 0;
+    for (const Graph& graph : graphs)
+      sum += count_operations(optimise(graph, without)).operations();
+    return sum;
+  };
+  const int all = total({});
+  nlohmann::ordered_json report{{"multiply_add", all}, {"gains", nlohmann::ordered_json::array()}};
+  if (!json)
+    fmt::print("{:<24} {:>18}\nall passes on: {} multiplications and additions in {} functions\n",
+               "pass left out", "mul+add more", all, functions.size());
+  std::set<std::string> seen;
+  for (const Pass& pass : pipeline()) {
+    if (!seen.insert(pass.name).second) continue;
+    const int more = total({pass.name}) - all;
+    if (json)
+      report["gains"].push_back({{"pass", pass.name}, {"multiply_add", more}});
+    else
+      fmt::print("{:<24} {:>18}\n", pass.name, more);
+  }
+  if (json) fmt::print("{}\n", report.dump(2));
+}
+
+void run_cost(const Options& o) {
+  const std::vector<Function> functions = derive_functions(open_model_folder(o.folder));
+  if (o.passes)
+    print_pass_gains(functions, o.json);
+  else
+    print_costs(functions, o.json);
+}
+
+Graph graph_after(const Function& function, const std::string& after) {
+  Graph graph = lower(function);
+  if (after == "lower") return graph;
+  for (const Pass& pass : pipeline()) {
+    graph = pass.run(graph);
+    if (pass.name == after) return graph;
+  }
+  if (after.empty()) return graph;
+  std::string names = "lower";
+  for (const Pass& pass : pipeline()) names += ", " + pass.name;
+  throw std::invalid_argument(fmt::format("--after {}: expected one of {}", after, names));
+}
+
+void run_dump(const Options& o) {
+  const std::vector<Function> functions = derive_functions(open_model_folder(o.folder));
+  std::string names;
+  for (const Function& function : functions) {
+    names += (names.empty() ? "" : ", ") + function.name;
+    if (function.name != o.function) continue;
+    const Graph graph = graph_after(function, o.after);
+    fmt::print("{}", o.dot ? dump_dot(graph) : dump_text(graph));
+    return;
+  }
+  throw std::invalid_argument(fmt::format("--function {}: expected one of {}", o.function, names));
+}
+
+}  // namespace
+
+void add_cost_command(CLI::App& app, int&) {
+  CLI::App* command = app.add_subcommand("cost", "Count the operations of every function");
+  auto options = std::make_shared<Options>();
+  command->add_option("model", options->folder, "Model folder")->required();
+  command->add_flag("--passes", options->passes, "What each optimisation pass brings");
+  command->add_flag("--json", options->json, "Report for machines");
+  command->callback([options] { run_cost(*options); });
+}
+
+void add_dump_command(CLI::App& app, int&) {
+  CLI::App* command = app.add_subcommand("dump", "Print an intermediate form of a function");
+  auto options = std::make_shared<Options>();
+  command->add_option("model", options->folder, "Model folder")->required();
+  command
+      ->add_option("--function", options->function,
+                   "Function without the model's prefix, for instance bias")
+      ->required();
+  command->add_option("--after", options->after,
+                      "Last pass to run, or 'lower' (default: all passes)");
+  command->add_flag("--dot", options->dot, "As a graph for Graphviz");
+  command->callback([options] { run_dump(*options); });
+}
+
+}  // namespace sinew

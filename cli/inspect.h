@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+namespace CLI {
+class App;
+}
+
+namespace sinew {
+
+/// `sinew cost <model folder> [--passes]`: operations per function, and what each pass brings.
+void add_cost_command(CLI::App& app, int& exit_status);
+
+/// `sinew dump <model folder> --function NAME [--after PASS] [--dot]`: any intermediate form.
+void add_dump_command(CLI::App& app, int& exit_status);
+
+}  // namespace sinew

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+
+#include "generator/assemble.h"
+#include "symbolic/mechanism.h"
+
+namespace sinew {
+
+/// A model folder, read: what generate, check, cost and dump start from.
+struct ModelFolder {
+  Mechanism mechanism;
+  ModelIdentity identity;
+};
+
+/// Reads and checks a model folder. Throws DescriptionError with every mistake found.
+ModelFolder open_model_folder(const std::filesystem::path& folder);
+
+/// All functions of the folder's model, derived in their cheapest forms.
+std::vector<Function> derive_functions(const ModelFolder& folder);
+
+/// Where `generate` writes by default: generated/<model> below the current folder.
+std::filesystem::path default_output(const ModelFolder& folder);
+
+/// "double" or "float". Throws std::invalid_argument otherwise.
+Target target_named(const std::string& scalar);
+
+}  // namespace sinew

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "symbolic/dynamics_functions.h"
+
+#include "symbolic/coriolis.h"
+#include "symbolic/forward_dynamics.h"
+#include "symbolic/mass_matrix.h"
+#include "symbolic/recursive_lagrangian.h"
+#include "symbolic/symbols.h"
+
+namespace sinew {
+namespace {
+
+using GiNaC::ex;
+using Symbols = std::vector<GiNaC::symbol>;
+
+std::vector<ex> expressions(const Symbols& symbols) {
+  return {symbols.begin(), symbols.end()};
+}
+std::vector<ex> zeros(std::size_t n) {
+  return std::vector<ex>(n, ex(0));
+}
+
+/// One mechanism's arguments and the ways to write its dynamics.
+class DynamicsFunctions {
+ public:
+  DynamicsFunctions(const Mechanism& mechanism, CostOf cost)
+      : mechanism_(mechanism),
+        cost_(std::move(cost)),
+        q_(joint_positions(mechanism)),
+        qd_(joint_velocities(mechanism)),
+        qdd_(joint_accelerations(mechanism)),
+        n_(q_.rows) {}
+
+  Function inverse_dynamics_function() const {
+    return cheapest([this](const JointTree& tree, const DynamicsPlan& plan) {
+      Function f =
+          begin("inverse_dynamics", "Joint torques for a motion: M(q) qdd + C(q,qd) qd + g(q).",
+                "(2.1)", {q_, qd_, qdd_});
+      DefinitionList list;
+      const auto tau = inverse_dynamics(
+          list, tree, plan,
+          {expressions(q_.symbols), expressions(qd_.symbols), expressions(qdd_.symbols)});
+      return finish(f, list, {output("tau", n_, 1, tau, torque_unit(mechanism_), "joint torques")});
+    });
+  }
+
+  Function bias_function() const {
+    return cheapest([this](const JointTree& tree, const DynamicsPlan& plan) {
+      Function f = begin("bias", "Joint torques at zero acceleration: C(q,qd) qd + g(q).", "(2.1)",
+                         {q_, qd_});
+      DefinitionList list;
+      return finish(
+          f, list,
+          {output("h", n_, 1, bias(list, tree, plan), torque_unit(mechanism_), "bias torques")});
+    });
+  }
+
+  Function gravity_function() const {
+    return cheapest([this](const JointTree& tree, const DynamicsPlan& plan) {
+      Function f =
+          begin("gravity", "Joint torques that hold the mechanism still: g(q).", "(2.1)", {q_});
+      DefinitionList list;
+      const auto none = zeros(static_cast<std::size_t>(n_));
+      const auto g = inverse_dynamics(list, tree, plan, {expressions(q_.symbols), none, none});
+      return finish(f, list, {output("g", n_, 1, g, torque_unit(mechanism_), "gravity torques")});
+    });
+  }
+
+  Function mass_matrix_function() const {
+    return cheapest([this](const JointTree& tree, const DynamicsPlan& plan) {
+      Function f = begin("mass_matrix", "Mass matrix M(q), symmetric.", "(2.1)", {q_});
+      DefinitionList list;
+      return finish(f, list,
+                    {output("M", n_, n_, mass_matrix(list, tree, plan, expressions(q_.symbols)),
+                            inertia_unit(), "mass matrix")});
+    });
+  }
+
+  Function mass_matrix_and_bias_function() const {
+    return cheapest([this](const JointTree& tree, const DynamicsPlan& plan) {
+      Function f = begin("mass_matrix_and_bias",
+                         "Mass matrix and bias at once, with what they share computed once.",
+                         "(2.1)", {q_, qd_});
+      DefinitionList list;
+      const auto M = mass_matrix(list, tree, plan, expressions(q_.symbols));
+      const auto h = bias(list, tree, plan);
+      return finish(f, list,
+                    {output("M", n_, n_, M, inertia_unit(), "mass matrix"),
+                     output("h", n_, 1, h, torque_unit(mechanism_), "bias torques")});
+    });
+  }
+
+  Function forward_dynamics_function() const {
+    const Argument tau = joint_torques(mechanism_);
+    return cheapest([this, &tau](const JointTree& tree, const DynamicsPlan& plan) {
+      Function f =
+          begin("forward_dynamics", "Joint accelerations M(q)^-1 (tau - C(q,qd) qd - g(q)).",
+                "(2.1)", {q_, qd_, tau});
+      DefinitionList list;
+      const auto M = mass_matrix(list, tree, plan, expressions(q_.symbols));
+      std::vector<ex> rest = bias(list, tree, plan);
+      for (std::size_t i = 0; i < rest.size(); ++i)
+        rest[i] = list.define("y" + std::to_string(i + 1), tau.symbols[i] - rest[i]);
+      const auto qdd = solve_mass_matrix(list, M, rest);
+      return finish(f, list, {output("qdd", n_, 1, qdd, qdd_.unit, "joint accelerations")});
+    });
+  }
+
+  Function coriolis_function() const {
+    Function f =
+        begin("coriolis_matrix",
+              "Coriolis matrix C(q,qd) in Christoffel form: dM/dt - 2 C is skew-symmetric.",
+              "(2.1)", {q_, qd_});
+    DefinitionList list;
+    const auto M = mass_matrix(list, build_joint_tree(mechanism_), {}, expressions(q_.symbols));
+    const auto C = coriolis_matrix(list, M, q_.symbols, expressions(qd_.symbols));
+    return finish(f, list, {output("C", n_, n_, C, inertia_unit() + "/s", "Coriolis matrix")});
+  }
+
+ private:
+  std::vector<ex> bias(DefinitionList& list, const JointTree& tree,
+                       const DynamicsPlan& plan) const {
+    return inverse_dynamics(
+        list, tree, plan,
+        {expressions(q_.symbols), expressions(qd_.symbols), zeros(static_cast<std::size_t>(n_))});
+  }
+
+  std::string inertia_unit() const {
+    const std::string unit = coordinate_unit(mechanism_, "");
+    return unit == "rad" ? "kg m^2" : unit == "m" ? "kg" : "kg m^2 | kg m | kg";
+  }
+
+  static Function begin(const std::string& name, const std::string& doc,
+                        const std::string& equation, std::vector<Argument> inputs) {
+    return {name, doc, equation, std::move(inputs), {}, {}};
+  }
+
+  static Output output(const std::string& name, int rows, int cols, std::vector<ex> values,
+                       const std::string& unit, const std::string& doc) {
+    return {name, rows, cols, std::move(values), unit, doc};
+  }
+
+  static Function finish(Function f, const DefinitionList& list, std::vector<Output> outputs) {
+    f.definitions = list.items();
+    f.outputs = std::move(outputs);
+    return f;
+  }
+
+  Function cheapest(
+      const std::function<Function(const JointTree&, const DynamicsPlan&)>& derive) const {
+    const DynamicsPlan plan = choose_plan(mechanism_, derive, cost_);
+    return derive(build_joint_tree(mechanism_, frames_of(plan)), plan);
+  }
+
+  const Mechanism& mechanism_;
+  CostOf cost_;
+  Argument q_, qd_, qdd_;
+  int n_;
+};
+
+}  // namespace
+
+std::vector<Function> dynamics_functions(const Mechanism& mechanism, const CostOf& cost) {
+  const DynamicsFunctions write(mechanism, cost);
+  return {write.mass_matrix_function(),
+          write.coriolis_function(),
+          write.gravity_function(),
+          write.bias_function(),
+          write.mass_matrix_and_bias_function(),
+          write.inverse_dynamics_function(),
+          write.forward_dynamics_function()};
+}
+
+}  // namespace sinew

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "generator/function.h"
+#include "symbolic/choose_plan.h"
+#include "symbolic/mechanism.h"
+
+namespace sinew {
+
+/// mass_matrix, coriolis_matrix, gravity, bias, mass_matrix_and_bias, inverse_dynamics and
+/// forward_dynamics, each in the form that is cheapest for itself.
+std::vector<Function> dynamics_functions(const Mechanism& mechanism, const CostOf& cost);
+
+}  // namespace sinew

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "generator/function.h"
+#include "symbolic/choose_plan.h"
+#include "symbolic/mechanism.h"
+
+namespace sinew {
+
+/// Every function that a mechanism offers, in the order in which it is emitted: kinematics,
+/// dynamics, and, where there are tendons, coupling and stiffness. `cost` decides between forms
+/// of equal meaning; without it the default forms are taken.
+std::vector<Function> functions_of(const Mechanism& mechanism, const CostOf& cost = {});
+
+}  // namespace sinew

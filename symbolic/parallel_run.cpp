@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "symbolic/parallel_run.h"
+
+namespace sinew {
+namespace {
+
+using GiNaC::ex;
+using Pair = std::array<ex, 2>;
+
+}  // namespace
+
+ParallelRun::ParallelRun(DefinitionList& list, const JointTree& tree, std::vector<RunLink> geometry,
+                         Motion base, const std::vector<ex>& qd, const std::vector<ex>& qdd)
+    : list_(list), tree_(tree), links_(std::move(geometry)), base_(std::move(base)) {
+  set_rates(qd, qdd);
+}
+
+std::string ParallelRun::tag(int index) const {
+  return std::to_string(links_[static_cast<std::size_t>(index)].link + 1);
+}
+
+ex ParallelRun::J(int index, int row, int col) const {
+  const RunLink& link = links_[static_cast<std::size_t>(index)];
+  return to_expression(tree_.links[static_cast<std::size_t>(link.link)].J(row, col));
+}
+
+/// Second derivative of a vector fixed in the link, given by its constant components.
+Pair ParallelRun::second_derivative(int index, const ex& x, const ex& y) const {
+  const Rates& r = rates_[static_cast<std::size_t>(index)];
+  return {-x * r.e[0] - y * r.e[1], x * r.e[1] - y * r.e[0]};
+}
+
+void ParallelRun::set_rates(const std::vector<ex>& qd, const std::vector<ex>& qdd) {
+  for (std::size_t k = 0; k < links_.size(); ++k) {
+    const RunLink& link = links_[k];
+    const TreeLink& own = tree_.links[static_cast<std::size_t>(link.link)];
+    const std::string index = tag(static_cast<int>(k));
+    const auto coordinate = static_cast<std::size_t>(own.coordinate);
+    const bool root = link.parent < 0;
+    Rates r;
+    const ex before_w = root ? base_.w[2] : rates_[static_cast<std::size_t>(link.parent)].w;
+    const ex before_alpha =
+        root ? base_.alpha[2] : rates_[static_cast<std::size_t>(link.parent)].alpha;
+    r.w = named(list_, "w" + index + "z", before_w + own.sign * qd[coordinate]);
+    r.alpha = named(list_, "al" + index + "z", before_alpha + own.sign * qdd[coordinate]);
+    r.rate = root ? r.w : ex(own.sign * qd[coordinate]);
+    const ex square = named(list_, "w" + index + "zz", r.w * r.w);
+    r.e = {named(list_, "e" + index + "x", r.alpha * link.angle.s + square * link.angle.c),
+           named(list_, "e" + index + "y", r.alpha * link.angle.c - square * link.angle.s)};
+    r.a = {base_.a[0], base_.a[1]};
+    rates_.push_back(r);
+    if (root) continue;
+    const Pair l = second_derivative(link.parent, to_expression(own.p(0)), to_expression(own.p(1)));
+    const Rates& parent = rates_[static_cast<std::size_t>(link.parent)];
+    for (std::size_t i = 0; i < 2; ++i)
+      rates_[k].a[i] = named(list_, "a" + index + (i ? "y" : "x"), parent.a[i] + l[i]);
+  }
+}
+
+Motion ParallelRun::link_motion(int index) const {
+  const RunLink& link = links_[static_cast<std::size_t>(index)];
+  const Rates& r = rates_[static_cast<std::size_t>(index)];
+  const std::string name = tag(index);
+  const ex &wx = base_.w[0], &wy = base_.w[1];
+  Motion before;
+  before.w = {wx, wy, ex(0)};
+  before.alpha = {ex(0), ex(0), ex(0)};
+  before.U = zero_matrix();
+  for (std::size_t i = 0; i < 3; ++i) before.U[i][2] = base_.U[i][2];
+  const ex xy = named(list_, "w_xy", wx * wy);
+  Pair velocity{ex(0), ex(0)};  // of the origin, by the links before it
+  for (int k = index; links_[static_cast<std::size_t>(k)].parent >= 0;) {
+    const RunLink& at = links_[static_cast<std::size_t>(k)];
+    const ex& w = rates_[static_cast<std::size_t>(at.parent)].w;
+    velocity[0] -= w * at.l[1];
+    velocity[1] += w * at.l[0];
+    k = at.parent;
+  }
+  const ex vx = named(list_, "v" + name + "x", velocity[0]),
+           vy = named(list_, "v" + name + "y", velocity[1]);
+  const ex &X = link.o[0], &Y = link.o[1];
+  before.a = named(
+      list_, "b" + name,
+      Vector3ex{r.a[0] + xy * Y - wy * wy * X, r.a[1] + xy * X - wx * wx * Y,
+                base_.a[2] - base_.U[0][2] * X - base_.U[1][2] * Y + 2 * (wx * vy - wy * vx)});
+  return turned_motion(list_, name, before, link.angle, r.w, r.alpha);
+}
+
+ParallelRun::Planar ParallelRun::planar_dynamics(const std::vector<Wrench>& external) const {
+  const std::size_t n = links_.size();
+  std::vector<Pair> force(n);
+  Planar result;
+  result.torque.resize(n);
+  for (std::size_t k = 0; k < n; ++k) {
+    const RunLink& link = links_[k];
+    const Rates& r = rates_[k];
+    const int index = static_cast<int>(k);
+    const Pair own = second_derivative(index, J(index, 0, 3), J(index, 1, 3));
+    force[k] = {own[0] + external[k].F[0], own[1] + external[k].F[1]};
+    const Number inertia = tree_.links[static_cast<std::size_t>(link.link)].J(0, 0) +
+                           tree_.links[static_cast<std::size_t>(link.link)].J(1, 1);
+    result.torque[k] = to_expression(inertia) * r.alpha + link.own[0][3] * r.a[1] -
+                       link.own[1][3] * r.a[0] + external[k].N[2];
+  }
+  for (std::size_t k = n; k-- > 0;) {
+    const RunLink& link = links_[k];
+    for (std::size_t i = 0; i < 2; ++i)
+      force[k][i] = named(list_, "F" + tag(static_cast<int>(k)) + (i ? "y" : "x"), force[k][i]);
+    result.torque[k] = named(list_, "n" + tag(static_cast<int>(k)), result.torque[k]);
+    if (link.parent < 0) continue;
+    const auto parent = static_cast<std::size_t>(link.parent);
+    for (std::size_t i = 0; i < 2; ++i) force[parent][i] += force[k][i];
+    result.torque[parent] += result.torque[k] + link.l[0] * force[k][1] - link.l[1] * force[k][0];
+  }
+  result.force = force[0];
+  return result;
+}
+
+/// What U' contributes about link k's axis: integral of (r - o_k) x (U' r), z component.
+ex ParallelRun::carrier_torque(int index) const {
+  const auto& K = links_[static_cast<std::size_t>(index)].K;
+  const ex &wx = base_.w[0], &wy = base_.w[1];
+  const ex xx = named(list_, "w_xx", wx * wx), yy = named(list_, "w_yy", wy * wy),
+           xy = named(list_, "w_xy", wx * wy);
+  const ex spread = xy.is_zero() ? ex(0) : named(list_, "K" + tag(index) + "d", K[0][0] - K[1][1]);
+  return xy * spread - xx * K[0][1] + yy * K[1][0] + base_.U[1][2] * K[0][2] -
+         base_.U[0][2] * K[1][2];
+}
+
+Wrench ParallelRun::carrier_wrench(const Planar& planar) const {
+  const ex &wx = base_.w[0], &wy = base_.w[1];
+  const ex &Uxz = base_.U[0][2], &Uyz = base_.U[1][2];
+  const ex xx = named(list_, "w_xx", wx * wx), yy = named(list_, "w_yy", wy * wy),
+           xy = named(list_, "w_xy", wx * wy);
+  const auto& K = links_[0].K;
+  const auto& S = links_[0].S;
+  ex rate_Sx = 0, rate_Sy = 0, rate_x = 0, rate_y = 0, rate_xx = 0, rate_yy = 0;
+  Pair g{ex(0), ex(0)};
+  for (std::size_t k = 0; k < links_.size(); ++k) {
+    const ex& rate = rates_[k].rate;
+    rate_Sx += rate * links_[k].S[0];
+    rate_Sy += rate * links_[k].S[1];
+    rate_x += rate * links_[k].K[0][1];
+    rate_y += rate * links_[k].K[1][0];
+    rate_xx += rate * links_[k].K[0][0];
+    rate_yy += rate * links_[k].K[1][1];
+    const Pair own = second_derivative(static_cast<int>(k), J(static_cast<int>(k), 0, 2),
+                                       J(static_cast<int>(k), 1, 2));
+    g = {g[0] + own[0], g[1] + own[1]};
+  }
+  const std::string name = tag(0);
+  const ex twice_x = named(list_, "w_2x", 2 * wx), twice_y = named(list_, "w_2y", 2 * wy);
+  rate_Sx = named(list_, "R" + name + "x", rate_Sx);
+  rate_Sy = named(list_, "R" + name + "y", rate_Sy);
+  rate_x = named(list_, "R" + name + "xy", rate_x);
+  rate_y = named(list_, "R" + name + "yx", rate_y);
+  rate_xx = named(list_, "R" + name + "xx", rate_xx);
+  rate_yy = named(list_, "R" + name + "yy", rate_yy);
+  Wrench w;
+  w.F = {planar.force[0] + xy * S[1] - yy * S[0], planar.force[1] + xy * S[0] - xx * S[1],
+         twice_x * rate_Sx + twice_y * rate_Sy - Uxz * S[0] - Uyz * S[1]};
+  w.N = {twice_x * rate_x + twice_y * rate_yy - g[1] + S[1] * base_.a[2] - Uxz * K[1][0] -
+             Uyz * K[1][1] - yy * K[1][2] - xy * K[0][2],
+         g[0] - twice_x * rate_xx - twice_y * rate_y - S[0] * base_.a[2] + Uxz * K[0][0] +
+             Uyz * K[0][1] + xx * K[0][2] + xy * K[1][2],
+         ex(0)};
+  return w;
+}
+
+Wrench ParallelRun::close(const std::vector<Wrench>& external, std::vector<ex>& tau) const {
+  std::vector<Wrench> in_P;
+  for (std::size_t k = 0; k < links_.size(); ++k) {
+    const std::string name = "P" + tag(static_cast<int>(k));
+    in_P.push_back({named(list_, "F" + name, turn(links_[k].angle, external[k].F)),
+                    named(list_, "N" + name, turn(links_[k].angle, external[k].N))});
+  }
+  const Planar planar = planar_dynamics(in_P);
+  Wrench wrench = carrier_wrench(planar);
+  for (std::size_t k = 0; k < links_.size(); ++k) {
+    const TreeLink& own = tree_.links[static_cast<std::size_t>(links_[k].link)];
+    const ex torque = named(list_, "t" + tag(static_cast<int>(k)),
+                            planar.torque[k] + carrier_torque(static_cast<int>(k)));
+    if (k == 0) wrench.N[2] = torque;
+    tau[static_cast<std::size_t>(own.coordinate)] = own.sign * torque;
+    wrench.F[2] += in_P[k].F[2];
+    wrench.N[0] += in_P[k].N[0] + links_[k].o[1] * in_P[k].F[2];
+    wrench.N[1] += in_P[k].N[1] - links_[k].o[0] * in_P[k].F[2];
+  }
+  return wrench;
+}
+
+}  // namespace sinew

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "symbolic/tendon_functions.h"
+
+#include "symbolic/exact_number.h"
+#include "symbolic/symbols.h"
+#include "symbolic/tendons.h"
+
+namespace sinew {
+namespace {
+
+using GiNaC::ex;
+
+/// Lengths over the joint ranges: the range in which link positions are asked for.
+Argument length_argument(const Mechanism& mechanism) {
+  Argument h = make_argument("h", static_cast<int>(mechanism.tendons.size()), 1, "m",
+                             "tendon path lengths", {0, 0});
+  for (std::size_t i = 0; i < mechanism.tendons.size(); ++i) {
+    double reach = 0;
+    for (const PulleyRouting& pulley : mechanism.tendons[i].pulleys)
+      for (const Joint& joint : mechanism.joints)
+        if (joint.name == pulley.joint)
+          reach += std::abs(pulley.radius) * std::max(std::abs(joint.low), std::abs(joint.high));
+    h.ranges[i] = {mechanism.tendons[i].h0 - reach, mechanism.tendons[i].h0 + reach};
+  }
+  return h;
+}
+
+}  // namespace
+
+std::vector<Function> tendon_functions(const Mechanism& mechanism) {
+  if (mechanism.tendons.empty()) return {};
+  const int m = static_cast<int>(mechanism.tendons.size());
+  const Argument q = joint_positions(mechanism);
+  const Argument f =
+      make_argument("f", m, 1, "N", "tendon forces, pulling", {0, mechanism.tendon_force_high});
+  const Argument kt =
+      make_argument("kt", m, 1, "N/m", "tendon stiffnesses",
+                    {mechanism.tendon_stiffness_low, mechanism.tendon_stiffness_high});
+  const Argument h = length_argument(mechanism);
+  const int n = q.rows;
+  DefinitionList list;
+  const JointTree tree = build_joint_tree(mechanism);
+  const std::vector<ex> lengths = tendon_lengths(list, mechanism, tree, q.symbols);
+  const std::vector<Definition> for_lengths = list.items();
+  const std::vector<ex> P = coupling_matrix(list, lengths, q.symbols);
+  const std::vector<Definition> for_coupling = list.items();
+  const std::vector<ex> tau = joint_torque(list, P, f.symbols, static_cast<std::size_t>(n));
+  std::vector<Function> result;
+  result.push_back({"tendon_lengths",
+                    "Path lengths of the tendons.",
+                    "(5.5)",
+                    {q},
+                    for_lengths,
+                    {{"h", m, 1, lengths, "m", "tendon path lengths"}}});
+  result.push_back({"coupling_matrix",
+                    "Coupling matrix P = dh/dq.",
+                    "(5.9)",
+                    {q},
+                    for_coupling,
+                    {{"P", m, n, P, "m/" + q.unit, "coupling matrix"}}});
+  result.push_back({"joint_torque",
+                    "Joint torques from tendon forces: tau = -P^T f.",
+                    "(5.8)",
+                    {q, f},
+                    for_coupling,
+                    {{"tau", n, 1, tau, torque_unit(mechanism), "joint torques"}}});
+  const std::vector<ex> K = joint_stiffness(list, lengths, P, q.symbols, f.symbols, kt.symbols);
+  result.push_back(
+      {"joint_stiffness",
+       "Joint stiffness with the motors held: sum f_i d2h_i/dq2 + P^T diag(kt) P.",
+       "(5.12)",
+       {q, f, kt},
+       list.items(),
+       {{"K", n, n, K, torque_unit(mechanism) + "/" + q.unit, "stiffness matrix, symmetric"}}});
+  if (const auto position = link_position(mechanism, P, h.symbols))
+    result.push_back({"link_position",
+                      "Joint positions from tendon lengths by least squares: P^+ (h - h(0)).",
+                      "(5.13)",
+                      {h},
+                      {},
+                      {{"q", n, 1, *position, q.unit, "joint positions"}}});
+  return result;
+}
+
+}  // namespace sinew
