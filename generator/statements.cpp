@@ -81,7 +81,7 @@ class Writer {
 
   void write(Value v) {
     const Node& node = graph_[v];
-    if (node.op == Op::sine || node.op == Op::cosine) return write_sincos(v);
+    if (is_sincos(node)) return write_sincos(v);
     Text expression = form(node);
     if (node.op != Op::input && node.op != Op::constant && deserves_name(v, expression)) {
       const std::string name = fresh_name(v, "t");
@@ -96,23 +96,69 @@ class Writer {
     return uses > 1 || !graph_.label(v).empty() || expression.text.size() > longest_expression;
   }
 
-  /// The first of a pair writes the call for both.
+  /// The first of a group of neighbouring sines and cosines writes the call for all of them: the
+  /// runtime evaluates four or two angles side by side, with the bits of as many single calls.
   void write_sincos(Value v) {
     if (!text(v).text.empty()) return;
-    const Value angle = graph_[v].a;
+    std::vector<Value> angles;
+    for (Value w = v; w < graph_.size() && is_sincos(graph_[w]); ++w)
+      if (angles.empty() || angles.back() != graph_[w].a) angles.push_back(graph_[w].a);
+    while (!angles.empty()) {
+      const std::size_t count = angles.size() >= 4 ? 4 : angles.size() >= 2 ? 2 : 1;
+      const std::vector<Value> group(angles.begin(), angles.begin() + static_cast<std::ptrdiff_t>(count));
+      if (count == 1) write_one_sincos(group[0]);
+      else write_sincos_group(group);
+      angles.erase(angles.begin(), angles.begin() + static_cast<std::ptrdiff_t>(count));
+    }
+  }
+
+  static bool is_sincos(const Node& node) { return node.op == Op::sine || node.op == Op::cosine; }
+
+  struct Pair {
+    std::string s, c;
+  };
+
+  /// Names for sine and cosine of an angle; both get one, used or not.
+  Pair name_pair(Value angle) {
     Value sine = no_value, cosine = no_value;
-    for (Value w = v; w < graph_.size(); ++w)
-      if (graph_[w].a == angle && graph_[w].op == Op::sine)
-        sine = w;
-      else if (graph_[w].a == angle && graph_[w].op == Op::cosine)
-        cosine = w;
-    const std::string s = sine == no_value ? fresh_name("s") : fresh_name(sine, "s");
-    const std::string c = cosine == no_value ? fresh_name("c") : fresh_name(cosine, "c");
-    lines_.push_back(fmt::format("{} {}, {};", target_.type(), s, c));
-    lines_.push_back(
-        fmt::format("sinew_sincos{}({}, &{}, &{});", target_.suffix(), text(angle).text, s, c));
-    if (sine != no_value) text(sine) = {s, binds_atom};
-    if (cosine != no_value) text(cosine) = {c, binds_atom};
+    for (Value w = angle + 1; w < graph_.size(); ++w) {
+      if (graph_[w].a != angle) continue;
+      if (graph_[w].op == Op::sine) sine = w;
+      if (graph_[w].op == Op::cosine) cosine = w;
+    }
+    const Pair pair{sine == no_value ? fresh_name("s") : fresh_name(sine, "s"),
+                    cosine == no_value ? fresh_name("c") : fresh_name(cosine, "c")};
+    if (sine != no_value) text(sine) = {pair.s, binds_atom};
+    if (cosine != no_value) text(cosine) = {pair.c, binds_atom};
+    return pair;
+  }
+
+  bool is_used(Value angle, Op op) const {
+    for (Value w = angle + 1; w < graph_.size(); ++w)
+      if (graph_[w].a == angle && graph_[w].op == op) return true;
+    return false;
+  }
+
+  void write_one_sincos(Value angle) {
+    const Pair pair = name_pair(angle);
+    lines_.push_back(fmt::format("{} {}, {};", target_.type(), pair.s, pair.c));
+    lines_.push_back(fmt::format("sinew_sincos{}({}, &{}, &{});", target_.suffix(), text(angle).text, pair.s, pair.c));
+  }
+
+  void write_sincos_group(const std::vector<Value>& angles) {
+    std::string list;
+    for (Value angle : angles) list += (list.empty() ? "" : ", ") + text(angle).text;
+    const std::string in = fresh_name("angle"), sine = fresh_name("sine"), cosine = fresh_name("cosine");
+    const std::size_t n = angles.size();
+    lines_.push_back(fmt::format("const {} {}[{}] = {{{}}};", target_.type(), in, n, list));
+    lines_.push_back(fmt::format("{} {}[{}], {}[{}];", target_.type(), sine, n, cosine, n));
+    lines_.push_back(fmt::format("sinew_sincos{}{}({}, {}, {});", n, target_.suffix(), in, sine, cosine));
+    for (std::size_t i = 0; i < n; ++i) {
+      const bool s = is_used(angles[i], Op::sine), c = is_used(angles[i], Op::cosine);
+      const Pair pair = name_pair(angles[i]);
+      if (s) lines_.push_back(fmt::format("const {} {} = {}[{}];", target_.type(), pair.s, sine, i));
+      if (c) lines_.push_back(fmt::format("const {} {} = {}[{}];", target_.type(), pair.c, cosine, i));
+    }
   }
 
   std::string fresh_name(Value v, const std::string& prefix) {
