@@ -9,6 +9,7 @@
 #include "symbolic/four_bar.h"
 #include "symbolic/guiding_friction.h"
 #include "symbolic/lever.h"
+#include "symbolic/link_position.h"
 #include "symbolic/motor.h"
 #include "symbolic/tendon_force.h"
 #include "symbolic/wrist.h"
@@ -97,6 +98,19 @@ inline sinew::GuidingParameters guiding_parameters() {
 
 inline sinew::TendonParameters tendon_parameters() {
   return {1.0e4, 0.5};
+}
+
+/// Table 5.2 for the palm's points; the distal ones are the default, not the table's.
+inline sinew::ThumbBaseParameters thumb_base_parameters() {
+  sinew::ThumbBaseParameters p;
+  p.length = 0.045;
+  for (const double y : {1.0, -1.0})
+    for (const double z : {-1.0, 1.0}) {
+      p.base_points.emplace_back(0.002, 0.030 * y, 0.025 * z);
+      p.distal_points.emplace_back(0.002, 0.006 * y, 0.005 * z);
+    }
+  p.angle = {-40 * degree, 40 * degree};
+  return p;
 }
 
 }  // namespace sinew_tests
