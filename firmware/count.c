@@ -12,7 +12,7 @@
 #include "states.h"
 
 #ifndef COUNT_STATES
-#define COUNT_STATES 1000U
+#define COUNT_STATES 10000U
 #endif
 
 extern const sinew_catalogue EQUALITY_CATALOGUE;
