@@ -16,6 +16,10 @@ struct JointPlan {
   /// Write a joint without parallel neighbours as a run of one: its link's constants are turned
   /// instead of the motion.
   bool lone_run = false;
+  /// Keep a run's frame {P} at the carrier's origin (but for the height along the axes) instead of
+  /// on the first axis: the offset then enters the composites and the carrier's motion is used as
+  /// is.
+  bool keep_carrier_origin = false;
 };
 
 /// One entry a moving joint, in coordinate order.

@@ -49,6 +49,12 @@ class CompositeSweep {
     }
   }
 
+  /// Origin of the frame in which a run's wrench and composite are handed on, in its carrier.
+  const NumberVector3& origin_of(int root) const {
+    return runs_.runs[static_cast<std::size_t>(runs_.run_of[static_cast<std::size_t>(root)])]
+        .origin;
+  }
+
   void set(int i, int j, const ex& value) {
     const int sign = link(i).sign * link(j).sign;
     const auto row = static_cast<std::size_t>(link(i).coordinate),
@@ -105,9 +111,15 @@ class CompositeSweep {
     }
     const RunLink& root = links[0];
     PseudoInertia whole;
-    for (std::size_t i = 0; i < 3; ++i) whole[i][3] = whole[3][i] = root.S[i];
+    const Vector3ex o{root.o[0], root.o[1], ex(0)};
+    Vector3ex moment;  // integral of r about {P}'s origin
+    for (std::size_t i = 0; i < 3; ++i) {
+      moment[i] = named(list_, "S_", root.S[i] + root.m * o[i]);
+      whole[i][3] = whole[3][i] = moment[i];
+    }
     for (std::size_t i = 0; i < 2; ++i)
-      for (std::size_t j = 0; j < 3; ++j) whole[i][j] = whole[j][i] = root.K[i][j];
+      for (std::size_t j = 0; j < 3; ++j)
+        whole[i][j] = whole[j][i] = named(list_, "K_", root.K[i][j] + o[i] * moment[j]);
     whole[2][2] = root.zz;
     whole[3][3] = root.m;
     add_to_carrier(root.link, whole);
@@ -119,7 +131,7 @@ class CompositeSweep {
     const std::string name = "C" + std::to_string(root + 1);
     const PseudoInertia turned_J = rotated(list_, name + "r", link(root).R, J);
     PseudoInertia& carrier = inertias_[static_cast<std::size_t>(parent)];
-    carrier = carrier + shifted(list_, name + "s", to_expression(link(root).p), turned_J);
+    carrier = carrier + shifted(list_, name + "s", to_expression(origin_of(root)), turned_J);
     for (std::size_t i = 0; i < 4; ++i)
       for (std::size_t j = i; j < 4; ++j)
         carrier[i][j] = carrier[j][i] =
@@ -135,7 +147,7 @@ class CompositeSweep {
     Wrench at{zero_vector(), zero_vector()};
     add_wrench(list_, name, at,
                {named(list_, name + "F", column.F), named(list_, name + "N", column.N)},
-               link(root).R, to_expression(link(root).p));
+               link(root).R, to_expression(origin_of(root)));
     at = {named(list_, name + "F", at.F), named(list_, name + "N", at.N)};
     const auto r = static_cast<std::size_t>(runs_.run_of[static_cast<std::size_t>(parent)]);
     if (runs_.runs[r].common_frame)
@@ -171,7 +183,8 @@ class CompositeSweep {
       j = static_cast<std::size_t>(links[j].parent);
       set(links[j].link, i, moment);
     }
-    N = {N[0] + end.o[1] * F[2], N[1] - end.o[0] * F[2], moment};
+    N = {N[0] + end.o[1] * F[2], N[1] - end.o[0] * F[2],
+         moment + links[0].o[0] * F[1] - links[0].o[1] * F[0]};
     hand_to_carrier(links[0].link, i, {F, N});
   }
 

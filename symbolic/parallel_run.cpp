@@ -30,6 +30,23 @@ Pair ParallelRun::second_derivative(int index, const ex& x, const ex& y) const {
   return {-x * r.e[0] - y * r.e[1], x * r.e[1] - y * r.e[0]};
 }
 
+Pair ParallelRun::root_acceleration() const {
+  const Pair& o = links_[0].o;
+  const ex& w = base_.w[2];
+  const ex square = o[0].is_zero() && o[1].is_zero() ? ex(0) : named(list_, "w_zz", w * w);
+  return {named(list_, "a_x", base_.a[0] - square * o[0] - base_.alpha[2] * o[1]),
+          named(list_, "a_y", base_.a[1] - square * o[1] + base_.alpha[2] * o[0])};
+}
+
+RunLink ParallelRun::whole_about_origin() const {
+  RunLink whole = links_[0];
+  for (std::size_t i = 0; i < 2; ++i)
+    for (std::size_t j = 0; j < 2; ++j)
+      whole.K[i][j] = named(list_, "K_" + std::to_string(i) + std::to_string(j),
+                            links_[0].K[i][j] + links_[0].o[i] * links_[0].S[j]);
+  return whole;
+}
+
 void ParallelRun::set_rates(const std::vector<ex>& qd, const std::vector<ex>& qdd) {
   for (std::size_t k = 0; k < links_.size(); ++k) {
     const RunLink& link = links_[k];
@@ -43,11 +60,11 @@ void ParallelRun::set_rates(const std::vector<ex>& qd, const std::vector<ex>& qd
         root ? base_.alpha[2] : rates_[static_cast<std::size_t>(link.parent)].alpha;
     r.w = named(list_, "w" + index + "z", before_w + own.sign * qd[coordinate]);
     r.alpha = named(list_, "al" + index + "z", before_alpha + own.sign * qdd[coordinate]);
-    r.rate = root ? r.w : ex(own.sign * qd[coordinate]);
+    r.rate = own.sign * qd[coordinate];
     const ex square = named(list_, "w" + index + "zz", r.w * r.w);
     r.e = {named(list_, "e" + index + "x", r.alpha * link.angle.s + square * link.angle.c),
            named(list_, "e" + index + "y", r.alpha * link.angle.c - square * link.angle.s)};
-    r.a = {base_.a[0], base_.a[1]};
+    r.a = root ? root_acceleration() : Pair{ex(0), ex(0)};
     rates_.push_back(r);
     if (root) continue;
     const Pair l = second_derivative(link.parent, to_expression(own.p(0)), to_expression(own.p(1)));
@@ -68,7 +85,9 @@ Motion ParallelRun::link_motion(int index) const {
   before.U = zero_matrix();
   for (std::size_t i = 0; i < 3; ++i) before.U[i][2] = base_.U[i][2];
   const ex xy = named(list_, "w_xy", wx * wy);
-  Pair velocity{ex(0), ex(0)};  // of the origin, by the links before it
+  const ex& wz = base_.w[2];
+  Pair velocity{-wz * links_[0].o[1],
+                wz * links_[0].o[0]};  // of the origin, by the links before it
   for (int k = index; links_[static_cast<std::size_t>(k)].parent >= 0;) {
     const RunLink& at = links_[static_cast<std::size_t>(k)];
     const ex& w = rates_[static_cast<std::size_t>(at.parent)].w;
@@ -132,12 +151,14 @@ Wrench ParallelRun::carrier_wrench(const Planar& planar) const {
   const ex &Uxz = base_.U[0][2], &Uyz = base_.U[1][2];
   const ex xx = named(list_, "w_xx", wx * wx), yy = named(list_, "w_yy", wy * wy),
            xy = named(list_, "w_xy", wx * wy);
-  const auto& K = links_[0].K;
-  const auto& S = links_[0].S;
+  const RunLink whole = whole_about_origin();
+  const auto& K = whole.K;
+  const auto& S = whole.S;
+  const bool on_axis = links_[0].o[0].is_zero() && links_[0].o[1].is_zero();
   ex rate_Sx = 0, rate_Sy = 0, rate_x = 0, rate_y = 0, rate_xx = 0, rate_yy = 0;
   Pair g{ex(0), ex(0)};
   for (std::size_t k = 0; k < links_.size(); ++k) {
-    const ex& rate = rates_[k].rate;
+    const ex rate = k == 0 && on_axis ? rates_[k].w : rates_[k].rate;
     rate_Sx += rate * links_[k].S[0];
     rate_Sy += rate * links_[k].S[1];
     rate_x += rate * links_[k].K[0][1];
@@ -147,6 +168,15 @@ Wrench ParallelRun::carrier_wrench(const Planar& planar) const {
     const Pair own = second_derivative(static_cast<int>(k), J(static_cast<int>(k), 0, 2),
                                        J(static_cast<int>(k), 1, 2));
     g = {g[0] + own[0], g[1] + own[1]};
+  }
+  if (!on_axis) {  // the carrier turns the whole run about {P}'s origin, not about the first axis
+    const ex& rate = base_.w[2];
+    rate_Sx += rate * S[0];
+    rate_Sy += rate * S[1];
+    rate_x += rate * K[0][1];
+    rate_y += rate * K[1][0];
+    rate_xx += rate * K[0][0];
+    rate_yy += rate * K[1][1];
   }
   const std::string name = tag(0);
   const ex twice_x = named(list_, "w_2x", 2 * wx), twice_y = named(list_, "w_2y", 2 * wy);
@@ -159,6 +189,7 @@ Wrench ParallelRun::carrier_wrench(const Planar& planar) const {
   Wrench w;
   w.F = {planar.force[0] + xy * S[1] - yy * S[0], planar.force[1] + xy * S[0] - xx * S[1],
          twice_x * rate_Sx + twice_y * rate_Sy - Uxz * S[0] - Uyz * S[1]};
+  for (std::size_t i = 0; i < 2; ++i) w.F[i] = named(list_, "F_" + name + (i ? "y" : "x"), w.F[i]);
   w.N = {twice_x * rate_x + twice_y * rate_yy - g[1] + S[1] * base_.a[2] - Uxz * K[1][0] -
              Uyz * K[1][1] - yy * K[1][2] - xy * K[0][2],
          g[0] - twice_x * rate_xx - twice_y * rate_y - S[0] * base_.a[2] + Uxz * K[0][0] +
@@ -180,7 +211,7 @@ Wrench ParallelRun::close(const std::vector<Wrench>& external, std::vector<ex>& 
     const TreeLink& own = tree_.links[static_cast<std::size_t>(links_[k].link)];
     const ex torque = named(list_, "t" + tag(static_cast<int>(k)),
                             planar.torque[k] + carrier_torque(static_cast<int>(k)));
-    if (k == 0) wrench.N[2] = torque;
+    if (k == 0) wrench.N[2] = torque + links_[0].o[0] * wrench.F[1] - links_[0].o[1] * wrench.F[0];
     tau[static_cast<std::size_t>(own.coordinate)] = own.sign * torque;
     wrench.F[2] += in_P[k].F[2];
     wrench.N[0] += in_P[k].N[0] + links_[k].o[1] * in_P[k].F[2];

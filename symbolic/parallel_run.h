@@ -52,8 +52,12 @@ class ParallelRun {
   std::array<GiNaC::ex, 2> second_derivative(int index, const GiNaC::ex& x,
                                              const GiNaC::ex& y) const;
   void set_rates(const std::vector<GiNaC::ex>& qd, const std::vector<GiNaC::ex>& qdd);
+  /// Acceleration of the first axis by the carrier's turning about z, in the plane.
+  std::array<GiNaC::ex, 2> root_acceleration() const;
   Planar planar_dynamics(const std::vector<Wrench>& external_in_P) const;
   GiNaC::ex carrier_torque(int index) const;
+  /// K and S of the whole run about {P}'s origin.
+  RunLink whole_about_origin() const;
   Wrench carrier_wrench(const Planar& planar) const;
   GiNaC::ex J(int index, int row, int col) const;
   std::string tag(int index) const;

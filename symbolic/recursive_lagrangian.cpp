@@ -55,7 +55,7 @@ class Sweep {
     const std::string name = std::to_string(run.links[0] + 1);
     const Motion carrier = first.parent < 0 ? motion_at_rest(tree_.gravity)
                                             : motions_[static_cast<std::size_t>(first.parent)];
-    const Motion base = fixed_frame_motion(list_, name, carrier, first.R, first.p);
+    const Motion base = fixed_frame_motion(list_, name, carrier, first.R, run.origin);
     if (run.common_frame) {
       std::vector<PseudoInertia> inertias;
       for (int link : run.links)
@@ -108,7 +108,7 @@ class Sweep {
     const std::string name = std::to_string(runs_.runs[r].links[0] + 1);
     const Wrench whole{named(list_, "P" + name, wrench.F), named(list_, "Q" + name, wrench.N)};
     add_wrench(list_, name, wrenches_[static_cast<std::size_t>(first.parent)], whole, first.R,
-               to_expression(first.p));
+               to_expression(runs_.runs[r].origin));
   }
 
   DefinitionList& list_;

@@ -14,11 +14,12 @@ std::string tag(const RunLink& link) {
 
 /// Origins of the run's links and their own moments, in {P}.
 RunLink place(DefinitionList& list, const TreeLink& own, int index, const RunLink* parent,
-              const CosSin& angle) {
+              const CosSin& angle, const Run& run) {
   RunLink link;
   link.link = index;
   link.angle = angle;
-  link.o = link.l = {ex(0), ex(0)};
+  link.l = {ex(0), ex(0)};
+  link.o = {to_expression(run.root_offset[0]), to_expression(run.root_offset[1])};
   if (!parent) return link;
   const Vector3ex l = turn(parent->angle, to_expression(own.p));
   for (std::size_t k = 0; k < 2; ++k) {
@@ -77,7 +78,7 @@ std::vector<RunLink> run_geometry(DefinitionList& list, const JointTree& tree, c
     const auto at = std::find(run.links.begin(), run.links.end(), own.parent) - run.links.begin();
     const bool root = links.empty();
     RunLink link = place(list, own, i, root ? nullptr : &links[static_cast<std::size_t>(at)],
-                         angles[static_cast<std::size_t>(i)]);
+                         angles[static_cast<std::size_t>(i)], run);
     link.parent = root ? -1 : static_cast<int>(at);
     start_composites(list, link, inertias[links.size()]);
     links.push_back(link);

@@ -9,6 +9,20 @@ std::vector<FrameChoice> frames_of(const DynamicsPlan& plan) {
   return frames;
 }
 
+namespace {
+
+/// Moves {P} from the first axis back to the carrier's origin where the plan asks for it.
+void place_origin(Run& run, const JointTree& tree, const DynamicsPlan& plan) {
+  const auto first = static_cast<std::size_t>(run.links[0]);
+  if (!run.common_frame || first >= plan.size() || !plan[first].keep_carrier_origin) return;
+  const TreeLink& link = tree.links[first];
+  const NumberVector3 in_P = link.R.transpose() * link.p;
+  run.origin = link.R.col(2) * in_P(2);
+  run.root_offset = {in_P(0), in_P(1)};
+}
+
+}  // namespace
+
 Runs split_into_runs(const JointTree& tree, const DynamicsPlan& plan) {
   Runs result;
   for (std::size_t i = 0; i < tree.links.size(); ++i) {
@@ -22,9 +36,10 @@ Runs split_into_runs(const JointTree& tree, const DynamicsPlan& plan) {
       continue;
     }
     result.run_of.push_back(static_cast<int>(result.runs.size()));
-    result.runs.push_back(
-        {{static_cast<int>(i)}, choice.lone_run && link.type == JointType::revolute});
+    const bool common = choice.lone_run && link.type == JointType::revolute;
+    result.runs.push_back({{static_cast<int>(i)}, common, link.p, {Number(0), Number(0)}});
   }
+  for (Run& run : result.runs) place_origin(run, tree, plan);
   return result;
 }
 

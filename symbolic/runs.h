@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "symbolic/dynamics_plan.h"
@@ -11,8 +12,10 @@ namespace sinew {
 /// Links that turn about parallel axes and are described in one common frame {P}: the frame of the
 /// first joint before its motion, fixed in the link that carries the run.
 struct Run {
-  std::vector<int> links;  ///< parents before children; the first one is the root
-  bool common_frame;       ///< false: a single link in its own frame
+  std::vector<int> links;             ///< parents before children; the first one is the root
+  bool common_frame;                  ///< false: a single link in its own frame
+  NumberVector3 origin;               ///< origin of {P} in the carrier's frame, m
+  std::array<Number, 2> root_offset;  ///< the first axis in {P}, m
 };
 
 struct Runs {

@@ -66,7 +66,7 @@ void index_gravity(const double q[SINEW_AT_LEAST(4)], double g[SINEW_AT_LEAST(4)
  *   in  q             4 [rad] joint positions; made for -0.35..0.35, -0.2..1.6, -0.2..1.6, -0.2..1.6
  *   in  qd            4 [rad/s] joint velocities; made for -10..10
  *   out h             4 [N m] bias torques
- * 62 multiplications, 40 additions, 3 sincos. */
+ * 55 multiplications, 35 additions, 3 sincos. */
 void index_bias(const double q[SINEW_AT_LEAST(4)], const double qd[SINEW_AT_LEAST(4)], double h[SINEW_AT_LEAST(4)]);
 
 /* Mass matrix and bias at once, with what they share computed once. (2.1)
@@ -74,7 +74,7 @@ void index_bias(const double q[SINEW_AT_LEAST(4)], const double qd[SINEW_AT_LEAS
  *   in  qd            4 [rad/s] joint velocities; made for -10..10
  *   out M           4x4 [kg m^2] mass matrix
  *   out h             4 [N m] bias torques
- * 80 multiplications, 60 additions, 3 sincos. */
+ * 74 multiplications, 57 additions, 3 sincos. */
 void index_mass_matrix_and_bias(const double q[SINEW_AT_LEAST(4)], const double qd[SINEW_AT_LEAST(4)], double M[SINEW_AT_LEAST(16)], double h[SINEW_AT_LEAST(4)]);
 
 /* Joint torques for a motion: M(q) qdd + C(q,qd) qd + g(q). (2.1)
@@ -82,7 +82,7 @@ void index_mass_matrix_and_bias(const double q[SINEW_AT_LEAST(4)], const double 
  *   in  qd            4 [rad/s] joint velocities; made for -10..10
  *   in  qdd           4 [rad/s^2] joint accelerations; made for -100..100
  *   out tau           4 [N m] joint torques
- * 90 multiplications, 68 additions, 3 sincos. */
+ * 82 multiplications, 62 additions, 3 sincos. */
 void index_inverse_dynamics(const double q[SINEW_AT_LEAST(4)], const double qd[SINEW_AT_LEAST(4)], const double qdd[SINEW_AT_LEAST(4)], double tau[SINEW_AT_LEAST(4)]);
 
 /* Joint accelerations M(q)^-1 (tau - C(q,qd) qd - g(q)). (2.1)
@@ -90,7 +90,7 @@ void index_inverse_dynamics(const double q[SINEW_AT_LEAST(4)], const double qd[S
  *   in  qd            4 [rad/s] joint velocities; made for -10..10
  *   in  tau           4 [N m] joint torques; made for -1..1
  *   out qdd           4 [rad/s^2] joint accelerations
- * 112 multiplications, 86 additions, 3 divisions, 3 sincos. */
+ * 106 multiplications, 83 additions, 3 divisions, 3 sincos. */
 void index_forward_dynamics(const double q[SINEW_AT_LEAST(4)], const double qd[SINEW_AT_LEAST(4)], const double tau[SINEW_AT_LEAST(4)], double qdd[SINEW_AT_LEAST(4)]);
 
 /* Path lengths of the tendons. (5.5)

@@ -21,6 +21,7 @@ const std::vector<Pass>& pipeline() {
       {"combine_constants", combine_constants},
       {"factor_sums", factor_sums},
       {"share_reciprocals", share_reciprocals},
+      {"combine_constants", combine_constants},
       {"fold_constants", fold_constants},
       {"move_signs", move_signs},
       {"share", share},
