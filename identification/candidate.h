@@ -82,7 +82,8 @@ struct Settings {
   double band_hz = 0.0;         ///< highest frequency looked at; 0: chosen from the sampling rate
   double edge_s = 0.0;          ///< left away at both ends of every log
   double significance = 0.003;  ///< family-wise probability of a false name
-  double least_share = 0.01;    ///< of the residual's variance: less is not worth a name
+  double least_share = 0.01;    ///< of the residual variance: less is not worth a name
+  double least_of_baseline = 0.01;  ///< the same against what the baseline leaves over
   int surrogates = 200;
   int blocks = 12;
   int most_causes = 8;

@@ -49,20 +49,21 @@ std::vector<Stretch> cut(const Design& design, bool holdout, int blocks, int& to
   return list;
 }
 
-/// Time-domain rows of one segment, columns placed by term; `weight` empty: not whitened.
-MatrixXd time_columns(const Design& design, const Model& model, const VectorXd& weight,
+/// Time-domain rows of one segment, columns placed by term, the target last; without a whitening
+/// in the target's unit.
+MatrixXd time_columns(const Design& design, const Model& model, const Whitening* whitening,
                       std::size_t segment) {
   const std::vector<Index> first = first_columns(model);
   const Segment& s = design.segments()[segment];
   MatrixXd x = MatrixXd::Zero(s.samples, first.back() + 1);
   const auto to_time = [&](const MatrixXd& band) {
-    return from_band(weight.size() ? MatrixXd(weight.asDiagonal() * band) : band, s.samples);
+    return whitening ? whitening->apply(band) : from_band(band, s.samples);
   };
   for (std::size_t t = 0; t < model.terms.size(); ++t) {
     const MatrixXd& part = model.terms[t].columns[segment];
     if (part.cols() > 0) x.middleCols(first[t], part.cols()) = to_time(part);
   }
-  x.rightCols(1) = to_time(design.target(static_cast<int>(segment), model.advance[segment]));
+  x.rightCols(1) = to_time(model.target[segment]);
   return x;
 }
 
@@ -80,8 +81,8 @@ BlockLosses cross_validate(const Design& design, const Model& model, const Weigh
   MatrixXd x, raw;
   for (const Stretch& stretch : stretches) {
     if (stretch.segment != last) {
-      x = time_columns(design, model, weights[stretch.segment], stretch.segment);
-      raw = time_columns(design, model, VectorXd(), stretch.segment);
+      x = time_columns(design, model, &weights[stretch.segment], stretch.segment);
+      raw = time_columns(design, model, nullptr, stretch.segment);
       last = stretch.segment;
     }
     const auto b = static_cast<std::size_t>(stretch.block);
@@ -115,7 +116,7 @@ BlockLosses held_out(const Design& design, const Model& model, const LinearFit& 
   MatrixXd x;
   for (const Stretch& stretch : stretches) {
     if (stretch.segment != last) {
-      x = time_columns(design, model, VectorXd(), stretch.segment);
+      x = time_columns(design, model, nullptr, stretch.segment);
       last = stretch.segment;
     }
     const auto rows = x.middleRows(stretch.first, stretch.count);

@@ -24,6 +24,11 @@ bool acts_on(const Candidate& candidate, int channel) {
              candidate.channels.end();
 }
 
+/// Mean square with every column's mean taken out.
+double energy_per_sample(const MatrixXd& x) {
+  return (x.rowwise() - x.colwise().mean()).squaredNorm() / static_cast<double>(x.rows());
+}
+
 }  // namespace
 
 Design::Design(const Problem& problem, const Settings& settings)
@@ -104,8 +109,9 @@ Index Design::width(const Candidate& candidate) const {
   return static_cast<Index>(coefficients(candidate).size());
 }
 
-BandColumns Design::columns(const Candidate& candidate, const VectorXd& nonlinear,
-                            int derivative) const {
+BandColumns Design::columns(const Candidate& candidate, const VectorXd& nonlinear, int derivative,
+                            double* in_band) const {
+  double raw_energy = 0.0, band_energy = 0.0;
   const std::vector<Coefficient> layout = coefficients(candidate);
   BandColumns result(segments_.size());
   for (std::size_t i = 0; i < segments_.size(); ++i) {
@@ -116,11 +122,14 @@ BandColumns Design::columns(const Candidate& candidate, const VectorXd& nonlinea
     if (raw.cols() != static_cast<Index>(candidate.linear.size()))
       throw std::logic_error("candidate '" + candidate.name + "': columns and coefficients differ");
     const MatrixXd band = to_band(filtered(static_cast<int>(i), raw, 0.0, derivative), s.bins);
+    raw_energy += energy_per_sample(raw);
+    band_energy += band.bottomRows(band.rows() - 2).squaredNorm() / static_cast<double>(s.samples);
     result[i] = MatrixXd::Zero(band.rows(), static_cast<Index>(layout.size()));
     for (std::size_t c = 0; c < layout.size(); ++c)
       if (layout[c].recording < 0 || layout[c].recording == s.recording)
         result[i].col(static_cast<Index>(c)) = band.col(layout[c].parameter);
   }
+  if (in_band) *in_band = raw_energy > 0.0 ? band_energy / raw_energy : 1.0;
   return result;
 }
 

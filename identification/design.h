@@ -46,9 +46,10 @@ class Design {
   };
   std::vector<Coefficient> coefficients(const Candidate& candidate) const;
 
-  /// Filtered columns (derivative = 1: their time derivative) of all segments.
+  /// Filtered columns (derivative = 1: their time derivative) of all segments. in_band: the share
+  /// of the raw columns' energy (means taken out) that is left after the filter.
   BandColumns columns(const Candidate& candidate, const Eigen::VectorXd& nonlinear,
-                      int derivative = 0) const;
+                      int derivative = 0, double* in_band = nullptr) const;
 
   /// Raw columns put through the segment's filter, decimated time domain.
   Eigen::MatrixXd filtered(int segment, const Eigen::MatrixXd& raw, double advance = 0.0,

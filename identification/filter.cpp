@@ -15,15 +15,24 @@ using Eigen::VectorXd;
 constexpr double kPi = std::numbers::pi;
 constexpr double kKaiserBeta = 5.65;  // 60 dB
 
-/// Kaiser-windowed sinc of the given cutoff [cycles/sample] and its derivatives, at x samples.
+/// Modified Bessel function of order 0 by its series (arguments stay below 6).
+double bessel_i0(double x) {
+  double term = 1.0, sum = 1.0;
+  for (int k = 1; k < 40 && term > 1e-17 * sum; ++k) {
+    term *= 0.25 * x * x / (static_cast<double>(k) * static_cast<double>(k));
+    sum += term;
+  }
+  return sum;
+}
+
+/// Kaiser-windowed sinc of the given cutoff [cycles/sample], x samples from its centre.
 double kernel_value(double x, double cutoff, double half_width) {
   const double u = x / half_width;
   if (std::abs(u) >= 1.0) return 0.0;
-  const double window = std::cyl_bessel_i(0.0, kKaiserBeta * std::sqrt(1.0 - u * u)) /
-                        std::cyl_bessel_i(0.0, kKaiserBeta);
+  const double window = bessel_i0(kKaiserBeta * std::sqrt(1.0 - u * u));
   const double phase = 2.0 * kPi * cutoff * x;
   const double sinc = std::abs(phase) < 1e-9 ? 1.0 : std::sin(phase) / phase;
-  return 2.0 * cutoff * sinc * window;
+  return sinc * window;  // the scale follows from what the kernel is to do to polynomials
 }
 
 /// Weights w with y(c) = sum_j w_j x(c + j), j = -half..half, for the signal `advance` samples on.
@@ -69,6 +78,8 @@ DecimatingFilter design_decimating_filter(double step, double band_hz) {
   filter.factor = std::max(1, static_cast<int>(std::floor(0.4 / (band_hz * step))));
   filter.band_hz = std::min(band_hz, 0.4 / (step * filter.factor));
   filter.half_width = 9 * filter.factor;
+  filter.value = kernel(0.5 / filter.factor, filter.half_width, 0.0, 0);
+  filter.rate = kernel(0.5 / filter.factor, filter.half_width, 0.0, 1) / step;
   return filter;
 }
 
@@ -86,9 +97,10 @@ Index centre_sample(const DecimatingFilter& filter, Index k) {
 MatrixXd filter_decimate(const DecimatingFilter& filter, const MatrixXd& x, double advance,
                          int derivative) {
   const Index n = filtered_length(filter, x.rows());
-  const VectorXd w =
-      kernel(0.5 / filter.factor, filter.half_width, advance / filter.step, derivative) /
-      std::pow(filter.step, derivative);
+  const VectorXd w = advance == 0.0 ? (derivative == 0 ? filter.value : filter.rate)
+                                    : VectorXd(kernel(0.5 / filter.factor, filter.half_width,
+                                                      advance / filter.step, derivative) /
+                                               std::pow(filter.step, derivative));
   MatrixXd out(n, x.cols());
   for (Index c = 0; c < x.cols(); ++c)
     for (Index k = 0; k < n; ++k) out(k, c) = w.dot(x.col(c).segment(k * filter.factor, w.size()));

@@ -13,6 +13,7 @@ struct DecimatingFilter {
   int factor = 1;               ///< output rate = 1 / (factor * step)
   double band_hz = 0.0;         ///< what is kept
   Eigen::Index half_width = 0;  ///< input samples on each side of the kernel's centre
+  Eigen::VectorXd value, rate;  ///< kernels of the filtered signal and of its time derivative
 };
 
 /// Filter that keeps at least `band_hz` of a signal sampled at `step`.

@@ -3,6 +3,9 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <cmath>
+
+#include "identification/spectrum.h"
 
 namespace sinew {
 
@@ -20,31 +23,37 @@ Index width(const Term& term) {
 
 }  // namespace
 
+MatrixXd Whitening::apply(const MatrixXd& band) const {
+  return envelope.asDiagonal() * from_band(weight.asDiagonal() * band, envelope.size());
+}
+
+void set_advance(const Design& design, std::size_t segment, double advance, Model& model) {
+  model.advance[segment] = advance;
+  model.target[segment] = design.target(static_cast<int>(segment), advance);
+}
+
 std::vector<Index> first_columns(const Model& model) {
   std::vector<Index> first{0};
   for (const Term& term : model.terms) first.push_back(first.back() + width(term));
   return first;
 }
 
-Stack stack(const Design& design, const Model& model, const Weights& weights) {
+Stack stack(const Model& model, const Weights& weights) {
   Stack result;
   const std::vector<Index> first = first_columns(model);
   result.first_row.push_back(0);
-  for (std::size_t s = 0; s < design.segments().size(); ++s)
-    result.first_row.push_back(result.first_row.back() +
-                               (design.segments()[s].holdout ? 0 : weights[s].size()));
+  for (const Whitening& whitening : weights)
+    result.first_row.push_back(result.first_row.back() + whitening.envelope.size());
   result.a = MatrixXd::Zero(result.first_row.back(), first.back());
   result.y = VectorXd::Zero(result.first_row.back());
-  for (std::size_t s = 0; s < design.segments().size(); ++s) {
+  for (std::size_t s = 0; s < weights.size(); ++s) {
     const Index rows = result.first_row[s + 1] - result.first_row[s];
     if (rows == 0) continue;
-    const auto w = weights[s].asDiagonal();
-    result.y.segment(result.first_row[s], rows) =
-        w * design.target(static_cast<int>(s), model.advance[s]);
+    result.y.segment(result.first_row[s], rows) = weights[s].apply(model.target[s]);
     for (std::size_t t = 0; t < model.terms.size(); ++t) {
       const MatrixXd& part = model.terms[t].columns[s];
       if (part.cols() > 0)
-        result.a.block(result.first_row[s], first[t], rows, part.cols()) = w * part;
+        result.a.block(result.first_row[s], first[t], rows, part.cols()) = weights[s].apply(part);
     }
   }
   return result;

@@ -21,13 +21,22 @@ struct Term {
 /// has found so far is in `advance`: the target is taken that much later than the model's time.
 struct Model {
   std::vector<Term> terms;
-  std::vector<double> advance;  ///< s, per segment
+  std::vector<double> advance;          ///< s, per segment
+  std::vector<Eigen::VectorXd> target;  ///< in the band, at that advance, per segment
 };
 
-/// Weights per band row and segment: 1 / noise standard deviation. Zero rows for held-out logs.
-using Weights = std::vector<Eigen::VectorXd>;
+/// Makes one segment's noise white and even: each bin is divided by the noise's standard
+/// deviation there (coloured noise), then each sample by the noise level at that time (a drive is
+/// noisier while it jerks). Empty for held-out logs.
+struct Whitening {
+  Eigen::VectorXd weight;    ///< per band row
+  Eigen::VectorXd envelope;  ///< per sample, 1 / relative noise level
+  /// 2 * bins x k -> samples x k
+  Eigen::MatrixXd apply(const Eigen::MatrixXd& band) const;
+};
+using Weights = std::vector<Whitening>;
 
-/// Stacked over segments: a is rows x coefficients, y is rows.
+/// Whitened samples stacked over segments: a is rows x coefficients, y is rows.
 struct Stack {
   Eigen::MatrixXd a;
   Eigen::VectorXd y;
@@ -45,8 +54,11 @@ struct LinearFit {
 /// Column of each term's first coefficient, and the total at the end.
 std::vector<Eigen::Index> first_columns(const Model& model);
 
+/// Moves a segment's target against the model's time.
+void set_advance(const Design& design, std::size_t segment, double advance, Model& model);
+
 /// Whitened training rows of all terms and the target.
-Stack stack(const Design& design, const Model& model, const Weights& weights);
+Stack stack(const Model& model, const Weights& weights);
 
 /// Least squares; columns that are zero or linearly dependent get the minimum-norm coefficients.
 LinearFit solve(const Stack& stack);

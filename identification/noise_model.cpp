@@ -16,6 +16,11 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
+// Full whitening lets the quiet end of the spectrum decide every fit, and there a model that is
+// only nearly right is wrong. With this share of the mean added, no frequency counts for more
+// than a few times its part in the error one sees.
+constexpr double kDamping = 1.0;
+
 /// Orthonormal basis of the columns' span, strongest directions first, at most `most` of them.
 MatrixXd strongest_basis(MatrixXd columns, Index most) {
   for (Index c = 0; c < columns.cols(); ++c) {
@@ -52,35 +57,58 @@ MatrixXd all_columns(const Model& model, const std::vector<const BandColumns*>& 
   return all;
 }
 
-/// Relative noise level over time: moving mean square of the whitened residual.
-VectorXd level_over_time(const VectorXd& whitened_band, Index samples) {
-  const VectorXd square = from_band(whitened_band, samples).col(0).array().square();
-  const Index half = std::max<Index>(20, samples / 40);
-  VectorXd level = smooth_ratio(square, VectorXd::Ones(samples), half, 0.0);
-  const double mean = level.mean();
-  return (level / mean).cwiseSqrt();
+/// Noise level per sample from the whitened residual: moving mean square over a quarter second,
+/// drawn to its mean so that chance fluctuations of few samples do not become a pattern.
+VectorXd level_over_time(const VectorXd& whitened, const VectorXd& leverage, double rate_hz) {
+  const auto half = std::max<Index>(4, static_cast<Index>(0.125 * rate_hz));
+  const VectorXd square =
+      whitened.cwiseAbs2() / (whitened.squaredNorm() / static_cast<double>(whitened.size()));
+  const VectorXd local = smooth_ratio(square, (1.0 - leverage.array()).max(0.2), half, 0.0);
+  const double own = static_cast<double>(2 * half + 1), prior = 25.0;
+  const VectorXd level = (own * local.array() + prior) / (own + prior);
+  return (level / level.mean()).cwiseSqrt();
 }
 
-NoiseModel estimate_segment(const VectorXd& target, const MatrixXd& columns, Index samples) {
-  const Index bins = target.size() / 2;
+/// Energy per bin of an orthonormal basis, and per sample.
+struct Leverage {
+  VectorXd bins, samples;
+};
+
+Leverage leverage_of(const MatrixXd& band_basis, Index samples) {
+  const Index bins = band_basis.rows() / 2;
+  Leverage leverage{VectorXd::Zero(bins), from_band(band_basis, samples).rowwise().squaredNorm()};
+  for (Index c = 0; c < band_basis.cols(); ++c) leverage.bins += bin_energy(band_basis.col(c));
+  return leverage;
+}
+
+/// What the weights are made of: the spectrum plus a share of its mean.
+VectorXd damped(const VectorXd& variance) {
+  return variance.array() + kDamping * variance.mean();
+}
+
+Whitening whitening_of(const NoiseModel& noise, const Segment& segment) {
+  if (noise.variance.size() == 0) return {};
+  return {per_row(damped(noise.variance).cwiseSqrt().cwiseInverse()),
+          VectorXd::Ones(segment.samples)};
+}
+
+/// The residual is that of an unweighted fit: weights taken from the residual of a fit with those
+/// weights run away where the model is wrong (what is badly fitted counts less and less).
+NoiseModel estimate_segment(const VectorXd& target, const MatrixXd& columns,
+                            const Segment& segment) {
+  const Index bins = segment.bins;
   NoiseModel noise;
-  noise.variance = VectorXd::Ones(bins);
-  VectorXd residual, leverage;
-  // First with equal weights, then with the weights found: three rounds settle to a percent.
-  for (int round = 0; round < 3; ++round) {
-    const VectorXd weight = per_row(noise.variance.cwiseSqrt().cwiseInverse());
-    const MatrixXd basis = strongest_basis(weight.asDiagonal() * columns, bins / 5);
-    const VectorXd y = weight.cwiseProduct(target);
-    residual = (y - basis * (basis.transpose() * y)).cwiseQuotient(weight);
-    leverage = bin_energy(basis.rowwise().norm());
-    noise.variance = noise_spectrum(residual, leverage);
-  }
-  const VectorXd whitened = residual.cwiseQuotient(per_row(noise.variance.cwiseSqrt()));
-  const VectorXd energy = bin_energy(whitened);
-  noise.leftover = VectorXd::Ones(bins);
+  const MatrixXd basis = strongest_basis(columns, bins / 5);
+  const VectorXd residual = target - basis * (basis.transpose() * target);
+  const Leverage leverage = leverage_of(basis, segment.samples);
+  noise.variance = noise_spectrum(residual, leverage.bins);
+  const VectorXd energy = bin_energy(residual).cwiseQuotient(damped(noise.variance));
+  noise.leftover = 2.0 * noise.variance.cwiseQuotient(damped(noise.variance));
   for (Index b = 1; b < bins; ++b)
-    if (leverage(b) < 0.6) noise.leftover(b) = energy(b) / (2.0 - leverage(b));
-  noise.envelope = level_over_time(whitened, samples);
+    if (leverage.bins(b) < 0.6) noise.leftover(b) = 2.0 * energy(b) / (2.0 - leverage.bins(b));
+  const VectorXd even = residual.cwiseQuotient(per_row(noise.variance.cwiseSqrt()));
+  noise.level =
+      level_over_time(from_band(even, segment.samples), leverage.samples, segment.rate_hz);
   return noise;
 }
 
@@ -90,9 +118,8 @@ VectorXd noise_spectrum(const VectorXd& residual, const VectorXd& leverage) {
   const VectorXd energy = bin_energy(residual);
   VectorXd freedom = (2.0 - leverage.array()).max(0.05);
   freedom(0) = std::max(0.05, 1.0 - leverage(0));
-  VectorXd variance = smooth_ratio(energy, freedom, 8, 0.12);
-  // Without a floor, a quiet stretch of the spectrum would decide every fit.
-  return variance.cwiseMax(1e-4 * variance.mean()).cwiseMax(1e-30);
+  // Never zero: a noise-free target must not divide by it.
+  return smooth_ratio(energy, freedom, 8, 0.12).cwiseMax(1e-30);
 }
 
 std::vector<NoiseModel> estimate_noise(const Design& design, const Model& model,
@@ -103,18 +130,15 @@ std::vector<NoiseModel> estimate_noise(const Design& design, const Model& model,
   parallel_for(static_cast<int>(segments.size()), threads, [&](int i) {
     const auto s = static_cast<std::size_t>(i);
     if (segments[s].holdout) return;
-    noise[s] = estimate_segment(design.target(i, model.advance[s]),
-                                all_columns(model, saturating, s), segments[s].samples);
+    noise[s] = estimate_segment(model.target[s], all_columns(model, saturating, s), segments[s]);
   });
   return noise;
 }
 
-Weights whitening(const std::vector<NoiseModel>& noise) {
+Weights whitening(const Design& design, const std::vector<NoiseModel>& noise) {
   Weights weights;
-  for (const NoiseModel& model : noise)
-    weights.push_back(model.variance.size() == 0
-                          ? VectorXd()
-                          : VectorXd(per_row(model.variance.cwiseSqrt().cwiseInverse())));
+  for (std::size_t s = 0; s < noise.size(); ++s)
+    weights.push_back(whitening_of(noise[s], design.segments()[s]));
   return weights;
 }
 

@@ -9,12 +9,11 @@
 
 namespace sinew {
 
-/// Noise of one segment.
+/// Noise of one segment: a spectrum, and a level that varies over time.
 struct NoiseModel {
   Eigen::VectorXd variance;  ///< per bin and real row
-  Eigen::VectorXd leftover;  ///< per bin: whitened residual energy / its expectation, about 1
-  Eigen::VectorXd
-      envelope;  ///< per decimated sample: relative noise level over time, mean square 1
+  Eigen::VectorXd level;     ///< per decimated sample, relative, mean square about 1
+  Eigen::VectorXd leftover;  ///< per bin: energy of the weighted residual, leverage corrected
 };
 
 /// Noise spectrum of one residual in the band. `leverage` per bin is the energy of an orthonormal
@@ -24,13 +23,12 @@ Eigen::VectorXd noise_spectrum(const Eigen::VectorXd& residual, const Eigen::Vec
 
 /// Estimates the noise of every training segment from what is left over by a fit with the model
 /// *and* all `saturating` columns, so that an effect that is not accepted yet is not taken for
-/// noise; held-out segments get the noise of the training segment with the same channel.
+/// noise; held-out segments stay empty.
 std::vector<NoiseModel> estimate_noise(const Design& design, const Model& model,
                                        const std::vector<const BandColumns*>& saturating,
                                        int threads);
 
-/// 1 / standard deviation per band row.
-Weights whitening(const std::vector<NoiseModel>& noise);
+Weights whitening(const Design& design, const std::vector<NoiseModel>& noise);
 
 /// Noise variance per sample of repeated runs: half the mean square of the difference of two
 /// runs of the same motion, the floor no model can get below.

@@ -49,7 +49,7 @@ class ProjectedResidual {
         weights_(weights),
         model_(model),
         coordinates_(std::move(coordinates)),
-        stack_(stack(design, model, weights)),
+        stack_(stack(model, weights)),
         first_(first_columns(model)) {}
 
   bool operator()(double const* const* blocks, double* residual) const {
@@ -75,7 +75,7 @@ class ProjectedResidual {
       const Index rows = stack_.first_row[s + 1] - stack_.first_row[s];
       if (rows > 0 && term.columns[s].cols() > 0)
         stack_.a.block(stack_.first_row[s], first_[t], rows, term.columns[s].cols()) =
-            weights_[s].asDiagonal() * term.columns[s];
+            weights_[s].apply(term.columns[s]);
     }
   }
 
@@ -129,17 +129,18 @@ double move_delays(const Design& design, const Weights& weights, Model& model) {
   for (std::size_t t = 0; t < model.terms.size(); ++t) {
     const Candidate& candidate = *model.terms[t].candidate;
     if (candidate.kind != CandidateKind::delay) continue;
-    const VectorXd before = solve(stack(design, model, weights)).coefficients;
+    const VectorXd before = solve(stack(model, weights)).coefficients;
     VectorXd plain = before;
     plain(first_columns(model)[t]) = 0.0;
     model.terms[t].columns = prediction_rate(design, model, plain, candidate);
-    const double step = solve(stack(design, model, weights)).coefficients(first_columns(model)[t]);
+    const double step = solve(stack(model, weights)).coefficients(first_columns(model)[t]);
     const NonlinearParameter& range = candidate.nonlinear.front();
     const double old = model.terms[t].nonlinear(0);
     const double now = std::clamp(old + step, range.low, range.high);
     model.terms[t].nonlinear(0) = now;
     for (std::size_t s = 0; s < model.advance.size(); ++s)
-      if (model.terms[t].columns[s].cols() > 0) model.advance[s] -= now - old;
+      if (model.terms[t].columns[s].cols() > 0)
+        set_advance(design, s, model.advance[s] - (now - old), model);
     largest = std::max(largest, std::abs(now - old));
   }
   return largest;
@@ -166,7 +167,7 @@ void append_term(const Design& design, const Weights& weights, const Candidate& 
     model.terms.push_back(make_term(design, candidate, nonlinear, false));
     return;
   }
-  const VectorXd coefficients = solve(stack(design, model, weights)).coefficients;
+  const VectorXd coefficients = solve(stack(model, weights)).coefficients;
   model.terms.push_back({&candidate, false, VectorXd::Zero(1),
                          prediction_rate(design, model, coefficients, candidate)});
 }
@@ -175,7 +176,8 @@ void remove_term(const Design& design, std::size_t index, Model& model) {
   const Term term = model.terms[index];
   if (term.candidate->kind == CandidateKind::delay)
     for (std::size_t s = 0; s < design.segments().size(); ++s)
-      if (term.columns[s].cols() > 0) model.advance[s] += term.nonlinear(0);
+      if (term.columns[s].cols() > 0)
+        set_advance(design, s, model.advance[s] + term.nonlinear(0), model);
   model.terms.erase(model.terms.begin() + static_cast<std::ptrdiff_t>(index));
 }
 

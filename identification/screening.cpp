@@ -15,6 +15,7 @@ using Eigen::MatrixXd;
 using Eigen::MatrixXf;
 using Eigen::VectorXd;
 
+constexpr double kInBand = 0.5;    // least share of a column's energy that must lie in the band
 constexpr double kExcited = 1e-5;  // least share of a column's energy outside the model's span
 
 double grid_value(const NonlinearParameter& p, int i) {
@@ -33,7 +34,7 @@ struct Projected {
 
 Projected project(const Design& design, const Model& model, const Weights& weights,
                   const std::vector<MatrixXf>& surrogates, int threads) {
-  const Stack stacked = stack(design, model, weights);
+  const Stack stacked = stack(model, weights);
   const LinearFit fit = solve(stacked);
   Projected p;
   p.inverse = fit.covariance;
@@ -76,7 +77,7 @@ Left leave(const Projected& p, const BandColumns& columns, const Weights& weight
   MatrixXd gram, cross;
   for (std::size_t s = 0; s < columns.size(); ++s) {
     if (columns[s].cols() == 0 || p.columns[s].rows() == 0) continue;
-    const MatrixXd x = weights[s].asDiagonal() * columns[s];
+    const MatrixXd x = weights[s].apply(columns[s]);
     if (gram.size() == 0) {
       gram = MatrixXd::Zero(x.cols(), x.cols());
       cross = MatrixXd::Zero(x.cols(), p.inverse.cols());
@@ -186,12 +187,12 @@ Library::Library(const Design& design, int threads) {
   for (std::size_t c = 0; c < library.size(); ++c) {
     if (library[c].kind == CandidateKind::delay) continue;
     for (const VectorXd& value : starting_values(library[c]))
-      slots_.push_back({static_cast<int>(c), value, {}});
+      slots_.push_back({static_cast<int>(c), value, {}, 1.0});
   }
   parallel_for(static_cast<int>(slots_.size()), threads, [&](int i) {
     Slot& slot = slots_[static_cast<std::size_t>(i)];
-    slot.columns =
-        design.columns(library[static_cast<std::size_t>(slot.candidate)], slot.nonlinear);
+    slot.columns = design.columns(library[static_cast<std::size_t>(slot.candidate)], slot.nonlinear,
+                                  0, &slot.in_band);
   });
 }
 
@@ -212,12 +213,12 @@ Screening screen(const Design& design, const Library& library, const Model& mode
                  const Weights& weights, const std::vector<MatrixXf>& surrogates, int threads) {
   const std::vector<Candidate>& candidates = design.problem().library;
   const Projected projected = project(design, model, weights, surrogates, threads);
-  const LinearFit fit = solve(stack(design, model, weights));
+  const LinearFit fit = solve(stack(model, weights));
   std::vector<Slot> delays;
   for (std::size_t c = 0; c < candidates.size(); ++c)
     if (candidates[c].kind == CandidateKind::delay)
       delays.push_back({static_cast<int>(c), VectorXd(),
-                        prediction_rate(design, model, fit.coefficients, candidates[c])});
+                        prediction_rate(design, model, fit.coefficients, candidates[c]), 1.0});
   const auto fixed = library.slots().size();
   std::vector<SlotResult> results(fixed + delays.size());
   const auto slot_at = [&](std::size_t i) -> const Slot& {
@@ -225,6 +226,10 @@ Screening screen(const Design& design, const Library& library, const Model& mode
   };
   parallel_for(static_cast<int>(results.size()), threads, [&](int i) {
     const Slot& slot = slot_at(static_cast<std::size_t>(i));
+    if (slot.in_band < kInBand) {
+      results[static_cast<std::size_t>(i)].data.gate = Gate::out_of_band;
+      return;
+    }
     results[static_cast<std::size_t>(i)] =
         test_slot(design, projected, candidates[static_cast<std::size_t>(slot.candidate)],
                   slot.nonlinear, slot.columns, weights);
@@ -252,6 +257,7 @@ Screening screen(const Design& design, const Library& library, const Model& mode
     if (nulls[c].size() == 0) continue;
     const NullDistribution null(nulls[c]);
     Screened& s = screening.candidates[c];
+    s.null = null;
     s.freedom = std::max(0.5, null.mean());
     s.surprise = null.surprise(s.statistic);
     const VectorXd surprises = nulls[c].unaryExpr([&](double v) { return null.surprise(v); });

@@ -15,6 +15,7 @@ struct Slot {
   int candidate = 0;
   Eigen::VectorXd nonlinear;
   BandColumns columns;
+  double in_band = 1.0;  ///< share of the raw columns' energy that the filter leaves
 };
 
 /// All slots of a library, evaluated once. Delays have no slot: their column follows the model.
@@ -30,7 +31,12 @@ class Library {
 };
 
 /// Why a candidate cannot be taken at this step.
-enum class Gate { open, not_excited, limit_violated };
+enum class Gate {
+  open,
+  not_excited,  ///< inside the model's span, or zero
+  out_of_band,  ///< mostly above the band: what is left of it there is not the effect
+  limit_violated
+};
 
 /// One candidate on top of the model.
 struct Screened {
@@ -40,7 +46,7 @@ struct Screened {
   double excitation = 0.0;  ///< share of the column's energy that the model does not span
   double surprise = 0.0;    ///< -ln p of its own null
   double freedom = 1.0;     ///< mean of its null: effective number of parameters
-  int nearest_decoy = -1;
+  NullDistribution null;
   Eigen::VectorXd nonlinear;
   Eigen::VectorXd coefficients;
   double unrestricted = 0.0;  ///< the statistic without limits, to tell "wrong sign" from "absent"

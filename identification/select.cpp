@@ -3,9 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
-#include "identification/parallel_for.h"
 #include "identification/refine.h"
 
 namespace sinew {
@@ -15,245 +13,244 @@ using Eigen::Index;
 using Eigen::VectorXd;
 
 constexpr std::size_t kShortlist = 6;
+constexpr double kWorthSwapping = 4.0;  // deviance; less is chance
 
-const Candidate& candidate_at(const Design& design, int index) {
-  return design.problem().library[static_cast<std::size_t>(index)];
-}
-
-bool taken(const Design& design, const Model& model, int candidate) {
-  return std::any_of(model.terms.begin(), model.terms.end(), [&](const Term& term) {
-    return !term.baseline && library_index(design, term) == candidate;
-  });
-}
-
-double deviance(const Design& design, const Model& model, const Weights& weights) {
-  return solve(stack(design, model, weights)).deviance;
-}
-
-/// A model with one more cause, or with one exchanged, fully fitted.
-struct Trial {
-  int candidate = 0;
-  Model model;
-  double score = 0.0;  ///< deviance plus the price of its causes: smaller is better
-  bool allowed = false;
+/// The search's fixed surroundings.
+struct Search {
+  const Design& design;
+  const Library& library;
+  const Settings& settings;
+  Selection& state;
 };
 
-double price(const Design& design, const Selection& state, const Model& model) {
-  double sum = 0.0;
-  for (const Term& term : model.terms)
-    if (!term.baseline) sum += state.freedom[static_cast<std::size_t>(library_index(design, term))];
-  return sum * complexity_price(design);
+void renew_noise(const Search& s) {
+  s.state.noise = own_noise(s.design, s.state.model, s.settings.threads);
 }
 
-Trial try_candidate(const Design& design, const Selection& state, const Model& base,
-                    const Screened& screened) {
-  Trial trial{screened.candidate, base, 0.0, false};
-  append_term(design, state.weights, candidate_at(design, screened.candidate), screened.nonlinear,
-              trial.model);
-  refine(design, state.weights, RefineScope::last_term, trial.model);
-  const LinearFit fit = solve(stack(design, trial.model, state.weights));
-  trial.allowed = !violates_limits(design, trial.model, fit, trial.model.terms.size() - 1);
-  trial.score = fit.deviance + price(design, state, trial.model);
-  return trial;
-}
-
-/// The best few of a screening, worth a nonlinear fit.
-std::vector<Screened> shortlist(const Design& design, const Selection& state, const Model& model,
-                                const Screening& screening) {
-  std::vector<Screened> list;
-  for (const Screened& s : screening.candidates)
-    if (s.gate == Gate::open && candidate_at(design, s.candidate).kind != CandidateKind::flexible &&
-        !taken(design, model, s.candidate))
-      list.push_back(s);
-  const auto worth = [&](const Screened& s) {
-    return s.statistic -
-           complexity_price(design) * state.freedom[static_cast<std::size_t>(s.candidate)];
-  };
-  std::sort(list.begin(), list.end(),
-            [&](const Screened& a, const Screened& b) { return worth(a) > worth(b); });
-  if (list.size() > kShortlist) list.resize(kShortlist);
+/// Candidates worth a fit: the best under the noise the whole library leaves over (which a
+/// strong effect cannot hide in) and under the noise the model leaves over (which does not
+/// mistake the next effect's trace for its own).
+std::vector<Screened> promising(const Search& s, const NoiseView& saturated) {
+  const Screening alone = screen(s.design, s.library, s.state.model, saturated.weights,
+                                 saturated.surrogates, s.settings.threads);
+  if (s.state.freedom.empty()) {
+    for (const Screened& c : alone.candidates) s.state.freedom.push_back(c.freedom);
+    s.state.first = alone;
+  }
+  std::vector<Screened> list =
+      shortlist(s.design, s.state.freedom, s.state.model, alone, kShortlist);
+  std::erase_if(list, [&](const Screened& c) {
+    return alone.family.p_value(c.surprise) > 10.0 * s.settings.significance;
+  });
+  if (list.empty()) return list;
+  const Screening own =
+      screen(s.design, s.library, s.state.model, s.state.noise.weights, {}, s.settings.threads);
+  for (const Screened& c : shortlist(s.design, s.state.freedom, s.state.model, own, kShortlist - 2))
+    if (std::none_of(list.begin(), list.end(),
+                     [&](const Screened& l) { return l.candidate == c.candidate; }))
+      list.push_back(c);
   return list;
 }
 
-/// Best allowed trial; refused ones are noted with their reason.
-std::optional<Trial> best_trial(const Design& design, const Settings& settings, const Model& base,
-                                const std::vector<Screened>& list, Selection& state) {
-  std::vector<Trial> trials(list.size());
-  parallel_for(static_cast<int>(list.size()), settings.threads, [&](int i) {
-    const auto k = static_cast<std::size_t>(i);
-    trials[k] = try_candidate(design, state, base, list[k]);
-  });
-  std::optional<Trial> best;
-  for (Trial& trial : trials) {
-    if (!trial.allowed)
-      state.refused.push_back(
-          {trial.candidate, candidate_at(design, trial.candidate).limit_meaning});
-    else if (!best || trial.score < best->score)
-      best = std::move(trial);
+void note_refusals(const std::vector<Trial>& trials, Selection& state) {
+  for (const Trial& trial : trials)
+    if (!trial.allowed) state.refused.push_back({trial.candidate, trial.refusal});
+}
+
+/// Position of the allowed trial with the smallest plain loss on left-out blocks, or -1.
+int smallest_loss(const Search& s, const std::vector<Trial>& trials) {
+  int best = -1;
+  double least = 0.0;
+  for (std::size_t i = 0; i < trials.size(); ++i) {
+    if (!trials[i].allowed) continue;
+    const NoiseView own = own_noise(s.design, trials[i].model, s.settings.threads);
+    const double loss =
+        cross_validate(s.design, trials[i].model, own.weights, s.settings.blocks).plain.sum();
+    if (best >= 0 && loss >= least) continue;
+    best = static_cast<int>(i);
+    least = loss;
   }
   return best;
 }
 
-/// Exchanges accepted causes for better ones as long as that helps.
-bool swap_causes(const Design& design, const Library& library, const Settings& settings,
-                 Selection& state) {
-  bool swapped = false;
-  double present = deviance(design, state.model, state.weights) + price(design, state, state.model);
-  for (std::size_t t = 0; t < state.model.terms.size(); ++t) {
-    if (state.model.terms[t].baseline) continue;
-    const int own = library_index(design, state.model.terms[t]);
-    Model without = state.model;
-    remove_term(design, t, without);
-    const Screening screening =
-        screen(design, library, without, state.weights, {}, settings.threads);
-    std::vector<Screened> list = shortlist(design, state, without, screening);
-    std::erase_if(list, [own](const Screened& s) { return s.candidate == own; });
-    if (list.size() > 3) list.resize(3);
-    const std::optional<Trial> best = best_trial(design, settings, without, list, state);
-    if (!best || best->score > present - 4.0) continue;
-    state.model = best->model;
-    refine(design, state.weights, RefineScope::all_terms, state.model);
-    present = deviance(design, state.model, state.weights) + price(design, state, state.model);
-    swapped = true;
-    t = static_cast<std::size_t>(-1);
-    if (--state.swaps_left <= 0) return swapped;
+/// The best trial under the noise that it leaves over itself. The present model's noise must not
+/// decide: what a strong cause is to explain is still part of it.
+int settle(const Search& s, std::vector<Trial>& trials, NoiseView& view) {
+  int best = smallest_loss(s, trials);
+  for (int round = 0; round < 3 && best >= 0; ++round) {
+    view = own_noise(s.design, trials[static_cast<std::size_t>(best)].model, s.settings.threads);
+    const int next = rank_trials(s.design, s.state.freedom, view.weights, trials);
+    if (next == best) break;
+    best = next;
   }
-  return swapped;
+  return best;
 }
 
-Evidence judge(const Design& design, const Settings& settings, const Selection& state,
-               std::size_t term) {
-  Evidence evidence;
-  Model without = state.model;
-  remove_term(design, term, without);
-  evidence.statistic =
-      deviance(design, without, state.weights) - deviance(design, state.model, state.weights);
-  evidence.freedom =
-      state.freedom[static_cast<std::size_t>(library_index(design, state.model.terms[term]))];
-  const BlockLosses before = cross_validate(design, without, state.weights, settings.blocks);
-  const BlockLosses after = cross_validate(design, state.model, state.weights, settings.blocks);
-  evidence.validated = before.whitened.sum() - after.whitened.sum();
-  evidence.gain = block_bootstrap_gain(before.plain, after.plain, 0.95, settings.seed);
-  return evidence;
+/// Family-wise probability that a cause explains that much by chance, everything the trial leaves
+/// over being noise.
+double confirm(const Search& s, const Trial& trial, const Model& base, NoiseView& view) {
+  draw_surrogates(s.design, s.settings, view);
+  const Screening screening =
+      screen(s.design, s.library, base, view.weights, view.surrogates, s.settings.threads);
+  const Screened& own = screening.candidates[static_cast<std::size_t>(trial.candidate)];
+  const double statistic = deviance(base, view.weights) - trial.deviance;
+  return screening.family.p_value(own.null.surprise(statistic));
+}
+
+/// Adds the next cause; false where there is none.
+bool add_cause(const Search& s) {
+  NoiseView saturated = saturated_noise(s.design, s.library, s.state.model, s.settings.threads);
+  draw_surrogates(s.design, s.settings, saturated);
+  std::vector<Screened> list = promising(s, saturated);
+  while (!list.empty()) {
+    std::vector<Trial> trials =
+        try_candidates(s.design, s.state.noise.weights, s.state.model, list, s.settings.threads);
+    note_refusals(trials, s.state);
+    NoiseView view;
+    const int best = settle(s, trials, view);
+    if (best < 0) return false;
+    Trial& trial = trials[static_cast<std::size_t>(best)];
+    const double p = confirm(s, trial, s.state.model, view);
+    s.state.p_family[static_cast<std::size_t>(trial.candidate)] = p;
+    if (p > s.settings.significance) return false;
+    s.state.model = std::move(trial.model);
+    s.state.noise = std::move(view);
+    return true;
+  }
+  return false;
+}
+
+/// Exchanges accepted causes for better ones as long as that helps.
+void swap_causes(const Search& s) {
+  Selection& state = s.state;
+  int left = 4;
+  for (std::size_t t = 0; t < state.model.terms.size() && left > 0; ++t) {
+    if (state.model.terms[t].baseline) continue;
+    const int own = library_index(s.design, state.model.terms[t]);
+    Model without = state.model;
+    remove_term(s.design, t, without);
+    const Screening screening =
+        screen(s.design, s.library, without, state.noise.weights, {}, s.settings.threads);
+    std::vector<Screened> list =
+        shortlist(s.design, state.freedom, without, screening, kShortlist - 2);
+    std::erase_if(list, [own](const Screened& c) { return c.candidate == own; });
+    std::vector<Trial> trials =
+        try_candidates(s.design, state.noise.weights, without, list, s.settings.threads);
+    Trial present;
+    present.candidate = own;
+    present.model = state.model;
+    present.allowed = true;
+    trials.push_back(std::move(present));
+    NoiseView view;
+    const int best = settle(s, trials, view);
+    if (trials[static_cast<std::size_t>(best)].score > trials.back().score - kWorthSwapping)
+      continue;
+    state.p_family[static_cast<std::size_t>(trials[static_cast<std::size_t>(best)].candidate)] =
+        state.p_family[static_cast<std::size_t>(own)];
+    state.model = std::move(trials[static_cast<std::size_t>(best)].model);
+    refine(s.design, state.noise.weights, RefineScope::all_terms, state.model);
+    renew_noise(s);
+    --left;
+    t = static_cast<std::size_t>(-1);
+  }
 }
 
 /// Takes out causes that the others have made superfluous or impossible.
-void prune(const Design& design, const Settings& settings, Selection& state) {
-  for (std::size_t t = 0; t < state.model.terms.size();) {
-    if (state.model.terms[t].baseline) {
-      ++t;
-      continue;
-    }
-    const Evidence evidence = judge(design, settings, state, t);
-    const LinearFit fit = solve(stack(design, state.model, state.weights));
-    const bool impossible = violates_limits(design, state.model, fit, t);
-    const bool superfluous = evidence.statistic < evidence.freedom * complexity_price(design) ||
+void prune(const Search& s) {
+  Selection& state = s.state;
+  for (std::size_t t = 0; t < state.model.terms.size(); ++t) {
+    if (state.model.terms[t].baseline) continue;
+    const Evidence evidence = judge(s.design, s.settings, state, t);
+    const LinearFit fit = solve(stack(state.model, state.noise.weights));
+    const bool impossible = violates_limits(s.design, state.model, fit, t);
+    const bool superfluous = evidence.statistic < evidence.freedom * parameter_price(s.design) ||
                              evidence.validated <= 0.0 ||
-                             evidence.gain.share < settings.least_share;
-    if (!impossible && !superfluous) {
-      ++t;
-      continue;
-    }
-    const int index = library_index(design, state.model.terms[t]);
-    state.refused.push_back({index, impossible
-                                        ? candidate_at(design, index).limit_meaning
-                                        : "no gain on left-out blocks beside the other causes"});
-    remove_term(design, t, state.model);
-    refine(design, state.weights, RefineScope::all_terms, state.model);
-    t = 0;
+                             evidence.gain.share < s.settings.least_share ||
+                             evidence.of_baseline < s.settings.least_of_baseline;
+    if (!impossible && !superfluous) continue;
+    const Term& term = state.model.terms[t];
+    state.refused.push_back(
+        {library_index(s.design, term),
+         impossible ? term.candidate->limit_meaning : "no gain worth naming on left-out blocks"});
+    remove_term(s.design, t, state.model);
+    refine(s.design, state.noise.weights, RefineScope::all_terms, state.model);
+    t = static_cast<std::size_t>(-1);
   }
+}
+
+std::vector<int> causes_of(const Design& design, const Model& model) {
+  std::vector<int> list;
+  for (const Term& term : model.terms)
+    if (!term.baseline) list.push_back(library_index(design, term));
+  std::sort(list.begin(), list.end());
+  return list;
 }
 
 }  // namespace
 
-double complexity_price(const Design& design) {
-  double rows = 0.0;
-  for (const Segment& s : design.segments())
-    if (!s.holdout) rows += 2.0 * static_cast<double>(s.bins);
-  return std::log(rows);
+Evidence judge(const Design& design, const Settings& settings, const Selection& state,
+               std::size_t term) {
+  Evidence evidence;
+  const int index = library_index(design, state.model.terms[term]);
+  const Weights& weights = state.noise.weights;
+  Model without = state.model;
+  remove_term(design, term, without);
+  evidence.statistic = deviance(without, weights) - deviance(state.model, weights);
+  evidence.freedom = state.freedom[static_cast<std::size_t>(index)];
+  evidence.p_family = state.p_family[static_cast<std::size_t>(index)];
+  const BlockLosses before = cross_validate(design, without, weights, settings.blocks);
+  const BlockLosses after = cross_validate(design, state.model, weights, settings.blocks);
+  evidence.validated = before.whitened.sum() - after.whitened.sum();
+  evidence.gain = block_bootstrap_gain(before.plain, after.plain, 0.95, settings.seed);
+  evidence.of_baseline = (before.plain.sum() - after.plain.sum()) / state.baseline_loss;
+  return evidence;
 }
 
 Model baseline_model(const Design& design) {
   Model model;
   model.advance.assign(design.segments().size(), 0.0);
+  for (std::size_t s = 0; s < design.segments().size(); ++s)
+    model.target.push_back(design.target(static_cast<int>(s)));
   for (const Candidate& candidate : design.problem().baseline) {
-    VectorXd start(static_cast<Index>(candidate.nonlinear.size()));
-    const auto values = starting_values(candidate);
-    if (start.size() > 0) start = values[values.size() / 2];
-    model.terms.push_back(make_term(design, candidate, start, true));
+    const std::vector<VectorXd> values = starting_values(candidate);
+    model.terms.push_back(make_term(design, candidate, values[values.size() / 2], true));
   }
   return model;
 }
 
-int library_index(const Design& design, const Term& term) {
-  const std::vector<Candidate>& library = design.problem().library;
-  return term.baseline || library.empty() ? -1 : static_cast<int>(term.candidate - library.data());
-}
-
-bool violates_limits(const Design& design, const Model& model, const LinearFit& fit,
-                     std::size_t term) {
-  const Term& t = model.terms[term];
-  if (t.candidate->kind == CandidateKind::delay) {
-    const NonlinearParameter& range = t.candidate->nonlinear.front();
-    return t.nonlinear(0) <= range.low || t.nonlinear(0) >= range.high;
-  }
-  const auto layout = design.coefficients(*t.candidate);
-  const Index first = first_columns(model)[term];
-  for (std::size_t c = 0; c < layout.size(); ++c) {
-    const LinearParameter& p = t.candidate->linear[static_cast<std::size_t>(layout[c].parameter)];
-    const Index at = first + static_cast<Index>(c);
-    const double slack = 2.0 * std::sqrt(std::max(0.0, fit.covariance(at, at)));
-    const double value = fit.coefficients(at);
-    // The estimate itself must be possible; the slack only forgives a wrong side by chance.
-    if (value < p.low - slack || value > p.high + slack) return true;
-  }
-  return false;
-}
-
-void renew_noise(const Design& design, const Library& library, const Settings& settings,
-                 Selection& state) {
-  std::vector<const BandColumns*> saturating = library.representatives();
-  state.noise = estimate_noise(design, state.model, saturating, settings.threads);
-  state.weights = whitening(state.noise);
-  state.surrogates =
-      make_surrogates(design, state.noise, settings.surrogates, settings.seed, settings.threads);
-}
-
 Selection select_causes(const Design& design, const Library& library, const Settings& settings) {
   Selection state;
+  const Search search{design, library, settings, state};
+  state.p_family.assign(design.problem().library.size(), 1.0);
   state.model = baseline_model(design);
-  renew_noise(design, library, settings, state);
-  for (int step = 0; step < settings.most_causes; ++step) {
-    state.last =
-        screen(design, library, state.model, state.weights, state.surrogates, settings.threads);
-    if (step == 0)
-      for (const Screened& s : state.last.candidates) {
-        state.freedom.push_back(s.freedom);
-        state.first_surprise.push_back(s.surprise);
-      }
-    std::vector<Screened> list = shortlist(design, state, state.model, state.last);
-    std::erase_if(list, [&](const Screened& s) {
-      return state.last.family.p_value(s.surprise) > settings.significance;
-    });
-    const std::optional<Trial> best = best_trial(design, settings, state.model, list, state);
-    if (!best) break;
-    const std::size_t terms_before = state.model.terms.size();
+  renew_noise(search);
+  refine(design, state.noise.weights, RefineScope::all_terms, state.model);
+  renew_noise(search);
+  state.baseline_loss =
+      cross_validate(design, state.model, state.noise.weights, settings.blocks).plain.sum();
+  std::vector<std::vector<int>> visited{{}};
+  while (static_cast<int>(causes_of(design, state.model).size()) < settings.most_causes) {
     const Model before = state.model;
-    state.model = best->model;
-    refine(design, state.weights, RefineScope::all_terms, state.model);
-    renew_noise(design, library, settings, state);
-    state.swaps_left = 4;
-    swap_causes(design, library, settings, state);
-    prune(design, settings, state);
-    if (state.model.terms.size() <= terms_before) {
-      // Nothing was gained: what came in went out again, or pushed another out.
-      if (state.model.terms.size() < terms_before) state.model = before;
-      renew_noise(design, library, settings, state);
+    const NoiseView noise_before = state.noise;
+    if (!add_cause(search)) break;
+    refine(design, state.noise.weights, RefineScope::all_terms, state.model);
+    renew_noise(search);
+    swap_causes(search);
+    prune(search);
+    const std::vector<int> now = causes_of(design, state.model);
+    const bool seen = std::find(visited.begin(), visited.end(), now) != visited.end();
+    if (seen) {
+      // The new cause did not survive beside the others: the search has come to its end.
+      state.model = before;
+      state.noise = noise_before;
       break;
     }
+    visited.push_back(now);
+    renew_noise(search);
   }
-  state.last =
-      screen(design, library, state.model, state.weights, state.surrogates, settings.threads);
+  draw_surrogates(design, settings, state.noise);
+  state.last = screen(design, library, state.model, state.noise.weights, state.noise.surrogates,
+                      settings.threads);
   state.evidence.assign(state.model.terms.size(), {});
   for (std::size_t t = 0; t < state.model.terms.size(); ++t)
     if (!state.model.terms[t].baseline) state.evidence[t] = judge(design, settings, state, t);

@@ -28,19 +28,14 @@ double log_upper_gamma(double shape, double x) {
 
 VectorXd one_surrogate(const NoiseModel& noise, Index samples, std::mt19937_64& random) {
   std::uniform_real_distribution<double> angle(0.0, 2.0 * std::numbers::pi);
-  std::exponential_distribution<double> energy(1.0);
   const Index bins = noise.leftover.size();
   VectorXd band(2 * bins);
   for (Index b = 0; b < bins; ++b) {
-    const double phase = angle(random);
-    const double own = noise.leftover(b);
-    // A bin that the fit has taken over entirely (leftover exactly 1) gets a random amplitude.
-    const double amplitude = std::sqrt(2.0 * (own == 1.0 ? energy(random) : own));
+    const double phase = angle(random), amplitude = std::sqrt(noise.leftover(b));
     band(2 * b) = amplitude * std::cos(phase);
     band(2 * b + 1) = b == 0 ? 0.0 : amplitude * std::sin(phase);
   }
-  const VectorXd time = from_band(band, samples).col(0).cwiseProduct(noise.envelope);
-  return to_band(time, bins);
+  return from_band(band, samples).col(0).cwiseProduct(noise.level);
 }
 
 }  // namespace
@@ -50,7 +45,7 @@ std::vector<Eigen::MatrixXf> make_surrogates(const Design& design,
                                              unsigned seed, int threads) {
   std::vector<Eigen::MatrixXf> surrogates(noise.size());
   for (std::size_t s = 0; s < noise.size(); ++s)
-    if (noise[s].leftover.size() > 0) surrogates[s].resize(2 * noise[s].leftover.size(), count);
+    if (noise[s].leftover.size() > 0) surrogates[s].resize(noise[s].level.size(), count);
   parallel_for(count, threads, [&](int i) {
     std::mt19937_64 random(seed * 1000003ULL + static_cast<unsigned>(i));
     for (std::size_t s = 0; s < noise.size(); ++s)

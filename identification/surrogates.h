@@ -9,9 +9,8 @@
 
 namespace sinew {
 
-/// Whitened surrogate residuals: per segment, 2 * bins x count (empty for held-out logs). Each
-/// has the residual's spectrum (what whitening leaves of it), random phases, and the residual's
-/// noise level over time; whatever is structured in the residual is gone.
+/// Whitened surrogate residuals: per segment, samples x count (empty for held-out logs). Each has
+/// the residual's spectrum and random phases; whatever is structured in the residual is gone.
 std::vector<Eigen::MatrixXf> make_surrogates(const Design& design,
                                              const std::vector<NoiseModel>& noise, int count,
                                              unsigned seed, int threads);

@@ -234,16 +234,16 @@ DriveScales drive_scales(const std::vector<Recording>& logs) {
 }
 
 std::vector<Candidate> drive_baseline(const DriveScales& s) {
-  const double soft = 1e-2 * s.speed;
+  const double v = s.speed;
   return {
-      make("inertia", {}, {any("inertia")},
+      make("inertia", {}, {positive("inertia")},
            [](const Recording& log, const VectorXd&) -> MatrixXd { return log.qdd.col(0); }),
-      make("viscous friction", {}, {any("coefficient")},
+      make("viscous friction", {}, {positive("coefficient")},
            [](const Recording& log, const VectorXd&) -> MatrixXd { return log.qd.col(0); }),
-      make("Coulomb friction", {}, {any("level")},
-           [soft](const Recording& log, const VectorXd&) -> MatrixXd {
-             return direction(log, soft);
-           }),
+      make(
+          "Coulomb friction", {{"turning speed", "", 1e-3 * v, 3e-2 * v, 3, true}},
+          {positive("level")},
+          [](const Recording& log, const VectorXd& p) -> MatrixXd { return direction(log, p(0)); }),
       make("offset", {}, {any("offset")}, [](const Recording& log, const VectorXd&) -> MatrixXd {
         return VectorXd::Ones(log.q.rows());
       })};
