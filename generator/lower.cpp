@@ -137,11 +137,16 @@ class Lowering {
 
   Signed multiply(std::vector<Signed>& factors) {
     sort(factors);
-    Signed result = factors.front();
-    for (std::size_t i = 1; i < factors.size(); ++i) {
-      result.value = graph_.make(Op::multiply, result.value, factors[i].value);
-      result.negative = result.negative != factors[i].negative;
+    Signed result{no_value, false};
+    for (const Signed& factor : factors) {
+      result.negative = result.negative != factor.negative;
+      // a bare sign is no factor: 1*x must be the very node x, or terms would sort by their sign
+      if (graph_.is_constant(factor.value, 1.0)) continue;
+      result.value = result.value == no_value
+                         ? factor.value
+                         : graph_.make(Op::multiply, result.value, factor.value);
     }
+    if (result.value == no_value) result.value = graph_.constant(1.0);
     return result;
   }
 

@@ -27,6 +27,7 @@ std::vector<JointPlan> alternatives(const JointPlan& now, const TreeLink& link) 
   }
   if (link.parallel_to_parent) add([&](JointPlan& p) { p.join_run = !p.join_run; });
   add([](JointPlan& p) { p.lone_run = !p.lone_run; });
+  add([](JointPlan& p) { p.pair_by_pair = !p.pair_by_pair; });
   add([](JointPlan& p) { p.keep_carrier_origin = !p.keep_carrier_origin; });
   add([](JointPlan& p) { p.lone_run = p.keep_carrier_origin = true; });
   return result;

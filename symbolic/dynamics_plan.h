@@ -20,6 +20,9 @@ struct JointPlan {
   /// on the first axis: the offset then enters the composites and the carrier's motion is used as
   /// is.
   bool keep_carrier_origin = false;
+  /// Couple the links of a run pair by pair instead of passing accelerations out and forces in:
+  /// cheaper for short runs without joint accelerations.
+  bool pair_by_pair = false;
 };
 
 /// One entry a moving joint, in coordinate order.

@@ -10,8 +10,13 @@ using Pair = std::array<ex, 2>;
 }  // namespace
 
 ParallelRun::ParallelRun(DefinitionList& list, const JointTree& tree, std::vector<RunLink> geometry,
-                         Motion base, const std::vector<ex>& qd, const std::vector<ex>& qdd)
-    : list_(list), tree_(tree), links_(std::move(geometry)), base_(std::move(base)) {
+                         bool pair_by_pair, Motion base, const std::vector<ex>& qd,
+                         const std::vector<ex>& qdd)
+    : list_(list),
+      tree_(tree),
+      links_(std::move(geometry)),
+      pair_by_pair_(pair_by_pair),
+      base_(std::move(base)) {
   set_rates(qd, qdd);
 }
 
@@ -106,33 +111,73 @@ Motion ParallelRun::link_motion(int index) const {
 }
 
 ParallelRun::Planar ParallelRun::planar_dynamics(const std::vector<Wrench>& external) const {
-  const std::size_t n = links_.size();
-  std::vector<Pair> force(n);
-  Planar result;
-  result.torque.resize(n);
-  for (std::size_t k = 0; k < n; ++k) {
-    const RunLink& link = links_[k];
-    const Rates& r = rates_[k];
+  std::vector<Pair> force;
+  for (std::size_t k = 0; k < links_.size(); ++k) {
     const int index = static_cast<int>(k);
     const Pair own = second_derivative(index, J(index, 0, 3), J(index, 1, 3));
-    force[k] = {own[0] + external[k].F[0], own[1] + external[k].F[1]};
-    const Number inertia = tree_.links[static_cast<std::size_t>(link.link)].J(0, 0) +
-                           tree_.links[static_cast<std::size_t>(link.link)].J(1, 1);
-    result.torque[k] = to_expression(inertia) * r.alpha + link.own[0][3] * r.a[1] -
-                       link.own[1][3] * r.a[0] + external[k].N[2];
+    force.push_back({own[0] + external[k].F[0], own[1] + external[k].F[1]});
   }
-  for (std::size_t k = n; k-- > 0;) {
-    const RunLink& link = links_[k];
+  for (std::size_t k = links_.size(); k-- > 0;) {
     for (std::size_t i = 0; i < 2; ++i)
       force[k][i] = named(list_, "F" + tag(static_cast<int>(k)) + (i ? "y" : "x"), force[k][i]);
-    result.torque[k] = named(list_, "n" + tag(static_cast<int>(k)), result.torque[k]);
-    if (link.parent < 0) continue;
-    const auto parent = static_cast<std::size_t>(link.parent);
+    if (links_[k].parent < 0) continue;
+    const auto parent = static_cast<std::size_t>(links_[k].parent);
     for (std::size_t i = 0; i < 2; ++i) force[parent][i] += force[k][i];
-    result.torque[parent] += result.torque[k] + link.l[0] * force[k][1] - link.l[1] * force[k][0];
   }
-  result.force = force[0];
-  return result;
+  return {pair_by_pair_ ? pair_torques(external) : chained_torques(force, external), force[0]};
+}
+
+std::vector<ex> ParallelRun::chained_torques(const std::vector<Pair>& force,
+                                             const std::vector<Wrench>& external) const {
+  std::vector<ex> torque(links_.size());
+  for (std::size_t k = links_.size(); k-- > 0;) {
+    const RunLink& link = links_[k];
+    const Rates& r = rates_[k];
+    torque[k] += own_inertia(k) * r.alpha + link.own[0][3] * r.a[1] - link.own[1][3] * r.a[0] +
+                 external[k].N[2];
+    torque[k] = named(list_, "n" + tag(static_cast<int>(k)), torque[k]);
+    if (link.parent >= 0)
+      torque[static_cast<std::size_t>(link.parent)] +=
+          torque[k] + link.l[0] * force[k][1] - link.l[1] * force[k][0];
+  }
+  return torque;
+}
+
+std::vector<ex> ParallelRun::pair_torques(const std::vector<Wrench>& external) const {
+  std::vector<ex> torque(links_.size());
+  const Pair& a = rates_[0].a;
+  for (std::size_t j = 0; j < links_.size(); ++j) {
+    const Pair s{links_[j].own[0][3], links_[j].own[1][3]};
+    const Rates& at_j = rates_[j];
+    torque[j] += own_inertia(j) * at_j.alpha + s[0] * a[1] - s[1] * a[0] + external[j].N[2];
+    for (std::size_t child = j; links_[child].parent >= 0;) {
+      const Pair& l = links_[child].l;
+      const auto i = static_cast<std::size_t>(links_[child].parent);
+      const std::string name = tag(static_cast<int>(i)) + "_" + tag(static_cast<int>(j));
+      const Rates& at_i = rates_[i];
+      const ex across = named(list_, "X" + name, l[0] * s[1] - l[1] * s[0]);
+      const bool accelerated = !at_i.alpha.is_zero() || !at_j.alpha.is_zero();
+      const ex along = accelerated ? named(list_, "D" + name, l[0] * s[0] + l[1] * s[1]) : ex(0);
+      torque[i] += at_j.alpha * along - square(j) * across + l[0] * external[j].F[1] -
+                   l[1] * external[j].F[0];
+      torque[j] += at_i.alpha * along + square(i) * across;
+      child = i;
+    }
+  }
+  for (std::size_t k = links_.size(); k-- > 0;) {
+    torque[k] = named(list_, "n" + tag(static_cast<int>(k)), torque[k]);
+    if (links_[k].parent >= 0) torque[static_cast<std::size_t>(links_[k].parent)] += torque[k];
+  }
+  return torque;
+}
+
+ex ParallelRun::own_inertia(std::size_t k) const {
+  const NumberMatrix4& inertia = tree_.links[static_cast<std::size_t>(links_[k].link)].J;
+  return to_expression(Number(inertia(0, 0) + inertia(1, 1)));
+}
+
+ex ParallelRun::square(std::size_t k) const {
+  return named(list_, "w" + tag(static_cast<int>(k)) + "zz", rates_[k].w * rates_[k].w);
 }
 
 /// What U' contributes about link k's axis: integral of (r - o_k) x (U' r), z component.

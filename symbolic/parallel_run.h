@@ -29,7 +29,8 @@ class ParallelRun {
  public:
   /// `base`: motion of {P}. `qd`, `qdd`: rates of the tree's coordinates.
   ParallelRun(DefinitionList& list, const JointTree& tree, std::vector<RunLink> geometry,
-              Motion base, const std::vector<GiNaC::ex>& qd, const std::vector<GiNaC::ex>& qdd);
+              bool pair_by_pair, Motion base, const std::vector<GiNaC::ex>& qd,
+              const std::vector<GiNaC::ex>& qdd);
 
   /// Motion of a link of the run in its own axes, for links that carry further runs.
   Motion link_motion(int index) const;
@@ -55,16 +56,25 @@ class ParallelRun {
   /// Acceleration of the first axis by the carrier's turning about z, in the plane.
   std::array<GiNaC::ex, 2> root_acceleration() const;
   Planar planar_dynamics(const std::vector<Wrench>& external_in_P) const;
+  /// Torques on the single links by pairs: link i's arm l towards link j and j's first moment s
+  /// have the energy w_i w_j l.s, hence alpha_j l.s - w_j^2 l x s on i, alpha_i l.s + w_i^2 l x s
+  /// on j.
+  std::vector<GiNaC::ex> pair_torques(const std::vector<Wrench>& external_in_P) const;
+  std::vector<GiNaC::ex> chained_torques(const std::vector<std::array<GiNaC::ex, 2>>& force,
+                                         const std::vector<Wrench>& external_in_P) const;
   GiNaC::ex carrier_torque(int index) const;
   /// K and S of the whole run about {P}'s origin.
   RunLink whole_about_origin() const;
   Wrench carrier_wrench(const Planar& planar) const;
   GiNaC::ex J(int index, int row, int col) const;
+  GiNaC::ex own_inertia(std::size_t index) const;
+  GiNaC::ex square(std::size_t index) const;
   std::string tag(int index) const;
 
   DefinitionList& list_;
   const JointTree& tree_;
   std::vector<RunLink> links_;
+  bool pair_by_pair_;
   Motion base_;
   std::vector<Rates> rates_;
 };

@@ -60,8 +60,8 @@ class Sweep {
       std::vector<PseudoInertia> inertias;
       for (int link : run.links)
         inertias.push_back(to_expression(tree_.links[static_cast<std::size_t>(link)].J));
-      parallel_[r].emplace(list_, tree_, run_geometry(list_, tree_, run, angles_, inertias), base,
-                           state_.qd, state_.qdd);
+      parallel_[r].emplace(list_, tree_, run_geometry(list_, tree_, run, angles_, inertias),
+                           run.pair_by_pair, base, state_.qd, state_.qdd);
       for (std::size_t k = 0; k < run.links.size(); ++k)
         if (carries_other_runs(run.links[k]))
           motions_[static_cast<std::size_t>(run.links[k])] =

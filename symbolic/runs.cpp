@@ -11,10 +11,13 @@ std::vector<FrameChoice> frames_of(const DynamicsPlan& plan) {
 
 namespace {
 
-/// Moves {P} from the first axis back to the carrier's origin where the plan asks for it.
+/// Takes over what the plan says of the whole run: moves {P} from the first axis back to the
+/// carrier's origin where the plan asks for it.
 void place_origin(Run& run, const JointTree& tree, const DynamicsPlan& plan) {
   const auto first = static_cast<std::size_t>(run.links[0]);
-  if (!run.common_frame || first >= plan.size() || !plan[first].keep_carrier_origin) return;
+  if (!run.common_frame || first >= plan.size()) return;
+  run.pair_by_pair = plan[first].pair_by_pair;
+  if (!plan[first].keep_carrier_origin) return;
   const TreeLink& link = tree.links[first];
   const NumberVector3 in_P = link.R.transpose() * link.p;
   run.origin = link.R.col(2) * in_P(2);

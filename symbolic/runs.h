@@ -16,6 +16,7 @@ struct Run {
   bool common_frame;                  ///< false: a single link in its own frame
   NumberVector3 origin;               ///< origin of {P} in the carrier's frame, m
   std::array<Number, 2> root_offset;  ///< the first axis in {P}, m
+  bool pair_by_pair = false;
 };
 
 struct Runs {

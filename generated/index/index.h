@@ -40,7 +40,7 @@ void index_forward_kinematics(const double q[SINEW_AT_LEAST(4)], double T[SINEW_
 /* Geometric Jacobian of the frame tip: linear rows first, base frame.
  *   in  q             4 [rad] joint positions; made for -0.35..0.35, -0.2..1.6, -0.2..1.6, -0.2..1.6
  *   out J           6x4 [m | 1] velocity and angular velocity a joint rate
- * 29 multiplications, 22 additions, 4 sincos. */
+ * 29 multiplications, 24 additions, 4 sincos. */
 void index_tip_jacobian(const double q[SINEW_AT_LEAST(4)], double J[SINEW_AT_LEAST(24)]);
 
 /* Mass matrix M(q), symmetric. (2.1)
@@ -53,7 +53,7 @@ void index_mass_matrix(const double q[SINEW_AT_LEAST(4)], double M[SINEW_AT_LEAS
  *   in  q             4 [rad] joint positions; made for -0.35..0.35, -0.2..1.6, -0.2..1.6, -0.2..1.6
  *   in  qd            4 [rad/s] joint velocities; made for -10..10
  *   out C           4x4 [kg m^2/s] Coriolis matrix
- * 73 multiplications, 58 additions, 3 sincos. */
+ * 72 multiplications, 58 additions, 3 sincos. */
 void index_coriolis_matrix(const double q[SINEW_AT_LEAST(4)], const double qd[SINEW_AT_LEAST(4)], double C[SINEW_AT_LEAST(16)]);
 
 /* Joint torques that hold the mechanism still: g(q). (2.1)
@@ -66,7 +66,7 @@ void index_gravity(const double q[SINEW_AT_LEAST(4)], double g[SINEW_AT_LEAST(4)
  *   in  q             4 [rad] joint positions; made for -0.35..0.35, -0.2..1.6, -0.2..1.6, -0.2..1.6
  *   in  qd            4 [rad/s] joint velocities; made for -10..10
  *   out h             4 [N m] bias torques
- * 55 multiplications, 35 additions, 3 sincos. */
+ * 50 multiplications, 33 additions, 3 sincos. */
 void index_bias(const double q[SINEW_AT_LEAST(4)], const double qd[SINEW_AT_LEAST(4)], double h[SINEW_AT_LEAST(4)]);
 
 /* Mass matrix and bias at once, with what they share computed once. (2.1)
@@ -74,7 +74,7 @@ void index_bias(const double q[SINEW_AT_LEAST(4)], const double qd[SINEW_AT_LEAS
  *   in  qd            4 [rad/s] joint velocities; made for -10..10
  *   out M           4x4 [kg m^2] mass matrix
  *   out h             4 [N m] bias torques
- * 74 multiplications, 57 additions, 3 sincos. */
+ * 69 multiplications, 55 additions, 3 sincos. */
 void index_mass_matrix_and_bias(const double q[SINEW_AT_LEAST(4)], const double qd[SINEW_AT_LEAST(4)], double M[SINEW_AT_LEAST(16)], double h[SINEW_AT_LEAST(4)]);
 
 /* Joint torques for a motion: M(q) qdd + C(q,qd) qd + g(q). (2.1)
@@ -90,7 +90,7 @@ void index_inverse_dynamics(const double q[SINEW_AT_LEAST(4)], const double qd[S
  *   in  qd            4 [rad/s] joint velocities; made for -10..10
  *   in  tau           4 [N m] joint torques; made for -1..1
  *   out qdd           4 [rad/s^2] joint accelerations
- * 106 multiplications, 83 additions, 3 divisions, 3 sincos. */
+ * 101 multiplications, 81 additions, 3 divisions, 3 sincos. */
 void index_forward_dynamics(const double q[SINEW_AT_LEAST(4)], const double qd[SINEW_AT_LEAST(4)], const double tau[SINEW_AT_LEAST(4)], double qdd[SINEW_AT_LEAST(4)]);
 
 /* Path lengths of the tendons. (5.5)
