@@ -27,9 +27,7 @@ std::string to_text(const SourceLocation& where) {
 
 void Findings::add(const SourceLocation& where, std::string_view wrong, std::string_view expected) {
   std::string text = fmt::format("{}: {}; {}", to_text(where), wrong, expected);
-  const auto same = [&](const Entry& entry) { return entry.text == text; };
-  if (std::none_of(entries_.begin(), entries_.end(), same))
-    entries_.push_back({where, std::move(text)});
+  if (known_.insert(text).second) entries_.push_back({where, std::move(text)});
 }
 
 void Findings::raise_if_any() const {

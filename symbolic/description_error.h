@@ -2,6 +2,7 @@
 // Mistakes found in a description: collected, each with its place, and reported together.
 #pragma once
 
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -41,6 +42,7 @@ class Findings {
     std::string text;
   };
   std::vector<Entry> entries_;
+  std::set<std::string> known_;  ///< texts of the entries
 };
 
 }  // namespace sinew

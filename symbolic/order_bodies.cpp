@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 #include <set>
 
@@ -50,32 +51,24 @@ Carriers find_carriers(const std::vector<TreeJoint>& joints, Findings& findings)
   return carriers;
 }
 
-/// The chain of parents of a body that never reaches the base, up to its repetition.
-std::string cycle_through(const std::string& body, const std::vector<TreeJoint>& joints,
-                          const Carriers& carriers) {
-  std::string text = body;
-  std::set<std::string> seen{body};
-  for (std::string at = body;;) {
-    const auto carrier = carriers.find(at);
-    if (carrier == carriers.end()) return "";
-    at = joints[carrier->second].parent;
-    text += " <- " + at;
-    if (!seen.insert(at).second) return text;
+/// Follows parents from a body and reports the cycle they end in, once for each cycle.
+void report_cycle(const std::string& body, const std::vector<TreeJoint>& joints,
+                  const Carriers& carriers, std::set<std::string>& visited, Findings& findings) {
+  std::vector<std::string> path;
+  std::string at = body;
+  while (carriers.contains(at) && visited.insert(at).second) {
+    path.push_back(at);
+    at = joints[carriers.at(at)].parent;
   }
-}
-
-void report_unreached(const TreeBody& body, const std::vector<TreeJoint>& joints,
-                      const Carriers& carriers, Findings& findings) {
-  if (!carriers.contains(body.name)) {
-    findings.add(body.where, fmt::format("body '{}' is not connected", body.name),
-                 "expected a joint with it as child");
-    return;
-  }
-  const std::string cycle = cycle_through(body.name, joints, carriers);
-  const SourceLocation& where = joints[carriers.at(body.name)].where;
-  if (!cycle.empty())
-    findings.add(where, fmt::format("body '{}' hangs on a cycle: {}", body.name, cycle),
-                 "expected a tree from the base");
+  auto member = std::find(path.begin(), path.end(), at);
+  if (member == path.end()) return;  // ends at an unknown or unconnected body, or is known
+  constexpr std::ptrdiff_t longest = 8;
+  const bool is_long = path.end() - member > longest;
+  std::string chain =
+      fmt::format("{}", fmt::join(member, is_long ? member + longest : path.end(), " <- "));
+  findings.add(joints[carriers.at(at)].where,
+               fmt::format("body '{}' is on a cycle: {} <- {}", at, chain, is_long ? "..." : at),
+               "expected a tree from the base");
 }
 
 }  // namespace
@@ -102,8 +95,14 @@ std::vector<std::size_t> order_depth_first(const std::string& base,
     for (auto joint = next.rbegin(); joint != next.rend(); ++joint)
       if (reached.insert(joints[*joint].child).second) open.push_back(joints[*joint].child);
   }
-  for (const TreeBody& body : bodies)
-    if (!reached.contains(body.name)) report_unreached(body, joints, carriers, findings);
+  std::set<std::string> visited;
+  for (const TreeBody& body : bodies) {
+    if (reached.contains(body.name)) continue;
+    if (!carriers.contains(body.name))
+      findings.add(body.where, fmt::format("body '{}' is not connected", body.name),
+                   "expected a joint with it as child");
+    report_cycle(body.name, joints, carriers, visited, findings);
+  }
   return order;
 }
 

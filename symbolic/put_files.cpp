@@ -64,6 +64,14 @@ void write_file(const fs::path& path, std::string_view content) {
   if (!is_fine) fail_with_errno(path, "cannot be written");
 }
 
+/// Names of files in a folder reach the disk too; not every file system can, which is no mistake.
+void flush_folder(const fs::path& folder) {
+  const int descriptor = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (descriptor < 0) return;
+  (void)fsync(descriptor);
+  close(descriptor);
+}
+
 /// Permissions a folder made by mkdir would have; mkdtemp gives its own to the owner only.
 void open_permissions(const fs::path& folder) {
   const mode_t mask = umask(0);
@@ -99,7 +107,9 @@ void put_files(const fs::path& folder, const std::map<std::string, std::string>&
   if (exists)
     fs::copy(target, draft.path(), fs::copy_options::recursive | fs::copy_options::copy_symlinks);
   for (const auto& [name, content] : files) write_file(draft.path() / name, content);
+  flush_folder(draft.path());
   exchange(draft.path(), target);
+  flush_folder(target.parent_path());
 }
 
 }  // namespace sinew

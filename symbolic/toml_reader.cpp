@@ -268,7 +268,9 @@ std::optional<Quantity> TomlTable::resolve(const toml::node& node, const std::st
 std::optional<Quantity> TomlTable::quantity(std::string_view key, Shape shape, Dimension dimension,
                                             bool required) {
   const toml::node* node =
-      find(key, required, fmt::format("a {} in {}", name_of(dimension), units_of(dimension)));
+      find(key, required,
+           fmt::format("{} {} in {}", name_of(dimension).starts_with('a') ? "an" : "a",
+                       name_of(dimension), units_of(dimension)));
   if (node == nullptr) return std::nullopt;
   return resolve(*node, fmt::format("{}.{}", path_, key), shape, dimension);
 }

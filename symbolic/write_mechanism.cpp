@@ -29,7 +29,7 @@ std::string quoted(const std::string& text) {
 }
 
 std::string csv_cell(const std::string& text) {
-  if (text.find_first_of(",\"\r\n#") == std::string::npos && !text.starts_with(' ') &&
+  if (text.find_first_of(",\"\t\r\n#") == std::string::npos && !text.starts_with(' ') &&
       !text.ends_with(' '))
     return text;
   std::string out = "\"";
@@ -37,8 +37,18 @@ std::string csv_cell(const std::string& text) {
   return out + '"';
 }
 
+/// The shortest text that reads as the same double. TOML's -0 is the integer 0, so zero has no
+/// sign.
+std::string number(double value) {
+  return fmt::format("{}", value + 0.0);
+}
+
 std::string list(const Eigen::Vector3d& v) {
-  return fmt::format("[{}, {}, {}]", v[0], v[1], v[2]);
+  return fmt::format("[{}, {}, {}]", number(v[0]), number(v[1]), number(v[2]));
+}
+
+std::string range(double low, double high) {
+  return fmt::format("[{}, {}]", number(low), number(high));
 }
 
 struct OriginAndReference {
@@ -140,13 +150,13 @@ class Describer {
       line("axis", path + ".axis", list(joint.axis), Dimension::none);
     else
       line("axis", list(joint.axis));
-    line("range", path + ".range", fmt::format("[{}, {}]", joint.low, joint.high),
+    line("range", path + ".range", range(joint.low, joint.high),
          turns ? Dimension::angle : Dimension::length);
-    line("max_velocity", path + ".max_velocity", fmt::format("{}", joint.max_velocity),
+    line("max_velocity", path + ".max_velocity", number(joint.max_velocity),
          turns ? Dimension::angular_velocity : Dimension::velocity);
-    line("max_acceleration", path + ".max_acceleration", fmt::format("{}", joint.max_acceleration),
+    line("max_acceleration", path + ".max_acceleration", number(joint.max_acceleration),
          turns ? Dimension::angular_acceleration : Dimension::acceleration);
-    line("damping", path + ".damping", fmt::format("{}", joint.damping),
+    line("damping", path + ".damping", number(joint.damping),
          turns ? Dimension::angular_damping : Dimension::damping);
   }
 
@@ -160,7 +170,7 @@ class Describer {
     const std::string path = "tendon." + tendon.name;
     text_ += fmt::format("\n[[tendon]]\nname = {}\n", quoted(tendon.name));
     if (tendon.h0 != 0.0 || is_known(path + ".h0"))
-      line("h0", path + ".h0", fmt::format("{}", tendon.h0), Dimension::length);
+      line("h0", path + ".h0", number(tendon.h0), Dimension::length);
     if (!tendon.pulleys.empty()) pulleys(tendon, path);
     if (!tendon.straights.empty()) straights(tendon, path);
   }
@@ -171,7 +181,7 @@ class Describer {
       const PulleyRouting& pulley = tendon.pulleys[i];
       text_ += fmt::format("  {{ joint = {}, radius = {} }},\n", quoted(pulley.joint),
                            quantity(fmt::format("{}.pulleys[{}].radius", path, i),
-                                    fmt::format("{}", pulley.radius), Dimension::length));
+                                    number(pulley.radius), Dimension::length));
     }
     text_ += "]\n";
   }
@@ -194,16 +204,16 @@ class Describer {
   void coupling(const JointCoupling& coupling) {
     text_ += fmt::format("\n[[coupling]]\ndependent = {}\nindependent = {}\n",
                          quoted(coupling.dependent), quoted(coupling.independent));
-    line("ratio", fmt::format("coupling.{}.ratio", coupling.dependent),
-         fmt::format("{}", coupling.ratio), Dimension::none);
+    line("ratio", fmt::format("coupling.{}.ratio", coupling.dependent), number(coupling.ratio),
+         Dimension::none);
   }
 
   void tendon_defaults() {
     text_ += "\n[tendon_defaults]\n";
     line("stiffness", "tendon_defaults.stiffness",
-         fmt::format("[{}, {}]", mechanism_.tendon_stiffness_low, mechanism_.tendon_stiffness_high),
+         range(mechanism_.tendon_stiffness_low, mechanism_.tendon_stiffness_high),
          Dimension::stiffness);
-    line("max_force", "tendon_defaults.max_force", fmt::format("{}", mechanism_.tendon_force_high),
+    line("max_force", "tendon_defaults.max_force", number(mechanism_.tendon_force_high),
          Dimension::force);
   }
 
@@ -215,9 +225,11 @@ std::string csv_row(const Body& body, const std::string& provenance) {
   const auto [from, ref] = split_provenance(provenance);
   const Eigen::Vector3d& c = body.centre_of_mass;
   const Eigen::Matrix3d& i = body.inertia;
-  return fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{}\n", body.name, body.mass, c[0], c[1],
-                     c[2], i(0, 0), i(1, 1), i(2, 2), i(0, 1), i(0, 2), i(1, 2), from,
-                     csv_cell(ref));
+  std::string row = body.name;
+  for (const double value :
+       {body.mass, c[0], c[1], c[2], i(0, 0), i(1, 1), i(2, 2), i(0, 1), i(0, 2), i(1, 2)})
+    row += "," + number(value);
+  return fmt::format("{},{},{}\n", row, from, csv_cell(ref));
 }
 
 std::string csv_table(const Mechanism& mechanism) {

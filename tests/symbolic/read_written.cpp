@@ -128,6 +128,17 @@ TEST_CASE("numbers with all their digits read back", "[written]") {
   }
 }
 
+TEST_CASE("a negative zero is written as zero", "[written]") {
+  sinew::Mechanism finger = index_finger();
+  finger.joints[0].low = -0.0;
+  finger.joints[1].origin.translation[2] = -0.0;
+  finger.bodies[1].centre_of_mass[1] = -0.0;
+  REQUIRE(first_difference(finger, again(finger)) == "");
+  const sinew::ModelText text = sinew::describe_mechanism(finger, "");
+  REQUIRE(text.toml.find("-0,") == std::string::npos);
+  REQUIRE(text.csv.find("-0,") == std::string::npos);
+}
+
 TEST_CASE("the comparison of mechanisms sees the last bit", "[written]") {
   const sinew::Mechanism tree = random_tree(1);
   sinew::Mechanism other = tree;
