@@ -35,31 +35,46 @@ std::vector<JointPlan> alternatives(const JointPlan& now, const TreeLink& link) 
 
 }  // namespace
 
-DynamicsPlan choose_plan(
-    const Mechanism& mechanism,
-    const std::function<Function(const JointTree&, const DynamicsPlan&)>& derive,
-    const CostOf& cost, int most_joints) {
-  const JointTree tree = build_joint_tree(mechanism);
-  DynamicsPlan best(tree.links.size());
-  if (!cost || static_cast<int>(tree.links.size()) > most_joints) return best;
-  const auto price = [&](const DynamicsPlan& plan) {
-    return cost(derive(build_joint_tree(mechanism, frames_of(plan)), plan));
-  };
-  double least = price(best);
-  for (bool improved = true; improved;) {
-    improved = false;
-    for (std::size_t i = tree.links.size(); i-- > 0;)
-      for (const JointPlan& alternative : alternatives(best[i], tree.links[i])) {
-        DynamicsPlan plan = best;
-        plan[i] = alternative;
-        const double now = price(plan);
-        if (now >= least) continue;
-        least = now;
-        best = plan;
-        improved = true;
-      }
+PlanSearch::PlanSearch(const Mechanism& mechanism, CostOf cost, int most_joints)
+    : mechanism_(mechanism),
+      cost_(std::move(cost)),
+      plan_(static_cast<std::size_t>(coordinate_count(mechanism))) {
+  search_ = static_cast<bool>(cost_) && static_cast<int>(plan_.size()) <= most_joints;
+}
+
+const JointTree& PlanSearch::tree_of(const DynamicsPlan& plan) {
+  std::vector<int> key;
+  for (const FrameChoice& frame : frames_of(plan)) {
+    key.push_back(static_cast<int>(frame.origin));
+    key.push_back(static_cast<int>(frame.leaf));
   }
-  return best;
+  const auto found = trees_.find(key);
+  if (found != trees_.end()) return found->second;
+  return trees_.emplace(key, build_joint_tree(mechanism_, frames_of(plan))).first->second;
+}
+
+bool PlanSearch::improve(const Derivation& derive, double& least) {
+  bool improved = false;
+  for (std::size_t i = plan_.size(); i-- > 0;)
+    for (const JointPlan& alternative : alternatives(plan_[i], tree_of(plan_).links[i])) {
+      DynamicsPlan changed = plan_;
+      changed[i] = alternative;
+      const double price = cost_(derive(tree_of(changed), changed));
+      if (price >= least) continue;
+      least = price;
+      plan_ = changed;
+      improved = true;
+    }
+  return improved;
+}
+
+Function PlanSearch::cheapest(const Derivation& derive) {
+  if (search_) {
+    double least = cost_(derive(tree_of(plan_), plan_));
+    while (improve(derive, least)) {
+    }
+  }
+  return derive(tree_of(plan_), plan_);
 }
 
 }  // namespace sinew

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <functional>
+#include <map>
+#include <vector>
 
 #include "generator/function.h"
 #include "symbolic/dynamics_plan.h"
@@ -13,11 +15,29 @@ namespace sinew {
 /// the derivation chooses by what is emitted and still knows nothing of C.
 using CostOf = std::function<double(const Function&)>;
 
-/// Tries the choices joint by joint, keeping what makes `derive`'s function cheaper, until nothing
-/// does. Deterministic. Without a cost, or with more than `most_joints` joints, the default plan.
-DynamicsPlan choose_plan(
-    const Mechanism& mechanism,
-    const std::function<Function(const JointTree&, const DynamicsPlan&)>& derive,
-    const CostOf& cost, int most_joints = 12);
+/// Writes one function by a plan.
+using Derivation = std::function<Function(const JointTree&, const DynamicsPlan&)>;
+
+/// Finds the plan by which a mechanism's functions get cheapest. Deterministic.
+class PlanSearch {
+ public:
+  /// Without a cost, or with more than `most_joints` joints, every function gets the default plan.
+  PlanSearch(const Mechanism& mechanism, CostOf cost, int most_joints = 12);
+
+  /// The function in its cheapest form: joint by joint, a choice is kept where it makes the
+  /// function cheaper, until none does. Starts from the plan found last, since functions of one
+  /// mechanism mostly agree.
+  Function cheapest(const Derivation& derive);
+
+ private:
+  const JointTree& tree_of(const DynamicsPlan& plan);
+  bool improve(const Derivation& derive, double& least);
+
+  const Mechanism& mechanism_;
+  CostOf cost_;
+  DynamicsPlan plan_;
+  bool search_;
+  std::map<std::vector<int>, JointTree> trees_;  // by frame choices
+};
 
 }  // namespace sinew

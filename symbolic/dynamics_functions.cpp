@@ -25,13 +25,13 @@ class DynamicsFunctions {
  public:
   DynamicsFunctions(const Mechanism& mechanism, CostOf cost)
       : mechanism_(mechanism),
-        cost_(std::move(cost)),
+        search_(mechanism, std::move(cost)),
         q_(joint_positions(mechanism)),
         qd_(joint_velocities(mechanism)),
         qdd_(joint_accelerations(mechanism)),
         n_(q_.rows) {}
 
-  Function inverse_dynamics_function() const {
+  Function inverse_dynamics_function() {
     return cheapest([this](const JointTree& tree, const DynamicsPlan& plan) {
       Function f =
           begin("inverse_dynamics", "Joint torques for a motion: M(q) qdd + C(q,qd) qd + g(q).",
@@ -44,7 +44,7 @@ class DynamicsFunctions {
     });
   }
 
-  Function bias_function() const {
+  Function bias_function() {
     return cheapest([this](const JointTree& tree, const DynamicsPlan& plan) {
       Function f = begin("bias", "Joint torques at zero acceleration: C(q,qd) qd + g(q).", "(2.1)",
                          {q_, qd_});
@@ -55,7 +55,7 @@ class DynamicsFunctions {
     });
   }
 
-  Function gravity_function() const {
+  Function gravity_function() {
     return cheapest([this](const JointTree& tree, const DynamicsPlan& plan) {
       Function f =
           begin("gravity", "Joint torques that hold the mechanism still: g(q).", "(2.1)", {q_});
@@ -66,7 +66,7 @@ class DynamicsFunctions {
     });
   }
 
-  Function mass_matrix_function() const {
+  Function mass_matrix_function() {
     return cheapest([this](const JointTree& tree, const DynamicsPlan& plan) {
       Function f = begin("mass_matrix", "Mass matrix M(q), symmetric.", "(2.1)", {q_});
       DefinitionList list;
@@ -76,7 +76,7 @@ class DynamicsFunctions {
     });
   }
 
-  Function mass_matrix_and_bias_function() const {
+  Function mass_matrix_and_bias_function() {
     return cheapest([this](const JointTree& tree, const DynamicsPlan& plan) {
       Function f = begin("mass_matrix_and_bias",
                          "Mass matrix and bias at once, with what they share computed once.",
@@ -90,7 +90,7 @@ class DynamicsFunctions {
     });
   }
 
-  Function forward_dynamics_function() const {
+  Function forward_dynamics_function() {
     const Argument tau = joint_torques(mechanism_);
     return cheapest([this, &tau](const JointTree& tree, const DynamicsPlan& plan) {
       Function f =
@@ -106,7 +106,7 @@ class DynamicsFunctions {
     });
   }
 
-  Function coriolis_function() const {
+  Function coriolis_function() {
     Function f =
         begin("coriolis_matrix",
               "Coriolis matrix C(q,qd) in Christoffel form: dM/dt - 2 C is skew-symmetric.",
@@ -146,14 +146,10 @@ class DynamicsFunctions {
     return f;
   }
 
-  Function cheapest(
-      const std::function<Function(const JointTree&, const DynamicsPlan&)>& derive) const {
-    const DynamicsPlan plan = choose_plan(mechanism_, derive, cost_);
-    return derive(build_joint_tree(mechanism_, frames_of(plan)), plan);
-  }
+  Function cheapest(const Derivation& derive) { return search_.cheapest(derive); }
 
   const Mechanism& mechanism_;
-  CostOf cost_;
+  PlanSearch search_;
   Argument q_, qd_, qdd_;
   int n_;
 };
@@ -161,14 +157,17 @@ class DynamicsFunctions {
 }  // namespace
 
 std::vector<Function> dynamics_functions(const Mechanism& mechanism, const CostOf& cost) {
-  const DynamicsFunctions write(mechanism, cost);
-  return {write.mass_matrix_function(),
-          write.coriolis_function(),
-          write.gravity_function(),
-          write.bias_function(),
-          write.mass_matrix_and_bias_function(),
-          write.inverse_dynamics_function(),
-          write.forward_dynamics_function()};
+  DynamicsFunctions write(mechanism, cost);
+  // written out: the order of the searches is part of the result
+  std::vector<Function> functions;
+  functions.push_back(write.mass_matrix_function());
+  functions.push_back(write.coriolis_function());
+  functions.push_back(write.gravity_function());
+  functions.push_back(write.bias_function());
+  functions.push_back(write.mass_matrix_and_bias_function());
+  functions.push_back(write.forward_dynamics_function());
+  functions.push_back(write.inverse_dynamics_function());
+  return functions;
 }
 
 }  // namespace sinew
