@@ -63,7 +63,7 @@ class Writer {
     for (const Port& port : graph.inputs) taken_.insert(port.name);
     for (const Port& port : graph.outputs) taken_.insert(port.name);
     for (const char* word : {"double", "float", "int", "const", "if", "for", "do", "void", "return",
-                             "sinew_count", "sinew_i"})
+                             "count", "state"})
       taken_.insert(word);
   }
 
@@ -104,7 +104,7 @@ class Writer {
     for (Value w = v; w < graph_.size() && is_sincos(graph_[w]); ++w)
       if (angles.empty() || angles.back() != graph_[w].a) angles.push_back(graph_[w].a);
     while (!angles.empty()) {
-      const std::size_t count = angles.size() >= 4 ? 4 : angles.size() >= 2 ? 2 : 1;
+      const std::size_t count = !names_.side_by_side ? 1 : angles.size() >= 4 ? 4 : angles.size() >= 2 ? 2 : 1;
       const std::vector<Value> group(angles.begin(), angles.begin() + static_cast<std::ptrdiff_t>(count));
       if (count == 1) write_one_sincos(group[0]);
       else write_sincos_group(group);
@@ -245,7 +245,7 @@ class Writer {
 }  // namespace
 
 ArrayNames array_names(const Graph&) {
-  return {[](const Port& port, int element) { return fmt::format("{}[{}]", port.name, element); }};
+  return {[](const Port& port, int element) { return fmt::format("{}[{}]", port.name, element); }, true};
 }
 
 bool reads_port(const Graph& graph, const std::string& name) {

@@ -13,6 +13,7 @@ namespace sinew {
 /// How array elements are written: element k of an input or output.
 struct ArrayNames {
   std::function<std::string(const Port& port, int element)> element;
+  bool side_by_side = true;  ///< evaluate several angles by one call; off inside a loop over states
 };
 
 /// q[2]: plain arrays.

@@ -16,6 +16,7 @@
 #include <stdexcept>
 
 #include "generator/emit_c.h"
+#include "generator/emit_batch.h"
 #include "generator/emit_catalogue.h"
 #include "generator/emit_header.h"
 #include "generator/manifest.h"
@@ -116,14 +117,17 @@ void swap_in(const fs::path& temporary, const fs::path& folder) {
 }  // namespace
 
 std::vector<std::string> emitted_file_names(const EmittedModel& model) {
-  std::set<std::string> names{model.name + ".h", model.name + ".c", model.name + "_catalogue.h",
-                              model.name + "_catalogue.c", "manifest.json"};
+  std::set<std::string> names{"manifest.json"};
+  for (const char* ending : {".h", ".c", "_batch.h", "_batch.c", "_catalogue.h", "_catalogue.c"})
+    names.insert(model.name + ending);
   return {names.begin(), names.end()};
 }
 
 FileSet emit_files(const EmittedModel& model) {
   return {{model.name + ".h", emit_header(model)},
           {model.name + ".c", emit_c(model)},
+          {model.name + "_batch.h", emit_batch_header(model)},
+          {model.name + "_batch.c", emit_batch(model)},
           {model.name + "_catalogue.h", emit_catalogue_header(model)},
           {model.name + "_catalogue.c", emit_catalogue(model)},
           {"manifest.json", emit_manifest(model)}};

@@ -443,84 +443,6 @@ void index_mass_matrix_and_bias(const double q[SINEW_AT_LEAST(4)], const double 
     h[3] = t4_2;
 }
 
-void index_inverse_dynamics(const double q[SINEW_AT_LEAST(4)], const double qd[SINEW_AT_LEAST(4)], const double qdd[SINEW_AT_LEAST(4)], double tau[SINEW_AT_LEAST(4)])
-{
-    const double phi3 = q[1] + q[2];
-    const double phi4 = q[3] + phi3;
-    const double angle1[2] = {phi4, phi3};
-    double sine2[2], cosine3[2];
-    sinew_sincos2(angle1, sine2, cosine3);
-    const double s4 = sine2[0];
-    const double c4 = cosine3[0];
-    const double s3 = sine2[1];
-    const double c3 = cosine3[1];
-    double s2, c2;
-    sinew_sincos(q[1], &s2, &c2);
-    const double l3x = 0.04038 * c2;
-    const double o3x = 0.006 + l3x;
-    const double l4x = 0.0298 * c3;
-    const double o4x = o3x + l4x;
-    const double j4y1 = 3.015e-05 * s4;
-    const double j4u = 3.7701e-07 * c4;
-    const double j4xy = s4 * j4u;
-    const double K4yx = j4xy + o4x * j4y1;
-    const double j3u = 4.3862e-06 * c3;
-    const double j3xy = s3 * j3u;
-    const double j3y1 = 0.0001788 * s3;
-    const double j4x1 = 3.015e-05 * c4;
-    const double l4y = 0.0298 * s3;
-    const double K3yx = j3xy + K4yx + o3x * j3y1 + l4y * j4x1;
-    const double j2u = 1.94855328e-05 * c2;
-    const double j3x1 = 0.0001788 * c3;
-    const double S3x = j3x1 + j4x1;
-    const double l3y = 0.04038 * s2;
-    const double K2yx = s2 * (j2u + 3.27078e-06) + K3yx + l3y * S3x;
-    const double R2yx = qd[1] * K2yx + qd[2] * K3yx + qd[3] * K4yx;
-    const double w_2y = 2.0 * qd[0];
-    const double j2x1 = 0.00054513 * c2;
-    const double t4 = c2 * j2u + c3 * j3u + c4 * j4u + o4x * j4x1 + o3x * j3x1 + l4x * j4x1 + 0.006 * j2x1;
-    const double S2x = j2x1 + S3x;
-    const double w3z = qd[1] + qd[2];
-    const double w4z = qd[3] + w3z;
-    const double w4zz = w4z * w4z;
-    const double al3z = qdd[1] + qdd[2];
-    const double al4z = qdd[3] + al3z;
-    const double e4x = c4 * w4zz + s4 * al4z;
-    const double t5 = qdd[0] * (t4 + l3x * S3x + 0.006 * S2x + 1.1373675000000002e-06) + 1.613025e-07 * e4x;
-    const double w3zz = w3z * w3z;
-    const double e3x = c3 * w3zz + s3 * al3z;
-    const double w2zz = qd[1] * qd[1];
-    const double e2x = qdd[1] * s2 + c2 * w2zz;
-    const double N1z = t5 + 7.0179e-07 * e3x + 1.253799e-06 * e2x - w_2y * R2yx;
-    const double e3y = c3 * al3z - s3 * w3zz;
-    const double e2y = qdd[1] * c2 - s2 * w2zz;
-    const double a3y = 9.81 + 0.04038 * e2y;
-    const double a4y = a3y + 0.0298 * e3y;
-    const double a3x = 0.04038 * e2x;
-    const double a4x = a3x + 0.0298 * e3x;
-    const double n4 = 4.3101e-07 * al4z + j4x1 * a4y + j4y1 * a4x;
-    const double e4y = c4 * al4z - s4 * w4zz;
-    const double F4y = 3.015e-05 * e4y;
-    const double F4x = 3.015e-05 * e4x;
-    const double n3 = n4 + 4.4942e-06 * al3z + j3x1 * a3y + j3y1 * a3x + l4x * F4y + l4y * F4x;
-    const double F3y = F4y + 0.0001788 * e3y;
-    const double F3x = F4x + 0.0001788 * e3x;
-    const double n2 = n3 + 1.9647532799999998e-05 * qdd[1] + 9.81 * j2x1 + l3x * F3y + l3y * F3x;
-    const double j4yz = 1.613025e-07 * s4;
-    const double j3yz = 7.0179e-07 * s3;
-    const double K3yz = j3yz + j4yz;
-    const double j2yz = 1.253799e-06 * s2;
-    const double K2yz = j2yz + K3yz;
-    const double w1zz = qd[0] * qd[0];
-    const double t2 = n2 + qdd[0] * K2yz + w1zz * K2yx;
-    const double t3 = n3 + qdd[0] * K3yz + w1zz * K3yx;
-    const double t4_2 = n4 + qdd[0] * j4yz + w1zz * K4yx;
-    tau[0] = N1z;
-    tau[1] = t2;
-    tau[2] = t3;
-    tau[3] = t4_2;
-}
-
 void index_forward_dynamics(const double q[SINEW_AT_LEAST(4)], const double qd[SINEW_AT_LEAST(4)], const double tau[SINEW_AT_LEAST(4)], double qdd[SINEW_AT_LEAST(4)])
 {
     const double phi3 = q[1] + q[2];
@@ -616,6 +538,84 @@ void index_forward_dynamics(const double q[SINEW_AT_LEAST(4)], const double qd[S
     qdd[1] = x2;
     qdd[2] = x3;
     qdd[3] = x4;
+}
+
+void index_inverse_dynamics(const double q[SINEW_AT_LEAST(4)], const double qd[SINEW_AT_LEAST(4)], const double qdd[SINEW_AT_LEAST(4)], double tau[SINEW_AT_LEAST(4)])
+{
+    const double phi3 = q[1] + q[2];
+    const double phi4 = q[3] + phi3;
+    const double angle1[2] = {phi4, phi3};
+    double sine2[2], cosine3[2];
+    sinew_sincos2(angle1, sine2, cosine3);
+    const double s4 = sine2[0];
+    const double c4 = cosine3[0];
+    const double s3 = sine2[1];
+    const double c3 = cosine3[1];
+    double s2, c2;
+    sinew_sincos(q[1], &s2, &c2);
+    const double l3x = 0.04038 * c2;
+    const double o3x = 0.006 + l3x;
+    const double l4x = 0.0298 * c3;
+    const double o4x = o3x + l4x;
+    const double j4y1 = 3.015e-05 * s4;
+    const double j4u = 3.7701e-07 * c4;
+    const double j4xy = s4 * j4u;
+    const double K4yx = j4xy + o4x * j4y1;
+    const double j3u = 4.3862e-06 * c3;
+    const double j3xy = s3 * j3u;
+    const double j3y1 = 0.0001788 * s3;
+    const double j4x1 = 3.015e-05 * c4;
+    const double l4y = 0.0298 * s3;
+    const double K3yx = j3xy + K4yx + o3x * j3y1 + l4y * j4x1;
+    const double j2u = 1.94855328e-05 * c2;
+    const double j3x1 = 0.0001788 * c3;
+    const double S3x = j3x1 + j4x1;
+    const double l3y = 0.04038 * s2;
+    const double K2yx = s2 * (j2u + 3.27078e-06) + K3yx + l3y * S3x;
+    const double R2yx = qd[1] * K2yx + qd[2] * K3yx + qd[3] * K4yx;
+    const double w_2y = 2.0 * qd[0];
+    const double j2x1 = 0.00054513 * c2;
+    const double t4 = c2 * j2u + c3 * j3u + c4 * j4u + o4x * j4x1 + o3x * j3x1 + l4x * j4x1 + 0.006 * j2x1;
+    const double S2x = j2x1 + S3x;
+    const double w3z = qd[1] + qd[2];
+    const double w4z = qd[3] + w3z;
+    const double w4zz = w4z * w4z;
+    const double al3z = qdd[1] + qdd[2];
+    const double al4z = qdd[3] + al3z;
+    const double e4x = c4 * w4zz + s4 * al4z;
+    const double t5 = qdd[0] * (t4 + l3x * S3x + 0.006 * S2x + 1.1373675000000002e-06) + 1.613025e-07 * e4x;
+    const double w3zz = w3z * w3z;
+    const double e3x = c3 * w3zz + s3 * al3z;
+    const double w2zz = qd[1] * qd[1];
+    const double e2x = qdd[1] * s2 + c2 * w2zz;
+    const double N1z = t5 + 7.0179e-07 * e3x + 1.253799e-06 * e2x - w_2y * R2yx;
+    const double e3y = c3 * al3z - s3 * w3zz;
+    const double e2y = qdd[1] * c2 - s2 * w2zz;
+    const double a3y = 9.81 + 0.04038 * e2y;
+    const double a4y = a3y + 0.0298 * e3y;
+    const double a3x = 0.04038 * e2x;
+    const double a4x = a3x + 0.0298 * e3x;
+    const double n4 = 4.3101e-07 * al4z + j4x1 * a4y + j4y1 * a4x;
+    const double e4y = c4 * al4z - s4 * w4zz;
+    const double F4y = 3.015e-05 * e4y;
+    const double F4x = 3.015e-05 * e4x;
+    const double n3 = n4 + 4.4942e-06 * al3z + j3x1 * a3y + j3y1 * a3x + l4x * F4y + l4y * F4x;
+    const double F3y = F4y + 0.0001788 * e3y;
+    const double F3x = F4x + 0.0001788 * e3x;
+    const double n2 = n3 + 1.9647532799999998e-05 * qdd[1] + 9.81 * j2x1 + l3x * F3y + l3y * F3x;
+    const double j4yz = 1.613025e-07 * s4;
+    const double j3yz = 7.0179e-07 * s3;
+    const double K3yz = j3yz + j4yz;
+    const double j2yz = 1.253799e-06 * s2;
+    const double K2yz = j2yz + K3yz;
+    const double w1zz = qd[0] * qd[0];
+    const double t2 = n2 + qdd[0] * K2yz + w1zz * K2yx;
+    const double t3 = n3 + qdd[0] * K3yz + w1zz * K3yx;
+    const double t4_2 = n4 + qdd[0] * j4yz + w1zz * K4yx;
+    tau[0] = N1z;
+    tau[1] = t2;
+    tau[2] = t3;
+    tau[3] = t4_2;
 }
 
 void index_tendon_lengths(const double q[SINEW_AT_LEAST(4)], double h[SINEW_AT_LEAST(8)])

@@ -77,14 +77,6 @@ void index_bias(const double q[SINEW_AT_LEAST(4)], const double qd[SINEW_AT_LEAS
  * 69 multiplications, 55 additions, 3 sincos. */
 void index_mass_matrix_and_bias(const double q[SINEW_AT_LEAST(4)], const double qd[SINEW_AT_LEAST(4)], double M[SINEW_AT_LEAST(16)], double h[SINEW_AT_LEAST(4)]);
 
-/* Joint torques for a motion: M(q) qdd + C(q,qd) qd + g(q). (2.1)
- *   in  q             4 [rad] joint positions; made for -0.35..0.35, -0.2..1.6, -0.2..1.6, -0.2..1.6
- *   in  qd            4 [rad/s] joint velocities; made for -10..10
- *   in  qdd           4 [rad/s^2] joint accelerations; made for -100..100
- *   out tau           4 [N m] joint torques
- * 82 multiplications, 62 additions, 3 sincos. */
-void index_inverse_dynamics(const double q[SINEW_AT_LEAST(4)], const double qd[SINEW_AT_LEAST(4)], const double qdd[SINEW_AT_LEAST(4)], double tau[SINEW_AT_LEAST(4)]);
-
 /* Joint accelerations M(q)^-1 (tau - C(q,qd) qd - g(q)). (2.1)
  *   in  q             4 [rad] joint positions; made for -0.35..0.35, -0.2..1.6, -0.2..1.6, -0.2..1.6
  *   in  qd            4 [rad/s] joint velocities; made for -10..10
@@ -92,6 +84,14 @@ void index_inverse_dynamics(const double q[SINEW_AT_LEAST(4)], const double qd[S
  *   out qdd           4 [rad/s^2] joint accelerations
  * 101 multiplications, 81 additions, 3 divisions, 3 sincos. */
 void index_forward_dynamics(const double q[SINEW_AT_LEAST(4)], const double qd[SINEW_AT_LEAST(4)], const double tau[SINEW_AT_LEAST(4)], double qdd[SINEW_AT_LEAST(4)]);
+
+/* Joint torques for a motion: M(q) qdd + C(q,qd) qd + g(q). (2.1)
+ *   in  q             4 [rad] joint positions; made for -0.35..0.35, -0.2..1.6, -0.2..1.6, -0.2..1.6
+ *   in  qd            4 [rad/s] joint velocities; made for -10..10
+ *   in  qdd           4 [rad/s^2] joint accelerations; made for -100..100
+ *   out tau           4 [N m] joint torques
+ * 82 multiplications, 62 additions, 3 sincos. */
+void index_inverse_dynamics(const double q[SINEW_AT_LEAST(4)], const double qd[SINEW_AT_LEAST(4)], const double qdd[SINEW_AT_LEAST(4)], double tau[SINEW_AT_LEAST(4)]);
 
 /* Path lengths of the tendons. (5.5)
  *   in  q             4 [rad] joint positions; made for -0.35..0.35, -0.2..1.6, -0.2..1.6, -0.2..1.6

@@ -125,27 +125,6 @@ static const sinew_argument mass_matrix_and_bias_outputs[] = {
     {"h", "N m", 4, 1, 0, 0},
 };
 
-static void call_inverse_dynamics(const void *in, void *out)
-{
-    const double *x = (const double *)in;
-    double *y = (double *)out;
-    index_inverse_dynamics(x + 0, x + 4, x + 8, y + 0);
-}
-static const double inverse_dynamics_q_low[] = {-0.35, -0.2, -0.2, -0.2};
-static const double inverse_dynamics_q_high[] = {0.35, 1.6, 1.6, 1.6};
-static const double inverse_dynamics_qd_low[] = {-10.0, -10.0, -10.0, -10.0};
-static const double inverse_dynamics_qd_high[] = {10.0, 10.0, 10.0, 10.0};
-static const double inverse_dynamics_qdd_low[] = {-100.0, -100.0, -100.0, -100.0};
-static const double inverse_dynamics_qdd_high[] = {100.0, 100.0, 100.0, 100.0};
-static const sinew_argument inverse_dynamics_inputs[] = {
-    {"q", "rad", 4, 1, inverse_dynamics_q_low, inverse_dynamics_q_high},
-    {"qd", "rad/s", 4, 1, inverse_dynamics_qd_low, inverse_dynamics_qd_high},
-    {"qdd", "rad/s^2", 4, 1, inverse_dynamics_qdd_low, inverse_dynamics_qdd_high},
-};
-static const sinew_argument inverse_dynamics_outputs[] = {
-    {"tau", "N m", 4, 1, 0, 0},
-};
-
 static void call_forward_dynamics(const void *in, void *out)
 {
     const double *x = (const double *)in;
@@ -165,6 +144,27 @@ static const sinew_argument forward_dynamics_inputs[] = {
 };
 static const sinew_argument forward_dynamics_outputs[] = {
     {"qdd", "rad/s^2", 4, 1, 0, 0},
+};
+
+static void call_inverse_dynamics(const void *in, void *out)
+{
+    const double *x = (const double *)in;
+    double *y = (double *)out;
+    index_inverse_dynamics(x + 0, x + 4, x + 8, y + 0);
+}
+static const double inverse_dynamics_q_low[] = {-0.35, -0.2, -0.2, -0.2};
+static const double inverse_dynamics_q_high[] = {0.35, 1.6, 1.6, 1.6};
+static const double inverse_dynamics_qd_low[] = {-10.0, -10.0, -10.0, -10.0};
+static const double inverse_dynamics_qd_high[] = {10.0, 10.0, 10.0, 10.0};
+static const double inverse_dynamics_qdd_low[] = {-100.0, -100.0, -100.0, -100.0};
+static const double inverse_dynamics_qdd_high[] = {100.0, 100.0, 100.0, 100.0};
+static const sinew_argument inverse_dynamics_inputs[] = {
+    {"q", "rad", 4, 1, inverse_dynamics_q_low, inverse_dynamics_q_high},
+    {"qd", "rad/s", 4, 1, inverse_dynamics_qd_low, inverse_dynamics_qd_high},
+    {"qdd", "rad/s^2", 4, 1, inverse_dynamics_qdd_low, inverse_dynamics_qdd_high},
+};
+static const sinew_argument inverse_dynamics_outputs[] = {
+    {"tau", "N m", 4, 1, 0, 0},
 };
 
 static void call_tendon_lengths(const void *in, void *out)
@@ -259,8 +259,8 @@ static const sinew_function functions[] = {
     {"index_gravity", 1, 1, 4, 4, gravity_inputs, gravity_outputs, call_gravity},
     {"index_bias", 2, 1, 8, 4, bias_inputs, bias_outputs, call_bias},
     {"index_mass_matrix_and_bias", 2, 2, 8, 20, mass_matrix_and_bias_inputs, mass_matrix_and_bias_outputs, call_mass_matrix_and_bias},
-    {"index_inverse_dynamics", 3, 1, 12, 4, inverse_dynamics_inputs, inverse_dynamics_outputs, call_inverse_dynamics},
     {"index_forward_dynamics", 3, 1, 12, 4, forward_dynamics_inputs, forward_dynamics_outputs, call_forward_dynamics},
+    {"index_inverse_dynamics", 3, 1, 12, 4, inverse_dynamics_inputs, inverse_dynamics_outputs, call_inverse_dynamics},
     {"index_tendon_lengths", 1, 1, 4, 8, tendon_lengths_inputs, tendon_lengths_outputs, call_tendon_lengths},
     {"index_coupling_matrix", 1, 1, 4, 32, coupling_matrix_inputs, coupling_matrix_outputs, call_coupling_matrix},
     {"index_joint_torque", 2, 1, 12, 4, joint_torque_inputs, joint_torque_outputs, call_joint_torque},

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 #include <stdexcept>
 
 #include "generator/passes/passes.h"
@@ -31,11 +32,20 @@ const std::vector<Pass>& pipeline() {
   return passes;
 }
 
+std::string pass_names() {
+  std::string names;
+  std::set<std::string> seen;
+  for (const Pass& pass : pipeline())
+    if (seen.insert(pass.name).second) names += (names.empty() ? "" : ", ") + pass.name;
+  return names;
+}
+
 Graph optimise(const Graph& graph, const std::vector<std::string>& without) {
   for (const std::string& name : without)
     if (std::none_of(pipeline().begin(), pipeline().end(),
                      [&](const Pass& p) { return p.name == name; }))
-      throw std::invalid_argument(fmt::format("no pass is called '{}'", name));
+      throw std::invalid_argument(
+          fmt::format("no pass is called '{}'; expected one of {}", name, pass_names()));
   Graph result = graph;
   for (const Pass& pass : pipeline())
     if (std::find(without.begin(), without.end(), pass.name) == without.end())

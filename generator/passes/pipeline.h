@@ -18,6 +18,9 @@ struct Pass {
 /// The passes in the order in which `optimise` runs them.
 const std::vector<Pass>& pipeline();
 
+/// "share, fold_constants, ...": every name once, for messages.
+std::string pass_names();
+
 /// Runs the pipeline, leaving out the passes named in `without`.
 /// Throws std::invalid_argument where a name in `without` is no pass.
 Graph optimise(const Graph& graph, const std::vector<std::string>& without = {});
