@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <set>
 
@@ -12,6 +13,15 @@ namespace sinew {
 namespace {
 
 constexpr std::size_t longest_expression = 72;
+
+/// Words that no variable may be called by.
+constexpr std::array c_words{
+    "_Bool",   "_Complex", "_Imaginary", "asm",    "auto",     "bool",     "break",   "case",
+    "char",    "const",    "continue",   "default", "do",      "double",   "else",    "enum",
+    "errno",   "extern",   "false",      "float",  "for",      "goto",     "if",      "inline",
+    "int",     "long",     "NULL",       "register", "restrict", "return", "short",   "signed",
+    "sizeof",  "static",   "struct",     "switch", "true",     "typedef",  "typeof",  "union",
+    "unsigned", "void",    "volatile",   "while"};
 
 /// How tightly an expression binds in C.
 enum Binding { binds_sum = 1, binds_product = 2, binds_unary = 3, binds_atom = 4 };
@@ -65,6 +75,12 @@ class Writer {
     for (const char* word : {"double", "float", "int", "const", "if", "for", "do", "void", "return",
                              "count", "state"})
       taken_.insert(word);
+    taken_.insert(c_words.begin(), c_words.end());
+    for (int op = 0; op <= static_cast<int>(Op::choose); ++op)
+      if (const char* function = runtime_function(static_cast<Op>(op)))
+        taken_.insert(function + std::string(target.suffix()));
+    for (const char* angles : {"", "2", "4"})
+      taken_.insert(fmt::format("sinew_sincos{}{}", angles, target.suffix()));
   }
 
   std::vector<std::string> run() {
@@ -101,8 +117,12 @@ class Writer {
   void write_sincos(Value v) {
     if (!text(v).text.empty()) return;
     std::vector<Value> angles;
-    for (Value w = v; w < graph_.size() && is_sincos(graph_[w]); ++w)
-      if (angles.empty() || angles.back() != graph_[w].a) angles.push_back(graph_[w].a);
+    for (Value w = v; w < graph_.size() && is_sincos(graph_[w]); ++w) {
+      const Value angle = graph_[w].a;
+      if (angle >= v) break;  // sin(sin(x)): this angle is one of the group's own results
+      if (text(w).text.empty() && std::find(angles.begin(), angles.end(), angle) == angles.end())
+        angles.push_back(angle);
+    }
     while (!angles.empty()) {
       const std::size_t count = !names_.side_by_side ? 1 : angles.size() >= 4 ? 4 : angles.size() >= 2 ? 2 : 1;
       const std::vector<Value> group(angles.begin(), angles.begin() + static_cast<std::ptrdiff_t>(count));
