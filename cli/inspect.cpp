@@ -91,9 +91,8 @@ Graph graph_after(const Function& function, const std::string& after) {
     if (pass.name == after) return graph;
   }
   if (after.empty()) return graph;
-  std::string names = "lower";
-  for (const Pass& pass : pipeline()) names += ", " + pass.name;
-  throw std::invalid_argument(fmt::format("--after {}: expected one of {}", after, names));
+  throw std::invalid_argument(
+      fmt::format("--after {}: expected one of lower, {}", after, pass_names()));
 }
 
 void run_dump(const Options& o) {
