@@ -34,7 +34,6 @@ const std::map<std::string, Op>& operations_by_name() {
 }
 
 double nearest_double(const GiNaC::numeric& number) {
-  if (!number.is_real()) throw std::invalid_argument("a complex number has no C form");
   return cln::double_approx(cln::the<cln::cl_R>(number.to_cl_N()));
 }
 
@@ -71,9 +70,13 @@ class Lowering {
       for (const GiNaC::symbol& symbol : argument.symbols)
         symbols_[symbol] = {graph_.input(next++), false};
     }
-    for (const Output& output : function_.outputs)
+    for (const Output& output : function_.outputs) {
       graph_.outputs.push_back(
           {output.name, output.rows, output.cols, output.unit, output.doc, {}, {}});
+      if (static_cast<int>(output.values.size()) != output.rows * output.cols)
+        fail(fmt::format("result {} has {} values for {}x{}", output.name, output.values.size(),
+                         output.rows, output.cols));
+    }
   }
 
   void define(const Definition& definition) {
@@ -84,7 +87,10 @@ class Lowering {
   }
 
   Signed lower(const ex& e) {
-    if (is_a<GiNaC::numeric>(e)) return number(ex_to<GiNaC::numeric>(e));
+    if (is_a<GiNaC::numeric>(e)) {
+      if (!ex_to<GiNaC::numeric>(e).is_real()) fail_expression("a complex number has no C form:", e);
+      return number(ex_to<GiNaC::numeric>(e));
+    }
     if (is_a<GiNaC::symbol>(e)) return symbol(e);
     if (is_a<GiNaC::add>(e)) return sum(e);
     if (is_a<GiNaC::mul>(e)) return product(e);
@@ -113,8 +119,8 @@ class Lowering {
     const bool flip = terms.front().negative;
     Value total = terms.front().value;
     for (std::size_t i = 1; i < terms.size(); ++i)
-      total =
-          graph_.make(terms[i].negative == flip ? Op::add : Op::subtract, total, terms[i].value);
+      total = terms[i].negative == flip ? in_order(Op::add, total, terms[i].value)
+                                        : graph_.make(Op::subtract, total, terms[i].value);
     return {total, flip};
   }
 
@@ -144,7 +150,7 @@ class Lowering {
       if (graph_.is_constant(factor.value, 1.0)) continue;
       result.value = result.value == no_value
                          ? factor.value
-                         : graph_.make(Op::multiply, result.value, factor.value);
+                         : in_order(Op::multiply, result.value, factor.value);
     }
     if (result.value == no_value) result.value = graph_.constant(1.0);
     return result;
@@ -205,6 +211,19 @@ class Lowering {
       const int order = compare(x.value, y.value);
       return order != 0 ? order < 0 : x.negative < y.negative;
     });
+  }
+
+  /// x op y or y op x: one node, which may be met from both sides, for instance (a + b) + c from
+  /// a + b + c and from c + d with a definition d = a + b. The order must not be that of the first
+  /// visit, which GiNaC decides: an unnamed part of a longer sum or product leads, then the lesser.
+  Value in_order(Op op, Value x, Value y) {
+    const auto leads = [&](Value v) { return same_chain(op, graph_[v].op) && !rank_.count(v); };
+    const bool swap = leads(x) == leads(y) ? compare(y, x) < 0 : leads(y);
+    return swap ? graph_.make(op, y, x) : graph_.make(op, x, y);
+  }
+
+  static bool same_chain(Op op, Op inner) {
+    return inner == op || (op == Op::add && inner == Op::subtract);
   }
 
   /// Total order by structure: constants, inputs, definitions in their order, then operations.
