@@ -38,7 +38,7 @@ std::vector<JointPlan> alternatives(const JointPlan& now, const TreeLink& link) 
 PlanSearch::PlanSearch(const Mechanism& mechanism, CostOf cost, int most_joints)
     : mechanism_(mechanism),
       cost_(std::move(cost)),
-      plan_(static_cast<std::size_t>(coordinate_count(mechanism))) {
+      plan_(build_joint_tree(mechanism).links.size()) {
   search_ = static_cast<bool>(cost_) && static_cast<int>(plan_.size()) <= most_joints;
 }
 

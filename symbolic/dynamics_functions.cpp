@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "symbolic/dynamics_functions.h"
 
+#include "symbolic/coordinates.h"
 #include "symbolic/coriolis.h"
 #include "symbolic/forward_dynamics.h"
 #include "symbolic/mass_matrix.h"
@@ -29,6 +30,7 @@ class DynamicsFunctions {
         q_(joint_positions(mechanism)),
         qd_(joint_velocities(mechanism)),
         qdd_(joint_accelerations(mechanism)),
+        coordinates_(mechanism),
         n_(q_.rows) {}
 
   Function inverse_dynamics_function() {
@@ -37,9 +39,8 @@ class DynamicsFunctions {
           begin("inverse_dynamics", "Joint torques for a motion: M(q) qdd + C(q,qd) qd + g(q).",
                 "(2.1)", {q_, qd_, qdd_});
       DefinitionList list;
-      const auto tau = inverse_dynamics(
-          list, tree, plan,
-          {expressions(q_.symbols), expressions(qd_.symbols), expressions(qdd_.symbols)});
+      const auto tau =
+          torques(list, tree, plan, expressions(qd_.symbols), expressions(qdd_.symbols));
       return finish(f, list, {output("tau", n_, 1, tau, torque_unit(mechanism_), "joint torques")});
     });
   }
@@ -61,7 +62,7 @@ class DynamicsFunctions {
           begin("gravity", "Joint torques that hold the mechanism still: g(q).", "(2.1)", {q_});
       DefinitionList list;
       const auto none = zeros(static_cast<std::size_t>(n_));
-      const auto g = inverse_dynamics(list, tree, plan, {expressions(q_.symbols), none, none});
+      const auto g = torques(list, tree, plan, none, none);
       return finish(f, list, {output("g", n_, 1, g, torque_unit(mechanism_), "gravity torques")});
     });
   }
@@ -71,8 +72,8 @@ class DynamicsFunctions {
       Function f = begin("mass_matrix", "Mass matrix M(q), symmetric.", "(2.1)", {q_});
       DefinitionList list;
       return finish(f, list,
-                    {output("M", n_, n_, mass_matrix(list, tree, plan, expressions(q_.symbols)),
-                            inertia_unit(), "mass matrix")});
+                    {output("M", n_, n_, reduced_mass_matrix(list, tree, plan), inertia_unit(),
+                            "mass matrix")});
     });
   }
 
@@ -82,7 +83,7 @@ class DynamicsFunctions {
                          "Mass matrix and bias at once, with what they share computed once.",
                          "(2.1)", {q_, qd_});
       DefinitionList list;
-      const auto M = mass_matrix(list, tree, plan, expressions(q_.symbols));
+      const auto M = reduced_mass_matrix(list, tree, plan);
       const auto h = bias(list, tree, plan);
       return finish(f, list,
                     {output("M", n_, n_, M, inertia_unit(), "mass matrix"),
@@ -97,7 +98,7 @@ class DynamicsFunctions {
           begin("forward_dynamics", "Joint accelerations M(q)^-1 (tau - C(q,qd) qd - g(q)).",
                 "(2.1)", {q_, qd_, tau});
       DefinitionList list;
-      const auto M = mass_matrix(list, tree, plan, expressions(q_.symbols));
+      const auto M = reduced_mass_matrix(list, tree, plan);
       std::vector<ex> rest = bias(list, tree, plan);
       for (std::size_t i = 0; i < rest.size(); ++i)
         rest[i] = list.define("y" + std::to_string(i + 1), tau.symbols[i] - rest[i]);
@@ -112,17 +113,29 @@ class DynamicsFunctions {
               "Coriolis matrix C(q,qd) in Christoffel form: dM/dt - 2 C is skew-symmetric.",
               "(2.1)", {q_, qd_});
     DefinitionList list;
-    const auto M = mass_matrix(list, build_joint_tree(mechanism_), {}, expressions(q_.symbols));
+    const auto M = reduced_mass_matrix(list, build_joint_tree(mechanism_), {});
     const auto C = coriolis_matrix(list, M, q_.symbols, expressions(qd_.symbols));
     return finish(f, list, {output("C", n_, n_, C, inertia_unit() + "/s", "Coriolis matrix")});
   }
 
  private:
+  /// Generalised forces of the coordinates for a motion.
+  std::vector<ex> torques(DefinitionList& list, const JointTree& tree, const DynamicsPlan& plan,
+                          const std::vector<ex>& qd, const std::vector<ex>& qdd) const {
+    const JointState state{coordinates_.of_moving_joints(expressions(q_.symbols)),
+                           coordinates_.of_moving_joints(qd), coordinates_.of_moving_joints(qdd)};
+    return coordinates_.projected(inverse_dynamics(list, tree, plan, state));
+  }
+
+  std::vector<ex> reduced_mass_matrix(DefinitionList& list, const JointTree& tree,
+                                      const DynamicsPlan& plan) const {
+    return coordinates_.projected_matrix(
+        mass_matrix(list, tree, plan, coordinates_.of_moving_joints(expressions(q_.symbols))));
+  }
+
   std::vector<ex> bias(DefinitionList& list, const JointTree& tree,
                        const DynamicsPlan& plan) const {
-    return inverse_dynamics(
-        list, tree, plan,
-        {expressions(q_.symbols), expressions(qd_.symbols), zeros(static_cast<std::size_t>(n_))});
+    return torques(list, tree, plan, expressions(qd_.symbols), zeros(static_cast<std::size_t>(n_)));
   }
 
   std::string inertia_unit() const {
@@ -151,6 +164,7 @@ class DynamicsFunctions {
   const Mechanism& mechanism_;
   PlanSearch search_;
   Argument q_, qd_, qdd_;
+  Coordinates coordinates_;
   int n_;
 };
 

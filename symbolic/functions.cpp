@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "symbolic/functions.h"
 
+#include "symbolic/coordinates.h"
 #include "symbolic/dynamics_functions.h"
 #include "symbolic/kinematics.h"
 #include "symbolic/symbols.h"
@@ -41,10 +42,12 @@ std::vector<Function> kinematics_functions(const Mechanism& mechanism) {
   const int body = body_index(mechanism, tip.body);
   DefinitionList list;
   const JointTree tree = build_joint_tree(mechanism);
-  Kinematics kinematics(list, tree, {q.symbols.begin(), q.symbols.end()});
+  const Coordinates coordinates(mechanism);
+  Kinematics kinematics(list, tree,
+                        coordinates.of_moving_joints({q.symbols.begin(), q.symbols.end()}));
   const PoseEx pose = kinematics.frame("tip", body, tip.pose);
   const std::vector<Definition> for_pose = list.items();
-  const std::vector<ex> J = kinematics.jacobian(body, pose.p);
+  const std::vector<ex> J = coordinates.projected_columns(kinematics.jacobian(body, pose.p));
   return {{"forward_kinematics",
            "Pose of the frame " + tip.name + " in the base frame, homogeneous.",
            "(5.2)",

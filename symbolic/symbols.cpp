@@ -3,6 +3,8 @@
 
 #include <functional>
 
+#include "symbolic/coordinates.h"
+
 namespace sinew {
 namespace {
 
@@ -24,8 +26,9 @@ Argument per_coordinate(const Mechanism& mechanism, const std::string& name,
                         const std::string& unit, const std::string& doc,
                         const std::function<Range(const Joint&)>& range) {
   Argument argument{name, 0, 1, {}, unit, doc, {}};
-  for (const Joint& joint : mechanism.joints) {
-    if (joint.type == JointType::fixed) continue;
+  const Coordinates coordinates(mechanism);
+  for (const int index : coordinates.joints()) {
+    const Joint& joint = mechanism.joints[static_cast<std::size_t>(index)];
     argument.symbols.emplace_back(name + std::to_string(argument.rows++));
     argument.ranges.push_back(range(joint));
   }

@@ -3,6 +3,7 @@
 
 #include <Eigen/LU>
 
+#include "symbolic/coordinates.h"
 #include "symbolic/differentiate.h"
 #include "symbolic/exact_number.h"
 #include "symbolic/kinematics.h"
@@ -38,12 +39,13 @@ ex straight_length(DefinitionList& list, const std::string& name, const Vector3e
 
 std::vector<ex> tendon_lengths(DefinitionList& list, const Mechanism& mechanism,
                                const JointTree& tree, const std::vector<GiNaC::symbol>& q) {
-  Kinematics kinematics(list, tree, {q.begin(), q.end()});
+  const std::vector<ex> joints = Coordinates(mechanism).of_moving_joints({q.begin(), q.end()});
+  Kinematics kinematics(list, tree, joints);
   std::vector<ex> lengths;
   for (const Tendon& tendon : mechanism.tendons) {
     ex h = exact_number(tendon.h0);
     for (const PulleyRouting& pulley : tendon.pulleys)
-      h += exact_number(pulley.radius) * q[coordinate_named(mechanism, pulley.joint)];
+      h += exact_number(pulley.radius) * joints[coordinate_named(mechanism, pulley.joint)];
     for (const StraightRouting& straight : tendon.straights) {
       const std::string name = tendon.name + "_length";
       h += straight_length(
