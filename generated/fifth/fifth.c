@@ -1,0 +1,670 @@
+/* SPDX-License-Identifier: BSD-2-Clause
+ *
+ * Fifth finger: coupled PIP and DIP, three coordinates, six tendons
+ *
+ * Made by: sinew generate models/fifth
+ * Model:   sha256 8d87ca7346489bc145a70a75b068dfc4258cb551e478c1ab0974147f92cfefd5
+ * Do not edit: change the model and generate again.
+ */
+#include "fifth.h"
+
+#include "sinew_math.h"
+
+void fifth_forward_kinematics(const double q[SINEW_AT_LEAST(3)], double T[SINEW_AT_LEAST(16)])
+{
+    const double phi3 = q[1] + q[2];
+    const double phi4 = phi3 + 1.2222222222222223 * q[2];
+    const double angle1[4] = {q[0], phi4, q[1], phi3};
+    double sine2[4], cosine3[4];
+    sinew_sincos4(angle1, sine2, cosine3);
+    const double s1 = sine2[0];
+    const double c1 = cosine3[0];
+    const double s4 = sine2[1];
+    const double c4 = cosine3[1];
+    const double s2 = sine2[2];
+    const double c2 = cosine3[2];
+    const double s3 = sine2[3];
+    const double c3 = cosine3[3];
+    const double R41x = c1 * c4;
+    const double R41y = c1 * s4;
+    const double l4x = 0.02384 * c3;
+    const double l3x = 0.032304 * c2;
+    const double o4x = l3x + l4x;
+    const double t4 = 0.0048 + o4x;
+    const double ptipx = c1 * t4 - 0.00456 * s1 + 0.01608 * R41x;
+    const double R42x = s1 * c4;
+    const double R42y = s1 * s4;
+    const double ptipy = s1 * t4 + 0.00456 * c1 + 0.01608 * R42x;
+    const double l4y = 0.02384 * s3;
+    const double l3y = 0.032304 * s2;
+    const double o4y = l3y + l4y;
+    const double ptipz = o4y + 0.01608 * s4;
+    T[0] = R41x;
+    T[1] = -R41y;
+    T[2] = s1;
+    T[3] = ptipx;
+    T[4] = R42x;
+    T[5] = -R42y;
+    T[6] = -c1;
+    T[7] = ptipy;
+    T[8] = s4;
+    T[9] = c4;
+    T[10] = 0.0;
+    T[11] = ptipz;
+    T[12] = 0.0;
+    T[13] = 0.0;
+    T[14] = 0.0;
+    T[15] = 1.0;
+}
+
+void fifth_tip_jacobian(const double q[SINEW_AT_LEAST(3)], double J[SINEW_AT_LEAST(18)])
+{
+    const double phi3 = q[1] + q[2];
+    const double phi4 = phi3 + 1.2222222222222223 * q[2];
+    const double angle1[4] = {q[0], q[1], phi3, phi4};
+    double sine2[4], cosine3[4];
+    sinew_sincos4(angle1, sine2, cosine3);
+    const double s1 = sine2[0];
+    const double c1 = cosine3[0];
+    const double s2 = sine2[1];
+    const double c2 = cosine3[1];
+    const double s3 = sine2[2];
+    const double c3 = cosine3[2];
+    const double s4 = sine2[3];
+    const double c4 = cosine3[3];
+    const double l4x = 0.02384 * c3;
+    const double l3x = 0.032304 * c2;
+    const double o4x = l3x + l4x;
+    const double p2y = 0.0048 * s1;
+    const double p4y = p2y + s1 * o4x;
+    const double ptipy = p4y + 0.00456 * c1 + 0.01608 * s1 * c4;
+    const double l4y = 0.02384 * s3;
+    const double l3y = 0.032304 * s2;
+    const double o4y = l3y + l4y;
+    const double ptipz = o4y + 0.01608 * s4;
+    const double arm4_4 = o4y - ptipz;
+    const double t4 = 1.2222222222222223 * c1;
+    const double arm3_4 = l3y - ptipz;
+    const double p2x = 0.0048 * c1;
+    const double p4x = p2x + c1 * o4x;
+    const double ptipx = p4x - 0.00456 * s1 + 0.01608 * c1 * c4;
+    const double t5 = 1.2222222222222223 * s1;
+    const double arm2 = p2x - ptipx;
+    const double arm2_2 = p2y - ptipy;
+    const double p3x = p2x + c1 * l3x;
+    const double arm3 = p3x - ptipx;
+    const double p3y = p2y + s1 * l3x;
+    const double arm3_2 = p3y - ptipy;
+    const double arm4 = p4x - ptipx;
+    const double arm4_2 = p4y - ptipy;
+    J[0] = -ptipy;
+    J[1] = -(c1 * ptipz);
+    J[2] = c1 * arm3_4 + t4 * arm4_4;
+    J[3] = ptipx;
+    J[4] = -(s1 * ptipz);
+    J[5] = s1 * arm3_4 + t5 * arm4_4;
+    J[6] = 0.0;
+    J[7] = -(c1 * arm2 + s1 * arm2_2);
+    J[8] = -(c1 * arm3 + s1 * arm3_2 + t4 * arm4 + t5 * arm4_2);
+    J[9] = 0.0;
+    J[10] = s1;
+    J[11] = 2.2222222222222223 * s1;
+    J[12] = 0.0;
+    J[13] = -c1;
+    J[14] = -(2.2222222222222223 * c1);
+    J[15] = 1.0;
+    J[16] = 0.0;
+    J[17] = 0.0;
+}
+
+void fifth_mass_matrix(const double q[SINEW_AT_LEAST(3)], double M[SINEW_AT_LEAST(9)])
+{
+    const double phi3 = q[1] + q[2];
+    const double phi4 = phi3 + 1.2222222222222223 * q[2];
+    const double angle1[2] = {q[1], phi3};
+    double sine2[2], cosine3[2];
+    sinew_sincos2(angle1, sine2, cosine3);
+    const double s2 = sine2[0];
+    const double c2 = cosine3[0];
+    const double s3 = sine2[1];
+    const double c3 = cosine3[1];
+    double s4, c4;
+    sinew_sincos(phi4, &s4, &c4);
+    const double j3u = 1.427316736e-06 * c3;
+    const double j2u = 6.37008946786e-06 * c2;
+    const double j4u = 1.185619968e-07 * c4;
+    const double l4x = 0.02384 * c3;
+    const double l3x = 0.032304 * c2;
+    const double o4x = l3x + l4x;
+    const double j4x1 = 1.234944e-05 * c4;
+    const double j3x1 = 7.323648000000001e-05 * c3;
+    const double t4 = l4x * j4x1;
+    const double S3x = j3x1 + j4x1;
+    const double t5 = l3x * S3x;
+    const double j2x1 = 0.000223285248 * c2;
+    const double S2x = j2x1 + S3x;
+    const double t6 = c2 * j2u + c3 * j3u + c4 * j4u + o4x * j4x1 + l3x * j3x1 + t4 + t5 + 0.0096 * S2x;
+    const double Z1 = t6 + 4.357300224e-07;
+    const double j4yz = 5.2855603200000006e-08 * s4;
+    const double j3yz = 2.2996254720000002e-07 * s3;
+    const double K3yz = j3yz + j4yz;
+    const double j2yz = 4.1084485632e-07 * s2;
+    const double K2yz = j2yz + K3yz;
+    const double t7 = K3yz + 1.2222222222222223 * j4yz;
+    const double j4y1 = 1.234944e-05 * s4;
+    const double j3y1 = 7.323648000000001e-05 * s3;
+    const double S3y = j3y1 + j4y1;
+    const double l3y = 0.032304 * s2;
+    const double lS3 = t5 + l3y * S3y;
+    const double l4y = 0.02384 * s3;
+    const double lS4 = t4 + l4y * j4y1;
+    const double Z3 = 1.6288227328e-06 + 2.0 * lS4;
+    const double Z2 = 6.45303346786e-06 + Z3 + 2.0 * lS3;
+    const double M_4 = Z3 + lS3;
+    const double M_2 = 1.462099968e-07 + lS4;
+    const double M_2_2 = M_2 + l3x * j4x1 + l3y * j4y1;
+    const double t8 = M_4 + 1.2222222222222223 * M_2_2;
+    M[0] = Z1;
+    M[1] = K2yz;
+    M[2] = t7;
+    M[3] = K2yz;
+    M[4] = Z2;
+    M[5] = t8;
+    M[6] = t7;
+    M[7] = t8;
+    M[8] = 2.1841246435555558e-07 + Z3 + 2.4444444444444446 * M_2;
+}
+
+void fifth_coriolis_matrix(const double q[SINEW_AT_LEAST(3)], const double qd[SINEW_AT_LEAST(3)], double C[SINEW_AT_LEAST(9)])
+{
+    const double phi3 = q[1] + q[2];
+    const double phi4 = phi3 + 1.2222222222222223 * q[2];
+    const double angle1[2] = {q[1], phi3};
+    double sine2[2], cosine3[2];
+    sinew_sincos2(angle1, sine2, cosine3);
+    const double s2 = sine2[0];
+    const double c2 = cosine3[0];
+    const double s3 = sine2[1];
+    const double c3 = cosine3[1];
+    double s4, c4;
+    sinew_sincos(phi4, &s4, &c4);
+    const double j4u = 1.185619968e-07 * c4;
+    const double t4 = j4u + j4u;
+    const double j4x1 = 1.234944e-05 * c4;
+    const double j3x1 = 7.323648000000001e-05 * c3;
+    const double S3x = j3x1 + j4x1;
+    const double l3y = 0.032304 * s2;
+    const double j3xx_by_q1 = s3 * (1.427316736e-06 * (c3 * 2.0));
+    const double t5 = l3y * (j3x1 + S3x) + s4 * t4 + s2 * (6.37008946786e-06 * (c2 * 2.0)) + j3xx_by_q1;
+    const double l4x = 0.02384 * c3;
+    const double l3x = 0.032304 * c2;
+    const double o4x = l3x + l4x;
+    const double j4y1 = 1.234944e-05 * s4;
+    const double l4y = 0.02384 * s3;
+    const double o4y = l3y + l4y;
+    const double j3y1 = 7.323648000000001e-05 * s3;
+    const double t6 = l3x * j3y1;
+    const double t7 = l4x * j4y1;
+    const double t8 = l4y * j4x1;
+    const double S3y = j3y1 + j4y1;
+    const double j2y1 = 0.000223285248 * s2;
+    const double S2y = j2y1 + S3y;
+    const double C2sxx_by_q1 = t5 + o4x * j4y1 + o4y * j4x1 + t6 + t7 + t8 + l3x * S3y + 0.0096 * S2y;
+    const double hq2 = 0.5 * qd[1];
+    const double c4_by_q2 = 2.2222222222222223 * s4;
+    const double j4x1_by_q2 = 1.234944e-05 * c4_by_q2;
+    const double t9 = l4x * j4x1_by_q2;
+    const double S3x_by_q2 = j3y1 + j4x1_by_q2;
+    const double t10 = l3x * S3x_by_q2;
+    const double C2sxx_by_q2 = c4_by_q2 * t4 + t8 * 2.0 + j3xx_by_q1 + o4x * j4x1_by_q2 + t6 + t9 + t10 + 0.0096 * S3x_by_q2;
+    const double hq3 = 0.5 * qd[2];
+    const double hq1 = 0.5 * qd[0];
+    const double t11 = C2sxx_by_q1 * hq1;
+    const double j4xz = 5.2855603200000006e-08 * c4;
+    const double j3xz = 2.2996254720000002e-07 * c3;
+    const double K3xz = j3xz + j4xz;
+    const double j2xz = 4.1084485632e-07 * c2;
+    const double K2xz = j2xz + K3xz;
+    const double M13_by_q1 = K3xz + 1.2222222222222223 * j4xz;
+    const double s4_by_q2 = 2.2222222222222223 * c4;
+    const double j4yz_by_q2 = 5.2855603200000006e-08 * s4_by_q2;
+    const double K3yz_by_q2 = j3xz + j4yz_by_q2;
+    const double G123 = M13_by_q1 + K3yz_by_q2;
+    const double t12 = C2sxx_by_q2 * hq1;
+    const double M13_by_q2 = K3yz_by_q2 + 1.2222222222222223 * j4yz_by_q2;
+    const double G213 = M13_by_q1 - K3yz_by_q2;
+    const double j4y1_by_q2 = 1.234944e-05 * s4_by_q2;
+    const double lS4_by_q2 = t7 - t9 - t8 + l4y * j4y1_by_q2;
+    const double Z3_by_q2 = 2.0 * lS4_by_q2;
+    const double S3y_by_q2 = j3x1 + j4y1_by_q2;
+    const double lS3_by_q2 = t10 - l3y * S3y_by_q2;
+    const double Z2_by_q2 = Z3_by_q2 - 2.0 * lS3_by_q2;
+    const double M_4_by_q2 = Z3_by_q2 - lS3_by_q2;
+    const double M_2_by_q2 = lS4_by_q2 - l3x * j4x1_by_q2 + l3y * j4y1_by_q2;
+    const double M23_by_q2 = M_4_by_q2 + 1.2222222222222223 * M_2_by_q2;
+    const double t13 = Z2_by_q2 * hq2 - hq1 * G213;
+    const double M33_by_q2 = Z3_by_q2 + 2.4444444444444446 * lS4_by_q2;
+    C[0] = -(C2sxx_by_q1 * hq2 + C2sxx_by_q2 * hq3);
+    C[1] = -(t11 - hq2 * 2.0 * K2xz - hq3 * G123);
+    C[2] = -(t12 - hq2 * G123 - hq3 * 2.0 * M13_by_q2);
+    C[3] = t11 - hq3 * G213;
+    C[4] = Z2_by_q2 * hq3;
+    C[5] = t13 + hq3 * (2.0 * M23_by_q2);
+    C[6] = t12 + hq2 * G213;
+    C[7] = -t13;
+    C[8] = M33_by_q2 * hq3;
+}
+
+void fifth_gravity(const double q[SINEW_AT_LEAST(3)], double g[SINEW_AT_LEAST(3)])
+{
+    const double phi3 = q[1] + q[2];
+    const double phi4 = phi3 + 1.2222222222222223 * q[2];
+    const double angle1[2] = {phi4, phi3};
+    double sine2[2], cosine3[2];
+    sinew_sincos2(angle1, sine2, cosine3);
+    const double c4 = cosine3[0];
+    const double c3 = cosine3[1];
+    double s6, c2;
+    sinew_sincos(q[1], &s6, &c2);
+    const double n4 = 0.00012114800640000001 * c4;
+    const double n3 = n4 + 0.0007184498688000002 * c3;
+    const double n2 = n3 + 0.00219042828288 * c2;
+    g[0] = 0.0;
+    g[1] = n2;
+    g[2] = n3 + 1.2222222222222223 * n4;
+}
+
+void fifth_bias(const double q[SINEW_AT_LEAST(3)], const double qd[SINEW_AT_LEAST(3)], double h[SINEW_AT_LEAST(3)])
+{
+    const double phi3 = q[1] + q[2];
+    const double phi4 = phi3 + 1.2222222222222223 * q[2];
+    const double angle1[2] = {phi4, phi3};
+    double sine2[2], cosine3[2];
+    sinew_sincos2(angle1, sine2, cosine3);
+    const double s4 = sine2[0];
+    const double c4 = cosine3[0];
+    const double s3 = sine2[1];
+    const double c3 = cosine3[1];
+    double s2, c2;
+    sinew_sincos(q[1], &s2, &c2);
+    const double l3x = 0.032304 * c2;
+    const double o3x = 0.0048 + l3x;
+    const double l4x = 0.02384 * c3;
+    const double o4x = o3x + l4x;
+    const double j4y1 = 1.234944e-05 * s4;
+    const double K4yx = s4 * 1.185619968e-07 * c4 + o4x * j4y1;
+    const double j3y1 = 7.323648000000001e-05 * s3;
+    const double j4x1 = 1.234944e-05 * c4;
+    const double l4y = 0.02384 * s3;
+    const double t4 = l4y * j4x1;
+    const double K3yx = s3 * 1.427316736e-06 * c3 + K4yx + o3x * j3y1 + t4;
+    const double j2u = 6.37008946786e-06 * c2;
+    const double j3x1 = 7.323648000000001e-05 * c3;
+    const double S3x = j3x1 + j4x1;
+    const double l3y = 0.032304 * s2;
+    const double K2yx = s2 * (j2u + 1.0717691904e-06) + K3yx + l3y * S3x;
+    const double t5 = 1.2222222222222223 * qd[2];
+    const double R2yx = qd[1] * K2yx + qd[2] * K3yx + t5 * K4yx;
+    const double w_2y = 2.0 * qd[0];
+    const double w3z = qd[1] + qd[2];
+    const double w4z = w3z + t5;
+    const double w4zz = w4z * w4z;
+    const double w3zz = w3z * w3z;
+    const double w2zz = qd[1] * qd[1];
+    const double t6 = 5.2855603200000006e-08 * c4 * w4zz + 2.2996254720000002e-07 * c3 * w3zz + 4.1084485632e-07 * c2 * w2zz;
+    const double Q2y = t6 - w_2y * R2yx;
+    const double X2_4 = l3x * j4y1 - l3y * j4x1;
+    const double X3_4 = l4x * j4y1 - t4;
+    const double n4 = 9.81 * j4x1 + w2zz * X2_4 + w3zz * X3_4;
+    const double X2_3 = l3x * j3y1 - l3y * j3x1;
+    const double n3 = n4 + 9.81 * j3x1 + w2zz * X2_3 - w4zz * X3_4;
+    const double n2 = n3 + 0.00219042828288 * c2 - w3zz * X2_3 - w4zz * X2_4;
+    const double w1zz = qd[0] * qd[0];
+    const double t2 = n2 + w1zz * K2yx;
+    const double t3 = n3 + w1zz * K3yx;
+    const double t4_2 = n4 + w1zz * K4yx;
+    h[0] = Q2y;
+    h[1] = t2;
+    h[2] = t3 + 1.2222222222222223 * t4_2;
+}
+
+void fifth_mass_matrix_and_bias(const double q[SINEW_AT_LEAST(3)], const double qd[SINEW_AT_LEAST(3)], double M[SINEW_AT_LEAST(9)], double h[SINEW_AT_LEAST(3)])
+{
+    const double phi3 = q[1] + q[2];
+    const double phi4 = phi3 + 1.2222222222222223 * q[2];
+    const double angle1[2] = {q[1], phi3};
+    double sine2[2], cosine3[2];
+    sinew_sincos2(angle1, sine2, cosine3);
+    const double s2 = sine2[0];
+    const double c2 = cosine3[0];
+    const double s3 = sine2[1];
+    const double c3 = cosine3[1];
+    double s4, c4;
+    sinew_sincos(phi4, &s4, &c4);
+    const double j3u = 1.427316736e-06 * c3;
+    const double j2u = 6.37008946786e-06 * c2;
+    const double j4u = 1.185619968e-07 * c4;
+    const double l3x = 0.032304 * c2;
+    const double o3x = 0.0048 + l3x;
+    const double l4x = 0.02384 * c3;
+    const double o4x = o3x + l4x;
+    const double j4x1 = 1.234944e-05 * c4;
+    const double j3x1 = 7.323648000000001e-05 * c3;
+    const double t4 = l4x * j4x1;
+    const double j2x1 = 0.000223285248 * c2;
+    const double t5 = c2 * j2u + c3 * j3u + c4 * j4u + o4x * j4x1 + o3x * j3x1 + t4 + 0.0048 * j2x1;
+    const double S3x = j3x1 + j4x1;
+    const double t6 = l3x * S3x;
+    const double S2x = j2x1 + S3x;
+    const double Z1 = t5 + t6 + 0.0048 * S2x + 4.357300224e-07;
+    const double j4yz = 5.2855603200000006e-08 * s4;
+    const double j3yz = 2.2996254720000002e-07 * s3;
+    const double K3yz = j3yz + j4yz;
+    const double j2yz = 4.1084485632e-07 * s2;
+    const double K2yz = j2yz + K3yz;
+    const double t7 = K3yz + 1.2222222222222223 * j4yz;
+    const double j4y1 = 1.234944e-05 * s4;
+    const double j3y1 = 7.323648000000001e-05 * s3;
+    const double S3y = j3y1 + j4y1;
+    const double l3y = 0.032304 * s2;
+    const double lS3 = t6 + l3y * S3y;
+    const double l4y = 0.02384 * s3;
+    const double lS4 = t4 + l4y * j4y1;
+    const double Z3 = 1.6288227328e-06 + 2.0 * lS4;
+    const double Z2 = 6.45303346786e-06 + Z3 + 2.0 * lS3;
+    const double M_4 = Z3 + lS3;
+    const double M_2 = 1.462099968e-07 + lS4;
+    const double M_2_2 = M_2 + l3x * j4x1 + l3y * j4y1;
+    const double t8 = M_4 + 1.2222222222222223 * M_2_2;
+    const double j4xy = s4 * j4u;
+    const double K4yx = j4xy + o4x * j4y1;
+    const double j3xy = s3 * j3u;
+    const double t9 = l4y * j4x1;
+    const double K3yx = j3xy + K4yx + o3x * j3y1 + t9;
+    const double K2yx = s2 * (j2u + 1.0717691904e-06) + K3yx + l3y * S3x;
+    const double t10 = 1.2222222222222223 * qd[2];
+    const double R2yx = qd[1] * K2yx + qd[2] * K3yx + t10 * K4yx;
+    const double w_2y = 2.0 * qd[0];
+    const double w3z = qd[1] + qd[2];
+    const double w4z = w3z + t10;
+    const double w4zz = w4z * w4z;
+    const double w3zz = w3z * w3z;
+    const double w2zz = qd[1] * qd[1];
+    const double t11 = 5.2855603200000006e-08 * c4 * w4zz + 2.2996254720000002e-07 * c3 * w3zz + 4.1084485632e-07 * c2 * w2zz;
+    const double Q2y = t11 - w_2y * R2yx;
+    const double X2_4 = l3x * j4y1 - l3y * j4x1;
+    const double X3_4 = l4x * j4y1 - t9;
+    const double n4 = 9.81 * j4x1 + w2zz * X2_4 + w3zz * X3_4;
+    const double X2_3 = l3x * j3y1 - l3y * j3x1;
+    const double n3 = n4 + 9.81 * j3x1 + w2zz * X2_3 - w4zz * X3_4;
+    const double n2 = n3 + 9.81 * j2x1 - w3zz * X2_3 - w4zz * X2_4;
+    const double w1zz = qd[0] * qd[0];
+    const double t2 = n2 + K2yx * w1zz;
+    const double t3 = n3 + K3yx * w1zz;
+    const double t4_2 = n4 + K4yx * w1zz;
+    M[0] = Z1;
+    M[1] = K2yz;
+    M[2] = t7;
+    M[3] = K2yz;
+    M[4] = Z2;
+    M[5] = t8;
+    M[6] = t7;
+    M[7] = t8;
+    M[8] = 2.1841246435555558e-07 + Z3 + 2.4444444444444446 * M_2;
+    h[0] = Q2y;
+    h[1] = t2;
+    h[2] = t3 + 1.2222222222222223 * t4_2;
+}
+
+void fifth_forward_dynamics(const double q[SINEW_AT_LEAST(3)], const double qd[SINEW_AT_LEAST(3)], const double tau[SINEW_AT_LEAST(3)], double qdd[SINEW_AT_LEAST(3)])
+{
+    const double phi3 = q[1] + q[2];
+    const double phi4 = phi3 + 1.2222222222222223 * q[2];
+    const double angle1[2] = {phi4, phi3};
+    double sine2[2], cosine3[2];
+    sinew_sincos2(angle1, sine2, cosine3);
+    const double s4 = sine2[0];
+    const double c4 = cosine3[0];
+    const double s3 = sine2[1];
+    const double c3 = cosine3[1];
+    double s2, c2;
+    sinew_sincos(q[1], &s2, &c2);
+    const double j4y1 = 1.234944e-05 * s4;
+    const double l3x = 0.032304 * c2;
+    const double j4x1 = 1.234944e-05 * c4;
+    const double l3y = 0.032304 * s2;
+    const double X2_4 = l3x * j4y1 - l3y * j4x1;
+    const double w2zz = qd[1] * qd[1];
+    const double l4x = 0.02384 * c3;
+    const double l4y = 0.02384 * s3;
+    const double t4 = l4y * j4x1;
+    const double X3_4 = l4x * j4y1 - t4;
+    const double w3z = qd[1] + qd[2];
+    const double w3zz = w3z * w3z;
+    const double n4 = 9.81 * j4x1 + w2zz * X2_4 + w3zz * X3_4;
+    const double j3x1 = 7.323648000000001e-05 * c3;
+    const double j3y1 = 7.323648000000001e-05 * s3;
+    const double X2_3 = l3x * j3y1 - l3y * j3x1;
+    const double t5 = 1.2222222222222223 * qd[2];
+    const double w4z = w3z + t5;
+    const double w4zz = w4z * w4z;
+    const double n3 = n4 + 9.81 * j3x1 + w2zz * X2_3 - w4zz * X3_4;
+    const double o3x = 0.0048 + l3x;
+    const double o4x = o3x + l4x;
+    const double j4u = 1.185619968e-07 * c4;
+    const double j4xy = s4 * j4u;
+    const double K4yx = j4xy + o4x * j4y1;
+    const double j3u = 1.427316736e-06 * c3;
+    const double j3xy = s3 * j3u;
+    const double K3yx = j3xy + K4yx + o3x * j3y1 + t4;
+    const double w1zz = qd[0] * qd[0];
+    const double t4_2 = n4 + K4yx * w1zz;
+    const double y3 = tau[2] - n3 - K3yx * w1zz - 1.2222222222222223 * t4_2;
+    const double S3x = j3x1 + j4x1;
+    const double t6 = l3x * S3x;
+    const double S3y = j3y1 + j4y1;
+    const double lS3 = t6 + l3y * S3y;
+    const double t7 = l4x * j4x1;
+    const double lS4 = t7 + l4y * j4y1;
+    const double Z3 = 1.6288227328e-06 + 2.0 * lS4;
+    const double M_4 = Z3 + lS3;
+    const double M = 1.462099968e-07 + lS4;
+    const double M_2 = M + l3x * j4x1 + l3y * j4y1;
+    const double t8 = 1e+16 * M_4 + 12222222222222224.0 * M_2;
+    const double t9 = 2.6661677777777783e+37 + 1.220703125e+44 * Z3 + 2.9839409722222224e+44 * M;
+    const double r3 = 1.220703125e+44 / t9;
+    const double t10 = 1e-16 * r3;
+    const double L3_2 = t10 * t8;
+    const double j2x1 = 0.000223285248 * c2;
+    const double j2u = 6.37008946786e-06 * c2;
+    const double K2yx = s2 * (j2u + 1.0717691904e-06) + K3yx + l3y * S3x;
+    const double b2 = tau[1] - n3 - 9.81 * j2x1 + w3zz * X2_3 + w4zz * X2_4 - K2yx * w1zz - y3 * L3_2;
+    const double t11 = 1e-16 * L3_2;
+    const double Z2 = 6.45303346786e-06 + Z3 + 2.0 * lS3;
+    const double A2_2 = Z2 - t11 * t8;
+    const double r2 = 1.0 / A2_2;
+    const double j4yz = 5.2855603200000006e-08 * s4;
+    const double j3yz = 2.2996254720000002e-07 * s3;
+    const double K3yz = j3yz + j4yz;
+    const double t12 = 1e+16 * K3yz + 12222222222222224.0 * j4yz;
+    const double j2yz = 4.1084485632e-07 * s2;
+    const double K2yz = j2yz + K3yz;
+    const double A2_1 = K2yz - t11 * t12;
+    const double L2_1 = A2_1 * r2;
+    const double L3_1 = t10 * t12;
+    const double R2yx = qd[1] * K2yx + qd[2] * K3yx + t5 * K4yx;
+    const double w_2y = 2.0 * qd[0];
+    const double t13 = tau[0] - 5.2855603200000006e-08 * c4 * w4zz - 2.2996254720000002e-07 * c3 * w3zz;
+    const double b1_2 = t13 - 4.1084485632e-07 * c2 * w2zz + w_2y * R2yx - y3 * L3_1 - b2 * L2_1;
+    const double t14 = c2 * j2u + c3 * j3u + c4 * j4u + o4x * j4x1 + o3x * j3x1 + t7 + 0.0048 * j2x1;
+    const double S2x = j2x1 + S3x;
+    const double A1_1_2 = t14 + t6 + 0.0048 * S2x - 1e-16 * L3_1 * t12 - A2_1 * L2_1 + 4.357300224e-07;
+    const double r1 = 1.0 / A1_1_2;
+    const double x1 = b1_2 * r1;
+    const double x2 = b2 * r2 - L2_1 * x1;
+    const double x3 = y3 * r3 - L3_2 * x2 - L3_1 * x1;
+    qdd[0] = x1;
+    qdd[1] = x2;
+    qdd[2] = x3;
+}
+
+void fifth_inverse_dynamics(const double q[SINEW_AT_LEAST(3)], const double qd[SINEW_AT_LEAST(3)], const double qdd[SINEW_AT_LEAST(3)], double tau[SINEW_AT_LEAST(3)])
+{
+    const double phi3 = q[1] + q[2];
+    const double phi4 = phi3 + 1.2222222222222223 * q[2];
+    const double angle1[2] = {phi4, phi3};
+    double sine2[2], cosine3[2];
+    sinew_sincos2(angle1, sine2, cosine3);
+    const double s4 = sine2[0];
+    const double c4 = cosine3[0];
+    const double s3 = sine2[1];
+    const double c3 = cosine3[1];
+    double s2, c2;
+    sinew_sincos(q[1], &s2, &c2);
+    const double l3x = 0.032304 * c2;
+    const double o3x = 0.0048 + l3x;
+    const double l4x = 0.02384 * c3;
+    const double o4x = o3x + l4x;
+    const double j4y1 = 1.234944e-05 * s4;
+    const double j4u = 1.185619968e-07 * c4;
+    const double j4xy = s4 * j4u;
+    const double K4yx = j4xy + o4x * j4y1;
+    const double j3u = 1.427316736e-06 * c3;
+    const double j3xy = s3 * j3u;
+    const double j3y1 = 7.323648000000001e-05 * s3;
+    const double j4x1 = 1.234944e-05 * c4;
+    const double l4y = 0.02384 * s3;
+    const double K3yx = j3xy + K4yx + o3x * j3y1 + l4y * j4x1;
+    const double j2u = 6.37008946786e-06 * c2;
+    const double j3x1 = 7.323648000000001e-05 * c3;
+    const double S3x = j3x1 + j4x1;
+    const double l3y = 0.032304 * s2;
+    const double K2yx = s2 * (j2u + 1.0717691904e-06) + K3yx + l3y * S3x;
+    const double t4 = 1.2222222222222223 * qd[2];
+    const double R2yx = qd[1] * K2yx + qd[2] * K3yx + t4 * K4yx;
+    const double w_2y = 2.0 * qd[0];
+    const double j2x1 = 0.000223285248 * c2;
+    const double t5 = c2 * j2u + c3 * j3u + c4 * j4u + o4x * j4x1 + o3x * j3x1 + l4x * j4x1 + 0.0048 * j2x1;
+    const double S2x = j2x1 + S3x;
+    const double w3z = qd[1] + qd[2];
+    const double w4z = w3z + t4;
+    const double w4zz = w4z * w4z;
+    const double al3z = qdd[1] + qdd[2];
+    const double al4z = al3z + 1.2222222222222223 * qdd[2];
+    const double e4x = c4 * w4zz + s4 * al4z;
+    const double t6 = qdd[0] * (t5 + l3x * S3x + 0.0048 * S2x + 4.3573002239999995e-07) + 5.2855603200000006e-08 * e4x;
+    const double w3zz = w3z * w3z;
+    const double e3x = c3 * w3zz + s3 * al3z;
+    const double w2zz = qd[1] * qd[1];
+    const double e2x = qdd[1] * s2 + c2 * w2zz;
+    const double N1z = t6 + 2.2996254720000002e-07 * e3x + 4.1084485632e-07 * e2x - w_2y * R2yx;
+    const double e3y = c3 * al3z - s3 * w3zz;
+    const double e2y = qdd[1] * c2 - s2 * w2zz;
+    const double a3y = 9.81 + 0.032304 * e2y;
+    const double a4y = a3y + 0.02384 * e3y;
+    const double a3x = 0.032304 * e2x;
+    const double a4x = a3x + 0.02384 * e3x;
+    const double n4 = 1.462099968e-07 * al4z + j4x1 * a4y + j4y1 * a4x;
+    const double e4y = c4 * al4z - s4 * w4zz;
+    const double F4y = 1.234944e-05 * e4y;
+    const double F4x = 1.234944e-05 * e4x;
+    const double n3 = n4 + 1.482612736e-06 * al3z + j3x1 * a3y + j3y1 * a3x + l4x * F4y + l4y * F4x;
+    const double F3y = F4y + 7.323648000000001e-05 * e3y;
+    const double F3x = F4x + 7.323648000000001e-05 * e3x;
+    const double n2 = n3 + 6.45303346786e-06 * qdd[1] + 9.81 * j2x1 + l3x * F3y + l3y * F3x;
+    const double j4yz = 5.2855603200000006e-08 * s4;
+    const double j3yz = 2.2996254720000002e-07 * s3;
+    const double K3yz = j3yz + j4yz;
+    const double j2yz = 4.1084485632e-07 * s2;
+    const double K2yz = j2yz + K3yz;
+    const double w1zz = qd[0] * qd[0];
+    const double t2 = n2 + qdd[0] * K2yz + w1zz * K2yx;
+    const double t3 = n3 + qdd[0] * K3yz + w1zz * K3yx;
+    const double t4_2 = n4 + qdd[0] * j4yz + w1zz * K4yx;
+    tau[0] = N1z;
+    tau[1] = t2;
+    tau[2] = t3 + 1.2222222222222223 * t4_2;
+}
+
+void fifth_tendon_lengths(const double q[SINEW_AT_LEAST(3)], double h[SINEW_AT_LEAST(6)])
+{
+    const double t1 = 0.0052 * q[0];
+    const double t2 = 0.0052 * q[1];
+    const double t3 = t1 + t2;
+    const double t4 = t1 - t2;
+    const double t5 = 0.0088 * q[2];
+    h[0] = t3;
+    h[1] = t4;
+    h[2] = -t4;
+    h[3] = -t3;
+    h[4] = t5;
+    h[5] = -t5;
+}
+
+void fifth_coupling_matrix(const double q[SINEW_AT_LEAST(3)], double P[SINEW_AT_LEAST(18)])
+{
+    (void)q;
+    P[0] = 0.0052;
+    P[1] = 0.0052;
+    P[2] = 0.0;
+    P[3] = 0.0052;
+    P[4] = -0.0052;
+    P[5] = 0.0;
+    P[6] = -0.0052;
+    P[7] = 0.0052;
+    P[8] = 0.0;
+    P[9] = -0.0052;
+    P[10] = -0.0052;
+    P[11] = 0.0;
+    P[12] = 0.0;
+    P[13] = 0.0;
+    P[14] = 0.0088;
+    P[15] = 0.0;
+    P[16] = 0.0;
+    P[17] = -0.0088;
+}
+
+void fifth_joint_torque(const double q[SINEW_AT_LEAST(3)], const double f[SINEW_AT_LEAST(6)], double tau[SINEW_AT_LEAST(3)])
+{
+    (void)q;
+    const double t1 = 0.0052 * f[0];
+    const double t2 = 0.0052 * f[1];
+    const double t3 = 0.0052 * f[2];
+    const double t4 = 0.0052 * f[3];
+    tau[0] = -(t1 + t2 - t3 - t4);
+    tau[1] = -(t1 - t2 + t3 - t4);
+    tau[2] = -(0.0088 * (f[4] - f[5]));
+}
+
+void fifth_joint_stiffness(const double q[SINEW_AT_LEAST(3)], const double f[SINEW_AT_LEAST(6)], const double kt[SINEW_AT_LEAST(6)], double K[SINEW_AT_LEAST(9)])
+{
+    (void)q;
+    (void)f;
+    const double t1 = 2.704e-05 * kt[0];
+    const double t2 = 2.704e-05 * kt[1];
+    const double t3 = 2.704e-05 * kt[2];
+    const double t4 = 2.704e-05 * kt[3];
+    const double K1_1 = t1 + t2 + t3 + t4;
+    const double K1_2 = t1 - t2 - t3 + t4;
+    const double K3_3 = 7.744e-05 * (kt[4] + kt[5]);
+    K[0] = K1_1;
+    K[1] = K1_2;
+    K[2] = 0.0;
+    K[3] = K1_2;
+    K[4] = K1_1;
+    K[5] = 0.0;
+    K[6] = 0.0;
+    K[7] = 0.0;
+    K[8] = K3_3;
+}
+
+void fifth_link_position(const double h[SINEW_AT_LEAST(6)], double q[SINEW_AT_LEAST(3)])
+{
+    const double t1 = 48.07692307692308 * h[0];
+    const double t2 = 48.07692307692308 * h[1];
+    const double t3 = 48.07692307692308 * h[2];
+    const double t4 = 48.07692307692308 * h[3];
+    q[0] = t1 + t2 - t3 - t4;
+    q[1] = t1 - t2 + t3 - t4;
+    q[2] = 56.81818181818181 * (h[4] - h[5]);
+}

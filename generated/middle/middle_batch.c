@@ -1,0 +1,779 @@
+/* SPDX-License-Identifier: BSD-2-Clause
+ *
+ * The functions of the model middle over many states: element k of state i is at [k * count + i].
+ *
+ * Made by: sinew generate models/middle
+ * Model:   sha256 5178dcc126793c8544b85aef441fae055a412f16d86c338979b82e8fddc6e30d
+ * Do not edit: change the model and generate again.
+ */
+#include "middle_batch.h"
+
+#include <stddef.h>
+
+#include "sinew_math.h"
+
+#if defined(__clang__)
+#define SINEW_STATES_ARE_INDEPENDENT _Pragma("clang loop vectorize(assume_safety)")
+#elif defined(__GNUC__)
+#define SINEW_STATES_ARE_INDEPENDENT _Pragma("GCC ivdep")
+#else
+#define SINEW_STATES_ARE_INDEPENDENT
+#endif
+
+void middle_forward_kinematics_batch(int count, const double *SINEW_RESTRICT q, double *SINEW_RESTRICT T)
+{
+    const size_t n = (size_t)count;
+    SINEW_STATES_ARE_INDEPENDENT
+    for (size_t state = 0; state < n; ++state) {
+        const double phi3 = q[1 * n + state] + q[2 * n + state];
+        const double phi4 = q[3 * n + state] + phi3;
+        double s1, c1;
+        sinew_sincos(q[state], &s1, &c1);
+        double s4, c4;
+        sinew_sincos(phi4, &s4, &c4);
+        double s2, c2;
+        sinew_sincos(q[1 * n + state], &s2, &c2);
+        double s3, c3;
+        sinew_sincos(phi3, &s3, &c3);
+        const double R41x = c1 * c4;
+        const double R41y = c1 * s4;
+        const double l4x = 0.032184 * c3;
+        const double l3x = 0.0436104 * c2;
+        const double o4x = l3x + l4x;
+        const double t1 = 0.00648 + o4x;
+        const double ptipx = c1 * t1 - 0.006156 * s1 + 0.021708 * R41x;
+        const double R42x = s1 * c4;
+        const double R42y = s1 * s4;
+        const double ptipy = s1 * t1 + 0.006156 * c1 + 0.021708 * R42x;
+        const double l4y = 0.032184 * s3;
+        const double l3y = 0.0436104 * s2;
+        const double o4y = l3y + l4y;
+        const double ptipz = o4y + 0.021708 * s4;
+        T[state] = R41x;
+        T[1 * n + state] = -R41y;
+        T[2 * n + state] = s1;
+        T[3 * n + state] = ptipx;
+        T[4 * n + state] = R42x;
+        T[5 * n + state] = -R42y;
+        T[6 * n + state] = -c1;
+        T[7 * n + state] = ptipy;
+        T[8 * n + state] = s4;
+        T[9 * n + state] = c4;
+        T[10 * n + state] = 0.0;
+        T[11 * n + state] = ptipz;
+        T[12 * n + state] = 0.0;
+        T[13 * n + state] = 0.0;
+        T[14 * n + state] = 0.0;
+        T[15 * n + state] = 1.0;
+    }
+}
+
+void middle_tip_jacobian_batch(int count, const double *SINEW_RESTRICT q, double *SINEW_RESTRICT J)
+{
+    const size_t n = (size_t)count;
+    SINEW_STATES_ARE_INDEPENDENT
+    for (size_t state = 0; state < n; ++state) {
+        const double phi3 = q[1 * n + state] + q[2 * n + state];
+        const double phi4 = q[3 * n + state] + phi3;
+        double s1, c1;
+        sinew_sincos(q[state], &s1, &c1);
+        double s2, c2;
+        sinew_sincos(q[1 * n + state], &s2, &c2);
+        double s3, c3;
+        sinew_sincos(phi3, &s3, &c3);
+        double s4, c4;
+        sinew_sincos(phi4, &s4, &c4);
+        const double l4x = 0.032184 * c3;
+        const double l3x = 0.0436104 * c2;
+        const double o4x = l3x + l4x;
+        const double p2y = 0.00648 * s1;
+        const double p4y = p2y + s1 * o4x;
+        const double ptipy = p4y + 0.006156 * c1 + 0.021708 * s1 * c4;
+        const double l4y = 0.032184 * s3;
+        const double l3y = 0.0436104 * s2;
+        const double o4y = l3y + l4y;
+        const double ptipz = o4y + 0.021708 * s4;
+        const double arm3_4 = l3y - ptipz;
+        const double arm4_4 = o4y - ptipz;
+        const double p2x = 0.00648 * c1;
+        const double p4x = p2x + c1 * o4x;
+        const double ptipx = p4x - 0.006156 * s1 + 0.021708 * c1 * c4;
+        const double arm2 = p2x - ptipx;
+        const double arm2_2 = p2y - ptipy;
+        const double p3x = p2x + c1 * l3x;
+        const double arm3 = p3x - ptipx;
+        const double p3y = p2y + s1 * l3x;
+        const double arm3_2 = p3y - ptipy;
+        const double arm4 = p4x - ptipx;
+        const double arm4_2 = p4y - ptipy;
+        const double t1 = -c1;
+        J[state] = -ptipy;
+        J[1 * n + state] = -(c1 * ptipz);
+        J[2 * n + state] = c1 * arm3_4;
+        J[3 * n + state] = c1 * arm4_4;
+        J[4 * n + state] = ptipx;
+        J[5 * n + state] = -(s1 * ptipz);
+        J[6 * n + state] = s1 * arm3_4;
+        J[7 * n + state] = s1 * arm4_4;
+        J[8 * n + state] = 0.0;
+        J[9 * n + state] = -(c1 * arm2 + s1 * arm2_2);
+        J[10 * n + state] = -(c1 * arm3 + s1 * arm3_2);
+        J[11 * n + state] = -(c1 * arm4 + s1 * arm4_2);
+        J[12 * n + state] = 0.0;
+        J[13 * n + state] = s1;
+        J[14 * n + state] = s1;
+        J[15 * n + state] = s1;
+        J[16 * n + state] = 0.0;
+        J[17 * n + state] = t1;
+        J[18 * n + state] = t1;
+        J[19 * n + state] = t1;
+        J[20 * n + state] = 1.0;
+        J[21 * n + state] = 0.0;
+        J[22 * n + state] = 0.0;
+        J[23 * n + state] = 0.0;
+    }
+}
+
+void middle_mass_matrix_batch(int count, const double *SINEW_RESTRICT q, double *SINEW_RESTRICT M)
+{
+    const size_t n = (size_t)count;
+    SINEW_STATES_ARE_INDEPENDENT
+    for (size_t state = 0; state < n; ++state) {
+        const double phi3 = q[1 * n + state] + q[2 * n + state];
+        const double phi4 = q[3 * n + state] + phi3;
+        double s2, c2;
+        sinew_sincos(q[1 * n + state], &s2, &c2);
+        double s3, c3;
+        sinew_sincos(phi3, &s3, &c3);
+        double s4, c4;
+        sinew_sincos(phi4, &s4, &c4);
+        const double j3u = 6.456086078646624e-06 * c3;
+        const double j2u = 2.8647619337126362e-05 * c2;
+        const double j4u = 5.59611012330976e-07 * c4;
+        const double l4x = 0.032184 * c3;
+        const double l3x = 0.0436104 * c2;
+        const double o4x = l3x + l4x;
+        const double j4x1 = 4.101874214400001e-05 * c4;
+        const double j3x1 = 0.000243255426048 * c3;
+        const double t1 = l4x * j4x1;
+        const double S3x = j3x1 + j4x1;
+        const double t2 = l3x * S3x;
+        const double j2x1 = 0.0007416433467648001 * c2;
+        const double S2x = j2x1 + S3x;
+        const double t3 = c2 * j2u + c3 * j3u + c4 * j4u + o4x * j4x1 + l3x * j3x1 + t1 + t2 + 0.01296 * S2x;
+        const double Z1 = t3 + 1.5994773031234242e-06;
+        const double j4yz = 2.3700629210803204e-07 * s4;
+        const double j3yz = 1.031159751017472e-06 * s3;
+        const double K3yz = j3yz + j4yz;
+        const double j2yz = 1.8422420733637633e-06 * s2;
+        const double K2yz = j2yz + K3yz;
+        const double j4y1 = 4.101874214400001e-05 * s4;
+        const double j3y1 = 0.000243255426048 * s3;
+        const double S3y = j3y1 + j4y1;
+        const double l3y = 0.0436104 * s2;
+        const double lS3 = t2 + l3y * S3y;
+        const double l4y = 0.032184 * s3;
+        const double lS4 = t1 + l4y * j4y1;
+        const double Z3 = 7.2197704349776e-06 + 2.0 * lS4;
+        const double Z2 = 2.8851692681126364e-05 + Z3 + 2.0 * lS3;
+        const double M_4 = Z3 + lS3;
+        const double M_2 = 6.27635460330976e-07 + lS4;
+        const double M_2_2 = M_2 + l3x * j4x1 + l3y * j4y1;
+        M[state] = Z1;
+        M[1 * n + state] = K2yz;
+        M[2 * n + state] = K3yz;
+        M[3 * n + state] = j4yz;
+        M[4 * n + state] = K2yz;
+        M[5 * n + state] = Z2;
+        M[6 * n + state] = M_4;
+        M[7 * n + state] = M_2_2;
+        M[8 * n + state] = K3yz;
+        M[9 * n + state] = M_4;
+        M[10 * n + state] = Z3;
+        M[11 * n + state] = M_2;
+        M[12 * n + state] = j4yz;
+        M[13 * n + state] = M_2_2;
+        M[14 * n + state] = M_2;
+        M[15 * n + state] = 6.27635460330976e-07;
+    }
+}
+
+void middle_coriolis_matrix_batch(int count, const double *SINEW_RESTRICT q, const double *SINEW_RESTRICT qd, double *SINEW_RESTRICT C)
+{
+    const size_t n = (size_t)count;
+    SINEW_STATES_ARE_INDEPENDENT
+    for (size_t state = 0; state < n; ++state) {
+        const double phi3 = q[1 * n + state] + q[2 * n + state];
+        const double phi4 = q[3 * n + state] + phi3;
+        double s2, c2;
+        sinew_sincos(q[1 * n + state], &s2, &c2);
+        double s3, c3;
+        sinew_sincos(phi3, &s3, &c3);
+        double s4, c4;
+        sinew_sincos(phi4, &s4, &c4);
+        const double l4x = 0.032184 * c3;
+        const double l3x = 0.0436104 * c2;
+        const double o4x = l3x + l4x;
+        const double j4y1 = 4.101874214400001e-05 * s4;
+        const double K4xx_by_q3 = s4 * (5.59611012330976e-07 * (c4 * 2.0)) + o4x * j4y1;
+        const double j3xx_by_q1 = s3 * (6.456086078646624e-06 * (c3 * 2.0));
+        const double l4y = 0.032184 * s3;
+        const double l3y = 0.0436104 * s2;
+        const double o4y = l3y + l4y;
+        const double j4x1 = 4.101874214400001e-05 * c4;
+        const double t1 = s2 * (2.8647619337126362e-05 * (c2 * 2.0)) + j3xx_by_q1 + K4xx_by_q3 + o4y * j4x1;
+        const double j3y1 = 0.000243255426048 * s3;
+        const double t2 = l3x * j3y1;
+        const double j3x1 = 0.000243255426048 * c3;
+        const double t3 = l4x * j4y1;
+        const double t4 = l4y * j4x1;
+        const double S3y = j3y1 + j4y1;
+        const double t5 = l3x * S3y;
+        const double S3x = j3x1 + j4x1;
+        const double t6 = l3y * S3x;
+        const double j2y1 = 0.0007416433467648001 * s2;
+        const double S2y = j2y1 + S3y;
+        const double C2sxx_by_q1 = t1 + t2 + l3y * j3x1 + t3 + t4 + t5 + t6 + 0.01296 * S2y;
+        const double hq2 = 0.5 * qd[1 * n + state];
+        const double C2sxx_by_q2 = t4 * 2.0 + j3xx_by_q1 + K4xx_by_q3 + t2 + t3 + t5 + 0.01296 * S3y;
+        const double hq3 = 0.5 * qd[2 * n + state];
+        const double K3xx_by_q3 = K4xx_by_q3 + t3;
+        const double t7 = l3x * j4y1;
+        const double K2xx_by_q3 = K3xx_by_q3 + t7;
+        const double C2sxx_by_q3 = K2xx_by_q3 + 0.01296 * j4y1;
+        const double hq4 = 0.5 * qd[3 * n + state];
+        const double hq1 = 0.5 * qd[state];
+        const double t8 = C2sxx_by_q1 * hq1;
+        const double j4xz = 2.3700629210803204e-07 * c4;
+        const double j3xz = 1.031159751017472e-06 * c3;
+        const double K3xz = j3xz + j4xz;
+        const double j2xz = 1.8422420733637633e-06 * c2;
+        const double K2xz = j2xz + K3xz;
+        const double G123 = K3xz * 2.0;
+        const double G124 = j4xz * 2.0;
+        const double t9 = hq4 * G124;
+        const double t10 = C2sxx_by_q2 * hq1;
+        const double t11 = C2sxx_by_q3 * hq1;
+        const double t12 = hq4 * 2.0;
+        const double lS4_by_q3 = t3 - t4;
+        const double Z3_by_q3 = 2.0 * lS4_by_q3;
+        const double lS3_2_by_q2 = t7 - l3y * j4x1;
+        const double Z2_by_q3 = Z3_by_q3 + 2.0 * lS3_2_by_q2;
+        const double lS3_by_q2 = t5 - t6;
+        const double t13 = 2.0 * lS3_by_q2;
+        const double t14 = t13 * hq3;
+        const double t15 = t13 * hq2;
+        const double M_4_by_q3 = lS3_2_by_q2 + Z3_by_q3;
+        const double G234 = M_4_by_q3 + lS3_2_by_q2;
+        const double t16 = Z2_by_q3 * hq2;
+        const double M_2_by_q3 = lS3_2_by_q2 + lS4_by_q3;
+        const double G423 = M_4_by_q3 - lS3_2_by_q2;
+        const double t17 = Z3_by_q3 * hq4;
+        const double t18 = hq2 * G423;
+        const double t19 = Z3_by_q3 * hq3;
+        C[state] = -(C2sxx_by_q1 * hq2 + C2sxx_by_q2 * hq3 + C2sxx_by_q3 * hq4);
+        C[1 * n + state] = -(t8 - hq2 * 2.0 * K2xz - hq3 * G123 - t9);
+        C[2 * n + state] = -(t10 - hq2 * G123 - hq3 * 2.0 * K3xz - t9);
+        C[3 * n + state] = -(t11 - G124 * (hq2 + hq3) - t12 * j4xz);
+        C[4 * n + state] = t8;
+        C[5 * n + state] = -(t14 + Z2_by_q3 * hq4);
+        C[6 * n + state] = -(t14 + t15 + hq4 * G234);
+        C[7 * n + state] = -(t16 + hq3 * G234 + t12 * M_2_by_q3);
+        C[8 * n + state] = t10;
+        C[9 * n + state] = -(hq4 * G423 - t15);
+        C[10 * n + state] = -t17;
+        C[11 * n + state] = -(t19 + t17 + t18);
+        C[12 * n + state] = t11;
+        C[13 * n + state] = t16 + hq3 * G423;
+        C[14 * n + state] = t18 + t19;
+        C[15 * n + state] = 0.0;
+    }
+}
+
+void middle_gravity_batch(int count, const double *SINEW_RESTRICT q, double *SINEW_RESTRICT g)
+{
+    const size_t n = (size_t)count;
+    SINEW_STATES_ARE_INDEPENDENT
+    for (size_t state = 0; state < n; ++state) {
+        const double phi3 = q[1 * n + state] + q[2 * n + state];
+        const double phi4 = q[3 * n + state] + phi3;
+        double s1, c4;
+        sinew_sincos(phi4, &s1, &c4);
+        double s2, c3;
+        sinew_sincos(phi3, &s2, &c3);
+        double s3, c2;
+        sinew_sincos(q[1 * n + state], &s3, &c2);
+        const double n4 = 0.0004023938604326401 * c4;
+        const double n3 = n4 + 0.00238633572953088 * c3;
+        const double n2 = n3 + 0.007275521231762689 * c2;
+        g[state] = 0.0;
+        g[1 * n + state] = n2;
+        g[2 * n + state] = n3;
+        g[3 * n + state] = n4;
+    }
+}
+
+void middle_bias_batch(int count, const double *SINEW_RESTRICT q, const double *SINEW_RESTRICT qd, double *SINEW_RESTRICT h)
+{
+    const size_t n = (size_t)count;
+    SINEW_STATES_ARE_INDEPENDENT
+    for (size_t state = 0; state < n; ++state) {
+        const double phi3 = q[1 * n + state] + q[2 * n + state];
+        const double phi4 = q[3 * n + state] + phi3;
+        double s4, c4;
+        sinew_sincos(phi4, &s4, &c4);
+        double s3, c3;
+        sinew_sincos(phi3, &s3, &c3);
+        double s2, c2;
+        sinew_sincos(q[1 * n + state], &s2, &c2);
+        const double l3x = 0.0436104 * c2;
+        const double o3x = 0.00648 + l3x;
+        const double l4x = 0.032184 * c3;
+        const double o4x = o3x + l4x;
+        const double j4y1 = 4.101874214400001e-05 * s4;
+        const double K4yx = s4 * 5.59611012330976e-07 * c4 + o4x * j4y1;
+        const double j3y1 = 0.000243255426048 * s3;
+        const double j4x1 = 4.101874214400001e-05 * c4;
+        const double l4y = 0.032184 * s3;
+        const double t1 = l4y * j4x1;
+        const double K3yx = s3 * 6.456086078646624e-06 * c3 + K4yx + o3x * j3y1 + t1;
+        const double j2u = 2.8647619337126362e-05 * c2;
+        const double j3x1 = 0.000243255426048 * c3;
+        const double S3x = j3x1 + j4x1;
+        const double l3y = 0.0436104 * s2;
+        const double K2yx = s2 * (j2u + 4.805848887035905e-06) + K3yx + l3y * S3x;
+        const double R2yx = qd[1 * n + state] * K2yx + qd[2 * n + state] * K3yx + qd[3 * n + state] * K4yx;
+        const double w_2y = 2.0 * qd[state];
+        const double w3z = qd[1 * n + state] + qd[2 * n + state];
+        const double w4z = qd[3 * n + state] + w3z;
+        const double w4zz = w4z * w4z;
+        const double w3zz = w3z * w3z;
+        const double w2zz = qd[1 * n + state] * qd[1 * n + state];
+        const double t2 = 2.3700629210803204e-07 * c4 * w4zz + 1.031159751017472e-06 * c3 * w3zz + 1.8422420733637633e-06 * c2 * w2zz;
+        const double Q2y = t2 - w_2y * R2yx;
+        const double X2_4 = l3x * j4y1 - l3y * j4x1;
+        const double X3_4 = l4x * j4y1 - t1;
+        const double n4 = 9.81 * j4x1 + w2zz * X2_4 + w3zz * X3_4;
+        const double X2_3 = l3x * j3y1 - l3y * j3x1;
+        const double n3 = n4 + 9.81 * j3x1 + w2zz * X2_3 - w4zz * X3_4;
+        const double n2 = n3 + 0.007275521231762689 * c2 - w3zz * X2_3 - w4zz * X2_4;
+        const double w1zz = qd[state] * qd[state];
+        const double t2_2 = n2 + w1zz * K2yx;
+        const double t3 = n3 + w1zz * K3yx;
+        const double t4 = n4 + w1zz * K4yx;
+        h[state] = Q2y;
+        h[1 * n + state] = t2_2;
+        h[2 * n + state] = t3;
+        h[3 * n + state] = t4;
+    }
+}
+
+void middle_mass_matrix_and_bias_batch(int count, const double *SINEW_RESTRICT q, const double *SINEW_RESTRICT qd, double *SINEW_RESTRICT M, double *SINEW_RESTRICT h)
+{
+    const size_t n = (size_t)count;
+    SINEW_STATES_ARE_INDEPENDENT
+    for (size_t state = 0; state < n; ++state) {
+        const double phi3 = q[1 * n + state] + q[2 * n + state];
+        const double phi4 = q[3 * n + state] + phi3;
+        double s2, c2;
+        sinew_sincos(q[1 * n + state], &s2, &c2);
+        double s3, c3;
+        sinew_sincos(phi3, &s3, &c3);
+        double s4, c4;
+        sinew_sincos(phi4, &s4, &c4);
+        const double j3u = 6.456086078646624e-06 * c3;
+        const double j2u = 2.8647619337126362e-05 * c2;
+        const double j4u = 5.59611012330976e-07 * c4;
+        const double l3x = 0.0436104 * c2;
+        const double o3x = 0.00648 + l3x;
+        const double l4x = 0.032184 * c3;
+        const double o4x = o3x + l4x;
+        const double j4x1 = 4.101874214400001e-05 * c4;
+        const double j3x1 = 0.000243255426048 * c3;
+        const double t1 = l4x * j4x1;
+        const double j2x1 = 0.0007416433467648001 * c2;
+        const double t2 = c2 * j2u + c3 * j3u + c4 * j4u + o4x * j4x1 + o3x * j3x1 + t1 + 0.00648 * j2x1;
+        const double S3x = j3x1 + j4x1;
+        const double t3 = l3x * S3x;
+        const double S2x = j2x1 + S3x;
+        const double Z1 = t2 + t3 + 0.00648 * S2x + 1.5994773031234242e-06;
+        const double j4yz = 2.3700629210803204e-07 * s4;
+        const double j3yz = 1.031159751017472e-06 * s3;
+        const double K3yz = j3yz + j4yz;
+        const double j2yz = 1.8422420733637633e-06 * s2;
+        const double K2yz = j2yz + K3yz;
+        const double j4y1 = 4.101874214400001e-05 * s4;
+        const double j3y1 = 0.000243255426048 * s3;
+        const double S3y = j3y1 + j4y1;
+        const double l3y = 0.0436104 * s2;
+        const double lS3 = t3 + l3y * S3y;
+        const double l4y = 0.032184 * s3;
+        const double lS4 = t1 + l4y * j4y1;
+        const double Z3 = 7.2197704349776e-06 + 2.0 * lS4;
+        const double Z2 = 2.8851692681126364e-05 + Z3 + 2.0 * lS3;
+        const double M_4 = Z3 + lS3;
+        const double M_2 = 6.27635460330976e-07 + lS4;
+        const double M_2_2 = M_2 + l3x * j4x1 + l3y * j4y1;
+        const double j4xy = s4 * j4u;
+        const double K4yx = j4xy + o4x * j4y1;
+        const double j3xy = s3 * j3u;
+        const double t4 = l4y * j4x1;
+        const double K3yx = j3xy + K4yx + o3x * j3y1 + t4;
+        const double K2yx = s2 * (j2u + 4.805848887035905e-06) + K3yx + l3y * S3x;
+        const double R2yx = qd[1 * n + state] * K2yx + qd[2 * n + state] * K3yx + qd[3 * n + state] * K4yx;
+        const double w_2y = 2.0 * qd[state];
+        const double w3z = qd[1 * n + state] + qd[2 * n + state];
+        const double w4z = qd[3 * n + state] + w3z;
+        const double w4zz = w4z * w4z;
+        const double w3zz = w3z * w3z;
+        const double w2zz = qd[1 * n + state] * qd[1 * n + state];
+        const double t5 = 2.3700629210803204e-07 * c4 * w4zz + 1.031159751017472e-06 * c3 * w3zz + 1.8422420733637633e-06 * c2 * w2zz;
+        const double Q2y = t5 - w_2y * R2yx;
+        const double X2_4 = l3x * j4y1 - l3y * j4x1;
+        const double X3_4 = l4x * j4y1 - t4;
+        const double n4 = 9.81 * j4x1 + w2zz * X2_4 + w3zz * X3_4;
+        const double X2_3 = l3x * j3y1 - l3y * j3x1;
+        const double n3 = n4 + 9.81 * j3x1 + w2zz * X2_3 - w4zz * X3_4;
+        const double n2 = n3 + 9.81 * j2x1 - w3zz * X2_3 - w4zz * X2_4;
+        const double w1zz = qd[state] * qd[state];
+        const double t2_2 = n2 + K2yx * w1zz;
+        const double t3_2 = n3 + K3yx * w1zz;
+        const double t4_2 = n4 + K4yx * w1zz;
+        M[state] = Z1;
+        M[1 * n + state] = K2yz;
+        M[2 * n + state] = K3yz;
+        M[3 * n + state] = j4yz;
+        M[4 * n + state] = K2yz;
+        M[5 * n + state] = Z2;
+        M[6 * n + state] = M_4;
+        M[7 * n + state] = M_2_2;
+        M[8 * n + state] = K3yz;
+        M[9 * n + state] = M_4;
+        M[10 * n + state] = Z3;
+        M[11 * n + state] = M_2;
+        M[12 * n + state] = j4yz;
+        M[13 * n + state] = M_2_2;
+        M[14 * n + state] = M_2;
+        M[15 * n + state] = 6.27635460330976e-07;
+        h[state] = Q2y;
+        h[1 * n + state] = t2_2;
+        h[2 * n + state] = t3_2;
+        h[3 * n + state] = t4_2;
+    }
+}
+
+void middle_forward_dynamics_batch(int count, const double *SINEW_RESTRICT q, const double *SINEW_RESTRICT qd, const double *SINEW_RESTRICT tau, double *SINEW_RESTRICT qdd)
+{
+    const size_t n = (size_t)count;
+    SINEW_STATES_ARE_INDEPENDENT
+    for (size_t state = 0; state < n; ++state) {
+        const double phi3 = q[1 * n + state] + q[2 * n + state];
+        const double phi4 = q[3 * n + state] + phi3;
+        double s4, c4;
+        sinew_sincos(phi4, &s4, &c4);
+        double s3, c3;
+        sinew_sincos(phi3, &s3, &c3);
+        double s2, c2;
+        sinew_sincos(q[1 * n + state], &s2, &c2);
+        const double j4y1 = 4.101874214400001e-05 * s4;
+        const double l3x = 0.0436104 * c2;
+        const double j4x1 = 4.101874214400001e-05 * c4;
+        const double l3y = 0.0436104 * s2;
+        const double X2_4 = l3x * j4y1 - l3y * j4x1;
+        const double w2zz = qd[1 * n + state] * qd[1 * n + state];
+        const double l4x = 0.032184 * c3;
+        const double l4y = 0.032184 * s3;
+        const double t1 = l4y * j4x1;
+        const double X3_4 = l4x * j4y1 - t1;
+        const double w3z = qd[1 * n + state] + qd[2 * n + state];
+        const double w3zz = w3z * w3z;
+        const double n4 = 9.81 * j4x1 + w2zz * X2_4 + w3zz * X3_4;
+        const double j3x1 = 0.000243255426048 * c3;
+        const double j3y1 = 0.000243255426048 * s3;
+        const double X2_3 = l3x * j3y1 - l3y * j3x1;
+        const double w4z = qd[3 * n + state] + w3z;
+        const double w4zz = w4z * w4z;
+        const double n3 = n4 + 9.81 * j3x1 + w2zz * X2_3 - w4zz * X3_4;
+        const double o3x = 0.00648 + l3x;
+        const double o4x = o3x + l4x;
+        const double j4u = 5.59611012330976e-07 * c4;
+        const double j4xy = s4 * j4u;
+        const double K4yx = j4xy + o4x * j4y1;
+        const double j3u = 6.456086078646624e-06 * c3;
+        const double j3xy = s3 * j3u;
+        const double K3yx = j3xy + K4yx + o3x * j3y1 + t1;
+        const double w1zz = qd[state] * qd[state];
+        const double y4 = tau[3 * n + state] - n4 - K4yx * w1zz;
+        const double t2 = l4x * j4x1;
+        const double lS4 = t2 + l4y * j4y1;
+        const double M = 6.27635460330976e-07 + lS4;
+        const double L4_3 = 1593281.5514799978 * M;
+        const double b3 = tau[2 * n + state] - n3 - K3yx * w1zz - y4 * L4_3;
+        const double M_2 = M + l3x * j4x1 + l3y * j4y1;
+        const double S3x = j3x1 + j4x1;
+        const double t3 = l3x * S3x;
+        const double S3y = j3y1 + j4y1;
+        const double lS3 = t3 + l3y * S3y;
+        const double Z3 = 7.2197704349776e-06 + 2.0 * lS4;
+        const double M_4 = Z3 + lS3;
+        const double A3_2 = M_4 - M_2 * L4_3;
+        const double A3_3 = Z3 - M * L4_3;
+        const double r3 = 1.0 / A3_3;
+        const double L3_2 = A3_2 * r3;
+        const double j2x1 = 0.0007416433467648001 * c2;
+        const double j2u = 2.8647619337126362e-05 * c2;
+        const double K2yx = s2 * (j2u + 4.805848887035905e-06) + K3yx + l3y * S3x;
+        const double t4 = tau[1 * n + state] - n3 - 9.81 * j2x1 + w3zz * X2_3 + w4zz * X2_4 - K2yx * w1zz;
+        const double L4_2 = 1593281.5514799978 * M_2;
+        const double b2_2 = t4 - y4 * L4_2 - b3 * L3_2;
+        const double Z2 = 2.8851692681126364e-05 + Z3 + 2.0 * lS3;
+        const double A2_2 = Z2 - M_2 * L4_2;
+        const double A2_2_2 = A2_2 - A3_2 * L3_2;
+        const double r2 = 1.0 / A2_2_2;
+        const double j4yz = 2.3700629210803204e-07 * s4;
+        const double j3yz = 1.031159751017472e-06 * s3;
+        const double K3yz = j3yz + j4yz;
+        const double A3_1 = K3yz - j4yz * L4_3;
+        const double j2yz = 1.8422420733637633e-06 * s2;
+        const double K2yz = j2yz + K3yz;
+        const double A2_1 = K2yz - j4yz * L4_2;
+        const double A2_1_2 = A2_1 - A3_1 * L3_2;
+        const double L2_1 = A2_1_2 * r2;
+        const double L3_1 = A3_1 * r3;
+        const double R2yx = qd[1 * n + state] * K2yx + qd[2 * n + state] * K3yx + qd[3 * n + state] * K4yx;
+        const double w_2y = 2.0 * qd[state];
+        const double t5 = tau[state] - 2.3700629210803204e-07 * c4 * w4zz - 1.031159751017472e-06 * c3 * w3zz;
+        const double L4_1 = 1593281.5514799978 * j4yz;
+        const double t6 = t5 - 1.8422420733637633e-06 * c2 * w2zz + w_2y * R2yx - y4 * L4_1 - b3 * L3_1;
+        const double b1_4 = t6 - b2_2 * L2_1;
+        const double t7 = c2 * j2u + c3 * j3u + c4 * j4u + o4x * j4x1 + o3x * j3x1 + t2 + 0.00648 * j2x1;
+        const double S2x = j2x1 + S3x;
+        const double A1_1_4 = t7 + t3 + 0.00648 * S2x - j4yz * L4_1 - A3_1 * L3_1 - A2_1_2 * L2_1 + 1.5994773031234242e-06;
+        const double r1 = 1.0 / A1_1_4;
+        const double x1 = b1_4 * r1;
+        const double x2 = b2_2 * r2 - L2_1 * x1;
+        const double x3 = b3 * r3 - L3_2 * x2 - L3_1 * x1;
+        const double x4 = 1593281.5514799978 * y4 - L4_3 * x3 - L4_2 * x2 - L4_1 * x1;
+        qdd[state] = x1;
+        qdd[1 * n + state] = x2;
+        qdd[2 * n + state] = x3;
+        qdd[3 * n + state] = x4;
+    }
+}
+
+void middle_inverse_dynamics_batch(int count, const double *SINEW_RESTRICT q, const double *SINEW_RESTRICT qd, const double *SINEW_RESTRICT qdd, double *SINEW_RESTRICT tau)
+{
+    const size_t n = (size_t)count;
+    SINEW_STATES_ARE_INDEPENDENT
+    for (size_t state = 0; state < n; ++state) {
+        const double phi3 = q[1 * n + state] + q[2 * n + state];
+        const double phi4 = q[3 * n + state] + phi3;
+        double s4, c4;
+        sinew_sincos(phi4, &s4, &c4);
+        double s3, c3;
+        sinew_sincos(phi3, &s3, &c3);
+        double s2, c2;
+        sinew_sincos(q[1 * n + state], &s2, &c2);
+        const double l3x = 0.0436104 * c2;
+        const double o3x = 0.00648 + l3x;
+        const double l4x = 0.032184 * c3;
+        const double o4x = o3x + l4x;
+        const double j4y1 = 4.101874214400001e-05 * s4;
+        const double j4u = 5.59611012330976e-07 * c4;
+        const double j4xy = s4 * j4u;
+        const double K4yx = j4xy + o4x * j4y1;
+        const double j3u = 6.456086078646624e-06 * c3;
+        const double j3xy = s3 * j3u;
+        const double j3y1 = 0.000243255426048 * s3;
+        const double j4x1 = 4.101874214400001e-05 * c4;
+        const double l4y = 0.032184 * s3;
+        const double K3yx = j3xy + K4yx + o3x * j3y1 + l4y * j4x1;
+        const double j2u = 2.8647619337126362e-05 * c2;
+        const double j3x1 = 0.000243255426048 * c3;
+        const double S3x = j3x1 + j4x1;
+        const double l3y = 0.0436104 * s2;
+        const double K2yx = s2 * (j2u + 4.805848887035905e-06) + K3yx + l3y * S3x;
+        const double R2yx = qd[1 * n + state] * K2yx + qd[2 * n + state] * K3yx + qd[3 * n + state] * K4yx;
+        const double w_2y = 2.0 * qd[state];
+        const double j2x1 = 0.0007416433467648001 * c2;
+        const double t1 = c2 * j2u + c3 * j3u + c4 * j4u + o4x * j4x1 + o3x * j3x1 + l4x * j4x1 + 0.00648 * j2x1;
+        const double S2x = j2x1 + S3x;
+        const double w3z = qd[1 * n + state] + qd[2 * n + state];
+        const double w4z = qd[3 * n + state] + w3z;
+        const double w4zz = w4z * w4z;
+        const double al3z = qdd[1 * n + state] + qdd[2 * n + state];
+        const double al4z = qdd[3 * n + state] + al3z;
+        const double e4x = c4 * w4zz + s4 * al4z;
+        const double t2 = qdd[state] * (t1 + l3x * S3x + 0.00648 * S2x + 1.599477303123424e-06) + 2.3700629210803204e-07 * e4x;
+        const double w3zz = w3z * w3z;
+        const double e3x = c3 * w3zz + s3 * al3z;
+        const double w2zz = qd[1 * n + state] * qd[1 * n + state];
+        const double e2x = qdd[1 * n + state] * s2 + c2 * w2zz;
+        const double N1z = t2 + 1.031159751017472e-06 * e3x + 1.8422420733637633e-06 * e2x - w_2y * R2yx;
+        const double e3y = c3 * al3z - s3 * w3zz;
+        const double e2y = qdd[1 * n + state] * c2 - s2 * w2zz;
+        const double a3y = 9.81 + 0.0436104 * e2y;
+        const double a4y = a3y + 0.032184 * e3y;
+        const double a3x = 0.0436104 * e2x;
+        const double a4x = a3x + 0.032184 * e3x;
+        const double n4 = 6.276354603309761e-07 * al4z + j4x1 * a4y + j4y1 * a4x;
+        const double e4y = c4 * al4z - s4 * w4zz;
+        const double F4y = 4.101874214400001e-05 * e4y;
+        const double F4x = 4.101874214400001e-05 * e4x;
+        const double n3 = n4 + 6.592134974646623e-06 * al3z + j3x1 * a3y + j3y1 * a3x + l4x * F4y + l4y * F4x;
+        const double F3y = F4y + 0.000243255426048 * e3y;
+        const double t3 = n3 + 2.8851692681126364e-05 * qdd[1 * n + state] + 9.81 * j2x1 + l3x * F3y;
+        const double F3x = F4x + 0.000243255426048 * e3x;
+        const double n2 = t3 + l3y * F3x;
+        const double j4yz = 2.3700629210803204e-07 * s4;
+        const double j3yz = 1.031159751017472e-06 * s3;
+        const double K3yz = j3yz + j4yz;
+        const double j2yz = 1.8422420733637633e-06 * s2;
+        const double K2yz = j2yz + K3yz;
+        const double w1zz = qd[state] * qd[state];
+        const double t2_2 = n2 + qdd[state] * K2yz + w1zz * K2yx;
+        const double t3_2 = n3 + qdd[state] * K3yz + w1zz * K3yx;
+        const double t4 = n4 + qdd[state] * j4yz + w1zz * K4yx;
+        tau[state] = N1z;
+        tau[1 * n + state] = t2_2;
+        tau[2 * n + state] = t3_2;
+        tau[3 * n + state] = t4;
+    }
+}
+
+void middle_tendon_lengths_batch(int count, const double *SINEW_RESTRICT q, double *SINEW_RESTRICT h)
+{
+    const size_t n = (size_t)count;
+    SINEW_STATES_ARE_INDEPENDENT
+    for (size_t state = 0; state < n; ++state) {
+        const double t1 = 0.0065 * q[state];
+        const double t2 = 0.0065 * q[1 * n + state];
+        const double t3 = t1 + t2;
+        const double t4 = t1 - t2;
+        const double t5 = 0.0055 * q[2 * n + state];
+        const double t6 = 0.0045 * q[3 * n + state] - t5;
+        h[state] = t3;
+        h[1 * n + state] = t4;
+        h[2 * n + state] = -t4;
+        h[3 * n + state] = -t3;
+        h[4 * n + state] = t5;
+        h[5 * n + state] = -t5;
+        h[6 * n + state] = -t6;
+        h[7 * n + state] = t6;
+    }
+}
+
+void middle_coupling_matrix_batch(int count, const double *SINEW_RESTRICT q, double *SINEW_RESTRICT P)
+{
+    const size_t n = (size_t)count;
+    (void)q;
+    SINEW_STATES_ARE_INDEPENDENT
+    for (size_t state = 0; state < n; ++state) {
+        P[state] = 0.0065;
+        P[1 * n + state] = 0.0065;
+        P[2 * n + state] = 0.0;
+        P[3 * n + state] = 0.0;
+        P[4 * n + state] = 0.0065;
+        P[5 * n + state] = -0.0065;
+        P[6 * n + state] = 0.0;
+        P[7 * n + state] = 0.0;
+        P[8 * n + state] = -0.0065;
+        P[9 * n + state] = 0.0065;
+        P[10 * n + state] = 0.0;
+        P[11 * n + state] = 0.0;
+        P[12 * n + state] = -0.0065;
+        P[13 * n + state] = -0.0065;
+        P[14 * n + state] = 0.0;
+        P[15 * n + state] = 0.0;
+        P[16 * n + state] = 0.0;
+        P[17 * n + state] = 0.0;
+        P[18 * n + state] = 0.0055;
+        P[19 * n + state] = 0.0;
+        P[20 * n + state] = 0.0;
+        P[21 * n + state] = 0.0;
+        P[22 * n + state] = -0.0055;
+        P[23 * n + state] = 0.0;
+        P[24 * n + state] = 0.0;
+        P[25 * n + state] = 0.0;
+        P[26 * n + state] = 0.0055;
+        P[27 * n + state] = -0.0045;
+        P[28 * n + state] = 0.0;
+        P[29 * n + state] = 0.0;
+        P[30 * n + state] = -0.0055;
+        P[31 * n + state] = 0.0045;
+    }
+}
+
+void middle_joint_torque_batch(int count, const double *SINEW_RESTRICT q, const double *SINEW_RESTRICT f, double *SINEW_RESTRICT tau)
+{
+    const size_t n = (size_t)count;
+    (void)q;
+    SINEW_STATES_ARE_INDEPENDENT
+    for (size_t state = 0; state < n; ++state) {
+        const double t1 = 0.0065 * f[state];
+        const double t2 = 0.0065 * f[1 * n + state];
+        const double t3 = 0.0065 * f[2 * n + state];
+        const double t4 = 0.0065 * f[3 * n + state];
+        const double t5 = f[4 * n + state] - f[5 * n + state] + f[6 * n + state] - f[7 * n + state];
+        tau[state] = -(t1 + t2 - t3 - t4);
+        tau[1 * n + state] = -(t1 - t2 + t3 - t4);
+        tau[2 * n + state] = -(0.0055 * t5);
+        tau[3 * n + state] = 0.0045 * (f[6 * n + state] - f[7 * n + state]);
+    }
+}
+
+void middle_joint_stiffness_batch(int count, const double *SINEW_RESTRICT q, const double *SINEW_RESTRICT f, const double *SINEW_RESTRICT kt, double *SINEW_RESTRICT K)
+{
+    const size_t n = (size_t)count;
+    (void)q;
+    (void)f;
+    SINEW_STATES_ARE_INDEPENDENT
+    for (size_t state = 0; state < n; ++state) {
+        const double t1 = 4.225e-05 * kt[state];
+        const double t2 = 4.225e-05 * kt[1 * n + state];
+        const double t3 = 4.225e-05 * kt[2 * n + state];
+        const double t4 = 4.225e-05 * kt[3 * n + state];
+        const double K1_1 = t1 + t2 + t3 + t4;
+        const double K1_2 = t1 - t2 - t3 + t4;
+        const double w7_3 = 0.0055 * kt[6 * n + state];
+        const double w8_3 = 0.0055 * kt[7 * n + state];
+        const double t5 = w7_3 + w8_3;
+        const double K3_3 = 3.0249999999999997e-05 * (kt[4 * n + state] + kt[5 * n + state]) + 0.0055 * t5;
+        const double K3_4 = 0.0045 * t5;
+        const double t6 = -K3_4;
+        const double K4_4 = 2.0249999999999998e-05 * (kt[6 * n + state] + kt[7 * n + state]);
+        K[state] = K1_1;
+        K[1 * n + state] = K1_2;
+        K[2 * n + state] = 0.0;
+        K[3 * n + state] = 0.0;
+        K[4 * n + state] = K1_2;
+        K[5 * n + state] = K1_1;
+        K[6 * n + state] = 0.0;
+        K[7 * n + state] = 0.0;
+        K[8 * n + state] = 0.0;
+        K[9 * n + state] = 0.0;
+        K[10 * n + state] = K3_3;
+        K[11 * n + state] = t6;
+        K[12 * n + state] = 0.0;
+        K[13 * n + state] = 0.0;
+        K[14 * n + state] = t6;
+        K[15 * n + state] = K4_4;
+    }
+}
+
+void middle_link_position_batch(int count, const double *SINEW_RESTRICT h, double *SINEW_RESTRICT q)
+{
+    const size_t n = (size_t)count;
+    SINEW_STATES_ARE_INDEPENDENT
+    for (size_t state = 0; state < n; ++state) {
+        const double t1 = 38.46153846153846 * h[state];
+        const double t2 = 38.46153846153846 * h[1 * n + state];
+        const double t3 = 38.46153846153846 * h[2 * n + state];
+        const double t4 = 38.46153846153846 * h[3 * n + state];
+        const double t5 = h[4 * n + state] - h[5 * n + state];
+        q[state] = t1 + t2 - t3 - t4;
+        q[1 * n + state] = t1 - t2 + t3 - t4;
+        q[2 * n + state] = 90.90909090909092 * t5;
+        q[3 * n + state] = 111.11111111111111 * (t5 - h[6 * n + state] + h[7 * n + state]);
+    }
+}

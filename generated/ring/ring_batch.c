@@ -1,0 +1,712 @@
+/* SPDX-License-Identifier: BSD-2-Clause
+ *
+ * The functions of the model ring over many states: element k of state i is at [k * count + i].
+ *
+ * Made by: sinew generate models/ring
+ * Model:   sha256 1f4b3990ffc6980ffccbfc6418e580555e7561f229241dc052214b4c0e8cbe05
+ * Do not edit: change the model and generate again.
+ */
+#include "ring_batch.h"
+
+#include <stddef.h>
+
+#include "sinew_math.h"
+
+#if defined(__clang__)
+#define SINEW_STATES_ARE_INDEPENDENT _Pragma("clang loop vectorize(assume_safety)")
+#elif defined(__GNUC__)
+#define SINEW_STATES_ARE_INDEPENDENT _Pragma("GCC ivdep")
+#else
+#define SINEW_STATES_ARE_INDEPENDENT
+#endif
+
+void ring_forward_kinematics_batch(int count, const double *SINEW_RESTRICT q, double *SINEW_RESTRICT T)
+{
+    const size_t n = (size_t)count;
+    SINEW_STATES_ARE_INDEPENDENT
+    for (size_t state = 0; state < n; ++state) {
+        const double phi3 = q[1 * n + state] + q[2 * n + state];
+        const double phi4 = phi3 + 1.2222222222222223 * q[2 * n + state];
+        double s1, c1;
+        sinew_sincos(q[state], &s1, &c1);
+        double s4, c4;
+        sinew_sincos(phi4, &s4, &c4);
+        double s2, c2;
+        sinew_sincos(q[1 * n + state], &s2, &c2);
+        double s3, c3;
+        sinew_sincos(phi3, &s3, &c3);
+        const double R41x = c1 * c4;
+        const double R41y = c1 * s4;
+        const double l4x = 0.0298 * c3;
+        const double l3x = 0.04038 * c2;
+        const double o4x = l3x + l4x;
+        const double t1 = 0.006 + o4x;
+        const double ptipx = c1 * t1 - 0.0057 * s1 + 0.0201 * R41x;
+        const double R42x = s1 * c4;
+        const double R42y = s1 * s4;
+        const double ptipy = s1 * t1 + 0.0057 * c1 + 0.0201 * R42x;
+        const double l4y = 0.0298 * s3;
+        const double l3y = 0.04038 * s2;
+        const double o4y = l3y + l4y;
+        const double ptipz = o4y + 0.0201 * s4;
+        T[state] = R41x;
+        T[1 * n + state] = -R41y;
+        T[2 * n + state] = s1;
+        T[3 * n + state] = ptipx;
+        T[4 * n + state] = R42x;
+        T[5 * n + state] = -R42y;
+        T[6 * n + state] = -c1;
+        T[7 * n + state] = ptipy;
+        T[8 * n + state] = s4;
+        T[9 * n + state] = c4;
+        T[10 * n + state] = 0.0;
+        T[11 * n + state] = ptipz;
+        T[12 * n + state] = 0.0;
+        T[13 * n + state] = 0.0;
+        T[14 * n + state] = 0.0;
+        T[15 * n + state] = 1.0;
+    }
+}
+
+void ring_tip_jacobian_batch(int count, const double *SINEW_RESTRICT q, double *SINEW_RESTRICT J)
+{
+    const size_t n = (size_t)count;
+    SINEW_STATES_ARE_INDEPENDENT
+    for (size_t state = 0; state < n; ++state) {
+        const double phi3 = q[1 * n + state] + q[2 * n + state];
+        const double phi4 = phi3 + 1.2222222222222223 * q[2 * n + state];
+        double s1, c1;
+        sinew_sincos(q[state], &s1, &c1);
+        double s2, c2;
+        sinew_sincos(q[1 * n + state], &s2, &c2);
+        double s3, c3;
+        sinew_sincos(phi3, &s3, &c3);
+        double s4, c4;
+        sinew_sincos(phi4, &s4, &c4);
+        const double l4x = 0.0298 * c3;
+        const double l3x = 0.04038 * c2;
+        const double o4x = l3x + l4x;
+        const double p2y = 0.006 * s1;
+        const double p4y = p2y + s1 * o4x;
+        const double ptipy = p4y + 0.0057 * c1 + 0.0201 * s1 * c4;
+        const double l4y = 0.0298 * s3;
+        const double l3y = 0.04038 * s2;
+        const double o4y = l3y + l4y;
+        const double ptipz = o4y + 0.0201 * s4;
+        const double arm4_4 = o4y - ptipz;
+        const double t1 = 1.2222222222222223 * c1;
+        const double arm3_4 = l3y - ptipz;
+        const double p2x = 0.006 * c1;
+        const double p4x = p2x + c1 * o4x;
+        const double ptipx = p4x - 0.0057 * s1 + 0.0201 * c1 * c4;
+        const double t2 = 1.2222222222222223 * s1;
+        const double arm2 = p2x - ptipx;
+        const double arm2_2 = p2y - ptipy;
+        const double p3x = p2x + c1 * l3x;
+        const double arm3 = p3x - ptipx;
+        const double p3y = p2y + s1 * l3x;
+        const double arm3_2 = p3y - ptipy;
+        const double arm4 = p4x - ptipx;
+        const double arm4_2 = p4y - ptipy;
+        J[state] = -ptipy;
+        J[1 * n + state] = -(c1 * ptipz);
+        J[2 * n + state] = c1 * arm3_4 + t1 * arm4_4;
+        J[3 * n + state] = ptipx;
+        J[4 * n + state] = -(s1 * ptipz);
+        J[5 * n + state] = s1 * arm3_4 + t2 * arm4_4;
+        J[6 * n + state] = 0.0;
+        J[7 * n + state] = -(c1 * arm2 + s1 * arm2_2);
+        J[8 * n + state] = -(c1 * arm3 + s1 * arm3_2 + t1 * arm4 + t2 * arm4_2);
+        J[9 * n + state] = 0.0;
+        J[10 * n + state] = s1;
+        J[11 * n + state] = 2.2222222222222223 * s1;
+        J[12 * n + state] = 0.0;
+        J[13 * n + state] = -c1;
+        J[14 * n + state] = -(2.2222222222222223 * c1);
+        J[15 * n + state] = 1.0;
+        J[16 * n + state] = 0.0;
+        J[17 * n + state] = 0.0;
+    }
+}
+
+void ring_mass_matrix_batch(int count, const double *SINEW_RESTRICT q, double *SINEW_RESTRICT M)
+{
+    const size_t n = (size_t)count;
+    SINEW_STATES_ARE_INDEPENDENT
+    for (size_t state = 0; state < n; ++state) {
+        const double phi3 = q[1 * n + state] + q[2 * n + state];
+        const double phi4 = phi3 + 1.2222222222222223 * q[2 * n + state];
+        double s2, c2;
+        sinew_sincos(q[1 * n + state], &s2, &c2);
+        double s3, c3;
+        sinew_sincos(phi3, &s3, &c3);
+        double s4, c4;
+        sinew_sincos(phi4, &s4, &c4);
+        const double j3u = 4.3862e-06 * c3;
+        const double j2u = 1.94855328e-05 * c2;
+        const double j4u = 3.7701e-07 * c4;
+        const double l4x = 0.0298 * c3;
+        const double l3x = 0.04038 * c2;
+        const double o4x = l3x + l4x;
+        const double j4x1 = 3.015e-05 * c4;
+        const double j3x1 = 0.0001788 * c3;
+        const double t1 = l4x * j4x1;
+        const double S3x = j3x1 + j4x1;
+        const double t2 = l3x * S3x;
+        const double j2x1 = 0.00054513 * c2;
+        const double S2x = j2x1 + S3x;
+        const double t3 = c2 * j2u + c3 * j3u + c4 * j4u + o4x * j4x1 + l3x * j3x1 + t1 + t2 + 0.012 * S2x;
+        const double Z1 = t3 + 1.1373674999999997e-06;
+        const double j4yz = 1.613025e-07 * s4;
+        const double j3yz = 7.0179e-07 * s3;
+        const double K3yz = j3yz + j4yz;
+        const double j2yz = 1.253799e-06 * s2;
+        const double K2yz = j2yz + K3yz;
+        const double t4 = K3yz + 1.2222222222222223 * j4yz;
+        const double j4y1 = 3.015e-05 * s4;
+        const double j3y1 = 0.0001788 * s3;
+        const double S3y = j3y1 + j4y1;
+        const double l3y = 0.04038 * s2;
+        const double lS3 = t2 + l3y * S3y;
+        const double l4y = 0.0298 * s3;
+        const double lS4 = t1 + l4y * j4y1;
+        const double Z3 = 4.92521e-06 + 2.0 * lS4;
+        const double Z2 = 1.96475328e-05 + Z3 + 2.0 * lS3;
+        const double M_4 = Z3 + lS3;
+        const double M_2 = 4.3101e-07 + lS4;
+        const double M_2_2 = M_2 + l3x * j4x1 + l3y * j4y1;
+        const double t5 = M_4 + 1.2222222222222223 * M_2_2;
+        M[state] = Z1;
+        M[1 * n + state] = K2yz;
+        M[2 * n + state] = t4;
+        M[3 * n + state] = K2yz;
+        M[4 * n + state] = Z2;
+        M[5 * n + state] = t5;
+        M[6 * n + state] = t4;
+        M[7 * n + state] = t5;
+        M[8 * n + state] = 6.438544444444446e-07 + Z3 + 2.4444444444444446 * M_2;
+    }
+}
+
+void ring_coriolis_matrix_batch(int count, const double *SINEW_RESTRICT q, const double *SINEW_RESTRICT qd, double *SINEW_RESTRICT C)
+{
+    const size_t n = (size_t)count;
+    SINEW_STATES_ARE_INDEPENDENT
+    for (size_t state = 0; state < n; ++state) {
+        const double phi3 = q[1 * n + state] + q[2 * n + state];
+        const double phi4 = phi3 + 1.2222222222222223 * q[2 * n + state];
+        double s2, c2;
+        sinew_sincos(q[1 * n + state], &s2, &c2);
+        double s3, c3;
+        sinew_sincos(phi3, &s3, &c3);
+        double s4, c4;
+        sinew_sincos(phi4, &s4, &c4);
+        const double j4u = 3.7701e-07 * c4;
+        const double t1 = j4u + j4u;
+        const double j4x1 = 3.015e-05 * c4;
+        const double j3x1 = 0.0001788 * c3;
+        const double S3x = j3x1 + j4x1;
+        const double l3y = 0.04038 * s2;
+        const double j3xx_by_q1 = s3 * (4.3862e-06 * (c3 * 2.0));
+        const double t2 = l3y * (j3x1 + S3x) + s4 * t1 + s2 * (1.94855328e-05 * (c2 * 2.0)) + j3xx_by_q1;
+        const double l4x = 0.0298 * c3;
+        const double l3x = 0.04038 * c2;
+        const double o4x = l3x + l4x;
+        const double j4y1 = 3.015e-05 * s4;
+        const double l4y = 0.0298 * s3;
+        const double o4y = l3y + l4y;
+        const double j3y1 = 0.0001788 * s3;
+        const double t3 = l3x * j3y1;
+        const double t4 = l4x * j4y1;
+        const double t5 = l4y * j4x1;
+        const double S3y = j3y1 + j4y1;
+        const double j2y1 = 0.00054513 * s2;
+        const double S2y = j2y1 + S3y;
+        const double C2sxx_by_q1 = t2 + o4x * j4y1 + o4y * j4x1 + t3 + t4 + t5 + l3x * S3y + 0.012 * S2y;
+        const double hq2 = 0.5 * qd[1 * n + state];
+        const double c4_by_q2 = 2.2222222222222223 * s4;
+        const double j4x1_by_q2 = 3.015e-05 * c4_by_q2;
+        const double t6 = l4x * j4x1_by_q2;
+        const double S3x_by_q2 = j3y1 + j4x1_by_q2;
+        const double t7 = l3x * S3x_by_q2;
+        const double C2sxx_by_q2 = c4_by_q2 * t1 + t5 * 2.0 + j3xx_by_q1 + o4x * j4x1_by_q2 + t3 + t6 + t7 + 0.012 * S3x_by_q2;
+        const double hq3 = 0.5 * qd[2 * n + state];
+        const double hq1 = 0.5 * qd[state];
+        const double t8 = C2sxx_by_q1 * hq1;
+        const double j4xz = 1.613025e-07 * c4;
+        const double j3xz = 7.0179e-07 * c3;
+        const double K3xz = j3xz + j4xz;
+        const double j2xz = 1.253799e-06 * c2;
+        const double K2xz = j2xz + K3xz;
+        const double M13_by_q1 = K3xz + 1.2222222222222223 * j4xz;
+        const double s4_by_q2 = 2.2222222222222223 * c4;
+        const double j4yz_by_q2 = 1.613025e-07 * s4_by_q2;
+        const double K3yz_by_q2 = j3xz + j4yz_by_q2;
+        const double G123 = M13_by_q1 + K3yz_by_q2;
+        const double t9 = C2sxx_by_q2 * hq1;
+        const double M13_by_q2 = K3yz_by_q2 + 1.2222222222222223 * j4yz_by_q2;
+        const double G213 = M13_by_q1 - K3yz_by_q2;
+        const double j4y1_by_q2 = 3.015e-05 * s4_by_q2;
+        const double lS4_by_q2 = t4 - t6 - t5 + l4y * j4y1_by_q2;
+        const double Z3_by_q2 = 2.0 * lS4_by_q2;
+        const double S3y_by_q2 = j3x1 + j4y1_by_q2;
+        const double lS3_by_q2 = t7 - l3y * S3y_by_q2;
+        const double Z2_by_q2 = Z3_by_q2 - 2.0 * lS3_by_q2;
+        const double M_4_by_q2 = Z3_by_q2 - lS3_by_q2;
+        const double M_2_by_q2 = lS4_by_q2 - l3x * j4x1_by_q2 + l3y * j4y1_by_q2;
+        const double M23_by_q2 = M_4_by_q2 + 1.2222222222222223 * M_2_by_q2;
+        const double t10 = Z2_by_q2 * hq2 - hq1 * G213;
+        const double M33_by_q2 = Z3_by_q2 + 2.4444444444444446 * lS4_by_q2;
+        C[state] = -(C2sxx_by_q1 * hq2 + C2sxx_by_q2 * hq3);
+        C[1 * n + state] = -(t8 - hq2 * 2.0 * K2xz - hq3 * G123);
+        C[2 * n + state] = -(t9 - hq2 * G123 - hq3 * 2.0 * M13_by_q2);
+        C[3 * n + state] = t8 - hq3 * G213;
+        C[4 * n + state] = Z2_by_q2 * hq3;
+        C[5 * n + state] = t10 + hq3 * (2.0 * M23_by_q2);
+        C[6 * n + state] = t9 + hq2 * G213;
+        C[7 * n + state] = -t10;
+        C[8 * n + state] = M33_by_q2 * hq3;
+    }
+}
+
+void ring_gravity_batch(int count, const double *SINEW_RESTRICT q, double *SINEW_RESTRICT g)
+{
+    const size_t n = (size_t)count;
+    SINEW_STATES_ARE_INDEPENDENT
+    for (size_t state = 0; state < n; ++state) {
+        const double phi3 = q[1 * n + state] + q[2 * n + state];
+        const double phi4 = phi3 + 1.2222222222222223 * q[2 * n + state];
+        double s1, c4;
+        sinew_sincos(phi4, &s1, &c4);
+        double s2, c3;
+        sinew_sincos(phi3, &s2, &c3);
+        double s3, c2;
+        sinew_sincos(q[1 * n + state], &s3, &c2);
+        const double n4 = 0.0002957715 * c4;
+        const double n3 = n4 + 0.0017540280000000001 * c3;
+        const double n2 = n3 + 0.005347725300000001 * c2;
+        g[state] = 0.0;
+        g[1 * n + state] = n2;
+        g[2 * n + state] = n3 + 1.2222222222222223 * n4;
+    }
+}
+
+void ring_bias_batch(int count, const double *SINEW_RESTRICT q, const double *SINEW_RESTRICT qd, double *SINEW_RESTRICT h)
+{
+    const size_t n = (size_t)count;
+    SINEW_STATES_ARE_INDEPENDENT
+    for (size_t state = 0; state < n; ++state) {
+        const double phi3 = q[1 * n + state] + q[2 * n + state];
+        const double phi4 = phi3 + 1.2222222222222223 * q[2 * n + state];
+        double s4, c4;
+        sinew_sincos(phi4, &s4, &c4);
+        double s3, c3;
+        sinew_sincos(phi3, &s3, &c3);
+        double s2, c2;
+        sinew_sincos(q[1 * n + state], &s2, &c2);
+        const double l3x = 0.04038 * c2;
+        const double o3x = 0.006 + l3x;
+        const double l4x = 0.0298 * c3;
+        const double o4x = o3x + l4x;
+        const double j4y1 = 3.015e-05 * s4;
+        const double K4yx = s4 * 3.7701e-07 * c4 + o4x * j4y1;
+        const double j3y1 = 0.0001788 * s3;
+        const double j4x1 = 3.015e-05 * c4;
+        const double l4y = 0.0298 * s3;
+        const double t1 = l4y * j4x1;
+        const double K3yx = s3 * 4.3862e-06 * c3 + K4yx + o3x * j3y1 + t1;
+        const double j2u = 1.94855328e-05 * c2;
+        const double j3x1 = 0.0001788 * c3;
+        const double S3x = j3x1 + j4x1;
+        const double l3y = 0.04038 * s2;
+        const double K2yx = s2 * (j2u + 3.27078e-06) + K3yx + l3y * S3x;
+        const double t2 = 1.2222222222222223 * qd[2 * n + state];
+        const double R2yx = qd[1 * n + state] * K2yx + qd[2 * n + state] * K3yx + t2 * K4yx;
+        const double w_2y = 2.0 * qd[state];
+        const double w3z = qd[1 * n + state] + qd[2 * n + state];
+        const double w4z = w3z + t2;
+        const double w4zz = w4z * w4z;
+        const double w3zz = w3z * w3z;
+        const double w2zz = qd[1 * n + state] * qd[1 * n + state];
+        const double t3 = 1.613025e-07 * c4 * w4zz + 7.0179e-07 * c3 * w3zz + 1.253799e-06 * c2 * w2zz;
+        const double Q2y = t3 - w_2y * R2yx;
+        const double X2_4 = l3x * j4y1 - l3y * j4x1;
+        const double X3_4 = l4x * j4y1 - t1;
+        const double n4 = 9.81 * j4x1 + w2zz * X2_4 + w3zz * X3_4;
+        const double X2_3 = l3x * j3y1 - l3y * j3x1;
+        const double n3 = n4 + 9.81 * j3x1 + w2zz * X2_3 - w4zz * X3_4;
+        const double n2 = n3 + 0.005347725300000001 * c2 - w3zz * X2_3 - w4zz * X2_4;
+        const double w1zz = qd[state] * qd[state];
+        const double t2_2 = n2 + w1zz * K2yx;
+        const double t3_2 = n3 + w1zz * K3yx;
+        const double t4 = n4 + w1zz * K4yx;
+        h[state] = Q2y;
+        h[1 * n + state] = t2_2;
+        h[2 * n + state] = t3_2 + 1.2222222222222223 * t4;
+    }
+}
+
+void ring_mass_matrix_and_bias_batch(int count, const double *SINEW_RESTRICT q, const double *SINEW_RESTRICT qd, double *SINEW_RESTRICT M, double *SINEW_RESTRICT h)
+{
+    const size_t n = (size_t)count;
+    SINEW_STATES_ARE_INDEPENDENT
+    for (size_t state = 0; state < n; ++state) {
+        const double phi3 = q[1 * n + state] + q[2 * n + state];
+        const double phi4 = phi3 + 1.2222222222222223 * q[2 * n + state];
+        double s2, c2;
+        sinew_sincos(q[1 * n + state], &s2, &c2);
+        double s3, c3;
+        sinew_sincos(phi3, &s3, &c3);
+        double s4, c4;
+        sinew_sincos(phi4, &s4, &c4);
+        const double j3u = 4.3862e-06 * c3;
+        const double j2u = 1.94855328e-05 * c2;
+        const double j4u = 3.7701e-07 * c4;
+        const double l3x = 0.04038 * c2;
+        const double o3x = 0.006 + l3x;
+        const double l4x = 0.0298 * c3;
+        const double o4x = o3x + l4x;
+        const double j4x1 = 3.015e-05 * c4;
+        const double j3x1 = 0.0001788 * c3;
+        const double t1 = l4x * j4x1;
+        const double j2x1 = 0.00054513 * c2;
+        const double t2 = c2 * j2u + c3 * j3u + c4 * j4u + o4x * j4x1 + o3x * j3x1 + t1 + 0.006 * j2x1;
+        const double S3x = j3x1 + j4x1;
+        const double t3 = l3x * S3x;
+        const double S2x = j2x1 + S3x;
+        const double Z1 = t2 + t3 + 0.006 * S2x + 1.1373674999999997e-06;
+        const double j4yz = 1.613025e-07 * s4;
+        const double j3yz = 7.0179e-07 * s3;
+        const double K3yz = j3yz + j4yz;
+        const double j2yz = 1.253799e-06 * s2;
+        const double K2yz = j2yz + K3yz;
+        const double t4 = K3yz + 1.2222222222222223 * j4yz;
+        const double j4y1 = 3.015e-05 * s4;
+        const double j3y1 = 0.0001788 * s3;
+        const double S3y = j3y1 + j4y1;
+        const double l3y = 0.04038 * s2;
+        const double lS3 = t3 + l3y * S3y;
+        const double l4y = 0.0298 * s3;
+        const double lS4 = t1 + l4y * j4y1;
+        const double Z3 = 4.92521e-06 + 2.0 * lS4;
+        const double Z2 = 1.96475328e-05 + Z3 + 2.0 * lS3;
+        const double M_4 = Z3 + lS3;
+        const double M_2 = 4.3101e-07 + lS4;
+        const double M_2_2 = M_2 + l3x * j4x1 + l3y * j4y1;
+        const double t5 = M_4 + 1.2222222222222223 * M_2_2;
+        const double j4xy = s4 * j4u;
+        const double K4yx = j4xy + o4x * j4y1;
+        const double j3xy = s3 * j3u;
+        const double t6 = l4y * j4x1;
+        const double K3yx = j3xy + K4yx + o3x * j3y1 + t6;
+        const double K2yx = s2 * (j2u + 3.27078e-06) + K3yx + l3y * S3x;
+        const double t7 = 1.2222222222222223 * qd[2 * n + state];
+        const double R2yx = qd[1 * n + state] * K2yx + qd[2 * n + state] * K3yx + t7 * K4yx;
+        const double w_2y = 2.0 * qd[state];
+        const double w3z = qd[1 * n + state] + qd[2 * n + state];
+        const double w4z = w3z + t7;
+        const double w4zz = w4z * w4z;
+        const double w3zz = w3z * w3z;
+        const double w2zz = qd[1 * n + state] * qd[1 * n + state];
+        const double t8 = 1.613025e-07 * c4 * w4zz + 7.0179e-07 * c3 * w3zz + 1.253799e-06 * c2 * w2zz;
+        const double Q2y = t8 - w_2y * R2yx;
+        const double X2_4 = l3x * j4y1 - l3y * j4x1;
+        const double X3_4 = l4x * j4y1 - t6;
+        const double n4 = 9.81 * j4x1 + w2zz * X2_4 + w3zz * X3_4;
+        const double X2_3 = l3x * j3y1 - l3y * j3x1;
+        const double n3 = n4 + 9.81 * j3x1 + w2zz * X2_3 - w4zz * X3_4;
+        const double n2 = n3 + 9.81 * j2x1 - w3zz * X2_3 - w4zz * X2_4;
+        const double w1zz = qd[state] * qd[state];
+        const double t2_2 = n2 + K2yx * w1zz;
+        const double t3_2 = n3 + K3yx * w1zz;
+        const double t4_2 = n4 + K4yx * w1zz;
+        M[state] = Z1;
+        M[1 * n + state] = K2yz;
+        M[2 * n + state] = t4;
+        M[3 * n + state] = K2yz;
+        M[4 * n + state] = Z2;
+        M[5 * n + state] = t5;
+        M[6 * n + state] = t4;
+        M[7 * n + state] = t5;
+        M[8 * n + state] = 6.438544444444446e-07 + Z3 + 2.4444444444444446 * M_2;
+        h[state] = Q2y;
+        h[1 * n + state] = t2_2;
+        h[2 * n + state] = t3_2 + 1.2222222222222223 * t4_2;
+    }
+}
+
+void ring_forward_dynamics_batch(int count, const double *SINEW_RESTRICT q, const double *SINEW_RESTRICT qd, const double *SINEW_RESTRICT tau, double *SINEW_RESTRICT qdd)
+{
+    const size_t n = (size_t)count;
+    SINEW_STATES_ARE_INDEPENDENT
+    for (size_t state = 0; state < n; ++state) {
+        const double phi3 = q[1 * n + state] + q[2 * n + state];
+        const double phi4 = phi3 + 1.2222222222222223 * q[2 * n + state];
+        double s4, c4;
+        sinew_sincos(phi4, &s4, &c4);
+        double s3, c3;
+        sinew_sincos(phi3, &s3, &c3);
+        double s2, c2;
+        sinew_sincos(q[1 * n + state], &s2, &c2);
+        const double j4y1 = 3.015e-05 * s4;
+        const double l3x = 0.04038 * c2;
+        const double j4x1 = 3.015e-05 * c4;
+        const double l3y = 0.04038 * s2;
+        const double X2_4 = l3x * j4y1 - l3y * j4x1;
+        const double w2zz = qd[1 * n + state] * qd[1 * n + state];
+        const double l4x = 0.0298 * c3;
+        const double l4y = 0.0298 * s3;
+        const double t1 = l4y * j4x1;
+        const double X3_4 = l4x * j4y1 - t1;
+        const double w3z = qd[1 * n + state] + qd[2 * n + state];
+        const double w3zz = w3z * w3z;
+        const double n4 = 9.81 * j4x1 + w2zz * X2_4 + w3zz * X3_4;
+        const double j3x1 = 0.0001788 * c3;
+        const double j3y1 = 0.0001788 * s3;
+        const double X2_3 = l3x * j3y1 - l3y * j3x1;
+        const double t2 = 1.2222222222222223 * qd[2 * n + state];
+        const double w4z = w3z + t2;
+        const double w4zz = w4z * w4z;
+        const double n3 = n4 + 9.81 * j3x1 + w2zz * X2_3 - w4zz * X3_4;
+        const double o3x = 0.006 + l3x;
+        const double o4x = o3x + l4x;
+        const double j4u = 3.7701e-07 * c4;
+        const double j4xy = s4 * j4u;
+        const double K4yx = j4xy + o4x * j4y1;
+        const double j3u = 4.3862e-06 * c3;
+        const double j3xy = s3 * j3u;
+        const double K3yx = j3xy + K4yx + o3x * j3y1 + t1;
+        const double w1zz = qd[state] * qd[state];
+        const double t4 = n4 + K4yx * w1zz;
+        const double y3 = tau[2 * n + state] - n3 - K3yx * w1zz - 1.2222222222222223 * t4;
+        const double S3x = j3x1 + j4x1;
+        const double t3 = l3x * S3x;
+        const double S3y = j3y1 + j4y1;
+        const double lS3 = t3 + l3y * S3y;
+        const double t5 = l4x * j4x1;
+        const double lS4 = t5 + l4y * j4y1;
+        const double Z3 = 4.92521e-06 + 2.0 * lS4;
+        const double M_4 = Z3 + lS3;
+        const double M = 4.3101e-07 + lS4;
+        const double M_2 = M + l3x * j4x1 + l3y * j4y1;
+        const double t6 = 1e+16 * M_4 + 12222222222222224.0 * M_2;
+        const double r3 = 1e+43 / (6.438544444444445e+36 + 1e+43 * Z3 + 2.4444444444444447e+43 * M);
+        const double t7 = 1e-16 * r3;
+        const double L3_2 = t7 * t6;
+        const double j2x1 = 0.00054513 * c2;
+        const double j2u = 1.94855328e-05 * c2;
+        const double K2yx = s2 * (j2u + 3.27078e-06) + K3yx + l3y * S3x;
+        const double t8 = tau[1 * n + state] - n3 - 9.81 * j2x1 + w3zz * X2_3 + w4zz * X2_4 - K2yx * w1zz;
+        const double b2 = t8 - y3 * L3_2;
+        const double t9 = 1e-16 * L3_2;
+        const double Z2 = 1.96475328e-05 + Z3 + 2.0 * lS3;
+        const double A2_2 = Z2 - t9 * t6;
+        const double r2 = 1.0 / A2_2;
+        const double j4yz = 1.613025e-07 * s4;
+        const double j3yz = 7.0179e-07 * s3;
+        const double K3yz = j3yz + j4yz;
+        const double t10 = 1e+16 * K3yz + 12222222222222224.0 * j4yz;
+        const double j2yz = 1.253799e-06 * s2;
+        const double K2yz = j2yz + K3yz;
+        const double A2_1 = K2yz - t9 * t10;
+        const double L2_1 = A2_1 * r2;
+        const double L3_1 = t7 * t10;
+        const double R2yx = qd[1 * n + state] * K2yx + qd[2 * n + state] * K3yx + t2 * K4yx;
+        const double w_2y = 2.0 * qd[state];
+        const double t11 = tau[state] - 1.613025e-07 * c4 * w4zz - 7.0179e-07 * c3 * w3zz - 1.253799e-06 * c2 * w2zz;
+        const double b1_2 = t11 + w_2y * R2yx - y3 * L3_1 - b2 * L2_1;
+        const double t12 = c2 * j2u + c3 * j3u + c4 * j4u + o4x * j4x1 + o3x * j3x1 + t5 + 0.006 * j2x1;
+        const double S2x = j2x1 + S3x;
+        const double A1_1_2 = t12 + t3 + 0.006 * S2x - 1e-16 * L3_1 * t10 - A2_1 * L2_1 + 1.1373674999999997e-06;
+        const double r1 = 1.0 / A1_1_2;
+        const double x1 = b1_2 * r1;
+        const double x2 = b2 * r2 - L2_1 * x1;
+        const double x3 = y3 * r3 - L3_2 * x2 - L3_1 * x1;
+        qdd[state] = x1;
+        qdd[1 * n + state] = x2;
+        qdd[2 * n + state] = x3;
+    }
+}
+
+void ring_inverse_dynamics_batch(int count, const double *SINEW_RESTRICT q, const double *SINEW_RESTRICT qd, const double *SINEW_RESTRICT qdd, double *SINEW_RESTRICT tau)
+{
+    const size_t n = (size_t)count;
+    SINEW_STATES_ARE_INDEPENDENT
+    for (size_t state = 0; state < n; ++state) {
+        const double phi3 = q[1 * n + state] + q[2 * n + state];
+        const double phi4 = phi3 + 1.2222222222222223 * q[2 * n + state];
+        double s4, c4;
+        sinew_sincos(phi4, &s4, &c4);
+        double s3, c3;
+        sinew_sincos(phi3, &s3, &c3);
+        double s2, c2;
+        sinew_sincos(q[1 * n + state], &s2, &c2);
+        const double l3x = 0.04038 * c2;
+        const double o3x = 0.006 + l3x;
+        const double l4x = 0.0298 * c3;
+        const double o4x = o3x + l4x;
+        const double j4y1 = 3.015e-05 * s4;
+        const double j4u = 3.7701e-07 * c4;
+        const double j4xy = s4 * j4u;
+        const double K4yx = j4xy + o4x * j4y1;
+        const double j3u = 4.3862e-06 * c3;
+        const double j3xy = s3 * j3u;
+        const double j3y1 = 0.0001788 * s3;
+        const double j4x1 = 3.015e-05 * c4;
+        const double l4y = 0.0298 * s3;
+        const double K3yx = j3xy + K4yx + o3x * j3y1 + l4y * j4x1;
+        const double j2u = 1.94855328e-05 * c2;
+        const double j3x1 = 0.0001788 * c3;
+        const double S3x = j3x1 + j4x1;
+        const double l3y = 0.04038 * s2;
+        const double K2yx = s2 * (j2u + 3.27078e-06) + K3yx + l3y * S3x;
+        const double t1 = 1.2222222222222223 * qd[2 * n + state];
+        const double R2yx = qd[1 * n + state] * K2yx + qd[2 * n + state] * K3yx + t1 * K4yx;
+        const double w_2y = 2.0 * qd[state];
+        const double j2x1 = 0.00054513 * c2;
+        const double t2 = c2 * j2u + c3 * j3u + c4 * j4u + o4x * j4x1 + o3x * j3x1 + l4x * j4x1 + 0.006 * j2x1;
+        const double S2x = j2x1 + S3x;
+        const double w3z = qd[1 * n + state] + qd[2 * n + state];
+        const double w4z = w3z + t1;
+        const double w4zz = w4z * w4z;
+        const double al3z = qdd[1 * n + state] + qdd[2 * n + state];
+        const double al4z = al3z + 1.2222222222222223 * qdd[2 * n + state];
+        const double e4x = c4 * w4zz + s4 * al4z;
+        const double t3 = qdd[state] * (t2 + l3x * S3x + 0.006 * S2x + 1.1373675000000002e-06) + 1.613025e-07 * e4x;
+        const double w3zz = w3z * w3z;
+        const double e3x = c3 * w3zz + s3 * al3z;
+        const double w2zz = qd[1 * n + state] * qd[1 * n + state];
+        const double e2x = qdd[1 * n + state] * s2 + c2 * w2zz;
+        const double N1z = t3 + 7.0179e-07 * e3x + 1.253799e-06 * e2x - w_2y * R2yx;
+        const double e3y = c3 * al3z - s3 * w3zz;
+        const double e2y = qdd[1 * n + state] * c2 - s2 * w2zz;
+        const double a3y = 9.81 + 0.04038 * e2y;
+        const double a4y = a3y + 0.0298 * e3y;
+        const double a3x = 0.04038 * e2x;
+        const double a4x = a3x + 0.0298 * e3x;
+        const double n4 = 4.3101e-07 * al4z + j4x1 * a4y + j4y1 * a4x;
+        const double e4y = c4 * al4z - s4 * w4zz;
+        const double F4y = 3.015e-05 * e4y;
+        const double F4x = 3.015e-05 * e4x;
+        const double n3 = n4 + 4.4942e-06 * al3z + j3x1 * a3y + j3y1 * a3x + l4x * F4y + l4y * F4x;
+        const double F3y = F4y + 0.0001788 * e3y;
+        const double t4 = n3 + 1.9647532799999998e-05 * qdd[1 * n + state] + 9.81 * j2x1 + l3x * F3y;
+        const double F3x = F4x + 0.0001788 * e3x;
+        const double n2 = t4 + l3y * F3x;
+        const double j4yz = 1.613025e-07 * s4;
+        const double j3yz = 7.0179e-07 * s3;
+        const double K3yz = j3yz + j4yz;
+        const double j2yz = 1.253799e-06 * s2;
+        const double K2yz = j2yz + K3yz;
+        const double w1zz = qd[state] * qd[state];
+        const double t2_2 = n2 + qdd[state] * K2yz + w1zz * K2yx;
+        const double t3_2 = n3 + qdd[state] * K3yz + w1zz * K3yx;
+        const double t4_2 = n4 + qdd[state] * j4yz + w1zz * K4yx;
+        tau[state] = N1z;
+        tau[1 * n + state] = t2_2;
+        tau[2 * n + state] = t3_2 + 1.2222222222222223 * t4_2;
+    }
+}
+
+void ring_tendon_lengths_batch(int count, const double *SINEW_RESTRICT q, double *SINEW_RESTRICT h)
+{
+    const size_t n = (size_t)count;
+    SINEW_STATES_ARE_INDEPENDENT
+    for (size_t state = 0; state < n; ++state) {
+        const double t1 = 0.0065 * q[state];
+        const double t2 = 0.0065 * q[1 * n + state];
+        const double t3 = t1 + t2;
+        const double t4 = t1 - t2;
+        const double t5 = 0.011000000000000001 * q[2 * n + state];
+        h[state] = t3;
+        h[1 * n + state] = t4;
+        h[2 * n + state] = -t4;
+        h[3 * n + state] = -t3;
+        h[4 * n + state] = t5;
+        h[5 * n + state] = -t5;
+    }
+}
+
+void ring_coupling_matrix_batch(int count, const double *SINEW_RESTRICT q, double *SINEW_RESTRICT P)
+{
+    const size_t n = (size_t)count;
+    (void)q;
+    SINEW_STATES_ARE_INDEPENDENT
+    for (size_t state = 0; state < n; ++state) {
+        P[state] = 0.0065;
+        P[1 * n + state] = 0.0065;
+        P[2 * n + state] = 0.0;
+        P[3 * n + state] = 0.0065;
+        P[4 * n + state] = -0.0065;
+        P[5 * n + state] = 0.0;
+        P[6 * n + state] = -0.0065;
+        P[7 * n + state] = 0.0065;
+        P[8 * n + state] = 0.0;
+        P[9 * n + state] = -0.0065;
+        P[10 * n + state] = -0.0065;
+        P[11 * n + state] = 0.0;
+        P[12 * n + state] = 0.0;
+        P[13 * n + state] = 0.0;
+        P[14 * n + state] = 0.011000000000000001;
+        P[15 * n + state] = 0.0;
+        P[16 * n + state] = 0.0;
+        P[17 * n + state] = -0.011000000000000001;
+    }
+}
+
+void ring_joint_torque_batch(int count, const double *SINEW_RESTRICT q, const double *SINEW_RESTRICT f, double *SINEW_RESTRICT tau)
+{
+    const size_t n = (size_t)count;
+    (void)q;
+    SINEW_STATES_ARE_INDEPENDENT
+    for (size_t state = 0; state < n; ++state) {
+        const double t1 = 0.0065 * f[state];
+        const double t2 = 0.0065 * f[1 * n + state];
+        const double t3 = 0.0065 * f[2 * n + state];
+        const double t4 = 0.0065 * f[3 * n + state];
+        tau[state] = -(t1 + t2 - t3 - t4);
+        tau[1 * n + state] = -(t1 - t2 + t3 - t4);
+        tau[2 * n + state] = -(0.011000000000000001 * (f[4 * n + state] - f[5 * n + state]));
+    }
+}
+
+void ring_joint_stiffness_batch(int count, const double *SINEW_RESTRICT q, const double *SINEW_RESTRICT f, const double *SINEW_RESTRICT kt, double *SINEW_RESTRICT K)
+{
+    const size_t n = (size_t)count;
+    (void)q;
+    (void)f;
+    SINEW_STATES_ARE_INDEPENDENT
+    for (size_t state = 0; state < n; ++state) {
+        const double t1 = 4.225e-05 * kt[state];
+        const double t2 = 4.225e-05 * kt[1 * n + state];
+        const double t3 = 4.225e-05 * kt[2 * n + state];
+        const double t4 = 4.225e-05 * kt[3 * n + state];
+        const double K1_1 = t1 + t2 + t3 + t4;
+        const double K1_2 = t1 - t2 - t3 + t4;
+        const double K3_3 = 0.00012100000000000003 * (kt[4 * n + state] + kt[5 * n + state]);
+        K[state] = K1_1;
+        K[1 * n + state] = K1_2;
+        K[2 * n + state] = 0.0;
+        K[3 * n + state] = K1_2;
+        K[4 * n + state] = K1_1;
+        K[5 * n + state] = 0.0;
+        K[6 * n + state] = 0.0;
+        K[7 * n + state] = 0.0;
+        K[8 * n + state] = K3_3;
+    }
+}
+
+void ring_link_position_batch(int count, const double *SINEW_RESTRICT h, double *SINEW_RESTRICT q)
+{
+    const size_t n = (size_t)count;
+    SINEW_STATES_ARE_INDEPENDENT
+    for (size_t state = 0; state < n; ++state) {
+        const double t1 = 38.46153846153846 * h[state];
+        const double t2 = 38.46153846153846 * h[1 * n + state];
+        const double t3 = 38.46153846153846 * h[2 * n + state];
+        const double t4 = 38.46153846153846 * h[3 * n + state];
+        q[state] = t1 + t2 - t3 - t4;
+        q[1 * n + state] = t1 - t2 + t3 - t4;
+        q[2 * n + state] = 45.45454545454545 * (h[4 * n + state] - h[5 * n + state]);
+    }
+}

@@ -1,0 +1,42 @@
+/* SPDX-License-Identifier: BSD-2-Clause
+ *
+ * The functions of the model ring over many states: element k of state i is at [k * count + i].
+ *
+ * Made by: sinew generate models/ring
+ * Model:   sha256 1f4b3990ffc6980ffccbfc6418e580555e7561f229241dc052214b4c0e8cbe05
+ * Do not edit: change the model and generate again.
+ */
+#ifndef SINEW_ring_BATCH_H
+#define SINEW_ring_BATCH_H
+
+#ifndef SINEW_RESTRICT
+#ifdef __cplusplus
+#define SINEW_RESTRICT
+#else
+#define SINEW_RESTRICT restrict
+#endif
+#endif
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+void ring_forward_kinematics_batch(int count, const double *SINEW_RESTRICT q, double *SINEW_RESTRICT T);
+void ring_tip_jacobian_batch(int count, const double *SINEW_RESTRICT q, double *SINEW_RESTRICT J);
+void ring_mass_matrix_batch(int count, const double *SINEW_RESTRICT q, double *SINEW_RESTRICT M);
+void ring_coriolis_matrix_batch(int count, const double *SINEW_RESTRICT q, const double *SINEW_RESTRICT qd, double *SINEW_RESTRICT C);
+void ring_gravity_batch(int count, const double *SINEW_RESTRICT q, double *SINEW_RESTRICT g);
+void ring_bias_batch(int count, const double *SINEW_RESTRICT q, const double *SINEW_RESTRICT qd, double *SINEW_RESTRICT h);
+void ring_mass_matrix_and_bias_batch(int count, const double *SINEW_RESTRICT q, const double *SINEW_RESTRICT qd, double *SINEW_RESTRICT M, double *SINEW_RESTRICT h);
+void ring_forward_dynamics_batch(int count, const double *SINEW_RESTRICT q, const double *SINEW_RESTRICT qd, const double *SINEW_RESTRICT tau, double *SINEW_RESTRICT qdd);
+void ring_inverse_dynamics_batch(int count, const double *SINEW_RESTRICT q, const double *SINEW_RESTRICT qd, const double *SINEW_RESTRICT qdd, double *SINEW_RESTRICT tau);
+void ring_tendon_lengths_batch(int count, const double *SINEW_RESTRICT q, double *SINEW_RESTRICT h);
+void ring_coupling_matrix_batch(int count, const double *SINEW_RESTRICT q, double *SINEW_RESTRICT P);
+void ring_joint_torque_batch(int count, const double *SINEW_RESTRICT q, const double *SINEW_RESTRICT f, double *SINEW_RESTRICT tau);
+void ring_joint_stiffness_batch(int count, const double *SINEW_RESTRICT q, const double *SINEW_RESTRICT f, const double *SINEW_RESTRICT kt, double *SINEW_RESTRICT K);
+void ring_link_position_batch(int count, const double *SINEW_RESTRICT h, double *SINEW_RESTRICT q);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,271 @@
+/* SPDX-License-Identifier: BSD-2-Clause
+ *
+ * Every function of the model ring behind one calling convention.
+ *
+ * Made by: sinew generate models/ring
+ * Model:   sha256 1f4b3990ffc6980ffccbfc6418e580555e7561f229241dc052214b4c0e8cbe05
+ * Do not edit: change the model and generate again.
+ */
+#include "ring_catalogue.h"
+
+#include "ring.h"
+
+static void call_forward_kinematics(const void *in, void *out)
+{
+    const double *x = (const double *)in;
+    double *y = (double *)out;
+    ring_forward_kinematics(x + 0, y + 0);
+}
+static const double forward_kinematics_q_low[] = {-0.35, -0.2, -0.2};
+static const double forward_kinematics_q_high[] = {0.35, 1.6, 1.6};
+static const sinew_argument forward_kinematics_inputs[] = {
+    {"q", "rad", 3, 1, forward_kinematics_q_low, forward_kinematics_q_high},
+};
+static const sinew_argument forward_kinematics_outputs[] = {
+    {"T", "m", 4, 4, 0, 0},
+};
+
+static void call_tip_jacobian(const void *in, void *out)
+{
+    const double *x = (const double *)in;
+    double *y = (double *)out;
+    ring_tip_jacobian(x + 0, y + 0);
+}
+static const double tip_jacobian_q_low[] = {-0.35, -0.2, -0.2};
+static const double tip_jacobian_q_high[] = {0.35, 1.6, 1.6};
+static const sinew_argument tip_jacobian_inputs[] = {
+    {"q", "rad", 3, 1, tip_jacobian_q_low, tip_jacobian_q_high},
+};
+static const sinew_argument tip_jacobian_outputs[] = {
+    {"J", "m | 1", 6, 3, 0, 0},
+};
+
+static void call_mass_matrix(const void *in, void *out)
+{
+    const double *x = (const double *)in;
+    double *y = (double *)out;
+    ring_mass_matrix(x + 0, y + 0);
+}
+static const double mass_matrix_q_low[] = {-0.35, -0.2, -0.2};
+static const double mass_matrix_q_high[] = {0.35, 1.6, 1.6};
+static const sinew_argument mass_matrix_inputs[] = {
+    {"q", "rad", 3, 1, mass_matrix_q_low, mass_matrix_q_high},
+};
+static const sinew_argument mass_matrix_outputs[] = {
+    {"M", "kg m^2", 3, 3, 0, 0},
+};
+
+static void call_coriolis_matrix(const void *in, void *out)
+{
+    const double *x = (const double *)in;
+    double *y = (double *)out;
+    ring_coriolis_matrix(x + 0, x + 3, y + 0);
+}
+static const double coriolis_matrix_q_low[] = {-0.35, -0.2, -0.2};
+static const double coriolis_matrix_q_high[] = {0.35, 1.6, 1.6};
+static const double coriolis_matrix_qd_low[] = {-10.0, -10.0, -10.0};
+static const double coriolis_matrix_qd_high[] = {10.0, 10.0, 10.0};
+static const sinew_argument coriolis_matrix_inputs[] = {
+    {"q", "rad", 3, 1, coriolis_matrix_q_low, coriolis_matrix_q_high},
+    {"qd", "rad/s", 3, 1, coriolis_matrix_qd_low, coriolis_matrix_qd_high},
+};
+static const sinew_argument coriolis_matrix_outputs[] = {
+    {"C", "kg m^2/s", 3, 3, 0, 0},
+};
+
+static void call_gravity(const void *in, void *out)
+{
+    const double *x = (const double *)in;
+    double *y = (double *)out;
+    ring_gravity(x + 0, y + 0);
+}
+static const double gravity_q_low[] = {-0.35, -0.2, -0.2};
+static const double gravity_q_high[] = {0.35, 1.6, 1.6};
+static const sinew_argument gravity_inputs[] = {
+    {"q", "rad", 3, 1, gravity_q_low, gravity_q_high},
+};
+static const sinew_argument gravity_outputs[] = {
+    {"g", "N m", 3, 1, 0, 0},
+};
+
+static void call_bias(const void *in, void *out)
+{
+    const double *x = (const double *)in;
+    double *y = (double *)out;
+    ring_bias(x + 0, x + 3, y + 0);
+}
+static const double bias_q_low[] = {-0.35, -0.2, -0.2};
+static const double bias_q_high[] = {0.35, 1.6, 1.6};
+static const double bias_qd_low[] = {-10.0, -10.0, -10.0};
+static const double bias_qd_high[] = {10.0, 10.0, 10.0};
+static const sinew_argument bias_inputs[] = {
+    {"q", "rad", 3, 1, bias_q_low, bias_q_high},
+    {"qd", "rad/s", 3, 1, bias_qd_low, bias_qd_high},
+};
+static const sinew_argument bias_outputs[] = {
+    {"h", "N m", 3, 1, 0, 0},
+};
+
+static void call_mass_matrix_and_bias(const void *in, void *out)
+{
+    const double *x = (const double *)in;
+    double *y = (double *)out;
+    ring_mass_matrix_and_bias(x + 0, x + 3, y + 0, y + 9);
+}
+static const double mass_matrix_and_bias_q_low[] = {-0.35, -0.2, -0.2};
+static const double mass_matrix_and_bias_q_high[] = {0.35, 1.6, 1.6};
+static const double mass_matrix_and_bias_qd_low[] = {-10.0, -10.0, -10.0};
+static const double mass_matrix_and_bias_qd_high[] = {10.0, 10.0, 10.0};
+static const sinew_argument mass_matrix_and_bias_inputs[] = {
+    {"q", "rad", 3, 1, mass_matrix_and_bias_q_low, mass_matrix_and_bias_q_high},
+    {"qd", "rad/s", 3, 1, mass_matrix_and_bias_qd_low, mass_matrix_and_bias_qd_high},
+};
+static const sinew_argument mass_matrix_and_bias_outputs[] = {
+    {"M", "kg m^2", 3, 3, 0, 0},
+    {"h", "N m", 3, 1, 0, 0},
+};
+
+static void call_forward_dynamics(const void *in, void *out)
+{
+    const double *x = (const double *)in;
+    double *y = (double *)out;
+    ring_forward_dynamics(x + 0, x + 3, x + 6, y + 0);
+}
+static const double forward_dynamics_q_low[] = {-0.35, -0.2, -0.2};
+static const double forward_dynamics_q_high[] = {0.35, 1.6, 1.6};
+static const double forward_dynamics_qd_low[] = {-10.0, -10.0, -10.0};
+static const double forward_dynamics_qd_high[] = {10.0, 10.0, 10.0};
+static const double forward_dynamics_tau_low[] = {-1.0, -1.0, -1.0};
+static const double forward_dynamics_tau_high[] = {1.0, 1.0, 1.0};
+static const sinew_argument forward_dynamics_inputs[] = {
+    {"q", "rad", 3, 1, forward_dynamics_q_low, forward_dynamics_q_high},
+    {"qd", "rad/s", 3, 1, forward_dynamics_qd_low, forward_dynamics_qd_high},
+    {"tau", "N m", 3, 1, forward_dynamics_tau_low, forward_dynamics_tau_high},
+};
+static const sinew_argument forward_dynamics_outputs[] = {
+    {"qdd", "rad/s^2", 3, 1, 0, 0},
+};
+
+static void call_inverse_dynamics(const void *in, void *out)
+{
+    const double *x = (const double *)in;
+    double *y = (double *)out;
+    ring_inverse_dynamics(x + 0, x + 3, x + 6, y + 0);
+}
+static const double inverse_dynamics_q_low[] = {-0.35, -0.2, -0.2};
+static const double inverse_dynamics_q_high[] = {0.35, 1.6, 1.6};
+static const double inverse_dynamics_qd_low[] = {-10.0, -10.0, -10.0};
+static const double inverse_dynamics_qd_high[] = {10.0, 10.0, 10.0};
+static const double inverse_dynamics_qdd_low[] = {-100.0, -100.0, -100.0};
+static const double inverse_dynamics_qdd_high[] = {100.0, 100.0, 100.0};
+static const sinew_argument inverse_dynamics_inputs[] = {
+    {"q", "rad", 3, 1, inverse_dynamics_q_low, inverse_dynamics_q_high},
+    {"qd", "rad/s", 3, 1, inverse_dynamics_qd_low, inverse_dynamics_qd_high},
+    {"qdd", "rad/s^2", 3, 1, inverse_dynamics_qdd_low, inverse_dynamics_qdd_high},
+};
+static const sinew_argument inverse_dynamics_outputs[] = {
+    {"tau", "N m", 3, 1, 0, 0},
+};
+
+static void call_tendon_lengths(const void *in, void *out)
+{
+    const double *x = (const double *)in;
+    double *y = (double *)out;
+    ring_tendon_lengths(x + 0, y + 0);
+}
+static const double tendon_lengths_q_low[] = {-0.35, -0.2, -0.2};
+static const double tendon_lengths_q_high[] = {0.35, 1.6, 1.6};
+static const sinew_argument tendon_lengths_inputs[] = {
+    {"q", "rad", 3, 1, tendon_lengths_q_low, tendon_lengths_q_high},
+};
+static const sinew_argument tendon_lengths_outputs[] = {
+    {"h", "m", 6, 1, 0, 0},
+};
+
+static void call_coupling_matrix(const void *in, void *out)
+{
+    const double *x = (const double *)in;
+    double *y = (double *)out;
+    ring_coupling_matrix(x + 0, y + 0);
+}
+static const double coupling_matrix_q_low[] = {-0.35, -0.2, -0.2};
+static const double coupling_matrix_q_high[] = {0.35, 1.6, 1.6};
+static const sinew_argument coupling_matrix_inputs[] = {
+    {"q", "rad", 3, 1, coupling_matrix_q_low, coupling_matrix_q_high},
+};
+static const sinew_argument coupling_matrix_outputs[] = {
+    {"P", "m/rad", 6, 3, 0, 0},
+};
+
+static void call_joint_torque(const void *in, void *out)
+{
+    const double *x = (const double *)in;
+    double *y = (double *)out;
+    ring_joint_torque(x + 0, x + 3, y + 0);
+}
+static const double joint_torque_q_low[] = {-0.35, -0.2, -0.2};
+static const double joint_torque_q_high[] = {0.35, 1.6, 1.6};
+static const double joint_torque_f_low[] = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
+static const double joint_torque_f_high[] = {100.0, 100.0, 100.0, 100.0, 100.0, 100.0};
+static const sinew_argument joint_torque_inputs[] = {
+    {"q", "rad", 3, 1, joint_torque_q_low, joint_torque_q_high},
+    {"f", "N", 6, 1, joint_torque_f_low, joint_torque_f_high},
+};
+static const sinew_argument joint_torque_outputs[] = {
+    {"tau", "N m", 3, 1, 0, 0},
+};
+
+static void call_joint_stiffness(const void *in, void *out)
+{
+    const double *x = (const double *)in;
+    double *y = (double *)out;
+    ring_joint_stiffness(x + 0, x + 3, x + 9, y + 0);
+}
+static const double joint_stiffness_q_low[] = {-0.35, -0.2, -0.2};
+static const double joint_stiffness_q_high[] = {0.35, 1.6, 1.6};
+static const double joint_stiffness_f_low[] = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
+static const double joint_stiffness_f_high[] = {100.0, 100.0, 100.0, 100.0, 100.0, 100.0};
+static const double joint_stiffness_kt_low[] = {1000.0, 1000.0, 1000.0, 1000.0, 1000.0, 1000.0};
+static const double joint_stiffness_kt_high[] = {50000.0, 50000.0, 50000.0, 50000.0, 50000.0, 50000.0};
+static const sinew_argument joint_stiffness_inputs[] = {
+    {"q", "rad", 3, 1, joint_stiffness_q_low, joint_stiffness_q_high},
+    {"f", "N", 6, 1, joint_stiffness_f_low, joint_stiffness_f_high},
+    {"kt", "N/m", 6, 1, joint_stiffness_kt_low, joint_stiffness_kt_high},
+};
+static const sinew_argument joint_stiffness_outputs[] = {
+    {"K", "N m/rad", 3, 3, 0, 0},
+};
+
+static void call_link_position(const void *in, void *out)
+{
+    const double *x = (const double *)in;
+    double *y = (double *)out;
+    ring_link_position(x + 0, y + 0);
+}
+static const double link_position_h_low[] = {-0.012674999999999999, -0.012674999999999999, -0.012674999999999999, -0.012674999999999999, -0.016, -0.016};
+static const double link_position_h_high[] = {0.012674999999999999, 0.012674999999999999, 0.012674999999999999, 0.012674999999999999, 0.016, 0.016};
+static const sinew_argument link_position_inputs[] = {
+    {"h", "m", 6, 1, link_position_h_low, link_position_h_high},
+};
+static const sinew_argument link_position_outputs[] = {
+    {"q", "rad", 3, 1, 0, 0},
+};
+
+static const sinew_function functions[] = {
+    {"ring_forward_kinematics", 1, 1, 3, 16, forward_kinematics_inputs, forward_kinematics_outputs, call_forward_kinematics},
+    {"ring_tip_jacobian", 1, 1, 3, 18, tip_jacobian_inputs, tip_jacobian_outputs, call_tip_jacobian},
+    {"ring_mass_matrix", 1, 1, 3, 9, mass_matrix_inputs, mass_matrix_outputs, call_mass_matrix},
+    {"ring_coriolis_matrix", 2, 1, 6, 9, coriolis_matrix_inputs, coriolis_matrix_outputs, call_coriolis_matrix},
+    {"ring_gravity", 1, 1, 3, 3, gravity_inputs, gravity_outputs, call_gravity},
+    {"ring_bias", 2, 1, 6, 3, bias_inputs, bias_outputs, call_bias},
+    {"ring_mass_matrix_and_bias", 2, 2, 6, 12, mass_matrix_and_bias_inputs, mass_matrix_and_bias_outputs, call_mass_matrix_and_bias},
+    {"ring_forward_dynamics", 3, 1, 9, 3, forward_dynamics_inputs, forward_dynamics_outputs, call_forward_dynamics},
+    {"ring_inverse_dynamics", 3, 1, 9, 3, inverse_dynamics_inputs, inverse_dynamics_outputs, call_inverse_dynamics},
+    {"ring_tendon_lengths", 1, 1, 3, 6, tendon_lengths_inputs, tendon_lengths_outputs, call_tendon_lengths},
+    {"ring_coupling_matrix", 1, 1, 3, 18, coupling_matrix_inputs, coupling_matrix_outputs, call_coupling_matrix},
+    {"ring_joint_torque", 2, 1, 9, 3, joint_torque_inputs, joint_torque_outputs, call_joint_torque},
+    {"ring_joint_stiffness", 3, 1, 15, 9, joint_stiffness_inputs, joint_stiffness_outputs, call_joint_stiffness},
+    {"ring_link_position", 1, 1, 6, 3, link_position_inputs, link_position_outputs, call_link_position},
+};
+
+const sinew_catalogue ring_catalogue = {"ring", "1f4b3990ffc6980ffccbfc6418e580555e7561f229241dc052214b4c0e8cbe05", 8, 14, functions};
