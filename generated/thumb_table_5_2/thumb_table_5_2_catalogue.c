@@ -1,0 +1,255 @@
+/* SPDX-License-Identifier: BSD-2-Clause
+ *
+ * Every function of the model thumb_table_5_2 behind one calling convention.
+ *
+ * Made by: sinew generate models/thumb_table_5_2
+ * Model:   sha256 bbe6ad946c25f79dfb874427de1b09ec5897fef90ad1f6d32550868697528da8
+ * Do not edit: change the model and generate again.
+ */
+#include "thumb_table_5_2_catalogue.h"
+
+#include "thumb_table_5_2.h"
+
+static void call_forward_kinematics(const void *in, void *out)
+{
+    const double *x = (const double *)in;
+    double *y = (double *)out;
+    thumb_table_5_2_forward_kinematics(x + 0, y + 0);
+}
+static const double forward_kinematics_q_low[] = {-0.6981317007977318, -0.6981317007977318, -0.2, -0.2};
+static const double forward_kinematics_q_high[] = {0.6981317007977318, 0.6981317007977318, 1.6, 1.6};
+static const sinew_argument forward_kinematics_inputs[] = {
+    {"q", "rad", 4, 1, forward_kinematics_q_low, forward_kinematics_q_high},
+};
+static const sinew_argument forward_kinematics_outputs[] = {
+    {"T", "m", 4, 4, 0, 0},
+};
+
+static void call_tip_jacobian(const void *in, void *out)
+{
+    const double *x = (const double *)in;
+    double *y = (double *)out;
+    thumb_table_5_2_tip_jacobian(x + 0, y + 0);
+}
+static const double tip_jacobian_q_low[] = {-0.6981317007977318, -0.6981317007977318, -0.2, -0.2};
+static const double tip_jacobian_q_high[] = {0.6981317007977318, 0.6981317007977318, 1.6, 1.6};
+static const sinew_argument tip_jacobian_inputs[] = {
+    {"q", "rad", 4, 1, tip_jacobian_q_low, tip_jacobian_q_high},
+};
+static const sinew_argument tip_jacobian_outputs[] = {
+    {"J", "m | 1", 6, 4, 0, 0},
+};
+
+static void call_mass_matrix(const void *in, void *out)
+{
+    const double *x = (const double *)in;
+    double *y = (double *)out;
+    thumb_table_5_2_mass_matrix(x + 0, y + 0);
+}
+static const double mass_matrix_q_low[] = {-0.6981317007977318, -0.6981317007977318, -0.2, -0.2};
+static const double mass_matrix_q_high[] = {0.6981317007977318, 0.6981317007977318, 1.6, 1.6};
+static const sinew_argument mass_matrix_inputs[] = {
+    {"q", "rad", 4, 1, mass_matrix_q_low, mass_matrix_q_high},
+};
+static const sinew_argument mass_matrix_outputs[] = {
+    {"M", "kg m^2", 4, 4, 0, 0},
+};
+
+static void call_coriolis_matrix(const void *in, void *out)
+{
+    const double *x = (const double *)in;
+    double *y = (double *)out;
+    thumb_table_5_2_coriolis_matrix(x + 0, x + 4, y + 0);
+}
+static const double coriolis_matrix_q_low[] = {-0.6981317007977318, -0.6981317007977318, -0.2, -0.2};
+static const double coriolis_matrix_q_high[] = {0.6981317007977318, 0.6981317007977318, 1.6, 1.6};
+static const double coriolis_matrix_qd_low[] = {-10.0, -10.0, -10.0, -10.0};
+static const double coriolis_matrix_qd_high[] = {10.0, 10.0, 10.0, 10.0};
+static const sinew_argument coriolis_matrix_inputs[] = {
+    {"q", "rad", 4, 1, coriolis_matrix_q_low, coriolis_matrix_q_high},
+    {"qd", "rad/s", 4, 1, coriolis_matrix_qd_low, coriolis_matrix_qd_high},
+};
+static const sinew_argument coriolis_matrix_outputs[] = {
+    {"C", "kg m^2/s", 4, 4, 0, 0},
+};
+
+static void call_gravity(const void *in, void *out)
+{
+    const double *x = (const double *)in;
+    double *y = (double *)out;
+    thumb_table_5_2_gravity(x + 0, y + 0);
+}
+static const double gravity_q_low[] = {-0.6981317007977318, -0.6981317007977318, -0.2, -0.2};
+static const double gravity_q_high[] = {0.6981317007977318, 0.6981317007977318, 1.6, 1.6};
+static const sinew_argument gravity_inputs[] = {
+    {"q", "rad", 4, 1, gravity_q_low, gravity_q_high},
+};
+static const sinew_argument gravity_outputs[] = {
+    {"g", "N m", 4, 1, 0, 0},
+};
+
+static void call_bias(const void *in, void *out)
+{
+    const double *x = (const double *)in;
+    double *y = (double *)out;
+    thumb_table_5_2_bias(x + 0, x + 4, y + 0);
+}
+static const double bias_q_low[] = {-0.6981317007977318, -0.6981317007977318, -0.2, -0.2};
+static const double bias_q_high[] = {0.6981317007977318, 0.6981317007977318, 1.6, 1.6};
+static const double bias_qd_low[] = {-10.0, -10.0, -10.0, -10.0};
+static const double bias_qd_high[] = {10.0, 10.0, 10.0, 10.0};
+static const sinew_argument bias_inputs[] = {
+    {"q", "rad", 4, 1, bias_q_low, bias_q_high},
+    {"qd", "rad/s", 4, 1, bias_qd_low, bias_qd_high},
+};
+static const sinew_argument bias_outputs[] = {
+    {"h", "N m", 4, 1, 0, 0},
+};
+
+static void call_mass_matrix_and_bias(const void *in, void *out)
+{
+    const double *x = (const double *)in;
+    double *y = (double *)out;
+    thumb_table_5_2_mass_matrix_and_bias(x + 0, x + 4, y + 0, y + 16);
+}
+static const double mass_matrix_and_bias_q_low[] = {-0.6981317007977318, -0.6981317007977318, -0.2, -0.2};
+static const double mass_matrix_and_bias_q_high[] = {0.6981317007977318, 0.6981317007977318, 1.6, 1.6};
+static const double mass_matrix_and_bias_qd_low[] = {-10.0, -10.0, -10.0, -10.0};
+static const double mass_matrix_and_bias_qd_high[] = {10.0, 10.0, 10.0, 10.0};
+static const sinew_argument mass_matrix_and_bias_inputs[] = {
+    {"q", "rad", 4, 1, mass_matrix_and_bias_q_low, mass_matrix_and_bias_q_high},
+    {"qd", "rad/s", 4, 1, mass_matrix_and_bias_qd_low, mass_matrix_and_bias_qd_high},
+};
+static const sinew_argument mass_matrix_and_bias_outputs[] = {
+    {"M", "kg m^2", 4, 4, 0, 0},
+    {"h", "N m", 4, 1, 0, 0},
+};
+
+static void call_forward_dynamics(const void *in, void *out)
+{
+    const double *x = (const double *)in;
+    double *y = (double *)out;
+    thumb_table_5_2_forward_dynamics(x + 0, x + 4, x + 8, y + 0);
+}
+static const double forward_dynamics_q_low[] = {-0.6981317007977318, -0.6981317007977318, -0.2, -0.2};
+static const double forward_dynamics_q_high[] = {0.6981317007977318, 0.6981317007977318, 1.6, 1.6};
+static const double forward_dynamics_qd_low[] = {-10.0, -10.0, -10.0, -10.0};
+static const double forward_dynamics_qd_high[] = {10.0, 10.0, 10.0, 10.0};
+static const double forward_dynamics_tau_low[] = {-1.0, -1.0, -1.0, -1.0};
+static const double forward_dynamics_tau_high[] = {1.0, 1.0, 1.0, 1.0};
+static const sinew_argument forward_dynamics_inputs[] = {
+    {"q", "rad", 4, 1, forward_dynamics_q_low, forward_dynamics_q_high},
+    {"qd", "rad/s", 4, 1, forward_dynamics_qd_low, forward_dynamics_qd_high},
+    {"tau", "N m", 4, 1, forward_dynamics_tau_low, forward_dynamics_tau_high},
+};
+static const sinew_argument forward_dynamics_outputs[] = {
+    {"qdd", "rad/s^2", 4, 1, 0, 0},
+};
+
+static void call_inverse_dynamics(const void *in, void *out)
+{
+    const double *x = (const double *)in;
+    double *y = (double *)out;
+    thumb_table_5_2_inverse_dynamics(x + 0, x + 4, x + 8, y + 0);
+}
+static const double inverse_dynamics_q_low[] = {-0.6981317007977318, -0.6981317007977318, -0.2, -0.2};
+static const double inverse_dynamics_q_high[] = {0.6981317007977318, 0.6981317007977318, 1.6, 1.6};
+static const double inverse_dynamics_qd_low[] = {-10.0, -10.0, -10.0, -10.0};
+static const double inverse_dynamics_qd_high[] = {10.0, 10.0, 10.0, 10.0};
+static const double inverse_dynamics_qdd_low[] = {-100.0, -100.0, -100.0, -100.0};
+static const double inverse_dynamics_qdd_high[] = {100.0, 100.0, 100.0, 100.0};
+static const sinew_argument inverse_dynamics_inputs[] = {
+    {"q", "rad", 4, 1, inverse_dynamics_q_low, inverse_dynamics_q_high},
+    {"qd", "rad/s", 4, 1, inverse_dynamics_qd_low, inverse_dynamics_qd_high},
+    {"qdd", "rad/s^2", 4, 1, inverse_dynamics_qdd_low, inverse_dynamics_qdd_high},
+};
+static const sinew_argument inverse_dynamics_outputs[] = {
+    {"tau", "N m", 4, 1, 0, 0},
+};
+
+static void call_tendon_lengths(const void *in, void *out)
+{
+    const double *x = (const double *)in;
+    double *y = (double *)out;
+    thumb_table_5_2_tendon_lengths(x + 0, y + 0);
+}
+static const double tendon_lengths_q_low[] = {-0.6981317007977318, -0.6981317007977318, -0.2, -0.2};
+static const double tendon_lengths_q_high[] = {0.6981317007977318, 0.6981317007977318, 1.6, 1.6};
+static const sinew_argument tendon_lengths_inputs[] = {
+    {"q", "rad", 4, 1, tendon_lengths_q_low, tendon_lengths_q_high},
+};
+static const sinew_argument tendon_lengths_outputs[] = {
+    {"h", "m", 8, 1, 0, 0},
+};
+
+static void call_coupling_matrix(const void *in, void *out)
+{
+    const double *x = (const double *)in;
+    double *y = (double *)out;
+    thumb_table_5_2_coupling_matrix(x + 0, y + 0);
+}
+static const double coupling_matrix_q_low[] = {-0.6981317007977318, -0.6981317007977318, -0.2, -0.2};
+static const double coupling_matrix_q_high[] = {0.6981317007977318, 0.6981317007977318, 1.6, 1.6};
+static const sinew_argument coupling_matrix_inputs[] = {
+    {"q", "rad", 4, 1, coupling_matrix_q_low, coupling_matrix_q_high},
+};
+static const sinew_argument coupling_matrix_outputs[] = {
+    {"P", "m/rad", 8, 4, 0, 0},
+};
+
+static void call_joint_torque(const void *in, void *out)
+{
+    const double *x = (const double *)in;
+    double *y = (double *)out;
+    thumb_table_5_2_joint_torque(x + 0, x + 4, y + 0);
+}
+static const double joint_torque_q_low[] = {-0.6981317007977318, -0.6981317007977318, -0.2, -0.2};
+static const double joint_torque_q_high[] = {0.6981317007977318, 0.6981317007977318, 1.6, 1.6};
+static const double joint_torque_f_low[] = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
+static const double joint_torque_f_high[] = {100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0};
+static const sinew_argument joint_torque_inputs[] = {
+    {"q", "rad", 4, 1, joint_torque_q_low, joint_torque_q_high},
+    {"f", "N", 8, 1, joint_torque_f_low, joint_torque_f_high},
+};
+static const sinew_argument joint_torque_outputs[] = {
+    {"tau", "N m", 4, 1, 0, 0},
+};
+
+static void call_joint_stiffness(const void *in, void *out)
+{
+    const double *x = (const double *)in;
+    double *y = (double *)out;
+    thumb_table_5_2_joint_stiffness(x + 0, x + 4, x + 12, y + 0);
+}
+static const double joint_stiffness_q_low[] = {-0.6981317007977318, -0.6981317007977318, -0.2, -0.2};
+static const double joint_stiffness_q_high[] = {0.6981317007977318, 0.6981317007977318, 1.6, 1.6};
+static const double joint_stiffness_f_low[] = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
+static const double joint_stiffness_f_high[] = {100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0};
+static const double joint_stiffness_kt_low[] = {1000.0, 1000.0, 1000.0, 1000.0, 1000.0, 1000.0, 1000.0, 1000.0};
+static const double joint_stiffness_kt_high[] = {50000.0, 50000.0, 50000.0, 50000.0, 50000.0, 50000.0, 50000.0, 50000.0};
+static const sinew_argument joint_stiffness_inputs[] = {
+    {"q", "rad", 4, 1, joint_stiffness_q_low, joint_stiffness_q_high},
+    {"f", "N", 8, 1, joint_stiffness_f_low, joint_stiffness_f_high},
+    {"kt", "N/m", 8, 1, joint_stiffness_kt_low, joint_stiffness_kt_high},
+};
+static const sinew_argument joint_stiffness_outputs[] = {
+    {"K", "N m/rad", 4, 4, 0, 0},
+};
+
+static const sinew_function functions[] = {
+    {"thumb_table_5_2_forward_kinematics", 1, 1, 4, 16, forward_kinematics_inputs, forward_kinematics_outputs, call_forward_kinematics},
+    {"thumb_table_5_2_tip_jacobian", 1, 1, 4, 24, tip_jacobian_inputs, tip_jacobian_outputs, call_tip_jacobian},
+    {"thumb_table_5_2_mass_matrix", 1, 1, 4, 16, mass_matrix_inputs, mass_matrix_outputs, call_mass_matrix},
+    {"thumb_table_5_2_coriolis_matrix", 2, 1, 8, 16, coriolis_matrix_inputs, coriolis_matrix_outputs, call_coriolis_matrix},
+    {"thumb_table_5_2_gravity", 1, 1, 4, 4, gravity_inputs, gravity_outputs, call_gravity},
+    {"thumb_table_5_2_bias", 2, 1, 8, 4, bias_inputs, bias_outputs, call_bias},
+    {"thumb_table_5_2_mass_matrix_and_bias", 2, 2, 8, 20, mass_matrix_and_bias_inputs, mass_matrix_and_bias_outputs, call_mass_matrix_and_bias},
+    {"thumb_table_5_2_forward_dynamics", 3, 1, 12, 4, forward_dynamics_inputs, forward_dynamics_outputs, call_forward_dynamics},
+    {"thumb_table_5_2_inverse_dynamics", 3, 1, 12, 4, inverse_dynamics_inputs, inverse_dynamics_outputs, call_inverse_dynamics},
+    {"thumb_table_5_2_tendon_lengths", 1, 1, 4, 8, tendon_lengths_inputs, tendon_lengths_outputs, call_tendon_lengths},
+    {"thumb_table_5_2_coupling_matrix", 1, 1, 4, 32, coupling_matrix_inputs, coupling_matrix_outputs, call_coupling_matrix},
+    {"thumb_table_5_2_joint_torque", 2, 1, 12, 4, joint_torque_inputs, joint_torque_outputs, call_joint_torque},
+    {"thumb_table_5_2_joint_stiffness", 3, 1, 20, 16, joint_stiffness_inputs, joint_stiffness_outputs, call_joint_stiffness},
+};
+
+const sinew_catalogue thumb_table_5_2_catalogue = {"thumb_table_5_2", "bbe6ad946c25f79dfb874427de1b09ec5897fef90ad1f6d32550868697528da8", 8, 13, functions};
