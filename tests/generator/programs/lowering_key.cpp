@@ -34,7 +34,9 @@ matrix turn(const ex& angle, const ex& length) {
 
 std::vector<Case> cases() {
   const ex product = (x + y * cos(z)) * (z - w * sin(x)) * (y - 2 * w);
-  const ex fraction = x / (y + z) + (w - x) / (y - z) - z / (y * y - z * z);
+  // normal() of denominators with common factors is left out: GiNaC leaves them factored or
+  // expanded as their order has it, so derivations may not use it.
+  const ex fraction = x / (y + z) + (w - x) / (y - z);
   const ex energy = ex(turn(x, w) * turn(y, z) * matrix{{1}, {2}, {1}}).evalm();
   const matrix system{{x + 2, y, z}, {y, z + 3, x * y}, {z - w, x, w + 5}};
   const ex pose = ex_to<matrix>(energy)(0, 0) - ex_to<matrix>(energy)(1, 0);
