@@ -105,6 +105,13 @@ void remove_left_overs(const fs::path& folder) {
   for (const fs::path& path : dead) fs::remove_all(path);
 }
 
+/// Absolute, through links (the folder behind a link is replaced, not the link), without "." or a
+/// trailing slash.
+fs::path real_path(const fs::path& given) {
+  const fs::path path = fs::weakly_canonical(fs::absolute(given));
+  return path.has_filename() ? path : path.parent_path();
+}
+
 void swap_in(const fs::path& temporary, const fs::path& folder) {
   if (!fs::exists(folder)) {
     if (::rename(temporary.c_str(), folder.c_str()) != 0) fail("cannot rename to", folder);
@@ -134,9 +141,7 @@ FileSet emit_files(const EmittedModel& model) {
 }
 
 void replace_folder(const fs::path& given, const FileSet& files) {
-  const fs::path folder =
-      fs::absolute(given).lexically_normal().parent_path() /
-      (given.has_filename() ? given.filename() : given.parent_path().filename());
+  const fs::path folder = real_path(given);
   refuse_foreign_files(folder);
   fs::create_directories(folder.parent_path());
   remove_left_overs(folder);
