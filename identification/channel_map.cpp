@@ -43,7 +43,12 @@ std::vector<ChannelSpec> drive_channels(const DriveLimits& limits, const std::st
   e.high = limits.max_effort;
   e.inertia = limits.inertia;
   e.friction = limits.friction;
-  return {p, e, r, v, spec("i", "A", ChannelRole::current, 0, false)};
+  return {p,
+          e,
+          r,
+          v,
+          spec("load", force, ChannelRole::other, 0, false),
+          spec("i", "A", ChannelRole::current, 0, false)};
 }
 
 ChannelSpec joint_position(const Joint& joint, std::string name, int group) {

@@ -36,9 +36,9 @@ struct DriveLimits {
   double friction = 0.0;  ///< effort at usual speed, N·m or N
 };
 
-/// theta, tau_m and optional theta_ref, omega, i.
+/// theta, tau_m and optional theta_ref, omega, load, i.
 std::vector<ChannelSpec> rotary_drive_channels(const DriveLimits& limits = {});
-/// x, f and optional x_ref, v, i.
+/// x, f and optional x_ref, v, load, i.
 std::vector<ChannelSpec> linear_drive_channels(const DriveLimits& limits = {});
 /// q_<joint>, tau_<joint> and optional qd_<joint>, q_<joint>_ref for every moving joint.
 std::vector<ChannelSpec> robot_channels(const Mechanism& mechanism);

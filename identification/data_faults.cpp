@@ -224,7 +224,7 @@ void judge_time(const TimeInspector& time, int column, FaultList& faults) {
                fmt::format("name the unit: --map \"time=#{} [{}]\"", column, slow ? "ms" : "s"));
     return;
   }
-  if (time.resolution() > 0.5 * dt) {
+  if (time.coarse()) {
     faults.add(FaultKind::coarse_time, Severity::doubtful, 0, 0, column, "time",
                fmt::format("the time is written to {:.3g} s but the period is {:.3g} s",
                            time.resolution(), dt),

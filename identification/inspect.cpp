@@ -177,23 +177,30 @@ double ChannelInspector::quantum() const {
   std::sort(steps.begin(), steps.end());
   const double floor =
       std::max(1.0e-8 * (high_ - low_), 64.0e-16 * std::max(std::abs(low_), std::abs(high_)));
-  double divisor = 0.0;
+  double divisor = 0.0, products = 0.0, squares = 0.0;
   for (size_t i = 0; i < std::min<size_t>(steps.size(), 1000); ++i) {
     if (steps[i] < floor) return 0.0;
     if (divisor == 0.0) divisor = steps[i];
-    for (double rest = steps[i]; rest > 0.01 * divisor;) {
-      rest = std::abs(steps[i] - divisor * std::round(steps[i] / divisor));
-      if (rest <= 0.01 * divisor) break;
+    const double times = std::round(steps[i] / divisor);
+    const double rest = std::abs(steps[i] - divisor * times);
+    if (rest > 0.05 * divisor) {
       divisor = rest;
-      if (divisor < floor) return 0.0;
+      products = squares = 0.0;
+      continue;
     }
+    // Values written with few digits: the mean over all multiples is finer than the smallest.
+    products += times * steps[i];
+    squares += times * times;
+    divisor = products / squares;
   }
   // A motion under constant acceleration has small steps with a common divisor too, but not all.
-  const auto whole = [&](double step) {
-    return std::abs(step - divisor * std::round(step / divisor)) <= 0.02 * divisor;
-  };
-  const auto fitting = std::count_if(steps.begin(), steps.end(), whole);
-  return static_cast<double>(fitting) > 0.95 * static_cast<double>(steps.size()) ? divisor : 0.0;
+  size_t near = 0, fitting = 0;
+  for (const double step : steps) {
+    if (step > 200.0 * divisor) break;
+    ++near;
+    fitting += std::abs(step - divisor * std::round(step / divisor)) <= 0.05 * divisor ? 1u : 0u;
+  }
+  return static_cast<double>(fitting) > 0.95 * static_cast<double>(near) ? divisor : 0.0;
 }
 
 double ChannelInspector::noise() const {
@@ -239,6 +246,7 @@ void TimeInspector::use(double step, long row) {
     ++used_;
   }
   const double off = std::abs(step / median_ - 1.0);
+  if (off > 0.1) ++uneven_;
   if (step <= 0.0 || off > 0.8) return;
   if (off > 0.1) ++off_;
   if (off > worst_) {

@@ -126,6 +126,12 @@ class TimeInspector {
   long worst_row() const { return worst_row_; }
   /// Steps off by more than a tenth of the period.
   long off_steps() const { return off_; }
+  /// Share of all steps, gaps and repeats too, that are off by more than a tenth.
+  double uneven() const {
+    return count_ > 1 ? static_cast<double>(uneven_) / static_cast<double>(count_ - 1) : 0.0;
+  }
+  /// Stamps too coarse for the period: they tell the time of no row.
+  bool coarse() const { return resolution_ > 0.5 * period() && uneven() > 0.05; }
   /// One unit of the last digit written.
   double resolution() const { return resolution_; }
   double first() const { return first_; }
@@ -148,6 +154,7 @@ class TimeInspector {
   double worst_ = 0.0;
   long worst_row_ = 0;
   long off_ = 0;
+  long uneven_ = 0;
 };
 
 }  // namespace sinew

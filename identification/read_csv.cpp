@@ -131,7 +131,7 @@ class Reading {
     grid.period = time.period();
     grid.longest_fill = options_.longest_fill;
     grid.time_column = map_.time.column;
-    grid.count_rows = time.resolution() > 0.5 * grid.period;
+    grid.count_rows = time.coarse();
     if (grid.count_rows)
       grid.period = (time.last() - time.first()) / static_cast<double>(time.count() - 1);
     const std::vector<DataFault>& found = faults_.all();

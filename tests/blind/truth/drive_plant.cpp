@@ -64,7 +64,7 @@ class DrivePlant : public Plant {
  public:
   DrivePlant(Draw draw, DriveCourse course) : model_(draw_model(draw)), course_(course) {
     run_.bouc_wen = draw.chance(0.5);
-    run_.bristle = draw.uniform(0.5e-4, 1.2e-4) * model_.amplitude;
+    run_.bristle = draw.uniform(2.0e-6, 5.0e-6) * model_.amplitude;
     run_.motor_share = draw.uniform(0.35, 0.65);
     if (course == DriveCourse::constant_load) {
       model_.loaded = true;
@@ -166,6 +166,8 @@ class DrivePlant : public Plant {
     return {left};
   }
 
+  void scale_noise(double factor) override { sigma_ *= factor; }
+
   void measure(Table& log, int number) const override {
     Draw draw(streams_[static_cast<size_t>(number) % std::size(streams_)] ^ 0x5bd1e995u);
     Noise effort(draw.fork()), load(draw.fork());
@@ -197,7 +199,7 @@ class DrivePlant : public Plant {
 
   void add(const char* name, const char* place, const char* unit, double guess, double most,
            void (*set)(DriveHidden&, double), unsigned taken_out = t_all, bool outside = false) {
-    chosen_.push_back({{name, place, unit, guess, most, 0.0, outside}, set, taken_out});
+    chosen_.push_back({{name, place, unit, guess, most, 0.0, outside, false}, set, taken_out});
     listed_.push_back(chosen_.back().cause);
   }
 

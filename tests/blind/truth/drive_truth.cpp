@@ -139,11 +139,18 @@ class Drive {
     return f;
   }
 
+  // Friction is steep near rest: its slope is taken implicitly, as its value is not.
+  double braked(double inertia) const {
+    const double s = m_.shape * v_;
+    const double slope = m_.level * m_.shape / (1.0 + s * s) + m_.viscous;
+    return inertia + step_ * slope;
+  }
+
   void advance(double effort, double load_now) {
     const double acting = (1.0 + h_.torque_gain) * line_.pass(effort);
     const double resisting = friction(v_, load_now) + position_forces(x_, load_now);
     if (!two_) {
-      v_ += step_ * (acting - resisting - load_now) / inertia_;
+      v_ += step_ * (acting - resisting - load_now) / braked(inertia_);
       turn_memory();
       x_ += step_ * v_;
       link_ = x_;
@@ -153,7 +160,7 @@ class Drive {
     const double pressed = std::abs(stretch) > gap ? stretch - std::copysign(gap, stretch) : 0.0;
     double spring = stiffness_ * pressed;
     if (pressed != 0.0) spring += spring_damping_ * (v_ - link_v_);
-    v_ += step_ * (acting - resisting - spring) / motor_inertia_;
+    v_ += step_ * (acting - resisting - spring) / braked(motor_inertia_);
     link_v_ += step_ * (spring - load_now) / link_inertia_;
     turn_memory();
     x_ += step_ * v_;

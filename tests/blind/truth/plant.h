@@ -27,6 +27,7 @@ struct Cause {
   double most = 0.0;
   double least = 0.0;    ///< negative where it can act either way
   bool outside = false;  ///< not in the library
+  bool fixed = false;    ///< there or not there: `guess` is the only dose, the noise gives the size
 };
 
 struct Dose {
@@ -53,6 +54,8 @@ class Plant {
                                                      const std::vector<Dose>& doses) const = 0;
   /// Adds measurement noise and the sensors' steps.
   virtual void measure(Table& log, int number) const = 0;
+  /// Makes the measurement noise so many times larger.
+  virtual void scale_noise(double factor) = 0;
 };
 
 /// Rotary or linear drive, with or without a measured load.

@@ -83,8 +83,12 @@ SealedTrial::SealedTrial(const TrialRequest& request) : draw_(request.seed) {
   plant_ = inseparable ? draw_drive(draw_.fork(), pair.course) : draw_plant(kind, draw_.fork());
   if (inseparable) {
     seal_.admissible.assign(pair.names.begin(), pair.names.end());
+    const auto name = [&](int cause) { return plant_->causes()[static_cast<size_t>(cause)].name; };
     for (const int cause : eligible(false))
-      if (plant_->causes()[static_cast<size_t>(cause)].name == pair.hidden) hide(cause, size);
+      if (name(cause) == pair.names[0] || name(cause) == pair.names[1])
+        rivals_.push_back({cause, 0.0});
+    for (const int cause : eligible(false))
+      if (name(cause) == pair.hidden) hide(cause, size);
   } else {
     hide_drawn(wanted_causes(request.family), request.family == Family::outside, size);
   }
@@ -140,6 +144,7 @@ void SealedTrial::hide_drawn(size_t count, bool outside, double size) {
 
 bool SealedTrial::hide(int cause, double size) {
   const Cause& info = plant_->causes()[static_cast<size_t>(cause)];
+  if (info.fixed) return hide_fixed(cause, size);
   double sign = info.least < 0.0 ? draw_.sign() : 1.0;
   HiddenCause found = dose_for(cause, size, sign);
   if (found.size < 0.85 * size && sign < 0.0) found = dose_for(cause, size, 1.0);
@@ -149,18 +154,33 @@ bool SealedTrial::hide(int cause, double size) {
   return true;
 }
 
+// What is either there or not is as large as it is: the noise is made to fit.
+bool SealedTrial::hide_fixed(int cause, double size) {
+  if (!doses_.empty()) return false;
+  const Cause& info = plant_->causes()[static_cast<size_t>(cause)];
+  const std::vector<Dose> dose{{cause, info.guess}};
+  const double reached = size_between(plant_->left_over(plant_->simulate(dose, 0), dose),
+                                      plant_->left_over(plant_->simulate({}, 0), dose));
+  if (!(reached > 0.0)) return false;
+  plant_->scale_noise(reached / size);
+  doses_ = dose;
+  seal_.hidden.push_back({info.name, info.place, info.unit, info.guess, size});
+  return true;
+}
+
 // The dose whose trace has the size wanted, by itself: a trace grows about in proportion.
 HiddenCause SealedTrial::dose_for(int cause, double size, double sign) const {
   const Cause& info = plant_->causes()[static_cast<size_t>(cause)];
   const double limit = sign > 0.0 ? info.most : -info.least;
   HiddenCause result{info.name, info.place, info.unit, 0.0, 0.0};
-  const std::vector<Dose> none{{cause, 0.0}};
-  const auto without = plant_->left_over(plant_->simulate({}, 0), none);
+  // What a rival explains too still counts.
+  std::vector<Dose> own = rivals_;
+  own.push_back({cause, 0.0});
+  const auto without = plant_->left_over(plant_->simulate({}, 0), own);
   double value = std::min(info.guess, limit);
   for (int i = 0; i < 5; ++i) {
     const std::vector<Dose> dose{{cause, sign * value}};
-    const double reached =
-        size_between(plant_->left_over(plant_->simulate(dose, 0), dose), without);
+    const double reached = size_between(plant_->left_over(plant_->simulate(dose, 0), own), without);
     if (!(reached > 0.0) || !std::isfinite(reached)) break;
     result.value = sign * value;
     result.size = reached;

@@ -61,12 +61,13 @@ class SealedTrial {
   bool hide(int cause, double size);
   void hide_drawn(size_t count, bool outside, double size);
   std::vector<int> eligible(bool outside) const;
+  bool hide_fixed(int cause, double size);
   HiddenCause dose_for(int cause, double size, double sign) const;
   std::string log_text(int number) const;
 
   Draw draw_;
   std::unique_ptr<Plant> plant_;
-  std::vector<Dose> doses_;
+  std::vector<Dose> doses_, rivals_;
   Trial trial_;
   Seal seal_;
 };
