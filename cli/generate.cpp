@@ -64,13 +64,29 @@ void run_generate(const Options& o) {
                    o.json);
 }
 
+/// As a shell takes it.
+std::string word(const std::string& text) {
+  const char* plain = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_./-+=:,@%";
+  if (!text.empty() && text.find_first_not_of(plain) == std::string::npos) return text;
+  std::string quoted = "'";
+  for (char c : text) quoted += c == '\'' ? "'\\''" : std::string(1, c);
+  return quoted + "'";
+}
+
+/// The command that makes `check` with these options content.
+std::string accept_command(const Options& o) {
+  std::string command = "sinew generate " + word(o.folder);
+  if (!o.out.empty()) command += " --out " + word(o.out);
+  if (o.scalar != "double") command += " --scalar " + o.scalar;
+  for (const std::string& pass : o.without) command += " --without " + pass;
+  return command;
+}
+
 int run_check(const Options& o) {
   const ModelFolder folder = open_model_folder(o.folder);
   const std::filesystem::path out = output_folder(o, folder);
   const std::string diff = difference(out, emit_files(emit(o, folder)));
-  const std::string accept =
-      fmt::format("sinew generate {}{}{}", o.folder, o.out.empty() ? "" : " --out " + o.out,
-                  o.scalar == "double" ? "" : " --scalar " + o.scalar);
+  const std::string accept = accept_command(o);
   if (o.json) {
     nlohmann::ordered_json report{{"model", folder.mechanism.name},
                                   {"same", diff.empty()},
