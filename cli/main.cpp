@@ -31,5 +31,9 @@ int main(int argc, char** argv) {
     fmt::print(stderr, "sinew: {}\n", error.what());
     return wrong_usage_or_input;
   }
+  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
+    fmt::print(stderr, "sinew: the output cannot be written\n");
+    return wrong_usage_or_input;
+  }
   return exit_status;
 }
