@@ -7,6 +7,22 @@
 #include "generator/statements.h"
 
 namespace sinew {
+namespace {
+
+/// Text from a model file, for inside a comment: it may neither end the comment nor open another,
+/// and stays on one line.
+std::string comment_text(const std::string& text) {
+  std::string safe;
+  for (char c : text) {
+    const bool closes = !safe.empty() && ((safe.back() == '*' && c == '/') ||
+                                          (safe.back() == '/' && c == '*'));
+    if (closes) safe += ' ';
+    safe += static_cast<unsigned char>(c) < ' ' || c == '\\' ? ' ' : c;
+  }
+  return safe;
+}
+
+}  // namespace
 
 std::string file_comment(const EmittedModel& model, const std::string& what) {
   return fmt::format(
@@ -18,7 +34,7 @@ std::string file_comment(const EmittedModel& model, const std::string& what) {
       " * Model:   sha256 {}\n"
       " * Do not edit: change the model and generate again.\n"
       " */\n",
-      what, model.name, model.hash);
+      comment_text(what), model.name, model.hash);
 }
 
 std::string signature(const EmittedModel& model, const Graph& graph) {
