@@ -165,7 +165,10 @@ void replace_folder(const fs::path& given, const FileSet& files) {
 
 std::string difference(const fs::path& folder, const FileSet& files) {
   std::string text;
-  std::set<std::string> names = listed_files(folder);
+  std::set<std::string> names;
+  if (fs::is_directory(folder))
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder))
+      names.insert(entry.path().filename().string());
   for (const auto& [name, content] : files) names.insert(name);
   for (const std::string& name : names) {
     const auto now = files.find(name);
