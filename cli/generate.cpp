@@ -88,13 +88,13 @@ int run_check(const Options& o) {
   const std::string diff = difference(out, emit_files(emit(o, folder)));
   const std::string accept = accept_command(o);
   if (o.json) {
-    nlohmann::ordered_json report{{"model", folder.mechanism.name},
+    nlohmann::ordered_json report{{"model", folder.identity.name},
                                   {"same", diff.empty()},
                                   {"diff", diff},
                                   {"accept", accept}};
     fmt::print("{}\n", report.dump(2));
   } else if (diff.empty()) {
-    fmt::print("{}: {} is up to date\n", folder.mechanism.name, out.string());
+    fmt::print("{}: {} is up to date\n", folder.identity.name, out.string());
   } else {
     fmt::print("{}\n{} differs from what the model gives now. To accept the change:\n  {}\n", diff,
                out.string(), accept);

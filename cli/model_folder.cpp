@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "identification/sha256.h"
+#include "symbolic/coordinates.h"
 #include "symbolic/functions.h"
 #include "symbolic/read_mechanism.h"
 
@@ -23,7 +24,8 @@ std::string content(const fs::path& path) {
 /// Over names, sizes and contents of the files that make the model.
 std::string hash_of(const fs::path& folder) {
   std::string all;
-  for (const char* name : {"identified.toml", "mass_properties.csv", "mechanism.toml"}) {
+  for (const char* name :
+       {"identified.toml", "mass_properties.csv", "mechanism.toml", "part.toml"}) {
     if (!fs::exists(folder / name)) continue;
     const std::string text = content(folder / name);
     all += fmt::format("{} {}\n{}", name, text.size(), text);
@@ -36,11 +38,16 @@ std::string hash_of(const fs::path& folder) {
 std::vector<std::string> joint_notes(const Mechanism& mechanism) {
   std::vector<std::string> notes{"Joint order (depth first from the base):"};
   int coordinate = 0;
-  for (const Joint& joint : mechanism.joints)
-    if (joint.type != JointType::fixed)
-      notes.push_back(
-          fmt::format("  q[{}] {} ({})", coordinate++, joint.name,
-                      joint.type == JointType::revolute ? "revolute, rad" : "prismatic, m"));
+  const Coordinates coordinates(mechanism);
+  for (const int index : coordinates.joints()) {
+    const Joint& joint = mechanism.joints[static_cast<std::size_t>(index)];
+    notes.push_back(
+        fmt::format("  q[{}] {} ({})", coordinate++, joint.name,
+                    joint.type == JointType::revolute ? "revolute, rad" : "prismatic, m"));
+  }
+  for (const JointCoupling& coupling : mechanism.couplings)
+    notes.push_back(fmt::format("  {} = {} {} follows", coupling.dependent, coupling.ratio,
+                                coupling.independent));
   const Eigen::Vector3d& g = mechanism.gravity;
   notes.push_back(fmt::format("Gravity in the base frame: {}, {}, {} m/s^2.", g(0), g(1), g(2)));
   return notes;
@@ -50,19 +57,32 @@ std::vector<std::string> joint_notes(const Mechanism& mechanism) {
 
 ModelFolder open_model_folder(const fs::path& folder) {
   ModelFolder result;
-  result.mechanism = read_mechanism(folder);
-  const Mechanism& m = result.mechanism;
-  result.identity = {m.name, m.description.empty() ? "Model " + m.name : m.description,
-                     hash_of(folder), joint_notes(m)};
+  std::string description;
+  if (is_part_folder(folder)) {
+    const Part part = read_part(folder);
+    result.identity.name = part.name;
+    description = part.description;
+    result.model = part;
+  } else {
+    const Mechanism mechanism = read_mechanism(folder);
+    result.identity.name = mechanism.name;
+    description = mechanism.description;
+    result.identity.notes = joint_notes(mechanism);
+    result.model = mechanism;
+  }
+  result.identity.description = description.empty() ? "Model " + result.identity.name : description;
+  result.identity.hash = hash_of(folder);
   return result;
 }
 
 std::vector<Function> derive_functions(const ModelFolder& folder) {
-  return functions_of(folder.mechanism, emitted_cost);
+  if (const Mechanism* mechanism = std::get_if<Mechanism>(&folder.model))
+    return functions_of(*mechanism, emitted_cost);
+  return functions_of(std::get<Part>(folder.model));
 }
 
 fs::path default_output(const ModelFolder& folder) {
-  return fs::path("generated") / folder.mechanism.name;
+  return fs::path("generated") / folder.identity.name;
 }
 
 Target target_named(const std::string& scalar) {

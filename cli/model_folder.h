@@ -2,15 +2,17 @@
 #pragma once
 
 #include <filesystem>
+#include <variant>
 
 #include "generator/assemble.h"
 #include "symbolic/mechanism.h"
+#include "symbolic/part.h"
 
 namespace sinew {
 
 /// A model folder, read: what generate, check, cost and dump start from.
 struct ModelFolder {
-  Mechanism mechanism;
+  std::variant<Mechanism, Part> model;
   ModelIdentity identity;
 };
 

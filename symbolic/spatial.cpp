@@ -33,14 +33,6 @@ Matrix3ex zero_matrix() {
   return {zero_vector(), zero_vector(), zero_vector()};
 }
 
-Vector3ex operator+(const Vector3ex& a, const Vector3ex& b) {
-  return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
-}
-
-Vector3ex cross(const Vector3ex& a, const Vector3ex& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
 Vector3ex times(const NumberMatrix3& R, const Vector3ex& v) {
   Vector3ex result = zero_vector();
   for (std::size_t i = 0; i < 3; ++i)

@@ -9,6 +9,7 @@
 
 #include "symbolic/definition_list.h"
 #include "symbolic/number.h"
+#include "symbolic/vector3.h"
 
 namespace sinew {
 
@@ -27,8 +28,6 @@ Vector3ex to_expression(const NumberVector3& value);
 
 Vector3ex zero_vector();
 Matrix3ex zero_matrix();
-Vector3ex operator+(const Vector3ex& a, const Vector3ex& b);
-Vector3ex cross(const Vector3ex& a, const Vector3ex& b);
 
 /// R * v and R^T * v for constant R.
 Vector3ex times(const NumberMatrix3& R, const Vector3ex& v);

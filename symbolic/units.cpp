@@ -10,7 +10,7 @@ namespace {
 constexpr double pi = 3.141592653589793;
 
 // The first unit of a dimension is its SI unit.
-constexpr std::array<MeasureUnit, 32> all_units{{
+constexpr std::array<MeasureUnit, 39> all_units{{
     {"1", Dimension::none, 1, 1},
     {"m", Dimension::length, 1, 1},
     {"cm", Dimension::length, 1, 100},
@@ -43,6 +43,13 @@ constexpr std::array<MeasureUnit, 32> all_units{{
     {"N*s/mm", Dimension::damping, 1000, 1},
     {"N*m*s/rad", Dimension::angular_damping, 1, 1},
     {"N*mm*s/rad", Dimension::angular_damping, 1, 1000},
+    {"N*m", Dimension::torque, 1, 1},
+    {"N*mm", Dimension::torque, 1, 1000},
+    {"mN*m", Dimension::torque, 1, 1000},
+    {"N*m/A", Dimension::torque_constant, 1, 1},
+    {"mN*m/A", Dimension::torque_constant, 1, 1000},
+    {"1/rad", Dimension::per_angle, 1, 1},
+    {"s/rad", Dimension::per_angular_velocity, 1, 1},
 }};
 
 void replace_all(std::string& text, std::string_view what, std::string_view with) {
@@ -77,7 +84,7 @@ double to_si(double value, const MeasureUnit& unit) {
 }
 
 std::string_view name_of(Dimension dimension) {
-  static constexpr std::array<std::string_view, 13> names{"pure number",
+  static constexpr std::array<std::string_view, 17> names{"pure number",
                                                           "length",
                                                           "angle",
                                                           "mass",
@@ -89,7 +96,11 @@ std::string_view name_of(Dimension dimension) {
                                                           "force",
                                                           "stiffness",
                                                           "damping",
-                                                          "angular damping"};
+                                                          "angular damping",
+                                                          "torque",
+                                                          "torque constant",
+                                                          "inverse angle",
+                                                          "inverse angular velocity"};
   return names[static_cast<std::size_t>(dimension)];
 }
 

@@ -21,7 +21,11 @@ enum class Dimension {
   force,
   stiffness,
   damping,
-  angular_damping
+  angular_damping,
+  torque,
+  torque_constant,
+  per_angle,
+  per_angular_velocity
 };
 
 /// A unit: value in SI = value * times / over. Two factors, because 6 / 1000 is the double nearest

@@ -1,0 +1,29 @@
+/* SPDX-License-Identifier: BSD-2-Clause
+ *
+ * Friction of a guided tendon, capstan law
+ *
+ * Made by: sinew generate models/capstan
+ * Model:   sha256 9937a616cfcfa046d6bebb92e5b90c960f3b39b95c0b66932a954a91e45aa2ea
+ * Do not edit: change the model and generate again.
+ */
+#include "capstan.h"
+
+#include "sinew_math.h"
+
+void capstan_friction_force(const double tension[SINEW_AT_LEAST(1)], const double bending[SINEW_AT_LEAST(1)], const double velocity[SINEW_AT_LEAST(1)], double force[SINEW_AT_LEAST(1)])
+{
+    const double limited_velocity = sinew_min(sinew_max(velocity[0], -1e+05), 1e+05);
+    const double direction = limited_velocity / sinew_sqrt(1e-08 + limited_velocity * limited_velocity);
+    const double pull = sinew_max(tension[0], 0.0);
+    const double angle = sinew_min(sinew_max(bending[0], 0.0), 100.0);
+    force[0] = -(direction * pull * (1.0 - sinew_exp(-(0.1 * angle))));
+}
+
+void capstan_transmitted_force(const double tension[SINEW_AT_LEAST(1)], const double bending[SINEW_AT_LEAST(1)], const double velocity[SINEW_AT_LEAST(1)], double force[SINEW_AT_LEAST(1)])
+{
+    const double limited_velocity = sinew_min(sinew_max(velocity[0], -1e+05), 1e+05);
+    const double direction = limited_velocity / sinew_sqrt(1e-08 + limited_velocity * limited_velocity);
+    const double angle = sinew_min(sinew_max(bending[0], 0.0), 100.0);
+    const double pull = sinew_max(tension[0], 0.0);
+    force[0] = pull * sinew_exp(-(0.1 * angle * direction));
+}

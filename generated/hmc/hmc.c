@@ -1,0 +1,103 @@
+/* SPDX-License-Identifier: BSD-2-Clause
+ *
+ * Hamatometacarpal joint: four-bar that carries the fifth finger
+ *
+ * Made by: sinew generate models/hmc
+ * Model:   sha256 c6b6b6fab0f68b853c57719fa8fd34070a670d46c78afafe5dbd5dc96995e9e7
+ * Do not edit: change the model and generate again.
+ */
+#include "hmc.h"
+
+#include "sinew_math.h"
+
+void hmc_four_bar(const double theta2[SINEW_AT_LEAST(1)], double out[SINEW_AT_LEAST(4)])
+{
+    double sin2, cos2;
+    sinew_sincos(theta2[0], &sin2, &cos2);
+    const double A = 1.2 - cos2;
+    const double reach_squared = sinew_max(sin2 * sin2 + A * A, 1e-12);
+    const double reach = sinew_sqrt(reach_squared);
+    const double C = 1.0045454545454546 - 1.0909090909090908 * cos2;
+    const double slack = 0.6944444444444444 * (C + reach) * (C - reach);
+    const double root = sinew_sqrt(sinew_max(-slack, 1e-12));
+    const double side = 1.2 * root;
+    const double limited = sinew_min(sinew_max(C, -reach), reach);
+    const double t1 = 1.0 / reach_squared;
+    const double cos4 = (sin2 * side - A * limited) * t1;
+    const double along = 0.012 - 0.01 * cos2 + 0.011 * cos4;
+    const double sin4 = (sin2 * limited + A * side) * t1;
+    const double across = 0.01 * sin2 - 0.011 * sin4;
+    const double length = sinew_sqrt(sinew_max(along * along + across * across, 1.44e-16));
+    const double t2 = 1.0 / length;
+    const double cos3 = along * t2;
+    const double sin3 = across * t2;
+    const double t3 = 1.0 / root;
+    out[0] = sinew_atan2(-sin3, cos3);
+    out[1] = sinew_atan2(sin4, cos4);
+    out[2] = -(0.8333333333333334 * (cos2 * sin4 - sin2 * cos4) * t3);
+    out[3] = 0.9090909090909091 * (cos2 * sin3 + sin2 * cos3) * t3;
+}
+
+void hmc_locking(const double theta2[SINEW_AT_LEAST(1)], double distance[SINEW_AT_LEAST(1)], double status[SINEW_AT_LEAST(1)])
+{
+    double sin2, cos2;
+    sinew_sincos(theta2[0], &sin2, &cos2);
+    const double A = 1.2 - cos2;
+    const double reach_squared = sinew_max(sin2 * sin2 + A * A, 1e-12);
+    const double reach = sinew_sqrt(reach_squared);
+    const double C = 1.0045454545454546 - 1.0909090909090908 * cos2;
+    const double limited = sinew_min(sinew_max(C, -reach), reach);
+    const double cos_34 = 0.9166666666666666 - 0.8333333333333334 * limited;
+    const double slack = 0.6944444444444444 * (C + reach) * (C - reach);
+    const double sine = sinew_sqrt(sinew_max(-slack, 0.0));
+    distance[0] = sinew_atan2(sine, sinew_max(cos_34, -cos_34));
+    status[0] = sinew_choose(-(1e-12 + slack), 0.0, 1.0);
+}
+
+void hmc_coupler_pose(const double theta2[SINEW_AT_LEAST(1)], double T[SINEW_AT_LEAST(16)])
+{
+    double sin2, cos2;
+    sinew_sincos(theta2[0], &sin2, &cos2);
+    const double A = 1.2 - cos2;
+    const double reach_squared = sinew_max(sin2 * sin2 + A * A, 1e-12);
+    const double reach = sinew_sqrt(reach_squared);
+    const double C = 1.0045454545454546 - 1.0909090909090908 * cos2;
+    const double slack = 0.6944444444444444 * (C + reach) * (C - reach);
+    const double root = sinew_sqrt(sinew_max(-slack, 1e-12));
+    const double side = 1.2 * root;
+    const double limited = sinew_min(sinew_max(C, -reach), reach);
+    const double t1 = 1.0 / reach_squared;
+    const double cos4 = (sin2 * side - A * limited) * t1;
+    const double t2 = 0.01 * cos2;
+    const double along = 0.012 - t2 + 0.011 * cos4;
+    const double sin4 = (sin2 * limited + A * side) * t1;
+    const double t3 = 0.01 * sin2;
+    const double across = t3 - 0.011 * sin4;
+    const double length = sinew_sqrt(sinew_max(along * along + across * across, 1.44e-16));
+    const double t4 = 1.0 / length;
+    const double cos3 = along * t4;
+    const double sin3 = across * t4;
+    T[0] = cos3;
+    T[1] = sin3;
+    T[2] = 0.0;
+    T[3] = t2;
+    T[4] = -sin3;
+    T[5] = cos3;
+    T[6] = 0.0;
+    T[7] = t3;
+    T[8] = 0.0;
+    T[9] = 0.0;
+    T[10] = 1.0;
+    T[11] = 0.0;
+    T[12] = 0.0;
+    T[13] = 0.0;
+    T[14] = 0.0;
+    T[15] = 1.0;
+}
+
+void hmc_tendon_lengths(const double theta2[SINEW_AT_LEAST(1)], double h[SINEW_AT_LEAST(2)])
+{
+    const double length = 0.007853981633974483 - 0.005 * theta2[0];
+    h[0] = -length;
+    h[1] = length;
+}
