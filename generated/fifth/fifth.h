@@ -15,7 +15,7 @@
  *   q[0] q50 (revolute, rad)
  *   q[1] q51 (revolute, rad)
  *   q[2] q52 (revolute, rad)
- *   q[3] q53 (revolute, rad)
+ *   q53 = 1.2222222222222223 q52 follows
  * Gravity in the base frame: 0, 0, -9.81 m/s^2.
  */
 

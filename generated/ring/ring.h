@@ -15,7 +15,7 @@
  *   q[0] q40 (revolute, rad)
  *   q[1] q41 (revolute, rad)
  *   q[2] q42 (revolute, rad)
- *   q[3] q43 (revolute, rad)
+ *   q43 = 1.2222222222222223 q42 follows
  * Gravity in the base frame: 0, 0, -9.81 m/s^2.
  */
 
