@@ -43,12 +43,12 @@
 #define SINEW_WIDE_PIO2_5 0x1.27044533e63ap-123
 
 /* sin r = r + r z (S1 + S2 z + ...), cos r = 1 - z/2 + z^2 (C1 + C2 z + ...), z = r^2 <= (pi/4)^2. */
-#define SINEW_S1 -0x1.5555555555548p-3
-#define SINEW_S2 0x1.111111110f730p-7
-#define SINEW_S3 -0x1.a01a019be91adp-13
-#define SINEW_S4 0x1.71de35551f6e2p-19
-#define SINEW_S5 -0x1.ae5e4b9944959p-26
-#define SINEW_S6 0x1.5d8b7ffc62f7fp-33
+#define SINEW_S1 -0x1.5555555555549p-3
+#define SINEW_S2 0x1.111111110f87ep-7
+#define SINEW_S3 -0x1.a01a019c0f026p-13
+#define SINEW_S4 0x1.71de357421c57p-19
+#define SINEW_S5 -0x1.ae5e62ddf7502p-26
+#define SINEW_S6 0x1.5d91f139d2989p-33
 #define SINEW_C1 0x1.555555555554cp-5
 #define SINEW_C2 -0x1.6c16c16c1521fp-10
 #define SINEW_C3 0x1.a01a019cbf61ep-16

@@ -13,7 +13,7 @@
 #define SINEW_LANE_CONSTANT(name) SINEW_##name
 #include "sinew_kernel_sincos_lane.h"
 
-/* Sine and cosine of one angle in radians, |x| <= 256 pi; beyond, and for NaN and infinity, some
+/* Sine and cosine of one angle in radians, |x| <= 800; beyond, and for NaN and infinity, some
  * finite values of at most 1.001. */
 SINEW_INLINE void SINEW_NAME(sinew_sincos)(SINEW_REAL x, SINEW_REAL *s, SINEW_REAL *c) {
     SINEW_NAME(sinew_sincos_lane)(&x, s, c);

@@ -67,28 +67,32 @@ def remez(basis, target, low, high):
     return coefficients, max(abs(value) for _, value in runs)
 
 
-def fit(basis, target, low, high, bits):
-    """Coefficients rounded one after the other, and the relative size of the final error."""
-    done = []
-    for first in range(len(basis)):
-        def rest(x, fixed=tuple(done)):
-            return target(x) - sum(c * phi(x) for c, phi in zip(fixed, basis))
-        coefficients, _ = remez(basis[first:], rest, low, high)
-        done.append(rounded(coefficients[0], bits))
-    final = max(abs(target(x) - sum(c * phi(x) for c, phi in zip(done, basis)))
-                for x in [low + (high - low) * i / 997 for i in range(1, 998)])
-    return done, final
+def fit(basis, target, low, high, bits, tried=1):
+    """Coefficients rounded one after the other, and the largest error left. For the first `tried` ones
+    the neighbours of the rounded value are tried too, for the nearest is not always the best."""
+    def complete(done):
+        def rest(x):
+            return target(x) - sum(c * phi(x) for c, phi in zip(done, basis))
+        if len(done) == len(basis):
+            return done, max(abs(rest(low + (high - low) * i / 499)) for i in range(1, 500))
+        coefficient = remez(basis[len(done):], rest, low, high)[0][0]
+        nearest = rounded(coefficient, bits)
+        unit = ldexp(1, frexp(nearest)[1] - bits)
+        steps = (-1, 0, 1) if len(done) < tried else (0,)
+        return min((complete(done + [nearest + step * unit]) for step in steps), key=lambda found: found[1])
+    return complete([])
 
 
 def powers(weight, first, count):
     return [lambda x, p=first + i: weight(x) * x ** p for i in range(count)]
 
 
-def odd(function, low_count, high, bits):
+def odd(function, low_count, high, bits, tried=1):
     """function(r) = r + r z P(z), z = r^2: the relative error is levelled."""
     def weight(z):
         return sqrt(z) / function(sqrt(z))
-    return fit(powers(weight, 1, low_count), lambda z: 1 - weight(z), mpf(10) ** -12, high ** 2, bits)
+    return fit(powers(weight, 1, low_count), lambda z: 1 - weight(z), mpf(10) ** -12, high ** 2, bits,
+               tried)
 
 
 def cosine(count, high, bits):
@@ -121,13 +125,13 @@ def logarithm(count, bits):
 QUARTER = mpf("0.78540")
 EIGHTH = sqrt(mpf(2)) - 1 + mpf(10) ** -6
 TABLES = {
-    "sin_double": lambda: odd(sin, 6, QUARTER, 53),
+    "sin_double": lambda: odd(sin, 6, QUARTER, 53, tried=2),
     "cos_double": lambda: cosine(6, QUARTER, 53),
     "atan_double": lambda: odd(atan, 11, EIGHTH, 53),
     "asin_double": lambda: odd(asin, 13, mpf("0.5"), 53),
     "exp_double": lambda: exponential(11, 53),
     "log_double": lambda: logarithm(7, 53),
-    "sin_float": lambda: odd(sin, 3, QUARTER, 24),
+    "sin_float": lambda: odd(sin, 3, QUARTER, 24, tried=3),
     "cos_float": lambda: cosine(3, QUARTER, 24),
     "atan_float": lambda: odd(atan, 5, EIGHTH, 24),
     "asin_float": lambda: odd(asin, 5, mpf("0.5"), 24),
