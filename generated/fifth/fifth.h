@@ -46,14 +46,14 @@ void fifth_tip_jacobian(const double q[SINEW_AT_LEAST(3)], double J[SINEW_AT_LEA
 /* Mass matrix M(q), symmetric. (2.1)
  *   in  q             3 [rad] joint positions; made for -0.35..0.35, -0.2..1.6, -0.2..1.6
  *   out M           3x3 [kg m^2] mass matrix
- * 33 multiplications, 29 additions, 3 sincos. */
+ * 31 multiplications, 31 additions, 3 sincos. */
 void fifth_mass_matrix(const double q[SINEW_AT_LEAST(3)], double M[SINEW_AT_LEAST(9)]);
 
 /* Coriolis matrix C(q,qd) in Christoffel form: dM/dt - 2 C is skew-symmetric. (2.1)
  *   in  q             3 [rad] joint positions; made for -0.35..0.35, -0.2..1.6, -0.2..1.6
  *   in  qd            3 [rad/s] joint velocities; made for -10..10
  *   out C           3x3 [kg m^2/s] Coriolis matrix
- * 71 multiplications, 54 additions, 3 sincos. */
+ * 66 multiplications, 59 additions, 3 sincos. */
 void fifth_coriolis_matrix(const double q[SINEW_AT_LEAST(3)], const double qd[SINEW_AT_LEAST(3)], double C[SINEW_AT_LEAST(9)]);
 
 /* Joint torques that hold the mechanism still: g(q). (2.1)
@@ -66,7 +66,7 @@ void fifth_gravity(const double q[SINEW_AT_LEAST(3)], double g[SINEW_AT_LEAST(3)
  *   in  q             3 [rad] joint positions; made for -0.35..0.35, -0.2..1.6, -0.2..1.6
  *   in  qd            3 [rad/s] joint velocities; made for -10..10
  *   out h             3 [N m] bias torques
- * 53 multiplications, 34 additions, 3 sincos. */
+ * 52 multiplications, 35 additions, 3 sincos. */
 void fifth_bias(const double q[SINEW_AT_LEAST(3)], const double qd[SINEW_AT_LEAST(3)], double h[SINEW_AT_LEAST(3)]);
 
 /* Mass matrix and bias at once, with what they share computed once. (2.1)
@@ -74,7 +74,7 @@ void fifth_bias(const double q[SINEW_AT_LEAST(3)], const double qd[SINEW_AT_LEAS
  *   in  qd            3 [rad/s] joint velocities; made for -10..10
  *   out M           3x3 [kg m^2] mass matrix
  *   out h             3 [N m] bias torques
- * 75 multiplications, 60 additions, 3 sincos. */
+ * 72 multiplications, 63 additions, 3 sincos. */
 void fifth_mass_matrix_and_bias(const double q[SINEW_AT_LEAST(3)], const double qd[SINEW_AT_LEAST(3)], double M[SINEW_AT_LEAST(9)], double h[SINEW_AT_LEAST(3)]);
 
 /* Joint accelerations M(q)^-1 (tau - C(q,qd) qd - g(q)). (2.1)
@@ -82,7 +82,7 @@ void fifth_mass_matrix_and_bias(const double q[SINEW_AT_LEAST(3)], const double 
  *   in  qd            3 [rad/s] joint velocities; made for -10..10
  *   in  tau           3 [N m] joint torques; made for -1..1
  *   out qdd           3 [rad/s^2] joint accelerations
- * 97 multiplications, 73 additions, 3 divisions, 3 sincos. */
+ * 94 multiplications, 76 additions, 3 divisions, 3 sincos. */
 void fifth_forward_dynamics(const double q[SINEW_AT_LEAST(3)], const double qd[SINEW_AT_LEAST(3)], const double tau[SINEW_AT_LEAST(3)], double qdd[SINEW_AT_LEAST(3)]);
 
 /* Joint torques for a motion: M(q) qdd + C(q,qd) qd + g(q). (2.1)
@@ -90,7 +90,7 @@ void fifth_forward_dynamics(const double q[SINEW_AT_LEAST(3)], const double qd[S
  *   in  qd            3 [rad/s] joint velocities; made for -10..10
  *   in  qdd           3 [rad/s^2] joint accelerations; made for -100..100
  *   out tau           3 [N m] joint torques
- * 86 multiplications, 63 additions, 3 sincos. */
+ * 85 multiplications, 64 additions, 3 sincos. */
 void fifth_inverse_dynamics(const double q[SINEW_AT_LEAST(3)], const double qd[SINEW_AT_LEAST(3)], const double qdd[SINEW_AT_LEAST(3)], double tau[SINEW_AT_LEAST(3)]);
 
 /* Path lengths of the tendons. (5.5)

@@ -46,14 +46,14 @@ void middle_tip_jacobian(const double q[SINEW_AT_LEAST(4)], double J[SINEW_AT_LE
 /* Mass matrix M(q), symmetric. (2.1)
  *   in  q             4 [rad] joint positions; made for -0.35..0.35, -0.2..1.6, -0.2..1.6, -0.2..1.6
  *   out M           4x4 [kg m^2] mass matrix
- * 29 multiplications, 25 additions, 3 sincos. */
+ * 27 multiplications, 27 additions, 3 sincos. */
 void middle_mass_matrix(const double q[SINEW_AT_LEAST(4)], double M[SINEW_AT_LEAST(16)]);
 
 /* Coriolis matrix C(q,qd) in Christoffel form: dM/dt - 2 C is skew-symmetric. (2.1)
  *   in  q             4 [rad] joint positions; made for -0.35..0.35, -0.2..1.6, -0.2..1.6, -0.2..1.6
  *   in  qd            4 [rad/s] joint velocities; made for -10..10
  *   out C           4x4 [kg m^2/s] Coriolis matrix
- * 72 multiplications, 58 additions, 3 sincos. */
+ * 66 multiplications, 64 additions, 3 sincos. */
 void middle_coriolis_matrix(const double q[SINEW_AT_LEAST(4)], const double qd[SINEW_AT_LEAST(4)], double C[SINEW_AT_LEAST(16)]);
 
 /* Joint torques that hold the mechanism still: g(q). (2.1)
@@ -66,7 +66,7 @@ void middle_gravity(const double q[SINEW_AT_LEAST(4)], double g[SINEW_AT_LEAST(4
  *   in  q             4 [rad] joint positions; made for -0.35..0.35, -0.2..1.6, -0.2..1.6, -0.2..1.6
  *   in  qd            4 [rad/s] joint velocities; made for -10..10
  *   out h             4 [N m] bias torques
- * 50 multiplications, 33 additions, 3 sincos. */
+ * 49 multiplications, 34 additions, 3 sincos. */
 void middle_bias(const double q[SINEW_AT_LEAST(4)], const double qd[SINEW_AT_LEAST(4)], double h[SINEW_AT_LEAST(4)]);
 
 /* Mass matrix and bias at once, with what they share computed once. (2.1)
@@ -74,7 +74,7 @@ void middle_bias(const double q[SINEW_AT_LEAST(4)], const double qd[SINEW_AT_LEA
  *   in  qd            4 [rad/s] joint velocities; made for -10..10
  *   out M           4x4 [kg m^2] mass matrix
  *   out h             4 [N m] bias torques
- * 69 multiplications, 55 additions, 3 sincos. */
+ * 66 multiplications, 58 additions, 3 sincos. */
 void middle_mass_matrix_and_bias(const double q[SINEW_AT_LEAST(4)], const double qd[SINEW_AT_LEAST(4)], double M[SINEW_AT_LEAST(16)], double h[SINEW_AT_LEAST(4)]);
 
 /* Joint accelerations M(q)^-1 (tau - C(q,qd) qd - g(q)). (2.1)
@@ -82,7 +82,7 @@ void middle_mass_matrix_and_bias(const double q[SINEW_AT_LEAST(4)], const double
  *   in  qd            4 [rad/s] joint velocities; made for -10..10
  *   in  tau           4 [N m] joint torques; made for -1..1
  *   out qdd           4 [rad/s^2] joint accelerations
- * 101 multiplications, 81 additions, 3 divisions, 3 sincos. */
+ * 98 multiplications, 84 additions, 3 divisions, 3 sincos. */
 void middle_forward_dynamics(const double q[SINEW_AT_LEAST(4)], const double qd[SINEW_AT_LEAST(4)], const double tau[SINEW_AT_LEAST(4)], double qdd[SINEW_AT_LEAST(4)]);
 
 /* Joint torques for a motion: M(q) qdd + C(q,qd) qd + g(q). (2.1)
@@ -90,7 +90,7 @@ void middle_forward_dynamics(const double q[SINEW_AT_LEAST(4)], const double qd[
  *   in  qd            4 [rad/s] joint velocities; made for -10..10
  *   in  qdd           4 [rad/s^2] joint accelerations; made for -100..100
  *   out tau           4 [N m] joint torques
- * 82 multiplications, 62 additions, 3 sincos. */
+ * 81 multiplications, 63 additions, 3 sincos. */
 void middle_inverse_dynamics(const double q[SINEW_AT_LEAST(4)], const double qd[SINEW_AT_LEAST(4)], const double qdd[SINEW_AT_LEAST(4)], double tau[SINEW_AT_LEAST(4)]);
 
 /* Path lengths of the tendons. (5.5)

@@ -46,14 +46,14 @@ void thumb_table_5_2_tip_jacobian(const double q[SINEW_AT_LEAST(4)], double J[SI
 /* Mass matrix M(q), symmetric. (2.1)
  *   in  q             4 [rad] joint positions; made for -0.6981..0.6981, -0.6981..0.6981, -0.2..1.6, -0.2..1.6
  *   out M           4x4 [kg m^2] mass matrix
- * 24 multiplications, 21 additions, 3 sincos. */
+ * 22 multiplications, 23 additions, 3 sincos. */
 void thumb_table_5_2_mass_matrix(const double q[SINEW_AT_LEAST(4)], double M[SINEW_AT_LEAST(16)]);
 
 /* Coriolis matrix C(q,qd) in Christoffel form: dM/dt - 2 C is skew-symmetric. (2.1)
  *   in  q             4 [rad] joint positions; made for -0.6981..0.6981, -0.6981..0.6981, -0.2..1.6, -0.2..1.6
  *   in  qd            4 [rad/s] joint velocities; made for -10..10
  *   out C           4x4 [kg m^2/s] Coriolis matrix
- * 54 multiplications, 43 additions, 3 sincos. */
+ * 50 multiplications, 47 additions, 3 sincos. */
 void thumb_table_5_2_coriolis_matrix(const double q[SINEW_AT_LEAST(4)], const double qd[SINEW_AT_LEAST(4)], double C[SINEW_AT_LEAST(16)]);
 
 /* Joint torques that hold the mechanism still: g(q). (2.1)
@@ -66,7 +66,7 @@ void thumb_table_5_2_gravity(const double q[SINEW_AT_LEAST(4)], double g[SINEW_A
  *   in  q             4 [rad] joint positions; made for -0.6981..0.6981, -0.6981..0.6981, -0.2..1.6, -0.2..1.6
  *   in  qd            4 [rad/s] joint velocities; made for -10..10
  *   out h             4 [N m] bias torques
- * 43 multiplications, 28 additions, 3 sincos. */
+ * 42 multiplications, 29 additions, 3 sincos. */
 void thumb_table_5_2_bias(const double q[SINEW_AT_LEAST(4)], const double qd[SINEW_AT_LEAST(4)], double h[SINEW_AT_LEAST(4)]);
 
 /* Mass matrix and bias at once, with what they share computed once. (2.1)
@@ -74,7 +74,7 @@ void thumb_table_5_2_bias(const double q[SINEW_AT_LEAST(4)], const double qd[SIN
  *   in  qd            4 [rad/s] joint velocities; made for -10..10
  *   out M           4x4 [kg m^2] mass matrix
  *   out h             4 [N m] bias torques
- * 56 multiplications, 45 additions, 3 sincos. */
+ * 53 multiplications, 48 additions, 3 sincos. */
 void thumb_table_5_2_mass_matrix_and_bias(const double q[SINEW_AT_LEAST(4)], const double qd[SINEW_AT_LEAST(4)], double M[SINEW_AT_LEAST(16)], double h[SINEW_AT_LEAST(4)]);
 
 /* Joint accelerations M(q)^-1 (tau - C(q,qd) qd - g(q)). (2.1)
@@ -82,7 +82,7 @@ void thumb_table_5_2_mass_matrix_and_bias(const double q[SINEW_AT_LEAST(4)], con
  *   in  qd            4 [rad/s] joint velocities; made for -10..10
  *   in  tau           4 [N m] joint torques; made for -1..1
  *   out qdd           4 [rad/s^2] joint accelerations
- * 73 multiplications, 59 additions, 3 divisions, 3 sincos. */
+ * 70 multiplications, 62 additions, 3 divisions, 3 sincos. */
 void thumb_table_5_2_forward_dynamics(const double q[SINEW_AT_LEAST(4)], const double qd[SINEW_AT_LEAST(4)], const double tau[SINEW_AT_LEAST(4)], double qdd[SINEW_AT_LEAST(4)]);
 
 /* Joint torques for a motion: M(q) qdd + C(q,qd) qd + g(q). (2.1)
@@ -90,7 +90,7 @@ void thumb_table_5_2_forward_dynamics(const double q[SINEW_AT_LEAST(4)], const d
  *   in  qd            4 [rad/s] joint velocities; made for -10..10
  *   in  qdd           4 [rad/s^2] joint accelerations; made for -100..100
  *   out tau           4 [N m] joint torques
- * 64 multiplications, 50 additions, 3 sincos. */
+ * 63 multiplications, 51 additions, 3 sincos. */
 void thumb_table_5_2_inverse_dynamics(const double q[SINEW_AT_LEAST(4)], const double qd[SINEW_AT_LEAST(4)], const double qdd[SINEW_AT_LEAST(4)], double tau[SINEW_AT_LEAST(4)]);
 
 /* Path lengths of the tendons. (5.5)

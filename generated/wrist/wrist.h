@@ -50,7 +50,7 @@ void wrist_palm_angles(const double q71[SINEW_AT_LEAST(1)], const double q73[SIN
  *   out q             2 [rad] q71, q73
  *   out residual      1 [rad] between the wanted and the reached direction
  *   out status        1 [1] 0 fine, 1 not reached
- * 397 multiplications, 228 additions, 20 divisions, 18 square roots, 8 sincos, 53 other functions. */
+ * 393 multiplications, 232 additions, 20 divisions, 18 square roots, 8 sincos, 53 other functions. */
 void wrist_bar_angles(const double flexion[SINEW_AT_LEAST(1)], const double abduction[SINEW_AT_LEAST(1)], double q[SINEW_AT_LEAST(2)], double residual[SINEW_AT_LEAST(1)], double status[SINEW_AT_LEAST(1)]);
 
 /* Distance to the singular poses.
@@ -78,14 +78,14 @@ void wrist_tendon_lengths(const double q71[SINEW_AT_LEAST(1)], const double q73[
  *   in  q71           1 [rad] turns the bar plane about y; made for 0.337..0.88
  *   in  q73           1 [rad] swings the bars within their plane; made for 0.725..1.269
  *   out P          38x2 [m/rad] dh/dq
- * 665 multiplications, 672 additions, 42 divisions, 40 square roots, 2 sincos, 12 other functions. */
+ * 661 multiplications, 676 additions, 42 divisions, 40 square roots, 2 sincos, 12 other functions. */
 void wrist_tendon_jacobian(const double q71[SINEW_AT_LEAST(1)], const double q73[SINEW_AT_LEAST(1)], double P[SINEW_AT_LEAST(76)]);
 
 /* Second derivatives of the lengths by q71 and q73.
  *   in  q71           1 [rad] turns the bar plane about y; made for 0.337..0.88
  *   in  q73           1 [rad] swings the bars within their plane; made for 0.725..1.269
  *   out H          38x4 [m/rad^2] each row a symmetric 2x2 matrix
- * 1811 multiplications, 1778 additions, 42 divisions, 40 square roots, 2 sincos, 21 other functions. */
+ * 1788 multiplications, 1801 additions, 42 divisions, 40 square roots, 2 sincos, 21 other functions. */
 void wrist_tendon_hessian(const double q71[SINEW_AT_LEAST(1)], const double q73[SINEW_AT_LEAST(1)], double H[SINEW_AT_LEAST(152)]);
 
 /* Total bending of each tendon in the wrist.
@@ -108,7 +108,7 @@ void wrist_feedforward(const double q71[SINEW_AT_LEAST(1)], const double q73[SIN
  *   in  dq71          1 [rad/s] rate of q71; made for -3..3
  *   in  dq73          1 [rad/s] rate of q73; made for -3..3
  *   out delta_theta_rate     38 [rad/s] 
- * 743 multiplications, 710 additions, 42 divisions, 40 square roots, 2 sincos, 12 other functions. */
+ * 739 multiplications, 714 additions, 42 divisions, 40 square roots, 2 sincos, 12 other functions. */
 void wrist_feedforward_rate(const double q71[SINEW_AT_LEAST(1)], const double q73[SINEW_AT_LEAST(1)], const double dq71[SINEW_AT_LEAST(1)], const double dq73[SINEW_AT_LEAST(1)], double delta_theta_rate[SINEW_AT_LEAST(38)]);
 
 /* Torques of the tendons on q71, q73.
@@ -116,7 +116,7 @@ void wrist_feedforward_rate(const double q71[SINEW_AT_LEAST(1)], const double q7
  *   in  q73           1 [rad] swings the bars within their plane; made for 0.725..1.269
  *   in  f            38 [N] tendon forces; made for 0..100
  *   out tau           2 [N m] -P^T f
- * 741 multiplications, 746 additions, 42 divisions, 40 square roots, 2 sincos, 12 other functions. */
+ * 737 multiplications, 750 additions, 42 divisions, 40 square roots, 2 sincos, 12 other functions. */
 void wrist_joint_torque(const double q71[SINEW_AT_LEAST(1)], const double q73[SINEW_AT_LEAST(1)], const double f[SINEW_AT_LEAST(38)], double tau[SINEW_AT_LEAST(2)]);
 
 /* Stiffness of the wrist's bars, motors held.
@@ -125,7 +125,7 @@ void wrist_joint_torque(const double q71[SINEW_AT_LEAST(1)], const double q73[SI
  *   in  f            38 [N] tendon forces; made for 0..100
  *   in  k            38 [N/m] tendon stiffnesses; made for 1000..5e+04
  *   out K           2x2 [N m/rad] sum of f d2h/dq2, plus P^T diag(k) P; symmetric
- * 2077 multiplications, 2003 additions, 42 divisions, 40 square roots, 2 sincos, 21 other functions. */
+ * 2054 multiplications, 2026 additions, 42 divisions, 40 square roots, 2 sincos, 21 other functions. */
 void wrist_joint_stiffness(const double q71[SINEW_AT_LEAST(1)], const double q73[SINEW_AT_LEAST(1)], const double f[SINEW_AT_LEAST(38)], const double k[SINEW_AT_LEAST(38)], double K[SINEW_AT_LEAST(4)]);
 
 #ifdef __cplusplus

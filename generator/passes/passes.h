@@ -13,6 +13,8 @@ Graph expand_powers(const Graph& graph);
 Graph pair_sincos(const Graph& graph);
 Graph combine_constants(const Graph& graph);
 Graph factor_sums(const Graph& graph);
+Graph distribute_constants(const Graph& graph);
+Graph reduce_strength(const Graph& graph);
 Graph share_reciprocals(const Graph& graph);
 Graph contract_trigonometry(const Graph& graph);
 Graph remove_dead(const Graph& graph);

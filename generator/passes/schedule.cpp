@@ -1,21 +1,31 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // schedule: the order of the emitted statements. All angles and their sincos come first, where a
-// processor can overlap them; after that every result is computed depth first, the operand that
-// needs more operations before the other, so that few values are alive at a time.
+// processor can overlap them; after that several depth-first orders are tried and the one that
+// keeps the fewest values waiting beyond a register file is taken.
 //
 //   s = sin(a); t = s * b; u = sin(d); r = t + u   ->   s, u, t, r
 #include <algorithm>
-#include <functional>
 
 #include "generator/passes/passes.h"
 
 namespace sinew {
 namespace {
 
+/// Floating-point registers of the machines the code is meant for, less a few for the operation
+/// at hand. Only guides the choice: no order is wrong.
+constexpr int registers = 14;
+
+/// Which operand, and which result, is computed first.
+struct Order {
+  bool heavier_first;
+  bool last_result_first;
+};
+
 class Scheduler {
  public:
-  explicit Scheduler(const Graph& graph)
+  Scheduler(const Graph& graph, Order order)
       : from_(graph),
+        order_(order),
         to_(graph.empty_like()),
         moved_(static_cast<std::size_t>(graph.size()), no_value),
         weight_(static_cast<std::size_t>(graph.size()), 1),
@@ -25,8 +35,11 @@ class Scheduler {
 
   Graph run() {
     hoist_sincos();
+    std::vector<Value> results = from_.results();
+    if (order_.last_result_first) std::reverse(results.begin(), results.end());
+    for (Value v : results) place(v);
     for (Port& port : to_.outputs)
-      for (Value& v : port.values) v = place(v);
+      for (Value& v : port.values) v = moved_[static_cast<std::size_t>(v)];
     return std::move(to_);
   }
 
@@ -36,14 +49,13 @@ class Scheduler {
   void measure() {
     for (Value v = 0; v < from_.size(); ++v) {
       const Node& node = from_[v];
+      int& weight = weight_[static_cast<std::size_t>(v)];
       for (int i = 0; i < arity(node.op); ++i) {
         const auto operand = static_cast<std::size_t>(node.operand(i));
-        weight_[static_cast<std::size_t>(v)] += weight_[operand];
+        weight = std::min(weight + weight_[operand], 1 << 20);
         if (after_sincos_[operand] || is_sincos(from_[node.operand(i)]))
           after_sincos_[static_cast<std::size_t>(v)] = true;
       }
-      weight_[static_cast<std::size_t>(v)] =
-          std::min(weight_[static_cast<std::size_t>(v)], 1 << 20);
     }
   }
 
@@ -61,20 +73,21 @@ class Scheduler {
       if (is_sincos(from_[v]) && from_[v].a == angle) copy(v);
   }
 
-  Value place(Value v) {
-    if (moved_[static_cast<std::size_t>(v)] != no_value) return moved_[static_cast<std::size_t>(v)];
+  void place(Value v) {
+    if (moved_[static_cast<std::size_t>(v)] != no_value) return;
     const Node& node = from_[v];
     std::vector<Value> operands;
     for (int i = 0; i < arity(node.op); ++i) operands.push_back(node.operand(i));
     std::stable_sort(operands.begin(), operands.end(), [this](Value x, Value y) {
-      return weight_[static_cast<std::size_t>(x)] > weight_[static_cast<std::size_t>(y)];
+      const int wx = weight_[static_cast<std::size_t>(x)],
+                wy = weight_[static_cast<std::size_t>(y)];
+      return order_.heavier_first ? wx > wy : wx < wy;
     });
     for (Value operand : operands) place(operand);
     if (is_sincos(node))
       place_pair(node.a);
     else
       copy(v);
-    return moved_[static_cast<std::size_t>(v)];
   }
 
   void copy(Value v) {
@@ -87,16 +100,49 @@ class Scheduler {
   }
 
   const Graph& from_;
+  Order order_;
   Graph to_;
   std::vector<Value> moved_;
   std::vector<int> weight_;
   std::vector<bool> after_sincos_;
 };
 
+/// Values waiting beyond the registers, summed over all statements. Inputs and constants are read
+/// from memory where they are used and do not wait.
+long waiting(const Graph& graph) {
+  std::vector<Value> last_use(static_cast<std::size_t>(graph.size()), no_value);
+  for (Value v = 0; v < graph.size(); ++v)
+    for (int i = 0; i < arity(graph[v].op); ++i)
+      last_use[static_cast<std::size_t>(graph[v].operand(i))] = v;
+  std::vector<int> ends(static_cast<std::size_t>(graph.size()) + 1, 0);
+  long total = 0;
+  int alive = 0;
+  for (Value v = 0; v < graph.size(); ++v) {
+    alive -= ends[static_cast<std::size_t>(v)];
+    const bool in_memory = graph[v].op == Op::input || graph.is_constant(v);
+    if (!in_memory && last_use[static_cast<std::size_t>(v)] != no_value) {
+      ++alive;
+      ++ends[static_cast<std::size_t>(last_use[static_cast<std::size_t>(v)])];
+    }
+    total += std::max(0, alive - registers);
+  }
+  return total;
+}
+
 }  // namespace
 
 Graph schedule(const Graph& graph) {
-  return Scheduler(graph).run();
+  Graph best;
+  long least = -1;
+  for (bool heavier_first : {true, false})
+    for (bool last_result_first : {false, true}) {
+      Graph candidate = Scheduler(graph, {heavier_first, last_result_first}).run();
+      const long now = waiting(candidate);
+      if (least >= 0 && now >= least) continue;
+      least = now;
+      best = std::move(candidate);
+    }
+  return best;
 }
 
 }  // namespace sinew
