@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// cost and dump.
+#include <catch2/catch.hpp>
+
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "tests/cli/program.h"
+
+using namespace sinew;
+using nlohmann::json;
+
+namespace {
+
+constexpr const char* model = "models/index";
+
+}  // namespace
+
+TEST_CASE("cost agrees with the manifest, function by function") {
+  const Workplace here;
+  REQUIRE(here.sinew({"generate", model}).status == 0);
+  const json manifest = json::parse(here.text("generated/index/manifest.json"));
+  const json costs = json::parse(here.sinew({"cost", model, "--json"}).output);
+  REQUIRE(costs.size() == manifest["functions"].size());
+  const Ended table = here.sinew({"cost", model});
+  CHECK(table.status == 0);
+  for (std::size_t i = 0; i < costs.size(); ++i) {
+    json operations = costs[i];
+    const std::string name = operations["function"];
+    operations.erase("function");
+    INFO(name);
+    CHECK("index_" + name == manifest["functions"][i]["name"]);
+    CHECK(operations == manifest["functions"][i]["operations"]);
+    CHECK(table.says(name));
+  }
+}
+
+TEST_CASE("cost --passes tells what each pass brings") {
+  const Workplace here;
+  const Ended table = here.sinew({"cost", model, "--passes"});
+  CHECK(table.status == 0);
+  const json report = json::parse(here.sinew({"cost", model, "--passes", "--json"}).output);
+  CHECK(report["multiply_add"] > 100);
+  std::set<std::string> names;
+  for (const json& row : report["gains"]) {
+    CHECK(names.insert(row["pass"]).second);
+    CHECK(table.says(row["pass"].get<std::string>()));
+    CHECK(row["multiply_add"].is_number_integer());
+  }
+  for (const char* pass : {"share", "fold_constants", "factor_sums", "remove_dead", "schedule"})
+    CHECK(names.count(pass) == 1);
+}
+
+TEST_CASE("dump shows any stage, as text and as dot") {
+  const Workplace here;
+  const Ended lowered = here.sinew({"dump", model, "--function", "bias", "--after", "lower"});
+  const Ended last = here.sinew({"dump", model, "--function", "bias"});
+  CHECK(lowered.status == 0);
+  CHECK(last.status == 0);
+  CHECK(lowered.output.rfind("function bias\n", 0) == 0);
+  CHECK(lowered.output != last.output);
+  CHECK(here.sinew({"dump", model, "--function", "bias", "--after", "schedule"}).output ==
+        last.output);
+  const Ended dot = here.sinew({"dump", model, "--function", "bias", "--after", "lower", "--dot"});
+  CHECK(dot.status == 0);
+  CHECK(dot.output.rfind("digraph bias {", 0) == 0);
+  CHECK(dot.output.ends_with("}\n"));
+}

@@ -1,0 +1,317 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Emitted C: literals, scalar purity, warnings, names, manifest.
+#include <catch2/catch.hpp>
+
+#include <bit>
+#include <charconv>
+#include <clocale>
+#include <cmath>
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+#include <random>
+#include <regex>
+
+#include "generator/assemble.h"
+#include "generator/cost.h"
+#include "generator/emit_c.h"
+#include "generator/evaluate.h"
+#include "generator/literal.h"
+#include "generator/lower.h"
+#include "generator/write.h"
+#include "symbolic/functions.h"
+#include "symbolic/read_mechanism.h"
+#include "tests/generator/every_operation.h"
+#include "tests/reference/emitted_model.h"
+
+using namespace sinew;
+using reference::run_program;
+namespace fs = std::filesystem;
+
+namespace {
+
+/// The index finger's functions and the one with every operation.
+EmittedModel model_of(Scalar scalar) {
+  std::vector<Function> functions =
+      functions_of(read_mechanism(SINEW_SOURCE_DIR "/models/index"), emitted_cost);
+  functions.push_back(every_operation());
+  return assemble({"sample", "A sample.", std::string(64, '0'), {}}, functions, {scalar});
+}
+
+std::vector<double> awkward_doubles() {
+  std::vector<double> values{0.0,
+                             1e22,
+                             -1e22,
+                             0.1,
+                             1e-5,
+                             100000.0,
+                             123456789.0,
+                             0x1p-1074,
+                             -0x1p-1022,
+                             0x1.fffffffffffffp-1023,
+                             1.7976931348623157e308,
+                             -1.0 / 3.0};
+  std::mt19937_64 random(5);
+  while (values.size() < 3000) {
+    const double value = std::bit_cast<double>(random());
+    if (std::isfinite(value)) values.push_back(value);
+  }
+  return values;
+}
+
+std::vector<double> awkward_floats() {
+  std::vector<double> values{0.0,
+                             static_cast<double>(1e22f),
+                             -0.10000000149011612,
+                             0x1p-149,
+                             -0x1p-126,
+                             0x1.fffffep127,
+                             16777216.0};
+  std::mt19937 random(6);
+  while (values.size() < 3000) {
+    const float value = std::bit_cast<float>(static_cast<std::uint32_t>(random()));
+    if (std::isfinite(value)) values.push_back(static_cast<double>(value));
+  }
+  return values;
+}
+
+/// A function that returns `values`, as C that has been compiled, loaded and called.
+std::vector<double> through_c(const std::vector<double>& values, Scalar scalar) {
+  Graph graph;
+  graph.name = "constants";
+  graph.outputs = {{"r", static_cast<int>(values.size()), 1, "", "", {}, {}}};
+  for (double value : values) graph.outputs[0].values.push_back(graph.constant(value));
+  const reference::TemporaryFolder place;
+  replace_folder(place.path() / "literals",
+                 emit_files({"literals", "Constants.", "0", {}, {graph}, {scalar}}));
+  return reference::EmittedModel(place.path() / "literals").call("constants", {});
+}
+
+void check_literals() {
+  for (double value : awkward_doubles()) {
+    const std::string text = literal(value, {Scalar::binary64});
+    double back = 0.0;
+    const auto end = std::from_chars(text.data(), text.data() + text.size(), back);
+    CAPTURE(text);
+    CHECK((end.ptr == text.data() + text.size() && back == value));
+  }
+  const bool doubles = through_c(awkward_doubles(), Scalar::binary64) == awkward_doubles();
+  const bool floats = through_c(awkward_floats(), Scalar::binary32) == awkward_floats();
+  CHECK(doubles);
+  CHECK(floats);
+}
+
+/// What a compiler says; empty where it has nothing to say.
+std::string compiler_output(std::vector<std::string> command, const fs::path& folder,
+                            const std::string& file) {
+  command.insert(command.end(), {"-I", SINEW_SOURCE_DIR "/runtime", "-I", folder.string(), "-c",
+                                 "-o", (folder / "object.o").string(), (folder / file).string()});
+  std::string output;
+  const int status = run_program(command, output);
+  return status == 0 ? output : output + "\nexit status " + std::to_string(status);
+}
+
+bool installed(const std::string& program) {
+  std::string output;
+  try {
+    return run_program({program, "--version"}, output) == 0;
+  } catch (const std::runtime_error&) {
+    return false;
+  }
+}
+
+/// Literals of floating-point type that are not float, and the word double.
+std::vector<std::string> double_traces(const std::string& code) {
+  static const std::regex comment(R"(/\*[\s\S]*?\*/)");
+  static const std::regex trace(
+      R"(\bdouble\b|\b[0-9]+\.[0-9]*(e[-+]?[0-9]+)?(?![0-9.ef])|\b[0-9]+e[-+]?[0-9]+(?![0-9f]))");
+  const std::string bare = std::regex_replace(code, comment, "");
+  std::vector<std::string> traces;
+  for (std::sregex_iterator at(bare.begin(), bare.end(), trace), end; at != end; ++at)
+    traces.push_back(at->str());
+  return traces;
+}
+
+}  // namespace
+
+TEST_CASE("literals read back to the same bits") {
+  check_literals();
+}
+
+TEST_CASE("literals read back to the same bits where the comma separates decimals") {
+  const reference::TemporaryFolder place;
+  std::string output;
+  if (!std::setlocale(LC_ALL, "de_DE.UTF-8")) {
+    if (installed("localedef"))
+      run_program(
+          {"localedef", "-i", "de_DE", "-f", "UTF-8", (place.path() / "de_DE.UTF-8").string()},
+          output);
+    ::setenv("LOCPATH", place.path().c_str(), 1);
+  }
+  if (!std::setlocale(LC_ALL, "de_DE.UTF-8")) {
+    WARN("no German locale: none is installed and localedef cannot make one");
+  } else {
+    CHECK(std::localeconv()->decimal_point == std::string(","));
+    const FileSet german = emit_files(model_of(Scalar::binary64));
+    check_literals();
+    std::setlocale(LC_ALL, "C");
+    CHECK(german == emit_files(model_of(Scalar::binary64)));
+  }
+  std::setlocale(LC_ALL, "C");
+  ::unsetenv("LOCPATH");
+}
+
+TEST_CASE("a constant that the scalar type cannot hold is refused") {
+  CHECK_THROWS_AS(literal(1e39, {Scalar::binary32}), std::range_error);
+  CHECK_THROWS_AS(literal(HUGE_VAL, {Scalar::binary64}), std::range_error);
+  CHECK(literal(1e39, {Scalar::binary64}) == "1e+39");
+}
+
+TEST_CASE("float code holds no double") {
+  const FileSet files = emit_files(model_of(Scalar::binary32));
+  const reference::TemporaryFolder place;
+  replace_folder(place.path() / "sample", files);
+  for (const char* file : {"sample.c", "sample.h"})
+    CHECK(double_traces(files.at(file)) == std::vector<std::string>{});
+  for (const char* compiler : {"gcc", "clang"}) {
+    if (!installed(compiler)) continue;
+    CHECK(compiler_output({compiler, "-std=c11", "-O1", "-Wdouble-promotion", "-Wfloat-conversion",
+                           "-Wconversion", "-Werror"},
+                          place.path() / "sample", "sample.c") == "");
+  }
+}
+
+TEST_CASE("planted: a double in float code is found") {
+  CHECK(double_traces("float a = 0.5f * b + 1e-06f - 2.0f; /* 0.5 double */").empty());
+  CHECK(double_traces("const double a = 0.5f;").size() == 1);
+  CHECK(double_traces("a = 0.5 * b;").size() == 1);
+  CHECK(double_traces("a = 1e-06 * b + 12e+22;").size() == 2);
+  CHECK(double_traces("a = 1.5e-06 * b;").size() == 1);
+  const reference::TemporaryFolder place;
+  reference::write_text(place.path() / "planted.c",
+                        "void f(const float *a, float *b);\n"
+                        "void f(const float *a, float *b) { b[0] = (float)(a[0] * 0.1); }\n");
+  CHECK(compiler_output({"gcc", "-std=c11", "-Wdouble-promotion", "-Werror"}, place.path(),
+                        "planted.c") != "");
+}
+
+TEST_CASE("headers and code compile without a warning as C11, headers as C++17") {
+  for (Scalar scalar : {Scalar::binary64, Scalar::binary32}) {
+    const FileSet files = emit_files(model_of(scalar));
+    const reference::TemporaryFolder place;
+    const fs::path folder = place.path() / "sample";
+    replace_folder(folder, files);
+    for (const auto& [name, content] : files) {
+      if (!name.ends_with(".h")) continue;
+      const std::string twice =
+          "#include \"" + name + "\"\n#include \"" + name + "\"\nint unused;\n";
+      reference::write_text(folder / ("use_" + name + ".c"), twice);
+      reference::write_text(folder / ("use_" + name + ".cpp"), twice);
+    }
+    const std::vector<std::string> strict{"-O1",      "-Wall",        "-Wextra", "-Wpedantic",
+                                          "-Wshadow", "-Wconversion", "-Werror"};
+    for (const std::string compiler : {"gcc", "clang"}) {
+      if (!installed(compiler)) {
+        WARN(compiler << " is not installed");
+        continue;
+      }
+      for (const auto& entry : fs::directory_iterator(folder)) {
+        const std::string name = entry.path().filename().string();
+        if (!name.ends_with(".c") && !name.ends_with(".cpp")) continue;
+        std::vector<std::string> command{compiler,
+                                         name.ends_with(".c") ? "-std=c11" : "-std=c++17"};
+        command.insert(command.end(), strict.begin(), strict.end());
+        INFO(compiler << " " << name);
+        CHECK(compiler_output(command, folder, name) == "");
+      }
+    }
+  }
+}
+
+TEST_CASE("derivations' names never meet C's words, the arguments or each other") {
+  const std::vector<std::string> labels{
+      "double",   "while",        "register",   "q",          "r",
+      "restrict", "t1",           "s1",         "c1",         "inline",
+      "auto",     "sinew_sincos", "sinew_sqrt", "sinew_atan", "same",
+      "same",     "same_2",       "_Bool",      "typeof",     "goto",
+      "count",    "state",        "i",          "angle1",     "sine2"};
+  Graph graph;
+  graph.name = "collisions";
+  graph.inputs = {{"q", 2, 1, "", "", {{0.1, 1.0}, {0.1, 1.0}}, {}}};
+  graph.outputs = {{"r", 1, 1, "", "", {}, {}}};
+  Value sum = graph.input(0);
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    const Op op = i % 3 == 0 ? Op::square_root : i % 3 == 1 ? Op::sine : Op::arctangent;
+    sum = graph.make(op, graph.make(Op::add, sum, graph.input(1)));
+    graph.set_label(sum, labels[i]);
+  }
+  graph.outputs[0].values = {sum};
+  for (Scalar scalar : {Scalar::binary64, Scalar::binary32}) {
+    const reference::TemporaryFolder place;
+    replace_folder(place.path() / "names",
+                   emit_files({"names", "Names.", "0", {}, {graph}, {scalar}}));
+    const double compiled =
+        reference::EmittedModel(place.path() / "names").call("collisions", {0.3, 0.4})[0];
+    CHECK(compiled == (scalar == Scalar::binary64
+                           ? evaluate<double>(graph, {0.3, 0.4})[0]
+                           : static_cast<double>(evaluate<float>(graph, {0.3f, 0.4f})[0])));
+  }
+}
+
+TEST_CASE("a description cannot leave its comment") {
+  const Graph graph = lower(every_operation());
+  const FileSet files = emit_files({"sample",
+                                    "odd */ int planted; /* text /*/ \\\n#error second line */",
+                                    "0",
+                                    {},
+                                    {graph},
+                                    {Scalar::binary64}});
+  const reference::TemporaryFolder place;
+  replace_folder(place.path() / "sample", files);
+  for (const char* file : {"sample.c", "sample_catalogue.c"})
+    CHECK(compiler_output({"gcc", "-std=c11", "-Wall", "-Wextra", "-Werror"},
+                          place.path() / "sample", file) == "");
+  std::string symbols;
+  compiler_output({"gcc", "-std=c11"}, place.path() / "sample", "sample.c");
+  REQUIRE(run_program({"nm", (place.path() / "sample" / "object.o").string()}, symbols) == 0);
+  CHECK(symbols.find("planted") == std::string::npos);
+}
+
+TEST_CASE("every emitted file opens with its licence and names no place or time") {
+  for (const auto& [name, content] : emit_files(model_of(Scalar::binary64))) {
+    INFO(name);
+    if (name != "manifest.json")
+      CHECK(content.rfind("/* SPDX-License-Identifier: BSD-2-Clause", 0) == 0);
+    CHECK(content.find(SINEW_SOURCE_DIR) == std::string::npos);
+    CHECK(!std::regex_search(content, std::regex(R"(\b20[0-9][0-9]-[01][0-9]-)")));
+  }
+}
+
+TEST_CASE("the manifest lists files, arguments and the operations that are counted") {
+  const EmittedModel model = model_of(Scalar::binary64);
+  const FileSet files = emit_files(model);
+  const nlohmann::json manifest = nlohmann::json::parse(files.at("manifest.json"));
+  CHECK(manifest["model"] == "sample");
+  CHECK(manifest["sha256"] == std::string(64, '0'));
+  CHECK(manifest["scalar"] == "double");
+  std::vector<std::string> names;
+  for (const auto& [name, content] : files) names.push_back(name);
+  CHECK(manifest["files"] == names);
+  REQUIRE(manifest["functions"].size() == model.functions.size());
+  for (std::size_t i = 0; i < model.functions.size(); ++i) {
+    const Graph& graph = model.functions[i];
+    const nlohmann::json& function = manifest["functions"][i];
+    const nlohmann::json& operations = function["operations"];
+    const Cost cost = count_operations(graph);
+    INFO(graph.name);
+    CHECK(function["name"] == "sample_" + graph.name);
+    CHECK(operations["multiply"] == cost.multiply);
+    CHECK(operations["add"] == cost.add);
+    CHECK(operations["negate"] == cost.negate);
+    CHECK(operations["divide"] == cost.divide);
+    CHECK(operations["sqrt"] == cost.square_root);
+    CHECK(operations["sincos"] == cost.sincos);
+    CHECK(operations["other"] == cost.other);
+    CHECK(function["inputs"].size() == graph.inputs.size());
+    CHECK(function["outputs"][0]["rows"] == graph.outputs[0].rows);
+  }
+}
