@@ -19,6 +19,7 @@ struct Options {
   std::string folder, out, scalar = "double";
   std::vector<std::string> without;
   bool json = false;
+  bool runtime_parameters = false;
 };
 
 void add_common_options(CLI::App& command, Options& o) {
@@ -27,11 +28,14 @@ void add_common_options(CLI::App& command, Options& o) {
   command.add_option("--out", o.out, "Folder of the emitted C (default: generated/<model>)");
   command.add_option("--scalar", o.scalar, "double or float");
   command.add_option("--without", o.without, "Optimisation passes to leave out");
+  command.add_flag("--runtime-parameters", o.runtime_parameters,
+                   "Masses and gravity stay arguments of the dynamics");
   command.add_flag("--json", o.json, "Report for machines");
 }
 
 EmittedModel emit(const Options& o, const ModelFolder& folder) {
-  return assemble(folder.identity, derive_functions(folder), target_named(o.scalar), o.without);
+  return assemble(folder.identity, derive_functions(folder, o.runtime_parameters),
+                  target_named(o.scalar), o.without);
 }
 
 std::filesystem::path output_folder(const Options& o, const ModelFolder& folder) {

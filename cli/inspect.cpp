@@ -19,7 +19,7 @@ namespace {
 
 struct Options {
   std::string folder, function, after;
-  bool passes = false, dot = false, json = false;
+  bool passes = false, runtime_parameters = false, dot = false, json = false;
 };
 
 nlohmann::ordered_json cost_json(const Cost& c) {
@@ -76,7 +76,8 @@ void print_pass_gains(const std::vector<Function>& functions, bool json) {
 }
 
 void run_cost(const Options& o) {
-  const std::vector<Function> functions = derive_functions(open_model_folder(o.folder));
+  const std::vector<Function> functions =
+      derive_functions(open_model_folder(o.folder), o.runtime_parameters);
   if (o.passes)
     print_pass_gains(functions, o.json);
   else
@@ -114,6 +115,8 @@ void add_cost_command(CLI::App& app, int&) {
   CLI::App* command = app.add_subcommand("cost", "Count the operations of every function");
   auto options = std::make_shared<Options>();
   command->add_option("model", options->folder, "Model folder")->required();
+  command->add_flag("--runtime-parameters", options->runtime_parameters,
+                    "Counts with masses and gravity as arguments");
   command->add_flag("--passes", options->passes, "What each optimisation pass brings");
   command->add_flag("--json", options->json, "Report for machines");
   command->callback([options] { run_cost(*options); });

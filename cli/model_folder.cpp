@@ -9,6 +9,7 @@
 #include "identification/sha256.h"
 #include "symbolic/coordinates.h"
 #include "symbolic/functions.h"
+#include "symbolic/read_hand.h"
 #include "symbolic/read_mechanism.h"
 
 namespace sinew {
@@ -21,15 +22,21 @@ std::string content(const fs::path& path) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-/// Over names, sizes and contents of the files that make the model.
-std::string hash_of(const fs::path& folder) {
+std::string described_files(const fs::path& folder) {
   std::string all;
   for (const char* name :
-       {"identified.toml", "mass_properties.csv", "mechanism.toml", "part.toml"}) {
+       {"hand.toml", "identified.toml", "mass_properties.csv", "mechanism.toml", "part.toml"}) {
     if (!fs::exists(folder / name)) continue;
     const std::string text = content(folder / name);
     all += fmt::format("{} {}\n{}", name, text.size(), text);
   }
+  return all;
+}
+
+/// Over names, sizes and contents of the files that make the model.
+std::string hash_of(const fs::path& folder, const std::vector<fs::path>& parts) {
+  std::string all = described_files(folder);
+  for (const fs::path& part : parts) all += described_files(part);
   Sha256 hash;
   hash.update(all.data(), all.size());
   return hash.finish();
@@ -53,12 +60,29 @@ std::vector<std::string> joint_notes(const Mechanism& mechanism) {
   return notes;
 }
 
+std::vector<std::string> coordinate_notes(const Hand& hand) {
+  std::vector<std::string> notes{"Coordinates:"};
+  int coordinate = 0;
+  for (const std::string& name : coordinate_names(hand))
+    notes.push_back(fmt::format("  q[{}] {} (rad)", coordinate++, name));
+  notes.push_back("  q_wrist: q71, q73 (rad), the last two columns of every matrix");
+  return notes;
+}
+
 }  // namespace
 
 ModelFolder open_model_folder(const fs::path& folder) {
   ModelFolder result;
   std::string description;
-  if (is_part_folder(folder)) {
+  std::vector<fs::path> parts;
+  if (is_hand_folder(folder)) {
+    HandDescription read = read_hand(folder);
+    result.identity.name = read.hand.name;
+    description = read.hand.description;
+    result.identity.notes = coordinate_notes(read.hand);
+    parts = std::move(read.models);
+    result.model = std::move(read.hand);
+  } else if (is_part_folder(folder)) {
     const Part part = read_part(folder);
     result.identity.name = part.name;
     description = part.description;
@@ -71,13 +95,14 @@ ModelFolder open_model_folder(const fs::path& folder) {
     result.model = mechanism;
   }
   result.identity.description = description.empty() ? "Model " + result.identity.name : description;
-  result.identity.hash = hash_of(folder);
+  result.identity.hash = hash_of(folder, parts);
   return result;
 }
 
-std::vector<Function> derive_functions(const ModelFolder& folder) {
+std::vector<Function> derive_functions(const ModelFolder& folder, bool runtime_parameters) {
   if (const Mechanism* mechanism = std::get_if<Mechanism>(&folder.model))
-    return functions_of(*mechanism, emitted_cost);
+    return functions_of(*mechanism, emitted_cost, runtime_parameters);
+  if (const Hand* hand = std::get_if<Hand>(&folder.model)) return hand_functions(*hand);
   return functions_of(std::get<Part>(folder.model));
 }
 

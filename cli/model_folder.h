@@ -5,6 +5,7 @@
 #include <variant>
 
 #include "generator/assemble.h"
+#include "symbolic/hand.h"
 #include "symbolic/mechanism.h"
 #include "symbolic/part.h"
 
@@ -12,7 +13,7 @@ namespace sinew {
 
 /// A model folder, read: what generate, check, cost and dump start from.
 struct ModelFolder {
-  std::variant<Mechanism, Part> model;
+  std::variant<Mechanism, Part, Hand> model;
   ModelIdentity identity;
 };
 
@@ -20,7 +21,8 @@ struct ModelFolder {
 ModelFolder open_model_folder(const std::filesystem::path& folder);
 
 /// All functions of the folder's model, derived in their cheapest forms.
-std::vector<Function> derive_functions(const ModelFolder& folder);
+/// `runtime_parameters`: masses and gravity stay arguments of a mechanism's dynamics.
+std::vector<Function> derive_functions(const ModelFolder& folder, bool runtime_parameters = false);
 
 /// Where `generate` writes by default: generated/<model> below the current folder.
 std::filesystem::path default_output(const ModelFolder& folder);

@@ -57,6 +57,9 @@ bool PlanSearch::improve(const Derivation& derive, double& least) {
   bool improved = false;
   for (std::size_t i = plan_.size(); i-- > 0;)
     for (const JointPlan& alternative : alternatives(plan_[i], tree_of(plan_).links[i])) {
+      const bool own_frame = alternative.frame.leaf != LeafTurn::none ||
+                             alternative.frame.origin != OriginChoice::incoming;
+      if (masses_open_ && own_frame) continue;
       DynamicsPlan changed = plan_;
       changed[i] = alternative;
       const double price = cost_(derive(tree_of(changed), changed));

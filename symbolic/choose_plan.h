@@ -24,6 +24,10 @@ class PlanSearch {
   /// Without a cost, or with more than `most_joints` joints, every function gets the default plan.
   PlanSearch(const Mechanism& mechanism, CostOf cost, int most_joints = 12);
 
+  /// Keeps every function in the default frames: their parameters are then the same numbers, and
+  /// no choice depends on the values of masses.
+  void keep_masses_open() { masses_open_ = true; }
+
   /// The function in its cheapest form: joint by joint, a choice is kept where it makes the
   /// function cheaper, until none does. Starts from the plan found last, since functions of one
   /// mechanism mostly agree.
@@ -37,6 +41,7 @@ class PlanSearch {
   CostOf cost_;
   DynamicsPlan plan_;
   bool search_;
+  bool masses_open_ = false;
   std::map<std::vector<int>, JointTree> trees_;  // by frame choices
 };
 

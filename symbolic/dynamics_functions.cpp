@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "symbolic/dynamics_functions.h"
 
+#include <optional>
+
 #include "symbolic/coordinates.h"
 #include "symbolic/coriolis.h"
 #include "symbolic/forward_dynamics.h"
 #include "symbolic/mass_matrix.h"
 #include "symbolic/recursive_lagrangian.h"
+#include "symbolic/runtime_parameters.h"
 #include "symbolic/symbols.h"
 
 namespace sinew {
@@ -24,14 +27,18 @@ std::vector<ex> zeros(std::size_t n) {
 /// One mechanism's arguments and the ways to write its dynamics.
 class DynamicsFunctions {
  public:
-  DynamicsFunctions(const Mechanism& mechanism, CostOf cost)
+  DynamicsFunctions(const Mechanism& mechanism, CostOf cost, bool runtime_parameters)
       : mechanism_(mechanism),
         search_(mechanism, std::move(cost)),
         q_(joint_positions(mechanism)),
         qd_(joint_velocities(mechanism)),
         qdd_(joint_accelerations(mechanism)),
         coordinates_(mechanism),
-        n_(q_.rows) {}
+        n_(q_.rows) {
+    if (!runtime_parameters) return;
+    parameters_ = parameter_argument(build_joint_tree(mechanism));
+    search_.keep_masses_open();
+  }
 
   Function inverse_dynamics_function() {
     return cheapest([this](const JointTree& tree, const DynamicsPlan& plan) {
@@ -108,14 +115,18 @@ class DynamicsFunctions {
   }
 
   Function coriolis_function() {
-    Function f =
-        begin("coriolis_matrix",
-              "Coriolis matrix C(q,qd) in Christoffel form: dM/dt - 2 C is skew-symmetric.",
-              "(2.1)", {q_, qd_});
-    DefinitionList list;
-    const auto M = reduced_mass_matrix(list, build_joint_tree(mechanism_), {});
-    const auto C = coriolis_matrix(list, M, q_.symbols, expressions(qd_.symbols));
-    return finish(f, list, {output("C", n_, n_, C, inertia_unit() + "/s", "Coriolis matrix")});
+    const Derivation derive = [this](const JointTree& tree, const DynamicsPlan& plan) {
+      Function f =
+          begin("coriolis_matrix",
+                "Coriolis matrix C(q,qd) in Christoffel form: dM/dt - 2 C is skew-symmetric.",
+                "(2.1)", {q_, qd_});
+      DefinitionList list;
+      const auto M = reduced_mass_matrix(list, tree, plan);
+      const auto C = coriolis_matrix(list, M, q_.symbols, expressions(qd_.symbols));
+      return finish(f, list, {output("C", n_, n_, C, inertia_unit() + "/s", "Coriolis matrix")});
+    };
+    const JointTree tree = build_joint_tree(mechanism_);
+    return parameters_ ? with_parameters(derive, tree, {}) : derive(tree, {});
   }
 
  private:
@@ -159,21 +170,37 @@ class DynamicsFunctions {
     return f;
   }
 
-  Function cheapest(const Derivation& derive) { return search_.cheapest(derive); }
+  Function cheapest(const Derivation& derive) {
+    if (!parameters_) return search_.cheapest(derive);
+    return search_.cheapest([&](const JointTree& numbers, const DynamicsPlan& plan) {
+      return with_parameters(derive, numbers, plan);
+    });
+  }
+
+  Function with_parameters(const Derivation& derive, JointTree tree,
+                           const DynamicsPlan& plan) const {
+    use_parameters(tree, *parameters_);
+    Function f = derive(tree, plan);
+    f.inputs.push_back(*parameters_);
+    return f;
+  }
 
   const Mechanism& mechanism_;
   PlanSearch search_;
   Argument q_, qd_, qdd_;
   Coordinates coordinates_;
+  std::optional<Argument> parameters_;
   int n_;
 };
 
 }  // namespace
 
-std::vector<Function> dynamics_functions(const Mechanism& mechanism, const CostOf& cost) {
-  DynamicsFunctions write(mechanism, cost);
+std::vector<Function> dynamics_functions(const Mechanism& mechanism, const CostOf& cost,
+                                         bool runtime_parameters) {
+  DynamicsFunctions write(mechanism, cost, runtime_parameters);
   // written out: the order of the searches is part of the result
   std::vector<Function> functions;
+  if (runtime_parameters) functions.push_back(base_parameters_function(mechanism));
   functions.push_back(write.mass_matrix_function());
   functions.push_back(write.coriolis_function());
   functions.push_back(write.gravity_function());

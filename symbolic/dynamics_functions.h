@@ -11,6 +11,9 @@ namespace sinew {
 
 /// mass_matrix, coriolis_matrix, gravity, bias, mass_matrix_and_bias, inverse_dynamics and
 /// forward_dynamics, each in the form that is cheapest for itself.
-std::vector<Function> dynamics_functions(const Mechanism& mechanism, const CostOf& cost);
+/// With `runtime_parameters` masses and gravity are an argument (runtime_parameters.h) and
+/// base_parameters comes first.
+std::vector<Function> dynamics_functions(const Mechanism& mechanism, const CostOf& cost,
+                                         bool runtime_parameters = false);
 
 }  // namespace sinew

@@ -64,9 +64,11 @@ std::vector<Function> kinematics_functions(const Mechanism& mechanism) {
 
 }  // namespace
 
-std::vector<Function> functions_of(const Mechanism& mechanism, const CostOf& cost) {
+std::vector<Function> functions_of(const Mechanism& mechanism, const CostOf& cost,
+                                   bool runtime_parameters) {
   std::vector<Function> all = kinematics_functions(mechanism);
-  for (const Function& f : dynamics_functions(mechanism, cost)) all.push_back(f);
+  for (const Function& f : dynamics_functions(mechanism, cost, runtime_parameters))
+    all.push_back(f);
   for (const Function& f : tendon_functions(mechanism)) all.push_back(f);
   return all;
 }

@@ -11,7 +11,9 @@ namespace sinew {
 
 /// Every function that a mechanism offers, in the order in which it is emitted: kinematics,
 /// dynamics, and, where there are tendons, coupling and stiffness. `cost` decides between forms
-/// of equal meaning; without it the default forms are taken.
-std::vector<Function> functions_of(const Mechanism& mechanism, const CostOf& cost = {});
+/// of equal meaning; without it the default forms are taken. With `runtime_parameters` masses and
+/// gravity are arguments of the dynamics (runtime_parameters.h).
+std::vector<Function> functions_of(const Mechanism& mechanism, const CostOf& cost = {},
+                                   bool runtime_parameters = false);
 
 }  // namespace sinew

@@ -79,6 +79,8 @@ class TreeBuilder {
     for (std::size_t i = 0; i < tree_.links.size(); ++i) settle(i);
     fold_base_parameters(tree_);
     for (std::size_t i = 0; i < tree_.links.size(); ++i) turn_leaf(i);
+    for (const TreeLink& link : tree_.links) tree_.inertias.push_back(to_expression(link.J));
+    tree_.gravity_vector = to_expression(tree_.gravity);
     return std::move(tree_);
   }
 

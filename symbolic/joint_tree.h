@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "symbolic/composite_inertia.h"
 #include "symbolic/mechanism.h"
 #include "symbolic/number.h"
 
@@ -62,6 +63,9 @@ struct JointTree {
   std::vector<BodyPlace> bodies;  ///< in the mechanism's order
   std::vector<TreeLink> links;    ///< parents before children; fixed joints merged
   NumberVector3 gravity;          ///< base frame
+  /// What the equations are written with: the numbers above, or symbols (runtime_parameters.h).
+  std::vector<PseudoInertia> inertias;  ///< one a link
+  Vector3ex gravity_vector;
 };
 
 /// Canonical tree for the choices given (one a moving joint; missing ones take the default).

@@ -65,8 +65,8 @@ Function lever_angle(const LeverParameters& parameters) {
   const Argument elongation =
       scalar_argument("elongation", "m", {0.0, travel(parameters)}, "tendon elongation");
   const Argument start = angle_argument(parameters, "where the search starts, e.g. the last angle");
-  const ex target = free_path_length(parameters) - elongation.symbols[0];
   DefinitionList list;
+  const ex target = free_path_length(parameters) - limited_elongation(list, elongation.symbols[0]);
   ex theta = list.define("theta_start", within_travel(parameters, start.symbols[0]));
   for (int i = 0; i < parameters.newton_iterations; ++i) {
     const LeverGeometry g = lever_geometry(list, parameters, theta);

@@ -117,4 +117,8 @@ ex within_travel(const LeverParameters& p, const ex& theta) {
                  exact_number(std::max(p.free_angle, p.end_angle)));
 }
 
+ex limited_elongation(DefinitionList& list, const ex& elongation) {
+  return list.define("limited_elongation", clamped(elongation, -1, 1));
+}
+
 }  // namespace sinew

@@ -27,4 +27,7 @@ GiNaC::ex lever_force(DefinitionList& list, const LeverGeometry& geometry);
 /// Limits an angle to the lever's travel, whichever way that runs.
 GiNaC::ex within_travel(const LeverParameters& parameters, const GiNaC::ex& theta);
 
+/// Limits an elongation to a metre either way, so that what is left of it stays finite.
+GiNaC::ex limited_elongation(DefinitionList& list, const GiNaC::ex& elongation);
+
 }  // namespace sinew

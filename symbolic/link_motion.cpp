@@ -5,8 +5,8 @@ namespace sinew {
 
 using GiNaC::ex;
 
-Motion motion_at_rest(const NumberVector3& gravity) {
-  return {zero_vector(), zero_vector(), zero_matrix(), to_expression(NumberVector3(-gravity))};
+Motion motion_at_rest(const Vector3ex& gravity) {
+  return {zero_vector(), zero_vector(), zero_matrix(), {-gravity[0], -gravity[1], -gravity[2]}};
 }
 
 Motion fixed_frame_motion(DefinitionList& list, const std::string& name, const Motion& carrier,
@@ -71,9 +71,9 @@ Motion slid_motion(DefinitionList& list, const std::string& name, const Motion& 
   return m;
 }
 
-Wrench inertial_wrench(DefinitionList& list, const std::string& name, const NumberMatrix4& inertia,
+Wrench inertial_wrench(DefinitionList& list, const std::string& name, const PseudoInertia& inertia,
                        const Motion& m) {
-  const auto J = [&](int i, int j) { return to_expression(inertia(i, j)); };
+  const auto J = [&](std::size_t i, std::size_t j) { return inertia[i][j]; };
   const Vector3ex s{J(0, 3), J(1, 3), J(2, 3)};
   const Matrix3ex& U = m.U;
   const ex xx = m.w[0] * m.w[0], yy = m.w[1] * m.w[1], zz = m.w[2] * m.w[2];

@@ -2,6 +2,7 @@
 // Outward sweep: how a link moves, in its own axes.
 #pragma once
 
+#include "symbolic/composite_inertia.h"
 #include "symbolic/spatial.h"
 
 namespace sinew {
@@ -21,7 +22,7 @@ struct Wrench {
 };
 
 /// Motion of a frame at rest under gravity.
-Motion motion_at_rest(const NumberVector3& gravity);
+Motion motion_at_rest(const Vector3ex& gravity);
 
 /// Motion of a frame fixed in another at pose (R, p).
 Motion fixed_frame_motion(DefinitionList& list, const std::string& name, const Motion& carrier,
@@ -40,7 +41,7 @@ Motion slid_motion(DefinitionList& list, const std::string& name, const Motion& 
 void complete_rotation_rates(DefinitionList& list, const std::string& name, Motion& motion);
 
 /// Inertial wrench of a link: F = U s + m a, N = vee(U J - J U^T) + s x a.
-Wrench inertial_wrench(DefinitionList& list, const std::string& name, const NumberMatrix4& J,
+Wrench inertial_wrench(DefinitionList& list, const std::string& name, const PseudoInertia& J,
                        const Motion& motion);
 
 /// Adds a wrench given in a frame at pose (R, offset) to `total`.

@@ -16,7 +16,8 @@ namespace {
 using GiNaC::ex;
 using Pair = std::array<ex, 2>;
 
-constexpr Range length_range{0.0, 0.1};  // m
+constexpr Range length_range{0.0, 0.1};   // m
+const GiNaC::numeric widest_angle(3, 2);  // rad; nearly a right angle, more than any thumb
 
 /// Tendon lengths and coupling matrix at given angles.
 struct Coupling {
@@ -129,6 +130,12 @@ class Search {
     return {list.define("q10", q[0] + by[0]), list.define("q11", q[1] + by[1])};
   }
 
+  /// Angles given from outside, limited so that no start, however wrong, is carried on.
+  Pair entered(const ex& q10, const ex& q11) {
+    return {list.define("start_q10", clamped(q10, -widest_angle, widest_angle)),
+            list.define("start_q11", clamped(q11, -widest_angle, widest_angle))};
+  }
+
   ex limited(const ex& step) {
     const ex limit = exact_number(settings_.largest_step);
     return list.define("step", clamped(step, -limit, limit));
@@ -186,13 +193,10 @@ Descent descend(Search& search, const Descent& now) {
   const Pair by{search.limited(-now.step * now.gradient[0]),
                 search.limited(-now.step * now.gradient[1])};
   const Point trial = search.at(search.moved(now.q, by));
+  // An equal cost counts as progress, so that one that is not a number does not.
   const ex better = search.list.define("better", now.cost - trial.cost);
-  // "<" as in the algorithm: an equal cost is no progress.
-  const ex worse_or_equal = -better;
-  return {search.pick(worse_or_equal, now.q, trial.q),
-          search.pick(worse_or_equal, now.gradient, trial.gradient),
-          search.pick(worse_or_equal, now.step / 2, now.step),
-          search.pick(worse_or_equal, now.cost, trial.cost)};
+  return {search.pick(better, trial.q, now.q), search.pick(better, trial.gradient, now.gradient),
+          search.pick(better, now.step, now.step / 2), search.pick(better, trial.cost, now.cost)};
 }
 
 }  // namespace
@@ -200,7 +204,7 @@ Descent descend(Search& search, const Descent& now) {
 Function link_position(const ThumbBaseParameters& base, const LinkPositionSettings& settings) {
   Search search(base, settings);
   const Argument start = search.start();
-  Point best = search.at({start.symbols[0], start.symbols[1]});
+  Point best = search.at(search.entered(start.symbols[0], start.symbols[1]));
   ex lambda = exact_number(settings.damping);
   for (int i = 0; i < settings.iterations; ++i) {
     const Point trial = search.at(search.moved(best.q, search.step(best, lambda)));
@@ -216,7 +220,7 @@ Function link_position_gradient(const ThumbBaseParameters& base,
                                 const LinkPositionSettings& settings) {
   Search search(base, settings);
   const Argument start = search.start();
-  const Point first = search.at({start.symbols[0], start.symbols[1]});
+  const Point first = search.at(search.entered(start.symbols[0], start.symbols[1]));
   Descent now{first.q, first.gradient, exact_number(settings.gradient_step), first.cost};
   for (int i = 0; i < settings.gradient_iterations; ++i) now = descend(search, now);
   return search.finish(
@@ -228,12 +232,12 @@ Function link_position_gradient(const ThumbBaseParameters& base,
 Function link_position_gradient_step(const ThumbBaseParameters& base,
                                      const LinkPositionSettings& settings) {
   Search search(base, settings);
-  Argument state = array_argument("state", 6, 1, "rad, m^2/rad, rad/m^2, m^2", base.angle,
+  Argument state = array_argument("search", 6, 1, "rad, m^2/rad, rad/m^2, m^2", base.angle,
                                   "q10, q11, gradient (2), step, smallest cost");
   state.ranges = {base.angle, base.angle, {-1e-3, 1e-3}, {-1e-3, 1e-3}, {0, settings.gradient_step},
                   {0, 1e-3}};
   const auto& s = state.symbols;
-  const Descent next = descend(search, {{s[0], s[1]}, {s[2], s[3]}, s[4], s[5]});
+  const Descent next = descend(search, {search.entered(s[0], s[1]), {s[2], s[3]}, s[4], s[5]});
   return {"link_position_gradient_step",
           "One iteration of the corrected gradient search.",
           "(5.24)",
@@ -255,8 +259,9 @@ Function link_position_covariance(const ThumbBaseParameters& base,
       scalar_argument("sigma", "m", {0.0, 0.002}, "standard deviation of a length");
   DefinitionList list;
   const Normal normal(list, coupling_at(list, base, {q.symbols[0], q.symbols[1]}), settings);
-  const ex scale = list.define(
-      "scale", sigma.symbols[0] * sigma.symbols[0] / maximum(normal.determinant, normal.floor));
+  const ex deviation = list.define("deviation", clamped(sigma.symbols[0], 0, 1));
+  const ex scale =
+      list.define("scale", deviation * deviation / maximum(normal.determinant, normal.floor));
   const ex mixed = list.define("mixed", -normal.H01 * scale);
   return {"link_position_covariance",
           "Covariance of the thumb's base angles for noise on the lengths.",

@@ -44,9 +44,9 @@ Function link_position(const ThumbBaseParameters& base, const LinkPositionSettin
 /// correction is the Gauss-Newton step left at the result [rad].
 Function link_position_gradient(const ThumbBaseParameters& base,
                                 const LinkPositionSettings& settings);
-/// link_position_gradient_step(h m, state 6 -> next 6): one iteration of Algorithm 1, to spread the
-/// search over ticks. State: q10, q11, gradient (2) [m²/rad], step [rad/m²], smallest cost [m²].
-/// Start with a gradient of 0 and a cost above any, for instance 1.
+/// link_position_gradient_step(h m, search 6 -> next 6): one iteration of Algorithm 1, to spread
+/// the search over ticks. `search`: q10, q11, gradient (2) [m²/rad], step [rad/m²], smallest cost
+/// [m²]. Start with a gradient of 0 and a cost above any, for instance 1.
 Function link_position_gradient_step(const ThumbBaseParameters& base,
                                      const LinkPositionSettings& settings);
 /// link_position_covariance(q 2, sigma -> covariance 2x2, status 1): sigma² (PᵀP)⁻¹ [rad²] of the

@@ -22,7 +22,7 @@ class CompositeSweep {
         geometry_(runs_.runs.size()),
         n_(tree.links.size()),
         M_(n_ * n_, ex(0)) {
-    for (const TreeLink& link : tree.links) inertias_.push_back(to_expression(link.J));
+    inertias_ = tree.inertias;
   }
 
   std::vector<ex> run() {

@@ -27,9 +27,10 @@ enum class JointType { revolute, prismatic, fixed };
 /// A rigid body; its frame is the frame of the joint that carries it (after the joint's motion).
 struct Body {
   std::string name;
-  double mass = 0.0;                                              ///< kg
-  Eigen::Vector3d centre_of_mass = Eigen::Vector3d::Zero();       ///< m, body frame
-  Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();              ///< kg m^2, about the centre of mass, body axes
+  double mass = 0.0;                                         ///< kg
+  Eigen::Vector3d centre_of_mass = Eigen::Vector3d::Zero();  ///< m, body frame
+  Eigen::Matrix3d inertia =
+      Eigen::Matrix3d::Zero();  ///< kg m^2, about the centre of mass, body axes
   SourceLocation where;
 };
 
@@ -37,27 +38,27 @@ struct Body {
 struct Joint {
   std::string name;
   JointType type = JointType::revolute;
-  int parent = -1;                                                ///< body index; -1 is the base
+  int parent = -1;  ///< body index; -1 is the base
   Transform origin;
-  Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();                ///< unit, in the joint frame
-  double low = -3.141592653589793;                                ///< rad or m
+  Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();  ///< unit, in the joint frame
+  double low = -3.141592653589793;                  ///< rad or m
   double high = 3.141592653589793;
-  double max_velocity = 10.0;                                     ///< rad/s or m/s: sampling range of tests
-  double max_acceleration = 100.0;                                ///< rad/s^2 or m/s^2: sampling range of tests
-  double damping = 0.0;                                           ///< N m s/rad or N s/m, viscous; simulation only
+  double max_velocity = 10.0;       ///< rad/s or m/s: sampling range of tests
+  double max_acceleration = 100.0;  ///< rad/s^2 or m/s^2: sampling range of tests
+  double damping = 0.0;             ///< N m s/rad or N s/m, viscous; simulation only
   SourceLocation where;
 };
 
 /// Constant moment arm: dh/dq = radius (signed) at one joint (5.5).
 struct PulleyRouting {
   std::string joint;
-  double radius = 0.0;                                            ///< m, signed
+  double radius = 0.0;  ///< m, signed
 };
 
 /// Straight stretch of tendon between points of two bodies; contributes |p_to - p_from| (5.20).
 struct StraightRouting {
-  std::string from_body;                                          ///< "base" for the base frame
-  Eigen::Vector3d from = Eigen::Vector3d::Zero();                 ///< m
+  std::string from_body;                           ///< "base" for the base frame
+  Eigen::Vector3d from = Eigen::Vector3d::Zero();  ///< m
   std::string to_body;
   Eigen::Vector3d to = Eigen::Vector3d::Zero();
 };
@@ -65,7 +66,7 @@ struct StraightRouting {
 /// A tendon's path: h(q) = h0 + sum of its pulleys' radius*q + sum of its straight stretches.
 struct Tendon {
   std::string name;
-  double h0 = 0.0;                                                ///< m
+  double h0 = 0.0;  ///< m
   std::vector<PulleyRouting> pulleys;
   std::vector<StraightRouting> straights;
   SourceLocation where;
@@ -83,25 +84,25 @@ struct JointCoupling {
 struct Frame {
   std::string name;
   std::string body;
-  Transform pose;                                                 ///< frame to body
+  Transform pose;  ///< frame to body
   SourceLocation where;
 };
 
 /// Bodies and joints in depth-first order: joints[i].parent < i, and joint i moves body i.
 /// Fixed joints are allowed; the moving ones are the generalised coordinates, in this order.
 struct Mechanism {
-  std::string name;                                               ///< C identifier, prefix of emitted functions
+  std::string name;  ///< C identifier, prefix of emitted functions
   std::string description;
-  Eigen::Vector3d gravity{0.0, 0.0, -9.81};                       ///< m/s^2, base frame
+  Eigen::Vector3d gravity{0.0, 0.0, -9.81};  ///< m/s^2, base frame
   std::vector<Body> bodies;
-  std::vector<Joint> joints;                                      ///< same size as bodies
+  std::vector<Joint> joints;  ///< same size as bodies
   std::vector<Tendon> tendons;
   std::vector<JointCoupling> couplings;
-  std::vector<Frame> frames;                                      ///< the first is "the tip"
-  double tendon_stiffness_low = 1.0e3;                            ///< N/m: sampling range of tests
+  std::vector<Frame> frames;            ///< the first is "the tip"
+  double tendon_stiffness_low = 1.0e3;  ///< N/m: sampling range of tests
   double tendon_stiffness_high = 5.0e4;
-  double tendon_force_high = 100.0;                               ///< N: sampling range of tests
-  std::map<std::string, std::string> provenance;                  ///< value path -> "text ..." or "assumed ..."
+  double tendon_force_high = 100.0;               ///< N: sampling range of tests
+  std::map<std::string, std::string> provenance;  ///< value path -> "text ..." or "assumed ..."
 };
 
 /// Generalised coordinate of each joint: 0.. for moving joints, -1 for fixed ones.

@@ -26,7 +26,8 @@ std::string ParallelRun::tag(int index) const {
 
 ex ParallelRun::J(int index, int row, int col) const {
   const RunLink& link = links_[static_cast<std::size_t>(index)];
-  return to_expression(tree_.links[static_cast<std::size_t>(link.link)].J(row, col));
+  return tree_.inertias[static_cast<std::size_t>(link.link)][static_cast<std::size_t>(row)]
+                       [static_cast<std::size_t>(col)];
 }
 
 /// Second derivative of a vector fixed in the link, given by its constant components.
@@ -172,8 +173,8 @@ std::vector<ex> ParallelRun::pair_torques(const std::vector<Wrench>& external) c
 }
 
 ex ParallelRun::own_inertia(std::size_t k) const {
-  const NumberMatrix4& inertia = tree_.links[static_cast<std::size_t>(links_[k].link)].J;
-  return to_expression(Number(inertia(0, 0) + inertia(1, 1)));
+  const PseudoInertia& J = tree_.inertias[static_cast<std::size_t>(links_[k].link)];
+  return named(list_, "Z" + tag(static_cast<int>(k)), J[0][0] + J[1][1]);
 }
 
 ex ParallelRun::square(std::size_t k) const {

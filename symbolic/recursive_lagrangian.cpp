@@ -53,13 +53,12 @@ class Sweep {
     const Run& run = runs_.runs[r];
     const TreeLink& first = root(r);
     const std::string name = std::to_string(run.links[0] + 1);
-    const Motion carrier = first.parent < 0 ? motion_at_rest(tree_.gravity)
+    const Motion carrier = first.parent < 0 ? motion_at_rest(tree_.gravity_vector)
                                             : motions_[static_cast<std::size_t>(first.parent)];
     const Motion base = fixed_frame_motion(list_, name, carrier, first.R, run.origin);
     if (run.common_frame) {
       std::vector<PseudoInertia> inertias;
-      for (int link : run.links)
-        inertias.push_back(to_expression(tree_.links[static_cast<std::size_t>(link)].J));
+      for (int link : run.links) inertias.push_back(tree_.inertias[static_cast<std::size_t>(link)]);
       parallel_[r].emplace(list_, tree_, run_geometry(list_, tree_, run, angles_, inertias),
                            run.pair_by_pair, base, state_.qd, state_.qdd);
       for (std::size_t k = 0; k < run.links.size(); ++k)
@@ -89,7 +88,7 @@ class Sweep {
     const TreeLink& link = root(r);
     const auto i = static_cast<std::size_t>(runs_.runs[r].links[0]);
     const std::string name = std::to_string(i + 1);
-    Wrench wrench = inertial_wrench(list_, name, link.J, motions_[i]);
+    Wrench wrench = inertial_wrench(list_, name, tree_.inertias[i], motions_[i]);
     wrench = {named(list_, "F" + name, wrench.F + wrenches_[i].F),
               named(list_, "N" + name, wrench.N + wrenches_[i].N)};
     const bool slides = link.type == JointType::prismatic;

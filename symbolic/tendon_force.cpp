@@ -16,6 +16,8 @@ namespace {
 
 using GiNaC::ex;
 
+const GiNaC::numeric stiffest = GiNaC::numeric(10).power(12);  // N/m; as good as rigid
+
 /// l0/(E S) [m/N].
 GiNaC::numeric compliance(const TendonParameters& p) {
   if (!(p.axial_stiffness > 0 && p.free_length > 0))
@@ -43,7 +45,7 @@ struct Pair {
 
 Function tendon_series_stiffness(const TendonParameters& parameters) {
   const Argument k = scalar_argument("k_lever", "N/m", {0.0, 5.0e4}, "stiffness of the lever");
-  const ex stiffness = maximum(k.symbols[0], 0);
+  const ex stiffness = clamped(k.symbols[0], 0, stiffest);
   return {"series_stiffness",
           "Stiffness of lever and tendon in series.",
           "4.1",
@@ -62,8 +64,8 @@ Function tendon_force(const TendonParameters& parameters, const LeverParameters&
       "theta", "rad",
       {std::min(lever.free_angle, lever.end_angle), std::max(lever.free_angle, lever.end_angle)},
       "where the search starts, e.g. the last angle");
-  const ex x = elongation.symbols[0];
   DefinitionList list;
+  const ex x = limited_elongation(list, elongation.symbols[0]);
   ex theta = list.define("theta_start", within_travel(lever, start.symbols[0]));
   for (int i = 0; i < lever.newton_iterations; ++i) {
     const Pair here(list, lever, softness, theta, GiNaC::ex_to<GiNaC::symbol>(theta));

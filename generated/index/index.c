@@ -599,7 +599,7 @@ void index_inverse_dynamics(const double q[SINEW_AT_LEAST(4)], const double qd[S
     const double F3y = F4y + 0.0001788 * e3y;
     const double F3x = F4x + 0.0001788 * e3x;
     const double l3y = 0.04038 * s2;
-    const double n2 = n3 + 1.9647532799999998e-05 * qdd[1] + 9.81 * j2x1 + l3x * F3y + l3y * F3x;
+    const double n2 = n3 + 1.96475328e-05 * qdd[1] + 9.81 * j2x1 + l3x * F3y + l3y * F3x;
     const double j2yz = 1.253799e-06 * s2;
     const double K2yz = j2yz + K3yz;
     const double j2u = 1.94855328e-05 * c2;

@@ -617,10 +617,9 @@ void index_inverse_dynamics_batch(int count, const double *SINEW_RESTRICT q, con
         const double t3 = n3 + qdd[state] * K3yz + w1zz * K3yx;
         const double j2x1 = 0.00054513 * c2;
         const double F3y = F4y + 0.0001788 * e3y;
-        const double t1 = n3 + 1.9647532799999998e-05 * qdd[1 * n + state] + 9.81 * j2x1 + l3x * F3y;
         const double F3x = F4x + 0.0001788 * e3x;
         const double l3y = 0.04038 * s2;
-        const double n2 = t1 + l3y * F3x;
+        const double n2 = n3 + 1.96475328e-05 * qdd[1 * n + state] + 9.81 * j2x1 + l3x * F3y + l3y * F3x;
         const double j2yz = 1.253799e-06 * s2;
         const double K2yz = j2yz + K3yz;
         const double j2u = 1.94855328e-05 * c2;
@@ -629,10 +628,10 @@ void index_inverse_dynamics_batch(int count, const double *SINEW_RESTRICT q, con
         const double t2 = n2 + qdd[state] * K2yz + w1zz * K2yx;
         const double R2yx = qd[1 * n + state] * K2yx + qd[2 * n + state] * K3yx + qd[3 * n + state] * K4yx;
         const double w_2y = qd[state] + qd[state];
-        const double t5 = c2 * j2u + c3 * j3u + c4 * j4u + o4x * j4x1 + o3x * j3x1 + l4x * j4x1 + 0.006 * j2x1;
+        const double t1 = c2 * j2u + c3 * j3u + c4 * j4u + o4x * j4x1 + o3x * j3x1 + l4x * j4x1 + 0.006 * j2x1;
         const double S2x = j2x1 + S3x;
-        const double t6 = qdd[state] * (t5 + l3x * S3x + 0.006 * S2x + 1.1373675000000002e-06) + 1.613025e-07 * e4x;
-        const double N1z = t6 + 7.0179e-07 * e3x + 1.253799e-06 * e2x - w_2y * R2yx;
+        const double t5 = qdd[state] * (t1 + l3x * S3x + 0.006 * S2x + 1.1373675000000002e-06) + 1.613025e-07 * e4x;
+        const double N1z = t5 + 7.0179e-07 * e3x + 1.253799e-06 * e2x - w_2y * R2yx;
         tau[state] = N1z;
         tau[1 * n + state] = t2;
         tau[2 * n + state] = t3;

@@ -569,7 +569,7 @@ void middle_inverse_dynamics(const double q[SINEW_AT_LEAST(4)], const double qd[
     const double a3x = 0.0436104 * e2x;
     const double a4x = a3x + 0.032184 * e3x;
     const double j4y1 = 4.101874214400001e-05 * s4;
-    const double n4 = 6.276354603309761e-07 * al4z + j4x1 * a4y + j4y1 * a4x;
+    const double n4 = 6.27635460330976e-07 * al4z + j4x1 * a4y + j4y1 * a4x;
     const double j4yz = 2.3700629210803204e-07 * s4;
     const double l3x = 0.0436104 * c2;
     const double o3x = 0.00648 + l3x;

@@ -586,16 +586,15 @@ void ring_inverse_dynamics_batch(int count, const double *SINEW_RESTRICT q, cons
         const double t4 = n4 + qdd[state] * j4yz + w1zz * K4yx;
         const double j2x1 = 0.00054513 * c2;
         const double F3y = F4y + 0.0001788 * e3y;
-        const double t2 = n3 + 1.9647532799999998e-05 * qdd[1 * n + state] + 9.81 * j2x1 + l3x * F3y;
         const double F3x = F4x + 0.0001788 * e3x;
         const double l3y = 0.04038 * s2;
-        const double n2 = t2 + l3y * F3x;
+        const double n2 = n3 + 1.96475328e-05 * qdd[1 * n + state] + 9.81 * j2x1 + l3x * F3y + l3y * F3x;
         const double j2yz = 1.253799e-06 * s2;
         const double K2yz = j2yz + K3yz;
         const double j2u = 1.94855328e-05 * c2;
         const double S3x = j3x1 + j4x1;
         const double K2yx = s2 * (j2u + 3.27078e-06) + K3yx + l3y * S3x;
-        const double t2_2 = n2 + qdd[state] * K2yz + w1zz * K2yx;
+        const double t2 = n2 + qdd[state] * K2yz + w1zz * K2yx;
         const double R2yx = qd[1 * n + state] * K2yx + qd[2 * n + state] * K3yx + t1 * K4yx;
         const double w_2y = qd[state] + qd[state];
         const double t5 = c2 * j2u + c3 * j3u + c4 * j4u + o4x * j4x1 + o3x * j3x1 + l4x * j4x1 + 0.006 * j2x1;
@@ -603,7 +602,7 @@ void ring_inverse_dynamics_batch(int count, const double *SINEW_RESTRICT q, cons
         const double t6 = qdd[state] * (t5 + l3x * S3x + 0.006 * S2x + 1.1373675000000002e-06) + 1.613025e-07 * e4x;
         const double N1z = t6 + 7.0179e-07 * e3x + 1.253799e-06 * e2x - w_2y * R2yx;
         tau[state] = N1z;
-        tau[1 * n + state] = t2_2;
+        tau[1 * n + state] = t2;
         tau[2 * n + state] = t3 + 1.2222222222222223 * t4;
     }
 }
