@@ -25,20 +25,24 @@ std::string batch_signature(const EmittedModel& model, const Graph& graph) {
 
 std::string batch_function(const EmittedModel& model, const Graph& graph) {
   const ArrayNames names{[](const Port& port, int element) {
-                           return element == 0 ? fmt::format("{}[state]", port.name)
-                                               : fmt::format("{}[{} * n + state]", port.name, element);
+                           return element == 0
+                                      ? fmt::format("{}[state]", port.name)
+                                      : fmt::format("{}[{} * n + state]", port.name, element);
                          },
                          false};
   std::string text = batch_signature(model, graph) + "\n{\n    const size_t n = (size_t)count;\n";
   for (const Port& port : graph.inputs)
     if (!reads_port(graph, port.name)) text += fmt::format("    (void){};\n", port.name);
   text += "    SINEW_STATES_ARE_INDEPENDENT\n    for (size_t state = 0; state < n; ++state) {\n";
-  for (const std::string& line : statements(graph, model.target, names)) text += "        " + line + "\n";
+  for (const std::string& line : statements(graph, model.target, names))
+    text += "        " + line + "\n";
   return text + "    }\n}\n";
 }
 
 std::string what(const EmittedModel& model) {
-  return fmt::format("The functions of the model {} over many states: element k of state i is at [k * count + i].", model.name);
+  return fmt::format(
+      "The functions of the model {} over many states: element k of state i is at [k * count + i].",
+      model.name);
 }
 
 }  // namespace
@@ -46,7 +50,8 @@ std::string what(const EmittedModel& model) {
 std::string emit_batch_header(const EmittedModel& model) {
   std::string text = file_comment(model, what(model));
   text += fmt::format(
-      "#ifndef SINEW_{0}_BATCH_H\n#define SINEW_{0}_BATCH_H\n\n#ifndef SINEW_RESTRICT\n#ifdef __cplusplus\n"
+      "#ifndef SINEW_{0}_BATCH_H\n#define SINEW_{0}_BATCH_H\n\n#ifndef SINEW_RESTRICT\n#ifdef "
+      "__cplusplus\n"
       "#define SINEW_RESTRICT\n#else\n#define SINEW_RESTRICT restrict\n#endif\n#endif\n\n"
       "#ifdef __cplusplus\nextern \"C\" {{\n#endif\n\n",
       model.name);
@@ -59,9 +64,8 @@ std::string emit_batch(const EmittedModel& model) {
   std::string text = file_comment(model, what(model));
   text += fmt::format(
       "#include \"{0}_batch.h\"\n\n#include <stddef.h>\n\n#include \"sinew_math.h\"\n\n"
-      "#if defined(__clang__)\n"
-      "#define SINEW_STATES_ARE_INDEPENDENT _Pragma(\"clang loop vectorize(assume_safety)\")\n"
-      "#elif defined(__GNUC__)\n#define SINEW_STATES_ARE_INDEPENDENT _Pragma(\"GCC ivdep\")\n"
+      "#if defined(__GNUC__) && !defined(__clang__)\n#define SINEW_STATES_ARE_INDEPENDENT "
+      "_Pragma(\"GCC ivdep\")\n"
       "#else\n#define SINEW_STATES_ARE_INDEPENDENT\n#endif\n",
       model.name);
   for (const Graph& graph : model.functions)

@@ -14,8 +14,8 @@ namespace {
 std::string comment_text(const std::string& text) {
   std::string safe;
   for (char c : text) {
-    const bool closes = !safe.empty() && ((safe.back() == '*' && c == '/') ||
-                                          (safe.back() == '/' && c == '*'));
+    const bool closes =
+        !safe.empty() && ((safe.back() == '*' && c == '/') || (safe.back() == '/' && c == '*'));
     if (closes) safe += ' ';
     safe += static_cast<unsigned char>(c) < ' ' || c == '\\' ? ' ' : c;
   }
