@@ -167,10 +167,12 @@ Function hand_feedforward_rate(const Hand& hand) {
 
 std::vector<std::string> coordinate_names(const Hand& hand) {
   std::vector<std::string> names;
-  for (const HandFinger& finger : hand.fingers)
-    for (const int joint : Coordinates(finger.mechanism).joints())
+  for (const HandFinger& finger : hand.fingers) {
+    const Coordinates coordinates(finger.mechanism);
+    for (const int joint : coordinates.joints())
       names.push_back(finger.mechanism.name + "." +
                       finger.mechanism.joints[static_cast<std::size_t>(joint)].name);
+  }
   names.push_back(hand.four_bar_name + ".theta2");
   return names;
 }

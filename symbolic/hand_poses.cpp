@@ -78,8 +78,8 @@ PoseEx tip_in_base(HandStart& start, const HandFinger& finger, std::size_t first
   const Mechanism& mechanism = finger.mechanism;
   const Coordinates coordinates(mechanism);
   const auto own = start.member_symbols(first, static_cast<std::size_t>(coordinates.count()));
-  Kinematics kinematics(start.list, build_joint_tree(mechanism),
-                        coordinates.of_moving_joints({own.begin(), own.end()}));
+  const JointTree tree = build_joint_tree(mechanism);
+  Kinematics kinematics(start.list, tree, coordinates.of_moving_joints({own.begin(), own.end()}));
   Frame tip;
   tip.body = mechanism.bodies.back().name;
   if (!mechanism.frames.empty()) tip = mechanism.frames.front();

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "symbolic/tendon_functions.h"
 
+#include "symbolic/argument.h"
+#include "symbolic/differentiate.h"
 #include "symbolic/exact_number.h"
+#include "symbolic/straight_base.h"
 #include "symbolic/symbols.h"
 #include "symbolic/tendons.h"
 
@@ -25,6 +28,61 @@ Argument length_argument(const Mechanism& mechanism) {
   return h;
 }
 
+/// H of every tendon, one row a tendon.
+Function tendon_hessian(const Mechanism& mechanism, const Argument& q, DefinitionList list,
+                        const std::vector<ex>& lengths) {
+  std::vector<ex> H;
+  for (const ex& length : lengths) {
+    const std::vector<ex> own = hessian(list, length, q.symbols);
+    H.insert(H.end(), own.begin(), own.end());
+  }
+  return {"tendon_hessian",
+          "Second derivatives of the path lengths.",
+          "",
+          {q},
+          list.items(),
+          {{"H", static_cast<int>(mechanism.tendons.size()), q.rows * q.rows, H,
+            "m/" + q.unit + "^2", "each row a symmetric matrix, row-major"}}};
+}
+
+/// sigma^2 (P^T P)^-1 for constant P of full column rank.
+Function covariance(const std::vector<ex>& P, const Argument& q) {
+  const auto n = static_cast<unsigned>(q.rows);
+  GiNaC::matrix normal(n, n);
+  for (std::size_t i = 0; i < P.size() / n; ++i)
+    for (unsigned r = 0; r < n; ++r)
+      for (unsigned c = 0; c < n; ++c) normal(r, c) += P[i * n + r] * P[i * n + c];
+  const GiNaC::matrix inverse = normal.inverse();
+  const Argument sigma =
+      scalar_argument("sigma", "m", {0.0, 0.002}, "standard deviation of a length");
+  DefinitionList list;
+  const ex variance = list.define("variance", sigma.symbols[0] * sigma.symbols[0]);
+  std::vector<ex> values;
+  for (unsigned k = 0; k < n * n; ++k) values.push_back(variance * inverse(k / n, k % n));
+  return {"link_position_covariance",
+          "Covariance of link_position for independent errors of the lengths: sigma^2 (P^T P)^-1.",
+          "",
+          {sigma},
+          list.items(),
+          {{"covariance", q.rows, q.rows, values, q.unit + "^2", "symmetric"}}};
+}
+
+/// Joint positions from tendon lengths, by whichever way the mechanism allows.
+std::vector<Function> position_functions(const Mechanism& mechanism, const std::vector<ex>& P,
+                                         const Argument& q) {
+  const Argument h = length_argument(mechanism);
+  if (const auto position = link_position(mechanism, P, h.symbols))
+    return {{"link_position",
+             "Joint positions from tendon lengths by least squares: P^+ (h - h(0)).",
+             "(5.13)",
+             {h},
+             {},
+             {{"q", q.rows, 1, *position, q.unit, "joint positions"}}},
+            covariance(P, q)};
+  if (const auto base = straight_base(mechanism)) return straight_base_functions(mechanism, *base);
+  return {};
+}
+
 }  // namespace
 
 std::vector<Function> tendon_functions(const Mechanism& mechanism) {
@@ -36,7 +94,6 @@ std::vector<Function> tendon_functions(const Mechanism& mechanism) {
   const Argument kt =
       make_argument("kt", m, 1, "N/m", "tendon stiffnesses",
                     {mechanism.tendon_stiffness_low, mechanism.tendon_stiffness_high});
-  const Argument h = length_argument(mechanism);
   const int n = q.rows;
   DefinitionList list;
   const JointTree tree = build_joint_tree(mechanism);
@@ -64,6 +121,7 @@ std::vector<Function> tendon_functions(const Mechanism& mechanism) {
                     {q, f},
                     for_coupling,
                     {{"tau", n, 1, tau, torque_unit(mechanism), "joint torques"}}});
+  const DefinitionList for_hessian = list;
   const std::vector<ex> K = joint_stiffness(list, lengths, P, q.symbols, f.symbols, kt.symbols);
   result.push_back(
       {"joint_stiffness",
@@ -72,13 +130,8 @@ std::vector<Function> tendon_functions(const Mechanism& mechanism) {
        {q, f, kt},
        list.items(),
        {{"K", n, n, K, torque_unit(mechanism) + "/" + q.unit, "stiffness matrix, symmetric"}}});
-  if (const auto position = link_position(mechanism, P, h.symbols))
-    result.push_back({"link_position",
-                      "Joint positions from tendon lengths by least squares: P^+ (h - h(0)).",
-                      "(5.13)",
-                      {h},
-                      {},
-                      {{"q", n, 1, *position, q.unit, "joint positions"}}});
+  result.push_back(tendon_hessian(mechanism, q, for_hessian, lengths));
+  for (const Function& function : position_functions(mechanism, P, q)) result.push_back(function);
   return result;
 }
 

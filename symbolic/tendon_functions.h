@@ -8,8 +8,9 @@
 
 namespace sinew {
 
-/// tendon_lengths, coupling_matrix, joint_torque, joint_stiffness and, where the coupling is
-/// constant, link_position. Empty for a mechanism without tendons.
+/// tendon_lengths, coupling_matrix, joint_torque, joint_stiffness, tendon_hessian and, where the
+/// coupling is constant, link_position and link_position_covariance; for a base held by straight
+/// tendons those of straight_base.h. Empty for a mechanism without tendons.
 std::vector<Function> tendon_functions(const Mechanism& mechanism);
 
 }  // namespace sinew

@@ -120,11 +120,23 @@ void fifth_joint_torque(const double q[SINEW_AT_LEAST(3)], const double f[SINEW_
  * 5 multiplications, 7 additions. */
 void fifth_joint_stiffness(const double q[SINEW_AT_LEAST(3)], const double f[SINEW_AT_LEAST(6)], const double kt[SINEW_AT_LEAST(6)], double K[SINEW_AT_LEAST(9)]);
 
+/* Second derivatives of the path lengths.
+ *   in  q             3 [rad] joint positions; made for -0.35..0.35, -0.2..1.6, -0.2..1.6
+ *   out H           6x9 [m/rad^2] each row a symmetric matrix, row-major
+ * 0 multiplications, 0 additions. */
+void fifth_tendon_hessian(const double q[SINEW_AT_LEAST(3)], double H[SINEW_AT_LEAST(54)]);
+
 /* Joint positions from tendon lengths by least squares: P^+ (h - h(0)). (5.13)
  *   in  h             6 [m] tendon path lengths; made for -0.01014..0.01014, -0.01014..0.01014, -0.01014..0.01014, -0.01014..0.01014, -0.0128..0.0128, -0.0128..0.0128
  *   out q             3 [rad] joint positions
  * 5 multiplications, 7 additions. */
 void fifth_link_position(const double h[SINEW_AT_LEAST(6)], double q[SINEW_AT_LEAST(3)]);
+
+/* Covariance of link_position for independent errors of the lengths: sigma^2 (P^T P)^-1.
+ *   in  sigma         1 [m] standard deviation of a length; made for 0..0.002
+ *   out covariance    3x3 [rad^2] symmetric
+ * 3 multiplications, 0 additions. */
+void fifth_link_position_covariance(const double sigma[SINEW_AT_LEAST(1)], double covariance[SINEW_AT_LEAST(9)]);
 
 #ifdef __cplusplus
 }

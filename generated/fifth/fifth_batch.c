@@ -12,9 +12,7 @@
 
 #include "sinew_math.h"
 
-#if defined(__clang__)
-#define SINEW_STATES_ARE_INDEPENDENT _Pragma("clang loop vectorize(assume_safety)")
-#elif defined(__GNUC__)
+#if defined(__GNUC__) && !defined(__clang__)
 #define SINEW_STATES_ARE_INDEPENDENT _Pragma("GCC ivdep")
 #else
 #define SINEW_STATES_ARE_INDEPENDENT
@@ -696,6 +694,69 @@ void fifth_joint_stiffness_batch(int count, const double *SINEW_RESTRICT q, cons
     }
 }
 
+void fifth_tendon_hessian_batch(int count, const double *SINEW_RESTRICT q, double *SINEW_RESTRICT H)
+{
+    const size_t n = (size_t)count;
+    (void)q;
+    SINEW_STATES_ARE_INDEPENDENT
+    for (size_t state = 0; state < n; ++state) {
+        H[state] = 0.0;
+        H[1 * n + state] = 0.0;
+        H[2 * n + state] = 0.0;
+        H[3 * n + state] = 0.0;
+        H[4 * n + state] = 0.0;
+        H[5 * n + state] = 0.0;
+        H[6 * n + state] = 0.0;
+        H[7 * n + state] = 0.0;
+        H[8 * n + state] = 0.0;
+        H[9 * n + state] = 0.0;
+        H[10 * n + state] = 0.0;
+        H[11 * n + state] = 0.0;
+        H[12 * n + state] = 0.0;
+        H[13 * n + state] = 0.0;
+        H[14 * n + state] = 0.0;
+        H[15 * n + state] = 0.0;
+        H[16 * n + state] = 0.0;
+        H[17 * n + state] = 0.0;
+        H[18 * n + state] = 0.0;
+        H[19 * n + state] = 0.0;
+        H[20 * n + state] = 0.0;
+        H[21 * n + state] = 0.0;
+        H[22 * n + state] = 0.0;
+        H[23 * n + state] = 0.0;
+        H[24 * n + state] = 0.0;
+        H[25 * n + state] = 0.0;
+        H[26 * n + state] = 0.0;
+        H[27 * n + state] = 0.0;
+        H[28 * n + state] = 0.0;
+        H[29 * n + state] = 0.0;
+        H[30 * n + state] = 0.0;
+        H[31 * n + state] = 0.0;
+        H[32 * n + state] = 0.0;
+        H[33 * n + state] = 0.0;
+        H[34 * n + state] = 0.0;
+        H[35 * n + state] = 0.0;
+        H[36 * n + state] = 0.0;
+        H[37 * n + state] = 0.0;
+        H[38 * n + state] = 0.0;
+        H[39 * n + state] = 0.0;
+        H[40 * n + state] = 0.0;
+        H[41 * n + state] = 0.0;
+        H[42 * n + state] = 0.0;
+        H[43 * n + state] = 0.0;
+        H[44 * n + state] = 0.0;
+        H[45 * n + state] = 0.0;
+        H[46 * n + state] = 0.0;
+        H[47 * n + state] = 0.0;
+        H[48 * n + state] = 0.0;
+        H[49 * n + state] = 0.0;
+        H[50 * n + state] = 0.0;
+        H[51 * n + state] = 0.0;
+        H[52 * n + state] = 0.0;
+        H[53 * n + state] = 0.0;
+    }
+}
+
 void fifth_link_position_batch(int count, const double *SINEW_RESTRICT h, double *SINEW_RESTRICT q)
 {
     const size_t n = (size_t)count;
@@ -708,5 +769,24 @@ void fifth_link_position_batch(int count, const double *SINEW_RESTRICT h, double
         q[state] = t1 + t2 - t3 - t4;
         q[1 * n + state] = t1 - t2 + t3 - t4;
         q[2 * n + state] = 56.81818181818181 * (h[4 * n + state] - h[5 * n + state]);
+    }
+}
+
+void fifth_link_position_covariance_batch(int count, const double *SINEW_RESTRICT sigma, double *SINEW_RESTRICT covariance)
+{
+    const size_t n = (size_t)count;
+    SINEW_STATES_ARE_INDEPENDENT
+    for (size_t state = 0; state < n; ++state) {
+        const double variance = sigma[state] * sigma[state];
+        const double t1 = 9245.562130177515 * variance;
+        covariance[state] = t1;
+        covariance[1 * n + state] = 0.0;
+        covariance[2 * n + state] = 0.0;
+        covariance[3 * n + state] = 0.0;
+        covariance[4 * n + state] = t1;
+        covariance[5 * n + state] = 0.0;
+        covariance[6 * n + state] = 0.0;
+        covariance[7 * n + state] = 0.0;
+        covariance[8 * n + state] = 6456.611570247934 * variance;
     }
 }

@@ -34,7 +34,9 @@ void fifth_tendon_lengths_batch(int count, const double *SINEW_RESTRICT q, doubl
 void fifth_coupling_matrix_batch(int count, const double *SINEW_RESTRICT q, double *SINEW_RESTRICT P);
 void fifth_joint_torque_batch(int count, const double *SINEW_RESTRICT q, const double *SINEW_RESTRICT f, double *SINEW_RESTRICT tau);
 void fifth_joint_stiffness_batch(int count, const double *SINEW_RESTRICT q, const double *SINEW_RESTRICT f, const double *SINEW_RESTRICT kt, double *SINEW_RESTRICT K);
+void fifth_tendon_hessian_batch(int count, const double *SINEW_RESTRICT q, double *SINEW_RESTRICT H);
 void fifth_link_position_batch(int count, const double *SINEW_RESTRICT h, double *SINEW_RESTRICT q);
+void fifth_link_position_covariance_batch(int count, const double *SINEW_RESTRICT sigma, double *SINEW_RESTRICT covariance);
 
 #ifdef __cplusplus
 }

@@ -120,11 +120,23 @@ void index_joint_torque(const double q[SINEW_AT_LEAST(4)], const double f[SINEW_
  * 10 multiplications, 10 additions. */
 void index_joint_stiffness(const double q[SINEW_AT_LEAST(4)], const double f[SINEW_AT_LEAST(8)], const double kt[SINEW_AT_LEAST(8)], double K[SINEW_AT_LEAST(16)]);
 
+/* Second derivatives of the path lengths.
+ *   in  q             4 [rad] joint positions; made for -0.35..0.35, -0.2..1.6, -0.2..1.6, -0.2..1.6
+ *   out H          8x16 [m/rad^2] each row a symmetric matrix, row-major
+ * 0 multiplications, 0 additions. */
+void index_tendon_hessian(const double q[SINEW_AT_LEAST(4)], double H[SINEW_AT_LEAST(128)]);
+
 /* Joint positions from tendon lengths by least squares: P^+ (h - h(0)). (5.13)
  *   in  h             8 [m] tendon path lengths; made for -0.01267..0.01267, -0.01267..0.01267, -0.01267..0.01267, -0.01267..0.01267, -0.0088..0.0088, -0.0088..0.0088, -0.016..0.016, -0.016..0.016
  *   out q             4 [rad] joint positions
  * 6 multiplications, 9 additions. */
 void index_link_position(const double h[SINEW_AT_LEAST(8)], double q[SINEW_AT_LEAST(4)]);
+
+/* Covariance of link_position for independent errors of the lengths: sigma^2 (P^T P)^-1.
+ *   in  sigma         1 [m] standard deviation of a length; made for 0..0.002
+ *   out covariance    4x4 [rad^2] symmetric
+ * 5 multiplications, 0 additions. */
+void index_link_position_covariance(const double sigma[SINEW_AT_LEAST(1)], double covariance[SINEW_AT_LEAST(16)]);
 
 #ifdef __cplusplus
 }

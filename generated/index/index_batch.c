@@ -12,9 +12,7 @@
 
 #include "sinew_math.h"
 
-#if defined(__clang__)
-#define SINEW_STATES_ARE_INDEPENDENT _Pragma("clang loop vectorize(assume_safety)")
-#elif defined(__GNUC__)
+#if defined(__GNUC__) && !defined(__clang__)
 #define SINEW_STATES_ARE_INDEPENDENT _Pragma("GCC ivdep")
 #else
 #define SINEW_STATES_ARE_INDEPENDENT
@@ -759,6 +757,143 @@ void index_joint_stiffness_batch(int count, const double *SINEW_RESTRICT q, cons
     }
 }
 
+void index_tendon_hessian_batch(int count, const double *SINEW_RESTRICT q, double *SINEW_RESTRICT H)
+{
+    const size_t n = (size_t)count;
+    (void)q;
+    SINEW_STATES_ARE_INDEPENDENT
+    for (size_t state = 0; state < n; ++state) {
+        H[state] = 0.0;
+        H[1 * n + state] = 0.0;
+        H[2 * n + state] = 0.0;
+        H[3 * n + state] = 0.0;
+        H[4 * n + state] = 0.0;
+        H[5 * n + state] = 0.0;
+        H[6 * n + state] = 0.0;
+        H[7 * n + state] = 0.0;
+        H[8 * n + state] = 0.0;
+        H[9 * n + state] = 0.0;
+        H[10 * n + state] = 0.0;
+        H[11 * n + state] = 0.0;
+        H[12 * n + state] = 0.0;
+        H[13 * n + state] = 0.0;
+        H[14 * n + state] = 0.0;
+        H[15 * n + state] = 0.0;
+        H[16 * n + state] = 0.0;
+        H[17 * n + state] = 0.0;
+        H[18 * n + state] = 0.0;
+        H[19 * n + state] = 0.0;
+        H[20 * n + state] = 0.0;
+        H[21 * n + state] = 0.0;
+        H[22 * n + state] = 0.0;
+        H[23 * n + state] = 0.0;
+        H[24 * n + state] = 0.0;
+        H[25 * n + state] = 0.0;
+        H[26 * n + state] = 0.0;
+        H[27 * n + state] = 0.0;
+        H[28 * n + state] = 0.0;
+        H[29 * n + state] = 0.0;
+        H[30 * n + state] = 0.0;
+        H[31 * n + state] = 0.0;
+        H[32 * n + state] = 0.0;
+        H[33 * n + state] = 0.0;
+        H[34 * n + state] = 0.0;
+        H[35 * n + state] = 0.0;
+        H[36 * n + state] = 0.0;
+        H[37 * n + state] = 0.0;
+        H[38 * n + state] = 0.0;
+        H[39 * n + state] = 0.0;
+        H[40 * n + state] = 0.0;
+        H[41 * n + state] = 0.0;
+        H[42 * n + state] = 0.0;
+        H[43 * n + state] = 0.0;
+        H[44 * n + state] = 0.0;
+        H[45 * n + state] = 0.0;
+        H[46 * n + state] = 0.0;
+        H[47 * n + state] = 0.0;
+        H[48 * n + state] = 0.0;
+        H[49 * n + state] = 0.0;
+        H[50 * n + state] = 0.0;
+        H[51 * n + state] = 0.0;
+        H[52 * n + state] = 0.0;
+        H[53 * n + state] = 0.0;
+        H[54 * n + state] = 0.0;
+        H[55 * n + state] = 0.0;
+        H[56 * n + state] = 0.0;
+        H[57 * n + state] = 0.0;
+        H[58 * n + state] = 0.0;
+        H[59 * n + state] = 0.0;
+        H[60 * n + state] = 0.0;
+        H[61 * n + state] = 0.0;
+        H[62 * n + state] = 0.0;
+        H[63 * n + state] = 0.0;
+        H[64 * n + state] = 0.0;
+        H[65 * n + state] = 0.0;
+        H[66 * n + state] = 0.0;
+        H[67 * n + state] = 0.0;
+        H[68 * n + state] = 0.0;
+        H[69 * n + state] = 0.0;
+        H[70 * n + state] = 0.0;
+        H[71 * n + state] = 0.0;
+        H[72 * n + state] = 0.0;
+        H[73 * n + state] = 0.0;
+        H[74 * n + state] = 0.0;
+        H[75 * n + state] = 0.0;
+        H[76 * n + state] = 0.0;
+        H[77 * n + state] = 0.0;
+        H[78 * n + state] = 0.0;
+        H[79 * n + state] = 0.0;
+        H[80 * n + state] = 0.0;
+        H[81 * n + state] = 0.0;
+        H[82 * n + state] = 0.0;
+        H[83 * n + state] = 0.0;
+        H[84 * n + state] = 0.0;
+        H[85 * n + state] = 0.0;
+        H[86 * n + state] = 0.0;
+        H[87 * n + state] = 0.0;
+        H[88 * n + state] = 0.0;
+        H[89 * n + state] = 0.0;
+        H[90 * n + state] = 0.0;
+        H[91 * n + state] = 0.0;
+        H[92 * n + state] = 0.0;
+        H[93 * n + state] = 0.0;
+        H[94 * n + state] = 0.0;
+        H[95 * n + state] = 0.0;
+        H[96 * n + state] = 0.0;
+        H[97 * n + state] = 0.0;
+        H[98 * n + state] = 0.0;
+        H[99 * n + state] = 0.0;
+        H[100 * n + state] = 0.0;
+        H[101 * n + state] = 0.0;
+        H[102 * n + state] = 0.0;
+        H[103 * n + state] = 0.0;
+        H[104 * n + state] = 0.0;
+        H[105 * n + state] = 0.0;
+        H[106 * n + state] = 0.0;
+        H[107 * n + state] = 0.0;
+        H[108 * n + state] = 0.0;
+        H[109 * n + state] = 0.0;
+        H[110 * n + state] = 0.0;
+        H[111 * n + state] = 0.0;
+        H[112 * n + state] = 0.0;
+        H[113 * n + state] = 0.0;
+        H[114 * n + state] = 0.0;
+        H[115 * n + state] = 0.0;
+        H[116 * n + state] = 0.0;
+        H[117 * n + state] = 0.0;
+        H[118 * n + state] = 0.0;
+        H[119 * n + state] = 0.0;
+        H[120 * n + state] = 0.0;
+        H[121 * n + state] = 0.0;
+        H[122 * n + state] = 0.0;
+        H[123 * n + state] = 0.0;
+        H[124 * n + state] = 0.0;
+        H[125 * n + state] = 0.0;
+        H[126 * n + state] = 0.0;
+        H[127 * n + state] = 0.0;
+    }
+}
+
 void index_link_position_batch(int count, const double *SINEW_RESTRICT h, double *SINEW_RESTRICT q)
 {
     const size_t n = (size_t)count;
@@ -773,5 +908,32 @@ void index_link_position_batch(int count, const double *SINEW_RESTRICT h, double
         q[1 * n + state] = t1 - t2 + t3 - t4;
         q[2 * n + state] = 90.90909090909092 * t5;
         q[3 * n + state] = 111.11111111111111 * (t5 - h[6 * n + state] + h[7 * n + state]);
+    }
+}
+
+void index_link_position_covariance_batch(int count, const double *SINEW_RESTRICT sigma, double *SINEW_RESTRICT covariance)
+{
+    const size_t n = (size_t)count;
+    SINEW_STATES_ARE_INDEPENDENT
+    for (size_t state = 0; state < n; ++state) {
+        const double variance = sigma[state] * sigma[state];
+        const double t1 = 5917.15976331361 * variance;
+        const double t2 = 20202.0202020202 * variance;
+        covariance[state] = t1;
+        covariance[1 * n + state] = 0.0;
+        covariance[2 * n + state] = 0.0;
+        covariance[3 * n + state] = 0.0;
+        covariance[4 * n + state] = 0.0;
+        covariance[5 * n + state] = t1;
+        covariance[6 * n + state] = 0.0;
+        covariance[7 * n + state] = 0.0;
+        covariance[8 * n + state] = 0.0;
+        covariance[9 * n + state] = 0.0;
+        covariance[10 * n + state] = 16528.92561983471 * variance;
+        covariance[11 * n + state] = t2;
+        covariance[12 * n + state] = 0.0;
+        covariance[13 * n + state] = 0.0;
+        covariance[14 * n + state] = t2;
+        covariance[15 * n + state] = 49382.71604938272 * variance;
     }
 }

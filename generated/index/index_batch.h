@@ -34,7 +34,9 @@ void index_tendon_lengths_batch(int count, const double *SINEW_RESTRICT q, doubl
 void index_coupling_matrix_batch(int count, const double *SINEW_RESTRICT q, double *SINEW_RESTRICT P);
 void index_joint_torque_batch(int count, const double *SINEW_RESTRICT q, const double *SINEW_RESTRICT f, double *SINEW_RESTRICT tau);
 void index_joint_stiffness_batch(int count, const double *SINEW_RESTRICT q, const double *SINEW_RESTRICT f, const double *SINEW_RESTRICT kt, double *SINEW_RESTRICT K);
+void index_tendon_hessian_batch(int count, const double *SINEW_RESTRICT q, double *SINEW_RESTRICT H);
 void index_link_position_batch(int count, const double *SINEW_RESTRICT h, double *SINEW_RESTRICT q);
+void index_link_position_covariance_batch(int count, const double *SINEW_RESTRICT sigma, double *SINEW_RESTRICT covariance);
 
 #ifdef __cplusplus
 }

@@ -34,7 +34,9 @@ void middle_tendon_lengths_batch(int count, const double *SINEW_RESTRICT q, doub
 void middle_coupling_matrix_batch(int count, const double *SINEW_RESTRICT q, double *SINEW_RESTRICT P);
 void middle_joint_torque_batch(int count, const double *SINEW_RESTRICT q, const double *SINEW_RESTRICT f, double *SINEW_RESTRICT tau);
 void middle_joint_stiffness_batch(int count, const double *SINEW_RESTRICT q, const double *SINEW_RESTRICT f, const double *SINEW_RESTRICT kt, double *SINEW_RESTRICT K);
+void middle_tendon_hessian_batch(int count, const double *SINEW_RESTRICT q, double *SINEW_RESTRICT H);
 void middle_link_position_batch(int count, const double *SINEW_RESTRICT h, double *SINEW_RESTRICT q);
+void middle_link_position_covariance_batch(int count, const double *SINEW_RESTRICT sigma, double *SINEW_RESTRICT covariance);
 
 #ifdef __cplusplus
 }

@@ -236,6 +236,21 @@ static const sinew_argument joint_stiffness_outputs[] = {
     {"K", "N m/rad", 4, 4, 0, 0},
 };
 
+static void call_tendon_hessian(const void *in, void *out)
+{
+    const double *x = (const double *)in;
+    double *y = (double *)out;
+    middle_tendon_hessian(x + 0, y + 0);
+}
+static const double tendon_hessian_q_low[] = {-0.35, -0.2, -0.2, -0.2};
+static const double tendon_hessian_q_high[] = {0.35, 1.6, 1.6, 1.6};
+static const sinew_argument tendon_hessian_inputs[] = {
+    {"q", "rad", 4, 1, tendon_hessian_q_low, tendon_hessian_q_high},
+};
+static const sinew_argument tendon_hessian_outputs[] = {
+    {"H", "m/rad^2", 8, 16, 0, 0},
+};
+
 static void call_link_position(const void *in, void *out)
 {
     const double *x = (const double *)in;
@@ -249,6 +264,21 @@ static const sinew_argument link_position_inputs[] = {
 };
 static const sinew_argument link_position_outputs[] = {
     {"q", "rad", 4, 1, 0, 0},
+};
+
+static void call_link_position_covariance(const void *in, void *out)
+{
+    const double *x = (const double *)in;
+    double *y = (double *)out;
+    middle_link_position_covariance(x + 0, y + 0);
+}
+static const double link_position_covariance_sigma_low[] = {0.0};
+static const double link_position_covariance_sigma_high[] = {0.002};
+static const sinew_argument link_position_covariance_inputs[] = {
+    {"sigma", "m", 1, 1, link_position_covariance_sigma_low, link_position_covariance_sigma_high},
+};
+static const sinew_argument link_position_covariance_outputs[] = {
+    {"covariance", "rad^2", 4, 4, 0, 0},
 };
 
 static const sinew_function functions[] = {
@@ -265,7 +295,9 @@ static const sinew_function functions[] = {
     {"middle_coupling_matrix", 1, 1, 4, 32, coupling_matrix_inputs, coupling_matrix_outputs, call_coupling_matrix},
     {"middle_joint_torque", 2, 1, 12, 4, joint_torque_inputs, joint_torque_outputs, call_joint_torque},
     {"middle_joint_stiffness", 3, 1, 20, 16, joint_stiffness_inputs, joint_stiffness_outputs, call_joint_stiffness},
+    {"middle_tendon_hessian", 1, 1, 4, 128, tendon_hessian_inputs, tendon_hessian_outputs, call_tendon_hessian},
     {"middle_link_position", 1, 1, 8, 4, link_position_inputs, link_position_outputs, call_link_position},
+    {"middle_link_position_covariance", 1, 1, 1, 16, link_position_covariance_inputs, link_position_covariance_outputs, call_link_position_covariance},
 };
 
-const sinew_catalogue middle_catalogue = {"middle", "5178dcc126793c8544b85aef441fae055a412f16d86c338979b82e8fddc6e30d", 8, 14, functions};
+const sinew_catalogue middle_catalogue = {"middle", "5178dcc126793c8544b85aef441fae055a412f16d86c338979b82e8fddc6e30d", 8, 16, functions};

@@ -657,6 +657,65 @@ void ring_joint_stiffness(const double q[SINEW_AT_LEAST(3)], const double f[SINE
     K[8] = K3_3;
 }
 
+void ring_tendon_hessian(const double q[SINEW_AT_LEAST(3)], double H[SINEW_AT_LEAST(54)])
+{
+    (void)q;
+    H[0] = 0.0;
+    H[1] = 0.0;
+    H[2] = 0.0;
+    H[3] = 0.0;
+    H[4] = 0.0;
+    H[5] = 0.0;
+    H[6] = 0.0;
+    H[7] = 0.0;
+    H[8] = 0.0;
+    H[9] = 0.0;
+    H[10] = 0.0;
+    H[11] = 0.0;
+    H[12] = 0.0;
+    H[13] = 0.0;
+    H[14] = 0.0;
+    H[15] = 0.0;
+    H[16] = 0.0;
+    H[17] = 0.0;
+    H[18] = 0.0;
+    H[19] = 0.0;
+    H[20] = 0.0;
+    H[21] = 0.0;
+    H[22] = 0.0;
+    H[23] = 0.0;
+    H[24] = 0.0;
+    H[25] = 0.0;
+    H[26] = 0.0;
+    H[27] = 0.0;
+    H[28] = 0.0;
+    H[29] = 0.0;
+    H[30] = 0.0;
+    H[31] = 0.0;
+    H[32] = 0.0;
+    H[33] = 0.0;
+    H[34] = 0.0;
+    H[35] = 0.0;
+    H[36] = 0.0;
+    H[37] = 0.0;
+    H[38] = 0.0;
+    H[39] = 0.0;
+    H[40] = 0.0;
+    H[41] = 0.0;
+    H[42] = 0.0;
+    H[43] = 0.0;
+    H[44] = 0.0;
+    H[45] = 0.0;
+    H[46] = 0.0;
+    H[47] = 0.0;
+    H[48] = 0.0;
+    H[49] = 0.0;
+    H[50] = 0.0;
+    H[51] = 0.0;
+    H[52] = 0.0;
+    H[53] = 0.0;
+}
+
 void ring_link_position(const double h[SINEW_AT_LEAST(6)], double q[SINEW_AT_LEAST(3)])
 {
     const double t1 = 38.46153846153846 * h[0];
@@ -666,4 +725,19 @@ void ring_link_position(const double h[SINEW_AT_LEAST(6)], double q[SINEW_AT_LEA
     q[0] = t1 + t2 - t3 - t4;
     q[1] = t1 - t2 + t3 - t4;
     q[2] = 45.45454545454545 * (h[4] - h[5]);
+}
+
+void ring_link_position_covariance(const double sigma[SINEW_AT_LEAST(1)], double covariance[SINEW_AT_LEAST(9)])
+{
+    const double variance = sigma[0] * sigma[0];
+    const double t1 = 5917.15976331361 * variance;
+    covariance[0] = t1;
+    covariance[1] = 0.0;
+    covariance[2] = 0.0;
+    covariance[3] = 0.0;
+    covariance[4] = t1;
+    covariance[5] = 0.0;
+    covariance[6] = 0.0;
+    covariance[7] = 0.0;
+    covariance[8] = 4132.231404958678 * variance;
 }

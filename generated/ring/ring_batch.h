@@ -34,7 +34,9 @@ void ring_tendon_lengths_batch(int count, const double *SINEW_RESTRICT q, double
 void ring_coupling_matrix_batch(int count, const double *SINEW_RESTRICT q, double *SINEW_RESTRICT P);
 void ring_joint_torque_batch(int count, const double *SINEW_RESTRICT q, const double *SINEW_RESTRICT f, double *SINEW_RESTRICT tau);
 void ring_joint_stiffness_batch(int count, const double *SINEW_RESTRICT q, const double *SINEW_RESTRICT f, const double *SINEW_RESTRICT kt, double *SINEW_RESTRICT K);
+void ring_tendon_hessian_batch(int count, const double *SINEW_RESTRICT q, double *SINEW_RESTRICT H);
 void ring_link_position_batch(int count, const double *SINEW_RESTRICT h, double *SINEW_RESTRICT q);
+void ring_link_position_covariance_batch(int count, const double *SINEW_RESTRICT sigma, double *SINEW_RESTRICT covariance);
 
 #ifdef __cplusplus
 }

@@ -236,6 +236,21 @@ static const sinew_argument joint_stiffness_outputs[] = {
     {"K", "N m/rad", 3, 3, 0, 0},
 };
 
+static void call_tendon_hessian(const void *in, void *out)
+{
+    const double *x = (const double *)in;
+    double *y = (double *)out;
+    ring_tendon_hessian(x + 0, y + 0);
+}
+static const double tendon_hessian_q_low[] = {-0.35, -0.2, -0.2};
+static const double tendon_hessian_q_high[] = {0.35, 1.6, 1.6};
+static const sinew_argument tendon_hessian_inputs[] = {
+    {"q", "rad", 3, 1, tendon_hessian_q_low, tendon_hessian_q_high},
+};
+static const sinew_argument tendon_hessian_outputs[] = {
+    {"H", "m/rad^2", 6, 9, 0, 0},
+};
+
 static void call_link_position(const void *in, void *out)
 {
     const double *x = (const double *)in;
@@ -249,6 +264,21 @@ static const sinew_argument link_position_inputs[] = {
 };
 static const sinew_argument link_position_outputs[] = {
     {"q", "rad", 3, 1, 0, 0},
+};
+
+static void call_link_position_covariance(const void *in, void *out)
+{
+    const double *x = (const double *)in;
+    double *y = (double *)out;
+    ring_link_position_covariance(x + 0, y + 0);
+}
+static const double link_position_covariance_sigma_low[] = {0.0};
+static const double link_position_covariance_sigma_high[] = {0.002};
+static const sinew_argument link_position_covariance_inputs[] = {
+    {"sigma", "m", 1, 1, link_position_covariance_sigma_low, link_position_covariance_sigma_high},
+};
+static const sinew_argument link_position_covariance_outputs[] = {
+    {"covariance", "rad^2", 3, 3, 0, 0},
 };
 
 static const sinew_function functions[] = {
@@ -265,7 +295,9 @@ static const sinew_function functions[] = {
     {"ring_coupling_matrix", 1, 1, 3, 18, coupling_matrix_inputs, coupling_matrix_outputs, call_coupling_matrix},
     {"ring_joint_torque", 2, 1, 9, 3, joint_torque_inputs, joint_torque_outputs, call_joint_torque},
     {"ring_joint_stiffness", 3, 1, 15, 9, joint_stiffness_inputs, joint_stiffness_outputs, call_joint_stiffness},
+    {"ring_tendon_hessian", 1, 1, 3, 54, tendon_hessian_inputs, tendon_hessian_outputs, call_tendon_hessian},
     {"ring_link_position", 1, 1, 6, 3, link_position_inputs, link_position_outputs, call_link_position},
+    {"ring_link_position_covariance", 1, 1, 1, 9, link_position_covariance_inputs, link_position_covariance_outputs, call_link_position_covariance},
 };
 
-const sinew_catalogue ring_catalogue = {"ring", "1f4b3990ffc6980ffccbfc6418e580555e7561f229241dc052214b4c0e8cbe05", 8, 14, functions};
+const sinew_catalogue ring_catalogue = {"ring", "1f4b3990ffc6980ffccbfc6418e580555e7561f229241dc052214b4c0e8cbe05", 8, 16, functions};

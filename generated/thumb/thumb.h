@@ -120,6 +120,51 @@ void thumb_joint_torque(const double q[SINEW_AT_LEAST(4)], const double f[SINEW_
  * 148 multiplications, 127 additions, 4 divisions, 4 square roots, 2 sincos. */
 void thumb_joint_stiffness(const double q[SINEW_AT_LEAST(4)], const double f[SINEW_AT_LEAST(8)], const double kt[SINEW_AT_LEAST(8)], double K[SINEW_AT_LEAST(16)]);
 
+/* Second derivatives of the path lengths.
+ *   in  q             4 [rad] joint positions; made for -0.6981..0.6981, -0.6981..0.6981, -0.2..1.6, -0.2..1.6
+ *   out H          8x16 [m/rad^2] each row a symmetric matrix, row-major
+ * 110 multiplications, 102 additions, 4 divisions, 4 square roots, 2 sincos. */
+void thumb_tendon_hessian(const double q[SINEW_AT_LEAST(4)], double H[SINEW_AT_LEAST(128)]);
+
+/* Angles of the thumb's base by Levenberg-Marquardt. (5.24)
+ *   in  h             4 [m] base tendon lengths; made for 0..0.1
+ *   in  q_start       2 [rad] where the search starts, e.g. the last result; made for -0.6981..0.6981
+ *   out q             2 [rad] q10, q11
+ *   out correction      1 [rad] next Gauss-Newton step
+ *   out status        1 [1] 0 converged, 1 not
+ * 439 multiplications, 372 additions, 25 divisions, 21 square roots, 10 sincos, 64 other functions. */
+void thumb_link_position(const double h[SINEW_AT_LEAST(4)], const double q_start[SINEW_AT_LEAST(2)], double q[SINEW_AT_LEAST(2)], double correction[SINEW_AT_LEAST(1)], double status[SINEW_AT_LEAST(1)]);
+
+/* Angles of the base by one Levenberg-Marquardt iteration, from a start a tick away. (5.24)
+ *   in  h             4 [m] base tendon lengths; made for 0..0.1
+ *   in  q_start       2 [rad] where the search starts, e.g. the last result; made for -0.6981..0.6981
+ *   out q             2 [rad] q10, q11
+ *   out correction      1 [rad] next Gauss-Newton step
+ *   out status        1 [1] 0 converged, 1 not
+ * 173 multiplications, 147 additions, 10 divisions, 9 square roots, 4 sincos, 22 other functions. */
+void thumb_link_position_warm(const double h[SINEW_AT_LEAST(4)], const double q_start[SINEW_AT_LEAST(2)], double q[SINEW_AT_LEAST(2)], double correction[SINEW_AT_LEAST(1)], double status[SINEW_AT_LEAST(1)]);
+
+/* One iteration of the corrected gradient search. (5.24)
+ *   in  h             4 [m] base tendon lengths; made for 0..0.1
+ *   in  search        6 [rad, m^2/rad, rad/m^2, m^2] q10, q11, gradient (2), step, smallest cost; made for -0.6981..0.6981, -0.6981..0.6981, -0.001..0.001, -0.001..0.001, 0..300, 0..0.001
+ *   out next          6 [rad, m^2/rad, rad/m^2, m^2] the state after it
+ * 66 multiplications, 61 additions, 4 divisions, 4 square roots, 2 sincos, 14 other functions. */
+void thumb_link_position_gradient_step(const double h[SINEW_AT_LEAST(4)], const double search[SINEW_AT_LEAST(6)], double next[SINEW_AT_LEAST(6)]);
+
+/* Covariance of the thumb's base angles for noise on the lengths. (5.24)
+ *   in  q             2 [rad] q10, q11; made for -0.6981..0.6981
+ *   in  sigma         1 [m] standard deviation of a length; made for 0..0.002
+ *   out covariance    2x2 [rad^2] sigma^2 (P^T P)^-1
+ *   out status        1 [1] 0 fine, 1 where the lengths do not determine the angles
+ * 70 multiplications, 57 additions, 5 divisions, 4 square roots, 2 sincos, 4 other functions. */
+void thumb_link_position_covariance(const double q[SINEW_AT_LEAST(2)], const double sigma[SINEW_AT_LEAST(1)], double covariance[SINEW_AT_LEAST(4)], double status[SINEW_AT_LEAST(1)]);
+
+/* Positions of the joints behind the base from their tendons' lengths. (5.22)
+ *   in  h             4 [m] lengths of the tendons behind the base; made for -0.03..0.03
+ *   out q             2 [rad] joint positions from the third on
+ * 2 multiplications, 3 additions. */
+void thumb_hinge_position(const double h[SINEW_AT_LEAST(4)], double q[SINEW_AT_LEAST(2)]);
+
 #ifdef __cplusplus
 }
 #endif

@@ -236,6 +236,113 @@ static const sinew_argument joint_stiffness_outputs[] = {
     {"K", "N m/rad", 4, 4, 0, 0},
 };
 
+static void call_tendon_hessian(const void *in, void *out)
+{
+    const double *x = (const double *)in;
+    double *y = (double *)out;
+    thumb_tendon_hessian(x + 0, y + 0);
+}
+static const double tendon_hessian_q_low[] = {-0.6981317007977318, -0.6981317007977318, -0.2, -0.2};
+static const double tendon_hessian_q_high[] = {0.6981317007977318, 0.6981317007977318, 1.6, 1.6};
+static const sinew_argument tendon_hessian_inputs[] = {
+    {"q", "rad", 4, 1, tendon_hessian_q_low, tendon_hessian_q_high},
+};
+static const sinew_argument tendon_hessian_outputs[] = {
+    {"H", "m/rad^2", 8, 16, 0, 0},
+};
+
+static void call_link_position(const void *in, void *out)
+{
+    const double *x = (const double *)in;
+    double *y = (double *)out;
+    thumb_link_position(x + 0, x + 4, y + 0, y + 2, y + 3);
+}
+static const double link_position_h_low[] = {0.0, 0.0, 0.0, 0.0};
+static const double link_position_h_high[] = {0.1, 0.1, 0.1, 0.1};
+static const double link_position_q_start_low[] = {-0.6981317007977318, -0.6981317007977318};
+static const double link_position_q_start_high[] = {0.6981317007977318, 0.6981317007977318};
+static const sinew_argument link_position_inputs[] = {
+    {"h", "m", 4, 1, link_position_h_low, link_position_h_high},
+    {"q_start", "rad", 2, 1, link_position_q_start_low, link_position_q_start_high},
+};
+static const sinew_argument link_position_outputs[] = {
+    {"q", "rad", 2, 1, 0, 0},
+    {"correction", "rad", 1, 1, 0, 0},
+    {"status", "1", 1, 1, 0, 0},
+};
+
+static void call_link_position_warm(const void *in, void *out)
+{
+    const double *x = (const double *)in;
+    double *y = (double *)out;
+    thumb_link_position_warm(x + 0, x + 4, y + 0, y + 2, y + 3);
+}
+static const double link_position_warm_h_low[] = {0.0, 0.0, 0.0, 0.0};
+static const double link_position_warm_h_high[] = {0.1, 0.1, 0.1, 0.1};
+static const double link_position_warm_q_start_low[] = {-0.6981317007977318, -0.6981317007977318};
+static const double link_position_warm_q_start_high[] = {0.6981317007977318, 0.6981317007977318};
+static const sinew_argument link_position_warm_inputs[] = {
+    {"h", "m", 4, 1, link_position_warm_h_low, link_position_warm_h_high},
+    {"q_start", "rad", 2, 1, link_position_warm_q_start_low, link_position_warm_q_start_high},
+};
+static const sinew_argument link_position_warm_outputs[] = {
+    {"q", "rad", 2, 1, 0, 0},
+    {"correction", "rad", 1, 1, 0, 0},
+    {"status", "1", 1, 1, 0, 0},
+};
+
+static void call_link_position_gradient_step(const void *in, void *out)
+{
+    const double *x = (const double *)in;
+    double *y = (double *)out;
+    thumb_link_position_gradient_step(x + 0, x + 4, y + 0);
+}
+static const double link_position_gradient_step_h_low[] = {0.0, 0.0, 0.0, 0.0};
+static const double link_position_gradient_step_h_high[] = {0.1, 0.1, 0.1, 0.1};
+static const double link_position_gradient_step_search_low[] = {-0.6981317007977318, -0.6981317007977318, -0.001, -0.001, 0.0, 0.0};
+static const double link_position_gradient_step_search_high[] = {0.6981317007977318, 0.6981317007977318, 0.001, 0.001, 300.0, 0.001};
+static const sinew_argument link_position_gradient_step_inputs[] = {
+    {"h", "m", 4, 1, link_position_gradient_step_h_low, link_position_gradient_step_h_high},
+    {"search", "rad, m^2/rad, rad/m^2, m^2", 6, 1, link_position_gradient_step_search_low, link_position_gradient_step_search_high},
+};
+static const sinew_argument link_position_gradient_step_outputs[] = {
+    {"next", "rad, m^2/rad, rad/m^2, m^2", 6, 1, 0, 0},
+};
+
+static void call_link_position_covariance(const void *in, void *out)
+{
+    const double *x = (const double *)in;
+    double *y = (double *)out;
+    thumb_link_position_covariance(x + 0, x + 2, y + 0, y + 4);
+}
+static const double link_position_covariance_q_low[] = {-0.6981317007977318, -0.6981317007977318};
+static const double link_position_covariance_q_high[] = {0.6981317007977318, 0.6981317007977318};
+static const double link_position_covariance_sigma_low[] = {0.0};
+static const double link_position_covariance_sigma_high[] = {0.002};
+static const sinew_argument link_position_covariance_inputs[] = {
+    {"q", "rad", 2, 1, link_position_covariance_q_low, link_position_covariance_q_high},
+    {"sigma", "m", 1, 1, link_position_covariance_sigma_low, link_position_covariance_sigma_high},
+};
+static const sinew_argument link_position_covariance_outputs[] = {
+    {"covariance", "rad^2", 2, 2, 0, 0},
+    {"status", "1", 1, 1, 0, 0},
+};
+
+static void call_hinge_position(const void *in, void *out)
+{
+    const double *x = (const double *)in;
+    double *y = (double *)out;
+    thumb_hinge_position(x + 0, y + 0);
+}
+static const double hinge_position_h_low[] = {-0.03, -0.03, -0.03, -0.03};
+static const double hinge_position_h_high[] = {0.03, 0.03, 0.03, 0.03};
+static const sinew_argument hinge_position_inputs[] = {
+    {"h", "m", 4, 1, hinge_position_h_low, hinge_position_h_high},
+};
+static const sinew_argument hinge_position_outputs[] = {
+    {"q", "rad", 2, 1, 0, 0},
+};
+
 static const sinew_function functions[] = {
     {"thumb_forward_kinematics", 1, 1, 4, 16, forward_kinematics_inputs, forward_kinematics_outputs, call_forward_kinematics},
     {"thumb_tip_jacobian", 1, 1, 4, 24, tip_jacobian_inputs, tip_jacobian_outputs, call_tip_jacobian},
@@ -250,6 +357,12 @@ static const sinew_function functions[] = {
     {"thumb_coupling_matrix", 1, 1, 4, 32, coupling_matrix_inputs, coupling_matrix_outputs, call_coupling_matrix},
     {"thumb_joint_torque", 2, 1, 12, 4, joint_torque_inputs, joint_torque_outputs, call_joint_torque},
     {"thumb_joint_stiffness", 3, 1, 20, 16, joint_stiffness_inputs, joint_stiffness_outputs, call_joint_stiffness},
+    {"thumb_tendon_hessian", 1, 1, 4, 128, tendon_hessian_inputs, tendon_hessian_outputs, call_tendon_hessian},
+    {"thumb_link_position", 2, 3, 6, 4, link_position_inputs, link_position_outputs, call_link_position},
+    {"thumb_link_position_warm", 2, 3, 6, 4, link_position_warm_inputs, link_position_warm_outputs, call_link_position_warm},
+    {"thumb_link_position_gradient_step", 2, 1, 10, 6, link_position_gradient_step_inputs, link_position_gradient_step_outputs, call_link_position_gradient_step},
+    {"thumb_link_position_covariance", 2, 2, 3, 5, link_position_covariance_inputs, link_position_covariance_outputs, call_link_position_covariance},
+    {"thumb_hinge_position", 1, 1, 4, 2, hinge_position_inputs, hinge_position_outputs, call_hinge_position},
 };
 
-const sinew_catalogue thumb_catalogue = {"thumb", "a1887dfbbeca57cfa47ae5f680c6749b28b13c33cd3d097b0d35ffdcc7f65850", 8, 13, functions};
+const sinew_catalogue thumb_catalogue = {"thumb", "a1887dfbbeca57cfa47ae5f680c6749b28b13c33cd3d097b0d35ffdcc7f65850", 8, 19, functions};

@@ -34,6 +34,12 @@ void thumb_table_5_2_tendon_lengths_batch(int count, const double *SINEW_RESTRIC
 void thumb_table_5_2_coupling_matrix_batch(int count, const double *SINEW_RESTRICT q, double *SINEW_RESTRICT P);
 void thumb_table_5_2_joint_torque_batch(int count, const double *SINEW_RESTRICT q, const double *SINEW_RESTRICT f, double *SINEW_RESTRICT tau);
 void thumb_table_5_2_joint_stiffness_batch(int count, const double *SINEW_RESTRICT q, const double *SINEW_RESTRICT f, const double *SINEW_RESTRICT kt, double *SINEW_RESTRICT K);
+void thumb_table_5_2_tendon_hessian_batch(int count, const double *SINEW_RESTRICT q, double *SINEW_RESTRICT H);
+void thumb_table_5_2_link_position_batch(int count, const double *SINEW_RESTRICT h, const double *SINEW_RESTRICT q_start, double *SINEW_RESTRICT q, double *SINEW_RESTRICT correction, double *SINEW_RESTRICT status);
+void thumb_table_5_2_link_position_warm_batch(int count, const double *SINEW_RESTRICT h, const double *SINEW_RESTRICT q_start, double *SINEW_RESTRICT q, double *SINEW_RESTRICT correction, double *SINEW_RESTRICT status);
+void thumb_table_5_2_link_position_gradient_step_batch(int count, const double *SINEW_RESTRICT h, const double *SINEW_RESTRICT search, double *SINEW_RESTRICT next);
+void thumb_table_5_2_link_position_covariance_batch(int count, const double *SINEW_RESTRICT q, const double *SINEW_RESTRICT sigma, double *SINEW_RESTRICT covariance, double *SINEW_RESTRICT status);
+void thumb_table_5_2_hinge_position_batch(int count, const double *SINEW_RESTRICT h, double *SINEW_RESTRICT q);
 
 #ifdef __cplusplus
 }

@@ -1,0 +1,35 @@
+/* SPDX-License-Identifier: BSD-2-Clause
+ *
+ * The functions of the model hand over many states: element k of state i is at [k * count + i].
+ *
+ * Made by: sinew generate models/hand
+ * Model:   sha256 ea7c5987c1e241459bbd7e76931da3d2400f3ffea93eb620e4d52a2c4f3ed50b
+ * Do not edit: change the model and generate again.
+ */
+#ifndef SINEW_hand_BATCH_H
+#define SINEW_hand_BATCH_H
+
+#ifndef SINEW_RESTRICT
+#ifdef __cplusplus
+#define SINEW_RESTRICT
+#else
+#define SINEW_RESTRICT restrict
+#endif
+#endif
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+void hand_fingertips_batch(int count, const double *SINEW_RESTRICT q, const double *SINEW_RESTRICT q_wrist, double *SINEW_RESTRICT in_palm, double *SINEW_RESTRICT in_forearm);
+void hand_finger_gravity_batch(int count, const double *SINEW_RESTRICT q, const double *SINEW_RESTRICT q_wrist, const double *SINEW_RESTRICT gravity, double *SINEW_RESTRICT g);
+void hand_tendon_lengths_batch(int count, const double *SINEW_RESTRICT q, const double *SINEW_RESTRICT q_wrist, double *SINEW_RESTRICT h);
+void hand_coupling_matrix_batch(int count, const double *SINEW_RESTRICT q, const double *SINEW_RESTRICT q_wrist, double *SINEW_RESTRICT P);
+void hand_joint_torque_batch(int count, const double *SINEW_RESTRICT q, const double *SINEW_RESTRICT q_wrist, const double *SINEW_RESTRICT f, double *SINEW_RESTRICT tau);
+void hand_feedforward_batch(int count, const double *SINEW_RESTRICT q_wrist, double *SINEW_RESTRICT delta_theta);
+void hand_feedforward_rate_batch(int count, const double *SINEW_RESTRICT q_wrist, const double *SINEW_RESTRICT qd_wrist, double *SINEW_RESTRICT delta_theta_rate);
+
+#ifdef __cplusplus
+}
+#endif
+#endif
