@@ -12,6 +12,13 @@ namespace {
 
 constexpr int wrong_usage_or_input = 2;
 
+std::string command_names(const CLI::App& app) {
+  std::string names;
+  for (const CLI::App* command : app.get_subcommands({}))
+    names += (names.empty() ? "" : ", ") + command->get_name();
+  return names;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -23,6 +30,11 @@ int main(int argc, char** argv) {
   sinew::add_cost_command(app, exit_status);
   sinew::add_dump_command(app, exit_status);
   sinew::add_import_command(app, exit_status);
+  if (argc > 1 && argv[1][0] != '-' && !app.get_subcommand_no_throw(argv[1])) {
+    fmt::print(stderr, "sinew: no command is called '{}'; expected one of {}\n", argv[1],
+               command_names(app));
+    return wrong_usage_or_input;
+  }
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
