@@ -35,7 +35,7 @@ TEST_CASE("wrong usage ends with 2 and says what is wrong") {
   const Workplace here;
   const std::vector<std::pair<std::vector<std::string>, std::string>> table{
       {{}, "subcommand"},
-      {{"produce"}, "produce"},
+      {{"produce"}, "no command is called 'produce'; expected one of generate, check, "},
       {{"generate"}, "model"},
       {{"generate", model, "--fast"}, "--fast"},
       {{"generate", model, "--scalar", "half"}, "expected double or float"},

@@ -50,6 +50,7 @@ double exact_resolution(const Graph& graph, const States& states) {
 }
 
 void check_values(const std::vector<Graph>& graphs, int count) {
+  REQUIRE(!graphs.empty());
   for (const Graph& graph : graphs) {
     INFO(graph.name);
     const States states = states_of(graph, count, 1);
@@ -59,7 +60,6 @@ void check_values(const std::vector<Graph>& graphs, int count) {
 }
 
 void check_bits(const std::vector<Graph>& graphs, int count) {
-  std::vector<Stage> all;
   for (Scalar scalar : {Scalar::binary64, Scalar::binary32})
     for (const Graph& graph : graphs)
       CHECK(first_of(bit_differences(stages_of(graph), states_of(graph, count, 2), scalar)) == "");
@@ -102,6 +102,7 @@ TEST_CASE("values stay the same after every pass: index finger") {
 }
 
 TEST_CASE("values stay the same after every pass: random chain") {
+  REQUIRE(random_chain().size() > 8);
   check_values(random_chain(), 3);
 }
 
@@ -110,11 +111,11 @@ TEST_CASE("compiled C has the interpreter's bits after every pass: every operati
 }
 
 TEST_CASE("compiled C has the interpreter's bits after every pass: index finger") {
-  check_bits(index_finger(), 100);
+  check_bits(index_finger(), 60);
 }
 
 TEST_CASE("compiled C has the interpreter's bits after every pass: random chain") {
-  check_bits(random_chain(), 100);
+  check_bits(random_chain(), 60);
 }
 
 TEST_CASE("planted: a pass that drops signs is found") {

@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 namespace {
 
 using Writer = std::function<void(const fs::path&, const FileSet&)>;
-constexpr std::size_t big = 2000000;
+constexpr std::size_t big = 1000000;
 
 FileSet files_in(const fs::path& folder) {
   FileSet files;
@@ -150,10 +150,10 @@ void check_untouched(const fs::path& parent) {
 }  // namespace
 
 TEST_CASE("killed at a random moment, the old or the new output stands whole") {
-  const Outcomes outcomes = kill_writers(replace_folder, 120);
+  const Outcomes outcomes = kill_writers(replace_folder, 60);
   CHECK(outcomes.mixed == 0);
   CHECK(outcomes.old > 0);
-  CHECK(outcomes.killed > 20);
+  CHECK(outcomes.killed > 10);
 }
 
 TEST_CASE("planted: writing in place is seen to leave a mixture") {
