@@ -78,6 +78,25 @@ TEST_CASE("with nothing hidden the model leaves next to nothing over") {
     }
 }
 
+TEST_CASE("MuJoCo's drive and ours leave the same over") {
+  if (!draw_mujoco_drive(Draw(1))) {
+    WARN("no MuJoCo in this build: skipped");
+    return;
+  }
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    const auto plant = draw_mujoco_drive(Draw(seed));
+    CAPTURE(seed, plant->nominal());
+    CHECK(rms(plant->left_over(plant->simulate({}, 0), {})[0]) < 0.15);
+    TrialRequest request;
+    request.seed = seed;
+    request.plant = "mujoco_drive";
+    request.size = 1.0;
+    const SealedTrial trial(request);
+    REQUIRE(trial.seal().hidden.size() == 1);
+    CHECK(trial.seal().hidden[0].size == Approx(1.0).epsilon(0.2));
+  }
+}
+
 TEST_CASE("what is hidden has the size that was asked for") {
   for (const char* kind : {"drive", "lever", "wrist"})
     for (std::uint64_t seed = 1; seed <= 15; ++seed) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Logs of the truth simulators read as a user's would be: clean ones without suspicion, spoilt ones
 // with the fault named.
+#include <unistd.h>
+
 #include <fmt/format.h>
 
 #include <catch2/catch.hpp>
@@ -36,7 +38,8 @@ std::vector<ChannelSpec> specs_of(const Trial& trial) {
 }
 
 std::vector<DataFault> findings(const Trial& trial) {
-  const auto path = std::filesystem::path(SINEW_BINARY_DIR) / "test_logs" / "trial.csv";
+  const auto path = std::filesystem::path(SINEW_BINARY_DIR) / "test_logs" /
+                    ("trial_" + std::to_string(::getpid()) + ".csv");
   std::filesystem::create_directories(path.parent_path());
   std::ofstream(path, std::ios::binary) << trial.train;
   try {

@@ -34,6 +34,13 @@ struct DriveCause {
   unsigned taken_out;
 };
 
+bool is_in_mujoco(const std::string& name) {
+  for (const char* known : {"coulomb_level", "viscous_level", "inertia", "torque_constant",
+                            "offset", "output_ripple", "input_ripple", "gear_elasticity", "delay"})
+    if (name == known) return true;
+  return false;
+}
+
 DriveModel draw_model(Draw& draw) {
   DriveModel m;
   m.linear = draw.chance(0.25);
@@ -62,7 +69,8 @@ DriveModel draw_model(Draw& draw) {
 
 class DrivePlant : public Plant {
  public:
-  DrivePlant(Draw draw, DriveCourse course) : model_(draw_model(draw)), course_(course) {
+  DrivePlant(Draw draw, DriveCourse course, bool by_mujoco = false)
+      : model_(draw_model(draw)), course_(course), by_mujoco_(by_mujoco) {
     run_.bouc_wen = draw.chance(0.5);
     run_.bristle = draw.uniform(2.0e-6, 5.0e-6) * model_.amplitude;
     run_.motor_share = draw.uniform(0.35, 0.65);
@@ -125,7 +133,8 @@ class DrivePlant : public Plant {
     hidden.stop_at = 0.35 * model_.amplitude;
     hidden.swing_time = swing_time_;
     for (const Dose& dose : doses) chosen_[static_cast<size_t>(dose.cause)].set(hidden, dose.value);
-    const DriveSamples s = run_drive(model_, hidden, run_, command(log));
+    const DriveSamples s = by_mujoco_ ? run_drive_in_mujoco(model_, hidden, run_, command(log))
+                                      : run_drive(model_, hidden, run_, command(log));
     Table table;
     const bool l = model_.linear;
     table.header = {"time [s]", l ? "x [m]" : "theta [rad]", l ? "f [N]" : "tau_m [N·m]",
@@ -208,6 +217,7 @@ class DrivePlant : public Plant {
 
   DriveModel model_;
   DriveCourse course_;
+  bool by_mujoco_ = false;
   DriveRun run_;
   std::uint64_t streams_[4] = {};
   mutable DriveCommand commands_[4];
@@ -290,6 +300,8 @@ void DrivePlant::allow_negative() {
     if (name == "inertia") c.cause.least = -0.5 * model_.inertia;
     if (name == "friction_drift") c.cause.least = -0.6;
   }
+  if (by_mujoco_)
+    std::erase_if(chosen_, [](const DriveCause& c) { return !is_in_mujoco(c.cause.name); });
   listed_.clear();
   for (const DriveCause& c : chosen_) listed_.push_back(c.cause);
 }
@@ -298,6 +310,11 @@ void DrivePlant::allow_negative() {
 
 std::unique_ptr<Plant> draw_drive(Draw draw, DriveCourse course) {
   return std::make_unique<DrivePlant>(draw, course);
+}
+
+std::unique_ptr<Plant> draw_mujoco_drive(Draw draw) {
+  if (!mujoco_is_there()) return nullptr;
+  return std::make_unique<DrivePlant>(draw, DriveCourse::any, true);
 }
 
 }  // namespace sinew::truth

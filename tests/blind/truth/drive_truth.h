@@ -79,4 +79,13 @@ DriveCommand draw_command(const DriveModel& model, const DriveRun& run, Draw dra
 DriveSamples run_drive(const DriveModel& model, const DriveHidden& hidden, const DriveRun& run,
                        const DriveCommand& command);
 
+/// Whether this build found MuJoCo.
+bool mujoco_is_there();
+
+/// The same by MuJoCo's mechanics and integrator, friction without memory. Knows friction_scale,
+/// viscous_more, inertia_more, torque_gain, offset, both ripples, compliance and delay. Throws
+/// std::runtime_error where this build has no MuJoCo.
+DriveSamples run_drive_in_mujoco(const DriveModel& model, const DriveHidden& hidden,
+                                 const DriveRun& run, const DriveCommand& command);
+
 }  // namespace sinew::truth

@@ -61,6 +61,8 @@ class Plant {
 /// Rotary or linear drive, with or without a measured load.
 enum class DriveCourse { any, one_speed, constant_load, one_way };
 std::unique_ptr<Plant> draw_drive(Draw draw, DriveCourse course = DriveCourse::any);
+/// The same with MuJoCo's mechanics, and fewer causes; nullptr where this build has no MuJoCo.
+std::unique_ptr<Plant> draw_mujoco_drive(Draw draw);
 /// Lever and tendon on a calibration rig.
 std::unique_ptr<Plant> draw_lever(Draw draw);
 /// Finger with four joints and eight tendons.

@@ -32,11 +32,15 @@ constexpr std::array<Pair, 5> pairs = {{
 
 std::unique_ptr<Plant> draw_plant(const std::string& kind, Draw draw) {
   if (kind == "drive") return draw_drive(draw);
+  if (kind == "mujoco_drive") {
+    if (auto plant = draw_mujoco_drive(draw)) return plant;
+    throw std::runtime_error("this build has no MuJoCo");
+  }
   if (kind == "lever") return draw_lever(draw);
   if (kind == "finger") return draw_finger(draw);
   if (kind == "wrist") return draw_wrist(draw);
   throw std::invalid_argument("no plant is called '" + kind +
-                              "'; expected drive, lever, finger, wrist");
+                              "'; expected drive, mujoco_drive, lever, finger, wrist");
 }
 
 // Size of what changes between two residuals: of the channel where it is largest.

@@ -16,7 +16,7 @@ enum class Family { nothing, one, two, three, outside, inseparable, data_fault }
 
 struct TrialRequest {
   std::uint64_t seed = 1;
-  std::string plant = "drive";  ///< "drive", "lever", "finger", "wrist", or "any"
+  std::string plant = "drive";  ///< "drive", "mujoco_drive", "lever", "finger", "wrist", or "any"
   Family family = Family::one;
   double size = 0.0;  ///< in units of the noise; 0: drawn from 0.1, 0.2, 0.3, 0.5, 1
 };
