@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 
+#include "cli/figures.h"
 #include "cli/generate.h"
 #include "cli/import.h"
 #include "cli/inspect.h"
@@ -11,6 +12,12 @@
 namespace {
 
 constexpr int wrong_usage_or_input = 2;
+
+bool has_command(const CLI::App& app, const std::string& name) {
+  for (const CLI::App* command : app.get_subcommands({}))
+    if (command->get_name() == name) return true;
+  return false;
+}
 
 std::string command_names(const CLI::App& app) {
   std::string names;
@@ -30,7 +37,8 @@ int main(int argc, char** argv) {
   sinew::add_cost_command(app, exit_status);
   sinew::add_dump_command(app, exit_status);
   sinew::add_import_command(app, exit_status);
-  if (argc > 1 && argv[1][0] != '-' && !app.get_subcommand_no_throw(argv[1])) {
+  sinew::add_figures_command(app, exit_status);
+  if (argc > 1 && argv[1][0] != '-' && !has_command(app, argv[1])) {
     fmt::print(stderr, "sinew: no command is called '{}'; expected one of {}\n", argv[1],
                command_names(app));
     return wrong_usage_or_input;
