@@ -38,6 +38,7 @@ int longest_chain_of_constants(const Graph& graph) {
 Rounding rounding_of(const std::string& pass, const Graph& before) {
   Rounding rounding;
   if (pass == "fold_constants") rounding.folded = double_rounding.function;
+  if (pass == "distribute_constants" || pass == "reduce_strength") rounding.constant = 0x1p-53;
   if (pass == "combine_constants")
     rounding.constant = std::max(0, longest_chain_of_constants(before) - 1) * 0x1p-53;
   return rounding;

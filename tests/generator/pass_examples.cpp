@@ -201,6 +201,35 @@ TEST_CASE("example: share_reciprocals") {
   CHECK(count_operations(share_reciprocals(remove_dead(single))).multiply == 0);
 }
 
+TEST_CASE("example: distribute_constants") {
+  Example x;
+  // 3 * (2*a - 5*b + 1) -> 6*a - 15*b + 3
+  const Value two_a = x.make(Op::multiply, x.number(2), x.a);
+  const Value five_b = x.make(Op::multiply, x.number(5), x.b);
+  const Value sum = x.make(Op::add, x.make(Op::subtract, two_a, five_b), x.number(1));
+  const Graph before = x.returning({x.make(Op::multiply, x.number(3), sum)});
+  CHECK(count_operations(before).multiply == 3);
+  CHECK(count_operations(distribute_constants(before)).multiply == 2);
+  CHECK(evaluate<double>(distribute_constants(before), {7, 2, 0, 0, 0}) == std::vector<double>{15});
+  // a term without a constant would cost one: nothing happens
+  const Value plain = x.make(Op::add, two_a, x.c);
+  const Graph& kept = x.returning({x.make(Op::multiply, x.number(3), plain)});
+  CHECK(count_operations(distribute_constants(kept)).multiply == 2);
+}
+
+TEST_CASE("example: reduce_strength") {
+  Example x;
+  const Value quarter = x.make(Op::divide, x.a, x.number(4));
+  const Value twice = x.make(Op::multiply, x.number(2), x.b);
+  const Value nested = x.make(Op::divide, x.c, x.make(Op::divide, x.d, x.e));
+  const Graph& before = x.returning({quarter, twice, nested});
+  CHECK(count_operations(before).divide == 3);
+  const Graph after = remove_dead(reduce_strength(before));
+  CHECK(count_operations(after).divide == 1);
+  CHECK(count_of(after, Op::add) == 1);
+  CHECK(evaluate<double>(after, {1, 3, 6, 2, 4}) == std::vector<double>{0.25, 6, 12});
+}
+
 TEST_CASE("example: remove_dead") {
   Example x;
   x.make(Op::multiply, x.a, x.b);
@@ -220,9 +249,13 @@ TEST_CASE("example: schedule") {
 
 TEST_CASE("a pass that is left out is left out; an unknown one is named with those that are") {
   Example x;
-  const Graph& before = x.returning({x.make(Op::multiply, x.number(2), x.number(3))});
-  CHECK(count_operations(optimise(before)).multiply == 0);
-  CHECK(count_operations(optimise(before, {"fold_constants", "combine_constants"})).multiply == 1);
+  Node power;
+  power.op = Op::power;
+  power.a = x.a;
+  power.index = 6;
+  const Graph& before = x.returning({x.graph.add(power)});
+  CHECK(count_of(optimise(before), Op::power) == 0);
+  CHECK(count_of(optimise(before, {"expand_powers"}), Op::power) == 1);
   try {
     optimise(before, {"fold"});
     FAIL("an unknown pass was accepted");
