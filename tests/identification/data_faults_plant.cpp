@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <unistd.h>
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -374,7 +376,8 @@ Planted plant(int fault, PlantedLog& log, std::mt19937_64& random) {
 std::string write_file(const std::string& name, const std::string& text) {
   const std::filesystem::path folder = std::filesystem::path(SINEW_BINARY_DIR) / "test_logs";
   std::filesystem::create_directories(folder);
-  const std::string path = (folder / name).string();
+  // tests run side by side: each process has files of its own
+  const std::string path = (folder / fmt::format("{}_{}", ::getpid(), name)).string();
   std::ofstream(path, std::ios::binary) << text;
   return path;
 }
