@@ -12,9 +12,7 @@
 
 #include "sinew_math.h"
 
-#if defined(__clang__)
-#define SINEW_STATES_ARE_INDEPENDENT _Pragma("clang loop vectorize(assume_safety)")
-#elif defined(__GNUC__)
+#if defined(__GNUC__) && !defined(__clang__)
 #define SINEW_STATES_ARE_INDEPENDENT _Pragma("GCC ivdep")
 #else
 #define SINEW_STATES_ARE_INDEPENDENT

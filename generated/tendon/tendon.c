@@ -18,7 +18,7 @@ void tendon_series_stiffness(const double k_lever[SINEW_AT_LEAST(1)], double k[S
 
 void tendon_force(const double elongation[SINEW_AT_LEAST(1)], const double theta[SINEW_AT_LEAST(1)], double out[SINEW_AT_LEAST(3)], double residual[SINEW_AT_LEAST(1)])
 {
-    const double theta_start = sinew_min(sinew_max(theta[0], 0.09548248781986048), 0.8377580409572781);
+    const double theta_start = sinew_min(sinew_max(theta[0], 0.09548248781986013), 0.8377580409572781);
     double sin_theta, cos_theta;
     sinew_sincos(theta_start, &sin_theta, &cos_theta);
     const double C2_y_by_theta = 0.014 * cos_theta;
@@ -87,7 +87,7 @@ void tendon_force(const double elongation[SINEW_AT_LEAST(1)], const double theta
     const double s12_angle = sinew_atan2(s12_v, s12_u);
     const double t17 = t16 + s12_length + s23_length - 0.008 * s23_angle + 0.009 * s12_angle - 5e-05 * force;
     const double theta_next = theta_start - t17 / elongation_slope;
-    const double theta_limited = sinew_min(sinew_max(theta_next, 0.09548248781986048), 0.8377580409572781);
+    const double theta_limited = sinew_min(sinew_max(theta_next, 0.09548248781986013), 0.8377580409572781);
     double sin_theta_2, cos_theta_2;
     sinew_sincos(theta_limited, &sin_theta_2, &cos_theta_2);
     const double C2_y_2_by_theta = 0.014 * cos_theta_2;
@@ -156,7 +156,7 @@ void tendon_force(const double elongation[SINEW_AT_LEAST(1)], const double theta
     const double force_2_by_theta = (energy_slope_2_by_theta + force_2 * dL_safe_slope_2_by_theta) * t25;
     const double elongation_slope_2 = dL_safe_slope_2 + 5e-05 * force_2_by_theta;
     const double theta_next_2 = theta_limited - (t28 - 5e-05 * force_2) / elongation_slope_2;
-    const double theta_limited_2 = sinew_min(sinew_max(theta_next_2, 0.09548248781986048), 0.8377580409572781);
+    const double theta_limited_2 = sinew_min(sinew_max(theta_next_2, 0.09548248781986013), 0.8377580409572781);
     double sin_theta_4, cos_theta_4;
     sinew_sincos(theta_limited_2, &sin_theta_4, &cos_theta_4);
     const double C2_y_4_by_theta = 0.014 * cos_theta_4;
@@ -225,7 +225,7 @@ void tendon_force(const double elongation[SINEW_AT_LEAST(1)], const double theta
     const double force_4_by_theta = (energy_slope_4_by_theta + force_4 * dL_safe_slope_4_by_theta) * t46;
     const double elongation_slope_4 = dL_safe_slope_4 + 5e-05 * force_4_by_theta;
     const double theta_next_4 = theta_limited_2 - (t39 - 5e-05 * force_4) / elongation_slope_4;
-    const double theta_limited_4 = sinew_min(sinew_max(theta_next_4, 0.09548248781986048), 0.8377580409572781);
+    const double theta_limited_4 = sinew_min(sinew_max(theta_next_4, 0.09548248781986013), 0.8377580409572781);
     double sin_theta_6, cos_theta_6;
     sinew_sincos(theta_limited_4, &sin_theta_6, &cos_theta_6);
     const double C2_y_6_by_theta = 0.014 * cos_theta_6;
@@ -294,7 +294,7 @@ void tendon_force(const double elongation[SINEW_AT_LEAST(1)], const double theta
     const double force_6_by_theta = (energy_slope_6_by_theta + force_6 * dL_safe_slope_6_by_theta) * t64;
     const double elongation_slope_6 = dL_safe_slope_6 + 5e-05 * force_6_by_theta;
     const double theta_next_6 = theta_limited_4 - (t57 - 5e-05 * force_6) / elongation_slope_6;
-    const double theta_limited_6 = sinew_min(sinew_max(theta_next_6, 0.09548248781986048), 0.8377580409572781);
+    const double theta_limited_6 = sinew_min(sinew_max(theta_next_6, 0.09548248781986013), 0.8377580409572781);
     double sin_theta_8, cos_theta_8;
     sinew_sincos(theta_limited_6, &sin_theta_8, &cos_theta_8);
     const double C2_y_8_by_theta = 0.014 * cos_theta_8;
@@ -363,7 +363,7 @@ void tendon_force(const double elongation[SINEW_AT_LEAST(1)], const double theta
     const double force_8_by_theta = (energy_slope_8_by_theta + force_8 * dL_safe_slope_8_by_theta) * t82;
     const double elongation_slope_8 = dL_safe_slope_8 + 5e-05 * force_8_by_theta;
     const double theta_next_8 = theta_limited_6 - (t75 - 5e-05 * force_8) / elongation_slope_8;
-    const double theta_limited_8 = sinew_min(sinew_max(theta_next_8, 0.09548248781986048), 0.8377580409572781);
+    const double theta_limited_8 = sinew_min(sinew_max(theta_next_8, 0.09548248781986013), 0.8377580409572781);
     double sin_theta_10, cos_theta_10;
     sinew_sincos(theta_limited_8, &sin_theta_10, &cos_theta_10);
     const double C2_y_10_by_theta = 0.014 * cos_theta_10;
