@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A figure of the source, reproduced: its numbers as CSV, its drawing as SVG through gnuplot.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace sinew {
+
+struct Series {
+  std::string title;  ///< empty: no entry in the key
+  std::vector<double> x, y;
+  std::string style = "lines";  ///< gnuplot's
+};
+
+struct Panel {
+  std::string title, x_label, y_label;
+  std::vector<Series> series;
+};
+
+struct Figure {
+  std::string file;           ///< stem of the file names
+  std::string number;         ///< in the source
+  std::string title;          ///< what it shows
+  std::string differs;        ///< what differs from the source's figure, and why
+  std::vector<Panel> panels;  ///< side by side
+};
+
+/// Writes <file>.csv (panel, series, x, y) and <file>.svg. Throws std::runtime_error where a file
+/// cannot be written or gnuplot fails.
+void write_figure(const std::filesystem::path& folder, const Figure& figure);
+
+/// index.html: all figures with their notes.
+void write_index(const std::filesystem::path& folder, const std::vector<Figure>& figures);
+
+}  // namespace sinew

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+namespace CLI {
+class App;
+}
+
+namespace sinew {
+
+/// `sinew figures [--out DIR] [--models DIR] [--generated DIR] [--runtime DIR]`: the source's
+/// figures from the emitted C, as SVG and CSV with an index.html.
+void add_figures_command(CLI::App& app, int& exit_status);
+
+}  // namespace sinew
