@@ -37,6 +37,15 @@ Angles by_levenberg_marquardt(const CompiledModel& thumb, std::vector<double> h)
   return {q[0], q[1]};
 }
 
+/// Standard normal, by Box and Muller from the engine's bits: every library gives the same.
+double normal(std::mt19937_64& random) {
+  const auto uniform = [&] {
+    return (static_cast<double>(random() >> 11) + 0.5) / 9007199254740992.0;
+  };
+  const double radius = std::sqrt(-2 * std::log(uniform()));
+  return radius * std::cos(360 * degree * uniform());
+}
+
 struct Estimates {
   Series gradient{"estimated", {}, {}, "points pt 2 lc rgb 'blue'"};
   Series marquardt{"estimated", {}, {}, "points pt 2 lc rgb 'blue'"};
@@ -53,9 +62,7 @@ Estimates estimates(const CompiledModel& thumb, const Case& of) {
       const Angles q{i * degree, j * degree};
       std::vector<double> h = thumb("tendon_lengths", {q.q10, q.q11, 0, 0});
       h.resize(4);
-      // Uniform within the amplitude; the engine's bits, so that every library gives the same.
-      for (double& length : h)
-        length += of.noise * (2 * (static_cast<double>(random() >> 11) / 9007199254740992.0) - 1);
+      for (double& length : h) length += of.noise * normal(random);
       const auto add = [&](Series& series, const Angles& at) {
         series.x.push_back(at.q10);
         series.y.push_back(at.q11);
@@ -88,8 +95,9 @@ Figure compared(const CompiledModel& thumb, const Case& of, const std::string& f
                     {e.truth, e.marquardt}}};
   figure.differs =
       "The gradient search is the corrected Algorithm 1 (an accepted step keeps the point); as "
-      "printed it does not converge. Distal insertions are assumed; noise is uniform within the "
-      "amplitude, whose distribution is not printed. Levenberg-Marquardt with four iterations is "
+      "printed it does not converge. Distal insertions are assumed; noise is normal with the "
+      "amplitude as standard deviation, the distribution is not printed. Levenberg-Marquardt with "
+      "four iterations is "
       "shown beside it.";
   return figure;
 }

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// `sinew figures` from a user's side.
+#include <catch2/catch.hpp>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "tests/reference/temporary_folder.h"
+
+using sinew::reference::run_program;
+using sinew::reference::TemporaryFolder;
+namespace fs = std::filesystem;
+
+namespace {
+
+const std::string source = SINEW_SOURCE_DIR;
+
+int figures(const fs::path& out, const std::string& generated, std::string& output) {
+  return run_program(
+      {SINEW_PROGRAM, "figures", "--out", out.string(), "--models", source + "/models",
+       "--generated", generated, "--runtime", source + "/runtime"},
+      output);
+}
+
+std::string content(const fs::path& path) {
+  std::ifstream in(path);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+}  // namespace
+
+TEST_CASE("every figure is there as SVG and CSV, with the source's number in the index",
+          "[figures]") {
+  if (std::string output; run_program({"gnuplot", "--version"}, output) != 0) {
+    WARN("gnuplot not found: left out");
+    return;
+  }
+  const TemporaryFolder folder;
+  std::string output;
+  CAPTURE(output);
+  REQUIRE(figures(folder.path(), source + "/generated", output) == 0);
+  const std::string index = content(folder.path() / "index.html");
+  for (const char* number : {"5.7", "5.16", "5.17a", "5.17i", "6.9", "6.10", "6.12"})
+    CHECK(index.find("Fig. " + std::string(number)) != std::string::npos);
+  int drawings = 0;
+  for (const auto& entry : fs::directory_iterator(folder.path())) {
+    if (entry.path().extension() != ".svg") continue;
+    ++drawings;
+    CHECK(content(entry.path()).find("</svg>") != std::string::npos);
+    fs::path table = entry.path();
+    CHECK(content(table.replace_extension(".csv")).size() > 1000);
+  }
+  CHECK(drawings == 14);
+}
+
+TEST_CASE("figures without emitted C: a message and status 2", "[figures]") {
+  const TemporaryFolder folder;
+  std::string output;
+  CHECK(figures(folder.path() / "out", (folder.path() / "none").string(), output) == 2);
+  CHECK(output.find("does not compile") != std::string::npos);
+  CHECK(!fs::exists(folder.path() / "out"));
+}
