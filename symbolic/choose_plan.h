@@ -22,7 +22,7 @@ using Derivation = std::function<Function(const JointTree&, const DynamicsPlan&)
 class PlanSearch {
  public:
   /// Without a cost, or with more than `most_joints` joints, every function gets the default plan.
-  PlanSearch(const Mechanism& mechanism, CostOf cost, int most_joints = 12);
+  PlanSearch(const Mechanism& mechanism, CostOf cost, int most_joints = 8);
 
   /// Keeps every function in the default frames: their parameters are then the same numbers, and
   /// no choice depends on the values of masses.
