@@ -3,14 +3,13 @@
 // effort moves the inertia, a measurement follows its reference.
 #include <fmt/format.h>
 
-#include <Eigen/Dense>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 #include <optional>
 
 #include "identification/data_faults.h"
+#include "identification/signal_relations.h"
 
 namespace sinew {
 namespace {
@@ -19,45 +18,6 @@ using Eigen::ArrayXd;
 
 constexpr double pi = 3.14159265358979323846;
 constexpr long most_points = 6000;
-
-double rms(const ArrayXd& x) {
-  return x.size() == 0 ? 0.0 : std::sqrt(x.square().mean());
-}
-
-ArrayXd centred(const ArrayXd& x) {
-  return x - x.mean();
-}
-
-double correlation(const ArrayXd& a, const ArrayXd& b) {
-  const ArrayXd ca = centred(a), cb = centred(b);
-  const double scale = std::sqrt(ca.square().sum() * cb.square().sum());
-  return scale > 0.0 ? (ca * cb).sum() / scale : 0.0;
-}
-
-double slope(const ArrayXd& y, const ArrayXd& x) {
-  const ArrayXd cx = centred(x);
-  const double power = cx.square().sum();
-  return power > 0.0 ? (centred(y) * cx).sum() / power : 0.0;
-}
-
-// Mean over 2 m + 1 samples; the result is 2 m shorter.
-ArrayXd moving_mean(const ArrayXd& x, long m) {
-  const long n = x.size() - 2 * m;
-  ArrayXd y(n);
-  double sum = x.head(2 * m + 1).sum();
-  const double scale = 1.0 / static_cast<double>(2 * m + 1);
-  y(0) = sum * scale;
-  for (long k = 1; k < n; ++k) {
-    sum += x(k + 2 * m) - x(k - 1);
-    y(k) = sum * scale;
-  }
-  return y;
-}
-
-// Position, velocity, acceleration and effort behind the same smoothing, at spread-out points.
-struct Motion {
-  ArrayXd position, velocity, acceleration, effort;
-};
 
 class Group {
  public:
@@ -151,20 +111,6 @@ class Checker {
   }
 
   // ---- position against velocity
-
-  long smoothing(double noise, const ArrayXd& x) const {
-    const double dt = log_.period;
-    long m = 1;
-    while (m < x.size() / 40) {
-      const auto h = static_cast<double>(m) * dt;
-      const long n = x.size() - 2 * m;
-      const ArrayXd second = x.tail(n) - 2.0 * x.segment(m, n) + x.head(n);
-      const double acceleration_noise = noise * std::sqrt(6.0) / (h * h);
-      if (rms(second) / (h * h) > 8.0 * acceleration_noise && h > 2.0 * dt) break;
-      m *= 2;
-    }
-    return m;
-  }
 
   void check_velocity(const Group& group) {
     if (!group.has(ChannelRole::position) || !group.has(ChannelRole::velocity)) return;
@@ -284,7 +230,7 @@ class Checker {
     const ArrayXd p = series(pc), e = series(ec);
     const double noise = noise_of(pc);
     if (rms(centred(p)) < 20.0 * noise || rms(centred(p)) <= 0.0) return std::nullopt;
-    const long m = smoothing(noise, p);
+    const long m = smoothing(noise, p, log_.period);
     if (p.size() < 40 * m) return std::nullopt;
     const ArrayXd ps = moving_mean(moving_mean(p, m), m), es = moving_mean(moving_mean(e, m), m);
     const long n = ps.size() - 2 * m;
@@ -299,46 +245,6 @@ class Checker {
       result.acceleration(i) = (ps(k + 2 * m) - 2.0 * ps(k + m) + ps(k)) / (h * h);
       result.effort(i) = es(k + m);
     }
-    return result;
-  }
-
-  struct Fit {
-    double inertia = 0.0, inertia_error = 1.0e300;
-    double friction = 0.0;        // mean effort in the direction of motion
-    double friction_share = 0.0;  // correlation of effort with the direction of motion
-    double explained = 0.0;       // R^2
-  };
-
-  static Fit fit(const Motion& m, bool turns) {
-    const long n = m.effort.size();
-    const double v_scale = std::max(0.1 * rms(m.velocity), 1.0e-300);
-    Eigen::MatrixXd A(n, turns ? 7 : 5);
-    A.col(0) = m.acceleration.matrix();
-    A.col(1) = m.velocity.matrix();
-    A.col(2) = (m.velocity / v_scale).tanh().matrix();
-    A.col(3).setOnes();
-    A.col(4) = m.position.matrix();
-    if (turns) {
-      A.col(5) = m.position.sin().matrix();
-      A.col(6) = m.position.cos().matrix();
-    }
-    Eigen::VectorXd scale = A.colwise().norm();
-    for (long j = 0; j < A.cols(); ++j) A.col(j) /= std::max(scale(j), 1.0e-300);
-    const Eigen::MatrixXd normal =
-        A.transpose() * A + 1.0e-10 * Eigen::MatrixXd::Identity(A.cols(), A.cols());
-    const Eigen::MatrixXd inverse = normal.inverse();
-    const Eigen::VectorXd x = inverse * (A.transpose() * m.effort.matrix());
-    const ArrayXd left = m.effort - (A * x).array();
-    const double total = centred(m.effort).square().sum();
-    Fit result;
-    result.explained = total > 0.0 ? 1.0 - left.square().sum() / total : 0.0;
-    result.inertia = x(0) / scale(0);
-    // Residuals are coloured: as if only every 20th point were new.
-    const double variance = left.square().sum() / static_cast<double>(n) * 20.0;
-    result.inertia_error = std::sqrt(variance * inverse(0, 0)) / scale(0);
-    const ArrayXd direction = (m.velocity / v_scale).tanh();
-    result.friction = slope(m.effort, direction);
-    result.friction_share = correlation(m.effort, direction);
     return result;
   }
 
@@ -392,7 +298,7 @@ class Checker {
     const auto m = motion(pc, ec);
     if (!m) return;
     const bool turns = group.spec(ChannelRole::position).unit == "rad";
-    const Fit found = fit(*m, turns);
+    const EffortFit found = fit_effort(*m, turns);
     const double expected = group.spec(ChannelRole::effort).inertia;
     const bool sure = std::abs(found.inertia) > 5.0 * found.inertia_error && found.explained > 0.3;
     const double usual = group.spec(ChannelRole::effort).friction;
@@ -460,7 +366,7 @@ class Checker {
     if (a.spec(ChannelRole::effort).unit != b.spec(ChannelRole::effort).unit) return 0.0;
     const auto m = motion(b.of(ChannelRole::position), a.of(ChannelRole::effort));
     if (!m) return 0.0;
-    const Fit found = fit(*m, false);
+    const EffortFit found = fit_effort(*m, false);
     return found.friction_share > 0.0 ? found.explained : 0.0;
   }
 
@@ -473,39 +379,6 @@ class Checker {
 };
 
 }  // namespace
-
-UnitSlip unit_slip_of(double ratio, const std::string& unit, double tolerance) {
-  struct Known {
-    double factor;
-    const char* unit;  // text that the channel's SI unit has to contain
-    const char* meaning;
-  };
-  static constexpr std::array<Known, 14> known = {{
-      {180.0 / pi, "rad", "degrees taken for radians"},
-      {pi / 180.0, "rad", "radians taken for degrees"},
-      {30.0 / pi, "rad/s", "rpm taken for rad/s"},
-      {pi / 30.0, "rad/s", "rad/s taken for rpm"},
-      {1000.0, "rad", "milliradians taken for radians"},
-      {0.001, "rad", "radians taken for milliradians"},
-      {1000.0, "m", "millimetres taken for metres"},
-      {0.001, "m", "metres taken for millimetres"},
-      {1000.0, "N", "millinewtons (or N·mm) taken for newtons (N·m)"},
-      {0.001, "N", "newtons (N·m) taken for millinewtons (or N·mm)"},
-      {0.001, "rad", "a time in milliseconds taken for seconds"},
-      {1000.0, "A", "milliamperes taken for amperes"},
-      {0.001, "A", "amperes taken for milliamperes"},
-      {1.0e6, "m", "micrometres taken for metres"},
-  }};
-  for (const Known& k : known) {
-    const bool suits =
-        unit == k.unit ||
-        (unit.starts_with(k.unit) && unit.find('/') != unit.npos && std::string(k.unit) != "N") ||
-        (std::string(k.unit) == "N" && unit.starts_with("N"));
-    if (suits && std::abs(std::log(ratio / k.factor)) < std::log1p(tolerance))
-      return {k.factor, k.meaning};
-  }
-  return {};
-}
 
 void judge_consistency(const Log& log, const std::vector<ChannelSpec>& specs, FaultList& faults) {
   Checker(log, specs, faults).run();
