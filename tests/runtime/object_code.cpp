@@ -120,6 +120,26 @@ TEST_CASE("a jump or a call of the C library is found") {
             .size() == 2);
 }
 
+TEST_CASE("float functions hold no double operation") {
+  if (!installed("arm-none-eabi-gcc")) {
+    WARN("skipped: no arm-none-eabi-gcc, whose mnemonics name the precision");
+    return;
+  }
+  const Target target{"arm-none-eabi-gcc",
+                      "-mcpu=cortex-m7 -mfpu=fpv5-d16 -mthumb -mfloat-abi=hard", "arm-none-eabi-"};
+  examine(target, "-O2");
+  std::istringstream lines(run("arm-none-eabi-objdump -d " + scratch("probe.o")).output);
+  std::string function;
+  int in_float = 0, in_double = 0;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.find(">:") != std::string::npos) function = line.substr(line.find('<'));
+    if (line.find(".f64") == std::string::npos) continue;
+    ++(function.find("f>:") != std::string::npos ? in_float : in_double);
+  }
+  CHECK(in_float == 0);
+  CHECK(in_double > 0);  // the same search does find them where they belong
+}
+
 TEST_CASE("gcc vectorises a loop over sincos without fast-math") {
   const std::string command = std::string(SINEW_C_COMPILER) + rules +
                               "-O3 -march=x86-64-v3 -fopt-info-vec -c " + source_dir +
