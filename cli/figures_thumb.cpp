@@ -95,7 +95,8 @@ Figure compared(const CompiledModel& thumb, const Case& of, const std::string& f
                     {e.truth, e.marquardt}}};
   figure.differs =
       "The gradient search is the corrected Algorithm 1 (an accepted step keeps the point); as "
-      "printed it does not converge. Distal insertions are assumed; noise is normal with the "
+      "printed nothing guards against too long a step. Distal insertions are assumed; noise is "
+      "normal with the "
       "amplitude as standard deviation, the distribution is not printed. Levenberg-Marquardt with "
       "four iterations is "
       "shown beside it.";
