@@ -150,8 +150,8 @@ void lever_angle(const double elongation[SINEW_AT_LEAST(1)], const double theta[
     const double s12_angle = sinew_atan2(s12_v, s12_u);
     const double dL = s12_length + s23_length - 0.008 * s23_angle + 0.009 * s12_angle;
     const double limited_elongation = sinew_min(sinew_max(elongation[0], -1.0), 1.0);
-    const double t6 = 4.207002356733722e+76 - 9.263367138985296e+77 * limited_elongation;
-    const double t7 = 1.0795210693868056e-78 * (t6 - 9.263367138985296e+77 * dL) / dL_safe_slope;
+    const double t6 = 8.414004713467444e+76 - 1.8526734277970591e+78 * limited_elongation;
+    const double t7 = 5.397605346934028e-79 * (t6 - 1.8526734277970591e+78 * dL) / dL_safe_slope;
     const double theta_next = theta_start + t7;
     const double theta_limited = sinew_min(sinew_max(theta_next, 0.09548248781986013), 0.8377580409572781);
     double sin_theta_2, cos_theta_2;
@@ -183,7 +183,7 @@ void lever_angle(const double elongation[SINEW_AT_LEAST(1)], const double theta[
     const double s23_angle_2 = sinew_atan2(-s23_v_2, s23_u_2);
     const double s12_angle_2 = sinew_atan2(s12_v_2, s12_u_2);
     const double dL_2 = s12_length_2 + s23_length_2 - 0.008 * s23_angle_2 + 0.009 * s12_angle_2;
-    const double t13 = 1.0795210693868056e-78 * (t6 - 9.263367138985296e+77 * dL_2) / dL_safe_slope_2;
+    const double t13 = 5.397605346934028e-79 * (t6 - 1.8526734277970591e+78 * dL_2) / dL_safe_slope_2;
     const double theta_next_2 = theta_limited + t13;
     const double theta_limited_2 = sinew_min(sinew_max(theta_next_2, 0.09548248781986013), 0.8377580409572781);
     double sin_theta_4, cos_theta_4;
@@ -215,7 +215,7 @@ void lever_angle(const double elongation[SINEW_AT_LEAST(1)], const double theta[
     const double s23_along_x_4 = s23_u_4 * t18;
     const double dL_slope_4 = t14 * (s12_along_y_4 + s23_along_y_4) - t15 * (s12_along_x_4 - s23_along_x_4);
     const double dL_safe_slope_4 = sinew_choose(dL_slope_4, sinew_max(dL_slope_4, 1.4e-08), sinew_min(dL_slope_4, -1.4e-08));
-    const double t19 = 1.0795210693868056e-78 * (t6 - 9.263367138985296e+77 * dL_4) / dL_safe_slope_4;
+    const double t19 = 5.397605346934028e-79 * (t6 - 1.8526734277970591e+78 * dL_4) / dL_safe_slope_4;
     const double theta_next_4 = theta_limited_2 + t19;
     const double theta_limited_4 = sinew_min(sinew_max(theta_next_4, 0.09548248781986013), 0.8377580409572781);
     double sin_theta_6, cos_theta_6;
@@ -247,7 +247,7 @@ void lever_angle(const double elongation[SINEW_AT_LEAST(1)], const double theta[
     const double s23_along_x_6 = s23_u_6 * t24;
     const double dL_slope_6 = t20 * (s12_along_y_6 + s23_along_y_6) - t21 * (s12_along_x_6 - s23_along_x_6);
     const double dL_safe_slope_6 = sinew_choose(dL_slope_6, sinew_max(dL_slope_6, 1.4e-08), sinew_min(dL_slope_6, -1.4e-08));
-    const double t25 = 1.0795210693868056e-78 * (t6 - 9.263367138985296e+77 * dL_6) / dL_safe_slope_6;
+    const double t25 = 5.397605346934028e-79 * (t6 - 1.8526734277970591e+78 * dL_6) / dL_safe_slope_6;
     const double theta_next_6 = theta_limited_4 + t25;
     const double theta_limited_6 = sinew_min(sinew_max(theta_next_6, 0.09548248781986013), 0.8377580409572781);
     double sin_theta_8, cos_theta_8;
@@ -279,7 +279,7 @@ void lever_angle(const double elongation[SINEW_AT_LEAST(1)], const double theta[
     const double s23_along_x_8 = s23_u_8 * t30;
     const double dL_slope_8 = t26 * (s12_along_y_8 + s23_along_y_8) - t27 * (s12_along_x_8 - s23_along_x_8);
     const double dL_safe_slope_8 = sinew_choose(dL_slope_8, sinew_max(dL_slope_8, 1.4e-08), sinew_min(dL_slope_8, -1.4e-08));
-    const double t31 = 1.0795210693868056e-78 * (t6 - 9.263367138985296e+77 * dL_8) / dL_safe_slope_8;
+    const double t31 = 5.397605346934028e-79 * (t6 - 1.8526734277970591e+78 * dL_8) / dL_safe_slope_8;
     const double theta_next_8 = theta_limited_6 + t31;
     const double theta_limited_8 = sinew_min(sinew_max(theta_next_8, 0.09548248781986013), 0.8377580409572781);
     double sin_theta_10, cos_theta_10;
