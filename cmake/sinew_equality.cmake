@@ -46,7 +46,8 @@ function(sinew_contracted_model model)
   target_compile_definitions(contracted_${model} PRIVATE SINEW_MODEL=${model})
   target_include_directories(contracted_${model} PRIVATE ${folder}/${model}
     ${PROJECT_SOURCE_DIR}/runtime)
-  set_source_files_properties(${sources} PROPERTIES COMPILE_OPTIONS -ffp-contract=fast)
+  set_source_files_properties(${sources} PROPERTIES
+    COMPILE_OPTIONS "-ffp-contract=fast;-fno-math-errno")
   sinew_image_test(contracted_${model} 1)
 endfunction()
 
