@@ -10,7 +10,7 @@
 
 #define SINEW_TRIGONOMETRY_HASH_COUNT 20000U
 /* sinew_trigonometry_hash(SINEW_TRIGONOMETRY_HASH_COUNT, 1) */
-#define SINEW_TRIGONOMETRY_HASH_EXPECTED UINT64_C(0x6b9c62264f8dad4d)
+#define SINEW_TRIGONOMETRY_HASH_EXPECTED UINT64_C(0x8937906721c0f136)
 
 static inline uint64_t sinew_hash_next(uint64_t state) {
     state ^= state << 13;
@@ -73,12 +73,13 @@ static inline uint64_t sinew_trigonometry_hash(uint32_t count, uint64_t seed) {
         const double unit =
             sinew_from_bits((state >> 12) | UINT64_C(0x3ff0000000000000)) - 1.5;
         const float unit_float = sinew_from_bitsf((uint32_t)(state >> 41) | 0x3f800000U) - 1.5F;
-        hash = sinew_hash_double(hash, unit * 2.0);
-        hash = sinew_hash_double(hash, unit * 1600.0);
-        hash = sinew_hash_double(hash, sinew_from_bits(state));
-        hash = sinew_hash_float(hash, unit_float * 2.0F);
-        hash = sinew_hash_float(hash, unit_float * 1600.0F);
-        hash = sinew_hash_float(hash, sinew_from_bitsf((uint32_t)(state >> 32)));
+        const double x[3] = {unit * 2.0, unit * 1600.0, sinew_from_bits(state)};
+        const float x_float[3] = {unit_float * 2.0F, unit_float * 1600.0F,
+                                  sinew_from_bitsf((uint32_t)(state >> 32))};
+        for (int kind = 0; kind < 3; ++kind) {
+            hash = sinew_hash_double(hash, x[kind]);
+            hash = sinew_hash_float(hash, x_float[kind]);
+        }
     }
     return hash;
 }
