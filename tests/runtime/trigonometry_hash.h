@@ -1,4 +1,4 @@
-/* SPDX-License-Identifier: BSD-2-Clause
+/* SPDX-License-Identifier: GPL-3.0-or-later
  *
  * One number that depends on every bit of what the runtime's functions return for many inputs. Equal
  * on every target, or the floating-point rules of the build are wrong. Plain C, for boards too.
