@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace sinew {
+namespace sinew::diagnosis {
 
 /// One log, uniformly sampled. Matrices are samples x axes; unused ones stay empty. SI units.
 struct Recording {
@@ -82,7 +82,7 @@ struct Settings {
   double band_hz = 0.0;         ///< highest frequency looked at; 0: chosen from the sampling rate
   double edge_s = 0.0;          ///< left away at both ends of every log
   double significance = 0.003;  ///< family-wise probability of a false name
-  double least_share = 0.01;    ///< of the residual variance: less is not worth a name
+  double least_share = 0.02;    ///< of the residual variance: less is not worth a name
   double least_of_baseline = 0.01;  ///< the same against what the baseline leaves over
   int surrogates = 200;
   int blocks = 12;
@@ -91,4 +91,4 @@ struct Settings {
   unsigned seed = 1;
 };
 
-}  // namespace sinew
+}  // namespace sinew::diagnosis

@@ -7,7 +7,7 @@
 
 #include "identification/spectrum.h"
 
-namespace sinew {
+namespace sinew::diagnosis {
 namespace {
 
 using Eigen::Index;
@@ -51,13 +51,13 @@ std::vector<Stretch> cut(const Design& design, bool holdout, int blocks, int& to
 
 /// Time-domain rows of one segment, columns placed by term, the target last; without a whitening
 /// in the target's unit.
-MatrixXd time_columns(const Design& design, const Model& model, const Whitening* whitening,
+MatrixXd time_columns(const Design& design, const Model& model, const VectorXd* weight,
                       std::size_t segment) {
   const std::vector<Index> first = first_columns(model);
   const Segment& s = design.segments()[segment];
   MatrixXd x = MatrixXd::Zero(s.samples, first.back() + 1);
   const auto to_time = [&](const MatrixXd& band) {
-    return whitening ? whitening->apply(band) : from_band(band, s.samples);
+    return from_band(weight ? MatrixXd(weight->asDiagonal() * band) : band, s.samples);
   };
   for (std::size_t t = 0; t < model.terms.size(); ++t) {
     const MatrixXd& part = model.terms[t].columns[segment];
@@ -173,4 +173,4 @@ Gain block_bootstrap_gain(const VectorXd& before, const VectorXd& after, double 
   return gain;
 }
 
-}  // namespace sinew
+}  // namespace sinew::diagnosis

@@ -4,7 +4,7 @@
 
 #include "identification/linear_fit.h"
 
-namespace sinew {
+namespace sinew::diagnosis {
 
 /// Sums of squared errors per block of what was predicted without that block.
 struct BlockLosses {
@@ -32,4 +32,4 @@ struct Gain {
 Gain block_bootstrap_gain(const Eigen::VectorXd& before, const Eigen::VectorXd& after, double level,
                           unsigned seed);
 
-}  // namespace sinew
+}  // namespace sinew::diagnosis

@@ -7,7 +7,7 @@
 
 #include "identification/spectrum.h"
 
-namespace sinew {
+namespace sinew::diagnosis {
 namespace {
 
 using Eigen::Index;
@@ -133,4 +133,4 @@ BandColumns Design::columns(const Candidate& candidate, const VectorXd& nonlinea
   return result;
 }
 
-}  // namespace sinew
+}  // namespace sinew::diagnosis

@@ -8,7 +8,7 @@
 #include "identification/candidate.h"
 #include "identification/filter.h"
 
-namespace sinew {
+namespace sinew::diagnosis {
 
 /// One channel of one log.
 struct Segment {
@@ -65,4 +65,4 @@ class Design {
   std::vector<Segment> segments_;
 };
 
-}  // namespace sinew
+}  // namespace sinew::diagnosis

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <stdexcept>
 
-namespace sinew {
+namespace sinew::diagnosis {
 namespace {
 
 using Eigen::Index;
@@ -135,4 +135,4 @@ Motion differentiate(const MatrixXd& position, double step, double cutoff_hz) {
   return motion;
 }
 
-}  // namespace sinew
+}  // namespace sinew::diagnosis

@@ -4,7 +4,7 @@
 
 #include <Eigen/Core>
 
-namespace sinew {
+namespace sinew::diagnosis {
 
 /// Symmetric windowed-sinc (Kaiser, 60 dB) low-pass followed by keeping every factor-th sample.
 /// Flat to band_hz = 0.4 of the new rate, stopped from 0.6 on, so nothing folds into the band.
@@ -42,4 +42,4 @@ struct Motion {
 /// the position is continued by point reflection. position: samples x axes.
 Motion differentiate(const Eigen::MatrixXd& position, double step, double cutoff_hz);
 
-}  // namespace sinew
+}  // namespace sinew::diagnosis

@@ -5,9 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "identification/spectrum.h"
-
-namespace sinew {
+namespace sinew::diagnosis {
 
 using Eigen::Index;
 using Eigen::MatrixXd;
@@ -22,10 +20,6 @@ Index width(const Term& term) {
 }
 
 }  // namespace
-
-MatrixXd Whitening::apply(const MatrixXd& band) const {
-  return envelope.asDiagonal() * from_band(weight.asDiagonal() * band, envelope.size());
-}
 
 void set_advance(const Design& design, std::size_t segment, double advance, Model& model) {
   model.advance[segment] = advance;
@@ -42,18 +36,18 @@ Stack stack(const Model& model, const Weights& weights) {
   Stack result;
   const std::vector<Index> first = first_columns(model);
   result.first_row.push_back(0);
-  for (const Whitening& whitening : weights)
-    result.first_row.push_back(result.first_row.back() + whitening.envelope.size());
+  for (const VectorXd& weight : weights)
+    result.first_row.push_back(result.first_row.back() + weight.size());
   result.a = MatrixXd::Zero(result.first_row.back(), first.back());
   result.y = VectorXd::Zero(result.first_row.back());
   for (std::size_t s = 0; s < weights.size(); ++s) {
     const Index rows = result.first_row[s + 1] - result.first_row[s];
     if (rows == 0) continue;
-    result.y.segment(result.first_row[s], rows) = weights[s].apply(model.target[s]);
+    result.y.segment(result.first_row[s], rows) = weights[s].cwiseProduct(model.target[s]);
     for (std::size_t t = 0; t < model.terms.size(); ++t) {
       const MatrixXd& part = model.terms[t].columns[s];
       if (part.cols() > 0)
-        result.a.block(result.first_row[s], first[t], rows, part.cols()) = weights[s].apply(part);
+        result.a.block(result.first_row[s], first[t], rows, part.cols()) = weights[s].asDiagonal() * part;
     }
   }
   return result;
@@ -130,4 +124,4 @@ BandColumns prediction_rate(const Design& design, const Model& model, const Vect
   return result;
 }
 
-}  // namespace sinew
+}  // namespace sinew::diagnosis

@@ -7,7 +7,7 @@
 
 #include "identification/design.h"
 
-namespace sinew {
+namespace sinew::diagnosis {
 
 /// A group that takes part in the fit, at given nonlinear parameters.
 struct Term {
@@ -25,18 +25,11 @@ struct Model {
   std::vector<Eigen::VectorXd> target;  ///< in the band, at that advance, per segment
 };
 
-/// Makes one segment's noise white and even: each bin is divided by the noise's standard
-/// deviation there (coloured noise), then each sample by the noise level at that time (a drive is
-/// noisier while it jerks). Empty for held-out logs.
-struct Whitening {
-  Eigen::VectorXd weight;    ///< per band row
-  Eigen::VectorXd envelope;  ///< per sample, 1 / relative noise level
-  /// 2 * bins x k -> samples x k
-  Eigen::MatrixXd apply(const Eigen::MatrixXd& band) const;
-};
-using Weights = std::vector<Whitening>;
+/// Per segment: what each band row is multiplied with, 1 / the noise's (damped) standard deviation
+/// there. Empty for held-out logs.
+using Weights = std::vector<Eigen::VectorXd>;
 
-/// Whitened samples stacked over segments: a is rows x coefficients, y is rows.
+/// Whitened band rows stacked over segments: a is rows x coefficients, y is rows.
 struct Stack {
   Eigen::MatrixXd a;
   Eigen::VectorXd y;
@@ -75,4 +68,4 @@ Eigen::VectorXd predict(const std::vector<const BandColumns*>& columns,
 BandColumns prediction_rate(const Design& design, const Model& model,
                             const Eigen::VectorXd& coefficients, const Candidate& delay);
 
-}  // namespace sinew
+}  // namespace sinew::diagnosis

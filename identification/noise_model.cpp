@@ -9,7 +9,7 @@
 #include "identification/parallel_for.h"
 #include "identification/spectrum.h"
 
-namespace sinew {
+namespace sinew::diagnosis {
 namespace {
 
 using Eigen::Index;
@@ -86,12 +86,6 @@ VectorXd damped(const VectorXd& variance) {
   return variance.array() + kDamping * variance.mean();
 }
 
-Whitening whitening_of(const NoiseModel& noise, const Segment& segment) {
-  if (noise.variance.size() == 0) return {};
-  return {per_row(damped(noise.variance).cwiseSqrt().cwiseInverse()),
-          VectorXd::Ones(segment.samples)};
-}
-
 /// The residual is that of an unweighted fit: weights taken from the residual of a fit with those
 /// weights run away where the model is wrong (what is badly fitted counts less and less).
 NoiseModel estimate_segment(const VectorXd& target, const MatrixXd& columns,
@@ -135,10 +129,12 @@ std::vector<NoiseModel> estimate_noise(const Design& design, const Model& model,
   return noise;
 }
 
-Weights whitening(const Design& design, const std::vector<NoiseModel>& noise) {
+Weights whitening(const std::vector<NoiseModel>& noise) {
   Weights weights;
-  for (std::size_t s = 0; s < noise.size(); ++s)
-    weights.push_back(whitening_of(noise[s], design.segments()[s]));
+  for (const NoiseModel& model : noise)
+    weights.push_back(model.variance.size() == 0
+                          ? VectorXd()
+                          : VectorXd(per_row(damped(model.variance).cwiseSqrt().cwiseInverse())));
   return weights;
 }
 
@@ -148,4 +144,4 @@ double repeat_noise_floor(const VectorXd& first, const VectorXd& second) {
   return 0.5 * (first - second).squaredNorm() / static_cast<double>(first.size());
 }
 
-}  // namespace sinew
+}  // namespace sinew::diagnosis

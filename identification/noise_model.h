@@ -7,7 +7,7 @@
 
 #include "identification/linear_fit.h"
 
-namespace sinew {
+namespace sinew::diagnosis {
 
 /// Noise of one segment: a spectrum, and a level that varies over time.
 struct NoiseModel {
@@ -28,10 +28,10 @@ std::vector<NoiseModel> estimate_noise(const Design& design, const Model& model,
                                        const std::vector<const BandColumns*>& saturating,
                                        int threads);
 
-Weights whitening(const Design& design, const std::vector<NoiseModel>& noise);
+Weights whitening(const std::vector<NoiseModel>& noise);
 
 /// Noise variance per sample of repeated runs: half the mean square of the difference of two
 /// runs of the same motion, the floor no model can get below.
 double repeat_noise_floor(const Eigen::VectorXd& first, const Eigen::VectorXd& second);
 
-}  // namespace sinew
+}  // namespace sinew::diagnosis

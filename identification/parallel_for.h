@@ -8,7 +8,7 @@
 #include <thread>
 #include <vector>
 
-namespace sinew {
+namespace sinew::diagnosis {
 
 template <typename Body>
 void parallel_for(int count, int threads, const Body& body) {
@@ -33,4 +33,4 @@ void parallel_for(int count, int threads, const Body& body) {
   if (failure) std::rethrow_exception(failure);
 }
 
-}  // namespace sinew
+}  // namespace sinew::diagnosis

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <memory>
 
-namespace sinew {
+namespace sinew::diagnosis {
 namespace {
 
 using Eigen::Index;
@@ -60,7 +60,9 @@ class ProjectedResidual {
           coordinates_[c].to_value(blocks[0][c]);
     for (std::size_t t = 0; t < wanted.size(); ++t)
       if (wanted[t] != model_.terms[t].nonlinear) replace(t, wanted[t]);
-    VectorXd::Map(residual, stack_.y.size()) = solve(stack_).residual;
+    const VectorXd left = solve(stack_).residual;
+    if (!left.allFinite()) return false;
+    VectorXd::Map(residual, stack_.y.size()) = left;
     return true;
   }
 
@@ -75,7 +77,7 @@ class ProjectedResidual {
       const Index rows = stack_.first_row[s + 1] - stack_.first_row[s];
       if (rows > 0 && term.columns[s].cols() > 0)
         stack_.a.block(stack_.first_row[s], first_[t], rows, term.columns[s].cols()) =
-            weights_[s].apply(term.columns[s]);
+            weights_[s].asDiagonal() * term.columns[s];
     }
   }
 
@@ -181,4 +183,4 @@ void remove_term(const Design& design, std::size_t index, Model& model) {
   model.terms.erase(model.terms.begin() + static_cast<std::ptrdiff_t>(index));
 }
 
-}  // namespace sinew
+}  // namespace sinew::diagnosis

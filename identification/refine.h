@@ -4,7 +4,7 @@
 
 #include "identification/linear_fit.h"
 
-namespace sinew {
+namespace sinew::diagnosis {
 
 /// Which nonlinear parameters move: all terms', or only the last term's (a quick trial).
 enum class RefineScope { all_terms, last_term };
@@ -24,4 +24,4 @@ void append_term(const Design& design, const Weights& weights, const Candidate& 
 /// Takes a term out; a delay's shift of the target goes with it.
 void remove_term(const Design& design, std::size_t index, Model& model);
 
-}  // namespace sinew
+}  // namespace sinew::diagnosis

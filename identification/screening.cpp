@@ -7,7 +7,7 @@
 
 #include "identification/parallel_for.h"
 
-namespace sinew {
+namespace sinew::diagnosis {
 namespace {
 
 using Eigen::Index;
@@ -77,7 +77,7 @@ Left leave(const Projected& p, const BandColumns& columns, const Weights& weight
   MatrixXd gram, cross;
   for (std::size_t s = 0; s < columns.size(); ++s) {
     if (columns[s].cols() == 0 || p.columns[s].rows() == 0) continue;
-    const MatrixXd x = weights[s].apply(columns[s]);
+    const MatrixXd x = weights[s].asDiagonal() * columns[s];
     if (gram.size() == 0) {
       gram = MatrixXd::Zero(x.cols(), x.cols());
       cross = MatrixXd::Zero(x.cols(), p.inverse.cols());
@@ -267,4 +267,4 @@ Screening screen(const Design& design, const Library& library, const Model& mode
   return screening;
 }
 
-}  // namespace sinew
+}  // namespace sinew::diagnosis

@@ -8,7 +8,7 @@
 
 #include "identification/surrogates.h"
 
-namespace sinew {
+namespace sinew::diagnosis {
 
 /// A candidate at one starting value of its nonlinear parameters.
 struct Slot {
@@ -65,4 +65,4 @@ Screening screen(const Design& design, const Library& library, const Model& mode
 /// Starting values of a candidate: the grid over its nonlinear parameters.
 std::vector<Eigen::VectorXd> starting_values(const Candidate& candidate);
 
-}  // namespace sinew
+}  // namespace sinew::diagnosis

@@ -6,7 +6,7 @@
 
 #include "identification/refine.h"
 
-namespace sinew {
+namespace sinew::diagnosis {
 namespace {
 
 using Eigen::Index;
@@ -155,6 +155,39 @@ void swap_causes(const Search& s) {
   }
 }
 
+/// Two causes together can stand in for a third one that alone explains as much: tries every pair.
+void merge_causes(const Search& s) {
+  Selection& state = s.state;
+  for (std::size_t a = 0; a < state.model.terms.size(); ++a)
+    for (std::size_t b = a + 1; b < state.model.terms.size(); ++b) {
+      if (state.model.terms[a].baseline || state.model.terms[b].baseline) continue;
+      Model without = state.model;
+      remove_term(s.design, b, without);
+      remove_term(s.design, a, without);
+      const Screening screening =
+          screen(s.design, s.library, without, state.noise.weights, {}, s.settings.threads);
+      std::vector<Trial> trials = try_candidates(
+          s.design, state.noise.weights, without,
+          shortlist(s.design, state.freedom, without, screening, kShortlist - 2),
+          s.settings.threads);
+      const int best = rank_trials(s.design, state.freedom, state.noise.weights, trials);
+      if (best < 0) continue;
+      const double present = deviance(state.model, state.noise.weights) +
+                             model_price(s.design, state.freedom, state.model);
+      Trial& trial = trials[static_cast<std::size_t>(best)];
+      if (trial.score > present) continue;
+      state.p_family[static_cast<std::size_t>(trial.candidate)] =
+          std::min(state.p_family[static_cast<std::size_t>(
+                       library_index(s.design, state.model.terms[a]))],
+                   state.p_family[static_cast<std::size_t>(
+                       library_index(s.design, state.model.terms[b]))]);
+      state.model = std::move(trial.model);
+      refine(s.design, state.noise.weights, RefineScope::all_terms, state.model);
+      renew_noise(s);
+      return;
+    }
+}
+
 /// Takes out causes that the others have made superfluous or impossible.
 void prune(const Search& s) {
   Selection& state = s.state;
@@ -186,6 +219,26 @@ std::vector<int> causes_of(const Design& design, const Model& model) {
   return list;
 }
 
+/// Best starting value of every nonlinear baseline parameter, term by term, unweighted.
+void choose_starts(const Design& design, Model& model) {
+  Weights even;
+  for (const Segment& s : design.segments())
+    even.push_back(s.holdout ? VectorXd() : VectorXd(VectorXd::Ones(2 * s.bins)));
+  for (std::size_t t = 0; t < model.terms.size(); ++t) {
+    if (model.terms[t].nonlinear.size() == 0) continue;
+    Term best = model.terms[t];
+    double least = deviance(model, even);
+    for (const VectorXd& value : starting_values(*best.candidate)) {
+      model.terms[t] = make_term(design, *best.candidate, value, true);
+      const double loss = deviance(model, even);
+      if (loss >= least) continue;
+      least = loss;
+      best = model.terms[t];
+    }
+    model.terms[t] = best;
+  }
+}
+
 }  // namespace
 
 Evidence judge(const Design& design, const Settings& settings, const Selection& state,
@@ -215,6 +268,7 @@ Model baseline_model(const Design& design) {
     const std::vector<VectorXd> values = starting_values(candidate);
     model.terms.push_back(make_term(design, candidate, values[values.size() / 2], true));
   }
+  choose_starts(design, model);
   return model;
 }
 
@@ -236,6 +290,7 @@ Selection select_causes(const Design& design, const Library& library, const Sett
     refine(design, state.noise.weights, RefineScope::all_terms, state.model);
     renew_noise(search);
     swap_causes(search);
+    merge_causes(search);
     prune(search);
     const std::vector<int> now = causes_of(design, state.model);
     const bool seen = std::find(visited.begin(), visited.end(), now) != visited.end();
@@ -257,4 +312,4 @@ Selection select_causes(const Design& design, const Library& library, const Sett
   return state;
 }
 
-}  // namespace sinew
+}  // namespace sinew::diagnosis

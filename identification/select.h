@@ -8,7 +8,7 @@
 #include "identification/cross_validation.h"
 #include "identification/trial.h"
 
-namespace sinew {
+namespace sinew::diagnosis {
 
 /// What one accepted cause rests on.
 struct Evidence {
@@ -49,4 +49,4 @@ Evidence judge(const Design& design, const Settings& settings, const Selection& 
 /// The whole search over named and decoy candidates; flexible ones are left to unexplained.h.
 Selection select_causes(const Design& design, const Library& library, const Settings& settings);
 
-}  // namespace sinew
+}  // namespace sinew::diagnosis

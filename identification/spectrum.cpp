@@ -8,7 +8,7 @@
 #include <unsupported/Eigen/FFT>
 #include <vector>
 
-namespace sinew {
+namespace sinew::diagnosis {
 namespace {
 
 using Eigen::Index;
@@ -95,4 +95,4 @@ VectorXd smooth_ratio(const VectorXd& numerator, const VectorXd& denominator, In
   return smooth;
 }
 
-}  // namespace sinew
+}  // namespace sinew::diagnosis

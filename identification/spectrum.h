@@ -9,7 +9,7 @@
 
 #include <Eigen/Core>
 
-namespace sinew {
+namespace sinew::diagnosis {
 
 /// samples x k -> 2 * bins x k. The number of samples must be even.
 Eigen::MatrixXd to_band(const Eigen::MatrixXd& x, Eigen::Index bins);
@@ -28,4 +28,4 @@ Eigen::VectorXd bin_energy(const Eigen::VectorXd& band);
 Eigen::VectorXd smooth_ratio(const Eigen::VectorXd& numerator, const Eigen::VectorXd& denominator,
                              Eigen::Index least, double share);
 
-}  // namespace sinew
+}  // namespace sinew::diagnosis

@@ -10,7 +10,7 @@
 #include "identification/parallel_for.h"
 #include "identification/spectrum.h"
 
-namespace sinew {
+namespace sinew::diagnosis {
 namespace {
 
 using Eigen::Index;
@@ -35,7 +35,7 @@ VectorXd one_surrogate(const NoiseModel& noise, Index samples, std::mt19937_64& 
     band(2 * b) = amplitude * std::cos(phase);
     band(2 * b + 1) = b == 0 ? 0.0 : amplitude * std::sin(phase);
   }
-  return from_band(band, samples).col(0).cwiseProduct(noise.level);
+  return to_band(from_band(band, samples).col(0).cwiseProduct(noise.level), bins);
 }
 
 }  // namespace
@@ -45,7 +45,7 @@ std::vector<Eigen::MatrixXf> make_surrogates(const Design& design,
                                              unsigned seed, int threads) {
   std::vector<Eigen::MatrixXf> surrogates(noise.size());
   for (std::size_t s = 0; s < noise.size(); ++s)
-    if (noise[s].leftover.size() > 0) surrogates[s].resize(noise[s].level.size(), count);
+    if (noise[s].leftover.size() > 0) surrogates[s].resize(2 * noise[s].leftover.size(), count);
   parallel_for(count, threads, [&](int i) {
     std::mt19937_64 random(seed * 1000003ULL + static_cast<unsigned>(i));
     for (std::size_t s = 0; s < noise.size(); ++s)
@@ -89,4 +89,4 @@ double FamilyNull::p_value(double surprise) const {
   return above >= 5 ? static_cast<double>(above) / n : std::min(1.0, std::max(tail, 0.0));
 }
 
-}  // namespace sinew
+}  // namespace sinew::diagnosis

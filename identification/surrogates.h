@@ -7,9 +7,9 @@
 
 #include "identification/noise_model.h"
 
-namespace sinew {
+namespace sinew::diagnosis {
 
-/// Whitened surrogate residuals: per segment, samples x count (empty for held-out logs). Each has
+/// Whitened surrogate residuals: per segment, 2 * bins x count (empty for held-out logs). Each has
 /// the residual's spectrum and random phases; whatever is structured in the residual is gone.
 std::vector<Eigen::MatrixXf> make_surrogates(const Design& design,
                                              const std::vector<NoiseModel>& noise, int count,
@@ -43,4 +43,4 @@ class FamilyNull {
   double tests_ = 1.0;
 };
 
-}  // namespace sinew
+}  // namespace sinew::diagnosis

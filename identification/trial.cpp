@@ -7,10 +7,13 @@
 #include "identification/parallel_for.h"
 #include "identification/refine.h"
 
-namespace sinew {
+namespace sinew::diagnosis {
 namespace {
 
 using Eigen::Index;
+
+// Neighbouring rows say much the same; rows to this power is about the number of independent ones.
+constexpr double kPriceExponent = 0.6;
 
 const Candidate& candidate_at(const Design& design, int index) {
   return design.problem().library[static_cast<std::size_t>(index)];
@@ -45,7 +48,7 @@ Trial try_candidate(const Design& design, const Weights& weights, const Model& b
 NoiseView own_noise(const Design& design, const Model& model, int threads) {
   NoiseView view;
   view.noise = estimate_noise(design, model, {}, threads);
-  view.weights = whitening(design, view.noise);
+  view.weights = whitening(view.noise);
   return view;
 }
 
@@ -53,7 +56,7 @@ NoiseView saturated_noise(const Design& design, const Library& library, const Mo
                           int threads) {
   NoiseView view;
   view.noise = estimate_noise(design, model, library.representatives(), threads);
-  view.weights = whitening(design, view.noise);
+  view.weights = whitening(view.noise);
   return view;
 }
 
@@ -66,7 +69,7 @@ double parameter_price(const Design& design) {
   double rows = 0.0;
   for (const Segment& s : design.segments())
     if (!s.holdout) rows += 2.0 * static_cast<double>(s.bins);
-  return std::log(rows);
+  return kPriceExponent * std::log(rows);
 }
 
 int library_index(const Design& design, const Term& term) {
@@ -149,4 +152,4 @@ int rank_trials(const Design& design, const std::vector<double>& freedom, const 
   return best;
 }
 
-}  // namespace sinew
+}  // namespace sinew::diagnosis

@@ -6,7 +6,7 @@
 
 #include "identification/screening.h"
 
-namespace sinew {
+namespace sinew::diagnosis {
 
 /// Noise as seen from one model: spectrum and level, what they whiten with, and surrogates.
 struct NoiseView {
@@ -34,7 +34,8 @@ struct Trial {
   double score = 0.0;  ///< deviance plus the price of its parameters: smaller is better
 };
 
-/// What models are compared by: each effective parameter costs ln(rows).
+/// What an effective parameter costs when models are compared: the logarithm of the number of
+/// independent rows.
 double parameter_price(const Design& design);
 
 /// Index of a term's candidate in the library, -1 for baseline terms.
@@ -62,4 +63,4 @@ std::vector<Trial> try_candidates(const Design& design, const Weights& weights, 
 int rank_trials(const Design& design, const std::vector<double>& freedom, const Weights& weights,
                 std::vector<Trial>& trials);
 
-}  // namespace sinew
+}  // namespace sinew::diagnosis

@@ -13,8 +13,10 @@
 
 namespace sinew {
 
-/// Named intermediates in order of evaluation. Names are made unique by appending a number, so that
-/// the same derivation step can be used several times.
+/// Named intermediates in order of evaluation. A sum with long fractions wants a name of its own
+/// before it is multiplied or raised to a power: GiNaC would pull out its common denominator,
+/// whatever its size, and not always the same one. Names are made unique by appending a number, so
+/// that the same derivation step can be used several times.
 class DefinitionList {
  public:
   /// Appends `name := value` and returns its symbol; numbers and symbols come back as they are,

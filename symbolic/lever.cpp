@@ -66,7 +66,8 @@ Function lever_angle(const LeverParameters& parameters) {
       scalar_argument("elongation", "m", {0.0, travel(parameters)}, "tendon elongation");
   const Argument start = angle_argument(parameters, "where the search starts, e.g. the last angle");
   DefinitionList list;
-  const ex target = free_path_length(parameters) - limited_elongation(list, elongation.symbols[0]);
+  const ex limited = limited_elongation(list, elongation.symbols[0]);
+  const ex target = list.define("dL_target", free_path_length(parameters) - limited);
   ex theta = list.define("theta_start", within_travel(parameters, start.symbols[0]));
   for (int i = 0; i < parameters.newton_iterations; ++i) {
     const LeverGeometry g = lever_geometry(list, parameters, theta);
@@ -119,7 +120,13 @@ double lever_angle_at(LeverParameters parameters, double elongation) {
     }
   if (!(std::abs(evaluate(state, {theta})[1] - elongation) <= 1e-12))
     throw std::domain_error("the lever cannot take up this elongation");
-  return theta;
+  // The last digits of a double would depend on GiNaC's order of terms.
+  GiNaC::numeric precise = binary_fraction(theta);
+  for (int i = 0; i < 2; ++i) {
+    const GiNaC::numeric error = evaluate_precisely(state, {precise})[1] - exact_number(elongation);
+    precise += error / evaluate_precisely(slope, {precise})[0];
+  }
+  return precise.to_double();
 }
 
 Function lever_calibrated_state(const LeverCalibration& calibration) {

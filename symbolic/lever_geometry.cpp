@@ -90,11 +90,14 @@ LeverGeometry lever_geometry(DefinitionList& list, const LeverParameters& p, con
   const ex free = exact_number(p.free_angle) + beta;
   const ex free_length = rational_value(spring_length(
       {arm * rational_value(GiNaC::cos(free)), arm * rational_value(GiNaC::sin(free))}));
-  const ex length = list.define("spring_length", spring_length(tip));
+  const ex length =
+      list.define("spring_length",
+                  GiNaC::sqrt(list.define("spring_length_squared", constant - 2 * dot(base, tip))));
+  const ex strain = list.define("spring_strain", 1 - free_length / length);
   // ℓ ℓ' = -base · d(tip)/dθ
   const ex lever_arm = list.define("spring_moment", base[0] * tip[1] - base[1] * tip[0]);
-  g.energy_slope = list.define(
-      "energy_slope", exact_number(p.spring_stiffness) * (1 - free_length / length) * lever_arm);
+  g.energy_slope =
+      list.define("energy_slope", exact_number(p.spring_stiffness) * strain * lever_arm);
   return g;
 }
 

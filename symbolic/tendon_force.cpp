@@ -56,8 +56,8 @@ Function tendon_series_stiffness(const TendonParameters& parameters) {
 
 Function tendon_force(const TendonParameters& parameters, const LeverParameters& lever) {
   const GiNaC::numeric softness = compliance(parameters);
-  const auto end = evaluate(lever_state(lever), {lever.end_angle});
-  const Range travel{-0.001, end[1] + softness.to_double() * end[2]};
+  const auto end = evaluate_precisely(lever_state(lever), {exact_number(lever.end_angle)});
+  const Range travel{-0.001, (end[1] + softness * end[2]).to_double()};
   const Argument elongation =
       scalar_argument("elongation", "m", travel, "of lever and tendon together");
   const Argument start = scalar_argument(

@@ -34,7 +34,8 @@ WristPose wrist_pose(DefinitionList& list, const WristLinks& links, const BarAng
   // a circle about C0 and defined in the flat pose, too.
   const ex B_e = list.define("B_e", r * q.sin_q73);
   const ex B_y = list.define("B_y", r * q.cos_q73);
-  const ex ratio = list.define("ratio", (r_squared - b * b) / (r_squared + b * b - 2 * b * B_y));
+  const ex inverted = list.define("B_to_C0_squared", r_squared + b * b - 2 * b * B_y);
+  const ex ratio = list.define("ratio", (r_squared - b * b) / inverted);
   const ex C_e = list.define("C_e", ratio * B_e);
   const ex C_y = list.define("C_y", ratio * (B_y - b));
   const ex M_e = list.define("M_e", (B_e + C_e) / 2);

@@ -158,9 +158,11 @@ Function wrist_bending_angles(const WristParameters& parameters) {
 Function wrist_feedforward(const WristParameters& parameters) {
   WristStart start(parameters);
   std::vector<ex> change = Strands(parameters, start).lengths();
-  for (std::size_t i = 0; i < change.size(); ++i)
-    change[i] -=
-        reference_length(start.links, parameters.forearm_points[i], parameters.palm_points[i]);
+  for (std::size_t i = 0; i < change.size(); ++i)  // named, so that the difference is taken first
+    change[i] =
+        start.list.define("change_" + std::to_string(i),
+                          change[i] - reference_length(start.links, parameters.forearm_points[i],
+                                                       parameters.palm_points[i]));
   return start.finish("feedforward", "",
                       "Motor angles that hold the fingers still while the wrist moves.",
                       {{"delta_theta", tendon_count(parameters), 1, taken_up(parameters, change),

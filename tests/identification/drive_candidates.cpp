@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "identification/refine.h"
 #include "identification/unexplained.h"
 
 namespace sinew::test {
@@ -45,11 +46,6 @@ ArrayXd velocity(const Recording& log) {
   return log.qd.col(0).array();
 }
 
-/// Sign of the velocity, softened over a thousandth of the top speed against encoder noise.
-ArrayXd direction(const Recording& log, double soft) {
-  return (velocity(log) / soft).tanh();
-}
-
 MatrixXd periodic(const ArrayXd& angle) {
   MatrixXd x(angle.size(), 2);
   x.col(0) = angle.sin();
@@ -70,6 +66,9 @@ ArrayXd dahl_state(const Recording& log, double length) {
   }
   return z;
 }
+
+/// Direction of friction: the state of the baseline's Coulomb friction.
+ArrayXd direction(const Recording& log, double length) { return dahl_state(log, length); }
 
 /// 1 while the play is being crossed, else 0: there the load's inertia is not felt.
 ArrayXd in_play(const Recording& log, double gap) {
@@ -92,8 +91,7 @@ MatrixXd second_difference(const MatrixXd& x, double step) {
 }
 
 void add_friction(const DriveScales& s, std::vector<Candidate>& list) {
-  const double v = s.speed, soft = 1e-2 * v;
-  const double reach = s.high - s.low;
+  const double v = s.speed, soft = s.presliding;
   list.push_back(
       make("viscous asymmetry", {}, {any("difference")},
            [](const Recording& log, const VectorXd&) -> MatrixXd { return velocity(log).abs(); }));
@@ -117,11 +115,6 @@ void add_friction(const DriveScales& s, std::vector<Candidate>& list) {
         return velocity(log) * velocity(log).abs();
       },
       "friction would bend downwards"));
-  list.push_back(make(
-      "presliding hysteresis", {{"length", "", 1e-4 * reach, 3e-2 * reach, 5, true}},
-      {positive("level")},
-      [](const Recording& log, const VectorXd& p) -> MatrixXd { return dahl_state(log, p(0)); },
-      "friction would lead the motion"));
   list.push_back(make(
       "drift of friction", {{"time constant", "s", 0.05 * s.duration, 2.0 * s.duration, 3, true}},
       {any("change")}, [soft](const Recording& log, const VectorXd& p) -> MatrixXd {
@@ -222,7 +215,11 @@ void add_position(const DriveScales& s, std::vector<Candidate>& list) {
 }  // namespace
 
 DriveScales drive_scales(const std::vector<Recording>& logs) {
-  DriveScales s{0.0, kInfinity, -kInfinity, 0.0, 0.0, 0.0, 0.0, false};
+  DriveScales s;
+  s.speed = 0.0;
+  s.low = kInfinity;
+  s.high = -kInfinity;
+  s.duration = 0.0;
   for (const Recording& log : logs) {
     s.speed = std::max(s.speed, log.qd.cwiseAbs().maxCoeff());
     s.low = std::min(s.low, log.q.minCoeff());
@@ -234,19 +231,32 @@ DriveScales drive_scales(const std::vector<Recording>& logs) {
 }
 
 std::vector<Candidate> drive_baseline(const DriveScales& s) {
-  const double v = s.speed;
-  return {
-      make("inertia", {}, {positive("inertia")},
-           [](const Recording& log, const VectorXd&) -> MatrixXd { return log.qdd.col(0); }),
-      make("viscous friction", {}, {positive("coefficient")},
-           [](const Recording& log, const VectorXd&) -> MatrixXd { return log.qd.col(0); }),
-      make(
-          "Coulomb friction", {{"turning speed", "", 1e-3 * v, 3e-2 * v, 3, true}},
-          {positive("level")},
-          [](const Recording& log, const VectorXd& p) -> MatrixXd { return direction(log, p(0)); }),
-      make("offset", {}, {any("offset")}, [](const Recording& log, const VectorXd&) -> MatrixXd {
-        return VectorXd::Ones(log.q.rows());
-      })};
+  const double reach = s.high - s.low;
+  // Every real drive creeps before it slides; a length that is fitted keeps that from being taken
+  // for something missing.
+  return {make("inertia", {}, {positive("inertia")},
+               [](const Recording& log, const VectorXd&) -> MatrixXd { return log.qdd.col(0); }),
+          make("viscous friction", {}, {positive("coefficient")},
+               [](const Recording& log, const VectorXd&) -> MatrixXd { return log.qd.col(0); }),
+          make("Coulomb friction", {{"presliding length", "", 1e-5 * reach, 1e-2 * reach, 4, true}},
+               {positive("level")},
+               [](const Recording& log, const VectorXd& p) -> MatrixXd {
+                 return dahl_state(log, p(0));
+               }),
+          make("offset", {}, {any("offset")}, [](const Recording& log, const VectorXd&) -> MatrixXd {
+            return VectorXd::Ones(log.q.rows());
+          })};
+}
+
+double fitted_presliding(const std::vector<Recording>& logs, const DriveScales& scales,
+                         const Settings& settings) {
+  Problem problem;
+  problem.training = logs;
+  problem.baseline = drive_baseline(scales);
+  const Design design(problem, settings);
+  Model model = baseline_model(design);
+  refine(design, own_noise(design, model, settings.threads).weights, RefineScope::all_terms, model);
+  return model.terms[2].nonlinear(0);
 }
 
 std::vector<Candidate> drive_library(const DriveScales& scales) {

@@ -9,6 +9,8 @@
 
 namespace sinew::test {
 
+using namespace diagnosis;
+
 /// Scales of a drive, from which starting grids and splines follow.
 struct DriveScales {
   double speed = 1.0;             ///< largest |qd|
@@ -18,12 +20,17 @@ struct DriveScales {
   double period_in = 0.0;         ///< q for one turn of the motor; 0: unknown
   double period_out = 0.0;        ///< q for one turn of the output; 0: none
   bool revolute = false;
+  double presliding = 1e-3;  ///< q over which friction builds up after a reversal
 };
 
 DriveScales drive_scales(const std::vector<Recording>& logs);
 
 /// Inertia, viscous, Coulomb and offset.
 std::vector<Candidate> drive_baseline(const DriveScales& scales);
+
+/// Presliding length of the baseline's Coulomb friction as fitted to the logs.
+double fitted_presliding(const std::vector<Recording>& logs, const DriveScales& scales,
+                         const Settings& settings);
 
 /// Named causes, decoys and flexible families.
 std::vector<Candidate> drive_library(const DriveScales& scales);

@@ -8,6 +8,8 @@
 
 namespace sinew::test {
 
+using namespace diagnosis;
+
 /// Positioning drive: q, derivatives and motor force at 1 kHz.
 std::optional<Recording> read_positioning_drive();
 

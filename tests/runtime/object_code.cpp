@@ -2,6 +2,8 @@
 // What compilers make of the runtime: no conditional jump, no undefined symbol, vectorised loops,
 // and the same bits from every compiler and option. Each check is also shown a defect that it must
 // find.
+#include <unistd.h>
+
 #include <array>
 #include <catch2/catch.hpp>
 #include <cstdio>
@@ -39,8 +41,12 @@ bool installed(const std::string& program) {
   return run("command -v " + program).status == 0;
 }
 
+// One folder a process: CTest runs these tests side by side, and one's planted defect must not be
+// what another looks at.
 std::string scratch(const std::string& name) {
-  const std::filesystem::path folder = std::filesystem::path(SINEW_BINARY_DIR) / "object_code";
+  static const std::string process = std::to_string(::getpid());
+  const std::filesystem::path folder =
+      std::filesystem::path(SINEW_BINARY_DIR) / "object_code" / process;
   std::filesystem::create_directories(folder);
   return (folder / name).string();
 }

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Calibrated confidence of a named cause or set.
+#pragma once
+
+#include "identification/confounding.h"
+
+namespace sinew::diagnosis {
+
+/// What the calibration looks at.
+struct ConfidenceEvidence {
+  double margin = 0.0;     ///< deviance to the best candidate outside the set, in units of chance
+  double p_family = 1.0;
+  double share = 0.0;      ///< cross-validated gain
+  double left_over = 0.0;  ///< structure no name accounts for, share of all structure
+};
+
+/// Probability that the truth is among the members: a logistic curve in ln(1 + margin) and the
+/// left-over structure, fitted to simulated drives with known causes, times 1 - p_family.
+double calibrated_confidence(const ConfidenceEvidence& evidence);
+
+}  // namespace sinew::diagnosis

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "identification/confounding.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+
+#include "identification/refine.h"
+#include "identification/spectrum.h"
+
+namespace sinew::diagnosis {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr double kByChance = 8.0;         // deviance a wrong cause may be ahead of the right one
+constexpr double kByImperfection = 0.04;  // share of the cause's own statistic
+constexpr double kPairedLimit = 1.6;      // standard errors of the paired block differences
+constexpr double kClose = 0.12;           // share within which the paired differences are asked
+
+/// Whitened columns of a group with the model's columns projected out.
+MatrixXd apart(const Stack& stacked, const MatrixXd& inverse, const Weights& weights,
+               const BandColumns& columns) {
+  Index wide = 0;
+  for (const MatrixXd& part : columns) wide = std::max(wide, part.cols());
+  MatrixXd x = MatrixXd::Zero(stacked.y.size(), wide);
+  for (std::size_t s = 0; s < weights.size(); ++s)
+    if (weights[s].size() > 0 && columns[s].cols() > 0)
+      x.middleRows(stacked.first_row[s], weights[s].size()) = weights[s].asDiagonal() * columns[s];
+  return x - stacked.a * (inverse * (stacked.a.transpose() * x));
+}
+
+/// Paired block differences of two models: sum over standard error.
+double paired_z(const VectorXd& better, const VectorXd& worse) {
+  const VectorXd difference = worse - better;
+  const double n = static_cast<double>(difference.size());
+  const double mean = difference.mean();
+  const double variance = (difference.array() - mean).square().sum() / std::max(1.0, n - 1.0);
+  return mean / std::sqrt(std::max(variance / n, 1e-300));
+}
+
+struct Contender {
+  Trial trial;
+  RankedCause cause;
+};
+
+RankedCause describe(const Design& design, int candidate) {
+  const Candidate& c = design.problem().library[static_cast<std::size_t>(candidate)];
+  RankedCause cause;
+  cause.candidate = candidate;
+  cause.name = c.name;
+  cause.place = c.place;
+  return cause;
+}
+
+/// Fitted models with the term replaced by whatever comes near it.
+std::vector<Trial> contenders(const Design& design, const Library& library,
+                              const Settings& settings, const Selection& state, std::size_t term) {
+  const int own = library_index(design, state.model.terms[term]);
+  Model without = state.model;
+  remove_term(design, term, without);
+  const Screening screening =
+      screen(design, library, without, state.noise.weights, {}, settings.threads);
+  std::vector<Screened> list = shortlist(design, state.freedom, without, screening, 6);
+  std::erase_if(list, [&](const Screened& c) { return c.candidate == own; });
+  std::vector<Trial> trials =
+      try_candidates(design, state.noise.weights, without, list, settings.threads);
+  std::erase_if(trials, [](const Trial& t) { return !t.allowed; });
+  Trial present;
+  present.candidate = own;
+  present.model = state.model;
+  // Every contender's own term comes last.
+  std::rotate(present.model.terms.begin() + static_cast<std::ptrdiff_t>(term),
+              present.model.terms.begin() + static_cast<std::ptrdiff_t>(term) + 1,
+              present.model.terms.end());
+  present.allowed = true;
+  trials.push_back(std::move(present));
+  rank_trials(design, state.freedom, state.noise.weights, trials);
+  std::sort(trials.begin(), trials.end(),
+            [](const Trial& a, const Trial& b) { return a.score < b.score; });
+  return trials;
+}
+
+}  // namespace
+
+double canonical_correlation(const Model& model, const Weights& weights, const BandColumns& a,
+                             const BandColumns& b) {
+  const Stack stacked = stack(model, weights);
+  const MatrixXd inverse = scaled_pseudo_inverse(stacked.a.transpose() * stacked.a);
+  const MatrixXd x = apart(stacked, inverse, weights, a), y = apart(stacked, inverse, weights, b);
+  if (x.cols() == 0 || y.cols() == 0) return 0.0;
+  const MatrixXd cross = x.transpose() * y;
+  const MatrixXd square = scaled_pseudo_inverse(x.transpose() * x, 1e-8) * cross *
+                          scaled_pseudo_inverse(y.transpose() * y, 1e-8) * cross.transpose();
+  const double largest = square.eigenvalues().real().maxCoeff();
+  return std::sqrt(std::clamp(largest, 0.0, 1.0));
+}
+
+Rivals find_rivals(const Design& design, const Library& library, const Settings& settings,
+                   const Selection& state, std::size_t term) {
+  const std::vector<Trial> trials = contenders(design, library, settings, state, term);
+  Model without = state.model;
+  remove_term(design, term, without);
+  const double own = deviance(without, state.noise.weights) - trials.front().deviance;
+  const VectorXd best_losses =
+      cross_validate(design, trials.front().model, state.noise.weights, settings.blocks).whitened;
+  Rivals rivals;
+  rivals.margin = std::numeric_limits<double>::infinity();
+  double sum = 0.0;
+  for (const Trial& trial : trials) {
+    RankedCause cause = describe(design, trial.candidate);
+    cause.behind = trial.score - trials.front().score;
+    cause.weight = std::exp(-0.5 * cause.behind);
+    sum += cause.weight;
+    if (cause.behind > 0.0) {
+      const VectorXd losses =
+          cross_validate(design, trial.model, state.noise.weights, settings.blocks).whitened;
+      cause.paired_z = paired_z(best_losses, losses);
+      cause.correlation = canonical_correlation(without, state.noise.weights,
+                                                trials.front().model.terms.back().columns,
+                                                trial.model.terms.back().columns);
+    }
+    const bool near = cause.behind <= std::max(kByChance, kByImperfection * own) ||
+                      (cause.behind <= kClose * own && cause.paired_z < kPairedLimit);
+    if (near)
+      rivals.members.push_back(cause);
+    else
+      rivals.margin = std::min(rivals.margin, cause.behind);
+  }
+  for (RankedCause& cause : rivals.members) cause.weight /= sum;
+  return rivals;
+}
+
+double expected_separation(const Problem& problem, const Settings& settings, const Term& first,
+                           const VectorXd& first_coefficients, const Candidate& second,
+                           const PlannedExperiment& experiment, double noise_variance) {
+  Problem planned;
+  planned.channels = problem.channels;
+  planned.baseline = problem.baseline;
+  planned.training = {experiment.motion};
+  for (VectorXd& target : planned.training[0].target) target.setZero();
+  if (planned.training[0].target.empty())
+    planned.training[0].target.assign(static_cast<std::size_t>(problem.channels),
+                                      VectorXd::Zero(experiment.motion.time.size()));
+  for (std::size_t channel = 0; channel < planned.training[0].target.size(); ++channel) {
+    const MatrixXd columns =
+        first.candidate->columns(planned.training[0], static_cast<int>(channel), first.nonlinear);
+    if (columns.cols() > 0)
+      planned.training[0].target[channel] = columns * first_coefficients.head(columns.cols());
+  }
+  const Design design(planned, settings);
+  Weights even;
+  for (const Segment& s : design.segments()) even.push_back(VectorXd::Ones(2 * s.bins));
+  Model model = baseline_model(design);
+  double least = deviance(model, even);
+  model.terms.push_back({});
+  for (const VectorXd& value : starting_values(second)) {
+    model.terms.back() = make_term(design, second, value, false);
+    least = std::min(least, deviance(model, even));
+  }
+  return least / std::max(noise_variance, 1e-300);
+}
+
+}  // namespace sinew::diagnosis

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "identification/explain.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "identification/confidence.h"
+#include "identification/refine.h"
+#include "identification/standard_errors.h"
+#include "identification/unexplained.h"
+
+namespace sinew::diagnosis {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+double relative_error(const Design& design, const Model& model, const Weights& weights) {
+  const LinearFit fit = solve(stack(model, weights));
+  std::vector<const BandColumns*> columns;
+  for (const Term& term : model.terms) columns.push_back(&term.columns);
+  double error = 0.0, energy = 0.0;
+  for (std::size_t s = 0; s < design.segments().size(); ++s) {
+    if (design.segments()[s].holdout) continue;
+    const VectorXd prediction = predict(columns, fit.coefficients, s);
+    error += (prediction.size() ? VectorXd(model.target[s] - prediction) : model.target[s])
+                 .squaredNorm();
+    energy += model.target[s].squaredNorm();
+  }
+  return std::sqrt(error / std::max(energy, 1e-300));
+}
+
+BlockLosses held_out_losses(const Design& design, const Settings& settings, const Model& model,
+                            const Weights& weights) {
+  return held_out(design, model, solve(stack(model, weights)), settings.blocks);
+}
+
+/// The planned experiment that separates two members best, or what isolates them.
+std::string separating_experiment(const Problem& problem, const Settings& settings,
+                                  const Selection& selection, std::size_t term,
+                                  const std::vector<RankedCause>& members,
+                                  const std::vector<PlannedExperiment>& experiments) {
+  if (members.size() < 2) return {};
+  const Candidate& first = problem.library[static_cast<std::size_t>(members[0].candidate)];
+  const Candidate& second = problem.library[static_cast<std::size_t>(members[1].candidate)];
+  const Term& own = selection.model.terms[term];
+  std::string best;
+  double largest = 0.0;
+  if (own.candidate == &first && first.kind != CandidateKind::delay &&
+      second.kind != CandidateKind::delay) {
+    const LinearFit fit = solve(stack(selection.model, selection.noise.weights));
+    const auto layout = [&] {
+      VectorXd one(static_cast<Index>(first.linear.size()));
+      const Index at = first_columns(selection.model)[term];
+      const Index wide = first_columns(selection.model)[term + 1] - at;
+      for (Index i = 0; i < one.size(); ++i)
+        one(i) = fit.coefficients(at + i * wide / one.size());
+      return one;
+    }();
+    for (const PlannedExperiment& experiment : experiments) {
+      const double separation =
+          expected_separation(problem, settings, own, layout, second, experiment,
+                              selection.noise.noise.front().variance.mean());
+      if (separation <= largest) continue;
+      largest = separation;
+      best = experiment.name;
+    }
+  }
+  if (!best.empty()) return best;
+  return first.isolating_experiment.empty() ? second.isolating_experiment
+                                            : first.isolating_experiment;
+}
+
+NamedCause name_cause(const Design& design, const Library& library, const Settings& settings,
+                      const Selection& selection, std::size_t term,
+                      const std::vector<PlannedExperiment>& experiments) {
+  const Evidence& evidence = selection.evidence[term];
+  const Rivals rivals = find_rivals(design, library, settings, selection, term);
+  NamedCause cause;
+  cause.members = rivals.members;
+  cause.statistic = evidence.statistic;
+  cause.p_family = evidence.p_family;
+  cause.validated = evidence.validated;
+  cause.cross_validated = evidence.gain;
+  cause.confidence = rivals.margin;  // calibrated once the left-over structure is known
+  Model without = selection.model;
+  remove_term(design, term, without);
+  const BlockLosses before = held_out_losses(design, settings, without, selection.noise.weights);
+  const BlockLosses after =
+      held_out_losses(design, settings, selection.model, selection.noise.weights);
+  cause.held_out = block_bootstrap_gain(before.plain, after.plain, 0.95, settings.seed);
+  cause.separating_experiment = separating_experiment(design.problem(), settings, selection, term,
+                                                      cause.members, experiments);
+  return cause;
+}
+
+std::string reason_of(const Screened& screened, const Candidate& candidate, double p) {
+  switch (screened.gate) {
+    case Gate::not_excited: return "not excited by these logs beside the model";
+    case Gate::out_of_band: return "mostly above the frequencies looked at";
+    case Gate::limit_violated:
+      return candidate.limit_meaning.empty() ? "outside its physical limits"
+                                             : candidate.limit_meaning;
+    case Gate::open: break;
+  }
+  return p > 0.05 ? "nothing beyond noise beside the named causes"
+                  : "too little beside the named causes to be told from noise";
+}
+
+void list_ruled_out(const Design& design, const Selection& selection, Verdict& verdict) {
+  const std::vector<Candidate>& library = design.problem().library;
+  for (const Screened& s : selection.last.candidates) {
+    const Candidate& candidate = library[static_cast<std::size_t>(s.candidate)];
+    if (candidate.kind == CandidateKind::flexible) continue;
+    const bool named = std::any_of(
+        verdict.causes.begin(), verdict.causes.end(), [&](const NamedCause& cause) {
+          return std::any_of(cause.members.begin(), cause.members.end(),
+                             [&](const RankedCause& m) { return m.candidate == s.candidate; });
+        });
+    if (named) continue;
+    const double p = selection.last.family.p_value(s.surprise);
+    RuledOut out{candidate.name, candidate.place, reason_of(s, candidate, p), s.statistic, p};
+    for (const Refusal& refusal : selection.refused)
+      if (refusal.candidate == s.candidate && !refusal.reason.empty()) out.reason = refusal.reason;
+    verdict.ruled_out.push_back(std::move(out));
+  }
+}
+
+}  // namespace
+
+Explanation explain(const Problem& problem, const Settings& settings,
+                    const std::vector<PlannedExperiment>& experiments) {
+  const Design design(problem, settings);
+  const Library library(design, settings.threads);
+  Explanation result;
+  result.selection = select_causes(design, library, settings);
+  Selection& selection = result.selection;
+  Verdict& verdict = result.verdict;
+  verdict.unexplained = find_unexplained(design, library, settings, selection);
+  if (!verdict.unexplained.withdrawn.empty())
+    selection.noise = own_noise(design, selection.model, settings.threads);
+
+  const auto all = estimates(design, selection.model, selection.noise);
+  for (std::size_t t = 0; t < selection.model.terms.size(); ++t) {
+    const Term& term = selection.model.terms[t];
+    if (term.baseline)
+      for (const ParameterEstimate& estimate : all[t]) verdict.baseline.push_back(estimate);
+    if (term.baseline || term.candidate->kind != CandidateKind::named) {
+      if (term.candidate->kind != CandidateKind::delay) continue;
+    }
+    NamedCause cause = name_cause(design, library, settings, selection, t, experiments);
+    cause.parameters = all[t];
+    cause.confidence = calibrated_confidence({cause.confidence, cause.p_family,
+                                              cause.cross_validated.share,
+                                              1.0 - verdict.unexplained.named_share});
+    verdict.causes.push_back(std::move(cause));
+  }
+  std::stable_sort(verdict.causes.begin(), verdict.causes.end(),
+                   [](const NamedCause& a, const NamedCause& b) {
+                     return a.cross_validated.share > b.cross_validated.share;
+                   });
+  list_ruled_out(design, selection, verdict);
+
+  Model baseline = baseline_model(design);
+  const NoiseView noise = own_noise(design, baseline, settings.threads);
+  verdict.relative_error_before = relative_error(design, baseline, noise.weights);
+  verdict.relative_error_after = relative_error(design, selection.model, selection.noise.weights);
+  verdict.held_out = block_bootstrap_gain(
+      held_out_losses(design, settings, baseline, noise.weights).plain,
+      held_out_losses(design, settings, selection.model, selection.noise.weights).plain, 0.95,
+      settings.seed);
+  return result;
+}
+
+}  // namespace sinew::diagnosis

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// From recordings and candidates to a verdict.
+#pragma once
+
+#include "identification/confounding.h"
+#include "identification/verdict.h"
+
+namespace sinew::diagnosis {
+
+/// The verdict and the fitted model it stands for.
+struct Explanation {
+  Verdict verdict;
+  Selection selection;
+};
+
+/// Names what the baseline leaves over. `experiments` (may be empty) are what the separating
+/// experiment is chosen from; without them each candidate's isolating experiment is proposed.
+/// Deterministic for given settings. Throws std::invalid_argument where no log is long enough.
+Explanation explain(const Problem& problem, const Settings& settings,
+                    const std::vector<PlannedExperiment>& experiments = {});
+
+}  // namespace sinew::diagnosis

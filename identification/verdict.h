@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a diagnosis says, and what every statement rests on.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "identification/cross_validation.h"
+
+namespace sinew::diagnosis {
+
+struct ParameterEstimate {
+  std::string name, unit;
+  double value = 0.0;
+  double standard_error = 0.0;  ///< for coloured noise, all parameters free
+  std::string log;              ///< a nuisance's log; empty for shared parameters
+};
+
+/// A candidate that may be the cause.
+struct RankedCause {
+  int candidate = 0;       ///< index into the library
+  std::string name, place;
+  double behind = 0.0;     ///< whitened deviance and price above the best: 0 for the best
+  double paired_z = 0.0;   ///< mean paired block difference to the best / its standard error
+  double correlation = 1.0;  ///< largest canonical correlation with the best, baseline taken out
+  double weight = 1.0;     ///< share among all rivals, sums to at most 1
+};
+
+/// One cause, or a set that these logs cannot tell apart (best first).
+struct NamedCause {
+  std::vector<RankedCause> members;
+  double confidence = 0.0;        ///< calibrated probability that the truth is among the members
+  double statistic = 0.0;         ///< drop of the whitened deviance
+  double p_family = 1.0;          ///< against surrogates, over the whole library
+  double validated = 0.0;         ///< drop of the whitened loss on left-out blocks
+  Gain cross_validated;           ///< of the error on left-out blocks, 95 % interval
+  Gain held_out;                  ///< on held-out logs; share 0 where none were given
+  std::vector<ParameterEstimate> parameters;  ///< of the best member
+  std::string separating_experiment;  ///< where there is more than one member
+};
+
+struct RuledOut {
+  std::string name, place, reason;
+  double statistic = 0.0;  ///< on top of the final model
+  double p_family = 1.0;
+};
+
+/// A dependence that no named cause accounts for.
+struct Dependence {
+  std::string on;      ///< "position x direction", "periodic in time, 12.4 Hz", ...
+  std::string place;
+  double p_family = 1.0;
+  Gain gain;           ///< cross-validated, of what the named causes leave over
+};
+
+struct Unexplained {
+  bool none_of_the_known = false;       ///< structure of its own, and no name fits it
+  std::vector<Dependence> depends_on;   ///< strongest first
+  std::vector<std::string> withdrawn;   ///< names that only stood in for it
+  double named_share = 1.0;             ///< of all structure found, what named causes account for
+  double remaining = 1.0;               ///< cross-validated loss left, share of the baseline's
+};
+
+struct Verdict {
+  std::vector<NamedCause> causes;  ///< largest gain first
+  std::vector<RuledOut> ruled_out;
+  Unexplained unexplained;
+  std::vector<ParameterEstimate> baseline;
+  double relative_error_before = 0.0;  ///< rms residual / rms target inside the band
+  double relative_error_after = 0.0;
+  Gain held_out;                       ///< of all causes together on the held-out logs
+  bool nothing_beyond_noise() const { return causes.empty() && !unexplained.none_of_the_known; }
+};
+
+}  // namespace sinew::diagnosis

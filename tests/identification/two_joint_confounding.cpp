@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Payload or torque gain: one joint cannot tell, a second one can.
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <random>
+
+#include "identification/explain.h"
+
+namespace {
+
+using namespace sinew::diagnosis;
+using Eigen::ArrayXd;
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr double kStep = 5e-3;
+constexpr Index kSamples = 6000;
+
+Candidate group(const std::string& name, ColumnFunction columns) {
+  Candidate c;
+  c.name = name;
+  c.place = "arm";
+  c.linear.push_back({"size", "", -1e9, 1e9, false, {}});
+  c.columns = std::move(columns);
+  c.isolating_experiment = "hold " + name;
+  return c;
+}
+
+/// Two joints, the second's own gravity torque not proportional to what a payload adds.
+Problem arm(int channels, double payload, unsigned seed) {
+  std::mt19937_64 random(seed);
+  std::normal_distribution<double> gauss;
+  Recording log;
+  log.name = "arm";
+  log.step = kStep;
+  const ArrayXd t = ArrayXd::LinSpaced(kSamples, 0.0, kStep * static_cast<double>(kSamples - 1));
+  log.time = t;
+  log.q.resize(kSamples, 2);
+  log.q.col(0) = 1.1 * (0.9 * t).sin() + 0.4 * (2.3 * t).sin();
+  log.q.col(1) = 0.8 * (1.3 * t + 1.0).sin() + 0.5 * (3.1 * t).sin();
+  log.qd = MatrixXd::Zero(kSamples, 2);
+  log.command.resize(kSamples, 2);
+  log.command.col(0) = log.q.col(0).array().cos();
+  log.command.col(1) = log.q.col(1).array().cos() + 0.8 * (log.q.col(1).array() * 3.0).sin();
+  for (int c = 0; c < channels; ++c) {
+    double state = 0.0;
+    VectorXd y = payload * log.q.col(c).array().cos();
+    for (double& value : y) {
+      state = 0.97 * state + gauss(random);
+      value += 0.02 * state;
+    }
+    log.target.push_back(y);
+  }
+  Problem problem;
+  problem.channels = channels;
+  problem.training.push_back(std::move(log));
+  for (int c = 0; c < channels; ++c) {
+    Candidate offset = group("offset", [](const Recording& r, int, const VectorXd&) -> MatrixXd {
+      return VectorXd::Ones(r.q.rows());
+    });
+    offset.channels = {c};
+    problem.baseline.push_back(std::move(offset));
+  }
+  problem.library = {
+      group("payload", [](const Recording& r, int c, const VectorXd&) -> MatrixXd {
+        return r.q.col(c).array().cos();
+      }),
+      group("torque gain",
+            [](const Recording& r, int c, const VectorXd&) -> MatrixXd { return r.command.col(c); }),
+      group("spring",
+            [](const Recording& r, int c, const VectorXd&) -> MatrixXd { return r.q.col(c); })};
+  return problem;
+}
+
+Settings quick() {
+  Settings settings;
+  settings.band_hz = 20.0;
+  settings.surrogates = 100;
+  return settings;
+}
+
+}  // namespace
+
+TEST_CASE("one joint cannot tell a payload from a torque gain, and says so") {
+  const Explanation e = explain(arm(1, 0.3, 4), quick());
+  REQUIRE(e.verdict.causes.size() == 1);
+  CHECK(e.verdict.causes[0].members.size() == 2);
+  CHECK_FALSE(e.verdict.causes[0].separating_experiment.empty());
+  for (const RankedCause& member : e.verdict.causes[0].members) CHECK(member.name != "spring");
+}
+
+TEST_CASE("a second joint separates them") {
+  const Explanation e = explain(arm(2, 0.3, 4), quick());
+  REQUIRE(e.verdict.causes.size() == 1);
+  REQUIRE(e.verdict.causes[0].members.size() == 1);
+  CHECK(e.verdict.causes[0].members[0].name == "payload");
+  REQUIRE(e.verdict.causes[0].parameters.size() == 1);
+  const ParameterEstimate& size = e.verdict.causes[0].parameters[0];
+  CHECK(std::abs(size.value - 0.3) < 5.0 * size.standard_error);
+  CHECK(size.standard_error < 0.1);
+}
+
+TEST_CASE("canonical correlation is one for stand-ins and small for strangers") {
+  const Problem problem = arm(1, 0.3, 5);
+  const Settings settings = quick();
+  const Design design(problem, settings);
+  const Model model = baseline_model(design);
+  const Weights weights = own_noise(design, model, 1).weights;
+  const auto columns = [&](int i) {
+    return design.columns(problem.library[static_cast<std::size_t>(i)], VectorXd());
+  };
+  CHECK(canonical_correlation(model, weights, columns(0), columns(1)) > 0.999);
+  CHECK(canonical_correlation(model, weights, columns(0), columns(2)) < 0.5);
+}
+
+TEST_CASE("the experiment that moves both joints is the one that separates") {
+  const Problem one = arm(1, 0.3, 6), two = arm(2, 0.3, 6);
+  const Settings settings = quick();
+  const Design design(one, settings);
+  const Term payload{&one.library[0], false, VectorXd(), design.columns(one.library[0], VectorXd())};
+  const VectorXd size = VectorXd::Constant(1, 0.3);
+  const double alone = expected_separation(one, settings, payload, size, one.library[1],
+                                           {"one joint", one.training[0]}, 1e-4);
+  const double both = expected_separation(two, settings, payload, size, two.library[1],
+                                          {"both joints", two.training[0]}, 1e-4);
+  CHECK(alone < 1.0);
+  CHECK(both > 100.0);
+}
