@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "symbolic/part.h"
 
+#include "symbolic/effects/effect_functions.h"
 #include "symbolic/part_sections.h"
 #include "symbolic/read_text.h"
 
@@ -29,6 +30,10 @@ class PartReader {
     section("motor", [&](TomlTable& t) { return read_motor(t, root_.tables("ripple")); });
     section("guiding_friction", [](TomlTable& t) { return FittedGuiding{read_fitted_guiding(t)}; });
     section("capstan", [](TomlTable& t) { return CapstanGuiding{read_capstan(t)}; });
+    section("effects", [](TomlTable& t) {
+      t.finish();
+      return EffectLibrary{};
+    });
     if (root_.has("tendon"))
       section("tendon", [&](TomlTable& t) { return TendonWithLever{read_tendon(t), lever()}; });
     else
@@ -38,7 +43,7 @@ class PartReader {
       file_.findings.add(
           {file_.name, 1, 1}, "the file describes no part, or more than one",
           "expected one of [wrist], [four_bar], [lever], [motor], [guiding_friction], [capstan], "
-          "[tendon] with [lever]");
+          "[effects], [tendon] with [lever]");
     return part_;
   }
 
@@ -69,6 +74,7 @@ struct FunctionsOf {
   std::vector<Function> operator()(const TendonWithLever& p) const {
     return tendon_force_functions(p.tendon, p.lever);
   }
+  std::vector<Function> operator()(const EffectLibrary&) const { return effect_functions(); }
 };
 
 }  // namespace

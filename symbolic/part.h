@@ -31,11 +31,14 @@ struct TendonWithLever {
   LeverParameters lever;
 };
 
+/// The regressors of every effect that a diagnosis knows (symbolic/effects).
+struct EffectLibrary {};
+
 struct Part {
   std::string name;  ///< C identifier, prefix of emitted functions
   std::string description;
   std::variant<WristParameters, FourBarParameters, LeverParameters, MotorParameters, FittedGuiding,
-               CapstanGuiding, TendonWithLever>
+               CapstanGuiding, TendonWithLever, EffectLibrary>
       parameters;
 };
 

@@ -1,0 +1,160 @@
+/* SPDX-License-Identifier: BSD-2-Clause
+ *
+ * Regressors of the effects that a diagnosis looks for
+ *
+ * Made by: sinew generate models/effects
+ * Model:   sha256 69c538edcbf3bf2f45779b1c8a2551790ff791915ec1f60e5b93999b2315532f
+ * Do not edit: change the model and generate again.
+ */
+#include "effects.h"
+
+#include "sinew_math.h"
+
+void effects_inertia(const double signals[SINEW_AT_LEAST(8)], double columns[SINEW_AT_LEAST(1)])
+{
+    columns[0] = signals[2];
+}
+
+void effects_viscous_level(const double signals[SINEW_AT_LEAST(8)], double columns[SINEW_AT_LEAST(1)])
+{
+    columns[0] = signals[1];
+}
+
+void effects_coulomb_level(const double signals[SINEW_AT_LEAST(8)], double columns[SINEW_AT_LEAST(1)])
+{
+    columns[0] = signals[6];
+}
+
+void effects_offset(const double signals[SINEW_AT_LEAST(8)], double columns[SINEW_AT_LEAST(1)])
+{
+    (void)signals;
+    columns[0] = 1.0;
+}
+
+void effects_viscous_asymmetry(const double signals[SINEW_AT_LEAST(8)], double columns[SINEW_AT_LEAST(1)])
+{
+    columns[0] = sinew_max(signals[1], -signals[1]);
+}
+
+void effects_coulomb_asymmetry(const double signals[SINEW_AT_LEAST(8)], double columns[SINEW_AT_LEAST(1)])
+{
+    columns[0] = sinew_max(signals[6], -signals[6]);
+}
+
+void effects_stribeck(const double signals[SINEW_AT_LEAST(8)], const double shape[SINEW_AT_LEAST(1)], double columns[SINEW_AT_LEAST(1)])
+{
+    const double t1 = signals[6] * sinew_exp(-(signals[1] * signals[1] / (shape[0] * shape[0])));
+    columns[0] = t1;
+}
+
+void effects_concave_friction(const double signals[SINEW_AT_LEAST(8)], const double shape[SINEW_AT_LEAST(1)], double columns[SINEW_AT_LEAST(1)])
+{
+    columns[0] = sinew_atan(signals[1] / shape[0]);
+}
+
+void effects_quadratic_friction(const double signals[SINEW_AT_LEAST(8)], double columns[SINEW_AT_LEAST(1)])
+{
+    columns[0] = signals[1] * sinew_max(signals[1], -signals[1]);
+}
+
+void effects_load_friction(const double signals[SINEW_AT_LEAST(8)], double columns[SINEW_AT_LEAST(1)])
+{
+    columns[0] = signals[6] * sinew_max(signals[4], -signals[4]);
+}
+
+void effects_friction_drift(const double signals[SINEW_AT_LEAST(8)], const double shape[SINEW_AT_LEAST(1)], double columns[SINEW_AT_LEAST(1)])
+{
+    columns[0] = signals[6] * sinew_exp(-(signals[5] / shape[0]));
+}
+
+void effects_position_friction(const double signals[SINEW_AT_LEAST(8)], double columns[SINEW_AT_LEAST(1)])
+{
+    columns[0] = signals[0] * signals[6];
+}
+
+void effects_ripple(const double signals[SINEW_AT_LEAST(8)], const double shape[SINEW_AT_LEAST(1)], double columns[SINEW_AT_LEAST(2)])
+{
+    const double t1 = signals[0] * shape[0];
+    double s2, c3;
+    sinew_sincos(t1, &s2, &c3);
+    columns[0] = s2;
+    columns[1] = c3;
+}
+
+void effects_load_ripple(const double signals[SINEW_AT_LEAST(8)], const double shape[SINEW_AT_LEAST(1)], double columns[SINEW_AT_LEAST(2)])
+{
+    const double t1 = signals[0] * shape[0];
+    double s2, c3;
+    sinew_sincos(t1, &s2, &c3);
+    columns[0] = signals[4] * s2;
+    columns[1] = signals[4] * c3;
+}
+
+void effects_gear_elasticity(const double signals[SINEW_AT_LEAST(8)], double columns[SINEW_AT_LEAST(1)])
+{
+    columns[0] = signals[3];
+}
+
+void effects_torsion_spring(const double signals[SINEW_AT_LEAST(8)], double columns[SINEW_AT_LEAST(1)])
+{
+    columns[0] = signals[0];
+}
+
+void effects_offset_drift(const double signals[SINEW_AT_LEAST(8)], double columns[SINEW_AT_LEAST(1)])
+{
+    columns[0] = signals[5];
+}
+
+void effects_pendulum(const double signals[SINEW_AT_LEAST(8)], double columns[SINEW_AT_LEAST(2)])
+{
+    double s1, c2;
+    sinew_sincos(signals[0], &s1, &c2);
+    columns[0] = s1;
+    columns[1] = c2;
+}
+
+void effects_cable_torque(const double signals[SINEW_AT_LEAST(8)], const double shape[SINEW_AT_LEAST(2)], double columns[SINEW_AT_LEAST(7)])
+{
+    const double t1 = sinew_min(sinew_max((signals[0] - shape[0]) / shape[1], -1.0), 1.0);
+    const double t2 = 1.0 - (t1 + t1) * t1;
+    const double t3 = (t2 + t2) * t1;
+    const double t4 = t3 + t1;
+    const double t5 = (t4 + t4) * t1;
+    const double t6 = t2 - t5;
+    const double t7 = t3 + (t6 + t6) * t1;
+    const double t8 = t7 + t1;
+    const double t9 = t2 - (t8 + t8) * t1 - t5;
+    columns[0] = t1;
+    columns[1] = -t2;
+    columns[2] = -t4;
+    columns[3] = t6;
+    columns[4] = t8;
+    columns[5] = -t9;
+    columns[6] = -(t1 * (t9 + t9 + 1.0) + t7);
+}
+
+void effects_backlash(const double signals[SINEW_AT_LEAST(8)], const double shape[SINEW_AT_LEAST(1)], const double state[SINEW_AT_LEAST(1)], double columns[SINEW_AT_LEAST(1)], double next[SINEW_AT_LEAST(1)])
+{
+    const double t1 = signals[2] * sinew_choose(-state[0], 0.0, sinew_choose(-(1.0 - state[0]), 0.0, 1.0));
+    const double t2 = sinew_min(sinew_max(state[0] + signals[1] * signals[7] / shape[0], 0.0), 1.0);
+    columns[0] = t1;
+    next[0] = t2;
+}
+
+void effects_presliding(const double signals[SINEW_AT_LEAST(8)], const double shape[SINEW_AT_LEAST(1)], const double state[SINEW_AT_LEAST(1)], double columns[SINEW_AT_LEAST(1)], double next[SINEW_AT_LEAST(1)])
+{
+    const double t1 = signals[1] * signals[7] / shape[0];
+    const double t2 = sinew_exp(-sinew_max(t1, -t1));
+    const double t3 = sinew_choose(t1, 1.0 - (1.0 - state[0]) * t2, -(1.0 - (1.0 + state[0]) * t2));
+    columns[0] = state[0];
+    next[0] = t3;
+}
+
+void effects_elastic_hysteresis(const double signals[SINEW_AT_LEAST(8)], const double shape[SINEW_AT_LEAST(1)], const double state[SINEW_AT_LEAST(1)], double columns[SINEW_AT_LEAST(1)], double next[SINEW_AT_LEAST(1)])
+{
+    const double t1 = signals[1] * signals[7] / shape[0];
+    const double t2 = sinew_exp(-sinew_max(t1, -t1));
+    const double t3 = sinew_choose(t1, 1.0 - (1.0 - state[0]) * t2, -(1.0 - (1.0 + state[0]) * t2));
+    columns[0] = state[0] * sinew_max(signals[4], -signals[4]);
+    next[0] = t3;
+}

@@ -1,0 +1,176 @@
+/* SPDX-License-Identifier: BSD-2-Clause
+ *
+ * Regressors of the effects that a diagnosis looks for
+ *
+ * Made by: sinew generate models/effects
+ * Model:   sha256 69c538edcbf3bf2f45779b1c8a2551790ff791915ec1f60e5b93999b2315532f
+ * Do not edit: change the model and generate again.
+ */
+#ifndef SINEW_EFFECTS_H
+#define SINEW_EFFECTS_H
+
+/* SI units; matrices row-major. Results are finite for every finite input. */
+
+#ifndef SINEW_AT_LEAST
+#ifdef __cplusplus
+#define SINEW_AT_LEAST(n) n
+#else
+#define SINEW_AT_LEAST(n) static n
+#endif
+#endif
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Terms of the effect 'inertia', to be multiplied by its coefficients.
+ *   in  signals       8 [SI] position, velocity, acceleration, its second derivative, load, time, direction, step; made for -3..3, -5..5, -50..50, -1e+04..1e+04, -10..10, 0..100, -1..1, 0.0001..0.01
+ *   out columns       1 [SI] inertia_change
+ * 0 multiplications, 0 additions. */
+void effects_inertia(const double signals[SINEW_AT_LEAST(8)], double columns[SINEW_AT_LEAST(1)]);
+
+/* Terms of the effect 'viscous friction level', to be multiplied by its coefficients.
+ *   in  signals       8 [SI] position, velocity, acceleration, its second derivative, load, time, direction, step; made for -3..3, -5..5, -50..50, -1e+04..1e+04, -10..10, 0..100, -1..1, 0.0001..0.01
+ *   out columns       1 [SI] viscous_change
+ * 0 multiplications, 0 additions. */
+void effects_viscous_level(const double signals[SINEW_AT_LEAST(8)], double columns[SINEW_AT_LEAST(1)]);
+
+/* Terms of the effect 'Coulomb friction level', to be multiplied by its coefficients.
+ *   in  signals       8 [SI] position, velocity, acceleration, its second derivative, load, time, direction, step; made for -3..3, -5..5, -50..50, -1e+04..1e+04, -10..10, 0..100, -1..1, 0.0001..0.01
+ *   out columns       1 [SI] level_change
+ * 0 multiplications, 0 additions. */
+void effects_coulomb_level(const double signals[SINEW_AT_LEAST(8)], double columns[SINEW_AT_LEAST(1)]);
+
+/* Terms of the effect 'offset', to be multiplied by its coefficients.
+ *   in  signals       8 [SI] position, velocity, acceleration, its second derivative, load, time, direction, step; made for -3..3, -5..5, -50..50, -1e+04..1e+04, -10..10, 0..100, -1..1, 0.0001..0.01
+ *   out columns       1 [SI] offset
+ * 0 multiplications, 0 additions. */
+void effects_offset(const double signals[SINEW_AT_LEAST(8)], double columns[SINEW_AT_LEAST(1)]);
+
+/* Terms of the effect 'viscous asymmetry', to be multiplied by its coefficients.
+ *   in  signals       8 [SI] position, velocity, acceleration, its second derivative, load, time, direction, step; made for -3..3, -5..5, -50..50, -1e+04..1e+04, -10..10, 0..100, -1..1, 0.0001..0.01
+ *   out columns       1 [SI] difference
+ * 0 multiplications, 0 additions, 1 other functions. */
+void effects_viscous_asymmetry(const double signals[SINEW_AT_LEAST(8)], double columns[SINEW_AT_LEAST(1)]);
+
+/* Terms of the effect 'Coulomb friction asymmetry', to be multiplied by its coefficients.
+ *   in  signals       8 [SI] position, velocity, acceleration, its second derivative, load, time, direction, step; made for -3..3, -5..5, -50..50, -1e+04..1e+04, -10..10, 0..100, -1..1, 0.0001..0.01
+ *   out columns       1 [SI] difference
+ * 0 multiplications, 0 additions, 1 other functions. */
+void effects_coulomb_asymmetry(const double signals[SINEW_AT_LEAST(8)], double columns[SINEW_AT_LEAST(1)]);
+
+/* Terms of the effect 'Stribeck friction', to be multiplied by its coefficients.
+ *   in  signals       8 [SI] position, velocity, acceleration, its second derivative, load, time, direction, step; made for -3..3, -5..5, -50..50, -1e+04..1e+04, -10..10, 0..100, -1..1, 0.0001..0.01
+ *   in  shape         1 [SI] stribeck_velocity; made for 0.01..0.3
+ *   out columns       1 [SI] extra_at_rest
+ * 3 multiplications, 0 additions, 1 divisions, 1 other functions. */
+void effects_stribeck(const double signals[SINEW_AT_LEAST(8)], const double shape[SINEW_AT_LEAST(1)], double columns[SINEW_AT_LEAST(1)]);
+
+/* Terms of the effect 'friction concave in speed', to be multiplied by its coefficients.
+ *   in  signals       8 [SI] position, velocity, acceleration, its second derivative, load, time, direction, step; made for -3..3, -5..5, -50..50, -1e+04..1e+04, -10..10, 0..100, -1..1, 0.0001..0.01
+ *   in  shape         1 [SI] bend; made for 0.05..1
+ *   out columns       1 [SI] plateau
+ * 0 multiplications, 0 additions, 1 divisions, 1 other functions. */
+void effects_concave_friction(const double signals[SINEW_AT_LEAST(8)], const double shape[SINEW_AT_LEAST(1)], double columns[SINEW_AT_LEAST(1)]);
+
+/* Terms of the effect 'friction quadratic in speed', to be multiplied by its coefficients.
+ *   in  signals       8 [SI] position, velocity, acceleration, its second derivative, load, time, direction, step; made for -3..3, -5..5, -50..50, -1e+04..1e+04, -10..10, 0..100, -1..1, 0.0001..0.01
+ *   out columns       1 [SI] coefficient
+ * 1 multiplications, 0 additions, 1 other functions. */
+void effects_quadratic_friction(const double signals[SINEW_AT_LEAST(8)], double columns[SINEW_AT_LEAST(1)]);
+
+/* Terms of the effect 'load-dependent friction', to be multiplied by its coefficients.
+ *   in  signals       8 [SI] position, velocity, acceleration, its second derivative, load, time, direction, step; made for -3..3, -5..5, -50..50, -1e+04..1e+04, -10..10, 0..100, -1..1, 0.0001..0.01
+ *   out columns       1 [SI] share
+ * 1 multiplications, 0 additions, 1 other functions. */
+void effects_load_friction(const double signals[SINEW_AT_LEAST(8)], double columns[SINEW_AT_LEAST(1)]);
+
+/* Terms of the effect 'slow drift of friction', to be multiplied by its coefficients.
+ *   in  signals       8 [SI] position, velocity, acceleration, its second derivative, load, time, direction, step; made for -3..3, -5..5, -50..50, -1e+04..1e+04, -10..10, 0..100, -1..1, 0.0001..0.01
+ *   in  shape         1 [SI] time_constant; made for 0.05..2
+ *   out columns       1 [SI] change
+ * 1 multiplications, 0 additions, 1 divisions, 1 other functions. */
+void effects_friction_drift(const double signals[SINEW_AT_LEAST(8)], const double shape[SINEW_AT_LEAST(1)], double columns[SINEW_AT_LEAST(1)]);
+
+/* Terms of the effect 'friction that varies with position', to be multiplied by its coefficients.
+ *   in  signals       8 [SI] position, velocity, acceleration, its second derivative, load, time, direction, step; made for -3..3, -5..5, -50..50, -1e+04..1e+04, -10..10, 0..100, -1..1, 0.0001..0.01
+ *   out columns       1 [SI] slope
+ * 1 multiplications, 0 additions. */
+void effects_position_friction(const double signals[SINEW_AT_LEAST(8)], double columns[SINEW_AT_LEAST(1)]);
+
+/* Terms of the effect 'ripple', to be multiplied by its coefficients.
+ *   in  signals       8 [SI] position, velocity, acceleration, its second derivative, load, time, direction, step; made for -3..3, -5..5, -50..50, -1e+04..1e+04, -10..10, 0..100, -1..1, 0.0001..0.01
+ *   in  shape         1 [SI] wavenumber; made for 1..1000
+ *   out columns       2 [SI] sine, cosine
+ * 1 multiplications, 0 additions, 1 sincos. */
+void effects_ripple(const double signals[SINEW_AT_LEAST(8)], const double shape[SINEW_AT_LEAST(1)], double columns[SINEW_AT_LEAST(2)]);
+
+/* Terms of the effect 'ripple proportional to load', to be multiplied by its coefficients.
+ *   in  signals       8 [SI] position, velocity, acceleration, its second derivative, load, time, direction, step; made for -3..3, -5..5, -50..50, -1e+04..1e+04, -10..10, 0..100, -1..1, 0.0001..0.01
+ *   in  shape         1 [SI] wavenumber; made for 1..1000
+ *   out columns       2 [SI] sine, cosine
+ * 3 multiplications, 0 additions, 1 sincos. */
+void effects_load_ripple(const double signals[SINEW_AT_LEAST(8)], const double shape[SINEW_AT_LEAST(1)], double columns[SINEW_AT_LEAST(2)]);
+
+/* Terms of the effect 'gear elasticity', to be multiplied by its coefficients.
+ *   in  signals       8 [SI] position, velocity, acceleration, its second derivative, load, time, direction, step; made for -3..3, -5..5, -50..50, -1e+04..1e+04, -10..10, 0..100, -1..1, 0.0001..0.01
+ *   out columns       1 [SI] compliance_term
+ * 0 multiplications, 0 additions. */
+void effects_gear_elasticity(const double signals[SINEW_AT_LEAST(8)], double columns[SINEW_AT_LEAST(1)]);
+
+/* Terms of the effect 'spring towards a position', to be multiplied by its coefficients.
+ *   in  signals       8 [SI] position, velocity, acceleration, its second derivative, load, time, direction, step; made for -3..3, -5..5, -50..50, -1e+04..1e+04, -10..10, 0..100, -1..1, 0.0001..0.01
+ *   out columns       1 [SI] stiffness
+ * 0 multiplications, 0 additions. */
+void effects_torsion_spring(const double signals[SINEW_AT_LEAST(8)], double columns[SINEW_AT_LEAST(1)]);
+
+/* Terms of the effect 'drift of the offset', to be multiplied by its coefficients.
+ *   in  signals       8 [SI] position, velocity, acceleration, its second derivative, load, time, direction, step; made for -3..3, -5..5, -50..50, -1e+04..1e+04, -10..10, 0..100, -1..1, 0.0001..0.01
+ *   out columns       1 [SI] rate
+ * 0 multiplications, 0 additions. */
+void effects_offset_drift(const double signals[SINEW_AT_LEAST(8)], double columns[SINEW_AT_LEAST(1)]);
+
+/* Terms of the effect 'gravity left out', to be multiplied by its coefficients.
+ *   in  signals       8 [SI] position, velocity, acceleration, its second derivative, load, time, direction, step; made for -3..3, -5..5, -50..50, -1e+04..1e+04, -10..10, 0..100, -1..1, 0.0001..0.01
+ *   out columns       2 [SI] sine, cosine
+ * 0 multiplications, 0 additions, 1 sincos. */
+void effects_pendulum(const double signals[SINEW_AT_LEAST(8)], double columns[SINEW_AT_LEAST(2)]);
+
+/* Terms of the effect 'position-dependent cable torque', to be multiplied by its coefficients.
+ *   in  signals       8 [SI] position, velocity, acceleration, its second derivative, load, time, direction, step; made for -3..3, -5..5, -50..50, -1e+04..1e+04, -10..10, 0..100, -1..1, 0.0001..0.01
+ *   in  shape         2 [SI] middle, half_range; made for 0.1..1
+ *   out columns       7 [SI] degree_1, degree_2, degree_3, degree_4, degree_5, degree_6, degree_7
+ * 6 multiplications, 16 additions, 1 divisions, 2 other functions. */
+void effects_cable_torque(const double signals[SINEW_AT_LEAST(8)], const double shape[SINEW_AT_LEAST(2)], double columns[SINEW_AT_LEAST(7)]);
+
+/* Terms of the effect 'backlash', to be multiplied by its coefficients.
+ *   in  signals       8 [SI] position, velocity, acceleration, its second derivative, load, time, direction, step; made for -3..3, -5..5, -50..50, -1e+04..1e+04, -10..10, 0..100, -1..1, 0.0001..0.01
+ *   in  shape         1 [SI] gap; made for 0.0001..0.03
+ *   in  state         1 [1] before this sample; made for -1..1
+ *   out columns       1 [SI] inertia_behind_gap
+ *   out next          1 [1] state for the next sample
+ * 2 multiplications, 2 additions, 1 divisions, 4 other functions. */
+void effects_backlash(const double signals[SINEW_AT_LEAST(8)], const double shape[SINEW_AT_LEAST(1)], const double state[SINEW_AT_LEAST(1)], double columns[SINEW_AT_LEAST(1)], double next[SINEW_AT_LEAST(1)]);
+
+/* Terms of the effect 'presliding of friction', to be multiplied by its coefficients.
+ *   in  signals       8 [SI] position, velocity, acceleration, its second derivative, load, time, direction, step; made for -3..3, -5..5, -50..50, -1e+04..1e+04, -10..10, 0..100, -1..1, 0.0001..0.01
+ *   in  shape         1 [SI] presliding_length; made for 1e-05..0.01
+ *   in  state         1 [1] before this sample; made for -1..1
+ *   out columns       1 [SI] level
+ *   out next          1 [1] state for the next sample
+ * 3 multiplications, 4 additions, 1 divisions, 3 other functions. */
+void effects_presliding(const double signals[SINEW_AT_LEAST(8)], const double shape[SINEW_AT_LEAST(1)], const double state[SINEW_AT_LEAST(1)], double columns[SINEW_AT_LEAST(1)], double next[SINEW_AT_LEAST(1)]);
+
+/* Terms of the effect 'hysteresis', to be multiplied by its coefficients.
+ *   in  signals       8 [SI] position, velocity, acceleration, its second derivative, load, time, direction, step; made for -3..3, -5..5, -50..50, -1e+04..1e+04, -10..10, 0..100, -1..1, 0.0001..0.01
+ *   in  shape         1 [SI] length; made for 0.001..0.3
+ *   in  state         1 [1] before this sample; made for -1..1
+ *   out columns       1 [SI] half_width
+ *   out next          1 [1] state for the next sample
+ * 4 multiplications, 4 additions, 1 divisions, 4 other functions. */
+void effects_elastic_hysteresis(const double signals[SINEW_AT_LEAST(8)], const double shape[SINEW_AT_LEAST(1)], const double state[SINEW_AT_LEAST(1)], double columns[SINEW_AT_LEAST(1)], double next[SINEW_AT_LEAST(1)]);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,260 @@
+/* SPDX-License-Identifier: BSD-2-Clause
+ *
+ * The functions of the model effects over many states: element k of state i is at [k * count + i].
+ *
+ * Made by: sinew generate models/effects
+ * Model:   sha256 69c538edcbf3bf2f45779b1c8a2551790ff791915ec1f60e5b93999b2315532f
+ * Do not edit: change the model and generate again.
+ */
+#include "effects_batch.h"
+
+#include <stddef.h>
+
+#include "sinew_math.h"
+
+#if defined(__GNUC__) && !defined(__clang__)
+#define SINEW_STATES_ARE_INDEPENDENT _Pragma("GCC ivdep")
+#else
+#define SINEW_STATES_ARE_INDEPENDENT
+#endif
+
+void effects_inertia_batch(int count, const double *SINEW_RESTRICT signals, double *SINEW_RESTRICT columns)
+{
+    const size_t n = (size_t)count;
+    SINEW_STATES_ARE_INDEPENDENT
+    for (size_t state = 0; state < n; ++state) {
+        columns[state] = signals[2 * n + state];
+    }
+}
+
+void effects_viscous_level_batch(int count, const double *SINEW_RESTRICT signals, double *SINEW_RESTRICT columns)
+{
+    const size_t n = (size_t)count;
+    SINEW_STATES_ARE_INDEPENDENT
+    for (size_t state = 0; state < n; ++state) {
+        columns[state] = signals[1 * n + state];
+    }
+}
+
+void effects_coulomb_level_batch(int count, const double *SINEW_RESTRICT signals, double *SINEW_RESTRICT columns)
+{
+    const size_t n = (size_t)count;
+    SINEW_STATES_ARE_INDEPENDENT
+    for (size_t state = 0; state < n; ++state) {
+        columns[state] = signals[6 * n + state];
+    }
+}
+
+void effects_offset_batch(int count, const double *SINEW_RESTRICT signals, double *SINEW_RESTRICT columns)
+{
+    const size_t n = (size_t)count;
+    (void)signals;
+    SINEW_STATES_ARE_INDEPENDENT
+    for (size_t state = 0; state < n; ++state) {
+        columns[state] = 1.0;
+    }
+}
+
+void effects_viscous_asymmetry_batch(int count, const double *SINEW_RESTRICT signals, double *SINEW_RESTRICT columns)
+{
+    const size_t n = (size_t)count;
+    SINEW_STATES_ARE_INDEPENDENT
+    for (size_t state = 0; state < n; ++state) {
+        columns[state] = sinew_max(signals[1 * n + state], -signals[1 * n + state]);
+    }
+}
+
+void effects_coulomb_asymmetry_batch(int count, const double *SINEW_RESTRICT signals, double *SINEW_RESTRICT columns)
+{
+    const size_t n = (size_t)count;
+    SINEW_STATES_ARE_INDEPENDENT
+    for (size_t state = 0; state < n; ++state) {
+        columns[state] = sinew_max(signals[6 * n + state], -signals[6 * n + state]);
+    }
+}
+
+void effects_stribeck_batch(int count, const double *SINEW_RESTRICT signals, const double *SINEW_RESTRICT shape, double *SINEW_RESTRICT columns)
+{
+    const size_t n = (size_t)count;
+    SINEW_STATES_ARE_INDEPENDENT
+    for (size_t state = 0; state < n; ++state) {
+        const double t1 = signals[1 * n + state] * signals[1 * n + state] / (shape[state] * shape[state]);
+        columns[state] = signals[6 * n + state] * sinew_exp(-t1);
+    }
+}
+
+void effects_concave_friction_batch(int count, const double *SINEW_RESTRICT signals, const double *SINEW_RESTRICT shape, double *SINEW_RESTRICT columns)
+{
+    const size_t n = (size_t)count;
+    SINEW_STATES_ARE_INDEPENDENT
+    for (size_t state = 0; state < n; ++state) {
+        columns[state] = sinew_atan(signals[1 * n + state] / shape[state]);
+    }
+}
+
+void effects_quadratic_friction_batch(int count, const double *SINEW_RESTRICT signals, double *SINEW_RESTRICT columns)
+{
+    const size_t n = (size_t)count;
+    SINEW_STATES_ARE_INDEPENDENT
+    for (size_t state = 0; state < n; ++state) {
+        const double t1 = signals[1 * n + state] * sinew_max(signals[1 * n + state], -signals[1 * n + state]);
+        columns[state] = t1;
+    }
+}
+
+void effects_load_friction_batch(int count, const double *SINEW_RESTRICT signals, double *SINEW_RESTRICT columns)
+{
+    const size_t n = (size_t)count;
+    SINEW_STATES_ARE_INDEPENDENT
+    for (size_t state = 0; state < n; ++state) {
+        const double t1 = signals[6 * n + state] * sinew_max(signals[4 * n + state], -signals[4 * n + state]);
+        columns[state] = t1;
+    }
+}
+
+void effects_friction_drift_batch(int count, const double *SINEW_RESTRICT signals, const double *SINEW_RESTRICT shape, double *SINEW_RESTRICT columns)
+{
+    const size_t n = (size_t)count;
+    SINEW_STATES_ARE_INDEPENDENT
+    for (size_t state = 0; state < n; ++state) {
+        const double t1 = signals[6 * n + state] * sinew_exp(-(signals[5 * n + state] / shape[state]));
+        columns[state] = t1;
+    }
+}
+
+void effects_position_friction_batch(int count, const double *SINEW_RESTRICT signals, double *SINEW_RESTRICT columns)
+{
+    const size_t n = (size_t)count;
+    SINEW_STATES_ARE_INDEPENDENT
+    for (size_t state = 0; state < n; ++state) {
+        columns[state] = signals[state] * signals[6 * n + state];
+    }
+}
+
+void effects_ripple_batch(int count, const double *SINEW_RESTRICT signals, const double *SINEW_RESTRICT shape, double *SINEW_RESTRICT columns)
+{
+    const size_t n = (size_t)count;
+    SINEW_STATES_ARE_INDEPENDENT
+    for (size_t state = 0; state < n; ++state) {
+        const double t1 = signals[state] * shape[state];
+        double s2, c3;
+        sinew_sincos(t1, &s2, &c3);
+        columns[state] = s2;
+        columns[1 * n + state] = c3;
+    }
+}
+
+void effects_load_ripple_batch(int count, const double *SINEW_RESTRICT signals, const double *SINEW_RESTRICT shape, double *SINEW_RESTRICT columns)
+{
+    const size_t n = (size_t)count;
+    SINEW_STATES_ARE_INDEPENDENT
+    for (size_t state = 0; state < n; ++state) {
+        const double t1 = signals[state] * shape[state];
+        double s2, c3;
+        sinew_sincos(t1, &s2, &c3);
+        columns[state] = signals[4 * n + state] * s2;
+        columns[1 * n + state] = signals[4 * n + state] * c3;
+    }
+}
+
+void effects_gear_elasticity_batch(int count, const double *SINEW_RESTRICT signals, double *SINEW_RESTRICT columns)
+{
+    const size_t n = (size_t)count;
+    SINEW_STATES_ARE_INDEPENDENT
+    for (size_t state = 0; state < n; ++state) {
+        columns[state] = signals[3 * n + state];
+    }
+}
+
+void effects_torsion_spring_batch(int count, const double *SINEW_RESTRICT signals, double *SINEW_RESTRICT columns)
+{
+    const size_t n = (size_t)count;
+    SINEW_STATES_ARE_INDEPENDENT
+    for (size_t state = 0; state < n; ++state) {
+        columns[state] = signals[state];
+    }
+}
+
+void effects_offset_drift_batch(int count, const double *SINEW_RESTRICT signals, double *SINEW_RESTRICT columns)
+{
+    const size_t n = (size_t)count;
+    SINEW_STATES_ARE_INDEPENDENT
+    for (size_t state = 0; state < n; ++state) {
+        columns[state] = signals[5 * n + state];
+    }
+}
+
+void effects_pendulum_batch(int count, const double *SINEW_RESTRICT signals, double *SINEW_RESTRICT columns)
+{
+    const size_t n = (size_t)count;
+    SINEW_STATES_ARE_INDEPENDENT
+    for (size_t state = 0; state < n; ++state) {
+        double s1, c2;
+        sinew_sincos(signals[state], &s1, &c2);
+        columns[state] = s1;
+        columns[1 * n + state] = c2;
+    }
+}
+
+void effects_cable_torque_batch(int count, const double *SINEW_RESTRICT signals, const double *SINEW_RESTRICT shape, double *SINEW_RESTRICT columns)
+{
+    const size_t n = (size_t)count;
+    SINEW_STATES_ARE_INDEPENDENT
+    for (size_t state = 0; state < n; ++state) {
+        const double t1 = sinew_min(sinew_max((signals[state] - shape[state]) / shape[1 * n + state], -1.0), 1.0);
+        const double t2 = 1.0 - (t1 + t1) * t1;
+        const double t3 = (t2 + t2) * t1;
+        const double t4 = t3 + t1;
+        const double t5 = (t4 + t4) * t1;
+        const double t6 = t2 - t5;
+        const double t7 = t3 + (t6 + t6) * t1;
+        const double t8 = t7 + t1;
+        const double t9 = t2 - (t8 + t8) * t1 - t5;
+        columns[state] = t1;
+        columns[1 * n + state] = -t2;
+        columns[2 * n + state] = -t4;
+        columns[3 * n + state] = t6;
+        columns[4 * n + state] = t8;
+        columns[5 * n + state] = -t9;
+        columns[6 * n + state] = -(t1 * (t9 + t9 + 1.0) + t7);
+    }
+}
+
+void effects_backlash_batch(int count, const double *SINEW_RESTRICT signals, const double *SINEW_RESTRICT shape, const double *SINEW_RESTRICT state, double *SINEW_RESTRICT columns, double *SINEW_RESTRICT next)
+{
+    const size_t n = (size_t)count;
+    SINEW_STATES_ARE_INDEPENDENT
+    for (size_t state = 0; state < n; ++state) {
+        const double t1 = sinew_choose(-state[state], 0.0, sinew_choose(-(1.0 - state[state]), 0.0, 1.0));
+        const double t2 = state[state] + signals[1 * n + state] * signals[7 * n + state] / shape[state];
+        columns[state] = signals[2 * n + state] * t1;
+        next[state] = sinew_min(sinew_max(t2, 0.0), 1.0);
+    }
+}
+
+void effects_presliding_batch(int count, const double *SINEW_RESTRICT signals, const double *SINEW_RESTRICT shape, const double *SINEW_RESTRICT state, double *SINEW_RESTRICT columns, double *SINEW_RESTRICT next)
+{
+    const size_t n = (size_t)count;
+    SINEW_STATES_ARE_INDEPENDENT
+    for (size_t state = 0; state < n; ++state) {
+        const double t1 = signals[1 * n + state] * signals[7 * n + state] / shape[state];
+        const double t2 = sinew_exp(-sinew_max(t1, -t1));
+        const double t3 = sinew_choose(t1, 1.0 - (1.0 - state[state]) * t2, -(1.0 - (1.0 + state[state]) * t2));
+        columns[state] = state[state];
+        next[state] = t3;
+    }
+}
+
+void effects_elastic_hysteresis_batch(int count, const double *SINEW_RESTRICT signals, const double *SINEW_RESTRICT shape, const double *SINEW_RESTRICT state, double *SINEW_RESTRICT columns, double *SINEW_RESTRICT next)
+{
+    const size_t n = (size_t)count;
+    SINEW_STATES_ARE_INDEPENDENT
+    for (size_t state = 0; state < n; ++state) {
+        const double t1 = state[state] * sinew_max(signals[4 * n + state], -signals[4 * n + state]);
+        const double t2 = signals[1 * n + state] * signals[7 * n + state] / shape[state];
+        const double t3 = sinew_exp(-sinew_max(t2, -t2));
+        const double t4 = sinew_choose(t2, 1.0 - (1.0 - state[state]) * t3, -(1.0 - (1.0 + state[state]) * t3));
+        columns[state] = t1;
+        next[state] = t4;
+    }
+}

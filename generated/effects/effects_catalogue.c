@@ -1,0 +1,407 @@
+/* SPDX-License-Identifier: BSD-2-Clause
+ *
+ * Every function of the model effects behind one calling convention.
+ *
+ * Made by: sinew generate models/effects
+ * Model:   sha256 69c538edcbf3bf2f45779b1c8a2551790ff791915ec1f60e5b93999b2315532f
+ * Do not edit: change the model and generate again.
+ */
+#include "effects_catalogue.h"
+
+#include "effects.h"
+
+static void call_inertia(const void *in, void *out)
+{
+    const double *x = (const double *)in;
+    double *y = (double *)out;
+    effects_inertia(x + 0, y + 0);
+}
+static const double inertia_signals_low[] = {-3.0, -5.0, -50.0, -10000.0, -10.0, 0.0, -1.0, 1e-04};
+static const double inertia_signals_high[] = {3.0, 5.0, 50.0, 10000.0, 10.0, 100.0, 1.0, 0.01};
+static const sinew_argument inertia_inputs[] = {
+    {"signals", "SI", 8, 1, inertia_signals_low, inertia_signals_high},
+};
+static const sinew_argument inertia_outputs[] = {
+    {"columns", "SI", 1, 1, 0, 0},
+};
+
+static void call_viscous_level(const void *in, void *out)
+{
+    const double *x = (const double *)in;
+    double *y = (double *)out;
+    effects_viscous_level(x + 0, y + 0);
+}
+static const double viscous_level_signals_low[] = {-3.0, -5.0, -50.0, -10000.0, -10.0, 0.0, -1.0, 1e-04};
+static const double viscous_level_signals_high[] = {3.0, 5.0, 50.0, 10000.0, 10.0, 100.0, 1.0, 0.01};
+static const sinew_argument viscous_level_inputs[] = {
+    {"signals", "SI", 8, 1, viscous_level_signals_low, viscous_level_signals_high},
+};
+static const sinew_argument viscous_level_outputs[] = {
+    {"columns", "SI", 1, 1, 0, 0},
+};
+
+static void call_coulomb_level(const void *in, void *out)
+{
+    const double *x = (const double *)in;
+    double *y = (double *)out;
+    effects_coulomb_level(x + 0, y + 0);
+}
+static const double coulomb_level_signals_low[] = {-3.0, -5.0, -50.0, -10000.0, -10.0, 0.0, -1.0, 1e-04};
+static const double coulomb_level_signals_high[] = {3.0, 5.0, 50.0, 10000.0, 10.0, 100.0, 1.0, 0.01};
+static const sinew_argument coulomb_level_inputs[] = {
+    {"signals", "SI", 8, 1, coulomb_level_signals_low, coulomb_level_signals_high},
+};
+static const sinew_argument coulomb_level_outputs[] = {
+    {"columns", "SI", 1, 1, 0, 0},
+};
+
+static void call_offset(const void *in, void *out)
+{
+    const double *x = (const double *)in;
+    double *y = (double *)out;
+    effects_offset(x + 0, y + 0);
+}
+static const double offset_signals_low[] = {-3.0, -5.0, -50.0, -10000.0, -10.0, 0.0, -1.0, 1e-04};
+static const double offset_signals_high[] = {3.0, 5.0, 50.0, 10000.0, 10.0, 100.0, 1.0, 0.01};
+static const sinew_argument offset_inputs[] = {
+    {"signals", "SI", 8, 1, offset_signals_low, offset_signals_high},
+};
+static const sinew_argument offset_outputs[] = {
+    {"columns", "SI", 1, 1, 0, 0},
+};
+
+static void call_viscous_asymmetry(const void *in, void *out)
+{
+    const double *x = (const double *)in;
+    double *y = (double *)out;
+    effects_viscous_asymmetry(x + 0, y + 0);
+}
+static const double viscous_asymmetry_signals_low[] = {-3.0, -5.0, -50.0, -10000.0, -10.0, 0.0, -1.0, 1e-04};
+static const double viscous_asymmetry_signals_high[] = {3.0, 5.0, 50.0, 10000.0, 10.0, 100.0, 1.0, 0.01};
+static const sinew_argument viscous_asymmetry_inputs[] = {
+    {"signals", "SI", 8, 1, viscous_asymmetry_signals_low, viscous_asymmetry_signals_high},
+};
+static const sinew_argument viscous_asymmetry_outputs[] = {
+    {"columns", "SI", 1, 1, 0, 0},
+};
+
+static void call_coulomb_asymmetry(const void *in, void *out)
+{
+    const double *x = (const double *)in;
+    double *y = (double *)out;
+    effects_coulomb_asymmetry(x + 0, y + 0);
+}
+static const double coulomb_asymmetry_signals_low[] = {-3.0, -5.0, -50.0, -10000.0, -10.0, 0.0, -1.0, 1e-04};
+static const double coulomb_asymmetry_signals_high[] = {3.0, 5.0, 50.0, 10000.0, 10.0, 100.0, 1.0, 0.01};
+static const sinew_argument coulomb_asymmetry_inputs[] = {
+    {"signals", "SI", 8, 1, coulomb_asymmetry_signals_low, coulomb_asymmetry_signals_high},
+};
+static const sinew_argument coulomb_asymmetry_outputs[] = {
+    {"columns", "SI", 1, 1, 0, 0},
+};
+
+static void call_stribeck(const void *in, void *out)
+{
+    const double *x = (const double *)in;
+    double *y = (double *)out;
+    effects_stribeck(x + 0, x + 8, y + 0);
+}
+static const double stribeck_signals_low[] = {-3.0, -5.0, -50.0, -10000.0, -10.0, 0.0, -1.0, 1e-04};
+static const double stribeck_signals_high[] = {3.0, 5.0, 50.0, 10000.0, 10.0, 100.0, 1.0, 0.01};
+static const double stribeck_shape_low[] = {0.01};
+static const double stribeck_shape_high[] = {0.3};
+static const sinew_argument stribeck_inputs[] = {
+    {"signals", "SI", 8, 1, stribeck_signals_low, stribeck_signals_high},
+    {"shape", "SI", 1, 1, stribeck_shape_low, stribeck_shape_high},
+};
+static const sinew_argument stribeck_outputs[] = {
+    {"columns", "SI", 1, 1, 0, 0},
+};
+
+static void call_concave_friction(const void *in, void *out)
+{
+    const double *x = (const double *)in;
+    double *y = (double *)out;
+    effects_concave_friction(x + 0, x + 8, y + 0);
+}
+static const double concave_friction_signals_low[] = {-3.0, -5.0, -50.0, -10000.0, -10.0, 0.0, -1.0, 1e-04};
+static const double concave_friction_signals_high[] = {3.0, 5.0, 50.0, 10000.0, 10.0, 100.0, 1.0, 0.01};
+static const double concave_friction_shape_low[] = {0.05};
+static const double concave_friction_shape_high[] = {1.0};
+static const sinew_argument concave_friction_inputs[] = {
+    {"signals", "SI", 8, 1, concave_friction_signals_low, concave_friction_signals_high},
+    {"shape", "SI", 1, 1, concave_friction_shape_low, concave_friction_shape_high},
+};
+static const sinew_argument concave_friction_outputs[] = {
+    {"columns", "SI", 1, 1, 0, 0},
+};
+
+static void call_quadratic_friction(const void *in, void *out)
+{
+    const double *x = (const double *)in;
+    double *y = (double *)out;
+    effects_quadratic_friction(x + 0, y + 0);
+}
+static const double quadratic_friction_signals_low[] = {-3.0, -5.0, -50.0, -10000.0, -10.0, 0.0, -1.0, 1e-04};
+static const double quadratic_friction_signals_high[] = {3.0, 5.0, 50.0, 10000.0, 10.0, 100.0, 1.0, 0.01};
+static const sinew_argument quadratic_friction_inputs[] = {
+    {"signals", "SI", 8, 1, quadratic_friction_signals_low, quadratic_friction_signals_high},
+};
+static const sinew_argument quadratic_friction_outputs[] = {
+    {"columns", "SI", 1, 1, 0, 0},
+};
+
+static void call_load_friction(const void *in, void *out)
+{
+    const double *x = (const double *)in;
+    double *y = (double *)out;
+    effects_load_friction(x + 0, y + 0);
+}
+static const double load_friction_signals_low[] = {-3.0, -5.0, -50.0, -10000.0, -10.0, 0.0, -1.0, 1e-04};
+static const double load_friction_signals_high[] = {3.0, 5.0, 50.0, 10000.0, 10.0, 100.0, 1.0, 0.01};
+static const sinew_argument load_friction_inputs[] = {
+    {"signals", "SI", 8, 1, load_friction_signals_low, load_friction_signals_high},
+};
+static const sinew_argument load_friction_outputs[] = {
+    {"columns", "SI", 1, 1, 0, 0},
+};
+
+static void call_friction_drift(const void *in, void *out)
+{
+    const double *x = (const double *)in;
+    double *y = (double *)out;
+    effects_friction_drift(x + 0, x + 8, y + 0);
+}
+static const double friction_drift_signals_low[] = {-3.0, -5.0, -50.0, -10000.0, -10.0, 0.0, -1.0, 1e-04};
+static const double friction_drift_signals_high[] = {3.0, 5.0, 50.0, 10000.0, 10.0, 100.0, 1.0, 0.01};
+static const double friction_drift_shape_low[] = {0.05};
+static const double friction_drift_shape_high[] = {2.0};
+static const sinew_argument friction_drift_inputs[] = {
+    {"signals", "SI", 8, 1, friction_drift_signals_low, friction_drift_signals_high},
+    {"shape", "SI", 1, 1, friction_drift_shape_low, friction_drift_shape_high},
+};
+static const sinew_argument friction_drift_outputs[] = {
+    {"columns", "SI", 1, 1, 0, 0},
+};
+
+static void call_position_friction(const void *in, void *out)
+{
+    const double *x = (const double *)in;
+    double *y = (double *)out;
+    effects_position_friction(x + 0, y + 0);
+}
+static const double position_friction_signals_low[] = {-3.0, -5.0, -50.0, -10000.0, -10.0, 0.0, -1.0, 1e-04};
+static const double position_friction_signals_high[] = {3.0, 5.0, 50.0, 10000.0, 10.0, 100.0, 1.0, 0.01};
+static const sinew_argument position_friction_inputs[] = {
+    {"signals", "SI", 8, 1, position_friction_signals_low, position_friction_signals_high},
+};
+static const sinew_argument position_friction_outputs[] = {
+    {"columns", "SI", 1, 1, 0, 0},
+};
+
+static void call_ripple(const void *in, void *out)
+{
+    const double *x = (const double *)in;
+    double *y = (double *)out;
+    effects_ripple(x + 0, x + 8, y + 0);
+}
+static const double ripple_signals_low[] = {-3.0, -5.0, -50.0, -10000.0, -10.0, 0.0, -1.0, 1e-04};
+static const double ripple_signals_high[] = {3.0, 5.0, 50.0, 10000.0, 10.0, 100.0, 1.0, 0.01};
+static const double ripple_shape_low[] = {1.0};
+static const double ripple_shape_high[] = {1000.0};
+static const sinew_argument ripple_inputs[] = {
+    {"signals", "SI", 8, 1, ripple_signals_low, ripple_signals_high},
+    {"shape", "SI", 1, 1, ripple_shape_low, ripple_shape_high},
+};
+static const sinew_argument ripple_outputs[] = {
+    {"columns", "SI", 2, 1, 0, 0},
+};
+
+static void call_load_ripple(const void *in, void *out)
+{
+    const double *x = (const double *)in;
+    double *y = (double *)out;
+    effects_load_ripple(x + 0, x + 8, y + 0);
+}
+static const double load_ripple_signals_low[] = {-3.0, -5.0, -50.0, -10000.0, -10.0, 0.0, -1.0, 1e-04};
+static const double load_ripple_signals_high[] = {3.0, 5.0, 50.0, 10000.0, 10.0, 100.0, 1.0, 0.01};
+static const double load_ripple_shape_low[] = {1.0};
+static const double load_ripple_shape_high[] = {1000.0};
+static const sinew_argument load_ripple_inputs[] = {
+    {"signals", "SI", 8, 1, load_ripple_signals_low, load_ripple_signals_high},
+    {"shape", "SI", 1, 1, load_ripple_shape_low, load_ripple_shape_high},
+};
+static const sinew_argument load_ripple_outputs[] = {
+    {"columns", "SI", 2, 1, 0, 0},
+};
+
+static void call_gear_elasticity(const void *in, void *out)
+{
+    const double *x = (const double *)in;
+    double *y = (double *)out;
+    effects_gear_elasticity(x + 0, y + 0);
+}
+static const double gear_elasticity_signals_low[] = {-3.0, -5.0, -50.0, -10000.0, -10.0, 0.0, -1.0, 1e-04};
+static const double gear_elasticity_signals_high[] = {3.0, 5.0, 50.0, 10000.0, 10.0, 100.0, 1.0, 0.01};
+static const sinew_argument gear_elasticity_inputs[] = {
+    {"signals", "SI", 8, 1, gear_elasticity_signals_low, gear_elasticity_signals_high},
+};
+static const sinew_argument gear_elasticity_outputs[] = {
+    {"columns", "SI", 1, 1, 0, 0},
+};
+
+static void call_torsion_spring(const void *in, void *out)
+{
+    const double *x = (const double *)in;
+    double *y = (double *)out;
+    effects_torsion_spring(x + 0, y + 0);
+}
+static const double torsion_spring_signals_low[] = {-3.0, -5.0, -50.0, -10000.0, -10.0, 0.0, -1.0, 1e-04};
+static const double torsion_spring_signals_high[] = {3.0, 5.0, 50.0, 10000.0, 10.0, 100.0, 1.0, 0.01};
+static const sinew_argument torsion_spring_inputs[] = {
+    {"signals", "SI", 8, 1, torsion_spring_signals_low, torsion_spring_signals_high},
+};
+static const sinew_argument torsion_spring_outputs[] = {
+    {"columns", "SI", 1, 1, 0, 0},
+};
+
+static void call_offset_drift(const void *in, void *out)
+{
+    const double *x = (const double *)in;
+    double *y = (double *)out;
+    effects_offset_drift(x + 0, y + 0);
+}
+static const double offset_drift_signals_low[] = {-3.0, -5.0, -50.0, -10000.0, -10.0, 0.0, -1.0, 1e-04};
+static const double offset_drift_signals_high[] = {3.0, 5.0, 50.0, 10000.0, 10.0, 100.0, 1.0, 0.01};
+static const sinew_argument offset_drift_inputs[] = {
+    {"signals", "SI", 8, 1, offset_drift_signals_low, offset_drift_signals_high},
+};
+static const sinew_argument offset_drift_outputs[] = {
+    {"columns", "SI", 1, 1, 0, 0},
+};
+
+static void call_pendulum(const void *in, void *out)
+{
+    const double *x = (const double *)in;
+    double *y = (double *)out;
+    effects_pendulum(x + 0, y + 0);
+}
+static const double pendulum_signals_low[] = {-3.0, -5.0, -50.0, -10000.0, -10.0, 0.0, -1.0, 1e-04};
+static const double pendulum_signals_high[] = {3.0, 5.0, 50.0, 10000.0, 10.0, 100.0, 1.0, 0.01};
+static const sinew_argument pendulum_inputs[] = {
+    {"signals", "SI", 8, 1, pendulum_signals_low, pendulum_signals_high},
+};
+static const sinew_argument pendulum_outputs[] = {
+    {"columns", "SI", 2, 1, 0, 0},
+};
+
+static void call_cable_torque(const void *in, void *out)
+{
+    const double *x = (const double *)in;
+    double *y = (double *)out;
+    effects_cable_torque(x + 0, x + 8, y + 0);
+}
+static const double cable_torque_signals_low[] = {-3.0, -5.0, -50.0, -10000.0, -10.0, 0.0, -1.0, 1e-04};
+static const double cable_torque_signals_high[] = {3.0, 5.0, 50.0, 10000.0, 10.0, 100.0, 1.0, 0.01};
+static const double cable_torque_shape_low[] = {0.1, 0.1};
+static const double cable_torque_shape_high[] = {1.0, 1.0};
+static const sinew_argument cable_torque_inputs[] = {
+    {"signals", "SI", 8, 1, cable_torque_signals_low, cable_torque_signals_high},
+    {"shape", "SI", 2, 1, cable_torque_shape_low, cable_torque_shape_high},
+};
+static const sinew_argument cable_torque_outputs[] = {
+    {"columns", "SI", 7, 1, 0, 0},
+};
+
+static void call_backlash(const void *in, void *out)
+{
+    const double *x = (const double *)in;
+    double *y = (double *)out;
+    effects_backlash(x + 0, x + 8, x + 9, y + 0, y + 1);
+}
+static const double backlash_signals_low[] = {-3.0, -5.0, -50.0, -10000.0, -10.0, 0.0, -1.0, 1e-04};
+static const double backlash_signals_high[] = {3.0, 5.0, 50.0, 10000.0, 10.0, 100.0, 1.0, 0.01};
+static const double backlash_shape_low[] = {1e-04};
+static const double backlash_shape_high[] = {0.03};
+static const double backlash_state_low[] = {-1.0};
+static const double backlash_state_high[] = {1.0};
+static const sinew_argument backlash_inputs[] = {
+    {"signals", "SI", 8, 1, backlash_signals_low, backlash_signals_high},
+    {"shape", "SI", 1, 1, backlash_shape_low, backlash_shape_high},
+    {"state", "1", 1, 1, backlash_state_low, backlash_state_high},
+};
+static const sinew_argument backlash_outputs[] = {
+    {"columns", "SI", 1, 1, 0, 0},
+    {"next", "1", 1, 1, 0, 0},
+};
+
+static void call_presliding(const void *in, void *out)
+{
+    const double *x = (const double *)in;
+    double *y = (double *)out;
+    effects_presliding(x + 0, x + 8, x + 9, y + 0, y + 1);
+}
+static const double presliding_signals_low[] = {-3.0, -5.0, -50.0, -10000.0, -10.0, 0.0, -1.0, 1e-04};
+static const double presliding_signals_high[] = {3.0, 5.0, 50.0, 10000.0, 10.0, 100.0, 1.0, 0.01};
+static const double presliding_shape_low[] = {1e-05};
+static const double presliding_shape_high[] = {0.01};
+static const double presliding_state_low[] = {-1.0};
+static const double presliding_state_high[] = {1.0};
+static const sinew_argument presliding_inputs[] = {
+    {"signals", "SI", 8, 1, presliding_signals_low, presliding_signals_high},
+    {"shape", "SI", 1, 1, presliding_shape_low, presliding_shape_high},
+    {"state", "1", 1, 1, presliding_state_low, presliding_state_high},
+};
+static const sinew_argument presliding_outputs[] = {
+    {"columns", "SI", 1, 1, 0, 0},
+    {"next", "1", 1, 1, 0, 0},
+};
+
+static void call_elastic_hysteresis(const void *in, void *out)
+{
+    const double *x = (const double *)in;
+    double *y = (double *)out;
+    effects_elastic_hysteresis(x + 0, x + 8, x + 9, y + 0, y + 1);
+}
+static const double elastic_hysteresis_signals_low[] = {-3.0, -5.0, -50.0, -10000.0, -10.0, 0.0, -1.0, 1e-04};
+static const double elastic_hysteresis_signals_high[] = {3.0, 5.0, 50.0, 10000.0, 10.0, 100.0, 1.0, 0.01};
+static const double elastic_hysteresis_shape_low[] = {0.001};
+static const double elastic_hysteresis_shape_high[] = {0.3};
+static const double elastic_hysteresis_state_low[] = {-1.0};
+static const double elastic_hysteresis_state_high[] = {1.0};
+static const sinew_argument elastic_hysteresis_inputs[] = {
+    {"signals", "SI", 8, 1, elastic_hysteresis_signals_low, elastic_hysteresis_signals_high},
+    {"shape", "SI", 1, 1, elastic_hysteresis_shape_low, elastic_hysteresis_shape_high},
+    {"state", "1", 1, 1, elastic_hysteresis_state_low, elastic_hysteresis_state_high},
+};
+static const sinew_argument elastic_hysteresis_outputs[] = {
+    {"columns", "SI", 1, 1, 0, 0},
+    {"next", "1", 1, 1, 0, 0},
+};
+
+static const sinew_function functions[] = {
+    {"effects_inertia", 1, 1, 8, 1, inertia_inputs, inertia_outputs, call_inertia},
+    {"effects_viscous_level", 1, 1, 8, 1, viscous_level_inputs, viscous_level_outputs, call_viscous_level},
+    {"effects_coulomb_level", 1, 1, 8, 1, coulomb_level_inputs, coulomb_level_outputs, call_coulomb_level},
+    {"effects_offset", 1, 1, 8, 1, offset_inputs, offset_outputs, call_offset},
+    {"effects_viscous_asymmetry", 1, 1, 8, 1, viscous_asymmetry_inputs, viscous_asymmetry_outputs, call_viscous_asymmetry},
+    {"effects_coulomb_asymmetry", 1, 1, 8, 1, coulomb_asymmetry_inputs, coulomb_asymmetry_outputs, call_coulomb_asymmetry},
+    {"effects_stribeck", 2, 1, 9, 1, stribeck_inputs, stribeck_outputs, call_stribeck},
+    {"effects_concave_friction", 2, 1, 9, 1, concave_friction_inputs, concave_friction_outputs, call_concave_friction},
+    {"effects_quadratic_friction", 1, 1, 8, 1, quadratic_friction_inputs, quadratic_friction_outputs, call_quadratic_friction},
+    {"effects_load_friction", 1, 1, 8, 1, load_friction_inputs, load_friction_outputs, call_load_friction},
+    {"effects_friction_drift", 2, 1, 9, 1, friction_drift_inputs, friction_drift_outputs, call_friction_drift},
+    {"effects_position_friction", 1, 1, 8, 1, position_friction_inputs, position_friction_outputs, call_position_friction},
+    {"effects_ripple", 2, 1, 9, 2, ripple_inputs, ripple_outputs, call_ripple},
+    {"effects_load_ripple", 2, 1, 9, 2, load_ripple_inputs, load_ripple_outputs, call_load_ripple},
+    {"effects_gear_elasticity", 1, 1, 8, 1, gear_elasticity_inputs, gear_elasticity_outputs, call_gear_elasticity},
+    {"effects_torsion_spring", 1, 1, 8, 1, torsion_spring_inputs, torsion_spring_outputs, call_torsion_spring},
+    {"effects_offset_drift", 1, 1, 8, 1, offset_drift_inputs, offset_drift_outputs, call_offset_drift},
+    {"effects_pendulum", 1, 1, 8, 2, pendulum_inputs, pendulum_outputs, call_pendulum},
+    {"effects_cable_torque", 2, 1, 10, 7, cable_torque_inputs, cable_torque_outputs, call_cable_torque},
+    {"effects_backlash", 3, 2, 10, 2, backlash_inputs, backlash_outputs, call_backlash},
+    {"effects_presliding", 3, 2, 10, 2, presliding_inputs, presliding_outputs, call_presliding},
+    {"effects_elastic_hysteresis", 3, 2, 10, 2, elastic_hysteresis_inputs, elastic_hysteresis_outputs, call_elastic_hysteresis},
+};
+
+const sinew_catalogue effects_catalogue = {"effects", "69c538edcbf3bf2f45779b1c8a2551790ff791915ec1f60e5b93999b2315532f", 8, 22, functions};

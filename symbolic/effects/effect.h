@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One physical effect that a model may lack, written once: its symbolic term, limits, what it looks
+// like and the experiment that shows it alone. The emitted regressors (generated/effects), the term
+// in an extended model, the firmware's compensation and the manual's line all come from here.
+#pragma once
+
+#include <ginac/ginac.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace sinew {
+
+/// What an effect may depend on at its place, SI units; the one owner of these symbols. `effort` is
+/// a torque [N m] or a force [N], counted positive where it has to be provided to overcome the
+/// effect.
+struct EffectSignals {
+  GiNaC::symbol position{"q"}, velocity{"qd"}, acceleration{"qdd"};
+  GiNaC::symbol jounce{"qdddd"};         ///< second derivative of the acceleration
+  GiNaC::symbol load{"load"};            ///< external load against positive motion
+  GiNaC::symbol time{"t"};               ///< s since the log's start
+  GiNaC::symbol direction{"direction"};  ///< of friction, -1..1: soft sign of the velocity
+  GiNaC::symbol step{"step"};            ///< s to the next sample, for states
+};
+const EffectSignals& effect_signals();
+
+/// All signals, in the order in which emitted regressors take them.
+std::vector<GiNaC::symbol> signal_list();
+
+/// What a range of a shape parameter is measured in.
+enum class Scale { none, reach, speed, duration };
+
+/// A parameter that enters nonlinearly. `low` and `high` are in units of the log's own scale.
+struct ShapeParameter {
+  GiNaC::symbol symbol;
+  std::string name, unit;  ///< unit: {position}, {velocity}, ... stand for the place's own
+  Scale scale = Scale::none;
+  double low = 0.0, high = 1.0;
+  int grid = 5;  ///< starting values of a search
+};
+
+enum class Sign { any, positive, negative };
+
+/// coefficient * term, linear in the coefficient.
+struct EffectColumn {
+  GiNaC::symbol symbol;
+  std::string name, unit;
+  Sign sign = Sign::any;
+  bool per_log = false;  ///< a nuisance: an incremental encoder's phase differs from log to log
+  GiNaC::ex term;
+};
+
+/// An internal state, updated once a sample.
+struct EffectState {
+  GiNaC::symbol symbol;
+  double initial = 0.0;
+  GiNaC::ex next;
+};
+
+struct Effect {
+  Effect(std::string identifier, std::string physical_name)
+      : id(std::move(identifier)), name(std::move(physical_name)) {}
+
+  /// Adds a shape parameter and gives its symbol.
+  GiNaC::ex shape(const std::string& parameter, const std::string& unit, Scale scale, double low,
+                  double high, int grid = 5);
+  void column(const std::string& parameter, const std::string& unit, Sign sign,
+              const GiNaC::ex& term, bool per_log = false);
+
+  std::string id;    ///< C identifier, as identified.toml has it
+  std::string name;  ///< physical name, as a report says it
+  std::vector<ShapeParameter> shapes;
+  std::vector<EffectColumn> columns;
+  std::optional<EffectState> state;
+  bool compensable = false;  ///< known from what the firmware measures, and safe to feed forward
+  std::string signature;     ///< what it leaves over
+  std::string excitation;    ///< what has to happen for it to be seen
+  std::string experiment;    ///< what isolates it
+  std::string limit;         ///< what a violated sign says
+};
+
+/// Effort of an effect: sum of coefficient * term.
+GiNaC::ex effort(const Effect& effect);
+
+}  // namespace sinew

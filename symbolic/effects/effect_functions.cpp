@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "symbolic/effects/effect_functions.h"
+
+#include "symbolic/effects/effects.h"
+
+namespace sinew {
+namespace {
+
+Argument signals_argument() {
+  Argument argument;
+  argument.name = "signals";
+  argument.symbols = signal_list();
+  argument.rows = static_cast<int>(argument.symbols.size());
+  argument.unit = "SI";
+  argument.doc =
+      "position, velocity, acceleration, its second derivative, load, time, direction, step";
+  argument.ranges = {{-3.0, 3.0},   {-5.0, 5.0},  {-50.0, 50.0}, {-1e4, 1e4},
+                     {-10.0, 10.0}, {0.0, 100.0}, {-1.0, 1.0},   {1e-4, 1e-2}};
+  return argument;
+}
+
+Range shape_range(const ShapeParameter& shape) {
+  return {shape.low > 0.0 ? shape.low : 0.1, shape.high};
+}
+
+}  // namespace
+
+Function regressor_function(const Effect& effect) {
+  Function f;
+  f.name = effect.id;
+  f.doc = "Terms of the effect '" + effect.name + "', to be multiplied by its coefficients.";
+  f.inputs.push_back(signals_argument());
+  if (!effect.shapes.empty()) {
+    Argument shape;
+    shape.name = "shape";
+    shape.rows = static_cast<int>(effect.shapes.size());
+    shape.unit = "SI";
+    for (const ShapeParameter& p : effect.shapes) {
+      shape.doc += (shape.doc.empty() ? "" : ", ") + p.name;
+      shape.symbols.push_back(p.symbol);
+      shape.ranges.push_back(shape_range(p));
+    }
+    f.inputs.push_back(shape);
+  }
+  if (effect.state)
+    f.inputs.push_back(
+        {"state", 1, 1, {effect.state->symbol}, "1", "before this sample", {{-1.0, 1.0}}});
+  Output columns{"columns", static_cast<int>(effect.columns.size()), 1, {}, "SI", ""};
+  for (const EffectColumn& column : effect.columns) {
+    columns.values.push_back(column.term);
+    columns.doc += (columns.doc.empty() ? "" : ", ") + column.name;
+  }
+  f.outputs.push_back(columns);
+  if (effect.state)
+    f.outputs.push_back({"next", 1, 1, {effect.state->next}, "1", "state for the next sample"});
+  return f;
+}
+
+std::vector<Function> effect_functions() {
+  std::vector<Function> functions;
+  for (const Effect& effect : effects()) functions.push_back(regressor_function(effect));
+  return functions;
+}
+
+}  // namespace sinew

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "symbolic/effects/effects.h"
+
+#include <stdexcept>
+
+namespace sinew {
+
+const std::vector<Effect>& effects() {
+  static const std::vector<Effect> all{inertia(),
+                                       viscous_level(),
+                                       coulomb_level(),
+                                       offset(),
+                                       viscous_asymmetry(),
+                                       coulomb_asymmetry(),
+                                       stribeck(),
+                                       concave_friction(),
+                                       quadratic_friction(),
+                                       load_friction(),
+                                       friction_drift(),
+                                       position_friction(),
+                                       ripple(),
+                                       load_ripple(),
+                                       gear_elasticity(),
+                                       torsion_spring(),
+                                       offset_drift(),
+                                       pendulum(),
+                                       cable_torque(),
+                                       backlash(),
+                                       presliding(),
+                                       elastic_hysteresis()};
+  return all;
+}
+
+const Effect& find_effect(const std::string& id) {
+  std::string known;
+  for (const Effect& effect : effects()) {
+    if (effect.id == id) return effect;
+    known += (known.empty() ? "" : ", ") + effect.id;
+  }
+  throw std::invalid_argument("no effect is called '" + id + "'; expected one of " + known);
+}
+
+}  // namespace sinew

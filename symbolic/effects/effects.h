@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The catalogue of effects: one file each, one line here.
+#pragma once
+
+#include "symbolic/effects/effect.h"
+
+namespace sinew {
+
+Effect inertia();
+Effect viscous_level();
+Effect coulomb_level();
+Effect offset();
+Effect viscous_asymmetry();
+Effect coulomb_asymmetry();
+Effect stribeck();
+Effect concave_friction();
+Effect quadratic_friction();
+Effect load_friction();
+Effect friction_drift();
+Effect position_friction();
+Effect ripple();
+Effect load_ripple();
+Effect gear_elasticity();
+Effect torsion_spring();
+Effect offset_drift();
+Effect pendulum();
+Effect cable_torque();
+Effect backlash();
+Effect presliding();
+Effect elastic_hysteresis();
+
+/// All effects, in a fixed order.
+const std::vector<Effect>& effects();
+
+/// The effect of that identifier. Throws std::invalid_argument naming those there are.
+const Effect& find_effect(const std::string& id);
+
+}  // namespace sinew

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "symbolic/effects/effects.h"
+#include "symbolic/piecewise.h"
+
+namespace sinew {
+
+Effect load_friction() {
+  Effect e("load_friction", "load-dependent friction");
+  const EffectSignals& s = effect_signals();
+  e.column("share", "1", Sign::positive, s.direction * magnitude(s.load));
+  e.signature = "the step at a reversal grows with the load";
+  e.excitation = "reversals under different loads";
+  e.experiment = "slow triangular motion under several loads";
+  e.limit = "friction would fall with load";
+  e.compensable = true;
+  return e;
+}
+
+}  // namespace sinew
