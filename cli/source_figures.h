@@ -2,7 +2,7 @@
 // The source's figures, computed by the emitted C.
 #pragma once
 
-#include "cli/compiled_model.h"
+#include "simulation/compiled_model.h"
 #include "cli/figure.h"
 #include "symbolic/wrist.h"
 
