@@ -19,6 +19,7 @@ constexpr double kByChance = 8.0;         // deviance a wrong cause may be ahead
 constexpr double kByImperfection = 0.04;  // share of the cause's own statistic
 constexpr double kPairedLimit = 1.6;      // standard errors of the paired block differences
 constexpr double kClose = 0.12;           // share within which the paired differences are asked
+constexpr double kSameThing = 0.4;  // least correlation: below, a rival explains something else
 
 /// Whitened columns of a group with the model's columns projected out.
 MatrixXd apart(const Stack& stacked, const MatrixXd& inverse, const Weights& weights,
@@ -55,6 +56,20 @@ RankedCause describe(const Design& design, int candidate) {
   return cause;
 }
 
+/// The other causes were fitted beside the present one: whoever comes near it is compared only
+/// after all parameters were fitted beside it, too.
+void refit_close_ones(const Design& design, const Selection& state, double without,
+                      std::vector<Trial>& trials) {
+  double best = trials.front().score;
+  for (const Trial& trial : trials) best = std::min(best, trial.score);
+  for (Trial& trial : trials) {
+    const double close = std::max(3.0 * kByChance, 2.0 * kClose * (without - trial.deviance));
+    if (trial.score - best <= close)
+      refine(design, state.noise.weights, RefineScope::all_terms, trial.model);
+  }
+  rank_trials(design, state.freedom, state.noise.weights, trials);
+}
+
 /// Fitted models with the term replaced by whatever comes near it.
 std::vector<Trial> contenders(const Design& design, const Library& library,
                               const Settings& settings, const Selection& state, std::size_t term) {
@@ -78,6 +93,7 @@ std::vector<Trial> contenders(const Design& design, const Library& library,
   present.allowed = true;
   trials.push_back(std::move(present));
   rank_trials(design, state.freedom, state.noise.weights, trials);
+  refit_close_ones(design, state, deviance(without, state.noise.weights), trials);
   std::sort(trials.begin(), trials.end(),
             [](const Trial& a, const Trial& b) { return a.score < b.score; });
   return trials;
@@ -113,7 +129,6 @@ Rivals find_rivals(const Design& design, const Library& library, const Settings&
     RankedCause cause = describe(design, trial.candidate);
     cause.behind = trial.score - trials.front().score;
     cause.weight = std::exp(-0.5 * cause.behind);
-    sum += cause.weight;
     if (cause.behind > 0.0) {
       const VectorXd losses =
           cross_validate(design, trial.model, state.noise.weights, settings.blocks).whitened;
@@ -121,7 +136,9 @@ Rivals find_rivals(const Design& design, const Library& library, const Settings&
       cause.correlation = canonical_correlation(without, state.noise.weights,
                                                 trials.front().model.terms.back().columns,
                                                 trial.model.terms.back().columns);
+      if (cause.correlation < kSameThing) continue;
     }
+    sum += cause.weight;
     const bool near = cause.behind <= std::max(kByChance, kByImperfection * own) ||
                       (cause.behind <= kClose * own && cause.paired_z < kPairedLimit);
     if (near)

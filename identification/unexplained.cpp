@@ -73,7 +73,8 @@ Candidate make_any_period(const FlexibleRanges& r, int axis, int channel) {
   const double most = std::max(4.0, std::min(80.0, 100.0 * reach / r.speed));
   c.nonlinear = {{"turns per unit", "", 2.0 / reach, most / reach,
                   static_cast<int>(2.0 * (most - 2.0)), false}};
-  for (const char* name : {"sine", "cosine"}) c.linear.push_back({name, "", -1e300, 1e300, true, {}});
+  for (const char* name : {"sine", "cosine"})
+    c.linear.push_back({name, "", -1e300, 1e300, true, {}});
   c.columns = [axis](const Recording& log, int, const VectorXd& p) {
     const Eigen::ArrayXd angle = 2.0 * std::numbers::pi * p(0) * log.q.col(axis).array();
     MatrixXd x(angle.size(), 2);
@@ -102,8 +103,7 @@ double plain_loss(const Design& design, const Settings& settings, const Model& m
 Flexible best_flexible(const Design& design, const Settings& settings, const Model& model,
                        const NoiseView& noise, const Screening& screening) {
   Flexible best;
-  const VectorXd before =
-      cross_validate(design, model, noise.weights, settings.blocks).plain;
+  const VectorXd before = cross_validate(design, model, noise.weights, settings.blocks).plain;
   for (const Screened& s : screening.candidates) {
     const Candidate& c = design.problem().library[static_cast<std::size_t>(s.candidate)];
     if (c.kind != CandidateKind::flexible || s.gate != Gate::open) continue;
@@ -122,13 +122,34 @@ Flexible best_flexible(const Design& design, const Settings& settings, const Mod
   return best;
 }
 
-Dependence describe(const Design& design, const Flexible& flexible) {
+Dependence describe(const Flexible& flexible) {
   const Term& term = flexible.model.terms.back();
   Dependence d{term.candidate->depends_on, term.candidate->place, flexible.p_family, flexible.gain};
-  if (term.nonlinear.size() > 0)
-    d.on += ", period " + std::to_string(1.0 / term.nonlinear(0));
-  (void)design;
+  if (term.nonlinear.size() > 0) d.on += ", period " + std::to_string(1.0 / term.nonlinear(0));
   return d;
+}
+
+/// A decoy that was accepted is structure without a name: it leaves the model, so that flexible
+/// families say what the structure depends on, and is listed with what it explained.
+std::vector<Dependence> take_out_decoys(const Design& design, const Settings& settings,
+                                        Selection& selection) {
+  std::vector<Dependence> list;
+  for (std::size_t t = 0; t < selection.model.terms.size();) {
+    const Term& term = selection.model.terms[t];
+    if (term.baseline || term.candidate->kind != CandidateKind::decoy) {
+      ++t;
+      continue;
+    }
+    list.push_back({term.candidate->depends_on, term.candidate->place,
+                    selection.evidence[t].p_family, selection.evidence[t].gain});
+    remove_term(design, t, selection.model);
+    selection.evidence.erase(selection.evidence.begin() + static_cast<std::ptrdiff_t>(t));
+  }
+  if (list.empty()) return list;
+  selection.noise = own_noise(design, selection.model, settings.threads);
+  refine(design, selection.noise.weights, RefineScope::all_terms, selection.model);
+  selection.noise = own_noise(design, selection.model, settings.threads);
+  return list;
 }
 
 /// Names whose part the flexible terms take over.
@@ -209,12 +230,12 @@ SpectralLine strongest_line(const Design& design, const Model& model) {
     MatrixXd x(2 * s.bins, wide);
     wide = 0;
     for (const Term& term : model.terms) {
+      if (term.columns[i].cols() == 0) continue;  // does not act on this channel
       x.middleCols(wide, term.columns[i].cols()) = term.columns[i];
       wide += term.columns[i].cols();
     }
-    const VectorXd residual =
-        model.target[i] - x * (scaled_pseudo_inverse(x.transpose() * x) *
-                               (x.transpose() * model.target[i]));
+    const VectorXd residual = model.target[i] - x * (scaled_pseudo_inverse(x.transpose() * x) *
+                                                     (x.transpose() * model.target[i]));
     const VectorXd energy = bin_energy(residual);
     const VectorXd around = smooth_ratio(energy, VectorXd::Ones(s.bins), 12, 0.12);
     for (Index b = 2; b + 2 < s.bins; ++b) {
@@ -224,7 +245,8 @@ SpectralLine strongest_line(const Design& design, const Model& model) {
       const double level = std::max(
           (around(b) * (2.0 * half + 1.0) - energy.segment(b - 2, 5).sum()) / (2.0 * half - 4.0),
           0.05 * around(b));
-      const double p = -std::expm1(tests * std::log1p(-std::min(std::exp(-peak / level), 0.999999)));
+      const double p =
+          -std::expm1(tests * std::log1p(-std::min(std::exp(-peak / level), 0.999999)));
       if (p < best.p_value)
         best = {static_cast<double>(b) * s.rate_hz / static_cast<double>(s.samples), p};
     }
@@ -232,9 +254,10 @@ SpectralLine strongest_line(const Design& design, const Model& model) {
   return best;
 }
 
-Unexplained find_unexplained(const Design& design, const Library& library,
-                             const Settings& settings, Selection& selection) {
+Unexplained find_unexplained(const Design& design, const Library& library, const Settings& settings,
+                             Selection& selection) {
   Unexplained result;
+  const std::vector<Dependence> decoys = take_out_decoys(design, settings, selection);
   const double named = plain_loss(design, settings, selection.model, selection.noise);
   Model model = selection.model;
   NoiseView noise = selection.noise;
@@ -245,16 +268,17 @@ Unexplained find_unexplained(const Design& design, const Library& library,
         screen(design, library, model, noise.weights, noise.surrogates, settings.threads);
     Flexible best = best_flexible(design, settings, model, noise, screening);
     if (best.candidate < 0) break;
-    result.depends_on.push_back(describe(design, best));
+    result.depends_on.push_back(describe(best));
     model = std::move(best.model);
     noise = own_noise(design, model, settings.threads);
     last = best.loss;
   }
   const double base = selection.baseline_loss;
   result.remaining = named / base;
-  for (const Term& term : selection.model.terms)
-    if (!term.baseline && term.candidate->kind == CandidateKind::decoy)
-      result.depends_on.push_back({term.candidate->depends_on, term.candidate->place, 0.0, {}});
+  for (const Dependence& decoy : decoys) result.depends_on.push_back(decoy);
+  std::stable_sort(
+      result.depends_on.begin(), result.depends_on.end(),
+      [](const Dependence& a, const Dependence& b) { return a.gain.share > b.gain.share; });
   const SpectralLine line = strongest_line(design, model);
   if (line.p_value < settings.significance) {
     Dependence d;
@@ -263,10 +287,15 @@ Unexplained find_unexplained(const Design& design, const Library& library,
     result.depends_on.push_back(d);
   }
   if (result.depends_on.empty()) return result;
+  // What the decoys took away was structure, too, though no flexible family needs to have found it.
+  double by_decoys = 0.0;
+  for (const Dependence& decoy : decoys) by_decoys += decoy.gain.share * named;
+  last = std::min(last, named - by_decoys);
   result.named_share = base > last ? std::clamp((base - named) / (base - last), 0.0, 1.0) : 0.0;
   const bool any_name = std::any_of(selection.model.terms.begin(), selection.model.terms.end(),
                                     [](const Term& t) { return !t.baseline; });
-  if (any_name && result.named_share < kNamesHold) withdraw(design, settings, model, selection, result);
+  if (any_name && result.named_share < kNamesHold)
+    withdraw(design, settings, model, selection, result);
   result.none_of_the_known = !any_name || result.named_share < kNamesHold;
   return result;
 }

@@ -53,7 +53,7 @@ int environment(const char* name, int otherwise) {
 }  // namespace
 
 TEST_CASE("an effect as large as the noise is named, and nothing else") {
-  for (const std::string& name : {"viscous asymmetry", "ripple, input order 2", "spring"}) {
+  for (const std::string name : {"viscous asymmetry", "ripple, input order 2", "spring"}) {
     INFO(name);
     const Verdict verdict = diagnose(simulate_drive({name}, {1.0}, 30.0, 41), 1).verdict;
     CHECK(first_names(verdict) == std::set<std::string>{name});
@@ -72,7 +72,8 @@ TEST_CASE("where nothing is hidden nothing is named") {
 }
 
 TEST_CASE("an effect outside the library gets no name, but what it depends on") {
-  const Verdict verdict = diagnose(simulate_drive({"bump in position"}, {1.0}, 30.0, 77), 2).verdict;
+  const Verdict verdict =
+      diagnose(simulate_drive({"bump in position"}, {1.0}, 30.0, 77), 2).verdict;
   CHECK(verdict.unexplained.none_of_the_known);
   REQUIRE_FALSE(verdict.unexplained.depends_on.empty());
   CHECK(verdict.unexplained.depends_on.front().on.find("position") != std::string::npos);
@@ -86,19 +87,22 @@ TEST_CASE("study: detection and right names", "[.study]") {
   int detected = 0, inside = 0, exact = 0, members = 0, causes = 0;
   std::map<std::string, int> wrong;
   for (int i = 0; i < trials; ++i) {
-    const std::string& name = hidden_effects()[static_cast<std::size_t>(i) % hidden_effects().size()];
+    const std::string& name =
+        hidden_effects()[static_cast<std::size_t>(i) % hidden_effects().size()];
     const unsigned seed = first + static_cast<unsigned>(i);
-    const Verdict verdict = size > 0.0 ? diagnose(simulate_drive({name}, {size}, 30.0, seed), seed).verdict
-                                       : diagnose(simulate_drive({}, {}, 30.0, seed), seed).verdict;
+    const Verdict verdict = size > 0.0
+                                ? diagnose(simulate_drive({name}, {size}, 30.0, seed), seed).verdict
+                                : diagnose(simulate_drive({}, {}, 30.0, seed), seed).verdict;
     detected += verdict.causes.empty() ? 0 : 1;
     inside += is_member(verdict, name) ? 1 : 0;
     exact += first_names(verdict) == std::set<std::string>{name} ? 1 : 0;
-    for (const NamedCause& cause : verdict.causes) members += static_cast<int>(cause.members.size());
+    for (const NamedCause& cause : verdict.causes)
+      members += static_cast<int>(cause.members.size());
     causes += static_cast<int>(verdict.causes.size());
     for (const std::string& other : first_names(verdict))
       if (other != name) ++wrong[name + " -> " + other];
   }
-  fmt::print("size {} trials {}: detected {} truth inside {} exact {} mean set {:.2f}\n", size, trials,
-             detected, inside, exact, causes ? static_cast<double>(members) / causes : 0.0);
+  fmt::print("size {} trials {}: detected {} truth inside {} exact {} mean set {:.2f}\n", size,
+             trials, detected, inside, exact, causes ? static_cast<double>(members) / causes : 0.0);
   for (const auto& [what, count] : wrong) fmt::print("  {} x{}\n", what, count);
 }
