@@ -23,7 +23,10 @@ struct Recording {
   Eigen::MatrixXd load;         ///< load on each axis, for instance tendon force
   Eigen::MatrixXd temperature;  ///< deg C
   std::map<std::string, Eigen::MatrixXd> signals;  ///< anything else a candidate wants
-  std::vector<Eigen::VectorXd> target;  ///< per channel: what is to be explained, force domain
+  std::vector<Eigen::VectorXd> target;  ///< per channel: what is measured, force domain
+  /// Per channel: what the model under test says of the target; empty: nothing. It is subtracted,
+  /// at the model's time, and moves with a delay as every other term does.
+  std::vector<Eigen::VectorXd> known;
 };
 
 /// A nonlinear parameter: its bounds are physical limits, its grid starts the search.

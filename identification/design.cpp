@@ -89,7 +89,17 @@ VectorXd Design::at_instants(int segment, const VectorXd& raw) const {
 VectorXd Design::target(int segment, double advance) const {
   const Segment& s = segments_[static_cast<std::size_t>(segment)];
   const VectorXd& raw = recording(s.recording).target[static_cast<std::size_t>(s.channel)];
-  return to_band(filtered(segment, raw, advance), s.bins);
+  const VectorXd band = to_band(filtered(segment, raw, advance), s.bins);
+  const std::optional<VectorXd> said = known(segment, 0);
+  return said ? VectorXd(band - *said) : band;
+}
+
+std::optional<VectorXd> Design::known(int segment, int derivative) const {
+  const Segment& s = segments_[static_cast<std::size_t>(segment)];
+  const Recording& log = recording(s.recording);
+  if (log.known.empty()) return std::nullopt;
+  const VectorXd& raw = log.known[static_cast<std::size_t>(s.channel)];
+  return VectorXd(to_band(filtered(segment, raw, 0.0, derivative), s.bins));
 }
 
 std::vector<Design::Coefficient> Design::coefficients(const Candidate& candidate) const {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <vector>
 
 #include "identification/candidate.h"
@@ -33,8 +34,12 @@ class Design {
   const std::vector<Segment>& segments() const { return segments_; }
   const Recording& recording(int index) const;
 
-  /// Filtered target of one segment in the band, `advance` [s] later than the model's time.
+  /// Filtered target of one segment in the band, `advance` [s] later than the model's time, less
+  /// what the recording says is known.
   Eigen::VectorXd target(int segment, double advance = 0.0) const;
+
+  /// Filtered known part of one segment in the band (derivative = 1: its time derivative).
+  std::optional<Eigen::VectorXd> known(int segment, int derivative) const;
 
   /// Coefficients of a candidate over all logs: per-log nuisances count once for each log.
   Eigen::Index width(const Candidate& candidate) const;

@@ -120,6 +120,12 @@ BandColumns prediction_rate(const Design& design, const Model& model, const Vect
         std::find(delay.channels.begin(), delay.channels.end(), channel) == delay.channels.end())
       continue;
     result[s] = predict(all, coefficients, s);
+    const std::optional<VectorXd> known = design.known(static_cast<int>(s), 1);
+    if (!known) continue;
+    if (result[s].size() == 0)
+      result[s] = *known;
+    else
+      result[s] += *known;
   }
   return result;
 }

@@ -88,6 +88,10 @@ class Checker {
     if (!(joint.max_velocity > 0.0) || !(joint.max_acceleration > 0.0) || !(joint.damping >= 0.0))
       wrong("has a velocity or acceleration that is not positive, or a negative damping",
             "expected positive limits and damping >= 0");
+    if (!(joint.friction >= 0.0) || !(joint.friction_speed >= 0.0) || !(joint.armature >= 0.0) ||
+        !(joint.motor_turn >= 0.0))
+      wrong("has a drive with a negative value",
+            "expected friction, friction_speed, armature and motor_turn >= 0");
   }
 
   bool moves(const std::string& name) const {

@@ -211,4 +211,9 @@ std::vector<Function> dynamics_functions(const Mechanism& mechanism, const CostO
   return functions;
 }
 
+Function inverse_dynamics_function(const Mechanism& mechanism, const CostOf& cost,
+                                   bool runtime_parameters) {
+  return DynamicsFunctions(mechanism, cost, runtime_parameters).inverse_dynamics_function();
+}
+
 }  // namespace sinew

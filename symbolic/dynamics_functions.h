@@ -16,4 +16,8 @@ namespace sinew {
 std::vector<Function> dynamics_functions(const Mechanism& mechanism, const CostOf& cost,
                                          bool runtime_parameters = false);
 
+/// inverse_dynamics alone, the same as above.
+Function inverse_dynamics_function(const Mechanism& mechanism, const CostOf& cost = {},
+                                   bool runtime_parameters = false);
+
 }  // namespace sinew

@@ -46,6 +46,11 @@ struct Joint {
   double max_velocity = 10.0;       ///< rad/s or m/s: sampling range of tests
   double max_acceleration = 100.0;  ///< rad/s^2 or m/s^2: sampling range of tests
   double damping = 0.0;             ///< N m s/rad or N s/m, viscous; simulation only
+  // The joint's drive, for simulation and for comparing with measurements.
+  double friction = 0.0;        ///< N m or N: what remains of friction at high speed, damping aside
+  double friction_speed = 0.0;  ///< rad/s or m/s: friction * 2/pi atan(velocity / it); 0: unknown
+  double armature = 0.0;        ///< kg m^2 or kg: the motor's inertia seen at the joint
+  double motor_turn = 0.0;      ///< rad or m: motion of the joint for one turn of its motor; 0: unknown
   SourceLocation where;
 };
 

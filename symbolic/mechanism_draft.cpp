@@ -128,16 +128,33 @@ class SectionReader {
     read_positive(table, "max_acceleration",
                   turns ? Dimension::angular_acceleration : Dimension::acceleration,
                   joint.max_acceleration);
-    if (const auto damping =
-            table.quantity("damping", Shape::scalar,
-                           turns ? Dimension::angular_damping : Dimension::damping, false)) {
-      joint.damping = damping->values[0];
-      if (joint.damping < 0.0)
-        findings_.add(damping->where, table.path() + ".damping is negative",
-                      "expected a damping >= 0");
-    } else {
+    if (!read_not_negative(table, "damping",
+                           turns ? Dimension::angular_damping : Dimension::damping, joint.damping))
       assume(table.path() + ".damping");
-    }
+    read_drive(table, turns, joint);
+  }
+
+  void read_drive(TomlTable& table, bool turns, Joint& joint) {
+    read_not_negative(table, "friction", turns ? Dimension::torque : Dimension::force,
+                      joint.friction);
+    read_not_negative(table, "friction_speed",
+                      turns ? Dimension::angular_velocity : Dimension::velocity,
+                      joint.friction_speed);
+    read_not_negative(table, "armature", turns ? Dimension::inertia : Dimension::mass,
+                      joint.armature);
+    read_not_negative(table, "motor_turn", turns ? Dimension::angle : Dimension::length,
+                      joint.motor_turn);
+  }
+
+  /// False where the key is not there.
+  bool read_not_negative(TomlTable& table, const char* key, Dimension dimension, double& value) {
+    const auto quantity = table.quantity(key, Shape::scalar, dimension, false);
+    if (!quantity) return false;
+    value = quantity->values[0];
+    if (value < 0.0)
+      findings_.add(quantity->where, fmt::format("{}.{} is negative", table.path(), key),
+                    fmt::format("expected a {} >= 0", key));
+    return true;
   }
 
   void read_positive(TomlTable& table, std::string_view key, Dimension dimension, double& value) {

@@ -162,6 +162,18 @@ Function motor_current(const MotorParameters& parameters) {
           {},        {{"current", 1, 1, {current}, "A", ""}}};
 }
 
+Function motor_rigid_torque(const MotorParameters& parameters) {
+  Motor motor(parameters);
+  const Argument qdd = scalar_argument("qdd", "rad/s^2", {-100.0, 100.0}, "output acceleration");
+  const ex tau = motor.inertia() * qdd.symbols[0] + motor.ripple();
+  return {"rigid_torque",
+          "Torque that inertia and ripple take, friction aside.",
+          "(3.5)",
+          {motor.theta, motor.qd, qdd},
+          motor.list.items(),
+          {{"tau", 1, 1, {tau}, "N m", "at the output shaft"}}};
+}
+
 std::vector<Function> motor_functions(const MotorParameters& p) {
   return {motor_friction_torque(p), motor_ripple_torque(p),
           motor_acceleration(p),    motor_compensation_torque(p),

@@ -59,7 +59,10 @@ Function motor_torque(const MotorParameters& parameters);
 /// current(tau_m -> current) [N·m at the output -> A].
 Function motor_current(const MotorParameters& parameters);
 
-/// All of the above.
+/// rigid_torque(theta, qd, qdd -> tau): inertia and ripple [N·m], friction aside (3.5).
+Function motor_rigid_torque(const MotorParameters& parameters);
+
+/// All of the above but rigid_torque, which effort (driven_model.h) is made of.
 std::vector<Function> motor_functions(const MotorParameters& parameters);
 
 /// B = B_rotor/α² + B_gearbox [kg·m²].

@@ -172,7 +172,11 @@ class UrdfReader {
            fmt::format("joint '{}' has no range: {} is assumed", outline.name,
                        outline.type == "prismatic" ? "-1 to 1 m" : "-pi to pi"));
     if (outline.has_velocity) joint.max_velocity = source.limits->velocity;
-    if (source.dynamics) joint.damping = source.dynamics->damping;
+    if (source.dynamics) {
+      joint.damping = source.dynamics->damping;
+      joint.friction = source.dynamics->friction;
+      if (joint.friction != 0.0) mechanism_.provenance[path + ".friction"] = "urdf";
+    }
     mechanism_.provenance[path + ".range"] = outline.has_range ? "urdf" : "assumed";
     mechanism_.provenance[path + ".max_velocity"] = outline.has_velocity ? "urdf" : "assumed";
     mechanism_.provenance[path + ".max_acceleration"] = "assumed";

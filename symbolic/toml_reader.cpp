@@ -194,6 +194,16 @@ std::optional<bool> TomlTable::truth(std::string_view key) {
   return std::nullopt;
 }
 
+std::optional<double> TomlTable::number(std::string_view key) {
+  const toml::node* node = find(key, true, "a number");
+  if (node == nullptr) return std::nullopt;
+  const std::optional<double> value = node->value<double>();
+  if (value && node->is_number() && std::isfinite(*value)) return value;
+  report(key, fmt::format("{}.{} is {}", path_, key, value ? "not finite" : type_name(*node)),
+         "expected a finite number");
+  return std::nullopt;
+}
+
 std::optional<std::string> TomlTable::word(std::string_view key,
                                            const std::vector<std::string>& words,
                                            const std::string& otherwise) {

@@ -52,6 +52,8 @@ class TomlTable {
   std::optional<std::string> text(std::string_view key, bool required);
   std::optional<std::string> identifier(std::string_view key);
   std::optional<bool> truth(std::string_view key);
+  /// A bare number, finite; required.
+  std::optional<double> number(std::string_view key);
   /// One of the words, or nothing with the mistake reported; `otherwise` where the key is absent
   /// ("" makes it required).
   std::optional<std::string> word(std::string_view key, const std::vector<std::string>& words,

@@ -10,7 +10,7 @@ namespace {
 constexpr double pi = 3.141592653589793;
 
 // The first unit of a dimension is its SI unit.
-constexpr std::array<MeasureUnit, 39> all_units{{
+constexpr std::array<MeasureUnit, 45> all_units{{
     {"1", Dimension::none, 1, 1},
     {"m", Dimension::length, 1, 1},
     {"cm", Dimension::length, 1, 100},
@@ -50,6 +50,12 @@ constexpr std::array<MeasureUnit, 39> all_units{{
     {"mN*m/A", Dimension::torque_constant, 1, 1000},
     {"1/rad", Dimension::per_angle, 1, 1},
     {"s/rad", Dimension::per_angular_velocity, 1, 1},
+    {"s", Dimension::time, 1, 1},
+    {"ms", Dimension::time, 1, 1000},
+    {"us", Dimension::time, 1, 1e6},
+    {"min", Dimension::time, 60, 1},
+    {"Hz", Dimension::frequency, 1, 1},
+    {"kHz", Dimension::frequency, 1000, 1},
 }};
 
 void replace_all(std::string& text, std::string_view what, std::string_view with) {
@@ -84,7 +90,7 @@ double to_si(double value, const MeasureUnit& unit) {
 }
 
 std::string_view name_of(Dimension dimension) {
-  static constexpr std::array<std::string_view, 17> names{"pure number",
+  static constexpr std::array<std::string_view, 19> names{"pure number",
                                                           "length",
                                                           "angle",
                                                           "mass",
@@ -100,7 +106,9 @@ std::string_view name_of(Dimension dimension) {
                                                           "torque",
                                                           "torque constant",
                                                           "inverse angle",
-                                                          "inverse angular velocity"};
+                                                          "inverse angular velocity",
+                                                          "time",
+                                                          "frequency"};
   return names[static_cast<std::size_t>(dimension)];
 }
 

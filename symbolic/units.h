@@ -25,7 +25,9 @@ enum class Dimension {
   torque,
   torque_constant,
   per_angle,
-  per_angular_velocity
+  per_angular_velocity,
+  time,
+  frequency
 };
 
 /// A unit: value in SI = value * times / over. Two factors, because 6 / 1000 is the double nearest

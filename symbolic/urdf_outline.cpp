@@ -233,7 +233,8 @@ class OutlineReader {
     const auto friction = xml_.numbers(dynamics, "friction", 1, false);
     if (damping && (*damping)[0] < 0.0)
       xml_.report(dynamics, "the damping is negative", "expected a damping >= 0");
-    if (friction && (*friction)[0] != 0.0) xml_.note(dynamics, "joint friction is ignored");
+    if (friction && (*friction)[0] < 0.0)
+      xml_.report(dynamics, "the friction is negative", "expected a friction >= 0");
     if (!damping && !friction) dynamics.SetAttribute("damping", "0");  // urdfdom wants one of them
   }
 

@@ -158,6 +158,19 @@ class Describer {
          turns ? Dimension::angular_acceleration : Dimension::acceleration);
     line("damping", path + ".damping", number(joint.damping),
          turns ? Dimension::angular_damping : Dimension::damping);
+    drive(joint, path, turns);
+  }
+
+  void drive(const Joint& joint, const std::string& path, bool turns) {
+    const auto value = [&](const char* key, double of, Dimension dimension) {
+      if (of != 0.0 || is_known(path + "." + key))
+        line(key, path + "." + key, number(of), dimension);
+    };
+    value("friction", joint.friction, turns ? Dimension::torque : Dimension::force);
+    value("friction_speed", joint.friction_speed,
+          turns ? Dimension::angular_velocity : Dimension::velocity);
+    value("armature", joint.armature, turns ? Dimension::inertia : Dimension::mass);
+    value("motor_turn", joint.motor_turn, turns ? Dimension::angle : Dimension::length);
   }
 
   void frame(const Frame& frame) {

@@ -109,7 +109,7 @@ TEST_CASE("joint kinds, ranges and dynamics", "[urdf]") {
   REQUIRE(arm.provenance.at("joint.c.range") == "urdf");
   REQUIRE(has_note(notes, "joint 'g' has no range: -pi to pi is assumed"));
   REQUIRE(has_note(notes, "joint 'i' has no range: -1 to 1 m is assumed"));
-  REQUIRE(has_note(notes, "joint friction is ignored"));
+  REQUIRE(arm.joints[1].friction == 0.5);
   REQUIRE_FALSE(has_note(notes, "joint 'a'"));
 }
 

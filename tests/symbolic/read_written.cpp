@@ -86,6 +86,10 @@ sinew::Mechanism random_tree(unsigned seed) {
       joint.low = -1.0 / 3.0;
       joint.high = 2.0 / 3.0;
       joint.damping = 1e-4 / 3.0;
+      joint.friction = 0.1 / 3.0;
+      joint.friction_speed = 0.2 / 3.0;
+      joint.armature = 1e-3 / 3.0;
+      joint.motor_turn = 0.05 / 3.0;
     }
     tree.bodies.push_back(body);
     tree.joints.push_back(joint);

@@ -18,7 +18,9 @@ bool same(const Joint& a, const Joint& b) {
   return a.name == b.name && a.type == b.type && a.parent == b.parent && same(a.origin, b.origin) &&
          a.axis == b.axis && a.low == b.low && a.high == b.high &&
          a.max_velocity == b.max_velocity && a.max_acceleration == b.max_acceleration &&
-         a.damping == b.damping;
+         a.damping == b.damping && a.friction == b.friction &&
+         a.friction_speed == b.friction_speed && a.armature == b.armature &&
+         a.motor_turn == b.motor_turn;
 }
 
 bool same(const PulleyRouting& a, const PulleyRouting& b) {

@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "identification/driven_subject.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numbers>
+
+#include "identification/effect_candidate.h"
+#include "identification/model_candidates.h"
+#include "identification/refine.h"
+#include "identification/trial.h"
+#include "identification/unexplained.h"
+#include "symbolic/effects/effects.h"
+
+namespace sinew::diagnosis {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr double highest_cutoff = 100.0;  // Hz; drives do little above
+constexpr Index shortest = 400;           // samples of a stretch that is worth taking
+
+VectorXd number(double value) {
+  return VectorXd::Constant(1, value);
+}
+
+/// Second derivative over 2 ms, where noise of the acceleration does not yet swamp it.
+MatrixXd second_difference(const MatrixXd& x, double step) {
+  MatrixXd d = MatrixXd::Zero(x.rows(), x.cols());
+  const Index k = std::max<Index>(1, static_cast<Index>(std::lround(2e-3 / step)));
+  const double h = static_cast<double>(k) * step;
+  for (Index i = k; i + k < x.rows(); ++i)
+    d.row(i) = (x.row(i + k) - 2.0 * x.row(i) + x.row(i - k)) / (h * h);
+  return d;
+}
+
+MatrixXd columns_of(const sinew::Segment& segment, const std::vector<int>& channels) {
+  MatrixXd x(segment.samples.rows(), static_cast<Index>(channels.size()));
+  for (std::size_t c = 0; c < channels.size(); ++c)
+    x.col(static_cast<Index>(c)) = segment.samples.col(channels[c]).matrix();
+  return x;
+}
+
+}  // namespace
+
+DrivenSubject::DrivenSubject(DrivenModel model, Identified identified,
+                             std::filesystem::path runtime)
+    : model_(std::move(model)),
+      identified_(std::move(identified)),
+      runtime_(std::move(runtime)),
+      effort_(model_, identified_, runtime_) {
+  for (const DrivenJoint& joint : model_.joints) bristle_.push_back(joint.friction_speed == 0.0);
+  presliding_.resize(bristle_.size(), 0.0);
+  problem_.channels = static_cast<int>(bristle_.size());
+}
+
+std::string DrivenSubject::place(std::size_t joint) const {
+  const std::string& name = model_.joints[joint].name;
+  return name == "motor" ? name : "joint " + name;
+}
+
+LogScale DrivenSubject::scale(std::size_t joint) const {
+  return scale_of(problem_.training, static_cast<int>(joint));
+}
+
+void DrivenSubject::add_log(const Log& log, const std::vector<int>& positions,
+                            const std::vector<int>& efforts, int load, bool held_out) {
+  int part = 0;
+  for (const sinew::Segment& segment : log.segments) {
+    if (segment.samples.rows() < shortest) continue;
+    Recording r;
+    r.name = log.segments.size() > 1 ? fmt::format("{} part {}", log.file, ++part) : log.file;
+    r.step = log.period;
+    const Index n = segment.samples.rows();
+    r.time = VectorXd::LinSpaced(n, segment.start,
+                                 segment.start + log.period * static_cast<double>(n - 1));
+    Motion motion = differentiate(columns_of(segment, positions), log.period,
+                                  std::min(highest_cutoff, 0.1 / log.period));
+    r.q = std::move(motion.q);
+    r.qd = std::move(motion.qd);
+    r.qdd = std::move(motion.qdd);
+    const MatrixXd measured = columns_of(segment, efforts);
+    for (Index c = 0; c < measured.cols(); ++c) r.target.push_back(measured.col(c));
+    if (load >= 0) r.load = columns_of(segment, {load});
+    r.signals["jounce"] = second_difference(r.qdd, r.step);
+    (held_out ? problem_.holdout : problem_.training).push_back(std::move(r));
+  }
+}
+
+void DrivenSubject::set_signals(Recording& log) const {
+  MatrixXd direction(log.q.rows(), log.q.cols());
+  for (std::size_t j = 0; j < bristle_.size(); ++j) {
+    const auto c = static_cast<Index>(j);
+    if (bristle_[j])
+      direction.col(c) = effect_columns(find_effect("presliding"), log, static_cast<int>(j),
+                                        number(presliding_[j]));
+    else
+      direction.col(c) =
+          (log.qd.col(c).array() / model_.joints[j].friction_speed).atan() * 2.0 / std::numbers::pi;
+  }
+  log.signals["direction"] = direction;
+}
+
+/// Baseline alone first: the length over which friction turns has to be known before effects are
+/// written that act in its direction.
+void DrivenSubject::fit_directions(const Settings& settings) {
+  const Design design(problem_, settings);
+  Model model = baseline_model(design);
+  refine(design, own_noise(design, model, settings.threads).weights, RefineScope::all_terms, model);
+  for (std::size_t t = 0; t < baseline_.size(); ++t)
+    if (baseline_[t].effect == "presliding")
+      presliding_[baseline_[t].joint] = model.terms[t].nonlinear(0);
+}
+
+void DrivenSubject::prepare(const Settings& settings) {
+  for (auto* logs : {&problem_.training, &problem_.holdout})
+    for (Recording& log : *logs) {
+      log.signals["direction"] = MatrixXd::Zero(log.q.rows(), log.q.cols());
+      const MatrixXd said = effort_(log);
+      log.signals["effort"] = said;
+      log.known.clear();
+      for (Index c = 0; c < said.cols(); ++c) log.known.push_back(said.col(c));
+    }
+  problem_.baseline.clear();
+  problem_.library.clear();
+  baseline_.clear();
+  library_.clear();
+  for (std::size_t j = 0; j < bristle_.size(); ++j) add_baseline(j);
+  if (std::any_of(bristle_.begin(), bristle_.end(), [](bool b) { return b; }))
+    fit_directions(settings);
+  for (auto* logs : {&problem_.training, &problem_.holdout})
+    for (Recording& log : *logs) set_signals(log);
+  for (std::size_t j = 0; j < bristle_.size(); ++j) {
+    add_library(j);
+    add_ripples(j);
+    add_model_candidates(j);
+    add_levels(j);
+  }
+}
+
+void DrivenSubject::add_baseline(std::size_t joint) {
+  const EffectPlace where{static_cast<int>(joint), place(joint), model_.joints[joint].revolute};
+  for (const char* id : {"inertia", "viscous_level", "coulomb_level", "offset"}) {
+    const std::string effect =
+        id == std::string("coulomb_level") && bristle_[joint] ? "presliding" : id;
+    Candidate c = effect_candidate(find_effect(effect), where, scale(joint));
+    for (LinearParameter& p : c.linear) {
+      p.low = -std::numeric_limits<double>::infinity();
+      p.nominal = 0.0;
+    }
+    problem_.baseline.push_back(std::move(c));
+    baseline_.push_back({effect, joint, {}});
+  }
+}
+
+void DrivenSubject::add(const std::string& effect, std::size_t joint, const std::string& name,
+                        const VectorXd& fixed, CandidateKind kind) {
+  const EffectPlace where{static_cast<int>(joint), place(joint), model_.joints[joint].revolute};
+  Candidate c = effect_candidate(find_effect(effect), where, scale(joint),
+                                 fixed.size() ? std::optional(fixed) : std::nullopt);
+  if (!name.empty()) c.name = name;
+  c.kind = kind;
+  if (kind == CandidateKind::decoy) c.depends_on = "position, periodic at no known order";
+  problem_.library.push_back(std::move(c));
+  library_.push_back({kind == CandidateKind::decoy ? "" : effect, joint, fixed});
+}
+
+void DrivenSubject::add_library(std::size_t joint) {
+  for (const char* effect :
+       {"viscous_asymmetry", "coulomb_asymmetry", "stribeck", "concave_friction",
+        "quadratic_friction", "friction_drift", "position_friction", "gear_elasticity", "backlash",
+        "torsion_spring", "offset_drift"})
+    add(effect, joint);
+  const LogScale s = scale(joint);
+  add("cable_torque", joint, {}, Eigen::Vector2d(0.5 * (s.low + s.high), 0.5 * (s.high - s.low)));
+  if (s.load > 0.0) add("load_friction", joint);
+  if (!bristle_[joint]) add("presliding", joint);
+  if (model_.joints.size() == 1 && model_.joints[joint].revolute &&
+      model_.joints[joint].name == "motor")
+    add("pendulum", joint);
+}
+
+void DrivenSubject::add_ripples(std::size_t joint) {
+  const auto orders = [&](double turn, const std::string& shaft) {
+    if (turn <= 0.0) return;
+    const double rate = 2.0 * std::numbers::pi / turn;
+    for (const int k : {1, 2, 3})
+      add("ripple", joint,
+          k == 1 ? fmt::format("ripple once per {} turn", shaft)
+                 : fmt::format("ripple {} times per {} turn", k, shaft),
+          number(rate * k));
+    for (const double k : {0.73, 1.37, 2.41})
+      add("ripple", joint, fmt::format("ripple off every order of the {}", shaft), number(rate * k),
+          CandidateKind::decoy);
+    if (scale(joint).load > 0.0)
+      add("load_ripple", joint, fmt::format("ripple proportional to load, once per {} turn", shaft),
+          number(rate));
+  };
+  orders(model_.joints[joint].motor_turn, "motor");
+  // An output that never makes a good part of a turn shows no order of its own.
+  const LogScale s = scale(joint);
+  if (s.high - s.low > 0.7 * model_.joints[joint].output_turn)
+    orders(model_.joints[joint].output_turn, "output");
+}
+
+void DrivenSubject::add_model_candidates(std::size_t joint) {
+  const EffectPlace where{static_cast<int>(joint), place(joint), model_.joints[joint].revolute};
+  const auto take = [&](Candidate candidate, const std::string& effect) {
+    problem_.library.push_back(std::move(candidate));
+    library_.push_back({effect, joint, {}});
+  };
+  take(delay_candidate(where), "delay");
+  take(torque_constant_candidate(where), "torque_constant");
+  take(sensor_low_pass_candidate(where), "sensor_low_pass");
+  take(sensor_scale_candidate(where, effort_), "sensor_scale");
+  take(sensor_hysteresis_candidate(where, effort_, scale(joint)), "sensor_hysteresis");
+  const LogScale s = scale(joint);
+  for (Candidate& c : flexible_families({s.low, s.high, s.speed, s.load, s.duration},
+                                        static_cast<int>(joint), static_cast<int>(joint))) {
+    c.place = place(joint);
+    take(std::move(c), "");
+  }
+}
+
+void DrivenSubject::add_levels(std::size_t) {}
+
+}  // namespace sinew::diagnosis

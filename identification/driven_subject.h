@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Joints with drives under diagnosis: recordings from logs, the baseline whose coefficients are
+// changes of the model's own values, and the library of what may be missing at each joint.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "identification/candidate.h"
+#include "identification/effect_candidate.h"
+#include "identification/effort_model.h"
+#include "identification/log.h"
+#include "symbolic/driven_model.h"
+
+namespace sinew::diagnosis {
+
+/// What a candidate (or a baseline term) stands for in identified.toml.
+struct CandidateOrigin {
+  std::string effect;  ///< identifier; empty: has no term in the model (decoys, splines)
+  std::size_t joint = 0;
+  Eigen::VectorXd fixed;  ///< shape parameters that are not searched
+};
+
+class DrivenSubject {
+ public:
+  /// `runtime`: folder of the runtime's headers.
+  DrivenSubject(DrivenModel model, Identified identified, std::filesystem::path runtime);
+
+  /// Adds a log's segments. Channels: position and effort of joint i are `positions[i]` and
+  /// `efforts[i]` of the log, `load` -1 where there is none.
+  void add_log(const Log& log, const std::vector<int>& positions, const std::vector<int>& efforts,
+               int load, bool held_out);
+
+  /// Baseline, library and levels for the logs added so far. Throws std::invalid_argument where
+  /// no stretch of a log is long enough.
+  void prepare(const Settings& settings);
+
+  const Problem& problem() const { return problem_; }
+  const DrivenModel& model() const { return model_; }
+  const Identified& identified() const { return identified_; }
+  const std::filesystem::path& runtime() const { return runtime_; }
+  const EffortModel& effort() const { return effort_; }
+  const std::vector<CandidateOrigin>& library_origins() const { return library_; }
+  const std::vector<CandidateOrigin>& baseline_origins() const { return baseline_; }
+  /// What is known of a joint's friction direction: true where it is a bristle state.
+  bool bristle(std::size_t joint) const { return bristle_[joint]; }
+
+ private:
+  void add_baseline(std::size_t joint);
+  void add_library(std::size_t joint);
+  void add_ripples(std::size_t joint);
+  void add_model_candidates(std::size_t joint);
+  void add_levels(std::size_t joint);
+  void fit_directions(const Settings& settings);
+  void set_signals(Recording& log) const;
+  void add(const std::string& effect, std::size_t joint, const std::string& name = {},
+           const Eigen::VectorXd& fixed = {}, CandidateKind kind = CandidateKind::named);
+  std::string place(std::size_t joint) const;
+  LogScale scale(std::size_t joint) const;
+
+  DrivenModel model_;
+  Identified identified_;
+  std::filesystem::path runtime_;
+  EffortModel effort_;
+  std::vector<bool> bristle_;
+  std::vector<double> presliding_;  ///< fitted length, where the direction is a bristle state
+  Problem problem_;
+  std::vector<CandidateOrigin> library_, baseline_;
+};
+
+}  // namespace sinew::diagnosis

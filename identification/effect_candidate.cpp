@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "identification/effect_candidate.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "runtime/sinew_catalogue.h"
+
+extern "C" const sinew_catalogue effects_catalogue;
+
+namespace sinew::diagnosis {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr Index signals = 8;
+
+const sinew_function& regressor(const std::string& id) {
+  const std::string name = "effects_" + id;
+  for (int i = 0; i < effects_catalogue.function_count; ++i)
+    if (name == effects_catalogue.functions[i].name) return effects_catalogue.functions[i];
+  throw std::logic_error(name + " is not emitted; sinew generate models/effects");
+}
+
+/// signals x samples, as signal_list() orders them.
+MatrixXd signals_of(const Recording& log, int axis) {
+  MatrixXd x = MatrixXd::Zero(signals, log.q.rows());
+  x.row(0) = log.q.col(axis).transpose();
+  x.row(1) = log.qd.col(axis).transpose();
+  x.row(2) = log.qdd.col(axis).transpose();
+  x.row(3) = log.signals.at("jounce").col(axis).transpose();
+  if (log.load.size() > 0) x.row(4) = log.load.col(axis).transpose();
+  x.row(5) = (log.time.array() - log.time(0)).matrix().transpose();
+  x.row(6) = log.signals.at("direction").col(axis).transpose();
+  x.row(7).setConstant(log.step);
+  return x;
+}
+
+double unit_of(Scale scale, const LogScale& log) {
+  switch (scale) {
+    case Scale::none:
+      return 1.0;
+    case Scale::reach:
+      return log.high - log.low;
+    case Scale::speed:
+      return log.speed;
+    case Scale::duration:
+      return log.duration;
+  }
+  return 1.0;
+}
+
+LinearParameter linear_parameter(const EffectColumn& column, bool revolute) {
+  LinearParameter p;
+  p.name = column.name;
+  p.unit = unit_at(column.unit, revolute);
+  if (column.sign == Sign::positive) p.low = 0.0;
+  if (column.sign == Sign::negative) p.high = 0.0;
+  p.per_log = column.per_log;
+  return p;
+}
+
+void replace_all(std::string& text, const std::string& from, const std::string& to) {
+  for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at))
+    text.replace(at, from.size(), to);
+}
+
+}  // namespace
+
+LogScale scale_of(const std::vector<Recording>& logs, int axis) {
+  LogScale s{1e300, -1e300, 0.0, 0.0, 0.0};
+  for (const Recording& log : logs) {
+    s.low = std::min(s.low, log.q.col(axis).minCoeff());
+    s.high = std::max(s.high, log.q.col(axis).maxCoeff());
+    s.speed = std::max(s.speed, log.qd.col(axis).cwiseAbs().maxCoeff());
+    s.duration = std::max(s.duration, log.step * static_cast<double>(log.q.rows()));
+    if (log.load.size() > 0) s.load = std::max(s.load, log.load.col(axis).cwiseAbs().maxCoeff());
+  }
+  return s;
+}
+
+MatrixXd effect_columns(const Effect& effect, const Recording& log, int axis,
+                        const VectorXd& shape) {
+  const sinew_function& function = regressor(effect.id);
+  const auto count = static_cast<Index>(effect.columns.size());
+  const MatrixXd x = signals_of(log, axis);
+  VectorXd in(function.input_size), out(function.output_size);
+  in.segment(signals, shape.size()) = shape;
+  if (effect.state) in(function.input_size - 1) = effect.state->initial;
+  MatrixXd columns(x.cols(), count);
+  for (Index k = 0; k < x.cols(); ++k) {
+    in.head(signals) = x.col(k);
+    function.call(in.data(), out.data());
+    columns.row(k) = out.head(count).transpose();
+    if (effect.state) in(function.input_size - 1) = out(count);
+  }
+  return columns;
+}
+
+Candidate effect_candidate(const Effect& effect, const EffectPlace& place, const LogScale& scale,
+                           const std::optional<VectorXd>& fixed) {
+  Candidate c;
+  c.name = effect.name;
+  c.place = place.name;
+  c.channels = {place.axis};
+  c.limit_meaning = effect.limit;
+  c.isolating_experiment = effect.experiment;
+  for (const EffectColumn& column : effect.columns)
+    c.linear.push_back(linear_parameter(column, place.revolute));
+  if (!fixed)
+    for (const ShapeParameter& p : effect.shapes) {
+      const double unit = unit_of(p.scale, scale);
+      c.nonlinear.push_back({p.name, unit_at(p.unit, place.revolute), p.low * unit, p.high * unit,
+                             p.grid, p.low > 0.0});
+    }
+  c.columns = [effect, axis = place.axis, fixed](const Recording& log, int channel,
+                                                 const VectorXd& nonlinear) -> MatrixXd {
+    if (channel != axis) return {};
+    return effect_columns(effect, log, axis, fixed ? *fixed : nonlinear);
+  };
+  return c;
+}
+
+std::string unit_at(const std::string& pattern, bool revolute) {
+  const std::string length = revolute ? "rad" : "m";
+  std::string unit = pattern;
+  // A quotient by a quotient reads better with the seconds above.
+  replace_all(unit, "/{velocity}^2", "*s^2/" + length + "^2");
+  replace_all(unit, "/{velocity}", "*s/" + length);
+  replace_all(unit, "{effort}/{acceleration}", revolute ? "kg*m^2" : "kg");
+  replace_all(unit, "*s^2/{acceleration}", "*s^4/" + length);
+  replace_all(unit, "{effort}", revolute ? "N*m" : "N");
+  replace_all(unit, "{position}", length);
+  replace_all(unit, "{velocity}", length + "/s");
+  return unit;
+}
+
+}  // namespace sinew::diagnosis

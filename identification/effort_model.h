@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A driven model's emitted `effort`, compiled and run over recordings: what the model under test
+// says a log's efforts should be.
+#pragma once
+
+#include <Eigen/Core>
+#include <filesystem>
+#include <memory>
+
+#include "identification/candidate.h"
+#include "simulation/compiled_model.h"
+#include "symbolic/driven_model.h"
+
+namespace sinew::diagnosis {
+
+class EffortModel {
+ public:
+  /// `runtime`: folder of the runtime's headers. Throws std::runtime_error where the emitted C does
+  /// not compile.
+  EffortModel(const DrivenModel& model, const Identified& identified,
+              const std::filesystem::path& runtime);
+
+  /// samples x joints. The recording needs q, qd, qdd, time; missing load and "jounce" are zero.
+  Eigen::MatrixXd operator()(const Recording& log) const;
+
+  /// The same for another motion, for derivatives with respect to it.
+  Eigen::MatrixXd operator()(const Recording& log, const Eigen::MatrixXd& q,
+                             const Eigen::MatrixXd& qd, const Eigen::MatrixXd& qdd) const;
+
+  /// Operations of the emitted function.
+  int operations() const { return operations_; }
+
+ private:
+  int joints_;
+  int operations_ = 0;
+  std::shared_ptr<CompiledModel> compiled_;
+};
+
+}  // namespace sinew::diagnosis

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Candidates that act on the model as a whole: their columns come from the emitted effort, moved,
+// scaled or differentiated.
+#pragma once
+
+#include "identification/effect_candidate.h"
+#include "identification/effort_model.h"
+
+namespace sinew::diagnosis {
+
+/// The logged effort acts later than logged.
+Candidate delay_candidate(const EffectPlace& place);
+
+/// The effort is larger or smaller than logged, by a constant share. Uses signal "effort".
+Candidate torque_constant_candidate(const EffectPlace& place);
+
+/// The position is logged behind a first-order low-pass. Uses signal "effort".
+Candidate sensor_low_pass_candidate(const EffectPlace& place);
+
+/// The logged position is a constant share too large or too small.
+Candidate sensor_scale_candidate(const EffectPlace& place, const EffortModel& effort);
+
+/// The logged position follows the true one with play.
+Candidate sensor_hysteresis_candidate(const EffectPlace& place, const EffortModel& effort,
+                                      const LogScale& scale);
+
+}  // namespace sinew::diagnosis

@@ -1,0 +1,310 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "symbolic/driven_model.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numbers>
+#include <stdexcept>
+
+#include "symbolic/argument.h"
+#include "symbolic/coordinates.h"
+#include "symbolic/definition_list.h"
+#include "symbolic/dynamics_functions.h"
+#include "symbolic/effects/effects.h"
+#include "symbolic/exact_number.h"
+#include "symbolic/inline_function.h"
+
+namespace sinew {
+namespace {
+
+using GiNaC::ex;
+
+DrivenJoint driven_joint(const Joint& joint) {
+  DrivenJoint driven;
+  driven.name = joint.name;
+  driven.revolute = joint.type == JointType::revolute;
+  driven.position = {joint.low, joint.high};
+  driven.velocity = {-joint.max_velocity, joint.max_velocity};
+  driven.acceleration = {-joint.max_acceleration, joint.max_acceleration};
+  driven.damping = joint.damping;
+  driven.friction = joint.friction;
+  driven.friction_speed = joint.friction_speed;
+  driven.armature = joint.armature;
+  driven.motor_turn = joint.motor_turn;
+  driven.output_turn = driven.revolute ? 2.0 * std::numbers::pi : 0.0;
+  return driven;
+}
+
+/// Writes the effort down: signals of every joint, then the terms.
+class EffortWriter {
+ public:
+  EffortWriter(const DrivenModel& model, const Identified& identified)
+      : model_(model), identified_(identified), n_(static_cast<int>(model.joints.size())) {
+    q_ = joint_argument("q", "", [](const DrivenJoint& j) { return j.position; });
+    qd_ = joint_argument("qd", "/s", [](const DrivenJoint& j) { return j.velocity; });
+    qdd_ = joint_argument("qdd", "/s^2", [](const DrivenJoint& j) { return j.acceleration; });
+    load_ = array_argument("load", n_, 1, effort_unit(), {-10.0, 10.0},
+                           "external load against positive motion");
+    jounce_ = joint_argument("qdddd", "/s^4", [](const DrivenJoint&) { return Range{-1e4, 1e4}; });
+    time_ = scalar_argument("time", "s", {0.0, 100.0}, "since the start");
+    step_ = scalar_argument("step", "s", {1e-4, 1e-2}, "to the next call");
+    advance_motion();
+    make_states();
+    make_directions();
+  }
+
+  Function effort() {
+    std::vector<ex> inputs(q_at_);
+    inputs.insert(inputs.end(), qd_at_.begin(), qd_at_.end());
+    inputs.insert(inputs.end(), qdd_.symbols.begin(), qdd_.symbols.end());
+    std::vector<ex> tau = inlined(list_, model_.rigid, inputs).front();
+    for (std::size_t i = 0; i < tau.size(); ++i) tau[i] += drive(i) + load_.symbols[i];
+    for (const IdentifiedEffect& each : identified_.effects)
+      if (is_term(each)) tau[joint_of(each.place)] += term(each, true);
+    for (const IdentifiedEffect& each : identified_.effects)
+      if (each.effect == "torque_constant")
+        tau[joint_of(each.place)] /= 1 + exact_number(each.coefficient("gain_change"));
+    Function f{"effort",      "Effort that the drives have to give for a motion against a load.",
+               "(3.5)",       {q_, qd_, qdd_, load_},
+               list_.items(), {{"tau", n_, 1, tau, effort_unit(), "effort of the drives"}}};
+    if (!next_.empty())
+      f.outputs.push_back(
+          {"next", static_cast<int>(next_.size()), 1, next_, "1", "states for the next call"});
+    f.inputs.push_back(jounce_);
+    f.inputs.push_back(time_);
+    f.inputs.push_back(step_);
+    if (states_.rows > 0) f.inputs.push_back(states_);
+    return without_unused(f);
+  }
+
+  Function compensation(double share) {
+    std::vector<ex> tau(static_cast<std::size_t>(n_), ex(0));
+    bool any = false;
+    for (const IdentifiedEffect& each : identified_.effects) {
+      if (!is_term(each) || !find_effect(each.effect).compensable) continue;
+      const ex value = term(each, false);
+      if (value.has(qdd_.symbols[joint_of(each.place)]) || uses_state(value)) continue;
+      tau[joint_of(each.place)] += exact_number(share) * value;
+      any = true;
+    }
+    Function f{"compensation",
+               fmt::format("Feedforward of {} % of the identified effects that depend on what is "
+                           "measured.",
+                           100.0 * share),
+               "",
+               {q_, qd_, load_},
+               list_.items(),
+               {}};
+    if (any) f.outputs.push_back({"tau", n_, 1, tau, effort_unit(), "to be added to the command"});
+    return without_unused(f);
+  }
+
+ private:
+  template <class RangeOf>
+  Argument joint_argument(const std::string& name, const std::string& suffix, RangeOf range) {
+    Argument argument = array_argument(name, n_, 1, "", {}, "");
+    argument.ranges.clear();
+    bool turns = false, slides = false;
+    for (const DrivenJoint& joint : model_.joints) {
+      argument.ranges.push_back(range(joint));
+      (joint.revolute ? turns : slides) = true;
+    }
+    argument.unit = (turns ? "rad" + suffix : "") + (turns && slides ? " | " : "") +
+                    (slides ? "m" + suffix : "");
+    return argument;
+  }
+
+  std::string effort_unit() const {
+    const bool turns = std::any_of(model_.joints.begin(), model_.joints.end(),
+                                   [](const DrivenJoint& j) { return j.revolute; });
+    const bool slides = std::any_of(model_.joints.begin(), model_.joints.end(),
+                                    [](const DrivenJoint& j) { return !j.revolute; });
+    return turns && slides ? "N m | N" : turns ? "N m" : "N";
+  }
+
+  std::size_t joint_of(const std::string& place) const {
+    for (std::size_t i = 0; i < model_.joints.size(); ++i)
+      if (model_.joints[i].name == place) return i;
+    throw std::invalid_argument("identified.toml: model '" + model_.name + "' has no joint '" +
+                                place + "'");
+  }
+
+  static bool is_term(const IdentifiedEffect& each) {
+    return each.effect != "delay" && each.effect != "direction" && each.effect != "torque_constant";
+  }
+
+  const IdentifiedEffect* special(const std::string& effect, std::size_t joint) const {
+    for (const IdentifiedEffect& each : identified_.effects)
+      if (each.effect == effect && joint_of(each.place) == joint) return &each;
+    return nullptr;
+  }
+
+  /// What is logged now acts later: the motion it belongs to lies ahead.
+  void advance_motion() {
+    for (std::size_t i = 0; i < model_.joints.size(); ++i) {
+      ex q = q_.symbols[i], qd = qd_.symbols[i];
+      if (const IdentifiedEffect* delay = special("delay", i)) {
+        const ex d = exact_number(delay->coefficient("delay"));
+        q = list_.define("q_ahead", q + d * qd + d * d / 2 * qdd_.symbols[i]);
+        qd = list_.define("qd_ahead", qd + d * qdd_.symbols[i]);
+      }
+      q_at_.push_back(q);
+      qd_at_.push_back(qd);
+    }
+  }
+
+  void make_states() {
+    std::size_t count = 0;
+    for (const IdentifiedEffect& each : identified_.effects)
+      if (each.effect == "direction" || (is_term(each) && find_effect(each.effect).state)) ++count;
+    if (count > 0)
+      states_ = array_argument("state", static_cast<int>(count), 1, "1", {-1.0, 1.0},
+                               "of the effects with memory");
+    else
+      states_.rows = 0;
+  }
+
+  void make_directions() {
+    for (std::size_t i = 0; i < model_.joints.size(); ++i) {
+      const DrivenJoint& joint = model_.joints[i];
+      if (const IdentifiedEffect* law = special("direction", i)) {
+        directions_.push_back(bristle(*law, i));
+        continue;
+      }
+      const double speed =
+          joint.friction_speed > 0.0 ? joint.friction_speed : assumed_friction_speed(joint);
+      directions_.push_back(list_.define(
+          "direction",
+          2 / exact_number(std::numbers::pi) * GiNaC::atan(qd_at_[i] / exact_number(speed))));
+    }
+  }
+
+  /// Direction of friction as the presliding effect's state.
+  ex bristle(const IdentifiedEffect& law, std::size_t joint) {
+    const Effect& effect = find_effect("presliding");
+    return list_.define("direction",
+                        effect.columns.front().term.subs(replacements(effect, law.shape, joint)));
+  }
+
+  ex drive(std::size_t i) {
+    const DrivenJoint& joint = model_.joints[i];
+    return exact_number(joint.armature) * qdd_.symbols[i] +
+           exact_number(joint.damping) * qd_at_[i] + exact_number(joint.friction) * directions_[i];
+  }
+
+  /// The effect's symbols at a joint; its state is updated.
+  GiNaC::exmap replacements(const Effect& effect, const std::vector<IdentifiedValue>& shape,
+                            std::size_t joint) {
+    const EffectSignals& s = effect_signals();
+    GiNaC::exmap map{{s.position, q_at_[joint]},
+                     {s.velocity, qd_at_[joint]},
+                     {s.acceleration, qdd_.symbols[joint]},
+                     {s.jounce, jounce_.symbols[joint]},
+                     {s.load, load_.symbols[joint]},
+                     {s.time, time_.symbols[0]},
+                     {s.step, step_.symbols[0]}};
+    if (joint < directions_.size()) map[s.direction] = directions_[joint];
+    for (std::size_t k = 0; k < effect.shapes.size(); ++k)
+      map[effect.shapes[k].symbol] = exact_number(shape.at(k).value);
+    if (effect.state) {
+      const ex before = states_.symbols[next_.size()];
+      map[effect.state->symbol] = before;
+      next_.push_back(list_.define("next_state", effect.state->next.subs(map)));
+    }
+    return map;
+  }
+
+  ex term(const IdentifiedEffect& each, bool with_states) {
+    const Effect& effect = find_effect(each.effect);
+    const std::size_t joint = joint_of(each.place);
+    if (!with_states && effect.state) return states_.symbols.front();  // seen by uses_state
+    const GiNaC::exmap map = replacements(effect, each.shape, joint);
+    ex sum = 0;
+    for (std::size_t k = 0; k < effect.columns.size(); ++k)
+      sum += exact_number(each.coefficients.at(k).value) * effect.columns[k].term.subs(map);
+    return list_.define(each.effect, sum);
+  }
+
+  bool uses_state(const ex& value) const {
+    const auto direct = [&](const ex& of) {
+      return std::any_of(states_.symbols.begin(), states_.symbols.end(),
+                         [&](const GiNaC::symbol& s) { return of.has(s); });
+    };
+    return states_.rows > 0 && direct(expanded(value));
+  }
+
+  /// With the definitions put in.
+  ex expanded(ex value) const {
+    for (auto each = list_.items().rbegin(); each != list_.items().rend(); ++each)
+      value = value.subs(each->symbol == each->value);
+    return value;
+  }
+
+  /// Arguments nothing depends on are no arguments, but for the motion.
+  static Function without_unused(Function f) {
+    const auto used = [&](const Argument& argument) {
+      return std::any_of(argument.symbols.begin(), argument.symbols.end(), [&](const auto& s) {
+        const auto in = [&](const ex& value) { return value.has(s); };
+        return std::any_of(f.definitions.begin(), f.definitions.end(),
+                           [&](const Definition& d) { return in(d.value); }) ||
+               std::any_of(f.outputs.begin(), f.outputs.end(), [&](const Output& o) {
+                 return std::any_of(o.values.begin(), o.values.end(), in);
+               });
+      });
+    };
+    std::erase_if(f.inputs, [&](const Argument& argument) {
+      return argument.name != "q" && argument.name != "qd" && argument.name != "qdd" &&
+             !used(argument);
+    });
+    return f;
+  }
+
+  const DrivenModel& model_;
+  const Identified& identified_;
+  int n_;
+  Argument q_, qd_, qdd_, load_, jounce_, time_, step_, states_;
+  DefinitionList list_;
+  std::vector<ex> q_at_, qd_at_, directions_, next_;
+};
+
+}  // namespace
+
+DrivenModel driven_model(const Mechanism& mechanism, const CostOf& cost) {
+  DrivenModel model;
+  model.name = mechanism.name;
+  model.rigid = inverse_dynamics_function(mechanism, cost);
+  const Coordinates coordinates(mechanism);
+  for (const int index : coordinates.joints())
+    model.joints.push_back(driven_joint(mechanism.joints[static_cast<std::size_t>(index)]));
+  return model;
+}
+
+DrivenModel driven_model(const MotorParameters& motor, const std::string& name) {
+  DrivenJoint joint;
+  joint.name = "motor";
+  joint.position = motor.theta;
+  joint.velocity = motor.velocity;
+  joint.acceleration = {-100.0, 100.0};
+  joint.damping = motor.gamma3;
+  joint.friction = motor.gamma2 * std::numbers::pi / 2.0;
+  joint.friction_speed = motor.gamma1 > 0.0 ? 1.0 / motor.gamma1 : 0.0;
+  joint.motor_turn = 2.0 * std::numbers::pi * motor.gear_ratio;
+  joint.output_turn = 2.0 * std::numbers::pi;
+  return {name, motor_rigid_torque(motor), {joint}};
+}
+
+double assumed_friction_speed(const DrivenJoint& joint) {
+  return 1e-3 * std::max(std::abs(joint.velocity.low), std::abs(joint.velocity.high));
+}
+
+Function effort_function(const DrivenModel& model, const Identified& identified) {
+  return EffortWriter(model, identified).effort();
+}
+
+Function compensation_function(const DrivenModel& model, const Identified& identified,
+                               double share) {
+  return EffortWriter(model, identified).compensation(share);
+}
+
+}  // namespace sinew

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Joints with their drives, as a measured log sees them: position in, effort out. The model that a
+// diagnosis compares with measurements and extends.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "generator/function.h"
+#include "symbolic/choose_plan.h"
+#include "symbolic/identified.h"
+#include "symbolic/mechanism.h"
+#include "symbolic/motor.h"
+
+namespace sinew {
+
+/// A coordinate and what drives it.
+struct DrivenJoint {
+  std::string name;  ///< of the joint; "motor" for a motor
+  bool revolute = true;
+  Range position, velocity, acceleration;  ///< SI
+  double damping = 0.0;                    ///< N m s/rad or N s/m
+  double friction = 0.0;                   ///< N m or N: level at high speed
+  double friction_speed = 0.0;             ///< rad/s or m/s; 0: unknown
+  double armature = 0.0;                   ///< kg m^2 or kg
+  double motor_turn = 0.0;                 ///< motion for one turn of the motor; 0: unknown
+  double output_turn = 0.0;                ///< motion for one turn of the output; 0: does not turn
+};
+
+struct DrivenModel {
+  std::string name;
+  Function rigid;  ///< (q, qd, qdd -> tau), n each: everything but the joints' drives
+  std::vector<DrivenJoint> joints;
+};
+
+DrivenModel driven_model(const Mechanism& mechanism, const CostOf& cost = {});
+DrivenModel driven_model(const MotorParameters& motor, const std::string& name);
+
+/// Speed over which friction turns where it is not known: a thousandth of the joint's highest.
+double assumed_friction_speed(const DrivenJoint& joint);
+
+/// effort(q, qd, qdd, load, qdddd, time, step, state -> tau, next): effort that the drives have to
+/// give for a motion against an external load: rigid body, armature, friction, and the identified
+/// effects. Arguments that nothing depends on are left out; n numbers each for q, qd, qdd, load and
+/// tau, one state for every effect that has one, in their order. Throws std::invalid_argument for
+/// an effect at a place that the model has not.
+Function effort_function(const DrivenModel& model, const Identified& identified);
+
+/// compensation(q, qd[, load] -> tau): feedforward of the identified effects that follow from what
+/// the firmware measures, `share` of each so that friction is never over-compensated. No outputs
+/// where there is none.
+Function compensation_function(const DrivenModel& model, const Identified& identified,
+                               double share = 0.9);
+
+}  // namespace sinew

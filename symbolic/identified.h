@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What logs taught about a model: identified.toml.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace sinew {
+
+struct IdentifiedValue {
+  std::string name;  ///< as the effect declares it
+  double value = 0.0;
+  double standard_error = 0.0;  ///< 0 where it was given, not estimated
+  std::string unit;
+};
+
+/// A log that an effect was learnt from.
+struct IdentifiedLog {
+  std::string file, sha256;
+};
+
+/// An effect of symbolic/effects at one place, or "delay" and "direction" (see below).
+struct IdentifiedEffect {
+  std::string effect;
+  std::string place;  ///< joint of a mechanism, "motor" of a motor
+  std::vector<IdentifiedValue> shape, coefficients;
+
+  double coefficient(const std::string& name) const;
+};
+
+/// Contents of identified.toml. Besides the effects of the catalogue there are
+///   delay      (coefficient delay [s]): the effort acts that much later than it is logged;
+///   direction  (shape presliding_length): the direction of friction is a bristle state, not a
+///              function of the velocity;
+///   torque_constant (coefficient gain_change [1]): the effort is that share larger than logged.
+struct Identified {
+  std::vector<IdentifiedEffect> effects;
+  std::vector<IdentifiedLog> logs;
+  bool empty() const { return effects.empty(); }
+};
+
+/// Empty where the folder has no identified.toml. Throws DescriptionError with all mistakes found.
+Identified read_identified(const std::filesystem::path& folder);
+
+/// TOML text; the same for the same contents.
+std::string identified_text(const Identified& identified);
+
+}  // namespace sinew
