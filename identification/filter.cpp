@@ -25,27 +25,37 @@ double bessel_i0(double x) {
   return sum;
 }
 
-/// Kaiser-windowed sinc of the given cutoff [cycles/sample], x samples from its centre.
-double kernel_value(double x, double cutoff, double half_width) {
+/// Kaiser's window is the shorter one but ends in a step; differentiated, a step is a pulse, so
+/// what is differentiated twice gets Blackman's, which ends without step or kink.
+enum class Window { kaiser, blackman };
+
+double window_value(Window window, double u) {
+  if (window == Window::kaiser) return bessel_i0(kKaiserBeta * std::sqrt(1.0 - u * u));
+  return 0.42 + 0.5 * std::cos(kPi * u) + 0.08 * std::cos(2.0 * kPi * u);
+}
+
+/// Windowed sinc of the given cutoff [cycles/sample], x samples from its centre.
+double kernel_value(double x, double cutoff, double half_width, Window shape) {
   const double u = x / half_width;
   if (std::abs(u) >= 1.0) return 0.0;
-  const double window = bessel_i0(kKaiserBeta * std::sqrt(1.0 - u * u));
+  const double window = window_value(shape, u);
   const double phase = 2.0 * kPi * cutoff * x;
   const double sinc = std::abs(phase) < 1e-9 ? 1.0 : std::sin(phase) / phase;
   return sinc * window;  // the scale follows from what the kernel is to do to polynomials
 }
 
 /// Weights w with y(c) = sum_j w_j x(c + j), j = -half..half, for the signal `advance` samples on.
-VectorXd kernel(double cutoff, Index half, double advance, int derivative) {
+VectorXd kernel(double cutoff, Index half, double advance, int derivative,
+                Window shape = Window::kaiser) {
   const double width = static_cast<double>(half) + 1.0;
   const double h = 1e-3;
   VectorXd w(2 * half + 1);
   for (Index j = -half; j <= half; ++j) {
     const double x = static_cast<double>(j) - advance;
-    const double centre = kernel_value(x, cutoff, width);
+    const double centre = kernel_value(x, cutoff, width, shape);
     // d/dt of y moves the kernel, hence the minus sign of the first derivative.
-    const double low = kernel_value(x - h, cutoff, width),
-                 high = kernel_value(x + h, cutoff, width);
+    const double low = kernel_value(x - h, cutoff, width, shape),
+                 high = kernel_value(x + h, cutoff, width, shape);
     const double value = derivative == 0   ? centre
                          : derivative == 1 ? -(high - low) / (2.0 * h)
                                            : (high - 2.0 * centre + low) / (h * h);
@@ -109,12 +119,13 @@ MatrixXd filter_decimate(const DecimatingFilter& filter, const MatrixXd& x, doub
 
 Motion differentiate(const MatrixXd& position, double step, double cutoff_hz) {
   const double cutoff = std::min(0.5, 1.25 * cutoff_hz * step);
-  // Transition from cutoff to 1.5 cutoff at 60 dB.
-  const Index half = std::max<Index>(4, static_cast<Index>(std::ceil(1.9 / cutoff / 0.5)));
+  // Transition from about 0.75 to 1.3 cutoff at 60 dB.
+  const Index half = std::max<Index>(4, static_cast<Index>(std::ceil(2.5 / cutoff / 0.5)));
   const Index n = position.rows();
   if (n <= half + 1) throw std::invalid_argument("differentiate: log shorter than the smoother");
-  const VectorXd w0 = kernel(cutoff, half, 0.0, 0), w1 = kernel(cutoff, half, 0.0, 1) / step,
-                 w2 = kernel(cutoff, half, 0.0, 2) / (step * step);
+  const VectorXd w0 = kernel(cutoff, half, 0.0, 0, Window::blackman),
+                 w1 = kernel(cutoff, half, 0.0, 1, Window::blackman) / step,
+                 w2 = kernel(cutoff, half, 0.0, 2, Window::blackman) / (step * step);
   Motion motion{MatrixXd(n, position.cols()), MatrixXd(n, position.cols()),
                 MatrixXd(n, position.cols())};
   VectorXd padded(n + 2 * half);

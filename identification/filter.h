@@ -37,7 +37,7 @@ struct Motion {
   Eigen::MatrixXd q, qd, qdd;
 };
 
-/// Zero-phase derivative smoother: position is convolved with a Kaiser-windowed sinc that passes
+/// Zero-phase derivative smoother: position is convolved with a Blackman-windowed sinc that passes
 /// everything below cutoff_hz and with that kernel's first and second derivative. At the ends
 /// the position is continued by point reflection. position: samples x axes.
 Motion differentiate(const Eigen::MatrixXd& position, double step, double cutoff_hz);
