@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Logs of the truth simulators read as a user's would be: clean ones without suspicion, spoilt ones
 // with the fault named.
-#include <unistd.h>
-
 #include <fmt/format.h>
 
 #include <catch2/catch.hpp>
 #include <cstdlib>
-#include <filesystem>
-#include <fstream>
 
 #include "identification/read_csv.h"
 #include "tests/blind/truth/sealed_trial.h"
+#include "tests/reference/temporary_folder.h"
 
 using namespace sinew;
 using namespace sinew::truth;
@@ -38,10 +35,9 @@ std::vector<ChannelSpec> specs_of(const Trial& trial) {
 }
 
 std::vector<DataFault> findings(const Trial& trial) {
-  const auto path = std::filesystem::path(SINEW_BINARY_DIR) / "test_logs" /
-                    ("trial_" + std::to_string(::getpid()) + ".csv");
-  std::filesystem::create_directories(path.parent_path());
-  std::ofstream(path, std::ios::binary) << trial.train;
+  const reference::TemporaryFolder folder;
+  const auto path = folder.path() / "trial.csv";
+  reference::write_text(path, trial.train);
   try {
     return read_csv(path.string(), specs_of(trial)).faults;
   } catch (const LogError& error) {

@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <unistd.h>
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 
 #include "tests/identification/planted_log.h"
+#include "tests/reference/temporary_folder.h"
 
 namespace sinew::test {
 namespace {
@@ -374,12 +371,11 @@ Planted plant(int fault, PlantedLog& log, std::mt19937_64& random) {
 }
 
 std::string write_file(const std::string& name, const std::string& text) {
-  const std::filesystem::path folder = std::filesystem::path(SINEW_BINARY_DIR) / "test_logs";
-  std::filesystem::create_directories(folder);
-  // tests run side by side: each process has files of its own
-  const std::string path = (folder / fmt::format("{}_{}", ::getpid(), name)).string();
-  std::ofstream(path, std::ios::binary) << text;
-  return path;
+  // Tests run side by side: each process has a folder of its own, gone at its end.
+  static const reference::TemporaryFolder folder;
+  const std::filesystem::path path = folder.path() / name;
+  reference::write_text(path, text);
+  return path.string();
 }
 
 }  // namespace sinew::test

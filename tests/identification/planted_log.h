@@ -41,7 +41,7 @@ constexpr int planted_kinds = 30;
 std::string planted_name(int fault);
 Planted plant(int fault, PlantedLog& log, std::mt19937_64& random);
 
-/// Writes the text to a file below the build folder and gives its path.
+/// Writes the text to a file of this process and gives its path.
 std::string write_file(const std::string& name, const std::string& text);
 
 }  // namespace sinew::test

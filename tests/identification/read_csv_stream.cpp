@@ -12,6 +12,7 @@
 #include "identification/read_csv.h"
 #include "identification/uniform_grid.h"
 #include "tests/identification/planted_log.h"
+#include "tests/reference/temporary_folder.h"
 
 using namespace sinew;
 using sinew::test::write_file;
@@ -101,8 +102,8 @@ TEST_CASE("memory does not grow with the log") {
     return static_cast<double>(usage.ru_maxrss) / 1024.0;
   };
   // Written in pieces, so that the writer itself stays small.
-  const auto path = std::filesystem::path(SINEW_BINARY_DIR) / "test_logs" / "very_long.csv";
-  std::filesystem::create_directories(path.parent_path());
+  const sinew::reference::TemporaryFolder folder;
+  const auto path = folder.path() / "very_long.csv";
   {
     std::ofstream out(path, std::ios::binary);
     out << "time [s],theta [rad],tau_m [N·m]\n";
@@ -124,7 +125,6 @@ TEST_CASE("memory does not grow with the log") {
   const double before = peak();
   const Log log = read_csv(path.string(), rotary_drive_channels(), options);
   const double grown = peak() - before;
-  std::filesystem::remove(path);
   CHECK(log.rows == 1500000);
   CHECK(log.sample_count() <= 20000);
   CAPTURE(grown);

@@ -2,18 +2,17 @@
 // What compilers make of the runtime: no conditional jump, no undefined symbol, vectorised loops,
 // and the same bits from every compiler and option. Each check is also shown a defect that it must
 // find.
-#include <unistd.h>
-
 #include <array>
 #include <catch2/catch.hpp>
 #include <cstdio>
 #include <cstdlib>
-#include <filesystem>
 #include <memory>
 #include <regex>
 #include <sstream>
 #include <string>
 #include <vector>
+
+#include "tests/reference/temporary_folder.h"
 
 namespace {
 
@@ -41,14 +40,11 @@ bool installed(const std::string& program) {
   return run("command -v " + program).status == 0;
 }
 
-// One folder a process: CTest runs these tests side by side, and one's planted defect must not be
-// what another looks at.
+// One folder a process, gone at its end: CTest runs these tests side by side, and one's planted
+// defect must not be what another looks at.
 std::string scratch(const std::string& name) {
-  static const std::string process = std::to_string(::getpid());
-  const std::filesystem::path folder =
-      std::filesystem::path(SINEW_BINARY_DIR) / "object_code" / process;
-  std::filesystem::create_directories(folder);
-  return (folder / name).string();
+  static const sinew::reference::TemporaryFolder folder;
+  return (folder.path() / name).string();
 }
 
 struct Target {
