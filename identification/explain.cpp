@@ -141,6 +141,7 @@ Explanation explain(const Problem& problem, const Settings& settings,
     selection.noise = own_noise(design, selection.model, settings.threads);
 
   const auto all = estimates(design, selection.model, selection.noise);
+  result.estimates = all;
   for (std::size_t t = 0; t < selection.model.terms.size(); ++t) {
     const Term& term = selection.model.terms[t];
     if (term.baseline)

@@ -11,6 +11,8 @@ namespace sinew::diagnosis {
 struct Explanation {
   Verdict verdict;
   Selection selection;
+  /// Parameters of every term of the selection's model.
+  std::vector<std::vector<ParameterEstimate>> estimates;
 };
 
 /// Names what the baseline leaves over. `experiments` (may be empty) are what the separating

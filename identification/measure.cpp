@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "identification/measure.h"
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+
+#include "identification/effect_candidate.h"
+#include "identification/measure_plots.h"
+#include "symbolic/effects/effects.h"
+
+namespace sinew::diagnosis {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+/// Residual less what the columns explain; each half is fitted on the other.
+VectorXd crosswise(const VectorXd& residual, const MatrixXd& columns) {
+  const Index half = residual.size() / 2, rest = residual.size() - half;
+  VectorXd out = residual;
+  const VectorXd first = columns.topRows(half).colPivHouseholderQr().solve(residual.head(half));
+  const VectorXd second = columns.bottomRows(rest).colPivHouseholderQr().solve(residual.tail(rest));
+  out.head(half) -= columns.topRows(half) * second;
+  out.tail(rest) -= columns.bottomRows(rest) * first;
+  return out;
+}
+
+/// The per-log terms that act on a channel: their columns, filtered.
+MatrixXd nuisance_columns(const DrivenSubject& subject, const Design& design, int segment,
+                          const std::vector<ExtensionTerm>& terms) {
+  const Segment& s = design.segments()[static_cast<std::size_t>(segment)];
+  const Recording& log = design.recording(s.recording);
+  MatrixXd all(s.samples, 0);
+  for (const ExtensionTerm& term : terms) {
+    if (!term.per_log) continue;
+    const auto axis = static_cast<std::size_t>(s.channel);
+    if (subject.model().joints[axis].name != term.entry.place) continue;
+    VectorXd shape(static_cast<Index>(term.entry.shape.size()));
+    for (Index k = 0; k < shape.size(); ++k)
+      shape(k) = term.entry.shape[static_cast<std::size_t>(k)].value;
+    const MatrixXd raw = effect_columns(find_effect(term.entry.effect), log, s.channel, shape);
+    const MatrixXd filtered = design.filtered(segment, raw);
+    all.conservativeResize(Eigen::NoChange, all.cols() + filtered.cols());
+    all.rightCols(filtered.cols()) = filtered;
+  }
+  return all;
+}
+
+}  // namespace
+
+std::vector<MeasuredChannel> measure(const DrivenSubject& subject, const Design& design,
+                                     const std::vector<ExtensionTerm>& terms) {
+  std::vector<ExtensionTerm> lasting = terms;
+  std::erase_if(lasting, [](const ExtensionTerm& t) { return t.per_log; });
+  const EffortModel after(subject.model(), extended(subject.identified(), lasting),
+                          subject.runtime());
+  std::vector<MeasuredChannel> result;
+  for (std::size_t i = 0; i < design.segments().size(); ++i) {
+    const Segment& s = design.segments()[i];
+    const Recording& log = design.recording(s.recording);
+    const int segment = static_cast<int>(i);
+    MeasuredChannel m{s.recording, s.channel, s.holdout,      {}, {}, {}, {}, {},
+                      {},          {},        1.0 / s.rate_hz};
+    const auto axis = static_cast<Index>(s.channel);
+    m.time = design.at_instants(segment, log.time);
+    m.position = design.at_instants(segment, log.q.col(axis));
+    m.velocity = design.at_instants(segment, log.qd.col(axis));
+    if (log.load.size() > 0) m.load = design.at_instants(segment, log.load.col(axis));
+    m.measured = design.filtered(segment, log.target[static_cast<std::size_t>(s.channel)]);
+    m.before = design.filtered(segment, log.signals.at("effort").col(axis));
+    const VectorXd said = design.filtered(segment, after(log).col(axis));
+    const MatrixXd nuisance = nuisance_columns(subject, design, segment, terms);
+    m.after =
+        nuisance.cols() == 0 ? said : VectorXd(m.measured - crosswise(m.measured - said, nuisance));
+    result.push_back(std::move(m));
+  }
+  return result;
+}
+
+Gain measured_gain(const std::vector<MeasuredChannel>& measured, int channel, bool held_out,
+                   int blocks, unsigned seed) {
+  std::vector<double> before, after;
+  for (const MeasuredChannel& m : measured) {
+    if (m.held_out != held_out || (channel >= 0 && m.channel != channel)) continue;
+    // Channels of different units count by their share.
+    const double unit = std::max(m.measured.squaredNorm(), 1e-300);
+    const Index n = m.measured.size();
+    for (int b = 0; b < blocks; ++b) {
+      const Index from = n * b / blocks, count = n * (b + 1) / blocks - from;
+      before.push_back((m.measured - m.before).segment(from, count).squaredNorm() / unit);
+      after.push_back((m.measured - m.after).segment(from, count).squaredNorm() / unit);
+    }
+  }
+  if (before.empty()) return {};
+  return block_bootstrap_gain(VectorXd::Map(before.data(), static_cast<Index>(before.size())),
+                              VectorXd::Map(after.data(), static_cast<Index>(after.size())), 0.95,
+                              seed);
+}
+
+ChannelFinding channel_finding(const DrivenSubject& subject,
+                               const std::vector<MeasuredChannel>& measured, int channel,
+                               double noise_floor) {
+  const DrivenJoint& joint = subject.model().joints[static_cast<std::size_t>(channel)];
+  ChannelFinding finding;
+  finding.unit = joint.revolute ? "N*m" : "N";
+  finding.name = joint.name == "motor" ? "tau_m" : "effort of " + joint.name;
+  finding.noise_floor = noise_floor;
+  const bool judged_on_held_out =
+      std::any_of(measured.begin(), measured.end(), [](const auto& m) { return m.held_out; });
+  double energy = 0.0, variance = 0.0, before = 0.0, after = 0.0, count = 0.0;
+  for (const MeasuredChannel& m : measured) {
+    if (m.channel != channel || m.held_out != judged_on_held_out) continue;
+    energy += m.measured.squaredNorm();
+    variance += (m.measured.array() - m.measured.mean()).square().sum();
+    before += (m.measured - m.before).squaredNorm();
+    after += (m.measured - m.after).squaredNorm();
+    count += static_cast<double>(m.measured.size());
+  }
+  count = std::max(count, 1.0);
+  finding.measured_rms = std::sqrt(energy / count);
+  finding.unexplained_before = before / std::max(variance, 1e-300);
+  finding.unexplained_after = after / std::max(variance, 1e-300);
+  finding.domains.push_back({"force", finding.unit, std::sqrt(before / count),
+                             std::sqrt(after / count),
+                             measured_gain(measured, channel, judged_on_held_out, 12, 1)});
+  finding.plots = channel_plots(measured, channel, judged_on_held_out, joint.revolute);
+  return finding;
+}
+
+}  // namespace sinew::diagnosis

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The error of a model on logs, through its emitted C: before and after an extension.
+#pragma once
+
+#include <vector>
+
+#include "identification/cross_validation.h"
+#include "identification/driven_subject.h"
+#include "identification/extend.h"
+#include "identification/findings.h"
+
+namespace sinew::diagnosis {
+
+/// One channel of one recording at the band-limited instants.
+struct MeasuredChannel {
+  int recording = 0;  ///< training logs first, then held-out ones
+  int channel = 0;
+  bool held_out = false;
+  Eigen::VectorXd time, position, velocity, load;  ///< load empty where there is none
+  Eigen::VectorXd measured, before, after;         ///< effort, all behind the same filter
+  double step = 0.0;                               ///< s
+};
+
+/// Runs the emitted effort of the model as it was and of the extended one over every log.
+/// Coefficients that differ from log to log are fitted on the other half of the log they are judged
+/// on.
+std::vector<MeasuredChannel> measure(const DrivenSubject& subject, const Design& design,
+                                     const std::vector<ExtensionTerm>& terms);
+
+/// Gain of the mean square over the chosen logs of one channel (-1: all), with its interval.
+Gain measured_gain(const std::vector<MeasuredChannel>& measured, int channel, bool held_out,
+                   int blocks, unsigned seed);
+
+/// The error in the force domain and the plots of one channel.
+ChannelFinding channel_finding(const DrivenSubject& subject,
+                               const std::vector<MeasuredChannel>& measured, int channel,
+                               double noise_floor);
+
+}  // namespace sinew::diagnosis

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The pictures that carry a verdict: what the model leaves over, against what it may depend on.
+#pragma once
+
+#include <vector>
+
+#include "identification/findings.h"
+#include "identification/measure.h"
+
+namespace sinew::diagnosis {
+
+/// Time, velocity, position, load, spectrum and loop of one channel, from the held-out logs or the
+/// training logs.
+std::vector<Plot> channel_plots(const std::vector<MeasuredChannel>& measured, int channel,
+                                bool held_out, bool revolute);
+
+}  // namespace sinew::diagnosis
