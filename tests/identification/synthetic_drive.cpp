@@ -45,8 +45,9 @@ VectorXd trajectory(Index n, double step, Random& random) {
   ArrayXd sines = ArrayXd::Zero(n - half);
   const ArrayXd t = ArrayXd::LinSpaced(n - half, 0.0, step * static_cast<double>(n - half - 1));
   for (const double f : {0.11, 0.23, 0.41, 0.77, 1.3})
-    sines += uniform(random, 0.3, 1.0) * 0.25 / std::sqrt(f) *
-             (2.0 * kPi * f * uniform(random, 0.9, 1.1) * t + uniform(random, 0.0, 2.0 * kPi)).sin();
+    sines +=
+        uniform(random, 0.3, 1.0) * 0.25 / std::sqrt(f) *
+        (2.0 * kPi * f * uniform(random, 0.9, 1.1) * t + uniform(random, 0.0, 2.0 * kPi)).sin();
   const ArrayXd blend = 0.5 - 0.5 * (kPi * (t / 1.0).min(1.0)).cos();
   q.tail(n - half) = hold * (1.0 - blend) + blend * sines;
   // No drive follows a jump in acceleration.
@@ -59,7 +60,8 @@ ArrayXd dynamic_friction(const VectorXd& q, double stiffness, int substeps) {
   double z = 0.0;
   for (Index i = 0; i < q.size(); ++i) {
     const double dq = i == 0 ? 0.0 : (q(i) - q(i - 1)) / substeps;
-    for (int k = 0; k < substeps; ++k) z += dq - std::abs(dq) * stiffness * z;
+    // Implicit, hence stable for any stiffness.
+    for (int k = 0; k < substeps; ++k) z = (z + dq) / (1.0 + std::abs(dq) * stiffness);
     force(i) = stiffness * z;
   }
   return force;
@@ -92,7 +94,8 @@ struct Truth {
 ArrayXd time_shifted(const ArrayXd& x, double samples) {
   ArrayXd y(x.size());
   for (Index i = 0; i < x.size(); ++i) {
-    const double at = std::clamp(static_cast<double>(i) + samples, 0.0, static_cast<double>(x.size() - 1) - 1e-9);
+    const double at =
+        std::clamp(static_cast<double>(i) + samples, 0.0, static_cast<double>(x.size() - 1) - 1e-9);
     const auto k = static_cast<Index>(at);
     const double f = at - static_cast<double>(k);
     y(i) = x(k) * (1.0 - f) + x(k + 1) * f;
@@ -142,32 +145,50 @@ ArrayXd effect(const std::string& name, const Truth& s, Random& random) {
     return (2.5 * s.q + phase).sin() + 0.5 * (5.0 * s.q + 2.0 * phase).sin();
   if (name == "offset drift") return sign * s.t;
   // Foreign ones.
-  if (name == "vibration in time") return (2.0 * kPi * uniform(random, 4.0, 30.0) * s.t + phase).sin();
-  if (name == "sticky spot") return s.friction * (-((s.q - uniform(random, -0.4, 0.4)) / 0.12).square()).exp();
+  if (name == "vibration in time")
+    return (2.0 * kPi * uniform(random, 4.0, 30.0) * s.t + phase).sin();
+  if (name == "sticky spot")
+    return s.friction * (-((s.q - uniform(random, -0.4, 0.4)) / 0.12).square()).exp();
   if (name == "odd ripple") return ripple(uniform(random, 1.55, 1.8), s.period_in);
-  if (name == "bump in position") return (-((s.q - uniform(random, -0.4, 0.4)) / 0.08).square()).exp();
+  if (name == "bump in position")
+    return (-((s.q - uniform(random, -0.4, 0.4)) / 0.08).square()).exp();
   if (name == "speed resonance")
-    return (-((s.v.abs() - uniform(random, 0.35, 0.6) * vmax) / (0.08 * vmax)).square()).exp() * s.friction;
-  if (name == "offset jump") return (s.t > uniform(random, 0.3, 0.7) * s.t(s.t.size() - 1)).cast<double>();
+    return (-((s.v.abs() - uniform(random, 0.35, 0.6) * vmax) / (0.08 * vmax)).square()).exp() *
+           s.friction;
+  if (name == "offset jump")
+    return (s.t > uniform(random, 0.3, 0.7) * s.t(s.t.size() - 1)).cast<double>();
   throw std::invalid_argument("no effect called " + name);
 }
 
 }  // namespace
 
 const std::vector<std::string>& hidden_effects() {
-  static const std::vector<std::string> names{
-      "viscous asymmetry", "Stribeck friction", "friction concave in speed", "quadratic friction",
-      "drift of friction", "friction varies with position", "load-dependent friction",
-      "ripple, input order 1", "ripple, input order 2", "ripple, input order 3",
-      "ripple, output order 1", "ripple, output order 2",
-      "ripple proportional to load, input order 1", "gear elasticity", "backlash", "delay",
-      "spring", "position-dependent cable torque", "offset drift"};
+  static const std::vector<std::string> names{"viscous asymmetry",
+                                              "Stribeck friction",
+                                              "friction concave in speed",
+                                              "quadratic friction",
+                                              "drift of friction",
+                                              "friction varies with position",
+                                              "load-dependent friction",
+                                              "ripple, input order 1",
+                                              "ripple, input order 2",
+                                              "ripple, input order 3",
+                                              "ripple, output order 1",
+                                              "ripple, output order 2",
+                                              "ripple proportional to load, input order 1",
+                                              "gear elasticity",
+                                              "backlash",
+                                              "delay",
+                                              "spring",
+                                              "position-dependent cable torque",
+                                              "offset drift"};
   return names;
 }
 
 const std::vector<std::string>& foreign_effects() {
-  static const std::vector<std::string> names{"vibration in time", "sticky spot", "odd ripple",
-                                              "bump in position", "speed resonance", "offset jump"};
+  static const std::vector<std::string> names{"vibration in time", "sticky spot",
+                                              "odd ripple",        "bump in position",
+                                              "speed resonance",   "offset jump"};
   return names;
 }
 
@@ -184,7 +205,8 @@ SyntheticDrive simulate_drive(const std::vector<std::string>& effects,
   s.q = exact.q;
   s.v = exact.qd;
   s.a = exact.qdd;
-  s.friction = dynamic_friction(exact.q, std::exp(uniform(random, std::log(5e2), std::log(2e4))), 40);
+  s.friction =
+      dynamic_friction(exact.q, std::exp(uniform(random, std::log(5e2), std::log(2e4))), 40);
   s.load = 1.5 + (2.0 * kPi * uniform(random, 0.05, 0.3) * s.t + 1.0).sin();
   s.period_in = uniform(random, 0.15, 0.3);
   s.period_out = uniform(random, 1.2, 2.0);
