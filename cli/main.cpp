@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 
+#include "cli/diagnose.h"
 #include "cli/figures.h"
 #include "cli/generate.h"
 #include "cli/import.h"
@@ -38,6 +39,7 @@ int main(int argc, char** argv) {
   sinew::add_dump_command(app, exit_status);
   sinew::add_import_command(app, exit_status);
   sinew::add_figures_command(app, exit_status);
+  sinew::add_diagnose_command(app, exit_status);
   if (argc > 1 && argv[1][0] != '-' && !has_command(app, argv[1])) {
     fmt::print(stderr, "sinew: no command is called '{}'; expected one of {}\n", argv[1],
                command_names(app));

@@ -8,6 +8,7 @@
 
 #include "identification/sha256.h"
 #include "symbolic/coordinates.h"
+#include "symbolic/driven_model.h"
 #include "symbolic/functions.h"
 #include "symbolic/read_hand.h"
 #include "symbolic/read_mechanism.h"
@@ -96,14 +97,45 @@ ModelFolder open_model_folder(const fs::path& folder) {
   }
   result.identity.description = description.empty() ? "Model " + result.identity.name : description;
   result.identity.hash = hash_of(folder, parts);
+  result.identified = read_identified(folder);
   return result;
 }
 
-std::vector<Function> derive_functions(const ModelFolder& folder, bool runtime_parameters) {
+namespace {
+
+/// effort and compensation of what logs taught; nothing where they taught nothing.
+std::vector<Function> identified_functions(const ModelFolder& folder) {
+  if (folder.identified.empty()) return {};
+  DrivenModel driven;
+  if (const Mechanism* mechanism = std::get_if<Mechanism>(&folder.model)) {
+    driven = driven_model(*mechanism, emitted_cost);
+  } else {
+    const Part* part = std::get_if<Part>(&folder.model);
+    const auto* motor = part ? std::get_if<MotorParameters>(&part->parameters) : nullptr;
+    if (!motor)
+      throw std::runtime_error(folder.identity.name +
+                               ": identified.toml is understood beside a mechanism or a motor");
+    driven = driven_model(*motor, part->name);
+  }
+  std::vector<Function> functions{effort_function(driven, folder.identified)};
+  Function compensation = compensation_function(driven, folder.identified);
+  if (!compensation.outputs.empty()) functions.push_back(std::move(compensation));
+  return functions;
+}
+
+std::vector<Function> model_functions(const ModelFolder& folder, bool runtime_parameters) {
   if (const Mechanism* mechanism = std::get_if<Mechanism>(&folder.model))
     return functions_of(*mechanism, emitted_cost, runtime_parameters);
   if (const Hand* hand = std::get_if<Hand>(&folder.model)) return hand_functions(*hand);
   return functions_of(std::get<Part>(folder.model));
+}
+
+}  // namespace
+
+std::vector<Function> derive_functions(const ModelFolder& folder, bool runtime_parameters) {
+  std::vector<Function> functions = model_functions(folder, runtime_parameters);
+  for (Function& each : identified_functions(folder)) functions.push_back(std::move(each));
+  return functions;
 }
 
 fs::path default_output(const ModelFolder& folder) {

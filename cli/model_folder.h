@@ -6,6 +6,7 @@
 
 #include "generator/assemble.h"
 #include "symbolic/hand.h"
+#include "symbolic/identified.h"
 #include "symbolic/mechanism.h"
 #include "symbolic/part.h"
 
@@ -15,6 +16,7 @@ namespace sinew {
 struct ModelFolder {
   std::variant<Mechanism, Part, Hand> model;
   ModelIdentity identity;
+  Identified identified;  ///< what logs taught; empty without identified.toml
 };
 
 /// Reads and checks a model folder. Throws DescriptionError with every mistake found.

@@ -227,4 +227,8 @@ void DrivenSubject::add_model_candidates(std::size_t joint) {
 
 void DrivenSubject::add_levels(std::size_t) {}
 
+std::string DrivenSubject::level_effect(int) const {
+  return {};
+}
+
 }  // namespace sinew::diagnosis

@@ -43,6 +43,8 @@ class DrivenSubject {
   const EffortModel& effort() const { return effort_; }
   const std::vector<CandidateOrigin>& library_origins() const { return library_; }
   const std::vector<CandidateOrigin>& baseline_origins() const { return baseline_; }
+  /// Identifier of the effect that a level cause changes; empty where it has no term of its own.
+  std::string level_effect(int level) const;
   /// What is known of a joint's friction direction: true where it is a bristle state.
   bool bristle(std::size_t joint) const { return bristle_[joint]; }
 

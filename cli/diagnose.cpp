@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/diagnose.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <fstream>
+#include <memory>
+
+#include "cli/model_folder.h"
+#include "cli/runtime_folder.h"
+#include "generator/write.h"
+#include "identification/diagnose.h"
+#include "identification/driven_channels.h"
+#include "identification/findings_json.h"
+#include "identification/report_html.h"
+#include "identification/report_text.h"
+#include "symbolic/put_files.h"
+
+namespace sinew {
+namespace {
+
+namespace fs = std::filesystem;
+using diagnosis::DiagnoseRequest;
+using diagnosis::Diagnosis;
+
+struct Options {
+  std::string folder, out, runtime;
+  std::vector<std::string> logs, holdout, map;
+  double band = 0.0;
+  unsigned seed = 1;
+  bool dry_run = false, json = false;
+};
+
+/// One line that is written over, on a terminal only.
+class Progress {
+ public:
+  explicit Progress(bool wanted) : shown_(wanted && ::isatty(STDERR_FILENO)) {}
+  ~Progress() {
+    if (shown_) fmt::print(stderr, "\r\033[K");
+  }
+  void operator()(const std::string& step, double share) const {
+    if (shown_) fmt::print(stderr, "\r\033[K[{:3.0f} %] {}", 100.0 * share, step);
+  }
+
+ private:
+  bool shown_;
+};
+
+DriveLimits limits_of(const DrivenJoint& joint) {
+  DriveLimits limits;
+  limits.inertia = joint.armature;
+  limits.friction = joint.friction;
+  return limits;
+}
+
+DiagnoseRequest request_for(const Options& o, const ModelFolder& folder) {
+  DiagnoseRequest request;
+  request.name = folder.identity.name;
+  request.description = folder.identity.description;
+  request.hash = folder.identity.hash;
+  request.runtime = runtime_folder(o.runtime);
+  request.identified = read_identified(o.folder);
+  request.logs = o.logs;
+  request.holdout = o.holdout;
+  request.map = o.map;
+  request.settings.edge_s = 0.1;
+  request.settings.band_hz = o.band;
+  request.settings.seed = o.seed;
+  if (const Mechanism* mechanism = std::get_if<Mechanism>(&folder.model)) {
+    request.kind = "robot";
+    request.model = driven_model(*mechanism, emitted_cost);
+    request.channels = [mechanism, map = o.map](const std::string& file) {
+      return diagnosis::robot_log_channels(*mechanism, file, map);
+    };
+    return request;
+  }
+  const Part* part = std::get_if<Part>(&folder.model);
+  const MotorParameters* motor = part ? std::get_if<MotorParameters>(&part->parameters) : nullptr;
+  if (!motor)
+    throw std::runtime_error(
+        o.folder +
+        ": diagnose works on a motor or on a mechanism of joints; this model is neither");
+  request.kind = "rotary drive";
+  request.model = driven_model(*motor, part->name);
+  request.channels = [limits = limits_of(request.model.joints.front())](const std::string&) {
+    return diagnosis::drive_log_channels(true, limits);
+  };
+  return request;
+}
+
+/// The model's folder with what it has learnt, and its C, as they would be.
+FileSet extended_c(const Options& o, const Diagnosis& diagnosis) {
+  ModelFolder folder = open_model_folder(o.folder);
+  folder.identified = diagnosis.extended;
+  return emit_files(assemble(folder.identity, derive_functions(folder), Target{}));
+}
+
+void write_results(const Options& o, Diagnosis& diagnosis) {
+  auto& extension = diagnosis.findings.extension;
+  extension.dry_run = o.dry_run;
+  std::map<std::string, std::string> files;
+  if (extension.adopted) {
+    files["identified.toml"] = identified_text(diagnosis.extended);
+    if (!o.dry_run) {
+      put_files(o.folder, {{"identified.toml", files["identified.toml"]}}, true);
+      extension.model_folder = o.folder;
+    }
+    for (auto& [name, text] : extended_c(o, diagnosis)) files["generated_" + name] = text;
+  }
+  files["findings.json"] = findings_json(diagnosis.findings);
+  files["report.html"] = report_html(diagnosis.findings);
+  put_files(o.out, files, true);
+}
+
+int run(const Options& o) {
+  const ModelFolder folder = open_model_folder(o.folder);
+  DiagnoseRequest request = request_for(o, folder);
+  const Progress progress(!o.json);
+  request.progress = [&](const std::string& step, double share) { progress(step, share); };
+  Diagnosis diagnosis = diagnose(request);
+  write_results(o, diagnosis);
+  if (o.json)
+    fmt::print("{}", findings_json(diagnosis.findings));
+  else
+    fmt::print("{}\nReport: {}\n", report_text(diagnosis.findings),
+               (fs::path(o.out) / "report.html").string());
+  return diagnosis.findings.verdict.nothing_beyond_noise() ? 0 : 1;
+}
+
+}  // namespace
+
+void add_diagnose_command(CLI::App& app, int& exit_status) {
+  CLI::App* command = app.add_subcommand(
+      "diagnose", "Show what a model gets wrong on measured logs, name the cause, extend it");
+  auto o = std::make_shared<Options>();
+  command->add_option("model", o->folder, "Model folder")->required();
+  command->add_option("--log", o->logs, "Logs to learn from (CSV)")->required();
+  command->add_option("--holdout", o->holdout, "Logs to judge on, not learnt from");
+  command->add_option("--out", o->out, "Folder for report.html and findings.json")->required();
+  command->add_option("--map", o->map, "channel=column name [unit], or channel=#3 [unit]");
+  command->add_option("--band", o->band, "Highest frequency looked at [Hz]")
+      ->check(CLI::PositiveNumber);
+  command->add_option("--seed", o->seed, "Of the surrogates and intervals");
+  command->add_option("--runtime", o->runtime, "Folder of the runtime's headers");
+  command->add_flag("--dry-run", o->dry_run, "Leave the model as it is");
+  command->add_flag("--json", o->json, "findings.json on standard output");
+  command->callback([o, &exit_status] { exit_status = run(*o); });
+}
+
+}  // namespace sinew

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "identification/diagnose.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "identification/explain.h"
+#include "identification/extend.h"
+#include "identification/measure.h"
+#include "identification/read_csv.h"
+#include "identification/verdict_text.h"
+#include "symbolic/effects/effects.h"
+#include "symbolic/print_mathml.h"
+
+namespace sinew::diagnosis {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+class Run {
+ public:
+  explicit Run(const DiagnoseRequest& request)
+      : request_(request), subject_(request.model, request.identified, request.runtime) {}
+
+  Diagnosis operator()() {
+    const auto start = Clock::now();
+    Findings& f = result_.findings;
+    f.model = request_.name;
+    f.description = request_.description;
+    f.model_hash = request_.hash;
+    f.kind = request_.kind;
+    for (const std::string& file : request_.logs) read(file, false);
+    for (const std::string& file : request_.holdout) read(file, true);
+    tell("comparing with the model", 0.2);
+    subject_.prepare(request_.settings);
+    tell("searching for causes", 0.3);
+    const Explanation explanation = explain(subject_.problem(), request_.settings);
+    f.verdict = explanation.verdict;
+    tell("extending and measuring", 0.9);
+    extend(explanation);
+    describe_terms(explanation.verdict);
+    f.headline = headline(f);
+    f.next_step = next_step(f);
+    f.seconds = std::chrono::duration<double>(Clock::now() - start).count();
+    return std::move(result_);
+  }
+
+ private:
+  void tell(const std::string& step, double share) const {
+    if (request_.progress) request_.progress(step, share);
+  }
+
+  void read(const std::string& file, bool held_out) {
+    tell("reading " + file, 0.0);
+    const DrivenChannels channels = request_.channels(file);
+    ReadOptions options;
+    options.map = request_.map;
+    const Log log = read_csv(file, channels.specs, options);
+    std::vector<int> positions, efforts;
+    for (const std::string& name : channels.positions) positions.push_back(log.channel(name));
+    for (const std::string& name : channels.efforts) efforts.push_back(log.channel(name));
+    subject_.add_log(log, positions, efforts,
+                     channels.load.empty() ? -1 : log.channel(channels.load), held_out);
+    LogRecord record{log.file, log.sha256, held_out, log.rows, 0.0, log.period, {}};
+    record.seconds = log.period * static_cast<double>(log.sample_count());
+    for (const DataFault& fault : log.faults) record.faults.push_back(message(fault));
+    result_.findings.logs.push_back(std::move(record));
+  }
+
+  /// Adopted where the measured gain on held-out logs is positive with its interval.
+  void extend(const Explanation& explanation) {
+    Findings& f = result_.findings;
+    const std::vector<ExtensionTerm> terms = extension_terms(subject_, explanation);
+    const bool any = std::any_of(terms.begin(), terms.end(),
+                                 [](const ExtensionTerm& t) { return t.cause >= 0; });
+    const Design design(subject_.problem(), request_.settings);
+    const std::vector<MeasuredChannel> measured =
+        measure(subject_, design, any ? terms : std::vector<ExtensionTerm>{});
+    for (int c = 0; c < subject_.problem().channels; ++c)
+      f.channels.push_back(
+          channel_finding(subject_, measured, c, noise_floor(explanation, design, c)));
+    result_.extended = extended(request_.identified, terms);
+    for (const LogRecord& log : f.logs)
+      if (!log.held_out) result_.extended.logs.push_back({log.file, log.sha256});
+    decide(any, measured_gain(measured, -1, true, 12, request_.settings.seed));
+    f.extension.operations_before = subject_.effort().operations();
+    f.extension.operations_after =
+        EffortModel(subject_.model(), result_.extended, subject_.runtime()).operations();
+  }
+
+  void decide(bool any, const Gain& gain) {
+    Extension& e = result_.findings.extension;
+    if (!any) {
+      e.reason = "no cause with a term of its own was named";
+    } else if (request_.holdout.empty()) {
+      e.reason = "no held-out log was given (--holdout): a gain on the training log proves nothing";
+    } else if (!(gain.low > 0.0)) {
+      e.reason = fmt::format(
+          "on the held-out logs the squared error falls by {:.1f} % (95 %: {:.1f} to {:.1f} %), "
+          "which includes nothing at all",
+          100.0 * gain.share, 100.0 * gain.low, 100.0 * gain.high);
+    } else {
+      e.adopted = true;
+      e.reason = fmt::format(
+          "on the held-out logs the squared error falls by {:.1f} % (95 %: {:.1f} to {:.1f} %)",
+          100.0 * gain.share, 100.0 * gain.low, 100.0 * gain.high);
+      e.functions = {"effort", "compensation"};
+    }
+  }
+
+  /// rms of the noise that is left in the band, from the noise model of the final selection.
+  double noise_floor(const Explanation& explanation, const Design& design, int channel) const {
+    double energy = 0.0, count = 0.0;
+    const auto& noise = explanation.selection.noise.noise;
+    for (std::size_t i = 0; i < design.segments().size() && i < noise.size(); ++i) {
+      const Segment& s = design.segments()[i];
+      if (s.channel != channel || s.holdout || noise[i].variance.size() == 0) continue;
+      energy += 2.0 * noise[i].variance.sum();
+      count += static_cast<double>(s.samples);
+    }
+    return std::sqrt(energy / std::max(count, 1.0));
+  }
+
+  void describe_terms(const Verdict& verdict) {
+    for (std::size_t c = 0; c < verdict.causes.size(); ++c) {
+      const int candidate = verdict.causes[c].members.front().candidate;
+      const std::string id = origin_of(candidate);
+      CauseTerm term;
+      term.cause = static_cast<int>(c);
+      term.effect = id;
+      fill_term(id, term);
+      result_.findings.terms.push_back(std::move(term));
+    }
+  }
+
+  std::string origin_of(int candidate) const {
+    if (candidate >= 0)
+      return subject_.library_origins()[static_cast<std::size_t>(candidate)].effect;
+    return subject_.level_effect(-1 - candidate);
+  }
+
+  static void fill_term(const std::string& id, CauseTerm& term) {
+    for (const Effect& effect : effects()) {
+      if (effect.id != id) continue;
+      term.mathml = mathml_equation("effort", effort(effect));
+      term.text = plain_equation("effort", effort(effect));
+      term.signature = effect.signature;
+      term.excitation = effect.excitation;
+      term.compensable = effect.compensable;
+      return;
+    }
+    describe_model_term(id, term);
+  }
+
+  const DiagnoseRequest& request_;
+  DrivenSubject subject_;
+  Diagnosis result_;
+};
+
+}  // namespace
+
+Diagnosis diagnose(const DiagnoseRequest& request) {
+  return Run(request)();
+}
+
+}  // namespace sinew::diagnosis

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One diagnosis of driven joints, from log files to findings.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "identification/channel_map.h"
+#include "identification/driven_subject.h"
+#include "identification/findings.h"
+
+namespace sinew::diagnosis {
+
+/// The channels of one log file that belong to the joints of a driven model, in their order.
+struct DrivenChannels {
+  std::vector<ChannelSpec> specs;
+  std::vector<std::string> positions, efforts;  ///< names among the specs
+  std::string load;                             ///< empty: none
+};
+
+struct DiagnoseRequest {
+  DrivenModel model;
+  Identified identified;  ///< what the model has learnt before
+  std::string name, description, hash, kind;
+  std::filesystem::path runtime;           ///< folder of the runtime's headers
+  std::vector<std::string> logs, holdout;  ///< files
+  std::vector<std::string> map;            ///< texts of --map
+  /// The channels to look for in a file, by what its header holds.
+  std::function<DrivenChannels(const std::string& file)> channels;
+  Settings settings;
+  /// Told what is going on, 0..1; may be empty.
+  std::function<void(const std::string& step, double share)> progress;
+};
+
+struct Diagnosis {
+  Findings findings;
+  Identified extended;  ///< what the model has learnt with this, where it is adopted
+};
+
+/// Reads the logs, explains what the model leaves over, extends the model and measures the gain on
+/// the held-out logs through the regenerated C. Throws LogError for logs that cannot be used,
+/// std::invalid_argument where they are too short.
+Diagnosis diagnose(const DiagnoseRequest& request);
+
+}  // namespace sinew::diagnosis

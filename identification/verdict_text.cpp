@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "identification/verdict_text.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <ginac/ginac.h>
+
+#include "symbolic/print_mathml.h"
+
+namespace sinew::diagnosis {
+namespace {
+
+std::string joined(const std::vector<std::string>& parts, const char* last) {
+  std::string text;
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    text += (i == 0 ? "" : i + 1 == parts.size() ? last : ", ") + parts[i];
+  return text;
+}
+
+std::string dependences(const Unexplained& unexplained) {
+  std::vector<std::string> on;
+  for (const Dependence& d : unexplained.depends_on) {
+    if (on.size() == 2) break;
+    on.push_back(d.place.empty() ? d.on : d.on + " (" + d.place + ")");
+  }
+  return on.empty() ? "nothing that was looked at" : joined(on, " and ");
+}
+
+void set_term(CauseTerm& term, const GiNaC::ex& effort, const char* signature,
+              const char* excitation) {
+  term.mathml = mathml_equation("effort", effort);
+  term.text = plain_equation("effort", effort);
+  term.signature = signature;
+  term.excitation = excitation;
+}
+
+}  // namespace
+
+std::string cause_text(const NamedCause& cause) {
+  std::vector<std::string> names;
+  for (const RankedCause& member : cause.members) names.push_back(member.name);
+  return joined(names, " or ") + " (" + cause.members.front().place + ")";
+}
+
+std::string headline(const Findings& f) {
+  const Verdict& v = f.verdict;
+  if (v.nothing_beyond_noise()) return "The model leaves nothing over but noise.";
+  if (v.causes.empty())
+    return "The model leaves structure over that none of the known causes explains; it depends "
+           "on " +
+           dependences(v.unexplained) + ".";
+  std::vector<std::string> names;
+  for (const NamedCause& cause : v.causes) names.push_back(cause_text(cause));
+  std::string text = "The model lacks: " + joined(names, " and ") + ".";
+  if (v.unexplained.none_of_the_known)
+    text += " Beyond that there is structure that no known cause explains; it depends on " +
+            dependences(v.unexplained) + ".";
+  return text;
+}
+
+std::string next_step(const Findings& f) {
+  for (const NamedCause& cause : f.verdict.causes)
+    if (cause.members.size() > 1)
+      return fmt::format("To tell {} apart, log this: {}.", cause_text(cause),
+                         cause.separating_experiment.empty()
+                             ? "a motion with other speeds and loads"
+                             : cause.separating_experiment);
+  if (f.verdict.causes.empty() && f.verdict.unexplained.none_of_the_known)
+    return "Look at the plots for what changes along with it, and log what might drive it.";
+  if (f.verdict.causes.empty()) return "Nothing to do.";
+  if (f.extension.adopted) return "Generate the model again; it now holds the terms named here.";
+  return "The model was left as it is: " + f.extension.reason + ".";
+}
+
+void describe_model_term(const std::string& effect, CauseTerm& term) {
+  const GiNaC::symbol model("model"), gain("gain_change"), delay("delay"), rate("model_rate"),
+      tau("time_constant"), scale("scale_error"), slope("model_slope"), q("q"), play("half_play"),
+      side("side");
+  if (effect == "delay")
+    set_term(term, model + delay * rate,
+             "effort left over in proportion to the model's rate of change",
+             "fast changes of the effort");
+  else if (effect == "torque_constant")
+    set_term(term, model / (1 + gain), "effort left over in proportion to the whole effort",
+             "a load that is known apart from the motion");
+  else if (effect == "sensor_low_pass")
+    set_term(term, model + tau * rate,
+             "effort left over in proportion to the model's rate of change", "fast motion");
+  else if (effect == "sensor_scale")
+    set_term(term, model - scale * q * slope, "inertia and damping off by one share, friction not",
+             "large motion");
+  else if (effect == "sensor_hysteresis")
+    set_term(term, model + play * side * slope, "a short pulse behind every reversal",
+             "many reversals");
+}
+
+}  // namespace sinew::diagnosis
