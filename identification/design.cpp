@@ -56,6 +56,9 @@ void Design::add_segments(const std::vector<Recording>& recordings, int first, b
           filtered_length(segment.filter, raw - 2 * edge_samples(settings_, log.step));
       if (segment.samples == 0) continue;
       segment.rate_hz = 1.0 / (log.step * segment.filter.factor);
+      if (!log.target[static_cast<std::size_t>(channel)].allFinite())
+        throw std::invalid_argument("log '" + log.name + "', channel " + std::to_string(channel) +
+                                    ": the target is not finite everywhere");
       segment.bins = std::min<Index>(segment.samples / 2,
                                      static_cast<Index>(segment.filter.band_hz / segment.rate_hz *
                                                         static_cast<double>(segment.samples)) +
@@ -131,6 +134,9 @@ BandColumns Design::columns(const Candidate& candidate, const VectorXd& nonlinea
     if (raw.cols() == 0) continue;
     if (raw.cols() != static_cast<Index>(candidate.linear.size()))
       throw std::logic_error("candidate '" + candidate.name + "': columns and coefficients differ");
+    if (!raw.allFinite())
+      throw std::invalid_argument("log '" + recording(s.recording).name + "': the columns of '" +
+                                  candidate.name + "' are not finite everywhere");
     const MatrixXd band = to_band(filtered(static_cast<int>(i), raw, 0.0, derivative), s.bins);
     raw_energy += energy_per_sample(raw);
     band_energy += band.bottomRows(band.rows() - 2).squaredNorm() / static_cast<double>(s.samples);
