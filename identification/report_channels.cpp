@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "identification/report_figures.h"
+#include "identification/report_numbers.h"
+#include "identification/report_page.h"
+#include "identification/report_sections.h"
+#include "identification/report_wording.h"
+
+namespace sinew::diagnosis {
+namespace {
+
+std::string coloured(const char* role, const std::string& text) {
+  return fmt::format("<span class=\"{}\">{}</span>", role, text);
+}
+
+std::string change_of(const Gain& gain) {
+  return shown_share(gain.share) + " <span class=\"soft\">(" + shown_interval(gain) + ")</span>";
+}
+
+Table domain_table(const Findings& findings) {
+  Table table(
+      {"Channel", "Seen as", "#Error before", "#Error after", "#Squared error that goes away"},
+      "Root mean square error on " +
+          (has_held_out(findings) ? measured_on(findings) : std::string("the training logs")) +
+          ", with the 95 % interval of the gain.");
+  for (const ChannelFinding& channel : findings.channels)
+    for (const DomainError& error : channel.domains)
+      table.row({escaped(channel.name), escaped(error.domain),
+                 coloured("before", shown_quantity(error.before, error.unit)),
+                 coloured("after", shown_quantity(error.after, error.unit)),
+                 change_of(error.gain)});
+  return table;
+}
+
+Table noise_table(const Findings& findings) {
+  Table table(
+      {"Channel", "#Measured (rms)", "#Noise floor", "#Unexplained before", "#Unexplained after"},
+      "How much of each channel's variance the model does not explain, beside what no model "
+      "can explain.");
+  for (const ChannelFinding& c : findings.channels)
+    table.row(
+        {escaped(c.name), shown_quantity(c.measured_rms, c.unit),
+         shown_quantity(c.noise_floor, c.unit),
+         coloured("before", shown_share(c.unexplained_before)) +
+             bar(c.unexplained_before, "before"),
+         coloured("after", shown_share(c.unexplained_after)) + bar(c.unexplained_after, "after")});
+  return table;
+}
+
+std::string alternative_of(const Plot& plot) {
+  std::string text = plot.title + ": " + plot.y_label + " over " + plot.x_label + ".";
+  std::string labels;
+  for (const Series& series : plot.series) labels += (labels.empty() ? "" : ", ") + series.label;
+  if (!labels.empty()) text += " Shown: " + labels + ".";
+  return plot.caption.empty() ? text : text + " " + plot.caption;
+}
+
+std::string key_of(const Plot& plot) {
+  if (plot.series.empty()) return "";
+  std::string text;
+  for (std::size_t k = 0; k < plot.series.size(); ++k) {
+    const Series& series = plot.series[k];
+    const std::string role = series_role(series.label, k);
+    const char* shape = series.points      ? "points"
+                        : role == "before" ? "dashed"
+                        : role == "noise"  ? "dotted"
+                                           : "solid";
+    text += fmt::format("<li><i class=\"{}\" style=\"color:var(--{})\"></i>{}</li>", shape, role,
+                        escaped(series.label));
+  }
+  return "<ul class=\"key\">" + text + "</ul>";
+}
+
+std::string figure_of(const Plot& plot, const std::string& svg) {
+  const bool samples = std::any_of(plot.series.begin(), plot.series.end(),
+                                   [](const Series& s) { return !s.x.empty() && !s.y.empty(); });
+  const char* absent =
+      samples
+          ? "<p class=\"absent\">This picture is drawn by gnuplot (Debian: gnuplot-nox), which was "
+            "not there when the report was written. findings.json has its numbers.</p>"
+          : "<p class=\"absent\">The logs have no samples for this picture.</p>";
+  return "<figure><figcaption><h4>" + escaped(capitalised(plot.title)) + "</h4>" +
+         (plot.caption.empty() ? "" : "<span class=\"soft\">" + escaped(plot.caption) + "</span>") +
+         "</figcaption>\n" + (svg.empty() ? absent : svg) + key_of(plot) + "</figure>\n";
+}
+
+Plot with_shown_units(Plot plot) {
+  for (std::string* label : {&plot.x_label, &plot.y_label}) {
+    const std::size_t open = label->rfind('['), close = label->rfind(']');
+    if (open == std::string::npos || close == std::string::npos || close < open) continue;
+    const std::string unit = shown_unit(label->substr(open + 1, close - open - 1));
+    *label =
+        label->substr(0, open) + (unit.empty() ? "" : "[" + unit + "]") + label->substr(close + 1);
+  }
+  return plot;
+}
+
+std::string figures(const Findings& findings) {
+  std::vector<Plot> plots;
+  std::vector<std::string> alternatives;
+  for (const ChannelFinding& channel : findings.channels)
+    for (const Plot& plot : channel.plots) {
+      plots.push_back(with_shown_units(plot));
+      alternatives.push_back(alternative_of(plots.back()));
+    }
+  const std::vector<std::string> drawn = svg_figures(plots, alternatives);
+  std::string text;
+  std::size_t next = 0, opened = 0;
+  for (const ChannelFinding& channel : findings.channels) {
+    if (channel.plots.empty()) continue;
+    std::string content;
+    for (std::size_t k = 0; k < channel.plots.size(); ++k, ++next)
+      content += figure_of(plots[next], drawn[next]);
+    content = "<div class=\"figures\">\n" + content + "</div>\n";
+    // The first channels carry the verdict; more would be a wall of pictures.
+    text += findings.channels.size() == 1
+                ? content
+                : folded(channel.name +
+                             (channel.unit.empty() ? "" : " [" + shown_unit(channel.unit) + "]"),
+                         content, opened++ < 2);
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string channel_section(const Findings& findings) {
+  if (findings.channels.empty()) return "";
+  std::string content;
+  const Table domains = domain_table(findings);
+  if (!domains.empty()) content += domains.html();
+  content += noise_table(findings).html();
+  return section("channels", "Before and after, channel by channel", content) +
+         section("pictures", "What it looks like", figures(findings));
+}
+
+}  // namespace sinew::diagnosis
