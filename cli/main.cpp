@@ -9,6 +9,7 @@
 #include "cli/generate.h"
 #include "cli/import.h"
 #include "cli/inspect.h"
+#include "cli/simulate.h"
 
 namespace {
 
@@ -39,6 +40,7 @@ int main(int argc, char** argv) {
   sinew::add_dump_command(app, exit_status);
   sinew::add_import_command(app, exit_status);
   sinew::add_figures_command(app, exit_status);
+  sinew::add_simulate_command(app, exit_status);
   sinew::add_diagnose_command(app, exit_status);
   if (argc > 1 && argv[1][0] != '-' && !has_command(app, argv[1])) {
     fmt::print(stderr, "sinew: no command is called '{}'; expected one of {}\n", argv[1],

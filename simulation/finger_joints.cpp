@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+
+#include "simulation/finger_dynamics.h"
+#include "simulation/joints.h"
+#include "symbolic/coordinates.h"
+
+namespace sinew {
+namespace {
+
+constexpr std::size_t most_numbers = 256;
+
+class Finger : public Joints {
+ public:
+  Finger(const Mechanism& mechanism, const std::filesystem::path& runtime)
+      : dynamics_(mechanism, false, runtime), gravity_(mechanism.gravity) {
+    const Coordinates coordinates(mechanism);
+    for (const int joint : coordinates.joints())
+      names.push_back(mechanism.joints[static_cast<std::size_t>(joint)].name);
+    damping = dynamics_.damping();
+    tendons = static_cast<int>(mechanism.tendons.size());
+    n_ = names.size();
+    m_ = mechanism.tendons.size();
+    jacobian_ = &dynamics_.model().find("tip_jacobian");
+    if (tendons == 0) return;
+    lengths_ = &dynamics_.model().find("tendon_lengths");
+    coupling_ = &dynamics_.model().find("coupling_matrix");
+    torque_ = &dynamics_.model().find("joint_torque");
+    stiffness_ = &dynamics_.model().find("joint_stiffness");
+    if (n_ + 2 * m_ > most_numbers)
+      throw std::runtime_error(mechanism.name + ": too many tendons to simulate");
+  }
+
+  void lengths(const double* q, const WristMotion&, double* h) const override {
+    lengths_->call(q, h);
+  }
+  void torque(const double* q, const WristMotion&, const double* f, double* tau) const override {
+    double in[most_numbers];
+    std::copy(q, q + n_, in);
+    std::copy(f, f + m_, in + n_);
+    torque_->call(in, tau);
+  }
+  void coupling(const double* q, const WristMotion&, double* P, double* wrist_rate) const override {
+    coupling_->call(q, P);
+    std::fill(wrist_rate, wrist_rate + m_, 0.0);
+  }
+  void stiffness(const double* q, const WristMotion&, const double* f, const double* kt,
+                 double* K) const override {
+    double in[most_numbers];
+    std::copy(q, q + n_, in);
+    std::copy(f, f + m_, in + n_);
+    std::copy(kt, kt + m_, in + n_ + m_);
+    stiffness_->call(in, K);
+  }
+  void acceleration(const double* q, const double* qd, const WristMotion&, const double* tau,
+                    double* qdd) const override {
+    dynamics_.acceleration(q, qd, gravity_.data(), tau, qdd);
+  }
+  void mass_and_bias(const double* q, const double* qd, const WristMotion&, double* M,
+                     double* bias) const override {
+    dynamics_.mass_and_bias(q, qd, gravity_.data(), M, bias);
+  }
+  void bending(const double* q, const WristMotion&, double* angle) const override {
+    dynamics_.bending(q, angle);
+  }
+  void tip_torque(const double* q, const double* force, double* tau) const override {
+    double J[most_numbers];
+    jacobian_->call(q, J);
+    for (std::size_t j = 0; j < n_; ++j)
+      tau[j] = J[j] * force[0] + J[n_ + j] * force[1] + J[2 * n_ + j] * force[2];
+  }
+  double potential(const double* q, const WristMotion&) const override {
+    return dynamics_.potential(q, gravity_);
+  }
+  double base_power(const double*, const double*, const WristMotion&) const override { return 0.0; }
+
+ private:
+  FingerDynamics dynamics_;
+  Eigen::Vector3d gravity_;
+  std::size_t n_ = 0, m_ = 0;
+  const sinew_function* lengths_ = nullptr;
+  const sinew_function* coupling_ = nullptr;
+  const sinew_function* torque_ = nullptr;
+  const sinew_function* stiffness_ = nullptr;
+  const sinew_function* jacobian_ = nullptr;
+};
+
+}  // namespace
+
+std::unique_ptr<Joints> finger_joints(const Mechanism& mechanism,
+                                      const std::filesystem::path& runtime) {
+  return std::make_unique<Finger>(mechanism, runtime);
+}
+
+}  // namespace sinew

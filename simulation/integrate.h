@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// From a state to the next output: by SUNDIALS CVODE, or by fixed steps as firmware takes them.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "simulation/plant.h"
+
+namespace sinew {
+
+/// Something that happened between two outputs.
+struct Event {
+  double time = 0.0;  ///< s
+  std::string name;   ///< slack_3, tendon_sticks_1, motor_sticks_2
+  bool begins = true;
+};
+
+/// Called at every output time in order. `work`: integral of each power since the start [J].
+using OnOutput = std::function<void(double time, const double* y, const Powers& work)>;
+using OnEvent = std::function<void(const Event&)>;
+
+struct IntegrationCount {
+  long steps = 0;
+  long evaluations = 0;  ///< of the right-hand side
+  long jacobians = 0;
+  double largest_residual = 0.0;  ///< m, of the emitted lever searches
+};
+
+/// Integrates over the scenario's duration. Throws std::runtime_error with the time where the
+/// integration fails or the state is no longer finite.
+IntegrationCount integrate(Plant& plant, const OnOutput& output, const OnEvent& event);
+
+/// The two families behind it.
+IntegrationCount integrate_by_cvode(Plant& plant, const OnOutput& output, const OnEvent& event);
+IntegrationCount integrate_by_fixed_steps(Plant& plant, const OnOutput& output,
+                                          const OnEvent& event);
+
+/// Time of output `k`: the last one is the duration.
+double output_time(const Scenario& scenario, long k);
+/// Number of outputs, the first one at 0 included.
+long output_count(const Scenario& scenario);
+
+}  // namespace sinew

@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cvodes/cvodes.h>
+#include <fmt/format.h>
+#include <nvector/nvector_serial.h>
+#include <sundials/sundials_context.h>
+#include <sunlinsol/sunlinsol_dense.h>
+#include <sunmatrix/sunmatrix_dense.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <exception>
+#include <memory>
+#include <stdexcept>
+
+#include "simulation/integrate.h"
+
+namespace sinew {
+namespace {
+
+/// What the C callbacks reach; an exception is kept until CVODE has returned.
+struct Callbacks {
+  Plant& plant;
+  Evaluation evaluation;
+  Eigen::MatrixXd J;
+  std::exception_ptr failure;
+
+  template <typename Body>
+  int guarded(Body body) {
+    try {
+      body();
+      return 0;
+    } catch (...) {
+      failure = std::current_exception();
+      return -1;
+    }
+  }
+};
+
+Callbacks& callbacks(void* user) {
+  return *static_cast<Callbacks*>(user);
+}
+
+int right_hand_side(double time, N_Vector y, N_Vector dy, void* user) {
+  Callbacks& c = callbacks(user);
+  return c.guarded(
+      [&] { c.plant.derivative(time, N_VGetArrayPointer(y), N_VGetArrayPointer(dy)); });
+}
+
+int jacobian(double time, N_Vector y, N_Vector, SUNMatrix J, void* user, N_Vector, N_Vector,
+             N_Vector) {
+  Callbacks& c = callbacks(user);
+  return c.guarded([&] {
+    c.plant.jacobian(time, N_VGetArrayPointer(y), c.J);
+    std::copy(c.J.data(), c.J.data() + c.J.size(), SUNDenseMatrix_Data(J));
+  });
+}
+
+int quadrature(double time, N_Vector y, N_Vector power, void* user) {
+  Callbacks& c = callbacks(user);
+  return c.guarded([&] {
+    c.plant.evaluate(time, N_VGetArrayPointer(y), c.evaluation, true);
+    const Powers powers = c.plant.powers(c.evaluation);
+    std::copy(powers.begin(), powers.end(), N_VGetArrayPointer(power));
+  });
+}
+
+int roots(double time, N_Vector y, double* values, void* user) {
+  Callbacks& c = callbacks(user);
+  return c.guarded([&] { c.plant.events(time, N_VGetArrayPointer(y), values); });
+}
+
+void quiet(int, const char*, const char*, char*, void*) {}
+
+/// CVODES with its vectors, matrix and solver.
+class Solver {
+ public:
+  explicit Solver(Plant& plant) : callbacks_{plant, {}, {}, nullptr}, scenario_(plant.scenario()) {
+    SUNContext_Create(nullptr, &context_);
+    const auto size = plant.size();
+    y_ = N_VNew_Serial(size, context_);
+    work_ = N_VNew_Serial(power_count, context_);
+    shown_ = N_VNew_Serial(size, context_);
+    const Eigen::VectorXd start = plant.initial_state();
+    std::copy(start.data(), start.data() + size, N_VGetArrayPointer(y_));
+    N_VConst(0.0, work_);
+    memory_ =
+        CVodeCreate(scenario_.integrator == Integrator::cvode_bdf ? CV_BDF : CV_ADAMS, context_);
+    check(CVodeInit(memory_, right_hand_side, 0.0, y_));
+    check(CVodeSetErrHandlerFn(memory_, quiet, nullptr));
+    check(CVodeSetUserData(memory_, &callbacks_));
+    check(CVodeSStolerances(memory_, scenario_.relative_tolerance, scenario_.absolute_tolerance));
+    check(CVodeSetMaxNumSteps(memory_, 1000000));
+    if (scenario_.longest_step > 0.0) check(CVodeSetMaxStep(memory_, scenario_.longest_step));
+    matrix_ = SUNDenseMatrix(size, size, context_);
+    linear_ = SUNLinSol_Dense(y_, matrix_, context_);
+    check(CVodeSetLinearSolver(memory_, linear_, matrix_));
+    check(CVodeSetJacFn(memory_, jacobian));
+    check(CVodeQuadInit(memory_, quadrature, work_));
+    events_ = static_cast<int>(plant.event_names().size());
+    if (events_ > 0) {
+      check(CVodeRootInit(memory_, events_, roots));
+      check(CVodeSetNoInactiveRootWarn(memory_));
+    }
+  }
+  Solver(const Solver&) = delete;
+  Solver& operator=(const Solver&) = delete;
+  ~Solver() {
+    CVodeFree(&memory_);
+    SUNLinSolFree(linear_);
+    SUNMatDestroy(matrix_);
+    for (N_Vector each : {y_, work_, shown_}) N_VDestroy(each);
+    SUNContext_Free(&context_);
+  }
+
+  double time() const { return time_; }
+  const double* state() const { return N_VGetArrayPointer(y_); }
+
+  /// One internal step, not beyond `stop`. True where it ended at an event.
+  bool step(double stop) {
+    check(CVodeSetStopTime(memory_, stop));
+    const int flag = CVode(memory_, stop, y_, &time_, CV_ONE_STEP);
+    if (flag < 0) check(flag);
+    callbacks_.plant.accept(time_, state());
+    return flag == CV_ROOT_RETURN;
+  }
+
+  /// -1, 0 or 1 an event function: none, or the direction of its change.
+  std::vector<int> directions() {
+    std::vector<int> found(static_cast<std::size_t>(events_));
+    check(CVodeGetRootInfo(memory_, found.data()));
+    return found;
+  }
+
+  /// The commands jump here: what the solver knows of the past is void.
+  void restart() {
+    check(CVodeGetQuadDky(memory_, time_, 0, work_));
+    check(CVodeReInit(memory_, time_, y_));
+    check(CVodeQuadReInit(memory_, work_));
+  }
+
+  void show(double time, const OnOutput& output) {
+    check(CVodeGetDky(memory_, time, 0, shown_));
+    emit(time, N_VGetArrayPointer(shown_), output);
+  }
+
+  void emit(double time, const double* y, const OnOutput& output) {
+    Powers work{};
+    if (time > 0.0) {
+      check(CVodeGetQuadDky(memory_, time, 0, work_));
+      std::copy(N_VGetArrayPointer(work_), N_VGetArrayPointer(work_) + power_count, work.begin());
+    }
+    output(time, y, work);
+  }
+
+  IntegrationCount count() {
+    IntegrationCount c;
+    check(CVodeGetNumSteps(memory_, &c.steps));
+    check(CVodeGetNumRhsEvals(memory_, &c.evaluations));
+    check(CVodeGetNumJacEvals(memory_, &c.jacobians));
+    return c;
+  }
+
+ private:
+  void check(int flag) {
+    if (callbacks_.failure) std::rethrow_exception(callbacks_.failure);
+    if (flag >= 0) return;
+    char* name = CVodeGetReturnFlagName(flag);
+    const std::string text = name;
+    std::free(name);
+    throw std::runtime_error(
+        fmt::format("{}: CVODE stopped at {:.6g} s: {}; expected another tolerance or state",
+                    scenario_.file, time_, text));
+  }
+
+  Callbacks callbacks_;
+  const Scenario& scenario_;
+  SUNContext context_ = nullptr;
+  void* memory_ = nullptr;
+  N_Vector y_ = nullptr, work_ = nullptr, shown_ = nullptr;
+  SUNMatrix matrix_ = nullptr;
+  SUNLinearSolver linear_ = nullptr;
+  int events_ = 0;
+  double time_ = 0.0;
+};
+
+}  // namespace
+
+IntegrationCount integrate_by_cvode(Plant& plant, const OnOutput& output, const OnEvent& event) {
+  const Scenario& scenario = plant.scenario();
+  const std::vector<std::string> names = plant.event_names();
+  std::vector<double> stops = plant.jumps();
+  stops.push_back(scenario.duration);
+  Solver solver(plant);
+  solver.emit(0.0, solver.state(), output);
+  IntegrationCount total;
+  const auto add = [&] {
+    const IntegrationCount now = solver.count();
+    total.steps += now.steps;
+    total.evaluations += now.evaluations;
+    total.jacobians += now.jacobians;
+  };
+  long next = 1;
+  const long last = output_count(scenario);
+  for (const double stop : stops) {
+    while (solver.time() < stop) {
+      const bool stopped = solver.step(stop);
+      for (; next < last && output_time(scenario, next) <= solver.time(); ++next)
+        solver.show(output_time(scenario, next), output);
+      if (!stopped) continue;
+      const std::vector<int> found = solver.directions();
+      for (std::size_t i = 0; i < found.size(); ++i)
+        if (found[i] != 0) event({solver.time(), names[i], found[i] < 0});
+    }
+    add();
+    if (stop < scenario.duration) solver.restart();
+  }
+  return total;
+}
+
+}  // namespace sinew

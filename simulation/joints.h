@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The jointed bodies that a simulation moves: one finger, or all of a hand.
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "simulation/compiled_model.h"
+#include "symbolic/hand.h"
+
+namespace sinew {
+
+/// Prescribed bar angles of the wrist and their rates; ignored by a single finger.
+struct WristMotion {
+  double q[2] = {0.0, 0.0};   ///< q71, q73 [rad]
+  double qd[2] = {0.0, 0.0};  ///< rad/s
+};
+
+/// n coordinates, m tendons; arrays row-major, SI units. Right-hand sides come from emitted C.
+class Joints {
+ public:
+  virtual ~Joints() = default;
+
+  std::vector<std::string> names;  ///< of the coordinates
+  Eigen::VectorXd damping;         ///< n, viscous [N·m·s/rad]
+  int tendons = 0;
+
+  int size() const { return static_cast<int>(names.size()); }
+  /// Path lengths [m].
+  virtual void lengths(const double* q, const WristMotion& wrist, double* h) const = 0;
+  /// -P^T f on the coordinates [N·m].
+  virtual void torque(const double* q, const WristMotion& wrist, const double* f,
+                      double* tau) const = 0;
+  /// P = dh/dq, m x n, and `wrist_rate` = the wrist's share of dh/dt [m/s] (m).
+  virtual void coupling(const double* q, const WristMotion& wrist, double* P,
+                        double* wrist_rate) const = 0;
+  /// Stiffness with the motors held, n x n.
+  virtual void stiffness(const double* q, const WristMotion& wrist, const double* f,
+                         const double* kt, double* K) const = 0;
+  virtual void acceleration(const double* q, const double* qd, const WristMotion& wrist,
+                            const double* tau, double* qdd) const = 0;
+  /// Mass matrix n x n and bias n (Coriolis and gravity).
+  virtual void mass_and_bias(const double* q, const double* qd, const WristMotion& wrist, double* M,
+                             double* bias) const = 0;
+  /// Total bending of each tendon at joints and wrist [rad].
+  virtual void bending(const double* q, const WristMotion& wrist, double* angle) const = 0;
+  /// Torque of a force [N, base frame] at the fingertip; 0 where the model has no single tip.
+  virtual void tip_torque(const double* q, const double* force, double* tau) const = 0;
+  /// Potential of gravity [J].
+  virtual double potential(const double* q, const WristMotion& wrist) const = 0;
+  /// Power [W] that the moving base gives to the bodies by turning them against gravity.
+  virtual double base_power(const double* q, const double* qd, const WristMotion& wrist) const = 0;
+};
+
+/// One finger, or any mechanism, on a resting base.
+std::unique_ptr<Joints> finger_joints(const Mechanism& mechanism,
+                                      const std::filesystem::path& runtime);
+
+/// All fingers of a hand on a moving palm. Gravity turns with the palm; the palm's acceleration is
+/// not passed on. The four-bar's crank moves `crank_inertia` [kg·m²].
+std::unique_ptr<Joints> hand_joints(const Hand& hand, const Eigen::Vector3d& gravity,
+                                    double crank_inertia, const std::filesystem::path& runtime);
+
+}  // namespace sinew

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is to be simulated: how long, how integrated, from which state, with which commands.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "simulation/signal.h"
+#include "symbolic/description_error.h"
+#include "symbolic/units.h"
+
+namespace sinew {
+
+enum class Integrator {
+  cvode_bdf,      ///< SUNDIALS CVODE, stiff
+  cvode_adams,    ///< SUNDIALS CVODE, not stiff, up to order 12
+  fixed_step,     ///< linearly implicit Euler: one linear solution a step, as firmware would
+  runge_kutta_4,  ///< fixed step, explicit
+};
+
+/// What moves the model.
+enum class DriveMode {
+  torque,         ///< motors with inertia; torque at their output shafts commanded
+  servo,          ///< motors with inertia under a position controller; position commanded
+  prescribed,     ///< motors follow the commanded position exactly
+  tendon_forces,  ///< no motors: the forces of the tendons are commanded
+  joint_torques,  ///< no tendons: joint torques are commanded
+};
+
+enum class GuidingLaw { none, fitted, capstan };
+
+/// Standard deviations of the white noise on each kind of output channel, SI units.
+struct MeasurementNoise {
+  unsigned long seed = 1;
+  double position = 0.0;  ///< rad, joints
+  double theta = 0.0;     ///< rad, motors
+  double omega = 0.0;     ///< rad/s, motors
+  double torque = 0.0;    ///< N·m, motors
+  double force = 0.0;     ///< N, tendons
+};
+
+struct Scenario {
+  std::string file;
+  double duration = 0.0;     ///< s
+  double output_rate = 0.0;  ///< Hz
+
+  Integrator integrator = Integrator::cvode_bdf;
+  double relative_tolerance = 1e-8;
+  double absolute_tolerance = 1e-10;
+  double step = 1.0 / 3000.0;  ///< s, of the fixed-step integrators
+
+  DriveMode drive = DriveMode::torque;
+  double gain = 0.0;               ///< N·m/rad, of the servo
+  double rate_gain = 0.0;          ///< N·m·s/rad
+  bool compensation = false;       ///< adds the emitted friction and ripple feedforward
+  bool wrist_feedforward = false;  ///< adds the emitted wrist feedforward to motor positions
+  double pretension = 0.0;         ///< N, of every tendon in the initial state
+
+  bool motor_friction = true;
+  bool motor_ripple = true;
+  bool joint_damping = true;
+  GuidingLaw guiding = GuidingLaw::none;
+  double fixed_bending = 0.0;     ///< rad, bending of every tendon outside joints and wrist
+  double crank_inertia = 2.0e-5;  ///< kg·m², of what the four-bar's crank moves (complete hand)
+
+  std::map<std::string, double> initial;   ///< channel (q20, qd_q20, theta_1, …) -> SI value
+  std::map<std::string, Signal> commands;  ///< channel -> command, SI
+  double longest_step = 0.0;               ///< s, that still sees every sample; 0: no limit
+  MeasurementNoise noise;
+};
+
+/// What a model can be told: the channels of commands and of the initial state.
+struct ScenarioChannels {
+  std::map<std::string, Dimension> commands;
+  std::map<std::string, Dimension> initial;
+};
+
+/// The drive mode alone, which decides what the channels are. Throws DescriptionError.
+DriveMode read_drive_mode(const std::filesystem::path& file);
+
+/// Reads a scenario (docs/simulation.md) and the CSV file of commands that it may name, relative to
+/// itself. Throws DescriptionError with every mistake found, each with file, line and column: a
+/// unit missing or of another kind, a value that is not finite, a channel that the model does not
+/// have, time that does not rise.
+Scenario read_scenario(const std::filesystem::path& file, const ScenarioChannels& channels);
+
+}  // namespace sinew

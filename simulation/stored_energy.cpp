@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simulation/stored_energy.h"
+
+#include <Eigen/Geometry>
+#include <cmath>
+
+#include "symbolic/coordinates.h"
+
+namespace sinew {
+namespace {
+
+Eigen::Vector2d direction(double angle) {
+  return {std::cos(angle), std::sin(angle)};
+}
+
+double spring_length(const LeverParameters& p, double lever_angle) {
+  const Eigen::Vector2d point = p.pivot + p.spring_arm * direction(lever_angle + p.spring_angle);
+  return (point - p.anchor).norm();
+}
+
+Transform moved(const Joint& joint, double position) {
+  Transform motion;
+  if (joint.type == JointType::revolute)
+    motion.rotation = Eigen::AngleAxisd(position, joint.axis).toRotationMatrix();
+  else
+    motion.translation = position * joint.axis;
+  return {joint.origin.rotation * motion.rotation,
+          joint.origin.translation + joint.origin.rotation * motion.translation};
+}
+
+}  // namespace
+
+Eigen::MatrixXd joint_motion_matrix(const Mechanism& mechanism) {
+  const Coordinates coordinates(mechanism);
+  const auto n = static_cast<std::size_t>(coordinates.count());
+  const auto joints = static_cast<std::size_t>(coordinate_count(mechanism));
+  Eigen::MatrixXd J(joints, n);
+  for (std::size_t k = 0; k < n; ++k) {
+    std::vector<GiNaC::ex> unit(n, 0);
+    unit[k] = 1;
+    const std::vector<GiNaC::ex> column = coordinates.of_moving_joints(unit);
+    for (std::size_t i = 0; i < joints; ++i)
+      J(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k)) =
+          GiNaC::ex_to<GiNaC::numeric>(column[i].evalf()).to_double();
+  }
+  return J;
+}
+
+double gravity_potential(const Mechanism& mechanism, const double* q,
+                         const Eigen::Vector3d& gravity) {
+  std::vector<Transform> pose(mechanism.bodies.size());
+  double energy = 0.0;
+  std::size_t next = 0;
+  for (std::size_t i = 0; i < pose.size(); ++i) {
+    const Joint& joint = mechanism.joints[i];
+    const Transform step = joint.type == JointType::fixed ? joint.origin : moved(joint, q[next++]);
+    const Transform parent =
+        joint.parent < 0 ? Transform{} : pose[static_cast<std::size_t>(joint.parent)];
+    pose[i] = {parent.rotation * step.rotation,
+               parent.translation + parent.rotation * step.translation};
+    const Body& body = mechanism.bodies[i];
+    energy -= body.mass * gravity.dot(pose[i].translation + pose[i].rotation * body.centre_of_mass);
+  }
+  return energy;
+}
+
+double tendon_energy(const TendonWithLever& parameters, double lever_angle, double force) {
+  const LeverParameters& p = parameters.lever;
+  const double stretch = spring_length(p, lever_angle) - spring_length(p, p.free_angle);
+  const double softness = parameters.tendon.free_length / parameters.tendon.axial_stiffness;
+  return 0.5 * p.spring_stiffness * stretch * stretch + 0.5 * softness * force * force;
+}
+
+}  // namespace sinew

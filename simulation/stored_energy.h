@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Energy from geometry alone, for the audit: nothing of it goes into the equations of motion, so
+// that a mistake there cannot hide.
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "symbolic/mechanism.h"
+#include "symbolic/part.h"
+
+namespace sinew {
+
+/// d(moving joints)/d(coordinates): coupled joints follow others (5.16).
+Eigen::MatrixXd joint_motion_matrix(const Mechanism& mechanism);
+
+/// -sum of m g·c over the bodies [J]; `q`: moving joints; `gravity` in the base frame
+/// [m/s²].
+double gravity_potential(const Mechanism& mechanism, const double* q,
+                         const Eigen::Vector3d& gravity);
+
+/// ½ K (l - l0)² of the lever's spring at a lever angle, with l0 the length at the free angle,
+/// plus ½ f² l0/(E S) of the tendon [J].
+double tendon_energy(const TendonWithLever& parameters, double lever_angle, double force);
+
+}  // namespace sinew
