@@ -27,6 +27,12 @@ VectorXd number(double value) {
   return VectorXd::Constant(1, value);
 }
 
+MatrixXd first_difference(const MatrixXd& x, double step) {
+  MatrixXd d = MatrixXd::Zero(x.rows(), x.cols());
+  for (Index i = 1; i + 1 < x.rows(); ++i) d.row(i) = (x.row(i + 1) - x.row(i - 1)) / (2.0 * step);
+  return d;
+}
+
 /// Second derivative over 2 ms, where noise of the acceleration does not yet swamp it.
 MatrixXd second_difference(const MatrixXd& x, double step) {
   MatrixXd d = MatrixXd::Zero(x.rows(), x.cols());
@@ -42,6 +48,14 @@ MatrixXd columns_of(const sinew::Segment& segment, const std::vector<int>& chann
   for (std::size_t c = 0; c < channels.size(); ++c)
     x.col(static_cast<Index>(c)) = segment.samples.col(channels[c]).matrix();
   return x;
+}
+
+/// Friction whose law over the velocity is not known is fitted as a whole: its level, known, is the
+/// baseline's nominal value.
+DrivenModel without_open_friction(DrivenModel model) {
+  for (DrivenJoint& joint : model.joints)
+    if (joint.friction_speed == 0.0) joint.friction = 0.0;
+  return model;
 }
 
 }  // namespace
@@ -85,6 +99,7 @@ void DrivenSubject::add_log(const Log& log, const std::vector<int>& positions,
     const MatrixXd measured = columns_of(segment, efforts);
     for (Index c = 0; c < measured.cols(); ++c) r.target.push_back(measured.col(c));
     if (load >= 0) r.load = columns_of(segment, {load});
+    r.signals["jerk"] = first_difference(r.qdd, r.step);
     r.signals["jounce"] = second_difference(r.qdd, r.step);
     (held_out ? problem_.holdout : problem_.training).push_back(std::move(r));
   }
@@ -102,6 +117,11 @@ void DrivenSubject::set_signals(Recording& log) const {
           (log.qd.col(c).array() / model_.joints[j].friction_speed).atan() * 2.0 / std::numbers::pi;
   }
   log.signals["direction"] = direction;
+  MatrixXd& effort = log.signals["effort"];
+  for (std::size_t j = 0; j < bristle_.size(); ++j)
+    if (bristle_[j])
+      effort.col(static_cast<Index>(j)) +=
+          model_.joints[j].friction * direction.col(static_cast<Index>(j));
 }
 
 /// Baseline alone first: the length over which friction turns has to be known before effects are
@@ -116,10 +136,11 @@ void DrivenSubject::fit_directions(const Settings& settings) {
 }
 
 void DrivenSubject::prepare(const Settings& settings) {
+  const EffortModel known(without_open_friction(model_), identified_, runtime_);
   for (auto* logs : {&problem_.training, &problem_.holdout})
     for (Recording& log : *logs) {
       log.signals["direction"] = MatrixXd::Zero(log.q.rows(), log.q.cols());
-      const MatrixXd said = effort_(log);
+      const MatrixXd said = known(log);
       log.signals["effort"] = said;
       log.known.clear();
       for (Index c = 0; c < said.cols(); ++c) log.known.push_back(said.col(c));
@@ -149,7 +170,7 @@ void DrivenSubject::add_baseline(std::size_t joint) {
     Candidate c = effect_candidate(find_effect(effect), where, scale(joint));
     for (LinearParameter& p : c.linear) {
       p.low = -std::numeric_limits<double>::infinity();
-      p.nominal = 0.0;
+      p.nominal = effect == "presliding" ? model_.joints[joint].friction : 0.0;
     }
     problem_.baseline.push_back(std::move(c));
     baseline_.push_back({effect, joint, {}});

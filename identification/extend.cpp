@@ -62,6 +62,21 @@ bool in_catalogue(const std::string& id) {
                      [&](const Effect& effect) { return effect.id == id; });
 }
 
+/// Friction of the baseline whose law is a bristle's: its direction, and the change of its level.
+void add_friction(const DrivenSubject& subject, std::size_t joint,
+                  const std::vector<ParameterEstimate>& estimates, const ExtensionTerm& base,
+                  std::vector<ExtensionTerm>& result) {
+  ExtensionTerm direction = base, level = base;
+  direction.entry.effect = "direction";
+  direction.entry.shape = {value_of(estimates, "presliding_length")};
+  level.entry.effect = "coulomb_level";
+  level.entry.coefficients = {value_of(estimates, "level")};
+  level.entry.coefficients.front().name = "level_change";
+  level.entry.coefficients.front().value -= subject.model().joints[joint].friction;
+  result.push_back(std::move(direction));
+  result.push_back(std::move(level));
+}
+
 /// Of the causes, the one whose first member is this candidate.
 int cause_of(const Verdict& verdict, int candidate) {
   for (std::size_t c = 0; c < verdict.causes.size(); ++c)
@@ -91,10 +106,15 @@ std::vector<ExtensionTerm> extension_terms(const DrivenSubject& subject,
     if (origin.effect.empty()) continue;
     ExtensionTerm entry;
     entry.term = t;
+    entry.baseline = term.baseline;
     entry.cause = term.baseline ? -1 : cause_of(explanation.verdict, static_cast<int>(index));
     entry.entry.effect = origin.effect;
     entry.entry.place = subject.model().joints[origin.joint].name;
     const auto& estimates = explanation.estimates[t];
+    if (term.baseline && origin.effect == "presliding") {
+      add_friction(subject, origin.joint, estimates, entry, result);
+      continue;
+    }
     if (in_catalogue(origin.effect))
       fill(origin, subject.model().joints[origin.joint].revolute, estimates, entry.entry);
     else if (!fill_special(estimates, entry.entry))
@@ -109,6 +129,10 @@ std::vector<ExtensionTerm> extension_terms(const DrivenSubject& subject,
 Identified extended(const Identified& before, const std::vector<ExtensionTerm>& terms) {
   Identified result = before;
   for (const ExtensionTerm& term : terms) {
+    if (term.entry.effect == "direction")
+      std::erase_if(result.effects, [&](const IdentifiedEffect& e) {
+        return e.effect == "direction" && e.place == term.entry.place;
+      });
     const auto same =
         std::find_if(result.effects.begin(), result.effects.end(), [&](const IdentifiedEffect& e) {
           return e.effect == term.entry.effect && e.place == term.entry.place &&

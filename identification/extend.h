@@ -16,6 +16,7 @@ struct ExtensionTerm {
   int cause = -1;        ///< index into the verdict's causes; -1: a re-fitted value of the baseline
   IdentifiedEffect entry;
   bool per_log = false;  ///< has coefficients that differ from log to log
+  bool baseline = false;
 };
 
 /// The entries of all causes that have a term in the model, and the baseline's changed values.

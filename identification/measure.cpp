@@ -4,6 +4,7 @@
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "identification/effect_candidate.h"
 #include "identification/measure_plots.h"
@@ -57,10 +58,14 @@ std::vector<MeasuredChannel> measure(const DrivenSubject& subject, const Design&
   const EffortModel after(subject.model(), extended(subject.identified(), lasting),
                           subject.runtime());
   std::vector<MeasuredChannel> result;
+  // Of every log once: a log has a segment for each channel.
+  std::map<int, std::pair<MatrixXd, MatrixXd>> efforts;
   for (std::size_t i = 0; i < design.segments().size(); ++i) {
     const Segment& s = design.segments()[i];
     const Recording& log = design.recording(s.recording);
     const int segment = static_cast<int>(i);
+    if (!efforts.contains(s.recording)) efforts[s.recording] = {subject.effort()(log), after(log)};
+    const auto& [said_before, said_after] = efforts[s.recording];
     MeasuredChannel m{s.recording, s.channel, s.holdout,      {}, {}, {}, {}, {},
                       {},          {},        1.0 / s.rate_hz};
     const auto axis = static_cast<Index>(s.channel);
@@ -69,8 +74,8 @@ std::vector<MeasuredChannel> measure(const DrivenSubject& subject, const Design&
     m.velocity = design.at_instants(segment, log.qd.col(axis));
     if (log.load.size() > 0) m.load = design.at_instants(segment, log.load.col(axis));
     m.measured = design.filtered(segment, log.target[static_cast<std::size_t>(s.channel)]);
-    m.before = design.filtered(segment, log.signals.at("effort").col(axis));
-    const VectorXd said = design.filtered(segment, after(log).col(axis));
+    m.before = design.filtered(segment, said_before.col(axis));
+    const VectorXd said = design.filtered(segment, said_after.col(axis));
     const MatrixXd nuisance = nuisance_columns(subject, design, segment, terms);
     m.after =
         nuisance.cols() == 0 ? said : VectorXd(m.measured - crosswise(m.measured - said, nuisance));

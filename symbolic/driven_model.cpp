@@ -46,6 +46,7 @@ class EffortWriter {
     qdd_ = joint_argument("qdd", "/s^2", [](const DrivenJoint& j) { return j.acceleration; });
     load_ = array_argument("load", n_, 1, effort_unit(), {-10.0, 10.0},
                            "external load against positive motion");
+    jerk_ = joint_argument("qddd", "/s^3", [](const DrivenJoint&) { return Range{-1e3, 1e3}; });
     jounce_ = joint_argument("qdddd", "/s^4", [](const DrivenJoint&) { return Range{-1e4, 1e4}; });
     time_ = scalar_argument("time", "s", {0.0, 100.0}, "since the start");
     step_ = scalar_argument("step", "s", {1e-4, 1e-2}, "to the next call");
@@ -57,11 +58,11 @@ class EffortWriter {
   Function effort() {
     std::vector<ex> inputs(q_at_);
     inputs.insert(inputs.end(), qd_at_.begin(), qd_at_.end());
-    inputs.insert(inputs.end(), qdd_.symbols.begin(), qdd_.symbols.end());
+    inputs.insert(inputs.end(), qdd_at_.begin(), qdd_at_.end());
     std::vector<ex> tau = inlined(list_, model_.rigid, inputs).front();
     for (std::size_t i = 0; i < tau.size(); ++i) tau[i] += drive(i) + load_.symbols[i];
     for (const IdentifiedEffect& each : identified_.effects)
-      if (is_term(each)) tau[joint_of(each.place)] += term(each, true);
+      if (is_term(each)) tau[joint_of(each.place)] += term(each);
     for (const IdentifiedEffect& each : identified_.effects)
       if (each.effect == "torque_constant")
         tau[joint_of(each.place)] /= 1 + exact_number(each.coefficient("gain_change"));
@@ -71,6 +72,7 @@ class EffortWriter {
     if (!next_.empty())
       f.outputs.push_back(
           {"next", static_cast<int>(next_.size()), 1, next_, "1", "states for the next call"});
+    f.inputs.push_back(jerk_);
     f.inputs.push_back(jounce_);
     f.inputs.push_back(time_);
     f.inputs.push_back(step_);
@@ -82,10 +84,8 @@ class EffortWriter {
     std::vector<ex> tau(static_cast<std::size_t>(n_), ex(0));
     bool any = false;
     for (const IdentifiedEffect& each : identified_.effects) {
-      if (!is_term(each) || !find_effect(each.effect).compensable) continue;
-      const ex value = term(each, false);
-      if (value.has(qdd_.symbols[joint_of(each.place)]) || uses_state(value)) continue;
-      tau[joint_of(each.place)] += exact_number(share) * value;
+      if (!is_term(each) || !is_measurable(find_effect(each.effect))) continue;
+      tau[joint_of(each.place)] += exact_number(share) * term(each);
       any = true;
     }
     Function f{"compensation",
@@ -143,14 +143,17 @@ class EffortWriter {
   /// What is logged now acts later: the motion it belongs to lies ahead.
   void advance_motion() {
     for (std::size_t i = 0; i < model_.joints.size(); ++i) {
-      ex q = q_.symbols[i], qd = qd_.symbols[i];
+      ex q = q_.symbols[i], qd = qd_.symbols[i], qdd = qdd_.symbols[i];
       if (const IdentifiedEffect* delay = special("delay", i)) {
         const ex d = exact_number(delay->coefficient("delay"));
-        q = list_.define("q_ahead", q + d * qd + d * d / 2 * qdd_.symbols[i]);
-        qd = list_.define("qd_ahead", qd + d * qdd_.symbols[i]);
+        q = list_.define("q_ahead", q + d * qd + d * d / 2 * qdd);
+        qd = list_.define("qd_ahead", qd + d * qdd + d * d / 2 * jerk_.symbols[i]);
+        qdd =
+            list_.define("qdd_ahead", qdd + d * jerk_.symbols[i] + d * d / 2 * jounce_.symbols[i]);
       }
       q_at_.push_back(q);
       qd_at_.push_back(qd);
+      qdd_at_.push_back(qdd);
     }
   }
 
@@ -189,20 +192,17 @@ class EffortWriter {
 
   ex drive(std::size_t i) {
     const DrivenJoint& joint = model_.joints[i];
-    return exact_number(joint.armature) * qdd_.symbols[i] +
-           exact_number(joint.damping) * qd_at_[i] + exact_number(joint.friction) * directions_[i];
+    return exact_number(joint.armature) * qdd_at_[i] + exact_number(joint.damping) * qd_at_[i] +
+           exact_number(joint.friction) * directions_[i];
   }
 
   /// The effect's symbols at a joint; its state is updated.
   GiNaC::exmap replacements(const Effect& effect, const std::vector<IdentifiedValue>& shape,
                             std::size_t joint) {
     const EffectSignals& s = effect_signals();
-    GiNaC::exmap map{{s.position, q_at_[joint]},
-                     {s.velocity, qd_at_[joint]},
-                     {s.acceleration, qdd_.symbols[joint]},
-                     {s.jounce, jounce_.symbols[joint]},
-                     {s.load, load_.symbols[joint]},
-                     {s.time, time_.symbols[0]},
+    GiNaC::exmap map{{s.position, q_at_[joint]},       {s.velocity, qd_at_[joint]},
+                     {s.acceleration, qdd_at_[joint]}, {s.jounce, jounce_.symbols[joint]},
+                     {s.load, load_.symbols[joint]},   {s.time, time_.symbols[0]},
                      {s.step, step_.symbols[0]}};
     if (joint < directions_.size()) map[s.direction] = directions_[joint];
     for (std::size_t k = 0; k < effect.shapes.size(); ++k)
@@ -215,10 +215,9 @@ class EffortWriter {
     return map;
   }
 
-  ex term(const IdentifiedEffect& each, bool with_states) {
+  ex term(const IdentifiedEffect& each) {
     const Effect& effect = find_effect(each.effect);
     const std::size_t joint = joint_of(each.place);
-    if (!with_states && effect.state) return states_.symbols.front();  // seen by uses_state
     const GiNaC::exmap map = replacements(effect, each.shape, joint);
     ex sum = 0;
     for (std::size_t k = 0; k < effect.columns.size(); ++k)
@@ -226,19 +225,13 @@ class EffortWriter {
     return list_.define(each.effect, sum);
   }
 
-  bool uses_state(const ex& value) const {
-    const auto direct = [&](const ex& of) {
-      return std::any_of(states_.symbols.begin(), states_.symbols.end(),
-                         [&](const GiNaC::symbol& s) { return of.has(s); });
-    };
-    return states_.rows > 0 && direct(expanded(value));
-  }
-
-  /// With the definitions put in.
-  ex expanded(ex value) const {
-    for (auto each = list_.items().rbegin(); each != list_.items().rend(); ++each)
-      value = value.subs(each->symbol == each->value);
-    return value;
+  /// Follows from what the firmware knows before it acts.
+  static bool is_measurable(const Effect& effect) {
+    const EffectSignals& s = effect_signals();
+    return effect.compensable && !effect.state &&
+           std::none_of(effect.columns.begin(), effect.columns.end(), [&](const EffectColumn& c) {
+             return c.term.has(s.acceleration) || c.term.has(s.jounce) || c.term.has(s.time);
+           });
   }
 
   /// Arguments nothing depends on are no arguments, but for the motion.
@@ -263,9 +256,9 @@ class EffortWriter {
   const DrivenModel& model_;
   const Identified& identified_;
   int n_;
-  Argument q_, qd_, qdd_, load_, jounce_, time_, step_, states_;
+  Argument q_, qd_, qdd_, load_, jerk_, jounce_, time_, step_, states_;
   DefinitionList list_;
-  std::vector<ex> q_at_, qd_at_, directions_, next_;
+  std::vector<ex> q_at_, qd_at_, qdd_at_, directions_, next_;
 };
 
 }  // namespace
@@ -304,7 +297,13 @@ Function effort_function(const DrivenModel& model, const Identified& identified)
 
 Function compensation_function(const DrivenModel& model, const Identified& identified,
                                double share) {
-  return EffortWriter(model, identified).compensation(share);
+  // Ahead of the motion there is nothing to delay, and a bristle's state is not measured:
+  // friction's direction follows from the velocity alone.
+  Identified measurable = identified;
+  std::erase_if(measurable.effects, [](const IdentifiedEffect& each) {
+    return each.effect == "delay" || each.effect == "direction";
+  });
+  return EffortWriter(model, measurable).compensation(share);
 }
 
 }  // namespace sinew
