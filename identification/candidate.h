@@ -43,7 +43,8 @@ struct LinearParameter {
   double low = -std::numeric_limits<double>::infinity();
   double high = std::numeric_limits<double>::infinity();
   bool per_log = false;           ///< a nuisance such as a ripple's phase: one value for each log
-  std::optional<double> nominal;  ///< baseline terms only: the value the model under test uses
+  /// Baseline terms only: the value the model under test uses, in so far as it is not in `known`.
+  std::optional<double> nominal;
 };
 
 enum class CandidateKind {
@@ -72,12 +73,40 @@ struct Candidate {
   std::string isolating_experiment;  ///< the experiment that shows this effect alone
 };
 
+/// One parameter of a level cause. It moves baseline coefficients, each by `amount` per unit of the
+/// parameter; a coefficient that is simply free has one share of amount 1. Limits are those of the
+/// change, not of the whole value.
+struct LevelParameter {
+  std::string name, unit;
+  double low = -std::numeric_limits<double>::infinity();
+  double high = std::numeric_limits<double>::infinity();
+  struct Share {
+    int term = 0;         ///< index into Problem::baseline
+    int coefficient = 0;  ///< index into that term's linear parameters; not one per log
+    double amount = 1.0;
+  };
+  std::vector<Share> shares;
+  ColumnFunction also;  ///< one column that no baseline coefficient has; may be empty
+};
+
+/// A value of the model itself that differs from its nominal value: "viscous level", "inertia",
+/// "torque constant" (one parameter that scales every nominal value). A baseline coefficient that
+/// some level moves stays at its nominal value unless a level is named; all others are always
+/// free and never named.
+struct LevelCause {
+  std::string name, place;
+  std::vector<LevelParameter> parameters;
+  std::string limit_meaning;
+  std::string isolating_experiment;
+};
+
 /// Everything one diagnosis works on. The baseline's coefficients are re-fitted with every cause.
 struct Problem {
   std::vector<Recording> training, holdout;
   std::vector<Candidate> baseline;
   std::vector<Candidate> library;
   int channels = 1;
+  std::vector<LevelCause> levels;  ///< may be empty: then the baseline has no nominal values
 };
 
 /// How the search is done; the defaults are the calibrated ones (confidence.h).
@@ -90,6 +119,7 @@ struct Settings {
   int surrogates = 200;
   int blocks = 12;
   int most_causes = 8;
+  int most_levels = 6;
   int threads = 2;
   unsigned seed = 1;
 };

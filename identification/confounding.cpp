@@ -42,17 +42,17 @@ double paired_z(const VectorXd& better, const VectorXd& worse) {
   return mean / std::sqrt(std::max(variance / n, 1e-300));
 }
 
-struct Contender {
-  Trial trial;
-  RankedCause cause;
-};
-
 RankedCause describe(const Design& design, int candidate) {
-  const Candidate& c = design.problem().library[static_cast<std::size_t>(candidate)];
   RankedCause cause;
   cause.candidate = candidate;
-  cause.name = c.name;
-  cause.place = c.place;
+  const auto tell = [&cause](const auto& c) {
+    cause.name = c.name;
+    cause.place = c.place;
+  };
+  if (candidate < 0)
+    tell(design.problem().levels[static_cast<std::size_t>(-1 - candidate)]);
+  else
+    tell(design.problem().library[static_cast<std::size_t>(candidate)]);
   return cause;
 }
 
@@ -70,6 +70,23 @@ void refit_close_ones(const Design& design, const Selection& state, double witho
   rank_trials(design, state.freedom, state.noise.weights, trials);
 }
 
+/// Levels that are not in the model may take the place of a cause, too.
+void add_levels(const Design& design, const Selection& state, const Model& without,
+                std::vector<Trial>& trials) {
+  for (const Term& level : state.levels) {
+    if (std::any_of(state.model.terms.begin(), state.model.terms.end(),
+                    [&](const Term& t) { return t.level == level.level; }))
+      continue;
+    Trial trial;
+    trial.candidate = -1 - level.level;
+    trial.model = without;
+    trial.model.terms.push_back(level);
+    const LinearFit fit = solve(stack(trial.model, state.noise.weights));
+    trial.allowed = !violates_limits(design, trial.model, fit, trial.model.terms.size() - 1);
+    trials.push_back(std::move(trial));
+  }
+}
+
 /// Fitted models with the term replaced by whatever comes near it.
 std::vector<Trial> contenders(const Design& design, const Library& library,
                               const Settings& settings, const Selection& state, std::size_t term) {
@@ -82,6 +99,7 @@ std::vector<Trial> contenders(const Design& design, const Library& library,
   std::erase_if(list, [&](const Screened& c) { return c.candidate == own; });
   std::vector<Trial> trials =
       try_candidates(design, state.noise.weights, without, list, settings.threads);
+  add_levels(design, state, without, trials);
   std::erase_if(trials, [](const Trial& t) { return !t.allowed; });
   Trial present;
   present.candidate = own;

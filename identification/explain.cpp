@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "identification/confidence.h"
+#include "identification/levels.h"
 #include "identification/refine.h"
 #include "identification/standard_errors.h"
 #include "identification/unexplained.h"
@@ -25,7 +26,9 @@ double relative_error(const Design& design, const Model& model, const Weights& w
     const VectorXd prediction = predict(columns, fit.coefficients, s);
     error += (prediction.size() ? VectorXd(model.target[s] - prediction) : model.target[s])
                  .squaredNorm();
-    energy += model.target[s].squaredNorm();
+    VectorXd measured = design.target(static_cast<int>(s), model.advance[s]);
+    if (const auto known = design.known(static_cast<int>(s), 0)) measured += *known;
+    energy += measured.squaredNorm();
   }
   return std::sqrt(error / std::max(energy, 1e-300));
 }
@@ -35,14 +38,25 @@ BlockLosses held_out_losses(const Design& design, const Settings& settings, cons
   return held_out(design, model, solve(stack(model, weights)), settings.blocks);
 }
 
+const std::string& isolating_experiment(const Problem& problem, int candidate) {
+  return candidate < 0
+             ? problem.levels[static_cast<std::size_t>(-1 - candidate)].isolating_experiment
+             : problem.library[static_cast<std::size_t>(candidate)].isolating_experiment;
+}
+
 /// The planned experiment that separates two members best, or what isolates them.
 std::string separating_experiment(const Problem& problem, const Settings& settings,
                                   const Selection& selection, std::size_t term,
                                   const std::vector<RankedCause>& members,
                                   const std::vector<PlannedExperiment>& experiments) {
   if (members.size() < 2) return {};
-  const Candidate& first = problem.library[static_cast<std::size_t>(members[0].candidate)];
-  const Candidate& second = problem.library[static_cast<std::size_t>(members[1].candidate)];
+  const int best_one = members[0].candidate, next = members[1].candidate;
+  if (best_one < 0 || next < 0) {
+    const std::string own = isolating_experiment(problem, best_one);
+    return own.empty() ? isolating_experiment(problem, next) : own;
+  }
+  const Candidate& first = problem.library[static_cast<std::size_t>(best_one)];
+  const Candidate& second = problem.library[static_cast<std::size_t>(next)];
   const Term& own = selection.model.terms[term];
   std::string best;
   double largest = 0.0;
@@ -53,8 +67,7 @@ std::string separating_experiment(const Problem& problem, const Settings& settin
       VectorXd one(static_cast<Index>(first.linear.size()));
       const Index at = first_columns(selection.model)[term];
       const Index wide = first_columns(selection.model)[term + 1] - at;
-      for (Index i = 0; i < one.size(); ++i)
-        one(i) = fit.coefficients(at + i * wide / one.size());
+      for (Index i = 0; i < one.size(); ++i) one(i) = fit.coefficients(at + i * wide / one.size());
       return one;
     }();
     for (const PlannedExperiment& experiment : experiments) {
@@ -96,12 +109,15 @@ NamedCause name_cause(const Design& design, const Library& library, const Settin
 
 std::string reason_of(const Screened& screened, const Candidate& candidate, double p) {
   switch (screened.gate) {
-    case Gate::not_excited: return "not excited by these logs beside the model";
-    case Gate::out_of_band: return "mostly above the frequencies looked at";
+    case Gate::not_excited:
+      return "not excited by these logs beside the model";
+    case Gate::out_of_band:
+      return "mostly above the frequencies looked at";
     case Gate::limit_violated:
       return candidate.limit_meaning.empty() ? "outside its physical limits"
                                              : candidate.limit_meaning;
-    case Gate::open: break;
+    case Gate::open:
+      break;
   }
   return p > 0.05 ? "nothing beyond noise beside the named causes"
                   : "too little beside the named causes to be told from noise";
@@ -112,8 +128,8 @@ void list_ruled_out(const Design& design, const Selection& selection, Verdict& v
   for (const Screened& s : selection.last.candidates) {
     const Candidate& candidate = library[static_cast<std::size_t>(s.candidate)];
     if (candidate.kind == CandidateKind::flexible) continue;
-    const bool named = std::any_of(
-        verdict.causes.begin(), verdict.causes.end(), [&](const NamedCause& cause) {
+    const bool named =
+        std::any_of(verdict.causes.begin(), verdict.causes.end(), [&](const NamedCause& cause) {
           return std::any_of(cause.members.begin(), cause.members.end(),
                              [&](const RankedCause& m) { return m.candidate == s.candidate; });
         });
@@ -124,6 +140,54 @@ void list_ruled_out(const Design& design, const Selection& selection, Verdict& v
       if (refusal.candidate == s.candidate && !refusal.reason.empty()) out.reason = refusal.reason;
     verdict.ruled_out.push_back(std::move(out));
   }
+}
+
+/// Names the levels the model's own values differ in, and lists the others as ruled out.
+void name_levels(const Design& design, const Library& library, const Settings& settings,
+                 const std::vector<PlannedExperiment>& experiments, Explanation& result) {
+  LevelSelection levels = restrict_to_levels(design, settings, result.selection);
+  const Selection& state = levels.state;
+  const auto all = estimates(design, state.model, state.noise);
+  for (std::size_t t = 0; t < state.model.terms.size(); ++t) {
+    if (state.model.terms[t].level < 0) continue;
+    NamedCause cause = name_cause(design, library, settings, state, t, experiments);
+    cause.parameters = all[t];
+    cause.confidence =
+        calibrated_confidence({cause.confidence, cause.p_family, cause.cross_validated.share, 0.0});
+    result.verdict.causes.push_back(std::move(cause));
+  }
+  const std::vector<LevelCause>& causes = design.problem().levels;
+  for (std::size_t l = 0; l < causes.size(); ++l) {
+    const int index = -1 - static_cast<int>(l);
+    const bool named = std::any_of(
+        result.verdict.causes.begin(), result.verdict.causes.end(), [&](const NamedCause& c) {
+          return std::any_of(c.members.begin(), c.members.end(),
+                             [&](const RankedCause& m) { return m.candidate == index; });
+        });
+    if (named) continue;
+    RuledOut out{causes[l].name, causes[l].place, "nothing beyond noise beside the named causes",
+                 levels.statistic[l], levels.p_family[l]};
+    for (const Refusal& refusal : levels.refused)
+      if (refusal.candidate == index) out.reason = refusal.reason;
+    result.verdict.ruled_out.push_back(std::move(out));
+  }
+  result.adopted = std::move(levels.state);
+}
+
+/// Errors before and after, and what all causes together gain on held-out logs.
+void measure(const Design& design, const Settings& settings, Explanation& result) {
+  Verdict& verdict = result.verdict;
+  const Model baseline = baseline_model(design);
+  const Model before =
+      has_nominal(design.problem()) ? nominal_model(design, result.selection.model) : baseline;
+  const NoiseView noise = own_noise(design, before, settings.threads);
+  const Selection& after = design.problem().levels.empty() ? result.selection : result.adopted;
+  verdict.relative_error_before = relative_error(design, before, noise.weights);
+  verdict.relative_error_after = relative_error(design, after.model, after.noise.weights);
+  verdict.held_out = block_bootstrap_gain(
+      held_out_losses(design, settings, before, noise.weights).plain,
+      held_out_losses(design, settings, after.model, after.noise.weights).plain, 0.95,
+      settings.seed);
 }
 
 }  // namespace
@@ -151,25 +215,18 @@ Explanation explain(const Problem& problem, const Settings& settings,
     }
     NamedCause cause = name_cause(design, library, settings, selection, t, experiments);
     cause.parameters = all[t];
-    cause.confidence = calibrated_confidence({cause.confidence, cause.p_family,
-                                              cause.cross_validated.share,
-                                              1.0 - verdict.unexplained.named_share});
+    cause.confidence =
+        calibrated_confidence({cause.confidence, cause.p_family, cause.cross_validated.share,
+                               1.0 - verdict.unexplained.named_share});
     verdict.causes.push_back(std::move(cause));
   }
+  list_ruled_out(design, selection, verdict);
+  if (!problem.levels.empty()) name_levels(design, library, settings, experiments, result);
   std::stable_sort(verdict.causes.begin(), verdict.causes.end(),
                    [](const NamedCause& a, const NamedCause& b) {
                      return a.cross_validated.share > b.cross_validated.share;
                    });
-  list_ruled_out(design, selection, verdict);
-
-  Model baseline = baseline_model(design);
-  const NoiseView noise = own_noise(design, baseline, settings.threads);
-  verdict.relative_error_before = relative_error(design, baseline, noise.weights);
-  verdict.relative_error_after = relative_error(design, selection.model, selection.noise.weights);
-  verdict.held_out = block_bootstrap_gain(
-      held_out_losses(design, settings, baseline, noise.weights).plain,
-      held_out_losses(design, settings, selection.model, selection.noise.weights).plain, 0.95,
-      settings.seed);
+  measure(design, settings, result);
   return result;
 }
 

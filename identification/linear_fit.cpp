@@ -24,6 +24,7 @@ Index width(const Term& term) {
 void set_advance(const Design& design, std::size_t segment, double advance, Model& model) {
   model.advance[segment] = advance;
   model.target[segment] = design.target(static_cast<int>(segment), advance);
+  if (!model.fixed.value.empty()) model.target[segment] -= model.fixed.value[segment];
 }
 
 std::vector<Index> first_columns(const Model& model) {
@@ -47,13 +48,15 @@ Stack stack(const Model& model, const Weights& weights) {
     for (std::size_t t = 0; t < model.terms.size(); ++t) {
       const MatrixXd& part = model.terms[t].columns[s];
       if (part.cols() > 0)
-        result.a.block(result.first_row[s], first[t], rows, part.cols()) = weights[s].asDiagonal() * part;
+        result.a.block(result.first_row[s], first[t], rows, part.cols()) =
+            weights[s].asDiagonal() * part;
     }
   }
   return result;
 }
 
 MatrixXd scaled_pseudo_inverse(const MatrixXd& gram, double tolerance) {
+  if (gram.size() == 0) return gram;
   const VectorXd scale =
       gram.diagonal().unaryExpr([](double d) { return d > 0.0 ? 1.0 / std::sqrt(d) : 0.0; });
   const MatrixXd unit = scale.asDiagonal() * gram * scale.asDiagonal();
@@ -120,12 +123,14 @@ BandColumns prediction_rate(const Design& design, const Model& model, const Vect
         std::find(delay.channels.begin(), delay.channels.end(), channel) == delay.channels.end())
       continue;
     result[s] = predict(all, coefficients, s);
-    const std::optional<VectorXd> known = design.known(static_cast<int>(s), 1);
-    if (!known) continue;
-    if (result[s].size() == 0)
-      result[s] = *known;
-    else
-      result[s] += *known;
+    const auto add = [&](const VectorXd& rate) {
+      if (result[s].size() == 0)
+        result[s] = rate;
+      else
+        result[s] += rate;
+    };
+    if (const std::optional<VectorXd> known = design.known(static_cast<int>(s), 1)) add(*known);
+    if (!model.fixed.rate.empty()) add(model.fixed.rate[s]);
   }
   return result;
 }

@@ -14,7 +14,14 @@ struct Term {
   const Candidate* candidate = nullptr;
   bool baseline = false;
   Eigen::VectorXd nonlinear;
-  BandColumns columns;  ///< unwhitened
+  BandColumns columns;   ///< unwhitened
+  double freedom = 0.0;  ///< levels only: effective number of parameters
+  int level = -1;        ///< index into the problem's levels
+};
+
+/// What a model says with coefficients that are not fitted, per segment in the band.
+struct FixedPart {
+  std::vector<Eigen::VectorXd> value, rate;  ///< empty: nothing
 };
 
 /// Baseline terms and accepted causes. A delay's term holds the model's time derivative; what it
@@ -22,7 +29,8 @@ struct Term {
 struct Model {
   std::vector<Term> terms;
   std::vector<double> advance;          ///< s, per segment
-  std::vector<Eigen::VectorXd> target;  ///< in the band, at that advance, per segment
+  std::vector<Eigen::VectorXd> target;  ///< in the band, at that advance, less what is fixed
+  FixedPart fixed;
 };
 
 /// Per segment: what each band row is multiplied with, 1 / the noise's (damped) standard deviation

@@ -2,6 +2,7 @@
 // Forward selection by physical group, with swaps, pruning and joint re-fits.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -37,6 +38,8 @@ struct Selection {
   std::vector<Evidence> evidence;  ///< per term of the model; baseline terms' stay empty
   std::vector<double> p_family;    ///< per candidate, at the step that took it
   double baseline_loss = 1.0;      ///< plain cross-validated loss of the baseline
+  std::vector<Term> levels;        ///< restrict_to_levels(): every level of the problem
+  std::vector<std::shared_ptr<const Candidate>> made;  ///< what those terms point to
 };
 
 /// Model of the baseline alone, at the middle of its nonlinear parameters' ranges.

@@ -74,13 +74,16 @@ double parameter_price(const Design& design) {
 
 int library_index(const Design& design, const Term& term) {
   const std::vector<Candidate>& library = design.problem().library;
+  if (term.level >= 0) return -1 - term.level;
   return term.baseline || library.empty() ? -1 : static_cast<int>(term.candidate - library.data());
 }
 
 double model_price(const Design& design, const std::vector<double>& freedom, const Model& model) {
   double sum = 0.0;
   for (const Term& term : model.terms)
-    if (!term.baseline) sum += freedom[static_cast<std::size_t>(library_index(design, term))];
+    if (!term.baseline)
+      sum += term.level >= 0 ? term.freedom
+                             : freedom[static_cast<std::size_t>(library_index(design, term))];
   return sum * parameter_price(design);
 }
 

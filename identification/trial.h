@@ -38,7 +38,7 @@ struct Trial {
 /// independent rows.
 double parameter_price(const Design& design);
 
-/// Index of a term's candidate in the library, -1 for baseline terms.
+/// Index of a term's candidate in the library, -1 for baseline terms and -1 - i for level i.
 int library_index(const Design& design, const Term& term);
 
 /// Price of all causes of a model; freedom: effective parameters per candidate.

@@ -18,7 +18,7 @@ struct ParameterEstimate {
 
 /// A candidate that may be the cause.
 struct RankedCause {
-  int candidate = 0;       ///< index into the library
+  int candidate = 0;       ///< index into the library; level i of the problem is -1 - i
   std::string name, place;
   double behind = 0.0;     ///< whitened deviance and price above the best: 0 for the best
   double paired_z = 0.0;   ///< mean paired block difference to the best / its standard error
@@ -66,7 +66,9 @@ struct Verdict {
   std::vector<RuledOut> ruled_out;
   Unexplained unexplained;
   std::vector<ParameterEstimate> baseline;
-  double relative_error_before = 0.0;  ///< rms residual / rms target inside the band
+  /// rms residual / rms of what was measured, inside the band. Before: of the model at its nominal
+  /// values; where the problem has none, with its baseline fitted. After: with all named causes.
+  double relative_error_before = 0.0;
   double relative_error_after = 0.0;
   Gain held_out;                       ///< of all causes together on the held-out logs
   bool nothing_beyond_noise() const { return causes.empty() && !unexplained.none_of_the_known; }

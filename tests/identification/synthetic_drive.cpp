@@ -210,8 +210,14 @@ SyntheticDrive simulate_drive(const std::vector<std::string>& effects,
   s.load = 1.5 + (2.0 * kPi * uniform(random, 0.05, 0.3) * s.t + 1.0).sin();
   s.period_in = uniform(random, 0.15, 0.3);
   s.period_out = uniform(random, 1.2, 2.0);
-  s.model = uniform(random, 0.5, 2.0) * s.a + uniform(random, 0.5, 2.0) * s.v +
-            uniform(random, 1.0, 3.0) * s.friction + 0.2;
+  SyntheticDrive drive;
+  // Drawn from the last to the first.
+  drive.values(3) = 0.2;
+  drive.values(2) = uniform(random, 1.0, 3.0);
+  drive.values(1) = uniform(random, 0.5, 2.0);
+  drive.values(0) = uniform(random, 0.5, 2.0);
+  s.model = drive.values(0) * s.a + drive.values(1) * s.v + drive.values(2) * s.friction +
+            drive.values(3);
   const double noise = 0.1 * std::sqrt(s.model.square().mean());
   MatrixXd base(n, 4);
   base << s.a.matrix(), s.v.matrix(), s.friction.matrix(), VectorXd::Ones(n);
@@ -225,7 +231,8 @@ SyntheticDrive simulate_drive(const std::vector<std::string>& effects,
     force += shape * (sizes[i] * noise * std::sqrt(static_cast<double>(inner)) /
                       apart.segment(edge, inner).norm());
   }
-  SyntheticDrive drive;
+  drive.parts = base * drive.values.asDiagonal();
+  drive.noise = noise;
   drive.period_in = s.period_in;
   drive.period_out = s.period_out;
   drive.log.name = "synthetic";

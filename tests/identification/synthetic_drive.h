@@ -14,8 +14,12 @@ using namespace diagnosis;
 
 struct SyntheticDrive {
   Recording log;
-  double period_in = 0.0;   ///< q for one motor turn
+  double period_in = 0.0;  ///< q for one motor turn
   double period_out = 0.0;
+  /// What inertia, viscous friction, Coulomb friction and the offset contribute to the target.
+  Eigen::MatrixXd parts;
+  Eigen::Vector4d values;  ///< their coefficients
+  double noise = 0.0;      ///< rms
 };
 
 /// Names of the effects that can be hidden; the same words as the candidates use.

@@ -1,0 +1,316 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "identification/levels.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "identification/level_terms.h"
+
+namespace sinew::diagnosis {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::MatrixXf;
+using Eigen::VectorXd;
+using Set = std::vector<int>;
+
+/// All levels' whitened columns with the base model projected out, as moments.
+struct Moments {
+  std::vector<Index> first;  ///< column of each level's first parameter, and the total
+  MatrixXd gram;
+  VectorXd target;
+  MatrixXd surrogates;
+  VectorXd low, high;
+  double base = 0.0;  ///< deviance with every level at its nominal value
+};
+
+std::vector<Index> indices(const Moments& m, const Set& set) {
+  std::vector<Index> list;
+  for (const int level : set)
+    for (Index c = m.first[static_cast<std::size_t>(level)];
+         c < m.first[static_cast<std::size_t>(level) + 1]; ++c)
+      list.push_back(c);
+  return list;
+}
+
+Moments moments(const Design& design, const LevelTerms& parts, const NoiseView& noise) {
+  Model all = parts.base;
+  const Index own = first_columns(all).back();
+  for (const Term& level : parts.levels) all.terms.push_back(level);
+  // A level without columns in these logs still has its places.
+  Moments m;
+  m.first.push_back(0);
+  for (const Term& level : parts.levels) {
+    Index wide = 0;
+    for (const MatrixXd& x : level.columns) wide = std::max(wide, x.cols());
+    m.first.push_back(m.first.back() + wide);
+  }
+  const Stack s = stack(all, noise.weights);
+  const MatrixXd x0 = s.a.leftCols(own);
+  MatrixXd x = s.a.rightCols(s.a.cols() - own);
+  if (own > 0) {
+    const MatrixXd inverse = scaled_pseudo_inverse(x0.transpose() * x0);
+    x -= x0 * (inverse * (x0.transpose() * x));
+    m.base = (s.y - x0 * (inverse * (x0.transpose() * s.y))).squaredNorm();
+  } else {
+    m.base = s.y.squaredNorm();
+  }
+  m.gram = x.transpose() * x;
+  m.target = x.transpose() * s.y;
+  for (std::size_t i = 0; i < noise.surrogates.size(); ++i) {
+    const MatrixXf& draws = noise.surrogates[i];
+    if (draws.cols() == 0) continue;
+    if (m.surrogates.size() == 0) m.surrogates = MatrixXd::Zero(x.cols(), draws.cols());
+    const MatrixXf part = x.middleRows(s.first_row[i], draws.rows()).cast<float>();
+    m.surrogates += (part.transpose() * draws).cast<double>();
+  }
+  m.low = VectorXd::Zero(x.cols());
+  m.high = VectorXd::Zero(x.cols());
+  for (std::size_t l = 0; l < parts.levels.size(); ++l)
+    for (Index c = m.first[l]; c < m.first[l + 1]; ++c) {
+      const LevelParameter& p =
+          design.problem().levels[l].parameters[static_cast<std::size_t>(c - m.first[l])];
+      m.low(c) = p.low;
+      m.high(c) = p.high;
+    }
+  return m;
+}
+
+/// Drop of the deviance by a set; negative where a change lies beyond its limit by more than two
+/// standard errors.
+double drop(const Moments& m, const Set& set) {
+  const std::vector<Index> at = indices(m, set);
+  if (at.empty()) return 0.0;
+  const MatrixXd inverse = scaled_pseudo_inverse(m.gram(at, at), 1e-8);
+  const VectorXd value = inverse * m.target(at);
+  for (std::size_t i = 0; i < at.size(); ++i) {
+    const auto k = static_cast<Index>(i);
+    const double slack = 2.0 * std::sqrt(std::max(0.0, inverse(k, k)));
+    if (value(k) < m.low(at[i]) - slack || value(k) > m.high(at[i]) + slack) return -1.0;
+  }
+  return value.dot(VectorXd(m.target(at)));
+}
+
+/// The same for every surrogate, without limits.
+VectorXd drops_by_chance(const Moments& m, const Set& set) {
+  const std::vector<Index> at = indices(m, set);
+  if (at.empty()) return VectorXd::Zero(m.surrogates.cols());
+  const MatrixXd moment = m.surrogates(at, Eigen::all);
+  return (moment.cwiseProduct(scaled_pseudo_inverse(m.gram(at, at), 1e-8) * moment))
+      .colwise()
+      .sum()
+      .transpose();
+}
+
+Set without(Set set, int level) {
+  std::erase(set, level);
+  return set;
+}
+
+/// The sparse search over sets of allowed levels.
+class Search {
+ public:
+  Search(const Moments& m, double price, int most) : m_(m), most_(static_cast<std::size_t>(most)) {
+    for (int l = 0; l + 1 < static_cast<int>(m.first.size()); ++l) {
+      const double freedom =
+          m.surrogates.size() ? std::max(0.5, drops_by_chance(m, {l}).mean()) : 1.0;
+      freedom_.push_back(freedom);
+      price_.push_back(price * freedom);
+    }
+  }
+
+  double freedom(int level) const { return freedom_[static_cast<std::size_t>(level)]; }
+
+  double score(const Set& set) const {
+    const double gained = drop(m_, set);
+    if (gained < 0.0) return std::numeric_limits<double>::infinity();
+    double sum = m_.base - gained;
+    for (const int level : set) sum += price_[static_cast<std::size_t>(level)];
+    return sum;
+  }
+
+  /// Best set found from every single level on by adding, removing and exchanging.
+  Set best(const std::vector<bool>& banned) const {
+    Set found;
+    double least = score(found);
+    for (int start = -1; start < static_cast<int>(price_.size()); ++start) {
+      if (start >= 0 && banned[static_cast<std::size_t>(start)]) continue;
+      Set set = start < 0 ? Set{} : Set{start};
+      const double here = descend(banned, set);
+      if (here >= least - 1e-9) continue;
+      least = here;
+      found = set;
+    }
+    std::sort(found.begin(), found.end());
+    return found;
+  }
+
+ private:
+  double descend(const std::vector<bool>& banned, Set& set) const {
+    double now = score(set);
+    for (;;) {
+      Set next = set;
+      double least = now - 1e-9;
+      const auto consider = [&](Set trial) {
+        const double value = score(trial);
+        if (value >= least) return;
+        least = value;
+        next = std::move(trial);
+      };
+      for (const int level : set) consider(without(set, level));
+      for (int l = 0; l < static_cast<int>(price_.size()); ++l) {
+        if (banned[static_cast<std::size_t>(l)] || std::count(set.begin(), set.end(), l)) continue;
+        Set more = set;
+        more.push_back(l);
+        if (more.size() <= most_) consider(more);
+        for (const int level : set) consider(without(more, level));
+      }
+      if (least >= now - 1e-9) return now;
+      set = std::move(next);
+      now = least;
+    }
+  }
+
+  const Moments& m_;
+  std::size_t most_;
+  std::vector<double> price_, freedom_;
+};
+
+/// Bonferroni over the levels of the probability that a set gains that much by one of them.
+double p_value(const Moments& m, const Set& set, int level, double statistic) {
+  if (m.surrogates.size() == 0) return 1.0;
+  const NullDistribution null(drops_by_chance(m, set) - drops_by_chance(m, without(set, level)));
+  const double single = std::exp(-null.surprise(statistic));
+  return std::min(1.0, single * static_cast<double>(m.first.size() - 1));
+}
+
+Model model_of(const LevelTerms& parts, const Search& search, const Set& set) {
+  Model model = parts.base;
+  for (const int level : set) {
+    model.terms.push_back(parts.levels[static_cast<std::size_t>(level)]);
+    model.terms.back().freedom = search.freedom(level);
+  }
+  return model;
+}
+
+double held_out_drop(const Design& design, const Settings& settings, const Model& before,
+                     const Model& after, const Weights& weights) {
+  const double a =
+      held_out(design, before, solve(stack(before, weights)), settings.blocks).plain.sum();
+  const double b =
+      held_out(design, after, solve(stack(after, weights)), settings.blocks).plain.sum();
+  return a - b;
+}
+
+/// What one named level rests on, and why it does not hold (empty: it does).
+struct Judged {
+  Evidence evidence;
+  std::string against;
+};
+
+Judged judge_level(const Design& design, const Settings& settings, const LevelTerms& parts,
+                   const Moments& m, const Search& search, const Weights& weights, const Set& set,
+                   int level, double nominal_loss) {
+  Judged j;
+  const Set others = without(set, level);
+  j.evidence.statistic = drop(m, set) - std::max(0.0, drop(m, others));
+  j.evidence.freedom = search.freedom(level);
+  j.evidence.p_family = p_value(m, set, level, j.evidence.statistic);
+  const Model after = model_of(parts, search, set), before = model_of(parts, search, others);
+  const BlockLosses a = cross_validate(design, after, weights, settings.blocks);
+  const BlockLosses b = cross_validate(design, before, weights, settings.blocks);
+  j.evidence.validated = b.whitened.sum() - a.whitened.sum();
+  j.evidence.gain = block_bootstrap_gain(b.plain, a.plain, 0.95, settings.seed);
+  j.evidence.of_baseline = (b.plain.sum() - a.plain.sum()) / nominal_loss;
+  if (j.evidence.p_family > settings.significance)
+    j.against = "too little to be told from noise";
+  else if (j.evidence.validated <= 0.0 || j.evidence.of_baseline < settings.least_of_baseline ||
+           j.evidence.gain.share < settings.least_share)
+    j.against = "no gain worth naming on left-out blocks";
+  else if (!design.problem().holdout.empty() &&
+           held_out_drop(design, settings, before, after, weights) <= 0.0)
+    j.against = "no gain on the held-out logs";
+  return j;
+}
+
+/// What the levels outside the set would add to it.
+void judge_others(const Moments& m, const Set& set, LevelSelection& result) {
+  for (int l = 0; l + 1 < static_cast<int>(m.first.size()); ++l) {
+    Set more = set;
+    if (std::count(set.begin(), set.end(), l)) more = without(set, l);
+    const double few = drop(m, more);
+    more.push_back(l);
+    const double statistic = std::max(0.0, drop(m, more) - few);
+    result.statistic.push_back(statistic);
+    result.p_family.push_back(statistic > 0.0 ? p_value(m, more, l, statistic) : 1.0);
+  }
+}
+
+}  // namespace
+
+bool has_nominal(const Problem& problem) {
+  if (!problem.levels.empty()) return true;
+  return std::any_of(problem.training.begin(), problem.training.end(),
+                     [](const Recording& log) { return !log.known.empty(); });
+}
+
+Model nominal_model(const Design& design, const Model& baseline) {
+  Model model;
+  model.fixed = nominal_part(design, baseline, {});
+  model.advance.assign(design.segments().size(), 0.0);
+  model.target.resize(design.segments().size());
+  for (std::size_t s = 0; s < design.segments().size(); ++s) set_advance(design, s, 0.0, model);
+  return model;
+}
+
+LevelSelection restrict_to_levels(const Design& design, const Settings& settings,
+                                  const Selection& selection) {
+  const LevelTerms parts = take_apart(design, selection.model);
+  LevelSelection result{selection, {}, {}, {}};
+  Selection& state = result.state;
+  draw_surrogates(design, settings, state.noise);
+  const Weights& weights = state.noise.weights;
+  const Moments m = moments(design, parts, state.noise);
+  const Search search(m, parameter_price(design), settings.most_levels);
+  const double nominal_loss =
+      cross_validate(design, parts.base, weights, settings.blocks).plain.sum();
+  std::vector<bool> banned(parts.levels.size(), false);
+  for (std::size_t l = 0; l < banned.size(); ++l) {
+    const Index own = m.first[l];
+    banned[l] = m.first[l + 1] == own || !(m.gram(own, own) > 0.0);
+    if (banned[l])
+      result.refused.push_back({-1 - static_cast<int>(l), "not excited by these logs"});
+  }
+  Set set;
+  std::vector<Evidence> evidence;
+  for (bool settled = false; !settled;) {
+    set = search.best(banned);
+    evidence.clear();
+    settled = true;
+    double weakest = std::numeric_limits<double>::infinity();
+    Refusal refusal;
+    for (const int level : set) {
+      const Judged j =
+          judge_level(design, settings, parts, m, search, weights, set, level, nominal_loss);
+      evidence.push_back(j.evidence);
+      if (j.against.empty() || j.evidence.statistic >= weakest) continue;
+      weakest = j.evidence.statistic;
+      refusal = {-1 - level, j.against};
+      settled = false;
+    }
+    if (settled) break;
+    banned[static_cast<std::size_t>(-1 - refusal.candidate)] = true;
+    result.refused.push_back(refusal);
+  }
+  judge_others(m, set, result);
+  state.model = model_of(parts, search, set);
+  state.levels = parts.levels;
+  for (Term& level : state.levels) level.freedom = search.freedom(level.level);
+  state.made = parts.made;
+  state.evidence.assign(state.model.terms.size() - set.size(), {});
+  state.evidence.insert(state.evidence.end(), evidence.begin(), evidence.end());
+  return result;
+}
+
+}  // namespace sinew::diagnosis

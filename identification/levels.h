@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Changes of the model's own values: the sparsest set of level causes that explains how the fitted
+// baseline differs from its nominal values.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "identification/select.h"
+
+namespace sinew::diagnosis {
+
+/// The final model with every covered baseline coefficient at its nominal value, and what moves it.
+struct LevelSelection {
+  Selection state;  ///< its model's last terms are the named levels; evidence as in select.h
+  std::vector<Refusal> refused;  ///< candidate: -1 - level
+  std::vector<double> p_family;  ///< per level, on top of the named ones
+  std::vector<double> statistic;
+};
+
+/// True where the problem says what the model under test predicts.
+bool has_nominal(const Problem& problem);
+
+/// The model under test as it is: nothing fitted, no delay, no cause.
+Model nominal_model(const Design& design, const Model& baseline);
+
+/// `selection` with its baseline held at the nominal values and levels found by search:
+/// minimises whitened deviance + price * effective parameters over sets of at most
+/// Settings::most_levels levels whose changes lie within their limits. Each level must beat
+/// surrogates (Bonferroni over all levels), gain Settings::least_of_baseline of the nominal
+/// residual's energy on left-out blocks, and gain on held-out logs. Throws std::invalid_argument
+/// where a share points to no baseline coefficient or to one per log.
+LevelSelection restrict_to_levels(const Design& design, const Settings& settings,
+                                  const Selection& selection);
+
+}  // namespace sinew::diagnosis
