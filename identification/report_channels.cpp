@@ -21,33 +21,51 @@ std::string change_of(const Gain& gain) {
   return shown_share(gain.share) + " <span class=\"soft\">(" + shown_interval(gain) + ")</span>";
 }
 
+std::string where_of(const Findings& findings) {
+  return has_held_out(findings) ? measured_on(findings) : "the training logs";
+}
+
+/// Where no cause was named there is no model after.
 Table domain_table(const Findings& findings) {
-  Table table(
-      {"Channel", "Seen as", "#Error before", "#Error after", "#Squared error that goes away"},
-      "Root mean square error on " +
-          (has_held_out(findings) ? measured_on(findings) : std::string("the training logs")) +
-          ", with the 95 % interval of the gain.");
+  const bool changed = !findings.verdict.causes.empty();
+  std::vector<std::string> headings = {"Channel", "Seen as", changed ? "#Error before" : "#Error"};
+  if (changed) headings.insert(headings.end(), {"#Error after", "#Squared error that goes away"});
+  Table table(headings, "Root mean square error on " + where_of(findings) +
+                            (changed ? ", with the 95 % interval of the gain." : "."));
   for (const ChannelFinding& channel : findings.channels)
     for (const DomainError& error : channel.domains)
-      table.row({escaped(channel.name), escaped(error.domain),
+      table.row({escaped_name(channel.name), escaped(error.domain),
                  coloured("before", shown_quantity(error.before, error.unit)),
                  coloured("after", shown_quantity(error.after, error.unit)),
                  change_of(error.gain)});
   return table;
 }
 
-Table noise_table(const Findings& findings) {
-  Table table(
-      {"Channel", "#Measured (rms)", "#Noise floor", "#Unexplained before", "#Unexplained after"},
-      "How much of each channel's variance the model does not explain, beside what no model "
-      "can explain.");
+double worst_share(const Findings& findings) {
+  double worst = 1e-12;
   for (const ChannelFinding& c : findings.channels)
-    table.row(
-        {escaped(c.name), shown_quantity(c.measured_rms, c.unit),
-         shown_quantity(c.noise_floor, c.unit),
-         coloured("before", shown_share(c.unexplained_before)) +
-             bar(c.unexplained_before, "before"),
-         coloured("after", shown_share(c.unexplained_after)) + bar(c.unexplained_after, "after")});
+    for (const double share : {c.unexplained_before, c.unexplained_after})
+      if (std::isfinite(share)) worst = std::max(worst, share);
+  return worst;
+}
+
+/// Bars are measured against the worst channel.
+Table noise_table(const Findings& findings) {
+  const bool changed = !findings.verdict.causes.empty();
+  std::vector<std::string> headings = {"Channel", "#Measured (rms)", "#Noise floor",
+                                       changed ? "#Unexplained before" : "#Unexplained"};
+  if (changed) headings.push_back("#Unexplained after");
+  Table table(headings,
+              "Share of each channel's variance that the model does not explain, beside the noise "
+              "that no model can explain.");
+  const double worst = worst_share(findings);
+  const auto share = [&](double value, const char* role) {
+    return coloured(role, shown_share(value)) + (changed ? bar(value / worst, role) : "");
+  };
+  for (const ChannelFinding& c : findings.channels)
+    table.row({escaped_name(c.name), shown_quantity(c.measured_rms, c.unit),
+               shown_quantity(c.noise_floor, c.unit), share(c.unexplained_before, "before"),
+               share(c.unexplained_after, "after")});
   return table;
 }
 
@@ -65,10 +83,10 @@ std::string key_of(const Plot& plot) {
   for (std::size_t k = 0; k < plot.series.size(); ++k) {
     const Series& series = plot.series[k];
     const std::string role = series_role(series.label, k);
-    const char* shape = series.points      ? "points"
-                        : role == "before" ? "dashed"
-                        : role == "noise"  ? "dotted"
-                                           : "solid";
+    const char* shape = series.points             ? "points"
+                        : is_dashed(series.label) ? "dashed"
+                        : role == "noise"         ? "dotted"
+                                                  : "solid";
     text += fmt::format("<li><i class=\"{}\" style=\"color:var(--{})\"></i>{}</li>", shape, role,
                         escaped(series.label));
   }

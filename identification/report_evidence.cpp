@@ -18,11 +18,12 @@ std::string parameter_table(const std::vector<ParameterEstimate>& parameters,
   for (const ParameterEstimate& p : parameters) per_log = per_log || !p.log.empty();
   std::vector<std::string> headings = {"Parameter", "#Value ± standard error"};
   if (per_log) headings.push_back("Holds for");
-  Table table(headings, caption);
+  Table table(headings, caption, true);
   for (const ParameterEstimate& p : parameters)
-    table.row({"<math>" + mathml_name(p.name) + "</math>",
-               shown_estimate(p.value, p.standard_error, p.unit),
-               p.log.empty() ? "every log" : "<span class=\"mono\">" + escaped(p.log) + "</span>"});
+    table.row(
+        {"<math>" + mathml_name(p.name) + "</math>",
+         shown_estimate(p.value, p.standard_error, p.unit),
+         p.log.empty() ? "every log" : "<span class=\"mono\">" + escaped_name(p.log) + "</span>"});
   return table.empty() ? "" : table.html();
 }
 
@@ -42,7 +43,7 @@ std::string term(const Findings& findings, const CauseTerm& term) {
   text += term.mathml.empty() ? "<p class=\"mono\">" + escaped(term.text) + "</p>\n"
                               : "<div class=\"math\" tabindex=\"0\" role=\"group\" aria-label=\"" +
                                     escaped(term.text) + "\">" + term.mathml + "</div>\n";
-  text += parameter_table(cause.parameters, "");
+  text += "<div class=\"sides\"><div>" + parameter_table(cause.parameters, "") + "</div>\n<div>";
   if (!term.signature.empty())
     text += "<p><b>Looks like:</b> " + escaped(term.signature) + ".</p>\n";
   if (!term.excitation.empty())
@@ -52,7 +53,7 @@ std::string term(const Findings& findings, const CauseTerm& term) {
   text += term.compensable ? "The firmware's compensation can take it up."
                            : "The firmware cannot compensate it from what it measures; the "
                              "simulation has it.";
-  return text + "</p></div>\n";
+  return text + "</p></div></div></div>\n";
 }
 
 Table member_table(const NamedCause& cause) {
@@ -125,7 +126,7 @@ std::string unexplained_section(const Findings& findings) {
   std::string text = "<p>" + escaped(leftover_of(findings.verdict)) + "</p>\n";
   Table table({"Depends on", "Place", "#By chance", "#Squared error a free curve takes away"});
   for (const Dependence& d : rest.depends_on)
-    table.row({escaped(d.on), escaped(d.place), shown_probability(d.p_family),
+    table.row({escaped(shown_dependence(d.on)), escaped(d.place), shown_probability(d.p_family),
                shown_share(d.gain.share) + " <span class=\"soft\">(" + shown_interval(d.gain) +
                    ")</span>"});
   if (!table.empty()) text += table.html();

@@ -43,8 +43,8 @@ std::string data_of(const Series& series) {
 
 std::string style_of(const Series& series, const std::string& role) {
   if (series.points) return "with dots lc rgb '" + colour_of(role) + "'";
-  const char* dash = role == "before" ? "2" : role == "noise" ? "3" : "1";
-  const char* width = role == "measured" ? "1" : "1.6";
+  const char* dash = is_dashed(series.label) ? "(10,6)" : role == "noise" ? "(2,4)" : "1";
+  const char* width = role == "measured" ? "2.2" : "1.4";
   return fmt::format("with lines lw {} dt {} lc rgb '{}'", width, dash, colour_of(role));
 }
 
@@ -70,10 +70,11 @@ std::string axes_of(const Plot& plot) {
   return fmt::format(
       "reset\nset encoding utf8\nset minussign\nunset key\n"
       "set border 3 lc rgb '{0}' lw 0.8\nset tics nomirror out scale 0.5 textcolor rgb '{1}'\n"
+      "set xtics offset 0,0.4\n"
       "set grid lc rgb '{2}' lt 1 lw 0.6\nset xzeroaxis lc rgb '{0}' lt 1 lw 0.8\n"
-      "set lmargin at screen 0.125\nset rmargin at screen 0.97\n"
-      "set tmargin at screen 0.885\nset bmargin at screen 0.175\n"
-      "set xlabel {3} textcolor rgb '{1}' offset 0,0.2\n"
+      "set lmargin at screen 0.125\nset rmargin at screen 0.955\n"
+      "set tmargin at screen 0.885\nset bmargin at screen 0.165\n"
+      "set xlabel {3} textcolor rgb '{1}' offset 0,0.9\n"
       "set label 1 {4} at screen 0.012,0.955 left front textcolor rgb '{1}'\n{5}",
       colour_of("axis"), colour_of("ink"), colour_of("grid"), quoted(plot.x_label),
       quoted(plot.y_label), plot.logarithmic ? logarithmic : "");
@@ -136,6 +137,10 @@ void run_gnuplot(const fs::path& script) {
 }
 
 }  // namespace
+
+bool is_dashed(const std::string& label) {
+  return label.find("model") != std::string::npos && label.find("before") != std::string::npos;
+}
 
 std::string series_role(const std::string& label, std::size_t position) {
   const auto has = [&](const char* word) { return label.find(word) != std::string::npos; };

@@ -21,4 +21,7 @@ std::vector<std::string> svg_figures(const std::vector<Plot>& plots,
 /// before". `position`: among the plot's series.
 std::string series_role(const std::string& label, std::size_t position);
 
+/// Whether a line is dashed: the model before, which mostly lies behind other curves.
+bool is_dashed(const std::string& label);
+
 }  // namespace sinew::diagnosis

@@ -12,7 +12,8 @@ namespace sinew::diagnosis {
 namespace {
 
 std::string kicker(const Findings& findings) {
-  std::string text = "Diagnosis of <b>" + escaped(findings.model) + "</b>";
+  std::string text = "Diagnosis of <b>" + escaped_name(findings.model) + "</b>";
+  if (!findings.description.empty()) text += " (" + escaped(findings.description) + ")";
   if (!findings.kind.empty()) text += " · " + escaped(findings.kind);
   text += " · " + counted(findings.logs.size(), "log", "logs");
   if (has_held_out(findings)) text += ", tested on " + escaped(measured_on(findings));
@@ -21,7 +22,11 @@ std::string kicker(const Findings& findings) {
 
 std::string gain_sentence(const Findings& findings) {
   const Gain& gain = findings.verdict.held_out;
-  if (!has_held_out(findings) || findings.verdict.causes.empty()) return "";
+  if (findings.verdict.causes.empty()) return "";
+  if (!has_held_out(findings))
+    return "<p>No log was held out: gains are measured on blocks of these logs that the fit had "
+           "not "
+           "seen.</p>";
   if (!std::isfinite(gain.share)) return "";
   return fmt::format(
       "<p>On {}, which the model had not seen, the squared error <b>{} by {}</b> "
@@ -32,19 +37,19 @@ std::string gain_sentence(const Findings& findings) {
 
 std::string error_card(const Findings& findings) {
   const Verdict& v = findings.verdict;
-  if (!std::isfinite(v.relative_error_before)) return "";
+  if (!std::isfinite(v.relative_error_before) || findings.logs.empty()) return "";
   const bool named = !v.causes.empty() && std::isfinite(v.relative_error_after);
   const double most = named ? std::max(v.relative_error_before, v.relative_error_after)
                             : std::max(v.relative_error_before, 1e-12);
   std::string text =
       "<div class=\"card\"><span class=\"label\">What the model gets wrong, as a "
       "share of what was measured</span>\n<p class=\"change\">";
-  text += fmt::format("<span class=\"before\">{}</span>", shown_share(v.relative_error_before));
+  text += fmt::format("<span class=\"before\">{}</span>", shown_percent(v.relative_error_before));
   if (named)
     text += fmt::format(
-        "<span class=\"arrow\" aria-label=\"to\">→</span><span class=\"after\">{}"
+        "<span class=\"arrow\" aria-label=\"to\"> → </span><span class=\"after\">{}"
         "</span>",
-        shown_share(v.relative_error_after));
+        shown_percent(v.relative_error_after));
   text += "</p>\n" + bar(v.relative_error_before / (named ? most : 1.0), "before");
   if (named) text += bar(v.relative_error_after / most, "after");
   if (named)
@@ -55,10 +60,18 @@ std::string error_card(const Findings& findings) {
 }
 
 std::string next_card(const Findings& findings) {
-  if (findings.next_step.empty()) return "";
+  const Extension& e = findings.extension;
+  if (findings.next_step.empty() && e.reason.empty()) return "";
+  const std::string outcome = e.adopted   ? "The model was extended: "
+                              : e.dry_run ? "Nothing was changed (dry run): "
+                                          : "The model was left as it is: ";
+  const std::string done =
+      e.reason.empty() ? "" : "<p class=\"small\">" + outcome + escaped(e.reason) + "</p>";
+  const std::string todo =
+      findings.next_step.empty() ? "Nothing has to be done." : findings.next_step;
   return "<div class=\"card next\"><h2 class=\"label\" style=\"border:0;padding:0\">What to do "
          "next</h2><p>" +
-         escaped(findings.next_step) + "</p></div>\n";
+         escaped(todo) + "</p>" + done + "</div>\n";
 }
 
 std::string fault_note(const Findings& findings) {
@@ -88,22 +101,26 @@ std::string facts(const Findings& findings, const NamedCause& cause) {
   const Gain& gain = gain_of(findings, cause);
   return fmt::format(
       "<dl class=\"facts\"><div><dt>{0}</dt><dd><b>{1}</b>{2}</dd></div>\n"
-      "<div><dt>Takes away, of the squared error on {3}</dt><dd><b>{4}</b> "
-      "<span class=\"soft\">{5}</span>{6}</dd></div></dl>\n",
+      "<div><dt>Squared error it takes away</dt><dd><b>{3}</b> "
+      "<span class=\"soft\">({4})</span>{5}</dd></div></dl>\n",
       cause.members.size() > 1 ? "Confidence that it is one of these" : "Confidence",
-      shown_confidence(cause.confidence), bar(cause.confidence, "ink"),
-      escaped(measured_on(findings)), shown_share(gain.share), shown_interval(gain),
-      interval_bar(gain));
+      shown_confidence(cause.confidence), bar(cause.confidence, "ink"), shown_share(gain.share),
+      shown_interval(gain), interval_bar(gain));
 }
 
-std::string cause_card(const Findings& findings, const NamedCause& cause, bool alone) {
+std::string cause_card(const Findings& findings, std::size_t index) {
+  const auto& causes = findings.verdict.causes;
+  const NamedCause& cause = causes[index];
   const std::string place = place_of(cause);
   const bool set = cause.members.size() > 1;
-  std::string text = fmt::format("<article class=\"card cause{}\">", alone ? " alone" : "");
-  text += set ? "<span class=\"label\">Missing, one of these</span>\n"
-              : "<span class=\"label\">Missing</span>\n";
+  std::string text =
+      fmt::format("<article class=\"card cause{}\">", causes.size() == 1 ? " alone" : "");
+  std::string label = set ? "Missing is one of these" : "Missing";
+  if (causes.size() > 1)
+    label += " · " + std::to_string(index + 1) + " of " + std::to_string(causes.size());
+  text += "<span class=\"label\">" + label + "</span>\n";
   text += "<h3>" + escaped(capitalised(title_of(cause)));
-  if (!place.empty()) text += " <span class=\"place\">" + escaped(place) + "</span>";
+  if (!place.empty()) text += " <span class=\"place\">" + escaped("· " + place) + "</span>";
   text += "</h3>\n" + facts(findings, cause);
   if (set)
     text += "<p class=\"settle\">" + escaped(separation_of(cause)) + "</p>\n";
@@ -122,10 +139,9 @@ std::string leftover_card(const Verdict& verdict) {
   if (!rest.depends_on.empty()) {
     const Gain& gain = rest.depends_on.front().gain;
     text += fmt::format(
-        "<dl class=\"facts\"><div><dt>A curve over {} would take away, of the squared "
-        "error left</dt><dd><b>{}</b> <span class=\"soft\">{}</span>{}</dd></div></dl>\n",
-        escaped(rest.depends_on.front().on), shown_share(gain.share), shown_interval(gain),
-        interval_bar(gain));
+        "<dl class=\"facts\"><div><dt>A free curve over it would take away, of the squared "
+        "error left</dt><dd><b>{}</b> <span class=\"soft\">({})</span>{}</dd></div></dl>\n",
+        shown_share(gain.share), shown_interval(gain), interval_bar(gain));
   }
   return text +
          "<p class=\"small\"><a href=\"#unexplained\">What it depends on</a></p></article>\n";
@@ -141,10 +157,9 @@ std::string noise_card() {
 std::string cards(const Findings& findings) {
   const Verdict& v = findings.verdict;
   std::string text;
-  const bool alone = v.causes.size() == 1;
-  for (const NamedCause& cause : v.causes) text += cause_card(findings, cause, alone);
+  for (std::size_t i = 0; i < v.causes.size(); ++i) text += cause_card(findings, i);
   if (v.unexplained.none_of_the_known) text += leftover_card(v);
-  if (v.nothing_beyond_noise()) text += noise_card();
+  if (v.nothing_beyond_noise() && !findings.logs.empty()) text += noise_card();
   return "<div class=\"cards\">\n" + text + "</div>\n";
 }
 
@@ -154,7 +169,7 @@ std::string first_screen(const Findings& findings) {
   std::string text = "<header>\n" + kicker(findings) + "<h1>" + escaped(headline_of(findings)) +
                      "</h1>\n</header>\n<div class=\"pair\">\n";
   text += error_card(findings) + next_card(findings) + "</div>\n";
-  return text + fault_note(findings) + cards(findings);
+  return text + cards(findings) + fault_note(findings);
 }
 
 }  // namespace sinew::diagnosis

@@ -136,11 +136,15 @@ std::string shown_share(double share) {
   return with_minus(fmt::format("{:.{}f}", percent, decimals)) + kSpace + "%";
 }
 
+std::string shown_percent(double share) {
+  return std::isfinite(share) ? shown_number(100.0 * share, 3) + kSpace + "%" : kUnknown;
+}
+
 std::string shown_interval(const Gain& gain) {
   if (!std::isfinite(gain.low) || !std::isfinite(gain.high)) return kUnknown;
   std::string low = shown_share(gain.low);
-  low.resize(low.size() - kSpace.size() - 1);
-  return low + " to " + shown_share(gain.high);
+  low.resize(low.size() - kSpace.size() - 1);  // one percent sign is enough
+  return low + kSpace + "to" + kSpace + shown_share(gain.high);
 }
 
 std::string shown_probability(double p) {

@@ -24,6 +24,9 @@ std::string shown_estimate(double value, double standard_error, const std::strin
 /// A share as percentage: "4.1 %", "71 %", "99.8 %".
 std::string shown_share(double share);
 
+/// A share with three digits: "4.08 %".
+std::string shown_percent(double share);
+
 /// "66 to 75 %".
 std::string shown_interval(const Gain& gain);
 

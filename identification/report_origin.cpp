@@ -27,7 +27,7 @@ std::string functions_of(const Extension& e) {
 }
 
 std::string log_name(const LogRecord& log) {
-  return "<span class=\"mono\">" + escaped(log.file) + "</span>";
+  return "<span class=\"mono\">" + escaped_name(log.file) + "</span>";
 }
 
 std::string fault_list(const Findings& findings) {
@@ -49,7 +49,7 @@ std::string hashes(const Findings& findings) {
 
 std::string baseline(const Verdict& verdict) {
   if (verdict.baseline.empty()) return "";
-  Table table({"Parameter", "#Value ± standard error"});
+  Table table({"Parameter", "#Value ± standard error"}, "", true);
   for (const ParameterEstimate& p : verdict.baseline)
     table.row({"<math>" + mathml_name(p.name) + "</math>",
                shown_estimate(p.value, p.standard_error, p.unit)});
@@ -83,7 +83,7 @@ std::string extension_section(const Findings& findings) {
                                              : "The model was left as it is.") +
                      "</b> " + escaped(capitalised(e.reason)) + "</p>\n";
   if (!e.model_folder.empty())
-    text += "<p>The extended model is in <code>" + escaped(e.model_folder) + "</code>.</p>\n";
+    text += "<p>The extended model is in <code>" + escaped_name(e.model_folder) + "</code>.</p>\n";
   return section("extension", "What became of the model",
                  text + functions_of(e) + operations_of(e));
 }

@@ -36,14 +36,21 @@ std::string escaped(const std::string& text) {
   return result;
 }
 
+std::string escaped_name(const std::string& name) {
+  std::string result;
+  for (const char c : escaped(name))
+    result += c == '_' || c == '/' ? std::string(1, c) + "<wbr>" : std::string(1, c);
+  return result;
+}
+
 std::string capitalised(std::string text) {
   if (!text.empty() && text[0] >= 'a' && text[0] <= 'z')
     text[0] = static_cast<char>(text[0] - 'a' + 'A');
   return text;
 }
 
-Table::Table(std::vector<std::string> headings, std::string caption)
-    : headings_(std::move(headings)), caption_(std::move(caption)) {}
+Table::Table(std::vector<std::string> headings, std::string caption, bool narrow)
+    : headings_(std::move(headings)), caption_(std::move(caption)), narrow_(narrow) {}
 
 void Table::row(const std::vector<std::string>& cells) {
   rows_ += "<tr>";
@@ -66,8 +73,8 @@ std::string Table::html() const {
   }
   const std::string caption =
       caption_.empty() ? "" : "<caption>" + escaped(caption_) + "</caption>";
-  return "<table>" + caption + "<thead><tr>" + head + "</tr></thead>\n<tbody>" + rows_ +
-         "</tbody></table>\n";
+  return std::string(narrow_ ? "<table class=\"narrow\">" : "<table>") + caption + "<thead><tr>" +
+         head + "</tr></thead>\n<tbody>" + rows_ + "</tbody></table>\n";
 }
 
 namespace {

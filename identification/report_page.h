@@ -12,6 +12,9 @@ namespace sinew::diagnosis {
 /// Text as HTML; also good inside double-quoted attributes.
 std::string escaped(const std::string& text);
 
+/// The same for names and paths: long ones may break after an underscore or a slash.
+std::string escaped_name(const std::string& name);
+
 /// The first letter as a capital, where it is a plain letter.
 std::string capitalised(std::string text);
 
@@ -19,7 +22,7 @@ std::string capitalised(std::string text);
 /// headings. Columns whose heading begins with '#' are numbers (right-aligned), without the '#'.
 class Table {
  public:
-  explicit Table(std::vector<std::string> headings, std::string caption = "");
+  explicit Table(std::vector<std::string> headings, std::string caption = "", bool narrow = false);
   void row(const std::vector<std::string>& cells);
   bool empty() const { return rows_.empty(); }
   std::string html() const;
@@ -27,6 +30,7 @@ class Table {
  private:
   std::vector<std::string> headings_;
   std::string caption_, rows_;
+  bool narrow_;  ///< as wide as its cells need, not as the page
 };
 
 /// A bar filled to `share` (0..1); `role`: "before", "after", "noise", "ink".

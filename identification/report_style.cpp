@@ -36,8 +36,8 @@ body {
 }
 main { max-width: 72rem; margin: 0 auto; padding: clamp(1rem, 3vw, 2.5rem) clamp(1rem, 4vw, 2.5rem) 4rem; }
 h1 {
-  font-size: clamp(1.5rem, 1.1rem + 1.9vw, 2.3rem); line-height: 1.18; letter-spacing: -0.018em;
-  font-weight: 680; margin: 0.3rem 0 1.4rem; max-width: 32em; text-wrap: balance;
+  font-size: clamp(1.5rem, 1.1rem + 1.7vw, 2.1rem); line-height: 1.18; letter-spacing: -0.018em;
+  font-weight: 680; margin: 0.25rem 0 1.2rem; max-width: 32em; text-wrap: balance;
 }
 h2 {
   font-size: 1.3rem; line-height: 1.25; letter-spacing: -0.01em; margin: 0 0 0.8rem;
@@ -61,20 +61,24 @@ li { margin: 0.2rem 0; overflow-wrap: anywhere; }
 )";
 
 constexpr const char* kFirst = R"(
-.card { background: var(--card); border: 1px solid var(--rule); border-radius: 10px; padding: 1.1rem 1.2rem; min-width: 0; }
+.card { background: var(--card); border: 1px solid var(--rule); border-radius: 10px; padding: 1rem 1.2rem; min-width: 0; }
 .pair { display: grid; gap: 1rem; grid-template-columns: 1fr; }
 .cards { display: grid; gap: 1rem; grid-template-columns: 1fr; margin-top: 1rem; }
 .card > :last-child, .inside > :last-child { margin-bottom: 0; }
 .change { font-size: clamp(1.7rem, 1.4rem + 1.2vw, 2.2rem); font-weight: 680; letter-spacing: -0.02em; line-height: 1.15; margin: 0 0 0.5rem; font-variant-numeric: tabular-nums; }
 .change .arrow { color: var(--soft); font-weight: 400; padding: 0 0.15em; }
-.next { background: var(--next); border-color: transparent; border-left: 4px solid var(--next-rule); }
+.next { background: var(--next); border-color: var(--next-rule); }
 .next p { font-size: 1.05rem; }
+.next p.small { font-size: 0.9rem; color: var(--soft); }
+.next .label { color: var(--ink); font-weight: 640; }
 .note { background: var(--note); border: 1px solid var(--note-rule); border-radius: 10px; padding: 0.7rem 1rem; margin-top: 1rem; max-width: none; overflow-wrap: anywhere; }
 .cause h3 { font-size: 1.22rem; letter-spacing: -0.01em; }
 .cause .place { color: var(--soft); font-weight: 400; }
-.facts { display: grid; grid-template-columns: repeat(auto-fit, minmax(11rem, 1fr)); gap: 0.7rem 1.5rem; margin: 0.7rem 0; }
+.facts { display: grid; grid-template-columns: repeat(auto-fit, minmax(8.5rem, 1fr)); gap: 0.7rem 1.5rem; margin: 0.7rem 0; }
+.facts > div { display: flex; flex-direction: column; justify-content: flex-end; }
 .facts dt { font-size: 0.82rem; color: var(--soft); }
 .facts dd { margin: 0; font-variant-numeric: tabular-nums; }
+.facts .soft { white-space: nowrap; }
 .facts dd b { font-size: 1.15rem; font-weight: 650; }
 .bar { display: block; position: relative; height: 8px; border-radius: 4px; background: var(--grid); margin: 0.3rem 0; overflow: hidden; }
 .bar > span { display: block; height: 100%; border-radius: 4px; }
@@ -92,6 +96,8 @@ th, td { text-align: left; vertical-align: top; padding: 0.5rem 0.9rem 0.5rem 0;
 thead th { color: var(--soft); font-size: 0.82rem; line-height: 1.3; vertical-align: bottom; border-bottom: 1px solid var(--axis); }
 tbody th { font-weight: 600; }
 th.number, td.number { text-align: right; white-space: nowrap; }
+table.narrow { width: auto; min-width: min(100%, 22rem); }
+table.narrow .number + * { padding-left: 1.2rem; }
 thead th.number { white-space: normal; }
 th:last-child, td:last-child { padding-right: 0; }
 .figures { display: grid; gap: 1.2rem; grid-template-columns: 1fr; margin: 1rem 0 1.6rem; }
@@ -107,7 +113,7 @@ figcaption { font-size: 0.9rem; line-height: 1.45; }
 .absent { border: 1px dashed var(--axis); border-radius: 8px; padding: 2rem 1rem; color: var(--soft); text-align: center; }
 .math { overflow-x: auto; overflow-y: hidden; padding: 0.6rem 0; margin: 0.4rem 0; font-size: 1.15rem; }
 .math math { display: block math; width: max-content; max-width: none; margin: 0; }
-math { font-family: "STIX Two Math", "Latin Modern Math", "Cambria Math", "MathJax_Main", "Noto Sans Math", math; }
+math { font-family: "STIX Two Math", "Latin Modern Math", "Cambria Math", "Libertinus Math", "TeX Gyre Termes Math", "DejaVu Math TeX Gyre", "Noto Sans Math", math; }
 details { border: 1px solid var(--rule); border-radius: 10px; background: var(--card); margin: 0 0 0.8rem; }
 summary { cursor: pointer; padding: 0.75rem 1.1rem; font-weight: 600; }
 .inside { padding: 0.2rem 1.1rem 1.1rem; }
@@ -118,8 +124,10 @@ footer { margin-top: 3.5rem; padding-top: 1rem; border-top: 1px solid var(--rule
 constexpr const char* kWidths = R"(
 @media (min-width: 44rem) {
   .pair, .cards { grid-template-columns: 1fr 1fr; }
-  .cards > .alone { grid-column: 1 / -1; }
-  .figures { grid-template-columns: 1fr 1fr; gap: 2rem; }
+  .pair > :only-child, .cards > .alone { grid-column: 1 / -1; }
+  .figures { grid-template-columns: 1fr 1fr; gap: 0 2rem; }
+  figure { display: grid; grid-template-rows: subgrid; grid-row: span 3; margin-bottom: 2rem; }
+  .sides { display: grid; grid-template-columns: auto minmax(18rem, 1fr); gap: 2.5rem; }
 }
 @media (max-width: 43.99rem) {
   thead { position: absolute; width: 1px; height: 1px; overflow: hidden; clip-path: inset(50%); }

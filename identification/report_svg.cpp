@@ -23,7 +23,7 @@ void replace_all(std::string& text, const std::string& from, const std::string& 
     text.replace(at, from.size(), to);
 }
 
-/// Both ways in which gnuplot writes a colour.
+/// All ways in which gnuplot writes a colour: of lines, of text, of backgrounds.
 void put_colours(std::string& text) {
   for (std::size_t k = 0; k < kRoles.size(); ++k) {
     const unsigned colour = placeholder_colour(kRoles[k]);
@@ -31,6 +31,8 @@ void put_colours(std::string& text) {
     replace_all(
         text, fmt::format("rgb({:3}, {:3}, {:3})", colour >> 16, colour >> 8 & 255U, colour & 255U),
         page);
+    replace_all(text, fmt::format("rgb({},{},{})", colour >> 16, colour >> 8 & 255U, colour & 255U),
+                page);
     replace_all(text, fmt::format("#{:06X}", colour), page);
   }
   replace_all(text, "'black'", "'currentColor'");

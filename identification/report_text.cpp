@@ -80,12 +80,13 @@ std::string logs_of(const Findings& findings) {
 
 std::string error_of(const Findings& findings) {
   const Verdict& v = findings.verdict;
-  std::string text = shown_share(v.relative_error_before);
+  std::string text = shown_percent(v.relative_error_before);
   if (v.causes.empty()) return text + " of what was measured";
-  text += " → " + shown_share(v.relative_error_after) + " of what was measured";
+  text += " → " + shown_percent(v.relative_error_after) + " of what was measured";
   if (!has_held_out(findings)) return text;
-  return text + "; on " + measured_on(findings) + " the squared error changes by −" +
-         shown_share(v.held_out.share) + " (" + shown_interval(v.held_out) + ")";
+  return text + "; on " + measured_on(findings) + " the squared error " +
+         (v.held_out.share < 0.0 ? "rises by " : "falls by ") +
+         shown_share(std::abs(v.held_out.share)) + " (" + shown_interval(v.held_out) + ")";
 }
 
 std::string parameters_of(const NamedCause& cause) {
@@ -106,18 +107,17 @@ void add_cause(Page& page, const Findings& findings, const NamedCause& cause, st
                (place.empty() ? "" : ", " + place) + ": " + shown_confidence(cause.confidence) +
                " sure, takes away " + shown_share(gain_of(findings, cause).share) + " (" +
                shown_interval(gain_of(findings, cause)) + ")",
-           1);
+           2);
   const std::string second = cause.members.size() > 1 ? separation_of(cause) : parameters_of(cause);
-  if (!second.empty()) page.add("", second, 1, kLabel + 3);
+  if (!second.empty()) page.add("", second, cause.members.size() > 1 ? 2 : 1, kLabel + 3);
 }
 
-void add_causes(Page& page, const Findings& findings) {
+void add_causes(Page& page, const Findings& findings, std::size_t most) {
   const auto& causes = findings.verdict.causes;
-  constexpr std::size_t kMost = 4;
-  for (std::size_t i = 0; i < std::min(kMost, causes.size()); ++i)
+  for (std::size_t i = 0; i < std::min(most, causes.size()); ++i)
     add_cause(page, findings, causes[i], i);
-  if (causes.size() > kMost)
-    page.add("", "and " + std::to_string(causes.size() - kMost) + " more in the report", 1);
+  if (causes.size() > most)
+    page.add("", "and " + std::to_string(causes.size() - most) + " more in the report", 1);
 }
 
 std::string ruled_out_of(const Verdict& verdict) {
@@ -137,9 +137,8 @@ std::string model_of(const Extension& extension) {
   return extension.reason.empty() ? state : state + ": " + extension.reason;
 }
 
-}  // namespace
-
-std::string report_text(const Findings& findings) {
+/// With at most so many causes.
+std::string page_of(const Findings& findings, std::size_t most) {
   const Verdict& verdict = findings.verdict;
   const std::vector<std::string> faults = faults_of(findings);
   Page page;
@@ -150,7 +149,7 @@ std::string report_text(const Findings& findings) {
                logs_of(findings),
            1);
   page.add("Error", error_of(findings), 2);
-  add_causes(page, findings);
+  add_causes(page, findings, most);
   if (!verdict.ruled_out.empty()) page.add("Ruled out", ruled_out_of(verdict), 2);
   page.add("Left over", leftover_of(verdict), 2);
   if (!faults.empty())
@@ -159,6 +158,18 @@ std::string report_text(const Findings& findings) {
     page.add("Extension", model_of(findings.extension), 2);
   if (!findings.next_step.empty()) page.add("Next", findings.next_step, 2);
   return page.text();
+}
+
+}  // namespace
+
+std::string report_text(const Findings& findings) {
+  constexpr std::ptrdiff_t kLines = 25;
+  std::string text;
+  for (std::size_t most = 4; most > 0; --most) {
+    text = page_of(findings, most);
+    if (std::count(text.begin(), text.end(), '\n') <= kLines) break;
+  }
+  return text;
 }
 
 }  // namespace sinew::diagnosis

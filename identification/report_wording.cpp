@@ -82,6 +82,8 @@ std::vector<std::string> faults_of(const Findings& findings) {
 std::string headline_of(const Findings& findings) {
   if (!findings.headline.empty()) return findings.headline;
   const Verdict& verdict = findings.verdict;
+  if (findings.logs.empty() && verdict.nothing_beyond_noise())
+    return "There was no log to look at.";
   if (verdict.nothing_beyond_noise())
     return "The model explains these logs down to the noise; nothing is missing that they can "
            "show.";
@@ -96,7 +98,7 @@ std::string leftover_of(const Verdict& verdict) {
   const Unexplained& rest = verdict.unexplained;
   std::vector<std::string> on;
   for (const Dependence& dependence : rest.depends_on) {
-    std::string text = dependence.on;
+    std::string text = shown_dependence(dependence.on);
     if (!dependence.place.empty()) text += " (" + dependence.place + ")";
     on.push_back(text);
   }
@@ -107,6 +109,13 @@ std::string leftover_of(const Verdict& verdict) {
   return rest.none_of_the_known
              ? "Structure that none of the known causes explains. It depends on " + what + "."
              : "A smaller dependence on " + what + " that no known cause accounts for.";
+}
+
+std::string shown_dependence(std::string on) {
+  const std::string sign = " x ";
+  for (std::size_t at = on.find(sign); at != std::string::npos; at = on.find(sign, at))
+    on.replace(at, sign.size(), " × ");
+  return on;
 }
 
 std::string counted(std::size_t count, const std::string& one, const std::string& many) {

@@ -36,6 +36,9 @@ std::string headline_of(const Findings& findings);
 /// One sentence about what the known causes leave over.
 std::string leftover_of(const Verdict& verdict);
 
+/// "position x direction" with a multiplication sign.
+std::string shown_dependence(std::string on);
+
 /// "1 log", "3 logs".
 std::string counted(std::size_t count, const std::string& one, const std::string& many);
 

@@ -115,7 +115,7 @@ std::string mathml(const ex& expression, const MathNames& names) {
 std::string mathml_equation(const std::string& left, const ex& right, const MathNames& names) {
   std::string rows;
   for (const Equation& equation : arranged(left, right, names)) rows += rows_of(equation, names);
-  return "<math display=\"block\"><mtable>" + rows + "</mtable></math>";
+  return "<math display=\"block\"><mtable displaystyle=\"true\">" + rows + "</mtable></math>";
 }
 
 std::string plain_text(const ex& expression, const MathNames& names) {

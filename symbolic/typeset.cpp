@@ -107,18 +107,19 @@ void add_factor(const ex& factor, Factors& factors) {
   }
 }
 
-/// Names first, functions after them, sums last.
-int rank_of(const ex& e) {
+/// Words first, then letters, functions after them, sums last.
+int rank_of(const ex& e, const Typeset& shown) {
   const ex base = is_a<GiNaC::power>(e) ? e.op(0) : e;
-  return is_a<GiNaC::symbol>(base) || is_a<GiNaC::constant>(base) ? 0
-         : is_a<GiNaC::add>(base)                                 ? 2
-                                                                  : 1;
+  if (is_a<GiNaC::symbol>(base) || is_a<GiNaC::constant>(base)) return shown.word ? 0 : 1;
+  return is_a<GiNaC::add>(base) ? 3 : 2;
 }
 
 std::vector<Typeset> ordered(const std::vector<ex>& factors, const MathNames& names) {
   std::vector<std::pair<int, Typeset>> pieces;
-  for (const ex& factor : factors)
-    pieces.emplace_back(rank_of(factor), bracketed(typeset(factor, names), Binding::power));
+  for (const ex& factor : factors) {
+    const Typeset shown = bracketed(typeset(factor, names), Binding::power);
+    pieces.emplace_back(rank_of(factor, shown), shown);
+  }
   std::sort(pieces.begin(), pieces.end(), [](const auto& a, const auto& b) {
     return a.first != b.first ? a.first < b.first : natural_less(a.second.text, b.second.text);
   });
@@ -175,7 +176,7 @@ Typeset typeset_power(const ex& e, const MathNames& names) {
   const Typeset base = bracketed(typeset(e.op(0), names), Binding::atom);
   const Typeset above = typeset(exponent, names);
   return {"<msup>" + base.math + above.math + "</msup>",
-          base.text + "^" + bracketed(above, Binding::atom).text, Binding::power, false};
+          base.text + "^" + bracketed(above, Binding::atom).text, Binding::power, base.word};
 }
 
 Typeset typeset_sum(const ex& e, const MathNames& names) {

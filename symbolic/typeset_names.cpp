@@ -69,11 +69,11 @@ bool is_word(const Parts& parts) {
 }
 
 std::string typeset_parts(const Parts& parts) {
-  static constexpr std::array<const char*, 5> dots = {"", "˙", "¨", "⃛", "⃜"};
+  static constexpr std::array<const char*, 5> dots = {"", "˙", "¨", "...", "...."};
   const std::string_view letter = greek(parts.head);
   std::string text = "<mi>" + (letter.empty() ? spaced(parts.head) : std::string(letter)) + "</mi>";
-  if (parts.dots)
-    text = "<mover accent=\"true\">" + text + "<mo>" + dots[parts.dots] + "</mo></mover>";
+  // Not as an accent: fonts without a table for mathematics would put the dots into the letter.
+  if (parts.dots) text = "<mover>" + text + "<mo>" + dots[parts.dots] + "</mo></mover>";
   if (parts.below.empty()) return text;
   const bool number = is_number(parts.below);
   const std::string_view below = greek(parts.below);
