@@ -226,7 +226,7 @@ class Checker {
 
   // ---- effort against motion
 
-  std::optional<Motion> motion(int pc, int ec) const {
+  std::optional<DriveMotion> motion(int pc, int ec) const {
     const ArrayXd p = series(pc), e = series(ec);
     const double noise = noise_of(pc);
     if (rms(centred(p)) < 20.0 * noise || rms(centred(p)) <= 0.0) return std::nullopt;
@@ -237,7 +237,7 @@ class Checker {
     const auto h = static_cast<double>(m) * log_.period;
     const long stride = std::max(1L, n / most_points);
     const long points = (n - 1) / stride + 1;
-    Motion result{ArrayXd(points), ArrayXd(points), ArrayXd(points), ArrayXd(points)};
+    DriveMotion result{ArrayXd(points), ArrayXd(points), ArrayXd(points), ArrayXd(points)};
     for (long i = 0; i < points; ++i) {
       const long k = i * stride;
       result.position(i) = ps(k + m);

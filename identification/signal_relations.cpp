@@ -55,7 +55,7 @@ long smoothing(double noise, const ArrayXd& x, double dt) {
   return m;
 }
 
-EffortFit fit_effort(const Motion& m, bool turns) {
+EffortFit fit_effort(const DriveMotion& m, bool turns) {
   const long n = m.effort.size();
   const double v_scale = std::max(0.1 * rms(m.velocity), 1.0e-300);
   Eigen::MatrixXd A(n, turns ? 7 : 5);

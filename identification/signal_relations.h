@@ -20,7 +20,7 @@ Eigen::ArrayXd moving_mean(const Eigen::ArrayXd& x, long m);
 long smoothing(double noise, const Eigen::ArrayXd& x, double dt);
 
 // Position, velocity, acceleration and effort behind the same smoothing, at spread-out points.
-struct Motion {
+struct DriveMotion {
   Eigen::ArrayXd position, velocity, acceleration, effort;
 };
 
@@ -33,6 +33,6 @@ struct EffortFit {
 
 /// effort = inertia * acceleration + viscous * velocity + friction by direction + offset + a linear
 /// term in the position; where the joint turns also sine and cosine of it (gravity).
-EffortFit fit_effort(const Motion& motion, bool turns);
+EffortFit fit_effort(const DriveMotion& motion, bool turns);
 
 }  // namespace sinew
