@@ -74,10 +74,10 @@ class Run {
   /// Adopted where the measured gain on held-out logs is positive with its interval.
   void extend(const Explanation& explanation) {
     Findings& f = result_.findings;
-    const std::vector<ExtensionTerm> terms = extension_terms(subject_, explanation);
+    const Design design(subject_.problem(), request_.settings);
+    const std::vector<ExtensionTerm> terms = extension_terms(subject_, design, explanation);
     const bool any = std::any_of(terms.begin(), terms.end(),
                                  [](const ExtensionTerm& t) { return t.cause >= 0; });
-    const Design design(subject_.problem(), request_.settings);
     const std::vector<MeasuredChannel> measured =
         measure(subject_, design, any ? terms : std::vector<ExtensionTerm>{});
     for (int c = 0; c < subject_.problem().channels; ++c)
@@ -140,7 +140,7 @@ class Run {
   std::string origin_of(int candidate) const {
     if (candidate >= 0)
       return subject_.library_origins()[static_cast<std::size_t>(candidate)].effect;
-    return subject_.level_effect(-1 - candidate);
+    return subject_.level_origin(-1 - candidate).effect;
   }
 
   static void fill_term(const std::string& id, CauseTerm& term) {

@@ -110,8 +110,8 @@ void DrivenSubject::set_signals(Recording& log) const {
   for (std::size_t j = 0; j < bristle_.size(); ++j) {
     const auto c = static_cast<Index>(j);
     if (bristle_[j])
-      direction.col(c) = effect_columns(find_effect("presliding"), log, static_cast<int>(j),
-                                        number(presliding_[j]));
+      direction.col(c) = effect_columns(Regressor(find_effect("presliding")), log,
+                                        static_cast<int>(j), number(presliding_[j]));
     else
       direction.col(c) =
           (log.qd.col(c).array() / model_.joints[j].friction_speed).atan() * 2.0 / std::numbers::pi;
@@ -149,6 +149,8 @@ void DrivenSubject::prepare(const Settings& settings) {
   problem_.library.clear();
   baseline_.clear();
   library_.clear();
+  levels_.clear();
+  problem_.levels.clear();
   for (std::size_t j = 0; j < bristle_.size(); ++j) add_baseline(j);
   if (std::any_of(bristle_.begin(), bristle_.end(), [](bool b) { return b; }))
     fit_directions(settings);
@@ -246,10 +248,43 @@ void DrivenSubject::add_model_candidates(std::size_t joint) {
   }
 }
 
-void DrivenSubject::add_levels(std::size_t) {}
+void DrivenSubject::add_levels(std::size_t joint) {
+  const auto first = std::find_if(baseline_.begin(), baseline_.end(),
+                                  [&](const auto& origin) { return origin.joint == joint; });
+  const int base = static_cast<int>(first - baseline_.begin());
+  const DrivenJoint& driven = model_.joints[joint];
+  const double lowest[] = {-std::numeric_limits<double>::infinity(), -driven.damping,
+                           -driven.friction, -std::numeric_limits<double>::infinity()};
+  const char* effects[] = {"inertia", "viscous_level", "coulomb_level", "offset"};
+  for (int k = 0; k < 4; ++k) {
+    const Effect& effect = find_effect(effects[k]);
+    const EffectColumn& column = effect.columns.front();
+    LevelParameter parameter{column.name, unit_at(column.unit, driven.revolute), lowest[k]};
+    parameter.shares = {{base + k, 0, 1.0}};
+    problem_.levels.push_back(
+        {effect.name, place(joint), {parameter}, "it would be negative", effect.experiment});
+    levels_.push_back({effects[k], joint, {}});
+  }
+  add_common_levels(joint);
+}
 
-std::string DrivenSubject::level_effect(int) const {
-  return {};
+/// One parameter that moves several of the model's values at once.
+void DrivenSubject::add_common_levels(std::size_t joint) {
+  const EffectPlace where{static_cast<int>(joint), place(joint), model_.joints[joint].revolute};
+  const auto add_level = [&](const Candidate& c, const char* effect) {
+    const LinearParameter& p = c.linear.front();
+    LevelParameter parameter{p.name, p.unit, p.low, p.high};
+    parameter.also = c.columns;
+    problem_.levels.push_back(
+        {c.name, c.place, {parameter}, c.limit_meaning, c.isolating_experiment});
+    levels_.push_back({effect, joint, {}});
+  };
+  add_level(torque_constant_candidate(where), "torque_constant");
+  add_level(sensor_scale_candidate(where, effort_), "sensor_scale");
+}
+
+const CandidateOrigin& DrivenSubject::level_origin(int level) const {
+  return levels_.at(static_cast<std::size_t>(level));
 }
 
 }  // namespace sinew::diagnosis

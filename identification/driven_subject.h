@@ -43,8 +43,8 @@ class DrivenSubject {
   const EffortModel& effort() const { return effort_; }
   const std::vector<CandidateOrigin>& library_origins() const { return library_; }
   const std::vector<CandidateOrigin>& baseline_origins() const { return baseline_; }
-  /// Identifier of the effect that a level cause changes; empty where it has no term of its own.
-  std::string level_effect(int level) const;
+  /// What a level cause changes.
+  const CandidateOrigin& level_origin(int level) const;
   /// What is known of a joint's friction direction: true where it is a bristle state.
   bool bristle(std::size_t joint) const { return bristle_[joint]; }
 
@@ -54,6 +54,7 @@ class DrivenSubject {
   void add_ripples(std::size_t joint);
   void add_model_candidates(std::size_t joint);
   void add_levels(std::size_t joint);
+  void add_common_levels(std::size_t joint);
   void fit_directions(const Settings& settings);
   void set_signals(Recording& log) const;
   void add(const std::string& effect, std::size_t joint, const std::string& name = {},
@@ -68,7 +69,7 @@ class DrivenSubject {
   std::vector<bool> bristle_;
   std::vector<double> presliding_;  ///< fitted length, where the direction is a bristle state
   Problem problem_;
-  std::vector<CandidateOrigin> library_, baseline_;
+  std::vector<CandidateOrigin> library_, baseline_, levels_;
 };
 
 }  // namespace sinew::diagnosis

@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "runtime/sinew_catalogue.h"
-
 extern "C" const sinew_catalogue effects_catalogue;
 
 namespace sinew::diagnosis {
@@ -17,7 +15,7 @@ using Eigen::VectorXd;
 
 constexpr Index signals = 8;
 
-const sinew_function& regressor(const std::string& id) {
+const sinew_function& emitted(const std::string& id) {
   const std::string name = "effects_" + id;
   for (int i = 0; i < effects_catalogue.function_count; ++i)
     if (name == effects_catalogue.functions[i].name) return effects_catalogue.functions[i];
@@ -81,20 +79,25 @@ LogScale scale_of(const std::vector<Recording>& logs, int axis) {
   return s;
 }
 
-MatrixXd effect_columns(const Effect& effect, const Recording& log, int axis,
+Regressor::Regressor(const Effect& effect)
+    : function(&emitted(effect.id)), columns(static_cast<Index>(effect.columns.size())) {
+  if (effect.state) initial_state = effect.state->initial;
+}
+
+MatrixXd effect_columns(const Regressor& regressor, const Recording& log, int axis,
                         const VectorXd& shape) {
-  const sinew_function& function = regressor(effect.id);
-  const auto count = static_cast<Index>(effect.columns.size());
+  const sinew_function& function = *regressor.function;
+  const Index count = regressor.columns;
   const MatrixXd x = signals_of(log, axis);
   VectorXd in(function.input_size), out(function.output_size);
   in.segment(signals, shape.size()) = shape;
-  if (effect.state) in(function.input_size - 1) = effect.state->initial;
+  if (regressor.initial_state) in(function.input_size - 1) = *regressor.initial_state;
   MatrixXd columns(x.cols(), count);
   for (Index k = 0; k < x.cols(); ++k) {
     in.head(signals) = x.col(k);
     function.call(in.data(), out.data());
     columns.row(k) = out.head(count).transpose();
-    if (effect.state) in(function.input_size - 1) = out(count);
+    if (regressor.initial_state) in(function.input_size - 1) = out(count);
   }
   return columns;
 }
@@ -115,10 +118,10 @@ Candidate effect_candidate(const Effect& effect, const EffectPlace& place, const
       c.nonlinear.push_back({p.name, unit_at(p.unit, place.revolute), p.low * unit, p.high * unit,
                              p.grid, p.low > 0.0});
     }
-  c.columns = [effect, axis = place.axis, fixed](const Recording& log, int channel,
-                                                 const VectorXd& nonlinear) -> MatrixXd {
+  c.columns = [regressor = Regressor(effect), axis = place.axis, fixed](
+                  const Recording& log, int channel, const VectorXd& nonlinear) -> MatrixXd {
     if (channel != axis) return {};
-    return effect_columns(effect, log, axis, fixed ? *fixed : nonlinear);
+    return effect_columns(regressor, log, axis, fixed ? *fixed : nonlinear);
   };
   return c;
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "identification/candidate.h"
+#include "runtime/sinew_catalogue.h"
 #include "symbolic/effects/effect.h"
 
 namespace sinew::diagnosis {
@@ -27,9 +28,18 @@ struct LogScale {
 };
 LogScale scale_of(const std::vector<Recording>& logs, int axis);
 
+/// An effect's emitted regressor, without the expressions behind it: GiNaC counts references
+/// without locks, so what searches run side by side holds none.
+struct Regressor {
+  explicit Regressor(const Effect& effect);
+  const sinew_function* function = nullptr;
+  Eigen::Index columns = 0;
+  std::optional<double> initial_state;
+};
+
 /// samples x columns at the given shape parameters. The recording needs q, qd, qdd, time, and the
 /// signals "direction" and "jounce"; a missing load counts as zero.
-Eigen::MatrixXd effect_columns(const Effect& effect, const Recording& log, int axis,
+Eigen::MatrixXd effect_columns(const Regressor& regressor, const Recording& log, int axis,
                                const Eigen::VectorXd& shape);
 
 /// The candidate. Where `fixed` is given it holds all shape parameters, else they are searched

@@ -62,19 +62,23 @@ bool in_catalogue(const std::string& id) {
                      [&](const Effect& effect) { return effect.id == id; });
 }
 
-/// Friction of the baseline whose law is a bristle's: its direction, and the change of its level.
-void add_friction(const DrivenSubject& subject, std::size_t joint,
-                  const std::vector<ParameterEstimate>& estimates, const ExtensionTerm& base,
-                  std::vector<ExtensionTerm>& result) {
-  ExtensionTerm direction = base, level = base;
-  direction.entry.effect = "direction";
-  direction.entry.shape = {value_of(estimates, "presliding_length")};
-  level.entry.effect = "coulomb_level";
-  level.entry.coefficients = {value_of(estimates, "level")};
-  level.entry.coefficients.front().name = "level_change";
-  level.entry.coefficients.front().value -= subject.model().joints[joint].friction;
-  result.push_back(std::move(direction));
-  result.push_back(std::move(level));
+/// The direction of friction where its law over the velocity is a bristle's.
+void add_directions(const DrivenSubject& subject, const Selection& selection,
+                    const std::vector<std::vector<ParameterEstimate>>& all,
+                    std::vector<ExtensionTerm>& result) {
+  for (std::size_t t = 0; t < selection.model.terms.size(); ++t) {
+    const Term& term = selection.model.terms[t];
+    if (!term.baseline) continue;
+    const CandidateOrigin& origin = subject.baseline_origins()[static_cast<std::size_t>(
+        term.candidate - subject.problem().baseline.data())];
+    if (origin.effect != "presliding") continue;
+    ExtensionTerm direction;
+    direction.entry.effect = "direction";
+    direction.entry.place = subject.model().joints[origin.joint].name;
+    direction.entry.shape = {value_of(all[t], "presliding_length")};
+    direction.entry.shape.front().value = term.nonlinear(0);
+    result.push_back(std::move(direction));
+  }
 }
 
 /// Of the causes, the one whose first member is this candidate.
@@ -91,36 +95,34 @@ bool same_values(const std::vector<IdentifiedValue>& a, const std::vector<Identi
 
 }  // namespace
 
-std::vector<ExtensionTerm> extension_terms(const DrivenSubject& subject,
+std::vector<ExtensionTerm> extension_terms(const DrivenSubject& subject, const Design& design,
                                            const Explanation& explanation) {
-  const Problem& problem = subject.problem();
-  const Selection& selection = explanation.selection;
-  const Settings settings;
+  const Selection& selection =
+      subject.problem().levels.empty() ? explanation.selection : explanation.adopted;
+  const auto all = estimates(design, selection.model, selection.noise);
   std::vector<ExtensionTerm> result;
+  add_directions(subject, selection, all, result);
   for (std::size_t t = 0; t < selection.model.terms.size(); ++t) {
     const Term& term = selection.model.terms[t];
-    const auto index = static_cast<std::size_t>(
-        term.candidate - (term.baseline ? problem.baseline.data() : problem.library.data()));
+    if (term.baseline) continue;
+    const int candidate = term.level >= 0
+                              ? -1 - term.level
+                              : static_cast<int>(term.candidate - subject.problem().library.data());
     const CandidateOrigin& origin =
-        term.baseline ? subject.baseline_origins()[index] : subject.library_origins()[index];
+        candidate < 0 ? subject.level_origin(term.level)
+                      : subject.library_origins()[static_cast<std::size_t>(candidate)];
     if (origin.effect.empty()) continue;
     ExtensionTerm entry;
-    entry.term = t;
-    entry.baseline = term.baseline;
-    entry.cause = term.baseline ? -1 : cause_of(explanation.verdict, static_cast<int>(index));
+    entry.cause = cause_of(explanation.verdict, candidate);
     entry.entry.effect = origin.effect;
     entry.entry.place = subject.model().joints[origin.joint].name;
-    const auto& estimates = explanation.estimates[t];
-    if (term.baseline && origin.effect == "presliding") {
-      add_friction(subject, origin.joint, estimates, entry, result);
-      continue;
-    }
     if (in_catalogue(origin.effect))
-      fill(origin, subject.model().joints[origin.joint].revolute, estimates, entry.entry);
-    else if (!fill_special(estimates, entry.entry))
+      fill(origin, subject.model().joints[origin.joint].revolute, all[t], entry.entry);
+    else if (!fill_special(all[t], entry.entry))
       continue;
-    entry.per_log = std::any_of(term.candidate->linear.begin(), term.candidate->linear.end(),
-                                [](const LinearParameter& p) { return p.per_log; });
+    entry.per_log =
+        term.level < 0 && std::any_of(term.candidate->linear.begin(), term.candidate->linear.end(),
+                                      [](const LinearParameter& p) { return p.per_log; });
     result.push_back(std::move(entry));
   }
   return result;

@@ -10,17 +10,16 @@
 
 namespace sinew::diagnosis {
 
-/// One term of the final model as an entry.
+/// A term of the final model as an entry.
 struct ExtensionTerm {
-  std::size_t term = 0;  ///< of the selection's model
-  int cause = -1;        ///< index into the verdict's causes; -1: a re-fitted value of the baseline
+  int cause = -1;  ///< index into the verdict's causes; -1: goes with others
   IdentifiedEffect entry;
   bool per_log = false;  ///< has coefficients that differ from log to log
-  bool baseline = false;
 };
 
-/// The entries of all causes that have a term in the model, and the baseline's changed values.
-std::vector<ExtensionTerm> extension_terms(const DrivenSubject& subject,
+/// The entries of all causes that have a term in the model, and the direction of friction that
+/// they were found with.
+std::vector<ExtensionTerm> extension_terms(const DrivenSubject& subject, const Design& design,
                                            const Explanation& explanation);
 
 /// `before` with the entries added. The same effect at the same place with the same shape adds up.

@@ -41,7 +41,8 @@ MatrixXd nuisance_columns(const DrivenSubject& subject, const Design& design, in
     VectorXd shape(static_cast<Index>(term.entry.shape.size()));
     for (Index k = 0; k < shape.size(); ++k)
       shape(k) = term.entry.shape[static_cast<std::size_t>(k)].value;
-    const MatrixXd raw = effect_columns(find_effect(term.entry.effect), log, s.channel, shape);
+    const MatrixXd raw =
+        effect_columns(Regressor(find_effect(term.entry.effect)), log, s.channel, shape);
     const MatrixXd filtered = design.filtered(segment, raw);
     all.conservativeResize(Eigen::NoChange, all.cols() + filtered.cols());
     all.rightCols(filtered.cols()) = filtered;

@@ -102,10 +102,10 @@ Candidate sensor_hysteresis_candidate(const EffectPlace& place, const EffortMode
                   3e-2 * (scale.high - scale.low), 4, true}};
   c.limit_meaning = "the sensor would run ahead of the motion";
   c.isolating_experiment = "slow reversals against a second sensor";
-  c.columns = [axis = place.axis, effort](const Recording& log, int channel,
-                                          const VectorXd& way) -> MatrixXd {
+  c.columns = [axis = place.axis, effort, bristle = Regressor(find_effect("presliding"))](
+                  const Recording& log, int channel, const VectorXd& way) -> MatrixXd {
     if (channel != axis) return {};
-    const MatrixXd side = effect_columns(find_effect("presliding"), log, axis, way);
+    const MatrixXd side = effect_columns(bristle, log, axis, way);
     const Motion change = differentiate(side, log.step, std::min(100.0, 0.1 / log.step));
     const double small = 1e-3 * way(0);
     return response(effort, log, axis, change, small);
