@@ -21,26 +21,11 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr double highest_cutoff = 100.0;  // Hz; drives do little above
+constexpr double slow_cutoff = 35.0;      // Hz; for third and higher derivatives
 constexpr Index shortest = 400;           // samples of a stretch that is worth taking
 
 VectorXd number(double value) {
   return VectorXd::Constant(1, value);
-}
-
-MatrixXd first_difference(const MatrixXd& x, double step) {
-  MatrixXd d = MatrixXd::Zero(x.rows(), x.cols());
-  for (Index i = 1; i + 1 < x.rows(); ++i) d.row(i) = (x.row(i + 1) - x.row(i - 1)) / (2.0 * step);
-  return d;
-}
-
-/// Second derivative over 2 ms, where noise of the acceleration does not yet swamp it.
-MatrixXd second_difference(const MatrixXd& x, double step) {
-  MatrixXd d = MatrixXd::Zero(x.rows(), x.cols());
-  const Index k = std::max<Index>(1, static_cast<Index>(std::lround(2e-3 / step)));
-  const double h = static_cast<double>(k) * step;
-  for (Index i = k; i + k < x.rows(); ++i)
-    d.row(i) = (x.row(i + k) - 2.0 * x.row(i) + x.row(i - k)) / (h * h);
-  return d;
 }
 
 MatrixXd columns_of(const sinew::Segment& segment, const std::vector<int>& channels) {
@@ -99,8 +84,12 @@ void DrivenSubject::add_log(const Log& log, const std::vector<int>& positions,
     const MatrixXd measured = columns_of(segment, efforts);
     for (Index c = 0; c < measured.cols(); ++c) r.target.push_back(measured.col(c));
     if (load >= 0) r.load = columns_of(segment, {load});
-    r.signals["jerk"] = first_difference(r.qdd, r.step);
-    r.signals["jounce"] = second_difference(r.qdd, r.step);
+    // Higher derivatives of a quantised position are its noise unless they are smoothed more.
+    const double slow = std::min(slow_cutoff, 0.1 / log.period);
+    const MatrixXd smooth = differentiate(r.q, r.step, slow).qdd;
+    const Motion of_acceleration = differentiate(smooth, r.step, slow);
+    r.signals["jerk"] = of_acceleration.qd;
+    r.signals["jounce"] = of_acceleration.qdd;
     (held_out ? problem_.holdout : problem_.training).push_back(std::move(r));
   }
 }
@@ -194,16 +183,19 @@ void DrivenSubject::add(const std::string& effect, std::size_t joint, const std:
 void DrivenSubject::add_library(std::size_t joint) {
   for (const char* effect :
        {"viscous_asymmetry", "coulomb_asymmetry", "stribeck", "concave_friction",
-        "quadratic_friction", "friction_drift", "position_friction", "gear_elasticity", "backlash",
-        "torsion_spring", "offset_drift"})
+        "quadratic_friction", "friction_drift", "gear_elasticity", "backlash", "offset_drift"})
     add(effect, joint);
   const LogScale s = scale(joint);
-  add("cable_torque", joint, {}, Eigen::Vector2d(0.5 * (s.low + s.high), 0.5 * (s.high - s.low)));
   if (s.load > 0.0) add("load_friction", joint);
-  if (!bristle_[joint]) add("presliding", joint);
-  if (model_.joints.size() == 1 && model_.joints[joint].revolute &&
-      model_.joints[joint].name == "motor")
-    add("pendulum", joint);
+  if (is_motor()) return;
+  // A joint carries cables and springs; a motor's own shaft does not.
+  add("position_friction", joint);
+  add("torsion_spring", joint);
+  add("cable_torque", joint, {}, Eigen::Vector2d(0.5 * (s.low + s.high), 0.5 * (s.high - s.low)));
+}
+
+bool DrivenSubject::is_motor() const {
+  return model_.joints.size() == 1 && model_.joints.front().name == "motor";
 }
 
 void DrivenSubject::add_ripples(std::size_t joint) {
@@ -225,7 +217,7 @@ void DrivenSubject::add_ripples(std::size_t joint) {
   orders(model_.joints[joint].motor_turn, "motor");
   // An output that never makes a good part of a turn shows no order of its own.
   const LogScale s = scale(joint);
-  if (s.high - s.low > 0.7 * model_.joints[joint].output_turn)
+  if (s.high - s.low > 0.4 * model_.joints[joint].output_turn)
     orders(model_.joints[joint].output_turn, "output");
 }
 
@@ -236,10 +228,10 @@ void DrivenSubject::add_model_candidates(std::size_t joint) {
     library_.push_back({effect, joint, {}});
   };
   take(delay_candidate(where), "delay");
-  take(torque_constant_candidate(where), "torque_constant");
-  take(sensor_low_pass_candidate(where), "sensor_low_pass");
-  take(sensor_scale_candidate(where, effort_), "sensor_scale");
+  take(sensor_low_pass_candidate(where, effort_), "sensor_low_pass");
   take(sensor_hysteresis_candidate(where, effort_, scale(joint)), "sensor_hysteresis");
+  if (!gain_is_level(joint)) take(torque_constant_candidate(where), "torque_constant");
+  if (model_.joints.size() > 1) take(sensor_scale_candidate(where, effort_), "sensor_scale");
   const LogScale s = scale(joint);
   for (Candidate& c : flexible_families({s.low, s.high, s.speed, s.load, s.duration},
                                         static_cast<int>(joint), static_cast<int>(joint))) {
@@ -279,8 +271,13 @@ void DrivenSubject::add_common_levels(std::size_t joint) {
         {c.name, c.place, {parameter}, c.limit_meaning, c.isolating_experiment});
     levels_.push_back({effect, joint, {}});
   };
-  add_level(torque_constant_candidate(where), "torque_constant");
-  add_level(sensor_scale_candidate(where, effort_), "sensor_scale");
+  if (gain_is_level(joint)) add_level(torque_constant_candidate(where), "torque_constant");
+  if (model_.joints.size() == 1) add_level(sensor_scale_candidate(where, effort_), "sensor_scale");
+}
+
+/// Without a load and without other joints, a wrong gain only scales what the baseline has.
+bool DrivenSubject::gain_is_level(std::size_t joint) const {
+  return model_.joints.size() == 1 && scale(joint).load == 0.0;
 }
 
 const CandidateOrigin& DrivenSubject::level_origin(int level) const {

@@ -57,6 +57,8 @@ class DrivenSubject {
   void add_common_levels(std::size_t joint);
   void fit_directions(const Settings& settings);
   void set_signals(Recording& log) const;
+  bool is_motor() const;
+  bool gain_is_level(std::size_t joint) const;
   void add(const std::string& effect, std::size_t joint, const std::string& name = {},
            const Eigen::VectorXd& fixed = {}, CandidateKind kind = CandidateKind::named);
   std::string place(std::size_t joint) const;

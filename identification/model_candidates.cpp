@@ -2,9 +2,9 @@
 #include "identification/model_candidates.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "identification/filter.h"
-#include "symbolic/effects/effects.h"
 
 namespace sinew::diagnosis {
 namespace {
@@ -22,10 +22,23 @@ Candidate at(const EffectPlace& place, const std::string& name, LinearParameter 
   return c;
 }
 
-VectorXd central_rate(const VectorXd& x, double step) {
-  VectorXd rate = VectorXd::Zero(x.size());
-  for (Index k = 1; k + 1 < x.size(); ++k) rate(k) = (x(k + 1) - x(k - 1)) / (2.0 * step);
-  return rate;
+/// Which end of its play a sensor is at: the direction of the logged motion, and on its way from
+/// one to the other while the log stands still.
+VectorXd side_of_play(const VectorXd& velocity, double still) {
+  VectorXd side(velocity.size());
+  double last = 0.0;
+  Index from = 0;
+  for (Index k = 0; k < velocity.size(); ++k) {
+    if (std::abs(velocity(k)) <= still && k + 1 < velocity.size()) continue;
+    const double now = std::abs(velocity(k)) <= still ? last : velocity(k) > 0.0 ? 1.0 : -1.0;
+    if (last == 0.0) last = now;
+    const auto way = static_cast<double>(k - from + 1);
+    for (Index i = from; i <= k; ++i)
+      side(i) = last + (now - last) * static_cast<double>(i - from + 1) / way;
+    last = now;
+    from = k + 1;
+  }
+  return side;
 }
 
 /// Change of the effort at one axis for a small change of the motion there, per `size`.
@@ -65,16 +78,18 @@ Candidate torque_constant_candidate(const EffectPlace& place) {
   return c;
 }
 
-Candidate sensor_low_pass_candidate(const EffectPlace& place) {
+Candidate sensor_low_pass_candidate(const EffectPlace& place, const EffortModel& effort) {
   Candidate c =
       at(place, "low-pass of the position sensor", {"time_constant", "s", 0.0, 0.1, false, {}});
+  c.nonlinear = {{"time_constant_of_motion", "s", 1e-3, 0.05, 4, true}};
   c.limit_meaning = "the sensor would run ahead of the motion";
   c.isolating_experiment = "fast sinusoids against a second sensor";
-  c.columns = [axis = place.axis](const Recording& log, int channel, const VectorXd&) -> MatrixXd {
+  c.columns = [axis = place.axis, effort](const Recording& log, int channel,
+                                          const VectorXd& constant) -> MatrixXd {
     if (channel != axis) return {};
-    VectorXd effort = log.signals.at("effort").col(axis);
-    if (log.load.size() > 0) effort -= log.load.col(axis);  // known apart from the position
-    return central_rate(effort, log.step);
+    // The true motion is the logged one plus the time constant times its rate.
+    const Motion rate{log.qd.col(axis), log.qdd.col(axis), log.signals.at("jerk").col(axis)};
+    return response(effort, log, axis, rate, constant(0));
   };
   return c;
 }
@@ -98,17 +113,15 @@ Candidate sensor_hysteresis_candidate(const EffectPlace& place, const EffortMode
   Candidate c =
       at(place, "hysteresis of the position sensor",
          {"half_play", place.revolute ? "rad" : "m", 0.0, scale.high - scale.low, false, {}});
-  c.nonlinear = {{"turning_way", place.revolute ? "rad" : "m", 1e-4 * (scale.high - scale.low),
-                  3e-2 * (scale.high - scale.low), 4, true}};
   c.limit_meaning = "the sensor would run ahead of the motion";
   c.isolating_experiment = "slow reversals against a second sensor";
-  c.columns = [axis = place.axis, effort, bristle = Regressor(find_effect("presliding"))](
-                  const Recording& log, int channel, const VectorXd& way) -> MatrixXd {
+  c.columns = [axis = place.axis, effort, still = 2e-3 * scale.speed,
+               small = 1e-5 * (scale.high - scale.low)](const Recording& log, int channel,
+                                                        const VectorXd&) -> MatrixXd {
     if (channel != axis) return {};
-    const MatrixXd side = effect_columns(bristle, log, axis, way);
-    const Motion change = differentiate(side, log.step, std::min(100.0, 0.1 / log.step));
-    const double small = 1e-3 * way(0);
-    return response(effort, log, axis, change, small);
+    const MatrixXd side = side_of_play(log.qd.col(axis), still);
+    return response(effort, log, axis,
+                    differentiate(side, log.step, std::min(40.0, 0.1 / log.step)), small);
   };
   return c;
 }

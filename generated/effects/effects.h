@@ -68,7 +68,7 @@ void effects_stribeck(const double signals[SINEW_AT_LEAST(8)], const double shap
 
 /* Terms of the effect 'friction concave in speed', to be multiplied by its coefficients.
  *   in  signals       8 [SI] position, velocity, acceleration, its second derivative, load, time, direction, step; made for -3..3, -5..5, -50..50, -1e+04..1e+04, -10..10, 0..100, -1..1, 0.0001..0.01
- *   in  shape         1 [SI] bend; made for 0.05..1
+ *   in  shape         1 [SI] bend; made for 0.03..0.4
  *   out columns       1 [SI] plateau
  * 0 multiplications, 0 additions, 1 divisions, 1 other functions. */
 void effects_concave_friction(const double signals[SINEW_AT_LEAST(8)], const double shape[SINEW_AT_LEAST(1)], double columns[SINEW_AT_LEAST(1)]);

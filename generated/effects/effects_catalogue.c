@@ -126,8 +126,8 @@ static void call_concave_friction(const void *in, void *out)
 }
 static const double concave_friction_signals_low[] = {-3.0, -5.0, -50.0, -10000.0, -10.0, 0.0, -1.0, 1e-04};
 static const double concave_friction_signals_high[] = {3.0, 5.0, 50.0, 10000.0, 10.0, 100.0, 1.0, 0.01};
-static const double concave_friction_shape_low[] = {0.05};
-static const double concave_friction_shape_high[] = {1.0};
+static const double concave_friction_shape_low[] = {0.03};
+static const double concave_friction_shape_high[] = {0.4};
 static const sinew_argument concave_friction_inputs[] = {
     {"signals", "SI", 8, 1, concave_friction_signals_low, concave_friction_signals_high},
     {"shape", "SI", 1, 1, concave_friction_shape_low, concave_friction_shape_high},

@@ -6,7 +6,7 @@ namespace sinew {
 Effect concave_friction() {
   Effect e("concave_friction", "friction concave in speed");
   const EffectSignals& s = effect_signals();
-  const GiNaC::ex bend = e.shape("bend", "{velocity}", Scale::speed, 0.05, 1.0);
+  const GiNaC::ex bend = e.shape("bend", "{velocity}", Scale::speed, 0.03, 0.4);
   e.column("plateau", "{effort}", Sign::positive, GiNaC::atan(s.velocity / bend));
   e.signature = "friction over velocity bends towards a plateau";
   e.excitation = "the whole range of speeds";
