@@ -114,6 +114,11 @@ std::vector<Trial> contenders(const Design& design, const Library& library,
   refit_close_ones(design, state, deviance(without, state.noise.weights), trials);
   std::sort(trials.begin(), trials.end(),
             [](const Trial& a, const Trial& b) { return a.score < b.score; });
+  // The search's own choice stays first unless another one is better by more than chance.
+  const auto chosen = std::find_if(trials.begin(), trials.end(),
+                                   [own](const Trial& t) { return t.candidate == own; });
+  if (chosen->score <= trials.front().score + kByChance)
+    std::rotate(trials.begin(), chosen, chosen + 1);
   return trials;
 }
 
@@ -145,9 +150,10 @@ Rivals find_rivals(const Design& design, const Library& library, const Settings&
   double sum = 0.0;
   for (const Trial& trial : trials) {
     RankedCause cause = describe(design, trial.candidate);
-    cause.behind = trial.score - trials.front().score;
+    const bool first = &trial == &trials.front();
+    cause.behind = std::max(0.0, trial.score - trials.front().score);
     cause.weight = std::exp(-0.5 * cause.behind);
-    if (cause.behind > 0.0) {
+    if (!first) {
       const VectorXd losses =
           cross_validate(design, trial.model, state.noise.weights, settings.blocks).whitened;
       cause.paired_z = paired_z(best_losses, losses);
