@@ -182,8 +182,9 @@ void DrivenSubject::add(const std::string& effect, std::size_t joint, const std:
 
 void DrivenSubject::add_library(std::size_t joint) {
   for (const char* effect :
-       {"viscous_asymmetry", "coulomb_asymmetry", "stribeck", "concave_friction",
-        "quadratic_friction", "friction_drift", "gear_elasticity", "backlash", "offset_drift"})
+       {"viscous_asymmetry", "coulomb_asymmetry", "stribeck", "concave_friction", "concave_power",
+        "quadratic_friction", "friction_drift", "gear_elasticity", "backlash", "inertial_backlash",
+        "offset_drift"})
     add(effect, joint);
   const LogScale s = scale(joint);
   if (s.load > 0.0) add("load_friction", joint);

@@ -81,7 +81,9 @@ LogScale scale_of(const std::vector<Recording>& logs, int axis) {
 
 Regressor::Regressor(const Effect& effect)
     : function(&emitted(effect.id)), columns(static_cast<Index>(effect.columns.size())) {
-  if (effect.state) initial_state = effect.state->initial;
+  initial_state.resize(static_cast<Index>(effect.states.size()));
+  for (Index k = 0; k < initial_state.size(); ++k)
+    initial_state(k) = effect.states[static_cast<std::size_t>(k)].initial;
 }
 
 MatrixXd effect_columns(const Regressor& regressor, const Recording& log, int axis,
@@ -91,13 +93,14 @@ MatrixXd effect_columns(const Regressor& regressor, const Recording& log, int ax
   const MatrixXd x = signals_of(log, axis);
   VectorXd in(function.input_size), out(function.output_size);
   in.segment(signals, shape.size()) = shape;
-  if (regressor.initial_state) in(function.input_size - 1) = *regressor.initial_state;
+  const Index states = regressor.initial_state.size();
+  in.tail(states) = regressor.initial_state;
   MatrixXd columns(x.cols(), count);
   for (Index k = 0; k < x.cols(); ++k) {
     in.head(signals) = x.col(k);
     function.call(in.data(), out.data());
     columns.row(k) = out.head(count).transpose();
-    if (regressor.initial_state) in(function.input_size - 1) = out(count);
+    in.tail(states) = out.tail(states);
   }
   return columns;
 }

@@ -34,7 +34,7 @@ struct Regressor {
   explicit Regressor(const Effect& effect);
   const sinew_function* function = nullptr;
   Eigen::Index columns = 0;
-  std::optional<double> initial_state;
+  Eigen::VectorXd initial_state;
 };
 
 /// samples x columns at the given shape parameters. The recording needs q, qd, qdd, time, and the

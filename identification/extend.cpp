@@ -25,16 +25,15 @@ IdentifiedValue value_of(const std::vector<ParameterEstimate>& estimates, const 
 }
 
 /// An effect of the catalogue.
-void fill(const CandidateOrigin& origin, bool revolute,
+void fill(const CandidateOrigin& origin, bool revolute, const Eigen::VectorXd& searched,
           const std::vector<ParameterEstimate>& estimates, IdentifiedEffect& entry) {
   const Effect& effect = find_effect(entry.effect);
   for (std::size_t k = 0; k < effect.shapes.size(); ++k) {
     const ShapeParameter& shape = effect.shapes[k];
-    if (origin.fixed.size() > 0)
-      entry.shape.push_back({shape.name, origin.fixed(static_cast<Eigen::Index>(k)), 0.0,
-                             unit_at(shape.unit, revolute)});
-    else
-      entry.shape.push_back(value_of(estimates, shape.name));
+    IdentifiedValue value = value_of(estimates, shape.name);
+    value.unit = unit_at(shape.unit, revolute);
+    value.value = (origin.fixed.size() > 0 ? origin.fixed : searched)(static_cast<Eigen::Index>(k));
+    entry.shape.push_back(std::move(value));
   }
   for (const EffectColumn& column : effect.columns)
     entry.coefficients.push_back(value_of(estimates, column.name));
@@ -117,7 +116,8 @@ std::vector<ExtensionTerm> extension_terms(const DrivenSubject& subject, const D
     entry.entry.effect = origin.effect;
     entry.entry.place = subject.model().joints[origin.joint].name;
     if (in_catalogue(origin.effect))
-      fill(origin, subject.model().joints[origin.joint].revolute, all[t], entry.entry);
+      fill(origin, subject.model().joints[origin.joint].revolute, term.nonlinear, all[t],
+           entry.entry);
     else if (!fill_special(all[t], entry.entry))
       continue;
     entry.per_log =

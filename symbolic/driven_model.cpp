@@ -160,7 +160,9 @@ class EffortWriter {
   void make_states() {
     std::size_t count = 0;
     for (const IdentifiedEffect& each : identified_.effects)
-      if (each.effect == "direction" || (is_term(each) && find_effect(each.effect).state)) ++count;
+      count += each.effect == "direction" ? 1
+               : is_term(each)            ? find_effect(each.effect).states.size()
+                                          : 0;
     if (count > 0)
       states_ = array_argument("state", static_cast<int>(count), 1, "1", {-1.0, 1.0},
                                "of the effects with memory");
@@ -207,11 +209,11 @@ class EffortWriter {
     if (joint < directions_.size()) map[s.direction] = directions_[joint];
     for (std::size_t k = 0; k < effect.shapes.size(); ++k)
       map[effect.shapes[k].symbol] = exact_number(shape.at(k).value);
-    if (effect.state) {
-      const ex before = states_.symbols[next_.size()];
-      map[effect.state->symbol] = before;
-      next_.push_back(list_.define("next_state", effect.state->next.subs(map)));
-    }
+    const std::size_t first = next_.size();
+    for (std::size_t k = 0; k < effect.states.size(); ++k)
+      map[effect.states[k].symbol] = states_.symbols[first + k];
+    for (const EffectState& state : effect.states)
+      next_.push_back(list_.define("next_state", state.next.subs(map)));
     return map;
   }
 
@@ -228,7 +230,7 @@ class EffortWriter {
   /// Follows from what the firmware knows before it acts.
   static bool is_measurable(const Effect& effect) {
     const EffectSignals& s = effect_signals();
-    return effect.compensable && !effect.state &&
+    return effect.compensable && effect.states.empty() &&
            std::none_of(effect.columns.begin(), effect.columns.end(), [&](const EffectColumn& c) {
              return c.term.has(s.acceleration) || c.term.has(s.jounce) || c.term.has(s.time);
            });

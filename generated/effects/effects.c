@@ -52,6 +52,12 @@ void effects_concave_friction(const double signals[SINEW_AT_LEAST(8)], const dou
     columns[0] = sinew_atan(signals[1] / shape[0]);
 }
 
+void effects_concave_power(const double signals[SINEW_AT_LEAST(8)], const double shape[SINEW_AT_LEAST(2)], double columns[SINEW_AT_LEAST(1)])
+{
+    const double t1 = sinew_log(sinew_max(sinew_max(signals[1], -signals[1]) / shape[0], 1e-06));
+    columns[0] = signals[6] * sinew_exp(shape[1] * t1);
+}
+
 void effects_quadratic_friction(const double signals[SINEW_AT_LEAST(8)], double columns[SINEW_AT_LEAST(1)])
 {
     columns[0] = signals[1] * sinew_max(signals[1], -signals[1]);
@@ -64,7 +70,7 @@ void effects_load_friction(const double signals[SINEW_AT_LEAST(8)], double colum
 
 void effects_friction_drift(const double signals[SINEW_AT_LEAST(8)], const double shape[SINEW_AT_LEAST(1)], double columns[SINEW_AT_LEAST(1)])
 {
-    columns[0] = signals[6] * sinew_exp(-(signals[5] / shape[0]));
+    columns[0] = signals[6] * (1.0 - sinew_exp(-(signals[5] / shape[0])));
 }
 
 void effects_position_friction(const double signals[SINEW_AT_LEAST(8)], double columns[SINEW_AT_LEAST(1)])
@@ -139,6 +145,16 @@ void effects_backlash(const double signals[SINEW_AT_LEAST(8)], const double shap
     const double t2 = sinew_min(sinew_max(state[0] + signals[1] * signals[7] / shape[0], 0.0), 1.0);
     columns[0] = t1;
     next[0] = t2;
+}
+
+void effects_inertial_backlash(const double signals[SINEW_AT_LEAST(8)], const double shape[SINEW_AT_LEAST(1)], const double state[SINEW_AT_LEAST(2)], double columns[SINEW_AT_LEAST(1)], double next[SINEW_AT_LEAST(2)])
+{
+    const double t1 = signals[2] * sinew_choose(-state[0], 0.0, sinew_choose(-(1.0 - state[0]), 0.0, 1.0));
+    const double t2 = state[1] + signals[2] * signals[7] / shape[0];
+    const double t3 = sinew_min(sinew_max(state[0] + signals[7] * t2, 0.0), 1.0);
+    columns[0] = t1;
+    next[0] = t3;
+    next[1] = sinew_choose(-t3, 0.0, sinew_choose(-(1.0 - t3), 0.0, t2));
 }
 
 void effects_presliding(const double signals[SINEW_AT_LEAST(8)], const double shape[SINEW_AT_LEAST(1)], const double state[SINEW_AT_LEAST(1)], double columns[SINEW_AT_LEAST(1)], double next[SINEW_AT_LEAST(1)])

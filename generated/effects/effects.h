@@ -73,6 +73,13 @@ void effects_stribeck(const double signals[SINEW_AT_LEAST(8)], const double shap
  * 0 multiplications, 0 additions, 1 divisions, 1 other functions. */
 void effects_concave_friction(const double signals[SINEW_AT_LEAST(8)], const double shape[SINEW_AT_LEAST(1)], double columns[SINEW_AT_LEAST(1)]);
 
+/* Terms of the effect 'friction concave in speed', to be multiplied by its coefficients.
+ *   in  signals       8 [SI] position, velocity, acceleration, its second derivative, load, time, direction, step; made for -3..3, -5..5, -50..50, -1e+04..1e+04, -10..10, 0..100, -1..1, 0.0001..0.01
+ *   in  shape         2 [SI] top_speed, power; made for 1..1, 0.2..0.8
+ *   out columns       1 [SI] at_top_speed
+ * 2 multiplications, 0 additions, 1 divisions, 4 other functions. */
+void effects_concave_power(const double signals[SINEW_AT_LEAST(8)], const double shape[SINEW_AT_LEAST(2)], double columns[SINEW_AT_LEAST(1)]);
+
 /* Terms of the effect 'friction quadratic in speed', to be multiplied by its coefficients.
  *   in  signals       8 [SI] position, velocity, acceleration, its second derivative, load, time, direction, step; made for -3..3, -5..5, -50..50, -1e+04..1e+04, -10..10, 0..100, -1..1, 0.0001..0.01
  *   out columns       1 [SI] coefficient
@@ -89,7 +96,7 @@ void effects_load_friction(const double signals[SINEW_AT_LEAST(8)], double colum
  *   in  signals       8 [SI] position, velocity, acceleration, its second derivative, load, time, direction, step; made for -3..3, -5..5, -50..50, -1e+04..1e+04, -10..10, 0..100, -1..1, 0.0001..0.01
  *   in  shape         1 [SI] time_constant; made for 0.05..2
  *   out columns       1 [SI] change
- * 1 multiplications, 0 additions, 1 divisions, 1 other functions. */
+ * 1 multiplications, 1 additions, 1 divisions, 1 other functions. */
 void effects_friction_drift(const double signals[SINEW_AT_LEAST(8)], const double shape[SINEW_AT_LEAST(1)], double columns[SINEW_AT_LEAST(1)]);
 
 /* Terms of the effect 'friction that varies with position', to be multiplied by its coefficients.
@@ -148,16 +155,25 @@ void effects_cable_torque(const double signals[SINEW_AT_LEAST(8)], const double 
  *   in  shape         1 [SI] gap; made for 0.0001..0.03
  *   in  state         1 [1] before this sample; made for -1..1
  *   out columns       1 [SI] inertia_behind_gap
- *   out next          1 [1] state for the next sample
+ *   out next          1 [1] states for the next sample
  * 2 multiplications, 2 additions, 1 divisions, 4 other functions. */
 void effects_backlash(const double signals[SINEW_AT_LEAST(8)], const double shape[SINEW_AT_LEAST(1)], const double state[SINEW_AT_LEAST(1)], double columns[SINEW_AT_LEAST(1)], double next[SINEW_AT_LEAST(1)]);
+
+/* Terms of the effect 'backlash', to be multiplied by its coefficients.
+ *   in  signals       8 [SI] position, velocity, acceleration, its second derivative, load, time, direction, step; made for -3..3, -5..5, -50..50, -1e+04..1e+04, -10..10, 0..100, -1..1, 0.0001..0.01
+ *   in  shape         1 [SI] gap; made for 0.0001..0.03
+ *   in  state         2 [1] before this sample; made for -1..1
+ *   out columns       1 [SI] inertia_behind_gap
+ *   out next          2 [1] states for the next sample
+ * 3 multiplications, 4 additions, 1 divisions, 6 other functions. */
+void effects_inertial_backlash(const double signals[SINEW_AT_LEAST(8)], const double shape[SINEW_AT_LEAST(1)], const double state[SINEW_AT_LEAST(2)], double columns[SINEW_AT_LEAST(1)], double next[SINEW_AT_LEAST(2)]);
 
 /* Terms of the effect 'presliding of friction', to be multiplied by its coefficients.
  *   in  signals       8 [SI] position, velocity, acceleration, its second derivative, load, time, direction, step; made for -3..3, -5..5, -50..50, -1e+04..1e+04, -10..10, 0..100, -1..1, 0.0001..0.01
  *   in  shape         1 [SI] presliding_length; made for 1e-05..0.01
  *   in  state         1 [1] before this sample; made for -1..1
  *   out columns       1 [SI] level
- *   out next          1 [1] state for the next sample
+ *   out next          1 [1] states for the next sample
  * 3 multiplications, 4 additions, 1 divisions, 3 other functions. */
 void effects_presliding(const double signals[SINEW_AT_LEAST(8)], const double shape[SINEW_AT_LEAST(1)], const double state[SINEW_AT_LEAST(1)], double columns[SINEW_AT_LEAST(1)], double next[SINEW_AT_LEAST(1)]);
 
@@ -166,7 +182,7 @@ void effects_presliding(const double signals[SINEW_AT_LEAST(8)], const double sh
  *   in  shape         1 [SI] length; made for 0.001..0.3
  *   in  state         1 [1] before this sample; made for -1..1
  *   out columns       1 [SI] half_width
- *   out next          1 [1] state for the next sample
+ *   out next          1 [1] states for the next sample
  * 4 multiplications, 4 additions, 1 divisions, 4 other functions. */
 void effects_elastic_hysteresis(const double signals[SINEW_AT_LEAST(8)], const double shape[SINEW_AT_LEAST(1)], const double state[SINEW_AT_LEAST(1)], double columns[SINEW_AT_LEAST(1)], double next[SINEW_AT_LEAST(1)]);
 

@@ -92,6 +92,17 @@ void effects_concave_friction_batch(int count, const double *SINEW_RESTRICT sign
     }
 }
 
+void effects_concave_power_batch(int count, const double *SINEW_RESTRICT signals, const double *SINEW_RESTRICT shape, double *SINEW_RESTRICT columns)
+{
+    const size_t n = (size_t)count;
+    SINEW_STATES_ARE_INDEPENDENT
+    for (size_t state = 0; state < n; ++state) {
+        const double t1 = sinew_max(signals[1 * n + state], -signals[1 * n + state]) / shape[state];
+        const double t2 = signals[6 * n + state] * sinew_exp(shape[1 * n + state] * sinew_log(sinew_max(t1, 1e-06)));
+        columns[state] = t2;
+    }
+}
+
 void effects_quadratic_friction_batch(int count, const double *SINEW_RESTRICT signals, double *SINEW_RESTRICT columns)
 {
     const size_t n = (size_t)count;
@@ -117,7 +128,7 @@ void effects_friction_drift_batch(int count, const double *SINEW_RESTRICT signal
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
     for (size_t state = 0; state < n; ++state) {
-        const double t1 = signals[6 * n + state] * sinew_exp(-(signals[5 * n + state] / shape[state]));
+        const double t1 = signals[6 * n + state] * (1.0 - sinew_exp(-(signals[5 * n + state] / shape[state])));
         columns[state] = t1;
     }
 }
@@ -229,6 +240,20 @@ void effects_backlash_batch(int count, const double *SINEW_RESTRICT signals, con
         const double t2 = state[state] + signals[1 * n + state] * signals[7 * n + state] / shape[state];
         columns[state] = signals[2 * n + state] * t1;
         next[state] = sinew_min(sinew_max(t2, 0.0), 1.0);
+    }
+}
+
+void effects_inertial_backlash_batch(int count, const double *SINEW_RESTRICT signals, const double *SINEW_RESTRICT shape, const double *SINEW_RESTRICT state, double *SINEW_RESTRICT columns, double *SINEW_RESTRICT next)
+{
+    const size_t n = (size_t)count;
+    SINEW_STATES_ARE_INDEPENDENT
+    for (size_t state = 0; state < n; ++state) {
+        const double t1 = sinew_choose(-state[state], 0.0, sinew_choose(-(1.0 - state[state]), 0.0, 1.0));
+        const double t2 = state[1 * n + state] + signals[2 * n + state] * signals[7 * n + state] / shape[state];
+        const double t3 = sinew_min(sinew_max(state[state] + signals[7 * n + state] * t2, 0.0), 1.0);
+        columns[state] = signals[2 * n + state] * t1;
+        next[state] = t3;
+        next[1 * n + state] = sinew_choose(-t3, 0.0, sinew_choose(-(1.0 - t3), 0.0, t2));
     }
 }
 

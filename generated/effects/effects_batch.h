@@ -29,6 +29,7 @@ void effects_viscous_asymmetry_batch(int count, const double *SINEW_RESTRICT sig
 void effects_coulomb_asymmetry_batch(int count, const double *SINEW_RESTRICT signals, double *SINEW_RESTRICT columns);
 void effects_stribeck_batch(int count, const double *SINEW_RESTRICT signals, const double *SINEW_RESTRICT shape, double *SINEW_RESTRICT columns);
 void effects_concave_friction_batch(int count, const double *SINEW_RESTRICT signals, const double *SINEW_RESTRICT shape, double *SINEW_RESTRICT columns);
+void effects_concave_power_batch(int count, const double *SINEW_RESTRICT signals, const double *SINEW_RESTRICT shape, double *SINEW_RESTRICT columns);
 void effects_quadratic_friction_batch(int count, const double *SINEW_RESTRICT signals, double *SINEW_RESTRICT columns);
 void effects_load_friction_batch(int count, const double *SINEW_RESTRICT signals, double *SINEW_RESTRICT columns);
 void effects_friction_drift_batch(int count, const double *SINEW_RESTRICT signals, const double *SINEW_RESTRICT shape, double *SINEW_RESTRICT columns);
@@ -41,6 +42,7 @@ void effects_offset_drift_batch(int count, const double *SINEW_RESTRICT signals,
 void effects_pendulum_batch(int count, const double *SINEW_RESTRICT signals, double *SINEW_RESTRICT columns);
 void effects_cable_torque_batch(int count, const double *SINEW_RESTRICT signals, const double *SINEW_RESTRICT shape, double *SINEW_RESTRICT columns);
 void effects_backlash_batch(int count, const double *SINEW_RESTRICT signals, const double *SINEW_RESTRICT shape, const double *SINEW_RESTRICT state, double *SINEW_RESTRICT columns, double *SINEW_RESTRICT next);
+void effects_inertial_backlash_batch(int count, const double *SINEW_RESTRICT signals, const double *SINEW_RESTRICT shape, const double *SINEW_RESTRICT state, double *SINEW_RESTRICT columns, double *SINEW_RESTRICT next);
 void effects_presliding_batch(int count, const double *SINEW_RESTRICT signals, const double *SINEW_RESTRICT shape, const double *SINEW_RESTRICT state, double *SINEW_RESTRICT columns, double *SINEW_RESTRICT next);
 void effects_elastic_hysteresis_batch(int count, const double *SINEW_RESTRICT signals, const double *SINEW_RESTRICT shape, const double *SINEW_RESTRICT state, double *SINEW_RESTRICT columns, double *SINEW_RESTRICT next);
 

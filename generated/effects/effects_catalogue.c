@@ -136,6 +136,24 @@ static const sinew_argument concave_friction_outputs[] = {
     {"columns", "SI", 1, 1, 0, 0},
 };
 
+static void call_concave_power(const void *in, void *out)
+{
+    const double *x = (const double *)in;
+    double *y = (double *)out;
+    effects_concave_power(x + 0, x + 8, y + 0);
+}
+static const double concave_power_signals_low[] = {-3.0, -5.0, -50.0, -10000.0, -10.0, 0.0, -1.0, 1e-04};
+static const double concave_power_signals_high[] = {3.0, 5.0, 50.0, 10000.0, 10.0, 100.0, 1.0, 0.01};
+static const double concave_power_shape_low[] = {1.0, 0.2};
+static const double concave_power_shape_high[] = {1.0, 0.8};
+static const sinew_argument concave_power_inputs[] = {
+    {"signals", "SI", 8, 1, concave_power_signals_low, concave_power_signals_high},
+    {"shape", "SI", 2, 1, concave_power_shape_low, concave_power_shape_high},
+};
+static const sinew_argument concave_power_outputs[] = {
+    {"columns", "SI", 1, 1, 0, 0},
+};
+
 static void call_quadratic_friction(const void *in, void *out)
 {
     const double *x = (const double *)in;
@@ -335,6 +353,28 @@ static const sinew_argument backlash_outputs[] = {
     {"next", "1", 1, 1, 0, 0},
 };
 
+static void call_inertial_backlash(const void *in, void *out)
+{
+    const double *x = (const double *)in;
+    double *y = (double *)out;
+    effects_inertial_backlash(x + 0, x + 8, x + 9, y + 0, y + 1);
+}
+static const double inertial_backlash_signals_low[] = {-3.0, -5.0, -50.0, -10000.0, -10.0, 0.0, -1.0, 1e-04};
+static const double inertial_backlash_signals_high[] = {3.0, 5.0, 50.0, 10000.0, 10.0, 100.0, 1.0, 0.01};
+static const double inertial_backlash_shape_low[] = {1e-04};
+static const double inertial_backlash_shape_high[] = {0.03};
+static const double inertial_backlash_state_low[] = {-1.0, -1.0};
+static const double inertial_backlash_state_high[] = {1.0, 1.0};
+static const sinew_argument inertial_backlash_inputs[] = {
+    {"signals", "SI", 8, 1, inertial_backlash_signals_low, inertial_backlash_signals_high},
+    {"shape", "SI", 1, 1, inertial_backlash_shape_low, inertial_backlash_shape_high},
+    {"state", "1", 2, 1, inertial_backlash_state_low, inertial_backlash_state_high},
+};
+static const sinew_argument inertial_backlash_outputs[] = {
+    {"columns", "SI", 1, 1, 0, 0},
+    {"next", "1", 2, 1, 0, 0},
+};
+
 static void call_presliding(const void *in, void *out)
 {
     const double *x = (const double *)in;
@@ -388,6 +428,7 @@ static const sinew_function functions[] = {
     {"effects_coulomb_asymmetry", 1, 1, 8, 1, coulomb_asymmetry_inputs, coulomb_asymmetry_outputs, call_coulomb_asymmetry},
     {"effects_stribeck", 2, 1, 9, 1, stribeck_inputs, stribeck_outputs, call_stribeck},
     {"effects_concave_friction", 2, 1, 9, 1, concave_friction_inputs, concave_friction_outputs, call_concave_friction},
+    {"effects_concave_power", 2, 1, 10, 1, concave_power_inputs, concave_power_outputs, call_concave_power},
     {"effects_quadratic_friction", 1, 1, 8, 1, quadratic_friction_inputs, quadratic_friction_outputs, call_quadratic_friction},
     {"effects_load_friction", 1, 1, 8, 1, load_friction_inputs, load_friction_outputs, call_load_friction},
     {"effects_friction_drift", 2, 1, 9, 1, friction_drift_inputs, friction_drift_outputs, call_friction_drift},
@@ -400,8 +441,9 @@ static const sinew_function functions[] = {
     {"effects_pendulum", 1, 1, 8, 2, pendulum_inputs, pendulum_outputs, call_pendulum},
     {"effects_cable_torque", 2, 1, 10, 7, cable_torque_inputs, cable_torque_outputs, call_cable_torque},
     {"effects_backlash", 3, 2, 10, 2, backlash_inputs, backlash_outputs, call_backlash},
+    {"effects_inertial_backlash", 3, 2, 11, 3, inertial_backlash_inputs, inertial_backlash_outputs, call_inertial_backlash},
     {"effects_presliding", 3, 2, 10, 2, presliding_inputs, presliding_outputs, call_presliding},
     {"effects_elastic_hysteresis", 3, 2, 10, 2, elastic_hysteresis_inputs, elastic_hysteresis_outputs, call_elastic_hysteresis},
 };
 
-const sinew_catalogue effects_catalogue = {"effects", "69c538edcbf3bf2f45779b1c8a2551790ff791915ec1f60e5b93999b2315532f", 8, 22, functions};
+const sinew_catalogue effects_catalogue = {"effects", "69c538edcbf3bf2f45779b1c8a2551790ff791915ec1f60e5b93999b2315532f", 8, 24, functions};

@@ -10,7 +10,7 @@ Effect backlash() {
   const GiNaC::ex gap = e.shape("gap", "{position}", Scale::reach, 1e-4, 3e-2);
   const GiNaC::symbol place("place");
   const GiNaC::ex moved = place + s.velocity * s.step / gap;
-  e.state = EffectState{place, 0.5, clamped(moved, 0, 1)};
+  e.states = {{place, 0.5, clamped(moved, 0, 1)}};
   // In contact at either end of the play nothing is different.
   const GiNaC::ex free = choose(-place, 0, choose(place - 1, 0, 1));
   e.column("inertia_behind_gap", "{effort}/{acceleration}", Sign::negative, free * s.acceleration);

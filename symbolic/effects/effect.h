@@ -6,7 +6,6 @@
 
 #include <ginac/ginac.h>
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -72,7 +71,7 @@ struct Effect {
   std::string name;  ///< physical name, as a report says it
   std::vector<ShapeParameter> shapes;
   std::vector<EffectColumn> columns;
-  std::optional<EffectState> state;
+  std::vector<EffectState> states;
   bool compensable = false;  ///< known from what the firmware measures, and safe to feed forward
   std::string signature;     ///< what it leaves over
   std::string excitation;    ///< what has to happen for it to be seen

@@ -23,6 +23,19 @@ Range shape_range(const ShapeParameter& shape) {
   return {shape.low > 0.0 ? shape.low : 0.1, shape.high};
 }
 
+Argument state_argument(const Effect& effect) {
+  Argument argument;
+  argument.name = "state";
+  argument.rows = static_cast<int>(effect.states.size());
+  argument.unit = "1";
+  argument.doc = "before this sample";
+  for (const EffectState& state : effect.states) {
+    argument.symbols.push_back(state.symbol);
+    argument.ranges.push_back({-1.0, 1.0});
+  }
+  return argument;
+}
+
 }  // namespace
 
 Function regressor_function(const Effect& effect) {
@@ -42,17 +55,18 @@ Function regressor_function(const Effect& effect) {
     }
     f.inputs.push_back(shape);
   }
-  if (effect.state)
-    f.inputs.push_back(
-        {"state", 1, 1, {effect.state->symbol}, "1", "before this sample", {{-1.0, 1.0}}});
+  if (!effect.states.empty()) f.inputs.push_back(state_argument(effect));
   Output columns{"columns", static_cast<int>(effect.columns.size()), 1, {}, "SI", ""};
   for (const EffectColumn& column : effect.columns) {
     columns.values.push_back(column.term);
     columns.doc += (columns.doc.empty() ? "" : ", ") + column.name;
   }
   f.outputs.push_back(columns);
-  if (effect.state)
-    f.outputs.push_back({"next", 1, 1, {effect.state->next}, "1", "state for the next sample"});
+  if (effect.states.empty()) return f;
+  Output next{
+      "next", static_cast<int>(effect.states.size()), 1, {}, "1", "states for the next sample"};
+  for (const EffectState& state : effect.states) next.values.push_back(state.next);
+  f.outputs.push_back(next);
   return f;
 }
 

@@ -14,6 +14,7 @@ Effect viscous_asymmetry();
 Effect coulomb_asymmetry();
 Effect stribeck();
 Effect concave_friction();
+Effect concave_power();
 Effect quadratic_friction();
 Effect load_friction();
 Effect friction_drift();
@@ -26,6 +27,7 @@ Effect offset_drift();
 Effect pendulum();
 Effect cable_torque();
 Effect backlash();
+Effect inertial_backlash();
 Effect presliding();
 Effect elastic_hysteresis();
 

@@ -7,7 +7,7 @@ Effect friction_drift() {
   Effect e("friction_drift", "slow drift of friction");
   const EffectSignals& s = effect_signals();
   const GiNaC::ex duration = e.shape("time_constant", "s", Scale::duration, 0.05, 2.0, 3);
-  e.column("change", "{effort}", Sign::any, s.direction * GiNaC::exp(-s.time / duration));
+  e.column("change", "{effort}", Sign::any, s.direction * (1 - GiNaC::exp(-s.time / duration)));
   e.signature = "the step at reversals changes in the course of the log";
   e.excitation = "a log longer than warming up takes";
   e.experiment = "the same motion repeated from cold until nothing changes";
