@@ -252,7 +252,10 @@ void DrivenSubject::add_levels(std::size_t joint) {
   for (int k = 0; k < 4; ++k) {
     const Effect& effect = find_effect(effects[k]);
     const EffectColumn& column = effect.columns.front();
-    LevelParameter parameter{column.name, unit_at(column.unit, driven.revolute), lowest[k]};
+    LevelParameter parameter;
+    parameter.name = column.name;
+    parameter.unit = unit_at(column.unit, driven.revolute);
+    parameter.low = lowest[k];
     parameter.shares = {{base + k, 0, 1.0}};
     problem_.levels.push_back(
         {effect.name, place(joint), {parameter}, "it would be negative", effect.experiment});
@@ -266,7 +269,11 @@ void DrivenSubject::add_common_levels(std::size_t joint) {
   const EffectPlace where{static_cast<int>(joint), place(joint), model_.joints[joint].revolute};
   const auto add_level = [&](const Candidate& c, const char* effect) {
     const LinearParameter& p = c.linear.front();
-    LevelParameter parameter{p.name, p.unit, p.low, p.high};
+    LevelParameter parameter;
+    parameter.name = p.name;
+    parameter.unit = p.unit;
+    parameter.low = p.low;
+    parameter.high = p.high;
     parameter.also = c.columns;
     problem_.levels.push_back(
         {c.name, c.place, {parameter}, c.limit_meaning, c.isolating_experiment});
