@@ -165,6 +165,11 @@ TEST_CASE("study: sealed drives", "[.study]") {
     adopted += findings.extension.adopted ? 1 : 0;
     fmt::print("{:5d} {} hidden:{} | told:{} | {:.1f} s\n", first + i, all_inside ? "ok " : "-- ",
                truth_text, told(verdict), findings.seconds);
+    if (!all_inside)
+      for (const auto& out : verdict.ruled_out)
+        if (hidden.contains(seal_name(out.name)))
+          fmt::print("        {}: {} (statistic {:.1f}, p {:.3f})\n", out.name, out.reason,
+                     out.statistic, out.p_family);
     std::fflush(stdout);
   }
   fmt::print(
