@@ -65,7 +65,7 @@ DiagnoseRequest request_for(const Options& o, const ModelFolder& folder) {
   request.logs = o.logs;
   request.holdout = o.holdout;
   request.map = o.map;
-  request.settings.edge_s = 0.1;
+  request.settings.edge_s = diagnosis::driven_edge;
   request.settings.band_hz = o.band;
   request.settings.seed = o.seed;
   if (const Mechanism* mechanism = std::get_if<Mechanism>(&folder.model)) {

@@ -28,6 +28,14 @@ VectorXd number(double value) {
   return VectorXd::Constant(1, value);
 }
 
+/// Zero where a smoother reached beyond the log's ends.
+MatrixXd without_ends(MatrixXd x, double step) {
+  const Index edge = std::min<Index>(x.rows() / 2, std::lround(driven_edge / step));
+  x.topRows(edge).setZero();
+  x.bottomRows(edge).setZero();
+  return x;
+}
+
 MatrixXd columns_of(const sinew::Segment& segment, const std::vector<int>& channels) {
   MatrixXd x(segment.samples.rows(), static_cast<Index>(channels.size()));
   for (std::size_t c = 0; c < channels.size(); ++c)
@@ -88,8 +96,8 @@ void DrivenSubject::add_log(const Log& log, const std::vector<int>& positions,
     const double slow = std::min(slow_cutoff, 0.1 / log.period);
     const MatrixXd smooth = differentiate(r.q, r.step, slow).qdd;
     const Motion of_acceleration = differentiate(smooth, r.step, slow);
-    r.signals["jerk"] = of_acceleration.qd;
-    r.signals["jounce"] = of_acceleration.qdd;
+    r.signals["jerk"] = without_ends(of_acceleration.qd, r.step);
+    r.signals["jounce"] = without_ends(of_acceleration.qdd, r.step);
     (held_out ? problem_.holdout : problem_.training).push_back(std::move(r));
   }
 }

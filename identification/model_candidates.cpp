@@ -33,8 +33,11 @@ VectorXd side_of_play(const VectorXd& velocity, double still) {
     const double now = std::abs(velocity(k)) <= still ? last : velocity(k) > 0.0 ? 1.0 : -1.0;
     if (last == 0.0) last = now;
     const auto way = static_cast<double>(k - from + 1);
-    for (Index i = from; i <= k; ++i)
-      side(i) = last + (now - last) * static_cast<double>(i - from + 1) / way;
+    // The true motion starts from rest where the logged one stops: the way grows with the square.
+    for (Index i = from; i <= k; ++i) {
+      const double part = static_cast<double>(i - from + 1) / way;
+      side(i) = last + (now - last) * part * part;
+    }
     last = now;
     from = k + 1;
   }

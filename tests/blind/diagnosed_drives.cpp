@@ -90,7 +90,7 @@ diagnosis::Findings diagnose_trial(const truth::SealedTrial& trial, unsigned see
   request.runtime = SINEW_SOURCE_DIR "/runtime";
   request.logs = {(folder.path() / "train.csv").string()};
   request.holdout = {(folder.path() / "holdout.csv").string()};
-  request.settings.edge_s = 0.1;
+  request.settings.edge_s = diagnosis::driven_edge;
   request.settings.seed = seed;
   const bool revolute = trial.open().plant == "drive";
   request.channels = [revolute](const std::string&) {
