@@ -71,6 +71,7 @@ DiagnoseRequest request_for(const Options& o, const ModelFolder& folder) {
   if (const Mechanism* mechanism = std::get_if<Mechanism>(&folder.model)) {
     request.kind = "robot";
     request.model = driven_model(*mechanism, emitted_cost);
+    request.mechanism = *mechanism;
     request.channels = [mechanism, map = o.map](const std::string& file) {
       return diagnosis::robot_log_channels(*mechanism, file, map);
     };

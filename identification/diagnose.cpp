@@ -24,7 +24,11 @@ using Clock = std::chrono::steady_clock;
 class Run {
  public:
   explicit Run(const DiagnoseRequest& request)
-      : request_(request), subject_(request.model, request.identified, request.runtime) {}
+      : request_(request),
+        subject_(request.model, request.identified, request.runtime,
+                 request.mechanism
+                     ? std::make_shared<const RigidColumns>(*request.mechanism, request.runtime)
+                     : nullptr) {}
 
   Diagnosis operator()() {
     const auto start = Clock::now();

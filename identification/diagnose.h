@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,7 +23,8 @@ struct DrivenChannels {
 
 struct DiagnoseRequest {
   DrivenModel model;
-  Identified identified;  ///< what the model has learnt before
+  Identified identified;               ///< what the model has learnt before
+  std::optional<Mechanism> mechanism;  ///< behind the model, where there is one
   std::string name, description, hash, kind;
   std::filesystem::path runtime;           ///< folder of the runtime's headers
   std::vector<std::string> logs, holdout;  ///< files

@@ -54,11 +54,13 @@ DrivenModel without_open_friction(DrivenModel model) {
 }  // namespace
 
 DrivenSubject::DrivenSubject(DrivenModel model, Identified identified,
-                             std::filesystem::path runtime)
+                             std::filesystem::path runtime,
+                             std::shared_ptr<const RigidColumns> rigid)
     : model_(std::move(model)),
       identified_(std::move(identified)),
       runtime_(std::move(runtime)),
-      effort_(model_, identified_, runtime_) {
+      effort_(model_, identified_, runtime_),
+      rigid_(std::move(rigid)) {
   for (const DrivenJoint& joint : model_.joints) bristle_.push_back(joint.friction_speed == 0.0);
   presliding_.resize(bristle_.size(), 0.0);
   problem_.channels = static_cast<int>(bristle_.size());
@@ -152,7 +154,16 @@ void DrivenSubject::prepare(const Settings& settings) {
   if (std::any_of(bristle_.begin(), bristle_.end(), [](bool b) { return b; }))
     fit_directions(settings);
   for (auto* logs : {&problem_.training, &problem_.holdout})
-    for (Recording& log : *logs) set_signals(log);
+    for (Recording& log : *logs) {
+      set_signals(log);
+      if (rigid_) rigid_->add_signals(log);
+    }
+  if (rigid_)
+    for (Candidate& c : rigid_->candidates()) {
+      const bool payload = c.name == "payload";
+      problem_.library.push_back(std::move(c));
+      library_.push_back({payload ? "payload" : "gravity", 0, {}});
+    }
   for (std::size_t j = 0; j < bristle_.size(); ++j) {
     add_library(j);
     add_ripples(j);

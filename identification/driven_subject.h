@@ -11,6 +11,7 @@
 #include "identification/effect_candidate.h"
 #include "identification/effort_model.h"
 #include "identification/log.h"
+#include "identification/rigid_candidates.h"
 #include "symbolic/driven_model.h"
 
 namespace sinew::diagnosis {
@@ -27,8 +28,9 @@ struct CandidateOrigin {
 
 class DrivenSubject {
  public:
-  /// `runtime`: folder of the runtime's headers.
-  DrivenSubject(DrivenModel model, Identified identified, std::filesystem::path runtime);
+  /// `runtime`: folder of the runtime's headers; `rigid`: the mechanism's own columns, or none.
+  DrivenSubject(DrivenModel model, Identified identified, std::filesystem::path runtime,
+                std::shared_ptr<const RigidColumns> rigid = {});
 
   /// Adds a log's segments. Channels: position and effort of joint i are `positions[i]` and
   /// `efforts[i]` of the log, `load` -1 where there is none.
@@ -71,6 +73,7 @@ class DrivenSubject {
   Identified identified_;
   std::filesystem::path runtime_;
   EffortModel effort_;
+  std::shared_ptr<const RigidColumns> rigid_;
   std::vector<bool> bristle_;
   std::vector<double> presliding_;  ///< fitted length, where the direction is a bristle state
   Problem problem_;

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "identification/rigid_candidates.h"
+
+#include <algorithm>
+
+#include "generator/assemble.h"
+#include "symbolic/dynamics_functions.h"
+#include "symbolic/runtime_parameters.h"
+
+namespace sinew::diagnosis {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr std::size_t most_payloads = 5;  // a hand's fingers
+
+LinearParameter parameter(const std::string& name, const std::string& unit, double low) {
+  LinearParameter p;
+  p.name = name;
+  p.unit = unit;
+  p.low = low;
+  return p;
+}
+
+/// Bodies that carry no further one and do move.
+std::vector<std::size_t> leaves(const Mechanism& mechanism) {
+  std::vector<bool> moves, leaf(mechanism.bodies.size(), true);
+  for (std::size_t i = 0; i < mechanism.joints.size(); ++i) {
+    const Joint& joint = mechanism.joints[i];
+    const bool with_parent = joint.parent >= 0 && moves[static_cast<std::size_t>(joint.parent)];
+    moves.push_back(joint.type != JointType::fixed || with_parent);
+    if (joint.parent >= 0) leaf[static_cast<std::size_t>(joint.parent)] = false;
+  }
+  std::vector<std::size_t> list;
+  for (std::size_t i = 0; i < leaf.size(); ++i)
+    if (leaf[i] && moves[i] && list.size() < most_payloads) list.push_back(i);
+  return list;
+}
+
+}  // namespace
+
+RigidColumns::RigidColumns(const Mechanism& mechanism, const std::filesystem::path& runtime)
+    : bodies_(static_cast<Index>(mechanism.bodies.size())),
+      coordinates_(coordinate_count(mechanism)) {
+  const EmittedModel emitted = assemble(
+      {mechanism.name, "Dynamics with open masses", "", {}},
+      {base_parameters_function(mechanism), inverse_dynamics_function(mechanism, {}, true)}, {});
+  compiled_ = std::make_shared<CompiledModel>(emitted, runtime);
+  coordinates_ = compiled_->find("inverse_dynamics").output_size;
+  for (const std::size_t body : leaves(mechanism)) add_payload(mechanism, body);
+  add_gravity(mechanism);
+}
+
+VectorXd RigidColumns::parameters(const VectorXd& mass, const MatrixXd& com,
+                                  const MatrixXd& inertia, const Vector3d& gravity) const {
+  const sinew_function& function = compiled_->find("base_parameters");
+  VectorXd in(function.input_size), out(function.output_size);
+  const MatrixXd com_rows = com.transpose(), inertia_rows = inertia.transpose();
+  in << mass, Eigen::Map<const VectorXd>(com_rows.data(), com_rows.size()),
+      Eigen::Map<const VectorXd>(inertia_rows.data(), inertia_rows.size()), gravity;
+  function.call(in.data(), out.data());
+  return out;
+}
+
+/// Ten parameters of what hangs on a body: mass, first moments, moments of inertia.
+void RigidColumns::add_payload(const Mechanism& mechanism, std::size_t body) {
+  const auto b = static_cast<Index>(body);
+  const Body& carrier = mechanism.bodies[body];
+  Group group{"payload of " + carrier.name,
+              "payload",
+              "link " + carrier.name,
+              "the same slow motion with and without what may be attached",
+              {},
+              {}};
+  const VectorXd no_mass = VectorXd::Zero(bodies_);
+  const MatrixXd no_com = MatrixXd::Zero(bodies_, 3), no_inertia = MatrixXd::Zero(bodies_, 6);
+  const VectorXd nothing = parameters(no_mass, no_com, no_inertia, mechanism.gravity);
+  VectorXd unit = no_mass;
+  unit(b) = 1.0;
+  group.parameters.push_back(parameter("mass", "kg", 0.0));
+  group.columns.push_back({parameters(unit, no_com, no_inertia, mechanism.gravity), nothing, 1.0});
+  const char* axes[] = {"x", "y", "z"};
+  constexpr double arm = 0.125;
+  for (Index k = 0; k < 3; ++k) {
+    MatrixXd com = no_com;
+    com(b, k) = arm;
+    group.parameters.push_back(
+        parameter(std::string("first_moment_") + axes[k], "kg*m", -infinity));
+    group.columns.push_back({parameters(unit, com, no_inertia, mechanism.gravity),
+                             parameters(unit, -com, no_inertia, mechanism.gravity), 0.5 / arm});
+  }
+  const char* moments[] = {"xx", "yy", "zz", "xy", "xz", "yz"};
+  for (Index k = 0; k < 6; ++k) {
+    MatrixXd inertia = no_inertia;
+    inertia(b, k) = 1.0;
+    group.parameters.push_back(parameter(std::string("moment_") + moments[k], "kg*m^2", -infinity));
+    group.columns.push_back(
+        {parameters(no_mass, no_com, inertia, mechanism.gravity), nothing, 1.0});
+  }
+  groups_.push_back(std::move(group));
+}
+
+/// Gravity that the model lacks, or has in another direction.
+void RigidColumns::add_gravity(const Mechanism& mechanism) {
+  VectorXd mass(bodies_);
+  MatrixXd com(bodies_, 3), inertia(bodies_, 6);
+  for (Index b = 0; b < bodies_; ++b) {
+    const Body& body = mechanism.bodies[static_cast<std::size_t>(b)];
+    const Eigen::Matrix3d& I = body.inertia;
+    mass(b) = body.mass;
+    com.row(b) = body.centre_of_mass.transpose();
+    inertia.row(b) << I(0, 0), I(1, 1), I(2, 2), I(0, 1), I(0, 2), I(1, 2);
+  }
+  const bool absent = mechanism.gravity.isZero(0.0);
+  Group group{"gravity", absent ? "gravity left out" : "direction of gravity",
+              "base",    "slow motion over the whole range",
+              {},        {}};
+  const VectorXd none = parameters(mass, com, inertia, Vector3d::Zero());
+  const char* axes[] = {"x", "y", "z"};
+  for (int k = 0; k < 3; ++k) {
+    group.parameters.push_back(
+        parameter(std::string("gravity_change_") + axes[k], "m/s^2", -infinity));
+    group.columns.push_back({parameters(mass, com, inertia, Vector3d::Unit(k)), none, 1.0});
+  }
+  groups_.push_back(std::move(group));
+}
+
+void RigidColumns::add_signals(Recording& log) const {
+  const sinew_function& function = compiled_->find("inverse_dynamics");
+  const Index n = coordinates_;
+  VectorXd in(function.input_size), plus(n), minus(n);
+  for (const Group& group : groups_) {
+    const auto wide = static_cast<Index>(group.columns.size());
+    MatrixXd x(log.q.rows(), n * wide);
+    for (Index k = 0; k < x.rows(); ++k) {
+      in.head(3 * n) << log.q.row(k).transpose(), log.qd.row(k).transpose(),
+          log.qdd.row(k).transpose();
+      for (Index c = 0; c < wide; ++c) {
+        const Column& column = group.columns[static_cast<std::size_t>(c)];
+        in.tail(in.size() - 3 * n) = column.plus;
+        function.call(in.data(), plus.data());
+        in.tail(in.size() - 3 * n) = column.minus;
+        function.call(in.data(), minus.data());
+        for (Index i = 0; i < n; ++i) x(k, i * wide + c) = column.scale * (plus(i) - minus(i));
+      }
+    }
+    log.signals[group.signal] = std::move(x);
+  }
+}
+
+std::vector<Candidate> RigidColumns::candidates() const {
+  std::vector<Candidate> list;
+  for (const Group& group : groups_) {
+    Candidate c;
+    c.name = group.name;
+    c.place = group.place;
+    c.linear = group.parameters;
+    c.limit_meaning = "its mass would be negative";
+    c.isolating_experiment = group.experiment;
+    const auto wide = static_cast<Index>(group.columns.size());
+    c.columns = [signal = group.signal, wide](const Recording& log, int channel,
+                                              const VectorXd&) -> MatrixXd {
+      return log.signals.at(signal).middleCols(channel * wide, wide);
+    };
+    list.push_back(std::move(c));
+  }
+  return list;
+}
+
+}  // namespace sinew::diagnosis

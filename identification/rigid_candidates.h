@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a mechanism's mass properties and gravity may get wrong, as columns from its emitted inverse
+// dynamics with masses and gravity as arguments.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "identification/candidate.h"
+#include "simulation/compiled_model.h"
+#include "symbolic/mechanism.h"
+
+namespace sinew::diagnosis {
+
+/// Inverse dynamics that is linear in mass properties and in gravity.
+class RigidColumns {
+ public:
+  /// `runtime`: folder of the runtime's headers.
+  RigidColumns(const Mechanism& mechanism, const std::filesystem::path& runtime);
+
+  /// Columns of every effect for a recording, samples x (coordinates * columns), into its signals;
+  /// columns of one coordinate stand together.
+  void add_signals(Recording& log) const;
+
+  /// Candidates that act on all channels; they read what add_signals left in the recording.
+  std::vector<Candidate> candidates() const;
+
+ private:
+  struct Column {
+    Eigen::VectorXd plus, minus;  ///< parameters; the column is their difference * scale
+    double scale = 1.0;
+  };
+  struct Group {
+    std::string signal, name, place, experiment;
+    std::vector<LinearParameter> parameters;
+    std::vector<Column> columns;
+  };
+  Eigen::VectorXd parameters(const Eigen::VectorXd& mass, const Eigen::MatrixXd& com,
+                             const Eigen::MatrixXd& inertia, const Eigen::Vector3d& gravity) const;
+  void add_payload(const Mechanism& mechanism, std::size_t body);
+  void add_gravity(const Mechanism& mechanism);
+
+  std::shared_ptr<CompiledModel> compiled_;
+  Eigen::Index bodies_, coordinates_;
+  std::vector<Group> groups_;
+};
+
+}  // namespace sinew::diagnosis
