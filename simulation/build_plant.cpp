@@ -69,15 +69,16 @@ Plant hand_plant(const fs::path& model, const fs::path& file, const fs::path& ru
   const Scenario scenario =
       read_scenario(file, channels_of(mode, coordinate_names(hand), channels, true));
   PlantParts parts;
+  const Eigen::Vector3d own_gravity = hand.fingers.front().mechanism.gravity;
   parts.joints =
-      hand_joints(hand, hand.fingers.front().mechanism.gravity, scenario.crank_inertia, runtime);
+      hand_joints(hand, scenario.gravity.value_or(own_gravity), scenario.crank_inertia, runtime);
   parts.wrist.emplace(hand.wrist, runtime);
   add_drive_train(parts, scenario, model, runtime);
   return Plant(scenario, std::move(parts));
 }
 
 Plant finger_plant(const fs::path& model, const fs::path& file, const fs::path& runtime) {
-  const Mechanism mechanism = read_mechanism(model);
+  Mechanism mechanism = read_mechanism(model);
   std::vector<std::string> joints;
   const Coordinates coordinates(mechanism);
   for (const int joint : coordinates.joints())
@@ -90,6 +91,7 @@ Plant finger_plant(const fs::path& model, const fs::path& file, const fs::path& 
                     mechanism.name));
   const Scenario scenario = read_scenario(file, channels_of(mode, joints, tendons, false));
   PlantParts parts;
+  if (scenario.gravity) mechanism.gravity = *scenario.gravity;
   parts.joints = finger_joints(mechanism, runtime);
   add_drive_train(parts, scenario, model, runtime);
   return Plant(scenario, std::move(parts));

@@ -119,6 +119,12 @@ void Plant::read_initial() {
   const double pretension = parts_.tendon->elongation_at(scenario_.pretension);
   Evaluation e;
   evaluate(0.0, initial_.data(), e, false);
+  if (scenario_.wrist_feedforward && parts_.wrist) {
+    first_feedforward_.resize(motors_);
+    VectorXd rate(motors_);
+    parts_.wrist->feedforward(e.wrist, first_feedforward_.data(), rate.data());
+    evaluate(0.0, initial_.data(), e, false);
+  }
   closure_ = e.elongation.array() - pretension;
   // The searches start within reach of the pretension.
   for (int i = 0; i < 10; ++i) accept(0.0, initial_.data());
@@ -145,6 +151,7 @@ void Plant::take_commands(double time, Evaluation& e) const {
   VectorXd reference_rate = VectorXd::Zero(motors_);
   if (scenario_.wrist_feedforward && parts_.wrist && motors_ > 0)
     parts_.wrist->feedforward(e.wrist, e.theta_reference.data(), reference_rate.data());
+  if (first_feedforward_.size() > 0) e.theta_reference -= first_feedforward_;
   e.torque.setZero(motors_);
   for (int i = 0; i < motors_; ++i) {
     const Sample sample = at(motor_command_[static_cast<std::size_t>(i)]);

@@ -35,9 +35,15 @@ enum Power {
 using Powers = std::array<double, power_count>;
 const char* name_of_power(int power);
 
-/// What there is to simulate; anything may be absent.
+/// A rate of energy [W], and the sum of its parts' sizes that rounding is relative to.
+struct EnergyRate {
+  double total = 0.0;
+  double size = 0.0;
+};
+
+/// What there is to simulate; anything may be absent. Copies share the compiled models.
 struct PlantParts {
-  std::unique_ptr<Joints> joints;
+  std::shared_ptr<const Joints> joints;
   std::optional<MotorModel> motor;
   std::optional<TendonModel> tendon;
   std::optional<GuidingModel> guiding;
@@ -83,7 +89,7 @@ class Plant {
   /// Kinetic, of gravity and elastic [J].
   double energy(const Evaluation& e) const;
   /// d(energy)/dt by the chain rule [W] without the moving base: must equal the powers' sum.
-  double energy_rate(const Evaluation& e) const;
+  EnergyRate energy_rate(const Evaluation& e) const;
 
   /// Functions whose zeros are events, and what a zero means.
   std::vector<std::string> event_names() const;
@@ -105,6 +111,7 @@ class Plant {
   int n_ = 0, k_ = 0, motors_ = 0, tendons_ = 0;
   bool elastic_ = false;  ///< tendons with lever, not commanded forces
   Eigen::VectorXd initial_, closure_, guess_;
+  Eigen::VectorXd first_feedforward_;  ///< rad: motors start at 0 wherever the wrist starts
   std::vector<const Signal*> motor_command_, joint_command_, tip_command_;
   const Signal* load_ = nullptr;
   mutable Evaluation scratch_;

@@ -54,17 +54,21 @@ double Plant::energy(const Evaluation& e) const {
   return sum;
 }
 
-double Plant::energy_rate(const Evaluation& e) const {
-  double sum = 0.0;
+EnergyRate Plant::energy_rate(const Evaluation& e) const {
+  EnergyRate rate;
+  const auto add = [&](const VectorXd& parts) {
+    rate.total += parts.sum();
+    rate.size += parts.cwiseAbs().sum();
+  };
   if (n_ > 0) {
     RowMajor M(n_, n_);
     VectorXd bias(n_);
     parts_.joints->mass_and_bias(e.q.data(), e.qd.data(), e.wrist, M.data(), bias.data());
-    sum += e.qd.dot(M * e.qdd + bias);
+    add(e.qd.cwiseProduct(M * e.qdd + bias));
   }
-  if (k_ > 0) sum += parts_.motor->inertia() * e.omega.dot(e.omega_rate);
-  if (elastic_) sum += e.force.dot(parts_.motor->radius() * e.omega + e.h_rate);
-  return sum;
+  if (k_ > 0) add(parts_.motor->inertia() * e.omega.cwiseProduct(e.omega_rate));
+  if (elastic_) add(e.force.cwiseProduct(parts_.motor->radius() * e.omega + e.h_rate));
+  return rate;
 }
 
 }  // namespace sinew

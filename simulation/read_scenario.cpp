@@ -42,7 +42,8 @@ void report_unknown(TomlTable& table, std::string_view key, const std::string& n
 /// The quantities of a scenario are what its author wants, and need not say where they come from.
 void mark_as_chosen(toml::table& table) {
   const toml::node* value = table.get("value");
-  if (value && value->is_number() && !table.contains("from")) table.insert("from", "assumed");
+  if (value && (value->is_number() || value->is_array()) && !table.contains("from"))
+    table.insert("from", "assumed");
   for (auto&& [key, node] : table) {
     if (toml::table* inner = node.as_table()) mark_as_chosen(*inner);
     if (toml::array* array = node.as_array())
@@ -111,6 +112,8 @@ class ScenarioReader {
   void read_times(TomlTable& table) {
     take(table, "duration", Dimension::time, scenario_.duration, Sign::positive, true);
     take(table, "output_rate", Dimension::frequency, scenario_.output_rate, Sign::positive, true);
+    if (const auto g = table.quantity("gravity", Shape::vector, Dimension::acceleration, false))
+      scenario_.gravity = Eigen::Vector3d(g->values[0], g->values[1], g->values[2]);
     if (scenario_.duration * scenario_.output_rate > 1e8)
       table.report("duration", "the output has more than 1e8 rows", "expected fewer");
     table.finish();

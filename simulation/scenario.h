@@ -2,8 +2,10 @@
 // What is to be simulated: how long, how integrated, from which state, with which commands.
 #pragma once
 
+#include <Eigen/Core>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -45,6 +47,8 @@ struct Scenario {
   std::string file;
   double duration = 0.0;     ///< s
   double output_rate = 0.0;  ///< Hz
+  /// m/s², instead of the model's: base frame of a finger, forearm frame of a hand.
+  std::optional<Eigen::Vector3d> gravity;
 
   Integrator integrator = Integrator::cvode_bdf;
   double relative_tolerance = 1e-8;

@@ -124,15 +124,16 @@ class Recorder {
   void audit_power() {
     Audit& audit = result_.audit;
     const Powers powers = plant_.powers(e_);
-    const double rate = plant_.energy_rate(e_);
-    double sum = 0.0, size = std::abs(rate);
+    const EnergyRate rate = plant_.energy_rate(e_);
+    double sum = 0.0, size = rate.size;
     for (int i = 0; i < power_count; ++i) {
       const double power = powers[static_cast<std::size_t>(i)];
       if (i != base_power) sum += power;
       size = std::max(size, std::abs(power));
     }
     // Powers below a nanowatt are rounding of larger torques.
-    audit.power_residual = std::max(audit.power_residual, std::abs(rate - sum) / (size + 1e-9));
+    audit.power_residual =
+        std::max(audit.power_residual, std::abs(rate.total - sum) / (size + 1e-9));
     for (const Power loss : {motor_friction_power, guiding_power, damping_power})
       audit.largest_friction_power =
           std::max(audit.largest_friction_power, powers[static_cast<std::size_t>(loss)]);

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The wrist moves the fingers through their tendons; the emitted feedforward holds them still.
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "tests/simulation/scenario_run.h"
+
+using namespace sinew_tests;
+
+namespace {
+
+/// The same hand with and without feedforward: it is derived and compiled once.
+struct Wrist {
+  sinew::Plant plant = plant_of("hand", scenario_text(0.5, 50, R"(
+gravity = { value = [0, 0, 0], unit = "m/s^2" }
+[integrator]
+relative_tolerance = { value = 1e-6, unit = "1" }
+absolute_tolerance = { value = 1e-8, unit = "1" }
+[initial]
+"hmc.theta2" = { value = 90, unit = "deg" }
+[[command]]
+channel = "flexion"
+shape = "sine"
+amplitude = { value = 30, unit = "deg" }
+frequency = { value = 0.5, unit = "Hz" }
+[[command]]
+channel = "abduction"
+shape = "sine"
+amplitude = { value = 20, unit = "deg" }
+frequency = { value = 0.5, unit = "Hz" }
+[drive]
+mode = "prescribed"
+pretension = { value = 15, unit = "N" }
+)"));
+
+  Run moved(bool feedforward) const {
+    sinew::Scenario scenario = plant.scenario();
+    scenario.wrist_feedforward = feedforward;
+    sinew::Plant own(scenario, plant.parts());
+    return run(own);
+  }
+};
+
+/// Root of the mean square of all fingers' joint angles about their start [rad].
+double motion(const Run& run) {
+  double sum = 0.0;
+  for (const std::vector<double>& row : run.rows)
+    for (std::size_t j = 1; j <= 19; ++j)
+      sum += (row[j] - run.rows[0][j]) * (row[j] - run.rows[0][j]);
+  return std::sqrt(sum / static_cast<double>(19 * run.rows.size()));
+}
+
+}  // namespace
+
+TEST_CASE("the wrist feedforward takes 98 % of the fingers' motion away", "[hand]") {
+  const Wrist wrist;
+  const Run without = wrist.moved(false), with = wrist.moved(true);
+  const double before = motion(without), after = motion(with);
+  CAPTURE(before, after);
+  CHECK(without.columns[1] == "thumb.q10 [rad]");
+  CHECK(without.columns[19] == "hmc.theta2 [rad]");
+  CHECK(before > 0.01);
+  CHECK(after < 0.02 * before);
+  CHECK(with.result.audit.power_residual < 1e-8);
+  CHECK(with.result.audit.energy_residual < 1e-5 * with.result.audit.largest_energy);
+}
