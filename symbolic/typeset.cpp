@@ -54,18 +54,6 @@ Typeset typeset_number(const numeric& number) {
           Binding::product, false};
 }
 
-/// Takes the sign off: 2 of -2, 3*x of -3*x.
-bool take_sign(ex& e) {
-  const auto negative = [](const ex& x) {
-    return is_a<numeric>(x) && ex_to<numeric>(x).is_negative();
-  };
-  bool minus = negative(e);
-  if (is_a<GiNaC::mul>(e))
-    for (const ex& factor : e) minus = minus != negative(factor);
-  if (minus) e = -e;
-  return minus;
-}
-
 /// Highest power of anything in a term, to write polynomials downwards.
 int degree_of(const ex& e) {
   if (is_a<GiNaC::power>(e) && is_a<numeric>(e.op(1)) && ex_to<numeric>(e.op(1)).is_integer())
@@ -91,20 +79,80 @@ bool is_univariate(const ex& sum) {
   });
 }
 
+/// The sign is kept apart: GiNaC turns (a - b) round as its order of the day has it.
 struct Factors {
   std::vector<ex> above, below;
-  ex number = 1;
+  numeric number = 1;  ///< not negative
+  bool negative = false;
 };
 
 void add_factor(const ex& factor, Factors& factors) {
   if (is_a<numeric>(factor)) {
-    factors.number *= factor;
+    factors.number = factors.number * ex_to<numeric>(factor);
   } else if (is_a<GiNaC::power>(factor) && is_a<numeric>(factor.op(1)) &&
              ex_to<numeric>(factor.op(1)).is_negative()) {
     factors.below.push_back(pow(factor.op(0), -factor.op(1)));
   } else {
     factors.above.push_back(factor);
   }
+}
+
+/// Terms with a minus, less those with a plus.
+int surplus_of_minus(const ex& sum, const MathNames& names) {
+  int surplus = 0;
+  for (const SignedTerm& term : terms_of(sum, names)) surplus += term.negative ? 1 : -1;
+  return surplus;
+}
+
+/// Whether the term that comes first, signs aside, has a minus.
+bool leads_with_minus(const ex& sum, const MathNames& names) {
+  const bool falling = is_univariate(sum);
+  SignedTerm first;
+  int first_degree = 0;
+  for (const ex& term : sum) {
+    const SignedTerm shown = terms_of(term, names).front();
+    const int degree = falling ? degree_of(term) : 0;
+    const bool before = first.term.text.empty() || degree > first_degree ||
+                        (degree == first_degree && natural_less(shown.term.text, first.term.text));
+    if (!before) continue;
+    first = shown;
+    first_degree = degree;
+  }
+  return first.negative;
+}
+
+/// Turns sums round so that they have few minus signs, and the product as well where that is
+/// possible.
+void settle_signs(Factors& factors, const MathNames& names) {
+  ex* even = nullptr;
+  std::string even_text;
+  for (ex& factor : factors.above) {
+    if (!is_a<GiNaC::add>(factor)) continue;
+    const int surplus = surplus_of_minus(factor, names);
+    if (surplus > 0 || (surplus == 0 && leads_with_minus(factor, names))) {
+      factor = -factor;
+      factors.negative = !factors.negative;
+    }
+    const std::string text = typeset(factor, names).text;
+    if (surplus != 0 || natural_less(text, even_text)) continue;
+    even = &factor;
+    even_text = text;
+  }
+  if (!factors.negative || even == nullptr) return;
+  *even = -*even;
+  factors.negative = false;
+}
+
+Factors factors_of(const ex& e, const MathNames& names) {
+  Factors factors;
+  if (is_a<GiNaC::mul>(e))
+    for (const ex& factor : e) add_factor(factor, factors);
+  else
+    add_factor(e, factors);
+  factors.negative = factors.number.is_negative();
+  if (factors.negative) factors.number = -factors.number;
+  settle_signs(factors, names);
+  return factors;
 }
 
 /// Words first, then letters, functions after them, sums last.
@@ -147,28 +195,33 @@ Typeset typeset_fraction(const Typeset& above, const Typeset& below) {
           Binding::product, false};
 }
 
-Typeset typeset_product(const ex& e, const MathNames& names) {
-  Factors factors;
-  if (is_a<GiNaC::mul>(e))
-    for (const ex& factor : e) add_factor(factor, factors);
-  else
-    add_factor(e, factors);
-  const numeric number = ex_to<numeric>(factors.number);
-  const bool rational = number.is_rational();
-  const ex top = rational ? ex(number.numer()) : factors.number;
-  const ex bottom = rational ? ex(number.denom()) : ex(1);
+/// Without its sign.
+Typeset typeset_factors(const Factors& factors, const MathNames& names) {
+  const bool rational = factors.number.is_rational();
+  const numeric top = rational ? factors.number.numer() : factors.number;
+  const numeric bottom = rational ? factors.number.denom() : numeric(1);
   std::vector<Typeset> above = ordered(factors.above, names), below = ordered(factors.below, names);
-  if (!top.is_equal(1) || above.empty())
-    above.insert(above.begin(), typeset_number(ex_to<numeric>(top)));
-  if (!bottom.is_equal(1)) below.insert(below.begin(), typeset_number(ex_to<numeric>(bottom)));
+  if (!top.is_equal(1) || above.empty()) above.insert(above.begin(), typeset_number(top));
+  if (!bottom.is_equal(1)) below.insert(below.begin(), typeset_number(bottom));
   const Typeset numerator = product_of(above);
   return below.empty() ? numerator : typeset_fraction(numerator, product_of(below));
+}
+
+/// A term whose sign is still to be written.
+SignedTerm signed_term(const ex& e, const MathNames& names) {
+  if (is_a<numeric>(e)) {
+    const numeric number = ex_to<numeric>(e);
+    return {typeset_number(number.is_negative() ? -number : number), number.is_negative()};
+  }
+  if (!is_a<GiNaC::mul>(e)) return {typeset(e, names), false};
+  const Factors factors = factors_of(e, names);
+  return {typeset_factors(factors, names), factors.negative};
 }
 
 Typeset typeset_power(const ex& e, const MathNames& names) {
   const ex exponent = e.op(1);
   if (is_a<numeric>(exponent) && ex_to<numeric>(exponent).is_negative())
-    return typeset_product(e, names);
+    return typeset_factors(factors_of(e, names), names);
   if (exponent.is_equal(numeric(1, 2))) {
     const Typeset inner = typeset(e.op(0), names);
     return {"<msqrt>" + inner.math + "</msqrt>", "sqrt(" + inner.text + ")", Binding::atom, false};
@@ -203,10 +256,10 @@ std::vector<SignedTerm> terms_of(const ex& expression, const MathNames& names) {
     int degree;
   };
   std::vector<Entry> entries;
-  const auto append = [&](ex term) {
-    const int degree = degree_of(term);
-    const bool minus = take_sign(term);
-    entries.push_back({{bracketed(typeset(term, names), Binding::product), minus}, degree});
+  const auto append = [&](const ex& term) {
+    SignedTerm shown = signed_term(term, names);
+    shown.term = bracketed(shown.term, Binding::product);
+    entries.push_back({shown, degree_of(term)});
   };
   if (!is_a<GiNaC::add>(expression)) {
     append(expression);
@@ -234,17 +287,16 @@ Typeset bracketed(Typeset piece, Binding needed) {
 }
 
 Typeset typeset(const ex& expression, const MathNames& names) {
-  ex positive = expression;
-  if (!is_a<GiNaC::add>(expression) && take_sign(positive)) {
-    const Typeset inner = bracketed(typeset(positive, names), Binding::product);
+  if (is_a<numeric>(expression) || is_a<GiNaC::mul>(expression)) {
+    const SignedTerm shown = signed_term(expression, names);
+    if (!shown.negative) return shown.term;
+    const Typeset inner = bracketed(shown.term, Binding::product);
     return {"<mrow><mo form=\"prefix\">−</mo>" + inner.math + "</mrow>", "-" + inner.text,
             Binding::sum, false};
   }
-  if (is_a<numeric>(expression)) return typeset_number(ex_to<numeric>(expression));
   if (is_a<GiNaC::symbol>(expression))
     return typeset_symbol(ex_to<GiNaC::symbol>(expression).get_name(), names);
   if (is_a<GiNaC::add>(expression)) return typeset_sum(expression, names);
-  if (is_a<GiNaC::mul>(expression)) return typeset_product(expression, names);
   if (is_a<GiNaC::power>(expression)) return typeset_power(expression, names);
   if (is_a<GiNaC::function>(expression))
     return typeset_function(ex_to<GiNaC::function>(expression), names);
