@@ -10,6 +10,7 @@
 #include "symbolic/coordinates.h"
 #include "symbolic/driven_model.h"
 #include "symbolic/functions.h"
+#include "symbolic/identified_mechanism.h"
 #include "symbolic/read_hand.h"
 #include "symbolic/read_mechanism.h"
 
@@ -89,7 +90,7 @@ ModelFolder open_model_folder(const fs::path& folder) {
     description = part.description;
     result.model = part;
   } else {
-    const Mechanism mechanism = read_mechanism(folder);
+    const Mechanism mechanism = with_identified(read_mechanism(folder), read_identified(folder));
     result.identity.name = mechanism.name;
     description = mechanism.description;
     result.identity.notes = joint_notes(mechanism);

@@ -93,7 +93,7 @@ class Run {
     decide(any, measured_gain(measured, -1, true, 12, request_.settings.seed));
     f.extension.operations_before = subject_.effort().operations();
     f.extension.operations_after =
-        EffortModel(subject_.model(), result_.extended, subject_.runtime()).operations();
+        subject_.effort_with(result_.extended).operations();
   }
 
   void decide(bool any, const Gain& gain) {

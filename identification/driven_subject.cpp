@@ -11,7 +11,9 @@
 #include "identification/refine.h"
 #include "identification/trial.h"
 #include "identification/unexplained.h"
+#include "symbolic/dynamics_functions.h"
 #include "symbolic/effects/effects.h"
+#include "symbolic/identified_mechanism.h"
 
 namespace sinew::diagnosis {
 namespace {
@@ -60,10 +62,26 @@ DrivenSubject::DrivenSubject(DrivenModel model, Identified identified,
       identified_(std::move(identified)),
       runtime_(std::move(runtime)),
       effort_(model_, identified_, runtime_),
+      known_(without_open_friction(model_), identified_, runtime_),
       rigid_(std::move(rigid)) {
   for (const DrivenJoint& joint : model_.joints) bristle_.push_back(joint.friction_speed == 0.0);
   presliding_.resize(bristle_.size(), 0.0);
   problem_.channels = static_cast<int>(bristle_.size());
+}
+
+EffortModel DrivenSubject::effort_with(const Identified& identified) const {
+  if (!rigid_) return {model_, identified, runtime_};
+  // What the model had learnt before is in its mechanism already.
+  Identified added = identified;
+  std::erase_if(added.effects, [&](const IdentifiedEffect& e) {
+    return std::any_of(identified_.effects.begin(), identified_.effects.end(),
+                       [&](const IdentifiedEffect& old) {
+                         return old.effect == e.effect && old.place == e.place;
+                       });
+  });
+  DrivenModel extended = model_;
+  extended.rigid = inverse_dynamics_function(with_identified(rigid_->mechanism(), added));
+  return {extended, identified, runtime_};
 }
 
 std::string DrivenSubject::place(std::size_t joint) const {
@@ -135,11 +153,11 @@ void DrivenSubject::fit_directions(const Settings& settings) {
 }
 
 void DrivenSubject::prepare(const Settings& settings) {
-  const EffortModel known(without_open_friction(model_), identified_, runtime_);
   for (auto* logs : {&problem_.training, &problem_.holdout})
     for (Recording& log : *logs) {
       log.signals["direction"] = MatrixXd::Zero(log.q.rows(), log.q.cols());
-      const MatrixXd said = known(log);
+      const MatrixXd said = known_(log);
+      log.signals["known"] = said;
       log.signals["effort"] = said;
       log.known.clear();
       for (Index c = 0; c < said.cols(); ++c) log.known.push_back(said.col(c));
@@ -160,9 +178,9 @@ void DrivenSubject::prepare(const Settings& settings) {
     }
   if (rigid_)
     for (Candidate& c : rigid_->candidates()) {
-      const bool payload = c.name == "payload";
+      const std::string effect = c.name == "payload" ? "payload" : "gravity";
       problem_.library.push_back(std::move(c));
-      library_.push_back({payload ? "payload" : "gravity", 0, {}});
+      library_.push_back({effect, 0, {}});
     }
   for (std::size_t j = 0; j < bristle_.size(); ++j) {
     add_library(j);
@@ -248,10 +266,10 @@ void DrivenSubject::add_model_candidates(std::size_t joint) {
     library_.push_back({effect, joint, {}});
   };
   take(delay_candidate(where), "delay");
-  take(sensor_low_pass_candidate(where, effort_), "sensor_low_pass");
-  take(sensor_hysteresis_candidate(where, effort_, scale(joint)), "sensor_hysteresis");
+  take(sensor_low_pass_candidate(where, known_), "sensor_low_pass");
+  take(sensor_hysteresis_candidate(where, known_, scale(joint)), "sensor_hysteresis");
   if (!gain_is_level(joint)) take(torque_constant_candidate(where), "torque_constant");
-  if (model_.joints.size() > 1) take(sensor_scale_candidate(where, effort_), "sensor_scale");
+  if (model_.joints.size() > 1) take(sensor_scale_candidate(where, known_), "sensor_scale");
   const LogScale s = scale(joint);
   for (Candidate& c : flexible_families({s.low, s.high, s.speed, s.load, s.duration},
                                         static_cast<int>(joint), static_cast<int>(joint))) {
@@ -299,7 +317,7 @@ void DrivenSubject::add_common_levels(std::size_t joint) {
     levels_.push_back({effect, joint, {}});
   };
   if (gain_is_level(joint)) add_level(torque_constant_candidate(where), "torque_constant");
-  if (model_.joints.size() == 1) add_level(sensor_scale_candidate(where, effort_), "sensor_scale");
+  if (model_.joints.size() == 1) add_level(sensor_scale_candidate(where, known_), "sensor_scale");
 }
 
 /// Without a load and without other joints, a wrong gain only scales what the baseline has.

@@ -46,6 +46,8 @@ class DrivenSubject {
   const Identified& identified() const { return identified_; }
   const std::filesystem::path& runtime() const { return runtime_; }
   const EffortModel& effort() const { return effort_; }
+  /// The emitted effort of the model with these entries.
+  EffortModel effort_with(const Identified& identified) const;
   const std::vector<CandidateOrigin>& library_origins() const { return library_; }
   const std::vector<CandidateOrigin>& baseline_origins() const { return baseline_; }
   /// What a level cause changes.
@@ -73,6 +75,7 @@ class DrivenSubject {
   Identified identified_;
   std::filesystem::path runtime_;
   EffortModel effort_;
+  EffortModel known_;  ///< without friction whose law is not known
   std::shared_ptr<const RigidColumns> rigid_;
   std::vector<bool> bristle_;
   std::vector<double> presliding_;  ///< fitted length, where the direction is a bristle state

@@ -6,6 +6,7 @@
 #include "identification/effect_candidate.h"
 #include "identification/standard_errors.h"
 #include "symbolic/effects/effects.h"
+#include "symbolic/identified_mechanism.h"
 
 namespace sinew::diagnosis {
 namespace {
@@ -43,6 +44,11 @@ void fill(const CandidateOrigin& origin, bool revolute, const Eigen::VectorXd& s
 bool fill_special(const std::vector<ParameterEstimate>& estimates, IdentifiedEffect& entry) {
   if (entry.effect == "delay") {
     entry.coefficients = {value_of(estimates, "delay")};
+    return true;
+  }
+  if (changes_mechanism(entry)) {
+    for (const ParameterEstimate& e : estimates)
+      entry.coefficients.push_back({e.name, e.value, e.standard_error, e.unit});
     return true;
   }
   if (entry.effect == "torque_constant") {
@@ -114,7 +120,8 @@ std::vector<ExtensionTerm> extension_terms(const DrivenSubject& subject, const D
     ExtensionTerm entry;
     entry.cause = cause_of(explanation.verdict, candidate);
     entry.entry.effect = origin.effect;
-    entry.entry.place = subject.model().joints[origin.joint].name;
+    entry.entry.place = changes_mechanism(entry.entry) ? term.candidate->place
+                                                       : subject.model().joints[origin.joint].name;
     if (in_catalogue(origin.effect))
       fill(origin, subject.model().joints[origin.joint].revolute, term.nonlinear, all[t],
            entry.entry);

@@ -56,8 +56,7 @@ std::vector<MeasuredChannel> measure(const DrivenSubject& subject, const Design&
                                      const std::vector<ExtensionTerm>& terms) {
   std::vector<ExtensionTerm> lasting = terms;
   std::erase_if(lasting, [](const ExtensionTerm& t) { return t.per_log; });
-  const EffortModel after(subject.model(), extended(subject.identified(), lasting),
-                          subject.runtime());
+  const EffortModel after = subject.effort_with(extended(subject.identified(), lasting));
   std::vector<MeasuredChannel> result;
   // Of every log once: a log has a segment for each channel.
   std::map<int, std::pair<MatrixXd, MatrixXd>> efforts;

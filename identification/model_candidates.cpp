@@ -51,7 +51,7 @@ VectorXd response(const EffortModel& effort, const Recording& log, int axis, con
   q.col(axis) += size * change.q.col(0);
   qd.col(axis) += size * change.qd.col(0);
   qdd.col(axis) += size * change.qdd.col(0);
-  return (effort(log, q, qd, qdd).col(axis) - log.signals.at("effort").col(axis)) / size;
+  return (effort(log, q, qd, qdd).col(axis) - log.signals.at("known").col(axis)) / size;
 }
 
 }  // namespace

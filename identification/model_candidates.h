@@ -14,7 +14,7 @@ Candidate delay_candidate(const EffectPlace& place);
 /// The effort is larger or smaller than logged, by a constant share. Uses signal "effort".
 Candidate torque_constant_candidate(const EffectPlace& place);
 
-/// The position is logged behind a first-order low-pass. Uses signals "effort" and "jerk".
+/// The position is logged behind a first-order low-pass. Uses signals "known" and "jerk".
 Candidate sensor_low_pass_candidate(const EffectPlace& place, const EffortModel& effort);
 
 /// The logged position is a constant share too large or too small.

@@ -44,7 +44,8 @@ std::vector<std::size_t> leaves(const Mechanism& mechanism) {
 }  // namespace
 
 RigidColumns::RigidColumns(const Mechanism& mechanism, const std::filesystem::path& runtime)
-    : bodies_(static_cast<Index>(mechanism.bodies.size())),
+    : mechanism_(mechanism),
+      bodies_(static_cast<Index>(mechanism.bodies.size())),
       coordinates_(coordinate_count(mechanism)) {
   const EmittedModel emitted = assemble(
       {mechanism.name, "Dynamics with open masses", "", {}},

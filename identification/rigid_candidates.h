@@ -20,6 +20,8 @@ class RigidColumns {
   /// `runtime`: folder of the runtime's headers.
   RigidColumns(const Mechanism& mechanism, const std::filesystem::path& runtime);
 
+  const Mechanism& mechanism() const { return mechanism_; }
+
   /// Columns of every effect for a recording, samples x (coordinates * columns), into its signals;
   /// columns of one coordinate stand together.
   void add_signals(Recording& log) const;
@@ -42,6 +44,7 @@ class RigidColumns {
   void add_payload(const Mechanism& mechanism, std::size_t body);
   void add_gravity(const Mechanism& mechanism);
 
+  Mechanism mechanism_;
   std::shared_ptr<CompiledModel> compiled_;
   Eigen::Index bodies_, coordinates_;
   std::vector<Group> groups_;

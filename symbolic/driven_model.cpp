@@ -13,6 +13,7 @@
 #include "symbolic/dynamics_functions.h"
 #include "symbolic/effects/effects.h"
 #include "symbolic/exact_number.h"
+#include "symbolic/identified_mechanism.h"
 #include "symbolic/inline_function.h"
 
 namespace sinew {
@@ -131,7 +132,8 @@ class EffortWriter {
   }
 
   static bool is_term(const IdentifiedEffect& each) {
-    return each.effect != "delay" && each.effect != "direction" && each.effect != "torque_constant";
+    return each.effect != "delay" && each.effect != "direction" &&
+           each.effect != "torque_constant" && !changes_mechanism(each);
   }
 
   const IdentifiedEffect* special(const std::string& effect, std::size_t joint) const {

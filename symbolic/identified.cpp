@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "symbolic/effects/effects.h"
+#include "symbolic/identified_mechanism.h"
 #include "symbolic/read_text.h"
 #include "symbolic/toml_reader.h"
 
@@ -59,7 +60,8 @@ class IdentifiedReader {
 
   /// The names have to be those of the effect, all of them.
   void check(TomlTable& table, const IdentifiedEffect& read) {
-    if (read.effect == "delay" || read.effect == "direction" || read.effect == "torque_constant")
+    if (read.effect == "delay" || read.effect == "direction" || read.effect == "torque_constant" ||
+        changes_mechanism(read))
       return;
     try {
       const Effect& effect = find_effect(read.effect);
