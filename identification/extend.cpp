@@ -76,6 +76,14 @@ void add_directions(const DrivenSubject& subject, const Selection& selection,
     if (!term.baseline) continue;
     const CandidateOrigin& origin = subject.baseline_origins()[static_cast<std::size_t>(
         term.candidate - subject.problem().baseline.data())];
+    if (origin.effect == "soft_reversal") {
+      ExtensionTerm soft;
+      soft.entry.effect = origin.effect;
+      soft.entry.place = subject.model().joints[origin.joint].name;
+      fill(origin, subject.model().joints[origin.joint].revolute, term.nonlinear, all[t],
+           soft.entry);
+      result.push_back(std::move(soft));
+    }
     if (origin.effect != "presliding") continue;
     ExtensionTerm direction;
     direction.entry.effect = "direction";

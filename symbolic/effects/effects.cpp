@@ -17,7 +17,8 @@ const std::vector<Effect>& effects() {
                                        torsion_spring(),    offset_drift(),
                                        pendulum(),          cable_torque(),
                                        backlash(),          inertial_backlash(),
-                                       presliding(),        elastic_hysteresis()};
+                                       presliding(),        soft_reversal(),
+                                       elastic_hysteresis()};
   return all;
 }
 

@@ -29,6 +29,7 @@ Effect cable_torque();
 Effect backlash();
 Effect inertial_backlash();
 Effect presliding();
+Effect soft_reversal();
 Effect elastic_hysteresis();
 
 /// All effects, in a fixed order.
