@@ -30,7 +30,19 @@ MatrixXd apart(const Stack& stacked, const MatrixXd& inverse, const Weights& wei
   for (std::size_t s = 0; s < weights.size(); ++s)
     if (weights[s].size() > 0 && columns[s].cols() > 0)
       x.middleRows(stacked.first_row[s], weights[s].size()) = weights[s].asDiagonal() * columns[s];
-  return x - stacked.a * (inverse * (stacked.a.transpose() * x));
+  MatrixXd moment = MatrixXd::Zero(stacked.coefficients, wide);
+  const auto rows = [&](std::size_t s) {
+    return x.middleRows(stacked.first_row[s], stacked.a[s].rows());
+  };
+  for (std::size_t s = 0; s < weights.size(); ++s)
+    if (!stacked.at[s].empty())
+      moment(stacked.at[s], Eigen::all) += stacked.a[s].transpose() * rows(s);
+  const MatrixXd solution = inverse * moment;
+  for (std::size_t s = 0; s < weights.size(); ++s)
+    if (!stacked.at[s].empty())
+      x.middleRows(stacked.first_row[s], stacked.a[s].rows()) -=
+          stacked.a[s] * solution(stacked.at[s], Eigen::all);
+  return x;
 }
 
 /// Paired block differences of two models: sum over standard error.
@@ -127,7 +139,7 @@ std::vector<Trial> contenders(const Design& design, const Library& library,
 double canonical_correlation(const Model& model, const Weights& weights, const BandColumns& a,
                              const BandColumns& b) {
   const Stack stacked = stack(model, weights);
-  const MatrixXd inverse = scaled_pseudo_inverse(stacked.a.transpose() * stacked.a);
+  const MatrixXd inverse = scaled_pseudo_inverse(stacked.gram());
   const MatrixXd x = apart(stacked, inverse, weights, a), y = apart(stacked, inverse, weights, b);
   if (x.cols() == 0 || y.cols() == 0) return 0.0;
   const MatrixXd cross = x.transpose() * y;

@@ -49,19 +49,31 @@ std::vector<Stretch> cut(const Design& design, bool holdout, int blocks, int& to
   return list;
 }
 
-/// Time-domain rows of one segment, columns placed by term, the target last; without a whitening
-/// in the target's unit.
+/// Places among all coefficients of the columns that act on a segment, the target's (one more than
+/// the last coefficient) at the end.
+std::vector<Index> active_columns(const Model& model, std::size_t segment) {
+  const std::vector<Index> first = first_columns(model);
+  std::vector<Index> at;
+  for (std::size_t t = 0; t < model.terms.size(); ++t)
+    for (Index c = 0; c < model.terms[t].columns[segment].cols(); ++c) at.push_back(first[t] + c);
+  at.push_back(first.back());
+  return at;
+}
+
+/// Time-domain rows of one segment, its active columns by term, the target last; without a
+/// whitening in the target's unit.
 MatrixXd time_columns(const Design& design, const Model& model, const VectorXd* weight,
                       std::size_t segment) {
-  const std::vector<Index> first = first_columns(model);
   const Segment& s = design.segments()[segment];
-  MatrixXd x = MatrixXd::Zero(s.samples, first.back() + 1);
+  MatrixXd x(s.samples, static_cast<Index>(active_columns(model, segment).size()));
   const auto to_time = [&](const MatrixXd& band) {
     return from_band(weight ? MatrixXd(weight->asDiagonal() * band) : band, s.samples);
   };
-  for (std::size_t t = 0; t < model.terms.size(); ++t) {
-    const MatrixXd& part = model.terms[t].columns[segment];
-    if (part.cols() > 0) x.middleCols(first[t], part.cols()) = to_time(part);
+  Index place = 0;
+  for (const Term& term : model.terms) {
+    const MatrixXd& part = term.columns[segment];
+    if (part.cols() > 0) x.middleCols(place, part.cols()) = to_time(part);
+    place += part.cols();
   }
   x.rightCols(1) = to_time(model.target[segment]);
   return x;
@@ -79,17 +91,19 @@ BlockLosses cross_validate(const Design& design, const Model& model, const Weigh
   BlockLosses losses{VectorXd::Zero(total), VectorXd::Zero(total), VectorXd::Zero(total)};
   std::size_t last = design.segments().size();
   MatrixXd x, raw;
+  std::vector<Index> at;
   for (const Stretch& stretch : stretches) {
     if (stretch.segment != last) {
       x = time_columns(design, model, &weights[stretch.segment], stretch.segment);
       raw = time_columns(design, model, nullptr, stretch.segment);
+      at = active_columns(model, stretch.segment);
       last = stretch.segment;
     }
     const auto b = static_cast<std::size_t>(stretch.block);
     const auto rows = x.middleRows(stretch.first, stretch.count);
     const auto raw_rows = raw.middleRows(stretch.first, stretch.count);
-    whitened[b] += rows.transpose() * rows;
-    plain[b] += raw_rows.transpose() * raw_rows;
+    whitened[b](at, at) += rows.transpose() * rows;
+    plain[b](at, at) += raw_rows.transpose() * raw_rows;
     losses.samples(stretch.block) += static_cast<double>(stretch.count);
   }
   MatrixXd all = none;
@@ -114,13 +128,15 @@ BlockLosses held_out(const Design& design, const Model& model, const LinearFit& 
   BlockLosses losses{VectorXd::Zero(total), VectorXd::Zero(total), VectorXd::Zero(total)};
   std::size_t last = design.segments().size();
   MatrixXd x;
+  std::vector<Index> active;
   for (const Stretch& stretch : stretches) {
     if (stretch.segment != last) {
       x = time_columns(design, model, nullptr, stretch.segment);
+      active = active_columns(model, stretch.segment);
       last = stretch.segment;
     }
     const auto rows = x.middleRows(stretch.first, stretch.count);
-    grams[static_cast<std::size_t>(stretch.block)] += rows.transpose() * rows;
+    grams[static_cast<std::size_t>(stretch.block)](active, active) += rows.transpose() * rows;
     losses.samples(stretch.block) += static_cast<double>(stretch.count);
   }
   // Coefficients the training knows nothing of: nuisances of the held-out logs.

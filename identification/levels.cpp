@@ -47,8 +47,9 @@ Moments moments(const Design& design, const LevelTerms& parts, const NoiseView& 
     m.first.push_back(m.first.back() + wide);
   }
   const Stack s = stack(all, noise.weights);
-  const MatrixXd x0 = s.a.leftCols(own);
-  MatrixXd x = s.a.rightCols(s.a.cols() - own);
+  const MatrixXd dense = s.dense();
+  const MatrixXd x0 = dense.leftCols(own);
+  MatrixXd x = dense.rightCols(dense.cols() - own);
   if (own > 0) {
     const MatrixXd inverse = scaled_pseudo_inverse(x0.transpose() * x0);
     x -= x0 * (inverse * (x0.transpose() * x));

@@ -36,23 +36,45 @@ std::vector<Index> first_columns(const Model& model) {
 Stack stack(const Model& model, const Weights& weights) {
   Stack result;
   const std::vector<Index> first = first_columns(model);
+  result.coefficients = first.back();
   result.first_row.push_back(0);
   for (const VectorXd& weight : weights)
     result.first_row.push_back(result.first_row.back() + weight.size());
-  result.a = MatrixXd::Zero(result.first_row.back(), first.back());
+  result.a.resize(weights.size());
+  result.at.resize(weights.size());
   result.y = VectorXd::Zero(result.first_row.back());
   for (std::size_t s = 0; s < weights.size(); ++s) {
-    const Index rows = result.first_row[s + 1] - result.first_row[s];
+    const Index rows = weights[s].size();
     if (rows == 0) continue;
     result.y.segment(result.first_row[s], rows) = weights[s].cwiseProduct(model.target[s]);
-    for (std::size_t t = 0; t < model.terms.size(); ++t) {
-      const MatrixXd& part = model.terms[t].columns[s];
-      if (part.cols() > 0)
-        result.a.block(result.first_row[s], first[t], rows, part.cols()) =
-            weights[s].asDiagonal() * part;
+    for (std::size_t t = 0; t < model.terms.size(); ++t)
+      for (Index c = 0; c < model.terms[t].columns[s].cols(); ++c)
+        result.at[s].push_back(first[t] + c);
+    result.a[s].resize(rows, static_cast<Index>(result.at[s].size()));
+    Index place = 0;
+    for (const Term& term : model.terms) {
+      const MatrixXd& part = term.columns[s];
+      if (part.cols() == 0) continue;
+      result.a[s].middleCols(place, part.cols()) = weights[s].asDiagonal() * part;
+      place += part.cols();
     }
   }
   return result;
+}
+
+MatrixXd Stack::dense() const {
+  MatrixXd all = MatrixXd::Zero(first_row.back(), coefficients);
+  for (std::size_t s = 0; s < a.size(); ++s)
+    for (std::size_t c = 0; c < at[s].size(); ++c)
+      all.col(at[s][c]).segment(first_row[s], a[s].rows()) = a[s].col(static_cast<Index>(c));
+  return all;
+}
+
+MatrixXd Stack::gram() const {
+  MatrixXd sum = MatrixXd::Zero(coefficients, coefficients);
+  for (std::size_t s = 0; s < a.size(); ++s)
+    if (!at[s].empty()) sum(at[s], at[s]) += a[s].transpose() * a[s];
+  return sum;
 }
 
 MatrixXd scaled_pseudo_inverse(const MatrixXd& gram, double tolerance) {
@@ -70,16 +92,24 @@ MatrixXd scaled_pseudo_inverse(const MatrixXd& gram, double tolerance) {
 
 LinearFit solve(const Stack& stack) {
   LinearFit fit;
-  if (stack.a.cols() == 0) {
-    fit.residual = stack.y;
-  } else {
-    fit.covariance = scaled_pseudo_inverse(stack.a.transpose() * stack.a);
-    fit.coefficients = fit.covariance * (stack.a.transpose() * stack.y);
-    fit.residual = stack.y - stack.a * fit.coefficients;
-    // One step of refinement: the normal equations square the condition number.
-    const VectorXd step = fit.covariance * (stack.a.transpose() * fit.residual);
-    fit.coefficients += step;
-    fit.residual -= stack.a * step;
+  fit.residual = stack.y;
+  fit.coefficients = VectorXd::Zero(stack.coefficients);
+  if (stack.coefficients > 0) {
+    fit.covariance = scaled_pseudo_inverse(stack.gram());
+    // Twice, for refinement: the normal equations square the condition number.
+    for (int round = 0; round < 2; ++round) {
+      VectorXd moment = VectorXd::Zero(stack.coefficients);
+      for (std::size_t s = 0; s < stack.a.size(); ++s)
+        if (!stack.at[s].empty())
+          moment(stack.at[s]) +=
+              stack.a[s].transpose() * fit.residual.segment(stack.first_row[s], stack.a[s].rows());
+      const VectorXd step = fit.covariance * moment;
+      fit.coefficients += step;
+      for (std::size_t s = 0; s < stack.a.size(); ++s)
+        if (!stack.at[s].empty())
+          fit.residual.segment(stack.first_row[s], stack.a[s].rows()) -=
+              stack.a[s] * step(stack.at[s]);
+    }
   }
   fit.deviance = fit.residual.squaredNorm();
   return fit;

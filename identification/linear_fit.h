@@ -37,11 +37,16 @@ struct Model {
 /// there. Empty for held-out logs.
 using Weights = std::vector<Eigen::VectorXd>;
 
-/// Whitened band rows stacked over segments: a is rows x coefficients, y is rows.
+/// Whitened band rows stacked over segments. Most terms act on few segments, so each segment keeps
+/// only the columns that act there.
 struct Stack {
-  Eigen::MatrixXd a;
-  Eigen::VectorXd y;
-  std::vector<Eigen::Index> first_row;  ///< of each segment, and the total at the end
+  std::vector<Eigen::MatrixXd> a;             ///< per segment: its rows x its columns
+  std::vector<std::vector<Eigen::Index>> at;  ///< per segment: the columns' coefficients, ascending
+  Eigen::VectorXd y;                          ///< all rows
+  std::vector<Eigen::Index> first_row;        ///< of each segment, and the total at the end
+  Eigen::Index coefficients = 0;
+  Eigen::MatrixXd dense() const;  ///< all rows x all coefficients
+  Eigen::MatrixXd gram() const;   ///< dense()' dense()
 };
 
 /// Result of a fit. Coefficients follow the terms, each term's as Design::coefficients lists them.

@@ -76,8 +76,10 @@ class ProjectedResidual {
     for (std::size_t s = 0; s < term.columns.size(); ++s) {
       const Index rows = stack_.first_row[s + 1] - stack_.first_row[s];
       if (rows > 0 && term.columns[s].cols() > 0)
-        stack_.a.block(stack_.first_row[s], first_[t], rows, term.columns[s].cols()) =
-            weights_[s].asDiagonal() * term.columns[s];
+        stack_.a[s].middleCols(
+            std::lower_bound(stack_.at[s].begin(), stack_.at[s].end(), first_[t]) -
+                stack_.at[s].begin(),
+            term.columns[s].cols()) = weights_[s].asDiagonal() * term.columns[s];
     }
   }
 
@@ -125,6 +127,51 @@ void fit_nonlinear(const Design& design, const Weights& weights, RefineScope sco
       term.columns = design.columns(*term.candidate, term.nonlinear);
 }
 
+/// Terms that share no segment with the others' are fitted by themselves: the component of terms,
+/// by index, that hangs together with term `from`.
+std::vector<std::size_t> component(const Model& model, std::size_t from) {
+  std::vector<bool> segment(model.target.size(), false), in(model.terms.size(), false);
+  const auto acts = [&](std::size_t t, std::size_t s) {
+    return model.terms[t].columns[s].cols() > 0;
+  };
+  in[from] = true;
+  for (bool grown = true; grown;) {
+    grown = false;
+    for (std::size_t t = 0; t < in.size(); ++t)
+      for (std::size_t s = 0; s < segment.size(); ++s) {
+        if (!acts(t, s) || in[t] == segment[s]) continue;
+        grown = true;
+        in[t] = segment[s] = true;
+      }
+  }
+  std::vector<std::size_t> list;
+  for (std::size_t t = 0; t < in.size(); ++t)
+    if (in[t]) list.push_back(t);
+  return list;
+}
+
+void fit_by_components(const Design& design, const Weights& weights, RefineScope scope,
+                       Model& model) {
+  std::vector<bool> done(model.terms.size(), false);
+  for (std::size_t t = scope == RefineScope::last_term ? done.size() - 1 : 0; t < done.size();
+       ++t) {
+    if (done[t]) continue;
+    const std::vector<std::size_t> terms = component(model, t);
+    Model part;
+    part.advance = model.advance;
+    part.target = model.target;
+    Weights own(weights.size());
+    for (const std::size_t i : terms) {
+      done[i] = true;
+      part.terms.push_back(model.terms[i]);
+      for (std::size_t s = 0; s < own.size(); ++s)
+        if (model.terms[i].columns[s].cols() > 0) own[s] = weights[s];
+    }
+    fit_nonlinear(design, own, scope, part);
+    for (std::size_t i = 0; i < terms.size(); ++i) model.terms[terms[i]] = std::move(part.terms[i]);
+  }
+}
+
 /// One Gauss-Newton step of every delay; returns the largest change [s].
 double move_delays(const Design& design, const Weights& weights, Model& model) {
   double largest = 0.0;
@@ -153,7 +200,7 @@ double move_delays(const Design& design, const Weights& weights, Model& model) {
 void refine(const Design& design, const Weights& weights, RefineScope scope, Model& model) {
   const int rounds = scope == RefineScope::all_terms ? 4 : 1;
   for (int round = 0; round < rounds; ++round) {
-    fit_nonlinear(design, weights, scope, model);
+    fit_by_components(design, weights, scope, model);
     if (move_delays(design, weights, model) < 2e-6) break;
   }
 }

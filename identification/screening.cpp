@@ -26,10 +26,11 @@ double grid_value(const NonlinearParameter& p, int i) {
 
 /// The model's whitened columns, fit and projected surrogates, shared by all candidates.
 struct Projected {
-  std::vector<MatrixXd> columns;     ///< per segment
-  std::vector<VectorXd> residual;    ///< per segment
-  std::vector<MatrixXf> surrogates;  ///< per segment, model projected out
-  MatrixXd inverse;                  ///< pseudo-inverse of the normal matrix
+  std::vector<MatrixXd> columns;       ///< per segment: those that act there
+  std::vector<std::vector<Index>> at;  ///< their coefficients
+  std::vector<VectorXd> residual;      ///< per segment
+  std::vector<MatrixXf> surrogates;    ///< per segment, model projected out
+  MatrixXd inverse;                    ///< pseudo-inverse of the normal matrix
 };
 
 Projected project(const Design& design, const Model& model, const Weights& weights,
@@ -45,21 +46,25 @@ Projected project(const Design& design, const Model& model, const Weights& weigh
   const bool with_surrogates = !surrogates.empty();
   Index draws = 0;
   for (const MatrixXf& part : surrogates) draws = std::max(draws, part.cols());
-  MatrixXd moments = MatrixXd::Zero(stacked.a.cols(), draws);
+  p.at = stacked.at;
+  MatrixXd moments = MatrixXd::Zero(stacked.coefficients, draws);
   for (std::size_t s = 0; s < count; ++s) {
     const Index rows = stacked.first_row[s + 1] - stacked.first_row[s];
     if (rows == 0) continue;
-    p.columns[s] = stacked.a.middleRows(stacked.first_row[s], rows);
+    p.columns[s] = stacked.a[s];
     p.residual[s] = fit.residual.segment(stacked.first_row[s], rows);
-    if (with_surrogates)
-      moments += (p.columns[s].transpose().cast<float>() * surrogates[s]).cast<double>();
+    if (with_surrogates && !p.at[s].empty())
+      moments(p.at[s], Eigen::all) +=
+          (p.columns[s].transpose().cast<float>() * surrogates[s]).cast<double>();
   }
   if (!with_surrogates) return p;
   const MatrixXf solution = (p.inverse * moments).cast<float>();
   parallel_for(static_cast<int>(count), threads, [&](int i) {
     const auto s = static_cast<std::size_t>(i);
-    if (p.columns[s].rows() > 0)
-      p.surrogates[s] = surrogates[s] - p.columns[s].cast<float>() * solution;
+    if (p.columns[s].rows() == 0) return;
+    p.surrogates[s] = surrogates[s];
+    if (!p.at[s].empty())
+      p.surrogates[s] -= p.columns[s].cast<float>() * solution(p.at[s], Eigen::all);
   });
   return p;
 }
@@ -86,7 +91,7 @@ Left leave(const Projected& p, const BandColumns& columns, const Weights& weight
         left.null_moments = MatrixXd::Zero(x.cols(), p.surrogates[s].cols());
     }
     gram += x.transpose() * x;
-    cross += x.transpose() * p.columns[s];
+    if (!p.at[s].empty()) cross(Eigen::all, p.at[s]) += x.transpose() * p.columns[s];
     left.moment += x.transpose() * p.residual[s];
     if (left.null_moments.size() > 0)
       left.null_moments += (x.transpose().cast<float>() * p.surrogates[s]).cast<double>();
@@ -210,10 +215,11 @@ std::vector<const BandColumns*> Library::representatives() const {
 }
 
 Screening screen(const Design& design, const Library& library, const Model& model,
-                 const Weights& weights, const std::vector<MatrixXf>& surrogates, int threads) {
+                 const Weights& weights, const std::vector<MatrixXf>& surrogates, int threads,
+                 Scope scope) {
   const std::vector<Candidate>& candidates = design.problem().library;
-  const Projected projected = project(design, model, weights, surrogates, threads);
   const LinearFit fit = solve(stack(model, weights));
+  const Projected projected = project(design, model, weights, surrogates, threads);
   std::vector<Slot> delays;
   for (std::size_t c = 0; c < candidates.size(); ++c)
     if (candidates[c].kind == CandidateKind::delay)
@@ -226,6 +232,9 @@ Screening screen(const Design& design, const Library& library, const Model& mode
   };
   parallel_for(static_cast<int>(results.size()), threads, [&](int i) {
     const Slot& slot = slot_at(static_cast<std::size_t>(i));
+    if (scope == Scope::nameable &&
+        candidates[static_cast<std::size_t>(slot.candidate)].kind == CandidateKind::flexible)
+      return;
     if (slot.in_band < kInBand) {
       results[static_cast<std::size_t>(i)].data.gate = Gate::out_of_band;
       return;

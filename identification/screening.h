@@ -57,10 +57,14 @@ struct Screening {
   FamilyNull family;
 };
 
-/// Tests the whole library. `surrogates` may be empty: then no null is made (statistics only).
+/// Which candidates take part in a screening, and in its family-wise null.
+enum class Scope { nameable, everything };  ///< nameable: all but the flexible families
+
+/// Tests the library. `surrogates` may be empty: then no null is made (statistics only). Candidates
+/// outside the scope stay Gate::not_excited.
 Screening screen(const Design& design, const Library& library, const Model& model,
                  const Weights& weights, const std::vector<Eigen::MatrixXf>& surrogates,
-                 int threads);
+                 int threads, Scope scope = Scope::nameable);
 
 /// Starting values of a candidate: the grid over its nonlinear parameters.
 std::vector<Eigen::VectorXd> starting_values(const Candidate& candidate);

@@ -51,7 +51,7 @@ std::vector<std::vector<ParameterEstimate>> estimates(const Design& design, cons
   const Stack stacked = stack(model, noise.weights);
   const LinearFit fit = solve(stacked);
   const std::vector<Index> first = first_columns(model);
-  MatrixXd a = stacked.a;
+  MatrixXd a = stacked.dense();
   std::vector<std::vector<ParameterEstimate>> result(model.terms.size());
   std::vector<std::vector<Index>> columns(model.terms.size());
   for (std::size_t t = 0; t < model.terms.size(); ++t) {
