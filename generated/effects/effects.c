@@ -166,6 +166,11 @@ void effects_presliding(const double signals[SINEW_AT_LEAST(8)], const double sh
     next[0] = t3;
 }
 
+void effects_soft_reversal(const double signals[SINEW_AT_LEAST(8)], const double shape[SINEW_AT_LEAST(1)], double columns[SINEW_AT_LEAST(1)])
+{
+    columns[0] = sinew_tanh(signals[1] / shape[0]) - sinew_choose(signals[1], 1.0, -1.0);
+}
+
 void effects_elastic_hysteresis(const double signals[SINEW_AT_LEAST(8)], const double shape[SINEW_AT_LEAST(1)], const double state[SINEW_AT_LEAST(1)], double columns[SINEW_AT_LEAST(1)], double next[SINEW_AT_LEAST(1)])
 {
     const double t1 = signals[1] * signals[7] / shape[0];

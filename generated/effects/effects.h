@@ -177,6 +177,13 @@ void effects_inertial_backlash(const double signals[SINEW_AT_LEAST(8)], const do
  * 3 multiplications, 4 additions, 1 divisions, 3 other functions. */
 void effects_presliding(const double signals[SINEW_AT_LEAST(8)], const double shape[SINEW_AT_LEAST(1)], const double state[SINEW_AT_LEAST(1)], double columns[SINEW_AT_LEAST(1)], double next[SINEW_AT_LEAST(1)]);
 
+/* Terms of the effect 'softness of friction at reversals', to be multiplied by its coefficients.
+ *   in  signals       8 [SI] position, velocity, acceleration, its second derivative, load, time, direction, step; made for -3..3, -5..5, -50..50, -1e+04..1e+04, -10..10, 0..100, -1..1, 0.0001..0.01
+ *   in  shape         1 [SI] turning_speed; made for 0.0003..0.02
+ *   out columns       1 [SI] softness
+ * 0 multiplications, 1 additions, 1 divisions, 2 other functions. */
+void effects_soft_reversal(const double signals[SINEW_AT_LEAST(8)], const double shape[SINEW_AT_LEAST(1)], double columns[SINEW_AT_LEAST(1)]);
+
 /* Terms of the effect 'hysteresis', to be multiplied by its coefficients.
  *   in  signals       8 [SI] position, velocity, acceleration, its second derivative, load, time, direction, step; made for -3..3, -5..5, -50..50, -1e+04..1e+04, -10..10, 0..100, -1..1, 0.0001..0.01
  *   in  shape         1 [SI] length; made for 0.001..0.3

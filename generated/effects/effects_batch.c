@@ -270,6 +270,16 @@ void effects_presliding_batch(int count, const double *SINEW_RESTRICT signals, c
     }
 }
 
+void effects_soft_reversal_batch(int count, const double *SINEW_RESTRICT signals, const double *SINEW_RESTRICT shape, double *SINEW_RESTRICT columns)
+{
+    const size_t n = (size_t)count;
+    SINEW_STATES_ARE_INDEPENDENT
+    for (size_t state = 0; state < n; ++state) {
+        const double t1 = sinew_tanh(signals[1 * n + state] / shape[state]) - sinew_choose(signals[1 * n + state], 1.0, -1.0);
+        columns[state] = t1;
+    }
+}
+
 void effects_elastic_hysteresis_batch(int count, const double *SINEW_RESTRICT signals, const double *SINEW_RESTRICT shape, const double *SINEW_RESTRICT state, double *SINEW_RESTRICT columns, double *SINEW_RESTRICT next)
 {
     const size_t n = (size_t)count;

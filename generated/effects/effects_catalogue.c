@@ -397,6 +397,24 @@ static const sinew_argument presliding_outputs[] = {
     {"next", "1", 1, 1, 0, 0},
 };
 
+static void call_soft_reversal(const void *in, void *out)
+{
+    const double *x = (const double *)in;
+    double *y = (double *)out;
+    effects_soft_reversal(x + 0, x + 8, y + 0);
+}
+static const double soft_reversal_signals_low[] = {-3.0, -5.0, -50.0, -10000.0, -10.0, 0.0, -1.0, 1e-04};
+static const double soft_reversal_signals_high[] = {3.0, 5.0, 50.0, 10000.0, 10.0, 100.0, 1.0, 0.01};
+static const double soft_reversal_shape_low[] = {3e-04};
+static const double soft_reversal_shape_high[] = {0.02};
+static const sinew_argument soft_reversal_inputs[] = {
+    {"signals", "SI", 8, 1, soft_reversal_signals_low, soft_reversal_signals_high},
+    {"shape", "SI", 1, 1, soft_reversal_shape_low, soft_reversal_shape_high},
+};
+static const sinew_argument soft_reversal_outputs[] = {
+    {"columns", "SI", 1, 1, 0, 0},
+};
+
 static void call_elastic_hysteresis(const void *in, void *out)
 {
     const double *x = (const double *)in;
@@ -443,7 +461,8 @@ static const sinew_function functions[] = {
     {"effects_backlash", 3, 2, 10, 2, backlash_inputs, backlash_outputs, call_backlash},
     {"effects_inertial_backlash", 3, 2, 11, 3, inertial_backlash_inputs, inertial_backlash_outputs, call_inertial_backlash},
     {"effects_presliding", 3, 2, 10, 2, presliding_inputs, presliding_outputs, call_presliding},
+    {"effects_soft_reversal", 2, 1, 9, 1, soft_reversal_inputs, soft_reversal_outputs, call_soft_reversal},
     {"effects_elastic_hysteresis", 3, 2, 10, 2, elastic_hysteresis_inputs, elastic_hysteresis_outputs, call_elastic_hysteresis},
 };
 
-const sinew_catalogue effects_catalogue = {"effects", "69c538edcbf3bf2f45779b1c8a2551790ff791915ec1f60e5b93999b2315532f", 8, 24, functions};
+const sinew_catalogue effects_catalogue = {"effects", "69c538edcbf3bf2f45779b1c8a2551790ff791915ec1f60e5b93999b2315532f", 8, 25, functions};
