@@ -35,8 +35,8 @@ Table domain_table(const Findings& findings) {
   for (const ChannelFinding& channel : findings.channels)
     for (const DomainError& error : channel.domains)
       table.row({escaped_name(channel.name), escaped(error.domain),
-                 coloured("before", shown_quantity(error.before, error.unit)),
-                 coloured("after", shown_quantity(error.after, error.unit)),
+                 coloured("before", escaped(shown_quantity(error.before, error.unit))),
+                 coloured("after", escaped(shown_quantity(error.after, error.unit))),
                  change_of(error.gain)});
   return table;
 }
@@ -63,9 +63,9 @@ Table noise_table(const Findings& findings) {
     return coloured(role, shown_share(value)) + (changed ? bar(value / worst, role) : "");
   };
   for (const ChannelFinding& c : findings.channels)
-    table.row({escaped_name(c.name), shown_quantity(c.measured_rms, c.unit),
-               shown_quantity(c.noise_floor, c.unit), share(c.unexplained_before, "before"),
-               share(c.unexplained_after, "after")});
+    table.row({escaped_name(c.name), escaped(shown_quantity(c.measured_rms, c.unit)),
+               escaped(shown_quantity(c.noise_floor, c.unit)),
+               share(c.unexplained_before, "before"), share(c.unexplained_after, "after")});
   return table;
 }
 

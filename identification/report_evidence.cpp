@@ -22,7 +22,7 @@ std::string parameter_table(const std::vector<ParameterEstimate>& parameters,
   for (const ParameterEstimate& p : parameters)
     table.row(
         {"<math>" + mathml_name(p.name) + "</math>",
-         shown_estimate(p.value, p.standard_error, p.unit),
+         escaped(shown_estimate(p.value, p.standard_error, p.unit)),
          p.log.empty() ? "every log" : "<span class=\"mono\">" + escaped_name(p.log) + "</span>"});
   return table.empty() ? "" : table.html();
 }
@@ -70,8 +70,8 @@ std::string found(const Findings& findings) {
                "#Gain on left-out blocks", "#Gain on held-out logs"},
               "Evidence is the drop of the noise-weighted misfit that the cause alone brings.");
   for (const NamedCause& c : findings.verdict.causes)
-    table.row({escaped(title_of(c)), escaped(place_of(c)), shown_confidence(c.confidence),
-               shown_number(c.statistic), shown_probability(c.p_family),
+    table.row({escaped(title_of(c)), escaped(place_of(c)), escaped(shown_confidence(c.confidence)),
+               shown_number(c.statistic), escaped(shown_probability(c.p_family)),
                shown_share(c.cross_validated.share),
                has_held_out(findings) ? shown_share(c.held_out.share) : "–"});
   return table.empty() ? "" : "<h3>Found</h3>\n" + table.html();
@@ -91,7 +91,7 @@ std::string ruled_out(const Verdict& verdict) {
   Table table({"Cause", "Place", "Why not", "#Evidence on top", "#By chance"});
   for (const RuledOut& r : verdict.ruled_out)
     table.row({escaped(r.name), escaped(r.place), escaped(r.reason), shown_number(r.statistic),
-               shown_probability(r.p_family)});
+               escaped(shown_probability(r.p_family))});
   return "<h3>Ruled out</h3>\n<p>Every cause below was asked for as well, on top of the final "
          "model.</p>\n" +
          (verdict.ruled_out.size() > 12 ? folded("All " + std::to_string(verdict.ruled_out.size()) +
@@ -126,7 +126,8 @@ std::string unexplained_section(const Findings& findings) {
   std::string text = "<p>" + escaped(leftover_of(findings.verdict)) + "</p>\n";
   Table table({"Depends on", "Place", "#By chance", "#Squared error a free curve takes away"});
   for (const Dependence& d : rest.depends_on)
-    table.row({escaped(shown_dependence(d.on)), escaped(d.place), shown_probability(d.p_family),
+    table.row({escaped(shown_dependence(d.on)), escaped(d.place),
+               escaped(shown_probability(d.p_family)),
                shown_share(d.gain.share) + " <span class=\"soft\">(" + shown_interval(d.gain) +
                    ")</span>"});
   if (!table.empty()) text += table.html();

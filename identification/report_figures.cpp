@@ -53,10 +53,10 @@ bool has_value(const Series& series) {
 }
 
 /// Clouds first, so that lines lie on top.
-std::vector<std::pair<Series, std::string>> drawable(const Plot& plot) {
+std::vector<std::pair<Series, std::string>> drawable(const Plot& plot, std::size_t most) {
   std::vector<std::pair<Series, std::string>> result;
   for (std::size_t k = 0; k < plot.series.size(); ++k) {
-    const Series thin = thinned(plot.series[k], plot.logarithmic);
+    const Series thin = thinned(plot.series[k], plot.logarithmic, most);
     if (has_value(thin)) result.emplace_back(thin, series_role(thin.label, k));
   }
   std::stable_sort(result.begin(), result.end(),
@@ -80,8 +80,16 @@ std::string axes_of(const Plot& plot) {
       quoted(plot.y_label), plot.logarithmic ? logarithmic : "");
 }
 
-std::string script_of(const Plot& plot, const fs::path& output) {
-  const auto series = drawable(plot);
+/// Samples a series may have so that the whole page stays below about 2 MB.
+std::size_t samples_for(const std::vector<Plot>& plots) {
+  std::size_t series = 1;
+  for (const Plot& plot : plots) series += plot.series.size();
+  return std::clamp<std::size_t>(60000 / series, 150, 700);
+}
+
+std::string script_of(const Plot& plot, const fs::path& output, std::size_t most) {
+  const auto series = drawable(plot, most);
+  if (series.empty()) return "";
   std::string blocks, commands;
   for (std::size_t k = 0; k < series.size(); ++k) {
     blocks += fmt::format("$series{} << END\n{}END\n", k, data_of(series[k].first));
@@ -159,7 +167,7 @@ std::vector<std::string> svg_figures(const std::vector<Plot>& plots,
   const auto output = [&](std::size_t k) { return scratch.path() / fmt::format("{}.svg", k); };
   std::ofstream script(scratch.path() / "figures.gp", std::ios::binary);
   for (std::size_t k = 0; k < plots.size(); ++k)
-    if (!drawable(plots[k]).empty()) script << script_of(plots[k], output(k));
+    script << script_of(plots[k], output(k), samples_for(plots));
   script.close();
   run_gnuplot(scratch.path() / "figures.gp");
   for (std::size_t k = 0; k < plots.size(); ++k)

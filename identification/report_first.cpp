@@ -92,7 +92,7 @@ std::string largest_parameters(const NamedCause& cause) {
     std::string name = p.name;
     for (char& c : name) c = c == '_' ? ' ' : c;
     text += (text.empty() ? "" : "; ") + escaped(name) + " <b>" +
-            shown_estimate(p.value, p.standard_error, p.unit) + "</b>";
+            escaped(shown_estimate(p.value, p.standard_error, p.unit)) + "</b>";
   }
   return text.empty() ? "" : "<p class=\"small\">" + text + "</p>\n";
 }
@@ -104,8 +104,8 @@ std::string facts(const Findings& findings, const NamedCause& cause) {
       "<div><dt>Squared error it takes away</dt><dd><b>{3}</b> "
       "<span class=\"soft\">({4})</span>{5}</dd></div></dl>\n",
       cause.members.size() > 1 ? "Confidence that it is one of these" : "Confidence",
-      shown_confidence(cause.confidence), bar(cause.confidence, "ink"), shown_share(gain.share),
-      shown_interval(gain), interval_bar(gain));
+      escaped(shown_confidence(cause.confidence)), bar(cause.confidence, "ink"),
+      shown_share(gain.share), shown_interval(gain), interval_bar(gain));
 }
 
 std::string cause_card(const Findings& findings, std::size_t index) {

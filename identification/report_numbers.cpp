@@ -131,7 +131,7 @@ std::string shown_share(double share) {
   if (!std::isfinite(share)) return kUnknown;
   const double percent = 100.0 * share, size = std::abs(percent);
   if (percent == 0.0) return "0" + kSpace + "%";
-  if (size < 0.01) return (percent < 0.0 ? "−" : "") + std::string("<\u202f0.01") + kSpace + "%";
+  if (size < 0.005) return "0.00" + kSpace + "%";
   const int decimals = size < 0.995 ? 2 : size < 9.95 || (size > 99.0 && size < 100.0) ? 1 : 0;
   return with_minus(fmt::format("{:.{}f}", percent, decimals)) + kSpace + "%";
 }

@@ -52,7 +52,7 @@ std::string baseline(const Verdict& verdict) {
   Table table({"Parameter", "#Value ± standard error"}, "", true);
   for (const ParameterEstimate& p : verdict.baseline)
     table.row({"<math>" + mathml_name(p.name) + "</math>",
-               shown_estimate(p.value, p.standard_error, p.unit)});
+               escaped(shown_estimate(p.value, p.standard_error, p.unit))});
   return folded("Parameters of the model itself, fitted together with the causes", table.html());
 }
 
@@ -94,7 +94,7 @@ std::string log_section(const Findings& findings) {
   for (const LogRecord& log : findings.logs)
     table.row({log_name(log), log.held_out ? "testing (held out)" : "training",
                std::to_string(log.rows), shown_duration(log.seconds),
-               log.period > 0.0 ? shown_quantity(1.0 / log.period, "Hz", 4) : "–",
+               log.period > 0.0 ? escaped(shown_quantity(1.0 / log.period, "Hz", 4)) : "–",
                std::to_string(log.faults.size())});
   return section("logs", "The logs", table.html() + fault_list(findings) + hashes(findings));
 }

@@ -11,7 +11,7 @@ constexpr const char* kColours = R"(
   color-scheme: light dark;
   --paper: #f6f5f1; --card: #ffffff; --ink: #1c1f24; --soft: #565d67; --rule: #dbd8d0;
   --grid: #e9e7e1; --axis: #a9a69e; --measured: #8a8f98; --noise: #6c7480;
-  --before: #b8500d; --after: #0b5fb8; --extra-1: #5b4bb3; --extra-2: #0f7a5f; --extra-3: #a12a5e;
+  --before: #ad4908; --after: #0b5fb8; --extra-1: #5b4bb3; --extra-2: #0f7a5f; --extra-3: #a12a5e;
   --note: #fdf3dc; --note-rule: #d9a53c; --next: #e9f1fb; --next-rule: #0b5fb8;
 }
 @media (prefers-color-scheme: dark) {

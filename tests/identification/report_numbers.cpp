@@ -67,6 +67,7 @@ TEST_CASE("shares and confidences promise no more than they hold") {
   CHECK(plain(shown_share(0.0408)) == "4.1 %");
   CHECK(plain(shown_share(0.712)) == "71 %");
   CHECK(plain(shown_share(0.9984)) == "99.8 %");
+  CHECK(plain(shown_share(0.00001)) == "0.00 %");
   CHECK(plain(shown_share(-0.32)) == "−32 %");
   CHECK(plain(shown_share(kNaN)) == "–");
   CHECK(plain(shown_percent(0.0408)) == "4.08 %");
