@@ -114,7 +114,7 @@ std::vector<ExtensionTerm> extension_terms(const DrivenSubject& subject, const D
       subject.problem().levels.empty() ? explanation.selection : explanation.adopted;
   const auto all = estimates(design, selection.model, selection.noise);
   std::vector<ExtensionTerm> result;
-  add_directions(subject, selection, all, result);
+  add_directions(subject, explanation.selection, explanation.estimates, result);
   for (std::size_t t = 0; t < selection.model.terms.size(); ++t) {
     const Term& term = selection.model.terms[t];
     if (term.baseline) continue;
