@@ -16,12 +16,12 @@ constexpr std::size_t longest_expression = 72;
 
 /// Words that no variable may be called by.
 constexpr std::array c_words{
-    "_Bool",   "_Complex", "_Imaginary", "asm",    "auto",     "bool",     "break",   "case",
-    "char",    "const",    "continue",   "default", "do",      "double",   "else",    "enum",
-    "errno",   "extern",   "false",      "float",  "for",      "goto",     "if",      "inline",
-    "int",     "long",     "NULL",       "register", "restrict", "return", "short",   "signed",
-    "sizeof",  "static",   "struct",     "switch", "true",     "typedef",  "typeof",  "union",
-    "unsigned", "void",    "volatile",   "while"};
+    "_Bool",    "_Complex", "_Imaginary", "asm",      "auto",     "bool",    "break",  "case",
+    "char",     "const",    "continue",   "default",  "do",       "double",  "else",   "enum",
+    "errno",    "extern",   "false",      "float",    "for",      "goto",    "if",     "inline",
+    "int",      "long",     "NULL",       "register", "restrict", "return",  "short",  "signed",
+    "sizeof",   "static",   "struct",     "switch",   "true",     "typedef", "typeof", "union",
+    "unsigned", "void",     "volatile",   "while"};
 
 /// How tightly an expression binds in C.
 enum Binding { binds_sum = 1, binds_product = 2, binds_unary = 3, binds_atom = 4 };
@@ -72,8 +72,8 @@ class Writer {
         texts_(static_cast<std::size_t>(graph.size())) {
     for (const Port& port : graph.inputs) taken_.insert(port.name);
     for (const Port& port : graph.outputs) taken_.insert(port.name);
-    for (const char* word : {"double", "float", "int", "const", "if", "for", "do", "void", "return",
-                             "count", "state"})
+    for (const char* word :
+         {"double", "float", "int", "const", "if", "for", "do", "void", "return", "count", "state"})
       taken_.insert(word);
     taken_.insert(c_words.begin(), c_words.end());
     for (int op = 0; op <= static_cast<int>(Op::choose); ++op)
@@ -84,15 +84,63 @@ class Writer {
   }
 
   std::vector<std::string> run() {
-    for (Value v = 0; v < graph_.size(); ++v) write(v);
-    for (const Port& port : graph_.outputs)
-      for (int i = 0; i < port.size(); ++i)
-        lines_.push_back(fmt::format("{} = {};", names_.element(port, i),
-                                     text(port.values[static_cast<std::size_t>(i)]).text));
+    const bool early = names_.side_by_side && stores_early(graph_);
+    const std::vector<std::vector<Element>> stores = early ? stores_by_value() : all_stores_last();
+    for (Value v = 0; v < graph_.size(); ++v) {
+      write(v);
+      for (const Element& element : stores[static_cast<std::size_t>(v)]) store(element);
+    }
     return std::move(lines_);
   }
 
  private:
+  /// An element of a result.
+  struct Element {
+    const Port* port;
+    int index;
+    Value value() const { return port->values[static_cast<std::size_t>(index)]; }
+  };
+
+  std::vector<Element> elements() const {
+    std::vector<Element> all;
+    for (const Port& port : graph_.outputs)
+      for (int i = 0; i < port.size(); ++i) all.push_back({&port, i});
+    return all;
+  }
+
+  std::vector<std::vector<Element>> all_stores_last() const {
+    std::vector<std::vector<Element>> stores(static_cast<std::size_t>(graph_.size()));
+    if (!stores.empty()) stores.back() = elements();
+    return stores;
+  }
+
+  /// Elements that need no computation follow the one before them: compilers make a loop of too
+  /// many zeros in a row.
+  std::vector<std::vector<Element>> stores_by_value() const {
+    std::vector<std::vector<Element>> stores(static_cast<std::size_t>(graph_.size()));
+    std::vector<Element> waiting;
+    Value before = no_value;
+    for (const Element& element : elements()) {
+      const Node& node = graph_[element.value()];
+      const bool is_computed = node.op != Op::input && node.op != Op::constant;
+      if (is_computed) {
+        before = element.value();
+        stores[static_cast<std::size_t>(before)].push_back(element);
+      } else if (before != no_value) {
+        stores[static_cast<std::size_t>(std::max(before, element.value()))].push_back(element);
+      } else {
+        waiting.push_back(element);
+      }
+    }
+    if (!stores.empty()) stores.back().insert(stores.back().end(), waiting.begin(), waiting.end());
+    return stores;
+  }
+
+  void store(const Element& element) {
+    lines_.push_back(fmt::format("{} = {};", names_.element(*element.port, element.index),
+                                 text(element.value()).text));
+  }
+
   Text& text(Value v) { return texts_[static_cast<std::size_t>(v)]; }
 
   void write(Value v) {
@@ -124,10 +172,16 @@ class Writer {
         angles.push_back(angle);
     }
     while (!angles.empty()) {
-      const std::size_t count = !names_.side_by_side ? 1 : angles.size() >= 4 ? 4 : angles.size() >= 2 ? 2 : 1;
-      const std::vector<Value> group(angles.begin(), angles.begin() + static_cast<std::ptrdiff_t>(count));
-      if (count == 1) write_one_sincos(group[0]);
-      else write_sincos_group(group);
+      const std::size_t count = !names_.side_by_side ? 1
+                                : angles.size() >= 4 ? 4
+                                : angles.size() >= 2 ? 2
+                                                     : 1;
+      const std::vector<Value> group(angles.begin(),
+                                     angles.begin() + static_cast<std::ptrdiff_t>(count));
+      if (count == 1)
+        write_one_sincos(group[0]);
+      else
+        write_sincos_group(group);
       angles.erase(angles.begin(), angles.begin() + static_cast<std::ptrdiff_t>(count));
     }
   }
@@ -162,22 +216,27 @@ class Writer {
   void write_one_sincos(Value angle) {
     const Pair pair = name_pair(angle);
     lines_.push_back(fmt::format("{} {}, {};", target_.type(), pair.s, pair.c));
-    lines_.push_back(fmt::format("sinew_sincos{}({}, &{}, &{});", target_.suffix(), text(angle).text, pair.s, pair.c));
+    lines_.push_back(fmt::format("sinew_sincos{}({}, &{}, &{});", target_.suffix(),
+                                 text(angle).text, pair.s, pair.c));
   }
 
   void write_sincos_group(const std::vector<Value>& angles) {
     std::string list;
     for (Value angle : angles) list += (list.empty() ? "" : ", ") + text(angle).text;
-    const std::string in = fresh_name("angle"), sine = fresh_name("sine"), cosine = fresh_name("cosine");
+    const std::string in = fresh_name("angle"), sine = fresh_name("sine"),
+                      cosine = fresh_name("cosine");
     const std::size_t n = angles.size();
     lines_.push_back(fmt::format("const {} {}[{}] = {{{}}};", target_.type(), in, n, list));
     lines_.push_back(fmt::format("{} {}[{}], {}[{}];", target_.type(), sine, n, cosine, n));
-    lines_.push_back(fmt::format("sinew_sincos{}{}({}, {}, {});", n, target_.suffix(), in, sine, cosine));
+    lines_.push_back(
+        fmt::format("sinew_sincos{}{}({}, {}, {});", n, target_.suffix(), in, sine, cosine));
     for (std::size_t i = 0; i < n; ++i) {
       const bool s = is_used(angles[i], Op::sine), c = is_used(angles[i], Op::cosine);
       const Pair pair = name_pair(angles[i]);
-      if (s) lines_.push_back(fmt::format("const {} {} = {}[{}];", target_.type(), pair.s, sine, i));
-      if (c) lines_.push_back(fmt::format("const {} {} = {}[{}];", target_.type(), pair.c, cosine, i));
+      if (s)
+        lines_.push_back(fmt::format("const {} {} = {}[{}];", target_.type(), pair.s, sine, i));
+      if (c)
+        lines_.push_back(fmt::format("const {} {} = {}[{}];", target_.type(), pair.c, cosine, i));
     }
   }
 
@@ -265,7 +324,13 @@ class Writer {
 }  // namespace
 
 ArrayNames array_names(const Graph&) {
-  return {[](const Port& port, int element) { return fmt::format("{}[{}]", port.name, element); }, true};
+  return {[](const Port& port, int element) { return fmt::format("{}[{}]", port.name, element); },
+          true};
+}
+
+bool stores_early(const Graph& graph) {
+  constexpr std::size_t registers = 16;
+  return graph.results().size() > registers;
 }
 
 bool reads_port(const Graph& graph, const std::string& name) {

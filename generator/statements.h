@@ -13,7 +13,8 @@ namespace sinew {
 /// How array elements are written: element k of an input or output.
 struct ArrayNames {
   std::function<std::string(const Port& port, int element)> element;
-  bool side_by_side = true;  ///< evaluate several angles by one call; off inside a loop over states
+  bool side_by_side = true;  ///< evaluate several angles by one call; off inside a loop over
+                             ///< states, where all results are stored at the end, too
 };
 
 /// q[2]: plain arrays.
@@ -22,7 +23,12 @@ ArrayNames array_names(const Graph& graph);
 /// Whether any element of the named input is used.
 bool reads_port(const Graph& graph, const std::string& name);
 
-/// The body of a function: declarations in the graph's order, then the stores of the results.
+/// Whether results are stored as soon as they are computed: those of a function with more results
+/// than a register file holds. Others are stored at the end: a store makes the compiler read the
+/// inputs again, since it might have changed them.
+bool stores_early(const Graph& graph);
+
+/// The body of a function: declarations in the graph's order, and the stores of the results.
 /// A value gets a name where the derivation named it, where it is used more than once or where the
 /// line would grow too long; the rest is written in place.
 std::vector<std::string> statements(const Graph& graph, const Target& target,

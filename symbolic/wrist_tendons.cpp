@@ -202,9 +202,12 @@ Function wrist_joint_stiffness(const WristParameters& parameters) {
   const Argument f = forces(parameters), k = stiffnesses(tendon_count(parameters));
   const auto entry = [&](int row, int col) {
     ex sum = 0;
-    for (std::size_t i = 0; i < lengths.h.size(); ++i)
-      sum += f.symbols[i] * lengths.curvature(i, row, col) +
-             k.symbols[i] * lengths.slope(i, row) * lengths.slope(i, col);
+    for (std::size_t i = 0; i < lengths.h.size();
+         ++i)  // named, so that a tendon's terms stay together
+      sum += lengths.start.list.define(
+          "K_" + std::to_string(i),
+          f.symbols[i] * lengths.curvature(i, row, col) +
+              k.symbols[i] * lengths.slope(i, row) * lengths.slope(i, col));
     return sum;
   };
   const ex mixed = lengths.start.list.define("K_01", entry(0, 1));
