@@ -90,7 +90,7 @@ void hand_joint_torque(const double q[SINEW_AT_LEAST(19)], const double q_wrist[
  *   in  f            38 [N] tendon forces, pulling; made for 0..100
  *   in  kt           38 [N/m] tendon stiffnesses; made for 1000..5e+04
  *   out K         21x21 [N m/rad] symmetric; fingers, crank, q71, q73
- * 2360 multiplications, 2281 additions, 46 divisions, 44 square roots, 4 sincos, 21 other functions. */
+ * 2361 multiplications, 2282 additions, 46 divisions, 44 square roots, 4 sincos, 21 other functions. */
 void hand_joint_stiffness(const double q[SINEW_AT_LEAST(19)], const double q_wrist[SINEW_AT_LEAST(2)], const double f[SINEW_AT_LEAST(38)], const double kt[SINEW_AT_LEAST(38)], double K[SINEW_AT_LEAST(441)]);
 
 /* Motor angles that hold the fingers still while the wrist moves.

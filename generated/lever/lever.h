@@ -26,13 +26,13 @@ extern "C" {
 /* Tendon path and force of the variable-stiffness lever. 4.1
  *   in  theta         1 [rad] lever angle; made for 0.09548..0.8378
  *   out out           4 [m, m, N, N/m] dL, elongation, force, stiffness
- * 74 multiplications, 57 additions, 7 divisions, 3 square roots, 1 sincos, 16 other functions. */
+ * 75 multiplications, 57 additions, 7 divisions, 3 square roots, 1 sincos, 16 other functions. */
 void lever_state(const double theta[SINEW_AT_LEAST(1)], double out[SINEW_AT_LEAST(4)]);
 
 /* Derivatives of the tendon path and of the spring's energy by the lever angle. 4.1
  *   in  theta         1 [rad] lever angle; made for 0.09548..0.8378
  *   out out           2 [m/rad, N m/rad] dL', U'
- * 28 multiplications, 20 additions, 3 divisions, 3 square roots, 1 sincos, 4 other functions. */
+ * 29 multiplications, 20 additions, 3 divisions, 3 square roots, 1 sincos, 4 other functions. */
 void lever_slope(const double theta[SINEW_AT_LEAST(1)], double out[SINEW_AT_LEAST(2)]);
 
 /* Lever angle at an elongation of the tendon, by Newton's method. 4.1
@@ -40,7 +40,7 @@ void lever_slope(const double theta[SINEW_AT_LEAST(1)], double out[SINEW_AT_LEAS
  *   in  theta         1 [rad] where the search starts, e.g. the last angle; made for 0.09548..0.8378
  *   out theta_lever      1 [rad] within the lever's travel
  *   out residual      1 [m] what is left of the elongation
- * 131 multiplications, 112 additions, 15 divisions, 12 square roots, 6 sincos, 65 other functions. */
+ * 120 multiplications, 111 additions, 15 divisions, 12 square roots, 6 sincos, 65 other functions. */
 void lever_angle(const double elongation[SINEW_AT_LEAST(1)], const double theta[SINEW_AT_LEAST(1)], double theta_lever[SINEW_AT_LEAST(1)], double residual[SINEW_AT_LEAST(1)]);
 
 /* Whether the lever is within its travel and transmits force.

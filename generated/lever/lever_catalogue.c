@@ -16,7 +16,7 @@ static void call_state(const void *in, void *out)
     double *y = (double *)out;
     lever_state(x + 0, y + 0);
 }
-static const double state_theta_low[] = {0.09548248781986013};
+static const double state_theta_low[] = {0.09548248781986068};
 static const double state_theta_high[] = {0.8377580409572781};
 static const sinew_argument state_inputs[] = {
     {"theta", "rad", 1, 1, state_theta_low, state_theta_high},
@@ -31,7 +31,7 @@ static void call_slope(const void *in, void *out)
     double *y = (double *)out;
     lever_slope(x + 0, y + 0);
 }
-static const double slope_theta_low[] = {0.09548248781986013};
+static const double slope_theta_low[] = {0.09548248781986068};
 static const double slope_theta_high[] = {0.8377580409572781};
 static const sinew_argument slope_inputs[] = {
     {"theta", "rad", 1, 1, slope_theta_low, slope_theta_high},
@@ -48,7 +48,7 @@ static void call_angle(const void *in, void *out)
 }
 static const double angle_elongation_low[] = {0.0};
 static const double angle_elongation_high[] = {0.010000000000000002};
-static const double angle_theta_low[] = {0.09548248781986013};
+static const double angle_theta_low[] = {0.09548248781986068};
 static const double angle_theta_high[] = {0.8377580409572781};
 static const sinew_argument angle_inputs[] = {
     {"elongation", "m", 1, 1, angle_elongation_low, angle_elongation_high},
@@ -65,7 +65,7 @@ static void call_status(const void *in, void *out)
     double *y = (double *)out;
     lever_status(x + 0, y + 0);
 }
-static const double status_theta_low[] = {0.09548248781986013};
+static const double status_theta_low[] = {0.09548248781986068};
 static const double status_theta_high[] = {0.8377580409572781};
 static const sinew_argument status_inputs[] = {
     {"theta", "rad", 1, 1, status_theta_low, status_theta_high},

@@ -34,7 +34,7 @@ void tendon_series_stiffness(const double k_lever[SINEW_AT_LEAST(1)], double k[S
  *   in  theta         1 [rad] where the search starts, e.g. the last angle; made for 0.09548..0.8378
  *   out out           3 [N, N/m, rad] force, stiffness, lever angle
  *   out residual      1 [m] what is left of the elongation
- * 450 multiplications, 360 additions, 48 divisions, 18 square roots, 6 sincos, 113 other functions. */
+ * 456 multiplications, 360 additions, 48 divisions, 18 square roots, 6 sincos, 113 other functions. */
 void tendon_force(const double elongation[SINEW_AT_LEAST(1)], const double theta[SINEW_AT_LEAST(1)], double out[SINEW_AT_LEAST(3)], double residual[SINEW_AT_LEAST(1)]);
 
 #ifdef __cplusplus

@@ -32,8 +32,8 @@ static void call_force(const void *in, void *out)
     tendon_force(x + 0, x + 1, y + 0, y + 3);
 }
 static const double force_elongation_low[] = {-0.001};
-static const double force_elongation_high[] = {0.01495333203595621};
-static const double force_theta_low[] = {0.09548248781986013};
+static const double force_elongation_high[] = {0.014953332035956196};
+static const double force_theta_low[] = {0.09548248781986068};
 static const double force_theta_high[] = {0.8377580409572781};
 static const sinew_argument force_inputs[] = {
     {"elongation", "m", 1, 1, force_elongation_low, force_elongation_high},

@@ -85,7 +85,7 @@ void wrist_tendon_jacobian(const double q71[SINEW_AT_LEAST(1)], const double q73
  *   in  q71           1 [rad] turns the bar plane about y; made for 0.337..0.88
  *   in  q73           1 [rad] swings the bars within their plane; made for 0.725..1.269
  *   out H          38x4 [m/rad^2] each row a symmetric 2x2 matrix
- * 1788 multiplications, 1801 additions, 42 divisions, 40 square roots, 2 sincos, 21 other functions. */
+ * 1789 multiplications, 1802 additions, 42 divisions, 40 square roots, 2 sincos, 21 other functions. */
 void wrist_tendon_hessian(const double q71[SINEW_AT_LEAST(1)], const double q73[SINEW_AT_LEAST(1)], double H[SINEW_AT_LEAST(152)]);
 
 /* Total bending of each tendon in the wrist.
@@ -125,7 +125,7 @@ void wrist_joint_torque(const double q71[SINEW_AT_LEAST(1)], const double q73[SI
  *   in  f            38 [N] tendon forces; made for 0..100
  *   in  k            38 [N/m] tendon stiffnesses; made for 1000..5e+04
  *   out K           2x2 [N m/rad] sum of f d2h/dq2, plus P^T diag(k) P; symmetric
- * 2054 multiplications, 2026 additions, 42 divisions, 40 square roots, 2 sincos, 21 other functions. */
+ * 2055 multiplications, 2027 additions, 42 divisions, 40 square roots, 2 sincos, 21 other functions. */
 void wrist_joint_stiffness(const double q71[SINEW_AT_LEAST(1)], const double q73[SINEW_AT_LEAST(1)], const double f[SINEW_AT_LEAST(38)], const double k[SINEW_AT_LEAST(38)], double K[SINEW_AT_LEAST(4)]);
 
 #ifdef __cplusplus
