@@ -20,8 +20,8 @@ const std::string moving_start = R"(
 [initial]
 q21 = { value = 0.5, unit = "rad" }
 q22 = { value = 0.5, unit = "rad" }
-qd_q20 = { value = 0.5, unit = "rad/s" }
-qd_q23 = { value = 5, unit = "rad/s" }
+qd_q20 = { value = 5, unit = "rad/s" }
+qd_q21 = { value = 30, unit = "rad/s" }
 )";
 
 const std::string tight = R"(
@@ -68,8 +68,9 @@ TEST_CASE("a finger on elastic tendons keeps its energy for 10 s", "[energy]") {
     swing = std::max(swing, std::abs(held.at(i, "q21") - 0.5));
   CAPTURE(audit.energy_drift, audit.largest_energy, audit.power_residual);
   CHECK(held.rows.size() == 2001);
-  CHECK(swing > 0.1);
-  CHECK(audit.energy_drift < 1e-9 * audit.largest_energy);
+  CHECK(swing > 0.05);
+  // Of the energy that moves to and fro, not of the pretension's.
+  CHECK(audit.energy_drift < 1e-9 * 1e-3);
   CHECK(audit.power_residual < 1e-8);
 }
 
@@ -79,7 +80,7 @@ TEST_CASE("coarse steps lose energy, and the audit says so", "[energy]") {
                                                 "pretension = { value = 20, unit = \"N\" }\n"
                                                 "[integrator]\nmethod = \"fixed_step\"\n" +
                                                     no_losses + moving_start));
-  CHECK(coarse.result.audit.energy_drift > 1e-4 * coarse.result.audit.largest_energy);
+  CHECK(coarse.result.audit.energy_drift > 1e-5 * coarse.result.audit.largest_energy);
 }
 
 TEST_CASE("with every loss the books close and friction takes", "[energy]") {

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "identification/friction_curve.h"
+
+#include <ceres/ceres.h>
+#include <fmt/format.h>
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+
+namespace sinew {
+namespace {
+
+constexpr double two_pi = 6.283185307179586;
+constexpr int parameters = 5;  // log gamma1, gamma2, gamma3, output ripple (sine, cosine)
+
+/// (model - mean) / deviation of one point.
+struct PointResidual {
+  FrictionPoint point;
+  template <typename T>
+  bool operator()(const T* p, T* residual) const {
+    using ceres::atan;
+    using ceres::exp;
+    using std::atan;
+    using std::exp;
+    const T friction = p[1] * atan(exp(p[0]) * point.velocity) + p[2] * point.velocity;
+    residual[0] =
+        (friction + p[3] * point.sine + p[4] * point.cosine - point.torque) / point.deviation;
+    return true;
+  }
+};
+
+/// Cuts a plateau to whole motor periods and takes its means; nothing where it is shorter.
+bool take_point(const DriveStretch& s, const Plateau& plateau, double turn, FrictionPoint& point) {
+  const double start = s.theta(plateau.first);
+  const double travel = std::abs(s.theta(plateau.last - 1) - start);
+  point.periods = static_cast<long>(std::floor(travel / turn));
+  if (point.periods < 1) return false;
+  const double share = static_cast<double>(point.periods) * turn / travel;
+  const long count = std::lround(share * static_cast<double>(plateau.last - 1 - plateau.first));
+  const auto torque = s.torque.segment(plateau.first, count);
+  const auto theta = s.theta.segment(plateau.first, count);
+  point.velocity =
+      (s.theta(plateau.first + count) - start) / (static_cast<double>(count) * s.period);
+  point.torque = torque.mean();
+  point.low = torque.minCoeff();
+  point.high = torque.maxCoeff();
+  point.sine = theta.sin().mean();
+  point.cosine = theta.cos().mean();
+  // White noise: the ripple of whole periods is gone from the mean, and must not widen it.
+  point.deviation = white_noise_rms(torque) / std::sqrt(static_cast<double>(count));
+  return true;
+}
+
+std::vector<FrictionPoint> points_of(const std::vector<DriveStretch>& stretches,
+                                     double gear_ratio) {
+  std::vector<FrictionPoint> points;
+  for (const Plateau& plateau : plateaus(stretches)) {
+    FrictionPoint point;
+    if (take_point(stretches[plateau.stretch], plateau, two_pi * gear_ratio, point))
+      points.push_back(point);
+  }
+  double largest = 0.0;
+  for (const FrictionPoint& point : points) largest = std::max(largest, std::abs(point.torque));
+  // A log without noise still has rounding.
+  for (FrictionPoint& point : points)
+    point.deviation = std::max(point.deviation, 1e-9 * largest + 1e-15);
+  std::sort(points.begin(), points.end(),
+            [](const auto& a, const auto& b) { return a.velocity < b.velocity; });
+  return points;
+}
+
+void require_velocities(FrictionCurve& curve) {
+  const auto count = std::count_if(curve.points.begin(), curve.points.end(),
+                                   [](const auto& point) { return point.periods >= 1; });
+  if (count <= parameters)
+    curve.missing.push_back(
+        fmt::format("only {} constant velocities over a whole motor turn; expected at least {}, in "
+                    "both directions and spread evenly by their logarithm",
+                    count, parameters + 1));
+}
+
+void fit(FrictionCurve& curve) {
+  double largest = 0.0, fastest = 0.0;
+  for (const FrictionPoint& point : curve.points) {
+    largest = std::max(largest, std::abs(point.torque));
+    fastest = std::max(fastest, std::abs(point.velocity));
+  }
+  double p[parameters] = {std::log(10.0 / fastest), 0.6 * largest, 0.1 * largest / fastest, 0, 0};
+  ceres::Problem problem;
+  for (const FrictionPoint& point : curve.points)
+    problem.AddResidualBlock(
+        new ceres::AutoDiffCostFunction<PointResidual, 1, parameters>(new PointResidual{point}),
+        nullptr, p);
+  ceres::Solver::Options options;
+  options.linear_solver_type = ceres::DENSE_QR;
+  options.max_num_iterations = 200;
+  options.function_tolerance = 1e-14;
+  options.parameter_tolerance = 1e-12;
+  options.logging_type = ceres::SILENT;
+  ceres::Solver::Summary summary;
+  ceres::Solve(options, &problem, &summary);
+
+  const auto rows = static_cast<Eigen::Index>(curve.points.size());
+  Eigen::MatrixXd J(rows, parameters);
+  double squares = 0.0, plain = 0.0;
+  for (Eigen::Index i = 0; i < rows; ++i) {
+    const FrictionPoint& point = curve.points[static_cast<std::size_t>(i)];
+    ceres::AutoDiffCostFunction<PointResidual, 1, parameters> cost(new PointResidual{point});
+    double residual = 0.0, row[parameters];
+    const double* blocks[] = {p};
+    double* jacobians[] = {row};
+    cost.Evaluate(blocks, &residual, jacobians);
+    J.row(i) = Eigen::Map<Eigen::RowVectorXd>(row, parameters);
+    squares += residual * residual;
+    plain += residual * residual * point.deviation * point.deviation;
+  }
+  curve.residual = std::sqrt(plain / static_cast<double>(rows));
+  const long freedom = rows - parameters;
+  const Eigen::MatrixXd inverse =
+      (J.transpose() * J).ldlt().solve(Eigen::MatrixXd::Identity(parameters, parameters));
+  const double scale = std::sqrt(squares / static_cast<double>(freedom));
+  const auto error = [&](int k) { return scale * std::sqrt(std::max(0.0, inverse(k, k))); };
+  const double gamma1 = std::exp(p[0]);
+  const Estimate logarithm = estimate(p[0], error(0), freedom);
+  curve.gamma1 = {gamma1, gamma1 * error(0), std::exp(logarithm.low), std::exp(logarithm.high)};
+  curve.gamma2 = estimate(p[1], error(1), freedom);
+  curve.gamma3 = estimate(p[2], error(2), freedom);
+  const double quarter = two_pi / 4;
+  curve.plateau = estimate(p[1] * quarter, error(1) * quarter, freedom);
+  curve.identified = summary.IsSolutionUsable() && summary.termination_type == ceres::CONVERGENCE;
+}
+
+void judge(FrictionCurve& curve) {
+  double slowest = INFINITY, fastest = 0.0;
+  bool forward = false, backward = false;
+  for (const FrictionPoint& point : curve.points) {
+    slowest = std::min(slowest, std::abs(point.velocity));
+    fastest = std::max(fastest, std::abs(point.velocity));
+    (point.velocity > 0 ? forward : backward) = true;
+  }
+  const auto say = [&](const std::string& text) {
+    curve.missing.push_back(text);
+    curve.identified = false;
+  };
+  if (!forward || !backward)
+    say("the drive moves in one direction only; expected constant velocities both ways");
+  const auto doubtful = [](const Estimate& e) {
+    return !(e.standard_error < 0.3 * std::abs(e.value));
+  };
+  if (doubtful(curve.gamma1) || slowest * curve.gamma1.value > 2.0)
+    say(
+        fmt::format("gamma1 is not determined: the slowest velocity is {:.3g} rad/s; expected some "
+                    "where the friction still rises, down to {:.3g} rad/s",
+                    slowest, 0.3 / std::max(curve.gamma1.value, 1.0 / slowest)));
+  if (doubtful(curve.gamma2) || fastest * curve.gamma1.value < 2.0)
+    say(
+        fmt::format("gamma2 is not determined: the fastest velocity is {:.3g} rad/s; expected some "
+                    "on the plateau, ten times faster",
+                    fastest));
+  if (doubtful(curve.gamma3))
+    say(fmt::format(
+        "gamma3 is not determined; expected constant velocities well above {:.3g} rad/s", fastest));
+}
+
+}  // namespace
+
+double friction_torque(double gamma1, double gamma2, double gamma3, double velocity) {
+  return gamma2 * std::atan(gamma1 * velocity) + gamma3 * velocity;
+}
+
+FrictionCurve identify_friction(const std::vector<DriveStretch>& stretches, double gear_ratio) {
+  FrictionCurve curve;
+  curve.points = points_of(stretches, gear_ratio);
+  require_velocities(curve);
+  if (!curve.missing.empty()) return curve;
+  fit(curve);
+  judge(curve);
+  return curve;
+}
+
+}  // namespace sinew

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "identification/ripple_fit.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace sinew {
+namespace {
+
+constexpr double two_pi = 6.283185307179586;
+constexpr double significance = 5.0;      // standard errors
+constexpr double samples_per_wave = 0.6;  // bump width in periods of the fastest wave looked for
+
+/// Travel of all stretches [rad].
+double travel(const std::vector<DriveStretch>& stretches) {
+  double sum = 0.0;
+  for (const DriveStretch& s : stretches) sum += s.theta.maxCoeff() - s.theta.minCoeff();
+  return sum;
+}
+
+double fastest(const std::vector<DriveStretch>& stretches) {
+  double speed = 0.0;
+  for (const Plateau& plateau : plateaus(stretches))
+    speed = std::max(speed, std::abs(plateau.velocity));
+  return speed;
+}
+
+std::vector<RippleOrder> candidates(double turned, double gear_ratio, int highest) {
+  std::vector<RippleOrder> all;
+  for (int order = 1; order <= highest; ++order) {
+    all.push_back({true, static_cast<double>(order)});
+    // Half a turn of the output at least, or its order is a slope.
+    if (turned * order > two_pi / 2) all.push_back({false, static_cast<double>(order)});
+  }
+  std::erase_if(
+      all, [&](const RippleOrder& r) { return turned * r.per_output_radian(gear_ratio) < two_pi; });
+  return all;
+}
+
+double strength(const Regression& r, Eigen::Index first) {
+  return std::hypot(r.values(first) / r.standard_errors(first),
+                    r.values(first + 1) / r.standard_errors(first + 1));
+}
+
+FittedRipple fitted(const Regression& r, const RippleOrder& order, Eigen::Index first) {
+  FittedRipple f;
+  f.order = order;
+  f.sine = r.estimate_of(first);
+  f.cosine = r.estimate_of(first + 1);
+  const double s = f.sine.value, c = f.cosine.value, amplitude = std::hypot(s, c);
+  const double es = f.sine.standard_error, ec = f.cosine.standard_error;
+  f.amplitude = estimate(amplitude, std::hypot(s * es, c * ec) / amplitude, r.freedom);
+  f.phase =
+      estimate(std::atan2(c, s), std::hypot(c * es, s * ec) / (amplitude * amplitude), r.freedom);
+  return f;
+}
+
+}  // namespace
+
+RippleResult identify_ripple(const std::vector<DriveStretch>& stretches,
+                             const MotorParameters& model, int highest) {
+  RippleResult result;
+  const double speed = fastest(stretches);
+  const std::string experiment = fmt::format(
+      "expected constant velocities over a turn of the output shaft, slow enough for ten samples a "
+      "motor turn and its {} harmonics",
+      highest);
+  const double turned = stretches.empty() ? 0.0 : travel(stretches);
+  std::vector<RippleOrder> left = candidates(turned, model.gear_ratio, highest);
+  if (speed == 0.0 || left.empty()) {
+    result.missing.push_back("no constant velocity, or less than a motor turn; " + experiment);
+    return result;
+  }
+  const double period = stretches.front().period;
+  const auto slow_enough = [&](const RippleOrder& r) {
+    return two_pi / (r.per_output_radian(model.gear_ratio) * speed) > 10.0 * period;
+  };
+  for (const RippleOrder& r : left)
+    if (!slow_enough(r))
+      result.missing.push_back(
+          fmt::format("order {} of the {} shaft is too fast for this log at "
+                      "{:.3g} rad/s; {}",
+                      r.order, r.input ? "input" : "output", speed, experiment));
+  std::erase_if(left, [&](const RippleOrder& r) { return !slow_enough(r); });
+  if (left.empty()) return result;
+  double quickest = 0.0;
+  for (const RippleOrder& r : left)
+    quickest = std::max(quickest, r.per_output_radian(model.gear_ratio));
+  result.width = samples_per_wave * two_pi / (quickest * speed);
+
+  const DriveRegression drive =
+      project_drive(stretches, model.gamma1, model.gear_ratio, left, result.width);
+  const Eigen::Index common = 3;
+  std::vector<std::size_t> kept(left.size());
+  for (std::size_t i = 0; i < kept.size(); ++i) kept[i] = i;
+  // All of them together first; then without those that explain nothing.
+  Regression r;
+  for (int round = 0; round < 2; ++round) {
+    Eigen::MatrixXd columns(drive.columns.rows(),
+                            common + 2 * static_cast<Eigen::Index>(kept.size()));
+    columns.leftCols(common) = drive.columns.leftCols(common);
+    for (std::size_t i = 0; i < kept.size(); ++i)
+      columns.middleCols(common + 2 * static_cast<Eigen::Index>(i), 2) =
+          drive.columns.middleCols(common + 2 * static_cast<Eigen::Index>(kept[i]), 2);
+    r = regress(columns, drive.torque);
+    if (!r.identifiable) {
+      result.missing.push_back("ripple, friction and inertia act alike in this log; " + experiment);
+      return result;
+    }
+    if (round == 1) break;
+    std::vector<std::size_t> strong;
+    for (std::size_t i = 0; i < kept.size(); ++i)
+      if (strength(r, common + 2 * static_cast<Eigen::Index>(i)) > significance)
+        strong.push_back(kept[i]);
+    kept = strong;
+  }
+  result.residual = r.residual / drive.torque_per_projection;
+  for (std::size_t i = 0; i < kept.size(); ++i)
+    result.ripples.push_back(fitted(r, left[kept[i]], common + 2 * static_cast<Eigen::Index>(i)));
+  return result;
+}
+
+double velocity_ripple_at_motor_order(const std::vector<DriveStretch>& stretches,
+                                      double gear_ratio) {
+  double squares = 0.0, time = 0.0;
+  for (const Plateau& p : plateaus(stretches)) {
+    const DriveStretch& s = stretches[p.stretch];
+    const long count = p.last - p.first;
+    const Eigen::ArrayXd omega = s.omega.segment(p.first, count) - p.velocity;
+    const Eigen::ArrayXd angle = s.theta.segment(p.first, count) / gear_ratio;
+    const double sine = 2.0 * (omega * angle.sin()).mean(),
+                 cosine = 2.0 * (omega * angle.cos()).mean();
+    const double duration = static_cast<double>(count) * s.period;
+    squares += duration * (sine * sine + cosine * cosine);
+    time += duration;
+  }
+  return time > 0.0 ? std::sqrt(squares / time) : 0.0;
+}
+
+}  // namespace sinew
