@@ -11,8 +11,9 @@ Effect elastic_hysteresis() {
   const GiNaC::symbol z("z");
   const GiNaC::ex travel = s.velocity * s.step / length;
   const GiNaC::ex left = GiNaC::exp(-magnitude(travel));
-  e.states = {{z, 0.0, choose(travel, 1 - (1 - z) * left, (1 + z) * left - 1)}};
-  e.column("half_width", "{effort}", Sign::positive, z * magnitude(s.load));
+  const GiNaC::ex now = choose(travel, 1 - (1 - z) * left, (1 + z) * left - 1);
+  e.states = {{z, 0.0, now}};
+  e.column("half_width", "{effort}", Sign::positive, now * magnitude(s.load));
   e.signature = "a loop whose width grows with the load";
   e.excitation = "loading and unloading to several levels";
   e.experiment = "triangular loading to several levels";

@@ -13,7 +13,7 @@ Effect inertial_backlash() {
   const GiNaC::ex faster = rate + s.acceleration * s.step / gap;
   const GiNaC::ex moved = clamped(place + faster * s.step, 0, 1);
   e.states = {{place, 1.0, moved}, {rate, 0.0, choose(-moved, 0, choose(moved - 1, 0, faster))}};
-  const GiNaC::ex free = choose(-place, 0, choose(place - 1, 0, 1));
+  const GiNaC::ex free = choose(-moved, 0, choose(moved - 1, 0, 1));
   e.column("inertia_behind_gap", "{effort}/{acceleration}", Sign::negative, free * s.acceleration);
   e.signature = "the drive is lighter for a short while whenever the effort on the load reverses";
   e.excitation = "accelerations of both signs";

@@ -12,8 +12,9 @@ Effect presliding() {
   const GiNaC::ex travel = s.velocity * s.step / length;
   const GiNaC::ex left = GiNaC::exp(-magnitude(travel));
   // Exact over one sample at constant speed: z runs to the direction of motion over the length.
-  e.states = {{z, 0.0, choose(travel, 1 - (1 - z) * left, (1 + z) * left - 1)}};
-  e.column("level", "{effort}", Sign::positive, z);
+  const GiNaC::ex now = choose(travel, 1 - (1 - z) * left, (1 + z) * left - 1);
+  e.states = {{z, 0.0, now}};
+  e.column("level", "{effort}", Sign::positive, now);
   e.signature = "friction that builds up over a short way behind every reversal";
   e.excitation = "small motions with reversals";
   e.experiment = "very small slow triangles";
