@@ -141,20 +141,20 @@ void effects_cable_torque(const double signals[SINEW_AT_LEAST(8)], const double 
 
 void effects_backlash(const double signals[SINEW_AT_LEAST(8)], const double shape[SINEW_AT_LEAST(1)], const double state[SINEW_AT_LEAST(1)], double columns[SINEW_AT_LEAST(1)], double next[SINEW_AT_LEAST(1)])
 {
-    const double t1 = signals[2] * sinew_choose(-state[0], 0.0, sinew_choose(-(1.0 - state[0]), 0.0, 1.0));
-    const double t2 = sinew_min(sinew_max(state[0] + signals[1] * signals[7] / shape[0], 0.0), 1.0);
-    columns[0] = t1;
-    next[0] = t2;
+    const double t1 = sinew_min(sinew_max(state[0] + signals[1] * signals[7] / shape[0], 0.0), 1.0);
+    columns[0] = signals[2] * sinew_choose(-t1, 0.0, sinew_choose(-(1.0 - t1), 0.0, 1.0));
+    next[0] = t1;
 }
 
 void effects_inertial_backlash(const double signals[SINEW_AT_LEAST(8)], const double shape[SINEW_AT_LEAST(1)], const double state[SINEW_AT_LEAST(2)], double columns[SINEW_AT_LEAST(1)], double next[SINEW_AT_LEAST(2)])
 {
-    const double t1 = signals[2] * sinew_choose(-state[0], 0.0, sinew_choose(-(1.0 - state[0]), 0.0, 1.0));
-    const double t2 = state[1] + signals[2] * signals[7] / shape[0];
-    const double t3 = sinew_min(sinew_max(state[0] + signals[7] * t2, 0.0), 1.0);
-    columns[0] = t1;
-    next[0] = t3;
-    next[1] = sinew_choose(-t3, 0.0, sinew_choose(-(1.0 - t3), 0.0, t2));
+    const double t1 = state[1] + signals[2] * signals[7] / shape[0];
+    const double t2 = sinew_min(sinew_max(state[0] + signals[7] * t1, 0.0), 1.0);
+    const double t3 = -(1.0 - t2);
+    const double t4 = -t2;
+    columns[0] = signals[2] * sinew_choose(t4, 0.0, sinew_choose(t3, 0.0, 1.0));
+    next[0] = t2;
+    next[1] = sinew_choose(t4, 0.0, sinew_choose(t3, 0.0, t1));
 }
 
 void effects_presliding(const double signals[SINEW_AT_LEAST(8)], const double shape[SINEW_AT_LEAST(1)], const double state[SINEW_AT_LEAST(1)], double columns[SINEW_AT_LEAST(1)], double next[SINEW_AT_LEAST(1)])
@@ -162,7 +162,7 @@ void effects_presliding(const double signals[SINEW_AT_LEAST(8)], const double sh
     const double t1 = signals[1] * signals[7] / shape[0];
     const double t2 = sinew_exp(-sinew_max(t1, -t1));
     const double t3 = sinew_choose(t1, 1.0 - (1.0 - state[0]) * t2, -(1.0 - (1.0 + state[0]) * t2));
-    columns[0] = state[0];
+    columns[0] = t3;
     next[0] = t3;
 }
 
@@ -176,6 +176,6 @@ void effects_elastic_hysteresis(const double signals[SINEW_AT_LEAST(8)], const d
     const double t1 = signals[1] * signals[7] / shape[0];
     const double t2 = sinew_exp(-sinew_max(t1, -t1));
     const double t3 = sinew_choose(t1, 1.0 - (1.0 - state[0]) * t2, -(1.0 - (1.0 + state[0]) * t2));
-    columns[0] = state[0] * sinew_max(signals[4], -signals[4]);
+    columns[0] = sinew_max(signals[4], -signals[4]) * t3;
     next[0] = t3;
 }

@@ -165,7 +165,7 @@ void effects_backlash(const double signals[SINEW_AT_LEAST(8)], const double shap
  *   in  state         2 [1] before this sample; made for -1..1
  *   out columns       1 [SI] inertia_behind_gap
  *   out next          2 [1] states for the next sample
- * 3 multiplications, 4 additions, 1 divisions, 6 other functions. */
+ * 3 multiplications, 3 additions, 1 divisions, 6 other functions. */
 void effects_inertial_backlash(const double signals[SINEW_AT_LEAST(8)], const double shape[SINEW_AT_LEAST(1)], const double state[SINEW_AT_LEAST(2)], double columns[SINEW_AT_LEAST(1)], double next[SINEW_AT_LEAST(2)]);
 
 /* Terms of the effect 'presliding of friction', to be multiplied by its coefficients.

@@ -236,10 +236,11 @@ void effects_backlash_batch(int count, const double *SINEW_RESTRICT signals, con
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
     for (size_t state = 0; state < n; ++state) {
-        const double t1 = sinew_choose(-state[state], 0.0, sinew_choose(-(1.0 - state[state]), 0.0, 1.0));
-        const double t2 = state[state] + signals[1 * n + state] * signals[7 * n + state] / shape[state];
-        columns[state] = signals[2 * n + state] * t1;
-        next[state] = sinew_min(sinew_max(t2, 0.0), 1.0);
+        const double t1 = state[state] + signals[1 * n + state] * signals[7 * n + state] / shape[state];
+        const double t2 = sinew_min(sinew_max(t1, 0.0), 1.0);
+        const double t3 = signals[2 * n + state] * sinew_choose(-t2, 0.0, sinew_choose(-(1.0 - t2), 0.0, 1.0));
+        columns[state] = t3;
+        next[state] = t2;
     }
 }
 
@@ -248,12 +249,14 @@ void effects_inertial_backlash_batch(int count, const double *SINEW_RESTRICT sig
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
     for (size_t state = 0; state < n; ++state) {
-        const double t1 = sinew_choose(-state[state], 0.0, sinew_choose(-(1.0 - state[state]), 0.0, 1.0));
-        const double t2 = state[1 * n + state] + signals[2 * n + state] * signals[7 * n + state] / shape[state];
-        const double t3 = sinew_min(sinew_max(state[state] + signals[7 * n + state] * t2, 0.0), 1.0);
-        columns[state] = signals[2 * n + state] * t1;
-        next[state] = t3;
-        next[1 * n + state] = sinew_choose(-t3, 0.0, sinew_choose(-(1.0 - t3), 0.0, t2));
+        const double t1 = state[1 * n + state] + signals[2 * n + state] * signals[7 * n + state] / shape[state];
+        const double t2 = sinew_min(sinew_max(state[state] + signals[7 * n + state] * t1, 0.0), 1.0);
+        const double t3 = -(1.0 - t2);
+        const double t4 = -t2;
+        const double t5 = signals[2 * n + state] * sinew_choose(t4, 0.0, sinew_choose(t3, 0.0, 1.0));
+        columns[state] = t5;
+        next[state] = t2;
+        next[1 * n + state] = sinew_choose(t4, 0.0, sinew_choose(t3, 0.0, t1));
     }
 }
 
@@ -265,7 +268,7 @@ void effects_presliding_batch(int count, const double *SINEW_RESTRICT signals, c
         const double t1 = signals[1 * n + state] * signals[7 * n + state] / shape[state];
         const double t2 = sinew_exp(-sinew_max(t1, -t1));
         const double t3 = sinew_choose(t1, 1.0 - (1.0 - state[state]) * t2, -(1.0 - (1.0 + state[state]) * t2));
-        columns[state] = state[state];
+        columns[state] = t3;
         next[state] = t3;
     }
 }
@@ -285,11 +288,10 @@ void effects_elastic_hysteresis_batch(int count, const double *SINEW_RESTRICT si
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
     for (size_t state = 0; state < n; ++state) {
-        const double t1 = state[state] * sinew_max(signals[4 * n + state], -signals[4 * n + state]);
-        const double t2 = signals[1 * n + state] * signals[7 * n + state] / shape[state];
-        const double t3 = sinew_exp(-sinew_max(t2, -t2));
-        const double t4 = sinew_choose(t2, 1.0 - (1.0 - state[state]) * t3, -(1.0 - (1.0 + state[state]) * t3));
-        columns[state] = t1;
-        next[state] = t4;
+        const double t1 = signals[1 * n + state] * signals[7 * n + state] / shape[state];
+        const double t2 = sinew_exp(-sinew_max(t1, -t1));
+        const double t3 = sinew_choose(t1, 1.0 - (1.0 - state[state]) * t2, -(1.0 - (1.0 + state[state]) * t2));
+        columns[state] = sinew_max(signals[4 * n + state], -signals[4 * n + state]) * t3;
+        next[state] = t3;
     }
 }
