@@ -7,7 +7,7 @@ namespace sinew {
 Effect presliding() {
   Effect e("presliding", "presliding of friction");
   const EffectSignals& s = effect_signals();
-  const GiNaC::ex length = e.shape("presliding_length", "{position}", Scale::reach, 1e-5, 1e-2, 4);
+  const GiNaC::ex length = e.shape("presliding_length", "{position}", Scale::reach, 1e-8, 1e-2, 5);
   const GiNaC::symbol z("z");
   const GiNaC::ex travel = s.velocity * s.step / length;
   const GiNaC::ex left = GiNaC::exp(-magnitude(travel));
