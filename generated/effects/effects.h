@@ -170,7 +170,7 @@ void effects_inertial_backlash(const double signals[SINEW_AT_LEAST(8)], const do
 
 /* Terms of the effect 'presliding of friction', to be multiplied by its coefficients.
  *   in  signals       8 [SI] position, velocity, acceleration, its second derivative, load, time, direction, step; made for -3..3, -5..5, -50..50, -1e+04..1e+04, -10..10, 0..100, -1..1, 0.0001..0.01
- *   in  shape         1 [SI] presliding_length; made for 1e-05..0.01
+ *   in  shape         1 [SI] presliding_length; made for 1e-08..0.01
  *   in  state         1 [1] before this sample; made for -1..1
  *   out columns       1 [SI] level
  *   out next          1 [1] states for the next sample

@@ -383,7 +383,7 @@ static void call_presliding(const void *in, void *out)
 }
 static const double presliding_signals_low[] = {-3.0, -5.0, -50.0, -10000.0, -10.0, 0.0, -1.0, 1e-04};
 static const double presliding_signals_high[] = {3.0, 5.0, 50.0, 10000.0, 10.0, 100.0, 1.0, 0.01};
-static const double presliding_shape_low[] = {1e-05};
+static const double presliding_shape_low[] = {1e-08};
 static const double presliding_shape_high[] = {0.01};
 static const double presliding_state_low[] = {-1.0};
 static const double presliding_state_high[] = {1.0};
