@@ -15,8 +15,8 @@
 #include <set>
 #include <stdexcept>
 
-#include "generator/emit_c.h"
 #include "generator/emit_batch.h"
+#include "generator/emit_c.h"
 #include "generator/emit_catalogue.h"
 #include "generator/emit_header.h"
 #include "generator/manifest.h"
@@ -90,9 +90,13 @@ std::string temporary_prefix(const fs::path& folder) {
   return "." + folder.filename().string() + ".new-";
 }
 
-/// Temporaries whose process no longer runs.
-void remove_left_overs(const fs::path& folder) {
-  const std::string prefix = temporary_prefix(folder);
+/// Where the old folder waits on a file system that cannot exchange two folders.
+std::string aside_prefix(const fs::path& folder) {
+  return "." + folder.filename().string() + ".old-";
+}
+
+/// Folders beside the target that a process made which no longer runs.
+std::vector<fs::path> left_overs(const fs::path& folder, const std::string& prefix) {
   const fs::path parent = folder.parent_path();
   std::vector<fs::path> dead;
   for (const fs::directory_entry& entry : fs::directory_iterator(parent)) {
@@ -102,7 +106,17 @@ void remove_left_overs(const fs::path& folder) {
     std::from_chars(name.data() + prefix.size(), name.data() + name.size(), pid);
     if (pid > 0 && ::kill(pid, 0) != 0 && errno == ESRCH) dead.push_back(entry.path());
   }
-  for (const fs::path& path : dead) fs::remove_all(path);
+  return dead;
+}
+
+/// Puts an old folder back that an interrupted run had set aside, and removes what else is left.
+void clear_left_overs(const fs::path& folder) {
+  for (const fs::path& aside : left_overs(folder, aside_prefix(folder)))
+    if (fs::exists(folder))
+      fs::remove_all(aside);
+    else
+      fs::rename(aside, folder);
+  for (const fs::path& path : left_overs(folder, temporary_prefix(folder))) fs::remove_all(path);
 }
 
 /// Absolute, through links (the folder behind a link is replaced, not the link), without "." or a
@@ -112,13 +126,31 @@ fs::path real_path(const fs::path& given) {
   return path.has_filename() ? path : path.parent_path();
 }
 
+/// Two renames instead of one: between them the old folder stands whole beside its place, and the
+/// next run puts it back.
+void swap_in_two_steps(const fs::path& temporary, const fs::path& folder) {
+  const fs::path aside = folder.parent_path() / (aside_prefix(folder) + std::to_string(::getpid()));
+  fs::remove_all(aside);
+  if (::rename(folder.c_str(), aside.c_str()) != 0) fail("cannot replace", folder);
+  if (::rename(temporary.c_str(), folder.c_str()) != 0) {
+    const int error = errno;
+    (void)::rename(aside.c_str(), folder.c_str());
+    errno = error;
+    fail("cannot replace", folder);
+  }
+  std::error_code ignored;
+  fs::remove_all(aside, ignored);
+}
+
 void swap_in(const fs::path& temporary, const fs::path& folder) {
   if (!fs::exists(folder)) {
     if (::rename(temporary.c_str(), folder.c_str()) != 0) fail("cannot rename to", folder);
     return;
   }
-  if (::renameat2(AT_FDCWD, temporary.c_str(), AT_FDCWD, folder.c_str(), RENAME_EXCHANGE) != 0)
-    fail("cannot replace", folder);
+  if (::renameat2(AT_FDCWD, temporary.c_str(), AT_FDCWD, folder.c_str(), RENAME_EXCHANGE) == 0)
+    return;
+  if (errno != EINVAL && errno != ENOSYS && errno != EOPNOTSUPP) fail("cannot replace", folder);
+  swap_in_two_steps(temporary, folder);
 }
 
 }  // namespace
@@ -142,9 +174,9 @@ FileSet emit_files(const EmittedModel& model) {
 
 void replace_folder(const fs::path& given, const FileSet& files) {
   const fs::path folder = real_path(given);
-  refuse_foreign_files(folder);
   fs::create_directories(folder.parent_path());
-  remove_left_overs(folder);
+  clear_left_overs(folder);
+  refuse_foreign_files(folder);
   const fs::path temporary =
       folder.parent_path() / (temporary_prefix(folder) + std::to_string(::getpid()));
   fs::remove_all(temporary);

@@ -20,7 +20,9 @@ std::vector<std::string> emitted_file_names(const EmittedModel& model);
 FileSet emit_files(const EmittedModel& model);
 
 /// Replaces `folder` by one that holds just `files`, in one step: an interruption at any moment
-/// leaves the old folder whole. Left-overs of interrupted runs beside it are removed.
+/// leaves the old folder whole. Left-overs of interrupted runs beside it are removed. On a file system
+/// that cannot exchange two folders the old one may, after an interruption, stand beside its place
+/// (.<name>.old-<process>) until the next run puts it back.
 /// Throws std::runtime_error where `folder` holds files that no manifest of ours lists, or where
 /// writing fails; nothing has changed then.
 void replace_folder(const std::filesystem::path& folder, const FileSet& files);

@@ -79,13 +79,30 @@ void open_permissions(const fs::path& folder) {
   fs::permissions(folder, static_cast<fs::perms>(0777 & ~mask));
 }
 
+/// For file systems that cannot exchange two folders: the target makes way and comes back where the
+/// draft cannot take its place.
+void exchange_by_renames(const fs::path& draft, const fs::path& target) {
+  const fs::path aside = draft.string() + ".old";
+  if (rename(target.c_str(), aside.c_str()) != 0) fail_with_errno(target, "cannot be replaced");
+  if (rename(draft.c_str(), target.c_str()) != 0) {
+    const int error = errno;
+    (void)rename(aside.c_str(), target.c_str());
+    errno = error;
+    fail_with_errno(target, "cannot be replaced");
+  }
+  std::error_code ignored;
+  fs::rename(aside, draft, ignored);
+}
+
 /// The draft takes the target's place in one step; what was there is then the draft.
 void exchange(const fs::path& draft, const fs::path& target) {
   if (!fs::exists(target) || fs::is_empty(target)) {
     if (rename(draft.c_str(), target.c_str()) != 0)
       fail_with_errno(target, "cannot be put in place");
   } else if (renameat2(AT_FDCWD, draft.c_str(), AT_FDCWD, target.c_str(), RENAME_EXCHANGE) != 0) {
-    fail_with_errno(target, "cannot be replaced in one step");
+    if (errno != EINVAL && errno != ENOSYS && errno != EOPNOTSUPP)
+      fail_with_errno(target, "cannot be replaced in one step");
+    exchange_by_renames(draft, target);
   }
 }
 

@@ -103,7 +103,7 @@ struct Injected {
 };
 
 Injected inject(const std::string& call, const std::string& action, int count,
-                const fs::path& folder) {
+                const fs::path& folder, const std::vector<std::string>& more = {}) {
   const TemporaryFolder place;
   const std::string trace = (place.path() / "trace").string();
   std::vector<std::string> command{
@@ -111,6 +111,7 @@ Injected inject(const std::string& call, const std::string& action, int count,
       "-o",     trace,
       "-e",     "trace=" + call,
       "-e",     "inject=" + call + ":" + action + ":when=" + std::to_string(count)};
+  command.insert(command.end(), more.begin(), more.end());
   const std::vector<std::string> program = writing(folder);
   command.insert(command.end(), program.begin(), program.end());
   std::string output;
@@ -193,7 +194,7 @@ TEST_CASE("every system call that fails leaves the old output and says so") {
   const TemporaryFolder place;
   const fs::path folder = place.path() / "output";
   for (const auto& [call, error] : std::vector<std::pair<std::string, std::string>>{
-           {"write", "ENOSPC"}, {"fsync", "EIO"}, {"mkdir", "EACCES"}, {"renameat2", "EINVAL"}})
+           {"write", "ENOSPC"}, {"fsync", "EIO"}, {"mkdir", "EACCES"}, {"renameat2", "EIO"}})
     for (int count = 1; count <= 5; ++count) {
       replace_folder(folder, lettered_files('o'));
       const Injected injected = inject(call, "error=" + error, count, folder);
@@ -205,6 +206,45 @@ TEST_CASE("every system call that fails leaves the old output and says so") {
       CHECK(injected.status == 1);
       check_untouched(place.path());
     }
+}
+
+TEST_CASE(
+    "without an exchange of folders two renames do it, and the old output survives an end "
+    "between") {
+  if (!strace_works()) {
+    WARN("strace cannot trace here");
+    return;
+  }
+  const TemporaryFolder place;
+  const fs::path folder = place.path() / "output";
+  const std::string no_exchange = "inject=renameat2:error=EINVAL";
+  replace_folder(folder, lettered_files('o'));
+  CHECK(inject("renameat2", "error=EINVAL", 1, folder).status == 0);
+  CHECK(files_in(folder) == lettered_files('n'));
+  CHECK(entries_in(place.path()) == 1);
+  const std::vector<std::string> more{"-e", "trace=rename,renameat2", "-e", no_exchange};
+  replace_folder(folder, lettered_files('o'));
+  CHECK(inject("rename", "error=EACCES", 1, folder, more).status == 1);
+  check_untouched(place.path());
+  CHECK(inject("rename", "error=EACCES", 2, folder, more).status == 1);
+  check_untouched(place.path());
+  CHECK(inject("rename", "signal=SIGKILL", 2, folder, more).happened);
+  CHECK(!fs::exists(folder));  // the end came between the two
+  CHECK(error_of(folder, {{"a", "b"}}).empty());
+  CHECK(entries_in(place.path()) == 1);
+}
+
+TEST_CASE("an old output that was set aside is put back before anything is judged") {
+  const TemporaryFolder place;
+  const fs::path folder = place.path() / "output";
+  const fs::path aside = place.path() / ".output.old-999999999";
+  replace_folder(folder, lettered_files('o'));
+  reference::write_text(folder / "thesis.txt", "years");
+  fs::rename(folder, aside);
+  CHECK_FALSE(
+      error_of(folder, lettered_files('n')).empty());  // a foreign file is in the old output
+  CHECK(fs::exists(folder / "thesis.txt"));
+  CHECK_FALSE(fs::exists(aside));
 }
 
 TEST_CASE("a file that may not grow leaves the old output") {
