@@ -42,7 +42,8 @@ class Run {
     tell("comparing with the model", 0.2);
     subject_.prepare(request_.settings);
     tell("searching for causes", 0.3);
-    const Explanation explanation = explain(subject_.problem(), request_.settings);
+    Explanation explanation = explain(subject_.problem(), request_.settings);
+    settle(explanation.verdict, !request_.holdout.empty());
     f.verdict = explanation.verdict;
     tell("extending and measuring", 0.9);
     extend(explanation);
@@ -92,8 +93,7 @@ class Run {
       if (!log.held_out) result_.extended.logs.push_back({log.file, log.sha256});
     decide(any, measured_gain(measured, -1, true, 12, request_.settings.seed));
     f.extension.operations_before = subject_.effort().operations();
-    f.extension.operations_after =
-        subject_.effort_with(result_.extended).operations();
+    f.extension.operations_after = subject_.effort_with(result_.extended).operations();
   }
 
   void decide(bool any, const Gain& gain) {

@@ -127,6 +127,7 @@ std::vector<ExtensionTerm> extension_terms(const DrivenSubject& subject, const D
     if (origin.effect.empty()) continue;
     ExtensionTerm entry;
     entry.cause = cause_of(explanation.verdict, candidate);
+    if (entry.cause < 0) continue;
     entry.entry.effect = origin.effect;
     entry.entry.place = changes_mechanism(entry.entry) ? term.candidate->place
                                                        : subject.model().joints[origin.joint].name;

@@ -6,6 +6,8 @@
 
 #include <ginac/ginac.h>
 
+#include <algorithm>
+
 #include "symbolic/print_mathml.h"
 
 namespace sinew::diagnosis {
@@ -38,9 +40,34 @@ void set_term(CauseTerm& term, const GiNaC::ex& effort, const char* signature,
 }  // namespace
 
 std::string cause_text(const NamedCause& cause) {
+  const std::string& place = cause.members.front().place;
+  const bool one_place = std::all_of(cause.members.begin(), cause.members.end(),
+                                     [&](const RankedCause& m) { return m.place == place; });
   std::vector<std::string> names;
-  for (const RankedCause& member : cause.members) names.push_back(member.name);
-  return joined(names, " or ") + " (" + cause.members.front().place + ")";
+  for (const RankedCause& member : cause.members)
+    names.push_back(one_place ? member.name : member.name + " (" + member.place + ")");
+  return joined(names, " or ") + (one_place ? " (" + place + ")" : "");
+}
+
+void settle(Verdict& verdict, bool judged_on_held_out) {
+  std::vector<NamedCause> kept;
+  for (NamedCause& cause : verdict.causes) {
+    std::vector<RankedCause> members;
+    for (const RankedCause& m : cause.members)
+      if (std::none_of(members.begin(), members.end(), [&](const RankedCause& other) {
+            return other.name == m.name && other.place == m.place;
+          }))
+        members.push_back(m);
+    cause.members = std::move(members);
+    if (!judged_on_held_out || cause.held_out.share > 0.0) {
+      kept.push_back(std::move(cause));
+      continue;
+    }
+    const RankedCause& first = cause.members.front();
+    verdict.ruled_out.push_back(
+        {first.name, first.place, "no gain on the held-out logs", cause.statistic, cause.p_family});
+  }
+  verdict.causes = std::move(kept);
 }
 
 std::string headline(const Findings& f) {
