@@ -66,7 +66,8 @@ std::vector<std::pair<Series, std::string>> drawable(const Plot& plot, std::size
 
 std::string axes_of(const Plot& plot) {
   const std::string logarithmic =
-      "set logscale xy 10\nset format xy '@%T'\nset xtics 10\nset ytics 10\n";
+      "set logscale xy 10\nset format xy '@%T'\nset xtics 10\nset ytics 10\nset mxtics 1\nset "
+      "mytics 1\n";
   return fmt::format(
       "reset\nset encoding utf8\nset minussign\nunset key\n"
       "set border 3 lc rgb '{0}' lw 0.8\nset tics nomirror out scale 0.5 textcolor rgb '{1}'\n"

@@ -46,6 +46,26 @@ std::string attribute(const std::string& line, const std::string& name) {
   return line.substr(begin, line.find('\'', begin) - begin);
 }
 
+/// A path's data with one decimal and without what goes without saying: a tenth of a unit is less
+/// than a pixel.
+std::string short_path(const std::string& data) {
+  std::string result;
+  std::size_t decimals = 0;
+  bool fraction = false;
+  for (const char c : data) {
+    const bool digit = c >= '0' && c <= '9';
+    if (c == '.') fraction = true, decimals = 0;
+    if (!digit && c != '.') fraction = false;
+    if (digit && fraction && ++decimals > 1) continue;
+    const bool blank = c == ' ' || c == '\n' || c == '\t' || c == 'L';
+    if (!blank)
+      result += c;
+    else if (!result.empty() && result.back() != ' ')
+      result += ' ';
+  }
+  return result;
+}
+
 /// Runs of gnuplot's dots (a line each) as one path of round dots.
 std::string with_clouds(const std::string& text) {
   std::istringstream lines(text);
@@ -65,10 +85,22 @@ std::string with_clouds(const std::string& text) {
     const std::string now = attribute(line, "color");
     if (now != colour) flush();
     colour = now;
-    path += "M" + attribute(line, "x") + " " + attribute(line, "y") + "h0";
+    path += short_path("M" + attribute(line, "x") + " " + attribute(line, "y") + "h0");
   }
   flush();
   return result;
+}
+
+std::string with_short_paths(const std::string& text) {
+  std::string result;
+  std::size_t done = 0;
+  for (std::size_t at = text.find(" d='"); at != std::string::npos; at = text.find(" d='", done)) {
+    const std::size_t end = text.find('\'', at + 4);
+    if (end == std::string::npos) break;
+    result += text.substr(done, at + 4 - done) + short_path(text.substr(at + 4, end - at - 4));
+    done = end;
+  }
+  return result + text.substr(done);
 }
 
 /// "@-3" of a logarithmic axis: small powers as numbers, others with a raised exponent.
@@ -111,7 +143,7 @@ std::string svg_for_page(const std::string& gnuplot_svg, const std::string& alte
   if (definitions == std::string::npos || last == std::string::npos) return "";
   std::string body = gnuplot_svg.substr(definitions + 7, last - definitions - 7);
   put_colours(body);
-  body = with_powers(with_clouds(body));
+  body = with_powers(with_clouds(with_short_paths(body)));
   // Every group states its defaults again, and each series has an id and a title.
   body = without(body, " id=\"[^\"]*\"");
   body = without(body, "<title>[^<]*</title>");
@@ -119,11 +151,15 @@ std::string svg_for_page(const std::string& gnuplot_svg, const std::string& alte
   body = without(body, "<g [^>]*>\\s*</g>\\s*");
   replace_all(body, " stroke-linecap=\"butt\" stroke-linejoin=\"miter\"", "");
   replace_all(body, " color=\"currentColor\"", "");
+  // Said once, for the whole picture.
+  replace_all(body, " fill=\"none\" stroke=\"currentColor\"", "");
+  replace_all(body, " stroke-width=\"1.00\"", "");
+  replace_all(body, "\t", "");
   // One group more than the body opens was opened before the definitions.
   const std::size_t canvas = body.rfind("</g>");
   if (canvas != std::string::npos) body.erase(canvas, 4);
-  return "<svg viewBox=\"0 0 460 300\" role=\"img\"><title>" + escaped(alternative) + "</title>" +
-         body + "</svg>";
+  return "<svg viewBox=\"0 0 460 300\" role=\"img\"><title>" + escaped(alternative) +
+         "</title><g fill=\"none\" stroke=\"currentColor\">" + body + "</g></svg>";
 }
 
 }  // namespace sinew::diagnosis

@@ -102,6 +102,12 @@ TEST_CASE("nothing to draw and no gnuplot both give an empty place") {
   for (const std::string& svg : figures) CHECK(svg.empty());
 }
 
+TEST_CASE("paths become shorter, not different") {
+  const std::string svg =
+      "<svg><g><defs></defs><path d='M1.25,2.75 L10.05,20 \n L3.999,4Z'/></g></svg>";
+  CHECK(contains(svg_for_page(svg, ""), "d='M1.2,2.7 10.0,20 3.9,4Z'"));
+}
+
 TEST_CASE("what is cut off is no picture") {
   CHECK(svg_for_page("<svg><defs></defs><g><path", "x").empty());
   CHECK(svg_for_page("", "x").empty());

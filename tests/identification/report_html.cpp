@@ -110,7 +110,7 @@ TEST_CASE("a whole hand's pictures stay below 2 MB") {
   }
   REQUIRE(findings.channels.size() == 32);
   const std::size_t size = report_html(findings).size();
-  CHECK(size < 2300000);
+  CHECK(size < 2000000);
 }
 
 TEST_CASE("text from outside stays text") {
