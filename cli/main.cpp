@@ -7,6 +7,7 @@
 #include "cli/diagnose.h"
 #include "cli/figures.h"
 #include "cli/generate.h"
+#include "cli/identify.h"
 #include "cli/import.h"
 #include "cli/inspect.h"
 #include "cli/simulate.h"
@@ -41,6 +42,7 @@ int main(int argc, char** argv) {
   sinew::add_import_command(app, exit_status);
   sinew::add_figures_command(app, exit_status);
   sinew::add_simulate_command(app, exit_status);
+  sinew::add_identify_command(app, exit_status);
   sinew::add_diagnose_command(app, exit_status);
   if (argc > 1 && argv[1][0] != '-' && !has_command(app, argv[1])) {
     fmt::print(stderr, "sinew: no command is called '{}'; expected one of {}\n", argv[1],

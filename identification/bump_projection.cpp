@@ -17,19 +17,20 @@ Estimate estimate(double value, double standard_error, long freedom) {
   return {value, standard_error, value - t * standard_error, value + t * standard_error};
 }
 
-BumpProjection::BumpProjection(long width, double period) : width_(width) {
+BumpProjection::BumpProjection(long width, double period) : width_(width | 1) {
   if (width < 5 || !(period > 0.0))
     throw std::invalid_argument("a bump needs five samples and a positive period");
-  for (Eigen::ArrayXd& weight : weight_) weight.setZero(width);
   // (1 - s^2)^4 on [-1, 1]: value and three derivatives vanish at the ends.
-  const double scale = 2.0 / (static_cast<double>(width - 1) * period);
-  for (long i = 0; i < width; ++i) {
-    const double s = 2.0 * static_cast<double>(i) / static_cast<double>(width - 1) - 1.0;
-    const double r = 1.0 - s * s;
-    weight_[0](i) = period * r * r * r * r;
-    weight_[1](i) = period * scale * 8.0 * s * r * r * r;
-    weight_[2](i) = period * scale * scale * (48.0 * s * s * r * r - 8.0 * r * r * r);
-  }
+  const double scale = 2.0 / (static_cast<double>(width_ - 1) * period);
+  const Eigen::ArrayXd s = Eigen::ArrayXd::LinSpaced(width_, -1.0, 1.0), r = 1.0 - s * s;
+  weight_[0] = period * r.pow(4);
+  weight_[1] = period * scale * 8.0 * s * r.cube();
+  weight_[2] = period * scale * scale * (48.0 * s * s * r * r - 8.0 * r.cube());
+  // The sums then obey the parts' rule exactly up to quadratic signals, as the integrals do.
+  const Eigen::ArrayXd t = s / scale;
+  weight_[1] *= -weight_[0].sum() / (weight_[1] * t).sum();
+  weight_[2] -= weight_[0] * (weight_[2].sum() / weight_[0].sum());
+  weight_[2] *= weight_[0].sum() / (weight_[2] * t * t / 2.0).sum();
 }
 
 double BumpProjection::of(const Eigen::ArrayXd& signal, long first, int derivative) const {
@@ -68,8 +69,9 @@ Regression regress(const Eigen::MatrixXd& columns, const Eigen::VectorXd& target
   const Eigen::MatrixXd covariance =
       (unit.transpose() * unit).ldlt().solve(Eigen::MatrixXd::Identity(n, n));
   const double variance = squares / static_cast<double>(result.freedom);
-  result.standard_errors =
-      (variance * covariance.diagonal()).cwiseMax(0.0).cwiseSqrt().cwiseQuotient(scale);
+  result.covariance =
+      variance * scale.cwiseInverse().asDiagonal() * covariance * scale.cwiseInverse().asDiagonal();
+  result.standard_errors = result.covariance.diagonal().cwiseMax(0.0).cwiseSqrt();
   return result;
 }
 

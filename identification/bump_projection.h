@@ -25,7 +25,8 @@ Estimate estimate(double value, double standard_error, long freedom);
 /// signal gives independent errors.
 class BumpProjection {
  public:
-  /// Throws std::invalid_argument unless width >= 5 and period > 0.
+  /// An even width becomes the next odd one. Throws std::invalid_argument unless width >= 5 and
+  /// period > 0.
   BumpProjection(long width, double period);
 
   long width() const { return width_; }
@@ -43,7 +44,8 @@ class BumpProjection {
 /// their estimates' size; `identifiable` is false where the columns are dependent to 1e-8.
 struct Regression {
   Eigen::VectorXd values, standard_errors;
-  double residual = 0.0;  ///< rms
+  Eigen::MatrixXd covariance;  ///< empty where not identifiable
+  double residual = 0.0;       ///< rms
   long freedom = 0;
   bool identifiable = false;
   Estimate estimate_of(Eigen::Index k) const {

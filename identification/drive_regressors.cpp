@@ -38,6 +38,7 @@ DriveRegression project_drive(const std::vector<DriveStretch>& stretches, double
     all.columns.bottomRows(columns.rows()) = columns;
     all.torque.conservativeResize(before + torque.size());
     all.torque.tail(torque.size()) = torque;
+    all.rows.push_back(torque.size());
     all.torque_per_projection = bumps.of(Eigen::ArrayXd::Ones(bumps.width()), 0);
   }
   return all;

@@ -20,6 +20,7 @@ struct RippleOrder {
 struct DriveRegression {
   Eigen::MatrixXd columns;
   Eigen::VectorXd torque;
+  std::vector<Eigen::Index> rows;      ///< of each stretch
   double torque_per_projection = 1.0;  ///< a constant torque of 1 N·m gives this
 };
 DriveRegression project_drive(const std::vector<DriveStretch>& stretches, double gamma1,

@@ -12,6 +12,7 @@ namespace sinew {
 namespace {
 
 constexpr double two_pi = 6.283185307179586;
+constexpr long most_blocks = 512;
 constexpr int parameters = 5;  // log gamma1, gamma2, gamma3, output ripple (sine, cosine)
 
 /// (model - mean) / deviation of one point.
@@ -23,32 +24,59 @@ struct PointResidual {
     using ceres::exp;
     using std::atan;
     using std::exp;
-    const T friction = p[1] * atan(exp(p[0]) * point.velocity) + p[2] * point.velocity;
+    const T gamma1 = exp(p[0]);
+    T friction(0.0);
+    for (std::size_t b = 0; b < point.velocities.size(); ++b)
+      friction += point.shares[b] *
+                  (p[1] * atan(gamma1 * point.velocities[b]) + p[2] * point.velocities[b]);
     residual[0] =
         (friction + p[3] * point.sine + p[4] * point.cosine - point.torque) / point.deviation;
     return true;
   }
 };
 
-/// Cuts a plateau to whole motor periods and takes its means; nothing where it is shorter.
+/// Means over the travel, block by block: over time a slower phase of the motor's turn would weigh
+/// more, and its ripple would not average out.
+void take_means(const DriveStretch& s, long first, long count, FrictionPoint& point) {
+  const long blocks = std::min({count / 2, 16 * point.periods, most_blocks});
+  double travel = 0.0, squares = 0.0;
+  for (long b = 0; b < blocks; ++b) {
+    const long from = first + b * count / blocks, to = first + (b + 1) * count / blocks;
+    const double moved = s.theta(to) - s.theta(from), n = static_cast<double>(to - from);
+    // The samples at both ends belong half to the neighbours.
+    const auto mean = [&](const Eigen::ArrayXd& x) {
+      return (x.segment(from, to - from).sum() + 0.5 * (x(to) - x(from))) / n;
+    };
+    point.velocities.push_back(moved / (n * s.period));
+    point.shares.push_back(moved);
+    point.torque += moved * mean(s.torque);
+    point.sine += moved * std::sin(0.5 * (s.theta(to) + s.theta(from)));
+    point.cosine += moved * std::cos(0.5 * (s.theta(to) + s.theta(from)));
+    travel += moved;
+    squares += moved * moved / n;
+  }
+  for (double* sum : {&point.torque, &point.sine, &point.cosine}) *sum /= travel;
+  for (double& share : point.shares) share /= travel;
+  // White noise: the ripple of whole periods is gone from the mean, and must not widen it.
+  point.deviation =
+      white_noise_rms(s.torque.segment(first, count)) * std::sqrt(squares) / std::abs(travel);
+}
+
+/// Cuts a plateau to whole motor periods and takes its means; false where it is shorter than one.
 bool take_point(const DriveStretch& s, const Plateau& plateau, double turn, FrictionPoint& point) {
   const double start = s.theta(plateau.first);
-  const double travel = std::abs(s.theta(plateau.last - 1) - start);
-  point.periods = static_cast<long>(std::floor(travel / turn));
+  point.periods = static_cast<long>(std::floor(std::abs(s.theta(plateau.last - 1) - start) / turn));
   if (point.periods < 1) return false;
-  const double share = static_cast<double>(point.periods) * turn / travel;
-  const long count = std::lround(share * static_cast<double>(plateau.last - 1 - plateau.first));
+  const double goal = static_cast<double>(point.periods) * turn;
+  long end = plateau.last - 1;
+  while (end > plateau.first + 1 && std::abs(s.theta(end - 1) - start) >= goal) --end;
+  if (goal - std::abs(s.theta(end - 1) - start) < std::abs(s.theta(end) - start) - goal) --end;
+  const long count = end - plateau.first;
+  point.velocity = (s.theta(end) - start) / (static_cast<double>(count) * s.period);
   const auto torque = s.torque.segment(plateau.first, count);
-  const auto theta = s.theta.segment(plateau.first, count);
-  point.velocity =
-      (s.theta(plateau.first + count) - start) / (static_cast<double>(count) * s.period);
-  point.torque = torque.mean();
   point.low = torque.minCoeff();
   point.high = torque.maxCoeff();
-  point.sine = theta.sin().mean();
-  point.cosine = theta.cos().mean();
-  // White noise: the ripple of whole periods is gone from the mean, and must not widen it.
-  point.deviation = white_noise_rms(torque) / std::sqrt(static_cast<double>(count));
+  take_means(s, plateau.first, count, point);
   return true;
 }
 

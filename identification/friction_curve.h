@@ -13,13 +13,16 @@ namespace sinew {
 /// Mean torque at one velocity.
 struct FrictionPoint {
   double velocity = 0.0;  ///< rad/s
-  double torque = 0.0;    ///< N·m, mean over whole motor periods
+  double torque = 0.0;    ///< N·m, mean over the travel of whole motor periods
   double low = 0.0;       ///< smallest and largest torque of the stretch (Fig. 3.3)
   double high = 0.0;
   long periods = 0;        ///< turns of the motor
   double deviation = 0.0;  ///< N·m, of the mean
-  double sine = 0.0;       ///< means of sin and cos of the output angle: the output-side ripple,
-  double cosine = 0.0;     ///< which motor periods do not average out, is fitted along
+  /// Velocities of short blocks and their share of the travel: ripple makes them differ, and
+  /// friction is not linear.
+  std::vector<double> velocities, shares;
+  double sine = 0.0;    ///< means of sin and cos of the output angle: the output-side ripple,
+  double cosine = 0.0;  ///< which motor periods do not average out, is fitted along
 };
 
 struct FrictionCurve {

@@ -16,6 +16,15 @@ std::vector<RippleOrder> first_orders() {
   return {{false, 1.0}, {true, 1.0}};
 }
 
+/// Where the torque is at least half its largest: what a user reads an impulse from.
+Regression over_impulses(const DriveRegression& drive) {
+  std::vector<Eigen::Index> rows;
+  const double strong = 0.5 * drive.torque.cwiseAbs().maxCoeff();
+  for (Eigen::Index i = 0; i < drive.torque.size(); ++i)
+    if (std::abs(drive.torque(i)) >= strong) rows.push_back(i);
+  return regress(drive.columns(rows, 0), drive.torque(rows));
+}
+
 }  // namespace
 
 InertiaResult identify_inertia(const std::vector<DriveStretch>& stretches,
@@ -31,8 +40,7 @@ InertiaResult identify_inertia(const std::vector<DriveStretch>& stretches,
                     static_cast<double>(drive.torque.size()) * width, experiment));
     return result;
   }
-  const Regression with = regress(drive.columns, drive.torque),
-                   without = regress(drive.columns.leftCols(1), drive.torque);
+  const Regression with = regress(drive.columns, drive.torque), without = over_impulses(drive);
   result.inertia = with.estimate_of(0);
   result.without_friction = without.estimate_of(0);
   result.bias = result.without_friction.value / result.inertia.value - 1.0;

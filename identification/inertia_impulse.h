@@ -14,7 +14,7 @@ namespace sinew {
 struct InertiaResult {
   bool identified = false;
   Estimate inertia;           ///< B at the output [kg·m²], with friction and ripple fitted along
-  Estimate without_friction;  ///< the same log with tau_m = B theta'' alone, (3.6)
+  Estimate without_friction;  ///< tau_m = B theta'' alone over the impulses, (3.6)
   double bias = 0.0;          ///< of that, relative to `inertia`
   double residual = 0.0;      ///< N·m, rms, with friction
   double residual_without = 0.0;

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 
@@ -81,6 +82,22 @@ double stiffness_mismatch(const LeverCalibrationResult& result, const Branch& br
   return largest > 0.0 ? worst / largest : 0.0;
 }
 
+/// The force without the loop: a part that changes sign with the direction, smooth over the travel,
+/// is fitted along and taken off, so that it does not drown what decides about the degree.
+Eigen::ArrayXd middle_of_loop(const Eigen::ArrayXd& u, const Eigen::ArrayXd& force,
+                              const std::vector<int>& direction, int highest) {
+  constexpr int loop_degree = 6;
+  Eigen::MatrixXd columns(u.size(), highest + loop_degree + 2);
+  Eigen::ArrayXd power = Eigen::ArrayXd::Ones(u.size()), sign(u.size());
+  for (Eigen::Index i = 0; i < u.size(); ++i) sign(i) = direction[static_cast<std::size_t>(i)];
+  for (int k = 0; k <= std::max(highest, loop_degree); ++k, power *= u) {
+    if (k <= loop_degree) columns.col(k) = power * sign;
+    if (k <= highest) columns.col(loop_degree + 1 + k) = power;
+  }
+  const Eigen::VectorXd c = columns.colPivHouseholderQr().solve(force.matrix());
+  return force - (columns.leftCols(loop_degree + 1) * c.head(loop_degree + 1)).array();
+}
+
 }  // namespace
 
 LeverCalibrationResult calibrate_lever(const std::vector<Log>& logs, int highest) {
@@ -108,13 +125,17 @@ LeverCalibrationResult calibrate_lever(const std::vector<Log>& logs, int highest
     if (samples.direction[i] > 0) up.add(u(k), force(k), samples.elongation[i]);
     if (samples.direction[i] < 0) down.add(u(k), force(k), samples.elongation[i]);
   }
-  result.force = fit_polynomial(u, force, highest);
+  const auto unloading = std::count(samples.direction.begin(), samples.direction.end(), -1),
+             loading = std::count(samples.direction.begin(), samples.direction.end(), 1);
+  const bool both = 20 * std::min(loading, unloading) > static_cast<long>(n);
+  result.force = fit_polynomial(
+      u, both ? middle_of_loop(u, force, samples.direction, highest) : force, highest);
   c.force = result.force.coefficients;
   measure_loop(result, up, down);
-  result.largest_force_error = result.force.largest_error;
-  const long both =
-      static_cast<long>(std::count(samples.direction.begin(), samples.direction.end(), -1));
-  if (both == 0 || both == static_cast<long>(n))
+  for (Eigen::Index i = 0; i < u.size(); ++i)
+    result.largest_force_error =
+        std::max(result.largest_force_error, std::abs(result.force.at(u(i)) - force(i)));
+  if (!both)
     say("the log loads or unloads only, so that the hysteresis is not seen; " + experiment);
   if (length.abs().maxCoeff() == 0.0) {
     say("there is no elongation, so that neither length nor stiffness follow; expected the channel "

@@ -22,9 +22,36 @@ double travel(const std::vector<DriveStretch>& stretches) {
 
 double fastest(const std::vector<DriveStretch>& stretches) {
   double speed = 0.0;
-  for (const Plateau& plateau : plateaus(stretches))
-    speed = std::max(speed, std::abs(plateau.velocity));
+  for (const DriveStretch& s : stretches)
+    speed = std::max(speed, std::abs(s.theta(s.theta.size() - 1) - s.theta(0)) /
+                                (static_cast<double>(s.theta.size() - 1) * s.period));
   return speed;
+}
+
+/// The constant velocities alone, one stretch each.
+std::vector<DriveStretch> steady(const std::vector<DriveStretch>& stretches) {
+  std::vector<DriveStretch> all;
+  for (const Plateau& p : plateaus(stretches)) {
+    const DriveStretch& s = stretches[p.stretch];
+    const long count = p.last - p.first;
+    all.push_back({s.period, s.theta.segment(p.first, count), s.omega.segment(p.first, count),
+                   s.torque.segment(p.first, count)});
+  }
+  return all;
+}
+
+/// atan(gamma1 w) and a constant torque of its own for each velocity: what is fitted along.
+Eigen::MatrixXd common_columns(const DriveRegression& drive) {
+  const auto count = static_cast<Eigen::Index>(drive.rows.size());
+  Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(drive.columns.rows(), 1 + count);
+  columns.col(0) = drive.columns.col(1);
+  Eigen::Index row = 0;
+  for (Eigen::Index k = 0; k < count; ++k) {
+    const Eigen::Index rows = drive.rows[static_cast<std::size_t>(k)];
+    columns.block(row, 1 + k, rows, 1).setOnes();
+    row += rows;
+  }
+  return columns;
 }
 
 std::vector<RippleOrder> candidates(double turned, double gear_ratio, int highest) {
@@ -50,18 +77,20 @@ FittedRipple fitted(const Regression& r, const RippleOrder& order, Eigen::Index 
   f.sine = r.estimate_of(first);
   f.cosine = r.estimate_of(first + 1);
   const double s = f.sine.value, c = f.cosine.value, amplitude = std::hypot(s, c);
-  const double es = f.sine.standard_error, ec = f.cosine.standard_error;
-  f.amplitude = estimate(amplitude, std::hypot(s * es, c * ec) / amplitude, r.freedom);
+  const Eigen::Matrix2d covariance = r.covariance.block<2, 2>(first, first);
+  const Eigen::Vector2d along(s / amplitude, c / amplitude), across(-along(1), along(0));
+  f.amplitude = estimate(amplitude, std::sqrt(along.dot(covariance * along)), r.freedom);
   f.phase =
-      estimate(std::atan2(c, s), std::hypot(c * es, s * ec) / (amplitude * amplitude), r.freedom);
+      estimate(std::atan2(c, s), std::sqrt(across.dot(covariance * across)) / amplitude, r.freedom);
   return f;
 }
 
 }  // namespace
 
-RippleResult identify_ripple(const std::vector<DriveStretch>& stretches,
-                             const MotorParameters& model, int highest) {
+RippleResult identify_ripple(const std::vector<DriveStretch>& whole, const MotorParameters& model,
+                             int highest) {
   RippleResult result;
+  const std::vector<DriveStretch> stretches = steady(whole);
   const double speed = fastest(stretches);
   const std::string experiment = fmt::format(
       "expected constant velocities over a turn of the output shaft, slow enough for ten samples a "
@@ -92,7 +121,10 @@ RippleResult identify_ripple(const std::vector<DriveStretch>& stretches,
 
   const DriveRegression drive =
       project_drive(stretches, model.gamma1, model.gear_ratio, left, result.width);
-  const Eigen::Index common = 3;
+  // At constant velocity theta'' and ripple act alike: the inertia has to be known.
+  const Eigen::VectorXd torque = drive.torque - motor_inertia(model) * drive.columns.col(0);
+  const Eigen::MatrixXd along = common_columns(drive);
+  const Eigen::Index common = along.cols(), projected = 3;
   std::vector<std::size_t> kept(left.size());
   for (std::size_t i = 0; i < kept.size(); ++i) kept[i] = i;
   // All of them together first; then without those that explain nothing.
@@ -100,11 +132,11 @@ RippleResult identify_ripple(const std::vector<DriveStretch>& stretches,
   for (int round = 0; round < 2; ++round) {
     Eigen::MatrixXd columns(drive.columns.rows(),
                             common + 2 * static_cast<Eigen::Index>(kept.size()));
-    columns.leftCols(common) = drive.columns.leftCols(common);
+    columns.leftCols(common) = along;
     for (std::size_t i = 0; i < kept.size(); ++i)
       columns.middleCols(common + 2 * static_cast<Eigen::Index>(i), 2) =
-          drive.columns.middleCols(common + 2 * static_cast<Eigen::Index>(kept[i]), 2);
-    r = regress(columns, drive.torque);
+          drive.columns.middleCols(projected + 2 * static_cast<Eigen::Index>(kept[i]), 2);
+    r = regress(columns, torque);
     if (!r.identifiable) {
       result.missing.push_back("ripple, friction and inertia act alike in this log; " + experiment);
       return result;

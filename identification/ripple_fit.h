@@ -25,8 +25,8 @@ struct RippleResult {
 };
 
 /// Orders 1..`highest` of output and input shaft, one after the other as long as one is significant
-/// (its amplitude 5 standard errors or more). Inertia and friction are fitted along; gamma1 and the
-/// gear ratio are the model's.
+/// (its amplitude 5 standard errors or more). Friction is fitted along; inertia, gamma1 and
+/// the gear ratio are the model's: identify the inertia first.
 RippleResult identify_ripple(const std::vector<DriveStretch>& stretches,
                              const MotorParameters& model, int highest = 4);
 

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+namespace CLI {
+class App;
+}
+
+namespace sinew {
+
+/// `sinew identify <model> --experiment friction|inertia|ripple|lever --log FILE... --out FILE`:
+/// chapter 3's experiments and the lever's calibration. Exit code 1 where the logs cannot say.
+void add_identify_command(CLI::App& app, int& exit_status);
+
+}  // namespace sinew
