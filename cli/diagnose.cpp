@@ -8,6 +8,7 @@
 #include <fstream>
 #include <memory>
 
+#include "cli/diagnose_rig.h"
 #include "cli/model_folder.h"
 #include "cli/runtime_folder.h"
 #include "generator/write.h"
@@ -55,8 +56,9 @@ DriveLimits limits_of(const DrivenJoint& joint) {
   return limits;
 }
 
-DiagnoseRequest request_for(const Options& o, const ModelFolder& folder) {
-  DiagnoseRequest request;
+/// What does not depend on the kind of model.
+template <class Request>
+void set_common(const Options& o, const ModelFolder& folder, Request& request) {
   request.name = folder.identity.name;
   request.description = folder.identity.description;
   request.hash = folder.identity.hash;
@@ -68,6 +70,11 @@ DiagnoseRequest request_for(const Options& o, const ModelFolder& folder) {
   request.settings.edge_s = diagnosis::driven_edge;
   request.settings.band_hz = o.band;
   request.settings.seed = o.seed;
+}
+
+DiagnoseRequest request_for(const Options& o, const ModelFolder& folder) {
+  DiagnoseRequest request;
+  set_common(o, folder, request);
   if (const Mechanism* mechanism = std::get_if<Mechanism>(&folder.model)) {
     request.kind = "robot";
     request.model = driven_model(*mechanism, emitted_cost);
@@ -82,7 +89,8 @@ DiagnoseRequest request_for(const Options& o, const ModelFolder& folder) {
   if (!motor)
     throw std::runtime_error(
         o.folder +
-        ": diagnose works on a motor or on a mechanism of joints; this model is neither");
+        ": diagnose works on a mechanism of joints, a motor, a lever, a tendon or a wrist; this "
+        "model is none of them");
   request.kind = "rotary drive";
   request.model = driven_model(*motor, part->name);
   request.channels = [limits = limits_of(request.model.joints.front())](const std::string&) {
@@ -117,10 +125,18 @@ void write_results(const Options& o, Diagnosis& diagnosis) {
 
 int run(const Options& o) {
   const ModelFolder folder = open_model_folder(o.folder);
-  DiagnoseRequest request = request_for(o, folder);
   const Progress progress(!o.json);
-  request.progress = [&](const std::string& step, double share) { progress(step, share); };
-  Diagnosis diagnosis = diagnose(request);
+  const auto told = [&](const std::string& step, double share) { progress(step, share); };
+  Diagnosis diagnosis;
+  if (auto rig = rig_request(folder, o.logs, o.holdout, o.map)) {
+    set_common(o, folder, *rig);
+    rig->progress = told;
+    diagnosis = diagnose_observed(*rig);
+  } else {
+    DiagnoseRequest request = request_for(o, folder);
+    request.progress = told;
+    diagnosis = diagnose(request);
+  }
   write_results(o, diagnosis);
   if (o.json)
     fmt::print("{}", findings_json(diagnosis.findings));

@@ -10,6 +10,7 @@
 #include "symbolic/coordinates.h"
 #include "symbolic/driven_model.h"
 #include "symbolic/functions.h"
+#include "symbolic/part_observation.h"
 #include "symbolic/identified_mechanism.h"
 #include "symbolic/read_hand.h"
 #include "symbolic/read_mechanism.h"
@@ -112,10 +113,14 @@ std::vector<Function> identified_functions(const ModelFolder& folder) {
     driven = driven_model(*mechanism, emitted_cost);
   } else {
     const Part* part = std::get_if<Part>(&folder.model);
+    if (part)
+      if (const std::optional<Observation> observation = observation_of(*part))
+        return {closed_observation(*observation, folder.identified)};
     const auto* motor = part ? std::get_if<MotorParameters>(&part->parameters) : nullptr;
     if (!motor)
       throw std::runtime_error(folder.identity.name +
-                               ": identified.toml is understood beside a mechanism or a motor");
+                               ": identified.toml is understood beside a mechanism, a motor, a "
+                               "lever, a tendon or a wrist");
     driven = driven_model(*motor, part->name);
   }
   std::vector<Function> functions{effort_function(driven, folder.identified)};

@@ -329,7 +329,8 @@ std::vector<ChannelSpec> lever_channels() {
   return {spec("count", "1", ChannelRole::other, -1, true),
           spec("force", "N", ChannelRole::effort, -1, true),
           spec("elongation", "m", ChannelRole::other, -1, false),
-          spec("lever", "rad", ChannelRole::other, -1, false)};
+          spec("lever", "rad", ChannelRole::other, -1, false),
+          spec("bend", "rad", ChannelRole::other, -1, false)};
 }
 
 std::vector<ChannelSpec> wrist_channels(int tendons) {

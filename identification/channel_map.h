@@ -44,7 +44,7 @@ std::vector<ChannelSpec> linear_drive_channels(const DriveLimits& limits = {});
 std::vector<ChannelSpec> robot_channels(const Mechanism& mechanism);
 /// q of every moving joint by the joint's name, theta_1..m, tau_1..m of the m tendons' motors.
 std::vector<ChannelSpec> finger_channels(const Mechanism& mechanism);
-/// count and force, optional elongation, lever.
+/// count and force, optional elongation, lever, bend (of the tendon between lever and load cell).
 std::vector<ChannelSpec> lever_channels();
 /// q71, q73, theta_1..m and optional force_1..m.
 std::vector<ChannelSpec> wrist_channels(int tendons);

@@ -2,6 +2,7 @@
 #include "identification/measure_plots.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <functional>
 
@@ -89,18 +90,27 @@ Series spectrum_of(const MeasuredChannel& m, bool after, const std::string& labe
 
 std::vector<Plot> channel_plots(const std::vector<MeasuredChannel>& measured, int channel,
                                 bool held_out, bool revolute) {
+  const std::string unit = revolute ? "N m" : "N";
+  return channel_plots(measured, channel, held_out,
+                       {"effort", unit, "position", revolute ? "rad" : "m", unit});
+}
+
+std::vector<Plot> channel_plots(const std::vector<MeasuredChannel>& measured, int channel,
+                                bool held_out, const PlotNames& names) {
   std::vector<const MeasuredChannel*> logs;
   for (const MeasuredChannel& m : measured)
     if (m.channel == channel && m.held_out == held_out && m.measured.size() > 100)
       logs.push_back(&m);
   if (logs.empty()) return {};
   const MeasuredChannel& first = *logs.front();
-  const std::string effort = revolute ? "effort [N m]" : "effort [N]";
-  const std::string left = revolute ? "left over [N m]" : "left over [N]";
-  const std::string length = revolute ? "rad" : "m";
+  const std::string effort = names.quantity + " [" + names.unit + "]";
+  const std::string left = "left over [" + names.unit + "]";
+  const std::string length = names.position_unit;
+  const std::string capital = {static_cast<char>(std::toupper(names.quantity.front()))};
+  const std::string quantity = capital + names.quantity.substr(1);
   std::vector<Plot> plots;
   plots.push_back({"time",
-                   "Measured and modelled effort",
+                   "Measured and modelled " + names.quantity,
                    "time [s]",
                    effort,
                    "How well the model follows the measurement.",
@@ -121,24 +131,25 @@ std::vector<Plot> channel_plots(const std::vector<MeasuredChannel>& measured, in
       "Friction that the model lacks shows here; flat is good.",
       [](const MeasuredChannel& m) -> const VectorXd& { return m.velocity; }, false));
   plots.push_back(dependence(
-      logs, "position", "Left over against the position", "position [" + length + "]", left,
+      logs, "position", "Left over against the " + names.position,
+      names.position + " [" + length + "]", left,
       "Ripple, springs and gravity show the same curve both ways; friction shows two.",
       [](const MeasuredChannel& m) -> const VectorXd& { return m.position; }, true));
   if (first.load.size() > 0)
     plots.push_back(dependence(
-        logs, "load", "Left over against the load", revolute ? "load [N m]" : "load [N]", left,
+        logs, "load", "Left over against the load", "load [" + names.load_unit + "]", left,
         "Friction that grows with the load opens a wedge between the directions.",
         [](const MeasuredChannel& m) -> const VectorXd& { return m.load; }, true));
   plots.push_back({"spectrum",
                    "Spectrum of what is left over",
                    "frequency [Hz]",
-                   revolute ? "N m per root Hz" : "N per root Hz",
+                   names.unit + " per root Hz",
                    "Where over the frequency the extension helps.",
                    true,
                    {spectrum_of(first, false, "before"), spectrum_of(first, true, "after")}});
   plots.push_back({"loop",
-                   "Effort against the position",
-                   "position [" + length + "]",
+                   quantity + " against the " + names.position,
+                   names.position + " [" + length + "]",
                    effort,
                    "The width of the loop is friction, its slope a spring.",
                    false,

@@ -2,6 +2,7 @@
 // The pictures that carry a verdict: what the model leaves over, against what it may depend on.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "identification/findings.h"
@@ -9,9 +10,18 @@
 
 namespace sinew::diagnosis {
 
+/// What the pictures of a channel call their axes.
+struct PlotNames {
+  std::string quantity, unit;           ///< measured: "effort", "N"
+  std::string position, position_unit;  ///< "position", "m"
+  std::string load_unit;                ///< "N"
+};
+
 /// Time, velocity, position, load, spectrum and loop of one channel, from the held-out logs or the
 /// training logs.
 std::vector<Plot> channel_plots(const std::vector<MeasuredChannel>& measured, int channel,
                                 bool held_out, bool revolute);
+std::vector<Plot> channel_plots(const std::vector<MeasuredChannel>& measured, int channel,
+                                bool held_out, const PlotNames& names);
 
 }  // namespace sinew::diagnosis

@@ -32,8 +32,10 @@ struct LeverParameters {
   double spring_stiffness = 0.0;                     ///< K [N/m]
   double free_angle = 0.0;                           ///< theta_0 [rad]: spring and tendon free
   double end_angle = 0.0;                            ///< rad, the end of the lever's travel
-  int newton_iterations = 5;                         ///< of the map from elongation to angle
-  double singular_margin = 1e-6;                     ///< rad; nearer to a dead centre counts as one
+  double count_free = 0.0;        ///< of the lever's 12-bit sensor at the free angle
+  double count_end = 4095.0;      ///< and at the end of travel
+  int newton_iterations = 5;      ///< of the map from elongation to angle
+  double singular_margin = 1e-6;  ///< rad; nearer to a dead centre counts as one
 };
 
 /// state(theta -> out 4): dL [m], elongation x = dL(theta_0) - dL [m], force -U'/dL' [N], stiffness

@@ -98,6 +98,7 @@ LeverGeometry lever_geometry(DefinitionList& list, const LeverParameters& p, con
   const ex lever_arm = list.define("spring_moment", base[0] * tip[1] - base[1] * tip[0]);
   g.energy_slope =
       list.define("energy_slope", exact_number(p.spring_stiffness) * strain * lever_arm);
+  g.preload_slope = exact_number(p.spring_stiffness) * lever_arm / length;
   return g;
 }
 

@@ -12,6 +12,7 @@ struct LeverGeometry {
   GiNaC::ex slope;         ///< d(dL)/dtheta [m/rad], by the virtual displacement of the pulley
   GiNaC::ex safe_slope;    ///< the same, kept away from 0 for divisions
   GiNaC::ex energy_slope;  ///< dU/dtheta [N·m/rad]
+  GiNaC::ex preload_slope;  ///< of energy_slope by a shorter free length of the spring [N/rad]
   GiNaC::ex path_margin;   ///< smaller of both |D|² - k² [m²]: negative where pulleys overlap
 };
 

@@ -113,6 +113,8 @@ LeverParameters read_lever(TomlTable& table) {
   p.spring_stiffness = positive(table, "spring_stiffness", Dimension::stiffness);
   p.free_angle = number(table, "free_angle", Dimension::angle);
   const double travel = positive(table, "travel", Dimension::length);
+  if (table.has("count_free")) p.count_free = number(table, "count_free", Dimension::none);
+  if (table.has("count_end")) p.count_end = number(table, "count_end", Dimension::none);
   table.finish();
   if (!table.file().findings.any()) p.end_angle = lever_angle_at(p, travel);
   return p;

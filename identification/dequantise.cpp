@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "identification/dequantise.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace sinew::diagnosis {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+/// Changes between samples that stand alone: the reading is held before and after but for a little
+/// noise. A smooth motion changes as much from one sample to the next.
+std::vector<Index> lone_changes(const VectorXd& signal) {
+  std::vector<Index> changes;
+  for (Index k = 2; k + 1 < signal.size(); ++k) {
+    const double here = std::abs(signal(k) - signal(k - 1));
+    const double beside =
+        std::max(std::abs(signal(k - 1) - signal(k - 2)), std::abs(signal(k + 1) - signal(k)));
+    if (here > 6.0 * beside) changes.push_back(k);
+  }
+  return changes;
+}
+
+}  // namespace
+
+double held_step(const VectorXd& signal) {
+  const std::vector<Index> changes = lone_changes(signal);
+  if (changes.size() < 10) return 0.0;
+  std::vector<double> sizes;
+  double lone = 0.0, all = 0.0;
+  for (Index k = 1; k < signal.size(); ++k) all += std::abs(signal(k) - signal(k - 1));
+  for (const Index k : changes) {
+    sizes.push_back(std::abs(signal(k) - signal(k - 1)));
+    lone += sizes.back();
+  }
+  if (lone < 0.5 * all) return 0.0;
+  std::nth_element(sizes.begin(), sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2),
+                   sizes.end());
+  return sizes[sizes.size() / 2];
+}
+
+VectorXd dequantised(const VectorXd& signal) {
+  VectorXd out = signal;
+  double last_at = -1.0, last = 0.0;
+  for (const Index k : lone_changes(signal)) {
+    const double at = static_cast<double>(k) - 0.5, middle = 0.5 * (signal(k) + signal(k - 1));
+    if (last_at >= 0.0)
+      for (auto i = static_cast<Index>(last_at + 0.5); i < k; ++i)
+        out(i) = last + (middle - last) * (static_cast<double>(i) - last_at) / (at - last_at);
+    last_at = at;
+    last = middle;
+  }
+  return out;
+}
+
+}  // namespace sinew::diagnosis
