@@ -194,13 +194,13 @@ void DrivenSubject::add_baseline(std::size_t joint) {
   const EffectPlace where{static_cast<int>(joint), place(joint), model_.joints[joint].revolute};
   std::vector<const char*> terms{"inertia", "viscous_level", "coulomb_level", "offset"};
   // How friction turns is no cause by itself, and must not pass for one.
-  if (bristle_[joint]) terms.push_back("soft_reversal");
+  terms.push_back(bristle_[joint] ? "soft_reversal" : "late_reversal");
   for (const char* id : terms) {
     const std::string effect =
         id == std::string("coulomb_level") && bristle_[joint] ? "presliding" : id;
     Candidate c = effect_candidate(find_effect(effect), where, scale(joint));
     for (LinearParameter& p : c.linear) {
-      if (effect == "soft_reversal") continue;
+      if (effect == "soft_reversal" || effect == "late_reversal") continue;
       p.low = -std::numeric_limits<double>::infinity();
       p.nominal = effect == "presliding" ? model_.joints[joint].friction : 0.0;
     }

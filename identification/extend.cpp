@@ -76,7 +76,7 @@ void add_directions(const DrivenSubject& subject, const Selection& selection,
     if (!term.baseline) continue;
     const CandidateOrigin& origin = subject.baseline_origins()[static_cast<std::size_t>(
         term.candidate - subject.problem().baseline.data())];
-    if (origin.effect == "soft_reversal") {
+    if (origin.effect == "soft_reversal" || origin.effect == "late_reversal") {
       ExtensionTerm soft;
       soft.entry.effect = origin.effect;
       soft.entry.place = subject.model().joints[origin.joint].name;

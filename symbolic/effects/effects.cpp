@@ -18,7 +18,7 @@ const std::vector<Effect>& effects() {
                                        pendulum(),          cable_torque(),
                                        backlash(),          inertial_backlash(),
                                        presliding(),        soft_reversal(),
-                                       elastic_hysteresis()};
+                                       late_reversal(),     elastic_hysteresis()};
   return all;
 }
 

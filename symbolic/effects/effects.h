@@ -30,6 +30,7 @@ Effect backlash();
 Effect inertial_backlash();
 Effect presliding();
 Effect soft_reversal();
+Effect late_reversal();
 Effect elastic_hysteresis();
 
 /// All effects, in a fixed order.

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "symbolic/effects/effects.h"
+#include "symbolic/piecewise.h"
+
+namespace sinew {
+
+Effect late_reversal() {
+  Effect e("late_reversal", "bristles of friction at reversals");
+  const EffectSignals& s = effect_signals();
+  const GiNaC::ex length = e.shape("bristle_length", "{position}", Scale::reach, 1e-7, 3e-3, 3);
+  const GiNaC::symbol z("z");
+  const GiNaC::ex travel = s.velocity * s.step / length;
+  const GiNaC::ex left = GiNaC::exp(-magnitude(travel));
+  const GiNaC::ex now = choose(travel, 1 - (1 - z) * left, (1 + z) * left - 1);
+  e.states = {{z, 0.0, now}};
+  // Friction of a known law over the velocity turns only after the bristles have.
+  e.column("level", "{effort}", Sign::positive,
+           magnitude(s.direction) * (now - choose(s.velocity, 1, -1)));
+  e.signature = "friction that turns a short way behind every reversal";
+  e.excitation = "reversals";
+  e.experiment = "very small slow triangles";
+  e.limit = "friction would turn before the motion";
+  return e;
+}
+
+}  // namespace sinew
