@@ -171,6 +171,16 @@ void effects_soft_reversal(const double signals[SINEW_AT_LEAST(8)], const double
     columns[0] = sinew_tanh(signals[1] / shape[0]) - sinew_choose(signals[1], 1.0, -1.0);
 }
 
+void effects_late_reversal(const double signals[SINEW_AT_LEAST(8)], const double shape[SINEW_AT_LEAST(1)], const double state[SINEW_AT_LEAST(1)], double columns[SINEW_AT_LEAST(1)], double next[SINEW_AT_LEAST(1)])
+{
+    const double t1 = signals[1] * signals[7] / shape[0];
+    const double t2 = sinew_exp(-sinew_max(t1, -t1));
+    const double t3 = sinew_choose(t1, 1.0 - (1.0 - state[0]) * t2, -(1.0 - (1.0 + state[0]) * t2));
+    const double t4 = (sinew_choose(signals[1], 1.0, -1.0) - t3) * sinew_max(signals[6], -signals[6]);
+    columns[0] = -t4;
+    next[0] = t3;
+}
+
 void effects_elastic_hysteresis(const double signals[SINEW_AT_LEAST(8)], const double shape[SINEW_AT_LEAST(1)], const double state[SINEW_AT_LEAST(1)], double columns[SINEW_AT_LEAST(1)], double next[SINEW_AT_LEAST(1)])
 {
     const double t1 = signals[1] * signals[7] / shape[0];

@@ -184,6 +184,15 @@ void effects_presliding(const double signals[SINEW_AT_LEAST(8)], const double sh
  * 0 multiplications, 1 additions, 1 divisions, 2 other functions. */
 void effects_soft_reversal(const double signals[SINEW_AT_LEAST(8)], const double shape[SINEW_AT_LEAST(1)], double columns[SINEW_AT_LEAST(1)]);
 
+/* Terms of the effect 'bristles of friction at reversals', to be multiplied by its coefficients.
+ *   in  signals       8 [SI] position, velocity, acceleration, its second derivative, load, time, direction, step; made for -3..3, -5..5, -50..50, -1e+04..1e+04, -10..10, 0..100, -1..1, 0.0001..0.01
+ *   in  shape         1 [SI] bristle_length; made for 1e-07..0.003
+ *   in  state         1 [1] before this sample; made for -1..1
+ *   out columns       1 [SI] level
+ *   out next          1 [1] states for the next sample
+ * 4 multiplications, 5 additions, 1 divisions, 5 other functions. */
+void effects_late_reversal(const double signals[SINEW_AT_LEAST(8)], const double shape[SINEW_AT_LEAST(1)], const double state[SINEW_AT_LEAST(1)], double columns[SINEW_AT_LEAST(1)], double next[SINEW_AT_LEAST(1)]);
+
 /* Terms of the effect 'hysteresis', to be multiplied by its coefficients.
  *   in  signals       8 [SI] position, velocity, acceleration, its second derivative, load, time, direction, step; made for -3..3, -5..5, -50..50, -1e+04..1e+04, -10..10, 0..100, -1..1, 0.0001..0.01
  *   in  shape         1 [SI] length; made for 0.001..0.3

@@ -283,6 +283,20 @@ void effects_soft_reversal_batch(int count, const double *SINEW_RESTRICT signals
     }
 }
 
+void effects_late_reversal_batch(int count, const double *SINEW_RESTRICT signals, const double *SINEW_RESTRICT shape, const double *SINEW_RESTRICT state, double *SINEW_RESTRICT columns, double *SINEW_RESTRICT next)
+{
+    const size_t n = (size_t)count;
+    SINEW_STATES_ARE_INDEPENDENT
+    for (size_t state = 0; state < n; ++state) {
+        const double t1 = signals[1 * n + state] * signals[7 * n + state] / shape[state];
+        const double t2 = sinew_exp(-sinew_max(t1, -t1));
+        const double t3 = sinew_choose(t1, 1.0 - (1.0 - state[state]) * t2, -(1.0 - (1.0 + state[state]) * t2));
+        const double t4 = (sinew_choose(signals[1 * n + state], 1.0, -1.0) - t3) * sinew_max(signals[6 * n + state], -signals[6 * n + state]);
+        columns[state] = -t4;
+        next[state] = t3;
+    }
+}
+
 void effects_elastic_hysteresis_batch(int count, const double *SINEW_RESTRICT signals, const double *SINEW_RESTRICT shape, const double *SINEW_RESTRICT state, double *SINEW_RESTRICT columns, double *SINEW_RESTRICT next)
 {
     const size_t n = (size_t)count;

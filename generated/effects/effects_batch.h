@@ -45,6 +45,7 @@ void effects_backlash_batch(int count, const double *SINEW_RESTRICT signals, con
 void effects_inertial_backlash_batch(int count, const double *SINEW_RESTRICT signals, const double *SINEW_RESTRICT shape, const double *SINEW_RESTRICT state, double *SINEW_RESTRICT columns, double *SINEW_RESTRICT next);
 void effects_presliding_batch(int count, const double *SINEW_RESTRICT signals, const double *SINEW_RESTRICT shape, const double *SINEW_RESTRICT state, double *SINEW_RESTRICT columns, double *SINEW_RESTRICT next);
 void effects_soft_reversal_batch(int count, const double *SINEW_RESTRICT signals, const double *SINEW_RESTRICT shape, double *SINEW_RESTRICT columns);
+void effects_late_reversal_batch(int count, const double *SINEW_RESTRICT signals, const double *SINEW_RESTRICT shape, const double *SINEW_RESTRICT state, double *SINEW_RESTRICT columns, double *SINEW_RESTRICT next);
 void effects_elastic_hysteresis_batch(int count, const double *SINEW_RESTRICT signals, const double *SINEW_RESTRICT shape, const double *SINEW_RESTRICT state, double *SINEW_RESTRICT columns, double *SINEW_RESTRICT next);
 
 #ifdef __cplusplus

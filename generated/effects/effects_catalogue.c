@@ -415,6 +415,28 @@ static const sinew_argument soft_reversal_outputs[] = {
     {"columns", "SI", 1, 1, 0, 0},
 };
 
+static void call_late_reversal(const void *in, void *out)
+{
+    const double *x = (const double *)in;
+    double *y = (double *)out;
+    effects_late_reversal(x + 0, x + 8, x + 9, y + 0, y + 1);
+}
+static const double late_reversal_signals_low[] = {-3.0, -5.0, -50.0, -10000.0, -10.0, 0.0, -1.0, 1e-04};
+static const double late_reversal_signals_high[] = {3.0, 5.0, 50.0, 10000.0, 10.0, 100.0, 1.0, 0.01};
+static const double late_reversal_shape_low[] = {1e-07};
+static const double late_reversal_shape_high[] = {0.003};
+static const double late_reversal_state_low[] = {-1.0};
+static const double late_reversal_state_high[] = {1.0};
+static const sinew_argument late_reversal_inputs[] = {
+    {"signals", "SI", 8, 1, late_reversal_signals_low, late_reversal_signals_high},
+    {"shape", "SI", 1, 1, late_reversal_shape_low, late_reversal_shape_high},
+    {"state", "1", 1, 1, late_reversal_state_low, late_reversal_state_high},
+};
+static const sinew_argument late_reversal_outputs[] = {
+    {"columns", "SI", 1, 1, 0, 0},
+    {"next", "1", 1, 1, 0, 0},
+};
+
 static void call_elastic_hysteresis(const void *in, void *out)
 {
     const double *x = (const double *)in;
@@ -462,7 +484,8 @@ static const sinew_function functions[] = {
     {"effects_inertial_backlash", 3, 2, 11, 3, inertial_backlash_inputs, inertial_backlash_outputs, call_inertial_backlash},
     {"effects_presliding", 3, 2, 10, 2, presliding_inputs, presliding_outputs, call_presliding},
     {"effects_soft_reversal", 2, 1, 9, 1, soft_reversal_inputs, soft_reversal_outputs, call_soft_reversal},
+    {"effects_late_reversal", 3, 2, 10, 2, late_reversal_inputs, late_reversal_outputs, call_late_reversal},
     {"effects_elastic_hysteresis", 3, 2, 10, 2, elastic_hysteresis_inputs, elastic_hysteresis_outputs, call_elastic_hysteresis},
 };
 
-const sinew_catalogue effects_catalogue = {"effects", "69c538edcbf3bf2f45779b1c8a2551790ff791915ec1f60e5b93999b2315532f", 8, 25, functions};
+const sinew_catalogue effects_catalogue = {"effects", "69c538edcbf3bf2f45779b1c8a2551790ff791915ec1f60e5b93999b2315532f", 8, 26, functions};
