@@ -148,7 +148,8 @@ void run_gnuplot(const fs::path& script) {
 }  // namespace
 
 bool is_dashed(const std::string& label) {
-  return label.find("model") != std::string::npos && label.find("before") != std::string::npos;
+  const auto has = [&](const char* word) { return label.find(word) != std::string::npos; };
+  return has("backward") || (has("model") && has("before"));
 }
 
 std::string series_role(const std::string& label, std::size_t position) {

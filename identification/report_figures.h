@@ -21,7 +21,8 @@ std::vector<std::string> svg_figures(const std::vector<Plot>& plots,
 /// before". `position`: among the plot's series.
 std::string series_role(const std::string& label, std::size_t position);
 
-/// Whether a line is dashed: the model before, which mostly lies behind other curves.
+/// Whether a line is dashed: the model before, which mostly lies behind other curves, and backward
+/// motion beside forward motion.
 bool is_dashed(const std::string& label);
 
 }  // namespace sinew::diagnosis

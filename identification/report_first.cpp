@@ -20,6 +20,11 @@ std::string kicker(const Findings& findings) {
   return "<p class=\"kicker\">" + text + "</p>\n";
 }
 
+/// Long headlines in smaller letters.
+std::string h1_of(const std::string& headline) {
+  return (headline.size() > 150 ? "<h1 class=\"long\">" : "<h1>") + escaped(headline);
+}
+
 std::string gain_sentence(const Findings& findings) {
   const Gain& gain = findings.verdict.held_out;
   if (findings.verdict.causes.empty()) return "";
@@ -66,12 +71,13 @@ std::string next_card(const Findings& findings) {
                               : e.dry_run ? "Nothing was changed (dry run): "
                                           : "The model was left as it is: ";
   const std::string done =
-      e.reason.empty() ? "" : "<p class=\"small\">" + outcome + escaped(e.reason) + "</p>";
+      e.reason.empty() ? ""
+                       : "<p class=\"small\">" + outcome + escaped(sentence(e.reason)) + "</p>";
   const std::string todo =
       findings.next_step.empty() ? "Nothing has to be done." : findings.next_step;
   return "<div class=\"card next\"><h2 class=\"label\" style=\"border:0;padding:0\">What to do "
          "next</h2><p>" +
-         escaped(todo) + "</p>" + done + "</div>\n";
+         escaped(sentence(todo)) + "</p>" + done + "</div>\n";
 }
 
 std::string fault_note(const Findings& findings) {
@@ -166,7 +172,7 @@ std::string cards(const Findings& findings) {
 }  // namespace
 
 std::string first_screen(const Findings& findings) {
-  std::string text = "<header>\n" + kicker(findings) + "<h1>" + escaped(headline_of(findings)) +
+  std::string text = "<header>\n" + kicker(findings) + h1_of(headline_of(findings)) +
                      "</h1>\n</header>\n<div class=\"pair\">\n";
   text += error_card(findings) + next_card(findings) + "</div>\n";
   return text + cards(findings) + fault_note(findings);

@@ -87,7 +87,7 @@ std::string shown_unit(const std::string& unit) {
   if (unit == "1") return "";
   std::string text;
   for (std::size_t i = 0; i < unit.size(); ++i) {
-    if (unit[i] == '*') {
+    if (unit[i] == '*' || unit[i] == ' ') {
       text += "·";
     } else if (unit[i] == '^') {
       std::size_t end = i + 1;

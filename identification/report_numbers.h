@@ -11,7 +11,7 @@ namespace sinew::diagnosis {
 /// `digits` significant digits; powers of ten only beyond 1e-4 .. 1e6. NaN: an en dash.
 std::string shown_number(double value, int digits = 3);
 
-/// "N*m*s/rad^2" as "N·m·s/rad²"; "1" as nothing.
+/// "N*m*s/rad^2" or "N m s/rad^2" as "N·m·s/rad²"; "1" as nothing.
 std::string shown_unit(const std::string& unit);
 
 /// Number and unit with the natural SI prefix: 0.00087, "s" is "0.870 ms".

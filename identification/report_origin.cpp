@@ -61,7 +61,8 @@ constexpr const char* kMethod = R"(
 was looked at. Before: the model with its own parameters fitted to the same logs, so that a gain is the new
 term's and not a better calibration's. After: the same with the causes.</p>
 <p><b>Gain.</b> The share of the squared error that goes away. Its 95&nbsp;% interval comes from drawing
-whole blocks of the log again and again, because neighbouring samples are not independent.</p>
+whole blocks of the log again and again, because neighbouring samples are not independent. A single
+cause is measured against the same model without it, so the shares of several causes do not add up.</p>
 <p><b>Chance of a false name.</b> What a model leaves over is coloured noise, and a test that takes it for
 white always finds something. So the same search runs on surrogates: noise with the same spectrum and
 nothing hidden. The number is how often the best of the whole library does as well there.</p>
@@ -81,7 +82,7 @@ std::string extension_section(const Findings& findings) {
                      std::string(e.adopted   ? "The model was extended."
                                  : e.dry_run ? "Nothing was changed: this was a dry run."
                                              : "The model was left as it is.") +
-                     "</b> " + escaped(capitalised(e.reason)) + "</p>\n";
+                     "</b> " + escaped(sentence(capitalised(e.reason))) + "</p>\n";
   if (!e.model_folder.empty())
     text += "<p>The extended model is in <code>" + escaped_name(e.model_folder) + "</code>.</p>\n";
   return section("extension", "What became of the model",

@@ -39,6 +39,7 @@ h1 {
   font-size: clamp(1.5rem, 1.1rem + 1.7vw, 2.1rem); line-height: 1.18; letter-spacing: -0.018em;
   font-weight: 680; margin: 0.25rem 0 1.2rem; max-width: 32em; text-wrap: balance;
 }
+h1.long { font-size: clamp(1.15rem, 1rem + 0.8vw, 1.45rem); line-height: 1.3; letter-spacing: -0.01em; max-width: none; text-wrap: pretty; }
 h2 {
   font-size: 1.3rem; line-height: 1.25; letter-spacing: -0.01em; margin: 0 0 0.8rem;
   padding-top: 1.1rem; border-top: 2px solid var(--ink);

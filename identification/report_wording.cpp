@@ -66,10 +66,13 @@ std::string measured_on(const Findings& findings) {
 
 std::string separation_of(const NamedCause& cause) {
   if (cause.members.size() < 2) return "";
-  const std::string set = "These logs cannot tell " + joined(labels_of(cause), "from") + ".";
+  const std::vector<std::string> labels = labels_of(cause);
+  const std::string set =
+      "These logs cannot tell " +
+      (labels.size() == 2 ? joined(labels, "from") + "." : joined(labels, "and") + " apart.");
   return cause.separating_experiment.empty()
              ? set
-             : set + " To settle it: " + cause.separating_experiment;
+             : set + " To settle it: " + sentence(cause.separating_experiment);
 }
 
 std::vector<std::string> faults_of(const Findings& findings) {
@@ -116,6 +119,11 @@ std::string shown_dependence(std::string on) {
   for (std::size_t at = on.find(sign); at != std::string::npos; at = on.find(sign, at))
     on.replace(at, sign.size(), " × ");
   return on;
+}
+
+std::string sentence(std::string text) {
+  if (!text.empty() && std::string(".!?").find(text.back()) == std::string::npos) text += '.';
+  return text;
 }
 
 std::string counted(std::size_t count, const std::string& one, const std::string& many) {

@@ -39,6 +39,9 @@ std::string leftover_of(const Verdict& verdict);
 /// "position x direction" with a multiplication sign.
 std::string shown_dependence(std::string on);
 
+/// With a full stop at the end.
+std::string sentence(std::string text);
+
 /// "1 log", "3 logs".
 std::string counted(std::size_t count, const std::string& one, const std::string& many);
 

@@ -108,6 +108,15 @@ TEST_CASE("paths become shorter, not different") {
   CHECK(contains(svg_for_page(svg, ""), "d='M1.2,2.7 10.0,20 3.9,4Z'"));
 }
 
+TEST_CASE("roles and dashes follow the label") {
+  CHECK(series_role("model before", 4) == "before");
+  CHECK(series_role("after, backwards", 0) == "after");
+  CHECK(series_role("something", 4) == "extra-2");
+  CHECK(is_dashed("before, backwards"));
+  CHECK(is_dashed("model before"));
+  CHECK_FALSE(is_dashed("before, forwards"));
+}
+
 TEST_CASE("what is cut off is no picture") {
   CHECK(svg_for_page("<svg><defs></defs><g><path", "x").empty());
   CHECK(svg_for_page("", "x").empty());

@@ -34,6 +34,7 @@ TEST_CASE("numbers have the digits a person reads") {
 
 TEST_CASE("units are set as in a book") {
   CHECK(shown_unit("N*m*s/rad") == "N·m·s/rad");
+  CHECK(shown_unit("N m") == "N·m");
   CHECK(shown_unit("kg*m^2") == "kg·m²");
   CHECK(shown_unit("s^-1") == "s⁻¹");
   CHECK(shown_unit("1") == "");
