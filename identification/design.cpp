@@ -29,6 +29,38 @@ double energy_per_sample(const MatrixXd& x) {
   return (x.rowwise() - x.colwise().mean()).squaredNorm() / static_cast<double>(x.rows());
 }
 
+// Half the work of a frictional drive lies below 40 Hz; more band costs time and adds noise.
+constexpr double kBand = 100.0;
+
+// Samples a second that are kept at least, as a multiple of the band.
+constexpr double kSamplesPerBand = 6.0;
+
+/// The filter that thins a log, factor 1 where it is not sampled fast enough to be worth it.
+DecimatingFilter thinning_filter(double step, double band_hz) {
+  const double factor = std::floor(1.0 / (step * kSamplesPerBand * band_hz));
+  return design_decimating_filter(step, 0.4 / (std::max(1.0, factor) * step) * (1.0 - 1e-9));
+}
+
+Recording thin(const Recording& log, const DecimatingFilter& filter) {
+  Recording r;
+  const auto take = [&](const MatrixXd& x) {
+    return x.size() == 0 ? x : filter_decimate(filter, x);
+  };
+  r.name = log.name;
+  r.step = log.step * filter.factor;
+  r.time = take(log.time);
+  r.q = take(log.q);
+  r.qd = take(log.qd);
+  r.qdd = take(log.qdd);
+  r.command = take(log.command);
+  r.load = take(log.load);
+  r.temperature = take(log.temperature);
+  for (const auto& [name, signal] : log.signals) r.signals[name] = take(signal);
+  for (const VectorXd& x : log.target) r.target.push_back(take(x));
+  for (const VectorXd& x : log.known) r.known.push_back(take(x));
+  return r;
+}
+
 }  // namespace
 
 Design::Design(const Problem& problem, const Settings& settings)
@@ -41,14 +73,16 @@ Design::Design(const Problem& problem, const Settings& settings)
 
 void Design::add_segments(const std::vector<Recording>& recordings, int first, bool holdout) {
   for (std::size_t r = 0; r < recordings.size(); ++r) {
-    const Recording& log = recordings[r];
-    // Half the work of a frictional drive lies below 40 Hz; more band costs time and adds noise.
-    const double band = settings_.band_hz > 0.0 ? settings_.band_hz : 100.0;
+    const double band = settings_.band_hz > 0.0 ? settings_.band_hz : kBand;
+    const int index = first + static_cast<int>(r);
+    const DecimatingFilter thinning = thinning_filter(recordings[r].step, band);
+    if (thinning.factor > 1) thinned_[index] = {thinning, thin(recordings[r], thinning)};
+    const Recording& log = recording(index);
     for (int channel = 0; channel < static_cast<int>(log.target.size()); ++channel) {
       const Index raw = log.target[static_cast<std::size_t>(channel)].size();
       if (raw == 0) continue;
       Segment segment;
-      segment.recording = first + static_cast<int>(r);
+      segment.recording = index;
       segment.channel = channel;
       segment.holdout = holdout;
       segment.filter = design_decimating_filter(log.step, std::min(band, 0.4 / log.step));
@@ -69,20 +103,35 @@ void Design::add_segments(const std::vector<Recording>& recordings, int first, b
 }
 
 const Recording& Design::recording(int index) const {
+  const auto found = thinned_.find(index);
+  return found == thinned_.end() ? given(index) : found->second.log;
+}
+
+MatrixXd Design::thinned(int segment, const MatrixXd& raw) const {
+  const int index = segments_[static_cast<std::size_t>(segment)].recording;
+  const auto found = thinned_.find(index);
+  if (found == thinned_.end() || raw.rows() != given(index).q.rows()) return raw;
+  return filter_decimate(found->second.filter, raw);
+}
+
+const Recording& Design::given(int index) const {
   const auto training = problem_.training.size();
   const auto i = static_cast<std::size_t>(index);
   return i < training ? problem_.training[i] : problem_.holdout[i - training];
 }
 
-MatrixXd Design::filtered(int segment, const MatrixXd& raw, double advance, int derivative) const {
+MatrixXd Design::filtered(int segment, const MatrixXd& as_given, double advance,
+                          int derivative) const {
   const Segment& s = segments_[static_cast<std::size_t>(segment)];
+  const MatrixXd raw = thinned(segment, as_given);
   const Index edge = edge_samples(settings_, s.filter.step);
   return filter_decimate(s.filter, raw.middleRows(edge, raw.rows() - 2 * edge), advance, derivative)
       .topRows(s.samples);
 }
 
-VectorXd Design::at_instants(int segment, const VectorXd& raw) const {
+VectorXd Design::at_instants(int segment, const VectorXd& as_given) const {
   const Segment& s = segments_[static_cast<std::size_t>(segment)];
+  const VectorXd raw = thinned(segment, as_given);
   const Index edge = edge_samples(settings_, s.filter.step);
   VectorXd out(s.samples);
   for (Index k = 0; k < s.samples; ++k) out(k) = raw(edge + centre_sample(s.filter, k));

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -25,13 +26,16 @@ struct Segment {
 /// Columns of a group in the band, one matrix for each segment; 0 x 0 where it does not act.
 using BandColumns = std::vector<Eigen::MatrixXd>;
 
-/// Filters what a problem holds. Keeps a reference to the problem.
+/// Filters what a problem holds. Keeps a reference to the problem. Logs sampled at more than twelve
+/// times the band are thinned first, every signal by the same zero-phase filter: no regressor needs
+/// more samples, and the work of evaluating them is what a long log costs.
 class Design {
  public:
   Design(const Problem& problem, const Settings& settings);
 
   const Problem& problem() const { return problem_; }
   const std::vector<Segment>& segments() const { return segments_; }
+  /// As the candidates see it: thinned where the log was.
   const Recording& recording(int index) const;
 
   /// Filtered target of one segment in the band, `advance` [s] later than the model's time, less
@@ -56,7 +60,8 @@ class Design {
   BandColumns columns(const Candidate& candidate, const Eigen::VectorXd& nonlinear,
                       int derivative = 0, double* in_band = nullptr) const;
 
-  /// Raw columns put through the segment's filter, decimated time domain.
+  /// Raw columns put through the segment's filter, decimated time domain. They may have the samples
+  /// of the log as given or of recording().
   Eigen::MatrixXd filtered(int segment, const Eigen::MatrixXd& raw, double advance = 0.0,
                            int derivative = 0) const;
 
@@ -65,8 +70,15 @@ class Design {
 
  private:
   void add_segments(const std::vector<Recording>& recordings, int first, bool holdout);
+  const Recording& given(int index) const;
+  Eigen::MatrixXd thinned(int segment, const Eigen::MatrixXd& raw) const;
   const Problem& problem_;
   Settings settings_;
+  struct Thinned {
+    DecimatingFilter filter;
+    Recording log;
+  };
+  std::map<int, Thinned> thinned_;  ///< by recording, where thinned
   std::vector<Segment> segments_;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "identification/filter.h"
+#include "identification/design.h"
 
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -80,4 +80,29 @@ TEST_CASE("a log shorter than the kernel gives no output instead of a wrong one"
   const DecimatingFilter filter = design_decimating_filter(kStep, 40.0);
   CHECK(filtered_length(filter, 200) == 0);
   CHECK(filter_decimate(filter, VectorXd::Zero(200)).rows() == 0);
+}
+
+TEST_CASE("a log sampled much faster than the band is thinned, and nothing in the band changes") {
+  constexpr double kFast = 1.0 / 3000.0;
+  Problem problem;
+  Recording log;
+  log.name = "fast";
+  log.step = kFast;
+  log.time = VectorXd::LinSpaced(9000, 0.0, 8999.0 * kFast);
+  log.q = (kTurn * 60.0 * log.time.array()).sin() + 0.3 * (kTurn * 7.0 * log.time.array()).cos();
+  log.target = {log.q.col(0)};
+  problem.training = {log};
+  const Design design(problem, Settings{});
+  CHECK(design.recording(0).step == Approx(5.0 * kFast));
+  CHECK(design.recording(0).q.rows() < 1800);
+  // As given and as thinned it is the same signal, and neither is moved: 60 Hz would show it.
+  const VectorXd given = design.filtered(0, log.q),
+                 thinned = design.filtered(0, design.recording(0).q);
+  CHECK((given - thinned).norm() < 1e-12 * given.norm());
+  const VectorXd t = design.at_instants(0, log.time);
+  const VectorXd exact = (kTurn * 60.0 * t.array()).sin() + 0.3 * (kTurn * 7.0 * t.array()).cos();
+  CHECK((given - exact).norm() < 3e-3 * exact.norm());
+  const VectorXd late =
+      (kTurn * 60.0 * (t.array() - kFast)).sin() + 0.3 * (kTurn * 7.0 * (t.array() - kFast)).cos();
+  CHECK((given - late).norm() > 0.1 * exact.norm());
 }
