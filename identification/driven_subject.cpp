@@ -224,7 +224,7 @@ void DrivenSubject::add(const std::string& effect, std::size_t joint, const std:
 void DrivenSubject::add_library(std::size_t joint) {
   for (const char* effect :
        {"viscous_asymmetry", "coulomb_asymmetry", "stribeck", "concave_friction", "concave_power",
-        "quadratic_friction", "friction_drift", "gear_elasticity", "backlash", "inertial_backlash",
+        "quadratic_friction", "friction_drift", "gear_elasticity", "inertial_backlash",
         "offset_drift"})
     add(effect, joint);
   const LogScale s = scale(joint);
