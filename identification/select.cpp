@@ -166,21 +166,19 @@ void merge_causes(const Search& s) {
       remove_term(s.design, a, without);
       const Screening screening =
           screen(s.design, s.library, without, state.noise.weights, {}, s.settings.threads);
-      std::vector<Trial> trials = try_candidates(
-          s.design, state.noise.weights, without,
-          shortlist(s.design, state.freedom, without, screening, kShortlist - 2),
-          s.settings.threads);
+      std::vector<Trial> trials =
+          try_candidates(s.design, state.noise.weights, without,
+                         shortlist(s.design, state.freedom, without, screening, kShortlist - 2),
+                         s.settings.threads);
       const int best = rank_trials(s.design, state.freedom, state.noise.weights, trials);
       if (best < 0) continue;
       const double present = deviance(state.model, state.noise.weights) +
                              model_price(s.design, state.freedom, state.model);
       Trial& trial = trials[static_cast<std::size_t>(best)];
       if (trial.score > present) continue;
-      state.p_family[static_cast<std::size_t>(trial.candidate)] =
-          std::min(state.p_family[static_cast<std::size_t>(
-                       library_index(s.design, state.model.terms[a]))],
-                   state.p_family[static_cast<std::size_t>(
-                       library_index(s.design, state.model.terms[b]))]);
+      state.p_family[static_cast<std::size_t>(trial.candidate)] = std::min(
+          state.p_family[static_cast<std::size_t>(library_index(s.design, state.model.terms[a]))],
+          state.p_family[static_cast<std::size_t>(library_index(s.design, state.model.terms[b]))]);
       state.model = std::move(trial.model);
       refine(s.design, state.noise.weights, RefineScope::all_terms, state.model);
       renew_noise(s);
