@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Sealed trials on calibrations of a lever and its tendon: the program gets the rig's nominal
+// values and the logs alone; the seal is opened after the verdict.
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "identification/lever_subject.h"
+#include "tests/blind/diagnosed_rig.h"
+
+namespace {
+
+using namespace sinew;
+using blind::Outcome;
+
+/// The rig of models/lever with the trial's nominal values: counts 40 to 4040 between two angles.
+LeverRig nominal_rig(const truth::Trial& trial) {
+  const auto values = nlohmann::json::parse(trial.nominal);
+  const auto number = [&](const char* key) { return values.at(key).get<double>(); };
+  LeverRig rig;
+  LeverParameters& p = rig.lever;
+  p.motor = {{0.0, 0.0}, 0.005, 1};
+  p.fixed = {{0.034, 0.0}, 0.004, 1};
+  p.pivot = {0.005, -0.005};
+  p.lever_length = number("arm");
+  p.pulley_radius = 0.004;
+  p.pulley_sense = -1;
+  p.spring_arm = 0.015;
+  p.spring_angle = -130.0 * std::numbers::pi / 180.0;
+  p.anchor = {0.025, -0.017};
+  p.spring_stiffness = number("spring");
+  p.free_angle = number("count_first");
+  p.end_angle = number("count_last");
+  p.count_free = 40.0;
+  p.count_end = 4040.0;
+  return rig;
+}
+
+Outcome diagnose_lever(std::uint64_t seed, truth::Family family, double size) {
+  return blind::diagnose_trial({seed, "lever", family, size},
+                               [](const truth::Trial& trial) {
+                                 return diagnosis::lever_rig(nominal_rig(trial), "lever", true);
+                               },
+                               {{"spring constant", "spring_constant"},
+                                {"preload offset", "preload_offset"},
+                                {"lever hysteresis", "lever_hysteresis"},
+                                {"tendon in series", "series_tendon"},
+                                {"slack", "slack"},
+                                {"scale of the lever sensor", "sensor_scale"},
+                                {"quantisation of the lever sensor", "sensor_quantisation"},
+                                {"guiding friction (capstan law)", "guiding_friction"},
+                                {"guiding friction (fitted law)", "guiding_friction"}});
+}
+
+}  // namespace
+
+TEST_CASE("study: sealed lever calibrations", "[.study]") {
+  blind::study([](std::uint64_t seed, truth::Family family, double size) {
+    return diagnose_lever(seed, family, size);
+  });
+}
