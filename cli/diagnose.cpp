@@ -68,7 +68,7 @@ void set_common(const Options& o, const ModelFolder& folder, Request& request) {
   request.holdout = o.holdout;
   request.map = o.map;
   request.settings.edge_s = diagnosis::driven_edge;
-  request.settings.band_hz = o.band;
+  request.settings.band_hz = o.band > 0.0 ? o.band : diagnosis::driven_band;
   request.settings.seed = o.seed;
 }
 

@@ -22,9 +22,9 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double highest_cutoff = 100.0;  // Hz; drives do little above
-constexpr double slow_cutoff = 35.0;      // Hz; for third and higher derivatives
-constexpr Index shortest = 400;           // samples of a stretch that is worth taking
+constexpr double highest_cutoff = 60.0;  // Hz; above, an encoder's acceleration is its steps
+constexpr double slow_cutoff = 35.0;     // Hz; for third and higher derivatives
+constexpr Index shortest = 400;          // samples of a stretch that is worth taking
 
 VectorXd number(double value) {
   return VectorXd::Constant(1, value);

@@ -19,6 +19,9 @@ namespace sinew::diagnosis {
 /// Left away at both ends of every log [s]: there the smoothers reach beyond it.
 inline constexpr double driven_edge = 0.25;
 
+/// Highest frequency looked at [Hz] unless told otherwise.
+inline constexpr double driven_band = 60.0;
+
 /// What a candidate (or a baseline term) stands for in identified.toml.
 struct CandidateOrigin {
   std::string effect;  ///< identifier; empty: has no term in the model (decoys, splines)

@@ -91,6 +91,7 @@ diagnosis::Findings diagnose_trial(const truth::SealedTrial& trial, unsigned see
   request.logs = {(folder.path() / "train.csv").string()};
   request.holdout = {(folder.path() / "holdout.csv").string()};
   request.settings.edge_s = diagnosis::driven_edge;
+  request.settings.band_hz = diagnosis::driven_band;
   request.settings.seed = seed;
   const bool revolute = trial.open().plant == "drive";
   request.channels = [revolute](const std::string&) {
