@@ -30,6 +30,8 @@ class BumpProjection {
   BumpProjection(long width, double period);
 
   long width() const { return width_; }
+  /// Rms of a projection of unit white noise over the projection of a constant 1.
+  double noise_gain() const { return weight_[0].matrix().norm() / weight_[0].sum(); }
   /// Projection of the signal, or of its first or second derivative, from sample `first` on.
   double of(const Eigen::ArrayXd& signal, long first, int derivative = 0) const;
   /// The same for every bump that fits.

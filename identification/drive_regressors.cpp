@@ -39,6 +39,7 @@ DriveRegression project_drive(const std::vector<DriveStretch>& stretches, double
     all.torque.conservativeResize(before + torque.size());
     all.torque.tail(torque.size()) = torque;
     all.rows.push_back(torque.size());
+    all.noise = std::max(all.noise, bumps.noise_gain() * white_noise_rms(s.torque));
     all.torque_per_projection = bumps.of(Eigen::ArrayXd::Ones(bumps.width()), 0);
   }
   return all;

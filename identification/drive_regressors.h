@@ -21,6 +21,7 @@ struct DriveRegression {
   Eigen::MatrixXd columns;
   Eigen::VectorXd torque;
   std::vector<Eigen::Index> rows;      ///< of each stretch
+  double noise = 0.0;                  ///< N·m, rms that the torque's white noise alone leaves
   double torque_per_projection = 1.0;  ///< a constant torque of 1 N·m gives this
 };
 DriveRegression project_drive(const std::vector<DriveStretch>& stretches, double gamma1,

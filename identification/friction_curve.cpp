@@ -176,7 +176,7 @@ void judge(FrictionCurve& curve) {
   const auto doubtful = [](const Estimate& e) {
     return !(e.standard_error < 0.3 * std::abs(e.value));
   };
-  if (doubtful(curve.gamma1) || slowest * curve.gamma1.value > 2.0)
+  if (doubtful(curve.gamma1) || slowest * curve.gamma1.value > 10.0)
     say(
         fmt::format("gamma1 is not determined: the slowest velocity is {:.3g} rad/s; expected some "
                     "where the friction still rises, down to {:.3g} rad/s",

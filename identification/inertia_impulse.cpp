@@ -51,6 +51,12 @@ InertiaResult identify_inertia(const std::vector<DriveStretch>& stretches,
   } else if (!(result.inertia.standard_error < bump_inertia_limit * result.inertia.value)) {
     say(fmt::format("the inertia is {:.3g} +- {:.2g} kg·m²: it moves too little; {}",
                     result.inertia.value, result.inertia.standard_error, experiment));
+  } else if (result.residual > 2.0 * drive.noise + 1e-3 * drive.torque.cwiseAbs().maxCoeff() /
+                                                       drive.torque_per_projection) {
+    say(fmt::format(
+        "the motion leaves {:.2g} N·m unexplained where noise is {:.2g} N·m, as steps of "
+        "torque between samples do; {}",
+        result.residual, drive.noise, experiment));
   } else {
     result.identified = true;
   }
