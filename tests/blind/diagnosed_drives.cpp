@@ -179,3 +179,31 @@ TEST_CASE("study: sealed drives", "[.study]") {
       trials, size, detected, inside, right, false_names,
       sets ? static_cast<double>(in_sets) / sets : 0.0, adopted);
 }
+
+TEST_CASE("hidden causes of drives are named from the logs alone") {
+  // Drawn seeds, one cause each as large as the noise; what is hidden is only in the seal.
+  for (const int seed : {2, 3, 5, 10, 16, 23}) {
+    truth::TrialRequest request;
+    request.seed = static_cast<std::uint64_t>(seed);
+    request.size = 1.0;
+    const truth::SealedTrial trial(request);
+    const diagnosis::Findings findings = diagnose_trial(trial, static_cast<unsigned>(seed));
+    INFO("seed " << seed << ", told:" << told(findings.verdict));
+    REQUIRE(findings.verdict.causes.size() == 1);
+    CHECK(members(findings.verdict.causes.front()).contains(trial.seal().hidden.front().name));
+    CHECK(findings.extension.adopted);
+  }
+}
+
+TEST_CASE("a drive that hides nothing is told to leave nothing over") {
+  for (const int seed : {503, 526, 548, 559, 561}) {
+    truth::TrialRequest request;
+    request.seed = static_cast<std::uint64_t>(seed);
+    request.family = truth::Family::nothing;
+    const diagnosis::Findings findings =
+        diagnose_trial(truth::SealedTrial(request), static_cast<unsigned>(seed));
+    INFO("seed " << seed << ", told:" << told(findings.verdict));
+    CHECK(findings.verdict.causes.empty());
+    CHECK_FALSE(findings.extension.adopted);
+  }
+}
