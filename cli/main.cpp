@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "cli/diagnose.h"
+#include "cli/effects.h"
 #include "cli/figures.h"
 #include "cli/generate.h"
 #include "cli/identify.h"
@@ -44,6 +45,7 @@ int main(int argc, char** argv) {
   sinew::add_simulate_command(app, exit_status);
   sinew::add_identify_command(app, exit_status);
   sinew::add_diagnose_command(app, exit_status);
+  sinew::add_effects_command(app, exit_status);
   if (argc > 1 && argv[1][0] != '-' && !has_command(app, argv[1])) {
     fmt::print(stderr, "sinew: no command is called '{}'; expected one of {}\n", argv[1],
                command_names(app));

@@ -109,3 +109,10 @@ TEST_CASE("logs that cannot be used end with 2, say where, and nothing is writte
   CHECK(bench.sinew({"diagnose", "models/none", "--log", "test.csv", "--out", "found"}).status ==
         2);
 }
+
+TEST_CASE("the manual's page of effects is what the program says") {
+  const Workplace here;
+  const Ended page = here.sinew({"effects"});
+  CHECK(page.status == 0);
+  CHECK(page.output == reference::read_text(SINEW_SOURCE_DIR "/docs/effects.md"));
+}
