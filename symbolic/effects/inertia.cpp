@@ -10,7 +10,6 @@ Effect inertia() {
   e.signature = "effort left over in proportion to the acceleration";
   e.excitation = "changing speed";
   e.experiment = "sinusoids of several frequencies at one amplitude of speed";
-  e.compensable = true;
   return e;
 }
 
