@@ -93,7 +93,8 @@ class ObservedRun {
     const std::vector<MeasuredChannel> measured =
         measure_observation(subject_, design, result_.extended, request_.rig.free_zero);
     for (int c = 0; c < subject_.problem().channels; ++c)
-      f.channels.push_back(channel(measured, c, noise_floor(explanation, design, c)));
+      f.channels.push_back(
+          channel(measured, c, subject_.units()(c) * noise_floor(explanation, design, c)));
     for (const LogRecord& log : f.logs)
       if (!log.held_out && any) result_.extended.logs.push_back({log.file, log.sha256});
     decide(any, measured_gain(measured, -1, true, 12, request_.settings.seed));

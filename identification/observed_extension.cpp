@@ -186,7 +186,9 @@ std::vector<MeasuredChannel> measure_observation(const ObservedSubject& subject,
     return ObservedModel(subject.observation().model,
                          closed_observation(subject.observation(), identified), subject.runtime());
   };
-  const ObservedModel model_before = closed(subject.identified()), model_after = closed(after);
+  ObservedModel model_before = closed(subject.identified()), model_after = closed(after);
+  model_before.set_units(subject.units());
+  model_after.set_units(subject.units());
   std::map<int, std::pair<MatrixXd, MatrixXd>> said;
   std::vector<MeasuredChannel> result;
   for (std::size_t i = 0; i < design.segments().size(); ++i) {
@@ -211,6 +213,7 @@ std::vector<MeasuredChannel> measure_observation(const ObservedSubject& subject,
       m.before.array() += (m.measured - m.before).mean();
       m.after.array() += (m.measured - m.after).mean();
     }
+    for (VectorXd* x : {&m.measured, &m.before, &m.after}) *x *= subject.units()(c);
     result.push_back(std::move(m));
   }
   return result;

@@ -89,6 +89,7 @@ MatrixXd ObservedModel::operator()(const Recording& log, const VectorXd& deviati
       in.segment(slot.at, slot.count) = slot.signal->row(k).transpose();
     function.call(in.data(), out.data());
     measured.row(k) = out.head(channels).transpose();
+    if (units_.size() == channels) measured.row(k).array() /= units_.transpose().array();
     if (state >= 0) in.segment(state, states) = out.segment(channels, states);
   }
   return measured;
@@ -117,6 +118,25 @@ void ObservedSubject::add(Recording recording, bool held_out) {
   (held_out ? problem_.holdout : problem_.training).push_back(std::move(recording));
 }
 
+void ObservedSubject::set_units() {
+  VectorXd energy = VectorXd::Zero(static_cast<Index>(channels_.size()));
+  double count = 1e-300;
+  for (const Recording& log : problem_.training) {
+    const MatrixXd said = open_(log, learnt_, shapes_);
+    for (Index c = 0; c < said.cols(); ++c) {
+      const VectorXd left = log.target[static_cast<std::size_t>(c)] - said.col(c);
+      energy(c) += (left.array() - left.mean()).square().sum();
+    }
+    count += static_cast<double>(said.rows());
+  }
+  units_ = (energy / count).cwiseSqrt().cwiseMax(1e-12);
+  open_.set_units(units_);
+  for (auto* logs : {&problem_.training, &problem_.holdout})
+    for (Recording& log : *logs)
+      for (std::size_t c = 0; c < log.target.size(); ++c)
+        log.target[c] /= units_(static_cast<Index>(c));
+}
+
 void ObservedSubject::set_known() {
   for (auto* logs : {&problem_.training, &problem_.holdout})
     for (Recording& log : *logs) {
@@ -128,6 +148,7 @@ void ObservedSubject::set_known() {
 }
 
 void ObservedSubject::prepare() {
+  set_units();
   set_known();
   problem_.library.clear();
   origins_.clear();

@@ -33,9 +33,12 @@ class ObservedModel {
                              const std::map<std::string, Eigen::MatrixXd>* instead = nullptr) const;
 
   int operations() const { return operations_; }
+  /// From now on every channel is given in these units. Losses of all channels are added up.
+  void set_units(const Eigen::VectorXd& units) { units_ = units; }
 
  private:
   int operations_ = 0;
+  Eigen::VectorXd units_;
   std::shared_ptr<CompiledModel> compiled_;
 };
 
@@ -72,11 +75,14 @@ class ObservedSubject {
   const std::vector<ObservedOrigin>& origins() const { return origins_; }
   const Identified& identified() const { return identified_; }
   const std::filesystem::path& runtime() const { return runtime_; }
+  /// What problem()'s channels are in, SI: the rms of what the model leaves over.
+  const Eigen::VectorXd& units() const { return units_; }
   const ObservedModel& open() const { return open_; }
   const Eigen::VectorXd& learnt() const { return learnt_; }
   const Eigen::VectorXd& shapes() const { return shapes_; }
 
  private:
+  void set_units();
   void set_known();
   void add_effect(std::size_t index);
 
@@ -85,7 +91,7 @@ class ObservedSubject {
   Identified identified_;
   std::filesystem::path runtime_;
   ObservedModel open_;
-  Eigen::VectorXd learnt_, shapes_;
+  Eigen::VectorXd learnt_, shapes_, units_;
   std::vector<Eigen::Index> first_deviation_, first_shape_;
   Problem problem_;
   std::vector<ObservedOrigin> origins_;

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Sealed trials on logs of a moving wrist: the program gets the nominal values and the logs alone;
+// the seal is opened after the verdict.
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+#include <numeric>
+
+#include "identification/wrist_subject.h"
+#include "tests/blind/diagnosed_rig.h"
+
+namespace {
+
+using namespace sinew;
+using blind::Outcome;
+
+/// The first eight tendons of models/wrist.
+WristParameters nominal_wrist(const truth::Trial& trial) {
+  const auto values = nlohmann::json::parse(trial.nominal);
+  const auto number = [&](const char* key) { return values.at(key).get<double>(); };
+  WristParameters wrist;
+  wrist.length = number("a");
+  wrist.width = number("b");
+  wrist.thickness = number("c");
+  wrist.motor_radius = number("motor_radius");
+  wrist.flexion = {-0.5, 0.5};
+  wrist.abduction = {-0.3, 0.3};
+  const double forearm[] = {7, 8, 10, 11, 13, 15, 16, 18};
+  const double palm[] = {-11, -10, -8, -6, -5, -3, -2, 0};
+  for (int i = 0; i < 8; ++i) {
+    wrist.forearm_points.emplace_back(0.004, 1e-3 * forearm[i], 0.008);
+    wrist.palm_points.emplace_back(-0.004, 1e-3 * palm[i], 0.010);
+  }
+  return wrist;
+}
+
+Outcome diagnose_wrist(std::uint64_t seed, truth::Family family, double size) {
+  return blind::diagnose_trial({seed, "wrist", family, size},
+                               [](const truth::Trial& trial) {
+                                 std::vector<int> tendons(8);
+                                 std::iota(tendons.begin(), tendons.end(), 1);
+                                 return diagnosis::wrist_rig(nominal_wrist(trial), "wrist",
+                                                             tendons);
+                               },
+                               {{"coupling left uncompensated", "wrist_coupling"},
+                                {"zero offset", "wrist_zero"},
+                                {"contact-point shift", "contact_shift"},
+                                {"scale of the angle sensor", "sensor_scale"},
+                                {"quantisation of the angle sensor", "sensor_quantisation"}});
+}
+
+}  // namespace
+
+TEST_CASE("study: sealed wrist logs", "[.study]") {
+  blind::study([](std::uint64_t seed, truth::Family family, double size) {
+    return diagnose_wrist(seed, family, size);
+  });
+}
