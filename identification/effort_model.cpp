@@ -54,7 +54,7 @@ MatrixXd EffortModel::operator()(const Recording& log, const MatrixXd& q, const 
   MatrixXd efforts(q.rows(), joints_);
   Index state = -1;
   for (const Slot& slot : inputs)
-    if (slot.name == "state") state = slot.at;
+    if (slot.name == "memory") state = slot.at;
   for (Index k = 0; k < q.rows(); ++k) {
     for (const Slot& slot : inputs) {
       auto part = in.segment(slot.at, slot.count);

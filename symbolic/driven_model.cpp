@@ -166,7 +166,7 @@ class EffortWriter {
                : is_term(each)            ? find_effect(each.effect).states.size()
                                           : 0;
     if (count > 0)
-      states_ = array_argument("state", static_cast<int>(count), 1, "1", {-1.0, 1.0},
+      states_ = array_argument("memory", static_cast<int>(count), 1, "1", {-1.0, 1.0},
                                "of the effects with memory");
     else
       states_.rows = 0;

@@ -39,7 +39,7 @@ DrivenModel driven_model(const MotorParameters& motor, const std::string& name);
 /// Speed over which friction turns where it is not known: a thousandth of the joint's highest.
 double assumed_friction_speed(const DrivenJoint& joint);
 
-/// effort(q, qd, qdd, load, qddd, qdddd, time, step, state -> tau, next): effort that the drives have to
+/// effort(q, qd, qdd, load, qddd, qdddd, time, step, memory -> tau, next): effort that the drives have to
 /// give for a motion against an external load: rigid body, armature, friction, and the identified
 /// effects. Arguments that nothing depends on are left out; n numbers each for q, qd, qdd, load and
 /// tau, one state for every effect that has one, in their order. Throws std::invalid_argument for

@@ -25,7 +25,7 @@ Range shape_range(const ShapeParameter& shape) {
 
 Argument state_argument(const Effect& effect) {
   Argument argument;
-  argument.name = "state";
+  argument.name = "memory";  // "state" is a batch loop's index
   argument.rows = static_cast<int>(effect.states.size());
   argument.unit = "1";
   argument.doc = "before this sample";

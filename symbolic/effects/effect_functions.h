@@ -9,7 +9,7 @@
 
 namespace sinew {
 
-/// <id>(signals 8[, shape k][, state m] -> columns n[, next m]): the terms that the effect's
+/// <id>(signals 8[, shape k][, memory m] -> columns n[, next m]): the terms that the effect's
 /// coefficients multiply, in the order of Effect::columns; signals as signal_list() lists them.
 Function regressor_function(const Effect& effect);
 
