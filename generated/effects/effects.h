@@ -153,29 +153,29 @@ void effects_cable_torque(const double signals[SINEW_AT_LEAST(8)], const double 
 /* Terms of the effect 'backlash', to be multiplied by its coefficients.
  *   in  signals       8 [SI] position, velocity, acceleration, its second derivative, load, time, direction, step; made for -3..3, -5..5, -50..50, -1e+04..1e+04, -10..10, 0..100, -1..1, 0.0001..0.01
  *   in  shape         1 [SI] gap; made for 0.0001..0.03
- *   in  state         1 [1] before this sample; made for -1..1
+ *   in  memory        1 [1] before this sample; made for -1..1
  *   out columns       1 [SI] inertia_behind_gap
  *   out next          1 [1] states for the next sample
  * 2 multiplications, 2 additions, 1 divisions, 4 other functions. */
-void effects_backlash(const double signals[SINEW_AT_LEAST(8)], const double shape[SINEW_AT_LEAST(1)], const double state[SINEW_AT_LEAST(1)], double columns[SINEW_AT_LEAST(1)], double next[SINEW_AT_LEAST(1)]);
+void effects_backlash(const double signals[SINEW_AT_LEAST(8)], const double shape[SINEW_AT_LEAST(1)], const double memory[SINEW_AT_LEAST(1)], double columns[SINEW_AT_LEAST(1)], double next[SINEW_AT_LEAST(1)]);
 
 /* Terms of the effect 'backlash', to be multiplied by its coefficients.
  *   in  signals       8 [SI] position, velocity, acceleration, its second derivative, load, time, direction, step; made for -3..3, -5..5, -50..50, -1e+04..1e+04, -10..10, 0..100, -1..1, 0.0001..0.01
  *   in  shape         1 [SI] gap; made for 0.0001..0.03
- *   in  state         2 [1] before this sample; made for -1..1
+ *   in  memory        2 [1] before this sample; made for -1..1
  *   out columns       1 [SI] inertia_behind_gap
  *   out next          2 [1] states for the next sample
  * 3 multiplications, 3 additions, 1 divisions, 6 other functions. */
-void effects_inertial_backlash(const double signals[SINEW_AT_LEAST(8)], const double shape[SINEW_AT_LEAST(1)], const double state[SINEW_AT_LEAST(2)], double columns[SINEW_AT_LEAST(1)], double next[SINEW_AT_LEAST(2)]);
+void effects_inertial_backlash(const double signals[SINEW_AT_LEAST(8)], const double shape[SINEW_AT_LEAST(1)], const double memory[SINEW_AT_LEAST(2)], double columns[SINEW_AT_LEAST(1)], double next[SINEW_AT_LEAST(2)]);
 
 /* Terms of the effect 'presliding of friction', to be multiplied by its coefficients.
  *   in  signals       8 [SI] position, velocity, acceleration, its second derivative, load, time, direction, step; made for -3..3, -5..5, -50..50, -1e+04..1e+04, -10..10, 0..100, -1..1, 0.0001..0.01
  *   in  shape         1 [SI] presliding_length; made for 1e-08..0.01
- *   in  state         1 [1] before this sample; made for -1..1
+ *   in  memory        1 [1] before this sample; made for -1..1
  *   out columns       1 [SI] level
  *   out next          1 [1] states for the next sample
  * 3 multiplications, 4 additions, 1 divisions, 3 other functions. */
-void effects_presliding(const double signals[SINEW_AT_LEAST(8)], const double shape[SINEW_AT_LEAST(1)], const double state[SINEW_AT_LEAST(1)], double columns[SINEW_AT_LEAST(1)], double next[SINEW_AT_LEAST(1)]);
+void effects_presliding(const double signals[SINEW_AT_LEAST(8)], const double shape[SINEW_AT_LEAST(1)], const double memory[SINEW_AT_LEAST(1)], double columns[SINEW_AT_LEAST(1)], double next[SINEW_AT_LEAST(1)]);
 
 /* Terms of the effect 'softness of friction at reversals', to be multiplied by its coefficients.
  *   in  signals       8 [SI] position, velocity, acceleration, its second derivative, load, time, direction, step; made for -3..3, -5..5, -50..50, -1e+04..1e+04, -10..10, 0..100, -1..1, 0.0001..0.01
@@ -187,20 +187,20 @@ void effects_soft_reversal(const double signals[SINEW_AT_LEAST(8)], const double
 /* Terms of the effect 'bristles of friction at reversals', to be multiplied by its coefficients.
  *   in  signals       8 [SI] position, velocity, acceleration, its second derivative, load, time, direction, step; made for -3..3, -5..5, -50..50, -1e+04..1e+04, -10..10, 0..100, -1..1, 0.0001..0.01
  *   in  shape         1 [SI] bristle_length; made for 1e-07..0.003
- *   in  state         1 [1] before this sample; made for -1..1
+ *   in  memory        1 [1] before this sample; made for -1..1
  *   out columns       1 [SI] level
  *   out next          1 [1] states for the next sample
  * 4 multiplications, 5 additions, 1 divisions, 5 other functions. */
-void effects_late_reversal(const double signals[SINEW_AT_LEAST(8)], const double shape[SINEW_AT_LEAST(1)], const double state[SINEW_AT_LEAST(1)], double columns[SINEW_AT_LEAST(1)], double next[SINEW_AT_LEAST(1)]);
+void effects_late_reversal(const double signals[SINEW_AT_LEAST(8)], const double shape[SINEW_AT_LEAST(1)], const double memory[SINEW_AT_LEAST(1)], double columns[SINEW_AT_LEAST(1)], double next[SINEW_AT_LEAST(1)]);
 
 /* Terms of the effect 'hysteresis', to be multiplied by its coefficients.
  *   in  signals       8 [SI] position, velocity, acceleration, its second derivative, load, time, direction, step; made for -3..3, -5..5, -50..50, -1e+04..1e+04, -10..10, 0..100, -1..1, 0.0001..0.01
  *   in  shape         1 [SI] length; made for 0.001..0.3
- *   in  state         1 [1] before this sample; made for -1..1
+ *   in  memory        1 [1] before this sample; made for -1..1
  *   out columns       1 [SI] half_width
  *   out next          1 [1] states for the next sample
  * 4 multiplications, 4 additions, 1 divisions, 4 other functions. */
-void effects_elastic_hysteresis(const double signals[SINEW_AT_LEAST(8)], const double shape[SINEW_AT_LEAST(1)], const double state[SINEW_AT_LEAST(1)], double columns[SINEW_AT_LEAST(1)], double next[SINEW_AT_LEAST(1)]);
+void effects_elastic_hysteresis(const double signals[SINEW_AT_LEAST(8)], const double shape[SINEW_AT_LEAST(1)], const double memory[SINEW_AT_LEAST(1)], double columns[SINEW_AT_LEAST(1)], double next[SINEW_AT_LEAST(1)]);
 
 #ifdef __cplusplus
 }

@@ -231,12 +231,12 @@ void effects_cable_torque_batch(int count, const double *SINEW_RESTRICT signals,
     }
 }
 
-void effects_backlash_batch(int count, const double *SINEW_RESTRICT signals, const double *SINEW_RESTRICT shape, const double *SINEW_RESTRICT state, double *SINEW_RESTRICT columns, double *SINEW_RESTRICT next)
+void effects_backlash_batch(int count, const double *SINEW_RESTRICT signals, const double *SINEW_RESTRICT shape, const double *SINEW_RESTRICT memory, double *SINEW_RESTRICT columns, double *SINEW_RESTRICT next)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
     for (size_t state = 0; state < n; ++state) {
-        const double t1 = state[state] + signals[1 * n + state] * signals[7 * n + state] / shape[state];
+        const double t1 = memory[state] + signals[1 * n + state] * signals[7 * n + state] / shape[state];
         const double t2 = sinew_min(sinew_max(t1, 0.0), 1.0);
         const double t3 = signals[2 * n + state] * sinew_choose(-t2, 0.0, sinew_choose(-(1.0 - t2), 0.0, 1.0));
         columns[state] = t3;
@@ -244,13 +244,13 @@ void effects_backlash_batch(int count, const double *SINEW_RESTRICT signals, con
     }
 }
 
-void effects_inertial_backlash_batch(int count, const double *SINEW_RESTRICT signals, const double *SINEW_RESTRICT shape, const double *SINEW_RESTRICT state, double *SINEW_RESTRICT columns, double *SINEW_RESTRICT next)
+void effects_inertial_backlash_batch(int count, const double *SINEW_RESTRICT signals, const double *SINEW_RESTRICT shape, const double *SINEW_RESTRICT memory, double *SINEW_RESTRICT columns, double *SINEW_RESTRICT next)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
     for (size_t state = 0; state < n; ++state) {
-        const double t1 = state[1 * n + state] + signals[2 * n + state] * signals[7 * n + state] / shape[state];
-        const double t2 = sinew_min(sinew_max(state[state] + signals[7 * n + state] * t1, 0.0), 1.0);
+        const double t1 = memory[1 * n + state] + signals[2 * n + state] * signals[7 * n + state] / shape[state];
+        const double t2 = sinew_min(sinew_max(memory[state] + signals[7 * n + state] * t1, 0.0), 1.0);
         const double t3 = -(1.0 - t2);
         const double t4 = -t2;
         const double t5 = signals[2 * n + state] * sinew_choose(t4, 0.0, sinew_choose(t3, 0.0, 1.0));
@@ -260,14 +260,14 @@ void effects_inertial_backlash_batch(int count, const double *SINEW_RESTRICT sig
     }
 }
 
-void effects_presliding_batch(int count, const double *SINEW_RESTRICT signals, const double *SINEW_RESTRICT shape, const double *SINEW_RESTRICT state, double *SINEW_RESTRICT columns, double *SINEW_RESTRICT next)
+void effects_presliding_batch(int count, const double *SINEW_RESTRICT signals, const double *SINEW_RESTRICT shape, const double *SINEW_RESTRICT memory, double *SINEW_RESTRICT columns, double *SINEW_RESTRICT next)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
     for (size_t state = 0; state < n; ++state) {
         const double t1 = signals[1 * n + state] * signals[7 * n + state] / shape[state];
         const double t2 = sinew_exp(-sinew_max(t1, -t1));
-        const double t3 = sinew_choose(t1, 1.0 - (1.0 - state[state]) * t2, -(1.0 - (1.0 + state[state]) * t2));
+        const double t3 = sinew_choose(t1, 1.0 - (1.0 - memory[state]) * t2, -(1.0 - (1.0 + memory[state]) * t2));
         columns[state] = t3;
         next[state] = t3;
     }
@@ -283,28 +283,28 @@ void effects_soft_reversal_batch(int count, const double *SINEW_RESTRICT signals
     }
 }
 
-void effects_late_reversal_batch(int count, const double *SINEW_RESTRICT signals, const double *SINEW_RESTRICT shape, const double *SINEW_RESTRICT state, double *SINEW_RESTRICT columns, double *SINEW_RESTRICT next)
+void effects_late_reversal_batch(int count, const double *SINEW_RESTRICT signals, const double *SINEW_RESTRICT shape, const double *SINEW_RESTRICT memory, double *SINEW_RESTRICT columns, double *SINEW_RESTRICT next)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
     for (size_t state = 0; state < n; ++state) {
         const double t1 = signals[1 * n + state] * signals[7 * n + state] / shape[state];
         const double t2 = sinew_exp(-sinew_max(t1, -t1));
-        const double t3 = sinew_choose(t1, 1.0 - (1.0 - state[state]) * t2, -(1.0 - (1.0 + state[state]) * t2));
+        const double t3 = sinew_choose(t1, 1.0 - (1.0 - memory[state]) * t2, -(1.0 - (1.0 + memory[state]) * t2));
         const double t4 = (sinew_choose(signals[1 * n + state], 1.0, -1.0) - t3) * sinew_max(signals[6 * n + state], -signals[6 * n + state]);
         columns[state] = -t4;
         next[state] = t3;
     }
 }
 
-void effects_elastic_hysteresis_batch(int count, const double *SINEW_RESTRICT signals, const double *SINEW_RESTRICT shape, const double *SINEW_RESTRICT state, double *SINEW_RESTRICT columns, double *SINEW_RESTRICT next)
+void effects_elastic_hysteresis_batch(int count, const double *SINEW_RESTRICT signals, const double *SINEW_RESTRICT shape, const double *SINEW_RESTRICT memory, double *SINEW_RESTRICT columns, double *SINEW_RESTRICT next)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
     for (size_t state = 0; state < n; ++state) {
         const double t1 = signals[1 * n + state] * signals[7 * n + state] / shape[state];
         const double t2 = sinew_exp(-sinew_max(t1, -t1));
-        const double t3 = sinew_choose(t1, 1.0 - (1.0 - state[state]) * t2, -(1.0 - (1.0 + state[state]) * t2));
+        const double t3 = sinew_choose(t1, 1.0 - (1.0 - memory[state]) * t2, -(1.0 - (1.0 + memory[state]) * t2));
         columns[state] = sinew_max(signals[4 * n + state], -signals[4 * n + state]) * t3;
         next[state] = t3;
     }

@@ -341,12 +341,12 @@ static const double backlash_signals_low[] = {-3.0, -5.0, -50.0, -10000.0, -10.0
 static const double backlash_signals_high[] = {3.0, 5.0, 50.0, 10000.0, 10.0, 100.0, 1.0, 0.01};
 static const double backlash_shape_low[] = {1e-04};
 static const double backlash_shape_high[] = {0.03};
-static const double backlash_state_low[] = {-1.0};
-static const double backlash_state_high[] = {1.0};
+static const double backlash_memory_low[] = {-1.0};
+static const double backlash_memory_high[] = {1.0};
 static const sinew_argument backlash_inputs[] = {
     {"signals", "SI", 8, 1, backlash_signals_low, backlash_signals_high},
     {"shape", "SI", 1, 1, backlash_shape_low, backlash_shape_high},
-    {"state", "1", 1, 1, backlash_state_low, backlash_state_high},
+    {"memory", "1", 1, 1, backlash_memory_low, backlash_memory_high},
 };
 static const sinew_argument backlash_outputs[] = {
     {"columns", "SI", 1, 1, 0, 0},
@@ -363,12 +363,12 @@ static const double inertial_backlash_signals_low[] = {-3.0, -5.0, -50.0, -10000
 static const double inertial_backlash_signals_high[] = {3.0, 5.0, 50.0, 10000.0, 10.0, 100.0, 1.0, 0.01};
 static const double inertial_backlash_shape_low[] = {1e-04};
 static const double inertial_backlash_shape_high[] = {0.03};
-static const double inertial_backlash_state_low[] = {-1.0, -1.0};
-static const double inertial_backlash_state_high[] = {1.0, 1.0};
+static const double inertial_backlash_memory_low[] = {-1.0, -1.0};
+static const double inertial_backlash_memory_high[] = {1.0, 1.0};
 static const sinew_argument inertial_backlash_inputs[] = {
     {"signals", "SI", 8, 1, inertial_backlash_signals_low, inertial_backlash_signals_high},
     {"shape", "SI", 1, 1, inertial_backlash_shape_low, inertial_backlash_shape_high},
-    {"state", "1", 2, 1, inertial_backlash_state_low, inertial_backlash_state_high},
+    {"memory", "1", 2, 1, inertial_backlash_memory_low, inertial_backlash_memory_high},
 };
 static const sinew_argument inertial_backlash_outputs[] = {
     {"columns", "SI", 1, 1, 0, 0},
@@ -385,12 +385,12 @@ static const double presliding_signals_low[] = {-3.0, -5.0, -50.0, -10000.0, -10
 static const double presliding_signals_high[] = {3.0, 5.0, 50.0, 10000.0, 10.0, 100.0, 1.0, 0.01};
 static const double presliding_shape_low[] = {1e-08};
 static const double presliding_shape_high[] = {0.01};
-static const double presliding_state_low[] = {-1.0};
-static const double presliding_state_high[] = {1.0};
+static const double presliding_memory_low[] = {-1.0};
+static const double presliding_memory_high[] = {1.0};
 static const sinew_argument presliding_inputs[] = {
     {"signals", "SI", 8, 1, presliding_signals_low, presliding_signals_high},
     {"shape", "SI", 1, 1, presliding_shape_low, presliding_shape_high},
-    {"state", "1", 1, 1, presliding_state_low, presliding_state_high},
+    {"memory", "1", 1, 1, presliding_memory_low, presliding_memory_high},
 };
 static const sinew_argument presliding_outputs[] = {
     {"columns", "SI", 1, 1, 0, 0},
@@ -425,12 +425,12 @@ static const double late_reversal_signals_low[] = {-3.0, -5.0, -50.0, -10000.0, 
 static const double late_reversal_signals_high[] = {3.0, 5.0, 50.0, 10000.0, 10.0, 100.0, 1.0, 0.01};
 static const double late_reversal_shape_low[] = {1e-07};
 static const double late_reversal_shape_high[] = {0.003};
-static const double late_reversal_state_low[] = {-1.0};
-static const double late_reversal_state_high[] = {1.0};
+static const double late_reversal_memory_low[] = {-1.0};
+static const double late_reversal_memory_high[] = {1.0};
 static const sinew_argument late_reversal_inputs[] = {
     {"signals", "SI", 8, 1, late_reversal_signals_low, late_reversal_signals_high},
     {"shape", "SI", 1, 1, late_reversal_shape_low, late_reversal_shape_high},
-    {"state", "1", 1, 1, late_reversal_state_low, late_reversal_state_high},
+    {"memory", "1", 1, 1, late_reversal_memory_low, late_reversal_memory_high},
 };
 static const sinew_argument late_reversal_outputs[] = {
     {"columns", "SI", 1, 1, 0, 0},
@@ -447,12 +447,12 @@ static const double elastic_hysteresis_signals_low[] = {-3.0, -5.0, -50.0, -1000
 static const double elastic_hysteresis_signals_high[] = {3.0, 5.0, 50.0, 10000.0, 10.0, 100.0, 1.0, 0.01};
 static const double elastic_hysteresis_shape_low[] = {0.001};
 static const double elastic_hysteresis_shape_high[] = {0.3};
-static const double elastic_hysteresis_state_low[] = {-1.0};
-static const double elastic_hysteresis_state_high[] = {1.0};
+static const double elastic_hysteresis_memory_low[] = {-1.0};
+static const double elastic_hysteresis_memory_high[] = {1.0};
 static const sinew_argument elastic_hysteresis_inputs[] = {
     {"signals", "SI", 8, 1, elastic_hysteresis_signals_low, elastic_hysteresis_signals_high},
     {"shape", "SI", 1, 1, elastic_hysteresis_shape_low, elastic_hysteresis_shape_high},
-    {"state", "1", 1, 1, elastic_hysteresis_state_low, elastic_hysteresis_state_high},
+    {"memory", "1", 1, 1, elastic_hysteresis_memory_low, elastic_hysteresis_memory_high},
 };
 static const sinew_argument elastic_hysteresis_outputs[] = {
     {"columns", "SI", 1, 1, 0, 0},
