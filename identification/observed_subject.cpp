@@ -70,7 +70,7 @@ MatrixXd ObservedModel::operator()(const Recording& log, const VectorXd& deviati
       slots.push_back({&instead->at(name), at, count});
     else if (name == "step")
       in(at) = log.step;
-    else if (name == "state")
+    else if (name == "memory")
       state = at, states = count;
     else if (name == "deviation")
       in.segment(at, count) = deviation;

@@ -106,7 +106,7 @@ class Reading {
     bend_ = scalar_argument("bend", "rad", {0.0, 6.3},
                             "total bending angle between lever and load cell");
     step_ = scalar_argument("step", "s", {1e-4, 1e-2}, "to the next sample");
-    state_ = scalar_argument("state", "1", {-1.0, 1.0}, "of the hysteresis, before this sample");
+    state_ = scalar_argument("memory", "1", {-1.0, 1.0}, "of the hysteresis, before this sample");
   }
 
   Function function() {
