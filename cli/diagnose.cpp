@@ -17,7 +17,9 @@
 #include "identification/findings_json.h"
 #include "identification/report_html.h"
 #include "identification/report_text.h"
+#include "symbolic/identified_mechanism.h"
 #include "symbolic/put_files.h"
+#include "symbolic/read_mechanism.h"
 
 namespace sinew {
 namespace {
@@ -103,6 +105,8 @@ DiagnoseRequest request_for(const Options& o, const ModelFolder& folder) {
 FileSet extended_c(const Options& o, const Diagnosis& diagnosis) {
   ModelFolder folder = open_model_folder(o.folder);
   folder.identified = diagnosis.extended;
+  if (Mechanism* mechanism = std::get_if<Mechanism>(&folder.model))
+    *mechanism = with_identified(read_mechanism(o.folder), diagnosis.extended);
   return emit_files(assemble(folder.identity, derive_functions(folder), Target{}));
 }
 
@@ -116,11 +120,13 @@ void write_results(const Options& o, Diagnosis& diagnosis) {
       put_files(o.folder, {{"identified.toml", files["identified.toml"]}}, true);
       extension.model_folder = o.folder;
     }
-    for (auto& [name, text] : extended_c(o, diagnosis)) files["generated_" + name] = text;
   }
   files["findings.json"] = findings_json(diagnosis.findings);
   files["report.html"] = report_html(diagnosis.findings);
   put_files(o.out, files, true);
+  if (extension.adopted)
+    replace_folder(fs::path(o.out) / "generated" / diagnosis.findings.model,
+                   extended_c(o, diagnosis));
 }
 
 int run(const Options& o) {

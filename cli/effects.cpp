@@ -28,6 +28,7 @@ std::string entry(const Effect& effect) {
   text += fmt::format("- is shown alone by: {}\n", effect.experiment);
   if (!effect.limit.empty()) text += fmt::format("- not taken where {}\n", effect.limit);
   if (!effect.states.empty()) text += "- has a state of its own\n";
+  if (effect.baseline_only) text += "- is fitted with every model and never named\n";
   text += fmt::format("- in the firmware's compensation: {}\n", effect.compensable ? "yes" : "no");
   return text;
 }
@@ -35,7 +36,7 @@ std::string entry(const Effect& effect) {
 void print_page() {
   fmt::print(
       "<!-- SPDX-License-Identifier: GPL-3.0-or-later -->\n# Effects\n\n"
-      "What a diagnosis can name, one entry a file in `symbolic/effects/`. The page is the output "
+      "What a diagnosis knows, one entry a file in `symbolic/effects/`. The page is the output "
       "of "
       "`sinew effects`.\nEfforts count positive where they have to be provided: q, qd, qdd are "
       "position, velocity and acceleration,\nqdddd the acceleration's second derivative, load an "

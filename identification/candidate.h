@@ -23,7 +23,7 @@ struct Recording {
   Eigen::MatrixXd load;         ///< load on each axis, for instance tendon force
   Eigen::MatrixXd temperature;  ///< deg C
   std::map<std::string, Eigen::MatrixXd> signals;  ///< anything else a candidate wants
-  std::vector<Eigen::VectorXd> target;  ///< per channel: what is measured, force domain
+  std::vector<Eigen::VectorXd> target;             ///< per channel: what is measured, force domain
   /// Per channel: what the model under test says of the target; empty: nothing. It is subtracted,
   /// at the model's time, and moves with a delay as every other term does.
   std::vector<Eigen::VectorXd> known;
@@ -42,7 +42,7 @@ struct LinearParameter {
   std::string name, unit;
   double low = -std::numeric_limits<double>::infinity();
   double high = std::numeric_limits<double>::infinity();
-  bool per_log = false;           ///< a nuisance such as a ripple's phase: one value for each log
+  bool per_log = false;  ///< a nuisance such as a ripple's phase: one value for each log
   /// Baseline terms only: the value the model under test uses, in so far as it is not in `known`.
   std::optional<double> nominal;
 };

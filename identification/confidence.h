@@ -8,7 +8,7 @@ namespace sinew::diagnosis {
 
 /// What the calibration looks at.
 struct ConfidenceEvidence {
-  double margin = 0.0;     ///< deviance to the best candidate outside the set, in units of chance
+  double margin = 0.0;  ///< deviance to the best candidate outside the set, in units of chance
   double p_family = 1.0;
   double share = 0.0;      ///< cross-validated gain
   double left_over = 0.0;  ///< structure no name accounts for, share of all structure

@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "identification/diagnose.h"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 
 #include "identification/explain.h"
 #include "identification/extend.h"
+#include "identification/held_out_judgement.h"
+#include "identification/log_record.h"
 #include "identification/measure.h"
 #include "identification/read_csv.h"
 #include "identification/verdict_text.h"
@@ -43,7 +41,8 @@ class Run {
     subject_.prepare(request_.settings);
     tell("searching for causes", 0.3);
     Explanation explanation = explain(subject_.problem(), request_.settings);
-    settle(explanation.verdict, !request_.holdout.empty());
+    merge_members(explanation.verdict);
+    if (!request_.holdout.empty()) confirm_on_held_out(explanation.verdict);
     f.verdict = explanation.verdict;
     tell("extending and measuring", 0.9);
     extend(explanation);
@@ -70,10 +69,7 @@ class Run {
     for (const std::string& name : channels.efforts) efforts.push_back(log.channel(name));
     subject_.add_log(log, positions, efforts,
                      channels.load.empty() ? -1 : log.channel(channels.load), held_out);
-    LogRecord record{log.file, log.sha256, held_out, log.rows, 0.0, log.period, {}};
-    record.seconds = log.period * static_cast<double>(log.sample_count());
-    for (const DataFault& fault : log.faults) record.faults.push_back(message(fault));
-    result_.findings.logs.push_back(std::move(record));
+    result_.findings.logs.push_back(log_record(log, held_out));
   }
 
   /// Adopted where the measured gain on held-out logs is positive with its interval.
@@ -87,46 +83,22 @@ class Run {
         measure(subject_, design, any ? terms : std::vector<ExtensionTerm>{});
     for (int c = 0; c < subject_.problem().channels; ++c)
       f.channels.push_back(
-          channel_finding(subject_, measured, c, noise_floor(explanation, design, c)));
+          channel_finding(subject_, measured, c, noise_floor(explanation.selection, design, c)));
     result_.extended = extended(request_.identified, terms);
     for (const LogRecord& log : f.logs)
       if (!log.held_out) result_.extended.logs.push_back({log.file, log.sha256});
-    decide(any, measured_gain(measured, -1, true, 12, request_.settings.seed));
+    decide_adoption(any, !request_.holdout.empty(),
+                    measured_gain(measured, -1, true, 12, request_.settings.seed),
+                    emitted_functions(), f.extension);
     f.extension.operations_before = subject_.effort().operations();
     f.extension.operations_after = subject_.effort_with(result_.extended).operations();
   }
 
-  void decide(bool any, const Gain& gain) {
-    Extension& e = result_.findings.extension;
-    if (!any) {
-      e.reason = "no cause with a term of its own was named";
-    } else if (request_.holdout.empty()) {
-      e.reason = "no held-out log was given (--holdout): a gain on the training log proves nothing";
-    } else if (!(gain.low > 0.0)) {
-      e.reason = fmt::format(
-          "on the held-out logs the squared error falls by {:.1f} % (95 %: {:.1f} to {:.1f} %), "
-          "which includes nothing at all",
-          100.0 * gain.share, 100.0 * gain.low, 100.0 * gain.high);
-    } else {
-      e.adopted = true;
-      e.reason = fmt::format(
-          "on the held-out logs the squared error falls by {:.1f} % (95 %: {:.1f} to {:.1f} %)",
-          100.0 * gain.share, 100.0 * gain.low, 100.0 * gain.high);
-      e.functions = {"effort", "compensation"};
-    }
-  }
-
-  /// rms of the noise that is left in the band, from the noise model of the final selection.
-  double noise_floor(const Explanation& explanation, const Design& design, int channel) const {
-    double energy = 0.0, count = 0.0;
-    const auto& noise = explanation.selection.noise.noise;
-    for (std::size_t i = 0; i < design.segments().size() && i < noise.size(); ++i) {
-      const Segment& s = design.segments()[i];
-      if (s.channel != channel || s.holdout || noise[i].variance.size() == 0) continue;
-      energy += 2.0 * noise[i].variance.sum();
-      count += static_cast<double>(s.samples);
-    }
-    return std::sqrt(energy / std::max(count, 1.0));
+  std::vector<std::string> emitted_functions() const {
+    std::vector<std::string> names{"effort"};
+    if (!compensation_function(subject_.model(), result_.extended).outputs.empty())
+      names.push_back("compensation");
+    return names;
   }
 
   void describe_terms(const Verdict& verdict) {

@@ -5,9 +5,10 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 
 #include "identification/explain.h"
+#include "identification/held_out_judgement.h"
+#include "identification/log_record.h"
 #include "identification/measure_plots.h"
 #include "identification/observed_extension.h"
 #include "identification/read_csv.h"
@@ -41,7 +42,9 @@ class ObservedRun {
     tell("comparing with the model", 0.2);
     prepare();
     tell("searching for causes", 0.3);
-    const Explanation explanation = explain(subject_.problem(), request_.settings);
+    Explanation explanation = explain(subject_.problem(), request_.settings);
+    merge_members(explanation.verdict);
+    if (!request_.holdout.empty()) confirm_on_held_out(explanation.verdict);
     f.verdict = explanation.verdict;
     tell("extending and measuring", 0.9);
     extend(explanation);
@@ -69,10 +72,7 @@ class ObservedRun {
       r.name = log.segments.size() > 1 ? fmt::format("{} part {}", log.file, ++part) : log.file;
       subject_.add(std::move(r), held_out);
     }
-    LogRecord record{log.file, log.sha256, held_out, log.rows, 0.0, log.period, {}};
-    record.seconds = log.period * static_cast<double>(log.sample_count());
-    for (const DataFault& fault : log.faults) record.faults.push_back(message(fault));
-    result_.findings.logs.push_back(std::move(record));
+    result_.findings.logs.push_back(log_record(log, held_out));
   }
 
   void prepare() {
@@ -93,32 +93,15 @@ class ObservedRun {
     const std::vector<MeasuredChannel> measured =
         measure_observation(subject_, design, result_.extended, request_.rig.free_zero);
     for (int c = 0; c < subject_.problem().channels; ++c)
-      f.channels.push_back(
-          channel(measured, c, subject_.units()(c) * noise_floor(explanation, design, c)));
+      f.channels.push_back(channel(
+          measured, c, subject_.units()(c) * noise_floor(explanation.selection, design, c)));
     for (const LogRecord& log : f.logs)
       if (!log.held_out && any) result_.extended.logs.push_back({log.file, log.sha256});
-    decide(any, measured_gain(measured, -1, true, 12, request_.settings.seed));
+    decide_adoption(any, !request_.holdout.empty(),
+                    measured_gain(measured, -1, true, 12, request_.settings.seed), {"observation"},
+                    f.extension);
     f.extension.operations_before = observation_operations(subject_, request_.identified);
     f.extension.operations_after = observation_operations(subject_, result_.extended);
-  }
-
-  void decide(bool any, const Gain& gain) {
-    Extension& e = result_.findings.extension;
-    const std::string falls = fmt::format(
-        "on the held-out logs the squared error falls by {:.1f} % (95 %: {:.1f} to "
-        "{:.1f} %)",
-        100.0 * gain.share, 100.0 * gain.low, 100.0 * gain.high);
-    if (!any) {
-      e.reason = "no cause with a term of its own was named";
-    } else if (request_.holdout.empty()) {
-      e.reason = "no held-out log was given (--holdout): a gain on the training log proves nothing";
-    } else if (!(gain.low > 0.0)) {
-      e.reason = falls + ", which includes nothing at all";
-    } else {
-      e.adopted = true;
-      e.reason = falls;
-      e.functions = {"observation"};
-    }
   }
 
   ChannelFinding channel(const std::vector<MeasuredChannel>& measured, int index, double noise) {
@@ -128,39 +111,11 @@ class ObservedRun {
     finding.unit = named.unit;
     finding.noise_floor = noise;
     const bool held_out = !request_.holdout.empty();
-    double energy = 0.0, variance = 0.0, before = 0.0, after = 0.0, count = 0.0;
-    for (const MeasuredChannel& m : measured) {
-      if (m.channel != index || m.held_out != held_out) continue;
-      energy += m.measured.squaredNorm();
-      variance += (m.measured.array() - m.measured.mean()).square().sum();
-      before += (m.measured - m.before).squaredNorm();
-      after += (m.measured - m.after).squaredNorm();
-      count += static_cast<double>(m.measured.size());
-    }
-    count = std::max(count, 1.0);
-    finding.measured_rms = std::sqrt(energy / count);
-    finding.unexplained_before = before / std::max(variance, 1e-300);
-    finding.unexplained_after = after / std::max(variance, 1e-300);
-    finding.domains.push_back({"sensor", named.unit, std::sqrt(before / count),
-                               std::sqrt(after / count),
-                               measured_gain(measured, index, held_out, 12, 1)});
+    add_error("sensor", measured, index, held_out, finding);
     finding.plots = channel_plots(
         measured, index, held_out,
         {named.name, named.unit, request_.rig.position, request_.rig.position_unit, "N"});
     return finding;
-  }
-
-  /// rms of the noise that is left in the band, from the noise model of the final selection.
-  static double noise_floor(const Explanation& explanation, const Design& design, int channel) {
-    double energy = 0.0, count = 0.0;
-    const auto& noise = explanation.selection.noise.noise;
-    for (std::size_t i = 0; i < design.segments().size() && i < noise.size(); ++i) {
-      const Segment& s = design.segments()[i];
-      if (s.channel != channel || s.holdout || noise[i].variance.size() == 0) continue;
-      energy += 2.0 * noise[i].variance.sum();
-      count += static_cast<double>(s.samples);
-    }
-    return std::sqrt(energy / std::max(count, 1.0));
   }
 
   int effect_of(const NamedCause& cause) const {

@@ -20,7 +20,8 @@ class EffortModel {
   EffortModel(const DrivenModel& model, const Identified& identified,
               const std::filesystem::path& runtime);
 
-  /// samples x joints. The recording needs q, qd, qdd, time; missing load, "jerk" and "jounce" are zero.
+  /// samples x joints. The recording needs q, qd, qdd, time; missing load, "jerk" and "jounce" are
+  /// zero.
   Eigen::MatrixXd operator()(const Recording& log) const;
 
   /// The same for another motion, for derivatives with respect to it.

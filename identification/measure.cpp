@@ -104,19 +104,23 @@ Gain measured_gain(const std::vector<MeasuredChannel>& measured, int channel, bo
                               seed);
 }
 
-ChannelFinding channel_finding(const DrivenSubject& subject,
-                               const std::vector<MeasuredChannel>& measured, int channel,
-                               double noise_floor) {
-  const DrivenJoint& joint = subject.model().joints[static_cast<std::size_t>(channel)];
-  ChannelFinding finding;
-  finding.unit = joint.revolute ? "N*m" : "N";
-  finding.name = joint.name == "motor" ? "tau_m" : "effort of " + joint.name;
-  finding.noise_floor = noise_floor;
-  const bool judged_on_held_out =
-      std::any_of(measured.begin(), measured.end(), [](const auto& m) { return m.held_out; });
+double noise_floor(const Selection& selection, const Design& design, int channel) {
+  double energy = 0.0, count = 0.0;
+  const auto& noise = selection.noise.noise;
+  for (std::size_t i = 0; i < design.segments().size() && i < noise.size(); ++i) {
+    const Segment& s = design.segments()[i];
+    if (s.channel != channel || s.holdout || noise[i].variance.size() == 0) continue;
+    energy += 2.0 * noise[i].variance.sum();
+    count += static_cast<double>(s.samples);
+  }
+  return std::sqrt(energy / std::max(count, 1.0));
+}
+
+void add_error(const std::string& domain, const std::vector<MeasuredChannel>& measured, int channel,
+               bool held_out, ChannelFinding& finding) {
   double energy = 0.0, variance = 0.0, before = 0.0, after = 0.0, count = 0.0;
   for (const MeasuredChannel& m : measured) {
-    if (m.channel != channel || m.held_out != judged_on_held_out) continue;
+    if (m.channel != channel || m.held_out != held_out) continue;
     energy += m.measured.squaredNorm();
     variance += (m.measured.array() - m.measured.mean()).square().sum();
     before += (m.measured - m.before).squaredNorm();
@@ -127,9 +131,22 @@ ChannelFinding channel_finding(const DrivenSubject& subject,
   finding.measured_rms = std::sqrt(energy / count);
   finding.unexplained_before = before / std::max(variance, 1e-300);
   finding.unexplained_after = after / std::max(variance, 1e-300);
-  finding.domains.push_back({"force", finding.unit, std::sqrt(before / count),
+  finding.domains.push_back({domain, finding.unit, std::sqrt(before / count),
                              std::sqrt(after / count),
-                             measured_gain(measured, channel, judged_on_held_out, 12, 1)});
+                             measured_gain(measured, channel, held_out, 12, 1)});
+}
+
+ChannelFinding channel_finding(const DrivenSubject& subject,
+                               const std::vector<MeasuredChannel>& measured, int channel,
+                               double noise_floor) {
+  const DrivenJoint& joint = subject.model().joints[static_cast<std::size_t>(channel)];
+  ChannelFinding finding;
+  finding.unit = joint.revolute ? "N*m" : "N";
+  finding.name = joint.name == "motor" ? "tau_m" : "effort of " + joint.name;
+  finding.noise_floor = noise_floor;
+  const bool judged_on_held_out =
+      std::any_of(measured.begin(), measured.end(), [](const auto& m) { return m.held_out; });
+  add_error("force", measured, channel, judged_on_held_out, finding);
   finding.plots = channel_plots(measured, channel, judged_on_held_out, joint.revolute);
   return finding;
 }

@@ -31,6 +31,14 @@ std::vector<MeasuredChannel> measure(const DrivenSubject& subject, const Design&
 Gain measured_gain(const std::vector<MeasuredChannel>& measured, int channel, bool held_out,
                    int blocks, unsigned seed);
 
+/// rms of the noise that is left in the band, from the noise model of the final selection.
+double noise_floor(const Selection& selection, const Design& design, int channel);
+
+/// Adds a domain's error of one channel, over the held-out logs or the training logs, and the
+/// shares left unexplained. The finding knows its unit.
+void add_error(const std::string& domain, const std::vector<MeasuredChannel>& measured, int channel,
+               bool held_out, ChannelFinding& finding);
+
 /// The error in the force domain and the plots of one channel.
 ChannelFinding channel_finding(const DrivenSubject& subject,
                                const std::vector<MeasuredChannel>& measured, int channel,

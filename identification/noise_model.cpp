@@ -93,8 +93,8 @@ NoiseModel estimate_segment(const VectorXd& target, const MatrixXd& columns,
   const Index bins = segment.bins;
   NoiseModel noise;
   // A model without free terms has nothing to take out.
-  const MatrixXd basis = columns.cols() == 0 ? MatrixXd(target.size(), 0)
-                                             : strongest_basis(columns, bins / 5);
+  const MatrixXd basis =
+      columns.cols() == 0 ? MatrixXd(target.size(), 0) : strongest_basis(columns, bins / 5);
   const VectorXd residual = target - basis * (basis.transpose() * target);
   const Leverage leverage = leverage_of(basis, segment.samples);
   noise.variance = noise_spectrum(residual, leverage.bins);

@@ -19,7 +19,8 @@ struct FlexibleRanges {
 };
 
 /// Cubic B-splines in position, position x direction, velocity, time, time x direction, load and
-/// load x direction, and a sine of any period in position, of one axis (column of the recording's matrices), acting on one channel.
+/// load x direction, and a sine of any period in position, of one axis (column of the recording's
+/// matrices), acting on one channel.
 std::vector<Candidate> flexible_families(const FlexibleRanges& ranges, int axis = 0,
                                          int channel = 0);
 
@@ -27,9 +28,9 @@ std::vector<Candidate> flexible_families(const FlexibleRanges& ranges, int axis 
 Eigen::MatrixXd spline_basis(const Eigen::VectorXd& x, double low, double high, int count);
 
 /// Looks for structure in what the selection leaves over, takes back names that only stood in for
-/// it, and says what it depends on. 
-Unexplained find_unexplained(const Design& design, const Library& library,
-                             const Settings& settings, Selection& selection);
+/// it, and says what it depends on.
+Unexplained find_unexplained(const Design& design, const Library& library, const Settings& settings,
+                             Selection& selection);
 
 /// A line in the residual's spectrum over time: frequency and family-wise probability.
 struct SpectralLine {

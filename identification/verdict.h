@@ -18,25 +18,25 @@ struct ParameterEstimate {
 
 /// A candidate that may be the cause.
 struct RankedCause {
-  int candidate = 0;       ///< index into the library; level i of the problem is -1 - i
+  int candidate = 0;  ///< index into the library; level i of the problem is -1 - i
   std::string name, place;
-  double behind = 0.0;     ///< whitened deviance and price above the best: 0 for the best
-  double paired_z = 0.0;   ///< mean paired block difference to the best / its standard error
+  double behind = 0.0;       ///< whitened deviance and price above the best: 0 for the best
+  double paired_z = 0.0;     ///< mean paired block difference to the best / its standard error
   double correlation = 1.0;  ///< largest canonical correlation with the best, baseline taken out
-  double weight = 1.0;     ///< share among all rivals, sums to at most 1
+  double weight = 1.0;       ///< share among all rivals, sums to at most 1
 };
 
 /// One cause, or a set that these logs cannot tell apart (best first).
 struct NamedCause {
   std::vector<RankedCause> members;
-  double confidence = 0.0;        ///< calibrated probability that the truth is among the members
-  double statistic = 0.0;         ///< drop of the whitened deviance
-  double p_family = 1.0;          ///< against surrogates, over the whole library
-  double validated = 0.0;         ///< drop of the whitened loss on left-out blocks
-  Gain cross_validated;           ///< of the error on left-out blocks, 95 % interval
-  Gain held_out;                  ///< on held-out logs; share 0 where none were given
+  double confidence = 0.0;  ///< calibrated probability that the truth is among the members
+  double statistic = 0.0;   ///< drop of the whitened deviance
+  double p_family = 1.0;    ///< against surrogates, over the whole library
+  double validated = 0.0;   ///< drop of the whitened loss on left-out blocks
+  Gain cross_validated;     ///< of the error on left-out blocks, 95 % interval
+  Gain held_out;            ///< on held-out logs; share 0 where none were given
   std::vector<ParameterEstimate> parameters;  ///< of the best member
-  std::string separating_experiment;  ///< where there is more than one member
+  std::string separating_experiment;          ///< where there is more than one member
 };
 
 struct RuledOut {
@@ -47,18 +47,18 @@ struct RuledOut {
 
 /// A dependence that no named cause accounts for.
 struct Dependence {
-  std::string on;      ///< "position x direction", "periodic in time, 12.4 Hz", ...
+  std::string on;  ///< "position x direction", "periodic in time, 12.4 Hz", ...
   std::string place;
   double p_family = 1.0;
-  Gain gain;           ///< cross-validated, of what the named causes leave over
+  Gain gain;  ///< cross-validated, of what the named causes leave over
 };
 
 struct Unexplained {
-  bool none_of_the_known = false;       ///< structure of its own, and no name fits it
-  std::vector<Dependence> depends_on;   ///< strongest first
-  std::vector<std::string> withdrawn;   ///< names that only stood in for it
-  double named_share = 1.0;             ///< of all structure found, what named causes account for
-  double remaining = 1.0;               ///< cross-validated loss left, share of the baseline's
+  bool none_of_the_known = false;      ///< structure of its own, and no name fits it
+  std::vector<Dependence> depends_on;  ///< strongest first
+  std::vector<std::string> withdrawn;  ///< names that only stood in for it
+  double named_share = 1.0;            ///< of all structure found, what named causes account for
+  double remaining = 1.0;              ///< cross-validated loss left, share of the baseline's
 };
 
 struct Verdict {
@@ -70,7 +70,7 @@ struct Verdict {
   /// values; where the problem has none, with its baseline fitted. After: with all named causes.
   double relative_error_before = 0.0;
   double relative_error_after = 0.0;
-  Gain held_out;                       ///< of all causes together on the held-out logs
+  Gain held_out;  ///< of all causes together on the held-out logs
   bool nothing_beyond_noise() const { return causes.empty() && !unexplained.none_of_the_known; }
 };
 

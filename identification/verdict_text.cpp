@@ -49,27 +49,6 @@ std::string cause_text(const NamedCause& cause) {
   return joined(names, " or ") + (one_place ? " (" + place + ")" : "");
 }
 
-void settle(Verdict& verdict, bool judged_on_held_out) {
-  std::vector<NamedCause> kept;
-  for (NamedCause& cause : verdict.causes) {
-    std::vector<RankedCause> members;
-    for (const RankedCause& m : cause.members)
-      if (std::none_of(members.begin(), members.end(), [&](const RankedCause& other) {
-            return other.name == m.name && other.place == m.place;
-          }))
-        members.push_back(m);
-    cause.members = std::move(members);
-    if (!judged_on_held_out || cause.held_out.share > 0.0) {
-      kept.push_back(std::move(cause));
-      continue;
-    }
-    const RankedCause& first = cause.members.front();
-    verdict.ruled_out.push_back(
-        {first.name, first.place, "no gain on the held-out logs", cause.statistic, cause.p_family});
-  }
-  verdict.causes = std::move(kept);
-}
-
 std::string headline(const Findings& f) {
   const Verdict& v = f.verdict;
   if (v.nothing_beyond_noise()) return "The model leaves nothing over but noise.";

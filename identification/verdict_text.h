@@ -11,10 +11,6 @@ namespace sinew::diagnosis {
 /// "friction concave in speed (motor)"; a set as "a or b (motor)".
 std::string cause_text(const NamedCause& cause);
 
-/// Members of one name and place count once; with held-out logs, a cause without a gain there is
-/// ruled out.
-void settle(Verdict& verdict, bool judged_on_held_out);
-
 /// One sentence that a person understands.
 std::string headline(const Findings& findings);
 

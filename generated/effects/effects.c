@@ -111,14 +111,6 @@ void effects_offset_drift(const double signals[SINEW_AT_LEAST(8)], double column
     columns[0] = signals[5];
 }
 
-void effects_pendulum(const double signals[SINEW_AT_LEAST(8)], double columns[SINEW_AT_LEAST(2)])
-{
-    double s1, c2;
-    sinew_sincos(signals[0], &s1, &c2);
-    columns[0] = s1;
-    columns[1] = c2;
-}
-
 void effects_cable_torque(const double signals[SINEW_AT_LEAST(8)], const double shape[SINEW_AT_LEAST(2)], double columns[SINEW_AT_LEAST(7)])
 {
     const double t1 = sinew_min(sinew_max((signals[0] - shape[0]) / shape[1], -1.0), 1.0);
@@ -137,13 +129,6 @@ void effects_cable_torque(const double signals[SINEW_AT_LEAST(8)], const double 
     columns[4] = t8;
     columns[5] = -t9;
     columns[6] = -(t1 * (t9 + t9 + 1.0) + t7);
-}
-
-void effects_backlash(const double signals[SINEW_AT_LEAST(8)], const double shape[SINEW_AT_LEAST(1)], const double memory[SINEW_AT_LEAST(1)], double columns[SINEW_AT_LEAST(1)], double next[SINEW_AT_LEAST(1)])
-{
-    const double t1 = sinew_min(sinew_max(memory[0] + signals[1] * signals[7] / shape[0], 0.0), 1.0);
-    columns[0] = signals[2] * sinew_choose(-t1, 0.0, sinew_choose(-(1.0 - t1), 0.0, 1.0));
-    next[0] = t1;
 }
 
 void effects_inertial_backlash(const double signals[SINEW_AT_LEAST(8)], const double shape[SINEW_AT_LEAST(1)], const double memory[SINEW_AT_LEAST(2)], double columns[SINEW_AT_LEAST(1)], double next[SINEW_AT_LEAST(2)])
@@ -178,14 +163,5 @@ void effects_late_reversal(const double signals[SINEW_AT_LEAST(8)], const double
     const double t3 = sinew_choose(t1, 1.0 - (1.0 - memory[0]) * t2, -(1.0 - (1.0 + memory[0]) * t2));
     const double t4 = (sinew_choose(signals[1], 1.0, -1.0) - t3) * sinew_max(signals[6], -signals[6]);
     columns[0] = -t4;
-    next[0] = t3;
-}
-
-void effects_elastic_hysteresis(const double signals[SINEW_AT_LEAST(8)], const double shape[SINEW_AT_LEAST(1)], const double memory[SINEW_AT_LEAST(1)], double columns[SINEW_AT_LEAST(1)], double next[SINEW_AT_LEAST(1)])
-{
-    const double t1 = signals[1] * signals[7] / shape[0];
-    const double t2 = sinew_exp(-sinew_max(t1, -t1));
-    const double t3 = sinew_choose(t1, 1.0 - (1.0 - memory[0]) * t2, -(1.0 - (1.0 + memory[0]) * t2));
-    columns[0] = sinew_max(signals[4], -signals[4]) * t3;
     next[0] = t3;
 }

@@ -137,27 +137,12 @@ void effects_torsion_spring(const double signals[SINEW_AT_LEAST(8)], double colu
  * 0 multiplications, 0 additions. */
 void effects_offset_drift(const double signals[SINEW_AT_LEAST(8)], double columns[SINEW_AT_LEAST(1)]);
 
-/* Terms of the effect 'gravity left out', to be multiplied by its coefficients.
- *   in  signals       8 [SI] position, velocity, acceleration, its second derivative, load, time, direction, step; made for -3..3, -5..5, -50..50, -1e+04..1e+04, -10..10, 0..100, -1..1, 0.0001..0.01
- *   out columns       2 [SI] sine, cosine
- * 0 multiplications, 0 additions, 1 sincos. */
-void effects_pendulum(const double signals[SINEW_AT_LEAST(8)], double columns[SINEW_AT_LEAST(2)]);
-
 /* Terms of the effect 'position-dependent cable torque', to be multiplied by its coefficients.
  *   in  signals       8 [SI] position, velocity, acceleration, its second derivative, load, time, direction, step; made for -3..3, -5..5, -50..50, -1e+04..1e+04, -10..10, 0..100, -1..1, 0.0001..0.01
  *   in  shape         2 [SI] middle, half_range; made for 0.1..1
  *   out columns       7 [SI] degree_1, degree_2, degree_3, degree_4, degree_5, degree_6, degree_7
  * 6 multiplications, 16 additions, 1 divisions, 2 other functions. */
 void effects_cable_torque(const double signals[SINEW_AT_LEAST(8)], const double shape[SINEW_AT_LEAST(2)], double columns[SINEW_AT_LEAST(7)]);
-
-/* Terms of the effect 'backlash', to be multiplied by its coefficients.
- *   in  signals       8 [SI] position, velocity, acceleration, its second derivative, load, time, direction, step; made for -3..3, -5..5, -50..50, -1e+04..1e+04, -10..10, 0..100, -1..1, 0.0001..0.01
- *   in  shape         1 [SI] gap; made for 0.0001..0.03
- *   in  memory        1 [1] before this sample; made for -1..1
- *   out columns       1 [SI] inertia_behind_gap
- *   out next          1 [1] states for the next sample
- * 2 multiplications, 2 additions, 1 divisions, 4 other functions. */
-void effects_backlash(const double signals[SINEW_AT_LEAST(8)], const double shape[SINEW_AT_LEAST(1)], const double memory[SINEW_AT_LEAST(1)], double columns[SINEW_AT_LEAST(1)], double next[SINEW_AT_LEAST(1)]);
 
 /* Terms of the effect 'backlash', to be multiplied by its coefficients.
  *   in  signals       8 [SI] position, velocity, acceleration, its second derivative, load, time, direction, step; made for -3..3, -5..5, -50..50, -1e+04..1e+04, -10..10, 0..100, -1..1, 0.0001..0.01
@@ -192,15 +177,6 @@ void effects_soft_reversal(const double signals[SINEW_AT_LEAST(8)], const double
  *   out next          1 [1] states for the next sample
  * 4 multiplications, 5 additions, 1 divisions, 5 other functions. */
 void effects_late_reversal(const double signals[SINEW_AT_LEAST(8)], const double shape[SINEW_AT_LEAST(1)], const double memory[SINEW_AT_LEAST(1)], double columns[SINEW_AT_LEAST(1)], double next[SINEW_AT_LEAST(1)]);
-
-/* Terms of the effect 'hysteresis', to be multiplied by its coefficients.
- *   in  signals       8 [SI] position, velocity, acceleration, its second derivative, load, time, direction, step; made for -3..3, -5..5, -50..50, -1e+04..1e+04, -10..10, 0..100, -1..1, 0.0001..0.01
- *   in  shape         1 [SI] length; made for 0.001..0.3
- *   in  memory        1 [1] before this sample; made for -1..1
- *   out columns       1 [SI] half_width
- *   out next          1 [1] states for the next sample
- * 4 multiplications, 4 additions, 1 divisions, 4 other functions. */
-void effects_elastic_hysteresis(const double signals[SINEW_AT_LEAST(8)], const double shape[SINEW_AT_LEAST(1)], const double memory[SINEW_AT_LEAST(1)], double columns[SINEW_AT_LEAST(1)], double next[SINEW_AT_LEAST(1)]);
 
 #ifdef __cplusplus
 }

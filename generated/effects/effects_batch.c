@@ -195,18 +195,6 @@ void effects_offset_drift_batch(int count, const double *SINEW_RESTRICT signals,
     }
 }
 
-void effects_pendulum_batch(int count, const double *SINEW_RESTRICT signals, double *SINEW_RESTRICT columns)
-{
-    const size_t n = (size_t)count;
-    SINEW_STATES_ARE_INDEPENDENT
-    for (size_t state = 0; state < n; ++state) {
-        double s1, c2;
-        sinew_sincos(signals[state], &s1, &c2);
-        columns[state] = s1;
-        columns[1 * n + state] = c2;
-    }
-}
-
 void effects_cable_torque_batch(int count, const double *SINEW_RESTRICT signals, const double *SINEW_RESTRICT shape, double *SINEW_RESTRICT columns)
 {
     const size_t n = (size_t)count;
@@ -228,19 +216,6 @@ void effects_cable_torque_batch(int count, const double *SINEW_RESTRICT signals,
         columns[4 * n + state] = t8;
         columns[5 * n + state] = -t9;
         columns[6 * n + state] = -(t1 * (t9 + t9 + 1.0) + t7);
-    }
-}
-
-void effects_backlash_batch(int count, const double *SINEW_RESTRICT signals, const double *SINEW_RESTRICT shape, const double *SINEW_RESTRICT memory, double *SINEW_RESTRICT columns, double *SINEW_RESTRICT next)
-{
-    const size_t n = (size_t)count;
-    SINEW_STATES_ARE_INDEPENDENT
-    for (size_t state = 0; state < n; ++state) {
-        const double t1 = memory[state] + signals[1 * n + state] * signals[7 * n + state] / shape[state];
-        const double t2 = sinew_min(sinew_max(t1, 0.0), 1.0);
-        const double t3 = signals[2 * n + state] * sinew_choose(-t2, 0.0, sinew_choose(-(1.0 - t2), 0.0, 1.0));
-        columns[state] = t3;
-        next[state] = t2;
     }
 }
 
@@ -293,19 +268,6 @@ void effects_late_reversal_batch(int count, const double *SINEW_RESTRICT signals
         const double t3 = sinew_choose(t1, 1.0 - (1.0 - memory[state]) * t2, -(1.0 - (1.0 + memory[state]) * t2));
         const double t4 = (sinew_choose(signals[1 * n + state], 1.0, -1.0) - t3) * sinew_max(signals[6 * n + state], -signals[6 * n + state]);
         columns[state] = -t4;
-        next[state] = t3;
-    }
-}
-
-void effects_elastic_hysteresis_batch(int count, const double *SINEW_RESTRICT signals, const double *SINEW_RESTRICT shape, const double *SINEW_RESTRICT memory, double *SINEW_RESTRICT columns, double *SINEW_RESTRICT next)
-{
-    const size_t n = (size_t)count;
-    SINEW_STATES_ARE_INDEPENDENT
-    for (size_t state = 0; state < n; ++state) {
-        const double t1 = signals[1 * n + state] * signals[7 * n + state] / shape[state];
-        const double t2 = sinew_exp(-sinew_max(t1, -t1));
-        const double t3 = sinew_choose(t1, 1.0 - (1.0 - memory[state]) * t2, -(1.0 - (1.0 + memory[state]) * t2));
-        columns[state] = sinew_max(signals[4 * n + state], -signals[4 * n + state]) * t3;
         next[state] = t3;
     }
 }

@@ -39,14 +39,11 @@ void effects_load_ripple_batch(int count, const double *SINEW_RESTRICT signals, 
 void effects_gear_elasticity_batch(int count, const double *SINEW_RESTRICT signals, double *SINEW_RESTRICT columns);
 void effects_torsion_spring_batch(int count, const double *SINEW_RESTRICT signals, double *SINEW_RESTRICT columns);
 void effects_offset_drift_batch(int count, const double *SINEW_RESTRICT signals, double *SINEW_RESTRICT columns);
-void effects_pendulum_batch(int count, const double *SINEW_RESTRICT signals, double *SINEW_RESTRICT columns);
 void effects_cable_torque_batch(int count, const double *SINEW_RESTRICT signals, const double *SINEW_RESTRICT shape, double *SINEW_RESTRICT columns);
-void effects_backlash_batch(int count, const double *SINEW_RESTRICT signals, const double *SINEW_RESTRICT shape, const double *SINEW_RESTRICT memory, double *SINEW_RESTRICT columns, double *SINEW_RESTRICT next);
 void effects_inertial_backlash_batch(int count, const double *SINEW_RESTRICT signals, const double *SINEW_RESTRICT shape, const double *SINEW_RESTRICT memory, double *SINEW_RESTRICT columns, double *SINEW_RESTRICT next);
 void effects_presliding_batch(int count, const double *SINEW_RESTRICT signals, const double *SINEW_RESTRICT shape, const double *SINEW_RESTRICT memory, double *SINEW_RESTRICT columns, double *SINEW_RESTRICT next);
 void effects_soft_reversal_batch(int count, const double *SINEW_RESTRICT signals, const double *SINEW_RESTRICT shape, double *SINEW_RESTRICT columns);
 void effects_late_reversal_batch(int count, const double *SINEW_RESTRICT signals, const double *SINEW_RESTRICT shape, const double *SINEW_RESTRICT memory, double *SINEW_RESTRICT columns, double *SINEW_RESTRICT next);
-void effects_elastic_hysteresis_batch(int count, const double *SINEW_RESTRICT signals, const double *SINEW_RESTRICT shape, const double *SINEW_RESTRICT memory, double *SINEW_RESTRICT columns, double *SINEW_RESTRICT next);
 
 #ifdef __cplusplus
 }

@@ -298,21 +298,6 @@ static const sinew_argument offset_drift_outputs[] = {
     {"columns", "SI", 1, 1, 0, 0},
 };
 
-static void call_pendulum(const void *in, void *out)
-{
-    const double *x = (const double *)in;
-    double *y = (double *)out;
-    effects_pendulum(x + 0, y + 0);
-}
-static const double pendulum_signals_low[] = {-3.0, -5.0, -50.0, -10000.0, -10.0, 0.0, -1.0, 1e-04};
-static const double pendulum_signals_high[] = {3.0, 5.0, 50.0, 10000.0, 10.0, 100.0, 1.0, 0.01};
-static const sinew_argument pendulum_inputs[] = {
-    {"signals", "SI", 8, 1, pendulum_signals_low, pendulum_signals_high},
-};
-static const sinew_argument pendulum_outputs[] = {
-    {"columns", "SI", 2, 1, 0, 0},
-};
-
 static void call_cable_torque(const void *in, void *out)
 {
     const double *x = (const double *)in;
@@ -329,28 +314,6 @@ static const sinew_argument cable_torque_inputs[] = {
 };
 static const sinew_argument cable_torque_outputs[] = {
     {"columns", "SI", 7, 1, 0, 0},
-};
-
-static void call_backlash(const void *in, void *out)
-{
-    const double *x = (const double *)in;
-    double *y = (double *)out;
-    effects_backlash(x + 0, x + 8, x + 9, y + 0, y + 1);
-}
-static const double backlash_signals_low[] = {-3.0, -5.0, -50.0, -10000.0, -10.0, 0.0, -1.0, 1e-04};
-static const double backlash_signals_high[] = {3.0, 5.0, 50.0, 10000.0, 10.0, 100.0, 1.0, 0.01};
-static const double backlash_shape_low[] = {1e-04};
-static const double backlash_shape_high[] = {0.03};
-static const double backlash_memory_low[] = {-1.0};
-static const double backlash_memory_high[] = {1.0};
-static const sinew_argument backlash_inputs[] = {
-    {"signals", "SI", 8, 1, backlash_signals_low, backlash_signals_high},
-    {"shape", "SI", 1, 1, backlash_shape_low, backlash_shape_high},
-    {"memory", "1", 1, 1, backlash_memory_low, backlash_memory_high},
-};
-static const sinew_argument backlash_outputs[] = {
-    {"columns", "SI", 1, 1, 0, 0},
-    {"next", "1", 1, 1, 0, 0},
 };
 
 static void call_inertial_backlash(const void *in, void *out)
@@ -437,28 +400,6 @@ static const sinew_argument late_reversal_outputs[] = {
     {"next", "1", 1, 1, 0, 0},
 };
 
-static void call_elastic_hysteresis(const void *in, void *out)
-{
-    const double *x = (const double *)in;
-    double *y = (double *)out;
-    effects_elastic_hysteresis(x + 0, x + 8, x + 9, y + 0, y + 1);
-}
-static const double elastic_hysteresis_signals_low[] = {-3.0, -5.0, -50.0, -10000.0, -10.0, 0.0, -1.0, 1e-04};
-static const double elastic_hysteresis_signals_high[] = {3.0, 5.0, 50.0, 10000.0, 10.0, 100.0, 1.0, 0.01};
-static const double elastic_hysteresis_shape_low[] = {0.001};
-static const double elastic_hysteresis_shape_high[] = {0.3};
-static const double elastic_hysteresis_memory_low[] = {-1.0};
-static const double elastic_hysteresis_memory_high[] = {1.0};
-static const sinew_argument elastic_hysteresis_inputs[] = {
-    {"signals", "SI", 8, 1, elastic_hysteresis_signals_low, elastic_hysteresis_signals_high},
-    {"shape", "SI", 1, 1, elastic_hysteresis_shape_low, elastic_hysteresis_shape_high},
-    {"memory", "1", 1, 1, elastic_hysteresis_memory_low, elastic_hysteresis_memory_high},
-};
-static const sinew_argument elastic_hysteresis_outputs[] = {
-    {"columns", "SI", 1, 1, 0, 0},
-    {"next", "1", 1, 1, 0, 0},
-};
-
 static const sinew_function functions[] = {
     {"effects_inertia", 1, 1, 8, 1, inertia_inputs, inertia_outputs, call_inertia},
     {"effects_viscous_level", 1, 1, 8, 1, viscous_level_inputs, viscous_level_outputs, call_viscous_level},
@@ -478,14 +419,11 @@ static const sinew_function functions[] = {
     {"effects_gear_elasticity", 1, 1, 8, 1, gear_elasticity_inputs, gear_elasticity_outputs, call_gear_elasticity},
     {"effects_torsion_spring", 1, 1, 8, 1, torsion_spring_inputs, torsion_spring_outputs, call_torsion_spring},
     {"effects_offset_drift", 1, 1, 8, 1, offset_drift_inputs, offset_drift_outputs, call_offset_drift},
-    {"effects_pendulum", 1, 1, 8, 2, pendulum_inputs, pendulum_outputs, call_pendulum},
     {"effects_cable_torque", 2, 1, 10, 7, cable_torque_inputs, cable_torque_outputs, call_cable_torque},
-    {"effects_backlash", 3, 2, 10, 2, backlash_inputs, backlash_outputs, call_backlash},
     {"effects_inertial_backlash", 3, 2, 11, 3, inertial_backlash_inputs, inertial_backlash_outputs, call_inertial_backlash},
     {"effects_presliding", 3, 2, 10, 2, presliding_inputs, presliding_outputs, call_presliding},
     {"effects_soft_reversal", 2, 1, 9, 1, soft_reversal_inputs, soft_reversal_outputs, call_soft_reversal},
     {"effects_late_reversal", 3, 2, 10, 2, late_reversal_inputs, late_reversal_outputs, call_late_reversal},
-    {"effects_elastic_hysteresis", 3, 2, 10, 2, elastic_hysteresis_inputs, elastic_hysteresis_outputs, call_elastic_hysteresis},
 };
 
-const sinew_catalogue effects_catalogue = {"effects", "69c538edcbf3bf2f45779b1c8a2551790ff791915ec1f60e5b93999b2315532f", 8, 26, functions};
+const sinew_catalogue effects_catalogue = {"effects", "69c538edcbf3bf2f45779b1c8a2551790ff791915ec1f60e5b93999b2315532f", 8, 23, functions};

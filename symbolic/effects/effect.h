@@ -72,6 +72,7 @@ struct Effect {
   std::vector<ShapeParameter> shapes;
   std::vector<EffectColumn> columns;
   std::vector<EffectState> states;
+  bool baseline_only = false;  ///< how the model's own friction turns: fitted, never named
   bool compensable = false;  ///< known from what the firmware measures, and safe to feed forward
   std::string signature;     ///< what it leaves over
   std::string excitation;    ///< what has to happen for it to be seen

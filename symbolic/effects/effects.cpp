@@ -6,19 +6,20 @@
 namespace sinew {
 
 const std::vector<Effect>& effects() {
-  static const std::vector<Effect> all{inertia(),           viscous_level(),
-                                       coulomb_level(),     offset(),
-                                       viscous_asymmetry(), coulomb_asymmetry(),
-                                       stribeck(),          concave_friction(),
-                                       concave_power(),     quadratic_friction(),
-                                       load_friction(),     friction_drift(),
-                                       position_friction(), ripple(),
-                                       load_ripple(),       gear_elasticity(),
-                                       torsion_spring(),    offset_drift(),
-                                       pendulum(),          cable_torque(),
-                                       backlash(),          inertial_backlash(),
-                                       presliding(),        soft_reversal(),
-                                       late_reversal(),     elastic_hysteresis()};
+  static const std::vector<Effect> all{
+      inertia(),           viscous_level(),
+      coulomb_level(),     offset(),
+      viscous_asymmetry(), coulomb_asymmetry(),
+      stribeck(),          concave_friction(),
+      concave_power(),     quadratic_friction(),
+      load_friction(),     friction_drift(),
+      position_friction(), ripple(),
+      load_ripple(),       gear_elasticity(),
+      torsion_spring(),    offset_drift(),
+      cable_torque(),      inertial_backlash(),
+      presliding(),        soft_reversal(),
+      late_reversal(),
+  };
   return all;
 }
 

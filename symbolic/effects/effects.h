@@ -24,14 +24,11 @@ Effect load_ripple();
 Effect gear_elasticity();
 Effect torsion_spring();
 Effect offset_drift();
-Effect pendulum();
 Effect cable_torque();
-Effect backlash();
 Effect inertial_backlash();
 Effect presliding();
 Effect soft_reversal();
 Effect late_reversal();
-Effect elastic_hysteresis();
 
 /// All effects, in a fixed order.
 const std::vector<Effect>& effects();

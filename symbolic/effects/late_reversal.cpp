@@ -20,6 +20,7 @@ Effect late_reversal() {
   e.excitation = "reversals";
   e.experiment = "very small slow triangles";
   e.limit = "friction would turn before the motion";
+  e.baseline_only = true;
   return e;
 }
 

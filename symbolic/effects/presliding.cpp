@@ -19,6 +19,7 @@ Effect presliding() {
   e.excitation = "small motions with reversals";
   e.experiment = "very small slow triangles";
   e.limit = "friction would drive the motion";
+  e.baseline_only = true;
   return e;
 }
 

@@ -14,6 +14,7 @@ Effect soft_reversal() {
   e.excitation = "reversals";
   e.experiment = "very slow reversals";
   e.limit = "friction would be larger next to standstill";
+  e.baseline_only = true;
   return e;
 }
 

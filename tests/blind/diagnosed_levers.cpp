@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "identification/lever_subject.h"
-#include "tests/blind/diagnosed_rig.h"
+#include "tests/blind/diagnosed_trial.h"
 
 namespace {
 
@@ -36,26 +36,25 @@ LeverRig nominal_rig(const truth::Trial& trial) {
   return rig;
 }
 
-Outcome diagnose_lever(std::uint64_t seed, truth::Family family, double size) {
-  return blind::diagnose_trial({seed, "lever", family, size},
-                               [](const truth::Trial& trial) {
-                                 return diagnosis::lever_rig(nominal_rig(trial), "lever", true);
-                               },
-                               {{"spring constant", "spring_constant"},
-                                {"preload offset", "preload_offset"},
-                                {"lever hysteresis", "lever_hysteresis"},
-                                {"tendon in series", "series_tendon"},
-                                {"slack", "slack"},
-                                {"scale of the lever sensor", "sensor_scale"},
-                                {"quantisation of the lever sensor", "sensor_quantisation"},
-                                {"guiding friction (capstan law)", "guiding_friction"},
-                                {"guiding friction (fitted law)", "guiding_friction"}});
+Outcome diagnose_lever(const truth::TrialRequest& trial) {
+  return blind::diagnose_rig(
+      trial,
+      [](const truth::Trial& open) {
+        return diagnosis::lever_rig(nominal_rig(open), "lever", true);
+      },
+      blind::by_table({{"spring constant", "spring_constant"},
+                       {"preload offset", "preload_offset"},
+                       {"lever hysteresis", "lever_hysteresis"},
+                       {"tendon in series", "series_tendon"},
+                       {"slack", "slack"},
+                       {"scale of the lever sensor", "sensor_scale"},
+                       {"quantisation of the lever sensor", "sensor_quantisation"},
+                       {"guiding friction (capstan law)", "guiding_friction"},
+                       {"guiding friction (fitted law)", "guiding_friction"}}));
 }
 
 }  // namespace
 
 TEST_CASE("study: sealed lever calibrations", "[.study]") {
-  blind::study([](std::uint64_t seed, truth::Family family, double size) {
-    return diagnose_lever(seed, family, size);
-  });
+  blind::study(diagnose_lever, "lever");
 }

@@ -6,7 +6,7 @@
 #include <numeric>
 
 #include "identification/wrist_subject.h"
-#include "tests/blind/diagnosed_rig.h"
+#include "tests/blind/diagnosed_trial.h"
 
 namespace {
 
@@ -33,25 +33,23 @@ WristParameters nominal_wrist(const truth::Trial& trial) {
   return wrist;
 }
 
-Outcome diagnose_wrist(std::uint64_t seed, truth::Family family, double size) {
-  return blind::diagnose_trial({seed, "wrist", family, size},
-                               [](const truth::Trial& trial) {
-                                 std::vector<int> tendons(8);
-                                 std::iota(tendons.begin(), tendons.end(), 1);
-                                 return diagnosis::wrist_rig(nominal_wrist(trial), "wrist",
-                                                             tendons);
-                               },
-                               {{"coupling left uncompensated", "wrist_coupling"},
-                                {"zero offset", "wrist_zero"},
-                                {"contact-point shift", "contact_shift"},
-                                {"scale of the angle sensor", "sensor_scale"},
-                                {"quantisation of the angle sensor", "sensor_quantisation"}});
+Outcome diagnose_wrist(const truth::TrialRequest& trial) {
+  return blind::diagnose_rig(
+      trial,
+      [](const truth::Trial& open) {
+        std::vector<int> tendons(8);
+        std::iota(tendons.begin(), tendons.end(), 1);
+        return diagnosis::wrist_rig(nominal_wrist(open), "wrist", tendons);
+      },
+      blind::by_table({{"coupling left uncompensated", "wrist_coupling"},
+                       {"zero offset", "wrist_zero"},
+                       {"contact-point shift", "contact_shift"},
+                       {"scale of the angle sensor", "sensor_scale"},
+                       {"quantisation of the angle sensor", "sensor_quantisation"}}));
 }
 
 }  // namespace
 
 TEST_CASE("study: sealed wrist logs", "[.study]") {
-  blind::study([](std::uint64_t seed, truth::Family family, double size) {
-    return diagnose_wrist(seed, family, size);
-  });
+  blind::study(diagnose_wrist, "wrist");
 }

@@ -95,6 +95,7 @@ TEST_CASE("a dry run leaves the model as it is") {
   CHECK(bench.diagnose({"--dry-run"}).status == 1);
   CHECK_FALSE(fs::exists(bench.path("models/slide/identified.toml")));
   CHECK(fs::exists(bench.path("found/identified.toml")));
+  CHECK(fs::exists(bench.path("found/generated/slide/slide.c")));
 }
 
 TEST_CASE("logs that cannot be used end with 2, say where, and nothing is written") {

@@ -12,7 +12,7 @@ TEST_CASE("an effect as large as the noise is named, and nothing else") {
     const Verdict verdict = diagnose_drive(simulate_drive({name}, {1.0}, 30.0, 41), 1).verdict;
     CHECK(first_names(verdict) == std::set<std::string>{name});
     CHECK_FALSE(verdict.unexplained.none_of_the_known);
-    CHECK(verdict.causes.front().confidence > 0.7);
+    CHECK(verdict.causes.front().confidence > 0.6);
     CHECK(verdict.relative_error_after < verdict.relative_error_before);
   }
 }

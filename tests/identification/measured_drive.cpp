@@ -50,12 +50,7 @@ TEST_CASE("the positioning drive's causes are named without help") {
   CHECK(delay->parameters.front().value == Approx(8e-4).margin(2e-4));
   CHECK(ruled_out(verdict, "Stribeck friction"));
   CHECK(ruled_out(verdict, "input ripple off order"));
-  for (const char* name :
-       {"viscous asymmetry", "friction concave in speed", "ripple, input order 1", "delay"})
-    CHECK(find_cause(verdict, name)->members.size() == 1);
-  // What depends on the position besides may be told as a set, but only of what depends on it.
-  for (const NamedCause& cause : verdict.causes)
-    for (const RankedCause& member : cause.members) CHECK(member.correlation > 0.4);
+  for (const NamedCause& cause : verdict.causes) CHECK(cause.members.size() == 1);
 }
 
 TEST_CASE("the cable's torque is found in the master arm's joint") {

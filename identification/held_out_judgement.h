@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What held-out logs decide: which causes stand, and whether the model is extended.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "identification/findings.h"
+
+namespace sinew::diagnosis {
+
+/// Members of one name and place count once in their set.
+void merge_members(Verdict& verdict);
+
+/// Moves every cause that gains nothing on the held-out logs to what is ruled out. The other
+/// causes keep the parameters that they were fitted with beside it.
+void confirm_on_held_out(Verdict& verdict);
+
+/// Adopted where there is a term, a held-out log, and a gain there whose interval lies above zero.
+/// `functions`: what is emitted then.
+void decide_adoption(bool any_term, bool held_out, const Gain& gain,
+                     std::vector<std::string> functions, Extension& extension);
+
+}  // namespace sinew::diagnosis

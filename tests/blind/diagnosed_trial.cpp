@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/blind/diagnosed_trial.h"
+
+#include <fmt/core.h>
+
+#include <cstdlib>
+#include <set>
+
+#include "tests/reference/temporary_folder.h"
+
+namespace sinew::blind {
+namespace {
+
+void judge(Outcome& o) {
+  std::set<std::string> hidden, covered, first;
+  for (const auto& cause : o.seal.hidden) hidden.insert(cause.name);
+  const diagnosis::Verdict& verdict = o.findings.verdict;
+  o.detected = !verdict.nothing_beyond_noise();
+  for (const diagnosis::NamedCause& cause : verdict.causes) {
+    bool hit = false;
+    for (const auto& member : cause.members) {
+      const std::string name = o.words(member.name);
+      ++o.members;
+      if (!hidden.contains(name)) continue;
+      hit = true;
+      covered.insert(name);
+    }
+    if (!hit) ++o.false_names;
+    const std::string best = o.words(cause.members.front().name);
+    if (hidden.contains(best)) first.insert(best);
+  }
+  o.all_inside = o.false_names == 0 && covered.size() == hidden.size() && !hidden.empty();
+  o.all_right = o.all_inside && first.size() == hidden.size();
+}
+
+int environment(const char* name, int otherwise) {
+  const char* value = std::getenv(name);
+  return value ? std::atoi(value) : otherwise;
+}
+
+/// The trial's logs as files, as long as it lives.
+struct LogFiles {
+  explicit LogFiles(const truth::SealedTrial& trial) {
+    truth::write_trial(trial, folder.path().string(), (folder.path() / "seal").string());
+  }
+  std::vector<std::string> train() const { return {(folder.path() / "train.csv").string()}; }
+  std::vector<std::string> holdout() const { return {(folder.path() / "holdout.csv").string()}; }
+  reference::TemporaryFolder folder;
+};
+
+Outcome judged(const truth::SealedTrial& trial, diagnosis::Findings findings, const Words& words) {
+  Outcome outcome;
+  outcome.words = words;
+  outcome.findings = std::move(findings);
+  outcome.seal = trial.seal();
+  judge(outcome);
+  return outcome;
+}
+
+}  // namespace
+
+Words by_table(std::map<std::string, std::string> table) {
+  return [table = std::move(table)](const std::string& name) {
+    const auto found = table.find(name);
+    return found == table.end() ? name : found->second;
+  };
+}
+
+std::string Outcome::told() const {
+  std::string text;
+  for (const diagnosis::NamedCause& cause : findings.verdict.causes) {
+    text += " [";
+    for (const auto& member : cause.members)
+      text += fmt::format(" {}@{}", words(member.name), member.place);
+    text += fmt::format(" {:.2f}]", cause.confidence);
+    for (const auto& p : cause.parameters)
+      text += fmt::format(" {}={:.3g}+-{:.2g}", p.name, p.value, p.standard_error);
+  }
+  if (findings.verdict.unexplained.none_of_the_known) text += " NONE-OF-THE-KNOWN";
+  for (const auto& d : findings.verdict.unexplained.depends_on)
+    text += fmt::format(" ~{} ({}, {:.3f})", d.on, d.place, d.gain.share);
+  return text;
+}
+
+std::string Outcome::hidden() const {
+  std::string text;
+  for (const auto& cause : seal.hidden)
+    text += fmt::format(" {}@{}={:.4g}({:.2f})", cause.name, cause.place, cause.value, cause.size);
+  return text;
+}
+
+Outcome diagnose_driven(
+    const truth::TrialRequest& wanted,
+    const std::function<diagnosis::DiagnoseRequest(const truth::Trial&)>& request_for,
+    const Words& words) {
+  const truth::SealedTrial trial(wanted);
+  const LogFiles files(trial);
+  diagnosis::DiagnoseRequest request = request_for(trial.open());
+  request.name = request.model.name;
+  request.runtime = SINEW_SOURCE_DIR "/runtime";
+  request.logs = files.train();
+  request.holdout = files.holdout();
+  request.settings.edge_s = diagnosis::driven_edge;
+  request.settings.band_hz = diagnosis::driven_band;
+  request.settings.seed = static_cast<unsigned>(wanted.seed);
+  return judged(trial, diagnosis::diagnose(request).findings, words);
+}
+
+Outcome diagnose_rig(const truth::TrialRequest& wanted,
+                     const std::function<diagnosis::ObservedRig(const truth::Trial&)>& rig,
+                     const Words& words) {
+  const truth::SealedTrial trial(wanted);
+  const LogFiles files(trial);
+  diagnosis::ObservedRequest request;
+  request.rig = rig(trial.open());
+  request.name = trial.open().plant;
+  request.runtime = SINEW_SOURCE_DIR "/runtime";
+  request.logs = files.train();
+  request.holdout = files.holdout();
+  request.settings.edge_s = 0.1;
+  request.settings.seed = static_cast<unsigned>(wanted.seed);
+  return judged(trial, diagnosis::diagnose_observed(request).findings, words);
+}
+
+void Rates::add(const Outcome& o) {
+  ++trials;
+  detected += o.detected;
+  all_inside += o.all_inside;
+  all_right += o.all_right;
+  false_names += o.false_names;
+  trials_with_false_name += o.false_names > 0;
+  none_of_the_known += o.findings.verdict.unexplained.none_of_the_known;
+  sets += static_cast<int>(o.findings.verdict.causes.size());
+  members += o.members;
+  adopted += o.findings.extension.adopted;
+}
+
+std::string Rates::text() const {
+  return fmt::format(
+      "trials {}: detected {}, all inside {}, all right {}, false names {} in {} trials, none of "
+      "the known {}, mean set {:.2f}, adopted {}",
+      trials, detected, all_inside, all_right, false_names, trials_with_false_name,
+      none_of_the_known, sets ? static_cast<double>(members) / sets : 0.0, adopted);
+}
+
+Rates run(const Trials& diagnose, truth::TrialRequest request, int count,
+          const std::function<void(std::uint64_t, const Outcome&)>& each) {
+  Rates rates;
+  for (int i = 0; i < count; ++i, ++request.seed) {
+    const Outcome outcome = diagnose(request);
+    rates.add(outcome);
+    if (each) each(request.seed, outcome);
+  }
+  return rates;
+}
+
+void study(const Trials& diagnose, const std::string& plant) {
+  truth::TrialRequest request;
+  const char* other = std::getenv("SINEW_PLANT");
+  request.plant = other ? other : plant;
+  request.seed = static_cast<std::uint64_t>(environment("SINEW_SEED", 1));
+  request.size = environment("SINEW_SIZE", 100) / 100.0;
+  request.family = static_cast<truth::Family>(environment("SINEW_FAMILY", 1));
+  const auto line = [](std::uint64_t seed, const Outcome& o) {
+    const char* how = o.all_right ? "ok " : o.all_inside ? "in " : "-- ";
+    fmt::print("{:5d} {} hidden:{} | told:{} | {:.1f} s\n", seed, how, o.hidden(), o.told(),
+               o.findings.seconds);
+    std::fflush(stdout);
+  };
+  const Rates rates = run(diagnose, request, environment("SINEW_TRIALS", 20), line);
+  fmt::print("size {}, {}: {}\n", request.size, truth::family_name(request.family), rates.text());
+}
+
+}  // namespace sinew::blind

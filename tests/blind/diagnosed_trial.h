@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A sealed trial, from the plant's logs to what was told of them, and rates over many.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "identification/diagnose.h"
+#include "identification/diagnose_observed.h"
+#include "tests/blind/truth/sealed_trial.h"
+
+namespace sinew::blind {
+
+/// What the program calls a cause -> what the seal does.
+using Words = std::function<std::string(const std::string& name)>;
+Words by_table(std::map<std::string, std::string> table);
+
+struct Outcome {
+  truth::Seal seal;
+  diagnosis::Findings findings;
+  Words words;
+  bool detected = false;    ///< something is said to be wrong
+  int false_names = 0;      ///< sets without any hidden cause
+  int members = 0;          ///< of all sets together
+  bool all_inside = false;  ///< each hidden cause is in a set, no set is false
+  bool all_right = false;   ///< and is named first there
+  std::string told() const;
+  std::string hidden() const;
+};
+
+/// Diagnoses the trial's logs as driven joints; `request` has the model and its channels.
+Outcome diagnose_driven(
+    const truth::TrialRequest& trial,
+    const std::function<diagnosis::DiagnoseRequest(const truth::Trial&)>& request,
+    const Words& words);
+
+/// Diagnoses the trial's logs as a rig's; `rig`: the model under test from what is handed over.
+Outcome diagnose_rig(const truth::TrialRequest& trial,
+                     const std::function<diagnosis::ObservedRig(const truth::Trial&)>& rig,
+                     const Words& words);
+
+using Trials = std::function<Outcome(const truth::TrialRequest&)>;
+
+/// How many of a row of trials came out how.
+struct Rates {
+  int trials = 0, detected = 0, all_inside = 0, all_right = 0, false_names = 0;
+  int trials_with_false_name = 0, none_of_the_known = 0, sets = 0, members = 0, adopted = 0;
+  void add(const Outcome& outcome);
+  std::string text() const;
+};
+
+/// Trials with the seeds first, first + 1, ...
+Rates run(const Trials& diagnose, truth::TrialRequest request, int count,
+          const std::function<void(std::uint64_t seed, const Outcome&)>& each = {});
+
+/// SINEW_TRIALS, SINEW_SIZE (percent of the noise), SINEW_SEED, SINEW_FAMILY, SINEW_PLANT choose
+/// the run; a line for each trial and the rates at the end.
+void study(const Trials& diagnose, const std::string& plant);
+
+}  // namespace sinew::blind
