@@ -4,8 +4,12 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <memory>
 
+#include "cli/figures_guiding.h"
+#include "cli/figures_lever.h"
+#include "cli/figures_motor.h"
 #include "cli/source_figures.h"
 #include "symbolic/part.h"
 
@@ -16,23 +20,61 @@ namespace fs = std::filesystem;
 
 struct Options {
   std::string out = "figures", models = "models", generated = "generated", runtime = "runtime";
+  std::vector<int> chapters;  ///< none: all
 };
 
-WristParameters wrist_parameters(const fs::path& folder) {
+template <typename Parameters>
+Parameters parameters_of(const Options& o, const char* model) {
+  const fs::path folder = fs::path(o.models) / model;
   const Part part = read_part(folder);
-  if (const auto* wrist = std::get_if<WristParameters>(&part.parameters)) return *wrist;
-  throw std::runtime_error((folder / "part.toml").string() + ": describes no wrist");
+  if (const auto* found = std::get_if<Parameters>(&part.parameters)) return *found;
+  throw std::runtime_error((folder / "part.toml").string() + ": describes no " + model);
 }
 
-void run_figures(const Options& o) {
+std::vector<Figure> figures_guiding(const Options& o) {
+  std::vector<FittedSeries> all;
+  for (GuidingSeries& s :
+       read_guiding_table(fs::path(o.models) / "guiding" / "assumed_measurements.csv")) {
+    GuidingFit fit = fit_guiding(s);
+    all.push_back({std::move(s), std::move(fit)});
+  }
+  const std::string origin =
+      "Assumed measurements (models/guiding/assumed_measurements.csv): the source prints curves "
+      "but no numbers. Measure, and run sinew identify --experiment guiding on your own table.";
+  return {figure_guiding_friction(all, usual_tension(all), origin),
+          figure_pulley_or_sliding(all, origin)};
+}
+
+std::vector<Figure> figures_of(const Options& o, int chapter) {
   const auto compiled = [&](const char* model) {
     return CompiledModel(fs::path(o.generated) / model, o.runtime);
   };
-  std::vector<Figure> figures{figure_coriolis(compiled("index"))};
-  for (const Figure& figure : figures_link_position(compiled("thumb"))) figures.push_back(figure);
-  for (const Figure& figure :
-       figures_wrist(compiled("wrist"), wrist_parameters(fs::path(o.models) / "wrist")))
-    figures.push_back(figure);
+  std::vector<Figure> figures;
+  const auto add = [&](const std::vector<Figure>& more) {
+    figures.insert(figures.end(), more.begin(), more.end());
+  };
+  if (chapter == 3) add(figures_motor(fs::path(o.models) / "motor", compiled("motor"), o.runtime));
+  if (chapter == 4) {
+    const CompiledModel lever = compiled("lever");
+    add({figure_lever(lever, parameters_of<LeverParameters>(o, "lever")),
+         figure_lever_calibration(lever, parameters_of<TendonWithLever>(o, "tendon"))});
+    add(figures_guiding(o));
+  }
+  if (chapter == 5) {
+    add({figure_coriolis(compiled("index"))});
+    add(figures_link_position(compiled("thumb")));
+  }
+  if (chapter == 6)
+    add(figures_wrist(compiled("wrist"), parameters_of<WristParameters>(o, "wrist")));
+  return figures;
+}
+
+void run_figures(const Options& o) {
+  std::vector<Figure> figures;
+  for (const int chapter : {3, 4, 5, 6})
+    if (o.chapters.empty() ||
+        std::find(o.chapters.begin(), o.chapters.end(), chapter) != o.chapters.end())
+      for (Figure& figure : figures_of(o, chapter)) figures.push_back(std::move(figure));
   fs::create_directories(o.out);
   for (const Figure& figure : figures) write_figure(o.out, figure);
   write_index(o.out, figures);
@@ -45,6 +87,8 @@ void add_figures_command(CLI::App& app, int&) {
   CLI::App* command = app.add_subcommand("figures", "Reproduce the source's figures");
   auto options = std::make_shared<Options>();
   command->add_option("--out", options->out, "Folder of the figures (default: figures)");
+  command->add_option("--chapter", options->chapters, "3, 4, 5, 6: of these chapters only")
+      ->check(CLI::Range(3, 6));
   command->add_option("--models", options->models, "Folder of the model folders");
   command->add_option("--generated", options->generated, "Folder of the emitted C");
   command->add_option("--runtime", options->runtime, "Folder of the runtime's headers");

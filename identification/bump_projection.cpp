@@ -28,7 +28,7 @@ BumpProjection::BumpProjection(long width, double period) : width_(width | 1) {
   weight_[2] = period * scale * scale * (48.0 * s * s * r * r - 8.0 * r.cube());
   // The sums then obey the parts' rule exactly up to quadratic signals, as the integrals do.
   const Eigen::ArrayXd t = s / scale;
-  weight_[1] *= -weight_[0].sum() / (weight_[1] * t).sum();
+  weight_[1] *= weight_[0].sum() / (weight_[1] * t).sum();
   weight_[2] -= weight_[0] * (weight_[2].sum() / weight_[0].sum());
   weight_[2] *= weight_[0].sum() / (weight_[2] * t * t / 2.0).sum();
 }

@@ -58,8 +58,8 @@ void take_means(const DriveStretch& s, long first, long count, FrictionPoint& po
   for (double* sum : {&point.torque, &point.sine, &point.cosine}) *sum /= travel;
   for (double& share : point.shares) share /= travel;
   // White noise: the ripple of whole periods is gone from the mean, and must not widen it.
-  point.deviation =
-      white_noise_rms(s.torque.segment(first, count)) * std::sqrt(squares) / std::abs(travel);
+  point.noise = white_noise_rms(s.torque.segment(first, count));
+  point.deviation = std::sqrt(squares) / std::abs(travel);  // of unit noise, until it is known
 }
 
 /// Cuts a plateau to whole motor periods and takes its means; false where it is shorter than one.
@@ -80,6 +80,26 @@ bool take_point(const DriveStretch& s, const Plateau& plateau, double turn, Fric
   return true;
 }
 
+/// Noise is one sensor's, and each point's estimate of it scatters: weights that scatter along make
+/// intervals too narrow. So all points share the median, but those whose noise is another one.
+void weigh(std::vector<FrictionPoint>& points) {
+  if (points.empty()) return;
+  std::vector<double> noises;
+  double largest = 0.0;
+  for (const FrictionPoint& point : points) {
+    noises.push_back(point.noise);
+    largest = std::max(largest, std::abs(point.torque));
+  }
+  const auto middle = noises.begin() + static_cast<std::ptrdiff_t>(noises.size() / 2);
+  std::nth_element(noises.begin(), middle, noises.end());
+  for (FrictionPoint& point : points) {
+    const bool same = point.noise < 1.5 * *middle && *middle < 1.5 * point.noise;
+    // A log without noise still has rounding.
+    point.deviation =
+        std::max(point.deviation * (same ? *middle : point.noise), 1e-9 * largest + 1e-15);
+  }
+}
+
 std::vector<FrictionPoint> points_of(const std::vector<DriveStretch>& stretches,
                                      double gear_ratio) {
   std::vector<FrictionPoint> points;
@@ -88,11 +108,7 @@ std::vector<FrictionPoint> points_of(const std::vector<DriveStretch>& stretches,
     if (take_point(stretches[plateau.stretch], plateau, two_pi * gear_ratio, point))
       points.push_back(point);
   }
-  double largest = 0.0;
-  for (const FrictionPoint& point : points) largest = std::max(largest, std::abs(point.torque));
-  // A log without noise still has rounding.
-  for (FrictionPoint& point : points)
-    point.deviation = std::max(point.deviation, 1e-9 * largest + 1e-15);
+  weigh(points);
   std::sort(points.begin(), points.end(),
             [](const auto& a, const auto& b) { return a.velocity < b.velocity; });
   return points;
@@ -106,6 +122,24 @@ void require_velocities(FrictionCurve& curve) {
         fmt::format("only {} constant velocities over a whole motor turn; expected at least {}, in "
                     "both directions and spread evenly by their logarithm",
                     count, parameters + 1));
+}
+
+/// Smallest of 1 - (distance to the interval's lower end)/friction over the velocities, and of the
+/// same for the slopes at standstill. `covariance`: of log gamma1, gamma2, gamma3; `t`: half an
+/// interval in standard errors.
+double passive_share(const FrictionCurve& curve, const Eigen::Matrix3d& covariance, double t) {
+  const double gamma1 = curve.gamma1.value, gamma2 = curve.gamma2.value;
+  const auto share = [&](double value, const Eigen::Vector3d& slope) {
+    return 1.0 - t * std::sqrt(std::max(0.0, slope.dot(covariance * slope))) / std::abs(value);
+  };
+  // Towards standstill friction is its slope gamma1 gamma2 + gamma3 times the velocity.
+  double least = share(gamma1 * gamma2 + curve.gamma3.value, {gamma1 * gamma2, gamma1, 1.0});
+  for (const FrictionPoint& point : curve.points) {
+    const double w = point.velocity, x = gamma1 * w;
+    least = std::min(least, share(friction_torque(gamma1, gamma2, curve.gamma3.value, w),
+                                  {gamma2 * x / (1.0 + x * x), std::atan(x), w}));
+  }
+  return std::max(0.0, least);
 }
 
 void fit(FrictionCurve& curve) {
@@ -156,6 +190,8 @@ void fit(FrictionCurve& curve) {
   curve.gamma3 = estimate(p[2], error(2), freedom);
   const double quarter = two_pi / 4;
   curve.plateau = estimate(p[1] * quarter, error(1) * quarter, freedom);
+  curve.passive_share = passive_share(curve, scale * scale * inverse.topLeftCorner<3, 3>(),
+                                      (curve.gamma2.high - curve.gamma2.value) / error(1));
   curve.identified = summary.IsSolutionUsable() && summary.termination_type == ceres::CONVERGENCE;
 }
 

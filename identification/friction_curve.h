@@ -17,6 +17,7 @@ struct FrictionPoint {
   double low = 0.0;       ///< smallest and largest torque of the stretch (Fig. 3.3)
   double high = 0.0;
   long periods = 0;        ///< turns of the motor
+  double noise = 0.0;      ///< N·m, white, of one sample
   double deviation = 0.0;  ///< N·m, of the mean
   /// Velocities of short blocks and their share of the travel: ripple makes them differ, and
   /// friction is not linear.
@@ -31,6 +32,10 @@ struct FrictionCurve {
   Estimate gamma1, gamma2, gamma3;   ///< s/rad, N·m, N·m·s/rad
   Estimate plateau;                  ///< gamma2 pi/2 [N·m]
   double residual = 0.0;             ///< N·m, rms over the points
+  /// Largest share of the fitted friction that may be fed forward: at every velocity measured, and
+  /// at standstill, the true friction is larger with 97.5 % confidence, so that the motor stays
+  /// passive. Below 1 by the fit's uncertainty; 0 where that is as large as the friction.
+  double passive_share = 0.0;
   std::vector<std::string> missing;  ///< what the log cannot say, and the experiment that would
 };
 

@@ -3,9 +3,10 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
+
+#include "identification/lever_loop.h"
 
 namespace sinew {
 namespace {
@@ -14,7 +15,8 @@ constexpr int bins = 60;  // over the sensor's range, for loop and stiffness
 
 struct Samples {
   std::vector<double> count, force, elongation;
-  std::vector<int> direction;  ///< +1 loading, -1 unloading, 0 at rest
+  std::vector<int> direction;        ///< +1 loading, -1 unloading, 0 at rest
+  std::vector<Eigen::Index> starts;  ///< of the stretches
 };
 
 Samples gather(const std::vector<Log>& logs) {
@@ -26,6 +28,7 @@ Samples gather(const std::vector<Log>& logs) {
       // Loading is a matter of seconds; noise is one of samples.
       const long reach = std::max(1L, n / 100);
       const int elongation = log.channel("elongation");
+      all.starts.push_back(static_cast<Eigen::Index>(all.count.size()));
       for (long i = 0; i < n; ++i) {
         all.count.push_back(segment.samples(i, log.channel("count")));
         all.force.push_back(force(i));
@@ -63,6 +66,13 @@ void measure_loop(LeverCalibrationResult& result, const Branch& up, const Branch
   }
 }
 
+/// Whether the length rises in one place and falls in another: no stiffness follows there.
+bool turns_round(const CalibrationPolynomial& length) {
+  bool rises = false, falls = false;
+  for (int i = -200; i <= 200; ++i) (length.slope(i / 200.0) > 0.0 ? rises : falls) = true;
+  return rises && falls;
+}
+
 /// Stiffness of the polynomials against force over elongation of one branch.
 double stiffness_mismatch(const LeverCalibrationResult& result, const Branch& branch) {
   double worst = 0.0, largest = 0.0;
@@ -80,22 +90,6 @@ double stiffness_mismatch(const LeverCalibrationResult& result, const Branch& br
     largest = std::max(largest, std::abs(measured));
   }
   return largest > 0.0 ? worst / largest : 0.0;
-}
-
-/// The force without the loop: a part that changes sign with the direction, smooth over the travel,
-/// is fitted along and taken off, so that it does not drown what decides about the degree.
-Eigen::ArrayXd middle_of_loop(const Eigen::ArrayXd& u, const Eigen::ArrayXd& force,
-                              const std::vector<int>& direction, int highest) {
-  constexpr int loop_degree = 6;
-  Eigen::MatrixXd columns(u.size(), highest + loop_degree + 2);
-  Eigen::ArrayXd power = Eigen::ArrayXd::Ones(u.size()), sign(u.size());
-  for (Eigen::Index i = 0; i < u.size(); ++i) sign(i) = direction[static_cast<std::size_t>(i)];
-  for (int k = 0; k <= std::max(highest, loop_degree); ++k, power *= u) {
-    if (k <= loop_degree) columns.col(k) = power * sign;
-    if (k <= highest) columns.col(loop_degree + 1 + k) = power;
-  }
-  const Eigen::VectorXd c = columns.colPivHouseholderQr().solve(force.matrix());
-  return force - (columns.leftCols(loop_degree + 1) * c.head(loop_degree + 1)).array();
 }
 
 }  // namespace
@@ -128,8 +122,9 @@ LeverCalibrationResult calibrate_lever(const std::vector<Log>& logs, int highest
   const auto unloading = std::count(samples.direction.begin(), samples.direction.end(), -1),
              loading = std::count(samples.direction.begin(), samples.direction.end(), 1);
   const bool both = 20 * std::min(loading, unloading) > static_cast<long>(n);
+  const double step = 1.5 / c.half_range;  // the sensor's own
   result.force = fit_polynomial(
-      u, both ? middle_of_loop(u, force, samples.direction, highest) : force, highest);
+      u, both ? middle_of_loop(u, force, samples.starts, step, highest).force : force, highest);
   c.force = result.force.coefficients;
   measure_loop(result, up, down);
   for (Eigen::Index i = 0; i < u.size(); ++i)
@@ -146,7 +141,7 @@ LeverCalibrationResult calibrate_lever(const std::vector<Log>& logs, int highest
   c.length = result.length.coefficients;
   result.largest_length_error = result.length.largest_error;
   result.stiffness_mismatch = std::min(stiffness_mismatch(result, up), 1e300);
-  if (result.length.slope(-1) * result.length.slope(1) <= 0.0)
+  if (turns_round(result.length))
     say("the path length turns round within the sensor's range; " + experiment);
   else
     result.identified = true;

@@ -40,11 +40,16 @@ std::vector<DriveStretch> steady(const std::vector<DriveStretch>& stretches) {
   return all;
 }
 
-/// atan(gamma1 w) and a constant torque of its own for each velocity: what is fitted along.
-Eigen::MatrixXd common_columns(const DriveRegression& drive) {
+/// The model's friction and a constant torque of its own for each velocity: what is fitted along.
+/// Velocity ripple is made by the ripple looked for and acts on it through the friction's slope, so
+/// that its viscous part must not be left out: that would be a bias of the ripple.
+Eigen::MatrixXd common_columns(const DriveRegression& drive, const MotorParameters& model) {
   const auto count = static_cast<Eigen::Index>(drive.rows.size());
   Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(drive.columns.rows(), 1 + count);
-  columns.col(0) = drive.columns.col(1);
+  const bool known = model.gamma2 * model.gamma1 > 0.0 || model.gamma3 > 0.0;
+  columns.col(0) = known ? Eigen::VectorXd(model.gamma2 * drive.columns.col(1) +
+                                           model.gamma3 * drive.columns.col(2))
+                         : Eigen::VectorXd(drive.columns.col(2));
   Eigen::Index row = 0;
   for (Eigen::Index k = 0; k < count; ++k) {
     const Eigen::Index rows = drive.rows[static_cast<std::size_t>(k)];
@@ -123,7 +128,7 @@ RippleResult identify_ripple(const std::vector<DriveStretch>& whole, const Motor
       project_drive(stretches, model.gamma1, model.gear_ratio, left, result.width);
   // At constant velocity theta'' and ripple act alike: the inertia has to be known.
   const Eigen::VectorXd torque = drive.torque - motor_inertia(model) * drive.columns.col(0);
-  const Eigen::MatrixXd along = common_columns(drive);
+  const Eigen::MatrixXd along = common_columns(drive, model);
   const Eigen::Index common = along.cols(), projected = 3;
   std::vector<std::size_t> kept(left.size());
   for (std::size_t i = 0; i < kept.size(); ++i) kept[i] = i;
@@ -152,23 +157,6 @@ RippleResult identify_ripple(const std::vector<DriveStretch>& whole, const Motor
   for (std::size_t i = 0; i < kept.size(); ++i)
     result.ripples.push_back(fitted(r, left[kept[i]], common + 2 * static_cast<Eigen::Index>(i)));
   return result;
-}
-
-double velocity_ripple_at_motor_order(const std::vector<DriveStretch>& stretches,
-                                      double gear_ratio) {
-  double squares = 0.0, time = 0.0;
-  for (const Plateau& p : plateaus(stretches)) {
-    const DriveStretch& s = stretches[p.stretch];
-    const long count = p.last - p.first;
-    const Eigen::ArrayXd omega = s.omega.segment(p.first, count) - p.velocity;
-    const Eigen::ArrayXd angle = s.theta.segment(p.first, count) / gear_ratio;
-    const double sine = 2.0 * (omega * angle.sin()).mean(),
-                 cosine = 2.0 * (omega * angle.cos()).mean();
-    const double duration = static_cast<double>(count) * s.period;
-    squares += duration * (sine * sine + cosine * cosine);
-    time += duration;
-  }
-  return time > 0.0 ? std::sqrt(squares / time) : 0.0;
 }
 
 }  // namespace sinew

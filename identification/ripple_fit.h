@@ -25,14 +25,9 @@ struct RippleResult {
 };
 
 /// Orders 1..`highest` of output and input shaft, one after the other as long as one is significant
-/// (its amplitude 5 standard errors or more). Friction is fitted along; inertia, gamma1 and
-/// the gear ratio are the model's: identify the inertia first.
+/// (its amplitude 5 standard errors or more). One factor on the model's friction is fitted along;
+/// inertia, the friction's shape and the gear ratio are the model's: identify those first.
 RippleResult identify_ripple(const std::vector<DriveStretch>& stretches,
                              const MotorParameters& model, int highest = 4);
-
-/// Amplitude [rad/s] of the velocity at the motor's rotation frequency over the log's constant
-/// velocities: the figure of merit of a compensation (Fig. 3.6). 0 where there is none.
-double velocity_ripple_at_motor_order(const std::vector<DriveStretch>& stretches,
-                                      double gear_ratio);
 
 }  // namespace sinew

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <random>
 
+#include "identification/compensation_effect.h"
 #include "identification/friction_curve.h"
 #include "identification/inertia_impulse.h"
 #include "identification/ripple_fit.h"
@@ -77,6 +78,21 @@ struct Simulated {
       return 40.0 * (start + velocity * t - a) + (velocity - w) * 1.0;
     });
   }
+  /// The same as a log: theta and tau_m; the velocity has to be taken from theta.
+  Log log(const std::string& name, std::mt19937& random, double torque_noise,
+          double theta_noise) const {
+    const DriveStretch s = stretches(random, torque_noise, theta_noise).front();
+    Log made;
+    made.file = name;
+    made.period = period;
+    made.channels = {{"theta", "rad"}, {"tau_m", "N*m"}};
+    Segment segment;
+    segment.samples.resize(s.theta.size(), 2);
+    segment.samples.col(0) = s.theta;
+    segment.samples.col(1) = s.torque;
+    made.segments.push_back(segment);
+    return made;
+  }
   std::vector<DriveStretch> stretches(std::mt19937& random, double torque_noise,
                                       double theta_noise) const {
     std::normal_distribution<double> unit;
@@ -134,6 +150,32 @@ TEST_CASE("friction's intervals cover the truth in 95 % of the trials", "[identi
   for (const int each : covered) check_coverage(each);
 }
 
+TEST_CASE("the share of friction that may be fed forward leaves the motor passive", "[identify]") {
+  const Simulated log = constant_velocities();
+  std::mt19937 random(6);
+  const FrictionCurve clean = identify_friction(log.stretches(random, 0.002, 1e-6), 0.01),
+                      noisy = identify_friction(log.stretches(random, 0.2, 1e-6), 0.01);
+  CHECK(clean.passive_share > 0.97);
+  CHECK(clean.passive_share < 1.0);
+  CHECK(noisy.passive_share < clean.passive_share);
+  // Fed forward in full, an estimate gives energy in about half of the trials.
+  int active = 0, safe = 0;
+  for (int trial = 0; trial < 100; ++trial) {
+    const FrictionCurve c = identify_friction(log.stretches(random, 0.05, 1e-6), 0.01);
+    bool whole = false, share = false;
+    for (const double w : {0.01, 0.05, 0.2, 0.8, 3.0, 6.0}) {
+      const double truth = friction_torque(10.0, 0.5586, 0.0356, w),
+                   fitted = friction_torque(c.gamma1.value, c.gamma2.value, c.gamma3.value, w);
+      whole = whole || fitted > truth;
+      share = share || c.passive_share * fitted > truth;
+    }
+    active += whole;
+    safe += !share;
+  }
+  CHECK(active > 50);
+  CHECK(safe >= 95);
+}
+
 TEST_CASE("inertia is found, and without friction it is wrong", "[identify]") {
   const Simulated log = impulses();
   std::mt19937 random(2);
@@ -149,6 +191,39 @@ TEST_CASE("inertia is found, and without friction it is wrong", "[identify]") {
   CHECK(std::abs(last.bias) > 0.05);
   CHECK(!last.without_friction.covers(log.inertia()));
   CHECK(last.inertia.value == Approx(log.inertia()).epsilon(0.02));
+}
+
+TEST_CASE("projected derivatives have the derivatives' values and signs", "[identify]") {
+  const BumpProjection bumps(31, 1e-3);
+  const Eigen::ArrayXd t = Eigen::ArrayXd::LinSpaced(31, 0.2, 0.23), one = Eigen::ArrayXd::Ones(31);
+  const double weight = bumps.of(one, 0);
+  CHECK(bumps.of(t, 0, 1) / weight == Approx(1.0).epsilon(1e-12));
+  CHECK(bumps.of(3.0 * t * t, 0, 2) / weight == Approx(6.0).epsilon(1e-9));
+  CHECK(bumps.of((40.0 * t).sin(), 0, 1) ==
+        Approx(40.0 * bumps.of((40.0 * t).cos(), 0)).epsilon(1e-4));
+  CHECK(bumps.of((40.0 * t).sin(), 0, 2) ==
+        Approx(-1600.0 * bumps.of((40.0 * t).sin(), 0)).epsilon(1e-4));
+}
+
+TEST_CASE("without noise ripple and inertia are exact", "[identify]") {
+  Simulated turning;
+  for (const double v : {0.7, -0.5}) turning.servo(v, 10.0);
+  std::mt19937 random(8);
+  const RippleResult r = identify_ripple(turning.stretches(random, 0.0, 0.0), motor(), 2);
+  REQUIRE(r.ripples.size() >= 2);
+  CHECK(r.ripples[0].amplitude.value == Approx(0.04).epsilon(1e-4));
+  CHECK(r.ripples[0].phase.value == Approx(1.1).epsilon(1e-4));
+  CHECK(r.ripples[1].amplitude.value == Approx(0.02).epsilon(1e-4));
+  CHECK(r.residual < 1e-5);
+  // A friction that the model has wrong by a factor does not matter.
+  MotorParameters weak = motor();
+  weak.gamma2 *= 0.5;
+  weak.gamma3 *= 0.5;
+  const RippleResult same = identify_ripple(turning.stretches(random, 0.0, 0.0), weak, 2);
+  CHECK(same.ripples[0].amplitude.value == Approx(0.04).epsilon(1e-4));
+  const Simulated pushed = impulses();
+  CHECK(identify_inertia(pushed.stretches(random, 0.0, 0.0), motor()).inertia.value ==
+        Approx(pushed.inertia()).epsilon(1e-3));
 }
 
 TEST_CASE("ripple is found in the position domain", "[identify]") {
@@ -174,10 +249,21 @@ TEST_CASE("compensation shows at the motor's rotation frequency", "[identify]") 
   after.compensation = 0.9;
   for (Simulated* log : {&before, &after}) log->servo(0.7, 4.0);
   std::mt19937 random(4);
-  const double with = velocity_ripple_at_motor_order(after.stretches(random, 0.0, 0.0), 0.01),
-               without = velocity_ripple_at_motor_order(before.stretches(random, 0.0, 0.0), 0.01);
-  CHECK(without > 0.01);
-  CHECK(with == Approx(0.1 * without).epsilon(0.2));
+  const std::vector<Log> logs{before.log("before", random, 0.005, 1e-5),
+                              after.log("after", random, 0.005, 1e-5)};
+  const MotorOrderEffect effect = motor_order_effect(logs, 0.01, "omega");
+  REQUIRE(effect.amplitudes.size() == 2);
+  CHECK(effect.amplitudes[0].amplitude.value > 0.01);
+  CHECK(effect.amplitudes[0].periods >= 40);
+  REQUIRE(effect.reductions.size() == 1);
+  CHECK(effect.reductions[0].log == "after");
+  CHECK(effect.reductions[0].share_left.value == Approx(0.1).epsilon(0.2));
+  CHECK(effect.reductions[0].share_left.standard_error < 0.02);
+  CHECK(motor_order_effect(logs, 0.01, "tau_c").amplitudes.empty());
+  // The same log twice: nothing is reduced.
+  const auto same = motor_order_effect({logs[0], logs[0]}, 0.01, "omega").reductions;
+  REQUIRE(same.size() == 1);
+  CHECK(same[0].share_left.value == Approx(1.0).epsilon(1e-12));
 }
 
 TEST_CASE("a log that cannot identify a parameter is told so", "[identify]") {

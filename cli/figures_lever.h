@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Chapter 4's figures of the variable-stiffness lever.
+#pragma once
+
+#include <vector>
+
+#include "cli/figure.h"
+#include "simulation/compiled_model.h"
+#include "symbolic/part.h"
+
+namespace sinew {
+
+/// Fig. 4.7: path length, force and stiffness of the lever's model.
+Figure figure_lever(const CompiledModel& lever, const LeverParameters& parameters);
+
+/// Fig. 4.8: a simulated calibration on the rig, with the polynomials fitted to it.
+Figure figure_lever_calibration(const CompiledModel& lever, const TendonWithLever& parameters);
+
+}  // namespace sinew

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One experiment each: logs in, numbers with their errors out.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "identification/bump_projection.h"
+#include "identification/log.h"
+#include "symbolic/lever.h"
+#include "symbolic/motor.h"
+
+namespace sinew {
+
+/// What `sinew identify` reports. `missing`: what the logs cannot say, and the experiment that
+/// would; may be there although the rest is identified.
+struct IdentifyReport {
+  bool identified = false;
+  nlohmann::ordered_json results;
+  std::vector<std::string> missing;
+};
+
+/// {"value", "standard_error", "interval_95": [low, high]}.
+nlohmann::ordered_json json_of(const Estimate& estimate);
+
+IdentifyReport report_friction(const std::vector<Log>& logs, const MotorParameters& motor);
+IdentifyReport report_inertia(const std::vector<Log>& logs, const MotorParameters& motor);
+/// The first log is the one without compensation where the effect of one is asked for.
+IdentifyReport report_ripple(const std::vector<Log>& logs, const MotorParameters& motor);
+/// `emit`: folder for the C of the calibration, none where empty or not identified.
+IdentifyReport report_lever(const std::vector<Log>& logs, const std::string& emit);
+/// Tables of guiding friction (docs/identify.md); `tables`: folder for the designers' tables and
+/// plots, none where empty.
+IdentifyReport report_guiding(const std::vector<std::string>& files, const std::string& tables);
+
+}  // namespace sinew
