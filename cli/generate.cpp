@@ -4,12 +4,15 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <chrono>
+#include <fstream>
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "cli/change_summary.h"
 #include "cli/model_folder.h"
-#include "generator/cost.h"
+#include "cli/model_set.h"
 #include "generator/write.h"
 
 namespace sinew {
@@ -20,12 +23,16 @@ struct Options {
   std::vector<std::string> without;
   bool json = false;
   bool runtime_parameters = false;
+  bool dependents = false;
 };
 
 void add_common_options(CLI::App& command, Options& o) {
-  command.add_option("model", o.folder, "Model folder with mechanism.toml and mass_properties.csv")
+  command.add_option("model", o.folder, "Model folder, or a folder of model folders: all of them")
       ->required();
-  command.add_option("--out", o.out, "Folder of the emitted C (default: generated/<model>)");
+  command.add_option("--out", o.out,
+                     "Folder of the emitted C (default: generated/<model>); of several models: the "
+                     "folder of their folders");
+  command.add_flag("--dependents", o.dependents, "The hands made of the model as well");
   command.add_option("--scalar", o.scalar, "double or float");
   command.add_option("--without", o.without, "Optimisation passes to leave out");
   command.add_flag("--runtime-parameters", o.runtime_parameters,
@@ -38,36 +45,6 @@ EmittedModel emit(const Options& o, const ModelFolder& folder) {
                   target_named(o.scalar), o.without);
 }
 
-std::filesystem::path output_folder(const Options& o, const ModelFolder& folder) {
-  return o.out.empty() ? default_output(folder) : std::filesystem::path(o.out);
-}
-
-void report_generated(const EmittedModel& model, const std::filesystem::path& out, double seconds,
-                      bool json) {
-  if (json) {
-    nlohmann::ordered_json report{{"model", model.name},
-                                  {"out", out.string()},
-                                  {"sha256", model.hash},
-                                  {"functions", model.functions.size()},
-                                  {"seconds", seconds}};
-    fmt::print("{}\n", report.dump(2));
-    return;
-  }
-  fmt::print("{}: {} functions written to {} in {:.2f} s\n", model.name, model.functions.size(),
-             out.string(), seconds);
-}
-
-void run_generate(const Options& o) {
-  const auto start = std::chrono::steady_clock::now();
-  const ModelFolder folder = open_model_folder(o.folder);
-  const EmittedModel model = emit(o, folder);
-  const std::filesystem::path out = output_folder(o, folder);
-  replace_folder(out, emit_files(model));
-  report_generated(model, out,
-                   std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(),
-                   o.json);
-}
-
 /// As a shell takes it.
 std::string word(const std::string& text) {
   const char* plain = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_./-+=:,@%";
@@ -77,33 +54,150 @@ std::string word(const std::string& text) {
   return quoted + "'";
 }
 
+/// One model of a run: derived, compared with what was emitted before.
+struct Derived {
+  std::filesystem::path folder, out;
+  EmittedModel model;
+  std::vector<FunctionChange> changes;
+  double seconds = 0;
+};
+
+/// The folders a command is about; with --dependents also the hands made of them.
+std::vector<std::filesystem::path> folders_of(const Options& o) {
+  std::vector<std::filesystem::path> folders = model_folders(o.folder);
+  if (!o.dependents) return folders;
+  const std::vector<std::filesystem::path> given = folders;
+  for (const std::filesystem::path& folder : given)
+    for (const std::filesystem::path& hand : hands_made_of(folder))
+      if (std::find(folders.begin(), folders.end(), hand) == folders.end()) folders.push_back(hand);
+  return folders;
+}
+
+Derived derive(const Options& o, const std::filesystem::path& path, bool alone) {
+  const auto start = std::chrono::steady_clock::now();
+  const ModelFolder folder = open_model_folder(path);
+  Derived derived{path, default_output(folder), emit(o, folder), {}, 0};
+  if (!o.out.empty())
+    derived.out = alone ? std::filesystem::path(o.out) : o.out / derived.out.filename();
+  derived.changes = function_changes(derived.out, derived.model);
+  derived.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return derived;
+}
+
+/// All of them before anything is written: a mistake in one leaves everything as it was.
+std::vector<Derived> derive_all(const Options& o) {
+  const std::vector<std::filesystem::path> folders = folders_of(o);
+  std::vector<Derived> all;
+  for (const std::filesystem::path& folder : folders)
+    all.push_back(derive(o, folder, folders.size() == 1));
+  for (std::size_t i = 0; i < all.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      if (all[i].out == all[j].out)
+        throw std::runtime_error(fmt::format("{} and {} are both called {}; expected one of them",
+                                             all[j].folder.string(), all[i].folder.string(),
+                                             all[i].model.name));
+  return all;
+}
+
+/// Whether what is emitted for a model comes from its files as they are now.
+bool is_out_of_date(const std::filesystem::path& folder, const std::filesystem::path& beside) {
+  const ModelFolder model = open_model_folder(folder);
+  std::ifstream in(beside.parent_path() / model.identity.name / "manifest.json");
+  const nlohmann::json manifest = nlohmann::json::parse(in, nullptr, false);
+  return !manifest.is_object() || manifest.value("sha256", "") != model.identity.hash;
+}
+
+/// Hands made of a model and parts of a hand that the run left behind.
+std::vector<std::filesystem::path> left_behind(const Derived& derived,
+                                               const std::vector<Derived>& run) {
+  std::vector<std::filesystem::path> related = hands_made_of(derived.folder);
+  for (const std::filesystem::path& part : parts_of(derived.folder)) related.push_back(part);
+  std::vector<std::filesystem::path> behind;
+  for (const std::filesystem::path& folder : related) {
+    const bool done = std::any_of(run.begin(), run.end(), [&](const Derived& d) {
+      return std::filesystem::equivalent(d.folder, folder);
+    });
+    if (!done && is_out_of_date(folder, derived.out)) behind.push_back(folder);
+  }
+  return behind;
+}
+
+nlohmann::ordered_json model_json(const Derived& d, const std::vector<Derived>& run) {
+  nlohmann::ordered_json report{{"model", d.model.name},
+                                {"out", d.out.string()},
+                                {"sha256", d.model.hash},
+                                {"functions", d.model.functions.size()},
+                                {"seconds", d.seconds},
+                                {"changes", summary_json(d.changes)},
+                                {"left_behind", nlohmann::ordered_json::array()}};
+  for (const std::filesystem::path& folder : left_behind(d, run))
+    report["left_behind"].push_back(folder.string());
+  return report;
+}
+
+void report_generated(const std::vector<Derived>& run, bool json) {
+  if (json) {
+    nlohmann::ordered_json models = nlohmann::ordered_json::array();
+    for (const Derived& d : run) models.push_back(model_json(d, run));
+    fmt::print("{}\n", run.size() == 1 ? models[0].dump(2)
+                                       : nlohmann::ordered_json{{"models", models}}.dump(2));
+    return;
+  }
+  for (const Derived& d : run) {
+    fmt::print("{}: {} functions written to {} in {:.2f} s\n{}", d.model.name,
+               d.model.functions.size(), d.out.string(), d.seconds, summary_text(d.changes));
+    for (const std::filesystem::path& folder : left_behind(d, run))
+      fmt::print("  {} has to follow: sinew generate {}\n", folder.string(), word(folder.string()));
+  }
+}
+
+void run_generate(const Options& o) {
+  const std::vector<Derived> run = derive_all(o);
+  for (const Derived& d : run) replace_folder(d.out, emit_files(d.model));
+  report_generated(run, o.json);
+}
+
 /// The command that makes `check` with these options content.
 std::string accept_command(const Options& o) {
   std::string command = "sinew generate " + word(o.folder);
   if (!o.out.empty()) command += " --out " + word(o.out);
   if (o.scalar != "double") command += " --scalar " + o.scalar;
   for (const std::string& pass : o.without) command += " --without " + pass;
+  if (o.dependents) command += " --dependents";
   return command;
 }
 
+nlohmann::ordered_json check_json(const Derived& d, const std::string& diff,
+                                  const std::string& accept) {
+  return {{"model", d.model.name},
+          {"same", diff.empty()},
+          {"diff", diff},
+          {"changes", summary_json(d.changes)},
+          {"accept", accept}};
+}
+
 int run_check(const Options& o) {
-  const ModelFolder folder = open_model_folder(o.folder);
-  const std::filesystem::path out = output_folder(o, folder);
-  const std::string diff = difference(out, emit_files(emit(o, folder)));
+  const std::vector<Derived> run = derive_all(o);
   const std::string accept = accept_command(o);
-  if (o.json) {
-    nlohmann::ordered_json report{{"model", folder.identity.name},
-                                  {"same", diff.empty()},
-                                  {"diff", diff},
-                                  {"accept", accept}};
-    fmt::print("{}\n", report.dump(2));
-  } else if (diff.empty()) {
-    fmt::print("{}: {} is up to date\n", folder.identity.name, out.string());
-  } else {
-    fmt::print("{}\n{} differs from what the model gives now. To accept the change:\n  {}\n", diff,
-               out.string(), accept);
+  nlohmann::ordered_json models = nlohmann::ordered_json::array();
+  std::string differing;
+  for (const Derived& d : run) {
+    const std::string diff = difference(d.out, emit_files(d.model));
+    if (!diff.empty()) differing += (differing.empty() ? "" : ", ") + d.out.string();
+    if (o.json)
+      models.push_back(check_json(d, diff, accept));
+    else if (diff.empty())
+      fmt::print("{}: {} is up to date\n", d.model.name, d.out.string());
+    else
+      fmt::print("{}\n{}:\n{}", diff, d.model.name, summary_text(d.changes));
   }
-  return diff.empty() ? 0 : 1;
+  if (o.json)
+    fmt::print("{}\n", run.size() == 1 ? models[0].dump(2)
+                                       : nlohmann::ordered_json{{"models", models}}.dump(2));
+  else if (!differing.empty())
+    fmt::print("{} differs from what the model gives now. To accept the change:\n  {}\n", differing,
+               accept);
+  return differing.empty() ? 0 : 1;
 }
 
 }  // namespace

@@ -13,13 +13,15 @@
 #include "generator/dump.h"
 #include "generator/lower.h"
 #include "generator/passes/pipeline.h"
+#include "symbolic/dynamics_functions.h"
+#include "symbolic/lagrangian.h"
 
 namespace sinew {
 namespace {
 
 struct Options {
   std::string folder, function, after;
-  bool passes = false, runtime_parameters = false, dot = false, json = false;
+  bool passes = false, methods = false, runtime_parameters = false, dot = false, json = false;
 };
 
 nlohmann::ordered_json cost_json(const Cost& c) {
@@ -75,7 +77,25 @@ void print_pass_gains(const std::vector<Function>& functions, bool json) {
   if (json) fmt::print("{}\n", report.dump(2));
 }
 
+/// Inverse dynamics by every method of derivation; for coupled joints those of 5.3.2.
+std::vector<Function> by_every_method(const ModelFolder& folder) {
+  const Mechanism* mechanism = std::get_if<Mechanism>(&folder.model);
+  if (!mechanism)
+    throw std::runtime_error(folder.identity.name +
+                             " has no dynamics; expected a model with mechanism.toml");
+  std::vector<Function> methods{inverse_dynamics_function(*mechanism, emitted_cost),
+                                textbook_inverse_dynamics(*mechanism)};
+  methods[0].name = "recursive (emitted)";
+  methods[1].name = "L differentiated";
+  if (mechanism->couplings.empty() && mechanism->four_bars.empty()) return methods;
+  methods.push_back(projected_inverse_dynamics(*mechanism));
+  methods[1].name = "couplings in L";
+  methods[2].name = "all joints, projected";
+  return methods;
+}
+
 void run_cost(const Options& o) {
+  if (o.methods) return print_costs(by_every_method(open_model_folder(o.folder)), o.json);
   const std::vector<Function> functions =
       derive_functions(open_model_folder(o.folder), o.runtime_parameters);
   if (o.passes)
@@ -118,6 +138,8 @@ void add_cost_command(CLI::App& app, int&) {
   command->add_flag("--runtime-parameters", options->runtime_parameters,
                     "Counts with masses and gravity as arguments");
   command->add_flag("--passes", options->passes, "What each optimisation pass brings");
+  command->add_flag("--methods", options->methods,
+                    "Inverse dynamics by every method of derivation (5.3.2)");
   command->add_flag("--json", options->json, "Report for machines");
   command->callback([options] { run_cost(*options); });
 }

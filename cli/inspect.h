@@ -7,7 +7,8 @@ class App;
 
 namespace sinew {
 
-/// `sinew cost <model folder> [--passes]`: operations per function, and what each pass brings.
+/// `sinew cost <model folder> [--passes | --methods]`: operations per function, what each pass brings,
+/// or inverse dynamics by every method of derivation.
 void add_cost_command(CLI::App& app, int& exit_status);
 
 /// `sinew dump <model folder> --function NAME [--after PASS] [--dot]`: any intermediate form.

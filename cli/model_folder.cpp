@@ -10,8 +10,8 @@
 #include "symbolic/coordinates.h"
 #include "symbolic/driven_model.h"
 #include "symbolic/functions.h"
-#include "symbolic/part_observation.h"
 #include "symbolic/identified_mechanism.h"
+#include "symbolic/part_observation.h"
 #include "symbolic/read_hand.h"
 #include "symbolic/read_mechanism.h"
 
@@ -58,6 +58,8 @@ std::vector<std::string> joint_notes(const Mechanism& mechanism) {
   for (const JointCoupling& coupling : mechanism.couplings)
     notes.push_back(fmt::format("  {} = {} {} follows", coupling.dependent, coupling.ratio,
                                 coupling.independent));
+  for (const FourBarCoupling& bars : mechanism.four_bars)
+    notes.push_back(fmt::format("  {} follows {} by a four-bar", bars.dependent, bars.independent));
   const Eigen::Vector3d& g = mechanism.gravity;
   notes.push_back(fmt::format("Gravity in the base frame: {}, {}, {} m/s^2.", g(0), g(1), g(2)));
   return notes;

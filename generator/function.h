@@ -20,6 +20,8 @@ struct Argument {
   std::string unit;                    ///< for the doc comment, for instance "rad"
   std::string doc;
   std::vector<Range> ranges;  ///< size rows*cols; where tests and the firmware check sample
+  /// Size rows*cols: the model's reference pose; empty: reference_inputs' default.
+  std::vector<double> reference = {};
 };
 
 /// A named intermediate: `symbol` stands for `value`, which may use the inputs and earlier

@@ -68,6 +68,7 @@ struct Port {
   std::string doc;
   std::vector<Range> ranges;  ///< inputs only
   std::vector<Value> values;  ///< outputs only, rows*cols
+  std::vector<double> reference = {};  ///< inputs only, as in Argument
   int size() const { return rows * cols; }
 };
 

@@ -63,7 +63,8 @@ class Lowering {
                                argument.unit,
                                argument.doc,
                                argument.ranges,
-                               {}});
+                               {},
+                               argument.reference});
       if (static_cast<int>(argument.symbols.size()) != argument.rows * argument.cols)
         fail(fmt::format("argument {} has {} symbols for {}x{}", argument.name,
                          argument.symbols.size(), argument.rows, argument.cols));

@@ -20,6 +20,7 @@
 #include "generator/emit_catalogue.h"
 #include "generator/emit_header.h"
 #include "generator/manifest.h"
+#include "generator/reference.h"
 #include "generator/unified_diff.h"
 
 namespace sinew {
@@ -156,7 +157,7 @@ void swap_in(const fs::path& temporary, const fs::path& folder) {
 }  // namespace
 
 std::vector<std::string> emitted_file_names(const EmittedModel& model) {
-  std::set<std::string> names{"manifest.json"};
+  std::set<std::string> names{"manifest.json", "reference.csv"};
   for (const char* ending : {".h", ".c", "_batch.h", "_batch.c", "_catalogue.h", "_catalogue.c"})
     names.insert(model.name + ending);
   return {names.begin(), names.end()};
@@ -169,7 +170,8 @@ FileSet emit_files(const EmittedModel& model) {
           {model.name + "_batch.c", emit_batch(model)},
           {model.name + "_catalogue.h", emit_catalogue_header(model)},
           {model.name + "_catalogue.c", emit_catalogue(model)},
-          {"manifest.json", emit_manifest(model)}};
+          {"manifest.json", emit_manifest(model)},
+          {"reference.csv", emit_reference(model)}};
 }
 
 void replace_folder(const fs::path& given, const FileSet& files) {

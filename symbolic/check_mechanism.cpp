@@ -7,6 +7,7 @@
 #include <cmath>
 #include <set>
 
+#include "symbolic/four_bar.h"
 #include "symbolic/identifier.h"
 #include "symbolic/rotation.h"
 #include "symbolic/singular_mass_matrix.h"
@@ -85,6 +86,8 @@ class Checker {
       wrong("has an axis that is not a unit vector", "expected length 1");
     if (!(joint.low < joint.high) || !std::isfinite(joint.high - joint.low))
       wrong(fmt::format("has the range {} to {}", joint.low, joint.high), "expected low < high");
+    if (joint.reference && !(*joint.reference >= joint.low && *joint.reference <= joint.high))
+      wrong(fmt::format("has the reference {}", *joint.reference), "expected one within its range");
     if (!(joint.max_velocity > 0.0) || !(joint.max_acceleration > 0.0) || !(joint.damping >= 0.0))
       wrong("has a velocity or acceleration that is not positive, or a negative damping",
             "expected positive limits and damping >= 0");
@@ -130,7 +133,8 @@ class Checker {
   void check_couplings() {
     std::set<std::string> dependent;
     for (const JointCoupling& coupling : mechanism_.couplings) dependent.insert(coupling.dependent);
-    if (dependent.size() != mechanism_.couplings.size())
+    for (const FourBarCoupling& bars : mechanism_.four_bars) dependent.insert(bars.dependent);
+    if (dependent.size() != mechanism_.couplings.size() + mechanism_.four_bars.size())
       findings_.add(here(), "a joint depends on two others", "expected one coupling for each");
     for (const JointCoupling& coupling : mechanism_.couplings)
       if (!moves(coupling.dependent) || !moves(coupling.independent) ||
@@ -141,6 +145,63 @@ class Checker {
             fmt::format("the coupling of '{}' to '{}' by {} is not possible", coupling.dependent,
                         coupling.independent, coupling.ratio),
             "expected two moving joints, the second independent, and a ratio other than 0");
+    for (const FourBarCoupling& bars : mechanism_.four_bars) check_four_bar(bars, dependent);
+  }
+
+  const Joint* turning_joint(const std::string& name) const {
+    for (const Joint& joint : mechanism_.joints)
+      if (joint.name == name && joint.type == JointType::revolute) return &joint;
+    return nullptr;
+  }
+
+  void check_four_bar(const FourBarCoupling& bars, const std::set<std::string>& dependent) {
+    const Joint* crank = turning_joint(bars.independent);
+    const auto wrong = [&](const std::string& what, const char* expected) {
+      findings_.add(bars.where, fmt::format("the four-bar of '{}' {}", bars.dependent, what),
+                    expected);
+    };
+    if (!crank || !turning_joint(bars.dependent) || dependent.contains(bars.independent))
+      return wrong(fmt::format("cannot follow '{}'", bars.independent),
+                   "expected two revolute joints, the second independent");
+    FourBarParameters p;
+    p.ground = bars.ground, p.crank = bars.crank, p.coupler = bars.coupler, p.rocker = bars.rocker;
+    p.theta2 = {crank->low + bars.crank_angle, crank->high + bars.crank_angle};
+    for (const double length : {p.ground, p.crank, p.coupler, p.rocker})
+      if (!(length > 0.0) || !std::isfinite(length))
+        return wrong("has a link without length", "expected lengths > 0");
+    if (const auto hinges = wrong_hinges(bars)) wrong(*hinges, "expected hinges as the linkage's");
+    if (const auto angle = unreachable_crank_angle(p))
+      wrong(fmt::format("locks or does not close at {} = {:.6g} rad", bars.independent,
+                        *angle - bars.crank_angle),
+            "expected links that close over the whole range of the independent joint");
+  }
+
+  std::size_t index_of(const std::string& joint) const {
+    std::size_t i = 0;
+    while (mechanism_.joints[i].name != joint) ++i;
+    return i;
+  }
+
+  /// What keeps two joints from being pivots of the linkage: the rocker hinges on the crank's
+  /// ground, the coupler on the crank, about the same direction, a link's length away.
+  std::optional<std::string> wrong_hinges(const FourBarCoupling& bars) const {
+    const std::size_t crank = index_of(bars.independent);
+    const Joint &first = mechanism_.joints[crank],
+                &second = mechanism_.joints[index_of(bars.dependent)];
+    const bool rocker = bars.follows == FourBarCoupling::Follows::rocker;
+    if (second.parent != (rocker ? first.parent : static_cast<int>(crank)))
+      return fmt::format("hinges on another body than the {}", rocker ? "crank's ground" : "crank");
+    const Eigen::Vector3d axis = rocker ? first.origin.rotation * first.axis : first.axis;
+    if (!((second.origin.rotation * second.axis - axis).norm() < 1e-9))
+      return "turns about another direction than the crank";
+    Eigen::Vector3d apart = second.origin.translation;
+    if (rocker) apart -= first.origin.translation;
+    apart -= apart.dot(axis) * axis;
+    const double length = rocker ? bars.ground : bars.crank;
+    if (!(std::abs(apart.norm() - length) <= 1e-6 * length))
+      return fmt::format("has its pivots {:.7g} m apart and a {} of {:.7g} m", apart.norm(),
+                         rocker ? "ground" : "crank", length);
+    return std::nullopt;
   }
 
   void check_frames() {

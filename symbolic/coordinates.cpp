@@ -3,81 +3,156 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "symbolic/exact_number.h"
+#include "symbolic/four_bar.h"
+#include "symbolic/inline_function.h"
 
 namespace sinew {
 namespace {
 
 using GiNaC::ex;
 
-const JointCoupling* coupling_of(const Mechanism& mechanism, const std::string& joint) {
-  for (const JointCoupling& coupling : mechanism.couplings)
+template <class Coupling>
+const Coupling* coupling_of(const std::vector<Coupling>& couplings, const std::string& joint) {
+  for (const Coupling& coupling : couplings)
     if (coupling.dependent == joint) return &coupling;
   return nullptr;
 }
 
+bool is_dependent(const Mechanism& mechanism, const std::string& joint) {
+  return coupling_of(mechanism.couplings, joint) || coupling_of(mechanism.four_bars, joint);
+}
+
+Function linkage_of(const FourBarCoupling& coupling) {
+  FourBarParameters p;
+  p.ground = coupling.ground;
+  p.crank = coupling.crank;
+  p.coupler = coupling.coupler;
+  p.rocker = coupling.rocker;
+  p.branch = coupling.branch;
+  p.reference_theta2 = coupling.crank_angle;
+  return four_bar_joint(p, coupling.follows == FourBarCoupling::Follows::rocker
+                               ? FourBarAngle::rocker
+                               : FourBarAngle::coupler_on_crank);
+}
+
 }  // namespace
+
+std::vector<ex> JointMap::positions() const {
+  std::vector<ex> values;
+  for (const Entry& joint : joints_) values.push_back(joint.position);
+  return values;
+}
+
+std::vector<ex> JointMap::velocities(const std::vector<ex>& qd) const {
+  std::vector<ex> values;
+  for (const Entry& joint : joints_)
+    values.push_back(joint.slope * qd[static_cast<std::size_t>(joint.coordinate)]);
+  return values;
+}
+
+std::vector<ex> JointMap::accelerations(DefinitionList& list, const std::vector<ex>& qd,
+                                        const std::vector<ex>& qdd) const {
+  std::vector<ex> values;
+  for (const Entry& joint : joints_) {
+    const auto k = static_cast<std::size_t>(joint.coordinate);
+    const ex bend = joint.curvature.is_zero() ? ex(0) : joint.curvature * qd[k] * qd[k];
+    const ex value = joint.slope * qdd[k] + bend;
+    values.push_back(bend.is_zero() ? value : list.define("linkage_acceleration", value));
+  }
+  return values;
+}
+
+std::vector<ex> JointMap::projected(const std::vector<ex>& joint_forces) const {
+  std::vector<ex> forces(coordinates_, ex(0));
+  for (std::size_t j = 0; j < joints_.size(); ++j)
+    forces[static_cast<std::size_t>(joints_[j].coordinate)] += joints_[j].slope * joint_forces[j];
+  return forces;
+}
+
+std::vector<ex> JointMap::projected_columns(const std::vector<ex>& matrix) const {
+  const std::size_t m = joints_.size(), n = coordinates_, rows = matrix.size() / m;
+  std::vector<ex> result(rows * n, ex(0));
+  for (std::size_t i = 0; i < rows; ++i)
+    for (std::size_t j = 0; j < m; ++j)
+      result[i * n + static_cast<std::size_t>(joints_[j].coordinate)] +=
+          joints_[j].slope * matrix[i * m + j];
+  return result;
+}
+
+std::vector<ex> JointMap::projected_matrix(const std::vector<ex>& joint_matrix) const {
+  const std::size_t m = joints_.size(), n = coordinates_;
+  const std::vector<ex> columns = projected_columns(joint_matrix);
+  std::vector<ex> result(n * n, ex(0));
+  for (std::size_t i = 0; i < m; ++i)
+    for (std::size_t j = 0; j < n; ++j)
+      result[static_cast<std::size_t>(joints_[i].coordinate) * n + j] +=
+          joints_[i].slope * columns[i * n + j];
+  return result;
+}
 
 Coordinates::Coordinates(const Mechanism& mechanism) {
   std::vector<int> coordinate(mechanism.joints.size(), -1);
   for (std::size_t i = 0; i < mechanism.joints.size(); ++i) {
     const Joint& joint = mechanism.joints[i];
-    if (joint.type == JointType::fixed || coupling_of(mechanism, joint.name)) continue;
+    if (joint.type == JointType::fixed || is_dependent(mechanism, joint.name)) continue;
     coordinate[i] = count();
     joints_.push_back(static_cast<int>(i));
   }
   for (std::size_t i = 0; i < mechanism.joints.size(); ++i) {
-    if (mechanism.joints[i].type == JointType::fixed) continue;
-    const JointCoupling* coupling = coupling_of(mechanism, mechanism.joints[i].name);
-    if (!coupling) {
-      moving_.push_back({coordinate[i], ex(1)});
-      continue;
-    }
-    int independent = -1;
-    for (std::size_t j = 0; j < mechanism.joints.size(); ++j)
-      if (mechanism.joints[j].name == coupling->independent) independent = coordinate[j];
-    if (independent < 0)
-      throw std::invalid_argument(fmt::format("coupling of {}: {} is no independent moving joint",
-                                              coupling->dependent, coupling->independent));
-    moving_.push_back({independent, exact_number(coupling->ratio)});
+    const Joint& joint = mechanism.joints[i];
+    if (joint.type == JointType::fixed) continue;
+    if (const auto* loop = coupling_of(mechanism.couplings, joint.name))
+      moving_.push_back({coordinate_of(mechanism, coordinate, loop->dependent, loop->independent),
+                         exact_number(loop->ratio), nullptr, 0});
+    else if (const auto* bars = coupling_of(mechanism.four_bars, joint.name))
+      moving_.push_back({coordinate_of(mechanism, coordinate, bars->dependent, bars->independent),
+                         0, std::make_shared<const Function>(linkage_of(*bars)),
+                         exact_number(bars->crank_angle)});
+    else
+      moving_.push_back({coordinate[i], ex(1), nullptr, 0});
   }
 }
 
+int Coordinates::coordinate_of(const Mechanism& mechanism, const std::vector<int>& coordinate,
+                               const std::string& dependent, const std::string& independent) const {
+  for (std::size_t j = 0; j < mechanism.joints.size(); ++j)
+    if (mechanism.joints[j].name == independent && coordinate[j] >= 0) return coordinate[j];
+  throw std::invalid_argument(
+      fmt::format("coupling of {}: {} is no independent moving joint", dependent, independent));
+}
+
+bool Coordinates::linear() const {
+  return std::none_of(moving_.begin(), moving_.end(),
+                      [](const Follows& joint) { return joint.linkage != nullptr; });
+}
+
+JointMap Coordinates::at(DefinitionList& list, const std::vector<ex>& q) const {
+  std::vector<JointMap::Entry> joints;
+  for (const Follows& joint : moving_) {
+    const ex& own = q[static_cast<std::size_t>(joint.coordinate)];
+    if (!joint.linkage) {
+      joints.push_back({joint.coordinate, joint.ratio * own, joint.ratio, 0});
+      continue;
+    }
+    const ex theta2 = list.define("theta2", own + joint.crank_angle);
+    const auto values = inlined(list, *joint.linkage, {theta2});
+    joints.push_back({joint.coordinate, list.define("linked", values[0][0]), values[1][0],
+                      list.define("linkage_curvature", values[2][0])});
+  }
+  return {std::move(joints), joints_.size()};
+}
+
 std::vector<ex> Coordinates::of_moving_joints(const std::vector<ex>& coordinates) const {
+  if (!linear())
+    throw std::invalid_argument("a four-bar's joint is no multiple of the coordinates");
   std::vector<ex> values;
   for (const Follows& joint : moving_)
     values.push_back(joint.ratio * coordinates[static_cast<std::size_t>(joint.coordinate)]);
   return values;
-}
-
-std::vector<ex> Coordinates::projected(const std::vector<ex>& joint_forces) const {
-  std::vector<ex> forces(joints_.size(), ex(0));
-  for (std::size_t j = 0; j < moving_.size(); ++j)
-    forces[static_cast<std::size_t>(moving_[j].coordinate)] += moving_[j].ratio * joint_forces[j];
-  return forces;
-}
-
-std::vector<ex> Coordinates::projected_columns(const std::vector<ex>& matrix) const {
-  const std::size_t m = moving_.size(), n = joints_.size(), rows = matrix.size() / m;
-  std::vector<ex> result(rows * n, ex(0));
-  for (std::size_t i = 0; i < rows; ++i)
-    for (std::size_t j = 0; j < m; ++j)
-      result[i * n + static_cast<std::size_t>(moving_[j].coordinate)] +=
-          moving_[j].ratio * matrix[i * m + j];
-  return result;
-}
-
-std::vector<ex> Coordinates::projected_matrix(const std::vector<ex>& joint_matrix) const {
-  const std::size_t m = moving_.size(), n = joints_.size();
-  const std::vector<ex> columns = projected_columns(joint_matrix);
-  std::vector<ex> result(n * n, ex(0));
-  for (std::size_t i = 0; i < m; ++i)
-    for (std::size_t j = 0; j < n; ++j)
-      result[static_cast<std::size_t>(moving_[i].coordinate) * n + j] +=
-          moving_[i].ratio * columns[i * n + j];
-  return result;
 }
 
 }  // namespace sinew

@@ -133,15 +133,16 @@ class DynamicsFunctions {
   /// Generalised forces of the coordinates for a motion.
   std::vector<ex> torques(DefinitionList& list, const JointTree& tree, const DynamicsPlan& plan,
                           const std::vector<ex>& qd, const std::vector<ex>& qdd) const {
-    const JointState state{coordinates_.of_moving_joints(expressions(q_.symbols)),
-                           coordinates_.of_moving_joints(qd), coordinates_.of_moving_joints(qdd)};
-    return coordinates_.projected(inverse_dynamics(list, tree, plan, state));
+    const JointMap joints = coordinates_.at(list, expressions(q_.symbols));
+    const JointState state{joints.positions(), joints.velocities(qd),
+                           joints.accelerations(list, qd, qdd)};
+    return joints.projected(inverse_dynamics(list, tree, plan, state));
   }
 
   std::vector<ex> reduced_mass_matrix(DefinitionList& list, const JointTree& tree,
                                       const DynamicsPlan& plan) const {
-    return coordinates_.projected_matrix(
-        mass_matrix(list, tree, plan, coordinates_.of_moving_joints(expressions(q_.symbols))));
+    const JointMap joints = coordinates_.at(list, expressions(q_.symbols));
+    return joints.projected_matrix(mass_matrix(list, tree, plan, joints.positions()));
   }
 
   std::vector<ex> bias(DefinitionList& list, const JointTree& tree,

@@ -147,6 +147,15 @@ std::vector<numeric> evaluate_precisely(const Function& function,
   return Evaluator<PreciseArithmetic>(function, inputs).run();
 }
 
+std::vector<double> rounded_values(const Function& function, const std::vector<double>& inputs) {
+  std::vector<numeric> exact;
+  for (const double input : inputs) exact.push_back(binary_fraction(input));
+  std::vector<double> values;
+  for (const numeric& value : evaluate_precisely(function, exact))
+    values.push_back(value.to_double());
+  return values;
+}
+
 numeric binary_fraction(double value) {
   if (!std::isfinite(value)) throw std::invalid_argument("input is not a finite number");
   return numeric(cln::cl_N(cln::rational(cln::cl_DF(value))));

@@ -21,6 +21,9 @@ std::vector<GiNaC::numeric> evaluate_precisely(const Function& function,
                                                const std::vector<GiNaC::numeric>& inputs,
                                                int digits = 50);
 
+/// evaluate_precisely's results, each rounded once: the same doubles on every run.
+std::vector<double> rounded_values(const Function& function, const std::vector<double>& inputs);
+
 /// The binary fraction `value` as an exact number.
 GiNaC::numeric binary_fraction(double value);
 

@@ -6,6 +6,8 @@
 
 #include "symbolic/argument.h"
 #include "symbolic/definition_list.h"
+#include "symbolic/differentiate.h"
+#include "symbolic/evaluate_function.h"
 #include "symbolic/exact_number.h"
 #include "symbolic/piecewise.h"
 
@@ -13,6 +15,12 @@ namespace sinew {
 namespace {
 
 using GiNaC::ex;
+
+Argument crank_angle(const FourBarParameters& parameters) {
+  Argument theta2 = scalar_argument("theta2", "rad", parameters.theta2, "crank angle");
+  theta2.reference = {parameters.reference_theta2};
+  return theta2;
+}
 
 /// The linkage in closed form (Freudenstein's equation), without inverse trigonometry.
 struct Linkage {
@@ -37,7 +45,7 @@ GiNaC::numeric checked_length(double length) {
 }
 
 Linkage::Linkage(const FourBarParameters& p)
-    : theta2(scalar_argument("theta2", "rad", p.theta2, "crank angle")),
+    : theta2(crank_angle(p)),
       g(checked_length(p.ground)),
       a(checked_length(p.crank)),
       b(checked_length(p.coupler)),
@@ -70,6 +78,24 @@ Linkage::Linkage(const FourBarParameters& p)
       "length", GiNaC::sqrt(maximum(along * along + across * across, margin * margin * b * b)));
   cos3 = list.define("cos3", along / length);
   sin3 = list.define("sin3", across / length);
+}
+
+/// Direction of the joint's link at the reference crank angle: 50 digits, so that a joint's zero
+/// is the same on every machine.
+struct Direction {
+  ex cosine, sine;
+};
+
+Direction reference_direction(const FourBarParameters& parameters, FourBarAngle angle) {
+  const Linkage k(parameters);
+  std::vector<Output> both{{"cosine", 1, 1, {k.cos4}, "1", ""}, {"sine", 1, 1, {k.sin4}, "1", ""}};
+  if (angle == FourBarAngle::coupler_on_crank) {
+    both[0].values = {k.cos3 * k.cos2 + k.sin3 * k.sin2};
+    both[1].values = {k.sin3 * k.cos2 - k.cos3 * k.sin2};
+  }
+  const auto values = evaluate_precisely(k.finish("zero", "", both),
+                                         {binary_fraction(parameters.reference_theta2)});
+  return {values[0], values[1]};
 }
 
 }  // namespace
@@ -116,7 +142,7 @@ Function four_bar_coupler_pose(const FourBarParameters& parameters) {
 }
 
 Function four_bar_tendon_lengths(const FourBarParameters& parameters) {
-  const Argument theta2 = scalar_argument("theta2", "rad", parameters.theta2, "crank angle");
+  const Argument theta2 = crank_angle(parameters);
   DefinitionList list;
   const ex length =
       list.define("length", exact_number(parameters.pulley_radius) *
@@ -129,8 +155,50 @@ Function four_bar_tendon_lengths(const FourBarParameters& parameters) {
           {{"h", 2, 1, {length, -length}, "m", "0 at the reference crank angle"}}};
 }
 
+Function four_bar_joint(const FourBarParameters& parameters, FourBarAngle angle) {
+  Linkage k(parameters);
+  const bool rocker = angle == FourBarAngle::rocker;
+  ex cosine = k.cos4, sine = k.sin4;
+  if (!rocker) {
+    cosine = k.list.define("cos_32", k.cos3 * k.cos2 + k.sin3 * k.sin2);
+    sine = k.list.define("sin_32", k.sin3 * k.cos2 - k.cos3 * k.sin2);
+  }
+  // Turned back by the reference angle, so that the cut of atan2 is half a turn away from it.
+  const Direction zero = reference_direction(parameters, angle);
+  const ex slope = k.list.define(
+      "slope", rocker ? k.a * (k.sin3 * k.cos2 - k.cos3 * k.sin2) / (k.c * k.sin_34)
+                      : k.a * (k.sin4 * k.cos2 - k.cos4 * k.sin2) / (k.b * k.sin_34) - 1);
+  const ex turned = k.list.define("angle", GiNaC::atan2(sine * zero.cosine - cosine * zero.sine,
+                                                        cosine * zero.cosine + sine * zero.sine));
+  ForwardDerivative by_theta2(k.list, k.theta2.symbols[0], "theta2");
+  const ex curvature = k.list.define("curvature", by_theta2.of(slope));
+  return k.finish("joint", "Angle of a joint that the four-bar moves, and its derivatives.",
+                  {{"angle", 1, 1, {turned}, "rad", "0 at the reference crank angle"},
+                   {"slope", 1, 1, {slope}, "1", "d angle / d theta2"},
+                   {"curvature", 1, 1, {curvature}, "1/rad", "d2 angle / d theta2 2"}});
+}
+
 std::vector<Function> four_bar_functions(const FourBarParameters& p) {
   return {four_bar(p), four_bar_locking(p), four_bar_coupler_pose(p), four_bar_tendon_lengths(p)};
+}
+
+std::optional<double> unreachable_crank_angle(const FourBarParameters& p) {
+  // The diagonal from the crank's end to the rocker's pivot is longest or shortest at the ends of
+  // the range or where crank and ground line up.
+  std::vector<double> angles{p.theta2.low, p.theta2.high};
+  const double pi = std::acos(-1.0);
+  for (double k = std::ceil(p.theta2.low / pi); k * pi <= p.theta2.high; ++k)
+    angles.push_back(k * pi);
+  for (const double angle : angles) {
+    const double diagonal = std::sqrt(p.ground * p.ground + p.crank * p.crank -
+                                      2 * p.ground * p.crank * std::cos(angle));
+    const double C = (p.rocker * p.rocker + diagonal * diagonal - p.coupler * p.coupler) /
+                     (2 * p.rocker * diagonal);
+    if (!(std::abs(C) < 1)) return angle;
+    // sin(theta3 - theta4) of the triangle of coupler, rocker and diagonal
+    if (!(diagonal * std::sqrt(1 - C * C) > p.coupler * p.singular_margin)) return angle;
+  }
+  return std::nullopt;
 }
 
 std::vector<double> locking_angles(const FourBarParameters& p) {

@@ -6,6 +6,7 @@
 // rocker theta4. The joint locks where coupler and rocker line up, sin(theta3 - theta4) = 0.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "generator/function.h"
@@ -38,8 +39,19 @@ Function four_bar_coupler_pose(const FourBarParameters& parameters);
 /// tendon_lengths(theta2 -> h 2): ±radius (theta2 - reference) [m].
 Function four_bar_tendon_lengths(const FourBarParameters& parameters);
 
-/// All of the above.
+/// Which of the linkage's angles a joint has.
+enum class FourBarAngle { rocker, coupler_on_crank };
+/// joint(theta2 -> angle, slope, curvature 1 each): rocker angle, or coupler angle against the
+/// crank, from its value at reference_theta2 [rad, in (-π, π]], and its first and second derivative
+/// by theta2.
+Function four_bar_joint(const FourBarParameters& parameters, FourBarAngle angle);
+
+/// All of the above but joint.
 std::vector<Function> four_bar_functions(const FourBarParameters& parameters);
+
+/// A crank angle within theta2 at which the links do not reach or the linkage locks [rad]; nothing
+/// where it closes over the whole range.
+std::optional<double> unreachable_crank_angle(const FourBarParameters& parameters);
 
 /// Crank angles in [0, π] at which the linkage locks; none if the crank turns all the way round. By
 /// symmetry their negatives lock, too.

@@ -43,11 +43,11 @@ std::vector<Function> kinematics_functions(const Mechanism& mechanism) {
   DefinitionList list;
   const JointTree tree = build_joint_tree(mechanism);
   const Coordinates coordinates(mechanism);
-  Kinematics kinematics(list, tree,
-                        coordinates.of_moving_joints({q.symbols.begin(), q.symbols.end()}));
+  const JointMap joints = coordinates.at(list, {q.symbols.begin(), q.symbols.end()});
+  Kinematics kinematics(list, tree, joints.positions());
   const PoseEx pose = kinematics.frame("tip", body, tip.pose);
   const std::vector<Definition> for_pose = list.items();
-  const std::vector<ex> J = coordinates.projected_columns(kinematics.jacobian(body, pose.p));
+  const std::vector<ex> J = joints.projected_columns(kinematics.jacobian(body, pose.p));
   return {{"forward_kinematics",
            "Pose of the frame " + tip.name + " in the base frame, homogeneous.",
            "(5.2)",

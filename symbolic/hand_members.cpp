@@ -33,16 +33,21 @@ void check_channels(const Hand& hand) {
 HandStart::HandStart(const Hand& of) : hand(of) {
   check_channels(hand);
   std::vector<Range> ranges;
+  std::vector<double> reference;
   for (const HandFinger& finger : hand.fingers) {
     const Argument own = joint_positions(finger.mechanism);
     ranges.insert(ranges.end(), own.ranges.begin(), own.ranges.end());
+    reference.insert(reference.end(), own.reference.begin(), own.reference.end());
   }
   ranges.push_back(hand.four_bar.theta2);
+  reference.push_back(hand.four_bar.reference_theta2);
   const int count = static_cast<int>(ranges.size());
   q = array_argument("q", count, 1, "rad", {0, 0}, "coordinates of the fingers, crank angle");
   q.ranges = ranges;
+  q.reference = reference;
   q_wrist = array_argument("q_wrist", 2, 1, "rad", {0, 0}, "bar angles q71, q73");
   q_wrist.ranges = bar_ranges(hand.wrist);
+  q_wrist.reference = rounded_reference(hand.wrist);
 }
 
 std::vector<GiNaC::ex> HandStart::wrist_inputs() const {

@@ -79,7 +79,8 @@ PoseEx tip_in_base(HandStart& start, const HandFinger& finger, std::size_t first
   const Coordinates coordinates(mechanism);
   const auto own = start.member_symbols(first, static_cast<std::size_t>(coordinates.count()));
   const JointTree tree = build_joint_tree(mechanism);
-  Kinematics kinematics(start.list, tree, coordinates.of_moving_joints({own.begin(), own.end()}));
+  Kinematics kinematics(start.list, tree,
+                        coordinates.at(start.list, {own.begin(), own.end()}).positions());
   Frame tip;
   tip.body = mechanism.bodies.back().name;
   if (!mechanism.frames.empty()) tip = mechanism.frames.front();

@@ -4,6 +4,7 @@
 #include "symbolic/coordinates.h"
 #include "symbolic/differentiate.h"
 #include "symbolic/exact_number.h"
+#include "symbolic/inline_function.h"
 #include "symbolic/spatial.h"
 #include "symbolic/symbols.h"
 
@@ -102,8 +103,9 @@ ex energy(DefinitionList& list, const Body& body, const LinkState& link, const V
 ex lagrangian(DefinitionList& list, const Mechanism& mechanism, const std::vector<GiNaC::symbol>& q,
               const std::vector<GiNaC::symbol>& qd) {
   const Coordinates coordinates(mechanism);
-  const std::vector<ex> position = coordinates.of_moving_joints({q.begin(), q.end()}),
-                        rate = coordinates.of_moving_joints({qd.begin(), qd.end()});
+  const JointMap joints = coordinates.at(list, {q.begin(), q.end()});
+  const std::vector<ex> position = joints.positions(),
+                        rate = joints.velocities({qd.begin(), qd.end()});
   const std::vector<int> moving = coordinate_of_joint(mechanism);
   const Vector3 gravity = exact_vector(mechanism.gravity);
   std::vector<LinkState> links;
@@ -141,6 +143,27 @@ Function textbook_inverse_dynamics(const Mechanism& mechanism) {
           {q, qd, qdd},
           list.items(),
           {{"tau", q.rows, 1, tau, torque_unit(mechanism), "joint torques"}}};
+}
+
+Function projected_inverse_dynamics(const Mechanism& mechanism) {
+  Mechanism open = mechanism;
+  open.couplings.clear();
+  open.four_bars.clear();
+  const Function whole = textbook_inverse_dynamics(open);
+  const Argument q = joint_positions(mechanism), qd = joint_velocities(mechanism),
+                 qdd = joint_accelerations(mechanism);
+  const std::vector<ex> rate(qd.symbols.begin(), qd.symbols.end());
+  DefinitionList list;
+  const JointMap joints = Coordinates(mechanism).at(list, {q.symbols.begin(), q.symbols.end()});
+  std::vector<ex> inputs = joints.positions();
+  for (const auto& part :
+       {joints.velocities(rate),
+        joints.accelerations(list, rate, {qdd.symbols.begin(), qdd.symbols.end()})})
+    for (const ex& value : part) inputs.push_back(list.define("joint_motion", value));
+  const std::vector<ex> tau = joints.projected(inlined(list, whole, inputs)[0]);
+  return {"inverse_dynamics", "Generalised forces of all joints, substituted and projected.",
+          "(5.17)",           {q, qd, qdd},
+          list.items(),       {{"tau", q.rows, 1, tau, torque_unit(mechanism), "joint torques"}}};
 }
 
 }  // namespace sinew

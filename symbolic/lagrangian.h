@@ -22,4 +22,9 @@ GiNaC::ex lagrangian(DefinitionList& list, const Mechanism& mechanism,
 /// inverse_dynamics(q, qd, qdd -> tau) from it: generalised forces [N m, N].
 Function textbook_inverse_dynamics(const Mechanism& mechanism);
 
+/// The first method of 5.3.2: the model without couplings, its joints' motion replaced by what they
+/// follow, and its torques projected on the coordinates, J^T tau. The second one is
+/// textbook_inverse_dynamics, where the couplings stand in L itself.
+Function projected_inverse_dynamics(const Mechanism& mechanism);
+
 }  // namespace sinew

@@ -6,6 +6,7 @@
 
 #include "symbolic/argument.h"
 #include "symbolic/differentiate.h"
+#include "symbolic/evaluate_function.h"
 #include "symbolic/exact_number.h"
 #include "symbolic/piecewise.h"
 #include "symbolic/vector3.h"
@@ -99,6 +100,9 @@ class Search {
     check(base);
     const int count = static_cast<int>(base.base_points.size());
     h = array_argument("h", count, 1, "m", length_range, "base tendon lengths");
+    // Away from where the search starts, so that it has something to find.
+    const double angle = 0.25 * base.angle.low + 0.75 * base.angle.high;
+    h.reference = rounded_values(base_tendon_lengths(base), {angle, angle});
   }
 
   Point at(const Pair& q) {
@@ -171,8 +175,10 @@ class Search {
   }
 
   Argument start() const {
-    return array_argument("q_start", 2, 1, "rad", base_.angle,
-                          "where the search starts, e.g. the last result");
+    Argument start = array_argument("q_start", 2, 1, "rad", base_.angle,
+                                    "where the search starts, e.g. the last result");
+    start.reference = std::vector<double>(2, (base_.angle.low + base_.angle.high) / 2);
+    return start;
   }
 
   Argument h;

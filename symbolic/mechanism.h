@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -43,6 +44,7 @@ struct Joint {
   Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();  ///< unit, in the joint frame
   double low = -3.141592653589793;                  ///< rad or m
   double high = 3.141592653589793;
+  std::optional<double> reference;  ///< rad or m, of the reference pose; none: mid-range
   double max_velocity = 10.0;       ///< rad/s or m/s: sampling range of tests
   double max_acceleration = 100.0;  ///< rad/s^2 or m/s^2: sampling range of tests
   double damping = 0.0;             ///< N m s/rad or N s/m, viscous; simulation only
@@ -50,7 +52,7 @@ struct Joint {
   double friction = 0.0;        ///< N m or N: what remains of friction at high speed, damping aside
   double friction_speed = 0.0;  ///< rad/s or m/s: friction * 2/pi atan(velocity / it); 0: unknown
   double armature = 0.0;        ///< kg m^2 or kg: the motor's inertia seen at the joint
-  double motor_turn = 0.0;      ///< rad or m: motion of the joint for one turn of its motor; 0: unknown
+  double motor_turn = 0.0;  ///< rad or m: motion of the joint for one turn of its motor; 0: unknown
   SourceLocation where;
 };
 
@@ -85,6 +87,21 @@ struct JointCoupling {
   SourceLocation where;
 };
 
+/// A joint that a planar four-bar linkage moves with another one (5.5). The linkage's crank turns
+/// with the independent joint, its angle crank_angle at coordinate zero; the dependent joint turns
+/// with the rocker (against the ground) or with the coupler (against the crank), zero at the
+/// independent joint's zero.
+struct FourBarCoupling {
+  enum class Follows { rocker, coupler };
+  std::string dependent;
+  std::string independent;
+  double ground = 0.0, crank = 0.0, coupler = 0.0, rocker = 0.0;  ///< m, between the pivots
+  int branch = -1;           ///< -1 open, +1 crossed, for a crank turned to positive angles
+  double crank_angle = 0.0;  ///< rad
+  Follows follows = Follows::rocker;
+  SourceLocation where;
+};
+
 /// A frame fixed to a body whose pose is offered, for instance the fingertip.
 struct Frame {
   std::string name;
@@ -103,6 +120,7 @@ struct Mechanism {
   std::vector<Joint> joints;  ///< same size as bodies
   std::vector<Tendon> tendons;
   std::vector<JointCoupling> couplings;
+  std::vector<FourBarCoupling> four_bars;
   std::vector<Frame> frames;            ///< the first is "the tip"
   double tendon_stiffness_low = 1.0e3;  ///< N/m: sampling range of tests
   double tendon_stiffness_high = 5.0e4;

@@ -33,6 +33,7 @@ class SectionReader {
     for (TomlTable& frame : root.tables("frame")) read_frame(frame);
     for (TomlTable& tendon : root.tables("tendon")) read_tendon(tendon);
     for (TomlTable& coupling : root.tables("coupling")) read_coupling(coupling);
+    for (TomlTable& bars : root.tables("four_bar")) read_four_bar(bars);
     if (auto defaults = root.table("tendon_defaults", false)) read_tendon_defaults(*defaults);
     if (root.has("tendon") || root.has("tendon_defaults")) {
       assume("tendon_defaults.stiffness");
@@ -122,6 +123,13 @@ class SectionReader {
       joint.high = range->values[1];
       if (!(joint.low < joint.high))
         findings_.add(range->where, table.path() + ".range is empty", "expected low < high");
+    }
+    if (const auto reference = table.quantity(
+            "reference", Shape::scalar, turns ? Dimension::angle : Dimension::length, false)) {
+      joint.reference = reference->values[0];
+      if (*joint.reference < joint.low || *joint.reference > joint.high)
+        findings_.add(reference->where, table.path() + ".reference is outside the joint's range",
+                      fmt::format("expected {} to {}", joint.low, joint.high));
     }
     read_positive(table, "max_velocity", turns ? Dimension::angular_velocity : Dimension::velocity,
                   joint.max_velocity);
@@ -269,13 +277,67 @@ class SectionReader {
       table.report("independent",
                    fmt::format("joint '{}' is coupled to itself", coupling.dependent),
                    "expected two joints");
-    if (const auto ratio = table.quantity("ratio", Shape::scalar, Dimension::none, true)) {
+    if (table.has("independent_radius") || table.has("dependent_radius"))
+      read_loop(table, coupling);
+    else if (const auto ratio = table.quantity("ratio", Shape::scalar, Dimension::none, true)) {
       coupling.ratio = ratio->values[0];
       if (coupling.ratio == 0.0)
         findings_.add(ratio->where, table.path() + ".ratio is zero", "expected another number");
     }
     table.finish();
     draft_.mechanism.couplings.push_back(std::move(coupling));
+  }
+
+  /// A tendon loop of constant length over two pulleys: r_independent q = r_dependent q_dependent.
+  void read_loop(TomlTable& table, JointCoupling& coupling) {
+    const auto radius = [&](const char* key) {
+      const auto value = table.quantity(key, Shape::scalar, Dimension::length, true);
+      if (!value) return 1.0;
+      if (value->values[0] == 0.0)
+        findings_.add(value->where, fmt::format("{}.{} is zero", table.path(), key),
+                      "expected a radius, positive or negative");
+      return value->values[0];
+    };
+    const double independent = radius("independent_radius"), dependent = radius("dependent_radius");
+    if (table.has("ratio"))
+      table.report("ratio", table.path() + " has both radii and a ratio", "expected one of them");
+    if (independent == 0.0 || dependent == 0.0) return;
+    coupling.ratio = independent / dependent;
+    if (!std::isfinite(coupling.ratio) || coupling.ratio == 0.0)
+      table.report("independent_radius", table.path() + " has radii of which no ratio is left",
+                   "expected radii of similar size");
+    const auto from = draft_.mechanism.provenance.find(table.path() + ".independent_radius");
+    if (from != draft_.mechanism.provenance.end())
+      draft_.mechanism.provenance.emplace(table.path() + ".ratio", from->second);
+  }
+
+  void read_four_bar(TomlTable& table) {
+    FourBarCoupling bars;
+    bars.where = table.where();
+    bars.dependent = table.text("dependent", true).value_or("");
+    bars.independent = table.text("independent", true).value_or("");
+    if (!bars.dependent.empty()) table.set_path("four_bar." + bars.dependent);
+    require_moving_joint(table, "dependent", bars.dependent);
+    require_moving_joint(table, "independent", bars.independent);
+    if (!bars.dependent.empty() && bars.dependent == bars.independent)
+      table.report("independent", fmt::format("joint '{}' is coupled to itself", bars.dependent),
+                   "expected two joints");
+    for (const auto& [key, length] :
+         {std::pair{"ground", &bars.ground}, std::pair{"crank", &bars.crank},
+          std::pair{"coupler", &bars.coupler}, std::pair{"rocker", &bars.rocker}}) {
+      *length = 1.0;
+      if (!table.has(key))
+        table.quantity(key, Shape::scalar, Dimension::length, true);
+      else
+        read_positive(table, key, Dimension::length, *length);
+    }
+    if (table.word("branch", {"open", "crossed"}, "") == "crossed") bars.branch = 1;
+    if (table.word("follows", {"rocker", "coupler"}, "rocker") == "coupler")
+      bars.follows = FourBarCoupling::Follows::coupler;
+    if (const auto angle = table.quantity("crank_angle", Shape::scalar, Dimension::angle, true))
+      bars.crank_angle = angle->values[0];
+    table.finish();
+    draft_.mechanism.four_bars.push_back(std::move(bars));
   }
 
   void read_tendon_defaults(TomlTable& table) {

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "symbolic/part_sections.h"
 
+#include <fmt/format.h>
+
+#include "symbolic/evaluate_function.h"
+
 namespace sinew {
 namespace {
 
@@ -66,6 +70,23 @@ double share(TomlTable& table, std::string_view key) {
   return value;
 }
 
+/// Every palm angle of the range of use must be one that the wrist reaches.
+void check_reach(TomlTable& table, const WristParameters& p) {
+  const Function inverse = wrist_bar_angles(p);
+  const auto reached = [&](double flexion, double abduction) {
+    const std::vector<double> q = evaluate(inverse, {flexion, abduction});
+    return q[3] == 0.0 && q[2] < 1e-6;  // status, residual
+  };
+  const auto out = [&](const char* key) {
+    table.report(key, table.path() + "." + key + " is out of the wrist's reach",
+                 "expected palm angles that the links of these lengths allow");
+  };
+  if (!reached(p.flexion.low, 0) || !reached(p.flexion.high, 0)) return out("flexion");
+  for (const double flexion : {0.0, p.flexion.low, p.flexion.high})
+    for (const double abduction : {p.abduction.low, p.abduction.high})
+      if (!reached(flexion, abduction)) return out("abduction");
+}
+
 }  // namespace
 
 WristParameters read_wrist(TomlTable& table, std::vector<TomlTable> tendons) {
@@ -77,11 +98,14 @@ WristParameters read_wrist(TomlTable& table, std::vector<TomlTable> tendons) {
   p.flexion = range(table, "flexion", Dimension::angle);
   p.abduction = range(table, "abduction", Dimension::angle);
   table.finish();
+  if (tendons.empty())
+    table.report("", "the wrist has no channel", "expected at least one [[channel]]");
   for (TomlTable& tendon : tendons) {
     p.forearm_points.push_back(point_in_space(tendon, "forearm"));
     p.palm_points.push_back(point_in_space(tendon, "palm"));
     tendon.finish();
   }
+  if (!table.file().findings.any()) check_reach(table, p);
   return p;
 }
 
@@ -96,6 +120,14 @@ FourBarParameters read_four_bar(TomlTable& table) {
   p.reference_theta2 = number(table, "reference_theta2", Dimension::angle);
   p.theta2 = range(table, "theta2", Dimension::angle);
   table.finish();
+  if (table.file().findings.any()) return p;
+  if (p.reference_theta2 < p.theta2.low || p.reference_theta2 > p.theta2.high)
+    table.report("reference_theta2", "four_bar.reference_theta2 is outside theta2",
+                 "expected a crank angle of the range of use");
+  if (const auto angle = unreachable_crank_angle(p))
+    table.report("theta2",
+                 fmt::format("the four-bar locks or does not close at {:.6g} rad", *angle),
+                 "expected links that close over the whole range of theta2");
   return p;
 }
 
@@ -116,7 +148,13 @@ LeverParameters read_lever(TomlTable& table) {
   if (table.has("count_free")) p.count_free = number(table, "count_free", Dimension::none);
   if (table.has("count_end")) p.count_end = number(table, "count_end", Dimension::none);
   table.finish();
-  if (!table.file().findings.any()) p.end_angle = lever_angle_at(p, travel);
+  if (table.file().findings.any()) return p;
+  try {
+    p.end_angle = lever_angle_at(p, travel);
+  } catch (const std::exception&) {
+    table.report("travel", "lever.travel is out of the lever's reach",
+                 "expected an elongation that the lever can take up");
+  }
   return p;
 }
 

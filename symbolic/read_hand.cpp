@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "symbolic/read_hand.h"
 
+#include <fmt/format.h>
+
 #include <charconv>
 #include <map>
 
@@ -67,7 +69,7 @@ class HandReader {
 
   void read_finger(TomlTable& table) {
     HandFinger finger;
-    if (const auto path = model_path(table, "model")) {
+    if (const auto path = model_path(table, "model", "mechanism.toml", "mechanism")) {
       finger.mechanism = read_mechanism(*path);
       table.set_path("finger." + finger.mechanism.name);
     }
@@ -89,7 +91,9 @@ class HandReader {
     table.finish();
   }
 
-  std::optional<fs::path> model_path(TomlTable& table, std::string_view key) {
+  /// The folder that a key names; `file` says that it holds the `kind` of model wanted.
+  std::optional<fs::path> model_path(TomlTable& table, std::string_view key, const char* file,
+                                     const char* kind) {
     const auto text = table.text(key, true);
     if (!text) return std::nullopt;
     const fs::path path = (folder_ / *text).lexically_normal();
@@ -98,12 +102,17 @@ class HandReader {
                    "expected a path from the folder of this file");
       return std::nullopt;
     }
+    if (!fs::exists(path / file)) {
+      table.report(key, fmt::format("{} is no {}: it has no {}", path.string(), kind, file),
+                   fmt::format("expected the folder of a {}", kind));
+      return std::nullopt;
+    }
     result_.models.push_back(path);
     return path;
   }
 
   std::optional<Part> part_named(TomlTable& table, std::string_view key) {
-    const auto path = model_path(table, key);
+    const auto path = model_path(table, key, "part.toml", "part");
     if (!path) return std::nullopt;
     return read_part(*path);
   }

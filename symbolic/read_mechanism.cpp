@@ -85,6 +85,10 @@ class MechanismReader {
                         fmt::format("joint '{}' depends on '{}', which depends on '{}'",
                                     coupling.dependent, other.dependent, other.independent),
                         "expected couplings to independent joints");
+    report_duplicates(
+        draft_.mechanism.four_bars, "the four-bar of",
+        [](const FourBarCoupling& each) { return std::pair(each.dependent, each.where); },
+        findings_);
   }
 
   void set_mass_properties(const std::vector<MassProperties>& masses) {

@@ -56,10 +56,16 @@ std::string torque_unit(const Mechanism& mechanism) {
 }
 
 Argument joint_positions(const Mechanism& mechanism) {
-  return per_coordinate(mechanism, "q", coordinate_unit(mechanism, ""), "joint positions",
-                        [](const Joint& j) {
-                          return Range{j.low, j.high};
-                        });
+  Argument q = per_coordinate(mechanism, "q", coordinate_unit(mechanism, ""), "joint positions",
+                              [](const Joint& j) {
+                                return Range{j.low, j.high};
+                              });
+  const Coordinates coordinates(mechanism);
+  for (const int index : coordinates.joints()) {
+    const Joint& joint = mechanism.joints[static_cast<std::size_t>(index)];
+    q.reference.push_back(joint.reference.value_or((joint.low + joint.high) / 2));
+  }
+  return q;
 }
 
 Argument joint_velocities(const Mechanism& mechanism) {

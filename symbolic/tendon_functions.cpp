@@ -3,7 +3,9 @@
 
 #include "symbolic/argument.h"
 #include "symbolic/differentiate.h"
+#include "symbolic/evaluate_function.h"
 #include "symbolic/exact_number.h"
+#include "symbolic/nonlinear_position.h"
 #include "symbolic/straight_base.h"
 #include "symbolic/symbols.h"
 #include "symbolic/tendons.h"
@@ -14,7 +16,7 @@ namespace {
 using GiNaC::ex;
 
 /// Lengths over the joint ranges: the range in which link positions are asked for.
-Argument length_argument(const Mechanism& mechanism) {
+Argument length_argument(const Mechanism& mechanism, const Function& lengths) {
   Argument h = make_argument("h", static_cast<int>(mechanism.tendons.size()), 1, "m",
                              "tendon path lengths", {0, 0});
   for (std::size_t i = 0; i < mechanism.tendons.size(); ++i) {
@@ -25,6 +27,7 @@ Argument length_argument(const Mechanism& mechanism) {
           reach += std::abs(pulley.radius) * std::max(std::abs(joint.low), std::abs(joint.high));
     h.ranges[i] = {mechanism.tendons[i].h0 - reach, mechanism.tendons[i].h0 + reach};
   }
+  h.reference = rounded_values(lengths, lengths.inputs[0].reference);
   return h;
 }
 
@@ -68,9 +71,9 @@ Function covariance(const std::vector<ex>& P, const Argument& q) {
 }
 
 /// Joint positions from tendon lengths, by whichever way the mechanism allows.
-std::vector<Function> position_functions(const Mechanism& mechanism, const std::vector<ex>& P,
-                                         const Argument& q) {
-  const Argument h = length_argument(mechanism);
+std::vector<Function> position_functions(const Mechanism& mechanism, const Function& lengths,
+                                         const std::vector<ex>& P, const Argument& q) {
+  const Argument h = length_argument(mechanism, lengths);
   if (const auto position = link_position(mechanism, P, h.symbols))
     return {{"link_position",
              "Joint positions from tendon lengths by least squares: P^+ (h - h(0)).",
@@ -80,7 +83,7 @@ std::vector<Function> position_functions(const Mechanism& mechanism, const std::
              {{"q", q.rows, 1, *position, q.unit, "joint positions"}}},
             covariance(P, q)};
   if (const auto base = straight_base(mechanism)) return straight_base_functions(mechanism, *base);
-  return {};
+  return nonlinear_position_functions(mechanism);
 }
 
 }  // namespace
@@ -131,7 +134,8 @@ std::vector<Function> tendon_functions(const Mechanism& mechanism) {
        list.items(),
        {{"K", n, n, K, torque_unit(mechanism) + "/" + q.unit, "stiffness matrix, symmetric"}}});
   result.push_back(tendon_hessian(mechanism, q, for_hessian, lengths));
-  for (const Function& function : position_functions(mechanism, P, q)) result.push_back(function);
+  for (const Function& function : position_functions(mechanism, result[0], P, q))
+    result.push_back(function);
   return result;
 }
 

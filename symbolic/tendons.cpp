@@ -39,7 +39,7 @@ ex straight_length(DefinitionList& list, const std::string& name, const Vector3e
 
 std::vector<ex> tendon_lengths(DefinitionList& list, const Mechanism& mechanism,
                                const JointTree& tree, const std::vector<GiNaC::symbol>& q) {
-  const std::vector<ex> joints = Coordinates(mechanism).of_moving_joints({q.begin(), q.end()});
+  const std::vector<ex> joints = Coordinates(mechanism).at(list, {q.begin(), q.end()}).positions();
   Kinematics kinematics(list, tree, joints);
   std::vector<ex> lengths;
   for (const Tendon& tendon : mechanism.tendons) {

@@ -19,6 +19,11 @@ double reference_q73(const WristParameters& parameters) {
   return std::atan2(std::hypot(parameters.length, parameters.thickness), parameters.width);
 }
 
+std::vector<double> rounded_reference(const WristParameters& parameters) {
+  const auto rounded = [](double angle) { return std::round(angle * 1e6) / 1e6; };
+  return {rounded(reference_q71(parameters)), rounded(reference_q73(parameters))};
+}
+
 Function wrist_pose(const WristParameters& parameters) {
   const WristStart start(parameters);
   const auto& [x, y, z, p] = std::tie(start.pose.x, start.pose.y, start.pose.z, start.pose.origin);

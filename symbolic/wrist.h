@@ -35,6 +35,9 @@ struct WristParameters {
 double reference_q71(const WristParameters& parameters);
 double reference_q73(const WristParameters& parameters);
 
+/// Both, rounded to a microradian: the same digits on every machine.
+std::vector<double> rounded_reference(const WristParameters& parameters);
+
 /// Smallest intervals of q71 and q73 [rad] that cover the palm's range of use, rounded outwards to
 /// a milliradian.
 std::vector<Range> bar_ranges(const WristParameters& parameters);

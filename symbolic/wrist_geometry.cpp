@@ -83,6 +83,8 @@ WristStart::WristStart(const WristParameters& parameters) : links(parameters) {
   const std::vector<Range> ranges = bar_ranges(parameters);
   inputs = {scalar_argument("q71", "rad", ranges[0], "turns the bar plane about y"),
             scalar_argument("q73", "rad", ranges[1], "swings the bars within their plane")};
+  const std::vector<double> reference = rounded_reference(parameters);
+  for (std::size_t i = 0; i < 2; ++i) inputs[i].reference = {reference[i]};
   BarAngles q;
   q.cos_q71 = list.define("cos_q71", GiNaC::cos(q71()));
   q.sin_q71 = list.define("sin_q71", GiNaC::sin(q71()));

@@ -76,6 +76,7 @@ class Describer {
     for (const Frame& each : mechanism_.frames) frame(each);
     for (const Tendon& each : mechanism_.tendons) tendon(each);
     for (const JointCoupling& each : mechanism_.couplings) coupling(each);
+    for (const FourBarCoupling& each : mechanism_.four_bars) four_bar(each);
     if (!mechanism_.tendons.empty() || is_known("tendon_defaults.stiffness")) tendon_defaults();
     return std::move(text_);
   }
@@ -152,6 +153,9 @@ class Describer {
       line("axis", list(joint.axis));
     line("range", path + ".range", range(joint.low, joint.high),
          turns ? Dimension::angle : Dimension::length);
+    if (joint.reference)
+      line("reference", path + ".reference", number(*joint.reference),
+           turns ? Dimension::angle : Dimension::length);
     line("max_velocity", path + ".max_velocity", number(joint.max_velocity),
          turns ? Dimension::angular_velocity : Dimension::velocity);
     line("max_acceleration", path + ".max_acceleration", number(joint.max_acceleration),
@@ -219,6 +223,20 @@ class Describer {
                          quoted(coupling.dependent), quoted(coupling.independent));
     line("ratio", fmt::format("coupling.{}.ratio", coupling.dependent), number(coupling.ratio),
          Dimension::none);
+  }
+
+  void four_bar(const FourBarCoupling& bars) {
+    const std::string path = "four_bar." + bars.dependent;
+    text_ += fmt::format("\n[[four_bar]]\ndependent = {}\nindependent = {}\n",
+                         quoted(bars.dependent), quoted(bars.independent));
+    line("ground", path + ".ground", number(bars.ground), Dimension::length);
+    line("crank", path + ".crank", number(bars.crank), Dimension::length);
+    line("coupler", path + ".coupler", number(bars.coupler), Dimension::length);
+    line("rocker", path + ".rocker", number(bars.rocker), Dimension::length);
+    line("branch", quoted(bars.branch < 0 ? "open" : "crossed"));
+    line("follows",
+         quoted(bars.follows == FourBarCoupling::Follows::rocker ? "rocker" : "coupler"));
+    line("crank_angle", path + ".crank_angle", number(bars.crank_angle), Dimension::angle);
   }
 
   void tendon_defaults() {

@@ -3,7 +3,7 @@
  * The functions of the model fifth over many states: element k of state i is at [k * count + i].
  *
  * Made by: sinew generate models/fifth
- * Model:   sha256 8d87ca7346489bc145a70a75b068dfc4258cb551e478c1ab0974147f92cfefd5
+ * Model:   sha256 ae27d826145740fcb6e3f8c3b6f00dad5a582dbf0da2c06f617ce673f467b351
  * Do not edit: change the model and generate again.
  */
 #ifndef SINEW_fifth_BATCH_H

@@ -3,7 +3,7 @@
  * Every function of the model fifth behind one calling convention.
  *
  * Made by: sinew generate models/fifth
- * Model:   sha256 8d87ca7346489bc145a70a75b068dfc4258cb551e478c1ab0974147f92cfefd5
+ * Model:   sha256 ae27d826145740fcb6e3f8c3b6f00dad5a582dbf0da2c06f617ce673f467b351
  * Do not edit: change the model and generate again.
  */
 #include "fifth_catalogue.h"
@@ -300,4 +300,4 @@ static const sinew_function functions[] = {
     {"fifth_link_position_covariance", 1, 1, 1, 9, link_position_covariance_inputs, link_position_covariance_outputs, call_link_position_covariance},
 };
 
-const sinew_catalogue fifth_catalogue = {"fifth", "8d87ca7346489bc145a70a75b068dfc4258cb551e478c1ab0974147f92cfefd5", 8, 16, functions};
+const sinew_catalogue fifth_catalogue = {"fifth", "ae27d826145740fcb6e3f8c3b6f00dad5a582dbf0da2c06f617ce673f467b351", 8, 16, functions};

@@ -3,7 +3,7 @@
  * Every function of the model hand behind one calling convention.
  *
  * Made by: sinew generate models/hand
- * Model:   sha256 ea7c5987c1e241459bbd7e76931da3d2400f3ffea93eb620e4d52a2c4f3ed50b
+ * Model:   sha256 149bfdb172c9db83c03fe3a5f8e740421544677e415df28801df6237951eb00f
  * Do not edit: change the model and generate again.
  */
 #ifndef SINEW_hand_CATALOGUE_H

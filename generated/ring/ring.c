@@ -3,7 +3,7 @@
  * Ring finger: coupled PIP and DIP, three coordinates, six tendons
  *
  * Made by: sinew generate models/ring
- * Model:   sha256 1f4b3990ffc6980ffccbfc6418e580555e7561f229241dc052214b4c0e8cbe05
+ * Model:   sha256 a8bc321adefac22c0d65aa59ce2185ee47e4dfbbfa393b8abd0790fd9d4a1b7f
  * Do not edit: change the model and generate again.
  */
 #include "ring.h"

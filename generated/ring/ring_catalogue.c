@@ -3,7 +3,7 @@
  * Every function of the model ring behind one calling convention.
  *
  * Made by: sinew generate models/ring
- * Model:   sha256 1f4b3990ffc6980ffccbfc6418e580555e7561f229241dc052214b4c0e8cbe05
+ * Model:   sha256 a8bc321adefac22c0d65aa59ce2185ee47e4dfbbfa393b8abd0790fd9d4a1b7f
  * Do not edit: change the model and generate again.
  */
 #include "ring_catalogue.h"
@@ -300,4 +300,4 @@ static const sinew_function functions[] = {
     {"ring_link_position_covariance", 1, 1, 1, 9, link_position_covariance_inputs, link_position_covariance_outputs, call_link_position_covariance},
 };
 
-const sinew_catalogue ring_catalogue = {"ring", "1f4b3990ffc6980ffccbfc6418e580555e7561f229241dc052214b4c0e8cbe05", 8, 16, functions};
+const sinew_catalogue ring_catalogue = {"ring", "a8bc321adefac22c0d65aa59ce2185ee47e4dfbbfa393b8abd0790fd9d4a1b7f", 8, 16, functions};
