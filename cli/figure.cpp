@@ -33,7 +33,8 @@ std::string escaped(const std::string& text) {
 }
 
 std::string csv_of(const Figure& figure) {
-  std::string text = "panel,series,x,y\n";
+  std::string text = fmt::format("# Fig. {} of the source: {}. {}\npanel,series,x,y\n",
+                                 figure.number, figure.title, figure.differs);
   for (const Panel& panel : figure.panels)
     for (const Series& series : panel.series)
       for (std::size_t i = 0; i < series.x.size(); ++i)
@@ -61,6 +62,7 @@ std::string plot_of(const Panel& panel) {
 std::string script_of(const fs::path& svg, const Figure& figure) {
   std::string text = fmt::format(
       "set terminal svg size {},420 noenhanced background 'white'\nset output {}\nset grid\n"
+      "set key below\n"
       "set multiplot layout 1,{} title {}\n",
       figure.panels.size() > 1 ? 900 : 640, quoted(svg.string()), figure.panels.size(),
       quoted(fmt::format("{} (source: Fig. {})", figure.title, figure.number)));

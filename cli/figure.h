@@ -27,7 +27,8 @@ struct Figure {
   std::vector<Panel> panels;  ///< side by side
 };
 
-/// Writes <file>.csv (panel, series, x, y) and <file>.svg. Throws std::runtime_error where a file
+/// Writes <file>.csv (a comment with number, title and difference, then panel, series, x, y) and
+/// <file>.svg. Throws std::runtime_error where a file
 /// cannot be written or gnuplot fails.
 void write_figure(const std::filesystem::path& folder, const Figure& figure);
 

@@ -41,8 +41,10 @@ std::vector<Figure> figures_guiding(const Options& o) {
   const std::string origin =
       "Assumed measurements (models/guiding/assumed_measurements.csv): the source prints curves "
       "but no numbers. Measure, and run sinew identify --experiment guiding on your own table.";
-  return {figure_guiding_friction(all, usual_tension(all), origin),
-          figure_pulley_or_sliding(all, origin)};
+  std::vector<Figure> figures{figure_guiding_friction(all, usual_tension(all), origin),
+                              figure_pulley_or_sliding(all, origin)};
+  for (Figure& figure : figures) figure.title += " (assumed measurements)";
+  return figures;
 }
 
 std::vector<Figure> figures_of(const Options& o, int chapter) {

@@ -109,7 +109,8 @@ Figure figure_lever(const CompiledModel& lever, const LeverParameters& parameter
     add(pull, state[elongation] * 1e3, state[force]);
     add(stiff, state[elongation] * 1e3, state[stiffness] * 1e-3);
   }
-  Figure figure{"figure_4_07", "4.7", "The lever's characteristics", "", {length, pull, stiff}};
+  Figure figure{
+      "figure_4_07", "4.7", "The lever's characteristics (model)", "", {length, pull, stiff}};
   figure.differs = fmt::format(
       "Computed by the emitted C of models/lever. Table 4.1 omits pivot, lever length, spring "
       "point "
@@ -124,7 +125,7 @@ Figure figure_lever_calibration(const CompiledModel& lever, const TendonWithLeve
   const Log log = calibration_log(lever, parameters);
   const LeverCalibrationResult r = calibrate_lever({log});
   const Eigen::ArrayXXd& rows = log.segments.front().samples;
-  Figure figure{"figure_4_08", "4.8", "Calibration of the lever's sensor", "", {}};
+  Figure figure{"figure_4_08", "4.8", "Calibration of the lever's sensor (simulated)", "", {}};
   figure.panels = {{"on the rig",
                     "elongation of lever and tendon [mm]",
                     "force [N]",

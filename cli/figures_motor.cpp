@@ -77,7 +77,7 @@ Panel friction_panel(const FrictionCurve& curve) {
 Figure figure_friction(const Run& log, double gear_ratio) {
   const DriveStretch stretch{log.period(), log.theta, log.omega, log.torque};
   const FrictionCurve curve = identify_friction({stretch}, gear_ratio);
-  Figure figure{"figure_3_03", "3.3", "Friction from constant velocities", "", {}};
+  Figure figure{"figure_3_03", "3.3", "Friction from constant velocities (simulated)", "", {}};
   figure.panels = {
       {"position", "time [s]", "output angle [rad]", {line("", log.time, log.theta, 20)}},
       friction_panel(curve)};
@@ -108,7 +108,8 @@ Figure figure_repeated(const Run& log) {
         line("", log.theta.tail(log.theta.size() - skip), torque.tail(torque.size() - skip), 5));
     near.series.push_back(line("", log.theta.segment(from, turns), torque.segment(from, turns)));
   }
-  Figure figure{"figure_3_04", "3.4", "Torque at constant velocity, repeated", "", {whole, near}};
+  Figure figure{
+      "figure_3_04", "3.4", "Torque at constant velocity, repeated (simulated)", "", {whole, near}};
   figure.differs = fmt::format(
       "{}One simulated run with ten different noises of {} N m: a simulation repeats exactly, so "
       "that the figure shows how it would look, and is no evidence that the motor repeats.",
@@ -158,7 +159,8 @@ Figure figure_two_velocities(const Run& fast, const Run& slow) {
   Panel frequencies{"spectrum", "frequency [Hz]", "torque [N m]", {}};
   frequencies.series = {spectrum("1 rad/s", fast.torque, fast.period()),
                         spectrum("0.5 rad/s", slow.torque, slow.period())};
-  Figure figure{"figure_3_05", "3.5", "Torque at two velocities", "", {torque, frequencies}};
+  Figure figure{
+      "figure_3_05", "3.5", "Torque at two velocities (simulated)", "", {torque, frequencies}};
   figure.differs =
       std::string(simulated) +
       "The peak moves with the velocity (15.9 Hz and 8.0 Hz, the motor's turns) while the ripple "
@@ -187,7 +189,7 @@ Figure figure_compensation(const Run& before, const Run& after) {
   const double first = peak(frequencies.series[0]), second_peak = peak(frequencies.series[1]);
   Figure figure{"figure_3_06",
                 "3.6",
-                "The controller's torque before and after compensation",
+                "Controller's torque before and after compensation (simulated)",
                 "",
                 {time, frequencies}};
   figure.differs = fmt::format(

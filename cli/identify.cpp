@@ -38,9 +38,9 @@ std::vector<ChannelSpec> channels_of(const std::string& experiment) {
   return channels;
 }
 
-bool has_lever(const Part& part) {
-  return std::holds_alternative<LeverParameters>(part.parameters) ||
-         std::holds_alternative<TendonWithLever>(part.parameters);
+const LeverParameters* lever_of(const Part& part) {
+  if (const auto* tendon = std::get_if<TendonWithLever>(&part.parameters)) return &tendon->lever;
+  return std::get_if<LeverParameters>(&part.parameters);
 }
 
 bool has_guiding(const Part& part) {
@@ -59,16 +59,17 @@ void require(bool fits, const Options& o, const char* expected) {
 IdentifyReport identify(const Options& o, std::vector<Log>& logs) {
   const Part part = read_part(o.model);
   const auto* motor = std::get_if<MotorParameters>(&part.parameters);
+  const LeverParameters* lever = lever_of(part);
   if (o.experiment == "guiding") {
     require(has_guiding(part), o, "a tendon's guiding");
     return report_guiding(o.logs, o.tables);
   }
   if (o.experiment == "lever")
-    require(has_lever(part), o, "a lever");
+    require(lever != nullptr, o, "a lever");
   else
     require(motor != nullptr, o, "a motor");
   logs = read_experiment_logs(o.logs, o.map, channels_of(o.experiment), o.repair);
-  if (o.experiment == "lever") return report_lever(logs, o.emit);
+  if (o.experiment == "lever") return report_lever(logs, *lever, o.emit);
   if (o.experiment == "friction") return report_friction(logs, *motor);
   return o.experiment == "inertia" ? report_inertia(logs, *motor) : report_ripple(logs, *motor);
 }

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "generator/assemble.h"
 #include "generator/write.h"
 #include "identification/compensation_effect.h"
@@ -15,6 +17,8 @@ namespace sinew {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+constexpr double most_of_the_range = 0.8;
 
 std::vector<DriveStretch> all_stretches(const std::vector<Log>& logs) {
   std::vector<DriveStretch> all;
@@ -103,8 +107,16 @@ IdentifyReport report_ripple(const std::vector<Log>& logs, const MotorParameters
   return {r.missing.empty() || !r.ripples.empty(), results, r.missing};
 }
 
-IdentifyReport report_lever(const std::vector<Log>& logs, const std::string& emit) {
-  const LeverCalibrationResult r = calibrate_lever(logs);
+IdentifyReport report_lever(const std::vector<Log>& logs, const LeverParameters& lever,
+                            const std::string& emit) {
+  LeverCalibrationResult r = calibrate_lever(logs);
+  const double seen = 2.0 * r.calibration.half_range,
+               range = std::abs(lever.count_end - lever.count_free);
+  if (!r.calibration.force.empty() && seen < most_of_the_range * range)
+    r.missing.push_back(fmt::format(
+        "the log goes over {:.0f} % of the sensor's range of {:.0f} counts; expected the whole "
+        "travel: beyond what was seen the emitted function holds its last values",
+        100.0 * seen / range, range));
   const LeverCalibration& c = r.calibration;
   if (r.identified && !emit.empty())
     replace_folder(emit, emit_files(assemble({"lever_calibration",

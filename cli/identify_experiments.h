@@ -29,7 +29,8 @@ IdentifyReport report_inertia(const std::vector<Log>& logs, const MotorParameter
 /// The first log is the one without compensation where the effect of one is asked for.
 IdentifyReport report_ripple(const std::vector<Log>& logs, const MotorParameters& motor);
 /// `emit`: folder for the C of the calibration, none where empty or not identified.
-IdentifyReport report_lever(const std::vector<Log>& logs, const std::string& emit);
+IdentifyReport report_lever(const std::vector<Log>& logs, const LeverParameters& lever,
+                            const std::string& emit);
 /// Tables of guiding friction (docs/identify.md); `tables`: folder for the designers' tables and
 /// plots, none where empty.
 IdentifyReport report_guiding(const std::vector<std::string>& files, const std::string& tables);

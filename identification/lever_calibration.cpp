@@ -144,7 +144,7 @@ LeverCalibrationResult calibrate_lever(const std::vector<Log>& logs, int highest
   if (turns_round(result.length))
     say("the path length turns round within the sensor's range; " + experiment);
   else
-    result.identified = true;
+    result.identified = both;
   return result;
 }
 

@@ -25,7 +25,8 @@ struct LeverCalibrationResult {
 
 /// Channels count, force and elongation (x = dL0 - dL). Force and length are fitted to the middle
 /// of loading and unloading; the stiffness is -f'/dL' of those polynomials and cannot contradict
-/// them. Without elongation only the force is fitted and the rest is said to be missing.
+/// them. Without elongation only the force is fitted and the rest is said to be missing; without
+/// loading and unloading both the force is half a loop off, and not identified.
 LeverCalibrationResult calibrate_lever(const std::vector<Log>& logs, int highest = 9);
 
 }  // namespace sinew

@@ -61,21 +61,22 @@ MiddleOfLoop middle_of_loop(const ArrayXd& u, const ArrayXd& force,
                             const std::vector<Index>& starts, double step, int highest) {
   const Index every = std::max<Index>(1, u.size() / rows_to_choose);
   const ArrayXd few_u = thinned(u, every), few_force = thinned(force, every);
-  MiddleOfLoop best;
-  double least = INFINITY;
-  for (const double length : lengths) {
-    const ArrayXd z = thinned(loop_state(u, starts, step, length), every);
+  double least = INFINITY, length = 0.0;
+  const auto attempt = [&](double candidate) {
+    const ArrayXd z = thinned(loop_state(u, starts, step, candidate), every);
     const MatrixXd columns = columns_of(few_u, z, highest);
     const Eigen::VectorXd c = columns.colPivHouseholderQr().solve(few_force.matrix());
     const double left = (columns * c - few_force.matrix()).squaredNorm();
-    if (left >= least) continue;
+    if (left >= least) return;
     least = left;
-    best.length = length;
-  }
-  const MatrixXd columns = columns_of(u, loop_state(u, starts, step, best.length), highest);
+    length = candidate;
+  };
+  for (const double candidate : lengths) attempt(candidate);
+  const double coarse = length;
+  for (const double factor : {0.75, 0.83, 0.91, 1.1, 1.2, 1.33}) attempt(coarse * factor);
+  const MatrixXd columns = columns_of(u, loop_state(u, starts, step, length), highest);
   const Eigen::VectorXd c = columns.colPivHouseholderQr().solve(force.matrix());
-  best.force = force - (columns.leftCols(width_degree + 1) * c.head(width_degree + 1)).array();
-  return best;
+  return {force - (columns.leftCols(width_degree + 1) * c.head(width_degree + 1)).array(), length};
 }
 
 }  // namespace sinew

@@ -28,6 +28,8 @@ std::map<std::string, Curve> curves(const Workplace& here, const std::string& fi
   std::istringstream in(here.text("figures/" + file + ".csv"));
   std::string line;
   std::getline(in, line);
+  CHECK(line.rfind("# Fig. ", 0) == 0);
+  std::getline(in, line);
   while (std::getline(in, line)) {
     const std::size_t panel = line.find("\",\""), series = line.find("\",", panel + 3),
                       comma = line.find(',', series + 2);

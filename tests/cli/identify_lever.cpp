@@ -101,7 +101,7 @@ TEST_CASE("a lever's calibration, with hysteresis and noise, and its C compiled"
         Approx(0.2 * r["hysteresis_at_N"].get<double>()).epsilon(0.06));
   CHECK(r["hysteresis_at_N"] > 70.0);
   CHECK(r["largest_force_error_N"].get<double>() == Approx(9.0).margin(2.0));
-  CHECK(r["largest_force_error_without_loop_N"] < 0.6);
+  CHECK(r["largest_force_error_without_loop_N"] < 1.0);
   CHECK(r["largest_length_error_m"] < 2e-5);
   CHECK(r["force_validation_rms_N"].size() == 9);
   CHECK(r["force_N"].size() >= 4);
@@ -149,6 +149,7 @@ TEST_CASE("lever logs that say too little or are broken", "[identify]") {
   CHECK(short_one.status == 1);
   CHECK(short_one.says("expected the tendon pulled slowly over the whole travel"));
   CHECK(!fs::exists(here.path("c")));
+  CHECK(short_one.says("of the sensor's range"));
   fs::remove(here.path("lever.json"));
   const Ended no_unit =
       calibrate(here, pulled(0.2, "time [s],count [1],force,elongation [mm]"), {"--emit", "c"});

@@ -82,7 +82,7 @@ TEST_CASE("C0 grows with the tension", "[identify]") {
 
 TEST_CASE("small bending angles do not tell C0 and C1 apart, which is said", "[identify]") {
   std::mt19937 random(4);
-  const GuidingFit fit = fit_guiding(measured(0.4, 0.2, 60.0, 0.1, random));
+  const GuidingFit fit = fit_guiding(measured(0.4, 0.1, 45.0, 0.1, random));
   CHECK(!fit.fitted_identified);
   CHECK(fit.capstan_identified);
   REQUIRE(!fit.missing.empty());

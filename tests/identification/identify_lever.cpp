@@ -5,6 +5,7 @@
 #include <random>
 
 #include "identification/lever_calibration.h"
+#include "identification/lever_loop.h"
 #include "symbolic/evaluate_function.h"
 
 using namespace sinew;
@@ -71,6 +72,41 @@ TEST_CASE("the lever's sensor is calibrated and its loop measured", "[identify]"
   CHECK(worst < 0.05);
 }
 
+TEST_CASE("a loop's state turns over its length and does not follow the sensor's steps",
+          "[identify]") {
+  Eigen::ArrayXd u(401);
+  for (Eigen::Index i = 0; i < 401; ++i)
+    u(i) = i <= 200 ? 0.005 * static_cast<double>(i) : 2.0 - 0.005 * static_cast<double>(i);
+  const Eigen::ArrayXd z = loop_state(u, {0}, 1e-6, 0.1);
+  CHECK(z(0) == 0.0);
+  CHECK(z(200) == Approx(1.0).margin(1e-4));
+  // 0.1 further the distance to the other side has fallen to 1/e.
+  CHECK(z(220) == Approx(2.0 * std::exp(-1.0) - 1.0).margin(1e-3));
+  CHECK(z(400) == Approx(-1.0).margin(1e-3));
+  Eigen::ArrayXd still = u;
+  for (Eigen::Index i = 0; i < 401; ++i) still(i) = 0.5 + (i % 2 ? 0.001 : 0.0);
+  CHECK(loop_state(still, {0}, 0.0015, 0.1).abs().maxCoeff() == 0.0);
+}
+
+TEST_CASE("the degree is the force's, whatever the loop does where it turns", "[identify]") {
+  // A cubic force in a loop that turns over a twentieth of the travel.
+  const Eigen::Index n = 4000;
+  Eigen::ArrayXd u(n), force(n);
+  for (Eigen::Index i = 0; i < n; ++i)
+    u(i) = -std::cos(4.0 * 3.14159265 * static_cast<double>(i) / static_cast<double>(n));
+  const Eigen::ArrayXd z = loop_state(u, {0}, 0.0, 0.1);
+  std::mt19937 random(3);
+  std::normal_distribution<double> unit;
+  for (Eigen::Index i = 0; i < n; ++i)
+    force(i) = 40.0 + 35.0 * u(i) + 10.0 * std::pow(u(i), 3) + 6.0 * z(i) + 0.1 * unit(random);
+  const MiddleOfLoop middle = middle_of_loop(u, force, {0}, 0.0, 9);
+  CHECK(middle.length == Approx(0.1).epsilon(0.1));
+  const CalibrationPolynomial p = fit_polynomial(u, middle.force, 9);
+  CHECK(p.degree() <= 5);
+  for (const double at : {-0.9, 0.0, 0.9})
+    CHECK(p.at(at) == Approx(40.0 + 35.0 * at + 10.0 * std::pow(at, 3)).margin(0.3));
+}
+
 TEST_CASE("without a loop none is reported, and the stiffness agrees with the force",
           "[identify]") {
   const LeverCalibrationResult r = calibrate_lever({pulled(0.0, 0.05, true)});
@@ -95,6 +131,7 @@ TEST_CASE("a calibration log that says too little is told so", "[identify]") {
   CHECK(!without.identified);
   CHECK(without.missing.front().find("there is no elongation") == 0);
   const LeverCalibrationResult one_way = calibrate_lever({pulled(15.0, 0.1, true, false)});
+  CHECK(!one_way.identified);
   REQUIRE(!one_way.missing.empty());
   CHECK(one_way.missing.front().find("hysteresis is not seen") != std::string::npos);
 }
