@@ -25,6 +25,11 @@ double friction(const FittedSeries& s, double tension, double bending) {
   return s.fit.fitted_identified ? s.fit.fitted(tension, bending) : s.fit.capstan(tension, bending);
 }
 
+/// Whether a bending angle [deg] was measured, or one beyond it.
+bool within(const FittedSeries& s, double angle) {
+  return angle * degree <= s.fit.largest_bending * (1.0 + 1e-9);
+}
+
 const char* law_of(const FittedSeries& s) {
   return s.fit.fitted_identified ? "fitted" : "capstan";
 }
@@ -37,8 +42,8 @@ std::vector<std::string> tendons_of(const std::vector<FittedSeries>& all) {
   return names;
 }
 
-Series measured(const FittedSeries& s, double tension) {
-  Series points{"", {}, {}, "points pointtype 7 pointsize 0.4"};
+Series measured(const FittedSeries& s, double tension, int colour) {
+  Series points{"", {}, {}, fmt::format("points pointtype 7 pointsize 0.4 linecolor {}", colour)};
   for (const GuidingMeasurement& p : s.series.points) {
     points.x.push_back(p.bending / degree);
     points.y.push_back(p.friction * tension / p.tension);
@@ -47,8 +52,8 @@ Series measured(const FittedSeries& s, double tension) {
 }
 
 template <typename Law>
-Series curve(const std::string& title, double largest, Law law) {
-  Series line{title, {}, {}, "lines"};
+Series curve(const std::string& title, double largest, int colour, Law law) {
+  Series line{title, {}, {}, fmt::format("lines linecolor {}", colour)};
   for (int i = 0; i <= 60; ++i) {
     const double angle = largest * i / 60.0;
     line.x.push_back(angle / degree);
@@ -84,7 +89,7 @@ std::string friction_table(const std::vector<FittedSeries>& all, double tension)
 std::string choice_table(const std::vector<FittedSeries>& all, double tension) {
   std::string text =
       "tendon,pulley,pulley radius [mm],sliding surface,sliding radius [mm],tension [N],"
-      "bending [deg],pulley friction [N],sliding friction [N],less friction\n";
+      "bending [deg],pulley friction [N],sliding friction [N],less friction,measured\n";
   for (const FittedSeries& pulley : all)
     for (const FittedSeries& sliding : all) {
       if (pulley.series.guide != "pulley" || sliding.series.guide != "sliding" ||
@@ -94,10 +99,11 @@ std::string choice_table(const std::vector<FittedSeries>& all, double tension) {
       for (const double angle : table_angles) {
         const double rolls = friction(pulley, tension, angle * degree),
                      slides = friction(sliding, tension, angle * degree);
-        text += fmt::format("\"{}\",\"{}\",{:.6g},\"{}\",{:.6g},{:.6g},{},{:.4g},{:.4g},{}\n",
+        text += fmt::format("\"{}\",\"{}\",{:.6g},\"{}\",{:.6g},{:.6g},{},{:.4g},{:.4g},{},{}\n",
                             pulley.series.tendon, pulley.series.surface, pulley.series.radius * 1e3,
                             sliding.series.surface, sliding.series.radius * 1e3, tension, angle,
-                            rolls, slides, rolls < slides ? "pulley" : "sliding");
+                            rolls, slides, rolls < slides ? "pulley" : "sliding",
+                            within(pulley, angle) && within(sliding, angle) ? "within" : "beyond");
       }
     }
   return text;
@@ -120,11 +126,12 @@ Figure figure_guiding_friction(const std::vector<FittedSeries>& all, double tens
   for (const std::string& tendon : tendons_of(all)) {
     Panel panel{
         tendon, "total bending [deg]", fmt::format("friction at {:.4g} N [N]", tension), {}};
+    int colour = 0;
     for (const FittedSeries& s : all) {
       if (s.series.tendon != tendon) continue;
-      panel.series.push_back(measured(s, tension));
+      panel.series.push_back(measured(s, tension, ++colour));
       if (s.fit.capstan_identified)
-        panel.series.push_back(curve(guide_of(s.series), s.fit.largest_bending,
+        panel.series.push_back(curve(guide_of(s.series), s.fit.largest_bending, colour,
                                      [&](double angle) { return friction(s, tension, angle); }));
     }
     figure.panels.push_back(panel);
@@ -140,11 +147,13 @@ Figure figure_pulley_or_sliding(const std::vector<FittedSeries>& all, const std:
   Figure figure{"figure_4_11", "4.11", "Pulley against sliding surface", "", {}};
   for (const std::string& tendon : tendons_of(all)) {
     Panel panel{tendon, "total bending [deg]", "share of the tension that is lost", {}};
+    int colour = 0;
     for (const FittedSeries& s : all)
       if (s.series.tendon == tendon && s.fit.capstan_identified)
         panel.series.push_back(
             curve(fmt::format("{}: mu = {:.3f}", guide_of(s.series), s.fit.mu.value),
-                  360.0 * degree, [&](double angle) { return friction(s, 1.0, angle); }));
+                  s.fit.largest_bending, ++colour,
+                  [&](double angle) { return friction(s, 1.0, angle); }));
     figure.panels.push_back(panel);
   }
   figure.differs = origin +

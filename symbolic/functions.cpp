@@ -5,6 +5,7 @@
 #include "symbolic/dynamics_functions.h"
 #include "symbolic/kinematics.h"
 #include "symbolic/symbols.h"
+#include "symbolic/tendon_bending.h"
 #include "symbolic/tendon_functions.h"
 
 namespace sinew {
@@ -70,6 +71,7 @@ std::vector<Function> functions_of(const Mechanism& mechanism, const CostOf& cos
   for (const Function& f : dynamics_functions(mechanism, cost, runtime_parameters))
     all.push_back(f);
   for (const Function& f : tendon_functions(mechanism)) all.push_back(f);
+  if (!mechanism.tendons.empty()) all.push_back(tendon_bending_angles(mechanism));
   return all;
 }
 

@@ -790,3 +790,20 @@ void fifth_link_position_covariance_batch(int count, const double *SINEW_RESTRIC
         covariance[8 * n + state] = 6456.611570247934 * variance;
     }
 }
+
+void fifth_bending_angles_batch(int count, const double *SINEW_RESTRICT q, double *SINEW_RESTRICT angles)
+{
+    const size_t n = (size_t)count;
+    SINEW_STATES_ARE_INDEPENDENT
+    for (size_t state = 0; state < n; ++state) {
+        const double t1 = sinew_max(q[state], -q[state]) + sinew_max(q[1 * n + state], -q[1 * n + state]);
+        const double t2 = 1.2222222222222223 * q[2 * n + state];
+        const double t3 = sinew_max(q[2 * n + state], -q[2 * n + state]) + sinew_max(t2, -t2);
+        angles[state] = t1;
+        angles[1 * n + state] = t1;
+        angles[2 * n + state] = t1;
+        angles[3 * n + state] = t1;
+        angles[4 * n + state] = t3;
+        angles[5 * n + state] = t3;
+    }
+}

@@ -889,3 +889,18 @@ void index_link_position_covariance(const double sigma[SINEW_AT_LEAST(1)], doubl
     covariance[14] = t2;
     covariance[15] = 49382.71604938272 * variance;
 }
+
+void index_bending_angles(const double q[SINEW_AT_LEAST(4)], double angles[SINEW_AT_LEAST(8)])
+{
+    const double t1 = sinew_max(q[0], -q[0]) + sinew_max(q[1], -q[1]);
+    const double t2 = sinew_max(q[2], -q[2]);
+    const double t3 = t2 + sinew_max(q[3], -q[3]);
+    angles[0] = t1;
+    angles[1] = t1;
+    angles[2] = t1;
+    angles[3] = t1;
+    angles[4] = t2;
+    angles[5] = t2;
+    angles[6] = t3;
+    angles[7] = t3;
+}

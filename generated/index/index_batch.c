@@ -937,3 +937,22 @@ void index_link_position_covariance_batch(int count, const double *SINEW_RESTRIC
         covariance[15 * n + state] = 49382.71604938272 * variance;
     }
 }
+
+void index_bending_angles_batch(int count, const double *SINEW_RESTRICT q, double *SINEW_RESTRICT angles)
+{
+    const size_t n = (size_t)count;
+    SINEW_STATES_ARE_INDEPENDENT
+    for (size_t state = 0; state < n; ++state) {
+        const double t1 = sinew_max(q[state], -q[state]) + sinew_max(q[1 * n + state], -q[1 * n + state]);
+        const double t2 = sinew_max(q[2 * n + state], -q[2 * n + state]);
+        const double t3 = t2 + sinew_max(q[3 * n + state], -q[3 * n + state]);
+        angles[state] = t1;
+        angles[1 * n + state] = t1;
+        angles[2 * n + state] = t1;
+        angles[3 * n + state] = t1;
+        angles[4 * n + state] = t2;
+        angles[5 * n + state] = t2;
+        angles[6 * n + state] = t3;
+        angles[7 * n + state] = t3;
+    }
+}

@@ -37,6 +37,7 @@ void index_joint_stiffness_batch(int count, const double *SINEW_RESTRICT q, cons
 void index_tendon_hessian_batch(int count, const double *SINEW_RESTRICT q, double *SINEW_RESTRICT H);
 void index_link_position_batch(int count, const double *SINEW_RESTRICT h, double *SINEW_RESTRICT q);
 void index_link_position_covariance_batch(int count, const double *SINEW_RESTRICT sigma, double *SINEW_RESTRICT covariance);
+void index_bending_angles_batch(int count, const double *SINEW_RESTRICT q, double *SINEW_RESTRICT angles);
 
 #ifdef __cplusplus
 }

@@ -281,6 +281,21 @@ static const sinew_argument link_position_covariance_outputs[] = {
     {"covariance", "rad^2", 4, 4, 0, 0},
 };
 
+static void call_bending_angles(const void *in, void *out)
+{
+    const double *x = (const double *)in;
+    double *y = (double *)out;
+    index_bending_angles(x + 0, y + 0);
+}
+static const double bending_angles_q_low[] = {-0.35, -0.2, -0.2, -0.2};
+static const double bending_angles_q_high[] = {0.35, 1.6, 1.6, 1.6};
+static const sinew_argument bending_angles_inputs[] = {
+    {"q", "rad", 4, 1, bending_angles_q_low, bending_angles_q_high},
+};
+static const sinew_argument bending_angles_outputs[] = {
+    {"angles", "rad", 8, 1, 0, 0},
+};
+
 static const sinew_function functions[] = {
     {"index_forward_kinematics", 1, 1, 4, 16, forward_kinematics_inputs, forward_kinematics_outputs, call_forward_kinematics},
     {"index_tip_jacobian", 1, 1, 4, 24, tip_jacobian_inputs, tip_jacobian_outputs, call_tip_jacobian},
@@ -298,6 +313,7 @@ static const sinew_function functions[] = {
     {"index_tendon_hessian", 1, 1, 4, 128, tendon_hessian_inputs, tendon_hessian_outputs, call_tendon_hessian},
     {"index_link_position", 1, 1, 8, 4, link_position_inputs, link_position_outputs, call_link_position},
     {"index_link_position_covariance", 1, 1, 1, 16, link_position_covariance_inputs, link_position_covariance_outputs, call_link_position_covariance},
+    {"index_bending_angles", 1, 1, 4, 8, bending_angles_inputs, bending_angles_outputs, call_bending_angles},
 };
 
-const sinew_catalogue index_catalogue = {"index", "87dae3bf2513ab5836c918f869de07d956d21148227d4e316059a4cbc5f06f25", 8, 16, functions};
+const sinew_catalogue index_catalogue = {"index", "87dae3bf2513ab5836c918f869de07d956d21148227d4e316059a4cbc5f06f25", 8, 17, functions};

@@ -37,6 +37,7 @@ void middle_joint_stiffness_batch(int count, const double *SINEW_RESTRICT q, con
 void middle_tendon_hessian_batch(int count, const double *SINEW_RESTRICT q, double *SINEW_RESTRICT H);
 void middle_link_position_batch(int count, const double *SINEW_RESTRICT h, double *SINEW_RESTRICT q);
 void middle_link_position_covariance_batch(int count, const double *SINEW_RESTRICT sigma, double *SINEW_RESTRICT covariance);
+void middle_bending_angles_batch(int count, const double *SINEW_RESTRICT q, double *SINEW_RESTRICT angles);
 
 #ifdef __cplusplus
 }

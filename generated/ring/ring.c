@@ -741,3 +741,16 @@ void ring_link_position_covariance(const double sigma[SINEW_AT_LEAST(1)], double
     covariance[7] = 0.0;
     covariance[8] = 4132.231404958678 * variance;
 }
+
+void ring_bending_angles(const double q[SINEW_AT_LEAST(3)], double angles[SINEW_AT_LEAST(6)])
+{
+    const double t1 = sinew_max(q[0], -q[0]) + sinew_max(q[1], -q[1]);
+    const double t2 = 1.2222222222222223 * q[2];
+    const double t3 = sinew_max(q[2], -q[2]) + sinew_max(t2, -t2);
+    angles[0] = t1;
+    angles[1] = t1;
+    angles[2] = t1;
+    angles[3] = t1;
+    angles[4] = t3;
+    angles[5] = t3;
+}

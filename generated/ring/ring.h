@@ -138,6 +138,12 @@ void ring_link_position(const double h[SINEW_AT_LEAST(6)], double q[SINEW_AT_LEA
  * 3 multiplications, 0 additions. */
 void ring_link_position_covariance(const double sigma[SINEW_AT_LEAST(1)], double covariance[SINEW_AT_LEAST(9)]);
 
+/* Total bending of each tendon in the finger: what guiding friction grows with. 4.2
+ *   in  q             3 [rad] joint positions; made for -0.35..0.35, -0.2..1.6, -0.2..1.6
+ *   out angles        6 [rad] over its pulleys, and where its straight stretches lean away from q = 0
+ * 1 multiplications, 2 additions, 4 other functions. */
+void ring_bending_angles(const double q[SINEW_AT_LEAST(3)], double angles[SINEW_AT_LEAST(6)]);
+
 #ifdef __cplusplus
 }
 #endif

@@ -37,6 +37,7 @@ void ring_joint_stiffness_batch(int count, const double *SINEW_RESTRICT q, const
 void ring_tendon_hessian_batch(int count, const double *SINEW_RESTRICT q, double *SINEW_RESTRICT H);
 void ring_link_position_batch(int count, const double *SINEW_RESTRICT h, double *SINEW_RESTRICT q);
 void ring_link_position_covariance_batch(int count, const double *SINEW_RESTRICT sigma, double *SINEW_RESTRICT covariance);
+void ring_bending_angles_batch(int count, const double *SINEW_RESTRICT q, double *SINEW_RESTRICT angles);
 
 #ifdef __cplusplus
 }

@@ -281,6 +281,21 @@ static const sinew_argument link_position_covariance_outputs[] = {
     {"covariance", "rad^2", 3, 3, 0, 0},
 };
 
+static void call_bending_angles(const void *in, void *out)
+{
+    const double *x = (const double *)in;
+    double *y = (double *)out;
+    ring_bending_angles(x + 0, y + 0);
+}
+static const double bending_angles_q_low[] = {-0.35, -0.2, -0.2};
+static const double bending_angles_q_high[] = {0.35, 1.6, 1.6};
+static const sinew_argument bending_angles_inputs[] = {
+    {"q", "rad", 3, 1, bending_angles_q_low, bending_angles_q_high},
+};
+static const sinew_argument bending_angles_outputs[] = {
+    {"angles", "rad", 6, 1, 0, 0},
+};
+
 static const sinew_function functions[] = {
     {"ring_forward_kinematics", 1, 1, 3, 16, forward_kinematics_inputs, forward_kinematics_outputs, call_forward_kinematics},
     {"ring_tip_jacobian", 1, 1, 3, 18, tip_jacobian_inputs, tip_jacobian_outputs, call_tip_jacobian},
@@ -298,6 +313,7 @@ static const sinew_function functions[] = {
     {"ring_tendon_hessian", 1, 1, 3, 54, tendon_hessian_inputs, tendon_hessian_outputs, call_tendon_hessian},
     {"ring_link_position", 1, 1, 6, 3, link_position_inputs, link_position_outputs, call_link_position},
     {"ring_link_position_covariance", 1, 1, 1, 9, link_position_covariance_inputs, link_position_covariance_outputs, call_link_position_covariance},
+    {"ring_bending_angles", 1, 1, 3, 6, bending_angles_inputs, bending_angles_outputs, call_bending_angles},
 };
 
-const sinew_catalogue ring_catalogue = {"ring", "a8bc321adefac22c0d65aa59ce2185ee47e4dfbbfa393b8abd0790fd9d4a1b7f", 8, 16, functions};
+const sinew_catalogue ring_catalogue = {"ring", "a8bc321adefac22c0d65aa59ce2185ee47e4dfbbfa393b8abd0790fd9d4a1b7f", 8, 17, functions};

@@ -343,6 +343,21 @@ static const sinew_argument hinge_position_outputs[] = {
     {"q", "rad", 2, 1, 0, 0},
 };
 
+static void call_bending_angles(const void *in, void *out)
+{
+    const double *x = (const double *)in;
+    double *y = (double *)out;
+    thumb_bending_angles(x + 0, y + 0);
+}
+static const double bending_angles_q_low[] = {-0.6981317007977318, -0.6981317007977318, -0.2, -0.2};
+static const double bending_angles_q_high[] = {0.6981317007977318, 0.6981317007977318, 1.6, 1.6};
+static const sinew_argument bending_angles_inputs[] = {
+    {"q", "rad", 4, 1, bending_angles_q_low, bending_angles_q_high},
+};
+static const sinew_argument bending_angles_outputs[] = {
+    {"angles", "rad", 8, 1, 0, 0},
+};
+
 static const sinew_function functions[] = {
     {"thumb_forward_kinematics", 1, 1, 4, 16, forward_kinematics_inputs, forward_kinematics_outputs, call_forward_kinematics},
     {"thumb_tip_jacobian", 1, 1, 4, 24, tip_jacobian_inputs, tip_jacobian_outputs, call_tip_jacobian},
@@ -363,6 +378,7 @@ static const sinew_function functions[] = {
     {"thumb_link_position_gradient_step", 2, 1, 10, 6, link_position_gradient_step_inputs, link_position_gradient_step_outputs, call_link_position_gradient_step},
     {"thumb_link_position_covariance", 2, 2, 3, 5, link_position_covariance_inputs, link_position_covariance_outputs, call_link_position_covariance},
     {"thumb_hinge_position", 1, 1, 4, 2, hinge_position_inputs, hinge_position_outputs, call_hinge_position},
+    {"thumb_bending_angles", 1, 1, 4, 8, bending_angles_inputs, bending_angles_outputs, call_bending_angles},
 };
 
-const sinew_catalogue thumb_catalogue = {"thumb", "a1887dfbbeca57cfa47ae5f680c6749b28b13c33cd3d097b0d35ffdcc7f65850", 8, 19, functions};
+const sinew_catalogue thumb_catalogue = {"thumb", "a1887dfbbeca57cfa47ae5f680c6749b28b13c33cd3d097b0d35ffdcc7f65850", 8, 20, functions};

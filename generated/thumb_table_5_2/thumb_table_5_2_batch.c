@@ -2141,3 +2141,91 @@ void thumb_table_5_2_hinge_position_batch(int count, const double *SINEW_RESTRIC
         q[1 * n + state] = 90.90909090909092 * (t1 + h[2 * n + state] - h[3 * n + state]);
     }
 }
+
+void thumb_table_5_2_bending_angles_batch(int count, const double *SINEW_RESTRICT q, double *SINEW_RESTRICT angles)
+{
+    const size_t n = (size_t)count;
+    SINEW_STATES_ARE_INDEPENDENT
+    for (size_t state = 0; state < n; ++state) {
+        double s2, c2;
+        sinew_sincos(q[1 * n + state], &s2, &c2);
+        double s1, c1;
+        sinew_sincos(q[state], &s1, &c1);
+        const double R21y = c1 * s2;
+        const double t1 = 0.025 * R21y;
+        const double t2 = 0.03 * s1;
+        const double t3 = t1 - t2;
+        const double R21x = c1 * c2;
+        const double t4 = 0.047 * R21x;
+        const double A_stretch_dx = 0.002 - t3 - t4;
+        const double t5 = 0.025 - 0.025 * c2;
+        const double t6 = 0.047 * s2;
+        const double A_stretch_dz = t5 + t6;
+        const double t7 = c2 * A_stretch_dz;
+        const double R22y = s1 * s2;
+        const double t8 = 0.025 * R22y;
+        const double t9 = 0.03 * c1;
+        const double t10 = 0.03 - (t8 + t9);
+        const double R22x = s1 * c2;
+        const double t11 = 0.047 * R22x;
+        const double A_stretch_dy = t10 - t11;
+        const double A_stretch_end_dz = t7 + R21y * A_stretch_dx + R22y * A_stretch_dy;
+        const double A_stretch_end_asidey = 0.045 * A_stretch_end_dz;
+        const double A_stretch_end_dy = c1 * A_stretch_dy - s1 * A_stretch_dx;
+        const double A_stretch_end_asidez = 0.045 * A_stretch_end_dy;
+        const double t12 = A_stretch_end_asidey * A_stretch_end_asidey + A_stretch_end_asidez * A_stretch_end_asidez;
+        const double t13 = s2 * A_stretch_dz;
+        const double A_stretch_end_dx = t13 - R21x * A_stretch_dx - R22x * A_stretch_dy;
+        const double A_stretch_start_asidez = 0.045 * A_stretch_dy;
+        const double A_stretch_start_asidey = 0.045 * A_stretch_dz;
+        const double t14 = A_stretch_start_asidey * A_stretch_start_asidey;
+        const double t15 = sinew_atan2(sinew_sqrt(t14 + A_stretch_start_asidez * A_stretch_start_asidez), -(0.045 * A_stretch_dx));
+        const double t16 = t1 + t2;
+        const double B_stretch_dx = 0.002 + t16 - t4;
+        const double B_stretch_dz = t5 - t6;
+        const double t17 = c2 * B_stretch_dz;
+        const double t18 = 0.03 + (t8 - t9);
+        const double B_stretch_dy = t18 - t11;
+        const double B_stretch_end_dz = t17 - R21y * B_stretch_dx - R22y * B_stretch_dy;
+        const double B_stretch_end_asidey = 0.045 * B_stretch_end_dz;
+        const double B_stretch_end_dy = c1 * B_stretch_dy - s1 * B_stretch_dx;
+        const double B_stretch_end_asidez = 0.045 * B_stretch_end_dy;
+        const double t19 = B_stretch_end_asidey * B_stretch_end_asidey + B_stretch_end_asidez * B_stretch_end_asidez;
+        const double t20 = s2 * B_stretch_dz;
+        const double B_stretch_end_dx = t20 + R21x * B_stretch_dx + R22x * B_stretch_dy;
+        const double B_stretch_start_asidez = 0.045 * B_stretch_dy;
+        const double B_stretch_start_asidey = 0.045 * B_stretch_dz;
+        const double t21 = B_stretch_start_asidey * B_stretch_start_asidey;
+        const double t22 = sinew_atan2(sinew_sqrt(t21 + B_stretch_start_asidez * B_stretch_start_asidez), -(0.045 * B_stretch_dx));
+        const double C_stretch_dx = 0.002 - t16 - t4;
+        const double C_stretch_dy = t18 + t11;
+        const double C_stretch_end_dz = t7 + R21y * C_stretch_dx - R22y * C_stretch_dy;
+        const double C_stretch_end_asidey = 0.045 * C_stretch_end_dz;
+        const double C_stretch_end_dy = c1 * C_stretch_dy + s1 * C_stretch_dx;
+        const double C_stretch_end_asidez = 0.045 * C_stretch_end_dy;
+        const double t23 = C_stretch_end_asidey * C_stretch_end_asidey + C_stretch_end_asidez * C_stretch_end_asidez;
+        const double C_stretch_end_dx = t13 - R21x * C_stretch_dx + R22x * C_stretch_dy;
+        const double C_stretch_start_asidez = 0.045 * C_stretch_dy;
+        const double t24 = sinew_atan2(sinew_sqrt(t14 + C_stretch_start_asidez * C_stretch_start_asidez), -(0.045 * C_stretch_dx));
+        const double D_stretch_dx = 0.002 + t3 - t4;
+        const double D_stretch_dy = t10 + t11;
+        const double D_stretch_end_dz = t17 - R21y * D_stretch_dx + R22y * D_stretch_dy;
+        const double D_stretch_end_asidey = 0.045 * D_stretch_end_dz;
+        const double D_stretch_end_dy = c1 * D_stretch_dy + s1 * D_stretch_dx;
+        const double D_stretch_end_asidez = 0.045 * D_stretch_end_dy;
+        const double t25 = D_stretch_end_asidey * D_stretch_end_asidey + D_stretch_end_asidez * D_stretch_end_asidez;
+        const double D_stretch_end_dx = t20 + R21x * D_stretch_dx - R22x * D_stretch_dy;
+        const double D_stretch_start_asidez = 0.045 * D_stretch_dy;
+        const double t26 = sinew_atan2(sinew_sqrt(t21 + D_stretch_start_asidez * D_stretch_start_asidez), -(0.045 * D_stretch_dx));
+        const double t27 = sinew_max(q[2 * n + state], -q[2 * n + state]);
+        const double t28 = t27 + sinew_max(q[3 * n + state], -q[3 * n + state]);
+        angles[state] = sinew_atan2(sinew_sqrt(t12), 0.045 * A_stretch_end_dx) + t15;
+        angles[1 * n + state] = sinew_atan2(sinew_sqrt(t19), -(0.045 * B_stretch_end_dx)) + t22;
+        angles[2 * n + state] = t24 + sinew_atan2(sinew_sqrt(t23), 0.045 * C_stretch_end_dx);
+        angles[3 * n + state] = t26 + sinew_atan2(sinew_sqrt(t25), -(0.045 * D_stretch_end_dx));
+        angles[4 * n + state] = t27;
+        angles[5 * n + state] = t27;
+        angles[6 * n + state] = t28;
+        angles[7 * n + state] = t28;
+    }
+}

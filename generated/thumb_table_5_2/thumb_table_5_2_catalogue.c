@@ -343,6 +343,21 @@ static const sinew_argument hinge_position_outputs[] = {
     {"q", "rad", 2, 1, 0, 0},
 };
 
+static void call_bending_angles(const void *in, void *out)
+{
+    const double *x = (const double *)in;
+    double *y = (double *)out;
+    thumb_table_5_2_bending_angles(x + 0, y + 0);
+}
+static const double bending_angles_q_low[] = {-0.6981317007977318, -0.6981317007977318, -0.2, -0.2};
+static const double bending_angles_q_high[] = {0.6981317007977318, 0.6981317007977318, 1.6, 1.6};
+static const sinew_argument bending_angles_inputs[] = {
+    {"q", "rad", 4, 1, bending_angles_q_low, bending_angles_q_high},
+};
+static const sinew_argument bending_angles_outputs[] = {
+    {"angles", "rad", 8, 1, 0, 0},
+};
+
 static const sinew_function functions[] = {
     {"thumb_table_5_2_forward_kinematics", 1, 1, 4, 16, forward_kinematics_inputs, forward_kinematics_outputs, call_forward_kinematics},
     {"thumb_table_5_2_tip_jacobian", 1, 1, 4, 24, tip_jacobian_inputs, tip_jacobian_outputs, call_tip_jacobian},
@@ -363,6 +378,7 @@ static const sinew_function functions[] = {
     {"thumb_table_5_2_link_position_gradient_step", 2, 1, 10, 6, link_position_gradient_step_inputs, link_position_gradient_step_outputs, call_link_position_gradient_step},
     {"thumb_table_5_2_link_position_covariance", 2, 2, 3, 5, link_position_covariance_inputs, link_position_covariance_outputs, call_link_position_covariance},
     {"thumb_table_5_2_hinge_position", 1, 1, 4, 2, hinge_position_inputs, hinge_position_outputs, call_hinge_position},
+    {"thumb_table_5_2_bending_angles", 1, 1, 4, 8, bending_angles_inputs, bending_angles_outputs, call_bending_angles},
 };
 
-const sinew_catalogue thumb_table_5_2_catalogue = {"thumb_table_5_2", "bbe6ad946c25f79dfb874427de1b09ec5897fef90ad1f6d32550868697528da8", 8, 19, functions};
+const sinew_catalogue thumb_table_5_2_catalogue = {"thumb_table_5_2", "bbe6ad946c25f79dfb874427de1b09ec5897fef90ad1f6d32550868697528da8", 8, 20, functions};
