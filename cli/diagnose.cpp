@@ -17,6 +17,7 @@
 #include "identification/findings_json.h"
 #include "identification/report_html.h"
 #include "identification/report_text.h"
+#include "symbolic/hand_mechanism.h"
 #include "symbolic/identified_mechanism.h"
 #include "symbolic/put_files.h"
 #include "symbolic/read_mechanism.h"
@@ -74,16 +75,60 @@ void set_common(const Options& o, const ModelFolder& folder, Request& request) {
   request.settings.seed = o.seed;
 }
 
+/// The motor that a model folder beside this one describes, for a log that has the motors too.
+std::optional<MotorParameters> motor_beside(const std::string& folder) {
+  const fs::path path =
+      (fs::path(folder) / "").lexically_normal().parent_path().parent_path() / "motor";
+  if (!is_part_folder(path)) return {};
+  const Part part = read_part(path);
+  const MotorParameters* motor = std::get_if<MotorParameters>(&part.parameters);
+  return motor ? std::optional(*motor) : std::nullopt;
+}
+
+/// Joints by their own efforts, or by the forces of their tendons: what the first log has.
+void set_robot(const Options& o, const Mechanism& mechanism, DiagnoseRequest& request) {
+  using diagnosis::LoggedEfforts;
+  request.mechanism = mechanism;
+  const LoggedEfforts logged = diagnosis::logged_efforts(mechanism, o.logs.front(), o.map);
+  if (logged == LoggedEfforts::at_joints) {
+    request.kind = "robot";
+    request.model = driven_model(mechanism, emitted_cost);
+    request.channels = [mechanism, map = o.map](const std::string& file) {
+      return diagnosis::robot_log_channels(mechanism, file, map);
+    };
+    return;
+  }
+  request.kind = "tendon-driven joints";
+  const std::optional<MotorParameters> motor =
+      logged == LoggedEfforts::tendon_forces_and_motors ? motor_beside(o.folder) : std::nullopt;
+  request.model = tendon_driven_model(mechanism, motor, emitted_cost);
+  request.channels = [mechanism, motors = motor.has_value()](const std::string&) {
+    return diagnosis::tendon_log_channels(mechanism, diagnosis::tendon_numbers(mechanism), motors);
+  };
+}
+
+/// All fingers of a hand by the forces of their tendons, the palm held.
+void set_hand(const Hand& hand, const Identified& identified, DiagnoseRequest& request) {
+  const HeldHand held = held_hand(hand);
+  request.mechanism = with_identified(held.mechanism, identified);
+  request.kind = "hand with a held palm";
+  request.model = tendon_driven_model(*request.mechanism, {}, emitted_cost);
+  std::vector<int> numbers;
+  for (const int channel : held.channels) numbers.push_back(channel + 1);
+  request.channels = [mechanism = held.mechanism, numbers](const std::string&) {
+    return diagnosis::tendon_log_channels(mechanism, numbers, false);
+  };
+}
+
 DiagnoseRequest request_for(const Options& o, const ModelFolder& folder) {
   DiagnoseRequest request;
   set_common(o, folder, request);
   if (const Mechanism* mechanism = std::get_if<Mechanism>(&folder.model)) {
-    request.kind = "robot";
-    request.model = driven_model(*mechanism, emitted_cost);
-    request.mechanism = *mechanism;
-    request.channels = [mechanism, map = o.map](const std::string& file) {
-      return diagnosis::robot_log_channels(*mechanism, file, map);
-    };
+    set_robot(o, *mechanism, request);
+    return request;
+  }
+  if (const Hand* hand = std::get_if<Hand>(&folder.model)) {
+    set_hand(*hand, folder.identified, request);
     return request;
   }
   const Part* part = std::get_if<Part>(&folder.model);
@@ -91,8 +136,8 @@ DiagnoseRequest request_for(const Options& o, const ModelFolder& folder) {
   if (!motor)
     throw std::runtime_error(
         o.folder +
-        ": diagnose works on a mechanism of joints, a motor, a lever, a tendon or a wrist; this "
-        "model is none of them");
+        ": diagnose works on a mechanism of joints, a hand, a motor, a lever, a tendon or a wrist; "
+        "this model is none of them");
   request.kind = "rotary drive";
   request.model = driven_model(*motor, part->name);
   request.channels = [limits = limits_of(request.model.joints.front())](const std::string&) {

@@ -67,6 +67,7 @@ struct Candidate {
   std::vector<NonlinearParameter> nonlinear;
   std::vector<LinearParameter> linear;
   ColumnFunction columns;
+  bool broadband = false;     ///< like noise: may lie mostly above the frequencies looked at
   std::vector<int> channels;  ///< where it acts; empty: asked for every channel
   std::string limit_meaning;  ///< what a violated limit says, for the ruled-out list
   std::string depends_on;     ///< flexible and decoy: "position x direction", "velocity", ...

@@ -7,9 +7,11 @@
 #include <algorithm>
 #include <cctype>
 #include <charconv>
+#include <numeric>
 #include <optional>
 
 #include "identification/units.h"
+#include "symbolic/coordinates.h"
 
 namespace sinew {
 namespace {
@@ -313,11 +315,26 @@ std::vector<ChannelSpec> robot_channels(const Mechanism& mechanism) {
 }
 
 std::vector<ChannelSpec> finger_channels(const Mechanism& mechanism) {
+  std::vector<int> numbers(mechanism.tendons.size());
+  std::iota(numbers.begin(), numbers.end(), 1);
+  return finger_channels(mechanism, numbers, true, false);
+}
+
+std::vector<ChannelSpec> finger_channels(const Mechanism& mechanism,
+                                         const std::vector<int>& numbers, bool motors,
+                                         bool forces) {
   std::vector<ChannelSpec> specs;
   int group = 0;
-  for (const Joint& joint : mechanism.joints)
-    if (joint.type != JointType::fixed) specs.push_back(joint_position(joint, joint.name, group++));
-  for (size_t i = 1; i <= mechanism.tendons.size(); ++i) {
+  const Coordinates coordinates(mechanism);
+  for (const int index : coordinates.joints()) {
+    const Joint& joint = mechanism.joints[static_cast<size_t>(index)];
+    specs.push_back(joint_position(joint, joint.name, group++));
+  }
+  for (const int i : numbers)
+    if (forces)
+      specs.push_back(spec(fmt::format("force_{}", i), "N", ChannelRole::other, -1, true));
+  for (const int i : numbers) {
+    if (!motors) continue;
     specs.push_back(spec(fmt::format("theta_{}", i), "rad", ChannelRole::position, group, true));
     specs.push_back(spec(fmt::format("tau_{}", i), "N*m", ChannelRole::effort, group, true));
     ++group;

@@ -44,6 +44,10 @@ std::vector<ChannelSpec> linear_drive_channels(const DriveLimits& limits = {});
 std::vector<ChannelSpec> robot_channels(const Mechanism& mechanism);
 /// q of every moving joint by the joint's name, theta_1..m, tau_1..m of the m tendons' motors.
 std::vector<ChannelSpec> finger_channels(const Mechanism& mechanism);
+/// The same for tendons of these numbers, of each what is asked for: theta_i and tau_i of its
+/// motor, force_i.
+std::vector<ChannelSpec> finger_channels(const Mechanism& mechanism,
+                                         const std::vector<int>& numbers, bool motors, bool forces);
 /// count and force, optional elongation, lever, bend (of the tendon between lever and load cell).
 std::vector<ChannelSpec> lever_channels();
 /// q71, q73, theta_1..m and optional force_1..m.

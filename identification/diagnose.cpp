@@ -42,6 +42,7 @@ class Run {
     tell("searching for causes", 0.3);
     Explanation explanation = explain(subject_.problem(), request_.settings);
     merge_members(explanation.verdict);
+    set_small_steps_aside(explanation.verdict);
     if (!request_.holdout.empty()) confirm_on_held_out(explanation.verdict);
     f.verdict = explanation.verdict;
     tell("extending and measuring", 0.9);
@@ -64,11 +65,15 @@ class Run {
     ReadOptions options;
     options.map = request_.map;
     const Log log = read_csv(file, channels.specs, options);
-    std::vector<int> positions, efforts;
-    for (const std::string& name : channels.positions) positions.push_back(log.channel(name));
-    for (const std::string& name : channels.efforts) efforts.push_back(log.channel(name));
-    subject_.add_log(log, positions, efforts,
-                     channels.load.empty() ? -1 : log.channel(channels.load), held_out);
+    const auto found = [&](const std::vector<std::string>& names) {
+      std::vector<int> columns;
+      for (const std::string& name : names) columns.push_back(log.channel(name));
+      return columns;
+    };
+    subject_.add_log(log,
+                     {found(channels.positions), found(channels.efforts), found(channels.forces),
+                      channels.load.empty() ? -1 : log.channel(channels.load)},
+                     held_out);
     result_.findings.logs.push_back(log_record(log, held_out));
   }
 
@@ -99,6 +104,21 @@ class Run {
     if (!compensation_function(subject_.model(), result_.extended).outputs.empty())
       names.push_back("compensation");
     return names;
+  }
+
+  /// Every encoder has steps. They are a cause where they make a good part of what is left over.
+  void set_small_steps_aside(Verdict& verdict) const {
+    constexpr double good_part = 0.08;
+    const auto small = [&](const NamedCause& cause) {
+      return cause.cross_validated.share < good_part &&
+             origin_of(cause.members.front().candidate) == "sensor_quantisation";
+    };
+    for (const NamedCause& cause : verdict.causes)
+      if (small(cause))
+        verdict.ruled_out.push_back({cause.members.front().name, cause.members.front().place,
+                                     "there, but too small to be worth a finer sensor",
+                                     cause.statistic, cause.p_family});
+    std::erase_if(verdict.causes, small);
   }
 
   void describe_terms(const Verdict& verdict) {

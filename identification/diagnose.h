@@ -18,6 +18,7 @@ namespace sinew::diagnosis {
 struct DrivenChannels {
   std::vector<ChannelSpec> specs;
   std::vector<std::string> positions, efforts;  ///< names among the specs
+  std::vector<std::string> forces;              ///< of the tendons that drive the joints
   std::string load;                             ///< empty: none
 };
 

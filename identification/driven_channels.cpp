@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "identification/driven_channels.h"
 
+#include <fmt/format.h>
+
 #include <fstream>
+#include <numeric>
 
 #include "symbolic/coordinates.h"
 
@@ -15,6 +18,13 @@ std::string header_of(const std::string& file) {
   while (std::getline(in, line))
     if (!line.empty() && line.front() != '#') return line;
   return {};
+}
+
+/// All that can name a channel.
+std::string names_of(const std::string& file, const std::vector<std::string>& map) {
+  std::string known = header_of(file);
+  for (const std::string& text : map) known += " " + text;
+  return known;
 }
 
 }  // namespace
@@ -36,8 +46,7 @@ DrivenChannels robot_log_channels(const Mechanism& mechanism, const std::string&
   };
   if (coordinates.count() == 1) {
     const Joint& joint = joint_at(coordinates.joints().front());
-    std::string known = header_of(file);
-    for (const std::string& text : map) known += " " + text;
+    const std::string known = names_of(file, map);
     if (known.find("q_" + joint.name) == std::string::npos)
       return drive_log_channels(joint.type == JointType::revolute, {});
   }
@@ -48,6 +57,37 @@ DrivenChannels robot_log_channels(const Mechanism& mechanism, const std::string&
     channels.efforts.push_back("tau_" + joint_at(index).name);
   }
   return channels;
+}
+
+LoggedEfforts logged_efforts(const Mechanism& mechanism, const std::string& file,
+                             const std::vector<std::string>& map) {
+  const std::string known = names_of(file, map);
+  const auto has = [&](const std::string& name) { return known.find(name) != std::string::npos; };
+  if (mechanism.tendons.empty() || !has("force_1")) return LoggedEfforts::at_joints;
+  return has("theta_1") && has("tau_1") ? LoggedEfforts::tendon_forces_and_motors
+                                        : LoggedEfforts::tendon_forces;
+}
+
+DrivenChannels tendon_log_channels(const Mechanism& mechanism, const std::vector<int>& numbers,
+                                   bool motors) {
+  DrivenChannels channels;
+  channels.specs = finger_channels(mechanism, numbers, motors, true);
+  const Coordinates coordinates(mechanism);
+  for (const int index : coordinates.joints())
+    channels.positions.push_back(mechanism.joints[static_cast<std::size_t>(index)].name);
+  for (const int i : numbers) {
+    channels.forces.push_back(fmt::format("force_{}", i));
+    if (!motors) continue;
+    channels.positions.push_back(fmt::format("theta_{}", i));
+    channels.efforts.push_back(fmt::format("tau_{}", i));
+  }
+  return channels;
+}
+
+std::vector<int> tendon_numbers(const Mechanism& mechanism) {
+  std::vector<int> numbers(mechanism.tendons.size());
+  std::iota(numbers.begin(), numbers.end(), 1);
+  return numbers;
 }
 
 }  // namespace sinew::diagnosis

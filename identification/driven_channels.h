@@ -18,4 +18,18 @@ DrivenChannels drive_log_channels(bool revolute, const DriveLimits& limits);
 DrivenChannels robot_log_channels(const Mechanism& mechanism, const std::string& file,
                                   const std::vector<std::string>& map);
 
+/// What a log of a mechanism has of its efforts.
+enum class LoggedEfforts { at_joints, tendon_forces, tendon_forces_and_motors };
+
+/// By the file's header and the texts of --map; at_joints where neither has force_1.
+LoggedEfforts logged_efforts(const Mechanism& mechanism, const std::string& file,
+                             const std::vector<std::string>& map);
+
+/// <joint> of every coordinate; for the tendon of number i force_i, and with motors theta_i, tau_i.
+DrivenChannels tendon_log_channels(const Mechanism& mechanism, const std::vector<int>& numbers,
+                                   bool motors);
+
+/// 1, 2, ... for all tendons of the mechanism.
+std::vector<int> tendon_numbers(const Mechanism& mechanism);
+
 }  // namespace sinew::diagnosis

@@ -24,6 +24,7 @@ using Eigen::VectorXd;
 
 constexpr double highest_cutoff = 60.0;  // Hz; above, an encoder's acceleration is its steps
 constexpr double slow_cutoff = 35.0;     // Hz; for third and higher derivatives
+constexpr double smooth_cutoff = 18.0;   // Hz; motion below, a coarse sensor's steps above
 constexpr Index shortest = 400;          // samples of a stretch that is worth taking
 
 VectorXd number(double value) {
@@ -65,7 +66,10 @@ DrivenSubject::DrivenSubject(DrivenModel model, Identified identified,
       known_(without_open_friction(model_), identified_, runtime_),
       rigid_(std::move(rigid)) {
   for (const DrivenJoint& joint : model_.joints) bristle_.push_back(joint.friction_speed == 0.0);
+  if (!model_.tendons.names.empty())
+    tendons_ = std::make_shared<const TendonColumns>(model_, runtime_);
   presliding_.resize(bristle_.size(), 0.0);
+  quantum_.resize(bristle_.size(), 0.0);
   problem_.channels = static_cast<int>(bristle_.size());
 }
 
@@ -80,21 +84,40 @@ EffortModel DrivenSubject::effort_with(const Identified& identified) const {
                        });
   });
   DrivenModel extended = model_;
-  extended.rigid = inverse_dynamics_function(with_identified(rigid_->mechanism(), added));
+  const Mechanism mechanism = with_identified(rigid_->mechanism(), added);
+  extended.rigid = tendons_ ? tendon_driven_model(mechanism, model_.tendons.motor).rigid
+                            : inverse_dynamics_function(mechanism);
   return {extended, identified, runtime_};
 }
 
 std::string DrivenSubject::place(std::size_t joint) const {
-  const std::string& name = model_.joints[joint].name;
-  return name == "motor" ? name : "joint " + name;
+  const DrivenJoint& driven = model_.joints[joint];
+  return driven.motor ? driven.name : "joint " + driven.name;
 }
 
 LogScale DrivenSubject::scale(std::size_t joint) const {
   return scale_of(problem_.training, static_cast<int>(joint));
 }
 
-void DrivenSubject::add_log(const Log& log, const std::vector<int>& positions,
-                            const std::vector<int>& efforts, int load, bool held_out) {
+/// Joints: torques of the tendons' forces. Motors: what they measure themselves, their tendon a
+/// load.
+void DrivenSubject::add_tendon_forces(const MatrixXd& forces, const MatrixXd& efforts,
+                                      Recording& log) const {
+  log.signals["tension"] = forces;
+  tendons_->add_signals(log);
+  const MatrixXd torque = tendons_->joint_torque(log);
+  log.target.clear();
+  for (Index j = 0; j < torque.cols(); ++j) log.target.push_back(torque.col(j));
+  for (Index i = 0; i < efforts.cols(); ++i) log.target.push_back(efforts.col(i));
+  if (efforts.cols() == 0) return;
+  log.load = MatrixXd::Zero(log.q.rows(), log.q.cols());
+  log.load.rightCols(efforts.cols()) = model_.tendons.motor->pulley_radius * forces;
+}
+
+void DrivenSubject::add_log(const Log& log, const DrivenColumns& columns, bool held_out) {
+  for (std::size_t c = 0; c < quantum_.size(); ++c)
+    quantum_[c] =
+        std::max(quantum_[c], log.channels[static_cast<std::size_t>(columns.positions[c])].quantum);
   int part = 0;
   for (const sinew::Segment& segment : log.segments) {
     if (segment.samples.rows() < shortest) continue;
@@ -104,18 +127,25 @@ void DrivenSubject::add_log(const Log& log, const std::vector<int>& positions,
     const Index n = segment.samples.rows();
     r.time = VectorXd::LinSpaced(n, segment.start,
                                  segment.start + log.period * static_cast<double>(n - 1));
-    Motion motion = differentiate(columns_of(segment, positions), log.period,
+    Motion motion = differentiate(columns_of(segment, columns.positions), log.period,
                                   std::min(highest_cutoff, 0.1 / log.period));
     r.q = std::move(motion.q);
     r.qd = std::move(motion.qd);
     r.qdd = std::move(motion.qdd);
-    const MatrixXd measured = columns_of(segment, efforts);
+    const MatrixXd measured = columns_of(segment, columns.efforts);
     for (Index c = 0; c < measured.cols(); ++c) r.target.push_back(measured.col(c));
-    if (load >= 0) r.load = columns_of(segment, {load});
+    if (columns.load >= 0) r.load = columns_of(segment, {columns.load});
+    if (tendons_) add_tendon_forces(columns_of(segment, columns.forces), measured, r);
+    r.signals["logged_q"] = columns_of(segment, columns.positions);
+    const Motion smooth =
+        differentiate(r.signals["logged_q"], log.period, std::min(smooth_cutoff, 0.1 / log.period));
+    r.signals["smooth_q"] = r.q + without_ends(smooth.q - r.q, r.step);
+    r.signals["smooth_qd"] = r.qd + without_ends(smooth.qd - r.qd, r.step);
+    r.signals["smooth_qdd"] = r.qdd + without_ends(smooth.qdd - r.qdd, r.step);
     // Higher derivatives of a quantised position are its noise unless they are smoothed more.
     const double slow = std::min(slow_cutoff, 0.1 / log.period);
-    const MatrixXd smooth = differentiate(r.q, r.step, slow).qdd;
-    const Motion of_acceleration = differentiate(smooth, r.step, slow);
+    const MatrixXd acceleration = differentiate(r.q, r.step, slow).qdd;
+    const Motion of_acceleration = differentiate(acceleration, r.step, slow);
     r.signals["jerk"] = without_ends(of_acceleration.qd, r.step);
     r.signals["jounce"] = without_ends(of_acceleration.qdd, r.step);
     (held_out ? problem_.holdout : problem_.training).push_back(std::move(r));
@@ -176,18 +206,30 @@ void DrivenSubject::prepare(const Settings& settings) {
       set_signals(log);
       if (rigid_) rigid_->add_signals(log);
     }
-  if (rigid_)
-    for (Candidate& c : rigid_->candidates()) {
-      const std::string effect = c.name == "payload" ? "payload" : "gravity";
-      problem_.library.push_back(std::move(c));
-      library_.push_back({effect, 0, {}});
-    }
+  add_mechanism_candidates();
   for (std::size_t j = 0; j < bristle_.size(); ++j) {
     add_library(j);
     add_ripples(j);
     add_model_candidates(j);
     add_levels(j);
   }
+  add_mechanism_levels();
+}
+
+/// What acts on several joints at once.
+void DrivenSubject::add_mechanism_candidates() {
+  const auto take = [&](Candidate candidate, CandidateOrigin origin) {
+    problem_.library.push_back(std::move(candidate));
+    library_.push_back(std::move(origin));
+  };
+  if (rigid_)
+    for (Candidate& c : rigid_->candidates()) {
+      const std::string effect = c.name == "payload" ? "payload" : "gravity";
+      take(std::move(c), {effect, 0, {}, {}});
+    }
+  if (tendons_)
+    for (TendonColumns::AtTendon& each : tendons_->candidates())
+      take(std::move(each.candidate), {each.effect, 0, {}, each.place});
 }
 
 void DrivenSubject::add_baseline(std::size_t joint) {
@@ -205,7 +247,7 @@ void DrivenSubject::add_baseline(std::size_t joint) {
       p.nominal = effect == "presliding" ? model_.joints[joint].friction : 0.0;
     }
     problem_.baseline.push_back(std::move(c));
-    baseline_.push_back({effect, joint, {}});
+    baseline_.push_back({effect, joint, {}, {}});
   }
 }
 
@@ -218,7 +260,7 @@ void DrivenSubject::add(const std::string& effect, std::size_t joint, const std:
   c.kind = kind;
   if (kind == CandidateKind::decoy) c.depends_on = "position, periodic at no known order";
   problem_.library.push_back(std::move(c));
-  library_.push_back({kind == CandidateKind::decoy ? "" : effect, joint, fixed});
+  library_.push_back({kind == CandidateKind::decoy ? "" : effect, joint, fixed, {}});
 }
 
 void DrivenSubject::add_library(std::size_t joint) {
@@ -229,15 +271,11 @@ void DrivenSubject::add_library(std::size_t joint) {
     add(effect, joint);
   const LogScale s = scale(joint);
   if (s.load > 0.0) add("load_friction", joint);
-  if (is_motor()) return;
+  if (model_.joints[joint].motor) return;
   // A joint carries cables and springs; a motor's own shaft does not.
   add("position_friction", joint);
   add("torsion_spring", joint);
   add("cable_torque", joint, {}, Eigen::Vector2d(0.5 * (s.low + s.high), 0.5 * (s.high - s.low)));
-}
-
-bool DrivenSubject::is_motor() const {
-  return model_.joints.size() == 1 && model_.joints.front().name == "motor";
 }
 
 void DrivenSubject::add_ripples(std::size_t joint) {
@@ -267,12 +305,17 @@ void DrivenSubject::add_model_candidates(std::size_t joint) {
   const EffectPlace where{static_cast<int>(joint), place(joint), model_.joints[joint].revolute};
   const auto take = [&](Candidate candidate, const std::string& effect) {
     problem_.library.push_back(std::move(candidate));
-    library_.push_back({effect, joint, {}});
+    library_.push_back({effect, joint, {}, {}});
   };
   take(delay_candidate(where), "delay");
   take(sensor_low_pass_candidate(where, known_), "sensor_low_pass");
   take(sensor_hysteresis_candidate(where, known_, scale(joint)), "sensor_hysteresis");
-  if (!gain_is_level(joint)) take(torque_constant_candidate(where), "torque_constant");
+  if (coarse_sensor(joint))
+    take(sensor_quantisation_candidate(where, known_), "sensor_quantisation");
+  if (tendon_driven(joint))
+    take(pulley_radius_candidate(where.axis, where.name), "pulley_radius");
+  else if (!gain_is_level(joint))
+    take(torque_constant_candidate(where), "torque_constant");
   if (model_.joints.size() > 1) take(sensor_scale_candidate(where, known_), "sensor_scale");
   const LogScale s = scale(joint);
   for (Candidate& c : flexible_families({s.low, s.high, s.speed, s.load, s.duration},
@@ -300,7 +343,7 @@ void DrivenSubject::add_levels(std::size_t joint) {
     parameter.shares = {{base + k, 0, 1.0}};
     problem_.levels.push_back(
         {effect.name, place(joint), {parameter}, "it would be negative", effect.experiment});
-    levels_.push_back({effects[k], joint, {}});
+    levels_.push_back({effects[k], joint, {}, {}});
   }
   add_common_levels(joint);
 }
@@ -308,25 +351,69 @@ void DrivenSubject::add_levels(std::size_t joint) {
 /// One parameter that moves several of the model's values at once.
 void DrivenSubject::add_common_levels(std::size_t joint) {
   const EffectPlace where{static_cast<int>(joint), place(joint), model_.joints[joint].revolute};
-  const auto add_level = [&](const Candidate& c, const char* effect) {
-    const LinearParameter& p = c.linear.front();
-    LevelParameter parameter;
-    parameter.name = p.name;
-    parameter.unit = p.unit;
-    parameter.low = p.low;
-    parameter.high = p.high;
-    parameter.also = c.columns;
-    problem_.levels.push_back(
-        {c.name, c.place, {parameter}, c.limit_meaning, c.isolating_experiment});
-    levels_.push_back({effect, joint, {}});
-  };
-  if (gain_is_level(joint)) add_level(torque_constant_candidate(where), "torque_constant");
-  if (model_.joints.size() == 1) add_level(sensor_scale_candidate(where, known_), "sensor_scale");
+  if (tendon_driven(joint))
+    add_level(pulley_radius_candidate(where.axis, where.name), {"pulley_radius", joint, {}, {}});
+  if (gain_is_level(joint))
+    add_level(torque_constant_candidate(where), {"torque_constant", joint, {}, {}});
+  if (model_.joints.size() == 1)
+    add_level(sensor_scale_candidate(where, known_), {"sensor_scale", joint, {}, {}});
+}
+
+void DrivenSubject::add_level(const Candidate& c, CandidateOrigin origin, int columns) {
+  LevelCause level{c.name, c.place, {}, c.limit_meaning, c.isolating_experiment};
+  const std::size_t count = columns < 0 ? c.linear.size() : static_cast<std::size_t>(columns);
+  for (std::size_t k = 0; k < count; ++k) {
+    const LinearParameter& p = c.linear[k];
+    LevelParameter parameter{p.name, p.unit, p.low, p.high, {}, {}};
+    parameter.also = [columns_of_all = c.columns, k](const Recording& log, int channel,
+                                                     const VectorXd& shape) -> MatrixXd {
+      const MatrixXd all = columns_of_all(log, channel, shape);
+      if (all.cols() == 0) return all;
+      return all.col(static_cast<Index>(k));
+    };
+    level.parameters.push_back(std::move(parameter));
+  }
+  problem_.levels.push_back(std::move(level));
+  levels_.push_back(std::move(origin));
+}
+
+/// What acts on several joints looks like changes of their own values.
+void DrivenSubject::add_mechanism_levels() {
+  constexpr int mass_and_first_moments = 4;
+  for (std::size_t i = 0; i < library_.size(); ++i) {
+    const CandidateOrigin origin = library_[i];
+    const Candidate candidate = problem_.library[i];
+    if (origin.effect == "payload")
+      add_level(candidate, origin, mass_and_first_moments);
+    else if (origin.effect == "gravity" || !origin.tendon.empty())
+      add_level(candidate, origin);
+  }
+}
+
+/// The errors of a sensor with steps lie evenly between two of them; those of other noise do not.
+bool DrivenSubject::coarse_sensor(std::size_t joint) const {
+  const auto c = static_cast<Index>(joint);
+  double squares = 0.0, fourth_powers = 0.0, count = 0.0;
+  for (const Recording& log : problem_.training) {
+    const VectorXd error =
+        (log.signals.at("logged_q").col(c) - log.signals.at("smooth_q").col(c)).array().square();
+    squares += error.sum();
+    fourth_powers += error.squaredNorm();
+    count += static_cast<double>(error.size());
+  }
+  constexpr double even = 1.8, normal = 3.0;  // kurtosis
+  return quantum_[joint] > 0.0 && squares > 0.0 &&
+         count * fourth_powers < 0.5 * (even + normal) * squares * squares;
 }
 
 /// Without a load and without other joints, a wrong gain only scales what the baseline has.
 bool DrivenSubject::gain_is_level(std::size_t joint) const {
   return model_.joints.size() == 1 && scale(joint).load == 0.0;
+}
+
+/// Its effort follows from the forces of tendons.
+bool DrivenSubject::tendon_driven(std::size_t joint) const {
+  return tendons_ && !model_.joints[joint].motor;
 }
 
 const CandidateOrigin& DrivenSubject::level_origin(int level) const {

@@ -12,6 +12,7 @@
 #include "identification/effort_model.h"
 #include "identification/log.h"
 #include "identification/rigid_candidates.h"
+#include "identification/tendon_candidates.h"
 #include "symbolic/driven_model.h"
 
 namespace sinew::diagnosis {
@@ -27,6 +28,14 @@ struct CandidateOrigin {
   std::string effect;  ///< identifier; empty: has no term in the model (decoys, splines)
   std::size_t joint = 0;
   Eigen::VectorXd fixed;  ///< shape parameters that are not searched
+  std::string tendon;     ///< its place instead of a joint; empty: none
+};
+
+/// Columns of a log: positions of all coordinates; efforts of those where they are measured, which
+/// are all, or the motors' where tendons drive the joints; forces of the tendons.
+struct DrivenColumns {
+  std::vector<int> positions, efforts, forces;
+  int load = -1;  ///< -1: none
 };
 
 class DrivenSubject {
@@ -35,10 +44,8 @@ class DrivenSubject {
   DrivenSubject(DrivenModel model, Identified identified, std::filesystem::path runtime,
                 std::shared_ptr<const RigidColumns> rigid = {});
 
-  /// Adds a log's segments. Channels: position and effort of joint i are `positions[i]` and
-  /// `efforts[i]` of the log, `load` -1 where there is none.
-  void add_log(const Log& log, const std::vector<int>& positions, const std::vector<int>& efforts,
-               int load, bool held_out);
+  /// Adds a log's segments.
+  void add_log(const Log& log, const DrivenColumns& columns, bool held_out);
 
   /// Baseline, library and levels for the logs added so far. Throws std::invalid_argument where
   /// no stretch of a log is long enough.
@@ -61,14 +68,21 @@ class DrivenSubject {
  private:
   void add_baseline(std::size_t joint);
   void add_library(std::size_t joint);
+  void add_mechanism_candidates();
+  void add_mechanism_levels();
+  /// The candidate's first columns (all: -1) as changes of the model's own values.
+  void add_level(const Candidate& candidate, CandidateOrigin origin, int columns = -1);
+  bool coarse_sensor(std::size_t joint) const;
+  void add_tendon_forces(const Eigen::MatrixXd& forces, const Eigen::MatrixXd& efforts,
+                         Recording& log) const;
   void add_ripples(std::size_t joint);
   void add_model_candidates(std::size_t joint);
   void add_levels(std::size_t joint);
   void add_common_levels(std::size_t joint);
   void fit_directions(const Settings& settings);
   void set_signals(Recording& log) const;
-  bool is_motor() const;
   bool gain_is_level(std::size_t joint) const;
+  bool tendon_driven(std::size_t joint) const;
   void add(const std::string& effect, std::size_t joint, const std::string& name = {},
            const Eigen::VectorXd& fixed = {}, CandidateKind kind = CandidateKind::named);
   std::string place(std::size_t joint) const;
@@ -80,7 +94,9 @@ class DrivenSubject {
   EffortModel effort_;
   EffortModel known_;  ///< without friction whose law is not known
   std::shared_ptr<const RigidColumns> rigid_;
+  std::shared_ptr<const TendonColumns> tendons_;  ///< none where efforts are measured at the joints
   std::vector<bool> bristle_;
+  std::vector<double> quantum_;     ///< of the logged positions; 0: no steps seen
   std::vector<double> presliding_;  ///< fitted length, where the direction is a bristle state
   Problem problem_;
   std::vector<CandidateOrigin> library_, baseline_, levels_;

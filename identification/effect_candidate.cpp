@@ -54,8 +54,8 @@ LinearParameter linear_parameter(const EffectColumn& column, bool revolute) {
   LinearParameter p;
   p.name = column.name;
   p.unit = unit_at(column.unit, revolute);
-  if (column.sign == Sign::positive) p.low = 0.0;
-  if (column.sign == Sign::negative) p.high = 0.0;
+  p.low = column.sign == Sign::positive ? 0.0 : -column.most;
+  p.high = column.sign == Sign::negative ? 0.0 : column.most;
   p.per_log = column.per_log;
   return p;
 }

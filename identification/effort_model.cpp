@@ -50,7 +50,8 @@ MatrixXd EffortModel::operator()(const Recording& log, const MatrixXd& q, const 
   const sinew_function& function = compiled_->find("effort");
   const auto inputs = slots_of(function.inputs, function.input_count);
   VectorXd in = VectorXd::Zero(function.input_size), out(function.output_size);
-  const auto jerk = log.signals.find("jerk"), jounce = log.signals.find("jounce");
+  const auto jerk = log.signals.find("jerk"), jounce = log.signals.find("jounce"),
+             tension = log.signals.find("tension");
   MatrixXd efforts(q.rows(), joints_);
   Index state = -1;
   for (const Slot& slot : inputs)
@@ -66,6 +67,8 @@ MatrixXd EffortModel::operator()(const Recording& log, const MatrixXd& q, const 
         part = qdd.row(k).transpose();
       else if (slot.name == "load" && log.load.size() > 0)
         part = log.load.row(k).transpose();
+      else if (slot.name == "tension")
+        part = tension->second.row(k).transpose();
       else if (slot.name == "qddd" && jerk != log.signals.end())
         part = jerk->second.row(k).transpose();
       else if (slot.name == "qdddd" && jounce != log.signals.end())

@@ -51,7 +51,7 @@ bool fill_special(const std::vector<ParameterEstimate>& estimates, IdentifiedEff
       entry.coefficients.push_back({e.name, e.value, e.standard_error, e.unit});
     return true;
   }
-  if (entry.effect == "torque_constant") {
+  if (entry.effect == "torque_constant" || entry.effect == "pulley_radius") {
     // The term says by how much the logged effort exceeds what the motion took.
     IdentifiedValue gain = value_of(estimates, "gain");
     gain.name = "gain_change";
@@ -106,6 +106,18 @@ bool same_values(const std::vector<IdentifiedValue>& a, const std::vector<Identi
                     [](const auto& x, const auto& y) { return x.value == y.value; });
 }
 
+/// Adds to the value of that name, or to the list.
+void add_to(std::vector<IdentifiedValue>& values, const IdentifiedValue& more) {
+  const auto same = std::find_if(values.begin(), values.end(),
+                                 [&](const IdentifiedValue& v) { return v.name == more.name; });
+  if (same == values.end()) {
+    values.push_back(more);
+    return;
+  }
+  same->value += more.value;
+  same->standard_error = more.standard_error;
+}
+
 }  // namespace
 
 std::vector<ExtensionTerm> extension_terms(const DrivenSubject& subject, const Design& design,
@@ -130,10 +142,11 @@ std::vector<ExtensionTerm> extension_terms(const DrivenSubject& subject, const D
     if (entry.cause < 0) continue;
     entry.entry.effect = origin.effect;
     entry.entry.place = changes_mechanism(entry.entry) ? term.candidate->place
-                                                       : subject.model().joints[origin.joint].name;
+                        : origin.tendon.empty()        ? subject.model().joints[origin.joint].name
+                                                       : origin.tendon;
     if (in_catalogue(origin.effect))
-      fill(origin, subject.model().joints[origin.joint].revolute, term.nonlinear, all[t],
-           entry.entry);
+      fill(origin, origin.tendon.empty() && subject.model().joints[origin.joint].revolute,
+           term.nonlinear, all[t], entry.entry);
     else if (!fill_special(all[t], entry.entry))
       continue;
     entry.per_log =
@@ -160,10 +173,7 @@ Identified extended(const Identified& before, const std::vector<ExtensionTerm>& 
       result.effects.push_back(term.entry);
       continue;
     }
-    for (std::size_t k = 0; k < same->coefficients.size(); ++k) {
-      same->coefficients[k].value += term.entry.coefficients[k].value;
-      same->coefficients[k].standard_error = term.entry.coefficients[k].standard_error;
-    }
+    for (const IdentifiedValue& more : term.entry.coefficients) add_to(same->coefficients, more);
   }
   return result;
 }

@@ -235,6 +235,14 @@ Judged judge_level(const Design& design, const Settings& settings, const LevelTe
   return j;
 }
 
+/// The same cause is in the model already, beside the baseline.
+bool is_named(const LevelCause& level, const Model& model) {
+  return std::any_of(model.terms.begin(), model.terms.end(), [&](const Term& term) {
+    return !term.baseline && term.candidate->name == level.name &&
+           term.candidate->place == level.place;
+  });
+}
+
 /// What the levels outside the set would add to it.
 void judge_others(const Moments& m, const Set& set, LevelSelection& result) {
   for (int l = 0; l + 1 < static_cast<int>(m.first.size()); ++l) {
@@ -283,6 +291,8 @@ LevelSelection restrict_to_levels(const Design& design, const Settings& settings
     if (banned[l])
       result.refused.push_back({-1 - static_cast<int>(l), "not excited by these logs"});
   }
+  for (std::size_t l = 0; l < banned.size(); ++l)
+    banned[l] = banned[l] || is_named(design.problem().levels[l], selection.model);
   Set set;
   std::vector<Evidence> evidence;
   for (bool settled = false; !settled;) {

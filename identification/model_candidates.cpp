@@ -51,7 +51,8 @@ VectorXd response(const EffortModel& effort, const Recording& log, int axis, con
   q.col(axis) += size * change.q.col(0);
   qd.col(axis) += size * change.qd.col(0);
   qdd.col(axis) += size * change.qdd.col(0);
-  return (effort(log, q, qd, qdd).col(axis) - log.signals.at("known").col(axis)) / size;
+  // Not from signal "known": of a thinned log that is filtered, and no effort of its motion.
+  return (effort(log, q, qd, qdd).col(axis) - effort(log).col(axis)) / size;
 }
 
 }  // namespace
@@ -107,6 +108,27 @@ Candidate sensor_scale_candidate(const EffectPlace& place, const EffortModel& ef
     // The true motion is the logged one divided by 1 + scale_error.
     const Motion change{-log.q.col(axis), -log.qd.col(axis), -log.qdd.col(axis)};
     return response(effort, log, axis, change, 1e-4);
+  };
+  return c;
+}
+
+Candidate sensor_quantisation_candidate(const EffectPlace& place, const EffortModel& effort) {
+  // 1: all of the difference between the logged and the smooth motion is the sensor's.
+  Candidate c = at(place, "quantisation of the position sensor",
+                   {"share_of_steps", "1", 0.0, 1.5, false, {}});
+  c.limit_meaning = "the motion would be rougher than what is logged of it";
+  c.broadband = true;
+  c.isolating_experiment = "the same motion against a finer sensor";
+  c.columns = [axis = place.axis, effort](const Recording& log, int channel,
+                                          const VectorXd&) -> MatrixXd {
+    if (channel != axis) return {};
+    const auto change = [&](const char* smooth, const MatrixXd& logged) -> MatrixXd {
+      return log.signals.at(smooth).col(axis) - logged.col(axis);
+    };
+    return response(
+        effort, log, axis,
+        {change("smooth_q", log.q), change("smooth_qd", log.qd), change("smooth_qdd", log.qdd)},
+        1.0);
   };
   return c;
 }

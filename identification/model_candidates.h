@@ -20,6 +20,10 @@ Candidate sensor_low_pass_candidate(const EffectPlace& place, const EffortModel&
 /// The logged position is a constant share too large or too small.
 Candidate sensor_scale_candidate(const EffectPlace& place, const EffortModel& effort);
 
+/// The logged position has steps so coarse that its acceleration is them. Uses signals "smooth_q",
+/// "smooth_qd" and "smooth_qdd": the motion as it may have been between the steps.
+Candidate sensor_quantisation_candidate(const EffectPlace& place, const EffortModel& effort);
+
 /// The logged position follows the true one with play.
 Candidate sensor_hysteresis_candidate(const EffectPlace& place, const EffortModel& effort,
                                       const LogScale& scale);

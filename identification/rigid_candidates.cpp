@@ -122,7 +122,11 @@ void RigidColumns::add_gravity(const Mechanism& mechanism) {
               {},        {}};
   const VectorXd none = parameters(mass, com, inertia, Vector3d::Zero());
   const char* axes[] = {"x", "y", "z"};
+  // Its size is known where it is there at all: a base that leans moves it sideways.
+  Index along = -1;
+  if (!absent) mechanism.gravity.cwiseAbs().maxCoeff(&along);
   for (int k = 0; k < 3; ++k) {
+    if (k == along) continue;
     group.parameters.push_back(
         parameter(std::string("gravity_change_") + axes[k], "m/s^2", -infinity));
     group.columns.push_back({parameters(mass, com, inertia, Vector3d::Unit(k)), none, 1.0});
@@ -138,8 +142,8 @@ void RigidColumns::add_signals(Recording& log) const {
     const auto wide = static_cast<Index>(group.columns.size());
     MatrixXd x(log.q.rows(), n * wide);
     for (Index k = 0; k < x.rows(); ++k) {
-      in.head(3 * n) << log.q.row(k).transpose(), log.qd.row(k).transpose(),
-          log.qdd.row(k).transpose();
+      in.head(3 * n) << log.q.row(k).head(n).transpose(), log.qd.row(k).head(n).transpose(),
+          log.qdd.row(k).head(n).transpose();
       for (Index c = 0; c < wide; ++c) {
         const Column& column = group.columns[static_cast<std::size_t>(c)];
         in.tail(in.size() - 3 * n) = column.plus;
@@ -163,8 +167,9 @@ std::vector<Candidate> RigidColumns::candidates() const {
     c.limit_meaning = "its mass would be negative";
     c.isolating_experiment = group.experiment;
     const auto wide = static_cast<Index>(group.columns.size());
-    c.columns = [signal = group.signal, wide](const Recording& log, int channel,
-                                              const VectorXd&) -> MatrixXd {
+    c.columns = [signal = group.signal, wide, n = coordinates_](const Recording& log, int channel,
+                                                                const VectorXd&) -> MatrixXd {
+      if (channel >= n) return MatrixXd(log.q.rows(), 0);  // a motor
       return log.signals.at(signal).middleCols(channel * wide, wide);
     };
     list.push_back(std::move(c));

@@ -235,7 +235,7 @@ Screening screen(const Design& design, const Library& library, const Model& mode
     if (scope == Scope::nameable &&
         candidates[static_cast<std::size_t>(slot.candidate)].kind == CandidateKind::flexible)
       return;
-    if (slot.in_band < kInBand) {
+    if (slot.in_band < kInBand && !candidates[static_cast<std::size_t>(slot.candidate)].broadband) {
       results[static_cast<std::size_t>(i)].data.gate = Gate::out_of_band;
       return;
     }

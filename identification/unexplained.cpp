@@ -248,7 +248,8 @@ SpectralLine strongest_line(const Design& design, const Model& model) {
       const double p =
           -std::expm1(tests * std::log1p(-std::min(std::exp(-peak / level), 0.999999)));
       if (p < best.p_value)
-        best = {static_cast<double>(b) * s.rate_hz / static_cast<double>(s.samples), p};
+        best = {static_cast<double>(b) * s.rate_hz / static_cast<double>(s.samples), p,
+                (energy.segment(b - 1, 3).sum() - 3.0 * level) / energy.sum()};
     }
   }
   return best;
@@ -280,10 +281,12 @@ Unexplained find_unexplained(const Design& design, const Library& library, const
       result.depends_on.begin(), result.depends_on.end(),
       [](const Dependence& a, const Dependence& b) { return a.gain.share > b.gain.share; });
   const SpectralLine line = strongest_line(design, model);
-  if (line.p_value < settings.significance) {
+  // A line that stands out and is next to nothing is worth nobody's time.
+  if (line.p_value < settings.significance && line.share > settings.least_share) {
     Dependence d;
     d.on = "time, periodically, " + std::to_string(line.frequency_hz) + " Hz";
     d.p_family = line.p_value;
+    d.gain.share = d.gain.low = d.gain.high = line.share;
     result.depends_on.push_back(d);
   }
   if (result.depends_on.empty()) return result;

@@ -36,6 +36,7 @@ Unexplained find_unexplained(const Design& design, const Library& library, const
 struct SpectralLine {
   double frequency_hz = 0.0;
   double p_value = 1.0;
+  double share = 0.0;  ///< of its segment's residual energy
 };
 SpectralLine strongest_line(const Design& design, const Model& model);
 

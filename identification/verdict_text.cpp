@@ -90,6 +90,9 @@ void describe_model_term(const std::string& effect, CauseTerm& term) {
   else if (effect == "torque_constant")
     set_term(term, model / (1 + gain), "effort left over in proportion to the whole effort",
              "a load that is known apart from the motion");
+  else if (effect == "pulley_radius")
+    set_term(term, model / (1 + gain), "torque left over in proportion to the tendons' torque",
+             "tendon forces that are known apart from the motion");
   else if (effect == "sensor_low_pass")
     set_term(term, model + tau * rate,
              "effort left over in proportion to the model's rate of change", "fast motion");

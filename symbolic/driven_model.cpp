@@ -15,6 +15,7 @@
 #include "symbolic/exact_number.h"
 #include "symbolic/identified_mechanism.h"
 #include "symbolic/inline_function.h"
+#include "symbolic/tendon_motion.h"
 
 namespace sinew {
 namespace {
@@ -37,6 +38,21 @@ DrivenJoint driven_joint(const Joint& joint) {
   return driven;
 }
 
+DrivenJoint driven_motor(const MotorParameters& motor, const std::string& name) {
+  DrivenJoint joint;
+  joint.name = name;
+  joint.motor = true;
+  joint.position = motor.theta;
+  joint.velocity = motor.velocity;
+  joint.acceleration = {-100.0, 100.0};
+  joint.damping = motor.gamma3;
+  joint.friction = motor.gamma2 * std::numbers::pi / 2.0;
+  joint.friction_speed = motor.gamma1 > 0.0 ? 1.0 / motor.gamma1 : 0.0;
+  joint.motor_turn = 2.0 * std::numbers::pi * motor.gear_ratio;
+  joint.output_turn = 2.0 * std::numbers::pi;
+  return joint;
+}
+
 /// Writes the effort down: signals of every joint, then the terms.
 class EffortWriter {
  public:
@@ -47,6 +63,9 @@ class EffortWriter {
     qdd_ = joint_argument("qdd", "/s^2", [](const DrivenJoint& j) { return j.acceleration; });
     load_ = array_argument("load", n_, 1, effort_unit(), {-10.0, 10.0},
                            "external load against positive motion");
+    if (!model_.tendons.names.empty())
+      tension_ = array_argument("tension", static_cast<int>(model_.tendons.names.size()), 1, "N",
+                                {0.0, 100.0}, "measured force of the tendons");
     jerk_ = joint_argument("qddd", "/s^3", [](const DrivenJoint&) { return Range{-1e3, 1e3}; });
     jounce_ = joint_argument("qdddd", "/s^4", [](const DrivenJoint&) { return Range{-1e4, 1e4}; });
     time_ = scalar_argument("time", "s", {0.0, 100.0}, "since the start");
@@ -54,6 +73,7 @@ class EffortWriter {
     advance_motion();
     make_states();
     make_directions();
+    make_tendon_signals();
   }
 
   Function effort() {
@@ -63,9 +83,9 @@ class EffortWriter {
     std::vector<ex> tau = inlined(list_, model_.rigid, inputs).front();
     for (std::size_t i = 0; i < tau.size(); ++i) tau[i] += drive(i) + load_.symbols[i];
     for (const IdentifiedEffect& each : identified_.effects)
-      if (is_term(each)) tau[joint_of(each.place)] += term(each);
+      if (is_term(each)) add_term(each, tau);
     for (const IdentifiedEffect& each : identified_.effects)
-      if (each.effect == "torque_constant")
+      if (each.effect == "torque_constant" || each.effect == "pulley_radius")
         tau[joint_of(each.place)] /= 1 + exact_number(each.coefficient("gain_change"));
     Function f{"effort",      "Effort that the drives have to give for a motion against a load.",
                "(3.5)",       {q_, qd_, qdd_, load_},
@@ -73,6 +93,7 @@ class EffortWriter {
     if (!next_.empty())
       f.outputs.push_back(
           {"next", static_cast<int>(next_.size()), 1, next_, "1", "states for the next call"});
+    if (!tension_.symbols.empty()) f.inputs.push_back(tension_);
     f.inputs.push_back(jerk_);
     f.inputs.push_back(jounce_);
     f.inputs.push_back(time_);
@@ -85,7 +106,8 @@ class EffortWriter {
     std::vector<ex> tau(static_cast<std::size_t>(n_), ex(0));
     bool any = false;
     for (const IdentifiedEffect& each : identified_.effects) {
-      if (!is_term(each) || !is_measurable(find_effect(each.effect))) continue;
+      if (!is_term(each) || tendon_of(each.place) || !is_measurable(find_effect(each.effect)))
+        continue;
       tau[joint_of(each.place)] += exact_number(share) * term(each);
       any = true;
     }
@@ -131,9 +153,17 @@ class EffortWriter {
                                 place + "'");
   }
 
+  /// "tendon <name>" -> its number.
+  std::optional<std::size_t> tendon_of(const std::string& place) const {
+    for (std::size_t t = 0; t < model_.tendons.names.size(); ++t)
+      if (place == tendon_place(model_.tendons.names[t])) return t;
+    return {};
+  }
+
   static bool is_term(const IdentifiedEffect& each) {
     return each.effect != "delay" && each.effect != "direction" &&
-           each.effect != "torque_constant" && !changes_mechanism(each);
+           each.effect != "torque_constant" && each.effect != "pulley_radius" &&
+           !changes_mechanism(each);
   }
 
   const IdentifiedEffect* special(const std::string& effect, std::size_t joint) const {
@@ -181,10 +211,54 @@ class EffortWriter {
       }
       const double speed =
           joint.friction_speed > 0.0 ? joint.friction_speed : assumed_friction_speed(joint);
-      directions_.push_back(list_.define(
-          "direction",
-          2 / exact_number(std::numbers::pi) * GiNaC::atan(qd_at_[i] / exact_number(speed))));
+      directions_.push_back(soft_sign(qd_at_[i], speed));
     }
+  }
+
+  void make_tendon_signals() {
+    const DrivenTendons& tendons = model_.tendons;
+    if (tendons.names.empty()) return;
+    const auto n = static_cast<std::ptrdiff_t>(tendons.coordinates());
+    std::vector<ex> inputs(q_at_.begin(), q_at_.begin() + n);
+    inputs.insert(inputs.end(), qd_at_.begin(), qd_at_.begin() + n);
+    std::vector<std::vector<ex>> motion = inlined(list_, tendons.motion, inputs);
+    moment_arms_ = std::move(motion[0]);
+    tendon_rates_ = std::move(motion[1]);
+    bending_ = std::move(motion[2]);
+  }
+
+  /// Signals of an effect at a tendon.
+  GiNaC::exmap tendon_replacements(std::size_t tendon) {
+    const EffectSignals& s = effect_signals();
+    const ex rate = list_.define("tendon_rate", tendon_rates_[tendon]);
+    return {{s.position, list_.define("bending", bending_[tendon])},
+            {s.velocity, rate},
+            {s.load, tension_.symbols[tendon]},
+            {s.direction, soft_sign(rate, model_.tendons.slip_speed)}};
+  }
+
+  /// The effect's term, at its joint or with the moment arms of its tendon.
+  void add_term(const IdentifiedEffect& each, std::vector<ex>& tau) {
+    const std::optional<std::size_t> tendon = tendon_of(each.place);
+    if (!tendon) {
+      tau[joint_of(each.place)] += term(each);
+      return;
+    }
+    const ex lost = sum_of_columns(find_effect(each.effect), each, tendon_replacements(*tendon));
+    const auto n = static_cast<std::size_t>(model_.tendons.coordinates());
+    for (std::size_t j = 0; j < n; ++j) tau[j] += moment_arms_[*tendon * n + j] * lost;
+  }
+
+  ex soft_sign(const ex& velocity, double speed) {
+    return list_.define("direction", 2 / exact_number(std::numbers::pi) *
+                                         GiNaC::atan(velocity / exact_number(speed)));
+  }
+
+  ex sum_of_columns(const Effect& effect, const IdentifiedEffect& each, const GiNaC::exmap& map) {
+    ex sum = 0;
+    for (std::size_t k = 0; k < effect.columns.size(); ++k)
+      sum += exact_number(each.coefficients.at(k).value) * effect.columns[k].term.subs(map);
+    return list_.define(each.effect, sum);
   }
 
   /// Direction of friction as the presliding effect's state.
@@ -222,11 +296,7 @@ class EffortWriter {
   ex term(const IdentifiedEffect& each) {
     const Effect& effect = find_effect(each.effect);
     const std::size_t joint = joint_of(each.place);
-    const GiNaC::exmap map = replacements(effect, each.shape, joint);
-    ex sum = 0;
-    for (std::size_t k = 0; k < effect.columns.size(); ++k)
-      sum += exact_number(each.coefficients.at(k).value) * effect.columns[k].term.subs(map);
-    return list_.define(each.effect, sum);
+    return sum_of_columns(effect, each, replacements(effect, each.shape, joint));
   }
 
   /// Follows from what the firmware knows before it acts.
@@ -260,9 +330,10 @@ class EffortWriter {
   const DrivenModel& model_;
   const Identified& identified_;
   int n_;
-  Argument q_, qd_, qdd_, load_, jerk_, jounce_, time_, step_, states_;
+  Argument q_, qd_, qdd_, load_, tension_, jerk_, jounce_, time_, step_, states_;
   DefinitionList list_;
   std::vector<ex> q_at_, qd_at_, qdd_at_, directions_, next_;
+  std::vector<ex> moment_arms_, tendon_rates_, bending_;
 };
 
 }  // namespace
@@ -278,17 +349,58 @@ DrivenModel driven_model(const Mechanism& mechanism, const CostOf& cost) {
 }
 
 DrivenModel driven_model(const MotorParameters& motor, const std::string& name) {
-  DrivenJoint joint;
-  joint.name = "motor";
-  joint.position = motor.theta;
-  joint.velocity = motor.velocity;
-  joint.acceleration = {-100.0, 100.0};
-  joint.damping = motor.gamma3;
-  joint.friction = motor.gamma2 * std::numbers::pi / 2.0;
-  joint.friction_speed = motor.gamma1 > 0.0 ? 1.0 / motor.gamma1 : 0.0;
-  joint.motor_turn = 2.0 * std::numbers::pi * motor.gear_ratio;
-  joint.output_turn = 2.0 * std::numbers::pi;
-  return {name, motor_rigid_torque(motor), {joint}};
+  return {name, motor_rigid_torque(motor), {driven_motor(motor, "motor")}, {}};
+}
+
+namespace {
+
+/// The finger's rigid torques, then those of one motor for each tendon.
+Function with_motors(const Function& rigid, const Function& motor, std::size_t count) {
+  std::vector<Argument> inputs;
+  for (std::size_t k = 0; k < rigid.inputs.size(); ++k) {
+    const Argument& own = rigid.inputs[k];
+    inputs.push_back(
+        array_argument(own.name, own.rows + static_cast<int>(count), 1, own.unit, {}, own.doc));
+    inputs[k].ranges = own.ranges;
+    inputs[k].ranges.resize(inputs[k].symbols.size(), motor.inputs[k].ranges.front());
+  }
+  const auto n = static_cast<std::size_t>(rigid.inputs.front().rows);
+  const auto part = [&](std::size_t first, std::size_t size) {
+    std::vector<ex> list;
+    for (const Argument& argument : inputs)
+      list.insert(list.end(), argument.symbols.begin() + static_cast<std::ptrdiff_t>(first),
+                  argument.symbols.begin() + static_cast<std::ptrdiff_t>(first + size));
+    return list;
+  };
+  DefinitionList list;
+  std::vector<ex> tau = inlined(list, rigid, part(0, n)).front();
+  for (std::size_t i = 0; i < count; ++i)
+    tau.push_back(inlined(list, motor, part(n + i, 1)).front().front());
+  return {"rigid_torque", "Torques that the links and the motors' inertia take, friction aside.",
+          "(3.5)",        inputs,
+          list.items(),   {{"tau", static_cast<int>(tau.size()), 1, tau, "N m", ""}}};
+}
+
+}  // namespace
+
+DrivenModel tendon_driven_model(const Mechanism& mechanism,
+                                const std::optional<MotorParameters>& motor, const CostOf& cost) {
+  if (mechanism.tendons.empty())
+    throw std::invalid_argument("model '" + mechanism.name + "' has no tendons");
+  DrivenModel model = driven_model(mechanism, cost);
+  model.tendons.motion = tendon_motion_function(mechanism);
+  for (const Tendon& tendon : mechanism.tendons) model.tendons.names.push_back(tendon.name);
+  if (!motor) return model;
+  model.tendons.motor = motor;
+  const std::size_t count = mechanism.tendons.size();
+  model.rigid = with_motors(model.rigid, motor_rigid_torque(*motor), count);
+  for (std::size_t i = 1; i <= count; ++i)
+    model.joints.push_back(driven_motor(*motor, fmt::format("motor {}", i)));
+  return model;
+}
+
+std::string tendon_place(const std::string& name) {
+  return "tendon " + name;
 }
 
 double assumed_friction_speed(const DrivenJoint& joint) {

@@ -23,7 +23,7 @@ struct IdentifiedLog {
 /// An effect of symbolic/effects at one place, or "delay" and "direction" (see below).
 struct IdentifiedEffect {
   std::string effect;
-  std::string place;  ///< joint of a mechanism, "motor" of a motor
+  std::string place;  ///< joint of a mechanism, "motor" of a motor, "tendon <name>"
   std::vector<IdentifiedValue> shape, coefficients;
 
   double coefficient(const std::string& name) const;
@@ -33,7 +33,8 @@ struct IdentifiedEffect {
 ///   delay      (coefficient delay [s]): the effort acts that much later than it is logged;
 ///   direction  (shape presliding_length): the direction of friction is a bristle state, not a
 ///              function of the velocity;
-///   torque_constant (coefficient gain_change [1]): the effort is that share larger than logged.
+///   torque_constant (coefficient gain_change [1]): the effort is that share larger than logged;
+///   pulley_radius (the same): so are all moment arms at a joint.
 struct Identified {
   std::vector<IdentifiedEffect> effects;
   std::vector<IdentifiedLog> logs;

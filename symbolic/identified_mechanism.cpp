@@ -14,7 +14,12 @@ Eigen::Matrix3d parallel_axis(double mass, const Eigen::Vector3d& c) {
 }
 
 void add_payload(const IdentifiedEffect& entry, Body& body) {
-  const auto value = [&](const char* name) { return entry.coefficient(name); };
+  // A point's moments of inertia may be left away.
+  const auto value = [&](const std::string& name) {
+    double sum = 0.0;
+    for (const IdentifiedValue& v : entry.coefficients) sum += v.name == name ? v.value : 0.0;
+    return sum;
+  };
   const Eigen::Vector3d first =
       body.mass * body.centre_of_mass +
       Eigen::Vector3d(value("first_moment_x"), value("first_moment_y"), value("first_moment_z"));
@@ -31,6 +36,14 @@ void add_payload(const IdentifiedEffect& entry, Body& body) {
   body.inertia = moments - parallel_axis(body.mass, body.centre_of_mass);
 }
 
+/// gravity_change_x, _y or _z; those that are not given do not change.
+Eigen::Vector3d changed_axis(const std::string& coefficient) {
+  const char* names[] = {"gravity_change_x", "gravity_change_y", "gravity_change_z"};
+  for (int k = 0; k < 3; ++k)
+    if (coefficient == names[k]) return Eigen::Vector3d::Unit(k);
+  throw std::invalid_argument("identified.toml: gravity has no coefficient '" + coefficient + "'");
+}
+
 }  // namespace
 
 bool changes_mechanism(const IdentifiedEffect& entry) {
@@ -40,9 +53,8 @@ bool changes_mechanism(const IdentifiedEffect& entry) {
 Mechanism with_identified(Mechanism mechanism, const Identified& identified) {
   for (const IdentifiedEffect& entry : identified.effects) {
     if (entry.effect == "gravity")
-      mechanism.gravity += Eigen::Vector3d(entry.coefficient("gravity_change_x"),
-                                           entry.coefficient("gravity_change_y"),
-                                           entry.coefficient("gravity_change_z"));
+      for (const IdentifiedValue& change : entry.coefficients)
+        mechanism.gravity += change.value * changed_axis(change.name);
     if (entry.effect != "payload") continue;
     const auto body = std::find_if(mechanism.bodies.begin(), mechanism.bodies.end(),
                                    [&](const Body& b) { return "link " + b.name == entry.place; });

@@ -142,6 +142,23 @@ void effects_inertial_backlash(const double signals[SINEW_AT_LEAST(8)], const do
     next[1] = sinew_choose(t4, 0.0, sinew_choose(t3, 0.0, t1));
 }
 
+void effects_guiding_friction(const double signals[SINEW_AT_LEAST(8)], double columns[SINEW_AT_LEAST(2)])
+{
+    columns[0] = signals[4] * signals[6];
+    columns[1] = signals[0] * signals[4] * signals[6];
+}
+
+void effects_force_sensor_scale(const double signals[SINEW_AT_LEAST(8)], double columns[SINEW_AT_LEAST(1)])
+{
+    columns[0] = signals[4];
+}
+
+void effects_force_sensor_offset(const double signals[SINEW_AT_LEAST(8)], double columns[SINEW_AT_LEAST(1)])
+{
+    (void)signals;
+    columns[0] = 1.0;
+}
+
 void effects_presliding(const double signals[SINEW_AT_LEAST(8)], const double shape[SINEW_AT_LEAST(1)], const double memory[SINEW_AT_LEAST(1)], double columns[SINEW_AT_LEAST(1)], double next[SINEW_AT_LEAST(1)])
 {
     const double t1 = signals[1] * signals[7] / shape[0];

@@ -153,6 +153,24 @@ void effects_cable_torque(const double signals[SINEW_AT_LEAST(8)], const double 
  * 3 multiplications, 3 additions, 1 divisions, 6 other functions. */
 void effects_inertial_backlash(const double signals[SINEW_AT_LEAST(8)], const double shape[SINEW_AT_LEAST(1)], const double memory[SINEW_AT_LEAST(2)], double columns[SINEW_AT_LEAST(1)], double next[SINEW_AT_LEAST(2)]);
 
+/* Terms of the effect 'guiding friction', to be multiplied by its coefficients.
+ *   in  signals       8 [SI] position, velocity, acceleration, its second derivative, load, time, direction, step; made for -3..3, -5..5, -50..50, -1e+04..1e+04, -10..10, 0..100, -1..1, 0.0001..0.01
+ *   out columns       2 [SI] share_when_straight, share_for_bending
+ * 3 multiplications, 0 additions. */
+void effects_guiding_friction(const double signals[SINEW_AT_LEAST(8)], double columns[SINEW_AT_LEAST(2)]);
+
+/* Terms of the effect 'scale of the force sensor', to be multiplied by its coefficients.
+ *   in  signals       8 [SI] position, velocity, acceleration, its second derivative, load, time, direction, step; made for -3..3, -5..5, -50..50, -1e+04..1e+04, -10..10, 0..100, -1..1, 0.0001..0.01
+ *   out columns       1 [SI] force_excess
+ * 0 multiplications, 0 additions. */
+void effects_force_sensor_scale(const double signals[SINEW_AT_LEAST(8)], double columns[SINEW_AT_LEAST(1)]);
+
+/* Terms of the effect 'offset of the force sensor', to be multiplied by its coefficients.
+ *   in  signals       8 [SI] position, velocity, acceleration, its second derivative, load, time, direction, step; made for -3..3, -5..5, -50..50, -1e+04..1e+04, -10..10, 0..100, -1..1, 0.0001..0.01
+ *   out columns       1 [SI] force_offset
+ * 0 multiplications, 0 additions. */
+void effects_force_sensor_offset(const double signals[SINEW_AT_LEAST(8)], double columns[SINEW_AT_LEAST(1)]);
+
 /* Terms of the effect 'presliding of friction', to be multiplied by its coefficients.
  *   in  signals       8 [SI] position, velocity, acceleration, its second derivative, load, time, direction, step; made for -3..3, -5..5, -50..50, -1e+04..1e+04, -10..10, 0..100, -1..1, 0.0001..0.01
  *   in  shape         1 [SI] presliding_length; made for 1e-08..0.01

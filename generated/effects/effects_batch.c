@@ -235,6 +235,35 @@ void effects_inertial_backlash_batch(int count, const double *SINEW_RESTRICT sig
     }
 }
 
+void effects_guiding_friction_batch(int count, const double *SINEW_RESTRICT signals, double *SINEW_RESTRICT columns)
+{
+    const size_t n = (size_t)count;
+    SINEW_STATES_ARE_INDEPENDENT
+    for (size_t state = 0; state < n; ++state) {
+        columns[state] = signals[4 * n + state] * signals[6 * n + state];
+        columns[1 * n + state] = signals[state] * signals[4 * n + state] * signals[6 * n + state];
+    }
+}
+
+void effects_force_sensor_scale_batch(int count, const double *SINEW_RESTRICT signals, double *SINEW_RESTRICT columns)
+{
+    const size_t n = (size_t)count;
+    SINEW_STATES_ARE_INDEPENDENT
+    for (size_t state = 0; state < n; ++state) {
+        columns[state] = signals[4 * n + state];
+    }
+}
+
+void effects_force_sensor_offset_batch(int count, const double *SINEW_RESTRICT signals, double *SINEW_RESTRICT columns)
+{
+    const size_t n = (size_t)count;
+    (void)signals;
+    SINEW_STATES_ARE_INDEPENDENT
+    for (size_t state = 0; state < n; ++state) {
+        columns[state] = 1.0;
+    }
+}
+
 void effects_presliding_batch(int count, const double *SINEW_RESTRICT signals, const double *SINEW_RESTRICT shape, const double *SINEW_RESTRICT memory, double *SINEW_RESTRICT columns, double *SINEW_RESTRICT next)
 {
     const size_t n = (size_t)count;

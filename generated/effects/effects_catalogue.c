@@ -338,6 +338,51 @@ static const sinew_argument inertial_backlash_outputs[] = {
     {"next", "1", 2, 1, 0, 0},
 };
 
+static void call_guiding_friction(const void *in, void *out)
+{
+    const double *x = (const double *)in;
+    double *y = (double *)out;
+    effects_guiding_friction(x + 0, y + 0);
+}
+static const double guiding_friction_signals_low[] = {-3.0, -5.0, -50.0, -10000.0, -10.0, 0.0, -1.0, 1e-04};
+static const double guiding_friction_signals_high[] = {3.0, 5.0, 50.0, 10000.0, 10.0, 100.0, 1.0, 0.01};
+static const sinew_argument guiding_friction_inputs[] = {
+    {"signals", "SI", 8, 1, guiding_friction_signals_low, guiding_friction_signals_high},
+};
+static const sinew_argument guiding_friction_outputs[] = {
+    {"columns", "SI", 2, 1, 0, 0},
+};
+
+static void call_force_sensor_scale(const void *in, void *out)
+{
+    const double *x = (const double *)in;
+    double *y = (double *)out;
+    effects_force_sensor_scale(x + 0, y + 0);
+}
+static const double force_sensor_scale_signals_low[] = {-3.0, -5.0, -50.0, -10000.0, -10.0, 0.0, -1.0, 1e-04};
+static const double force_sensor_scale_signals_high[] = {3.0, 5.0, 50.0, 10000.0, 10.0, 100.0, 1.0, 0.01};
+static const sinew_argument force_sensor_scale_inputs[] = {
+    {"signals", "SI", 8, 1, force_sensor_scale_signals_low, force_sensor_scale_signals_high},
+};
+static const sinew_argument force_sensor_scale_outputs[] = {
+    {"columns", "SI", 1, 1, 0, 0},
+};
+
+static void call_force_sensor_offset(const void *in, void *out)
+{
+    const double *x = (const double *)in;
+    double *y = (double *)out;
+    effects_force_sensor_offset(x + 0, y + 0);
+}
+static const double force_sensor_offset_signals_low[] = {-3.0, -5.0, -50.0, -10000.0, -10.0, 0.0, -1.0, 1e-04};
+static const double force_sensor_offset_signals_high[] = {3.0, 5.0, 50.0, 10000.0, 10.0, 100.0, 1.0, 0.01};
+static const sinew_argument force_sensor_offset_inputs[] = {
+    {"signals", "SI", 8, 1, force_sensor_offset_signals_low, force_sensor_offset_signals_high},
+};
+static const sinew_argument force_sensor_offset_outputs[] = {
+    {"columns", "SI", 1, 1, 0, 0},
+};
+
 static void call_presliding(const void *in, void *out)
 {
     const double *x = (const double *)in;
@@ -421,9 +466,12 @@ static const sinew_function functions[] = {
     {"effects_offset_drift", 1, 1, 8, 1, offset_drift_inputs, offset_drift_outputs, call_offset_drift},
     {"effects_cable_torque", 2, 1, 10, 7, cable_torque_inputs, cable_torque_outputs, call_cable_torque},
     {"effects_inertial_backlash", 3, 2, 11, 3, inertial_backlash_inputs, inertial_backlash_outputs, call_inertial_backlash},
+    {"effects_guiding_friction", 1, 1, 8, 2, guiding_friction_inputs, guiding_friction_outputs, call_guiding_friction},
+    {"effects_force_sensor_scale", 1, 1, 8, 1, force_sensor_scale_inputs, force_sensor_scale_outputs, call_force_sensor_scale},
+    {"effects_force_sensor_offset", 1, 1, 8, 1, force_sensor_offset_inputs, force_sensor_offset_outputs, call_force_sensor_offset},
     {"effects_presliding", 3, 2, 10, 2, presliding_inputs, presliding_outputs, call_presliding},
     {"effects_soft_reversal", 2, 1, 9, 1, soft_reversal_inputs, soft_reversal_outputs, call_soft_reversal},
     {"effects_late_reversal", 3, 2, 10, 2, late_reversal_inputs, late_reversal_outputs, call_late_reversal},
 };
 
-const sinew_catalogue effects_catalogue = {"effects", "69c538edcbf3bf2f45779b1c8a2551790ff791915ec1f60e5b93999b2315532f", 8, 23, functions};
+const sinew_catalogue effects_catalogue = {"effects", "69c538edcbf3bf2f45779b1c8a2551790ff791915ec1f60e5b93999b2315532f", 8, 26, functions};

@@ -19,9 +19,10 @@ GiNaC::ex Effect::shape(const std::string& parameter, const std::string& unit, S
   return shapes.back().symbol;
 }
 
-void Effect::column(const std::string& parameter, const std::string& unit, Sign sign,
-                    const GiNaC::ex& term, bool per_log) {
-  columns.push_back({GiNaC::symbol(parameter), parameter, unit, sign, per_log, term});
+EffectColumn& Effect::column(const std::string& parameter, const std::string& unit, Sign sign,
+                             const GiNaC::ex& term, bool per_log) {
+  return columns.emplace_back(
+      EffectColumn{GiNaC::symbol(parameter), parameter, unit, sign, per_log, term});
 }
 
 GiNaC::ex effort(const Effect& effect) {

@@ -6,6 +6,7 @@
 
 #include <ginac/ginac.h>
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -13,7 +14,9 @@ namespace sinew {
 
 /// What an effect may depend on at its place, SI units; the one owner of these symbols. `effort` is
 /// a torque [N m] or a force [N], counted positive where it has to be provided to overcome the
-/// effect.
+/// effect. At a tendon position is its bending [rad], velocity the rate of its length [m/s], load
+/// its force [N], direction the soft sign of that rate, and effort the force lost on the way to the
+/// joints; it acts on them with the tendon's moment arms.
 struct EffectSignals {
   GiNaC::symbol position{"q"}, velocity{"qd"}, acceleration{"qdd"};
   GiNaC::symbol jounce{"qdddd"};         ///< second derivative of the acceleration
@@ -48,6 +51,7 @@ struct EffectColumn {
   Sign sign = Sign::any;
   bool per_log = false;  ///< a nuisance: an incremental encoder's phase differs from log to log
   GiNaC::ex term;
+  double most = std::numeric_limits<double>::infinity();  ///< beyond it is not this effect
 };
 
 /// An internal state, updated once a sample.
@@ -64,20 +68,21 @@ struct Effect {
   /// Adds a shape parameter and gives its symbol.
   GiNaC::ex shape(const std::string& parameter, const std::string& unit, Scale scale, double low,
                   double high, int grid = 5);
-  void column(const std::string& parameter, const std::string& unit, Sign sign,
-              const GiNaC::ex& term, bool per_log = false);
+  EffectColumn& column(const std::string& parameter, const std::string& unit, Sign sign,
+                       const GiNaC::ex& term, bool per_log = false);
 
   std::string id;    ///< C identifier, as identified.toml has it
   std::string name;  ///< physical name, as a report says it
   std::vector<ShapeParameter> shapes;
   std::vector<EffectColumn> columns;
   std::vector<EffectState> states;
+  bool at_tendon = false;      ///< its places are tendons, else joints
   bool baseline_only = false;  ///< how the model's own friction turns: fitted, never named
-  bool compensable = false;  ///< known from what the firmware measures, and safe to feed forward
-  std::string signature;     ///< what it leaves over
-  std::string excitation;    ///< what has to happen for it to be seen
-  std::string experiment;    ///< what isolates it
-  std::string limit;         ///< what a violated sign says
+  bool compensable = false;    ///< known from what the firmware measures, and safe to feed forward
+  std::string signature;       ///< what it leaves over
+  std::string excitation;      ///< what has to happen for it to be seen
+  std::string experiment;      ///< what isolates it
+  std::string limit;           ///< what a violated sign says
 };
 
 /// Effort of an effect: sum of coefficient * term.

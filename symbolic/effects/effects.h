@@ -26,6 +26,11 @@ Effect torsion_spring();
 Effect offset_drift();
 Effect cable_torque();
 Effect inertial_backlash();
+// At a tendon:
+Effect guiding_friction();
+Effect force_sensor_scale();
+Effect force_sensor_offset();
+// How the model's own friction turns:
 Effect presliding();
 Effect soft_reversal();
 Effect late_reversal();

@@ -58,3 +58,20 @@ Outcome diagnose_lever(const truth::TrialRequest& trial) {
 TEST_CASE("study: sealed lever calibrations", "[.study]") {
   blind::study(diagnose_lever, "lever");
 }
+
+TEST_CASE("causes hidden in a lever's calibration are named") {
+  const blind::Rates rates =
+      blind::run(diagnose_lever, {100, "lever", truth::Family::one, 1.0}, 6,
+                 [](std::uint64_t seed, const Outcome& o) {
+                   WARN(seed << " hidden:" << o.hidden() << ", told:" << o.told());
+                 });
+  INFO(rates.text());
+  CHECK(rates.all_inside >= 5);
+}
+
+TEST_CASE("a lever that hides nothing is told to leave nothing over") {
+  const blind::Rates rates =
+      blind::run(diagnose_lever, {100, "lever", truth::Family::nothing, 1.0}, 6);
+  INFO(rates.text());
+  CHECK(rates.detected == 0);
+}

@@ -19,14 +19,14 @@ void judge(Outcome& o) {
   for (const diagnosis::NamedCause& cause : verdict.causes) {
     bool hit = false;
     for (const auto& member : cause.members) {
-      const std::string name = o.words(member.name);
+      const std::string name = o.words(member.name, member.place);
       ++o.members;
       if (!hidden.contains(name)) continue;
       hit = true;
       covered.insert(name);
     }
     if (!hit) ++o.false_names;
-    const std::string best = o.words(cause.members.front().name);
+    const std::string best = o.words(cause.members.front().name, cause.members.front().place);
     if (hidden.contains(best)) first.insert(best);
   }
   o.all_inside = o.false_names == 0 && covered.size() == hidden.size() && !hidden.empty();
@@ -60,7 +60,7 @@ Outcome judged(const truth::SealedTrial& trial, diagnosis::Findings findings, co
 }  // namespace
 
 Words by_table(std::map<std::string, std::string> table) {
-  return [table = std::move(table)](const std::string& name) {
+  return [table = std::move(table)](const std::string& name, const std::string&) {
     const auto found = table.find(name);
     return found == table.end() ? name : found->second;
   };
@@ -71,7 +71,7 @@ std::string Outcome::told() const {
   for (const diagnosis::NamedCause& cause : findings.verdict.causes) {
     text += " [";
     for (const auto& member : cause.members)
-      text += fmt::format(" {}@{}", words(member.name), member.place);
+      text += fmt::format(" {}@{}", words(member.name, member.place), member.place);
     text += fmt::format(" {:.2f}]", cause.confidence);
     for (const auto& p : cause.parameters)
       text += fmt::format(" {}={:.3g}+-{:.2g}", p.name, p.value, p.standard_error);
@@ -86,6 +86,16 @@ std::string Outcome::hidden() const {
   std::string text;
   for (const auto& cause : seal.hidden)
     text += fmt::format(" {}@{}={:.4g}({:.2f})", cause.name, cause.place, cause.value, cause.size);
+  return text;
+}
+
+std::string Outcome::missed() const {
+  std::string text;
+  for (const auto& out : findings.verdict.ruled_out)
+    for (const auto& cause : seal.hidden)
+      if (words(out.name, out.place) == cause.name)
+        text += fmt::format("        {} @ {}: {} (statistic {:.1f}, p {:.3f})\n", out.name,
+                            out.place, out.reason, out.statistic, out.p_family);
   return text;
 }
 
@@ -165,6 +175,7 @@ void study(const Trials& diagnose, const std::string& plant) {
     const char* how = o.all_right ? "ok " : o.all_inside ? "in " : "-- ";
     fmt::print("{:5d} {} hidden:{} | told:{} | {:.1f} s\n", seed, how, o.hidden(), o.told(),
                o.findings.seconds);
+    if (!o.all_inside) fmt::print("{}", o.missed());
     std::fflush(stdout);
   };
   const Rates rates = run(diagnose, request, environment("SINEW_TRIALS", 20), line);

@@ -14,7 +14,7 @@
 namespace sinew::blind {
 
 /// What the program calls a cause -> what the seal does.
-using Words = std::function<std::string(const std::string& name)>;
+using Words = std::function<std::string(const std::string& name, const std::string& place)>;
 Words by_table(std::map<std::string, std::string> table);
 
 struct Outcome {
@@ -28,6 +28,7 @@ struct Outcome {
   bool all_right = false;   ///< and is named first there
   std::string told() const;
   std::string hidden() const;
+  std::string missed() const;  ///< why what is hidden was ruled out
 };
 
 /// Diagnoses the trial's logs as driven joints; `request` has the model and its channels.

@@ -53,3 +53,20 @@ Outcome diagnose_wrist(const truth::TrialRequest& trial) {
 TEST_CASE("study: sealed wrist logs", "[.study]") {
   blind::study(diagnose_wrist, "wrist");
 }
+
+TEST_CASE("causes hidden in a wrist's log are named") {
+  const blind::Rates rates =
+      blind::run(diagnose_wrist, {100, "wrist", truth::Family::one, 1.0}, 4,
+                 [](std::uint64_t seed, const Outcome& o) {
+                   WARN(seed << " hidden:" << o.hidden() << ", told:" << o.told());
+                 });
+  INFO(rates.text());
+  CHECK(rates.all_inside >= 3);
+}
+
+TEST_CASE("a wrist that hides nothing is told to leave nothing over") {
+  const blind::Rates rates =
+      blind::run(diagnose_wrist, {100, "wrist", truth::Family::nothing, 1.0}, 3);
+  INFO(rates.text());
+  CHECK(rates.false_names == 0);
+}

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A finger of four joints, pulled by eight elastic tendons, each with its motor.
+// A finger of four joints, pulled by eight elastic tendons, each with its motor and, at the motor,
+// a force sensor.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -68,18 +69,22 @@ class FingerRun {
   Vector4 q = Vector4::Zero(), qd = Vector4::Zero();
   Vector8 theta = Vector8::Zero(), omega = Vector8::Zero();
 
+  /// At the motors' end of the tendons.
+  Vector8 pull() const {
+    const Vector8 stretch = m_.motor_radius * theta + true_pulleys_ * q;
+    return (m_.stiffness * stretch.array() + m_.pretension).max(0.0);
+  }
+
   void start(const Vector4& at) {
     q = at;
     theta = -true_pulleys_ * at / m_.motor_radius;
   }
 
   void advance(const Vector8& effort, double time, double step) {
-    const Vector8 stretch = m_.motor_radius * theta + true_pulleys_ * q;
-    Vector8 pull_motor, pull_finger;
+    const Vector8 pull_motor = pull();
+    Vector8 pull_finger = pull_motor;
     for (size_t i = 0; i < motors; ++i) {
       const auto k = static_cast<long>(i);
-      pull_motor(k) = std::max(0.0, m_.pretension + m_.stiffness * stretch(k));
-      pull_finger(k) = pull_motor(k);
       if (h_.rattle != 0.0 && i == motor_)
         pull_finger(k) += h_.rattle * std::sin(23.0 * time + 3.0 * std::sin(1.3 * time));
       if (h_.guiding != 0.0 && i == motor_) {
@@ -231,8 +236,8 @@ class FingerPlant : public Plant {
     return t;
   }
 
-  // Motors: what their torque leaves over against the tendons' stretch. Joints: what the tendons'
-  // forces, from the motors, leave over against the links' motion.
+  // Motors: what their torque leaves over against their tendon's force. Joints: what the tendons'
+  // forces leave over against the links' motion.
   std::vector<std::vector<double>> left_over(const Table& log,
                                              const std::vector<Dose>&) const override {
     const double period = log.columns[0][1] - log.columns[0][0];
@@ -243,20 +248,17 @@ class FingerPlant : public Plant {
       vs.push_back(derivative(qs.back(), period));
       as.push_back(derivative(vs.back(), period));
     }
-    std::vector<std::vector<double>> pull(motors, std::vector<double>(rows));
+    const auto pull = [&](size_t i) -> const std::vector<double>& {
+      return log.columns[5 + 2 * motors + i];
+    };
     for (size_t i = 0; i < motors; ++i) {
-      const std::vector<double>& theta = log.columns[5 + i];
-      const std::vector<double> v = derivative(theta, period), a = derivative(v, period);
-      for (size_t k = 0; k < rows; ++k) {
-        const double drive = log.columns[5 + motors + i][k] - model_.inertia * a[k] -
-                             model_.level * std::atan(model_.shape * v[k]) - model_.viscous * v[k];
-        double stretch = model_.motor_radius * theta[k];
-        for (size_t j = 0; j < 4; ++j)
-          stretch += model_.pulleys(static_cast<long>(i), static_cast<long>(j)) * qs[j][k];
-        pull[i][k] = drive / model_.motor_radius;
-        const double expected = std::max(0.0, model_.pretension + model_.stiffness * stretch);
-        left[i][k] = (drive - model_.motor_radius * expected) / sigma_;
-      }
+      const std::vector<double> v = derivative(log.columns[5 + i], period),
+                                a = derivative(v, period);
+      for (size_t k = 0; k < rows; ++k)
+        left[i][k] = (log.columns[5 + motors + i][k] - model_.inertia * a[k] -
+                      model_.level * std::atan(model_.shape * v[k]) - model_.viscous * v[k] -
+                      model_.motor_radius * pull(i)[k]) /
+                     sigma_;
     }
     FingerBody body;
     body.gravity = model_.gravity ? 9.81 : 0.0;
@@ -273,8 +275,8 @@ class FingerPlant : public Plant {
         const auto c = static_cast<long>(j);
         double sum = needed(c) + model_.damping * vs[j][k];
         for (size_t i = 0; i < motors; ++i)
-          sum += model_.pulleys(static_cast<long>(i), c) * pull[i][k];
-        left[8 + j][k] = sum * model_.motor_radius / (sigma_ * model_.pulleys.col(c).norm());
+          sum += model_.pulleys(static_cast<long>(i), c) * pull(i)[k];
+        left[8 + j][k] = sum / (force_noise() * model_.pulleys.col(c).norm());
       }
     }
     for (auto& x : left) x = inner(smoothed(x, 6));
@@ -288,17 +290,21 @@ class FingerPlant : public Plant {
     const double count = 2.0 * pi / 409600.0;
     for (size_t i = 0; i < motors; ++i) {
       for (double& x : log.columns[5 + i]) x = count * std::round(x / count);
-      Noise noise(draw.fork());
+      Noise noise(draw.fork()), of_force(draw.fork());
       for (double& x : log.columns[5 + motors + i]) x += sigma_ * noise.next();
+      for (double& x : log.columns[5 + 2 * motors + i]) x += force_noise() * of_force.next();
     }
   }
 
  private:
+  double force_noise() const { return 0.2 * sigma_ / model_.motor_radius; }  // N
+
   static Table empty_table(size_t rows) {
     Table t;
     t.header = {"time [s]", "q20 [rad]", "q21 [rad]", "q22 [rad]", "q23 [rad]"};
     for (size_t i = 1; i <= motors; ++i) t.header.push_back(fmt::format("theta_{} [rad]", i));
     for (size_t i = 1; i <= motors; ++i) t.header.push_back(fmt::format("tau_{} [N·m]", i));
+    for (size_t i = 1; i <= motors; ++i) t.header.push_back(fmt::format("force_{} [N]", i));
     t.columns.assign(t.header.size(), std::vector<double>(rows));
     return t;
   }
@@ -306,7 +312,9 @@ class FingerPlant : public Plant {
                       const Vector8& effort) {
     t.columns[0][row] = static_cast<double>(row) * period;
     for (size_t j = 0; j < 4; ++j) t.columns[1 + j][row] = run.q(static_cast<long>(j));
+    const Vector8 pull = run.pull();
     for (size_t i = 0; i < motors; ++i) {
+      t.columns[5 + 2 * motors + i][row] = pull(static_cast<long>(i));
       t.columns[5 + i][row] = run.theta(static_cast<long>(i));
       t.columns[5 + motors + i][row] = effort(static_cast<long>(i));
     }
