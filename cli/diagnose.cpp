@@ -9,6 +9,7 @@
 #include <memory>
 
 #include "cli/diagnose_rig.h"
+#include "cli/learnt_model.h"
 #include "cli/model_folder.h"
 #include "cli/runtime_folder.h"
 #include "generator/write.h"
@@ -73,16 +74,6 @@ void set_common(const Options& o, const ModelFolder& folder, Request& request) {
   request.settings.edge_s = diagnosis::driven_edge;
   request.settings.band_hz = o.band > 0.0 ? o.band : diagnosis::driven_band;
   request.settings.seed = o.seed;
-}
-
-/// The motor that a model folder beside this one describes, for a log that has the motors too.
-std::optional<MotorParameters> motor_beside(const std::string& folder) {
-  const fs::path path =
-      (fs::path(folder) / "").lexically_normal().parent_path().parent_path() / "motor";
-  if (!is_part_folder(path)) return {};
-  const Part part = read_part(path);
-  const MotorParameters* motor = std::get_if<MotorParameters>(&part.parameters);
-  return motor ? std::optional(*motor) : std::nullopt;
 }
 
 /// Joints by their own efforts, or by the forces of their tendons: what the first log has.
@@ -159,6 +150,7 @@ void write_results(const Options& o, Diagnosis& diagnosis) {
   auto& extension = diagnosis.findings.extension;
   extension.dry_run = o.dry_run;
   std::map<std::string, std::string> files;
+  const FileSet generated = extension.adopted ? extended_c(o, diagnosis) : FileSet{};
   if (extension.adopted) {
     files["identified.toml"] = identified_text(diagnosis.extended);
     if (!o.dry_run) {
@@ -170,8 +162,7 @@ void write_results(const Options& o, Diagnosis& diagnosis) {
   files["report.html"] = report_html(diagnosis.findings);
   put_files(o.out, files, true);
   if (extension.adopted)
-    replace_folder(fs::path(o.out) / "generated" / diagnosis.findings.model,
-                   extended_c(o, diagnosis));
+    replace_folder(fs::path(o.out) / "generated" / diagnosis.findings.model, generated);
 }
 
 int run(const Options& o) {

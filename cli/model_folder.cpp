@@ -6,6 +6,7 @@
 #include <fstream>
 #include <stdexcept>
 
+#include "cli/learnt_model.h"
 #include "identification/sha256.h"
 #include "symbolic/coordinates.h"
 #include "symbolic/driven_model.h"
@@ -78,6 +79,8 @@ std::vector<std::string> coordinate_notes(const Hand& hand) {
 
 ModelFolder open_model_folder(const fs::path& folder) {
   ModelFolder result;
+  result.folder = folder;
+  result.identified = read_identified(folder);
   std::string description;
   std::vector<fs::path> parts;
   if (is_hand_folder(folder)) {
@@ -93,7 +96,8 @@ ModelFolder open_model_folder(const fs::path& folder) {
     description = part.description;
     result.model = part;
   } else {
-    const Mechanism mechanism = with_identified(read_mechanism(folder), read_identified(folder));
+    const Mechanism mechanism = with_identified(read_mechanism(folder), result.identified);
+    if (speaks_of_motors(result.identified)) parts.push_back(folder_of_motor(folder));
     result.identity.name = mechanism.name;
     description = mechanism.description;
     result.identity.notes = joint_notes(mechanism);
@@ -101,7 +105,6 @@ ModelFolder open_model_folder(const fs::path& folder) {
   }
   result.identity.description = description.empty() ? "Model " + result.identity.name : description;
   result.identity.hash = hash_of(folder, parts);
-  result.identified = read_identified(folder);
   return result;
 }
 
@@ -112,7 +115,9 @@ std::vector<Function> identified_functions(const ModelFolder& folder) {
   if (folder.identified.empty()) return {};
   DrivenModel driven;
   if (const Mechanism* mechanism = std::get_if<Mechanism>(&folder.model)) {
-    driven = driven_model(*mechanism, emitted_cost);
+    driven = learnt_model(*mechanism, folder.identified, folder.folder);
+  } else if (const Hand* hand = std::get_if<Hand>(&folder.model)) {
+    driven = learnt_model(*hand, folder.identified);
   } else {
     const Part* part = std::get_if<Part>(&folder.model);
     if (part)
@@ -121,8 +126,8 @@ std::vector<Function> identified_functions(const ModelFolder& folder) {
     const auto* motor = part ? std::get_if<MotorParameters>(&part->parameters) : nullptr;
     if (!motor)
       throw std::runtime_error(folder.identity.name +
-                               ": identified.toml is understood beside a mechanism, a motor, a "
-                               "lever, a tendon or a wrist");
+                               ": identified.toml is understood beside a mechanism, a hand, a "
+                               "motor, a lever, a tendon or a wrist");
     driven = driven_model(*motor, part->name);
   }
   std::vector<Function> functions{effort_function(driven, folder.identified)};

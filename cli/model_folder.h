@@ -16,6 +16,7 @@ namespace sinew {
 struct ModelFolder {
   std::variant<Mechanism, Part, Hand> model;
   ModelIdentity identity;
+  std::filesystem::path folder;
   Identified identified;  ///< what logs taught; empty without identified.toml
 };
 

@@ -111,7 +111,7 @@ class Run {
     constexpr double good_part = 0.08;
     const auto small = [&](const NamedCause& cause) {
       return cause.cross_validated.share < good_part &&
-             origin_of(cause.members.front().candidate) == "sensor_quantisation";
+             origin_of(cause.candidate) == "sensor_quantisation";
     };
     for (const NamedCause& cause : verdict.causes)
       if (small(cause))
@@ -123,7 +123,7 @@ class Run {
 
   void describe_terms(const Verdict& verdict) {
     for (std::size_t c = 0; c < verdict.causes.size(); ++c) {
-      const int candidate = verdict.causes[c].members.front().candidate;
+      const int candidate = verdict.causes[c].candidate;
       const std::string id = origin_of(candidate);
       CauseTerm term;
       term.cause = static_cast<int>(c);

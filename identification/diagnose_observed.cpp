@@ -119,7 +119,7 @@ class ObservedRun {
   }
 
   int effect_of(const NamedCause& cause) const {
-    const int candidate = cause.members.front().candidate;
+    const int candidate = cause.candidate;
     return candidate < 0 ? -1 : subject_.origins()[static_cast<std::size_t>(candidate)].effect;
   }
 

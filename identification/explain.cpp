@@ -91,6 +91,10 @@ NamedCause name_cause(const Design& design, const Library& library, const Settin
   const Rivals rivals = find_rivals(design, library, settings, selection, term);
   NamedCause cause;
   cause.members = rivals.members;
+  const Term& own = selection.model.terms[term];
+  cause.candidate =
+      own.level >= 0 ? -1 - own.level
+                     : static_cast<int>(own.candidate - design.problem().library.data());
   cause.statistic = evidence.statistic;
   cause.p_family = evidence.p_family;
   cause.validated = evidence.validated;

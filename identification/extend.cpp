@@ -94,10 +94,10 @@ void add_directions(const DrivenSubject& subject, const Selection& selection,
   }
 }
 
-/// Of the causes, the one whose first member is this candidate.
+/// Of the causes, the one that this candidate's term stands for.
 int cause_of(const Verdict& verdict, int candidate) {
   for (std::size_t c = 0; c < verdict.causes.size(); ++c)
-    if (verdict.causes[c].members.front().candidate == candidate) return static_cast<int>(c);
+    if (verdict.causes[c].candidate == candidate) return static_cast<int>(c);
   return -1;
 }
 

@@ -29,13 +29,14 @@ struct RankedCause {
 /// One cause, or a set that these logs cannot tell apart (best first).
 struct NamedCause {
   std::vector<RankedCause> members;
+  int candidate = 0;        ///< of the term that the model takes: one of the members
   double confidence = 0.0;  ///< calibrated probability that the truth is among the members
   double statistic = 0.0;   ///< drop of the whitened deviance
   double p_family = 1.0;    ///< against surrogates, over the whole library
   double validated = 0.0;   ///< drop of the whitened loss on left-out blocks
   Gain cross_validated;     ///< of the error on left-out blocks, 95 % interval
   Gain held_out;            ///< on held-out logs; share 0 where none were given
-  std::vector<ParameterEstimate> parameters;  ///< of the best member
+  std::vector<ParameterEstimate> parameters;  ///< of that term
   std::string separating_experiment;          ///< where there is more than one member
 };
 
