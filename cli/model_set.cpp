@@ -21,6 +21,10 @@ bool same(const fs::path& a, const fs::path& b) {
   return fs::equivalent(a, b, ignored);
 }
 
+fs::path without_slash(const fs::path& path) {
+  return path.has_filename() ? path : path.parent_path();
+}
+
 std::vector<fs::path> models_in(const fs::path& folder) {
   std::vector<fs::path> models;
   std::error_code ignored;
@@ -42,12 +46,14 @@ std::vector<fs::path> model_folders(const fs::path& given) {
 }
 
 std::vector<fs::path> hands_made_of(const fs::path& folder) {
-  const fs::path plain = folder.has_filename() ? folder : folder.parent_path();
+  const fs::path real = without_slash(fs::weakly_canonical(fs::absolute(folder)));
+  const fs::path given = without_slash(folder);
+  const bool named = given.has_parent_path() && given.filename() == real.filename();
   std::vector<fs::path> hands;
-  for (const fs::path& beside : models_in(plain.has_parent_path() ? plain.parent_path() : ".")) {
+  for (const fs::path& beside : models_in(real.parent_path())) {
     const std::vector<fs::path> parts = parts_of(beside);
     if (std::any_of(parts.begin(), parts.end(), [&](const fs::path& p) { return same(p, folder); }))
-      hands.push_back(plain.has_parent_path() ? beside : beside.filename());
+      hands.push_back(named ? given.parent_path() / beside.filename() : beside);
   }
   return hands;
 }

@@ -173,7 +173,7 @@ std::vector<std::string> coordinate_names(const Hand& hand) {
       names.push_back(finger.mechanism.name + "." +
                       finger.mechanism.joints[static_cast<std::size_t>(joint)].name);
   }
-  names.push_back(hand.four_bar_name + ".theta2");
+  if (hand.has_four_bar()) names.push_back(hand.four_bar_name + ".theta2");
   return names;
 }
 

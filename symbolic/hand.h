@@ -2,9 +2,9 @@
 // The complete hand: fingers on a palm, the four-bar that carries one of them, and the wrist that
 // all tendons pass.
 //
-// Coordinates q: those of the fingers in the order of the description, then the four-bar's crank;
-// with q_wrist = (q71, q73) behind them they are the columns of every matrix. Tendons are numbered
-// by wrist channel. h_i = h_wrist,i(q_wrist) + h_finger,i(q) (5.1).
+// Coordinates q: those of the fingers in the order of the description, then the four-bar's crank,
+// if there is one; with q_wrist = (q71, q73) behind them they are the columns of every matrix.
+// Tendons are numbered by wrist channel. h_i = h_wrist,i(q_wrist) + h_finger,i(q) (5.1).
 #pragma once
 
 #include <string>
@@ -28,10 +28,11 @@ struct Hand {
   std::string description;
   WristParameters wrist;
   std::vector<HandFinger> fingers;
-  std::string four_bar_name;
+  std::string four_bar_name;  ///< empty: the hand has none
   FourBarParameters four_bar;
   Transform four_bar_base;             ///< linkage plane to palm {ABC}
   std::vector<int> four_bar_channels;  ///< of its two tendons
+  bool has_four_bar() const { return !four_bar_name.empty(); }
 };
 
 /// Names of the coordinates q, in order.

@@ -22,7 +22,7 @@ void check_channels(const Hand& hand) {
   };
   for (const HandFinger& finger : hand.fingers)
     use(finger.channels, finger.mechanism.tendons.size());
-  use(hand.four_bar_channels, 2);
+  use(hand.four_bar_channels, hand.has_four_bar() ? 2 : 0);
   for (const int count : uses)
     if (count != 1)
       throw std::invalid_argument(hand.name + ": a wrist channel has no tendon, or more than one");
@@ -39,8 +39,10 @@ HandStart::HandStart(const Hand& of) : hand(of) {
     ranges.insert(ranges.end(), own.ranges.begin(), own.ranges.end());
     reference.insert(reference.end(), own.reference.begin(), own.reference.end());
   }
-  ranges.push_back(hand.four_bar.theta2);
-  reference.push_back(hand.four_bar.reference_theta2);
+  if (hand.has_four_bar()) {
+    ranges.push_back(hand.four_bar.theta2);
+    reference.push_back(hand.four_bar.reference_theta2);
+  }
   const int count = static_cast<int>(ranges.size());
   q = array_argument("q", count, 1, "rad", {0, 0}, "coordinates of the fingers, crank angle");
   q.ranges = ranges;
@@ -73,6 +75,7 @@ void HandStart::add_tendons() {
         tendon_lengths(list, finger.mechanism, build_joint_tree(finger.mechanism), member.q);
     add(std::move(member));
   }
+  if (!hand.has_four_bar()) return;
   HandMember crank{first, member_symbols(first, 1), hand.four_bar_channels, {}, {}};
   crank.lengths = inlined(list, four_bar_tendon_lengths(hand.four_bar), {crank.q[0]})[0];
   add(std::move(crank));

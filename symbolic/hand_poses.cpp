@@ -60,8 +60,9 @@ PoseEx wrist_in(HandStart& start) {
       inlined(start.list, wrist_pose(start.hand.wrist), start.wrist_inputs())[0]);
 }
 
-/// The coupler's frame in the palm.
+/// The coupler's frame in the palm; the palm's own where there is no four-bar.
 PoseEx coupler_in(HandStart& start) {
+  if (!start.hand.has_four_bar()) return from_transform({});
   const ex crank = start.q.symbols.back();
   const PoseEx in_plane =
       from_homogeneous(inlined(start.list, four_bar_coupler_pose(start.hand.four_bar), {crank})[0]);

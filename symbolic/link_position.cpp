@@ -257,6 +257,29 @@ Function link_position_gradient_step(const ThumbBaseParameters& base,
             "the state after it"}}};
 }
 
+Function link_position_status(const ThumbBaseParameters& base,
+                              const LinkPositionSettings& settings) {
+  Search search(base, settings);
+  Argument q = array_argument("q", 2, 1, "rad", base.angle, "q10, q11, an estimate");
+  const Point point = search.at(search.entered(q.symbols[0], q.symbols[1]));
+  const Pair left = search.step(point, 0);
+  const ex correction =
+      search.list.define("correction", GiNaC::sqrt(left[0] * left[0] + left[1] * left[1]));
+  return {
+      "link_position_status",
+      "Whether a search has arrived, whichever it was: the Gauss-Newton step left at its result.",
+      "(5.24)",
+      {search.h, q},
+      search.list.items(),
+      {{"correction", 1, 1, {correction}, "rad", "next Gauss-Newton step"},
+       {"status",
+        1,
+        1,
+        {choose(exact_number(settings.tolerance) - correction, 0, 1)},
+        "1",
+        "0 converged, 1 not"}}};
+}
+
 Function link_position_covariance(const ThumbBaseParameters& base,
                                   const LinkPositionSettings& settings) {
   check(base);
@@ -303,8 +326,11 @@ Function base_tendon_lengths(const ThumbBaseParameters& base) {
 
 std::vector<Function> link_position_functions(const ThumbBaseParameters& base,
                                               const LinkPositionSettings& settings) {
-  return {link_position(base, settings), link_position_gradient(base, settings),
-          link_position_gradient_step(base, settings), link_position_covariance(base, settings),
+  return {link_position(base, settings),
+          link_position_gradient(base, settings),
+          link_position_gradient_step(base, settings),
+          link_position_status(base, settings),
+          link_position_covariance(base, settings),
           base_tendon_lengths(base)};
 }
 

@@ -49,6 +49,11 @@ Function link_position_gradient(const ThumbBaseParameters& base,
 /// [m²]. Start with a gradient of 0 and a cost above any, for instance 1.
 Function link_position_gradient_step(const ThumbBaseParameters& base,
                                      const LinkPositionSettings& settings);
+/// link_position_status(h m, q 2 -> correction 1, status 1): whether an estimate is the minimum,
+/// for searches spread over ticks: the Gauss-Newton step left there [rad]; status 0 converged, 1
+/// not.
+Function link_position_status(const ThumbBaseParameters& base,
+                              const LinkPositionSettings& settings);
 /// link_position_covariance(q 2, sigma -> covariance 2x2, status 1): sigma² (PᵀP)⁻¹ [rad²] of the
 /// estimate for independent length errors of standard deviation sigma [m]; status 1 where PᵀP is
 /// singular.

@@ -53,7 +53,9 @@ class HandReader {
   HandDescription read() {
     if (auto header = root_.table("hand", true)) read_header(*header);
     for (TomlTable& table : root_.tables("finger")) read_finger(table);
-    if (auto table = root_.table("four_bar", true)) read_linkage(*table);
+    if (!root_.has("finger"))
+      root_.report("finger", "the hand has no finger", "expected at least one [[finger]]");
+    if (auto table = root_.table("four_bar", false)) read_linkage(*table);
     root_.finish();
     return std::move(result_);
   }
@@ -76,6 +78,9 @@ class HandReader {
     if (auto base = table.table("base", true)) finger.base = pose(*base);
     finger.on_coupler =
         table.word("carried_by", {"palm", "four_bar"}, "palm").value_or("palm") == "four_bar";
+    if (finger.on_coupler && !root_.has("four_bar"))
+      table.report("carried_by", table.path() + " rides on a four-bar that the hand has not",
+                   "expected a section [four_bar], or \"palm\"");
     finger.channels = channels(table, finger.mechanism.tendons.size());
     table.finish();
     result_.hand.fingers.push_back(std::move(finger));

@@ -4,6 +4,8 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <cmath>
+#include <map>
+#include <string>
 
 namespace sinew {
 namespace {
@@ -82,10 +84,49 @@ Eigen::MatrixXd mass_matrix_at(const Mechanism& mechanism, const Eigen::VectorXd
   return mass;
 }
 
+namespace {
+
+/// The moving joints that have a coordinate of their own, and how all moving joints go with them. A
+/// four-bar's joint moves by any share: whether it carries inertia does not depend on it.
+struct Motion {
+  std::vector<std::size_t> joints;
+  Eigen::MatrixXd J;
+};
+
+Motion motion_of(const Mechanism& mechanism) {
+  std::map<std::string, std::pair<std::string, double>> follows;
+  for (const JointCoupling& each : mechanism.couplings)
+    follows[each.dependent] = {each.independent, each.ratio};
+  for (const FourBarCoupling& each : mechanism.four_bars)
+    follows[each.dependent] = {each.independent, 0.7236};
+  Motion motion;
+  std::map<std::string, Eigen::Index> column;
+  for (std::size_t i = 0; i < mechanism.joints.size(); ++i) {
+    const Joint& joint = mechanism.joints[i];
+    if (joint.type == JointType::fixed || follows.count(joint.name)) continue;
+    column[joint.name] = static_cast<Eigen::Index>(motion.joints.size());
+    motion.joints.push_back(i);
+  }
+  motion.J.setZero(coordinate_count(mechanism), static_cast<Eigen::Index>(motion.joints.size()));
+  Eigen::Index row = 0;
+  for (const Joint& joint : mechanism.joints) {
+    if (joint.type == JointType::fixed) continue;
+    const auto dependent = follows.find(joint.name);
+    const std::string& own = dependent == follows.end() ? joint.name : dependent->second.first;
+    if (const auto found = column.find(own); found != column.end())
+      motion.J(row, found->second) = dependent == follows.end() ? 1.0 : dependent->second.second;
+    ++row;
+  }
+  return motion;
+}
+
+}  // namespace
+
 std::optional<std::size_t> joint_without_inertia(const Mechanism& mechanism) {
   const std::vector<int> coordinate = coordinate_of_joint(mechanism);
   const int count = coordinate_count(mechanism);
-  if (count == 0) return std::nullopt;
+  const Motion motion = motion_of(mechanism);
+  if (count == 0 || motion.joints.empty()) return std::nullopt;
   int null = -1;
   for (int sample = 0; sample < 4; ++sample) {
     Eigen::VectorXd q(count);
@@ -95,12 +136,10 @@ std::optional<std::size_t> joint_without_inertia(const Mechanism& mechanism) {
       const double part = std::fmod(0.31 + 0.618033988749895 * (4 * coordinate[i] + sample), 1.0);
       q[coordinate[i]] = joint.low + part * (joint.high - joint.low);
     }
-    null = null_coordinate(mass_matrix_at(mechanism, q));
+    null = null_coordinate(motion.J.transpose() * mass_matrix_at(mechanism, q) * motion.J);
     if (null < 0) return std::nullopt;
   }
-  for (std::size_t i = 0; i < coordinate.size(); ++i)
-    if (coordinate[i] == null) return i;
-  return std::nullopt;
+  return motion.joints[static_cast<std::size_t>(null)];
 }
 
 }  // namespace sinew

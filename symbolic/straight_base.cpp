@@ -85,6 +85,7 @@ std::vector<Function> straight_base_functions(const Mechanism& mechanism,
   warm.doc = "Angles of the base by one Levenberg-Marquardt iteration, from a start a tick away.";
   std::vector<Function> result{link_position(base.parameters, settings), warm,
                                link_position_gradient_step(base.parameters, settings),
+                               link_position_status(base.parameters, settings),
                                link_position_covariance(base.parameters, settings)};
   if (const auto hinges = hinge_position(mechanism, base)) result.push_back(*hinges);
   return result;

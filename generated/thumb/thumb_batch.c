@@ -2043,6 +2043,102 @@ void thumb_link_position_gradient_step_batch(int count, const double *SINEW_REST
     }
 }
 
+void thumb_link_position_status_batch(int count, const double *SINEW_RESTRICT h, const double *SINEW_RESTRICT q, double *SINEW_RESTRICT correction, double *SINEW_RESTRICT status)
+{
+    const size_t n = (size_t)count;
+    SINEW_STATES_ARE_INDEPENDENT
+    for (size_t state = 0; state < n; ++state) {
+        const double start_q10 = sinew_min(sinew_max(q[state], -1.5), 1.5);
+        const double start_q11 = sinew_min(sinew_max(q[1 * n + state], -1.5), 1.5);
+        double sin_q10, cos_q10;
+        sinew_sincos(start_q10, &sin_q10, &cos_q10);
+        double sin_q11, cos_q11;
+        sinew_sincos(start_q11, &sin_q11, &cos_q11);
+        const double t1 = 0.005 * sin_q11;
+        const double t2 = 0.047 * cos_q11;
+        const double along = t1 + t2;
+        const double t3 = cos_q10 * along;
+        const double t4 = 0.006 * sin_q10;
+        const double t5 = 0.002 + t4;
+        const double gap_x = t5 - t3;
+        const double t6 = sin_q10 * along;
+        const double t7 = 0.006 * cos_q10;
+        const double t8 = 0.03 - t7;
+        const double gap_y = t8 - t6;
+        const double t9 = 0.005 * cos_q11;
+        const double t10 = 0.047 * sin_q11;
+        const double up = t9 - t10;
+        const double gap_z = 0.025 - up;
+        const double t11 = gap_z * gap_z;
+        const double stretch = sinew_sqrt(gap_x * gap_x + gap_y * gap_y + t11);
+        const double t12 = 1.0 / stretch;
+        const double gap_x_by_q11 = cos_q10 * up;
+        const double t13 = along * gap_z;
+        const double gap_y_by_q11 = sin_q10 * up;
+        const double stretch_by_q11 = (t13 - gap_x * gap_x_by_q11 - gap_y * gap_y_by_q11) * t12;
+        const double along_2 = t1 - t2;
+        const double t14 = cos_q10 * along_2;
+        const double gap_x_2 = t5 + t14;
+        const double t15 = sin_q10 * along_2;
+        const double gap_y_2 = t8 + t15;
+        const double up_2 = t9 + t10;
+        const double gap_z_2 = 0.025 - up_2;
+        const double t16 = gap_z_2 * gap_z_2;
+        const double stretch_2 = sinew_sqrt(gap_x_2 * gap_x_2 + gap_y_2 * gap_y_2 + t16);
+        const double t17 = 1.0 / stretch_2;
+        const double gap_x_2_by_q11 = cos_q10 * up_2;
+        const double t18 = along_2 * gap_z_2;
+        const double gap_y_2_by_q11 = sin_q10 * up_2;
+        const double stretch_2_by_q11 = (t18 + gap_x_2 * gap_x_2_by_q11 + gap_y_2 * gap_y_2_by_q11) * t17;
+        const double t19 = 0.002 - t4;
+        const double gap_x_4 = t19 - t3;
+        const double gap_y_4 = t8 + t6;
+        const double stretch_4 = sinew_sqrt(t11 + gap_x_4 * gap_x_4 + gap_y_4 * gap_y_4);
+        const double t20 = 1.0 / stretch_4;
+        const double stretch_4_by_q11 = (t13 - gap_x_4 * gap_x_by_q11 + gap_y_4 * gap_y_by_q11) * t20;
+        const double t21 = stretch_by_q11 * stretch_by_q11 + stretch_2_by_q11 * stretch_2_by_q11 + stretch_4_by_q11 * stretch_4_by_q11;
+        const double gap_x_6 = t19 + t14;
+        const double gap_y_6 = t8 - t15;
+        const double stretch_6 = sinew_sqrt(t16 + gap_x_6 * gap_x_6 + gap_y_6 * gap_y_6);
+        const double t22 = 1.0 / stretch_6;
+        const double stretch_6_by_q11 = (t18 + gap_x_6 * gap_x_2_by_q11 - gap_y_6 * gap_y_2_by_q11) * t22;
+        const double H_11 = t21 + stretch_6_by_q11 * stretch_6_by_q11;
+        const double gap_x_by_q10 = t7 + t6;
+        const double gap_y_by_q10 = t4 - t3;
+        const double stretch_by_q10 = (gap_x * gap_x_by_q10 + gap_y * gap_y_by_q10) * t12;
+        const double gap_x_2_by_q10 = t7 - t15;
+        const double gap_y_2_by_q10 = t4 + t14;
+        const double stretch_2_by_q10 = (gap_x_2 * gap_x_2_by_q10 + gap_y_2 * gap_y_2_by_q10) * t17;
+        const double gap_x_4_by_q10 = t7 - t6;
+        const double gap_y_4_by_q10 = t4 + t3;
+        const double stretch_4_by_q10 = (gap_x_4 * gap_x_4_by_q10 - gap_y_4 * gap_y_4_by_q10) * t20;
+        const double t23 = stretch_by_q10 * stretch_by_q10 + stretch_2_by_q10 * stretch_2_by_q10 + stretch_4_by_q10 * stretch_4_by_q10;
+        const double gap_x_6_by_q10 = t7 + t15;
+        const double gap_y_6_by_q10 = t4 - t14;
+        const double stretch_6_by_q10 = (gap_x_6 * gap_x_6_by_q10 - gap_y_6 * gap_y_6_by_q10) * t22;
+        const double H_00 = t23 + stretch_6_by_q10 * stretch_6_by_q10;
+        const double t24 = stretch_by_q10 * stretch_by_q11 + stretch_2_by_q10 * stretch_2_by_q11 - stretch_4_by_q10 * stretch_4_by_q11;
+        const double H_01 = t24 - stretch_6_by_q10 * stretch_6_by_q11;
+        const double determinant = H_00 * H_11 - H_01 * H_01;
+        const double determinant_floor = 1e-24 + 1e-09 * H_00 * H_11;
+        const double safe = sinew_max(determinant, determinant_floor);
+        const double t25 = 1.0 / safe;
+        const double error = h[state] - stretch;
+        const double error_2 = h[1 * n + state] - stretch_2;
+        const double error_4 = h[2 * n + state] - stretch_4;
+        const double t26 = stretch_by_q11 * error + stretch_2_by_q11 * error_2 + stretch_4_by_q11 * error_4;
+        const double error_6 = h[3 * n + state] - stretch_6;
+        const double gradient_1 = t26 + stretch_6_by_q11 * error_6;
+        const double t27 = stretch_by_q10 * error + stretch_2_by_q10 * error_2 - stretch_4_by_q10 * error_4;
+        const double gradient_0 = t27 - stretch_6_by_q10 * error_6;
+        const double step = sinew_min(sinew_max(-((H_01 * gradient_1 - H_11 * gradient_0) * t25), -0.5), 0.5);
+        const double step_2 = sinew_min(sinew_max((H_00 * gradient_1 - H_01 * gradient_0) * t25, -0.5), 0.5);
+        const double correction_2 = sinew_sqrt(step * step + step_2 * step_2);
+        correction[state] = correction_2;
+        status[state] = sinew_choose(1e-06 - correction_2, 0.0, 1.0);
+    }
+}
+
 void thumb_link_position_covariance_batch(int count, const double *SINEW_RESTRICT q, const double *SINEW_RESTRICT sigma, double *SINEW_RESTRICT covariance, double *SINEW_RESTRICT status)
 {
     const size_t n = (size_t)count;

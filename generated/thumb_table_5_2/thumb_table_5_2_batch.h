@@ -38,6 +38,7 @@ void thumb_table_5_2_tendon_hessian_batch(int count, const double *SINEW_RESTRIC
 void thumb_table_5_2_link_position_batch(int count, const double *SINEW_RESTRICT h, const double *SINEW_RESTRICT q_start, double *SINEW_RESTRICT q, double *SINEW_RESTRICT correction, double *SINEW_RESTRICT status);
 void thumb_table_5_2_link_position_warm_batch(int count, const double *SINEW_RESTRICT h, const double *SINEW_RESTRICT q_start, double *SINEW_RESTRICT q, double *SINEW_RESTRICT correction, double *SINEW_RESTRICT status);
 void thumb_table_5_2_link_position_gradient_step_batch(int count, const double *SINEW_RESTRICT h, const double *SINEW_RESTRICT search, double *SINEW_RESTRICT next);
+void thumb_table_5_2_link_position_status_batch(int count, const double *SINEW_RESTRICT h, const double *SINEW_RESTRICT q, double *SINEW_RESTRICT correction, double *SINEW_RESTRICT status);
 void thumb_table_5_2_link_position_covariance_batch(int count, const double *SINEW_RESTRICT q, const double *SINEW_RESTRICT sigma, double *SINEW_RESTRICT covariance, double *SINEW_RESTRICT status);
 void thumb_table_5_2_hinge_position_batch(int count, const double *SINEW_RESTRICT h, double *SINEW_RESTRICT q);
 void thumb_table_5_2_bending_angles_batch(int count, const double *SINEW_RESTRICT q, double *SINEW_RESTRICT angles);

@@ -309,6 +309,25 @@ static const sinew_argument link_position_gradient_step_outputs[] = {
     {"next", "rad, m^2/rad, rad/m^2, m^2", 6, 1, 0, 0},
 };
 
+static void call_link_position_status(const void *in, void *out)
+{
+    const double *x = (const double *)in;
+    double *y = (double *)out;
+    thumb_table_5_2_link_position_status(x + 0, x + 4, y + 0, y + 1);
+}
+static const double link_position_status_h_low[] = {0.0, 0.0, 0.0, 0.0};
+static const double link_position_status_h_high[] = {0.1, 0.1, 0.1, 0.1};
+static const double link_position_status_q_low[] = {-0.6981317007977318, -0.6981317007977318};
+static const double link_position_status_q_high[] = {0.6981317007977318, 0.6981317007977318};
+static const sinew_argument link_position_status_inputs[] = {
+    {"h", "m", 4, 1, link_position_status_h_low, link_position_status_h_high},
+    {"q", "rad", 2, 1, link_position_status_q_low, link_position_status_q_high},
+};
+static const sinew_argument link_position_status_outputs[] = {
+    {"correction", "rad", 1, 1, 0, 0},
+    {"status", "1", 1, 1, 0, 0},
+};
+
 static void call_link_position_covariance(const void *in, void *out)
 {
     const double *x = (const double *)in;
@@ -376,9 +395,10 @@ static const sinew_function functions[] = {
     {"thumb_table_5_2_link_position", 2, 3, 6, 4, link_position_inputs, link_position_outputs, call_link_position},
     {"thumb_table_5_2_link_position_warm", 2, 3, 6, 4, link_position_warm_inputs, link_position_warm_outputs, call_link_position_warm},
     {"thumb_table_5_2_link_position_gradient_step", 2, 1, 10, 6, link_position_gradient_step_inputs, link_position_gradient_step_outputs, call_link_position_gradient_step},
+    {"thumb_table_5_2_link_position_status", 2, 2, 6, 2, link_position_status_inputs, link_position_status_outputs, call_link_position_status},
     {"thumb_table_5_2_link_position_covariance", 2, 2, 3, 5, link_position_covariance_inputs, link_position_covariance_outputs, call_link_position_covariance},
     {"thumb_table_5_2_hinge_position", 1, 1, 4, 2, hinge_position_inputs, hinge_position_outputs, call_hinge_position},
     {"thumb_table_5_2_bending_angles", 1, 1, 4, 8, bending_angles_inputs, bending_angles_outputs, call_bending_angles},
 };
 
-const sinew_catalogue thumb_table_5_2_catalogue = {"thumb_table_5_2", "bbe6ad946c25f79dfb874427de1b09ec5897fef90ad1f6d32550868697528da8", 8, 20, functions};
+const sinew_catalogue thumb_table_5_2_catalogue = {"thumb_table_5_2", "bbe6ad946c25f79dfb874427de1b09ec5897fef90ad1f6d32550868697528da8", 8, 21, functions};
