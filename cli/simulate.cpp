@@ -55,7 +55,7 @@ nlohmann::ordered_json json_of(const Options& o, double duration, const Simulati
           {"steps", r.count.steps},
           {"evaluations", r.count.evaluations},
           {"jacobians", r.count.jacobians},
-          {"largest_lever_residual_m", r.count.largest_residual},
+          {"largest_lever_residual_m", r.audit.lever_residual},
           {"audit",
            {{"largest_energy_J", r.audit.largest_energy},
             {"energy_residual_J", r.audit.energy_residual},

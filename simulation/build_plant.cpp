@@ -56,7 +56,7 @@ Plant motor_plant(const fs::path& model, const fs::path& file, const fs::path& r
                              ": cannot be simulated; expected a motor, a mechanism or a hand");
   const DriveMode mode = read_drive_mode(file);
   require_motor_mode(mode, file);
-  const Scenario scenario = read_scenario(file, channels_of(mode, {}, 0, false));
+  const Scenario scenario = read_scenario(file, channels_of(mode, {}, 0, TopOfModel::nothing));
   PlantParts parts;
   parts.motor.emplace(*motor, scenario, runtime);
   return Plant(scenario, std::move(parts));
@@ -66,30 +66,44 @@ Plant hand_plant(const fs::path& model, const fs::path& file, const fs::path& ru
   const Hand hand = read_hand(model).hand;
   const DriveMode mode = read_drive_mode(file);
   const int channels = static_cast<int>(hand.wrist.forearm_points.size());
+  const bool free = read_wrist_mode(file) == WristMode::dynamic;
+  std::vector<JointChannel> joints;
+  for (const std::string& name : coordinate_names(hand)) joints.push_back({name, false});
+  if (free) joints.insert(joints.end(), {{"q71", false}, {"q73", false}});
   const Scenario scenario =
-      read_scenario(file, channels_of(mode, coordinate_names(hand), channels, true));
+      read_scenario(file, channels_of(mode, joints, channels,
+                                      free ? TopOfModel::nothing : TopOfModel::commanded_wrist));
+  if (free && scenario.wrist_feedforward)
+    throw std::runtime_error(
+        fmt::format("{}: wrist_feedforward needs to know the wrist's motion; expected the wrist "
+                    "mode prescribed",
+                    file.string()));
   PlantParts parts;
   const Eigen::Vector3d own_gravity = hand.fingers.front().mechanism.gravity;
-  parts.joints =
-      hand_joints(hand, scenario.gravity.value_or(own_gravity), scenario.crank_inertia, runtime);
-  parts.wrist.emplace(hand.wrist, runtime);
+  parts.joints = hand_joints(
+      hand, scenario.gravity.value_or(own_gravity),
+      {scenario.crank_inertia, free, scenario.wrist_inertia, scenario.wrist_damping}, runtime);
+  if (!free) parts.wrist.emplace(hand.wrist, runtime);
   add_drive_train(parts, scenario, model, runtime);
   return Plant(scenario, std::move(parts));
 }
 
 Plant finger_plant(const fs::path& model, const fs::path& file, const fs::path& runtime) {
   Mechanism mechanism = read_mechanism(model);
-  std::vector<std::string> joints;
+  std::vector<JointChannel> joints;
   const Coordinates coordinates(mechanism);
-  for (const int joint : coordinates.joints())
-    joints.push_back(mechanism.joints[static_cast<std::size_t>(joint)].name);
+  for (const int index : coordinates.joints()) {
+    const Joint& joint = mechanism.joints[static_cast<std::size_t>(index)];
+    joints.push_back({joint.name, joint.type == JointType::prismatic});
+  }
   const DriveMode mode = read_drive_mode(file);
   const int tendons = static_cast<int>(mechanism.tendons.size());
   if (tendons == 0 && mode != DriveMode::joint_torques)
     throw std::runtime_error(
         fmt::format("{}: {} has no tendons; expected the drive mode joint_torques", file.string(),
                     mechanism.name));
-  const Scenario scenario = read_scenario(file, channels_of(mode, joints, tendons, false));
+  const Scenario scenario =
+      read_scenario(file, channels_of(mode, joints, tendons, TopOfModel::fingertip));
   PlantParts parts;
   if (scenario.gravity) mechanism.gravity = *scenario.gravity;
   parts.joints = finger_joints(mechanism, runtime);

@@ -48,26 +48,40 @@ struct Scratch {
   }
 };
 
-void compile(const fs::path& folder, const std::string& name, const fs::path& runtime,
-             const fs::path& library) {
+void compile(const fs::path& folder, const fs::path& runtime, const fs::path& library,
+             const std::vector<std::string>& more) {
   const char* compiler = std::getenv("CC");
-  const std::string stem = (folder / name).string();
   // The rules of the package (runtime/CMakeLists.txt), so that the bits are those of the boards.
-  if (run({compiler ? compiler : "cc", "-std=c11", "-O2", "-ffp-contract=off", "-fno-math-errno",
-           "-fno-tree-slp-vectorize", "-shared", "-fPIC", "-I" + runtime.string(),
-           "-I" + folder.string(), "-o", library.string(), stem + ".c", stem + "_catalogue.c"}) !=
-      0)
+  std::vector<std::string> command{compiler ? compiler : "cc",
+                                   "-std=c11",
+                                   "-ffp-contract=off",
+                                   "-fno-math-errno",
+                                   "-fno-tree-slp-vectorize",
+                                   "-shared",
+                                   "-fPIC",
+                                   "-I" + runtime.string(),
+                                   "-I" + folder.string(),
+                                   "-o",
+                                   library.string()};
+  command.insert(command.end(), more.begin(), more.end());
+  if (run(command) != 0)
     throw std::runtime_error(folder.string() + ": the emitted C does not compile");
+}
+
+std::shared_ptr<void> open_library(const fs::path& library) {
+  void* handle = ::dlopen(library.c_str(), RTLD_NOW | RTLD_LOCAL);
+  if (!handle) throw std::runtime_error(::dlerror());
+  return {handle, [](void* opened) { ::dlclose(opened); }};
 }
 
 }  // namespace
 
 CompiledModel::CompiledModel(const fs::path& folder, const fs::path& runtime)
     : name_((folder / "").lexically_normal().parent_path().filename().string()) {
-  load(folder, runtime);
+  load(folder, runtime, false);
 }
 
-CompiledModel::CompiledModel(const EmittedModel& model, const fs::path& runtime)
+CompiledModel::CompiledModel(const EmittedModel& model, const fs::path& runtime, bool with_batch)
     : name_(model.name) {
   const Scratch scratch;
   for (const auto& [file, text] : emit_files(model)) {
@@ -75,17 +89,22 @@ CompiledModel::CompiledModel(const EmittedModel& model, const fs::path& runtime)
     out << text;
     if (!out.flush()) throw std::runtime_error((scratch.path / file).string() + ": not written");
   }
-  load(scratch.path, runtime);
+  load(scratch.path, runtime, with_batch);
 }
 
-void CompiledModel::load(const fs::path& folder, const fs::path& runtime) {
+void CompiledModel::load(const fs::path& folder, const fs::path& runtime, bool with_batch) {
   const Scratch scratch;
+  const std::string stem = (folder / name_).string();
   const fs::path library = scratch.path / "model.so";
-  compile(folder, name_, runtime, library);
-  void* handle = ::dlopen(library.c_str(), RTLD_NOW | RTLD_LOCAL);
-  if (!handle) throw std::runtime_error(::dlerror());
-  library_ = {handle, [](void* opened) { ::dlclose(opened); }};
-  catalogue_ = static_cast<const sinew_catalogue*>(::dlsym(handle, (name_ + "_catalogue").c_str()));
+  compile(folder, runtime, library, {"-O2", stem + ".c", stem + "_catalogue.c"});
+  library_ = open_library(library);
+  if (with_batch) {
+    const fs::path loops = scratch.path / "batch.so";
+    compile(folder, runtime, loops, {"-O3", "-march=native", stem + "_batch.c"});
+    batch_ = open_library(loops);
+  }
+  catalogue_ =
+      static_cast<const sinew_catalogue*>(::dlsym(library_.get(), (name_ + "_catalogue").c_str()));
   if (!catalogue_ || catalogue_->scalar_bytes != 8)
     throw std::runtime_error(folder.string() + ": no double-precision model called " + name_);
 }
@@ -95,6 +114,12 @@ const sinew_function* CompiledModel::search(const std::string& name) const {
   for (int i = 0; i < catalogue_->function_count; ++i)
     if (full == catalogue_->functions[i].name) return &catalogue_->functions[i];
   return nullptr;
+}
+
+void* CompiledModel::find_batch(const std::string& name) const {
+  void* found = batch_ ? ::dlsym(batch_.get(), (name_ + "_" + name + "_batch").c_str()) : nullptr;
+  if (!found) throw std::runtime_error(fmt::format("{}_{} has no batch form", name_, name));
+  return found;
 }
 
 bool CompiledModel::has(const std::string& name) const {

@@ -19,8 +19,10 @@ class CompiledModel {
   /// those of the package. Throws std::runtime_error where the model does not compile or cannot be
   /// loaded.
   CompiledModel(const std::filesystem::path& folder, const std::filesystem::path& runtime);
-  /// The same from a model that is not written anywhere.
-  CompiledModel(const EmittedModel& model, const std::filesystem::path& runtime);
+  /// The same from a model that is not written anywhere. `with_batch`: the loops over many states
+  /// too, for this machine's vectors; their numbers are the same bit by bit.
+  CompiledModel(const EmittedModel& model, const std::filesystem::path& runtime,
+                bool with_batch = false);
 
   const std::string& name() const { return name_; }
   bool has(const std::string& name) const;
@@ -30,16 +32,25 @@ class CompiledModel {
   /// the model. Throws std::runtime_error where the model has no such function.
   const sinew_function& find(const std::string& name) const;
 
+  /// The loop over many states of an emitted function: its arguments are a count and one array for
+  /// each input and each result (<model>_batch.h). Throws std::runtime_error where there is none.
+  template <typename Loop>
+  Loop* batch(const std::string& name) const {
+    return reinterpret_cast<Loop*>(find_batch(name));
+  }
+
   /// All inputs one after the other in, all results one after the other out. Throws
   /// std::runtime_error where the model has no such function or takes another number of inputs.
   std::vector<double> operator()(const std::string& name, const std::vector<double>& inputs) const;
 
  private:
-  void load(const std::filesystem::path& folder, const std::filesystem::path& runtime);
+  void load(const std::filesystem::path& folder, const std::filesystem::path& runtime,
+            bool with_batch);
+  void* find_batch(const std::string& name) const;
   const sinew_function* search(const std::string& name) const;
 
   std::string name_;
-  std::shared_ptr<void> library_;
+  std::shared_ptr<void> library_, batch_;
   const sinew_catalogue* catalogue_ = nullptr;
 };
 

@@ -14,11 +14,14 @@ namespace sinew {
 namespace {
 
 /// Newton steps of the emitted search: it starts at the last step's lever angle, so that few do.
-constexpr int newton_iterations = 3;
+constexpr int newton_iterations = 2;
+/// Loops run over whole vectors: the last states of a count that is no multiple cost as many
+/// vectors one by one. What is added is slack.
+constexpr int lanes = 8;
 
 CompiledModel compiled(const std::string& name, const std::vector<Function>& functions,
-                       const std::filesystem::path& runtime) {
-  return CompiledModel(assemble({name, "", "", {}}, functions, {}), runtime);
+                       const std::filesystem::path& runtime, bool with_batch = true) {
+  return CompiledModel(assemble({name, "", "", {}}, functions, {}), runtime, with_batch);
 }
 
 MotorParameters with_losses(MotorParameters parameters, const Scenario& scenario) {
@@ -45,70 +48,69 @@ Function guiding_function(GuidingLaw law, const GuidingParameters& parameters) {
 MotorModel::MotorModel(MotorParameters parameters, const Scenario& scenario,
                        const std::filesystem::path& runtime)
     : parameters_(with_losses(std::move(parameters), scenario)),
-      model_(compiled("motor", motor_functions(parameters_), runtime)),
+      model_(compiled("motor",
+                      {motor_acceleration(parameters_), motor_power_balance(parameters_),
+                       motor_compensation_torque(parameters_)},
+                      runtime)),
       inertia_(motor_inertia(parameters_)),
-      acceleration_(&model_.find("acceleration")),
-      powers_(&model_.find("power_balance")),
-      compensation_(&model_.find("compensation_torque")) {}
+      acceleration_(model_.batch<FourToOne>("acceleration")),
+      powers_(model_.batch<FourToOne>("power_balance")),
+      compensation_(model_.batch<TwoToTwo>("compensation_torque")) {}
 
 double MotorModel::sticking_speed() const {
   const bool sticks = parameters_.gamma2 > 0.0 && parameters_.gamma1 > 0.0;
   return sticks ? 0.1 / parameters_.gamma1 : 0.0;
 }
 
-double MotorModel::acceleration(double theta, double omega, double torque, double force) const {
-  const double in[4] = {theta, omega, torque, force};
-  double out = 0.0;
-  acceleration_->call(in, &out);
-  return out;
-}
-
-void MotorModel::powers(double theta, double omega, double torque, double force,
-                        double* power) const {
-  const double in[4] = {theta, omega, torque, force};
-  powers_->call(in, power);
-}
-
-double MotorModel::compensation(double theta, double omega) const {
-  const double in[2] = {theta, omega};
-  double out[2];
-  compensation_->call(in, out);
-  return out[0];
-}
-
 TendonModel::TendonModel(const TendonWithLever& parameters, const std::filesystem::path& runtime)
     : parameters_(searched_from_nearby(parameters)),
-      model_(compiled("tendon", tendon_force_functions(parameters_.tendon, parameters_.lever),
-                      runtime)),
-      force_(&model_.find("force")) {
+      energy_(parameters),
+      model_(compiled("tendon", {tendon_force(parameters_.tendon, parameters_.lever)}, runtime)),
+      search_(model_.batch<Search>("force")) {
   const LeverParameters& lever = parameters_.lever;
   const double softness = parameters_.tendon.free_length / parameters_.tendon.axial_stiffness;
-  const CompiledModel end = compiled("lever", lever_functions(lever), runtime);
+  const CompiledModel end = compiled("lever", {lever_state(lever)}, runtime, false);
   const std::vector<double> state = end("state", {lever.end_angle});
   longest_ = state[1] + softness * state[2];
 }
 
-TendonState TendonModel::at(double elongation, double guess) const {
-  const double in[2] = {elongation, guess};
-  double out[4];
-  force_->call(in, out);
-  return {out[0], out[1], out[2], elongation > longest_ ? 0.0 : out[3]};
+void TendonModel::at(int count, const double* elongation, const double* guess,
+                     TendonStates& states) const {
+  const int padded = (count + lanes - 1) / lanes * lanes;
+  if (states.start.size() != 2 * padded) states.start.setZero(2 * padded);
+  std::copy(elongation, elongation + count, states.start.data());
+  std::copy(guess, guess + count, states.start.data() + padded);
+  states.found.resize(4 * padded);
+  double* found = states.found.data();
+  search_(padded, states.start.data(), states.start.data() + padded, found, found + 3 * padded);
+  states.stiffness = states.found.segment(padded, count);
+  states.lever_angle = states.found.segment(2 * padded, count);
+  states.residual = states.found.segment(3 * padded, count);
+  for (int i = 0; i < count; ++i)
+    if (elongation[i] > longest_) states.residual(i) = 0.0;
+  states.force = states.found.head(count) + states.stiffness.cwiseProduct(states.residual);
 }
 
-double TendonModel::energy(double elongation, const TendonState& state) const {
+double TendonModel::energy(double elongation, const TendonStates& states, int i) const {
   if (elongation <= 0.0) return 0.0;
-  return tendon_energy(parameters_, state.lever_angle, state.force) +
-         state.force * std::max(0.0, elongation - longest_);
+  // The search stopped `residual` short of the elongation: up to there, and the rest.
+  const double left = states.residual(i), stiffness = states.stiffness(i);
+  const double force = states.force(i) - stiffness * left;
+  return energy_.at(states.lever_angle(i), force) + force * left + 0.5 * stiffness * left * left +
+         force * std::max(0.0, elongation - longest_);
+}
+
+double TendonModel::force_at(double elongation) const {
+  double angle = free_angle(), found[3] = {}, residual = 1.0;
+  for (int i = 0; i < 20 && std::abs(residual) > 1e-16; ++i) {
+    search_(1, &elongation, &angle, found, &residual);
+    angle = found[2];
+  }
+  return found[0];
 }
 
 double TendonModel::elongation_at(double force) const {
   double low = 0.0, high = longest_;
-  double angle = parameters_.lever.free_angle;
-  // Steps that the search can follow, then halving: the force rises with the elongation.
-  const auto force_at = [&](double elongation) {
-    for (int i = 0; i < 20; ++i) angle = at(elongation, angle).lever_angle;
-    return at(elongation, angle).force;
-  };
   if (force > force_at(high))
     throw std::invalid_argument(
         fmt::format("a pretension of {} N is beyond the lever's travel, "
@@ -126,21 +128,23 @@ GuidingModel::GuidingModel(GuidingLaw law, const GuidingParameters& parameters,
                            const std::filesystem::path& runtime)
     : law_(law),
       model_(compiled("guiding", {guiding_function(law, parameters)}, runtime)),
-      reversal_velocity_(parameters.reversal_velocity),
-      function_(&model_.find(law == GuidingLaw::capstan ? "transmitted_force" : "friction_force")) {
+      reversal_velocity_(parameters.reversal_velocity) {
+  if (law_ == GuidingLaw::capstan)
+    capstan_ = model_.batch<Capstan>("transmitted_force");
+  else
+    fitted_ = model_.batch<Fitted>("friction_force");
 }
 
-double GuidingModel::transmitted(double tension, double bending, double velocity) const {
-  double out = 0.0;
+void GuidingModel::transmitted(int count, const double* tension, const double* bending,
+                               const double* velocity, double* out) const {
   if (law_ == GuidingLaw::capstan) {
-    const double in[3] = {tension, bending, velocity};
-    function_->call(in, &out);
-    return out;
+    capstan_(count, tension, bending, velocity, out);
+    return;
   }
-  const double in[2] = {bending, velocity};
-  function_->call(in, &out);
+  fitted_(count, bending, velocity, out);
   // No tension, no normal force; the fitted form knows nothing of the tension.
-  return std::max(0.0, tension > 0.0 ? tension + out : 0.0);
+  for (int i = 0; i < count; ++i)
+    out[i] = std::max(0.0, tension[i] > 0.0 ? tension[i] + out[i] : 0.0);
 }
 
 }  // namespace sinew

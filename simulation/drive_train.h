@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Motors, levers, tendons and guides of a simulation, one emitted model each.
+// Motors, levers, tendons and guides of a simulation: one emitted model each, called for all motors
+// or tendons at once. Arrays have one number a motor or tendon, SI units.
 #pragma once
 
 #include <Eigen/Core>
@@ -8,6 +9,7 @@
 
 #include "simulation/compiled_model.h"
 #include "simulation/scenario.h"
+#include "simulation/stored_energy.h"
 #include "symbolic/part.h"
 
 namespace sinew {
@@ -22,27 +24,40 @@ class MotorModel {
   double inertia() const { return inertia_; }
   /// Output speed below which friction holds the motor [rad/s]; 0 without friction.
   double sticking_speed() const;
-  double acceleration(double theta, double omega, double torque, double force) const;
-  /// Motor, friction, ripple, tendon, kinetic [W].
-  void powers(double theta, double omega, double torque, double force, double* power) const;
-  /// Feedforward against friction and ripple [N·m].
-  double compensation(double theta, double omega) const;
+  void accelerations(int count, const double* theta, const double* omega, const double* torque,
+                     const double* force, double* out) const {
+    acceleration_(count, theta, omega, torque, force, out);
+  }
+  /// Motor, friction, ripple, tendon, kinetic [W]: five times `count`, kind by kind.
+  void powers(int count, const double* theta, const double* omega, const double* torque,
+              const double* force, double* power) const {
+    powers_(count, theta, omega, torque, force, power);
+  }
+  /// Feedforward against friction and ripple [N·m], and the friction's power that is left [W].
+  void compensations(int count, const double* theta, const double* omega, double* torque,
+                     double* margin) const {
+    compensation_(count, theta, omega, torque, margin);
+  }
 
  private:
+  using FourToOne = void(int, const double*, const double*, const double*, const double*, double*);
+  using TwoToTwo = void(int, const double*, const double*, double*, double*);
+
   MotorParameters parameters_;
   CompiledModel model_;
   double inertia_;
-  const sinew_function* acceleration_;
-  const sinew_function* powers_;
-  const sinew_function* compensation_;
+  FourToOne* acceleration_;
+  FourToOne* powers_;
+  TwoToTwo* compensation_;
 };
 
-/// Force, stiffness and lever angle of a tendon.
-struct TendonState {
-  double force = 0.0;        ///< N
-  double stiffness = 0.0;    ///< N/m
-  double lever_angle = 0.0;  ///< rad
-  double residual = 0.0;     ///< m, of the emitted Newton search
+/// Tendons with their levers.
+struct TendonStates {
+  Eigen::VectorXd force;         ///< N
+  Eigen::VectorXd stiffness;     ///< N/m
+  Eigen::VectorXd lever_angle;   ///< rad, as far as the emitted search has come
+  Eigen::VectorXd residual;      ///< m, of the elongation that the search has not taken up
+  Eigen::VectorXd start, found;  ///< arguments and results of the emitted loop
 };
 
 /// Levers and tendons in series.
@@ -51,20 +66,26 @@ class TendonModel {
   TendonModel(const TendonWithLever& parameters, const std::filesystem::path& runtime);
 
   double free_angle() const { return parameters_.lever.free_angle; }
-  /// `guess`: lever angle from which the emitted search starts.
-  TendonState at(double elongation, double guess) const;
+  /// `guess`: lever angles from which the emitted searches start. What a search leaves over goes
+  /// into the force by the stiffness there, which is worth one more step of Newton's.
+  void at(int count, const double* elongation, const double* guess, TendonStates& states) const;
+  /// Force of one tendon after a long search [N].
+  double force_at(double elongation) const;
   /// Energy in lever and tendon [J]; beyond the lever's travel the force stays what it is at its
   /// end.
-  double energy(double elongation, const TendonState& state) const;
+  double energy(double elongation, const TendonStates& states, int tendon) const;
   /// Elongation [m] at a force. Throws std::invalid_argument beyond the lever's travel.
   double elongation_at(double force) const;
   /// End of the lever's travel [m].
   double longest() const { return longest_; }
 
  private:
+  using Search = void(int, const double*, const double*, double*, double*);
+
   TendonWithLever parameters_;
+  TendonEnergy energy_;
   CompiledModel model_;
-  const sinew_function* force_;
+  Search* search_;
   double longest_ = 0.0;
 };
 
@@ -76,14 +97,19 @@ class GuidingModel {
 
   /// Tension on the finger's side [N] for `tension` on the motor's; `velocity` towards the motor
   /// [m/s]. Never negative.
-  double transmitted(double tension, double bending, double velocity) const;
+  void transmitted(int count, const double* tension, const double* bending, const double* velocity,
+                   double* out) const;
   double reversal_velocity() const { return reversal_velocity_; }
 
  private:
+  using Capstan = void(int, const double*, const double*, const double*, double*);
+  using Fitted = void(int, const double*, const double*, double*);
+
   GuidingLaw law_;
   CompiledModel model_;
   double reversal_velocity_;
-  const sinew_function* function_;
+  Capstan* capstan_ = nullptr;
+  Fitted* fitted_ = nullptr;
 };
 
 }  // namespace sinew

@@ -11,7 +11,7 @@
 namespace sinew {
 namespace {
 
-constexpr std::size_t most_numbers = 256;  // of arguments, on the stack
+constexpr std::size_t most_numbers = 4096;  // of arguments, on the stack
 
 CompiledModel compiled(const Mechanism& mechanism, bool turning_gravity,
                        const std::filesystem::path& runtime) {

@@ -8,16 +8,20 @@
 namespace sinew {
 namespace {
 
-constexpr std::size_t most_numbers = 256;
+constexpr std::size_t most_numbers = 4096;
 
 class Finger : public Joints {
  public:
   Finger(const Mechanism& mechanism, const std::filesystem::path& runtime)
       : dynamics_(mechanism, false, runtime), gravity_(mechanism.gravity) {
     const Coordinates coordinates(mechanism);
-    for (const int joint : coordinates.joints())
-      names.push_back(mechanism.joints[static_cast<std::size_t>(joint)].name);
+    for (const int index : coordinates.joints()) {
+      const Joint& joint = mechanism.joints[static_cast<std::size_t>(index)];
+      names.push_back(joint.name);
+      slides.push_back(joint.type == JointType::prismatic);
+    }
     damping = dynamics_.damping();
+    rest = Eigen::VectorXd::Zero(size());
     tendons = static_cast<int>(mechanism.tendons.size());
     n_ = names.size();
     m_ = mechanism.tendons.size();

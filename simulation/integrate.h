@@ -17,25 +17,31 @@ struct Event {
   bool begins = true;
 };
 
-/// Called at every output time in order. `work`: integral of each power since the start [J].
-using OnOutput = std::function<void(double time, const double* y, const Powers& work)>;
+/// Called at every output time in order.
+using OnOutput = std::function<void(double time, const double* y)>;
+/// Called at the start and after every step. `work`: integral of each power since the start [J].
+using OnStep = std::function<void(double time, const double* y, const Powers& work)>;
 using OnEvent = std::function<void(const Event&)>;
 
 struct IntegrationCount {
   long steps = 0;
   long evaluations = 0;  ///< of the right-hand side
   long jacobians = 0;
-  double largest_residual = 0.0;  ///< m, of the emitted lever searches
+};
+
+struct IntegrationCalls {
+  OnOutput output;
+  OnStep step;
+  OnEvent event;
 };
 
 /// Integrates over the scenario's duration. Throws std::runtime_error with the time where the
 /// integration fails or the state is no longer finite.
-IntegrationCount integrate(Plant& plant, const OnOutput& output, const OnEvent& event);
+IntegrationCount integrate(Plant& plant, const IntegrationCalls& calls);
 
 /// The two families behind it.
-IntegrationCount integrate_by_cvode(Plant& plant, const OnOutput& output, const OnEvent& event);
-IntegrationCount integrate_by_fixed_steps(Plant& plant, const OnOutput& output,
-                                          const OnEvent& event);
+IntegrationCount integrate_by_cvode(Plant& plant, const IntegrationCalls& calls);
+IntegrationCount integrate_by_fixed_steps(Plant& plant, const IntegrationCalls& calls);
 
 /// Time of output `k`: the last one is the duration.
 double output_time(const Scenario& scenario, long k);

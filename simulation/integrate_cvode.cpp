@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 #include <nvector/nvector_serial.h>
 #include <sundials/sundials_context.h>
-#include <sunlinsol/sunlinsol_dense.h>
-#include <sunmatrix/sunmatrix_dense.h>
+#include <sundials/sundials_linearsolver.h>
+#include <sundials/sundials_matrix.h>
 
 #include <algorithm>
 #include <cstdlib>
@@ -13,6 +13,7 @@
 #include <stdexcept>
 
 #include "simulation/integrate.h"
+#include "simulation/motion_solver.h"
 
 namespace sinew {
 namespace {
@@ -20,8 +21,7 @@ namespace {
 /// What the C callbacks reach; an exception is kept until CVODE has returned.
 struct Callbacks {
   Plant& plant;
-  Evaluation evaluation;
-  Eigen::MatrixXd J;
+  MotionSolver solver;
   std::exception_ptr failure;
 
   template <typename Body>
@@ -46,20 +46,54 @@ int right_hand_side(double time, N_Vector y, N_Vector dy, void* user) {
       [&] { c.plant.derivative(time, N_VGetArrayPointer(y), N_VGetArrayPointer(dy)); });
 }
 
-int jacobian(double time, N_Vector y, N_Vector, SUNMatrix J, void* user, N_Vector, N_Vector,
-             N_Vector) {
+/// CVODE's I - gamma J: the Jacobian where the old one is no longer good, and its factors.
+int linear_system(double time, N_Vector y, N_Vector, SUNMatrix, booleantype jacobian_is_good,
+                  booleantype* renewed, double gamma, void* user, N_Vector, N_Vector, N_Vector) {
   Callbacks& c = callbacks(user);
   return c.guarded([&] {
-    c.plant.jacobian(time, N_VGetArrayPointer(y), c.J);
-    std::copy(c.J.data(), c.J.data() + c.J.size(), SUNDenseMatrix_Data(J));
+    *renewed = jacobian_is_good ? SUNFALSE : SUNTRUE;
+    if (!jacobian_is_good) c.plant.jacobian(time, N_VGetArrayPointer(y), c.solver.jacobian);
+    c.solver.prepare(gamma);
   });
+}
+
+int solve(SUNLinearSolver linear, SUNMatrix, N_Vector x, N_Vector b, double) {
+  static_cast<MotionSolver*>(linear->content)->solve(N_VGetArrayPointer(b), N_VGetArrayPointer(x));
+  return 0;
+}
+
+int nothing_to_set_up(SUNLinearSolver, SUNMatrix) {
+  return 0;
+}
+
+SUNLinearSolver_Type direct(SUNLinearSolver) {
+  return SUNLINEARSOLVER_DIRECT;
+}
+
+SUNMatrix_ID own_kind(SUNMatrix) {
+  return SUNMATRIX_CUSTOM;
+}
+
+/// The matrix lives in the MotionSolver; CVODE only wants to hold one.
+SUNMatrix placeholder(SUNContext context) {
+  SUNMatrix matrix = SUNMatNewEmpty(context);
+  matrix->ops->getid = own_kind;
+  return matrix;
+}
+
+SUNLinearSolver structured_solver(MotionSolver& solver, SUNContext context) {
+  SUNLinearSolver linear = SUNLinSolNewEmpty(context);
+  linear->ops->gettype = direct;
+  linear->ops->setup = nothing_to_set_up;
+  linear->ops->solve = solve;
+  linear->content = &solver;
+  return linear;
 }
 
 int quadrature(double time, N_Vector y, N_Vector power, void* user) {
   Callbacks& c = callbacks(user);
   return c.guarded([&] {
-    c.plant.evaluate(time, N_VGetArrayPointer(y), c.evaluation, true);
-    const Powers powers = c.plant.powers(c.evaluation);
+    const Powers powers = c.plant.powers(c.plant.evaluated(time, N_VGetArrayPointer(y), true));
     std::copy(powers.begin(), powers.end(), N_VGetArrayPointer(power));
   });
 }
@@ -74,7 +108,7 @@ void quiet(int, const char*, const char*, char*, void*) {}
 /// CVODES with its vectors, matrix and solver.
 class Solver {
  public:
-  explicit Solver(Plant& plant) : callbacks_{plant, {}, {}, nullptr}, scenario_(plant.scenario()) {
+  explicit Solver(Plant& plant) : callbacks_{plant, {}, nullptr}, scenario_(plant.scenario()) {
     SUNContext_Create(nullptr, &context_);
     const auto size = plant.size();
     y_ = N_VNew_Serial(size, context_);
@@ -91,10 +125,10 @@ class Solver {
     check(CVodeSStolerances(memory_, scenario_.relative_tolerance, scenario_.absolute_tolerance));
     check(CVodeSetMaxNumSteps(memory_, 1000000));
     if (scenario_.longest_step > 0.0) check(CVodeSetMaxStep(memory_, scenario_.longest_step));
-    matrix_ = SUNDenseMatrix(size, size, context_);
-    linear_ = SUNLinSol_Dense(y_, matrix_, context_);
+    matrix_ = placeholder(context_);
+    linear_ = structured_solver(callbacks_.solver, context_);
     check(CVodeSetLinearSolver(memory_, linear_, matrix_));
-    check(CVodeSetJacFn(memory_, jacobian));
+    check(CVodeSetLinSysFn(memory_, linear_system));
     check(CVodeQuadInit(memory_, quadrature, work_));
     events_ = static_cast<int>(plant.event_names().size());
     if (events_ > 0) {
@@ -106,8 +140,9 @@ class Solver {
   Solver& operator=(const Solver&) = delete;
   ~Solver() {
     CVodeFree(&memory_);
-    SUNLinSolFree(linear_);
-    SUNMatDestroy(matrix_);
+    linear_->content = nullptr;
+    SUNLinSolFreeEmpty(linear_);
+    SUNMatFreeEmpty(matrix_);
     for (N_Vector each : {y_, work_, shown_}) N_VDestroy(each);
     SUNContext_Free(&context_);
   }
@@ -140,16 +175,16 @@ class Solver {
 
   void show(double time, const OnOutput& output) {
     check(CVodeGetDky(memory_, time, 0, shown_));
-    emit(time, N_VGetArrayPointer(shown_), output);
+    output(time, N_VGetArrayPointer(shown_));
   }
 
-  void emit(double time, const double* y, const OnOutput& output) {
+  void report(const OnStep& step) {
     Powers work{};
-    if (time > 0.0) {
-      check(CVodeGetQuadDky(memory_, time, 0, work_));
+    if (time_ > 0.0) {
+      check(CVodeGetQuadDky(memory_, time_, 0, work_));
       std::copy(N_VGetArrayPointer(work_), N_VGetArrayPointer(work_) + power_count, work.begin());
     }
-    output(time, y, work);
+    step(time_, state(), work);
   }
 
   IntegrationCount count() {
@@ -185,13 +220,14 @@ class Solver {
 
 }  // namespace
 
-IntegrationCount integrate_by_cvode(Plant& plant, const OnOutput& output, const OnEvent& event) {
+IntegrationCount integrate_by_cvode(Plant& plant, const IntegrationCalls& calls) {
   const Scenario& scenario = plant.scenario();
   const std::vector<std::string> names = plant.event_names();
   std::vector<double> stops = plant.jumps();
   stops.push_back(scenario.duration);
   Solver solver(plant);
-  solver.emit(0.0, solver.state(), output);
+  solver.report(calls.step);
+  calls.output(0.0, solver.state());
   IntegrationCount total;
   const auto add = [&] {
     const IntegrationCount now = solver.count();
@@ -203,13 +239,14 @@ IntegrationCount integrate_by_cvode(Plant& plant, const OnOutput& output, const 
   const long last = output_count(scenario);
   for (const double stop : stops) {
     while (solver.time() < stop) {
-      const bool stopped = solver.step(stop);
+      const bool at_event = solver.step(stop);
+      if (!at_event) solver.report(calls.step);
       for (; next < last && output_time(scenario, next) <= solver.time(); ++next)
-        solver.show(output_time(scenario, next), output);
-      if (!stopped) continue;
+        solver.show(output_time(scenario, next), calls.output);
+      if (!at_event) continue;
       const std::vector<int> found = solver.directions();
       for (std::size_t i = 0; i < found.size(); ++i)
-        if (found[i] != 0) event({solver.time(), names[i], found[i] < 0});
+        if (found[i] != 0) calls.event({solver.time(), names[i], found[i] < 0});
     }
     add();
     if (stop < scenario.duration) solver.restart();

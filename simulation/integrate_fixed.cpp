@@ -1,30 +1,29 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
 #include "simulation/integrate.h"
+#include "simulation/motion_solver.h"
 
 namespace sinew {
 namespace {
 
-using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 class FixedSteps {
  public:
-  FixedSteps(Plant& plant, const OnEvent& event)
-      : plant_(plant), event_(event), y_(plant.initial_state()), names_(plant.event_names()) {
+  FixedSteps(Plant& plant, const IntegrationCalls& calls)
+      : plant_(plant), calls_(calls), y_(plant.initial_state()), names_(plant.event_names()) {
     signs_.resize(names_.size());
     plant_.events(0.0, y_.data(), signs_.data());
     last_power_ = powers_now();
+    calls_.step(0.0, y_.data(), work_);
   }
 
   const VectorXd& state() const { return y_; }
-  const Powers& work() const { return work_; }
   const IntegrationCount& count() const { return count_; }
 
   void step(double h) {
@@ -60,40 +59,37 @@ class FixedSteps {
 
   /// (I - h J) dy = h f(y): one linear solution, stable for stiff tendons and friction.
   void linearly_implicit_euler(double h) {
-    const VectorXd f = slope(time_ + h, y_);
-    plant_.jacobian(time_ + h, y_.data(), J_);
+    change_ = h * slope(time_ + h, y_);
+    plant_.jacobian(time_ + h, y_.data(), solver_.jacobian);
     ++count_.jacobians;
-    const auto size = y_.size();
-    y_ += (MatrixXd::Identity(size, size) - h * J_).partialPivLu().solve(h * f);
+    solver_.prepare(h);
+    solver_.solve(change_.data(), change_.data());
+    y_ += change_;
   }
 
-  Powers powers_now() {
-    plant_.evaluate(time_, y_.data(), evaluation_, true);
-    count_.largest_residual = std::max(count_.largest_residual, evaluation_.residual);
-    return plant_.powers(evaluation_);
-  }
+  Powers powers_now() { return plant_.powers(plant_.evaluated(time_, y_.data(), true)); }
 
   void audit(double h) {
     const Powers now = powers_now();
     for (std::size_t i = 0; i < power_count; ++i) work_[i] += h / 2 * (last_power_[i] + now[i]);
     last_power_ = now;
+    calls_.step(time_, y_.data(), work_);
   }
 
   void watch() {
     std::vector<double> now(names_.size());
     plant_.events(time_, y_.data(), now.data());
     for (std::size_t i = 0; i < now.size(); ++i)
-      if ((now[i] < 0.0) != (signs_[i] < 0.0)) event_({time_, names_[i], now[i] < 0.0});
+      if ((now[i] < 0.0) != (signs_[i] < 0.0)) calls_.event({time_, names_[i], now[i] < 0.0});
     signs_ = now;
   }
 
   Plant& plant_;
-  const OnEvent& event_;
-  VectorXd y_;
+  const IntegrationCalls& calls_;
+  VectorXd y_, change_;
   std::vector<std::string> names_;
   std::vector<double> signs_;
-  MatrixXd J_;
-  Evaluation evaluation_;
+  MotionSolver solver_;
   double time_ = 0.0;
   Powers work_{}, last_power_{};
   IntegrationCount count_;
@@ -110,25 +106,24 @@ long output_count(const Scenario& scenario) {
   return static_cast<long>(std::ceil(scenario.duration * scenario.output_rate - 1e-6)) + 1;
 }
 
-IntegrationCount integrate_by_fixed_steps(Plant& plant, const OnOutput& output,
-                                          const OnEvent& event) {
+IntegrationCount integrate_by_fixed_steps(Plant& plant, const IntegrationCalls& calls) {
   const Scenario& scenario = plant.scenario();
-  FixedSteps steps(plant, event);
-  output(0.0, steps.state().data(), steps.work());
+  FixedSteps steps(plant, calls);
+  calls.output(0.0, steps.state().data());
   for (long k = 1; k < output_count(scenario); ++k) {
     const double period = output_time(scenario, k) - output_time(scenario, k - 1);
     const long substeps = std::max(1L, std::lround(std::ceil(period / scenario.step - 1e-9)));
     for (long i = 0; i < substeps; ++i) steps.step(period / static_cast<double>(substeps));
-    output(output_time(scenario, k), steps.state().data(), steps.work());
+    calls.output(output_time(scenario, k), steps.state().data());
   }
   return steps.count();
 }
 
-IntegrationCount integrate(Plant& plant, const OnOutput& output, const OnEvent& event) {
+IntegrationCount integrate(Plant& plant, const IntegrationCalls& calls) {
   const Integrator method = plant.scenario().integrator;
   return method == Integrator::cvode_bdf || method == Integrator::cvode_adams
-             ? integrate_by_cvode(plant, output, event)
-             : integrate_by_fixed_steps(plant, output, event);
+             ? integrate_by_cvode(plant, calls)
+             : integrate_by_fixed_steps(plant, calls);
 }
 
 }  // namespace sinew

@@ -12,10 +12,11 @@
 
 namespace sinew {
 
-/// Prescribed bar angles of the wrist and their rates; ignored by a single finger.
+/// Prescribed bar angles of the wrist, their rates and accelerations; ignored by a single finger.
 struct WristMotion {
-  double q[2] = {0.0, 0.0};   ///< q71, q73 [rad]
-  double qd[2] = {0.0, 0.0};  ///< rad/s
+  double q[2] = {0.0, 0.0};    ///< q71, q73 [rad]
+  double qd[2] = {0.0, 0.0};   ///< rad/s
+  double qdd[2] = {0.0, 0.0};  ///< rad/s²
 };
 
 /// n coordinates, m tendons; arrays row-major, SI units. Right-hand sides come from emitted C.
@@ -24,7 +25,9 @@ class Joints {
   virtual ~Joints() = default;
 
   std::vector<std::string> names;  ///< of the coordinates
-  Eigen::VectorXd damping;         ///< n, viscous [N·m·s/rad]
+  std::vector<bool> slides;        ///< n, m instead of rad
+  Eigen::VectorXd damping;         ///< n, viscous [N·m·s/rad or N·s/m]
+  Eigen::VectorXd rest;            ///< n, where they start unless told otherwise [rad or m]
   int tendons = 0;
 
   int size() const { return static_cast<int>(names.size()); }
@@ -58,9 +61,21 @@ class Joints {
 std::unique_ptr<Joints> finger_joints(const Mechanism& mechanism,
                                       const std::filesystem::path& runtime);
 
+/// What of a hand moves besides its fingers.
+struct PalmParameters {
+  double crank_inertia = 2.0e-5;  ///< kg·m², of what the four-bar's crank moves
+  bool moves = false;             ///< q71 and q73 are coordinates, the last two, instead of given
+  double inertia = 2.0e-3;        ///< kg·m², of bars, palm and fingers about q71 and about q73
+  double damping = 1.0e-2;        ///< N·m·s/rad, of q71 and of q73
+};
+
 /// All fingers of a hand on a moving palm. Gravity turns with the palm; the palm's acceleration is
-/// not passed on. The four-bar's crank moves `crank_inertia` [kg·m²].
+/// not passed on. A palm that moves freely feels its tendons and the fingers' weight.
 std::unique_ptr<Joints> hand_joints(const Hand& hand, const Eigen::Vector3d& gravity,
-                                    double crank_inertia, const std::filesystem::path& runtime);
+                                    const PalmParameters& palm,
+                                    const std::filesystem::path& runtime);
+
+/// The same hand, not derived again. Throws std::invalid_argument for anything but a hand.
+std::unique_ptr<Joints> on_other_palm(const Joints& hand, const PalmParameters& palm);
 
 }  // namespace sinew

@@ -45,8 +45,8 @@ const char* name_of_power(int power) {
   return names[power];
 }
 
-ScenarioChannels channels_of(DriveMode mode, const std::vector<std::string>& joints, int tendons,
-                             bool has_wrist) {
+ScenarioChannels channels_of(DriveMode mode, const std::vector<JointChannel>& joints, int tendons,
+                             TopOfModel top) {
   ScenarioChannels channels;
   const bool drive_only = joints.empty();
   if (drive_only) channels.commands["load"] = Dimension::torque;
@@ -58,14 +58,14 @@ ScenarioChannels channels_of(DriveMode mode, const std::vector<std::string>& joi
     channels.initial[drive_only ? "theta" : "theta_" + number] = Dimension::angle;
     channels.initial[drive_only ? "omega" : "omega_" + number] = Dimension::angular_velocity;
   }
-  for (const std::string& joint : joints) {
-    channels.commands["tau_" + joint] = Dimension::torque;
-    channels.initial[joint] = Dimension::angle;
-    channels.initial["qd_" + joint] = Dimension::angular_velocity;
+  for (const auto& [name, slides] : joints) {
+    channels.commands["tau_" + name] = slides ? Dimension::force : Dimension::torque;
+    channels.initial[name] = slides ? Dimension::length : Dimension::angle;
+    channels.initial["qd_" + name] = slides ? Dimension::velocity : Dimension::angular_velocity;
   }
-  if (has_wrist)
+  if (top == TopOfModel::commanded_wrist)
     for (const char* name : {"flexion", "abduction"}) channels.commands[name] = Dimension::angle;
-  else if (!drive_only)
+  if (top == TopOfModel::fingertip)
     for (const char* name : {"tip_force_x", "tip_force_y", "tip_force_z"})
       channels.commands[name] = Dimension::force;
   return channels;
@@ -89,6 +89,9 @@ Plant::Plant(const Scenario& scenario, PlantParts parts)
       tip_command_.push_back(command(name));
   }
   load_ = command("load");
+  flexion_ = command("flexion");
+  abduction_ = command("abduction");
+  no_force_.setZero(k_);
   read_initial();
 }
 
@@ -98,14 +101,14 @@ const Signal* Plant::command(const std::string& channel) const {
 }
 
 void Plant::read_initial() {
-  const auto value = [&](const std::string& name) {
+  const auto value = [&](const std::string& name, double otherwise = 0.0) {
     const auto found = scenario_.initial.find(name);
-    return found == scenario_.initial.end() ? 0.0 : found->second;
+    return found == scenario_.initial.end() ? otherwise : found->second;
   };
   initial_ = VectorXd::Zero(size());
   for (int j = 0; j < n_; ++j) {
     const std::string& joint = parts_.joints->names[static_cast<std::size_t>(j)];
-    initial_(j) = value(joint);
+    initial_(j) = value(joint, parts_.joints->rest(j));
     initial_(n_ + k_ + j) = value("qd_" + joint);
   }
   for (int i = 0; i < k_; ++i) {
@@ -120,136 +123,116 @@ void Plant::read_initial() {
   Evaluation e;
   evaluate(0.0, initial_.data(), e, false);
   if (scenario_.wrist_feedforward && parts_.wrist) {
-    first_feedforward_.resize(motors_);
-    VectorXd rate(motors_);
-    parts_.wrist->feedforward(e.wrist, first_feedforward_.data(), rate.data());
+    first_feedforward_ = wrist_now_.feedforward;
     evaluate(0.0, initial_.data(), e, false);
   }
   closure_ = e.elongation.array() - pretension;
   // The searches start within reach of the pretension.
-  for (int i = 0; i < 10; ++i) accept(0.0, initial_.data());
-}
-
-void Plant::take_commands(double time, Evaluation& e) const {
-  const auto at = [&](const Signal* signal) { return signal ? signal->at(time) : Sample{}; };
-  if (parts_.wrist) e.wrist = parts_.wrist->at(at(command("flexion")), at(command("abduction")));
-  e.load = at(load_).value;
-  e.external.setZero(n_);
-  if (n_ > 0) {
-    double force[3];
-    bool pushed = false;
-    for (std::size_t i = 0; i < 3; ++i) {
-      force[i] = at(tip_command_[i]).value;
-      pushed = pushed || force[i] != 0.0;
-    }
-    if (pushed) parts_.joints->tip_torque(e.q.data(), force, e.external.data());
+  for (int i = 0; i < 10; ++i) {
+    scratch_time_ = -1.0;  // to be evaluated again, from the new guess
+    accept(0.0, initial_.data());
   }
-  for (int j = 0; j < n_; ++j)
-    e.external(j) += at(joint_command_[static_cast<std::size_t>(j)]).value;
-
-  e.theta_reference.setZero(motors_);
-  VectorXd reference_rate = VectorXd::Zero(motors_);
-  if (scenario_.wrist_feedforward && parts_.wrist && motors_ > 0)
-    parts_.wrist->feedforward(e.wrist, e.theta_reference.data(), reference_rate.data());
-  if (first_feedforward_.size() > 0) e.theta_reference -= first_feedforward_;
-  e.torque.setZero(motors_);
-  for (int i = 0; i < motors_; ++i) {
-    const Sample sample = at(motor_command_[static_cast<std::size_t>(i)]);
-    if (scenario_.drive == DriveMode::torque) {
-      e.torque(i) = sample.value;
-    } else {
-      e.theta_reference(i) += sample.value;
-      reference_rate(i) += sample.rate;
-    }
-    if (scenario_.drive == DriveMode::servo)
-      e.torque(i) = scenario_.gain * (e.theta_reference(i) - e.theta(i)) +
-                    scenario_.rate_gain * (reference_rate(i) - e.omega(i));
-    if (k_ > 0 && scenario_.compensation)
-      e.torque(i) += parts_.motor->compensation(e.theta(i), e.omega(i));
-  }
-  if (k_ > 0) return;
-  e.theta = e.theta_reference;
-  e.omega = reference_rate;
+  scratch_time_ = -1.0;
 }
 
 void Plant::take_guiding(Evaluation& e) const {
-  e.finger_force = e.force;
-  if (!parts_.guiding) return;
-  VectorXd bending(tendons_);
-  parts_.joints->bending(e.q.data(), e.wrist, bending.data());
-  for (int i = 0; i < tendons_; ++i)
-    e.finger_force(i) = parts_.guiding->transmitted(
-        e.force(i), bending(i) + scenario_.fixed_bending, -(e.h_rate(i) - e.wrist_rate(i)));
+  if (!parts_.guiding) {
+    e.finger_force = e.force();
+    return;
+  }
+  e.bending.resize(tendons_);
+  e.finger_force.resize(tendons_);
+  parts_.joints->bending(e.q.data(), e.wrist, e.bending.data());
+  e.bending.array() += scenario_.fixed_bending;
+  e.inward = e.wrist_rate - e.h_rate;
+  parts_.guiding->transmitted(tendons_, e.force().data(), e.bending.data(), e.inward.data(),
+                              e.finger_force.data());
 }
 
-void Plant::take_tendons(Evaluation& e, bool with_rates) const {
+void Plant::take_paths(Evaluation& e, bool with_rates) const {
   const Joints& joints = *parts_.joints;
   e.h.resize(tendons_);
   joints.lengths(e.q.data(), e.wrist, e.h.data());
+  e.has_rates = with_rates;
   if (with_rates) {
     e.P.resize(tendons_, n_);
     e.wrist_rate.resize(tendons_);
     joints.coupling(e.q.data(), e.wrist, e.P.data(), e.wrist_rate.data());
-    e.h_rate = e.P * e.qd + e.wrist_rate;
+    e.h_rate.noalias() = e.P * e.qd;
+    e.h_rate += e.wrist_rate;
   }
-  e.force.resize(tendons_);
-  e.stiffness.setZero(tendons_);
-  e.residual = 0.0;
-  if (elastic_) {
-    e.elongation = parts_.motor->radius() * e.theta + e.h - closure_;
-    e.lever_angle.resize(tendons_);
-    for (int i = 0; i < tendons_; ++i) {
-      const TendonState state = parts_.tendon->at(e.elongation(i), guess_(i));
-      e.force(i) = state.force;
-      e.stiffness(i) = state.stiffness;
-      e.lever_angle(i) = state.lever_angle;
-      e.residual = std::max(e.residual, std::abs(state.residual));
-    }
-  }
+  if (elastic_) e.elongation = parts_.motor->radius() * e.theta + e.h - closure_;
 }
 
-void Plant::evaluate(double time, const double* y, Evaluation& e, bool with_rates) const {
+const double* Plant::forces_or_zero(const Evaluation& e) const {
+  return tendons_ > 0 ? e.force().data() : no_force_.data();
+}
+
+void Plant::take_state(double time, const double* y, Evaluation& e) const {
   e.q = part(y, 0, n_);
   e.qd = part(y, n_ + k_, n_);
   e.theta = part(y, n_, k_);
   e.omega = part(y, 2 * n_ + k_, k_);
   take_commands(time, e);
-  const bool rates = with_rates || parts_.guiding.has_value();
+}
+
+void Plant::observe(double time, const double* y, Evaluation& e) const {
+  take_state(time, y, e);
+  if (tendons_ > 0) take_paths(e, false);
+  if (!elastic_) return;
+  // Rows follow each other closely: the last row's angles are nearer than the last step's.
+  const Eigen::VectorXd& last = e.tendon.lever_angle;
+  parts_.tendon->at(tendons_, e.elongation.data(), last.size() > 0 ? last.data() : guess_.data(),
+                    e.tendon);
+}
+
+void Plant::evaluate(double time, const double* y, Evaluation& e, bool with_rates) const {
+  take_state(time, y, e);
   e.tendon_torque.setZero(n_);
+  e.has_rates = true;
   if (tendons_ > 0) {
-    take_tendons(e, rates);
-    if (scenario_.drive == DriveMode::tendon_forces)
-      for (int i = 0; i < tendons_; ++i) {
-        const Signal* signal = motor_command_[static_cast<std::size_t>(i)];
-        e.force(i) = scenario_.pretension + (signal ? signal->at(time).value : 0.0);
-      }
+    take_paths(e, with_rates || parts_.guiding.has_value());
+    if (elastic_) parts_.tendon->at(tendons_, e.elongation.data(), guess_.data(), e.tendon);
     take_guiding(e);
     parts_.joints->torque(e.q.data(), e.wrist, e.finger_force.data(), e.tendon_torque.data());
   }
-  e.qdd.resize(n_);
   if (n_ > 0) {
-    VectorXd tau = e.tendon_torque + e.external;
-    if (scenario_.joint_damping) tau -= parts_.joints->damping.cwiseProduct(e.qd);
-    parts_.joints->acceleration(e.q.data(), e.qd.data(), e.wrist, tau.data(), e.qdd.data());
+    e.qdd.resize(n_);
+    e.joint_torque = e.tendon_torque + e.external;
+    if (scenario_.joint_damping) e.joint_torque -= parts_.joints->damping.cwiseProduct(e.qd);
+    parts_.joints->acceleration(e.q.data(), e.qd.data(), e.wrist, e.joint_torque.data(),
+                                e.qdd.data());
   }
+  if (k_ == 0) return;
   e.omega_rate.resize(k_);
-  for (int i = 0; i < k_; ++i)
-    e.omega_rate(i) = parts_.motor->acceleration(e.theta(i), e.omega(i), e.torque(i) - e.load,
-                                                 tendons_ > 0 ? e.force(i) : 0.0);
+  e.work = e.torque.array() - e.load;
+  parts_.motor->accelerations(k_, e.theta.data(), e.omega.data(), e.work.data(), forces_or_zero(e),
+                              e.omega_rate.data());
+}
+
+bool Plant::is_evaluated(double time, const double* y) const {
+  return time == scratch_time_ && std::equal(y, y + size(), scratch_state_.data());
+}
+
+const Evaluation& Plant::evaluated(double time, const double* y, bool with_rates) const {
+  if (is_evaluated(time, y) && (scratch_.has_rates || !with_rates)) return scratch_;
+  scratch_time_ = -1.0;  // stays so where the evaluation throws
+  evaluate(time, y, scratch_, with_rates);
+  scratch_state_ = part(y, 0, size());
+  scratch_time_ = time;
+  return scratch_;
 }
 
 void Plant::derivative(double time, const double* y, double* dy) const {
-  evaluate(time, y, scratch_, false);
+  const Evaluation& e = evaluated(time, y, false);
   Eigen::Map<VectorXd> rate(dy, size());
   rate.head(n_ + k_) = part(y, n_ + k_, n_ + k_);
-  rate.segment(n_ + k_, n_) = scratch_.qdd;
-  rate.tail(k_) = scratch_.omega_rate;
+  rate.segment(n_ + k_, n_) = e.qdd;
+  rate.tail(k_) = e.omega_rate;
 }
 
 void Plant::accept(double time, const double* y) {
-  if (!elastic_) return;
-  evaluate(time, y, scratch_, false);
-  guess_ = scratch_.lever_angle;
+  if (elastic_) guess_ = evaluated(time, y, false).tendon.lever_angle;
 }
 
 std::vector<std::string> Plant::event_names() const {
@@ -264,10 +247,8 @@ std::vector<std::string> Plant::event_names() const {
 }
 
 void Plant::events(double time, const double* y, double* values) const {
-  Evaluation& e = scratch_;
-  evaluate(time, y, e, false);
-  if (elastic_)
-    for (int i = 0; i < tendons_; ++i) *values++ = e.elongation(i);
+  const Evaluation& e = is_evaluated(time, y) ? scratch_ : paths_at(time, y);
+  if (elastic_) values = std::copy(e.elongation.begin(), e.elongation.end(), values);
   if (parts_.guiding) {
     const double limit = parts_.guiding->reversal_velocity();
     for (int i = 0; i < tendons_; ++i)
@@ -276,6 +257,12 @@ void Plant::events(double time, const double* y, double* values) const {
   const double speed = k_ > 0 ? parts_.motor->sticking_speed() : 0.0;
   if (speed > 0.0)
     for (int i = 0; i < k_; ++i) *values++ = std::abs(e.omega(i)) / speed - 1.0;
+}
+
+const Evaluation& Plant::paths_at(double time, const double* y) const {
+  take_state(time, y, path_scratch_);
+  if (tendons_ > 0) take_paths(path_scratch_, parts_.guiding.has_value());
+  return path_scratch_;
 }
 
 std::vector<double> Plant::jumps() const {

@@ -35,10 +35,11 @@ enum Power {
 using Powers = std::array<double, power_count>;
 const char* name_of_power(int power);
 
-/// A rate of energy [W], and the sum of its parts' sizes that rounding is relative to.
-struct EnergyRate {
-  double total = 0.0;
-  double size = 0.0;
+/// Energy, kinetic, of gravity and elastic, and its rate by the chain rule.
+struct EnergyNow {
+  double value = 0.0;  ///< J
+  double rate = 0.0;   ///< W, without the moving base: must equal the powers' sum
+  double size = 0.0;   ///< W, sum of the sizes of the rate's parts: what rounding is relative to
 };
 
 /// What there is to simulate; anything may be absent. Copies share the compiled models.
@@ -50,27 +51,46 @@ struct PlantParts {
   std::optional<WristDrive> wrist;
 };
 
-/// Everything that follows from a state.
+/// Everything that follows from a state. To be used again and again: its arrays are kept.
 struct Evaluation {
   Eigen::VectorXd q, qd, qdd;                ///< n
   Eigen::VectorXd theta, omega, omega_rate;  ///< one a motor
   Eigen::VectorXd theta_reference, torque;   ///< commanded; torque at the output shaft [N·m]
+  Eigen::VectorXd reference_rate;            ///< rad/s, one a motor
   Eigen::VectorXd h, h_rate, wrist_rate;     ///< one a tendon [m, m/s]
-  Eigen::VectorXd elongation, force, finger_force, stiffness, lever_angle;
-  Eigen::VectorXd tendon_torque, external;  ///< on the joints [N·m]
+  Eigen::VectorXd elongation, finger_force;  ///< one a tendon [m, N]
+  Eigen::VectorXd bending, inward;           ///< one a tendon [rad; m/s towards the motor]
+  TendonStates tendon;                       ///< force: on the motor's side
+  Eigen::VectorXd tendon_torque, external;   ///< on the joints [N·m]
+  Eigen::VectorXd joint_torque;              ///< all of it, n
+  Eigen::VectorXd compensation, work;        ///< one a motor; scratch of the emitted loops
   Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> P;
-  double load = 0.0;      ///< N·m, against the motor
-  double residual = 0.0;  ///< m, largest of the emitted lever searches
+  double load = 0.0;  ///< N·m, against the motor
+  bool has_rates = false;
   WristMotion wrist;
+
+  const Eigen::VectorXd& force() const { return tendon.force; }
+};
+
+/// Derivatives of the accelerations, in the blocks that are not 0: the joints' by joints and
+/// motors, each motor's by the joints and by itself.
+struct MotionJacobian {
+  using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  Matrix joint_by_joint, joint_by_motor, motor_by_joint;  ///< 1/s²
+  Matrix joint_by_rate;                                   ///< 1/s
+  Eigen::VectorXd motor_by_motor, motor_by_rate;          ///< 1/s², 1/s
 };
 
 class Plant {
  public:
   Plant(const Scenario& scenario, PlantParts parts);
+  Plant(const Plant&) = delete;  // commands are pointed to
+  Plant(Plant&&) = default;
 
   int size() const { return 2 * (n_ + k_); }
   int coordinates() const { return n_; }
   int motors() const { return motors_; }
+  int moving_motors() const { return k_; }  ///< motors with a state of their own
   int tendons() const { return tendons_; }
   const Joints* joints() const { return parts_.joints.get(); }
   const PlantParts& parts() const { return parts_; }
@@ -79,17 +99,18 @@ class Plant {
   Eigen::VectorXd initial_state() const { return initial_; }
   /// `with_rates`: P and the tendons' velocities too, for powers and guiding friction.
   void evaluate(double time, const double* y, Evaluation& e, bool with_rates) const;
+  /// What can be measured, without accelerations: all that a row of output shows.
+  void observe(double time, const double* y, Evaluation& e) const;
+  /// As evaluate, or the last one where it was at the same time and state.
+  const Evaluation& evaluated(double time, const double* y, bool with_rates) const;
   void derivative(double time, const double* y, double* dy) const;
-  /// d(derivative)/dy, size x size, without the gradients of gravity and Coriolis terms.
-  void jacobian(double time, const double* y, Eigen::MatrixXd& J) const;
+  /// Without the gradients of gravity and Coriolis terms.
+  void jacobian(double time, const double* y, MotionJacobian& J) const;
   /// To be called after each accepted step: the next lever searches start there.
   void accept(double time, const double* y);
 
   Powers powers(const Evaluation& e) const;
-  /// Kinetic, of gravity and elastic [J].
-  double energy(const Evaluation& e) const;
-  /// d(energy)/dt by the chain rule [W] without the moving base: must equal the powers' sum.
-  EnergyRate energy_rate(const Evaluation& e) const;
+  EnergyNow energy(const Evaluation& e) const;
 
   /// Functions whose zeros are events, and what a zero means.
   std::vector<std::string> event_names() const;
@@ -98,27 +119,61 @@ class Plant {
   std::vector<double> jumps() const;
 
  private:
+  using Matrix = MotionJacobian::Matrix;
+
+  /// The wrist at the last time asked for: the commands of one time are needed again and again.
+  struct WristNow {
+    double time = -1.0;  ///< s; below 0: nothing yet
+    WristMotion motion;
+    Eigen::VectorXd feedforward, feedforward_rate;  ///< rad, rad/s, one a motor
+  };
+
   void read_initial();
   void take_commands(double time, Evaluation& e) const;
-  void take_tendons(Evaluation& e, bool with_rates) const;
+  void take_wrist(double time, Evaluation& e) const;
+  void take_external(double time, Evaluation& e) const;
+  void take_motor_commands(double time, Evaluation& e) const;
+  void take_state(double time, const double* y, Evaluation& e) const;
+  void take_paths(Evaluation& e, bool with_rates) const;
+  bool is_evaluated(double time, const double* y) const;
+  /// State, lengths and, where there are guides, velocities: what events depend on.
+  const Evaluation& paths_at(double time, const double* y) const;
   void take_guiding(Evaluation& e) const;
+  void motor_jacobian(const Evaluation& e, MotionJacobian& J) const;
   /// Derivative of the finger-side tension by dh/dt, one a tendon [N·s/m].
   Eigen::VectorXd guiding_slope(const Evaluation& e) const;
   const Signal* command(const std::string& channel) const;
+  const double* forces_or_zero(const Evaluation& e) const;
 
   Scenario scenario_;
   PlantParts parts_;
   int n_ = 0, k_ = 0, motors_ = 0, tendons_ = 0;
   bool elastic_ = false;  ///< tendons with lever, not commanded forces
-  Eigen::VectorXd initial_, closure_, guess_;
+  Eigen::VectorXd initial_, closure_, guess_, no_force_;
   Eigen::VectorXd first_feedforward_;  ///< rad: motors start at 0 wherever the wrist starts
   std::vector<const Signal*> motor_command_, joint_command_, tip_command_;
   const Signal* load_ = nullptr;
-  mutable Evaluation scratch_;
+  const Signal* flexion_ = nullptr;
+  const Signal* abduction_ = nullptr;
+  mutable Evaluation scratch_, path_scratch_;
+  mutable double scratch_time_ = -1.0;  ///< s; below 0: nothing evaluated yet
+  mutable Eigen::VectorXd scratch_state_;
+  mutable WristNow wrist_now_;
+  mutable Matrix M_;  ///< for one call after the other
+  mutable Eigen::VectorXd bias_, power_;
+};
+
+/// What else can be commanded.
+enum class TopOfModel { nothing, fingertip, commanded_wrist };
+
+/// A coordinate as scenarios name it.
+struct JointChannel {
+  std::string name;
+  bool slides = false;  ///< m and N instead of rad and N·m
 };
 
 /// The channels that a scenario may command and set for a model of these parts.
-ScenarioChannels channels_of(DriveMode mode, const std::vector<std::string>& joints, int tendons,
-                             bool has_wrist);
+ScenarioChannels channels_of(DriveMode mode, const std::vector<JointChannel>& joints, int tendons,
+                             TopOfModel top);
 
 }  // namespace sinew

@@ -3,22 +3,17 @@
 #include "simulation/plant.h"
 
 namespace sinew {
-namespace {
-
-using Eigen::VectorXd;
-using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-
-}  // namespace
 
 Powers Plant::powers(const Evaluation& e) const {
   Powers power{};
-  for (int i = 0; i < k_; ++i) {
-    double own[5];
-    parts_.motor->powers(e.theta(i), e.omega(i), e.torque(i), tendons_ > 0 ? e.force(i) : 0.0, own);
-    power[motor_power] += own[0];
-    power[motor_friction_power] += own[1];
-    power[ripple_power] += own[2];
-    power[load_power] -= e.load * e.omega(i);
+  if (k_ > 0) {
+    power_.resize(5 * k_);
+    parts_.motor->powers(k_, e.theta.data(), e.omega.data(), e.torque.data(), forces_or_zero(e),
+                         power_.data());
+    power[motor_power] = power_.head(k_).sum();
+    power[motor_friction_power] = power_.segment(k_, k_).sum();
+    power[ripple_power] = power_.segment(2 * k_, k_).sum();
+    power[load_power] = -e.load * e.omega.sum();
   }
   if (n_ > 0) {
     power[external_power] = e.external.dot(e.qd);
@@ -27,48 +22,39 @@ Powers Plant::powers(const Evaluation& e) const {
     power[base_power] = parts_.joints->base_power(e.q.data(), e.qd.data(), e.wrist);
   }
   if (tendons_ == 0) return power;
-  const VectorXd finger_rate = e.h_rate - e.wrist_rate;
-  power[guiding_power] = (e.force - e.finger_force).dot(finger_rate);
+  power[guiding_power] = (e.force() - e.finger_force).dot(e.h_rate - e.wrist_rate);
   if (!elastic_) {
-    power[prescribed_power] = -e.force.dot(finger_rate);
+    power[prescribed_power] = -e.force().dot(e.h_rate - e.wrist_rate);
     return power;
   }
-  power[wrist_power] = e.force.dot(e.wrist_rate);
-  if (k_ == 0) power[prescribed_power] = parts_.motor->radius() * e.force.dot(e.omega);
+  power[wrist_power] = e.force().dot(e.wrist_rate);
+  if (k_ == 0) power[prescribed_power] = parts_.motor->radius() * e.force().dot(e.omega);
   return power;
 }
 
-double Plant::energy(const Evaluation& e) const {
-  double sum = 0.0;
-  if (n_ > 0) {
-    RowMajor M(n_, n_);
-    VectorXd bias(n_);
-    parts_.joints->mass_and_bias(e.q.data(), e.qd.data(), e.wrist, M.data(), bias.data());
-    sum += 0.5 * e.qd.dot(M * e.qd) + parts_.joints->potential(e.q.data(), e.wrist);
-  }
-  if (k_ > 0) sum += 0.5 * parts_.motor->inertia() * e.omega.squaredNorm();
-  if (elastic_)
-    for (int i = 0; i < tendons_; ++i)
-      sum += parts_.tendon->energy(e.elongation(i),
-                                   {e.force(i), e.stiffness(i), e.lever_angle(i), 0.0});
-  return sum;
-}
-
-EnergyRate Plant::energy_rate(const Evaluation& e) const {
-  EnergyRate rate;
-  const auto add = [&](const VectorXd& parts) {
-    rate.total += parts.sum();
-    rate.size += parts.cwiseAbs().sum();
+EnergyNow Plant::energy(const Evaluation& e) const {
+  EnergyNow now;
+  const auto add_rate = [&](const auto& parts) {
+    now.rate += parts.sum();
+    now.size += parts.cwiseAbs().sum();
   };
   if (n_ > 0) {
-    RowMajor M(n_, n_);
-    VectorXd bias(n_);
-    parts_.joints->mass_and_bias(e.q.data(), e.qd.data(), e.wrist, M.data(), bias.data());
-    add(e.qd.cwiseProduct(M * e.qdd + bias));
+    M_.resize(n_, n_);
+    bias_.resize(n_);
+    parts_.joints->mass_and_bias(e.q.data(), e.qd.data(), e.wrist, M_.data(), bias_.data());
+    now.value += 0.5 * e.qd.dot(M_ * e.qd) + parts_.joints->potential(e.q.data(), e.wrist);
+    bias_ += M_ * e.qdd;
+    add_rate(e.qd.cwiseProduct(bias_));
   }
-  if (k_ > 0) add(parts_.motor->inertia() * e.omega.cwiseProduct(e.omega_rate));
-  if (elastic_) add(e.force.cwiseProduct(parts_.motor->radius() * e.omega + e.h_rate));
-  return rate;
+  if (k_ > 0) {
+    now.value += 0.5 * parts_.motor->inertia() * e.omega.squaredNorm();
+    add_rate(parts_.motor->inertia() * e.omega.cwiseProduct(e.omega_rate));
+  }
+  if (!elastic_) return now;
+  for (int i = 0; i < tendons_; ++i)
+    now.value += parts_.tendon->energy(e.elongation(i), e.tendon, i);
+  add_rate(e.force().cwiseProduct(parts_.motor->radius() * e.omega + e.h_rate));
+  return now;
 }
 
 }  // namespace sinew

@@ -18,6 +18,7 @@ const std::vector<std::string> drive_words{"torque", "servo", "prescribed", "ten
                                            "joint_torques"};
 const std::vector<std::string> integrator_words{"cvode_bdf", "cvode_adams", "fixed_step",
                                                 "runge_kutta_4"};
+const std::vector<std::string> wrist_words{"prescribed", "dynamic"};
 const std::vector<std::string> guiding_words{"none", "fitted", "capstan"};
 const std::vector<std::string> wave_words{"constant", "ramp", "sine"};
 
@@ -76,6 +77,13 @@ class ScenarioReader {
     return scenario_.drive;
   }
 
+  WristMode wrist_mode() {
+    TomlTable root(root_, "", file_);
+    if (auto wrist = root.table("wrist", false))
+      take_word(*wrist, "mode", wrist_words, scenario_.wrist);
+    return scenario_.wrist;
+  }
+
   Scenario read(const ScenarioChannels& channels) {
     channels_ = &channels;
     TomlTable root(root_, "", file_);
@@ -83,6 +91,7 @@ class ScenarioReader {
     if (auto table = root.table("integrator", false)) read_integrator(*table);
     if (auto table = root.table("drive", false)) read_drive(*table);
     if (auto table = root.table("losses", false)) read_losses(*table);
+    if (auto table = root.table("wrist", false)) read_wrist(*table);
     if (auto table = root.table("initial", false)) read_initial(*table);
     if (auto table = root.table("noise", false)) read_noise(*table);
     if (auto table = root.table("commands", false)) read_commands(*table);
@@ -149,6 +158,13 @@ class ScenarioReader {
     take_word(table, "guiding", guiding_words, scenario_.guiding);
     take(table, "fixed_bending", Dimension::angle, scenario_.fixed_bending, Sign::not_negative);
     take(table, "crank_inertia", Dimension::inertia, scenario_.crank_inertia, Sign::positive);
+    table.finish();
+  }
+
+  void read_wrist(TomlTable& table) {
+    take_word(table, "mode", wrist_words, scenario_.wrist);
+    take(table, "inertia", Dimension::inertia, scenario_.wrist_inertia, Sign::positive);
+    take(table, "damping", Dimension::angular_damping, scenario_.wrist_damping, Sign::not_negative);
     table.finish();
   }
 
@@ -235,6 +251,13 @@ class ScenarioReader {
 DriveMode read_drive_mode(const fs::path& file) {
   Findings findings;
   const DriveMode mode = ScenarioReader(file, findings).drive_mode();
+  findings.raise_if_any();
+  return mode;
+}
+
+WristMode read_wrist_mode(const fs::path& file) {
+  Findings findings;
+  const WristMode mode = ScenarioReader(file, findings).wrist_mode();
   findings.raise_if_any();
   return mode;
 }

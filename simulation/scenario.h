@@ -33,6 +33,12 @@ enum class DriveMode {
 
 enum class GuidingLaw { none, fitted, capstan };
 
+/// How the wrist of a hand moves.
+enum class WristMode {
+  prescribed,  ///< the palm follows the commanded flexion and abduction exactly
+  dynamic,     ///< bars with inertia; torques on them commanded
+};
+
 /// Standard deviations of the white noise on each kind of output channel, SI units.
 struct MeasurementNoise {
   unsigned long seed = 1;
@@ -51,8 +57,8 @@ struct Scenario {
   std::optional<Eigen::Vector3d> gravity;
 
   Integrator integrator = Integrator::cvode_bdf;
-  double relative_tolerance = 1e-8;
-  double absolute_tolerance = 1e-10;
+  double relative_tolerance = 1e-6;
+  double absolute_tolerance = 1e-8;
   double step = 1.0 / 3000.0;  ///< s, of the fixed-step integrators
 
   DriveMode drive = DriveMode::torque;
@@ -69,6 +75,10 @@ struct Scenario {
   double fixed_bending = 0.0;     ///< rad, bending of every tendon outside joints and wrist
   double crank_inertia = 2.0e-5;  ///< kg·m², of what the four-bar's crank moves (complete hand)
 
+  WristMode wrist = WristMode::prescribed;
+  double wrist_inertia = 2.0e-3;  ///< kg·m², of bars, palm and fingers about q71 and about q73
+  double wrist_damping = 1.0e-2;  ///< N·m·s/rad, of q71 and of q73
+
   std::map<std::string, double> initial;   ///< channel (q20, qd_q20, theta_1, …) -> SI value
   std::map<std::string, Signal> commands;  ///< channel -> command, SI
   double longest_step = 0.0;               ///< s, that still sees every sample; 0: no limit
@@ -83,6 +93,8 @@ struct ScenarioChannels {
 
 /// The drive mode alone, which decides what the channels are. Throws DescriptionError.
 DriveMode read_drive_mode(const std::filesystem::path& file);
+/// The wrist's mode alone, for the same reason.
+WristMode read_wrist_mode(const std::filesystem::path& file);
 
 /// Reads a scenario (docs/simulation.md) and the CSV file of commands that it may name, relative to
 /// itself. Throws DescriptionError with every mistake found, each with file, line and column: a

@@ -7,10 +7,11 @@
 
 namespace sinew {
 
-/// Value of a signal and its derivative by time.
+/// Value of a signal and its derivatives by time.
 struct Sample {
   double value = 0.0;
   double rate = 0.0;
+  double acceleration = 0.0;
 };
 
 enum class WaveShape { constant, ramp, sine };

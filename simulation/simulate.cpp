@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <optional>
 #include <random>
 
 namespace sinew {
@@ -30,52 +31,70 @@ class Noise {
   std::mt19937_64 random_;
 };
 
-/// A group of output channels: their names and unit, and how they are read off.
+/// A group of output channels: "name [unit]" each, and how they are read off.
 struct Group {
-  std::vector<std::string> names;
-  const char* unit;
+  std::vector<std::string> columns;
   double noise;
-  const Eigen::VectorXd Evaluation::*values;
+  const Eigen::VectorXd& (*values)(const Evaluation&);
 };
 
-std::vector<std::string> numbered(const std::string& name, int count) {
-  std::vector<std::string> names;
-  for (int i = 1; i <= count; ++i) names.push_back(fmt::format("{}_{}", name, i));
-  return names;
+template <Eigen::VectorXd Evaluation::*member>
+const Eigen::VectorXd& get(const Evaluation& e) {
+  return e.*member;
+}
+
+const Eigen::VectorXd& force_of(const Evaluation& e) {
+  return e.tendon.force;
+}
+
+const Eigen::VectorXd& lever_of(const Evaluation& e) {
+  return e.tendon.lever_angle;
+}
+
+std::vector<std::string> numbered(const char* name, int count, const char* unit) {
+  std::vector<std::string> columns;
+  for (int i = 1; i <= count; ++i) columns.push_back(fmt::format("{}_{} [{}]", name, i, unit));
+  return columns;
 }
 
 std::vector<Group> drive_groups(const Plant& plant) {
   const MeasurementNoise& noise = plant.scenario().noise;
-  std::vector<Group> groups{{{"theta"}, "rad", noise.theta, &Evaluation::theta},
-                            {{"omega"}, "rad/s", noise.omega, &Evaluation::omega},
-                            {{"tau_m"}, "N·m", noise.torque, &Evaluation::torque}};
+  std::vector<Group> groups{{{"theta [rad]"}, noise.theta, get<&Evaluation::theta>},
+                            {{"omega [rad/s]"}, noise.omega, get<&Evaluation::omega>},
+                            {{"tau_m [N·m]"}, noise.torque, get<&Evaluation::torque>}};
   if (plant.scenario().drive == DriveMode::servo)
-    groups.push_back({{"theta_ref"}, "rad", 0.0, &Evaluation::theta_reference});
+    groups.push_back({{"theta_ref [rad]"}, 0.0, get<&Evaluation::theta_reference>});
   return groups;
+}
+
+/// One column a coordinate, in the unit of those that turn or of those that slide.
+std::vector<std::string> of_coordinates(const Joints& joints, const char* prefix,
+                                        const char* turning, const char* sliding) {
+  std::vector<std::string> columns;
+  for (std::size_t i = 0; i < joints.names.size(); ++i)
+    columns.push_back(
+        fmt::format("{}{} [{}]", prefix, joints.names[i], joints.slides[i] ? sliding : turning));
+  return columns;
 }
 
 std::vector<Group> joint_groups(const Plant& plant) {
   const MeasurementNoise& noise = plant.scenario().noise;
-  const std::vector<std::string>& joints = plant.joints()->names;
-  std::vector<std::string> rates;
-  for (const std::string& joint : joints) rates.push_back("qd_" + joint);
-  std::vector<Group> groups{{joints, "rad", noise.position, &Evaluation::q},
-                            {rates, "rad/s", 0.0, &Evaluation::qd}};
+  const Joints& joints = *plant.joints();
+  std::vector<Group> groups{
+      {of_coordinates(joints, "", "rad", "m"), noise.position, get<&Evaluation::q>},
+      {of_coordinates(joints, "qd_", "rad/s", "m/s"), 0.0, get<&Evaluation::qd>}};
   const int motors = plant.motors(), tendons = plant.tendons();
   if (motors > 0) {
-    groups.push_back({numbered("theta", motors), "rad", noise.theta, &Evaluation::theta});
-    groups.push_back({numbered("omega", motors), "rad/s", noise.omega, &Evaluation::omega});
-    groups.push_back({numbered("tau", motors), "N·m", noise.torque, &Evaluation::torque});
+    groups.push_back({numbered("theta", motors, "rad"), noise.theta, get<&Evaluation::theta>});
+    groups.push_back({numbered("omega", motors, "rad/s"), noise.omega, get<&Evaluation::omega>});
+    groups.push_back({numbered("tau", motors, "N·m"), noise.torque, get<&Evaluation::torque>});
   }
-  if (tendons > 0)
-    groups.push_back({numbered("force", tendons), "N", noise.force, &Evaluation::force});
+  if (tendons > 0) groups.push_back({numbered("force", tendons, "N"), noise.force, force_of});
   if (tendons > 0 && motors > 0)
-    groups.push_back({numbered("lever", tendons), "rad", 0.0, &Evaluation::lever_angle});
-  if (tendons == 0) {
-    std::vector<std::string> torques;
-    for (const std::string& joint : joints) torques.push_back("tau_" + joint);
-    groups.push_back({torques, "N·m", noise.torque, &Evaluation::external});
-  }
+    groups.push_back({numbered("lever", tendons, "rad"), 0.0, lever_of});
+  if (tendons == 0)
+    groups.push_back(
+        {of_coordinates(joints, "tau_", "N·m", "N"), noise.torque, get<&Evaluation::external>});
   return groups;
 }
 
@@ -92,48 +111,61 @@ class Recorder {
         groups_(groups_of(plant)),
         noise_(plant.scenario().noise.seed) {}
 
-  void operator()(double time, const double* y, const Powers& work) {
-    plant_.evaluate(time, y, e_, true);
-    audit(work);
-    std::vector<double> values{time};
-    for (const Group& group : groups_)
-      for (const double value : e_.*group.values) values.push_back(value + noise_(group.noise));
-    if (!plant_.joints()) values.push_back(e_.load);
-    if (plant_.parts().wrist) values.insert(values.end(), {e_.wrist.q[0], e_.wrist.q[1]});
-    row_(values);
+  void row(double time, const double* y) {
+    plant_.observe(time, y, shown_);
+    values_.clear();
+    values_.push_back(time);
+    for (const Group& group : groups_) add(group);
+    if (!plant_.joints()) values_.push_back(shown_.load);
+    if (plant_.parts().wrist) values_.insert(values_.end(), {shown_.wrist.q[0], shown_.wrist.q[1]});
+    row_(values_);
     ++result_.rows;
   }
 
+  void audit(double time, const double* y, const Powers& work) {
+    const Evaluation& e = plant_.evaluated(time, y, true);
+    const EnergyNow now = plant_.energy(e);
+    audit_energy(now.value, work);
+    audit_power(e, now);
+    if (plant_.tendons() > 0 && e.tendon.residual.size() > 0)
+      result_.audit.lever_residual =
+          std::max(result_.audit.lever_residual, e.tendon.residual.cwiseAbs().maxCoeff());
+  }
+
  private:
-  void audit(const Powers& work) {
+  void add(const Group& group) {
+    const Eigen::VectorXd& all = group.values(shown_);
+    if (group.noise == 0.0)
+      values_.insert(values_.end(), all.begin(), all.end());
+    else
+      for (const double value : all) values_.push_back(value + noise_(group.noise));
+  }
+
+  void audit_energy(double energy, const Powers& work) {
     Audit& audit = result_.audit;
-    const double energy = plant_.energy(e_);
-    if (result_.rows == 0) start_ = energy;
+    if (!start_) start_ = energy;
     double sum = 0.0;
     for (const double each : work) {
       sum += each;
       audit.largest_energy = std::max(audit.largest_energy, std::abs(each));
     }
     audit.largest_energy = std::max(audit.largest_energy, std::abs(energy));
-    audit.energy_drift = std::max(audit.energy_drift, std::abs(energy - start_));
-    audit.energy_residual = std::max(audit.energy_residual, std::abs(energy - start_ - sum));
+    audit.energy_drift = std::max(audit.energy_drift, std::abs(energy - *start_));
+    audit.energy_residual = std::max(audit.energy_residual, std::abs(energy - *start_ - sum));
     audit.work = work;
-    audit_power();
   }
 
-  void audit_power() {
+  void audit_power(const Evaluation& e, const EnergyNow& now) {
     Audit& audit = result_.audit;
-    const Powers powers = plant_.powers(e_);
-    const EnergyRate rate = plant_.energy_rate(e_);
-    double sum = 0.0, size = rate.size;
+    const Powers powers = plant_.powers(e);
+    double sum = 0.0, size = now.size;
     for (int i = 0; i < power_count; ++i) {
       const double power = powers[static_cast<std::size_t>(i)];
       if (i != base_power) sum += power;
       size = std::max(size, std::abs(power));
     }
     // Powers below a nanowatt are rounding of larger torques.
-    audit.power_residual =
-        std::max(audit.power_residual, std::abs(rate.total - sum) / (size + 1e-9));
+    audit.power_residual = std::max(audit.power_residual, std::abs(now.rate - sum) / (size + 1e-9));
     for (const Power loss : {motor_friction_power, guiding_power, damping_power})
       audit.largest_friction_power =
           std::max(audit.largest_friction_power, powers[static_cast<std::size_t>(loss)]);
@@ -144,8 +176,9 @@ class Recorder {
   SimulationResult& result_;
   std::vector<Group> groups_;
   Noise noise_;
-  Evaluation e_;
-  double start_ = 0.0;
+  Evaluation shown_;
+  std::vector<double> values_;
+  std::optional<double> start_;
 };
 
 }  // namespace
@@ -153,8 +186,7 @@ class Recorder {
 std::vector<std::string> output_columns(const Plant& plant) {
   std::vector<std::string> columns{"time [s]"};
   for (const Group& group : groups_of(plant))
-    for (const std::string& name : group.names)
-      columns.push_back(fmt::format("{} [{}]", name, group.unit));
+    columns.insert(columns.end(), group.columns.begin(), group.columns.end());
   if (!plant.joints()) columns.push_back("load [N·m]");
   if (plant.parts().wrist)
     for (const char* name : {"q71 [rad]", "q73 [rad]"}) columns.push_back(name);
@@ -166,16 +198,19 @@ SimulationResult simulate(Plant& plant, const OnRow& row,
   SimulationResult result;
   Recorder recorder(plant, row, result);
   const auto start = std::chrono::steady_clock::now();
-  result.count = integrate(
-      plant,
-      [&](double time, const double* y, const Powers& work) {
-        recorder(time, y, work);
-        if (progress) progress(time);
-      },
-      [&](const Event& event) {
-        if (event.begins) ++result.event_counts[event.name];
-        if (result.events.size() < most_events) result.events.push_back(event);
-      });
+  IntegrationCalls calls;
+  calls.output = [&](double time, const double* y) {
+    recorder.row(time, y);
+    if (progress) progress(time);
+  };
+  calls.step = [&](double time, const double* y, const Powers& work) {
+    recorder.audit(time, y, work);
+  };
+  calls.event = [&](const Event& event) {
+    if (event.begins) ++result.event_counts[event.name];
+    if (result.events.size() < most_events) result.events.push_back(event);
+  };
+  result.count = integrate(plant, calls);
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return result;
 }

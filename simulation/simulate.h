@@ -12,13 +12,14 @@
 
 namespace sinew {
 
-/// Energy books of a run.
+/// Energy books of a run, closed after every step.
 struct Audit {
   double largest_energy = 0.0;   ///< J, largest |energy| and |work| seen: what residuals refer to
   double energy_residual = 0.0;  ///< J, largest |energy - start - sum of work|
   double power_residual = 0.0;   ///< largest |d(energy)/dt - sum of powers| over the powers' size
   double largest_friction_power = 0.0;  ///< W, of motor, guiding and damping: never above 0
   double energy_drift = 0.0;            ///< J, largest |energy - start|
+  double lever_residual = 0.0;          ///< m, largest that the emitted lever searches leave over
   Powers work{};                        ///< J, at the end
 };
 

@@ -64,11 +64,14 @@ double gravity_potential(const Mechanism& mechanism, const double* q,
   return energy;
 }
 
-double tendon_energy(const TendonWithLever& parameters, double lever_angle, double force) {
-  const LeverParameters& p = parameters.lever;
-  const double stretch = spring_length(p, lever_angle) - spring_length(p, p.free_angle);
-  const double softness = parameters.tendon.free_length / parameters.tendon.axial_stiffness;
-  return 0.5 * p.spring_stiffness * stretch * stretch + 0.5 * softness * force * force;
+TendonEnergy::TendonEnergy(const TendonWithLever& parameters)
+    : lever_(parameters.lever),
+      free_length_(spring_length(lever_, lever_.free_angle)),
+      softness_(parameters.tendon.free_length / parameters.tendon.axial_stiffness) {}
+
+double TendonEnergy::at(double lever_angle, double force) const {
+  const double stretch = spring_length(lever_, lever_angle) - free_length_;
+  return 0.5 * lever_.spring_stiffness * stretch * stretch + 0.5 * softness_ * force * force;
 }
 
 }  // namespace sinew

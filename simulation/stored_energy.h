@@ -21,6 +21,15 @@ double gravity_potential(const Mechanism& mechanism, const double* q,
 
 /// ½ K (l - l0)² of the lever's spring at a lever angle, with l0 the length at the free angle,
 /// plus ½ f² l0/(E S) of the tendon [J].
-double tendon_energy(const TendonWithLever& parameters, double lever_angle, double force);
+class TendonEnergy {
+ public:
+  explicit TendonEnergy(const TendonWithLever& parameters);
+  double at(double lever_angle, double force) const;
+
+ private:
+  LeverParameters lever_;
+  double free_length_ = 0.0;  ///< m, of the spring
+  double softness_ = 0.0;     ///< m/N, of the tendon
+};
 
 }  // namespace sinew

@@ -13,17 +13,17 @@ class WristDrive {
  public:
   WristDrive(const WristParameters& parameters, const std::filesystem::path& runtime);
 
-  /// `flexion`, `abduction`: of the palm [rad, rad/s]. Throws std::domain_error where the wrist
-  /// cannot point there.
+  /// `flexion`, `abduction`: of the palm [rad, rad/s, rad/s²]. Throws std::domain_error where the
+  /// wrist cannot point there.
   WristMotion at(const Sample& flexion, const Sample& abduction) const;
   /// Motor angles that hold the fingers still and their rates, one a tendon [rad, rad/s].
   void feedforward(const WristMotion& wrist, double* delta, double* rate) const;
 
  private:
-  void bar_angles(double flexion, double abduction, double* q) const;
+  using BarAngles = void(int, const double*, const double*, double*, double*, double*);
 
   CompiledModel model_;
-  const sinew_function* bar_angles_;
+  BarAngles* bar_angles_;
   const sinew_function* feedforward_;
   const sinew_function* feedforward_rate_;
 };

@@ -111,10 +111,10 @@ TEST_CASE("a wrong acceleration shows in the power balance", "[energy]") {
   const Eigen::VectorXd y = plant.initial_state();
   plant.evaluate(0.0, y.data(), e, true);
   const auto residual = [&] {
-    const sinew::EnergyRate rate = plant.energy_rate(e);
+    const sinew::EnergyNow now = plant.energy(e);
     double sum = 0.0;
     for (const double power : plant.powers(e)) sum += power;
-    return std::abs(rate.total - sum) / rate.size;
+    return std::abs(now.rate - sum) / now.size;
   };
   CHECK(residual() < 1e-12);
   e.qdd *= 1.0 + 1e-5;

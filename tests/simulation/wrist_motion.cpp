@@ -3,15 +3,13 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "tests/simulation/scenario_run.h"
+#include "tests/simulation/hand_runs.h"
 
 using namespace sinew_tests;
 
 namespace {
 
-/// The same hand with and without feedforward: it is derived and compiled once.
-struct Wrist {
-  sinew::Plant plant = plant_of("hand", scenario_text(0.5, 50, R"(
+const std::string moving_wrist = R"(
 gravity = { value = [0, 0, 0], unit = "m/s^2" }
 [integrator]
 relative_tolerance = { value = 1e-6, unit = "1" }
@@ -31,15 +29,7 @@ frequency = { value = 0.5, unit = "Hz" }
 [drive]
 mode = "prescribed"
 pretension = { value = 15, unit = "N" }
-)"));
-
-  Run moved(bool feedforward) const {
-    sinew::Scenario scenario = plant.scenario();
-    scenario.wrist_feedforward = feedforward;
-    sinew::Plant own(scenario, plant.parts());
-    return run(own);
-  }
-};
+)";
 
 /// Root of the mean square of all fingers' joint angles about their start [rad].
 double motion(const Run& run) {
@@ -52,9 +42,12 @@ double motion(const Run& run) {
 
 }  // namespace
 
-TEST_CASE("the wrist feedforward takes 98 % of the fingers' motion away", "[hand]") {
-  const Wrist wrist;
-  const Run without = wrist.moved(false), with = wrist.moved(true);
+TEST_CASE("without gravity the wrist feedforward takes 98 % of the fingers' motion away",
+          "[hand]") {
+  const HandRuns hand(scenario_text(0.5, 50, moving_wrist));
+  const Run without = hand.changed([](sinew::Scenario&) {});
+  const Run with =
+      hand.changed([](sinew::Scenario& scenario) { scenario.wrist_feedforward = true; });
   const double before = motion(without), after = motion(with);
   CAPTURE(before, after);
   CHECK(without.columns[1] == "thumb.q10 [rad]");

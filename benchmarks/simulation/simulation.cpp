@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How much faster than real time a finger and the complete hand simulate at 3 kHz output on one
+// core. `real_time_factor` is simulated time over processor time; rows are handed over, and written
+// as CSV where the name says so.
+#include <benchmark/benchmark.h>
+
+#include <filesystem>
+#include <fstream>
+#include <functional>
+
+#include "simulation/simulate.h"
+#include "simulation/write_rows.h"
+
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path source = SINEW_SOURCE_DIR;
+
+/// Deriving and compiling a model takes longer than simulating it.
+const sinew::Plant& finger() {
+  static const sinew::Plant plant = sinew::build_plant(
+      source / "models/index", source / "benchmarks/simulation/finger.toml", source / "runtime");
+  return plant;
+}
+
+const sinew::Plant& hand() {
+  static const sinew::Plant plant =
+      sinew::build_plant(source / "models/hand", source / "models/hand/scenarios/wrist_motion.toml",
+                         source / "runtime");
+  return plant;
+}
+
+using Change = std::function<void(sinew::Scenario&)>;
+
+void as_it_is(sinew::Scenario&) {}
+
+void in_fixed_steps(sinew::Scenario& scenario) {
+  scenario.integrator = sinew::Integrator::fixed_step;
+  scenario.step = 1.0 / 3000.0;
+}
+
+/// `written`: rows go to a CSV file, which vanishes.
+void simulate(benchmark::State& state, const sinew::Plant& model, const Change& change,
+              bool written) {
+  sinew::Scenario scenario = model.scenario();
+  change(scenario);
+  const fs::path file = fs::temp_directory_path() / "simulation_benchmark.csv";
+  long steps = 0;
+  for (auto _ : state) {
+    sinew::Plant plant(scenario, model.parts());
+    if (written) {
+      sinew::RowWriter out(file, sinew::output_columns(plant));
+      steps += sinew::simulate(plant, [&](const auto& row) { out.write(row); }).count.steps;
+    } else {
+      double last = 0.0;
+      steps += sinew::simulate(plant, [&](const auto& row) { last = row.back(); }).count.steps;
+      benchmark::DoNotOptimize(last);
+    }
+  }
+  const double simulated = scenario.duration * static_cast<double>(state.iterations());
+  state.counters["real_time_factor"] = benchmark::Counter(simulated, benchmark::Counter::kIsRate);
+  state.counters["steps_a_second"] = static_cast<double>(steps) / simulated;
+}
+
+}  // namespace
+
+int main(int count, char** words) {
+  const struct {
+    const char* name;
+    const sinew::Plant& (*model)();
+    Change change;
+    bool written;
+  } cases[] = {{"finger/cvode", finger, as_it_is, false},
+               {"finger/cvode/csv", finger, as_it_is, true},
+               {"finger/fixed_step", finger, in_fixed_steps, false},
+               {"hand/cvode", hand, as_it_is, false},
+               {"hand/cvode/csv", hand, as_it_is, true},
+               {"hand/fixed_step", hand, in_fixed_steps, false}};
+  for (const auto& each : cases)
+    benchmark::RegisterBenchmark(each.name, [each](benchmark::State& state) {
+      simulate(state, each.model(), each.change, each.written);
+    })->Unit(benchmark::kMillisecond);
+  benchmark::Initialize(&count, words);
+  if (benchmark::ReportUnrecognizedArguments(count, words)) return 2;
+  benchmark::RunSpecifiedBenchmarks();
+  return 0;
+}
