@@ -7,12 +7,22 @@
 namespace sinew {
 namespace {
 
-constexpr double block_time = 0.02;      // s, over which a velocity is taken
-constexpr double velocity_spread = 0.1;  // of the velocity, within a plateau
-constexpr double settling = 0.2;         // s at most, left out at a plateau's beginning
+constexpr double block_time = 0.02;       // s, over which a velocity is taken
+constexpr double velocity_spread = 0.1;   // of the velocity, within a plateau
+constexpr double settling = 0.2;          // s at most, left out at a plateau's beginning
+constexpr double velocity_noise = 0.005;  // rad/s, of a velocity taken from the angle
 
-Eigen::ArrayXd slope_of(const Eigen::ArrayXd& signal, double period, double smoothing) {
-  const long n = signal.size(), half = std::max(1L, std::lround(smoothing / period / 2));
+/// Samples each way that a velocity is taken over: as few as keep its noise small, because friction
+/// is steep where the drive turns round and a mean over the turn is no friction.
+long reach_of(const Channel& theta, const Eigen::ArrayXd& signal, double period, double smoothing) {
+  const double noise = std::max(white_noise_rms(signal), theta.quantum / std::sqrt(12.0));
+  const double wanted = noise * std::sqrt(2.0) / (2.0 * period * velocity_noise);
+  return std::clamp(static_cast<long>(std::ceil(std::min(wanted, 1e6))), 1L,
+                    std::max(1L, std::lround(smoothing / period / 2)));
+}
+
+Eigen::ArrayXd slope_of(const Eigen::ArrayXd& signal, double period, long half) {
+  const long n = signal.size();
   Eigen::ArrayXd rate = Eigen::ArrayXd::Zero(n);
   for (long i = 0; i < n; ++i) {
     const long before = std::max(0L, i - half), after = std::min(n - 1, i + half);
@@ -46,7 +56,9 @@ std::vector<DriveStretch> drive_stretches(const Log& log, double smoothing) {
     stretch.torque = segment.samples.col(torque);
     if (load >= 0) stretch.torque -= segment.samples.col(load);
     stretch.omega = omega >= 0 ? Eigen::ArrayXd(segment.samples.col(omega))
-                               : slope_of(stretch.theta, log.period, smoothing);
+                               : slope_of(stretch.theta, log.period,
+                                          reach_of(log.channels[static_cast<std::size_t>(theta)],
+                                                   stretch.theta, log.period, smoothing));
     all.push_back(std::move(stretch));
   }
   return all;

@@ -18,7 +18,8 @@ struct DriveStretch {
   Eigen::ArrayXd torque;  ///< N·m, motor less load
 };
 
-/// Theta, omega (from theta over `smoothing` seconds where there is no such channel), tau_m - load.
+/// Theta, omega (where it is not logged theta's slope, over as little time as its noise allows and
+/// `smoothing` seconds at most), tau_m - load.
 std::vector<DriveStretch> drive_stretches(const Log& log, double smoothing = 0.01);
 
 /// Samples [first, last) that move at one velocity.

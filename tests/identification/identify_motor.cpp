@@ -193,6 +193,20 @@ TEST_CASE("inertia is found, and without friction it is wrong", "[identify]") {
   CHECK(last.inertia.value == Approx(log.inertia()).epsilon(0.02));
 }
 
+TEST_CASE("inertia from an encoder's steps alone", "[identify]") {
+  const Simulated pushed = impulses();
+  std::mt19937 random(9);
+  Log log = pushed.log("encoder", random, 0.02, 0.0);
+  const double step = 2.0 * pi / 1048576.0;
+  log.channels[0].quantum = step;
+  for (double& each : log.segments[0].samples.col(0)) each = std::round(each / step) * step;
+  const InertiaResult r = identify_inertia(drive_stretches(log), motor());
+  CAPTURE(r.inertia.value, r.inertia.standard_error, r.missing);
+  CHECK(r.identified);
+  CHECK(std::abs(r.inertia.value - pushed.inertia()) < 4.0 * r.inertia.standard_error);
+  CHECK(r.inertia.standard_error < 0.01 * pushed.inertia());
+}
+
 TEST_CASE("projected derivatives have the derivatives' values and signs", "[identify]") {
   const BumpProjection bumps(31, 1e-3);
   const Eigen::ArrayXd t = Eigen::ArrayXd::LinSpaced(31, 0.2, 0.23), one = Eigen::ArrayXd::Ones(31);
