@@ -90,6 +90,29 @@ TEST_CASE("one iteration a tick follows 1 rad/s at 3 kHz", "[thumb]") {
   CHECK(worst <= 1e-6);
 }
 
+TEST_CASE("Algorithm 1, an iteration a tick, says when it has arrived", "[thumb]") {
+  const double q10 = 25 * degree, q11 = -30 * degree;
+  const Values h = base_lengths(q10, q11);
+  Values search{0, 0, 0, 0, 300, 1};  // gradient 0 and a cost above any: the start
+  int iterations = 0;
+  const auto arrived = [&] {
+    return call(thumb_catalogue, "link_position_status", joined(h, {search[0], search[1]}))[1] == 0;
+  };
+  CHECK_FALSE(arrived());
+  for (; iterations < 200 && (iterations == 0 || !arrived()); ++iterations)
+    search = call(thumb_catalogue, "link_position_gradient_step", joined(h, search));
+  CAPTURE(iterations, error(search, q10, q11));
+  CHECK(arrived());
+  CHECK(iterations > 10);  // Levenberg-Marquardt: 4
+  CHECK(iterations < 100);
+  CHECK(error(search, q10, q11) < 2e-6);
+  // From there one iteration follows the next tick.
+  const double moved = q10 + 1.0 / 3000;
+  const Values next = base_lengths(moved, q11);
+  CHECK(call(thumb_catalogue, "link_position_status", joined(next, {search[0], search[1]}))[1] ==
+        1.0);
+}
+
 TEST_CASE("noise floor of the thumb's base, as its covariance foretells", "[thumb]") {
   for (const double sigma : {0.5e-3, 1e-3})
     for (const sinew_catalogue* thumb : {&thumb_catalogue, &thumb_table_5_2_catalogue})

@@ -11,6 +11,7 @@
 #include "index_catalogue.h"
 #include "middle_catalogue.h"
 #include "ring_catalogue.h"
+#include "tests/hand/model_values.h"
 #include "tests/hand/palm_pose.h"
 #include "thumb_catalogue.h"
 
@@ -154,7 +155,8 @@ TEST_CASE("with the feedforward the fingers' share of the closure stands still",
                h = call(hand_catalogue, "tendon_lengths", joined(s.q, s.wrist)),
                h0 = call(hand_catalogue, "tendon_lengths", joined(s.q, reference));
   for (std::size_t i = 0; i < tendons; ++i)
-    CHECK(h[i] + 0.005 * delta[i] == Approx(h0[i]).epsilon(1e-14).margin(1e-17));
+    CHECK(h[i] + wrist_values().motor_radius * delta[i] ==
+          Approx(h0[i]).epsilon(1e-14).margin(1e-17));
 }
 
 TEST_CASE("fingertips in the forearm are those in the palm, moved by the wrist", "[hand]") {
@@ -173,8 +175,10 @@ TEST_CASE("fingertips in the forearm are those in the palm, moved by the wrist",
   // The index finger's base is not turned in the palm: its tip is its own, moved.
   const Values q_index(s.q.begin() + 4, s.q.begin() + 8);
   const Values own = call(index_catalogue, "forward_kinematics", q_index);
-  CHECK(palm(4, 3) == Approx(own[3] + 0.070).epsilon(1e-14));
-  CHECK(palm(5, 3) == Approx(own[7] + 0.021).epsilon(1e-14));
+  const sinew::Transform base = sinew::read_hand(model_folder("hand")).hand.fingers[1].base;
+  REQUIRE(base.rotation == Eigen::Matrix3d::Identity());
+  CHECK(palm(4, 3) == Approx(own[3] + base.translation.x()).epsilon(1e-14));
+  CHECK(palm(5, 3) == Approx(own[7] + base.translation.y()).epsilon(1e-14));
   // The fifth finger rides on the coupler: it moves with the crank, the others do not.
   State moved = s;
   moved.q[18] += 0.1;
