@@ -106,8 +106,12 @@ void set_hand(const Hand& hand, const Identified& identified, DiagnoseRequest& r
   request.model = tendon_driven_model(*request.mechanism, {}, emitted_cost);
   std::vector<int> numbers;
   for (const int channel : held.channels) numbers.push_back(channel + 1);
-  request.channels = [mechanism = held.mechanism, numbers](const std::string&) {
-    return diagnosis::tendon_log_channels(mechanism, numbers, false);
+  request.channels = [held, numbers](const std::string&) {
+    diagnosis::DrivenChannels channels =
+        diagnosis::tendon_log_channels(held.mechanism, numbers, false);
+    for (std::size_t i = 0; i < held.coordinates.size(); ++i)
+      channels.specs[i].name = channels.positions[i] = held.coordinates[i];
+    return channels;
   };
 }
 

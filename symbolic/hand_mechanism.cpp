@@ -73,7 +73,7 @@ std::vector<Isometry3d> bases(const Hand& hand) {
 
 /// Appends a finger with its names behind its own.
 void add_finger(const Mechanism& finger, const Isometry3d& base, Mechanism& hand) {
-  const std::string prefix = finger.name + ".";
+  const std::string prefix = finger.name + "_";
   const auto named = [&](const std::string& name) { return name == "base" ? name : prefix + name; };
   const auto offset = static_cast<int>(hand.bodies.size());
   for (Body body : finger.bodies) {
@@ -122,6 +122,8 @@ HeldHand held_hand(const Hand& hand) {
     add_finger(finger.mechanism, base[k], held.mechanism);
     held.channels.insert(held.channels.end(), finger.channels.begin(), finger.channels.end());
   }
+  held.coordinates = coordinate_names(hand);
+  held.coordinates.pop_back();
   return held;
 }
 
