@@ -33,4 +33,13 @@ std::vector<std::string> mistakes(Format format, std::string_view text);
 /// The sound text of a format with one edit; the edited part must be there.
 std::string spoilt(std::string_view sound, const Case& edit);
 
+/// "file:line:column: " of the first place of `at` in a text, as in Case; columns are counted in
+/// UTF-8 characters.
+std::string expected_place(std::string_view text, std::string_view at);
+
+/// One of the messages must stand at the case's place and contain its phrase; all must say what was
+/// expected.
+void check_messages(const Case& each, std::string_view text,
+                    const std::vector<std::string>& messages);
+
 }  // namespace malformed

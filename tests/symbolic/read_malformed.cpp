@@ -49,6 +49,8 @@ std::string place(std::string_view text, std::size_t position) {
   return fmt::format("file:{}:{}: ", line, column);
 }
 
+}  // namespace
+
 std::string expected_place(std::string_view text, std::string_view at) {
   if (at.empty()) return "";
   if (at == "^") return "file:1:1: ";
@@ -58,23 +60,29 @@ std::string expected_place(std::string_view text, std::string_view at) {
   return place(text, position);
 }
 
+void check_messages(const Case& each, std::string_view text,
+                    const std::vector<std::string>& found) {
+  const std::string where = expected_place(text, each.at);
+  bool is_told = false;
+  for (const std::string& message : found)
+    is_told =
+        is_told || (message.starts_with(where) && message.find(each.phrase) != std::string::npos);
+  INFO("'" << each.from << "' -> '" << each.to << "'");
+  INFO("expected " << where << " ... " << each.phrase);
+  std::string list;
+  for (const std::string& message : found) list += "\n  " + message;
+  INFO("found " << found.size() << ":" << list);
+  CHECK(is_told);
+  for (const std::string& message : found) CHECK(message.find("; ") != std::string::npos);
+}
+
+namespace {
+
 void check(Format format, std::string_view sound, const std::vector<Case>& cases) {
   REQUIRE(mistakes(format, sound).empty());
   for (const Case& each : cases) {
     const std::string text = spoilt(sound, each);
-    const std::string where = expected_place(text, each.at);
-    const std::vector<std::string> found = mistakes(format, text);
-    bool is_told = false;
-    for (const std::string& message : found)
-      is_told =
-          is_told || (message.starts_with(where) && message.find(each.phrase) != std::string::npos);
-    INFO("'" << each.from << "' -> '" << each.to << "'");
-    INFO("expected " << where << " ... " << each.phrase);
-    std::string list;
-    for (const std::string& message : found) list += "\n  " + message;
-    INFO("found " << found.size() << ":" << list);
-    CHECK(is_told);
-    for (const std::string& message : found) CHECK(message.find("; ") != std::string::npos);
+    check_messages(each, text, mistakes(format, text));
   }
 }
 
