@@ -19,9 +19,10 @@ namespace sinew {
 namespace {
 
 struct Options {
-  std::string folder, out, scalar = "double";
+  std::string folder, out, scalar = "double", optimise = "speed";
   std::vector<std::string> without;
   bool json = false;
+  bool fma = false;
   bool runtime_parameters = false;
   bool dependents = false;
 };
@@ -34,6 +35,8 @@ void add_common_options(CLI::App& command, Options& o) {
                      "folder of their folders");
   command.add_flag("--dependents", o.dependents, "The hands made of the model as well");
   command.add_option("--scalar", o.scalar, "double or float");
+  command.add_flag("--fma", o.fma, "For processors with fused multiply-add, and only for them");
+  command.add_option("--optimise", o.optimise, "speed or size (default: speed)");
   command.add_option("--without", o.without, "Optimisation passes to leave out");
   command.add_flag("--runtime-parameters", o.runtime_parameters,
                    "Masses and gravity stay arguments of the dynamics");
@@ -42,7 +45,7 @@ void add_common_options(CLI::App& command, Options& o) {
 
 EmittedModel emit(const Options& o, const ModelFolder& folder) {
   return assemble(folder.identity, derive_functions(folder, o.runtime_parameters),
-                  target_named(o.scalar), o.without);
+                  target_named(o.scalar, o.fma, o.optimise), o.without);
 }
 
 /// As a shell takes it.
@@ -162,6 +165,9 @@ std::string accept_command(const Options& o) {
   std::string command = "sinew generate " + word(o.folder);
   if (!o.out.empty()) command += " --out " + word(o.out);
   if (o.scalar != "double") command += " --scalar " + o.scalar;
+  if (o.fma) command += " --fma";
+  if (o.optimise != "speed") command += " --optimise " + o.optimise;
+  if (o.runtime_parameters) command += " --runtime-parameters";
   for (const std::string& pass : o.without) command += " --without " + pass;
   if (o.dependents) command += " --dependents";
   return command;

@@ -155,10 +155,13 @@ fs::path default_output(const ModelFolder& folder) {
   return fs::path("generated") / folder.identity.name;
 }
 
-Target target_named(const std::string& scalar) {
-  if (scalar == "double") return {Scalar::binary64};
-  if (scalar == "float") return {Scalar::binary32};
-  throw std::invalid_argument(fmt::format("--scalar {}: expected double or float", scalar));
+Target target_named(const std::string& scalar, bool fused, const std::string& optimise) {
+  if (scalar != "double" && scalar != "float")
+    throw std::invalid_argument(fmt::format("--scalar {}: expected double or float", scalar));
+  if (optimise != "speed" && optimise != "size")
+    throw std::invalid_argument(fmt::format("--optimise {}: expected speed or size", optimise));
+  return {scalar == "double" ? Scalar::binary64 : Scalar::binary32, fused,
+          optimise == "size" ? Optimise::size : Optimise::speed};
 }
 
 }  // namespace sinew

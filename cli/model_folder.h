@@ -30,7 +30,8 @@ std::vector<Function> derive_functions(const ModelFolder& folder, bool runtime_p
 /// Where `generate` writes by default: generated/<model> below the current folder.
 std::filesystem::path default_output(const ModelFolder& folder);
 
-/// "double" or "float". Throws std::invalid_argument otherwise.
-Target target_named(const std::string& scalar);
+/// `scalar`: "double" or "float"; `optimise`: "speed" or "size". Throws std::invalid_argument
+/// otherwise.
+Target target_named(const std::string& scalar, bool fused, const std::string& optimise);
 
 }  // namespace sinew

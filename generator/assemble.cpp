@@ -12,7 +12,7 @@ EmittedModel assemble(const ModelIdentity& identity, const std::vector<Function>
   EmittedModel model{identity.name, identity.description, identity.hash, identity.notes, {},
                      target};
   for (const Function& function : functions)
-    model.functions.push_back(optimise(lower(function), without));
+    model.functions.push_back(optimise(lower(function), without, target));
   return model;
 }
 

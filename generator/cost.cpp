@@ -36,6 +36,13 @@ Cost count_operations(const Graph& graph) {
       case Op::cosine:
         angles.insert(node.a);
         break;
+      case Op::multiply_add:
+      case Op::multiply_subtract:
+      case Op::subtract_product:
+        ++cost.multiply;
+        ++cost.add;
+        ++cost.fused;
+        break;
       default:
         ++cost.other;
         break;

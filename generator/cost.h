@@ -14,13 +14,14 @@ struct Cost {
   int square_root = 0;
   int sincos = 0;
   int other = 0;  ///< atan, exp, min, ...
+  int fused = 0;  ///< multiplications and additions above that are one instruction, in pairs
 
   /// Multiplications and additions: the figure that peers are compared by.
   int operations() const { return multiply + add; }
   /// One number for choosing between forms of one function, in multiplications.
   double weight() const {
-    return multiply + add + 0.5 * negate + 8.0 * divide + 8.0 * square_root + 40.0 * sincos +
-           40.0 * other;
+    return multiply + add - fused + 0.5 * negate + 8.0 * divide + 8.0 * square_root +
+           40.0 * sincos + 40.0 * other;
   }
 };
 

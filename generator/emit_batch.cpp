@@ -63,11 +63,11 @@ std::string emit_batch_header(const EmittedModel& model) {
 std::string emit_batch(const EmittedModel& model) {
   std::string text = file_comment(model, what(model));
   text += fmt::format(
-      "#include \"{0}_batch.h\"\n\n#include <stddef.h>\n\n#include \"sinew_math.h\"\n\n"
+      "#include \"{0}_batch.h\"\n\n#include <stddef.h>\n\n{1}\n"
       "#if defined(__GNUC__) && !defined(__clang__)\n#define SINEW_STATES_ARE_INDEPENDENT "
       "_Pragma(\"GCC ivdep\")\n"
       "#else\n#define SINEW_STATES_ARE_INDEPENDENT\n#endif\n",
-      model.name);
+      model.name, runtime_includes(model.target));
   for (const Graph& graph : model.functions)
     if (has_batch_form(graph)) text += "\n" + batch_function(model, graph);
   return text;

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <map>
+
 #include "generator/cost.h"
 #include "generator/statements.h"
 
@@ -22,6 +24,27 @@ std::string comment_text(const std::string& text) {
   return safe;
 }
 
+/// Options of the command that made the files, where they are not the usual ones.
+std::string options_text(const Target& target) {
+  return std::string(target.scalar == Scalar::binary32 ? " --scalar float" : "") +
+         (target.fused ? " --fma" : "") +
+         (target.optimise == Optimise::size ? " --optimise size" : "");
+}
+
+/// One copy of each long runtime function, where room for code is short.
+std::string shared_definitions(const EmittedModel& model) {
+  std::map<std::string, std::string> definitions;
+  for (const Graph& graph : model.functions)
+    for (const SharedFunction& each : shared_functions(graph, model.target))
+      definitions[each.name] = each.definition;
+  if (definitions.empty()) return "";
+  std::string text =
+      "\n#ifdef __GNUC__\n#define SINEW_NOT_INLINE __attribute__((noinline))\n#else\n"
+      "#define SINEW_NOT_INLINE\n#endif\n";
+  for (const auto& [name, definition] : definitions) text += "\n" + definition;
+  return text;
+}
+
 }  // namespace
 
 std::string file_comment(const EmittedModel& model, const std::string& what) {
@@ -30,11 +53,22 @@ std::string file_comment(const EmittedModel& model, const std::string& what) {
       " *\n"
       " * {}\n"
       " *\n"
-      " * Made by: sinew generate models/{}\n"
+      " * Made by: sinew generate models/{}{}\n"
       " * Model:   sha256 {}\n"
       " * Do not edit: change the model and generate again.\n"
       " */\n",
-      comment_text(what), model.name, model.hash);
+      comment_text(what), model.name, options_text(model.target), model.hash);
+}
+
+std::string runtime_includes(const Target& target) {
+  if (!target.fused) return "#include \"sinew_math.h\"\n";
+  return fmt::format(
+      "#include \"sinew_fused.h\"\n\n"
+      "#ifndef SINEW_FUSED_{}\n"
+      "#error \"made with --fma: the processor must have fused multiply-add in {} (x86-64: "
+      "-mfma)\"\n"
+      "#endif\n",
+      target.scalar == Scalar::binary64 ? "DOUBLE" : "FLOAT", target.type());
 }
 
 std::string signature(const EmittedModel& model, const Graph& graph) {
@@ -49,7 +83,11 @@ std::string signature(const EmittedModel& model, const Graph& graph) {
 }
 
 std::string emit_function(const EmittedModel& model, const Graph& graph) {
-  const ArrayNames names = array_names(graph);
+  ArrayNames names = array_names(graph);
+  if (model.target.optimise == Optimise::size) {
+    names.side_by_side = false;
+    names.calls_shared = true;
+  }
   std::string text = signature(model, graph) + "\n{\n";
   for (const Port& port : graph.inputs)
     if (!reads_port(graph, port.name)) text += fmt::format("    (void){};\n", port.name);
@@ -60,7 +98,8 @@ std::string emit_function(const EmittedModel& model, const Graph& graph) {
 
 std::string emit_c(const EmittedModel& model) {
   std::string text = file_comment(model, model.description);
-  text += fmt::format("#include \"{}.h\"\n\n#include \"sinew_math.h\"\n", model.name);
+  text += fmt::format("#include \"{}.h\"\n\n", model.name) + runtime_includes(model.target) +
+          shared_definitions(model);
   for (const Graph& graph : model.functions) text += "\n" + emit_function(model, graph);
   return text;
 }

@@ -7,6 +7,10 @@
 
 namespace sinew {
 
+/// The runtime's headers that emitted C includes, and a refusal to compile where the target's
+/// processor lacks what was asked for.
+std::string runtime_includes(const Target& target);
+
 /// Text of <model>.c: every function of the model, straight-line, one value a statement.
 std::string emit_c(const EmittedModel& model);
 

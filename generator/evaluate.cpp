@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <sinew_math.h>
 
+#include <cmath>
 #include <stdexcept>
 
 namespace sinew {
@@ -37,6 +38,7 @@ struct Runtime<double> {
   static double minimum(double a, double b) { return sinew_min(a, b); }
   static double maximum(double a, double b) { return sinew_max(a, b); }
   static double choose(double a, double b, double c) { return sinew_choose(a, b, c); }
+  static double fused(double a, double b, double c) { return std::fma(a, b, c); }
 };
 
 template <>
@@ -63,6 +65,7 @@ struct Runtime<float> {
   static float minimum(float a, float b) { return sinew_minf(a, b); }
   static float maximum(float a, float b) { return sinew_maxf(a, b); }
   static float choose(float a, float b, float c) { return sinew_choosef(a, b, c); }
+  static float fused(float a, float b, float c) { return std::fma(a, b, c); }
 };
 
 template <>
@@ -81,6 +84,7 @@ struct Runtime<Exact> {
   static Exact minimum(const Exact& a, const Exact& b) { return a < b ? a : b; }
   static Exact maximum(const Exact& a, const Exact& b) { return a > b ? a : b; }
   static Exact choose(const Exact& a, const Exact& b, const Exact& c) { return a >= 0 ? b : c; }
+  static Exact fused(const Exact& a, const Exact& b, const Exact& c) { return a * b + c; }
 };
 
 template <class Real>
@@ -140,6 +144,12 @@ Real apply(const Node& node, const Real& a, const Real& b, const Real& c) {
       return F::maximum(a, b);
     case Op::choose:
       return F::choose(a, b, c);
+    case Op::multiply_add:
+      return F::fused(a, b, c);
+    case Op::multiply_subtract:
+      return F::fused(a, b, Real(-c));
+    case Op::subtract_product:
+      return F::fused(Real(-a), b, c);
   }
   throw std::logic_error("an input has no operation");
 }

@@ -16,13 +16,14 @@ struct OpFacts {
   bool commutative;
 };
 
-constexpr std::array<OpFacts, 22> op_facts{{
+constexpr std::array<OpFacts, 25> op_facts{{
     {"input", 0, false},   {"constant", 0, false}, {"add", 2, true},     {"subtract", 2, false},
     {"multiply", 2, true}, {"divide", 2, false},   {"negate", 1, false}, {"power", 1, false},
     {"sqrt", 1, false},    {"sin", 1, false},      {"cos", 1, false},    {"atan", 1, false},
     {"atan2", 2, false},   {"acos", 1, false},     {"asin", 1, false},   {"exp", 1, false},
     {"log", 1, false},     {"tanh", 1, false},     {"abs", 1, false},    {"min", 2, false},
-    {"max", 2, false},     {"choose", 3, false},
+    {"max", 2, false},     {"choose", 3, false},   {"fma", 3, false},    {"fms", 3, false},
+    {"fnma", 3, false},
 }};
 
 const OpFacts& facts(Op op) {

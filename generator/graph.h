@@ -34,6 +34,10 @@ enum class Op : std::uint8_t {
   minimum,
   maximum,
   choose,  ///< a >= 0 ? b : c
+  // Rounded once; only for targets with fused multiply-add (the pass fuse makes them).
+  multiply_add,       ///< a * b + c
+  multiply_subtract,  ///< a * b - c
+  subtract_product,   ///< c - a * b
 };
 
 /// Number of operands of an operation.

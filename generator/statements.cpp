@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <set>
 
 #include "generator/literal.h"
@@ -62,6 +63,18 @@ const char* runtime_function(Op op) {
   }
 }
 
+/// Runtime functions of many instructions; sine and cosine are one of their own.
+bool is_large(Op op) {
+  return op == Op::arctangent || op == Op::arctangent2 || op == Op::arccosine ||
+         op == Op::arcsine || op == Op::exponential || op == Op::logarithm ||
+         op == Op::hyperbolic_tangent;
+}
+
+/// "sinew_atan" -> "sinew_one_atan".
+std::string shared_name(const std::string& function) {
+  return "sinew_one_" + function.substr(std::string("sinew_").size());
+}
+
 class Writer {
  public:
   Writer(const Graph& graph, const Target& target, const ArrayNames& names)
@@ -81,6 +94,8 @@ class Writer {
         taken_.insert(function + std::string(target.suffix()));
     for (const char* angles : {"", "2", "4"})
       taken_.insert(fmt::format("sinew_sincos{}{}", angles, target.suffix()));
+    taken_.insert(fmt::format("sinew_fma{}", target.suffix()));
+    for (const SharedFunction& each : shared_functions(graph, target)) taken_.insert(each.name);
   }
 
   std::vector<std::string> run() {
@@ -216,7 +231,7 @@ class Writer {
   void write_one_sincos(Value angle) {
     const Pair pair = name_pair(angle);
     lines_.push_back(fmt::format("{} {}, {};", target_.type(), pair.s, pair.c));
-    lines_.push_back(fmt::format("sinew_sincos{}({}, &{}, &{});", target_.suffix(),
+    lines_.push_back(fmt::format("{}({}, &{}, &{});", function_name("sinew_sincos"),
                                  text(angle).text, pair.s, pair.c));
   }
 
@@ -273,6 +288,12 @@ class Writer {
         return {"-" + in_parentheses(node.a, binds_atom), binds_unary};
       case Op::power:
         return repeated_product(node);
+      case Op::multiply_add:
+        return fused(node, "", "");
+      case Op::multiply_subtract:
+        return fused(node, "", "-");
+      case Op::subtract_product:
+        return fused(node, "-", "");
       default:
         return call(node);
     }
@@ -290,11 +311,30 @@ class Writer {
     return {product, binds_product};
   }
 
+  /// Signs are free: they become part of the instruction.
+  Text fused(const Node& node, const char* sign_of_product, const char* sign_of_rest) {
+    const auto with_sign = [this](const std::string& sign, Value v) {
+      return sign.empty() ? text(v).text : sign + in_parentheses(v, binds_atom);
+    };
+    return {
+        fmt::format("sinew_fma{}({}, {}, {})", target_.suffix(), with_sign(sign_of_product, node.a),
+                    text(node.b).text, with_sign(sign_of_rest, node.c)),
+        binds_atom};
+  }
+
+  /// The runtime's function, or the one copy of it that a small model shares.
+  std::string function_name(const std::string& function) const {
+    return (names_.calls_shared ? shared_name(function) : function) + target_.suffix();
+  }
+
   Text call(const Node& node) {
     std::string arguments;
     for (int i = 0; i < arity(node.op); ++i)
       arguments += (i > 0 ? ", " : "") + text(node.operand(i)).text;
-    return {fmt::format("{}{}({})", runtime_function(node.op), target_.suffix(), arguments),
+    const std::string function = runtime_function(node.op);
+    const bool shared = is_large(node.op);
+    return {fmt::format("{}({})", shared ? function_name(function) : function + target_.suffix(),
+                        arguments),
             binds_atom};
   }
 
@@ -345,6 +385,29 @@ bool reads_port(const Graph& graph, const std::string& name) {
     first += port.size();
   }
   return false;
+}
+
+std::vector<SharedFunction> shared_functions(const Graph& graph, const Target& target) {
+  if (target.optimise != Optimise::size) return {};
+  const std::string real = target.type(), suffix = target.suffix();
+  std::map<std::string, SharedFunction> found;
+  for (const Node& node : graph.nodes()) {
+    const bool angle = node.op == Op::sine || node.op == Op::cosine;
+    if (!angle && !is_large(node.op)) continue;
+    const std::string function = angle ? "sinew_sincos" : runtime_function(node.op);
+    const std::string name = shared_name(function) + suffix;
+    const std::string parameters = angle                 ? "{0} x, {0} *s, {0} *c"
+                                   : arity(node.op) == 2 ? "{0} y, {0} x"
+                                                         : "{0} x";
+    const std::string arguments = angle ? "x, s, c" : arity(node.op) == 2 ? "y, x" : "x";
+    found[name] = {
+        name, fmt::format("SINEW_NOT_INLINE static {} {}({})\n{{\n    {}{}{}({});\n}}\n",
+                          angle ? "void" : real, name, fmt::format(fmt::runtime(parameters), real),
+                          angle ? "" : "return ", function, suffix, arguments)};
+  }
+  std::vector<SharedFunction> all;
+  for (const auto& [name, function] : found) all.push_back(function);
+  return all;
 }
 
 std::vector<std::string> statements(const Graph& graph, const Target& target,

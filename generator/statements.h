@@ -13,12 +13,22 @@ namespace sinew {
 /// How array elements are written: element k of an input or output.
 struct ArrayNames {
   std::function<std::string(const Port& port, int element)> element;
-  bool side_by_side = true;  ///< evaluate several angles by one call; off inside a loop over
-                             ///< states, where all results are stored at the end, too
+  bool side_by_side = true;   ///< evaluate several angles by one call; off inside a loop over
+                              ///< states, where all results are stored at the end, too
+  bool calls_shared = false;  ///< calls shared_functions instead of the inline ones
 };
 
 /// q[2]: plain arrays.
 ArrayNames array_names(const Graph& graph);
+
+/// A function of the runtime that is not inlined: one copy for a whole file of emitted C.
+struct SharedFunction {
+  std::string name;
+  std::string definition;  ///< C text
+};
+
+/// The ones that a graph calls where the target is short of room; none otherwise.
+std::vector<SharedFunction> shared_functions(const Graph& graph, const Target& target);
 
 /// Whether any element of the named input is used.
 bool reads_port(const Graph& graph, const std::string& name);

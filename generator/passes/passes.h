@@ -18,6 +18,7 @@ Graph reduce_strength(const Graph& graph);
 Graph share_reciprocals(const Graph& graph);
 Graph contract_trigonometry(const Graph& graph);
 Graph remove_dead(const Graph& graph);
+Graph fuse(const Graph& graph);
 Graph schedule(const Graph& graph);
 
 }  // namespace sinew

@@ -11,8 +11,8 @@
 
 namespace sinew {
 
-const std::vector<Pass>& pipeline() {
-  static const std::vector<Pass> passes{
+std::vector<Pass> pipeline(const Target& target) {
+  std::vector<Pass> passes{
       {"share", share},
       {"fold_constants", fold_constants},
       {"expand_powers", expand_powers},
@@ -29,27 +29,28 @@ const std::vector<Pass>& pipeline() {
       {"move_signs", move_signs},
       {"share", share},
       {"remove_dead", remove_dead},
-      {"schedule", schedule},
   };
+  if (target.fused) passes.push_back({"fuse", fuse});
+  passes.push_back({"schedule", schedule});
   return passes;
 }
 
 std::string pass_names() {
   std::string names;
   std::set<std::string> seen;
-  for (const Pass& pass : pipeline())
+  for (const Pass& pass : pipeline({.fused = true}))
     if (seen.insert(pass.name).second) names += (names.empty() ? "" : ", ") + pass.name;
   return names;
 }
 
-Graph optimise(const Graph& graph, const std::vector<std::string>& without) {
+Graph optimise(const Graph& graph, const std::vector<std::string>& without, const Target& target) {
+  const std::vector<Pass> known = pipeline({.fused = true});
   for (const std::string& name : without)
-    if (std::none_of(pipeline().begin(), pipeline().end(),
-                     [&](const Pass& p) { return p.name == name; }))
+    if (std::none_of(known.begin(), known.end(), [&](const Pass& p) { return p.name == name; }))
       throw std::invalid_argument(
           fmt::format("no pass is called '{}'; expected one of {}", name, pass_names()));
   Graph result = graph;
-  for (const Pass& pass : pipeline())
+  for (const Pass& pass : pipeline(target))
     if (std::find(without.begin(), without.end(), pass.name) == without.end())
       result = pass.run(result);
   return result;

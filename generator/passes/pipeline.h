@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "generator/graph.h"
+#include "generator/target.h"
 
 namespace sinew {
 
@@ -15,14 +16,15 @@ struct Pass {
   std::function<Graph(const Graph&)> run;
 };
 
-/// The passes in the order in which `optimise` runs them.
-const std::vector<Pass>& pipeline();
+/// The passes for a target, in the order in which `optimise` runs them.
+std::vector<Pass> pipeline(const Target& target = {});
 
-/// "share, fold_constants, ...": every name once, for messages.
+/// "share, fold_constants, ...": every name once, for messages; those for some targets only too.
 std::string pass_names();
 
 /// Runs the pipeline, leaving out the passes named in `without`.
 /// Throws std::invalid_argument where a name in `without` is no pass.
-Graph optimise(const Graph& graph, const std::vector<std::string>& without = {});
+Graph optimise(const Graph& graph, const std::vector<std::string>& without = {},
+               const Target& target = {});
 
 }  // namespace sinew

@@ -21,6 +21,10 @@ double times(double slope, double error) {
   return error == 0.0 ? 0.0 : slope * error;
 }
 
+double product_error(const Known& a, const Known& b) {
+  return std::abs(a.value) * b.error + std::abs(b.value) * a.error + a.error * b.error;
+}
+
 double quotient_error(const Known& a, const Known& b) {
   const double least = std::abs(b.value) - b.error;
   if (least <= 0.0) return unlimited;
@@ -59,7 +63,7 @@ double passed_on(const Node& node, const Known& a, const Known& b, const Known& 
     case Op::subtract:
       return a.error + b.error;
     case Op::multiply:
-      return std::abs(a.value) * b.error + std::abs(b.value) * a.error + a.error * b.error;
+      return product_error(a, b);
     case Op::divide:
       return quotient_error(a, b);
     case Op::power:
@@ -80,6 +84,10 @@ double passed_on(const Node& node, const Known& a, const Known& b, const Known& 
       return std::max(a.error, b.error);
     case Op::choose:
       return choose_error(a, b, c);
+    case Op::multiply_add:
+    case Op::multiply_subtract:
+    case Op::subtract_product:
+      return product_error(a, b) + c.error;
     case Op::negate:
     case Op::absolute:
     case Op::sine:
