@@ -143,7 +143,8 @@ void count_instructions(Arena& arena) {
     CALLGRIND_TOGGLE_COLLECT;
     run_through(contestant, states, out.data());
     CALLGRIND_TOGGLE_COLLECT;
-    CALLGRIND_DUMP_STATS_AT(label(subject, contestant).c_str());
+    const std::string name = label(subject, contestant);
+    CALLGRIND_DUMP_STATS_AT(name.c_str());
   });
 }
 
