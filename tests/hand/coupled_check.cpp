@@ -28,7 +28,7 @@ double deviation(const Values& found, const Matrix& expected) {
       worst = error <= worst ? worst : error;  // NaN must not pass as small
       scale = std::max(scale, std::abs(wanted));
     }
-  return scale > 0 ? worst / scale : worst;
+  return worst / std::max(scale, 1e-6);  // what is 0 has no size of its own
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "hmc_catalogue.h"
 #include "symbolic/four_bar.h"
 #include "tests/hand/emitted_call.h"
+#include "tests/hand/model_values.h"
 
 using namespace sinew;
 using namespace sinew_tests;
@@ -17,10 +18,20 @@ using namespace sinew_tests;
 namespace {
 
 constexpr double degree = std::numbers::pi / 180.0;
-constexpr double g = 0.012, a = 0.010, b = 0.012, c = 0.011;
+
+struct Links {
+  double g, a, b, c;
+};
+
+const Links& links() {
+  static const FourBarParameters& p = four_bar_values();
+  static const Links values{p.ground, p.crank, p.coupler, p.rocker};
+  return values;
+}
 
 /// How far crank and coupler end from the rocker [m].
 double gap(double theta2, const Values& out) {
+  const auto& [g, a, b, c] = links();
   const double x = a * std::cos(theta2) + b * std::cos(out[0]) - g - c * std::cos(out[1]);
   const double y = a * std::sin(theta2) + b * std::sin(out[0]) - c * std::sin(out[1]);
   return std::hypot(x, y);
@@ -46,7 +57,10 @@ Values on(const Function& function, double theta2) {
 
 TEST_CASE("the four-bar closes to rounding and its derivatives are exact", "[hmc]") {
   double worst = 0, worst_rate = 0;
-  for (double theta2 = 30 * degree; theta2 <= 150 * degree; theta2 += 0.5 * degree) {
+  const auto& [g, a, b, c] = links();
+  (void)g;
+  for (double theta2 = four_bar_values().theta2.low; theta2 <= four_bar_values().theta2.high;
+       theta2 += 0.25 * degree) {
     const Values out = call(hmc_catalogue, "four_bar", {theta2});
     worst = std::max(worst, gap(theta2, out));
     // The loop's velocity: d(gap)/d(theta2) = 0 with the rates given.
@@ -80,7 +94,8 @@ TEST_CASE("the four-bar's rates equal differences of its angles", "[hmc]") {
 }
 
 TEST_CASE("locking is reported, and the default linkage never locks", "[hmc]") {
-  for (double theta2 = 60 * degree; theta2 <= 120 * degree; theta2 += degree) {
+  const Range range = four_bar_values().theta2;
+  for (double theta2 = range.low; theta2 <= range.high; theta2 += degree) {
     const Values locking = call(hmc_catalogue, "locking", {theta2});
     CHECK(locking[0] > 0.1);
     CHECK(locking[1] == 0.0);
@@ -95,7 +110,8 @@ TEST_CASE("locking is reported, and the default linkage never locks", "[hmc]") {
 }
 
 TEST_CASE("the crank's tendons are antagonists about the reference pose", "[hmc]") {
-  const Values h = call(hmc_catalogue, "tendon_lengths", {100 * degree});
-  CHECK(h[0] == Approx(0.005 * 10 * degree).epsilon(1e-13));
+  const FourBarParameters& p = four_bar_values();
+  const Values h = call(hmc_catalogue, "tendon_lengths", {p.reference_theta2 + 10 * degree});
+  CHECK(h[0] == Approx(p.pulley_radius * 10 * degree).epsilon(1e-13));
   CHECK(h[1] == -h[0]);
 }

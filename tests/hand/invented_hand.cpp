@@ -176,6 +176,5 @@ TEST_CASE("tendons that do not determine the joints offer no position", "[invent
   std::mt19937 random(17);
   Mechanism claw = read(invented_hand(random));
   claw.tendons.resize(3);  // of four coordinates
-  for (const Function& function : functions_of(claw))
-    CHECK(function.name != "link_position");
+  for (const Function& function : functions_of(claw)) CHECK(function.name != "link_position");
 }
