@@ -8,6 +8,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "cli/runtime_folder.h"
 #include "simulation/simulate.h"
 #include "simulation/write_rows.h"
 
@@ -15,7 +16,7 @@ namespace sinew {
 namespace {
 
 struct Options {
-  std::string model, scenario, out, runtime = "runtime";
+  std::string model, scenario, out, runtime;
   bool json = false;
 };
 
@@ -82,7 +83,7 @@ void print_summary(const Options& o, double duration, const SimulationResult& r)
 }
 
 void run_simulate(const Options& o) {
-  Plant plant = build_plant(o.model, o.scenario, o.runtime);
+  Plant plant = build_plant(o.model, o.scenario, runtime_folder(o.runtime));
   const double duration = plant.scenario().duration;
   RowWriter out(o.out, output_columns(plant));
   SimulationResult result;

@@ -57,7 +57,10 @@ std::string headline(const Findings& f) {
            "on " +
            dependences(v.unexplained) + ".";
   std::vector<std::string> names;
-  for (const NamedCause& cause : v.causes) names.push_back(cause_text(cause));
+  constexpr std::size_t most = 3;
+  for (const NamedCause& cause : v.causes)
+    if (names.size() < most) names.push_back(cause_text(cause));
+  if (v.causes.size() > most) names.push_back(fmt::format("{} more", v.causes.size() - most));
   std::string text = "The model lacks: " + joined(names, " and ") + ".";
   if (v.unexplained.none_of_the_known)
     text += " Beyond that there is structure that no known cause explains; it depends on " +

@@ -42,6 +42,41 @@ std::string log_text(unsigned seed, double difference) {
   return text;
 }
 
+/// Every joint of the finger to and fro by its antagonists.
+std::string finger_scenario(double phase) {
+  std::string text = R"([scenario]
+duration = { value = 6, unit = "s" }
+output_rate = { value = 1000, unit = "Hz" }
+[integrator]
+relative_tolerance = { value = 1e-6, unit = "1" }
+absolute_tolerance = { value = 1e-8, unit = "1" }
+[drive]
+mode = "servo"
+gain = { value = 60, unit = "N*m" }
+rate_gain = { value = 2, unit = "N*m*s/rad" }
+compensation = true
+pretension = { value = 15, unit = "N" }
+[noise]
+seed = { value = 1, unit = "1" }
+q = { value = 1e-5, unit = "rad" }
+force = { value = 0.1, unit = "N" }
+tau = { value = 5e-3, unit = "N*m" }
+)";
+  const int signs[8][4] = {{1, 1, 0, 0}, {1, -1, 0, 0}, {-1, 1, 0, 0}, {-1, -1, 0, 0},
+                           {0, 0, 1, 0}, {0, 0, -1, 0}, {0, 0, 1, -1}, {0, 0, -1, 1}};
+  const double size[] = {0.15, 0.3, 0.3, 0.25}, rate[] = {0.7, 0.9, 0.6, 1.1};
+  for (int tendon = 0; tendon < 8; ++tendon)
+    for (int joint = 0; joint < 4; ++joint)
+      if (signs[tendon][joint] != 0)
+        text += fmt::format(
+            "[[command]]\nchannel = \"theta_{}_ref\"\nshape = \"sine\"\n"
+            "amplitude = {{ value = {}, unit = \"rad\" }}\n"
+            "frequency = {{ value = {}, unit = \"Hz\" }}\n"
+            "phase = {{ value = {}, unit = \"rad\" }}\n",
+            tendon + 1, -1.2 * signs[tendon][joint] * size[joint], rate[joint], phase + joint);
+  return text;
+}
+
 struct Bench : Workplace {
   explicit Bench(double difference) {
     reference::write_text(path("slide.urdf"), slide);
@@ -96,6 +131,33 @@ TEST_CASE("a dry run leaves the model as it is") {
   CHECK_FALSE(fs::exists(bench.path("models/slide/identified.toml")));
   CHECK(fs::exists(bench.path("found/identified.toml")));
   CHECK(fs::exists(bench.path("found/generated/slide/slide.c")));
+}
+
+TEST_CASE("a payload on a finger is found in the forces of its tendons") {
+  // The log comes from a copy whose distal link is heavier.
+  const Workplace bench;
+  for (const char* part : {"motor", "lever", "tendon", "guiding", "capstan"})
+    fs::copy(fs::path(SINEW_SOURCE_DIR) / "models" / part, bench.path("models") / part,
+             fs::copy_options::recursive);
+  fs::copy(bench.path("models"), bench.path("measured"), fs::copy_options::recursive);
+  bench.change("measured/index/mass_properties.csv", "distal,0.003", "distal,0.033");
+  for (const auto& [name, phase] : {std::pair{"train", 0.3}, {"test", 1.9}}) {
+    reference::write_text(bench.path(fmt::format("{}.toml", name)), finger_scenario(phase));
+    const Ended run =
+        bench.sinew({"simulate", "measured/index", "--scenario", fmt::format("{}.toml", name),
+                     "--out", fmt::format("{}.csv", name)});
+    INFO(run.output);
+    REQUIRE(run.status == 0);
+  }
+  const Ended ended = bench.sinew({"diagnose", "models/index", "--log", "train.csv", "--holdout",
+                                   "test.csv", "--out", "found"});
+  INFO(ended.output);
+  CHECK(ended.status == 1);
+  CHECK(ended.says("payload, link distal"));
+  const auto findings = nlohmann::json::parse(bench.text("found/findings.json"));
+  CHECK(findings.at("extension").at("adopted") == true);
+  CHECK(bench.text("found/generated/index/index.c").find("void index_effort(") !=
+        std::string::npos);
 }
 
 TEST_CASE("logs that cannot be used end with 2, say where, and nothing is written") {
