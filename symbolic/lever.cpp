@@ -26,7 +26,7 @@ Argument angle_argument(const LeverParameters& p, const std::string& doc) {
 
 /// Elongation at the end of travel [m].
 double travel(const LeverParameters& p) {
-  return evaluate(lever_state(p), {p.end_angle})[1];
+  return rounded_values(lever_state(p), {p.end_angle})[1];
 }
 
 }  // namespace

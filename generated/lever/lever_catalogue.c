@@ -47,7 +47,7 @@ static void call_angle(const void *in, void *out)
     lever_angle(x + 0, x + 1, y + 0, y + 1);
 }
 static const double angle_elongation_low[] = {0.0};
-static const double angle_elongation_high[] = {0.010000000000000002};
+static const double angle_elongation_high[] = {0.01};
 static const double angle_theta_low[] = {0.09548248781986068};
 static const double angle_theta_high[] = {0.8377580409572781};
 static const sinew_argument angle_inputs[] = {
