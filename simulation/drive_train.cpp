@@ -14,10 +14,14 @@ namespace sinew {
 namespace {
 
 /// Newton steps of the emitted search: it starts at the last step's lever angle, so that few do.
-constexpr int newton_iterations = 2;
+constexpr int newton_iterations = 1;
 /// Loops run over whole vectors: the last states of a count that is no multiple cost as many
 /// vectors one by one. What is added is slack.
 constexpr int lanes = 8;
+
+int whole_vectors(int count) {
+  return (count + lanes - 1) / lanes * lanes;
+}
 
 CompiledModel compiled(const std::string& name, const std::vector<Function>& functions,
                        const std::filesystem::path& runtime, bool with_batch = true) {
@@ -57,6 +61,20 @@ MotorModel::MotorModel(MotorParameters parameters, const Scenario& scenario,
       powers_(model_.batch<FourToOne>("power_balance")),
       compensation_(model_.batch<TwoToTwo>("compensation_torque")) {}
 
+void MotorModel::accelerations(int count, const double* theta, const double* omega,
+                               const double* torque, const double* force, double* out) const {
+  const int padded = whole_vectors(count);
+  if (padded_.size() != 5 * padded) padded_.setZero(5 * padded);
+  double* in = padded_.data();
+  for (const double* each : {theta, omega, torque, force}) {
+    std::copy(each, each + count, in);
+    in += padded;
+  }
+  const double* all = padded_.data();
+  acceleration_(padded, all, all + padded, all + 2 * padded, all + 3 * padded, in);
+  std::copy(in, in + count, out);
+}
+
 double MotorModel::sticking_speed() const {
   const bool sticks = parameters_.gamma2 > 0.0 && parameters_.gamma1 > 0.0;
   return sticks ? 0.1 / parameters_.gamma1 : 0.0;
@@ -76,7 +94,7 @@ TendonModel::TendonModel(const TendonWithLever& parameters, const std::filesyste
 
 void TendonModel::at(int count, const double* elongation, const double* guess,
                      TendonStates& states) const {
-  const int padded = (count + lanes - 1) / lanes * lanes;
+  const int padded = whole_vectors(count);
   if (states.start.size() != 2 * padded) states.start.setZero(2 * padded);
   std::copy(elongation, elongation + count, states.start.data());
   std::copy(guess, guess + count, states.start.data() + padded);

@@ -25,9 +25,7 @@ class MotorModel {
   /// Output speed below which friction holds the motor [rad/s]; 0 without friction.
   double sticking_speed() const;
   void accelerations(int count, const double* theta, const double* omega, const double* torque,
-                     const double* force, double* out) const {
-    acceleration_(count, theta, omega, torque, force, out);
-  }
+                     const double* force, double* out) const;
   /// Motor, friction, ripple, tendon, kinetic [W]: five times `count`, kind by kind.
   void powers(int count, const double* theta, const double* omega, const double* torque,
               const double* force, double* power) const {
@@ -46,6 +44,7 @@ class MotorModel {
   MotorParameters parameters_;
   CompiledModel model_;
   double inertia_;
+  mutable Eigen::VectorXd padded_;  ///< arguments and results of the emitted loop
   FourToOne* acceleration_;
   FourToOne* powers_;
   TwoToTwo* compensation_;

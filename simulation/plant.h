@@ -159,6 +159,7 @@ class Plant {
   mutable double scratch_time_ = -1.0;  ///< s; below 0: nothing evaluated yet
   mutable Eigen::VectorXd scratch_state_;
   mutable WristNow wrist_now_;
+  mutable WristTrack wrist_track_;
   mutable Matrix M_;  ///< for one call after the other
   mutable Eigen::VectorXd bias_, power_;
 };

@@ -17,7 +17,7 @@ void Plant::take_wrist(double time, Evaluation& e) const {
   const bool known = wrist_now_.time >= 0.0 && (!moves || wrist_now_.time == time);
   if (!known) {
     wrist_now_.time = -1.0;  // stays so where the wrist cannot get there
-    wrist_now_.motion = parts_.wrist->at(at(flexion_, time), at(abduction_, time));
+    wrist_now_.motion = wrist_track_.at(*parts_.wrist, flexion_, abduction_, time);
     if (scenario_.wrist_feedforward && motors_ > 0) {
       wrist_now_.feedforward.resize(motors_);
       wrist_now_.feedforward_rate.resize(motors_);

@@ -38,17 +38,23 @@ struct SampledSignal {
 /// A channel's command: the sum of its waves and samples.
 class Signal {
  public:
-  void add(const Wave& wave) { waves_.push_back(wave); }
+  void add(const Wave& wave) {
+    waves_.push_back(wave);
+    smooth_ = smooth_ && wave.shape != WaveShape::ramp && wave.from <= 0.0 && wave.to >= Wave{}.to;
+  }
   void add(const SampledSignal& samples) { sampled_.push_back(samples); }
   bool empty() const { return waves_.empty() && sampled_.empty(); }
 
   Sample at(double time) const;
+  /// Without jumps of any derivative, at any time.
+  bool smooth() const { return smooth_ && sampled_.empty(); }
   /// Times at which the value or its slope jumps, where an integrator has to stop.
   void append_jumps(std::vector<double>& times) const;
 
  private:
   std::vector<Wave> waves_;
   std::vector<SampledSignal> sampled_;
+  bool smooth_ = true;
 };
 
 }  // namespace sinew

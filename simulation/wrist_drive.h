@@ -28,4 +28,24 @@ class WristDrive {
   const sinew_function* feedforward_rate_;
 };
 
+/// The wrist's motion under commands, looked up again and again. Where they are smooth the emitted
+/// inverse is called at knots a millisecond apart only; polynomials of fifth degree through angles,
+/// rates and accelerations lie between them (nearer than 1e-15 rad for motions of a few hertz).
+class WristTrack {
+ public:
+  /// Signals may be null: not commanded.
+  WristMotion at(const WristDrive& drive, const Signal* flexion, const Signal* abduction,
+                 double time);
+
+ private:
+  struct Knot {
+    long index = -1;
+    WristMotion motion;
+  };
+  const WristMotion& knot(const WristDrive& drive, const Signal* flexion, const Signal* abduction,
+                          long index);
+
+  Knot knots_[2];  ///< even and odd
+};
+
 }  // namespace sinew
