@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Changes of the model's own values, as a diagnosis of driven joints may name them.
+#include <algorithm>
+
+#include "identification/driven_subject.h"
+#include "identification/model_candidates.h"
+#include "symbolic/effects/effects.h"
+
+namespace sinew::diagnosis {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+void DrivenSubject::add_levels(std::size_t joint) {
+  const auto first = std::find_if(baseline_.begin(), baseline_.end(),
+                                  [&](const auto& origin) { return origin.joint == joint; });
+  const int base = static_cast<int>(first - baseline_.begin());
+  const DrivenJoint& driven = model_.joints[joint];
+  const double lowest[] = {-std::numeric_limits<double>::infinity(), -driven.damping,
+                           -driven.friction, -std::numeric_limits<double>::infinity()};
+  const char* effects[] = {"inertia", "viscous_level", "coulomb_level", "offset"};
+  for (int k = 0; k < 4; ++k) {
+    const Effect& effect = find_effect(effects[k]);
+    const EffectColumn& column = effect.columns.front();
+    LevelParameter parameter;
+    parameter.name = column.name;
+    parameter.unit = unit_at(column.unit, driven.revolute);
+    parameter.low = lowest[k];
+    parameter.shares = {{base + k, 0, 1.0}};
+    problem_.levels.push_back(
+        {effect.name, place(joint), {parameter}, "it would be negative", effect.experiment});
+    levels_.push_back({effects[k], joint, {}, {}});
+  }
+  add_common_levels(joint);
+}
+
+/// One parameter that moves several of the model's values at once.
+void DrivenSubject::add_common_levels(std::size_t joint) {
+  const EffectPlace where{static_cast<int>(joint), place(joint), model_.joints[joint].revolute};
+  if (tendon_driven(joint))
+    add_level(pulley_radius_candidate(where.axis, where.name), {"pulley_radius", joint, {}, {}});
+  if (gain_is_level(joint))
+    add_level(torque_constant_candidate(where), {"torque_constant", joint, {}, {}});
+  if (model_.joints.size() == 1)
+    add_level(sensor_scale_candidate(where, known_), {"sensor_scale", joint, {}, {}});
+}
+
+void DrivenSubject::add_level(const Candidate& c, CandidateOrigin origin, int columns) {
+  LevelCause level{c.name, c.place, {}, c.limit_meaning, c.isolating_experiment};
+  const std::size_t count = columns < 0 ? c.linear.size() : static_cast<std::size_t>(columns);
+  for (std::size_t k = 0; k < count; ++k) {
+    const LinearParameter& p = c.linear[k];
+    LevelParameter parameter{p.name, p.unit, p.low, p.high, {}, {}};
+    parameter.also = [columns_of_all = c.columns, k](const Recording& log, int channel,
+                                                     const VectorXd& shape) -> MatrixXd {
+      const MatrixXd all = columns_of_all(log, channel, shape);
+      if (all.cols() == 0) return all;
+      return all.col(static_cast<Index>(k));
+    };
+    level.parameters.push_back(std::move(parameter));
+  }
+  problem_.levels.push_back(std::move(level));
+  levels_.push_back(std::move(origin));
+}
+
+/// What acts on several joints looks like changes of their own values.
+void DrivenSubject::add_mechanism_levels() {
+  constexpr int mass_and_first_moments = 4;
+  for (std::size_t i = 0; i < library_.size(); ++i) {
+    const CandidateOrigin origin = library_[i];
+    const Candidate candidate = problem_.library[i];
+    if (origin.effect == "payload")
+      add_level(candidate, origin, mass_and_first_moments);
+    else if (origin.effect == "gravity" || !origin.tendon.empty())
+      add_level(candidate, origin);
+  }
+}
+
+/// Without a load and without other joints, a wrong gain only scales what the baseline has.
+bool DrivenSubject::gain_is_level(std::size_t joint) const {
+  return model_.joints.size() == 1 && scale(joint).load == 0.0;
+}
+
+/// Its effort follows from the forces of tendons.
+bool DrivenSubject::tendon_driven(std::size_t joint) const {
+  return tendons_ && !model_.joints[joint].motor;
+}
+
+const CandidateOrigin& DrivenSubject::level_origin(int level) const {
+  return levels_.at(static_cast<std::size_t>(level));
+}
+
+}  // namespace sinew::diagnosis
