@@ -9,6 +9,7 @@
 #include <set>
 
 #include "cli/model_folder.h"
+#include "cli/reduced_models.h"
 #include "generator/cost.h"
 #include "generator/dump.h"
 #include "generator/lower.h"
@@ -21,7 +22,8 @@ namespace {
 
 struct Options {
   std::string folder, function, after;
-  bool passes = false, methods = false, runtime_parameters = false, dot = false, json = false;
+  bool passes = false, methods = false, reduced = false, runtime_parameters = false;
+  bool dot = false, json = false;
 };
 
 nlohmann::ordered_json cost_json(const Cost& c) {
@@ -77,12 +79,43 @@ void print_pass_gains(const std::vector<Function>& functions, bool json) {
   if (json) fmt::print("{}\n", report.dump(2));
 }
 
+const Mechanism& mechanism_of(const ModelFolder& folder) {
+  const Mechanism* mechanism = std::get_if<Mechanism>(&folder.model);
+  if (mechanism) return *mechanism;
+  throw std::runtime_error(folder.identity.name +
+                           " has no dynamics; expected a model with mechanism.toml");
+}
+
+/// Error against operations saved.
+void print_reduced(const ModelFolder& folder, bool json) {
+  nlohmann::ordered_json report = nlohmann::ordered_json::array();
+  if (!json)
+    fmt::print("{:<34} {:<17} {:>7} {:>7} {:>9} {:>9}\n", "left out", "function", "mul+add", "left",
+               "rms error", "largest");
+  for (const ReducedModel& r : reduced_models(mechanism_of(folder))) {
+    if (json)
+      report.push_back({{"left_out", r.left_out},
+                        {"function", r.function},
+                        {"multiply_add", r.operations},
+                        {"multiply_add_left", r.reduced_operations},
+                        {"rms_error", r.rms_error},
+                        {"largest_error", r.largest_error}});
+    else
+      fmt::print("{:<34} {:<17} {:>7} {:>7} {:>7.2f} % {:>7.1f} %\n", r.left_out, r.function,
+                 r.operations, r.reduced_operations, 100.0 * r.rms_error, 100.0 * r.largest_error);
+  }
+  if (json)
+    fmt::print("{}\n", report.dump(2));
+  else
+    fmt::print(
+        "Errors at the worst joint, of the whole torque's rms there; rates and accelerations up to "
+        "a "
+        "quarter of the model's largest.\n");
+}
+
 /// Inverse dynamics by every method of derivation; for coupled joints those of 5.3.2.
 std::vector<Function> by_every_method(const ModelFolder& folder) {
-  const Mechanism* mechanism = std::get_if<Mechanism>(&folder.model);
-  if (!mechanism)
-    throw std::runtime_error(folder.identity.name +
-                             " has no dynamics; expected a model with mechanism.toml");
+  const Mechanism* mechanism = &mechanism_of(folder);
   std::vector<Function> methods{inverse_dynamics_function(*mechanism, emitted_cost),
                                 textbook_inverse_dynamics(*mechanism)};
   methods[0].name = "recursive (emitted)";
@@ -95,6 +128,7 @@ std::vector<Function> by_every_method(const ModelFolder& folder) {
 }
 
 void run_cost(const Options& o) {
+  if (o.reduced) return print_reduced(open_model_folder(o.folder), o.json);
   if (o.methods) return print_costs(by_every_method(open_model_folder(o.folder)), o.json);
   const std::vector<Function> functions =
       derive_functions(open_model_folder(o.folder), o.runtime_parameters);
@@ -140,6 +174,9 @@ void add_cost_command(CLI::App& app, int&) {
   command->add_flag("--passes", options->passes, "What each optimisation pass brings");
   command->add_flag("--methods", options->methods,
                     "Inverse dynamics by every method of derivation (5.3.2)");
+  command->add_flag(
+      "--reduced", options->reduced,
+      "What leaving out gravity, Coriolis or the change of the coupling saves and costs");
   command->add_flag("--json", options->json, "Report for machines");
   command->callback([options] { run_cost(*options); });
 }

@@ -7,8 +7,9 @@ class App;
 
 namespace sinew {
 
-/// `sinew cost <model folder> [--passes | --methods]`: operations per function, what each pass brings,
-/// or inverse dynamics by every method of derivation.
+/// `sinew cost <model folder> [--passes | --methods | --reduced]`: operations per function, what
+/// each pass brings, inverse dynamics by every method of derivation, or what a reduced model saves
+/// and gets wrong.
 void add_cost_command(CLI::App& app, int& exit_status);
 
 /// `sinew dump <model folder> --function NAME [--after PASS] [--dot]`: any intermediate form.

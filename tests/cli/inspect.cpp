@@ -51,6 +51,28 @@ TEST_CASE("cost --passes tells what each pass brings") {
     CHECK(names.count(pass) == 1);
 }
 
+TEST_CASE("cost --reduced sets the error against the operations saved") {
+  const Workplace here;
+  const Ended table = here.sinew({"cost", model, "--reduced"});
+  CHECK(table.status == 0);
+  CHECK(table.says("Coriolis"));
+  const json rows = json::parse(here.sinew({"cost", model, "--reduced", "--json"}).output);
+  REQUIRE(rows.size() == 3);
+  for (const json& row : rows) CHECK(row["multiply_add_left"] <= row["multiply_add"]);
+  // Gravity carries most of a light finger's torque; its pulleys' arms are constant.
+  CHECK(rows[0]["rms_error"] > rows[1]["rms_error"]);
+  CHECK(rows[1]["rms_error"] > 0.01);
+  CHECK(rows[1]["multiply_add_left"] < rows[1]["multiply_add"]);
+  CHECK(rows[2]["largest_error"] == 0.0);
+
+  // Where there is no gravity, leaving it out costs nothing.
+  here.change("models/index/mechanism.toml", "value = [0, 0, -9.81]", "value = [0, 0, 0]");
+  const json weightless = json::parse(here.sinew({"cost", model, "--reduced", "--json"}).output);
+  CHECK(weightless[0]["largest_error"] == 0.0);
+  CHECK(weightless[0]["multiply_add_left"] == weightless[0]["multiply_add"]);
+  CHECK(weightless[1]["rms_error"] > rows[1]["rms_error"]);
+}
+
 TEST_CASE("dump shows any stage, as text and as dot") {
   const Workplace here;
   const Ended lowered = here.sinew({"dump", model, "--function", "bias", "--after", "lower"});
