@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <set>
 
 #include "identification/explain.h"
 #include "identification/extend.h"
@@ -42,7 +43,7 @@ class Run {
     tell("searching for causes", 0.3);
     Explanation explanation = explain(subject_.problem(), request_.settings);
     merge_members(explanation.verdict);
-    set_small_steps_aside(explanation.verdict);
+    set_sensor_noise_aside(explanation.verdict);
     if (!request_.holdout.empty()) confirm_on_held_out(explanation.verdict);
     f.verdict = explanation.verdict;
     tell("extending and measuring", 0.9);
@@ -106,19 +107,33 @@ class Run {
     return names;
   }
 
-  /// Every encoder has steps. They are a cause where they make a good part of what is left over.
-  void set_small_steps_aside(Verdict& verdict) const {
+  /// Every encoder has steps and every sensor noise, which the acceleration makes large. Steps are
+  /// a cause where they make a good part of what is left over; noise is none. What it leaves of
+  /// itself passes for effects of fast motion at its place: they have to be as large.
+  void set_sensor_noise_aside(Verdict& verdict) const {
     constexpr double good_part = 0.08;
-    const auto small = [&](const NamedCause& cause) {
+    const auto is_noise = [&](const NamedCause& cause) {
+      const std::string origin = origin_of(cause.candidate);
+      return origin == "sensor_noise" || origin == "sensor_quantisation";
+    };
+    const auto is_fast = [&](const NamedCause& cause) {
+      const std::string origin = origin_of(cause.candidate);
+      return origin == "gear_elasticity" || origin == "inertial_backlash";
+    };
+    std::set<std::string> noisy;
+    for (const NamedCause& cause : verdict.causes)
+      if (is_noise(cause)) noisy.insert(cause.members.front().place);
+    const auto aside = [&](const NamedCause& cause) {
+      if (origin_of(cause.candidate) == "sensor_noise") return true;
       return cause.cross_validated.share < good_part &&
-             origin_of(cause.candidate) == "sensor_quantisation";
+             (is_noise(cause) || (is_fast(cause) && noisy.count(cause.members.front().place) == 1));
     };
     for (const NamedCause& cause : verdict.causes)
-      if (small(cause))
+      if (aside(cause))
         verdict.ruled_out.push_back({cause.members.front().name, cause.members.front().place,
-                                     "there, but too small to be worth a finer sensor",
+                                     "no more than the position's noise, as in every measurement",
                                      cause.statistic, cause.p_family});
-    std::erase_if(verdict.causes, small);
+    std::erase_if(verdict.causes, aside);
   }
 
   void describe_terms(const Verdict& verdict) {

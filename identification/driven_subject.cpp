@@ -312,6 +312,8 @@ void DrivenSubject::add_model_candidates(std::size_t joint) {
   take(sensor_hysteresis_candidate(where, known_, scale(joint)), "sensor_hysteresis");
   if (coarse_sensor(joint))
     take(sensor_quantisation_candidate(where, known_), "sensor_quantisation");
+  else if (noisy_sensor(joint))
+    take(sensor_noise_candidate(where, known_), "sensor_noise");
   if (tendon_driven(joint))
     take(pulley_radius_candidate(where.axis, where.name), "pulley_radius");
   else if (!gain_is_level(joint))
@@ -339,6 +341,22 @@ bool DrivenSubject::coarse_sensor(std::size_t joint) const {
   constexpr double even = 1.8, normal = 3.0;  // kurtosis
   return quantum_[joint] > 0.0 && squares > 0.0 &&
          count * fourth_powers < 0.5 * (even + normal) * squares * squares;
+}
+
+/// What is left of the acceleration above the motion is what the position's noise at still higher
+/// frequencies makes of itself there.
+bool DrivenSubject::noisy_sensor(std::size_t joint) const {
+  const auto c = static_cast<Index>(joint);
+  double found = 0.0, expected = 0.0;
+  for (const Recording& log : problem_.training) {
+    const double top = std::min(highest_cutoff, 0.1 / log.step);
+    const double density =
+        (log.signals.at("logged_q").col(c) - log.q.col(c)).squaredNorm() / (0.5 / log.step - top);
+    expected += density * std::pow(2.0 * std::numbers::pi, 4) *
+                (std::pow(top, 5) - std::pow(smooth_cutoff, 5)) / 5.0;
+    found += (log.qdd.col(c) - log.signals.at("smooth_qdd").col(c)).squaredNorm();
+  }
+  return expected > 0.0 && found < 4.0 * expected;
 }
 
 }  // namespace sinew::diagnosis

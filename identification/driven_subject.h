@@ -73,6 +73,7 @@ class DrivenSubject {
   /// The candidate's first columns (all: -1) as changes of the model's own values.
   void add_level(const Candidate& candidate, CandidateOrigin origin, int columns = -1);
   bool coarse_sensor(std::size_t joint) const;
+  bool noisy_sensor(std::size_t joint) const;
   void add_tendon_forces(const Eigen::MatrixXd& forces, const Eigen::MatrixXd& efforts,
                          Recording& log) const;
   void add_ripples(std::size_t joint);

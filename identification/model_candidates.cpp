@@ -133,6 +133,13 @@ Candidate sensor_quantisation_candidate(const EffectPlace& place, const EffortMo
   return c;
 }
 
+Candidate sensor_noise_candidate(const EffectPlace& place, const EffortModel& effort) {
+  Candidate c = sensor_quantisation_candidate(place, effort);
+  c.name = "noise of the position sensor";
+  c.linear.front().name = "share_of_noise";
+  return c;
+}
+
 Candidate sensor_hysteresis_candidate(const EffectPlace& place, const EffortModel& effort,
                                       const LogScale& scale) {
   Candidate c =

@@ -24,6 +24,9 @@ Candidate sensor_scale_candidate(const EffectPlace& place, const EffortModel& ef
 /// "smooth_qd" and "smooth_qdd": the motion as it may have been between the steps.
 Candidate sensor_quantisation_candidate(const EffectPlace& place, const EffortModel& effort);
 
+/// The same for noise of another kind.
+Candidate sensor_noise_candidate(const EffectPlace& place, const EffortModel& effort);
+
 /// The logged position follows the true one with play.
 Candidate sensor_hysteresis_candidate(const EffectPlace& place, const EffortModel& effort,
                                       const LogScale& scale);
