@@ -172,7 +172,7 @@ TEST_CASE("bad logs: file, row and column, nothing written", "[identify]") {
   CHECK(attempt(good).status == 0);
 }
 
-TEST_CASE("--repair takes a log that lacks a cell", "[identify]") {
+TEST_CASE("a log that lacks a cell is taken with --repair", "[identify]") {
   const Workplace here;
   simulate(here, "constant_velocity");
   reference::write_text(here.path("bad.csv"),
