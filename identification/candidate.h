@@ -110,7 +110,7 @@ struct Problem {
   std::vector<LevelCause> levels;  ///< may be empty: then the baseline has no nominal values
 };
 
-/// How the search is done; the defaults are the calibrated ones (confidence.h).
+/// How the search is done; confidence.h was fitted with the defaults.
 struct Settings {
   double band_hz = 0.0;         ///< highest frequency looked at; 0: chosen from the sampling rate
   double edge_s = 0.0;          ///< left away at both ends of every log

@@ -6,7 +6,7 @@
 
 namespace sinew::diagnosis {
 
-double calibrated_confidence(const ConfidenceEvidence& evidence) {
+double confidence_of(const ConfidenceEvidence& evidence) {
   constexpr double kOffset = 0.2, kMargin = 1.1, kLeftOver = -3.0;
   // On sealed drives at the noise's size 62 of 78 sets held the truth, 42 of 51 where the curve
   // says one: more than this the evidence so far does not carry (docs/blind_trials.md).

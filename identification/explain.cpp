@@ -92,14 +92,14 @@ NamedCause name_cause(const Design& design, const Library& library, const Settin
   NamedCause cause;
   cause.members = rivals.members;
   const Term& own = selection.model.terms[term];
-  cause.candidate =
-      own.level >= 0 ? -1 - own.level
-                     : static_cast<int>(own.candidate - design.problem().library.data());
+  cause.candidate = own.level >= 0
+                        ? -1 - own.level
+                        : static_cast<int>(own.candidate - design.problem().library.data());
   cause.statistic = evidence.statistic;
   cause.p_family = evidence.p_family;
   cause.validated = evidence.validated;
   cause.cross_validated = evidence.gain;
-  cause.confidence = rivals.margin;  // calibrated once the left-over structure is known
+  cause.confidence = rivals.margin;  // weighed once the left-over structure is known
   Model without = selection.model;
   remove_term(design, term, without);
   const BlockLosses before = held_out_losses(design, settings, without, selection.noise.weights);
@@ -157,7 +157,7 @@ void name_levels(const Design& design, const Library& library, const Settings& s
     NamedCause cause = name_cause(design, library, settings, state, t, experiments);
     cause.parameters = all[t];
     cause.confidence =
-        calibrated_confidence({cause.confidence, cause.p_family, cause.cross_validated.share, 0.0});
+        confidence_of({cause.confidence, cause.p_family, cause.cross_validated.share, 0.0});
     result.verdict.causes.push_back(std::move(cause));
   }
   const std::vector<LevelCause>& causes = design.problem().levels;
@@ -219,9 +219,8 @@ Explanation explain(const Problem& problem, const Settings& settings,
     }
     NamedCause cause = name_cause(design, library, settings, selection, t, experiments);
     cause.parameters = all[t];
-    cause.confidence =
-        calibrated_confidence({cause.confidence, cause.p_family, cause.cross_validated.share,
-                               1.0 - verdict.unexplained.named_share});
+    cause.confidence = confidence_of({cause.confidence, cause.p_family, cause.cross_validated.share,
+                                      1.0 - verdict.unexplained.named_share});
     verdict.causes.push_back(std::move(cause));
   }
   list_ruled_out(design, selection, verdict);

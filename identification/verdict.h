@@ -30,7 +30,7 @@ struct RankedCause {
 struct NamedCause {
   std::vector<RankedCause> members;
   int candidate = 0;        ///< of the term that the model takes: one of the members
-  double confidence = 0.0;  ///< calibrated probability that the truth is among the members
+  double confidence = 0.0;  ///< that the truth is among the members: confidence.h
   double statistic = 0.0;   ///< drop of the whitened deviance
   double p_family = 1.0;    ///< against surrogates, over the whole library
   double validated = 0.0;   ///< drop of the whitened loss on left-out blocks

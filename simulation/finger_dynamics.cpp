@@ -2,7 +2,6 @@
 #include "simulation/finger_dynamics.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "generator/assemble.h"
 #include "simulation/stored_energy.h"
@@ -44,20 +43,6 @@ Eigen::VectorXd damping_of(const Mechanism& mechanism, const Eigen::MatrixXd& mo
   return (motion.transpose() * d.asDiagonal() * motion).diagonal();
 }
 
-std::vector<std::vector<int>> bent_joints(const Mechanism& mechanism) {
-  std::vector<std::vector<int>> all;
-  const std::vector<int> coordinate = coordinate_of_joint(mechanism);
-  for (const Tendon& tendon : mechanism.tendons) {
-    std::vector<int> joints;
-    for (const PulleyRouting& pulley : tendon.pulleys)
-      for (std::size_t i = 0; i < mechanism.joints.size(); ++i)
-        if (mechanism.joints[i].name == pulley.joint && coordinate[i] >= 0)
-          joints.push_back(coordinate[i]);
-    all.push_back(joints);
-  }
-  return all;
-}
-
 }  // namespace
 
 FingerDynamics::FingerDynamics(const Mechanism& mechanism, bool turning_gravity,
@@ -65,12 +50,12 @@ FingerDynamics::FingerDynamics(const Mechanism& mechanism, bool turning_gravity,
     : mechanism_(mechanism),
       model_(compiled(mechanism, turning_gravity, runtime)),
       motion_(joint_motion_matrix(mechanism)),
-      bent_joints_(bent_joints(mechanism)),
       damping_(damping_of(mechanism, motion_)) {
   n_ = static_cast<std::size_t>(motion_.cols());
   if (turning_gravity) parameters_ = model_("base_parameters", mass_properties(mechanism));
   acceleration_ = &model_.find("forward_dynamics");
   mass_and_bias_ = &model_.find("mass_matrix_and_bias");
+  if (!mechanism.tendons.empty()) bending_ = &model_.find("bending_angles");
   for (const sinew_function* function : {acceleration_, mass_and_bias_})
     if (function->input_size > static_cast<int>(most_numbers) ||
         function->output_size > static_cast<int>(most_numbers))
@@ -112,12 +97,7 @@ double FingerDynamics::potential(const double* q, const Eigen::Vector3d& gravity
 }
 
 void FingerDynamics::bending(const double* q, double* angle) const {
-  const Eigen::VectorXd joints =
-      motion_ * Eigen::Map<const Eigen::VectorXd>(q, static_cast<Eigen::Index>(n_));
-  for (std::size_t i = 0; i < bent_joints_.size(); ++i) {
-    angle[i] = 0.0;
-    for (const int joint : bent_joints_[i]) angle[i] += std::abs(joints(joint));
-  }
+  if (bending_ != nullptr) bending_->call(q, angle);
 }
 
 }  // namespace sinew

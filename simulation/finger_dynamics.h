@@ -26,7 +26,7 @@ class FingerDynamics {
   void mass_and_bias(const double* q, const double* qd, const double* gravity, double* M,
                      double* bias) const;
   double potential(const double* q, const Eigen::Vector3d& gravity) const;
-  /// Sum of |joint angle| over the pulleys that each tendon runs over [rad].
+  /// Of each tendon [rad], as the emitted bending_angles gives it.
   void bending(const double* q, double* angle) const;
 
  private:
@@ -35,13 +35,12 @@ class FingerDynamics {
   Mechanism mechanism_;
   CompiledModel model_;
   std::size_t n_ = 0;
-  Eigen::MatrixXd motion_;                     ///< moving joints x coordinates
-  std::vector<std::vector<int>> bent_joints_;  ///< of each tendon: moving joints
+  Eigen::MatrixXd motion_;  ///< moving joints x coordinates
   Eigen::VectorXd damping_;
   std::vector<double> parameters_;
-  std::size_t most_in_ = 0, most_out_ = 0;
   const sinew_function* acceleration_ = nullptr;
   const sinew_function* mass_and_bias_ = nullptr;
+  const sinew_function* bending_ = nullptr;  ///< none without tendons
 };
 
 }  // namespace sinew

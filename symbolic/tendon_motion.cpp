@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "symbolic/tendon_motion.h"
 
-#include "symbolic/coordinates.h"
+#include "symbolic/inline_function.h"
 #include "symbolic/joint_tree.h"
-#include "symbolic/piecewise.h"
 #include "symbolic/symbols.h"
+#include "symbolic/tendon_bending.h"
 #include "symbolic/tendons.h"
 
 namespace sinew {
@@ -14,21 +14,15 @@ using GiNaC::ex;
 Function tendon_motion_function(const Mechanism& mechanism) {
   const Argument q = joint_positions(mechanism), qd = joint_velocities(mechanism);
   const std::size_t m = mechanism.tendons.size(), n = q.symbols.size();
-  const Coordinates coordinates(mechanism);
   DefinitionList list;
   const JointTree tree = build_joint_tree(mechanism);
   const std::vector<ex> P =
       coupling_matrix(list, tendon_lengths(list, mechanism, tree, q.symbols), q.symbols);
-  std::vector<ex> rate(m, 0), bending(m, 0);
+  std::vector<ex> rate(m, 0);
   for (std::size_t t = 0; t < m; ++t)
-    for (std::size_t j = 0; j < n; ++j) {
-      const ex arm = P[t * n + j];
-      if (arm.is_zero()) continue;
-      rate[t] += arm * qd.symbols[j];
-      const auto joint = static_cast<std::size_t>(coordinates.joints()[j]);
-      if (mechanism.joints[joint].type == JointType::revolute)
-        bending[t] += magnitude(q.symbols[j]);
-    }
+    for (std::size_t j = 0; j < n; ++j) rate[t] += P[t * n + j] * qd.symbols[j];
+  const std::vector<ex> bending =
+      inlined(list, tendon_bending_angles(mechanism), {q.symbols.begin(), q.symbols.end()}).front();
   const int rows = static_cast<int>(m);
   return {"tendon_motion",
           "Moment arms of the tendons, the rate of their lengths and how far they are bent.",
@@ -37,7 +31,7 @@ Function tendon_motion_function(const Mechanism& mechanism) {
           list.items(),
           {{"P", rows, q.rows, P, "m/" + q.unit, "coupling matrix"},
            {"rate", rows, 1, rate, "m/s", "of the path lengths"},
-           {"bending", rows, 1, bending, "rad", "at the joints, against the straight finger"}}};
+           {"bending", rows, 1, bending, "rad", "as bending_angles gives it"}}};
 }
 
 }  // namespace sinew

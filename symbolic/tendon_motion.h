@@ -10,8 +10,7 @@
 namespace sinew {
 
 /// tendon_motion(q, qd -> P, rate, bending): coupling matrix P = dh/dq, tendons x coordinates
-/// row-major (5.9); rate P qd [m/s] of the paths' lengths; bending [rad], the sum of |q| over the
-/// revolute coordinates that the tendon acts on.
+/// row-major (5.9); rate P qd [m/s] of the paths' lengths; bending [rad] of tendon_bending.h.
 Function tendon_motion_function(const Mechanism& mechanism);
 
 }  // namespace sinew

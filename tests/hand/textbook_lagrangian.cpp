@@ -74,7 +74,7 @@ TEST_CASE("differentiating L = T - V gives the recursive form", "[lagrangian]") 
         "difference {:.1e}\n",
         name, by_definition, by_recursion, error);
     // The fifth finger's scaled lengths are doubles of many digits; the recursion's frames add some
-    // of them up, and such a sum is rounded like a double.
+    // of them up, and to_expression (spatial.h) rounds such a sum to a double.
     CHECK(error < (std::string(name) == "fifth" ? 0x1p-52 : 1e-35));
     CHECK(by_recursion <= by_definition);
   }
