@@ -48,7 +48,7 @@ struct Before {
   }
 };
 
-ValueChange difference(const double* now, const Values& before) {
+ValueChange difference_of(const double* now, const Values& before) {
   ValueChange change;
   double size = 0;
   for (std::size_t i = 0; i < before.size(); ++i) {
@@ -86,7 +86,7 @@ std::vector<ValueChange> changes_in(const std::string& key, const ReferenceTable
   std::vector<ValueChange> changes;
   const double* next = now.data();
   for (const Values& output : *outputs) {
-    changes.push_back(difference(next, output));
+    changes.push_back(difference_of(next, output));
     next += output.size();
   }
   return changes;

@@ -30,7 +30,7 @@ namespace fs = std::filesystem;
 using diagnosis::DiagnoseRequest;
 using diagnosis::Diagnosis;
 
-struct Options {
+struct DiagnoseOptions {
   std::string folder, out, runtime;
   std::vector<std::string> logs, holdout, map;
   double band = 0.0;
@@ -62,7 +62,7 @@ DriveLimits limits_of(const DrivenJoint& joint) {
 
 /// What does not depend on the kind of model.
 template <class Request>
-void set_common(const Options& o, const ModelFolder& folder, Request& request) {
+void set_common(const DiagnoseOptions& o, const ModelFolder& folder, Request& request) {
   request.name = folder.identity.name;
   request.description = folder.identity.description;
   request.hash = folder.identity.hash;
@@ -77,7 +77,7 @@ void set_common(const Options& o, const ModelFolder& folder, Request& request) {
 }
 
 /// Joints by their own efforts, or by the forces of their tendons: what the first log has.
-void set_robot(const Options& o, const Mechanism& mechanism, DiagnoseRequest& request) {
+void set_robot(const DiagnoseOptions& o, const Mechanism& mechanism, DiagnoseRequest& request) {
   using diagnosis::LoggedEfforts;
   request.mechanism = mechanism;
   const LoggedEfforts logged = diagnosis::logged_efforts(mechanism, o.logs.front(), o.map);
@@ -115,7 +115,7 @@ void set_hand(const Hand& hand, const Identified& identified, DiagnoseRequest& r
   };
 }
 
-DiagnoseRequest request_for(const Options& o, const ModelFolder& folder) {
+DiagnoseRequest request_for(const DiagnoseOptions& o, const ModelFolder& folder) {
   DiagnoseRequest request;
   set_common(o, folder, request);
   if (const Mechanism* mechanism = std::get_if<Mechanism>(&folder.model)) {
@@ -142,7 +142,7 @@ DiagnoseRequest request_for(const Options& o, const ModelFolder& folder) {
 }
 
 /// The model's folder with what it has learnt, and its C, as they would be.
-FileSet extended_c(const Options& o, const Diagnosis& diagnosis) {
+FileSet extended_c(const DiagnoseOptions& o, const Diagnosis& diagnosis) {
   ModelFolder folder = open_model_folder(o.folder);
   folder.identified = diagnosis.extended;
   if (Mechanism* mechanism = std::get_if<Mechanism>(&folder.model))
@@ -150,7 +150,7 @@ FileSet extended_c(const Options& o, const Diagnosis& diagnosis) {
   return emit_files(assemble(folder.identity, derive_functions(folder), Target{}));
 }
 
-void write_results(const Options& o, Diagnosis& diagnosis) {
+void write_results(const DiagnoseOptions& o, Diagnosis& diagnosis) {
   auto& extension = diagnosis.findings.extension;
   extension.dry_run = o.dry_run;
   std::map<std::string, std::string> files;
@@ -169,7 +169,7 @@ void write_results(const Options& o, Diagnosis& diagnosis) {
     replace_folder(fs::path(o.out) / "generated" / diagnosis.findings.model, generated);
 }
 
-int run(const Options& o) {
+int run(const DiagnoseOptions& o) {
   const ModelFolder folder = open_model_folder(o.folder);
   const Progress progress(!o.json);
   const auto told = [&](const std::string& step, double share) { progress(step, share); };
@@ -197,7 +197,7 @@ int run(const Options& o) {
 void add_diagnose_command(CLI::App& app, int& exit_status) {
   CLI::App* command = app.add_subcommand(
       "diagnose", "Show what a model gets wrong on measured logs, name the cause, extend it");
-  auto o = std::make_shared<Options>();
+  auto o = std::make_shared<DiagnoseOptions>();
   command->add_option("model", o->folder, "Model folder")->required();
   command->add_option("--log", o->logs, "Logs to learn from (CSV)")->required();
   command->add_option("--holdout", o->holdout, "Logs to judge on, not learnt from");

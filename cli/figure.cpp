@@ -12,12 +12,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-void write_text(const fs::path& path, const std::string& text) {
-  std::ofstream out(path, std::ios::binary);
-  out << text;
-  if (!out.flush()) throw std::runtime_error(path.string() + ": cannot be written");
-}
-
 /// In gnuplot's single quotes.
 std::string quoted(const std::string& text) {
   std::string result = "'";
@@ -71,6 +65,12 @@ std::string script_of(const fs::path& svg, const Figure& figure) {
 }
 
 }  // namespace
+
+void write_text(const fs::path& path, const std::string& text) {
+  std::ofstream out(path, std::ios::binary);
+  out << text;
+  if (!out.flush()) throw std::runtime_error(path.string() + ": cannot be written");
+}
 
 void write_figure(const fs::path& folder, const Figure& figure) {
   write_text(folder / (figure.file + ".csv"), csv_of(figure));

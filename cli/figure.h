@@ -32,6 +32,9 @@ struct Figure {
 /// cannot be written or gnuplot fails.
 void write_figure(const std::filesystem::path& folder, const Figure& figure);
 
+/// Writes a file in one go. Throws std::runtime_error where it cannot be written.
+void write_text(const std::filesystem::path& path, const std::string& text);
+
 /// index.html: all figures with their notes.
 void write_index(const std::filesystem::path& folder, const std::vector<Figure>& figures);
 

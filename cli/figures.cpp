@@ -18,20 +18,20 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Options {
+struct FiguresOptions {
   std::string out = "figures", models = "models", generated = "generated", runtime = "runtime";
   std::vector<int> chapters;  ///< none: all
 };
 
 template <typename Parameters>
-Parameters parameters_of(const Options& o, const char* model) {
+Parameters parameters_of(const FiguresOptions& o, const char* model) {
   const fs::path folder = fs::path(o.models) / model;
   const Part part = read_part(folder);
   if (const auto* found = std::get_if<Parameters>(&part.parameters)) return *found;
   throw std::runtime_error((folder / "part.toml").string() + ": describes no " + model);
 }
 
-std::vector<Figure> figures_guiding(const Options& o) {
+std::vector<Figure> figures_guiding(const FiguresOptions& o) {
   std::vector<FittedSeries> all;
   for (GuidingSeries& s :
        read_guiding_table(fs::path(o.models) / "guiding" / "assumed_measurements.csv")) {
@@ -47,7 +47,7 @@ std::vector<Figure> figures_guiding(const Options& o) {
   return figures;
 }
 
-std::vector<Figure> figures_of(const Options& o, int chapter) {
+std::vector<Figure> figures_of(const FiguresOptions& o, int chapter) {
   const auto compiled = [&](const char* model) {
     return CompiledModel(fs::path(o.generated) / model, o.runtime);
   };
@@ -71,7 +71,7 @@ std::vector<Figure> figures_of(const Options& o, int chapter) {
   return figures;
 }
 
-void run_figures(const Options& o) {
+void run_figures(const FiguresOptions& o) {
   std::vector<Figure> figures;
   for (const int chapter : {3, 4, 5, 6})
     if (o.chapters.empty() ||
@@ -87,7 +87,7 @@ void run_figures(const Options& o) {
 
 void add_figures_command(CLI::App& app, int&) {
   CLI::App* command = app.add_subcommand("figures", "Reproduce the source's figures");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<FiguresOptions>();
   command->add_option("--out", options->out, "Folder of the figures (default: figures)");
   command->add_option("--chapter", options->chapters, "3, 4, 5, 6: of these chapters only")
       ->check(CLI::Range(3, 6));

@@ -62,12 +62,6 @@ Series curve(const std::string& title, double largest, int colour, Law law) {
   return line;
 }
 
-void write_text(const fs::path& path, const std::string& text) {
-  std::ofstream out(path, std::ios::binary);
-  out << text;
-  if (!out.flush()) throw std::runtime_error(path.string() + ": cannot be written");
-}
-
 std::string friction_table(const std::vector<FittedSeries>& all, double tension) {
   std::string text =
       "tendon,guide,surface,radius [mm],tension [N],bending [deg],friction [N],law,"

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <random>
 
 #include "identification/lever_calibration.h"
@@ -19,7 +20,7 @@ std::vector<double> state_at(const CompiledModel& lever, const LeverParameters& 
   return lever("state", {p.free_angle + s * (p.end_angle - p.free_angle)});
 }
 
-constexpr double two_pi = 6.283185307179586;
+using std::numbers::pi;
 constexpr double spring_mismatch = 0.05, loop_share = 15.0 / 70.0, loop_length = 2e-4;
 constexpr double force_noise = 0.1, gauge_noise = 2e-6;  // N, m
 constexpr double period = 0.005;                         // s
@@ -40,7 +41,7 @@ Log calibration_log(const CompiledModel& lever, const TendonWithLever& parameter
   std::normal_distribution<double> unit;
   double z = 0.0, before = 0.0;
   for (long i = 0; i < samples; ++i) {
-    const double s = 0.5 - 0.5 * std::cos(two_pi * 3.0 * static_cast<double>(i) / samples);
+    const double s = 0.5 - 0.5 * std::cos(2.0 * pi * 3.0 * static_cast<double>(i) / samples);
     const std::vector<double> state = state_at(lever, p, s);
     const double way = (state[elongation] - before) / loop_length;
     before = state[elongation];
@@ -105,7 +106,7 @@ Figure figure_lever(const CompiledModel& lever, const LeverParameters& parameter
     const double s = i / 200.0;
     const auto state = state_at(lever, parameters, s);
     const double angle = parameters.free_angle + s * (parameters.end_angle - parameters.free_angle);
-    add(length, angle * 360.0 / two_pi, state[path] * 1e3);
+    add(length, angle * 180.0 / pi, state[path] * 1e3);
     add(pull, state[elongation] * 1e3, state[force]);
     add(stiff, state[elongation] * 1e3, state[stiffness] * 1e-3);
   }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <random>
 
 #include "identification/friction_curve.h"
@@ -16,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double two_pi = 6.283185307179586;
+using std::numbers::pi;
 constexpr const char* simulated =
     "Simulated with the emitted C of models/motor, not measured: the source's motor is not "
     "available, and its ripple is not printed. ";
@@ -99,7 +100,7 @@ Figure figure_repeated(const Run& log) {
   std::mt19937_64 random(7);
   std::normal_distribution<double> unit;
   const auto from = static_cast<long>(2.0 / log.period()),
-             turns = static_cast<long>(3.0 * two_pi * 0.01 / log.period());
+             turns = static_cast<long>(6.0 * pi * 0.01 / log.period());
   for (int k = 0; k < runs; ++k) {
     Eigen::ArrayXd torque = log.torque;
     for (double& each : torque) each += noise * unit(random);
@@ -121,12 +122,12 @@ Figure figure_repeated(const Run& log) {
 Series spectrum(const std::string& title, const Eigen::ArrayXd& signal, double period) {
   const long n = signal.size();
   const Eigen::ArrayXd at = Eigen::ArrayXd::LinSpaced(n, 0.0, static_cast<double>(n - 1));
-  const Eigen::ArrayXd window = 0.5 - 0.5 * (at * (two_pi / static_cast<double>(n))).cos();
+  const Eigen::ArrayXd window = 0.5 - 0.5 * (at * (2.0 * pi / static_cast<double>(n))).cos();
   const Eigen::ArrayXd weighed = (signal - signal.mean()) * window;
   const double step = 0.5 / (static_cast<double>(n) * period);
   Series series{title, {}, {}, "lines"};
   for (double f = 1.0; f <= 40.0; f += step) {
-    const Eigen::ArrayXd angle = at * (two_pi * f * period);
+    const Eigen::ArrayXd angle = at * (2.0 * pi * f * period);
     series.x.push_back(f);
     series.y.push_back(2.0 *
                        std::hypot((weighed * angle.cos()).sum(), (weighed * angle.sin()).sum()) /

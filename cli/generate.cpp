@@ -18,7 +18,7 @@
 namespace sinew {
 namespace {
 
-struct Options {
+struct GenerateOptions {
   std::string folder, out, scalar = "double", optimise = "speed";
   std::vector<std::string> without;
   bool json = false;
@@ -27,7 +27,7 @@ struct Options {
   bool dependents = false;
 };
 
-void add_common_options(CLI::App& command, Options& o) {
+void add_common_options(CLI::App& command, GenerateOptions& o) {
   command.add_option("model", o.folder, "Model folder, or a folder of model folders: all of them")
       ->required();
   command.add_option("--out", o.out,
@@ -43,7 +43,7 @@ void add_common_options(CLI::App& command, Options& o) {
   command.add_flag("--json", o.json, "Report for machines");
 }
 
-EmittedModel emit(const Options& o, const ModelFolder& folder) {
+EmittedModel emit(const GenerateOptions& o, const ModelFolder& folder) {
   return assemble(folder.identity, derive_functions(folder, o.runtime_parameters),
                   target_named(o.scalar, o.fma, o.optimise), o.without);
 }
@@ -66,7 +66,7 @@ struct Derived {
 };
 
 /// The folders a command is about; with --dependents also the hands made of them.
-std::vector<std::filesystem::path> folders_of(const Options& o) {
+std::vector<std::filesystem::path> folders_of(const GenerateOptions& o) {
   std::vector<std::filesystem::path> folders = model_folders(o.folder);
   if (!o.dependents) return folders;
   const std::vector<std::filesystem::path> given = folders;
@@ -76,7 +76,7 @@ std::vector<std::filesystem::path> folders_of(const Options& o) {
   return folders;
 }
 
-Derived derive(const Options& o, const std::filesystem::path& path, bool alone) {
+Derived derive(const GenerateOptions& o, const std::filesystem::path& path, bool alone) {
   const auto start = std::chrono::steady_clock::now();
   const ModelFolder folder = open_model_folder(path);
   Derived derived{path, default_output(folder), emit(o, folder), {}, 0};
@@ -88,7 +88,7 @@ Derived derive(const Options& o, const std::filesystem::path& path, bool alone) 
 }
 
 /// All of them before anything is written: a mistake in one leaves everything as it was.
-std::vector<Derived> derive_all(const Options& o) {
+std::vector<Derived> derive_all(const GenerateOptions& o) {
   const std::vector<std::filesystem::path> folders = folders_of(o);
   std::vector<Derived> all;
   for (const std::filesystem::path& folder : folders)
@@ -154,14 +154,14 @@ void report_generated(const std::vector<Derived>& run, bool json) {
   }
 }
 
-void run_generate(const Options& o) {
+void run_generate(const GenerateOptions& o) {
   const std::vector<Derived> run = derive_all(o);
   for (const Derived& d : run) replace_folder(d.out, emit_files(d.model));
   report_generated(run, o.json);
 }
 
 /// The command that makes `check` with these options content.
-std::string accept_command(const Options& o) {
+std::string accept_command(const GenerateOptions& o) {
   std::string command = "sinew generate " + word(o.folder);
   if (!o.out.empty()) command += " --out " + word(o.out);
   if (o.scalar != "double") command += " --scalar " + o.scalar;
@@ -182,7 +182,7 @@ nlohmann::ordered_json check_json(const Derived& d, const std::string& diff,
           {"accept", accept}};
 }
 
-int run_check(const Options& o) {
+int run_check(const GenerateOptions& o) {
   const std::vector<Derived> run = derive_all(o);
   const std::string accept = accept_command(o);
   nlohmann::ordered_json models = nlohmann::ordered_json::array();
@@ -210,7 +210,7 @@ int run_check(const Options& o) {
 
 void add_generate_command(CLI::App& app, int&) {
   CLI::App* command = app.add_subcommand("generate", "Derive a model and write its C");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<GenerateOptions>();
   add_common_options(*command, *options);
   command->callback([options] { run_generate(*options); });
 }
@@ -218,7 +218,7 @@ void add_generate_command(CLI::App& app, int&) {
 void add_check_command(CLI::App& app, int& exit_status) {
   CLI::App* command =
       app.add_subcommand("check", "Derive a model again and compare with the C that is there");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<GenerateOptions>();
   add_common_options(*command, *options);
   command->callback([options, &exit_status] { exit_status = run_check(*options); });
 }

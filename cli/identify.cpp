@@ -19,7 +19,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-struct Options {
+struct IdentifyOptions {
   std::string model, experiment, out, emit, tables;
   std::vector<std::string> logs, map;
   bool repair = false, json = false;
@@ -48,7 +48,7 @@ bool has_guiding(const Part& part) {
          std::holds_alternative<CapstanGuiding>(part.parameters);
 }
 
-void require(bool fits, const Options& o, const char* expected) {
+void require(bool fits, const IdentifyOptions& o, const char* expected) {
   if (!fits)
     throw std::runtime_error(
         fmt::format("{}: describes another part; expected {} for the "
@@ -56,7 +56,7 @@ void require(bool fits, const Options& o, const char* expected) {
                     o.model, expected, o.experiment));
 }
 
-IdentifyReport identify(const Options& o, std::vector<Log>& logs) {
+IdentifyReport identify(const IdentifyOptions& o, std::vector<Log>& logs) {
   const Part part = read_part(o.model);
   const auto* motor = std::get_if<MotorParameters>(&part.parameters);
   const LeverParameters* lever = lever_of(part);
@@ -113,7 +113,7 @@ void print_value(const std::string& name, const Json& value) {
     fmt::print("{}: {}\n", name, value.dump());
 }
 
-int run_identify(const Options& o) {
+int run_identify(const IdentifyOptions& o) {
   std::vector<Log> logs;
   const IdentifyReport report = identify(o, logs);
   const Json whole{
@@ -135,7 +135,7 @@ int run_identify(const Options& o) {
 void add_identify_command(CLI::App& app, int& exit_status) {
   CLI::App* command = app.add_subcommand(
       "identify", "Friction, inertia, ripple, the lever's sensor or guiding friction from logs");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<IdentifyOptions>();
   command->add_option("model", options->model, "Model folder of the part")->required();
   command
       ->add_option("--experiment", options->experiment,

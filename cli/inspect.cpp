@@ -20,7 +20,7 @@
 namespace sinew {
 namespace {
 
-struct Options {
+struct InspectOptions {
   std::string folder, function, after;
   bool passes = false, methods = false, reduced = false, runtime_parameters = false;
   bool dot = false, json = false;
@@ -127,7 +127,7 @@ std::vector<Function> by_every_method(const ModelFolder& folder) {
   return methods;
 }
 
-void run_cost(const Options& o) {
+void run_cost(const InspectOptions& o) {
   if (o.reduced) return print_reduced(open_model_folder(o.folder), o.json);
   if (o.methods) return print_costs(by_every_method(open_model_folder(o.folder)), o.json);
   const std::vector<Function> functions =
@@ -150,7 +150,7 @@ Graph graph_after(const Function& function, const std::string& after) {
       fmt::format("--after {}: expected one of lower, {}", after, pass_names()));
 }
 
-void run_dump(const Options& o) {
+void run_dump(const InspectOptions& o) {
   const std::vector<Function> functions = derive_functions(open_model_folder(o.folder));
   std::string names;
   for (const Function& function : functions) {
@@ -167,7 +167,7 @@ void run_dump(const Options& o) {
 
 void add_cost_command(CLI::App& app, int&) {
   CLI::App* command = app.add_subcommand("cost", "Count the operations of every function");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<InspectOptions>();
   command->add_option("model", options->folder, "Model folder")->required();
   command->add_flag("--runtime-parameters", options->runtime_parameters,
                     "Counts with masses and gravity as arguments");
@@ -183,7 +183,7 @@ void add_cost_command(CLI::App& app, int&) {
 
 void add_dump_command(CLI::App& app, int&) {
   CLI::App* command = app.add_subcommand("dump", "Print an intermediate form of a function");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<InspectOptions>();
   command->add_option("model", options->folder, "Model folder")->required();
   command
       ->add_option("--function", options->function,

@@ -15,7 +15,7 @@
 namespace sinew {
 namespace {
 
-struct Options {
+struct SimulateOptions {
   std::string model, scenario, out, runtime;
   bool json = false;
 };
@@ -41,7 +41,8 @@ class Progress {
   int last_ = -1;
 };
 
-nlohmann::ordered_json json_of(const Options& o, double duration, const SimulationResult& r) {
+nlohmann::ordered_json json_of(const SimulateOptions& o, double duration,
+                               const SimulationResult& r) {
   nlohmann::ordered_json work, events = nlohmann::ordered_json::array();
   for (int i = 0; i < power_count; ++i)
     work[name_of_power(i)] = r.audit.work[static_cast<std::size_t>(i)];
@@ -68,7 +69,7 @@ nlohmann::ordered_json json_of(const Options& o, double duration, const Simulati
           {"events", events}};
 }
 
-void print_summary(const Options& o, double duration, const SimulationResult& r) {
+void print_summary(const SimulateOptions& o, double duration, const SimulationResult& r) {
   fmt::print("{}: {} rows over {} s written to {}\n", o.model, r.rows, duration, o.out);
   fmt::print("  {} steps, {} evaluations, {} Jacobians in {:.3f} s: {:.1f} x real time\n",
              r.count.steps, r.count.evaluations, r.count.jacobians, r.seconds,
@@ -82,7 +83,7 @@ void print_summary(const Options& o, double duration, const SimulationResult& r)
   for (const auto& [name, count] : r.event_counts) fmt::print("  {}: {} times\n", name, count);
 }
 
-void run_simulate(const Options& o) {
+void run_simulate(const SimulateOptions& o) {
   Plant plant = build_plant(o.model, o.scenario, runtime_folder(o.runtime));
   const double duration = plant.scenario().duration;
   RowWriter out(o.out, output_columns(plant));
@@ -105,7 +106,7 @@ void run_simulate(const Options& o) {
 void add_simulate_command(CLI::App& app, int&) {
   CLI::App* command =
       app.add_subcommand("simulate", "Integrate the emitted C of a motor, a finger or a hand");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<SimulateOptions>();
   command->add_option("model", options->model, "Model folder")->required();
   command->add_option("--scenario", options->scenario, "What happens (docs/simulation.md)")
       ->required();

@@ -3,13 +3,14 @@
 
 #include <Eigen/QR>
 #include <cmath>
+#include <numbers>
 
 #include "identification/drive_stretch.h"
 
 namespace sinew {
 namespace {
 
-constexpr double two_pi = 6.283185307179586;
+using std::numbers::pi;
 constexpr double same_speed = 0.1;
 constexpr long least_turns = 3;
 
@@ -26,7 +27,7 @@ Eigen::Vector2d turn_of(const Eigen::ArrayXd& angle, const Eigen::ArrayXd& signa
 
 std::vector<Eigen::Vector2d> turns_of(const Eigen::ArrayXd& angle, const Eigen::ArrayXd& signal) {
   std::vector<Eigen::Vector2d> turns;
-  const double way = angle(angle.size() - 1) > angle(0) ? two_pi : -two_pi;
+  const double way = angle(angle.size() - 1) > angle(0) ? 2.0 * pi : -2.0 * pi;
   long first = 0;
   for (long turn = 1; first < angle.size(); ++turn) {
     const double end = angle(0) + static_cast<double>(turn) * way;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <optional>
 
 #include "identification/data_faults.h"
@@ -16,7 +17,7 @@ namespace {
 
 using Eigen::ArrayXd;
 
-constexpr double pi = 3.14159265358979323846;
+using std::numbers::pi;
 constexpr long most_points = 6000;
 
 class Group {

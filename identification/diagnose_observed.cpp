@@ -21,8 +21,6 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using Eigen::Index;
 
-constexpr Index shortest = 400;  // samples of a stretch that is worth taking
-
 class ObservedRun {
  public:
   explicit ObservedRun(const ObservedRequest& request)
@@ -67,7 +65,7 @@ class ObservedRun {
     const Log log = read_csv(file, request_.rig.specs, options);
     int part = 0;
     for (const sinew::Segment& segment : log.segments) {
-      if (segment.samples.rows() < shortest) continue;
+      if (segment.samples.rows() < kShortestSegment) continue;
       Recording r = request_.rig.recording(log, segment, subject_.open());
       r.name = log.segments.size() > 1 ? fmt::format("{} part {}", log.file, ++part) : log.file;
       subject_.add(std::move(r), held_out);

@@ -25,7 +25,6 @@ using Eigen::VectorXd;
 constexpr double highest_cutoff = 60.0;  // Hz; above, an encoder's acceleration is its steps
 constexpr double slow_cutoff = 35.0;     // Hz; for third and higher derivatives
 constexpr double smooth_cutoff = 18.0;   // Hz; motion below, a coarse sensor's steps above
-constexpr Index shortest = 400;          // samples of a stretch that is worth taking
 
 VectorXd number(double value) {
   return VectorXd::Constant(1, value);
@@ -120,7 +119,7 @@ void DrivenSubject::add_log(const Log& log, const DrivenColumns& columns, bool h
         std::max(quantum_[c], log.channels[static_cast<std::size_t>(columns.positions[c])].quantum);
   int part = 0;
   for (const sinew::Segment& segment : log.segments) {
-    if (segment.samples.rows() < shortest) continue;
+    if (segment.samples.rows() < kShortestSegment) continue;
     Recording r;
     r.name = log.segments.size() > 1 ? fmt::format("{} part {}", log.file, ++part) : log.file;
     r.step = log.period;

@@ -14,13 +14,13 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 /// Where an argument's numbers start, and how many there are.
-struct Slot {
+struct ArgumentSlot {
   std::string name;
   Index at = 0, count = 0;
 };
 
-std::vector<Slot> slots_of(const sinew_argument* arguments, int count) {
-  std::vector<Slot> slots;
+std::vector<ArgumentSlot> slots_of(const sinew_argument* arguments, int count) {
+  std::vector<ArgumentSlot> slots;
   Index at = 0;
   for (int i = 0; i < count; ++i) {
     const Index size = static_cast<Index>(arguments[i].rows) * arguments[i].cols;
@@ -54,10 +54,10 @@ MatrixXd EffortModel::operator()(const Recording& log, const MatrixXd& q, const 
              tension = log.signals.find("tension");
   MatrixXd efforts(q.rows(), joints_);
   Index state = -1;
-  for (const Slot& slot : inputs)
+  for (const ArgumentSlot& slot : inputs)
     if (slot.name == "memory") state = slot.at;
   for (Index k = 0; k < q.rows(); ++k) {
-    for (const Slot& slot : inputs) {
+    for (const ArgumentSlot& slot : inputs) {
       auto part = in.segment(slot.at, slot.count);
       if (slot.name == "q")
         part = q.row(k).transpose();

@@ -7,11 +7,12 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace sinew {
 namespace {
 
-constexpr double two_pi = 6.283185307179586;
+using std::numbers::pi;
 constexpr long most_blocks = 512;
 constexpr int parameters = 5;  // log gamma1, gamma2, gamma3, output ripple (sine, cosine)
 
@@ -105,7 +106,7 @@ std::vector<FrictionPoint> points_of(const std::vector<DriveStretch>& stretches,
   std::vector<FrictionPoint> points;
   for (const Plateau& plateau : plateaus(stretches)) {
     FrictionPoint point;
-    if (take_point(stretches[plateau.stretch], plateau, two_pi * gear_ratio, point))
+    if (take_point(stretches[plateau.stretch], plateau, 2.0 * pi * gear_ratio, point))
       points.push_back(point);
   }
   weigh(points);
@@ -188,7 +189,7 @@ void fit(FrictionCurve& curve) {
   curve.gamma1 = {gamma1, gamma1 * error(0), std::exp(logarithm.low), std::exp(logarithm.high)};
   curve.gamma2 = estimate(p[1], error(1), freedom);
   curve.gamma3 = estimate(p[2], error(2), freedom);
-  const double quarter = two_pi / 4;
+  const double quarter = pi / 2;
   curve.plateau = estimate(p[1] * quarter, error(1) * quarter, freedom);
   curve.passive_share = passive_share(curve, scale * scale * inverse.topLeftCorner<3, 3>(),
                                       (curve.gamma2.high - curve.gamma2.value) / error(1));

@@ -8,12 +8,13 @@
 #include <algorithm>
 #include <boost/math/distributions/fisher_f.hpp>
 #include <cmath>
+#include <numbers>
 
 namespace sinew {
 namespace {
 
 constexpr double too_vague = 0.5;  // relative standard error of a parameter that says something
-constexpr double pi = 3.14159265358979323846;
+using std::numbers::pi;
 
 /// T share (1 - e^(-C1 alpha)) - F over p = (log C1, share), or the capstan law over (log mu).
 struct Distance {

@@ -85,6 +85,9 @@ struct Channel {
   double noise_floor = 0.0;  ///< rms of the part that no smooth signal explains (kept samples)
 };
 
+/// Samples of a segment that is worth diagnosing.
+inline constexpr Eigen::Index kShortestSegment = 400;
+
 /// A stretch without gaps. Sample k was taken at start + k * Log::period.
 struct Segment {
   double start = 0.0;       ///< s, in the file's own time

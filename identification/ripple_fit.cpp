@@ -5,11 +5,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace sinew {
 namespace {
 
-constexpr double two_pi = 6.283185307179586;
+using std::numbers::pi;
 constexpr double significance = 5.0;      // standard errors
 constexpr double samples_per_wave = 0.6;  // bump width in periods of the fastest wave looked for
 
@@ -64,10 +65,11 @@ std::vector<RippleOrder> candidates(double turned, double gear_ratio, int highes
   for (int order = 1; order <= highest; ++order) {
     all.push_back({true, static_cast<double>(order)});
     // Half a turn of the output at least, or its order is a slope.
-    if (turned * order > two_pi / 2) all.push_back({false, static_cast<double>(order)});
+    if (turned * order > pi) all.push_back({false, static_cast<double>(order)});
   }
-  std::erase_if(
-      all, [&](const RippleOrder& r) { return turned * r.per_output_radian(gear_ratio) < two_pi; });
+  std::erase_if(all, [&](const RippleOrder& r) {
+    return turned * r.per_output_radian(gear_ratio) < 2.0 * pi;
+  });
   return all;
 }
 
@@ -109,7 +111,7 @@ RippleResult identify_ripple(const std::vector<DriveStretch>& whole, const Motor
   }
   const double period = stretches.front().period;
   const auto slow_enough = [&](const RippleOrder& r) {
-    return two_pi / (r.per_output_radian(model.gear_ratio) * speed) > 10.0 * period;
+    return 2.0 * pi / (r.per_output_radian(model.gear_ratio) * speed) > 10.0 * period;
   };
   for (const RippleOrder& r : left)
     if (!slow_enough(r))
@@ -122,7 +124,7 @@ RippleResult identify_ripple(const std::vector<DriveStretch>& whole, const Motor
   double quickest = 0.0;
   for (const RippleOrder& r : left)
     quickest = std::max(quickest, r.per_output_radian(model.gear_ratio));
-  result.width = samples_per_wave * two_pi / (quickest * speed);
+  result.width = samples_per_wave * 2.0 * pi / (quickest * speed);
 
   const DriveRegression drive =
       project_drive(stretches, model.gamma1, model.gear_ratio, left, result.width);

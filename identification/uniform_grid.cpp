@@ -6,11 +6,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace sinew {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
+using std::numbers::pi;
 constexpr double nan_value = std::numeric_limits<double>::quiet_NaN();
 
 // Windowed sinc (Blackman), cut off at 0.4 of the new sampling rate; unit gain at rest.

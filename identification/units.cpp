@@ -3,12 +3,13 @@
 
 #include <cctype>
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 namespace sinew {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
+using std::numbers::pi;
 
 struct Symbol {
   std::string_view text;

@@ -35,6 +35,8 @@ use_ccache() {
   if command -v ccache >/dev/null; then
     export CMAKE_C_COMPILER_LAUNCHER=ccache CMAKE_CXX_COMPILER_LAUNCHER=ccache
     export CCACHE_BASEDIR=$PWD CCACHE_NOHASHDIR=1
+    # Without it ccache does not keep sources that use precompiled headers.
+    export CCACHE_SLOPPINESS=pch_defines,time_macros
   fi
 }
 

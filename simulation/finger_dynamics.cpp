@@ -10,8 +10,6 @@
 namespace sinew {
 namespace {
 
-constexpr std::size_t most_numbers = 4096;  // of arguments, on the stack
-
 CompiledModel compiled(const Mechanism& mechanism, bool turning_gravity,
                        const std::filesystem::path& runtime) {
   return CompiledModel(assemble({mechanism.name, mechanism.description, "", {}},
@@ -57,8 +55,8 @@ FingerDynamics::FingerDynamics(const Mechanism& mechanism, bool turning_gravity,
   mass_and_bias_ = &model_.find("mass_matrix_and_bias");
   if (!mechanism.tendons.empty()) bending_ = &model_.find("bending_angles");
   for (const sinew_function* function : {acceleration_, mass_and_bias_})
-    if (function->input_size > static_cast<int>(most_numbers) ||
-        function->output_size > static_cast<int>(most_numbers))
+    if (function->input_size > static_cast<int>(kMostNumbers) ||
+        function->output_size > static_cast<int>(kMostNumbers))
       throw std::runtime_error(mechanism.name + ": too many joints to simulate");
 }
 
@@ -71,7 +69,7 @@ std::size_t FingerDynamics::put_parameters(const double* gravity, double* in) co
 
 void FingerDynamics::acceleration(const double* q, const double* qd, const double* gravity,
                                   const double* tau, double* qdd) const {
-  double in[most_numbers];
+  double in[kMostNumbers];
   std::copy(q, q + n_, in);
   std::copy(qd, qd + n_, in + n_);
   std::copy(tau, tau + n_, in + 2 * n_);
@@ -81,7 +79,7 @@ void FingerDynamics::acceleration(const double* q, const double* qd, const doubl
 
 void FingerDynamics::mass_and_bias(const double* q, const double* qd, const double* gravity,
                                    double* M, double* bias) const {
-  double in[most_numbers], out[most_numbers];
+  double in[kMostNumbers], out[kMostNumbers];
   std::copy(q, q + n_, in);
   std::copy(qd, qd + n_, in + n_);
   put_parameters(gravity, in + 2 * n_);

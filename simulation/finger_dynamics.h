@@ -9,6 +9,9 @@
 
 namespace sinew {
 
+/// Numbers an emitted function may take or give: they are on the stack.
+inline constexpr std::size_t kMostNumbers = 4096;
+
 /// One finger's emitted equations of motion under a gravity that may turn.
 class FingerDynamics {
  public:

@@ -8,8 +8,6 @@
 namespace sinew {
 namespace {
 
-constexpr std::size_t most_numbers = 4096;
-
 class Finger : public Joints {
  public:
   Finger(const Mechanism& mechanism, const std::filesystem::path& runtime)
@@ -31,7 +29,7 @@ class Finger : public Joints {
     coupling_ = &dynamics_.model().find("coupling_matrix");
     torque_ = &dynamics_.model().find("joint_torque");
     stiffness_ = &dynamics_.model().find("joint_stiffness");
-    if (n_ + 2 * m_ > most_numbers)
+    if (n_ + 2 * m_ > kMostNumbers)
       throw std::runtime_error(mechanism.name + ": too many tendons to simulate");
   }
 
@@ -39,7 +37,7 @@ class Finger : public Joints {
     lengths_->call(q, h);
   }
   void torque(const double* q, const WristMotion&, const double* f, double* tau) const override {
-    double in[most_numbers];
+    double in[kMostNumbers];
     std::copy(q, q + n_, in);
     std::copy(f, f + m_, in + n_);
     torque_->call(in, tau);
@@ -50,7 +48,7 @@ class Finger : public Joints {
   }
   void stiffness(const double* q, const WristMotion&, const double* f, const double* kt,
                  double* K) const override {
-    double in[most_numbers];
+    double in[kMostNumbers];
     std::copy(q, q + n_, in);
     std::copy(f, f + m_, in + n_);
     std::copy(kt, kt + m_, in + n_ + m_);
@@ -68,7 +66,7 @@ class Finger : public Joints {
     dynamics_.bending(q, angle);
   }
   void tip_torque(const double* q, const double* force, double* tau) const override {
-    double J[most_numbers];
+    double J[kMostNumbers];
     jacobian_->call(q, J);
     for (std::size_t j = 0; j < n_; ++j)
       tau[j] = J[j] * force[0] + J[n_ + j] * force[1] + J[2 * n_ + j] * force[2];

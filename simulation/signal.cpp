@@ -3,11 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace sinew {
 namespace {
 
-constexpr double two_pi = 6.283185307179586;
+using std::numbers::pi;
 
 Sample sample_of(const Wave& wave, double time) {
   if (time < wave.from || time >= wave.to) return {};
@@ -18,7 +19,7 @@ Sample sample_of(const Wave& wave, double time) {
     case WaveShape::ramp:
       return {wave.value + wave.rate * since, wave.rate, 0.0};
     case WaveShape::sine: {
-      const double omega = two_pi * wave.frequency, angle = omega * since + wave.phase;
+      const double omega = 2.0 * pi * wave.frequency, angle = omega * since + wave.phase;
       const double swing = wave.amplitude * std::sin(angle);
       return {wave.value + swing, wave.amplitude * omega * std::cos(angle), -omega * omega * swing};
     }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <numbers>
 #include <optional>
 #include <random>
 
@@ -13,7 +14,7 @@ namespace sinew {
 namespace {
 
 constexpr std::size_t most_events = 1000;
-constexpr double two_pi = 6.283185307179586;
+using std::numbers::pi;
 
 /// Gaussian numbers that are the same with every standard library.
 class Noise {
@@ -22,7 +23,7 @@ class Noise {
   double operator()(double deviation) {
     if (deviation == 0.0) return 0.0;
     const double u = uniform(), v = uniform();
-    return deviation * std::sqrt(-2.0 * std::log(u)) * std::cos(two_pi * v);
+    return deviation * std::sqrt(-2.0 * std::log(u)) * std::cos(2.0 * pi * v);
   }
 
  private:

@@ -18,7 +18,7 @@ struct Pose {
   NumberVector3 p = NumberVector3::Zero();
 };
 
-Pose operator*(const Pose& a, const Pose& b) {
+Pose composed(const Pose& a, const Pose& b) {
   return {a.R * b.R, a.R * b.p + a.p};
 }
 
@@ -98,7 +98,7 @@ class TreeBuilder {
       const auto parent = static_cast<std::size_t>(std::max(joint.parent, 0));
       const int parent_link = joint.parent < 0 ? -1 : link_of[parent];
       Pose origin{joint.origin.rotation.cast<Number>(), joint.origin.translation.cast<Number>()};
-      if (joint.parent >= 0) origin = pose_in_link[parent] * origin;
+      if (joint.parent >= 0) origin = composed(pose_in_link[parent], origin);
       if (joint.type == JointType::fixed) {
         link_of[i] = parent_link;
         pose_in_link[i] = origin;
@@ -106,7 +106,7 @@ class TreeBuilder {
         const NumberMatrix3 to_axis = rotation_to_axis(joint.axis.cast<Number>());
         link_of[i] = static_cast<int>(tree_.links.size());
         pose_in_link[i] = {to_axis.transpose(), NumberVector3::Zero()};
-        add_link(joint, parent_link, origin * Pose{to_axis, NumberVector3::Zero()});
+        add_link(joint, parent_link, composed(origin, Pose{to_axis, NumberVector3::Zero()}));
       }
       tree_.bodies.push_back({link_of[i], pose_in_link[i].R, pose_in_link[i].p});
       if (link_of[i] >= 0) {
@@ -155,7 +155,7 @@ class TreeBuilder {
     flip(1, 1) = flip(2, 2) = -1;
     link.sign = -1;
     const Pose turn{flip, NumberVector3::Zero()};
-    set_origin(link, Pose{link.R, link.p} * turn);
+    set_origin(link, composed({link.R, link.p}, turn));
     move_contents(i, turn);
   }
 
@@ -170,13 +170,13 @@ class TreeBuilder {
     const Pose back = inverse(turn);
     for (int c : tree_.links[i].children) {
       TreeLink& child = tree_.links[static_cast<std::size_t>(c)];
-      set_origin(child, back * Pose{child.R, child.p});
+      set_origin(child, composed(back, {child.R, child.p}));
     }
     const NumberMatrix4 T = matrix(back);
     tree_.links[i].J = T * tree_.links[i].J * T.transpose();
     for (BodyPlace& body : tree_.bodies) {
       if (body.link != static_cast<int>(i)) continue;
-      const Pose pose = back * Pose{body.R, body.p};
+      const Pose pose = composed(back, {body.R, body.p});
       body.R = pose.R;
       body.p = pose.p;
       snap(body.R, 1);
@@ -193,7 +193,7 @@ class TreeBuilder {
     const Pose before{link.R, link.p};
     if (!link.children.empty())
       turn.R = turn_towards(tree_.links[static_cast<std::size_t>(link.children[0])]);
-    set_origin(link, before * turn);
+    set_origin(link, composed(before, turn));
     move_contents(i, turn);
     for (int k = 0; k < 3; ++k)
       if (abs(link.p(k)) < alike * size_) link.p(k) = 0;

@@ -13,30 +13,30 @@ namespace {
 
 using GiNaC::ex;
 using GiNaC::numeric;
-using Point = std::array<ex, 2>;
+using PlanePoint = std::array<ex, 2>;
 
-Point exact_point(const Eigen::Vector2d& p) {
+PlanePoint exact_point(const Eigen::Vector2d& p) {
   return {exact_number(p.x()), exact_number(p.y())};
 }
-Point operator-(const Point& a, const Point& b) {
+PlanePoint operator-(const PlanePoint& a, const PlanePoint& b) {
   return {a[0] - b[0], a[1] - b[1]};
 }
-ex dot(const Point& a, const Point& b) {
+ex dot(const PlanePoint& a, const PlanePoint& b) {
   return a[0] * b[0] + a[1] * b[1];
 }
 
 /// Free stretch between two pulleys with signed radii s R.
 struct Stretch {
-  ex length;    ///< L
-  ex angle;     ///< φ, travel direction
-  Point along;  ///< unit vector of travel
-  ex margin;    ///< |D|² - k²
+  ex length;         ///< L
+  ex angle;          ///< φ, travel direction
+  PlanePoint along;  ///< unit vector of travel
+  ex margin;         ///< |D|² - k²
 };
 
-Stretch stretch(DefinitionList& list, const std::string& name, const Point& from,
-                const ex& from_radius, const Point& to, const ex& to_radius) {
-  const Point gap = to - from;
-  const Point D{list.define(name + "_x", gap[0]), list.define(name + "_y", gap[1])};
+Stretch stretch(DefinitionList& list, const std::string& name, const PlanePoint& from,
+                const ex& from_radius, const PlanePoint& to, const ex& to_radius) {
+  const PlanePoint gap = to - from;
+  const PlanePoint D{list.define(name + "_x", gap[0]), list.define(name + "_y", gap[1])};
   const ex k = from_radius - to_radius;
   // A hundredth of a millimetre of tangent is the least where the pulleys would overlap.
   const numeric least(1, 10000000000);
@@ -59,19 +59,19 @@ LeverGeometry lever_geometry(DefinitionList& list, const LeverParameters& p, con
   const ex cosine = list.define("cos_theta", GiNaC::cos(theta));
   const ex sine = list.define("sin_theta", GiNaC::sin(theta));
   const ex l = exact_number(p.lever_length), arm = exact_number(p.spring_arm);
-  const Point pivot = exact_point(p.pivot), anchor = exact_point(p.anchor);
+  const PlanePoint pivot = exact_point(p.pivot), anchor = exact_point(p.anchor);
   // Tendon: both stretches and the three wraps, whose lengths telescope to k φ per stretch.
   const ex signed_1 = p.motor.sense * exact_number(p.motor.radius);
   const ex signed_2 = p.pulley_sense * exact_number(p.pulley_radius);
   const ex signed_3 = p.fixed.sense * exact_number(p.fixed.radius);
-  const Point C2{list.define("C2_x", pivot[0] + l * cosine),
-                 list.define("C2_y", pivot[1] + l * sine)};
+  const PlanePoint C2{list.define("C2_x", pivot[0] + l * cosine),
+                      list.define("C2_y", pivot[1] + l * sine)};
   const Stretch first = stretch(list, "s12", exact_point(p.motor.centre), signed_1, C2, signed_2);
   const Stretch second = stretch(list, "s23", C2, signed_2, exact_point(p.fixed.centre), signed_3);
   LeverGeometry g;
   g.length = list.define("dL", first.length + second.length + (signed_1 - signed_2) * first.angle +
                                    (signed_2 - signed_3) * second.angle);
-  const Point turn = first.along - second.along;
+  const PlanePoint turn = first.along - second.along;
   g.slope = list.define("dL_slope", l * (turn[1] * cosine - turn[0] * sine));
   const ex floor = exact_number(p.singular_margin) * l;
   g.safe_slope = list.define("dL_safe_slope",
@@ -80,11 +80,11 @@ LeverGeometry lever_geometry(DefinitionList& list, const LeverParameters& p, con
   // Spring.
   const ex beta = exact_number(p.spring_angle);
   const ex cos_beta = rational_value(GiNaC::cos(beta)), sin_beta = rational_value(GiNaC::sin(beta));
-  const Point tip{list.define("spring_x", arm * (cos_beta * cosine - sin_beta * sine)),
-                  list.define("spring_y", arm * (sin_beta * cosine + cos_beta * sine))};
-  const Point base = anchor - pivot;
+  const PlanePoint tip{list.define("spring_x", arm * (cos_beta * cosine - sin_beta * sine)),
+                       list.define("spring_y", arm * (sin_beta * cosine + cos_beta * sine))};
+  const PlanePoint base = anchor - pivot;
   const ex constant = arm * arm + dot(base, base);
-  const auto spring_length = [&](const Point& at) {
+  const auto spring_length = [&](const PlanePoint& at) {
     return GiNaC::sqrt(constant - 2 * dot(base, at));
   };
   const ex free = exact_number(p.free_angle) + beta;

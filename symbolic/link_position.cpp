@@ -87,7 +87,7 @@ struct Normal {
 };
 
 /// What the search knows about a point.
-struct Point {
+struct EvaluatedPair {
   Pair q, gradient;
   ex cost;  ///< half the sum of squares [m²]
   ex H00, H01, H11;
@@ -105,10 +105,10 @@ class Search {
     h.reference = rounded_values(base_tendon_lengths(base), {angle, angle});
   }
 
-  Point at(const Pair& q) {
+  EvaluatedPair at(const Pair& q) {
     const Coupling c = coupling_at(list, base_, q);
     const Normal normal(list, c, settings_);
-    Point point{q, {}, 0, normal.H00, normal.H01, normal.H11};
+    EvaluatedPair point{q, {}, 0, normal.H00, normal.H01, normal.H11};
     for (std::size_t i = 0; i < c.h.size(); ++i) {
       const ex error = list.define("error", c.h[i] - h.symbols[i]);
       point.cost += error * error / 2;
@@ -121,7 +121,7 @@ class Search {
   }
 
   /// Step of (PᵀP + λ diag) δ = -gradient, limited.
-  Pair step(const Point& p, const ex& lambda) {
+  Pair step(const EvaluatedPair& p, const ex& lambda) {
     const ex a = list.define("a", p.H00 * (1 + lambda)), d = list.define("d", p.H11 * (1 + lambda));
     const ex floor =
         exact_number(settings_.smallest_determinant) * (a * d) + GiNaC::numeric(10).power(-24);
@@ -152,14 +152,14 @@ class Search {
   Pair pick(const ex& condition, const Pair& a, const Pair& b) {
     return {pick(condition, a[0], b[0]), pick(condition, a[1], b[1])};
   }
-  Point pick(const ex& condition, const Point& a, const Point& b) {
+  EvaluatedPair pick(const ex& condition, const EvaluatedPair& a, const EvaluatedPair& b) {
     return {pick(condition, a.q, b.q),       pick(condition, a.gradient, b.gradient),
             pick(condition, a.cost, b.cost), pick(condition, a.H00, b.H00),
             pick(condition, a.H01, b.H01),   pick(condition, a.H11, b.H11)};
   }
 
   Function finish(const std::string& name, const std::string& doc, const Argument& start,
-                  const Point& found) {
+                  const EvaluatedPair& found) {
     const Pair left = step(found, 0);
     const ex correction =
         list.define("correction", GiNaC::sqrt(left[0] * left[0] + left[1] * left[1]));
@@ -198,7 +198,7 @@ struct Descent {
 Descent descend(Search& search, const Descent& now) {
   const Pair by{search.limited(-now.step * now.gradient[0]),
                 search.limited(-now.step * now.gradient[1])};
-  const Point trial = search.at(search.moved(now.q, by));
+  const EvaluatedPair trial = search.at(search.moved(now.q, by));
   // An equal cost counts as progress, so that one that is not a number does not.
   const ex better = search.list.define("better", now.cost - trial.cost);
   return {search.pick(better, trial.q, now.q), search.pick(better, trial.gradient, now.gradient),
@@ -210,10 +210,10 @@ Descent descend(Search& search, const Descent& now) {
 Function link_position(const ThumbBaseParameters& base, const LinkPositionSettings& settings) {
   Search search(base, settings);
   const Argument start = search.start();
-  Point best = search.at(search.entered(start.symbols[0], start.symbols[1]));
+  EvaluatedPair best = search.at(search.entered(start.symbols[0], start.symbols[1]));
   ex lambda = exact_number(settings.damping);
   for (int i = 0; i < settings.iterations; ++i) {
-    const Point trial = search.at(search.moved(best.q, search.step(best, lambda)));
+    const EvaluatedPair trial = search.at(search.moved(best.q, search.step(best, lambda)));
     const ex better = search.list.define("better", best.cost - trial.cost);
     best = search.pick(better, trial, best);
     if (i + 1 < settings.iterations) lambda = search.pick(better, lambda / 10, lambda * 10);
@@ -226,7 +226,7 @@ Function link_position_gradient(const ThumbBaseParameters& base,
                                 const LinkPositionSettings& settings) {
   Search search(base, settings);
   const Argument start = search.start();
-  const Point first = search.at(search.entered(start.symbols[0], start.symbols[1]));
+  const EvaluatedPair first = search.at(search.entered(start.symbols[0], start.symbols[1]));
   Descent now{first.q, first.gradient, exact_number(settings.gradient_step), first.cost};
   for (int i = 0; i < settings.gradient_iterations; ++i) now = descend(search, now);
   return search.finish(
@@ -261,7 +261,7 @@ Function link_position_status(const ThumbBaseParameters& base,
                               const LinkPositionSettings& settings) {
   Search search(base, settings);
   Argument q = array_argument("q", 2, 1, "rad", base.angle, "q10, q11, an estimate");
-  const Point point = search.at(search.entered(q.symbols[0], q.symbols[1]));
+  const EvaluatedPair point = search.at(search.entered(q.symbols[0], q.symbols[1]));
   const Pair left = search.step(point, 0);
   const ex correction =
       search.list.define("correction", GiNaC::sqrt(left[0] * left[0] + left[1] * left[1]));

@@ -96,7 +96,7 @@ std::vector<Vector> normal_matrix(DefinitionList& list, const Vector& P, std::si
 }
 
 /// What the search knows of a point.
-struct Point {
+struct Evaluated {
   Vector q, gradient;
   ex cost;  ///< half the sum of squares [m²]
   std::vector<Vector> H;
@@ -118,10 +118,10 @@ class PositionSearch {
                                    "where the search starts, e.g. the last result", {0, 0});
     start.ranges = q_.ranges;
     start.reference = q_.reference;
-    Point best = at(entered(start));
+    Evaluated best = at(entered(start));
     ex lambda = exact_number(settings_.damping);
     for (int i = 0; i < iterations; ++i) {
-      const Point trial = at(moved(best, lambda));
+      const Evaluated trial = at(moved(best, lambda));
       const ex better = list_.define("better", best.cost - trial.cost);
       best = pick(better, trial, best);
       if (i + 1 < iterations)
@@ -151,10 +151,10 @@ class PositionSearch {
     return q;
   }
 
-  Point at(const Vector& q) {
+  Evaluated at(const Vector& q) {
     const auto values = inlined(list_, lengths_, q);
     const std::size_t n = q.size();
-    Point point{q, Vector(n, 0), 0, normal_matrix(list_, values[1], n)};
+    Evaluated point{q, Vector(n, 0), 0, normal_matrix(list_, values[1], n)};
     for (std::size_t i = 0; i < values[0].size(); ++i) {
       const ex error = list_.define("error", values[0][i] - h_.symbols[i]);
       point.cost += error * error / 2;
@@ -165,7 +165,7 @@ class PositionSearch {
     return point;
   }
 
-  Vector step(const Point& p, const ex& lambda, ex* least = nullptr) {
+  Vector step(const Evaluated& p, const ex& lambda, ex* least = nullptr) {
     std::vector<Vector> H = p.H;
     for (std::size_t i = 0; i < H.size(); ++i)
       H[i][i] = list_.define("damped", H[i][i] * (1 + lambda));
@@ -181,7 +181,7 @@ class PositionSearch {
     return b;
   }
 
-  Vector moved(const Point& p, const ex& lambda) {
+  Vector moved(const Evaluated& p, const ex& lambda) {
     Vector q = step(p, lambda);
     for (std::size_t i = 0; i < q.size(); ++i) q[i] = list_.define("q_try", p.q[i] + q[i]);
     return q;
@@ -195,9 +195,9 @@ class PositionSearch {
     for (std::size_t i = 0; i < a.size(); ++i) result.push_back(pick(condition, a[i], b[i]));
     return result;
   }
-  Point pick(const ex& condition, const Point& a, const Point& b) {
-    Point point{pick(condition, a.q, b.q), pick(condition, a.gradient, b.gradient),
-                pick(condition, a.cost, b.cost), a.H};
+  Evaluated pick(const ex& condition, const Evaluated& a, const Evaluated& b) {
+    Evaluated point{pick(condition, a.q, b.q), pick(condition, a.gradient, b.gradient),
+                    pick(condition, a.cost, b.cost), a.H};
     for (std::size_t r = 0; r < a.H.size(); ++r)
       for (std::size_t c = 0; c <= r; ++c)
         point.H[r][c] = point.H[c][r] = pick(condition, a.H[r][c], b.H[r][c]);
@@ -205,7 +205,7 @@ class PositionSearch {
   }
 
   Function finish(const std::string& name, const std::string& doc, const Argument& start,
-                  const Point& found) {
+                  const Evaluated& found) {
     ex least;
     ex sum = 0;
     for (const ex& left : step(found, 0, &least)) sum += left * left;

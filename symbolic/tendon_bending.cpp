@@ -7,6 +7,7 @@
 #include "symbolic/kinematics.h"
 #include "symbolic/piecewise.h"
 #include "symbolic/symbols.h"
+#include "symbolic/tendons.h"
 
 namespace sinew {
 namespace {
@@ -17,13 +18,6 @@ std::size_t joint_named(const Mechanism& mechanism, const std::string& name) {
   for (std::size_t i = 0; i < mechanism.joints.size(); ++i)
     if (mechanism.joints[i].name == name) return i;
   throw std::invalid_argument("no joint is called " + name);
-}
-
-int body_named(const Mechanism& mechanism, const std::string& name) {
-  for (std::size_t i = 0; i < mechanism.bodies.size(); ++i)
-    if (mechanism.bodies[i].name == name) return static_cast<int>(i);
-  if (name == "base") return -1;
-  throw std::invalid_argument("no body is called " + name);
 }
 
 ex dot(const Vector3ex& a, const Vector3ex& b) {

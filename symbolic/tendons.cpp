@@ -20,13 +20,6 @@ std::size_t coordinate_named(const Mechanism& mechanism, const std::string& join
   throw std::invalid_argument("no joint is called " + joint);
 }
 
-int body_named(const Mechanism& mechanism, const std::string& name) {
-  for (std::size_t i = 0; i < mechanism.bodies.size(); ++i)
-    if (mechanism.bodies[i].name == name) return static_cast<int>(i);
-  if (name == "base") return -1;
-  throw std::invalid_argument("no body is called " + name);
-}
-
 ex straight_length(DefinitionList& list, const std::string& name, const Vector3ex& from,
                    const Vector3ex& to) {
   Vector3ex d;
@@ -36,6 +29,13 @@ ex straight_length(DefinitionList& list, const std::string& name, const Vector3e
 }
 
 }  // namespace
+
+int body_named(const Mechanism& mechanism, const std::string& name) {
+  for (std::size_t i = 0; i < mechanism.bodies.size(); ++i)
+    if (mechanism.bodies[i].name == name) return static_cast<int>(i);
+  if (name == "base") return -1;
+  throw std::invalid_argument("no body is called " + name);
+}
 
 std::vector<ex> tendon_lengths(DefinitionList& list, const Mechanism& mechanism,
                                const JointTree& tree, const std::vector<GiNaC::symbol>& q) {

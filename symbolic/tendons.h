@@ -4,6 +4,7 @@
 #include <ginac/ginac.h>
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "symbolic/definition_list.h"
@@ -11,6 +12,9 @@
 #include "symbolic/mechanism.h"
 
 namespace sinew {
+
+/// Index of a body by name, -1 for "base". Throws std::invalid_argument where there is none.
+int body_named(const Mechanism& mechanism, const std::string& name);
 
 /// Path lengths h(q), m, one a tendon (5.5), (5.20): h0 + sum r q + sum |p_to - p_from|.
 std::vector<GiNaC::ex> tendon_lengths(DefinitionList& list, const Mechanism& mechanism,

@@ -2,12 +2,13 @@
 #include "symbolic/units.h"
 
 #include <array>
+#include <numbers>
 #include <utility>
 
 namespace sinew {
 namespace {
 
-constexpr double pi = 3.141592653589793;
+using std::numbers::pi;
 
 // The first unit of a dimension is its SI unit.
 constexpr std::array<MeasureUnit, 45> all_units{{

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "generator/passes/chains.h"
 #include "generator/passes/passes.h"
 #include "generator/rewrite.h"
 
@@ -18,10 +19,6 @@ namespace {
 
 std::size_t at(Value v) {
   return static_cast<std::size_t>(v);
-}
-
-bool is_sum(const Node& node) {
-  return node.op == Op::add || node.op == Op::subtract;
 }
 
 /// Operations in a row that end in each value.
