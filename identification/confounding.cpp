@@ -112,7 +112,12 @@ std::vector<Trial> contenders(const Design& design, const Library& library,
   std::vector<Trial> trials =
       try_candidates(design, state.noise.weights, without, list, settings.threads);
   add_levels(design, state, without, trials);
-  std::erase_if(trials, [](const Trial& t) { return !t.allowed; });
+  const std::vector<Candidate>& library_of = design.problem().library;
+  std::erase_if(trials, [&](const Trial& t) {
+    const bool decoy = t.candidate >= 0 && library_of[static_cast<std::size_t>(t.candidate)].kind ==
+                                               CandidateKind::decoy;
+    return !t.allowed || decoy;  // a decoy is no name, and lost against this one
+  });
   Trial present;
   present.candidate = own;
   present.model = state.model;

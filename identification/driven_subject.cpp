@@ -7,10 +7,11 @@
 #include <numbers>
 
 #include "identification/effect_candidate.h"
+#include "identification/flexible_families.h"
 #include "identification/model_candidates.h"
 #include "identification/refine.h"
+#include "identification/select.h"
 #include "identification/trial.h"
-#include "identification/unexplained.h"
 #include "symbolic/dynamics_functions.h"
 #include "symbolic/effects/effects.h"
 #include "symbolic/identified_mechanism.h"
@@ -319,11 +320,13 @@ void DrivenSubject::add_model_candidates(std::size_t joint) {
     take(torque_constant_candidate(where), "torque_constant");
   if (model_.joints.size() > 1) take(sensor_scale_candidate(where, known_), "sensor_scale");
   const LogScale s = scale(joint);
-  for (Candidate& c : flexible_families({s.low, s.high, s.speed, s.load, s.duration},
-                                        static_cast<int>(joint), static_cast<int>(joint))) {
-    c.place = place(joint);
-    take(std::move(c), "");
-  }
+  const FlexibleRanges ranges{s.low, s.high, s.speed, s.load, s.duration};
+  const int axis = static_cast<int>(joint);
+  for (auto* shapes : {flexible_families, local_decoys})
+    for (Candidate& c : shapes(ranges, axis, axis)) {
+      c.place = place(joint);
+      take(std::move(c), "");
+    }
 }
 
 /// The errors of a sensor with steps lie evenly between two of them; those of other noise do not.

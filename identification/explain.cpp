@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "identification/confidence.h"
+#include "identification/level_structure.h"
 #include "identification/levels.h"
 #include "identification/refine.h"
 #include "identification/standard_errors.h"
@@ -146,10 +147,50 @@ void list_ruled_out(const Design& design, const Selection& selection, Verdict& v
   }
 }
 
+/// Levels whose change is not told from none by its standard error, all parameters free.
+std::vector<int> uncertain_levels(const Design& design, const Selection& state) {
+  constexpr double kStandardErrors = 3.0;
+  std::vector<int> list;
+  const auto all = estimates(design, state.model, state.noise);
+  for (std::size_t t = 0; t < all.size(); ++t) {
+    if (state.model.terms[t].level < 0) continue;
+    const bool certain = std::any_of(all[t].begin(), all[t].end(), [](const ParameterEstimate& p) {
+      return std::abs(p.value) >= kStandardErrors * p.standard_error;
+    });
+    if (!certain) list.push_back(state.model.terms[t].level);
+  }
+  return list;
+}
+
+/// The levels the model's own values differ in. Those that are not certain, and those that
+/// structure without a name takes over, are taken back.
+LevelSelection find_levels(const Design& design, const Settings& settings,
+                           const Structure& structure, Explanation& result) {
+  Unexplained& unexplained = result.verdict.unexplained;
+  std::vector<int> taken_back;
+  for (;;) {
+    LevelSelection levels = restrict_to_levels(design, settings, result.selection, taken_back);
+    std::vector<int> now = uncertain_levels(design, levels.state);
+    if (now.empty() && !unexplained.depends_on.empty()) {
+      const NamesBeside names =
+          names_beside(design, settings, levels.state, result.selection, structure);
+      unexplained.named_share = names.named_share;
+      unexplained.none_of_the_known = names.named_share < kNamesHold;
+      now = names.stand_in;
+      for (const int level : now)
+        unexplained.withdrawn.push_back(
+            design.problem().levels[static_cast<std::size_t>(level)].name);
+    }
+    if (now.empty()) return levels;
+    taken_back.insert(taken_back.end(), now.begin(), now.end());
+  }
+}
+
 /// Names the levels the model's own values differ in, and lists the others as ruled out.
 void name_levels(const Design& design, const Library& library, const Settings& settings,
-                 const std::vector<PlannedExperiment>& experiments, Explanation& result) {
-  LevelSelection levels = restrict_to_levels(design, settings, result.selection);
+                 const std::vector<PlannedExperiment>& experiments, const Structure& structure,
+                 Explanation& result) {
+  LevelSelection levels = find_levels(design, settings, structure, result);
   const Selection& state = levels.state;
   const auto all = estimates(design, state.model, state.noise);
   for (std::size_t t = 0; t < state.model.terms.size(); ++t) {
@@ -204,7 +245,8 @@ Explanation explain(const Problem& problem, const Settings& settings,
   result.selection = select_causes(design, library, settings);
   Selection& selection = result.selection;
   Verdict& verdict = result.verdict;
-  verdict.unexplained = find_unexplained(design, library, settings, selection);
+  const Structure structure = find_unexplained(design, library, settings, selection);
+  verdict.unexplained = structure.said;
   if (!verdict.unexplained.withdrawn.empty())
     selection.noise = own_noise(design, selection.model, settings.threads);
 
@@ -224,7 +266,8 @@ Explanation explain(const Problem& problem, const Settings& settings,
     verdict.causes.push_back(std::move(cause));
   }
   list_ruled_out(design, selection, verdict);
-  if (!problem.levels.empty()) name_levels(design, library, settings, experiments, result);
+  if (!problem.levels.empty())
+    name_levels(design, library, settings, experiments, structure, result);
   std::stable_sort(verdict.causes.begin(), verdict.causes.end(),
                    [](const NamedCause& a, const NamedCause& b) {
                      return a.cross_validated.share > b.cross_validated.share;

@@ -274,7 +274,7 @@ Model nominal_model(const Design& design, const Model& baseline) {
 }
 
 LevelSelection restrict_to_levels(const Design& design, const Settings& settings,
-                                  const Selection& selection) {
+                                  const Selection& selection, const std::vector<int>& withdrawn) {
   const LevelTerms parts = take_apart(design, selection.model);
   LevelSelection result{selection, {}, {}, {}};
   Selection& state = result.state;
@@ -293,6 +293,10 @@ LevelSelection restrict_to_levels(const Design& design, const Settings& settings
   }
   for (std::size_t l = 0; l < banned.size(); ++l)
     banned[l] = banned[l] || is_named(design.problem().levels[l], selection.model);
+  for (const int level : withdrawn) {
+    banned[static_cast<std::size_t>(level)] = true;
+    result.refused.push_back({-1 - level, "not told from chance or from structure without a name"});
+  }
   Set set;
   std::vector<Evidence> evidence;
   for (bool settled = false; !settled;) {

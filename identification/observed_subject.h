@@ -11,7 +11,7 @@
 
 #include "identification/candidate.h"
 #include "identification/log.h"
-#include "identification/unexplained.h"
+#include "identification/flexible_families.h"
 #include "simulation/compiled_model.h"
 #include "symbolic/observation.h"
 

@@ -16,73 +16,11 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr double kWorthSaying = 0.04;  // share of the remaining loss a dependence must explain
-constexpr double kNamesHold = 0.7;     // share of all structure the names must account for
+constexpr double kWorthALine =
+    0.06;  // the same of a line in the spectrum, sought at every frequency
 
-enum class Variable { position, velocity, time, load };
-
-struct Family {
-  Variable variable;
-  bool by_direction;
-  int count;
-  const char* depends_on;
-};
-
-VectorXd values(const Recording& log, Variable variable, int axis) {
-  switch (variable) {
-    case Variable::position:
-      return log.q.col(axis);
-    case Variable::velocity:
-      return log.qd.col(axis);
-    case Variable::time:
-      return log.time.array() - log.time(0);
-    case Variable::load:
-      return log.load.col(axis);
-  }
-  return {};
-}
-
-Candidate make_family(const Family& family, double low, double high, double soft, int axis,
-                      int channel) {
-  Candidate c;
-  c.name = std::string("any dependence on ") + family.depends_on;
-  c.place = "axis " + std::to_string(axis + 1);
-  c.kind = CandidateKind::flexible;
-  c.depends_on = family.depends_on;
-  c.channels = {channel};
-  for (int k = 0; k < family.count; ++k)
-    c.linear.push_back({std::string("b").append(std::to_string(k)), "", -1e300, 1e300, false, {}});
-  c.columns = [family, low, high, soft, axis](const Recording& log, int, const VectorXd&) {
-    MatrixXd basis = spline_basis(values(log, family.variable, axis), low, high, family.count);
-    if (family.by_direction)
-      basis = (log.qd.col(axis).array() / soft).tanh().matrix().asDiagonal() * basis;
-    return basis;
-  };
-  return c;
-}
-
-/// Sine and cosine of any period in position, from two turns over the range to what is visible.
-Candidate make_any_period(const FlexibleRanges& r, int axis, int channel) {
-  Candidate c;
-  c.name = "any period in position";
-  c.place = "axis " + std::to_string(axis + 1);
-  c.kind = CandidateKind::flexible;
-  c.depends_on = "position, periodically";
-  c.channels = {channel};
-  const double reach = r.high - r.low;
-  // Faster than 50 Hz at half the top speed would be out of the band.
-  const double most = std::max(4.0, std::min(80.0, 100.0 * reach / r.speed));
-  c.nonlinear = {{"turns per unit", "", 2.0 / reach, most / reach,
-                  static_cast<int>(2.0 * (most - 2.0)), false}};
-  for (const char* name : {"sine", "cosine"})
-    c.linear.push_back({name, "", -1e300, 1e300, true, {}});
-  c.columns = [axis](const Recording& log, int, const VectorXd& p) {
-    const Eigen::ArrayXd angle = 2.0 * std::numbers::pi * p(0) * log.q.col(axis).array();
-    MatrixXd x(angle.size(), 2);
-    x.col(0) = angle.sin();
-    x.col(1) = angle.cos();
-    return x;
-  };
-  return c;
+bool is_unnamed(const Candidate& candidate) {
+  return candidate.kind == CandidateKind::flexible || candidate.kind == CandidateKind::decoy;
 }
 
 /// A flexible family on top of a model.
@@ -129,8 +67,8 @@ Dependence describe(const Flexible& flexible) {
   return d;
 }
 
-/// A decoy that was accepted is structure without a name: it leaves the model, so that flexible
-/// families say what the structure depends on, and is listed with what it explained.
+/// A decoy that was accepted is structure without a name: it leaves the model, and is listed with
+/// what it explained.
 std::vector<Dependence> take_out_decoys(const Design& design, const Settings& settings,
                                         Selection& selection) {
   std::vector<Dependence> list;
@@ -152,7 +90,7 @@ std::vector<Dependence> take_out_decoys(const Design& design, const Settings& se
   return list;
 }
 
-/// Names whose part the flexible terms take over.
+/// Names whose part the unnamed terms take over, and names of less than what has no name.
 void withdraw(const Design& design, const Settings& settings, const Model& with_flexible,
               Selection& selection, Unexplained& result) {
   const NoiseView noise = own_noise(design, with_flexible, settings.threads);
@@ -161,7 +99,7 @@ void withdraw(const Design& design, const Settings& settings, const Model& with_
   std::vector<const Candidate*> gone;
   for (std::size_t t = 0; t < with_flexible.terms.size(); ++t) {
     const Term& term = with_flexible.terms[t];
-    if (term.baseline || term.candidate->kind == CandidateKind::flexible) continue;
+    if (term.baseline || is_unnamed(*term.candidate)) continue;
     Model without = with_flexible;
     remove_term(design, t, without);
     const double beside = plain_loss(design, settings, without, noise) - full;
@@ -170,7 +108,7 @@ void withdraw(const Design& design, const Settings& settings, const Model& with_
     while (alone.terms[at].candidate != term.candidate) ++at;
     remove_term(design, at, alone);
     const double before = plain_loss(design, settings, alone, selection.noise) - named;
-    if (beside < 0.4 * before) gone.push_back(term.candidate);
+    if (before < named - full || beside < kStandsAlone * before) gone.push_back(term.candidate);
   }
   for (const Candidate* candidate : gone) {
     std::size_t at = 0;
@@ -181,41 +119,16 @@ void withdraw(const Design& design, const Settings& settings, const Model& with_
   }
 }
 
+void take_out_withdrawn(const Design& design, const Model& kept, Model& beside) {
+  for (std::size_t t = beside.terms.size(); t-- > 0;) {
+    const Candidate* own = beside.terms[t].candidate;
+    const bool stays = std::any_of(kept.terms.begin(), kept.terms.end(),
+                                   [own](const Term& k) { return k.candidate == own; });
+    if (!stays && !is_unnamed(*own)) remove_term(design, t, beside);
+  }
+}
+
 }  // namespace
-
-MatrixXd spline_basis(const VectorXd& x, double low, double high, int count) {
-  const int intervals = std::max(1, count - 3);
-  MatrixXd basis = MatrixXd::Zero(x.size(), count);
-  for (Index i = 0; i < x.size(); ++i) {
-    const double u = std::clamp((x(i) - low) / (high - low), 0.0, 1.0) * intervals;
-    const int k = std::min(static_cast<int>(u), intervals - 1);
-    const double t = u - k, r = 1.0 - t;
-    const double weights[4] = {r * r * r / 6.0, (3.0 * t * t * t - 6.0 * t * t + 4.0) / 6.0,
-                               (-3.0 * t * t * t + 3.0 * t * t + 3.0 * t + 1.0) / 6.0,
-                               t * t * t / 6.0};
-    for (int j = 0; j < 4 && k + j < count; ++j) basis(i, k + j) = weights[j];
-  }
-  return basis;
-}
-
-std::vector<Candidate> flexible_families(const FlexibleRanges& r, int axis, int channel) {
-  const double soft = 1e-2 * r.speed;
-  std::vector<Candidate> list;
-  const auto add = [&](const Family& family, double low, double high) {
-    if (high > low) list.push_back(make_family(family, low, high, soft, axis, channel));
-  };
-  add({Variable::position, false, 12, "position"}, r.low, r.high);
-  add({Variable::position, true, 12, "position x direction"}, r.low, r.high);
-  add({Variable::velocity, false, 14, "velocity"}, -r.speed, r.speed);
-  add({Variable::time, false, 10, "time"}, 0.0, r.duration);
-  add({Variable::time, true, 10, "time x direction"}, 0.0, r.duration);
-  if (r.load > 0.0) {
-    add({Variable::load, false, 8, "load"}, -r.load, r.load);
-    add({Variable::load, true, 8, "load x direction"}, -r.load, r.load);
-  }
-  if (r.high > r.low && r.speed > 0.0) list.push_back(make_any_period(r, axis, channel));
-  return list;
-}
 
 SpectralLine strongest_line(const Design& design, const Model& model) {
   SpectralLine best;
@@ -255,18 +168,20 @@ SpectralLine strongest_line(const Design& design, const Model& model) {
   return best;
 }
 
-Unexplained find_unexplained(const Design& design, const Library& library, const Settings& settings,
-                             Selection& selection) {
-  Unexplained result;
-  const std::vector<Dependence> decoys = take_out_decoys(design, settings, selection);
-  const double named = plain_loss(design, settings, selection.model, selection.noise);
-  Model model = selection.model;
+Structure find_unexplained(const Design& design, const Library& library, const Settings& settings,
+                           Selection& selection) {
+  Structure structure;
+  Unexplained& result = structure.said;
+  Model& model = structure.beside;
+  model = selection.model;
   NoiseView noise = selection.noise;
-  double last = named;
+  result.depends_on = take_out_decoys(design, settings, selection);
+  const double named = plain_loss(design, settings, selection.model, selection.noise);
+  double last = result.depends_on.empty() ? named : plain_loss(design, settings, model, noise);
   for (int round = 0; round < 3; ++round) {
     draw_surrogates(design, settings, noise);
-    const Screening screening =
-        screen(design, library, model, noise.weights, noise.surrogates, settings.threads);
+    const Screening screening = screen(design, library, model, noise.weights, noise.surrogates,
+                                       settings.threads, Scope::everything);
     Flexible best = best_flexible(design, settings, model, noise, screening);
     if (best.candidate < 0) break;
     result.depends_on.push_back(describe(best));
@@ -276,31 +191,32 @@ Unexplained find_unexplained(const Design& design, const Library& library, const
   }
   const double base = selection.baseline_loss;
   result.remaining = named / base;
-  for (const Dependence& decoy : decoys) result.depends_on.push_back(decoy);
   std::stable_sort(
       result.depends_on.begin(), result.depends_on.end(),
       [](const Dependence& a, const Dependence& b) { return a.gain.share > b.gain.share; });
   const SpectralLine line = strongest_line(design, model);
   // A line that stands out and is next to nothing is worth nobody's time.
-  if (line.p_value < settings.significance && line.share > settings.least_share) {
+  if (line.p_value < settings.significance && line.share > kWorthALine) {
     Dependence d;
     d.on = "time, periodically, " + std::to_string(line.frequency_hz) + " Hz";
     d.p_family = line.p_value;
     d.gain.share = d.gain.low = d.gain.high = line.share;
     result.depends_on.push_back(d);
+    last *= 1.0 - line.share;
   }
-  if (result.depends_on.empty()) return result;
-  // What the decoys took away was structure, too, though no flexible family needs to have found it.
-  double by_decoys = 0.0;
-  for (const Dependence& decoy : decoys) by_decoys += decoy.gain.share * named;
-  last = std::min(last, named - by_decoys);
+  if (result.depends_on.empty()) return structure;
   result.named_share = base > last ? std::clamp((base - named) / (base - last), 0.0, 1.0) : 0.0;
   const bool any_name = std::any_of(selection.model.terms.begin(), selection.model.terms.end(),
                                     [](const Term& t) { return !t.baseline; });
   if (any_name && result.named_share < kNamesHold)
     withdraw(design, settings, model, selection, result);
   result.none_of_the_known = !any_name || result.named_share < kNamesHold;
-  return result;
+  take_out_withdrawn(design, selection.model, model);
+  structure.left = last / (result.withdrawn.empty()
+                               ? named
+                               : plain_loss(design, settings, selection.model,
+                                            own_noise(design, selection.model, settings.threads)));
+  return structure;
 }
 
 }  // namespace sinew::diagnosis

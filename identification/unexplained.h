@@ -10,27 +10,23 @@
 
 namespace sinew::diagnosis {
 
-/// Ranges the splines are spread over, for one axis.
-struct FlexibleRanges {
-  double low = 0.0, high = 1.0;  ///< of the position
-  double speed = 1.0;            ///< largest |velocity|
-  double load = 0.0;             ///< largest |load|; 0: no load channel
-  double duration = 60.0;        ///< s
+/// Share of all structure found that names must account for, or none of the known causes is it.
+inline constexpr double kNamesHold = 0.7;
+
+/// Share of its gain that a name must keep beside unnamed structure.
+inline constexpr double kStandsAlone = 0.4;
+
+/// What names leave over.
+struct Structure {
+  Unexplained said;
+  Model beside;       ///< the selection's model with every unnamed shape that was found
+  double left = 1.0;  ///< cross-validated loss with them, share of the selection's
 };
-
-/// Cubic B-splines in position, position x direction, velocity, time, time x direction, load and
-/// load x direction, and a sine of any period in position, of one axis (column of the recording's
-/// matrices), acting on one channel.
-std::vector<Candidate> flexible_families(const FlexibleRanges& ranges, int axis = 0,
-                                         int channel = 0);
-
-/// Cubic B-spline basis with `count` functions on [low, high]; constant continuation outside.
-Eigen::MatrixXd spline_basis(const Eigen::VectorXd& x, double low, double high, int count);
 
 /// Looks for structure in what the selection leaves over, takes back names that only stood in for
 /// it, and says what it depends on.
-Unexplained find_unexplained(const Design& design, const Library& library, const Settings& settings,
-                             Selection& selection);
+Structure find_unexplained(const Design& design, const Library& library, const Settings& settings,
+                           Selection& selection);
 
 /// A line in the residual's spectrum over time: frequency and family-wise probability.
 struct SpectralLine {

@@ -5,8 +5,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "identification/flexible_families.h"
 #include "identification/refine.h"
-#include "identification/unexplained.h"
+#include "identification/select.h"
 
 namespace sinew::test {
 namespace {
@@ -68,7 +69,9 @@ ArrayXd dahl_state(const Recording& log, double length) {
 }
 
 /// Direction of friction: the state of the baseline's Coulomb friction.
-ArrayXd direction(const Recording& log, double length) { return dahl_state(log, length); }
+ArrayXd direction(const Recording& log, double length) {
+  return dahl_state(log, length);
+}
 
 /// 1 while the play is being crossed, else 0: there the load's inertia is not felt.
 ArrayXd in_play(const Recording& log, double gap) {
@@ -234,18 +237,19 @@ std::vector<Candidate> drive_baseline(const DriveScales& s) {
   const double reach = s.high - s.low;
   // Every real drive creeps before it slides; a length that is fitted keeps that from being taken
   // for something missing.
-  return {make("inertia", {}, {positive("inertia")},
-               [](const Recording& log, const VectorXd&) -> MatrixXd { return log.qdd.col(0); }),
-          make("viscous friction", {}, {positive("coefficient")},
-               [](const Recording& log, const VectorXd&) -> MatrixXd { return log.qd.col(0); }),
-          make("Coulomb friction", {{"presliding length", "", 1e-5 * reach, 1e-2 * reach, 4, true}},
-               {positive("level")},
-               [](const Recording& log, const VectorXd& p) -> MatrixXd {
-                 return dahl_state(log, p(0));
-               }),
-          make("offset", {}, {any("offset")}, [](const Recording& log, const VectorXd&) -> MatrixXd {
-            return VectorXd::Ones(log.q.rows());
-          })};
+  return {
+      make("inertia", {}, {positive("inertia")},
+           [](const Recording& log, const VectorXd&) -> MatrixXd { return log.qdd.col(0); }),
+      make("viscous friction", {}, {positive("coefficient")},
+           [](const Recording& log, const VectorXd&) -> MatrixXd { return log.qd.col(0); }),
+      make("Coulomb friction", {{"presliding length", "", 1e-5 * reach, 1e-2 * reach, 4, true}},
+           {positive("level")},
+           [](const Recording& log, const VectorXd& p) -> MatrixXd {
+             return dahl_state(log, p(0));
+           }),
+      make("offset", {}, {any("offset")}, [](const Recording& log, const VectorXd&) -> MatrixXd {
+        return VectorXd::Ones(log.q.rows());
+      })};
 }
 
 double fitted_presliding(const std::vector<Recording>& logs, const DriveScales& scales,

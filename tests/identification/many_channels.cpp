@@ -7,7 +7,7 @@
 #include <cmath>
 #include <random>
 
-#include "identification/unexplained.h"
+#include "identification/flexible_families.h"
 #include "tests/identification/drive_candidates.h"
 #include "tests/identification/drive_diagnosis.h"
 
