@@ -13,6 +13,7 @@
 #include <thread>
 
 #include "tests/generator/lettered_files.h"
+#include "tests/generator/traced_writing.h"
 #include "tests/reference/random_numbers.h"
 #include "tests/reference/temporary_folder.h"
 
@@ -24,18 +25,6 @@ namespace {
 
 using Writer = std::function<void(const fs::path&, const FileSet&)>;
 constexpr std::size_t big = 1000000;
-
-FileSet files_in(const fs::path& folder) {
-  FileSet files;
-  for (const auto& entry : fs::directory_iterator(folder))
-    files[entry.path().filename().string()] = reference::read_text(entry.path());
-  return files;
-}
-
-std::size_t entries_in(const fs::path& folder) {
-  return static_cast<std::size_t>(
-      std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
-}
 
 /// What a careless program does.
 void write_in_place(const fs::path& folder, const FileSet& files) {
@@ -93,44 +82,6 @@ std::vector<std::string> writing(const fs::path& folder, const std::string& limi
   std::vector<std::string> command{SINEW_WRITE_FOLDER, folder.string(), "n"};
   if (!limit.empty()) command.push_back(limit);
   return command;
-}
-
-/// write_folder under strace, which acts on the count-th of one kind of system call. Empty where
-/// the program made fewer of them.
-struct Injected {
-  bool happened = false;
-  int status = 0;
-};
-
-Injected inject(const std::string& call, const std::string& action, int count,
-                const fs::path& folder, const std::vector<std::string>& more = {}) {
-  const TemporaryFolder place;
-  const std::string trace = (place.path() / "trace").string();
-  std::vector<std::string> command{
-      "strace", "-f",
-      "-o",     trace,
-      "-e",     "trace=" + call,
-      "-e",     "inject=" + call + ":" + action + ":when=" + std::to_string(count)};
-  command.insert(command.end(), more.begin(), more.end());
-  const std::vector<std::string> program = writing(folder);
-  command.insert(command.end(), program.begin(), program.end());
-  std::string output;
-  Injected result;
-  result.status = reference::run_program(command, output);
-  const std::string log = reference::read_text(trace);
-  result.happened = log.find("INJECTED") != std::string::npos ||
-                    log.find("killed by SIGKILL") != std::string::npos;
-  return result;
-}
-
-bool strace_works() {
-  std::string output;
-  try {
-    return reference::run_program({"strace", "-e", "trace=write", "-o", "/dev/null", "true"},
-                                  output) == 0;
-  } catch (const std::runtime_error&) {
-    return false;
-  }
 }
 
 std::string error_of(const fs::path& folder, const FileSet& files) {
