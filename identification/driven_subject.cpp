@@ -318,7 +318,8 @@ void DrivenSubject::add_model_candidates(std::size_t joint) {
     take(pulley_radius_candidate(where.axis, where.name), "pulley_radius");
   else if (!gain_is_level(joint))
     take(torque_constant_candidate(where), "torque_constant");
-  if (model_.joints.size() > 1) take(sensor_scale_candidate(where, known_), "sensor_scale");
+  // One joint's scale is a level too (driven_levels.cpp); here it meets what else bends friction.
+  take(sensor_scale_candidate(where, known_), "sensor_scale");
   const LogScale s = scale(joint);
   const FlexibleRanges ranges{s.low, s.high, s.speed, s.load, s.duration};
   const int axis = static_cast<int>(joint);

@@ -16,7 +16,8 @@ inline constexpr std::size_t kMostNumbers = 4096;
 class FingerDynamics {
  public:
   /// With `turning_gravity` gravity and masses are arguments of the emitted C; otherwise they are
-  /// constants, as in the C that `sinew generate` writes.
+  /// constants, as in the C that `sinew generate` writes. Throws std::invalid_argument where a
+  /// mechanism with a four-bar has damped joints.
   FingerDynamics(const Mechanism& mechanism, bool turning_gravity,
                  const std::filesystem::path& runtime);
 
@@ -38,9 +39,9 @@ class FingerDynamics {
   Mechanism mechanism_;
   CompiledModel model_;
   std::size_t n_ = 0;
-  Eigen::MatrixXd motion_;  ///< moving joints x coordinates
   Eigen::VectorXd damping_;
   std::vector<double> parameters_;
+  const sinew_function* joints_ = nullptr;
   const sinew_function* acceleration_ = nullptr;
   const sinew_function* mass_and_bias_ = nullptr;
   const sinew_function* bending_ = nullptr;  ///< none without tendons

@@ -4,8 +4,6 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
-#include "symbolic/coordinates.h"
-
 namespace sinew {
 namespace {
 
@@ -29,22 +27,6 @@ Transform moved(const Joint& joint, double position) {
 }
 
 }  // namespace
-
-Eigen::MatrixXd joint_motion_matrix(const Mechanism& mechanism) {
-  const Coordinates coordinates(mechanism);
-  const auto n = static_cast<std::size_t>(coordinates.count());
-  const auto joints = static_cast<std::size_t>(coordinate_count(mechanism));
-  Eigen::MatrixXd J(joints, n);
-  for (std::size_t k = 0; k < n; ++k) {
-    std::vector<GiNaC::ex> unit(n, 0);
-    unit[k] = 1;
-    const std::vector<GiNaC::ex> column = coordinates.of_moving_joints(unit);
-    for (std::size_t i = 0; i < joints; ++i)
-      J(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k)) =
-          GiNaC::ex_to<GiNaC::numeric>(column[i].evalf()).to_double();
-  }
-  return J;
-}
 
 double gravity_potential(const Mechanism& mechanism, const double* q,
                          const Eigen::Vector3d& gravity) {

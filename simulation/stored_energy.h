@@ -11,9 +11,6 @@
 
 namespace sinew {
 
-/// d(moving joints)/d(coordinates): coupled joints follow others (5.16).
-Eigen::MatrixXd joint_motion_matrix(const Mechanism& mechanism);
-
 /// -sum of m g·c over the bodies [J]; `q`: moving joints; `gravity` in the base frame
 /// [m/s²].
 double gravity_potential(const Mechanism& mechanism, const double* q,
