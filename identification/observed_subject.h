@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "identification/candidate.h"
-#include "identification/log.h"
 #include "identification/flexible_families.h"
+#include "identification/log.h"
 #include "simulation/compiled_model.h"
 #include "symbolic/observation.h"
 

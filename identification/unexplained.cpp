@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "identification/refine.h"
 #include "identification/spectrum.h"
@@ -16,8 +15,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr double kWorthSaying = 0.04;  // share of the remaining loss a dependence must explain
-constexpr double kWorthALine =
-    0.06;  // the same of a line in the spectrum, sought at every frequency
+constexpr double kWorthALine = 0.06;   // of a line in the spectrum, sought at every frequency
 
 bool is_unnamed(const Candidate& candidate) {
   return candidate.kind == CandidateKind::flexible || candidate.kind == CandidateKind::decoy;
@@ -119,6 +117,7 @@ void withdraw(const Design& design, const Settings& settings, const Model& with_
   }
 }
 
+/// Names that `kept` no longer has leave the model with the unnamed terms as well.
 void take_out_withdrawn(const Design& design, const Model& kept, Model& beside) {
   for (std::size_t t = beside.terms.size(); t-- > 0;) {
     const Candidate* own = beside.terms[t].candidate;
