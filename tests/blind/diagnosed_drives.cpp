@@ -115,7 +115,7 @@ TEST_CASE("a drive that hides nothing is told to leave nothing over") {
 TEST_CASE("a cause outside the library is structure without a name") {
   // Tight spots, soft stops, hums, friction that swings or remembers: nothing the library has.
   // Planted defect: with the flexible families left out of the screening (Scope::nameable in
-  // unexplained.cpp) half of these get a wrong name or none at all.
+  // unexplained.cpp) two of these get a wrong name and one is not seen.
   const blind::Rates rates =
       blind::run(diagnose_drive, {3000, "drive", truth::Family::outside, 1.0}, 12,
                  [](std::uint64_t seed, const Outcome& o) {

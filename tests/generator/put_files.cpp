@@ -40,6 +40,7 @@ TEST_CASE("files are put beside what is there, and without an exchange of folder
   const std::vector<std::string> no_exchange{"-e", "trace=rename,renameat2", "-e",
                                              "inject=renameat2:error=EINVAL"};
   put_files(folder, before, true);
+  // Planted defect: without the way back in exchange_by_renames() the folder is gone at the second.
   for (int which : {1, 2}) {  // neither to the side nor into place: the old folder stands again
     INFO(which);
     const Injected failed =
