@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "generator/assemble.h"
+#include "simulation/motor_motion.h"
 #include "simulation/stored_energy.h"
 
 namespace sinew {
@@ -17,10 +18,10 @@ namespace {
 constexpr int newton_iterations = 1;
 /// Loops run over whole vectors: the last states of a count that is no multiple cost as many
 /// vectors one by one. What is added is slack.
-constexpr int lanes = 8;
+constexpr int vector_lanes = 8;
 
 int whole_vectors(int count) {
-  return (count + lanes - 1) / lanes * lanes;
+  return (count + vector_lanes - 1) / vector_lanes * vector_lanes;
 }
 
 CompiledModel compiled(const std::string& name, const std::vector<Function>& functions,
@@ -52,27 +53,38 @@ Function guiding_function(GuidingLaw law, const GuidingParameters& parameters) {
 MotorModel::MotorModel(MotorParameters parameters, const Scenario& scenario,
                        const std::filesystem::path& runtime)
     : parameters_(with_losses(std::move(parameters), scenario)),
-      model_(compiled("motor",
-                      {motor_acceleration(parameters_), motor_power_balance(parameters_),
-                       motor_compensation_torque(parameters_)},
-                      runtime)),
+      plain_(compiled("motor", {motor_motion(parameters_, false)}, runtime)),
+      compensated_(compiled("motor", {motor_motion(parameters_, true)}, runtime)),
       inertia_(motor_inertia(parameters_)),
-      acceleration_(model_.batch<FourToOne>("acceleration")),
-      powers_(model_.batch<FourToOne>("power_balance")),
-      compensation_(model_.batch<TwoToTwo>("compensation_torque")) {}
+      plain_motion_(plain_.batch<Motion>("motion")),
+      compensated_motion_(compensated_.batch<Motion>("motion")) {}
 
-void MotorModel::accelerations(int count, const double* theta, const double* omega,
-                               const double* torque, const double* force, double* out) const {
+void MotorModel::at(int count, const double* theta, const double* omega, const double* torque,
+                    const double* force, double load, bool compensated, MotorStates& states) const {
   const int padded = whole_vectors(count);
-  if (padded_.size() != 5 * padded) padded_.setZero(5 * padded);
-  double* in = padded_.data();
+  if (states.arguments.size() != 5 * padded) {
+    states.arguments.setZero(5 * padded);
+    states.results.resize(7 * padded);
+  }
+  double* in = states.arguments.data();
   for (const double* each : {theta, omega, torque, force}) {
     std::copy(each, each + count, in);
     in += padded;
   }
-  const double* all = padded_.data();
-  acceleration_(padded, all, all + padded, all + 2 * padded, all + 3 * padded, in);
-  std::copy(in, in + count, out);
+  std::fill(in, in + count, load);
+  const double* all = states.arguments.data();
+  double* out = states.results.data();
+  (compensated ? compensated_motion_ : plain_motion_)(
+      padded, all, all + padded, all + 2 * padded, all + 3 * padded, all + 4 * padded, out,
+      out + padded, out + 2 * padded, out + 4 * padded);
+  const auto part = [&](int k) { return states.results.segment(k * padded, count); };
+  states.torque = part(0);
+  states.acceleration = part(1);
+  states.by_angle = part(2);
+  states.by_speed = part(3);
+  states.power = part(4).sum();
+  states.friction_power = part(5).sum();
+  states.ripple_power = part(6).sum();
 }
 
 double MotorModel::sticking_speed() const {

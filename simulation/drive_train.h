@@ -14,6 +14,17 @@
 
 namespace sinew {
 
+/// What the motors do at a state; one number a motor, derivatives with the feedforward's own.
+struct MotorStates {
+  Eigen::VectorXd torque;        ///< applied at the output shaft [N·m]
+  Eigen::VectorXd acceleration;  ///< rad/s²
+  Eigen::VectorXd by_angle,
+      by_speed;  ///< derivatives of the acceleration [1/s², 1/s]
+  double power = 0.0, friction_power = 0.0,
+         ripple_power = 0.0;           ///< W, of all motors
+  Eigen::VectorXd arguments, results;  ///< of the emitted loop
+};
+
 /// The motor's emitted C; friction and ripple as the scenario wants them.
 class MotorModel {
  public:
@@ -24,30 +35,20 @@ class MotorModel {
   double inertia() const { return inertia_; }
   /// Output speed below which friction holds the motor [rad/s]; 0 without friction.
   double sticking_speed() const;
-  void accelerations(int count, const double* theta, const double* omega, const double* torque,
-                     const double* force, double* out) const;
-  /// Motor, friction, ripple, tendon, kinetic [W]: five times `count`, kind by kind.
-  void powers(int count, const double* theta, const double* omega, const double* torque,
-              const double* force, double* power) const {
-    powers_(count, theta, omega, torque, force, power);
-  }
-  /// Feedforward against friction and ripple [N·m], and the friction's power that is left [W].
-  void compensations(int count, const double* theta, const double* omega, double* torque,
-                     double* margin) const {
-    compensation_(count, theta, omega, torque, margin);
-  }
+  /// `compensated`: the feedforward against friction and ripple comes on top of `torque`. `load`
+  /// acts against all motors [N·m].
+  void at(int count, const double* theta, const double* omega, const double* torque,
+          const double* force, double load, bool compensated, MotorStates& states) const;
 
  private:
-  using FourToOne = void(int, const double*, const double*, const double*, const double*, double*);
-  using TwoToTwo = void(int, const double*, const double*, double*, double*);
+  using Motion = void(int, const double*, const double*, const double*, const double*,
+                      const double*, double*, double*, double*, double*);
 
   MotorParameters parameters_;
-  CompiledModel model_;
+  CompiledModel plain_, compensated_;
   double inertia_;
-  mutable Eigen::VectorXd padded_;  ///< arguments and results of the emitted loop
-  FourToOne* acceleration_;
-  FourToOne* powers_;
-  TwoToTwo* compensation_;
+  Motion* plain_motion_;
+  Motion* compensated_motion_;
 };
 
 /// Tendons with their levers.

@@ -4,10 +4,12 @@
 #include <algorithm>
 
 #include "generator/assemble.h"
-#include "simulation/stored_energy.h"
+#include "simulation/moving_base.h"
 #include "symbolic/coordinates.h"
 #include "symbolic/functions.h"
 #include "symbolic/symbols.h"
+#include "symbolic/tendon_bending.h"
+#include "symbolic/tendon_functions.h"
 
 namespace sinew {
 namespace {
@@ -28,7 +30,8 @@ Function moving_joints(const Mechanism& mechanism) {
   }
   const int rows = static_cast<int>(positions.size());
   return {"moving_joints",
-          "Positions of all moving joints, and their derivatives by the coordinates.",
+          "Positions of all moving joints, and their derivatives by the "
+          "coordinates.",
           "(5.16)",
           {q},
           list.items(),
@@ -36,27 +39,21 @@ Function moving_joints(const Mechanism& mechanism) {
            {"J", rows, static_cast<int>(n), J, "1", "d(positions)/dq"}}};
 }
 
-CompiledModel compiled(const Mechanism& mechanism, bool turning_gravity,
+CompiledModel compiled(const Mechanism& mechanism, bool moving_base,
                        const std::filesystem::path& runtime) {
-  std::vector<Function> functions = functions_of(mechanism, emitted_cost, turning_gravity);
+  std::vector<Function> functions;
+  if (moving_base) {
+    functions = tendon_functions(mechanism);
+    if (!mechanism.tendons.empty()) functions.push_back(tendon_bending_angles(mechanism));
+    functions.push_back(moving_base_forward_dynamics(mechanism));
+    functions.push_back(moving_base_inverse_dynamics(mechanism));
+    functions.push_back(moving_base_mass_matrix(mechanism));
+  } else {
+    functions = functions_of(mechanism, emitted_cost);
+  }
   functions.push_back(moving_joints(mechanism));
   return CompiledModel(assemble({mechanism.name, mechanism.description, "", {}}, functions, {}),
                        runtime);
-}
-
-/// Arguments of base_parameters: mass, centre of mass, inertia (xx, yy, zz, xy, xz, yz), gravity.
-std::vector<double> mass_properties(const Mechanism& mechanism) {
-  std::vector<double> mass, centre, inertia;
-  for (const Body& body : mechanism.bodies) {
-    mass.push_back(body.mass);
-    for (int i = 0; i < 3; ++i) centre.push_back(body.centre_of_mass(i));
-    const Eigen::Matrix3d& I = body.inertia;
-    inertia.insert(inertia.end(), {I(0, 0), I(1, 1), I(2, 2), I(0, 1), I(0, 2), I(1, 2)});
-  }
-  mass.insert(mass.end(), centre.begin(), centre.end());
-  mass.insert(mass.end(), inertia.begin(), inertia.end());
-  for (int i = 0; i < 3; ++i) mass.push_back(mechanism.gravity(i));
-  return mass;
 }
 
 /// Of each coordinate; joints that follow another add to its own.
@@ -80,59 +77,83 @@ Eigen::VectorXd damping_of(const Mechanism& mechanism, const CompiledModel& mode
 
 }  // namespace
 
-FingerDynamics::FingerDynamics(const Mechanism& mechanism, bool turning_gravity,
+FingerDynamics::FingerDynamics(const Mechanism& mechanism, bool moving_base,
                                const std::filesystem::path& runtime)
-    : mechanism_(mechanism),
-      model_(compiled(mechanism, turning_gravity, runtime)),
+    : model_(compiled(mechanism, moving_base, runtime)),
+      bodies_(mechanism),
       n_(static_cast<std::size_t>(Coordinates(mechanism).count())),
+      m_(mechanism.tendons.size()),
+      moving_base_(moving_base),
       damping_(damping_of(mechanism, model_)) {
-  joints_ = &model_.find("moving_joints");
-  if (turning_gravity) parameters_ = model_("base_parameters", mass_properties(mechanism));
-  acceleration_ = &model_.find("forward_dynamics");
-  mass_and_bias_ = &model_.find("mass_matrix_and_bias");
-  if (!mechanism.tendons.empty()) bending_ = &model_.find("bending_angles");
-  for (const sinew_function* function : {acceleration_, mass_and_bias_, joints_})
+  find_functions(moving_base);
+  for (const sinew_function* function : {acceleration_, inverse_, mass_matrix_, joints_})
     if (function->input_size > static_cast<int>(kMostNumbers) ||
         function->output_size > static_cast<int>(kMostNumbers))
       throw std::runtime_error(mechanism.name + ": too many joints to simulate");
+  if (n_ + 2 * m_ > kMostNumbers)
+    throw std::runtime_error(mechanism.name + ": too many tendons to simulate");
 }
 
-std::size_t FingerDynamics::put_parameters(const double* gravity, double* in) const {
-  if (parameters_.empty()) return 0;
-  std::copy(parameters_.begin(), parameters_.end(), in);
-  std::copy(gravity, gravity + 3, in);
-  return parameters_.size();
+void FingerDynamics::find_functions(bool moving_base) {
+  const std::string prefix = moving_base ? "moving_base_" : "";
+  joints_ = &model_.find("moving_joints");
+  acceleration_ = &model_.find(prefix + "forward_dynamics");
+  inverse_ = &model_.find(prefix + "inverse_dynamics");
+  mass_matrix_ = &model_.find(prefix + "mass_matrix");
+  if (m_ == 0) return;
+  lengths_ = &model_.find("tendon_lengths");
+  coupling_ = &model_.find("coupling_matrix");
+  torque_ = &model_.find("joint_torque");
+  stiffness_ = &model_.find("joint_stiffness");
+  bending_ = &model_.find("bending_angles");
 }
 
-void FingerDynamics::acceleration(const double* q, const double* qd, const double* gravity,
-                                  const double* tau, double* qdd) const {
+void FingerDynamics::acceleration(const double* q, const double* qd, const double* tau,
+                                  const double* base, double* qdd) const {
   double in[kMostNumbers];
-  std::copy(q, q + n_, in);
-  std::copy(qd, qd + n_, in + n_);
-  std::copy(tau, tau + n_, in + 2 * n_);
-  put_parameters(gravity, in + 3 * n_);
+  double* next = std::copy(q, q + n_, in);
+  next = std::copy(qd, qd + n_, next);
+  next = std::copy(tau, tau + n_, next);
+  if (moving_base_) std::copy(base, base + 9, next);
   acceleration_->call(in, qdd);
 }
 
-void FingerDynamics::mass_and_bias(const double* q, const double* qd, const double* gravity,
-                                   double* M, double* bias) const {
+void FingerDynamics::inverse(const double* q, const double* qd, const double* qdd,
+                             const double* base, double* tau, double* wrench) const {
   double in[kMostNumbers], out[kMostNumbers];
-  std::copy(q, q + n_, in);
-  std::copy(qd, qd + n_, in + n_);
-  put_parameters(gravity, in + 2 * n_);
-  mass_and_bias_->call(in, out);
-  std::copy(out, out + n_ * n_, M);
-  std::copy(out + n_ * n_, out + n_ * n_ + n_, bias);
+  double* next = std::copy(q, q + n_, in);
+  next = std::copy(qd, qd + n_, next);
+  next = std::copy(qdd, qdd + n_, next);
+  if (moving_base_) std::copy(base, base + 9, next);
+  inverse_->call(in, out);
+  std::copy(out, out + n_, tau);
+  if (moving_base_) std::copy(out + n_, out + n_ + 6, wrench);
 }
 
-double FingerDynamics::potential(const double* q, const Eigen::Vector3d& gravity) const {
-  double joints[kMostNumbers];  // positions, then J
+double FingerDynamics::energy(const double* q, const double* qd, const MovingFrame& base,
+                              const Eigen::Vector3d& gravity) const {
+  double joints[kMostNumbers], rates[kMostNumbers];  // positions, then J
   joints_->call(q, joints);
-  return gravity_potential(mechanism_, joints, gravity);
+  const std::size_t moving = static_cast<std::size_t>(joints_->output_size) / (n_ + 1);
+  const double* J = joints + moving;
+  for (std::size_t i = 0; i < moving; ++i) {
+    rates[i] = 0.0;
+    for (std::size_t k = 0; k < n_; ++k) rates[i] += *J++ * qd[k];
+  }
+  return bodies_.at(joints, rates, base, gravity);
 }
 
-void FingerDynamics::bending(const double* q, double* angle) const {
-  if (bending_ != nullptr) bending_->call(q, angle);
+void FingerDynamics::torque(const double* q, const double* f, double* tau) const {
+  double in[kMostNumbers];
+  std::copy(f, f + m_, std::copy(q, q + n_, in));
+  torque_->call(in, tau);
+}
+
+void FingerDynamics::stiffness(const double* q, const double* f, const double* kt,
+                               double* K) const {
+  double in[kMostNumbers];
+  std::copy(kt, kt + m_, std::copy(f, f + m_, std::copy(q, q + n_, in)));
+  stiffness_->call(in, K);
 }
 
 }  // namespace sinew

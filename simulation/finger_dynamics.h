@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "simulation/body_energy.h"
 #include "simulation/compiled_model.h"
 #include "symbolic/mechanism.h"
 
@@ -12,39 +13,56 @@ namespace sinew {
 /// Numbers an emitted function may take or give: they are on the stack.
 inline constexpr std::size_t kMostNumbers = 4096;
 
-/// One finger's emitted equations of motion under a gravity that may turn.
+/// One finger's emitted equations: n coordinates, m tendons; arrays row-major, SI units.
 class FingerDynamics {
  public:
-  /// With `turning_gravity` gravity and masses are arguments of the emitted C; otherwise they are
-  /// constants, as in the C that `sinew generate` writes. Throws std::invalid_argument where a
-  /// mechanism with a four-bar has damped joints.
-  FingerDynamics(const Mechanism& mechanism, bool turning_gravity,
+  /// On a resting base the equations are those that `sinew generate` writes. With `moving_base`
+  /// they are moving_base.h's, and gravity is part of the base's motion. Throws
+  /// std::invalid_argument where a mechanism with a four-bar has damped joints.
+  FingerDynamics(const Mechanism& mechanism, bool moving_base,
                  const std::filesystem::path& runtime);
 
   int size() const { return static_cast<int>(n_); }
+  int tendons() const { return static_cast<int>(m_); }
   const CompiledModel& model() const { return model_; }
   const Eigen::VectorXd& damping() const { return damping_; }
-  /// `gravity` in the finger's base frame [m/s²]; ignored where it is constant.
-  void acceleration(const double* q, const double* qd, const double* gravity, const double* tau,
+
+  /// `base`: 9 numbers as moving_base.h has them; ignored where the base rests.
+  void acceleration(const double* q, const double* qd, const double* tau, const double* base,
                     double* qdd) const;
-  void mass_and_bias(const double* q, const double* qd, const double* gravity, double* M,
-                     double* bias) const;
-  double potential(const double* q, const Eigen::Vector3d& gravity) const;
-  /// Of each tendon [rad], as the emitted bending_angles gives it.
-  void bending(const double* q, double* angle) const;
+  /// Joint torques of a motion; `wrench` (6) of the base where it moves, else untouched.
+  void inverse(const double* q, const double* qd, const double* qdd, const double* base,
+               double* tau, double* wrench) const;
+  void mass_matrix(const double* q, double* M) const { mass_matrix_->call(q, M); }
+  /// Kinetic and of gravity [J], from geometry; `gravity` in the frame at rest [m/s²].
+  double energy(const double* q, const double* qd, const MovingFrame& base,
+                const Eigen::Vector3d& gravity) const;
+
+  // Of the tendons; to be called only where there are any.
+  void lengths(const double* q, double* h) const { lengths_->call(q, h); }
+  void coupling(const double* q, double* P) const { coupling_->call(q, P); }
+  void torque(const double* q, const double* f, double* tau) const;
+  void stiffness(const double* q, const double* f, const double* kt, double* K) const;
+  /// Total bending of each tendon [rad].
+  void bending(const double* q, double* angle) const { bending_->call(q, angle); }
 
  private:
-  std::size_t put_parameters(const double* gravity, double* in) const;
+  void find_functions(bool moving_base);
 
-  Mechanism mechanism_;
   CompiledModel model_;
-  std::size_t n_ = 0;
+  BodyEnergy bodies_;
+  std::size_t n_ = 0, m_ = 0;
+  bool moving_base_ = false;
   Eigen::VectorXd damping_;
-  std::vector<double> parameters_;
   const sinew_function* joints_ = nullptr;
   const sinew_function* acceleration_ = nullptr;
-  const sinew_function* mass_and_bias_ = nullptr;
-  const sinew_function* bending_ = nullptr;  ///< none without tendons
+  const sinew_function* inverse_ = nullptr;
+  const sinew_function* mass_matrix_ = nullptr;
+  const sinew_function* lengths_ = nullptr;
+  const sinew_function* coupling_ = nullptr;
+  const sinew_function* torque_ = nullptr;
+  const sinew_function* stiffness_ = nullptr;
+  const sinew_function* bending_ = nullptr;
 };
 
 }  // namespace sinew

@@ -20,47 +20,36 @@ class Finger : public Joints {
     }
     damping = dynamics_.damping();
     rest = Eigen::VectorXd::Zero(size());
-    tendons = static_cast<int>(mechanism.tendons.size());
+    tendons = dynamics_.tendons();
     n_ = names.size();
     m_ = mechanism.tendons.size();
     jacobian_ = &dynamics_.model().find("tip_jacobian");
-    if (tendons == 0) return;
-    lengths_ = &dynamics_.model().find("tendon_lengths");
-    coupling_ = &dynamics_.model().find("coupling_matrix");
-    torque_ = &dynamics_.model().find("joint_torque");
-    stiffness_ = &dynamics_.model().find("joint_stiffness");
-    if (n_ + 2 * m_ > kMostNumbers)
-      throw std::runtime_error(mechanism.name + ": too many tendons to simulate");
   }
 
   void lengths(const double* q, const WristMotion&, double* h) const override {
-    lengths_->call(q, h);
+    dynamics_.lengths(q, h);
   }
   void torque(const double* q, const WristMotion&, const double* f, double* tau) const override {
-    double in[kMostNumbers];
-    std::copy(q, q + n_, in);
-    std::copy(f, f + m_, in + n_);
-    torque_->call(in, tau);
+    dynamics_.torque(q, f, tau);
   }
   void coupling(const double* q, const WristMotion&, double* P, double* wrist_rate) const override {
-    coupling_->call(q, P);
+    dynamics_.coupling(q, P);
     std::fill(wrist_rate, wrist_rate + m_, 0.0);
   }
   void stiffness(const double* q, const WristMotion&, const double* f, const double* kt,
                  double* K) const override {
-    double in[kMostNumbers];
-    std::copy(q, q + n_, in);
-    std::copy(f, f + m_, in + n_);
-    std::copy(kt, kt + m_, in + n_ + m_);
-    stiffness_->call(in, K);
+    dynamics_.stiffness(q, f, kt, K);
   }
   void acceleration(const double* q, const double* qd, const WristMotion&, const double* tau,
                     double* qdd) const override {
-    dynamics_.acceleration(q, qd, gravity_.data(), tau, qdd);
+    dynamics_.acceleration(q, qd, tau, nullptr, qdd);
   }
-  void mass_and_bias(const double* q, const double* qd, const WristMotion&, double* M,
-                     double* bias) const override {
-    dynamics_.mass_and_bias(q, qd, gravity_.data(), M, bias);
+  void inertial_forces(const double* q, const double* qd, const double* qdd, const WristMotion&,
+                       double* tau) const override {
+    dynamics_.inverse(q, qd, qdd, nullptr, tau, nullptr);
+  }
+  void mass_matrix(const double* q, const WristMotion&, double* M) const override {
+    dynamics_.mass_matrix(q, M);
   }
   void bending(const double* q, const WristMotion&, double* angle) const override {
     dynamics_.bending(q, angle);
@@ -71,19 +60,18 @@ class Finger : public Joints {
     for (std::size_t j = 0; j < n_; ++j)
       tau[j] = J[j] * force[0] + J[n_ + j] * force[1] + J[2 * n_ + j] * force[2];
   }
-  double potential(const double* q, const WristMotion&) const override {
-    return dynamics_.potential(q, gravity_);
+  double energy(const double* q, const double* qd, const WristMotion&) const override {
+    return dynamics_.energy(q, qd, {}, gravity_);
   }
-  double base_power(const double*, const double*, const WristMotion&) const override { return 0.0; }
+  double base_power(const double*, const double*, const double*,
+                    const WristMotion&) const override {
+    return 0.0;
+  }
 
  private:
   FingerDynamics dynamics_;
   Eigen::Vector3d gravity_;
   std::size_t n_ = 0, m_ = 0;
-  const sinew_function* lengths_ = nullptr;
-  const sinew_function* coupling_ = nullptr;
-  const sinew_function* torque_ = nullptr;
-  const sinew_function* stiffness_ = nullptr;
   const sinew_function* jacobian_ = nullptr;
 };
 

@@ -16,8 +16,13 @@ using Eigen::VectorXd;
 class FixedSteps {
  public:
   FixedSteps(Plant& plant, const IntegrationCalls& calls)
-      : plant_(plant), calls_(calls), y_(plant.initial_state()), names_(plant.event_names()) {
+      : plant_(plant),
+        calls_(calls),
+        implicit_(plant.scenario().integrator != Integrator::runge_kutta_4),
+        y_(plant.initial_state()),
+        names_(plant.event_names()) {
     signs_.resize(names_.size());
+    signs_now_.resize(names_.size());
     plant_.events(0.0, y_.data(), signs_.data());
     last_power_ = powers_now();
     calls_.step(0.0, y_.data(), work_);
@@ -26,41 +31,47 @@ class FixedSteps {
   const VectorXd& state() const { return y_; }
   const IntegrationCount& count() const { return count_; }
 
-  void step(double h) {
-    if (plant_.scenario().integrator == Integrator::runge_kutta_4)
-      runge_kutta(h);
-    else
+  void step(double end) {
+    const double h = end - time_;
+    if (implicit_)
       linearly_implicit_euler(h);
-    time_ += h;
+    else
+      runge_kutta(h);
+    time_ = end;
     ++count_.steps;
     if (!y_.allFinite())
-      throw std::runtime_error(fmt::format(
-          "{}: the state is no longer finite at {:.6g} s; expected a smaller step or the "
-          "integrator cvode_bdf",
-          plant_.scenario().file, time_));
-    plant_.accept(time_, y_.data());
+      throw std::runtime_error(
+          fmt::format("{}: the state is no longer finite at {:.6g} s; expected "
+                      "a smaller step or the "
+                      "integrator cvode_bdf",
+                      plant_.scenario().file, time_));
     audit(h);
     watch();
+    plant_.accept(time_, y_.data());
   }
 
  private:
-  VectorXd slope(double time, const VectorXd& y) {
-    VectorXd dy(y.size());
+  void slope(double time, const VectorXd& y, VectorXd& dy) {
+    dy.resize(y.size());
     plant_.derivative(time, y.data(), dy.data());
     ++count_.evaluations;
-    return dy;
   }
 
   void runge_kutta(double h) {
-    const VectorXd a = slope(time_, y_), b = slope(time_ + h / 2, y_ + h / 2 * a),
-                   c = slope(time_ + h / 2, y_ + h / 2 * b), d = slope(time_ + h, y_ + h * c);
-    y_ += h / 6 * (a + 2 * b + 2 * c + d);
+    slope(time_, y_, slopes_[0]);
+    slope(time_ + h / 2, y_ + h / 2 * slopes_[0], slopes_[1]);
+    slope(time_ + h / 2, y_ + h / 2 * slopes_[1], slopes_[2]);
+    slope(time_ + h, y_ + h * slopes_[2], slopes_[3]);
+    y_ += h / 6 * (slopes_[0] + 2 * slopes_[1] + 2 * slopes_[2] + slopes_[3]);
   }
 
-  /// (I - h J) dy = h f(y): one linear solution, stable for stiff tendons and friction.
+  /// (I - h J) dy = h f(t, y): one evaluation, that of the last step's audit, and one linear
+  /// solution; stable for stiff tendons and friction. Commands count from the start of the step, as
+  /// a firmware's that holds them over a period.
   void linearly_implicit_euler(double h) {
-    change_ = h * slope(time_ + h, y_);
-    plant_.jacobian(time_ + h, y_.data(), solver_.jacobian);
+    slope(time_, y_, change_);
+    change_ *= h;
+    plant_.jacobian(time_, y_.data(), solver_.jacobian);
     ++count_.jacobians;
     solver_.prepare(h);
     solver_.solve(change_.data(), change_.data());
@@ -77,18 +88,19 @@ class FixedSteps {
   }
 
   void watch() {
-    std::vector<double> now(names_.size());
-    plant_.events(time_, y_.data(), now.data());
-    for (std::size_t i = 0; i < now.size(); ++i)
-      if ((now[i] < 0.0) != (signs_[i] < 0.0)) calls_.event({time_, names_[i], now[i] < 0.0});
-    signs_ = now;
+    plant_.events(time_, y_.data(), signs_now_.data());
+    for (std::size_t i = 0; i < signs_.size(); ++i)
+      if ((signs_now_[i] < 0.0) != (signs_[i] < 0.0))
+        calls_.event({time_, names_[i], signs_now_[i] < 0.0});
+    std::swap(signs_, signs_now_);
   }
 
   Plant& plant_;
   const IntegrationCalls& calls_;
-  VectorXd y_, change_;
+  bool implicit_;
+  VectorXd y_, change_, slopes_[4];
   std::vector<std::string> names_;
-  std::vector<double> signs_;
+  std::vector<double> signs_, signs_now_;
   MotionSolver solver_;
   double time_ = 0.0;
   Powers work_{}, last_power_{};
@@ -111,9 +123,12 @@ IntegrationCount integrate_by_fixed_steps(Plant& plant, const IntegrationCalls& 
   FixedSteps steps(plant, calls);
   calls.output(0.0, steps.state().data());
   for (long k = 1; k < output_count(scenario); ++k) {
-    const double period = output_time(scenario, k) - output_time(scenario, k - 1);
-    const long substeps = std::max(1L, std::lround(std::ceil(period / scenario.step - 1e-9)));
-    for (long i = 0; i < substeps; ++i) steps.step(period / static_cast<double>(substeps));
+    const double start = output_time(scenario, k - 1), end = output_time(scenario, k);
+    const long substeps =
+        std::max(1L, std::lround(std::ceil((end - start) / scenario.step - 1e-9)));
+    for (long i = 1; i < substeps; ++i)
+      steps.step(start + (end - start) * static_cast<double>(i) / static_cast<double>(substeps));
+    steps.step(end);
     calls.output(output_time(scenario, k), steps.state().data());
   }
   return steps.count();

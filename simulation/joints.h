@@ -44,17 +44,21 @@ class Joints {
                          const double* kt, double* K) const = 0;
   virtual void acceleration(const double* q, const double* qd, const WristMotion& wrist,
                             const double* tau, double* qdd) const = 0;
-  /// Mass matrix n x n and bias n (Coriolis and gravity).
-  virtual void mass_and_bias(const double* q, const double* qd, const WristMotion& wrist, double* M,
-                             double* bias) const = 0;
+  /// Torques that a motion takes, by the emitted inverse dynamics; `qdd` n.
+  virtual void inertial_forces(const double* q, const double* qd, const double* qdd,
+                               const WristMotion& wrist, double* tau) const = 0;
+  /// Mass matrix n x n.
+  virtual void mass_matrix(const double* q, const WristMotion& wrist, double* M) const = 0;
   /// Total bending of each tendon at joints and wrist [rad].
   virtual void bending(const double* q, const WristMotion& wrist, double* angle) const = 0;
   /// Torque of a force [N, base frame] at the fingertip; 0 where the model has no single tip.
   virtual void tip_torque(const double* q, const double* force, double* tau) const = 0;
-  /// Potential of gravity [J].
-  virtual double potential(const double* q, const WristMotion& wrist) const = 0;
-  /// Power [W] that the moving base gives to the bodies by turning them against gravity.
-  virtual double base_power(const double* q, const double* qd, const WristMotion& wrist) const = 0;
+  /// Kinetic energy of all that moves, the base's motion included, and potential of gravity [J],
+  /// from geometry.
+  virtual double energy(const double* q, const double* qd, const WristMotion& wrist) const = 0;
+  /// Power [W] that a prescribed motion of the base gives to the bodies.
+  virtual double base_power(const double* q, const double* qd, const double* qdd,
+                            const WristMotion& wrist) const = 0;
 };
 
 /// One finger, or any mechanism, on a resting base.
@@ -63,14 +67,15 @@ std::unique_ptr<Joints> finger_joints(const Mechanism& mechanism,
 
 /// What of a hand moves besides its fingers.
 struct PalmParameters {
-  double crank_inertia = 2.0e-5;  ///< kg·m², of what the four-bar's crank moves
+  double crank_inertia = 2.0e-5;  ///< kg·m², of what the four-bar's crank moves besides the finger
   bool moves = false;             ///< q71 and q73 are coordinates, the last two, instead of given
-  double inertia = 2.0e-3;        ///< kg·m², of bars, palm and fingers about q71 and about q73
+  double inertia = 2.0e-3;        ///< kg·m², of bars and palm about q71 and about q73
   double damping = 1.0e-2;        ///< N·m·s/rad, of q71 and of q73
 };
 
-/// All fingers of a hand on a moving palm. Gravity turns with the palm; the palm's acceleration is
-/// not passed on. A palm that moves freely feels its tendons and the fingers' weight.
+/// All fingers of a hand on a moving palm, which they feel with all its accelerations. A palm that
+/// moves freely, and the four-bar's crank, feel the fingers in turn; a palm's own weight does not
+/// count. `gravity` in the forearm frame [m/s²].
 std::unique_ptr<Joints> hand_joints(const Hand& hand, const Eigen::Vector3d& gravity,
                                     const PalmParameters& palm,
                                     const std::filesystem::path& runtime);

@@ -157,9 +157,14 @@ void Plant::take_paths(Evaluation& e, bool with_rates) const {
   if (with_rates) {
     e.P.resize(tendons_, n_);
     e.wrist_rate.resize(tendons_);
+    e.h_rate.resize(tendons_);
     joints.coupling(e.q.data(), e.wrist, e.P.data(), e.wrist_rate.data());
-    e.h_rate.noalias() = e.P * e.qd;
-    e.h_rate += e.wrist_rate;
+    const double* P = e.P.data();
+    for (int i = 0; i < tendons_; ++i) {
+      double rate = e.wrist_rate(i);
+      for (int j = 0; j < n_; ++j) rate += *P++ * e.qd(j);
+      e.h_rate(i) = rate;
+    }
   }
   if (elastic_) e.elongation = parts_.motor->radius() * e.theta + e.h - closure_;
 }
@@ -176,38 +181,46 @@ void Plant::take_state(double time, const double* y, Evaluation& e) const {
   take_commands(time, e);
 }
 
-void Plant::observe(double time, const double* y, Evaluation& e) const {
-  take_state(time, y, e);
-  if (tendons_ > 0) take_paths(e, false);
-  if (!elastic_) return;
-  // Rows follow each other closely: the last row's angles are nearer than the last step's.
-  const Eigen::VectorXd& last = e.tendon.lever_angle;
-  parts_.tendon->at(tendons_, e.elongation.data(), last.size() > 0 ? last.data() : guess_.data(),
-                    e.tendon);
+const Evaluation& Plant::observed(double time, const double* y) const {
+  if (is_evaluated(time, y)) return scratch_;
+  take_state(time, y, shown_);
+  if (tendons_ > 0) take_paths(shown_, false);
+  if (elastic_) {
+    // Rows follow each other closely: the last row's angles are nearer than the last step's.
+    const VectorXd& last = shown_.tendon.lever_angle;
+    parts_.tendon->at(tendons_, shown_.elongation.data(),
+                      last.size() > 0 ? last.data() : guess_.data(), shown_.tendon);
+  }
+  take_motors(shown_);
+  return shown_;
+}
+
+void Plant::take_motors(Evaluation& e) const {
+  if (k_ > 0)
+    parts_.motor->at(k_, e.theta.data(), e.omega.data(), e.command_torque.data(), forces_or_zero(e),
+                     e.load, scenario_.compensation, e.motor);
+  else
+    e.motor.torque.setZero(motors_);
 }
 
 void Plant::evaluate(double time, const double* y, Evaluation& e, bool with_rates) const {
   take_state(time, y, e);
-  e.tendon_torque.setZero(n_);
   e.has_rates = true;
+  e.joint_torque = e.external;
   if (tendons_ > 0) {
     take_paths(e, with_rates || parts_.guiding.has_value());
     if (elastic_) parts_.tendon->at(tendons_, e.elongation.data(), guess_.data(), e.tendon);
     take_guiding(e);
-    parts_.joints->torque(e.q.data(), e.wrist, e.finger_force.data(), e.tendon_torque.data());
+    parts_.joints->torque(e.q.data(), e.wrist, e.finger_force.data(), e.joint_torque.data());
+    e.joint_torque += e.external;
   }
   if (n_ > 0) {
     e.qdd.resize(n_);
-    e.joint_torque = e.tendon_torque + e.external;
     if (scenario_.joint_damping) e.joint_torque -= parts_.joints->damping.cwiseProduct(e.qd);
     parts_.joints->acceleration(e.q.data(), e.qd.data(), e.wrist, e.joint_torque.data(),
                                 e.qdd.data());
   }
-  if (k_ == 0) return;
-  e.omega_rate.resize(k_);
-  e.work = e.torque.array() - e.load;
-  parts_.motor->accelerations(k_, e.theta.data(), e.omega.data(), e.work.data(), forces_or_zero(e),
-                              e.omega_rate.data());
+  take_motors(e);
 }
 
 bool Plant::is_evaluated(double time, const double* y) const {
@@ -228,7 +241,7 @@ void Plant::derivative(double time, const double* y, double* dy) const {
   Eigen::Map<VectorXd> rate(dy, size());
   rate.head(n_ + k_) = part(y, n_ + k_, n_ + k_);
   rate.segment(n_ + k_, n_) = e.qdd;
-  rate.tail(k_) = e.omega_rate;
+  if (k_ > 0) rate.tail(k_) = e.motor.acceleration;
 }
 
 void Plant::accept(double time, const double* y) {

@@ -53,17 +53,16 @@ struct PlantParts {
 
 /// Everything that follows from a state. To be used again and again: its arrays are kept.
 struct Evaluation {
-  Eigen::VectorXd q, qd, qdd;                ///< n
-  Eigen::VectorXd theta, omega, omega_rate;  ///< one a motor
-  Eigen::VectorXd theta_reference, torque;   ///< commanded; torque at the output shaft [N·m]
-  Eigen::VectorXd reference_rate;            ///< rad/s, one a motor
-  Eigen::VectorXd h, h_rate, wrist_rate;     ///< one a tendon [m, m/s]
-  Eigen::VectorXd elongation, finger_force;  ///< one a tendon [m, N]
-  Eigen::VectorXd bending, inward;           ///< one a tendon [rad; m/s towards the motor]
-  TendonStates tendon;                       ///< force: on the motor's side
-  Eigen::VectorXd tendon_torque, external;   ///< on the joints [N·m]
-  Eigen::VectorXd joint_torque;              ///< all of it, n
-  Eigen::VectorXd compensation, work;        ///< one a motor; scratch of the emitted loops
+  Eigen::VectorXd q, qd, qdd;                       ///< n
+  Eigen::VectorXd theta, omega;                     ///< one a motor
+  Eigen::VectorXd theta_reference, reference_rate;  ///< rad, rad/s, one a motor
+  Eigen::VectorXd command_torque;                   ///< N·m, without the feedforward
+  MotorStates motor;                                ///< torque: with the feedforward
+  Eigen::VectorXd h, h_rate, wrist_rate;            ///< one a tendon [m, m/s]
+  Eigen::VectorXd elongation, finger_force;         ///< one a tendon [m, N]
+  Eigen::VectorXd bending, inward;                  ///< one a tendon [rad; m/s towards the motor]
+  TendonStates tendon;                              ///< force: on the motor's side
+  Eigen::VectorXd external, joint_torque;           ///< on the joints: from outside; all [N·m]
   Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> P;
   double load = 0.0;  ///< N·m, against the motor
   bool has_rates = false;
@@ -72,13 +71,17 @@ struct Evaluation {
   const Eigen::VectorXd& force() const { return tendon.force; }
 };
 
-/// Derivatives of the accelerations, in the blocks that are not 0: the joints' by joints and
-/// motors, each motor's by the joints and by itself.
+/// Coefficients of the motion linearised at a state, for n joints, m tendons and k motors:
+///   M ddq = -K q - D dq - P^T (R k_t theta),
+///   ddtheta = by_angle theta + by_speed dtheta - R/B k_t (R theta + P q).
 struct MotionJacobian {
   using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-  Matrix joint_by_joint, joint_by_motor, motor_by_joint;  ///< 1/s²
-  Matrix joint_by_rate;                                   ///< 1/s
-  Eigen::VectorXd motor_by_motor, motor_by_rate;          ///< 1/s², 1/s
+  Matrix mass, stiffness, damping;     ///< M, K (motors held), D: n x n, symmetric
+  Matrix coupling;                     ///< P, m x n, where motors move
+  Eigen::VectorXd tendon;              ///< k_t, m [N/m]
+  Eigen::VectorXd by_angle, by_speed;  ///< of each motor, without its tendon [1/s², 1/s]
+  double radius = 0.0;                 ///< R [m]
+  double per_torque = 0.0;             ///< 1/B [1/(kg·m²)]
 };
 
 class Plant {
@@ -99,12 +102,13 @@ class Plant {
   Eigen::VectorXd initial_state() const { return initial_; }
   /// `with_rates`: P and the tendons' velocities too, for powers and guiding friction.
   void evaluate(double time, const double* y, Evaluation& e, bool with_rates) const;
-  /// What can be measured, without accelerations: all that a row of output shows.
-  void observe(double time, const double* y, Evaluation& e) const;
+  /// What can be measured: all that a row of output shows, without the joints' accelerations unless
+  /// they are known.
+  const Evaluation& observed(double time, const double* y) const;
   /// As evaluate, or the last one where it was at the same time and state.
   const Evaluation& evaluated(double time, const double* y, bool with_rates) const;
   void derivative(double time, const double* y, double* dy) const;
-  /// Without the gradients of gravity and Coriolis terms.
+  /// Without the gradients of gravity, Coriolis terms and bending.
   void jacobian(double time, const double* y, MotionJacobian& J) const;
   /// To be called after each accepted step: the next lever searches start there.
   void accept(double time, const double* y);
@@ -139,9 +143,10 @@ class Plant {
   /// State, lengths and, where there are guides, velocities: what events depend on.
   const Evaluation& paths_at(double time, const double* y) const;
   void take_guiding(Evaluation& e) const;
+  void take_motors(Evaluation& e) const;
   void motor_jacobian(const Evaluation& e, MotionJacobian& J) const;
-  /// Derivative of the finger-side tension by dh/dt, one a tendon [N·s/m].
-  Eigen::VectorXd guiding_slope(const Evaluation& e) const;
+  /// Adds what guides make of the joints' rates: P^T (dtension/d(dh/dt)) P.
+  void add_guiding_slope(const Evaluation& e, MotionJacobian::Matrix& D) const;
   const Signal* command(const std::string& channel) const;
   const double* forces_or_zero(const Evaluation& e) const;
 
@@ -155,13 +160,12 @@ class Plant {
   const Signal* load_ = nullptr;
   const Signal* flexion_ = nullptr;
   const Signal* abduction_ = nullptr;
-  mutable Evaluation scratch_, path_scratch_;
+  mutable Evaluation scratch_, path_scratch_, shown_;
   mutable double scratch_time_ = -1.0;  ///< s; below 0: nothing evaluated yet
   mutable Eigen::VectorXd scratch_state_;
   mutable WristNow wrist_now_;
   mutable WristTrack wrist_track_;
-  mutable Matrix M_;  ///< for one call after the other
-  mutable Eigen::VectorXd bias_, power_;
+  mutable Eigen::VectorXd inertial_;  ///< for one call after the other
 };
 
 /// What else can be commanded.

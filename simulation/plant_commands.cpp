@@ -44,12 +44,11 @@ void Plant::take_external(double time, Evaluation& e) const {
 }
 
 void Plant::take_motor_commands(double time, Evaluation& e) const {
-  const bool torque = scenario_.drive == DriveMode::torque;
-  e.torque.setZero(motors_);
-  if (torque) {
+  e.command_torque.setZero(motors_);
+  if (scenario_.drive == DriveMode::torque) {
     e.theta_reference.setZero(motors_);
     for (int i = 0; i < motors_; ++i)
-      e.torque(i) = at(motor_command_[static_cast<std::size_t>(i)], time).value;
+      e.command_torque(i) = at(motor_command_[static_cast<std::size_t>(i)], time).value;
     return;
   }
   if (wrist_now_.feedforward.size() > 0) {
@@ -66,8 +65,8 @@ void Plant::take_motor_commands(double time, Evaluation& e) const {
     e.reference_rate(i) += sample.rate;
   }
   if (scenario_.drive == DriveMode::servo)
-    e.torque = scenario_.gain * (e.theta_reference - e.theta) +
-               scenario_.rate_gain * (e.reference_rate - e.omega);
+    e.command_torque = scenario_.gain * (e.theta_reference - e.theta) +
+                       scenario_.rate_gain * (e.reference_rate - e.omega);
 }
 
 void Plant::take_commands(double time, Evaluation& e) const {
@@ -82,13 +81,6 @@ void Plant::take_commands(double time, Evaluation& e) const {
           scenario_.pretension + at(motor_command_[static_cast<std::size_t>(i)], time).value;
   }
   take_motor_commands(time, e);
-  if (k_ > 0 && scenario_.compensation) {
-    e.compensation.resize(k_);
-    e.work.resize(k_);
-    parts_.motor->compensations(k_, e.theta.data(), e.omega.data(), e.compensation.data(),
-                                e.work.data());
-    e.torque += e.compensation;
-  }
   if (k_ > 0) return;
   e.theta = e.theta_reference;
   e.omega = e.reference_rate;

@@ -7,19 +7,16 @@ namespace sinew {
 Powers Plant::powers(const Evaluation& e) const {
   Powers power{};
   if (k_ > 0) {
-    power_.resize(5 * k_);
-    parts_.motor->powers(k_, e.theta.data(), e.omega.data(), e.torque.data(), forces_or_zero(e),
-                         power_.data());
-    power[motor_power] = power_.head(k_).sum();
-    power[motor_friction_power] = power_.segment(k_, k_).sum();
-    power[ripple_power] = power_.segment(2 * k_, k_).sum();
+    power[motor_power] = e.motor.power;
+    power[motor_friction_power] = e.motor.friction_power;
+    power[ripple_power] = e.motor.ripple_power;
     power[load_power] = -e.load * e.omega.sum();
   }
   if (n_ > 0) {
     power[external_power] = e.external.dot(e.qd);
     if (scenario_.joint_damping)
       power[damping_power] = -parts_.joints->damping.dot(e.qd.cwiseProduct(e.qd));
-    power[base_power] = parts_.joints->base_power(e.q.data(), e.qd.data(), e.wrist);
+    power[base_power] = parts_.joints->base_power(e.q.data(), e.qd.data(), e.qdd.data(), e.wrist);
   }
   if (tendons_ == 0) return power;
   power[guiding_power] = (e.force() - e.finger_force).dot(e.h_rate - e.wrist_rate);
@@ -39,16 +36,15 @@ EnergyNow Plant::energy(const Evaluation& e) const {
     now.size += parts.cwiseAbs().sum();
   };
   if (n_ > 0) {
-    M_.resize(n_, n_);
-    bias_.resize(n_);
-    parts_.joints->mass_and_bias(e.q.data(), e.qd.data(), e.wrist, M_.data(), bias_.data());
-    now.value += 0.5 * e.qd.dot(M_ * e.qd) + parts_.joints->potential(e.q.data(), e.wrist);
-    bias_ += M_ * e.qdd;
-    add_rate(e.qd.cwiseProduct(bias_));
+    inertial_.resize(n_);
+    parts_.joints->inertial_forces(e.q.data(), e.qd.data(), e.qdd.data(), e.wrist,
+                                   inertial_.data());
+    now.value += parts_.joints->energy(e.q.data(), e.qd.data(), e.wrist);
+    add_rate(e.qd.cwiseProduct(inertial_));
   }
   if (k_ > 0) {
     now.value += 0.5 * parts_.motor->inertia() * e.omega.squaredNorm();
-    add_rate(parts_.motor->inertia() * e.omega.cwiseProduct(e.omega_rate));
+    add_rate(parts_.motor->inertia() * e.omega.cwiseProduct(e.motor.acceleration));
   }
   if (!elastic_) return now;
   for (int i = 0; i < tendons_; ++i)

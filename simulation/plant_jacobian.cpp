@@ -1,80 +1,60 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Derivative of the equations of motion, from the emitted stiffness and mass matrices: what makes a
-// step of a stiff integrator cheap. Gradients of gravity, Coriolis terms and bending are left out;
-// the integrators only need it near enough.
-#include <Eigen/Cholesky>
-#include <cmath>
-
+// The motion linearised at a state, from the emitted stiffness and mass matrices: what makes a step
+// of a stiff integrator cheap. Gradients of gravity, Coriolis terms and bending are left out; the
+// integrators only need it near enough.
 #include "simulation/plant.h"
 
 namespace sinew {
 
-using Eigen::MatrixXd;
-using Eigen::VectorXd;
-
 void Plant::jacobian(double time, const double* y, MotionJacobian& J) const {
   const Evaluation& e = evaluated(time, y, tendons_ > 0);
-  J.joint_by_motor.setZero(n_, k_);
-  J.motor_by_joint.setZero(k_, n_);
+  J.mass.resize(n_, n_);
+  J.damping.setZero(n_, n_);
   if (n_ > 0) {
-    M_.resize(n_, n_);
-    bias_.resize(n_);
-    Matrix K = Matrix::Zero(n_, n_);
-    parts_.joints->mass_and_bias(e.q.data(), e.qd.data(), e.wrist, M_.data(), bias_.data());
-    const Eigen::LDLT<MatrixXd> inverse{MatrixXd(M_)};
-    MatrixXd D = MatrixXd::Zero(n_, n_);
-    if (scenario_.joint_damping) D = parts_.joints->damping.asDiagonal();
+    parts_.joints->mass_matrix(e.q.data(), e.wrist, J.mass.data());
+    if (scenario_.joint_damping) J.damping.diagonal() = parts_.joints->damping;
     if (tendons_ > 0) {
+      J.stiffness.resize(n_, n_);
       parts_.joints->stiffness(e.q.data(), e.wrist, e.finger_force.data(),
-                               e.tendon.stiffness.data(), K.data());
-      if (parts_.guiding) D += e.P.transpose() * guiding_slope(e).asDiagonal() * e.P;
-      if (k_ > 0)
-        J.joint_by_motor = -inverse.solve(
-            MatrixXd(e.P.transpose() * (parts_.motor->radius() * e.tendon.stiffness).asDiagonal()));
+                               e.tendon.stiffness.data(), J.stiffness.data());
+      if (parts_.guiding) add_guiding_slope(e, J.damping);
+    } else {
+      J.stiffness.setZero(n_, n_);
     }
-    J.joint_by_joint = -inverse.solve(MatrixXd(K));
-    J.joint_by_rate = -inverse.solve(D);
   }
-  if (k_ > 0) motor_jacobian(e, J);
+  motor_jacobian(e, J);
 }
 
 void Plant::motor_jacobian(const Evaluation& e, MotionJacobian& J) const {
-  constexpr double step = 1e-5;  // rad and rad/s; friction and ripple are smooth on this scale
-  const VectorXd torque = e.torque.array() - e.load;
-  const auto slope = [&](double angle, double speed) {
-    const auto at = [&](double sign) {
-      const VectorXd theta = e.theta.array() + sign * angle, omega = e.omega.array() + sign * speed;
-      VectorXd rate(k_);
-      parts_.motor->accelerations(k_, theta.data(), omega.data(), torque.data(), forces_or_zero(e),
-                                  rate.data());
-      return rate;
-    };
-    return VectorXd((at(1.0) - at(-1.0)) / (2.0 * step));
-  };
-  const double per_torque = 1.0 / parts_.motor->inertia(), radius = parts_.motor->radius();
-  J.motor_by_motor = slope(step, 0.0);
-  J.motor_by_rate = slope(0.0, step);
+  J.by_angle.resize(k_);
+  J.by_speed.resize(k_);
+  J.tendon.setZero(k_);
+  if (k_ == 0) return;
+  J.radius = parts_.motor->radius();
+  J.per_torque = 1.0 / parts_.motor->inertia();
+  J.by_angle = e.motor.by_angle;
+  J.by_speed = e.motor.by_speed;
   if (scenario_.drive == DriveMode::servo) {
-    J.motor_by_motor.array() -= scenario_.gain * per_torque;
-    J.motor_by_rate.array() -= scenario_.rate_gain * per_torque;
+    J.by_angle.array() -= scenario_.gain * J.per_torque;
+    J.by_speed.array() -= scenario_.rate_gain * J.per_torque;
   }
   if (tendons_ == 0) return;
-  const VectorXd by_elongation = -radius * per_torque * e.tendon.stiffness;
-  J.motor_by_motor += radius * by_elongation;
-  J.motor_by_joint = by_elongation.asDiagonal() * e.P;
+  J.tendon = e.tendon.stiffness;
+  J.coupling = e.P;
 }
 
-VectorXd Plant::guiding_slope(const Evaluation& e) const {
+void Plant::add_guiding_slope(const Evaluation& e, MotionJacobian::Matrix& D) const {
   const double step = 0.01 * parts_.guiding->reversal_velocity();
   const auto at = [&](double change) {
-    const VectorXd velocity = e.inward.array() + change;
-    VectorXd tension(tendons_);
+    const Eigen::VectorXd velocity = e.inward.array() + change;
+    Eigen::VectorXd tension(tendons_);
     parts_.guiding->transmitted(tendons_, e.force().data(), e.bending.data(), velocity.data(),
                                 tension.data());
     return tension;
   };
   // The finger's tension grows with dh/dt, so this is a damping.
-  return (at(-step) - at(step)) / (2.0 * step);
+  const Eigen::VectorXd slope = (at(-step) - at(step)) / (2.0 * step);
+  D += e.P.transpose() * slope.asDiagonal() * e.P;
 }
 
 }  // namespace sinew

@@ -48,6 +48,10 @@ const Eigen::VectorXd& force_of(const Evaluation& e) {
   return e.tendon.force;
 }
 
+const Eigen::VectorXd& torque_of(const Evaluation& e) {
+  return e.motor.torque;
+}
+
 const Eigen::VectorXd& lever_of(const Evaluation& e) {
   return e.tendon.lever_angle;
 }
@@ -62,7 +66,7 @@ std::vector<Group> drive_groups(const Plant& plant) {
   const MeasurementNoise& noise = plant.scenario().noise;
   std::vector<Group> groups{{{"theta [rad]"}, noise.theta, get<&Evaluation::theta>},
                             {{"omega [rad/s]"}, noise.omega, get<&Evaluation::omega>},
-                            {{"tau_m [N·m]"}, noise.torque, get<&Evaluation::torque>}};
+                            {{"tau_m [N·m]"}, noise.torque, torque_of}};
   if (plant.scenario().drive == DriveMode::servo)
     groups.push_back({{"theta_ref [rad]"}, 0.0, get<&Evaluation::theta_reference>});
   return groups;
@@ -88,7 +92,7 @@ std::vector<Group> joint_groups(const Plant& plant) {
   if (motors > 0) {
     groups.push_back({numbered("theta", motors, "rad"), noise.theta, get<&Evaluation::theta>});
     groups.push_back({numbered("omega", motors, "rad/s"), noise.omega, get<&Evaluation::omega>});
-    groups.push_back({numbered("tau", motors, "N·m"), noise.torque, get<&Evaluation::torque>});
+    groups.push_back({numbered("tau", motors, "N·m"), noise.torque, torque_of});
   }
   if (tendons > 0) groups.push_back({numbered("force", tendons, "N"), noise.force, force_of});
   if (tendons > 0 && motors > 0)
@@ -113,12 +117,12 @@ class Recorder {
         noise_(plant.scenario().noise.seed) {}
 
   void row(double time, const double* y) {
-    plant_.observe(time, y, shown_);
+    const Evaluation& shown = plant_.observed(time, y);
     values_.clear();
     values_.push_back(time);
-    for (const Group& group : groups_) add(group);
-    if (!plant_.joints()) values_.push_back(shown_.load);
-    if (plant_.parts().wrist) values_.insert(values_.end(), {shown_.wrist.q[0], shown_.wrist.q[1]});
+    for (const Group& group : groups_) add(group, shown);
+    if (!plant_.joints()) values_.push_back(shown.load);
+    if (plant_.parts().wrist) values_.insert(values_.end(), {shown.wrist.q[0], shown.wrist.q[1]});
     row_(values_);
     ++result_.rows;
   }
@@ -134,8 +138,8 @@ class Recorder {
   }
 
  private:
-  void add(const Group& group) {
-    const Eigen::VectorXd& all = group.values(shown_);
+  void add(const Group& group, const Evaluation& shown) {
+    const Eigen::VectorXd& all = group.values(shown);
     if (group.noise == 0.0)
       values_.insert(values_.end(), all.begin(), all.end());
     else
@@ -177,7 +181,6 @@ class Recorder {
   SimulationResult& result_;
   std::vector<Group> groups_;
   Noise noise_;
-  Evaluation shown_;
   std::vector<double> values_;
   std::optional<double> start_;
 };

@@ -38,30 +38,25 @@ sinew::Signal swing(double amplitude, double frequency) {
   return signal;
 }
 
-/// Torques on q71 and q73 that move the wrist as it moved in a run, one pair a row.
+/// Torques on q71 and q73 that move the wrist as it moved in a run, one pair a row: what the motion
+/// takes of bars, palm and fingers, less what tendons give.
 std::vector<Eigen::Vector2d> torques(const sinew::Plant& prescribed, const sinew::Joints& joints,
                                      const Run& run) {
   std::vector<Eigen::Vector2d> all;
-  const sinew::Scenario& scenario = prescribed.scenario();
-  const auto n = joints.size(), m = joints.tendons;
+  const auto n = joints.size();
+  sinew::Evaluation e;
   for (const std::vector<double>& row : run.rows) {
-    const sinew::WristMotion wrist = prescribed.parts().wrist->at(
-        scenario.commands.at("flexion").at(row[0]), scenario.commands.at("abduction").at(row[0]));
-    VectorXd q(n), qd(n), pull(n), bias(n);
-    Eigen::MatrixXd M(n, n);
-    q << Eigen::Map<const VectorXd>(&row[1], fingers), wrist.q[0], wrist.q[1];
-    qd << Eigen::Map<const VectorXd>(&row[1 + fingers], fingers), wrist.qd[0], wrist.qd[1];
-    const std::size_t first = run.column("force_1");
-    joints.torque(q.data(), {}, &row[first], pull.data());
-    joints.mass_and_bias(q.data(), qd.data(), {}, M.data(), bias.data());
-    Eigen::Vector2d torque;
-    for (int i = 0; i < 2; ++i) {
-      const int k = fingers + i;
-      torque(i) = M(k, k) * wrist.qdd[i] + bias(k) + joints.damping(k) * qd(k) - pull(k);
-    }
-    all.push_back(torque);
+    VectorXd y(2 * (n - 2)), q(n), qd(n), qdd(n), pull(n), taken(n);
+    y << Eigen::Map<const VectorXd>(&row[1], n - 2), Eigen::Map<const VectorXd>(&row[n - 1], n - 2);
+    prescribed.evaluate(row[0], y.data(), e, true);
+    q << e.q, e.wrist.q[0], e.wrist.q[1];
+    qd << e.qd, e.wrist.qd[0], e.wrist.qd[1];
+    qdd << e.qdd, e.wrist.qdd[0], e.wrist.qdd[1];
+    joints.torque(q.data(), {}, e.force().data(), pull.data());
+    joints.inertial_forces(q.data(), qd.data(), qdd.data(), {}, taken.data());
+    all.push_back((taken - pull + joints.damping.cwiseProduct(qd)).tail<2>());
   }
-  CHECK(m == 38);
+  CHECK(joints.tendons == 38);
   return all;
 }
 
