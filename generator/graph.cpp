@@ -51,7 +51,8 @@ std::uint64_t key(const Node& node) {
   h = mix(h, static_cast<std::uint64_t>(b) + 11);
   h = mix(h, static_cast<std::uint64_t>(node.c) + 13);
   h = mix(h, static_cast<std::uint64_t>(node.index));
-  return mix(h, std::bit_cast<std::uint64_t>(node.constant));
+  h = mix(h, std::bit_cast<std::uint64_t>(node.constant));
+  return h ^ (h >> 32);  // the table looks at the low bits
 }
 
 }  // namespace
@@ -66,14 +67,28 @@ bool is_commutative(Op op) {
   return facts(op).commutative;
 }
 
+// One flat table with linear probing: every pass fills a new graph, and a bucket a node would make
+// allocation the longest part of generating.
+std::size_t Graph::place_of(const Node& node) const {
+  const std::size_t mask = table_.size() - 1;
+  std::size_t place = static_cast<std::size_t>(key(node)) & mask;
+  while (table_[place] != no_value && !same((*this)[table_[place]], node))
+    place = (place + 1) & mask;
+  return place;
+}
+
+void Graph::grow_table() {
+  table_.assign(std::max<std::size_t>(64, 4 * table_.size()), no_value);
+  for (Value v = 0; v < size(); ++v) table_[place_of((*this)[v])] = v;
+}
+
 Value Graph::add(const Node& node) {
-  std::vector<Value>& bucket = index_[key(node)];
-  for (Value v : bucket)
-    if (same((*this)[v], node)) return v;
+  if (2 * nodes_.size() >= table_.size()) grow_table();
+  const std::size_t place = place_of(node);
+  if (table_[place] != no_value) return table_[place];
   nodes_.push_back(node);
   labels_.emplace_back();
-  bucket.push_back(size() - 1);
-  return size() - 1;
+  return table_[place] = size() - 1;
 }
 
 Value Graph::constant(double value) {

@@ -4,7 +4,6 @@
 
 #include <cstdint>
 #include <string>
-#include <unordered_map>
 #include <vector>
 
 #include "generator/range.h"
@@ -70,8 +69,8 @@ struct Port {
   int cols = 1;
   std::string unit;
   std::string doc;
-  std::vector<Range> ranges;  ///< inputs only
-  std::vector<Value> values;  ///< outputs only, rows*cols
+  std::vector<Range> ranges;           ///< inputs only
+  std::vector<Value> values;           ///< outputs only, rows*cols
   std::vector<double> reference = {};  ///< inputs only, as in Argument
   int size() const { return rows * cols; }
 };
@@ -114,9 +113,13 @@ class Graph {
   Graph empty_like() const;
 
  private:
+  /// Where the node's value stands in the table, or the free place for it.
+  std::size_t place_of(const Node& node) const;
+  void grow_table();
+
   std::vector<Node> nodes_;
   std::vector<std::string> labels_;
-  std::unordered_map<std::uint64_t, std::vector<Value>> index_;
+  std::vector<Value> table_;  ///< value numbers by hash of their node; no_value where free
 };
 
 /// How often each node is used as an operand or result.

@@ -33,6 +33,9 @@ class PlanSearch {
   /// mechanism mostly agree.
   Function cheapest(const Derivation& derive);
 
+  /// The function by the plan found last, without a search of its own.
+  Function by_last_plan(const Derivation& derive) { return derive(tree_of(plan_), plan_); }
+
  private:
   const JointTree& tree_of(const DynamicsPlan& plan);
   bool improve(const Derivation& derive, double& least);

@@ -84,8 +84,24 @@ std::vector<ex> JointMap::projected_columns(const std::vector<ex>& matrix) const
 }
 
 std::vector<ex> JointMap::projected_matrix(const std::vector<ex>& joint_matrix) const {
+  return projected_rows(projected_columns(joint_matrix));
+}
+
+std::vector<ex> JointMap::projected_coriolis(const std::vector<ex>& C, const std::vector<ex>& M,
+                                             const std::vector<ex>& qd) const {
   const std::size_t m = joints_.size(), n = coordinates_;
-  const std::vector<ex> columns = projected_columns(joint_matrix);
+  std::vector<ex> columns = projected_columns(C);
+  for (std::size_t j = 0; j < m; ++j) {
+    if (joints_[j].curvature.is_zero()) continue;
+    const auto k = static_cast<std::size_t>(joints_[j].coordinate);
+    for (std::size_t i = 0; i < m; ++i)
+      columns[i * n + k] += M[i * m + j] * joints_[j].curvature * qd[k];
+  }
+  return projected_rows(columns);
+}
+
+std::vector<ex> JointMap::projected_rows(const std::vector<ex>& columns) const {
+  const std::size_t m = joints_.size(), n = coordinates_;
   std::vector<ex> result(n * n, ex(0));
   for (std::size_t i = 0; i < m; ++i)
     for (std::size_t j = 0; j < n; ++j)

@@ -34,10 +34,17 @@ class JointMap {
   std::vector<GiNaC::ex> projected(const std::vector<GiNaC::ex>& joint_forces) const;
   /// J^T M J, row-major.
   std::vector<GiNaC::ex> projected_matrix(const std::vector<GiNaC::ex>& joint_matrix) const;
+  /// J^T (C J + M dJ/dt), row-major: Christoffel symbols of J^T M J where C has those of M.
+  std::vector<GiNaC::ex> projected_coriolis(const std::vector<GiNaC::ex>& C,
+                                            const std::vector<GiNaC::ex>& M,
+                                            const std::vector<GiNaC::ex>& qd) const;
   /// A J for a row-major matrix with one column a moving joint.
   std::vector<GiNaC::ex> projected_columns(const std::vector<GiNaC::ex>& matrix) const;
 
  private:
+  /// J^T A for a row-major matrix with one row a moving joint and one column a coordinate.
+  std::vector<GiNaC::ex> projected_rows(const std::vector<GiNaC::ex>& matrix) const;
+
   std::vector<Entry> joints_;  // per moving joint
   std::size_t coordinates_;
 };

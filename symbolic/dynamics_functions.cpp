@@ -121,12 +121,15 @@ class DynamicsFunctions {
                 "Coriolis matrix C(q,qd) in Christoffel form: dM/dt - 2 C is skew-symmetric.",
                 "(2.1)", {q_, qd_});
       DefinitionList list;
-      const auto M = reduced_mass_matrix(list, tree, plan);
-      const auto C = coriolis_matrix(list, M, q_.symbols, expressions(qd_.symbols));
+      const JointMap joints = coordinates_.at(list, expressions(q_.symbols));
+      const std::vector<ex> qd = expressions(qd_.symbols);
+      const CoriolisAndMass of_joints =
+          coriolis_matrix(list, tree, plan, joints.positions(), joints.velocities(qd));
+      const auto C = joints.projected_coriolis(of_joints.C, of_joints.M, qd);
       return finish(f, list, {output("C", n_, n_, C, inertia_unit() + "/s", "Coriolis matrix")});
     };
-    const JointTree tree = build_joint_tree(mechanism_);
-    return parameters_ ? with_parameters(derive, tree, {}) : derive(tree, {});
+    // the plan of the mass matrix, whose composites and columns these are: no search of its own
+    return search_.by_last_plan(opened(derive));
   }
 
  private:
@@ -171,11 +174,14 @@ class DynamicsFunctions {
     return f;
   }
 
-  Function cheapest(const Derivation& derive) {
-    if (!parameters_) return search_.cheapest(derive);
-    return search_.cheapest([&](const JointTree& numbers, const DynamicsPlan& plan) {
+  Function cheapest(const Derivation& derive) { return search_.cheapest(opened(derive)); }
+
+  /// The derivation with masses and gravity as arguments, where they are.
+  Derivation opened(const Derivation& derive) const {
+    if (!parameters_) return derive;
+    return [this, derive](const JointTree& numbers, const DynamicsPlan& plan) {
       return with_parameters(derive, numbers, plan);
-    });
+    };
   }
 
   Function with_parameters(const Derivation& derive, JointTree tree,

@@ -18,10 +18,10 @@ using PlanePoint = std::array<ex, 2>;
 PlanePoint exact_point(const Eigen::Vector2d& p) {
   return {exact_number(p.x()), exact_number(p.y())};
 }
-PlanePoint operator-(const PlanePoint& a, const PlanePoint& b) {
+PlanePoint plane_difference(const PlanePoint& a, const PlanePoint& b) {
   return {a[0] - b[0], a[1] - b[1]};
 }
-ex dot(const PlanePoint& a, const PlanePoint& b) {
+ex plane_dot(const PlanePoint& a, const PlanePoint& b) {
   return a[0] * b[0] + a[1] * b[1];
 }
 
@@ -35,12 +35,13 @@ struct Stretch {
 
 Stretch stretch(DefinitionList& list, const std::string& name, const PlanePoint& from,
                 const ex& from_radius, const PlanePoint& to, const ex& to_radius) {
-  const PlanePoint gap = to - from;
+  const PlanePoint gap = plane_difference(to, from);
   const PlanePoint D{list.define(name + "_x", gap[0]), list.define(name + "_y", gap[1])};
   const ex k = from_radius - to_radius;
   // A hundredth of a millimetre of tangent is the least where the pulleys would overlap.
   const numeric least(1, 10000000000);
-  const ex distance_squared = list.define(name + "_distance_squared", maximum(dot(D, D), least));
+  const ex distance_squared =
+      list.define(name + "_distance_squared", maximum(plane_dot(D, D), least));
   Stretch s;
   s.margin = list.define(name + "_margin", distance_squared - k * k);
   s.length = list.define(name + "_length", GiNaC::sqrt(maximum(s.margin, least)));
@@ -71,7 +72,7 @@ LeverGeometry lever_geometry(DefinitionList& list, const LeverParameters& p, con
   LeverGeometry g;
   g.length = list.define("dL", first.length + second.length + (signed_1 - signed_2) * first.angle +
                                    (signed_2 - signed_3) * second.angle);
-  const PlanePoint turn = first.along - second.along;
+  const PlanePoint turn = plane_difference(first.along, second.along);
   g.slope = list.define("dL_slope", l * (turn[1] * cosine - turn[0] * sine));
   const ex floor = exact_number(p.singular_margin) * l;
   g.safe_slope = list.define("dL_safe_slope",
@@ -82,17 +83,17 @@ LeverGeometry lever_geometry(DefinitionList& list, const LeverParameters& p, con
   const ex cos_beta = rational_value(GiNaC::cos(beta)), sin_beta = rational_value(GiNaC::sin(beta));
   const PlanePoint tip{list.define("spring_x", arm * (cos_beta * cosine - sin_beta * sine)),
                        list.define("spring_y", arm * (sin_beta * cosine + cos_beta * sine))};
-  const PlanePoint base = anchor - pivot;
-  const ex constant = arm * arm + dot(base, base);
+  const PlanePoint base = plane_difference(anchor, pivot);
+  const ex constant = arm * arm + plane_dot(base, base);
   const auto spring_length = [&](const PlanePoint& at) {
-    return GiNaC::sqrt(constant - 2 * dot(base, at));
+    return GiNaC::sqrt(constant - 2 * plane_dot(base, at));
   };
   const ex free = exact_number(p.free_angle) + beta;
   const ex free_length = rational_value(spring_length(
       {arm * rational_value(GiNaC::cos(free)), arm * rational_value(GiNaC::sin(free))}));
-  const ex length =
-      list.define("spring_length",
-                  GiNaC::sqrt(list.define("spring_length_squared", constant - 2 * dot(base, tip))));
+  const ex length = list.define(
+      "spring_length",
+      GiNaC::sqrt(list.define("spring_length_squared", constant - 2 * plane_dot(base, tip))));
   const ex strain = list.define("spring_strain", 1 - free_length / length);
   // ℓ ℓ' = -base · d(tip)/dθ
   const ex lever_arm = list.define("spring_moment", base[0] * tip[1] - base[1] * tip[0]);

@@ -1,32 +1,29 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "symbolic/mass_matrix.h"
 
+#include "symbolic/composites.h"
 #include "symbolic/joint_angles.h"
 #include "symbolic/link_motion.h"
-#include "symbolic/run_geometry.h"
 
 namespace sinew {
 namespace {
 
 using GiNaC::ex;
 
-class CompositeSweep {
+class MassMatrixSweep {
  public:
-  CompositeSweep(DefinitionList& list, const JointTree& tree, const DynamicsPlan& plan,
-                 const std::vector<ex>& q)
+  MassMatrixSweep(DefinitionList& list, const JointTree& tree, const DynamicsPlan& plan,
+                  const std::vector<ex>& q)
       : list_(list),
         tree_(tree),
         q_(q),
         runs_(split_into_runs(tree, plan)),
         angles_(joint_angles(list, tree, runs_, q)),
-        geometry_(runs_.runs.size()),
+        composites_(list, tree, runs_, angles_, q),
         n_(tree.links.size()),
-        M_(n_ * n_, ex(0)) {
-    inertias_ = tree.inertias;
-  }
+        M_(n_ * n_, ex(0)) {}
 
   std::vector<ex> run() {
-    place_runs();
     for (std::size_t r = runs_.runs.size(); r-- > 0;) {
       if (runs_.runs[r].common_frame)
         close_common_frame(r);
@@ -39,17 +36,7 @@ class CompositeSweep {
  private:
   const TreeLink& link(int i) const { return tree_.links[static_cast<std::size_t>(i)]; }
 
-  /// Positions in all runs first: columns pass through runs nearer to the base.
-  void place_runs() {
-    for (std::size_t r = 0; r < runs_.runs.size(); ++r) {
-      const Run& run = runs_.runs[r];
-      if (!run.common_frame) continue;
-      std::vector<PseudoInertia> massless(run.links.size());
-      geometry_[r] = run_geometry(list_, tree_, run, angles_, massless);
-    }
-  }
-
-  /// Origin of the frame in which a run's wrench and composite are handed on, in its carrier.
+  /// Origin of the frame in which a run's wrench is handed on, in its carrier.
   const NumberVector3& origin_of(int root) const {
     return runs_.runs[static_cast<std::size_t>(runs_.run_of[static_cast<std::size_t>(root)])]
         .origin;
@@ -67,14 +54,11 @@ class CompositeSweep {
   void close_own_frame(std::size_t r) {
     const int i = runs_.runs[r].links[0];
     const std::string name = std::to_string(i + 1);
-    const PseudoInertia& J = inertias_[static_cast<std::size_t>(i)];
+    const PseudoInertia& J = composites_.beyond(i);
     Wrench column;
-    PseudoInertia before;  // in the joint's frame before its motion
     if (link(i).type == JointType::prismatic) {
       column = {{ex(0), ex(0), J[3][3]}, {J[1][3], -J[0][3], ex(0)}};
       set(i, i, J[3][3]);
-      const Vector3ex slide{ex(0), ex(0), q_[static_cast<std::size_t>(link(i).coordinate)]};
-      before = shifted(list_, "C" + name, slide, J);
     } else {
       column = {{-J[1][3], J[0][3], ex(0)},
                 {-J[0][2], -J[1][2], named(list_, "Z" + name, J[0][0] + J[1][1])}};
@@ -82,17 +66,12 @@ class CompositeSweep {
       const CosSin& angle = angles_[static_cast<std::size_t>(i)];
       column = {named(list_, "cF" + name, turn(angle, column.F)),
                 named(list_, "cN" + name, turn(angle, column.N))};
-      before = turned(list_, "C" + name, angle, J);
     }
     hand_to_carrier(i, i, column);
-    add_to_carrier(i, before);
   }
 
   void close_common_frame(std::size_t r) {
-    const Run& run = runs_.runs[r];
-    std::vector<PseudoInertia> inertias;
-    for (int i : run.links) inertias.push_back(inertias_[static_cast<std::size_t>(i)]);
-    const std::vector<RunLink> links = run_geometry(list_, tree_, run, angles_, inertias);
+    const std::vector<RunLink>& links = composites_.run(r);
     for (std::size_t k = links.size(); k-- > 0;) {
       const RunLink& at = links[k];
       ex inertia = at.Z;
@@ -109,33 +88,6 @@ class CompositeSweep {
       hand_to_carrier(links[0].link, at.link,
                       {{-at.S[1], at.S[0], ex(0)}, {-at.K[0][2], -at.K[1][2], N_z}});
     }
-    const RunLink& root = links[0];
-    PseudoInertia whole;
-    const Vector3ex o{root.o[0], root.o[1], ex(0)};
-    Vector3ex moment;  // integral of r about {P}'s origin
-    for (std::size_t i = 0; i < 3; ++i) {
-      moment[i] = named(list_, "S_", root.S[i] + root.m * o[i]);
-      whole[i][3] = whole[3][i] = moment[i];
-    }
-    for (std::size_t i = 0; i < 2; ++i)
-      for (std::size_t j = 0; j < 3; ++j)
-        whole[i][j] = whole[j][i] = named(list_, "K_", root.K[i][j] + o[i] * moment[j]);
-    whole[2][2] = root.zz;
-    whole[3][3] = root.m;
-    add_to_carrier(root.link, whole);
-  }
-
-  void add_to_carrier(int root, const PseudoInertia& J) {
-    const int parent = link(root).parent;
-    if (parent < 0) return;
-    const std::string name = "C" + std::to_string(root + 1);
-    const PseudoInertia turned_J = rotated(list_, name + "r", link(root).R, J);
-    PseudoInertia& carrier = inertias_[static_cast<std::size_t>(parent)];
-    carrier = carrier + shifted(list_, name + "s", to_expression(origin_of(root)), turned_J);
-    for (std::size_t i = 0; i < 4; ++i)
-      for (std::size_t j = i; j < 4; ++j)
-        carrier[i][j] = carrier[j][i] =
-            named(list_, "I" + std::to_string(parent + 1), carrier[i][j]);
   }
 
   /// Column of joint `i`, given in the frame of `root`'s run before motion, for all joints nearer
@@ -168,7 +120,7 @@ class CompositeSweep {
   }
 
   void pass_common_frame(std::size_t r, int p, int i, const Wrench& at) {
-    const std::vector<RunLink>& links = geometry_[r];
+    const std::vector<RunLink>& links = composites_.run(r);
     std::size_t k = 0;
     while (links[k].link != p) ++k;
     const CosSin& angle = links[k].angle;
@@ -193,17 +145,16 @@ class CompositeSweep {
   const std::vector<ex>& q_;
   Runs runs_;
   std::vector<CosSin> angles_;
-  std::vector<std::vector<RunLink>> geometry_;
+  Composites composites_;
   std::size_t n_;
   std::vector<ex> M_;
-  std::vector<PseudoInertia> inertias_;
 };
 
 }  // namespace
 
 std::vector<ex> mass_matrix(DefinitionList& list, const JointTree& tree, const DynamicsPlan& plan,
                             const std::vector<ex>& q) {
-  return CompositeSweep(list, tree, plan, q).run();
+  return MassMatrixSweep(list, tree, plan, q).run();
 }
 
 }  // namespace sinew

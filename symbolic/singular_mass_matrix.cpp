@@ -88,18 +88,18 @@ namespace {
 
 /// The moving joints that have a coordinate of their own, and how all moving joints go with them. A
 /// four-bar's joint moves by any share: whether it carries inertia does not depend on it.
-struct Motion {
+struct CoordinateMap {
   std::vector<std::size_t> joints;
   Eigen::MatrixXd J;
 };
 
-Motion motion_of(const Mechanism& mechanism) {
+CoordinateMap coordinate_map_of(const Mechanism& mechanism) {
   std::map<std::string, std::pair<std::string, double>> follows;
   for (const JointCoupling& each : mechanism.couplings)
     follows[each.dependent] = {each.independent, each.ratio};
   for (const FourBarCoupling& each : mechanism.four_bars)
     follows[each.dependent] = {each.independent, 0.7236};
-  Motion motion;
+  CoordinateMap motion;
   std::map<std::string, Eigen::Index> column;
   for (std::size_t i = 0; i < mechanism.joints.size(); ++i) {
     const Joint& joint = mechanism.joints[i];
@@ -125,7 +125,7 @@ Motion motion_of(const Mechanism& mechanism) {
 std::optional<std::size_t> joint_without_inertia(const Mechanism& mechanism) {
   const std::vector<int> coordinate = coordinate_of_joint(mechanism);
   const int count = coordinate_count(mechanism);
-  const Motion motion = motion_of(mechanism);
+  const CoordinateMap motion = coordinate_map_of(mechanism);
   if (count == 0 || motion.joints.empty()) return std::nullopt;
   int null = -1;
   for (int sample = 0; sample < 4; ++sample) {

@@ -53,7 +53,7 @@ void ring_mass_matrix(const double q[SINEW_AT_LEAST(3)], double M[SINEW_AT_LEAST
  *   in  q             3 [rad] joint positions; made for -0.35..0.35, -0.2..1.6, -0.2..1.6
  *   in  qd            3 [rad/s] joint velocities; made for -10..10
  *   out C           3x3 [kg m^2/s] Coriolis matrix
- * 66 multiplications, 59 additions, 3 sincos. */
+ * 63 multiplications, 50 additions, 3 sincos. */
 void ring_coriolis_matrix(const double q[SINEW_AT_LEAST(3)], const double qd[SINEW_AT_LEAST(3)], double C[SINEW_AT_LEAST(9)]);
 
 /* Joint torques that hold the mechanism still: g(q). (2.1)

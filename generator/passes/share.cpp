@@ -7,6 +7,9 @@
 //
 // A difference whose opposite is there becomes its negation, which `move_signs` then carries to
 // where it costs nothing:  a - b, b - a  ->  d = a - b, -d.
+#include <cstdint>
+#include <unordered_map>
+
 #include "generator/passes/passes.h"
 #include "generator/rewrite.h"
 
