@@ -78,7 +78,7 @@ std::shared_ptr<void> open_library(const fs::path& library) {
 
 CompiledModel::CompiledModel(const fs::path& folder, const fs::path& runtime)
     : name_((folder / "").lexically_normal().parent_path().filename().string()) {
-  load(folder, runtime, false);
+  load(folder, runtime, {"-O2"}, false);
 }
 
 CompiledModel::CompiledModel(const EmittedModel& model, const fs::path& runtime, bool with_batch)
@@ -89,14 +89,16 @@ CompiledModel::CompiledModel(const EmittedModel& model, const fs::path& runtime,
     out << text;
     if (!out.flush()) throw std::runtime_error((scratch.path / file).string() + ": not written");
   }
-  load(scratch.path, runtime, with_batch);
+  load(scratch.path, runtime, {"-O3", "-march=native"}, with_batch);
 }
 
-void CompiledModel::load(const fs::path& folder, const fs::path& runtime, bool with_batch) {
+void CompiledModel::load(const fs::path& folder, const fs::path& runtime,
+                         std::vector<std::string> options, bool with_batch) {
   const Scratch scratch;
   const std::string stem = (folder / name_).string();
   const fs::path library = scratch.path / "model.so";
-  compile(folder, runtime, library, {"-O2", stem + ".c", stem + "_catalogue.c"});
+  options.insert(options.end(), {stem + ".c", stem + "_catalogue.c"});
+  compile(folder, runtime, library, options);
   library_ = open_library(library);
   if (with_batch) {
     const fs::path loops = scratch.path / "batch.so";

@@ -19,8 +19,8 @@ class CompiledModel {
   /// those of the package. Throws std::runtime_error where the model does not compile or cannot be
   /// loaded.
   CompiledModel(const std::filesystem::path& folder, const std::filesystem::path& runtime);
-  /// The same from a model that is not written anywhere. `with_batch`: the loops over many states
-  /// too, for this machine's vectors; their numbers are the same bit by bit.
+  /// The same from a model that is not written anywhere, compiled for this machine. `with_batch`:
+  /// the loops over many states too; all numbers are the same bit by bit.
   CompiledModel(const EmittedModel& model, const std::filesystem::path& runtime,
                 bool with_batch = false);
 
@@ -45,7 +45,7 @@ class CompiledModel {
 
  private:
   void load(const std::filesystem::path& folder, const std::filesystem::path& runtime,
-            bool with_batch);
+            std::vector<std::string> options, bool with_batch);
   void* find_batch(const std::string& name) const;
   const sinew_function* search(const std::string& name) const;
 

@@ -43,7 +43,7 @@ FingerCarriers::FingerCarriers(const Hand& hand, const Eigen::Vector3d& gravity,
   held_.assign(std::max(joints_ + most_carriers, motion_size), 0.0);
   poses_.resize(16 * k);
   twists_.resize(twist_size * k);
-  all_.resize(joints_ + most_carriers);
+  forces_.resize(joints_);
   wrench_.resize(k);
   for (Response& each : response_) {
     each.twist.resize(twist_size * k);
@@ -55,6 +55,8 @@ FingerCarriers::FingerCarriers(const Hand& hand, const Eigen::Vector3d& gravity,
 void FingerCarriers::put_on(const PalmParameters& palm) {
   palm_ = palm;
   free_ = count_ - (palm.moves ? 0 : 2);
+  forces_known_ = false;
+  asked_.assign(3 * coordinates() + 6, 0.0);
 }
 
 FingerCarriers::Triple FingerCarriers::carriers(const double* free_values,
@@ -85,10 +87,13 @@ void FingerCarriers::find_twists(const Triple& c, const Triple& rate, double* tw
   twist_->call(in_.data(), twist);
 }
 
-void FingerCarriers::find_forces(const double* q, const double* qd, const double* qdd,
-                                 double* tau) const {
+void FingerCarriers::find_forces(const double* q, const double* qd, const double* qdd, double* tau,
+                                 bool freely_carried) const {
   for (std::size_t k = 0; k < fingers_.size(); ++k) {
-    fingers_[k].inverse(q, qd, qdd, &base_[k * motion_size], tau, wrench_[k].data());
+    if (!freely_carried || carries(free_ - 1, k))
+      fingers_[k].inverse(q, qd, qdd, &base_[k * motion_size], tau, wrench_[k].data());
+    else
+      wrench_[k].fill(0.0);
     const int n = fingers_[k].size();
     q += n, qd += n, qdd += n, tau += n;
   }
@@ -141,8 +146,9 @@ void FingerCarriers::acceleration(const double* q, const double* qd, const Wrist
     at += static_cast<std::size_t>(fingers_[k].size());
   }
   if (free_ == 0) return;
+  forces_known_ = false;
   // The free carriers with the fingers behind them: what these weigh is what they answer with.
-  find_forces(q, qd, qdd, all_.data());
+  find_forces(q, qd, qdd, forces_.data(), true);
   find_responses(q, c, false);
   const auto free = static_cast<Eigen::Index>(free_);
   Solved inertia(free, free);
@@ -161,15 +167,27 @@ void FingerCarriers::acceleration(const double* q, const double* qd, const Wrist
   }
 }
 
+void FingerCarriers::find_motion_forces(const double* q, const double* qd, const double* qdd,
+                                        const WristMotion& wrist) const {
+  double* next = asked_.data();
+  for (const double* each : {q, qd, qdd}) next = std::copy(each, each + coordinates(), next);
+  for (const double* each : {wrist.q, wrist.qd, wrist.qdd}) next = std::copy(each, each + 2, next);
+  if (forces_known_ && asked_ == known_) return;
+  find_base_motion(carriers(q + joints_, wrist.q), carriers(qd + joints_, wrist.qd),
+                   carriers(qdd + joints_, wrist.qdd));
+  find_forces(q, qd, qdd, forces_.data(), false);
+  forces_known_ = true;
+  known_ = asked_;
+}
+
 void FingerCarriers::inertial_forces(const double* q, const double* qd, const double* qdd,
                                      const WristMotion& wrist, double* tau) const {
-  const Triple c = carriers(q + joints_, wrist.q);
-  find_base_motion(c, carriers(qd + joints_, wrist.qd), carriers(qdd + joints_, wrist.qdd));
-  find_forces(q, qd, qdd, tau);
+  find_motion_forces(q, qd, qdd, wrist);
+  std::copy(forces_.begin(), forces_.begin() + static_cast<int>(joints_), tau);
   for (std::size_t j = 0; j < free_; ++j) {
     Triple unit{};
     unit[j] = 1.0;
-    find_twists(c, unit, twists_.data());
+    find_twists(carriers(q + joints_, wrist.q), unit, twists_.data());
     tau[joints_ + j] = own_inertia(j) * qdd[joints_ + j] + power(wrench_, twists_.data());
   }
 }
@@ -224,10 +242,8 @@ double FingerCarriers::energy(const double* q, const double* qd, const WristMoti
 double FingerCarriers::base_power(const double* q, const double* qd, const double* qdd,
                                   const WristMotion& wrist) const {
   if (free_ == count_ || (wrist.qd[0] == 0.0 && wrist.qd[1] == 0.0)) return 0.0;
-  const Triple c = carriers(q + joints_, wrist.q);
-  find_base_motion(c, carriers(qd + joints_, wrist.qd), carriers(qdd + joints_, wrist.qdd));
-  find_forces(q, qd, qdd, all_.data());
-  find_twists(c, carriers(held_.data(), wrist.qd), twists_.data());
+  find_motion_forces(q, qd, qdd, wrist);
+  find_twists(carriers(q + joints_, wrist.q), carriers(held_.data(), wrist.qd), twists_.data());
   return power(wrench_, twists_.data());
 }
 

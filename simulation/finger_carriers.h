@@ -57,8 +57,13 @@ class FingerCarriers {
 
   void find_base_motion(const Triple& c, const Triple& rate, const Triple& acceleration) const;
   void find_twists(const Triple& c, const Triple& rate, double* twist) const;
-  /// Inverse dynamics of all fingers under the bases' motion found last.
-  void find_forces(const double* q, const double* qd, const double* qdd, double* tau) const;
+  /// Inverse dynamics of the fingers under the bases' motion found last: of all, or of those on
+  /// carriers that are free.
+  void find_forces(const double* q, const double* qd, const double* qdd, double* tau,
+                   bool freely_carried) const;
+  /// Forces and wrenches of a motion, kept for the one asked for last.
+  void find_motion_forces(const double* q, const double* qd, const double* qdd,
+                          const WristMotion& wrist) const;
   /// With the joints free, or held where `joints_held`.
   void find_responses(const double* q, const Triple& c, bool joints_held) const;
   /// Power that wrenches of the bases give to a twist [W].
@@ -76,7 +81,9 @@ class FingerCarriers {
   const sinew_function* twist_ = nullptr;
   const sinew_function* motion_ = nullptr;
   // For one call after the other.
-  mutable std::vector<double> in_, base_, held_, poses_, twists_, all_;
+  mutable std::vector<double> in_, base_, held_, poses_, twists_;
+  mutable std::vector<double> forces_, asked_, known_;
+  mutable bool forces_known_ = false;  ///< for the motion `known_`, with wrench_
   mutable std::vector<Wrench> wrench_;
   mutable std::array<Response, most_carriers> response_;
 };

@@ -2,7 +2,6 @@
 #include "simulation/hand_tendons.h"
 
 #include <algorithm>
-#include <limits>
 
 #include "generator/assemble.h"
 #include "symbolic/differentiate.h"
@@ -49,8 +48,8 @@ HandTendons::HandTendons(const Hand& hand, const std::vector<FingerDynamics>& fi
     members_.push_back({fingers[k], hand.fingers[k].channels, crank_, size});
     crank_ += size;
   }
-  lengths_ = &wrist_.find("tendon_lengths");
-  jacobian_ = &wrist_.find("tendon_jacobian");
+  lengths_ = {&wrist_.find("tendon_lengths"), std::vector<double>(m_)};
+  jacobian_ = {&wrist_.find("tendon_jacobian"), std::vector<double>(2 * m_)};
   torque_ = &wrist_.find("joint_torque");
   stiffness_ = &wrist_.find("joint_stiffness");
   bending_ = &wrist_.find("bending_angles");
@@ -58,23 +57,21 @@ HandTendons::HandTendons(const Hand& hand, const std::vector<FingerDynamics>& fi
     crank_lengths_ = &wrist_.find("crank_lengths");
     crank_coupling_ = &wrist_.find("crank_coupling");
   }
-  wrist_lengths_.resize(m_);
-  wrist_coupling_.resize(2 * m_);
   in_.resize(2 + 2 * m_);
   P_.resize(m_ * (crank_ + 3));
-  passed_[0] = std::numeric_limits<double>::quiet_NaN();
 }
 
-void HandTendons::pass_wrist(const double* bars) const {
-  if (std::equal(bars, bars + 2, passed_)) return;
-  lengths_->call(bars, wrist_lengths_.data());
-  jacobian_->call(bars, wrist_coupling_.data());
-  std::copy(bars, bars + 2, passed_);
+const double* HandTendons::Passed::at(const double* bars) const {
+  if (!std::equal(bars, bars + 2, pose)) {
+    function->call(bars, values.data());
+    std::copy(bars, bars + 2, pose);
+  }
+  return values.data();
 }
 
 void HandTendons::lengths(const double* q, const double* bars, double* h) const {
-  pass_wrist(bars);
-  std::copy(wrist_lengths_.begin(), wrist_lengths_.end(), h);
+  const double* wrist = lengths_.at(bars);
+  std::copy(wrist, wrist + m_, h);
   double own[most_numbers];
   for (const Member& member : members_) {
     member.finger.lengths(q + member.first, own);
@@ -119,15 +116,15 @@ void HandTendons::coupling(const double* q, const double* bars, std::size_t colu
       P[static_cast<std::size_t>(crank_channels_[i]) * columns + crank_] = own[i];
   }
   if (!with_wrist) return;
-  pass_wrist(bars);
+  const double* wrist = jacobian_.at(bars);
   for (std::size_t i = 0; i < m_; ++i)
-    std::copy(&wrist_coupling_[2 * i], &wrist_coupling_[2 * i] + 2, P + (i + 1) * columns - 2);
+    std::copy(wrist + 2 * i, wrist + 2 * i + 2, P + (i + 1) * columns - 2);
 }
 
 void HandTendons::wrist_rate(const double* bars, const double* rates, double* h_rate) const {
-  pass_wrist(bars);
+  const double* wrist = jacobian_.at(bars);
   for (std::size_t i = 0; i < m_; ++i)
-    h_rate[i] = wrist_coupling_[2 * i] * rates[0] + wrist_coupling_[2 * i + 1] * rates[1];
+    h_rate[i] = wrist[2 * i] * rates[0] + wrist[2 * i + 1] * rates[1];
 }
 
 void HandTendons::stiffness(const double* q, const double* bars, const double* f, const double* kt,

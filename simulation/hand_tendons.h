@@ -4,6 +4,7 @@
 // Coordinates: the fingers', the crank where there is a four-bar and, where told so, q71 and q73.
 #pragma once
 
+#include <limits>
 #include <vector>
 
 #include "simulation/finger_dynamics.h"
@@ -41,8 +42,14 @@ class HandTendons {
     std::size_t first = 0, size = 0;  ///< of its coordinates
   };
 
-  /// Lengths and coupling of the wrist, which is asked for the same pose again and again.
-  void pass_wrist(const double* bars) const;
+  /// A function of the wrist's pose, which is asked for the same one again and again.
+  struct Passed {
+    const sinew_function* function = nullptr;
+    mutable std::vector<double> values;
+    mutable double pose[2] = {std::numeric_limits<double>::quiet_NaN(), 0.0};  ///< none yet
+    const double* at(const double* bars) const;
+  };
+
   void add_wrist_stiffness(const double* bars, const double* f, const double* kt,
                            std::size_t columns, double* K) const;
 
@@ -51,16 +58,14 @@ class HandTendons {
   std::vector<int> crank_channels_;
   std::size_t crank_ = 0;  ///< its coordinate
   std::size_t m_ = 0;
-  const sinew_function* lengths_ = nullptr;
-  const sinew_function* jacobian_ = nullptr;
+  Passed lengths_, jacobian_;
   const sinew_function* torque_ = nullptr;
   const sinew_function* stiffness_ = nullptr;
   const sinew_function* bending_ = nullptr;
   const sinew_function* crank_lengths_ = nullptr;
   const sinew_function* crank_coupling_ = nullptr;
   // For one call after the other.
-  mutable std::vector<double> wrist_lengths_, wrist_coupling_, in_, P_;
-  mutable double passed_[2];  ///< bars that the wrist was passed at; not a number: none yet
+  mutable std::vector<double> in_, P_;
 };
 
 }  // namespace sinew

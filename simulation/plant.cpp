@@ -153,7 +153,6 @@ void Plant::take_paths(Evaluation& e, bool with_rates) const {
   const Joints& joints = *parts_.joints;
   e.h.resize(tendons_);
   joints.lengths(e.q.data(), e.wrist, e.h.data());
-  e.has_rates = with_rates;
   if (with_rates) {
     e.P.resize(tendons_, n_);
     e.wrist_rate.resize(tendons_);
@@ -205,7 +204,7 @@ void Plant::take_motors(Evaluation& e) const {
 
 void Plant::evaluate(double time, const double* y, Evaluation& e, bool with_rates) const {
   take_state(time, y, e);
-  e.has_rates = true;
+  e.has_rates = with_rates;
   e.joint_torque = e.external;
   if (tendons_ > 0) {
     take_paths(e, with_rates || parts_.guiding.has_value());
@@ -219,6 +218,8 @@ void Plant::evaluate(double time, const double* y, Evaluation& e, bool with_rate
     if (scenario_.joint_damping) e.joint_torque -= parts_.joints->damping.cwiseProduct(e.qd);
     parts_.joints->acceleration(e.q.data(), e.qd.data(), e.wrist, e.joint_torque.data(),
                                 e.qdd.data());
+    if (with_rates)
+      e.base_power = parts_.joints->base_power(e.q.data(), e.qd.data(), e.qdd.data(), e.wrist);
   }
   take_motors(e);
 }

@@ -64,7 +64,8 @@ struct Evaluation {
   TendonStates tendon;                              ///< force: on the motor's side
   Eigen::VectorXd external, joint_torque;           ///< on the joints: from outside; all [N·m]
   Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> P;
-  double load = 0.0;  ///< N·m, against the motor
+  double load = 0.0;        ///< N·m, against the motor
+  double base_power = 0.0;  ///< W, of the base's prescribed motion; with rates only
   bool has_rates = false;
   WristMotion wrist;
 

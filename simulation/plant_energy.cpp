@@ -16,7 +16,7 @@ Powers Plant::powers(const Evaluation& e) const {
     power[external_power] = e.external.dot(e.qd);
     if (scenario_.joint_damping)
       power[damping_power] = -parts_.joints->damping.dot(e.qd.cwiseProduct(e.qd));
-    power[base_power] = parts_.joints->base_power(e.q.data(), e.qd.data(), e.qdd.data(), e.wrist);
+    power[base_power] = e.base_power;
   }
   if (tendons_ == 0) return power;
   power[guiding_power] = (e.force() - e.finger_force).dot(e.h_rate - e.wrist_rate);

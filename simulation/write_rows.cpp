@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <charconv>
 #include <cstring>
-#include <iterator>
 #include <stdexcept>
 
 namespace sinew {
@@ -28,18 +28,20 @@ void RowWriter::fail(const char* what) const {
   throw std::runtime_error(fmt::format("{}: {}: {}", file_.string(), what, std::strerror(errno)));
 }
 
-void RowWriter::put(const std::string& text) {
+void RowWriter::put(std::string_view text) {
   if (std::fwrite(text.data(), 1, text.size(), stream_) != text.size()) fail("cannot be written");
 }
 
 void RowWriter::write(const std::vector<double>& row) {
-  line_.clear();
+  constexpr std::size_t longest = 32;  // of a number's shortest text, with its comma
+  text_.resize(longest * row.size() + 1);
+  char* next = text_.data();
   for (const double value : row) {
-    if (!line_.empty()) line_ += ',';
-    fmt::format_to(std::back_inserter(line_), "{}", value);
+    next = std::to_chars(next, next + longest, value).ptr;
+    *next++ = ',';
   }
-  line_ += '\n';
-  put(line_);
+  next[row.empty() ? 0 : -1] = '\n';
+  put({text_.data(), row.empty() ? next + 1 : next});
 }
 
 void RowWriter::finish() {

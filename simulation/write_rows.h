@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace sinew {
@@ -23,11 +24,11 @@ class RowWriter {
 
  private:
   [[noreturn]] void fail(const char* what) const;
-  void put(const std::string& text);
+  void put(std::string_view text);
 
   std::filesystem::path file_, partial_;
   std::FILE* stream_ = nullptr;
-  std::string line_;
+  std::string text_;  ///< of one row
 };
 
 }  // namespace sinew
