@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string content(const fs::path& path) {
+std::string file_content(const fs::path& path) {
   std::ifstream in(path, std::ios::binary);
   return {std::istreambuf_iterator<char>(in), {}};
 }
@@ -31,7 +31,7 @@ std::string described_files(const fs::path& folder) {
   for (const char* name :
        {"hand.toml", "identified.toml", "mass_properties.csv", "mechanism.toml", "part.toml"}) {
     if (!fs::exists(folder / name)) continue;
-    const std::string text = content(folder / name);
+    const std::string text = file_content(folder / name);
     all += fmt::format("{} {}\n{}", name, text.size(), text);
   }
   return all;

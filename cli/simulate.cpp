@@ -21,10 +21,10 @@ struct SimulateOptions {
 };
 
 /// Percent done, rewritten in one line of a terminal.
-class Progress {
+class RunProgress {
  public:
-  explicit Progress(double duration) : duration_(duration), shown_(::isatty(2) != 0) {}
-  ~Progress() {
+  explicit RunProgress(double duration) : duration_(duration), shown_(::isatty(2) != 0) {}
+  ~RunProgress() {
     if (last_ >= 0) fmt::print(stderr, "\r      \r");
   }
   void operator()(double time) {
@@ -89,7 +89,7 @@ void run_simulate(const SimulateOptions& o) {
   RowWriter out(o.out, output_columns(plant));
   SimulationResult result;
   {
-    Progress progress(duration);
+    RunProgress progress(duration);
     result = simulate(
         plant, [&](const std::vector<double>& row) { out.write(row); },
         [&](double time) { progress(time); });

@@ -369,8 +369,8 @@ ArrayNames array_names(const Graph&) {
 }
 
 bool stores_early(const Graph& graph) {
-  constexpr std::size_t registers = 16;
-  return graph.results().size() > registers;
+  constexpr std::size_t most_results = 16;  // registers of a vector machine
+  return graph.results().size() > most_results;
 }
 
 bool reads_port(const Graph& graph, const std::string& name) {

@@ -12,7 +12,7 @@ namespace {
 
 /// Points of the difference quotients in time: errors are of their fourth power.
 constexpr int points = 5;
-constexpr int lanes = 8;  // of the emitted loop: a whole vector costs less than five states
+constexpr int vector_width = 8;  // of the emitted loop: a whole vector costs less than five states
 constexpr int middle = 2;
 constexpr double spacing = 5e-4;  // s
 
@@ -55,13 +55,14 @@ WristDrive::WristDrive(const WristParameters& parameters, const std::filesystem:
       feedforward_rate_(&model_.find("feedforward_rate")) {}
 
 WristMotion WristDrive::at(const Sample& flexion, const Sample& abduction) const {
-  double f[lanes], a[lanes], q[2 * lanes], residual[lanes], status[lanes];
-  for (int i = 0; i < lanes; ++i) {
+  double f[vector_width], a[vector_width], q[2 * vector_width], residual[vector_width],
+      status[vector_width];
+  for (int i = 0; i < vector_width; ++i) {
     const double time = i < points ? (i - middle) * spacing : 0.0;
     f[i] = along(flexion, time);
     a[i] = along(abduction, time);
   }
-  bar_angles_(lanes, f, a, q, residual, status);
+  bar_angles_(vector_width, f, a, q, residual, status);
   if (status[middle] != 0.0)
     throw std::domain_error(
         fmt::format("the wrist cannot reach flexion {:.4g} rad, abduction {:.4g} rad",
@@ -70,7 +71,7 @@ WristMotion WristDrive::at(const Sample& flexion, const Sample& abduction) const
   const bool rests = flexion.rate == 0.0 && abduction.rate == 0.0 && flexion.acceleration == 0.0 &&
                      abduction.acceleration == 0.0;
   for (int i = 0; i < 2; ++i) {
-    const double* p = q + lanes * i;
+    const double* p = q + vector_width * i;
     motion.q[i] = p[middle];
     if (rests) continue;
     motion.qd[i] = (p[0] - 8 * p[1] + 8 * p[3] - p[4]) / (12 * spacing);

@@ -27,9 +27,9 @@ GiNaC::numeric compliance(const TendonParameters& p) {
 
 /// Lever and tendon at a lever angle: elongation of both, force, and their derivatives by the
 /// angle.
-struct Pair {
-  Pair(DefinitionList& list, const LeverParameters& lever, const GiNaC::numeric& softness,
-       const ex& theta, const GiNaC::symbol& angle)
+struct ElasticPair {
+  ElasticPair(DefinitionList& list, const LeverParameters& lever, const GiNaC::numeric& softness,
+              const ex& theta, const GiNaC::symbol& angle)
       : geometry(lever_geometry(list, lever, theta)), force(lever_force(list, geometry)) {
     ForwardDerivative by_theta(list, angle, "theta");
     force_slope = list.define("force_slope", by_theta.of(force));
@@ -68,11 +68,11 @@ Function tendon_force(const TendonParameters& parameters, const LeverParameters&
   const ex x = limited_elongation(list, elongation.symbols[0]);
   ex theta = list.define("theta_start", within_travel(lever, start.symbols[0]));
   for (int i = 0; i < lever.newton_iterations; ++i) {
-    const Pair here(list, lever, softness, theta, GiNaC::ex_to<GiNaC::symbol>(theta));
+    const ElasticPair here(list, lever, softness, theta, GiNaC::ex_to<GiNaC::symbol>(theta));
     const ex next = list.define("theta_next", theta - (here.elongation - x) / here.slope);
     theta = list.define("theta_limited", within_travel(lever, next));
   }
-  const Pair found(list, lever, softness, theta, GiNaC::ex_to<GiNaC::symbol>(theta));
+  const ElasticPair found(list, lever, softness, theta, GiNaC::ex_to<GiNaC::symbol>(theta));
   // df/dx over both: the force's slope against that of the whole elongation.
   const std::vector<ex> out{choose(-x, 0, found.force),
                             choose(-x, 0, found.force_slope / found.slope), theta};
