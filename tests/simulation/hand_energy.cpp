@@ -51,12 +51,32 @@ TEST_CASE("the hand's books close with every loss, and without losses its energy
     scenario.integrator = sinew::Integrator::cvode_adams;
     scenario.relative_tolerance = 1e-12;
     scenario.absolute_tolerance = 1e-14;
-    scenario.initial["qd_hmc.theta2"] = 0.0;
+    scenario.initial["qd_hmc.theta2"] = 2.0;
   });
   const sinew::Audit& without = held.result.audit;
   CAPTURE(without.energy_drift, without.largest_energy, without.work[sinew::base_power]);
-  // The crank's turning of gravity is work from outside (docs/simulation.md).
-  CHECK(without.energy_residual < 1e-9 * without.largest_energy);
+  // The crank moves and carries a finger: its energy is in the books, and nothing comes from
+  // outside.
+  CHECK(without.energy_drift < 1e-9 * without.largest_energy);
+  CHECK(without.work[sinew::base_power] == 0.0);
+  CHECK(std::abs(held.at(50, "hmc.theta2") - held.at(0, "hmc.theta2")) > 1e-3);
   CHECK(without.power_residual < 1e-8);
   CHECK(std::abs(held.at(50, "index.q21") - 0.4) > 1e-3);
+
+  // A palm that shakes the fingers gives them energy: counted, the books close; left out, they do
+  // not.
+  const Run shaken = hand.changed([](sinew::Scenario& scenario) {
+    sinew::Wave wave;
+    wave.shape = sinew::WaveShape::sine;
+    wave.amplitude = 0.3;
+    wave.frequency = 5.0;
+    scenario.commands["flexion"].add(wave);
+    wave.frequency = 4.0;
+    scenario.commands["abduction"].add(wave);
+  });
+  const sinew::Audit& palm = shaken.result.audit;
+  CAPTURE(palm.energy_residual, palm.largest_energy, palm.work[sinew::base_power]);
+  CHECK(palm.power_residual < 1e-8);
+  CHECK(palm.energy_residual < 1e-8 * palm.largest_energy);
+  CHECK(std::abs(palm.work[sinew::base_power]) > 1e-5 * palm.largest_energy);
 }
