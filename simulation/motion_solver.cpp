@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "simulation/motion_solver.h"
 
+#include <algorithm>
+
 namespace sinew {
 
 // With g = gamma, positions q = r_q + g v, theta = r_theta + g w put in, the rates fulfil
@@ -20,6 +22,11 @@ void MotionSolver::prepare(double gamma) {
 }
 
 void MotionSolver::find_links() {
+  const MotionJacobian::Matrix& P = jacobian.coupling;  // constant where all pulleys are round
+  if (P.size() == linked_.size() && std::equal(P.data(), P.data() + P.size(), linked_.data()) &&
+      static_cast<int>(ends_.size()) == (n_ > 0 ? k_ : 0))
+    return;
+  linked_ = P;
   links_.clear();
   ends_.clear();
   for (int i = 0; i < k_ && n_ > 0; ++i) {

@@ -35,6 +35,7 @@ class MotionSolver {
 
   double gamma_ = 0.0;
   int n_ = 0, k_ = 0;
+  MotionJacobian::Matrix linked_;  ///< coupling that the links are of
   std::vector<Link> links_;
   std::vector<int> ends_;     ///< of each tendon's links
   Eigen::VectorXd own_;       ///< 1 / each motor's own coefficient

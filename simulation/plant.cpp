@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <stdexcept>
 
 namespace sinew {
@@ -225,7 +226,8 @@ void Plant::evaluate(double time, const double* y, Evaluation& e, bool with_rate
 }
 
 bool Plant::is_evaluated(double time, const double* y) const {
-  return time == scratch_time_ && std::equal(y, y + size(), scratch_state_.data());
+  const auto bytes = static_cast<std::size_t>(size()) * sizeof(double);
+  return time == scratch_time_ && std::memcmp(y, scratch_state_.data(), bytes) == 0;
 }
 
 const Evaluation& Plant::evaluated(double time, const double* y, bool with_rates) const {

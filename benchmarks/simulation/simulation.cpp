@@ -38,6 +38,11 @@ using Change = std::function<void(sinew::Scenario&)>;
 
 void as_it_is(sinew::Scenario&) {}
 
+void coarsely(sinew::Scenario& scenario) {
+  scenario.relative_tolerance = 1e-4;
+  scenario.absolute_tolerance = 1e-6;
+}
+
 void in_fixed_steps(sinew::Scenario& scenario) {
   scenario.integrator = sinew::Integrator::fixed_step;
   scenario.step = 1.0 / 3000.0;
@@ -87,9 +92,11 @@ int main(int count, char** words) {
     bool written;
   } cases[] = {{"finger/cvode", finger, as_it_is, false},
                {"finger/cvode/csv", finger, as_it_is, true},
+               {"finger/cvode/1e-4", finger, coarsely, false},
                {"finger/fixed_step", finger, in_fixed_steps, false},
                {"hand/cvode", hand, as_it_is, false},
                {"hand/cvode/csv", hand, as_it_is, true},
+               {"hand/cvode/1e-4", hand, coarsely, false},
                {"hand/fixed_step", hand, in_fixed_steps, false}};
   for (const auto& each : cases)
     benchmark::RegisterBenchmark(each.name, [each](benchmark::State& state) {
