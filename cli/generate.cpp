@@ -13,16 +13,17 @@
 #include "cli/change_summary.h"
 #include "cli/model_folder.h"
 #include "cli/model_set.h"
+#include "cli/target_options.h"
 #include "generator/write.h"
 
 namespace sinew {
 namespace {
 
 struct GenerateOptions {
-  std::string folder, out, scalar = "double", optimise = "speed";
+  std::string folder, out;
+  TargetOptions target;
   std::vector<std::string> without;
   bool json = false;
-  bool fma = false;
   bool runtime_parameters = false;
   bool dependents = false;
 };
@@ -34,9 +35,7 @@ void add_common_options(CLI::App& command, GenerateOptions& o) {
                      "Folder of the emitted C (default: generated/<model>); of several models: the "
                      "folder of their folders");
   command.add_flag("--dependents", o.dependents, "The hands made of the model as well");
-  command.add_option("--scalar", o.scalar, "double or float");
-  command.add_flag("--fma", o.fma, "For processors with fused multiply-add, and only for them");
-  command.add_option("--optimise", o.optimise, "speed or size (default: speed)");
+  add_target_options(command, o.target);
   command.add_option("--without", o.without, "Optimisation passes to leave out");
   command.add_flag("--runtime-parameters", o.runtime_parameters,
                    "Masses and gravity stay arguments of the dynamics");
@@ -45,7 +44,7 @@ void add_common_options(CLI::App& command, GenerateOptions& o) {
 
 EmittedModel emit(const GenerateOptions& o, const ModelFolder& folder) {
   return assemble(folder.identity, derive_functions(folder, o.runtime_parameters),
-                  target_named(o.scalar, o.fma, o.optimise), o.without);
+                  o.target.target(), o.without);
 }
 
 /// As a shell takes it.
@@ -164,9 +163,7 @@ void run_generate(const GenerateOptions& o) {
 std::string accept_command(const GenerateOptions& o) {
   std::string command = "sinew generate " + word(o.folder);
   if (!o.out.empty()) command += " --out " + word(o.out);
-  if (o.scalar != "double") command += " --scalar " + o.scalar;
-  if (o.fma) command += " --fma";
-  if (o.optimise != "speed") command += " --optimise " + o.optimise;
+  command += o.target.written();
   if (o.runtime_parameters) command += " --runtime-parameters";
   for (const std::string& pass : o.without) command += " --without " + pass;
   if (o.dependents) command += " --dependents";

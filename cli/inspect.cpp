@@ -10,10 +10,12 @@
 
 #include "cli/model_folder.h"
 #include "cli/reduced_models.h"
+#include "cli/target_options.h"
 #include "generator/cost.h"
 #include "generator/dump.h"
 #include "generator/lower.h"
 #include "generator/passes/pipeline.h"
+#include "generator/statements.h"
 #include "symbolic/dynamics_functions.h"
 #include "symbolic/lagrangian.h"
 
@@ -22,44 +24,65 @@ namespace {
 
 struct InspectOptions {
   std::string folder, function, after;
+  TargetOptions target;
   bool passes = false, methods = false, reduced = false, runtime_parameters = false;
   bool dot = false, json = false;
 };
 
-nlohmann::ordered_json cost_json(const Cost& c) {
-  return {{"multiply", c.multiply}, {"add", c.add},       {"multiply_add", c.operations()},
-          {"negate", c.negate},     {"divide", c.divide}, {"sqrt", c.square_root},
-          {"sincos", c.sincos},     {"other", c.other}};
+nlohmann::ordered_json cost_json(const Cost& c, const Target& target) {
+  nlohmann::ordered_json row{
+      {"multiply", c.multiply}, {"add", c.add},       {"multiply_add", c.operations()},
+      {"negate", c.negate},     {"divide", c.divide}, {"sqrt", c.square_root},
+      {"sincos", c.sincos},     {"other", c.other}};
+  if (target.fused) row["fused"] = c.fused;
+  return row;
 }
 
-void print_costs(const std::vector<Function>& functions, bool json) {
+void print_cost_heading(const Target& target) {
+  fmt::print("{:<24} {:>7} {:>6} {:>6} {:>6} {:>6} {:>6} {:>7} {:>6}{}{}\n", "function", "mul+add",
+             "mul", "add", "neg", "div", "sqrt", "sincos", "other", target.fused ? "  fused" : "",
+             target.optimise == Optimise::size ? "  copies" : "");
+}
+
+void print_cost(const std::string& function, const Graph& graph, const Target& target) {
+  const Cost c = count_operations(graph);
+  fmt::print("{:<24} {:>7} {:>6} {:>6} {:>6} {:>6} {:>6} {:>7} {:>6}", function, c.operations(),
+             c.multiply, c.add, c.negate, c.divide, c.square_root, c.sincos, c.other);
+  if (target.fused) fmt::print(" {:>6}", c.fused);
+  if (target.optimise == Optimise::size)
+    fmt::print(" {:>7}", shared_functions(graph, target).size());
+  fmt::print("\n");
+}
+
+void print_costs(const std::vector<Function>& functions, const Target& target, bool json) {
   nlohmann::ordered_json report = nlohmann::ordered_json::array();
-  if (!json)
-    fmt::print("{:<24} {:>7} {:>6} {:>6} {:>6} {:>6} {:>6} {:>7} {:>6}\n", "function", "mul+add",
-               "mul", "add", "neg", "div", "sqrt", "sincos", "other");
+  if (!json) print_cost_heading(target);
   for (const Function& function : functions) {
-    const Cost c = count_operations(optimise(lower(function)));
-    if (json) {
-      nlohmann::ordered_json row = cost_json(c);
-      row["function"] = function.name;
-      report.push_back(row);
-    } else {
-      fmt::print("{:<24} {:>7} {:>6} {:>6} {:>6} {:>6} {:>6} {:>7} {:>6}\n", function.name,
-                 c.operations(), c.multiply, c.add, c.negate, c.divide, c.square_root, c.sincos,
-                 c.other);
+    const Graph graph = optimise(lower(function), {}, target);
+    if (!json) {
+      print_cost(function.name, graph, target);
+      continue;
     }
+    const Cost cost = count_operations(graph);
+    nlohmann::ordered_json row = cost_json(cost, target);
+    if (target.optimise == Optimise::size) row["copies"] = shared_functions(graph, target).size();
+    row["function"] = function.name;
+    report.push_back(row);
   }
   if (json) fmt::print("{}\n", report.dump(2));
 }
 
-/// For every pass: operations of all functions with that pass left out, less those with all.
-void print_pass_gains(const std::vector<Function>& functions, bool json) {
+/// For every pass: operations of all functions with that pass left out, less those with all. A
+/// fused multiplication and addition counts as one.
+void print_pass_gains(const std::vector<Function>& functions, const Target& target, bool json) {
   std::vector<Graph> graphs;
   for (const Function& function : functions) graphs.push_back(lower(function));
   const auto total = [&](const std::vector<std::string>& without) {
     int sum = 0;
-    for (const Graph& graph : graphs)
-      sum += count_operations(optimise(graph, without)).operations();
+    for (const Graph& graph : graphs) {
+      const Cost cost = count_operations(optimise(graph, without, target));
+      sum += cost.operations() - cost.fused;
+    }
     return sum;
   };
   const int all = total({});
@@ -68,7 +91,7 @@ void print_pass_gains(const std::vector<Function>& functions, bool json) {
     fmt::print("{:<24} {:>18}\nall passes on: {} multiplications and additions in {} functions\n",
                "pass left out", "mul+add more", all, functions.size());
   std::set<std::string> seen;
-  for (const Pass& pass : pipeline()) {
+  for (const Pass& pass : pipeline(target)) {
     if (!seen.insert(pass.name).second) continue;
     const int more = total({pass.name}) - all;
     if (json)
@@ -128,35 +151,48 @@ std::vector<Function> by_every_method(const ModelFolder& folder) {
 }
 
 void run_cost(const InspectOptions& o) {
+  const Target target = o.target.target();
   if (o.reduced) return print_reduced(open_model_folder(o.folder), o.json);
-  if (o.methods) return print_costs(by_every_method(open_model_folder(o.folder)), o.json);
+  if (o.methods) return print_costs(by_every_method(open_model_folder(o.folder)), target, o.json);
   const std::vector<Function> functions =
       derive_functions(open_model_folder(o.folder), o.runtime_parameters);
   if (o.passes)
-    print_pass_gains(functions, o.json);
+    print_pass_gains(functions, target, o.json);
   else
-    print_costs(functions, o.json);
+    print_costs(functions, target, o.json);
 }
 
-Graph graph_after(const Function& function, const std::string& after) {
+/// Names of the stages that --after takes, for this target.
+std::string stages(const Target& target) {
+  std::string names = "lower";
+  std::set<std::string> seen;
+  for (const Pass& pass : pipeline(target))
+    if (seen.insert(pass.name).second) names += ", " + pass.name;
+  return names;
+}
+
+Graph graph_after(const Function& function, const std::string& after, const Target& target) {
   Graph graph = lower(function);
   if (after == "lower") return graph;
-  for (const Pass& pass : pipeline()) {
+  for (const Pass& pass : pipeline(target)) {
     graph = pass.run(graph);
     if (pass.name == after) return graph;
   }
   if (after.empty()) return graph;
-  throw std::invalid_argument(
-      fmt::format("--after {}: expected one of lower, {}", after, pass_names()));
+  const bool elsewhere = after == "fuse";  // the one pass that not every target has
+  throw std::invalid_argument(fmt::format(
+      "--after {}: expected {}", after, elsewhere ? "--fma with it" : "one of " + stages(target)));
 }
 
 void run_dump(const InspectOptions& o) {
-  const std::vector<Function> functions = derive_functions(open_model_folder(o.folder));
+  const Target target = o.target.target();
+  const std::vector<Function> functions =
+      derive_functions(open_model_folder(o.folder), o.runtime_parameters);
   std::string names;
   for (const Function& function : functions) {
     names += (names.empty() ? "" : ", ") + function.name;
     if (function.name != o.function) continue;
-    const Graph graph = graph_after(function, o.after);
+    const Graph graph = graph_after(function, o.after, target);
     fmt::print("{}", o.dot ? dump_dot(graph) : dump_text(graph));
     return;
   }
@@ -171,6 +207,7 @@ void add_cost_command(CLI::App& app, int&) {
   command->add_option("model", options->folder, "Model folder")->required();
   command->add_flag("--runtime-parameters", options->runtime_parameters,
                     "Counts with masses and gravity as arguments");
+  add_target_options(*command, options->target);
   command->add_flag("--passes", options->passes, "What each optimisation pass brings");
   command->add_flag("--methods", options->methods,
                     "Inverse dynamics by every method of derivation (5.3.2)");
@@ -191,6 +228,9 @@ void add_dump_command(CLI::App& app, int&) {
       ->required();
   command->add_option("--after", options->after,
                       "Last pass to run, or 'lower' (default: all passes)");
+  add_target_options(*command, options->target);
+  command->add_flag("--runtime-parameters", options->runtime_parameters,
+                    "Masses and gravity as arguments");
   command->add_flag("--dot", options->dot, "As a graph for Graphviz");
   command->callback([options] { run_dump(*options); });
 }

@@ -35,6 +35,45 @@ TEST_CASE("cost agrees with the manifest, function by function") {
   }
 }
 
+TEST_CASE("cost and dump take the targets that generate takes") {
+  const Workplace here;
+  const json plain = json::parse(here.sinew({"cost", model, "--json"}).output);
+  const json fused = json::parse(here.sinew({"cost", model, "--json", "--fma"}).output);
+  const json small =
+      json::parse(here.sinew({"cost", model, "--json", "--optimise", "size"}).output);
+  REQUIRE(fused.size() == plain.size());
+  REQUIRE(small.size() == plain.size());
+  int fused_operations = 0;
+  for (std::size_t i = 0; i < plain.size(); ++i) {
+    INFO(plain[i]["function"]);
+    CHECK(!plain[i].contains("fused"));
+    // a product that two sums take in is computed in both
+    CHECK(fused[i]["multiply_add"].get<int>() - fused[i]["fused"].get<int>() <=
+          plain[i]["multiply_add"].get<int>());
+    fused_operations += fused[i]["fused"].get<int>();
+    CHECK(small[i]["multiply_add"] == plain[i]["multiply_add"]);
+    CHECK(small[i]["copies"].get<int>() == (plain[i]["sincos"] > 0 ? 1 : 0));
+  }
+  CHECK(fused_operations > 100);
+  const Ended table = here.sinew({"cost", model, "--fma", "--optimise", "size"});
+  CHECK(table.says("fused"));
+  CHECK(table.says("copies"));
+  const json gains = json::parse(here.sinew({"cost", model, "--passes", "--fma", "--json"}).output);
+  bool fuse_helps = false;
+  for (const json& row : gains["gains"])
+    if (row["pass"] == "fuse") fuse_helps = row["multiply_add"] > 100;
+  CHECK(fuse_helps);
+
+  const Ended dumped = here.sinew({"dump", model, "--function", "bias", "--fma"});
+  CHECK(dumped.status == 0);
+  CHECK(dumped.says(" = fma "));
+  CHECK(!here.sinew({"dump", model, "--function", "bias"}).says(" = fma "));
+  CHECK(here.sinew({"dump", model, "--function", "bias", "--fma", "--after", "fuse"}).status == 0);
+  const Ended no_such_pass = here.sinew({"dump", model, "--function", "bias", "--after", "fuse"});
+  CHECK(no_such_pass.status == 2);
+  CHECK(no_such_pass.says("expected --fma with it"));
+}
+
 TEST_CASE("cost --passes tells what each pass brings") {
   const Workplace here;
   const Ended table = here.sinew({"cost", model, "--passes"});
