@@ -54,6 +54,7 @@ FingerCarriers::FingerCarriers(const Hand& hand, const Eigen::Vector3d& gravity,
 
 void FingerCarriers::put_on(const PalmParameters& palm) {
   palm_ = palm;
+  if (palm.gravity) gravity_ = *palm.gravity;
   free_ = count_ - (palm.moves ? 0 : 2);
   forces_known_ = false;
   asked_.assign(3 * coordinates() + 6, 0.0);

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -71,6 +72,7 @@ struct PalmParameters {
   bool moves = false;             ///< q71 and q73 are coordinates, the last two, instead of given
   double inertia = 2.0e-3;        ///< kg·m², of bars and palm about q71 and about q73
   double damping = 1.0e-2;        ///< N·m·s/rad, of q71 and of q73
+  std::optional<Eigen::Vector3d> gravity = {};  ///< m/s², forearm frame, instead of the hand's
 };
 
 /// All fingers of a hand on a moving palm, which they feel with all its accelerations. A palm that

@@ -14,6 +14,8 @@ RowWriter::RowWriter(const std::filesystem::path& file, const std::vector<std::s
     : file_(file), partial_(file.string() + fmt::format(".part-{}", ::getpid())) {
   stream_ = std::fopen(partial_.c_str(), "wb");
   if (!stream_) fail("cannot be written");
+  constexpr std::size_t buffer = std::size_t{1} << 20;  // a hand's row is longer than the usual one
+  std::setvbuf(stream_, nullptr, _IOFBF, buffer);
   put(fmt::format("{}\n", fmt::join(header, ",")));
 }
 

@@ -2,14 +2,17 @@
 // How much faster than real time a finger and the complete hand simulate at 3 kHz output on one
 // core. `real_time_factor` is simulated time over processor time, `best_factor` that of the fastest
 // run: what others on the machine take from its caches and its core's other half is least in it.
-// Rows are handed over, and written as CSV where the name says so.
+// Rows are handed over, and written as CSV where the name says so. `error_rad`: how far joints are
+// at most from a run at 1e-10.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
+#include <cmath>
 #include <ctime>
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <vector>
 
 #include "simulation/simulate.h"
 #include "simulation/write_rows.h"
@@ -48,6 +51,32 @@ void in_fixed_steps(sinew::Scenario& scenario) {
   scenario.step = 1.0 / 3000.0;
 }
 
+using Rows = std::vector<std::vector<double>>;
+
+/// Joint angles of a run, one row an output.
+Rows joints(const sinew::Plant& model, const sinew::Scenario& scenario) {
+  sinew::Plant plant(scenario, model.parts());
+  const auto count = static_cast<std::ptrdiff_t>(plant.coordinates());
+  Rows rows;
+  sinew::simulate(plant, [&](const std::vector<double>& row) {
+    rows.emplace_back(row.begin() + 1, row.begin() + 1 + count);
+  });
+  return rows;
+}
+
+/// How far joints are at most from where far smaller tolerances take them [rad].
+double largest_error(const sinew::Plant& model, const sinew::Scenario& scenario) {
+  sinew::Scenario fine = model.scenario();
+  fine.relative_tolerance = 1e-10;
+  fine.absolute_tolerance = 1e-12;
+  const Rows found = joints(model, scenario), wanted = joints(model, fine);
+  double largest = 0.0;
+  for (std::size_t i = 0; i < found.size(); ++i)
+    for (std::size_t j = 0; j < found[i].size(); ++j)
+      largest = std::max(largest, std::abs(found[i][j] - wanted[i][j]));
+  return largest;
+}
+
 /// Processor time of this thread [s].
 double processor_time() {
   timespec now{};
@@ -78,6 +107,7 @@ void simulate(benchmark::State& state, const sinew::Plant& model, const Change& 
   }
   const double simulated = scenario.duration * static_cast<double>(state.iterations());
   state.counters["real_time_factor"] = benchmark::Counter(simulated, benchmark::Counter::kIsRate);
+  if (!written) state.counters["error_rad"] = largest_error(model, scenario);
   state.counters["best_factor"] = scenario.duration / least;
   state.counters["steps_a_second"] = static_cast<double>(steps) / simulated;
 }

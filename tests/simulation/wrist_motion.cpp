@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "symbolic/read_hand.h"
 #include "tests/simulation/hand_runs.h"
 
 using namespace sinew_tests;
@@ -42,7 +43,7 @@ double motion(const Run& run) {
 
 }  // namespace
 
-TEST_CASE("without gravity the wrist feedforward takes 98 % of the fingers' motion away",
+TEST_CASE("the wrist feedforward takes 98 % of the fingers' motion away; with gravity they sag",
           "[hand]") {
   const HandRuns hand(scenario_text(0.5, 50, moving_wrist));
   const Run without = hand.changed([](sinew::Scenario&) {});
@@ -56,4 +57,30 @@ TEST_CASE("without gravity the wrist feedforward takes 98 % of the fingers' moti
   CHECK(after < 0.02 * before);
   CHECK(with.result.audit.power_residual < 1e-8);
   CHECK(with.result.audit.energy_residual < 1e-5 * with.result.audit.largest_energy);
+
+  // With gravity elastic tendons give way to the fingers' weight, wrist or no wrist.
+  sinew::PalmParameters palm;
+  palm.gravity = sinew::read_hand(source + "/models/hand").hand.fingers.front().mechanism.gravity;
+  const std::shared_ptr<const sinew::Joints> heavy =
+      sinew::on_other_palm(*hand.plant.parts().joints, palm);
+  const auto weighed = [&](bool moves, bool feedforward) {
+    sinew::Scenario scenario = hand.plant.scenario();
+    if (!moves) scenario.commands.clear();
+    scenario.wrist_feedforward = feedforward;
+    sinew::PlantParts parts = hand.plant.parts();
+    parts.joints = heavy;
+    sinew::Plant own(scenario, parts);
+    return run(own);
+  };
+  const Run moved = weighed(true, false), held = weighed(true, true),
+            at_rest = weighed(false, false);
+  const double unhelped = motion(moved), helped = motion(held), sag = motion(at_rest);
+  double sum = 0.0;
+  for (std::size_t i = 0; i < held.rows.size(); ++i)
+    for (std::size_t j = 1; j <= 19; ++j) sum += std::pow(held.rows[i][j] - at_rest.rows[i][j], 2);
+  const double by_wrist = std::sqrt(sum / static_cast<double>(19 * held.rows.size()));
+  CAPTURE(unhelped, helped, sag, by_wrist);
+  CHECK(helped < 0.12 * unhelped);
+  CHECK(sag > 0.09 * unhelped);  // with the wrist at rest they move as much
+  CHECK(by_wrist < 0.04 * unhelped);
 }
