@@ -6,14 +6,27 @@
 namespace sinew {
 namespace {
 
-/// All alternatives for one joint; those that make no difference are left out.
-std::vector<JointPlan> alternatives(const JointPlan& now, const TreeLink& link) {
+bool joins_parent(const JointTree& tree, const DynamicsPlan& plan, std::size_t i) {
+  return tree.links[i].parallel_to_parent && plan[i].join_run;
+}
+
+bool is_joined_by_child(const JointTree& tree, const DynamicsPlan& plan, std::size_t i) {
+  for (int child : tree.links[i].children)
+    if (joins_parent(tree, plan, static_cast<std::size_t>(child))) return true;
+  return false;
+}
+
+/// All alternatives for joint `i`; those that make no difference are left out.
+std::vector<JointPlan> alternatives(const JointTree& tree, const DynamicsPlan& plan,
+                                    std::size_t i) {
+  const JointPlan& now = plan[i];
+  const TreeLink& link = tree.links[i];
   std::vector<JointPlan> result;
   if (link.type == JointType::prismatic) return result;
   const auto add = [&](auto change) {
-    JointPlan plan = now;
-    change(plan);
-    result.push_back(plan);
+    JointPlan other = now;
+    change(other);
+    result.push_back(other);
   };
   if (link.children.empty()) {
     for (LeafTurn leaf :
@@ -26,10 +39,15 @@ std::vector<JointPlan> alternatives(const JointPlan& now, const TreeLink& link) 
     });
   }
   if (link.parallel_to_parent) add([&](JointPlan& p) { p.join_run = !p.join_run; });
-  add([](JointPlan& p) { p.lone_run = !p.lone_run; });
-  add([](JointPlan& p) { p.pair_by_pair = !p.pair_by_pair; });
-  add([](JointPlan& p) { p.keep_carrier_origin = !p.keep_carrier_origin; });
-  add([](JointPlan& p) { p.lone_run = p.keep_carrier_origin = true; });
+  if (joins_parent(tree, plan, i)) return result;  // the rest is said by the run's first joint
+  const bool joined = is_joined_by_child(tree, plan, i);
+  if (!joined) add([](JointPlan& p) { p.lone_run = !p.lone_run; });
+  if (joined || now.lone_run) {
+    add([](JointPlan& p) { p.pair_by_pair = !p.pair_by_pair; });
+    add([](JointPlan& p) { p.keep_carrier_origin = !p.keep_carrier_origin; });
+  } else {
+    add([](JointPlan& p) { p.lone_run = p.keep_carrier_origin = true; });
+  }
   return result;
 }
 
@@ -53,28 +71,30 @@ const JointTree& PlanSearch::tree_of(const DynamicsPlan& plan) {
   return trees_.emplace(key, build_joint_tree(mechanism_, frames_of(plan))).first->second;
 }
 
-bool PlanSearch::improve(const Derivation& derive, double& least) {
+bool PlanSearch::improve(const Derivation& derive, std::size_t i, double& least) {
   bool improved = false;
-  for (std::size_t i = plan_.size(); i-- > 0;)
-    for (const JointPlan& alternative : alternatives(plan_[i], tree_of(plan_).links[i])) {
-      const bool own_frame = alternative.frame.leaf != LeafTurn::none ||
-                             alternative.frame.origin != OriginChoice::incoming;
-      if (masses_open_ && own_frame) continue;
-      DynamicsPlan changed = plan_;
-      changed[i] = alternative;
-      const double price = cost_(derive(tree_of(changed), changed));
-      if (price >= least) continue;
-      least = price;
-      plan_ = changed;
-      improved = true;
-    }
+  for (const JointPlan& alternative : alternatives(tree_of(plan_), plan_, i)) {
+    const bool own_frame = alternative.frame.leaf != LeafTurn::none ||
+                           alternative.frame.origin != OriginChoice::incoming;
+    if (masses_open_ && own_frame) continue;
+    DynamicsPlan changed = plan_;
+    changed[i] = alternative;
+    const double price = cost_(derive(tree_of(changed), changed));
+    if (price >= least) continue;
+    least = price;
+    plan_ = changed;
+    improved = true;
+  }
   return improved;
 }
 
 Function PlanSearch::cheapest(const Derivation& derive) {
   if (search_) {
     double least = cost_(derive(tree_of(plan_), plan_));
-    while (improve(derive, least)) {
+    // from the tips to the base and again, until no joint since the last gain has brought another
+    for (std::size_t i = 0, settled = 0; settled < plan_.size();) {
+      i = (i > 0 ? i : plan_.size()) - 1;
+      settled = improve(derive, i, least) ? 0 : settled + 1;
     }
   }
   return derive(tree_of(plan_), plan_);

@@ -38,7 +38,8 @@ class PlanSearch {
 
  private:
   const JointTree& tree_of(const DynamicsPlan& plan);
-  bool improve(const Derivation& derive, double& least);
+  /// Keeps what makes the function cheaper among the alternatives for joint `i`.
+  bool improve(const Derivation& derive, std::size_t i, double& least);
 
   const Mechanism& mechanism_;
   CostOf cost_;
