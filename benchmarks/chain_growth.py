@@ -57,7 +57,7 @@ def main():
     sizes = [int(word) for word in sys.argv[4:]] or [2, 4, 6, 8, 10, 12, 15, 20, 25, 30]
     place.mkdir(parents=True, exist_ok=True)
     with open(out, "w", encoding="ascii") as csv:
-        csv.write("joints,seconds,inverse_dynamics,mass_matrix,forward_dynamics\n")
+        csv.write("joints,seconds,inverse_dynamics,mass_matrix,forward_dynamics,coriolis_matrix\n")
         for joints in sizes:
             file, model = place / f"chain{joints}.urdf", place / "models" / f"chain{joints}"
             file.write_text(urdf(joints), encoding="ascii")
@@ -67,7 +67,8 @@ def main():
             seconds = processor_seconds([sinew, "generate", str(model), "--out", str(emitted)])
             counts = operations(emitted)
             csv.write(f"{joints},{seconds:.3f},{counts['inverse_dynamics']},"
-                      f"{counts['mass_matrix']},{counts['forward_dynamics']}\n")
+                      f"{counts['mass_matrix']},{counts['forward_dynamics']},"
+                      f"{counts['coriolis_matrix']}\n")
             csv.flush()
 
 

@@ -16,5 +16,6 @@ set title "what is emitted"
 set ylabel "multiplications and additions"
 plot data using 1:3 every ::1 with linespoints pt 7 lc rgb "#1b6ca8" title "inverse dynamics", \
      data using 1:4 every ::1 with linespoints pt 5 lc rgb "#c8553d" title "mass matrix", \
-     data using 1:5 every ::1 with linespoints pt 9 lc rgb "#588157" title "forward dynamics"
+     data using 1:5 every ::1 with linespoints pt 9 lc rgb "#588157" title "forward dynamics", \
+     data using 1:6 every ::1 with linespoints pt 13 lc rgb "#7a5195" title "Coriolis matrix"
 unset multiplot

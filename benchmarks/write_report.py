@@ -170,7 +170,8 @@ def goal_table(measured):
 
 
 def growth_table(measured):
-    return table(["joints", "s", "inverse dynamics", "mass matrix", "forward dynamics"],
+    return table(["joints", "s", "inverse dynamics", "mass matrix", "forward dynamics",
+                  "Coriolis matrix"],
                  [[int(row[0]), f"{row[1]:.2f}"] + [show(cell) for cell in row[2:]]
                   for row in measured.growth])
 
