@@ -7,6 +7,7 @@
 #include <sundials/sundials_matrix.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <exception>
 #include <memory>
@@ -103,12 +104,20 @@ int roots(double time, N_Vector y, double* values, void* user) {
   return c.guarded([&] { c.plant.events(time, N_VGetArrayPointer(y), values); });
 }
 
-/// z = a x + b y. CVODE spends most of its own time in it, and the library's is not compiled for
-/// vectors.
+// CVODE spends most of its own time in these two, and the library's are not compiled for vectors.
+
+/// z = a x + b y.
 void linear_sum(double a, N_Vector x, double b, N_Vector y, N_Vector z) {
   const auto size = NV_LENGTH_S(x);
   const Eigen::Map<const Eigen::ArrayXd> from_x(NV_DATA_S(x), size), from_y(NV_DATA_S(y), size);
   Eigen::Map<Eigen::ArrayXd>(NV_DATA_S(z), size) = a * from_x + b * from_y;
+}
+
+/// Root of the mean of (w x)².
+double weighted_norm(N_Vector x, N_Vector w) {
+  const auto size = NV_LENGTH_S(x);
+  const Eigen::Map<const Eigen::ArrayXd> values(NV_DATA_S(x), size), weights(NV_DATA_S(w), size);
+  return std::sqrt((values * weights).square().sum() / static_cast<double>(size));
 }
 
 void quiet(int, const char*, const char*, char*, void*) {}
@@ -125,6 +134,7 @@ class Solver {
     for (N_Vector each : {y_, work_}) {
       N_VEnableFusedOps_Serial(each, SUNTRUE);
       each->ops->nvlinearsum = linear_sum;
+      each->ops->nvwrmsnorm = weighted_norm;
     }
     const Eigen::VectorXd start = plant.initial_state();
     std::copy(start.data(), start.data() + size, N_VGetArrayPointer(y_));
