@@ -2,16 +2,18 @@
 // The number types the reference numerics are instantiated for.
 #pragma once
 
-#include <boost/multiprecision/cpp_bin_float.hpp>
 #include <boost/multiprecision/eigen.hpp>
+#include <boost/multiprecision/mpfr.hpp>
 
 #include <Eigen/Core>
 
 namespace sinew::reference {
 
 /// 50 decimal digits: rounding of this type is invisible next to 2^-53.
-using Real50 = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<50>,
-                                             boost::multiprecision::et_off>;
+/// MPFR does the arithmetic, so neither its speed nor its results depend on how tests are compiled.
+using Real50 = boost::multiprecision::number<
+    boost::multiprecision::mpfr_float_backend<50, boost::multiprecision::allocate_stack>,
+    boost::multiprecision::et_off>;
 
 template <class Scalar>
 using Vector3 = Eigen::Matrix<Scalar, 3, 1>;
