@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "identification/level_terms.h"
+#include "identification/refine.h"
 
 namespace sinew::diagnosis {
 namespace {
@@ -34,8 +35,48 @@ std::vector<Index> indices(const Moments& m, const Set& set) {
   return list;
 }
 
-Moments moments(const Design& design, const LevelTerms& parts, const NoiseView& noise) {
+bool is_free(const NonlinearParameter& p) {
+  return p.high > p.low;
+}
+
+bool has_free_shape(const Term& term) {
+  if (term.nonlinear.size() == 0 || term.candidate->kind == CandidateKind::delay) return false;
+  const auto& shapes = term.candidate->nonlinear;
+  return std::any_of(shapes.begin(), shapes.end(), is_free);
+}
+
+/// What small changes of the causes' nonlinear parameters add. They were fitted with every level
+/// free: what they can take up beside a level at its nominal value is not the level's.
+Term shape_changes(const Design& design, const Model& model, const Weights& weights) {
+  Term changes;
+  changes.columns.resize(design.segments().size());
+  const VectorXd coefficients = solve(stack(model, weights)).coefficients;
+  const std::vector<Index> first = first_columns(model);
+  for (std::size_t t = 0; t < model.terms.size(); ++t) {
+    const Term& term = model.terms[t];
+    if (term.baseline || !has_free_shape(term)) continue;
+    const VectorXd own = coefficients.segment(first[t], first[t + 1] - first[t]);
+    for (Index p = 0; p < term.nonlinear.size(); ++p) {
+      const NonlinearParameter& range = term.candidate->nonlinear[static_cast<std::size_t>(p)];
+      if (!is_free(range)) continue;
+      VectorXd up = term.nonlinear;
+      up(p) += 1e-2 * (range.logarithmic ? up(p) : range.high - range.low);
+      const BandColumns moved = design.columns(*term.candidate, up);
+      for (std::size_t s = 0; s < moved.size(); ++s) {
+        if (moved[s].cols() == 0 || weights[s].size() == 0) continue;
+        MatrixXd& x = changes.columns[s];
+        x.conservativeResize(moved[s].rows(), x.cols() + 1);
+        x.rightCols(1) = (moved[s] - term.columns[s]) * own;
+      }
+    }
+  }
+  return changes;
+}
+
+Moments moments(const Design& design, const LevelTerms& parts, const Term& shapes,
+                const NoiseView& noise) {
   Model all = parts.base;
+  all.terms.push_back(shapes);
   const Index own = first_columns(all).back();
   for (const Term& level : parts.levels) all.terms.push_back(level);
   // A level without columns in these logs still has its places.
@@ -186,12 +227,18 @@ double p_value(const Moments& m, const Set& set, int level, double statistic) {
   return std::min(1.0, single * static_cast<double>(m.first.size() - 1));
 }
 
-Model model_of(const LevelTerms& parts, const Search& search, const Set& set) {
+/// The causes' nonlinear parameters fitted beside the set. Those of the baseline stay: the levels'
+/// columns are made with them.
+Model model_of(const Design& design, const Weights& weights, const LevelTerms& parts,
+               const Search& search, const Set& set) {
   Model model = parts.base;
+  bool open = false, held = false;
+  for (const Term& term : model.terms) (term.baseline ? held : open) |= has_free_shape(term);
   for (const int level : set) {
     model.terms.push_back(parts.levels[static_cast<std::size_t>(level)]);
     model.terms.back().freedom = search.freedom(level);
   }
+  if (open && !held) refine(design, weights, RefineScope::all_terms, model);
   return model;
 }
 
@@ -218,7 +265,8 @@ Judged judge_level(const Design& design, const Settings& settings, const LevelTe
   j.evidence.statistic = drop(m, set) - std::max(0.0, drop(m, others));
   j.evidence.freedom = search.freedom(level);
   j.evidence.p_family = p_value(m, set, level, j.evidence.statistic);
-  const Model after = model_of(parts, search, set), before = model_of(parts, search, others);
+  const Model after = model_of(design, weights, parts, search, set);
+  const Model before = model_of(design, weights, parts, search, others);
   const BlockLosses a = cross_validate(design, after, weights, settings.blocks);
   const BlockLosses b = cross_validate(design, before, weights, settings.blocks);
   j.evidence.validated = b.whitened.sum() - a.whitened.sum();
@@ -280,7 +328,8 @@ LevelSelection restrict_to_levels(const Design& design, const Settings& settings
   Selection& state = result.state;
   draw_surrogates(design, settings, state.noise);
   const Weights& weights = state.noise.weights;
-  const Moments m = moments(design, parts, state.noise);
+  const Term shapes = shape_changes(design, selection.model, weights);
+  const Moments m = moments(design, parts, shapes, state.noise);
   const Search search(m, parameter_price(design), settings.most_levels);
   const double nominal_loss =
       cross_validate(design, parts.base, weights, settings.blocks).plain.sum();
@@ -319,7 +368,7 @@ LevelSelection restrict_to_levels(const Design& design, const Settings& settings
     result.refused.push_back(refusal);
   }
   judge_others(m, set, result);
-  state.model = model_of(parts, search, set);
+  state.model = model_of(design, weights, parts, search, set);
   state.levels = parts.levels;
   for (Term& level : state.levels) level.freedom = search.freedom(level.level);
   state.made = parts.made;
