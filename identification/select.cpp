@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "identification/refine.h"
 
@@ -186,6 +187,35 @@ void merge_causes(const Search& s) {
     }
 }
 
+/// Plain loss on left-out blocks without some terms, all other parameters as they are.
+double loss_without(const Search& s, std::vector<std::size_t> terms) {
+  Model model = s.state.model;
+  std::sort(terms.begin(), terms.end(), std::greater<>());
+  for (const std::size_t t : terms) remove_term(s.design, t, model);
+  return cross_validate(s.design, model, s.state.noise.weights, s.settings.blocks).plain.sum();
+}
+
+/// No term has exactly the form of what it names, and what another form leaves over invites others:
+/// a cause that is small beside a large one, and large where that one is missing, is its shadow.
+/// Returns the term to take out, or -1.
+int find_shadow(const Search& s) {
+  constexpr double kSmall = 0.15;   // of the large one's worth
+  constexpr double kInvited = 3.0;  // times its own worth, without the large one
+  const std::vector<Term>& terms = s.state.model.terms;
+  const double all = loss_without(s, {});
+  std::vector<double> worth(terms.size(), 0.0);
+  for (std::size_t t = 0; t < terms.size(); ++t)
+    if (!terms[t].baseline) worth[t] = loss_without(s, {t}) - all;
+  for (std::size_t t = 0; t < terms.size(); ++t)
+    for (std::size_t u = 0; u < terms.size(); ++u) {
+      if (t == u || terms[t].baseline || terms[u].baseline) continue;
+      if (worth[t] >= kSmall * worth[u]) continue;
+      const double alone = loss_without(s, {t, u}) - loss_without(s, {u});
+      if (alone > kInvited * worth[t]) return static_cast<int>(t);
+    }
+  return -1;
+}
+
 /// Takes out causes that the others have made superfluous or impossible.
 void prune(const Search& s) {
   Selection& state = s.state;
@@ -206,6 +236,13 @@ void prune(const Search& s) {
     remove_term(s.design, t, state.model);
     refine(s.design, state.noise.weights, RefineScope::all_terms, state.model);
     t = static_cast<std::size_t>(-1);
+  }
+  for (int shadow = find_shadow(s); shadow >= 0; shadow = find_shadow(s)) {
+    const auto t = static_cast<std::size_t>(shadow);
+    state.refused.push_back({library_index(s.design, state.model.terms[t]),
+                             "no more than what the form of a named cause leaves over"});
+    remove_term(s.design, t, state.model);
+    refine(s.design, state.noise.weights, RefineScope::all_terms, state.model);
   }
 }
 
