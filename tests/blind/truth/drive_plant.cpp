@@ -161,15 +161,17 @@ class DrivePlant : public Plant {
                 model_.level * level[k];
       if (model_.loaded) rest[k] -= log.columns[4][k];
     }
-    const int m = 6;
+    // Twice: what differences make of a coarse sensor's steps is no cause's size.
+    const auto smooth = [](const std::vector<double>& x) {
+      return thinned(smoothed(smoothed(x, 6), 6));
+    };
     std::vector<std::vector<double>> columns;
-    if (taken_out & t_inertia) columns.push_back(thinned(smoothed(a, m)));
-    if (taken_out & t_viscous) columns.push_back(thinned(smoothed(v, m)));
-    if (taken_out & t_level) columns.push_back(thinned(smoothed(level, m)));
-    std::vector<double> left = thinned(smoothed(rest, m));
+    if (taken_out & t_inertia) columns.push_back(smooth(a));
+    if (taken_out & t_viscous) columns.push_back(smooth(v));
+    if (taken_out & t_level) columns.push_back(smooth(level));
+    std::vector<double> left = smooth(rest);
     if (taken_out & t_offset) columns.emplace_back(left.size(), 1.0);
-    if (model_.loaded && (taken_out & t_load))
-      columns.push_back(thinned(smoothed(log.columns[4], m)));
+    if (model_.loaded && (taken_out & t_load)) columns.push_back(smooth(log.columns[4]));
     left = without_columns(left, columns);
     for (double& x : left) x /= sigma_;
     return {left};
@@ -202,7 +204,7 @@ class DrivePlant : public Plant {
 
   static std::vector<double> thinned(const std::vector<double>& x) {
     std::vector<double> y;
-    for (size_t k = 8; k + 8 < x.size(); k += 3) y.push_back(x[k]);
+    for (size_t k = 14; k + 14 < x.size(); k += 3) y.push_back(x[k]);
     return y;
   }
 
@@ -259,7 +261,8 @@ void DrivePlant::list_causes() {
       "offset", "motor", force, 0.1 * f, 3.0 * f, [](H& h, double v) { h.offset = v; },
       t_all & ~t_offset);
   add("friction_drift", "motor", "1", 0.2, 3.0, [](H& h, double v) { h.drift = v; });
-  add("gear_elasticity", "motor", "", 1.0e-3 / m.inertia, 0.05 / m.inertia,
+  // No softer than 3 Hz: below, it is a load on a rubber band.
+  add("gear_elasticity", "motor", "", 1.0e-3 / m.inertia, 5.0e-3 / m.inertia,
       [](H& h, double v) { h.compliance = v; });
   add("backlash", "motor", m.linear ? "m" : "rad", 2.0e-3 * m.amplitude, 0.1 * m.amplitude,
       [](H& h, double v) { h.backlash = v; });

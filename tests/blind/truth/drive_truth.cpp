@@ -55,6 +55,10 @@ class Drive {
     const double stiffest = std::min(motor_inertia_, link_inertia_) * 0.16 / (step_ * step_);
     stiffness_ = h_.compliance > 0.0 ? std::min(1.0 / h_.compliance, stiffest) : stiffest;
     spring_damping_ = 0.1 * std::sqrt(stiffness_ * link_inertia_);
+    // The log begins with the load carried, not with its fall into the spring.
+    const double carried = command.load.front();
+    if (two_ && carried != 0.0)
+      link_ -= carried / stiffness_ + std::copysign(0.5 * h_.backlash, carried);
   }
 
   DriveSamples simulate() {
