@@ -67,7 +67,11 @@ struct Candidate {
   std::vector<NonlinearParameter> nonlinear;
   std::vector<LinearParameter> linear;
   ColumnFunction columns;
-  bool broadband = false;     ///< like noise: may lie mostly above the frequencies looked at
+  bool broadband = false;  ///< like noise: may lie mostly above the frequencies looked at
+  /// false: a fit with these coefficients and nonlinear parameters is not this effect; may be
+  /// empty.
+  std::function<bool(const Eigen::VectorXd& coefficients, const Eigen::VectorXd& nonlinear)>
+      possible;
   std::vector<int> channels;  ///< where it acts; empty: asked for every channel
   std::string limit_meaning;  ///< what a violated limit says, for the ruled-out list
   std::string depends_on;     ///< flexible and decoy: "position x direction", "velocity", ...

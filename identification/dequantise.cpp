@@ -56,4 +56,32 @@ VectorXd dequantised(const VectorXd& signal) {
   return out;
 }
 
+VectorXd side_of_play(const VectorXd& reading, const VectorXd& velocity, double quantum,
+                      double still) {
+  const auto stands = [&](Index k) {
+    if (k + 1 >= reading.size()) return false;
+    return quantum > 0.0 ? std::abs(reading(k + 1) - reading(k)) < 0.5 * quantum
+                         : std::abs(velocity(k)) <= still;
+  };
+  VectorXd side(reading.size());
+  double last = 0.0;
+  Index from = 0;
+  for (Index k = 0; k < reading.size(); ++k) {
+    if (stands(k)) continue;
+    const Index next = std::min(k + 1, reading.size() - 1);
+    const double change = quantum > 0.0 ? reading(next) - reading(k) : velocity(k);
+    const double now = change == 0.0 ? last : change > 0.0 ? 1.0 : -1.0;
+    if (last == 0.0) last = now;
+    const auto way = static_cast<double>(k - from + 1);
+    // The true motion starts from rest where the reading stops: the way grows with the square.
+    for (Index i = from; i <= k; ++i) {
+      const double part = static_cast<double>(i - from + 1) / way;
+      side(i) = last + (now - last) * part * part;
+    }
+    last = now;
+    from = k + 1;
+  }
+  return side;
+}
+
 }  // namespace sinew::diagnosis

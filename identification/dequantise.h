@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a coarse sensor saw, as far as the instants tell at which its reading changes.
+// What a coarse or a loose sensor hides of the motion, as far as the instants tell at which its
+// reading changes.
 #pragma once
 
 #include <Eigen/Core>
@@ -13,5 +14,11 @@ double held_step(const Eigen::VectorXd& signal);
 /// Straight lines between the middles of the changes; the signal itself before the first and after
 /// the last.
 Eigen::VectorXd dequantised(const Eigen::VectorXd& signal);
+
+/// Which end of its play a sensor is at, -1..1: the direction of the reading's motion, and on its
+/// way from one end to the other while the reading stands still (changes by no more than `quantum`
+/// a sample; without steps: moves no faster than `still`).
+Eigen::VectorXd side_of_play(const Eigen::VectorXd& reading, const Eigen::VectorXd& velocity,
+                             double quantum, double still);
 
 }  // namespace sinew::diagnosis

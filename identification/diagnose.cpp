@@ -108,25 +108,28 @@ class Run {
   }
 
   /// Every encoder has steps and every sensor noise, which the acceleration makes large. Steps are
-  /// a cause where they make a good part of what is left over; noise is none. What it leaves of
-  /// itself passes for effects of fast motion at its place: they have to be as large.
+  /// a cause where they make a good part of what all other causes leave over; noise is none. What
+  /// it leaves of itself passes for effects of fast motion at its place: they have to be larger.
   void set_sensor_noise_aside(Verdict& verdict) const {
-    constexpr double good_part = 0.08;
+    constexpr double good_part = 0.2, fast_part = 0.08;
     const auto is_noise = [&](const NamedCause& cause) {
       const std::string origin = origin_of(cause.candidate);
       return origin == "sensor_noise" || origin == "sensor_quantisation";
     };
     const auto is_fast = [&](const NamedCause& cause) {
       const std::string origin = origin_of(cause.candidate);
-      return origin == "gear_elasticity" || origin == "inertial_backlash";
+      return origin == "gear_elasticity" || origin == "gear_resonance" ||
+             origin == "inertial_backlash";
     };
     std::set<std::string> noisy;
     for (const NamedCause& cause : verdict.causes)
       if (is_noise(cause)) noisy.insert(cause.members.front().place);
     const auto aside = [&](const NamedCause& cause) {
       if (origin_of(cause.candidate) == "sensor_noise") return true;
-      return cause.cross_validated.share < good_part &&
-             (is_noise(cause) || (is_fast(cause) && noisy.count(cause.members.front().place) == 1));
+      const double share = cause.cross_validated.share;
+      return is_noise(cause) ? share < good_part
+                             : is_fast(cause) && share < fast_part &&
+                                   noisy.count(cause.members.front().place) == 1;
     };
     for (const NamedCause& cause : verdict.causes)
       if (aside(cause))

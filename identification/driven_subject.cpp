@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <numbers>
 
+#include "identification/dequantise.h"
 #include "identification/effect_candidate.h"
 #include "identification/flexible_families.h"
 #include "identification/model_candidates.h"
@@ -148,8 +149,31 @@ void DrivenSubject::add_log(const Log& log, const DrivenColumns& columns, bool h
     const Motion of_acceleration = differentiate(acceleration, r.step, slow);
     r.signals["jerk"] = without_ends(of_acceleration.qd, r.step);
     r.signals["jounce"] = without_ends(of_acceleration.qdd, r.step);
+    add_sensor_errors(r);
     (held_out ? problem_.holdout : problem_.training).push_back(std::move(r));
   }
+}
+
+/// Where in its play a loose position sensor is, and the errors of one with steps: no error is
+/// larger than half a step. Smoothed and differentiated as the position is.
+void DrivenSubject::add_sensor_errors(Recording& log) const {
+  const MatrixXd& reading = log.signals.at("logged_q");
+  MatrixXd side(reading.rows(), reading.cols());
+  MatrixXd steps = reading - log.signals.at("smooth_q");
+  for (Index c = 0; c < side.cols(); ++c) {
+    const double step = quantum_[static_cast<std::size_t>(c)];
+    side.col(c) = side_of_play(reading.col(c), log.qd.col(c), step,
+                               2e-3 * log.qd.col(c).cwiseAbs().maxCoeff());
+    steps.col(c) = (steps.col(c).array().abs() < 0.55 * step).select(steps.col(c), 0.0);
+  }
+  const auto add = [&](const std::string& name, const MatrixXd& error) {
+    Motion motion = differentiate(error, log.step, std::min(highest_cutoff, 0.1 / log.step));
+    log.signals[name] = std::move(motion.q);
+    log.signals[name + "_rate"] = std::move(motion.qd);
+    log.signals[name + "_acceleration"] = std::move(motion.qdd);
+  };
+  add("side", side);
+  add("steps", steps);
 }
 
 void DrivenSubject::set_signals(Recording& log) const {
@@ -258,6 +282,8 @@ void DrivenSubject::add(const std::string& effect, std::size_t joint, const std:
                                  fixed.size() ? std::optional(fixed) : std::nullopt);
   if (!name.empty()) c.name = name;
   c.kind = kind;
+  // Impacts are as short as a sample; what they leave in the band is enough.
+  c.broadband = effect == "inertial_backlash";
   if (kind == CandidateKind::decoy) c.depends_on = "position, periodic at no known order";
   problem_.library.push_back(std::move(c));
   library_.push_back({kind == CandidateKind::decoy ? "" : effect, joint, fixed, {}});
@@ -266,8 +292,8 @@ void DrivenSubject::add(const std::string& effect, std::size_t joint, const std:
 void DrivenSubject::add_library(std::size_t joint) {
   for (const char* effect :
        {"viscous_asymmetry", "coulomb_asymmetry", "stribeck", "concave_friction", "concave_power",
-        "quadratic_friction", "friction_drift", "gear_elasticity", "inertial_backlash",
-        "offset_drift"})
+        "quadratic_friction", "friction_drift", "gear_elasticity", "gear_resonance",
+        "inertial_backlash", "offset_drift"})
     add(effect, joint);
   const LogScale s = scale(joint);
   if (s.load > 0.0) add("load_friction", joint);
@@ -330,20 +356,20 @@ void DrivenSubject::add_model_candidates(std::size_t joint) {
     }
 }
 
-/// The errors of a sensor with steps lie evenly between two of them; those of other noise do not.
+/// Half of the errors of a sensor with steps are below a quarter of a step, fast motion or not;
+/// where they are much larger, it is other noise that they come from.
 bool DrivenSubject::coarse_sensor(std::size_t joint) const {
   const auto c = static_cast<Index>(joint);
-  double squares = 0.0, fourth_powers = 0.0, count = 0.0;
+  std::vector<double> errors;
   for (const Recording& log : problem_.training) {
     const VectorXd error =
-        (log.signals.at("logged_q").col(c) - log.signals.at("smooth_q").col(c)).array().square();
-    squares += error.sum();
-    fourth_powers += error.squaredNorm();
-    count += static_cast<double>(error.size());
+        (log.signals.at("logged_q").col(c) - log.signals.at("smooth_q").col(c)).cwiseAbs();
+    errors.insert(errors.end(), error.begin(), error.end());
   }
-  constexpr double even = 1.8, normal = 3.0;  // kurtosis
-  return quantum_[joint] > 0.0 && squares > 0.0 &&
-         count * fourth_powers < 0.5 * (even + normal) * squares * squares;
+  if (quantum_[joint] <= 0.0 || errors.empty()) return false;
+  const auto middle = errors.begin() + static_cast<std::ptrdiff_t>(errors.size() / 2);
+  std::nth_element(errors.begin(), middle, errors.end());
+  return *middle < 0.4 * quantum_[joint];
 }
 
 /// What is left of the acceleration above the motion is what the position's noise at still higher

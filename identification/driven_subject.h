@@ -81,6 +81,7 @@ class DrivenSubject {
   void add_levels(std::size_t joint);
   void add_common_levels(std::size_t joint);
   void fit_directions(const Settings& settings);
+  void add_sensor_errors(Recording& log) const;
   void set_signals(Recording& log) const;
   bool gain_is_level(std::size_t joint) const;
   bool tendon_driven(std::size_t joint) const;

@@ -121,6 +121,15 @@ Candidate effect_candidate(const Effect& effect, const EffectPlace& place, const
       c.nonlinear.push_back({p.name, unit_at(p.unit, place.revolute), p.low * unit, p.high * unit,
                              p.grid, p.low > 0.0});
     }
+  if (std::any_of(effect.shapes.begin(), effect.shapes.end(),
+                  [](const auto& s) { return s.inside; }))
+    c.possible = [shapes = effect.shapes, ranges = c.nonlinear](const VectorXd&,
+                                                                const VectorXd& nonlinear) {
+      for (std::size_t p = 0; p < ranges.size(); ++p)
+        if (shapes[p].inside && nonlinear(static_cast<Index>(p)) > 0.98 * ranges[p].high)
+          return false;
+      return true;
+    };
   c.columns = [regressor = Regressor(effect), axis = place.axis, fixed](
                   const Recording& log, int channel, const VectorXd& nonlinear) -> MatrixXd {
     if (channel != axis) return {};

@@ -2,7 +2,6 @@
 #include "identification/model_candidates.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "identification/filter.h"
 
@@ -22,26 +21,12 @@ Candidate at(const EffectPlace& place, const std::string& name, LinearParameter 
   return c;
 }
 
-/// Which end of its play a sensor is at: the direction of the logged motion, and on its way from
-/// one to the other while the log stands still.
-VectorXd side_of_play(const VectorXd& velocity, double still) {
-  VectorXd side(velocity.size());
-  double last = 0.0;
-  Index from = 0;
-  for (Index k = 0; k < velocity.size(); ++k) {
-    if (std::abs(velocity(k)) <= still && k + 1 < velocity.size()) continue;
-    const double now = std::abs(velocity(k)) <= still ? last : velocity(k) > 0.0 ? 1.0 : -1.0;
-    if (last == 0.0) last = now;
-    const auto way = static_cast<double>(k - from + 1);
-    // The true motion starts from rest where the logged one stops: the way grows with the square.
-    for (Index i = from; i <= k; ++i) {
-      const double part = static_cast<double>(i - from + 1) / way;
-      side(i) = last + (now - last) * part * part;
-    }
-    last = now;
-    from = k + 1;
-  }
-  return side;
+/// An effect is as large as its linear coefficient says; the size its shape was made for, which
+/// small effects leave open, must not be larger by that factor.
+auto of_its_size(double factor) {
+  return [factor](const VectorXd& coefficients, const VectorXd& nonlinear) {
+    return nonlinear(0) < factor * coefficients(0);
+  };
 }
 
 /// Change of the effort at one axis for a small change of the motion there, per `size`.
@@ -86,6 +71,7 @@ Candidate sensor_low_pass_candidate(const EffectPlace& place, const EffortModel&
   Candidate c =
       at(place, "low-pass of the position sensor", {"time_constant", "s", 0.0, 0.1, false, {}});
   c.nonlinear = {{"time_constant_of_motion", "s", 1e-3, 0.05, 4, true}};
+  c.possible = of_its_size(15.0);
   c.limit_meaning = "the sensor would run ahead of the motion";
   c.isolating_experiment = "fast sinusoids against a second sensor";
   c.columns = [axis = place.axis, effort](const Recording& log, int channel,
@@ -112,10 +98,10 @@ Candidate sensor_scale_candidate(const EffectPlace& place, const EffortModel& ef
   return c;
 }
 
-Candidate sensor_quantisation_candidate(const EffectPlace& place, const EffortModel& effort) {
+Candidate sensor_noise_candidate(const EffectPlace& place, const EffortModel& effort) {
   // 1: all of the difference between the logged and the smooth motion is the sensor's.
-  Candidate c = at(place, "quantisation of the position sensor",
-                   {"share_of_steps", "1", 0.0, 1.5, false, {}});
+  Candidate c =
+      at(place, "noise of the position sensor", {"share_of_noise", "1", 0.0, 1.5, false, {}});
   c.limit_meaning = "the motion would be rougher than what is logged of it";
   c.broadband = true;
   c.isolating_experiment = "the same motion against a finer sensor";
@@ -133,27 +119,37 @@ Candidate sensor_quantisation_candidate(const EffectPlace& place, const EffortMo
   return c;
 }
 
-Candidate sensor_noise_candidate(const EffectPlace& place, const EffortModel& effort) {
-  Candidate c = sensor_quantisation_candidate(place, effort);
-  c.name = "noise of the position sensor";
-  c.linear.front().name = "share_of_noise";
+Candidate sensor_quantisation_candidate(const EffectPlace& place, const EffortModel& effort) {
+  Candidate c = sensor_noise_candidate(place, effort);
+  c.name = "quantisation of the position sensor";
+  c.linear.front().name = "share_of_steps";
+  c.columns = [axis = place.axis, effort](const Recording& log, int channel,
+                                          const VectorXd&) -> MatrixXd {
+    if (channel != axis) return {};
+    const Motion error{-log.signals.at("steps").col(axis), -log.signals.at("steps_rate").col(axis),
+                       -log.signals.at("steps_acceleration").col(axis)};
+    return response(effort, log, axis, error, 1.0);
+  };
   return c;
 }
 
 Candidate sensor_hysteresis_candidate(const EffectPlace& place, const EffortModel& effort,
                                       const LogScale& scale) {
+  const std::string unit = place.revolute ? "rad" : "m";
+  const double reach = scale.high - scale.low;
   Candidate c =
-      at(place, "hysteresis of the position sensor",
-         {"half_play", place.revolute ? "rad" : "m", 0.0, scale.high - scale.low, false, {}});
+      at(place, "hysteresis of the position sensor", {"half_play", unit, 0.0, reach, false, {}});
+  // Friction turns within the play: what the sensor hides of the motion is not proportional to it.
+  c.nonlinear = {{"half_play_of_motion", unit, 1e-5 * reach, 3e-3 * reach, 4, true}};
+  c.possible = of_its_size(4.0);
   c.limit_meaning = "the sensor would run ahead of the motion";
   c.isolating_experiment = "slow reversals against a second sensor";
-  c.columns = [axis = place.axis, effort, still = 2e-3 * scale.speed,
-               small = 1e-5 * (scale.high - scale.low)](const Recording& log, int channel,
-                                                        const VectorXd&) -> MatrixXd {
+  c.columns = [axis = place.axis, effort](const Recording& log, int channel,
+                                          const VectorXd& half_play) -> MatrixXd {
     if (channel != axis) return {};
-    const MatrixXd side = side_of_play(log.qd.col(axis), still);
-    return response(effort, log, axis,
-                    differentiate(side, log.step, std::min(40.0, 0.1 / log.step)), small);
+    const Motion side{log.signals.at("side").col(axis), log.signals.at("side_rate").col(axis),
+                      log.signals.at("side_acceleration").col(axis)};
+    return response(effort, log, axis, side, half_play(0));
   };
   return c;
 }

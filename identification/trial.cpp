@@ -104,7 +104,9 @@ bool violates_limits(const Design& design, const Model& model, const LinearFit& 
     const double value = fit.coefficients(at);
     if (value < p.low - slack || value > p.high + slack) return true;
   }
-  return false;
+  if (!t.candidate->possible) return false;
+  const auto wide = static_cast<Index>(layout.size());
+  return !t.candidate->possible(fit.coefficients.segment(first, wide), t.nonlinear);
 }
 
 double deviance(const Model& model, const Weights& weights) {

@@ -101,6 +101,22 @@ void effects_gear_elasticity(const double signals[SINEW_AT_LEAST(8)], double col
     columns[0] = signals[3];
 }
 
+void effects_gear_resonance(const double signals[SINEW_AT_LEAST(8)], const double shape[SINEW_AT_LEAST(2)], const double memory[SINEW_AT_LEAST(3)], double columns[SINEW_AT_LEAST(1)], double next[SINEW_AT_LEAST(3)])
+{
+    const double t1 = signals[7] * memory[2];
+    const double t2 = 4.0 * memory[1] + t1;
+    const double t3 = shape[0] * shape[0];
+    const double t4 = 4.0 * (signals[2] + shape[0] * shape[1] * (memory[1] + memory[1] + t1)) + (4.0 * memory[0] + signals[7] * t2) * t3;
+    const double t5 = signals[7] * signals[7];
+    const double t6 = 1.0 / (4.0 * (1.0 + signals[7] * shape[0] * shape[1]) + t5 * t3);
+    const double t7 = -(t4 * t6);
+    const double t8 = 0.5 * signals[7];
+    columns[0] = t7;
+    next[0] = memory[0] + 0.25 * signals[7] * t2 - 0.25 * t4 * t5 * t6;
+    next[1] = memory[1] + t8 * memory[2] - t8 * t4 * t6;
+    next[2] = t7;
+}
+
 void effects_torsion_spring(const double signals[SINEW_AT_LEAST(8)], double columns[SINEW_AT_LEAST(1)])
 {
     columns[0] = signals[0];
@@ -131,15 +147,15 @@ void effects_cable_torque(const double signals[SINEW_AT_LEAST(8)], const double 
     columns[6] = -(t1 * (t9 + t9 + 1.0) + t7);
 }
 
-void effects_inertial_backlash(const double signals[SINEW_AT_LEAST(8)], const double shape[SINEW_AT_LEAST(1)], const double memory[SINEW_AT_LEAST(2)], double columns[SINEW_AT_LEAST(1)], double next[SINEW_AT_LEAST(2)])
+void effects_inertial_backlash(const double signals[SINEW_AT_LEAST(8)], const double shape[SINEW_AT_LEAST(2)], const double memory[SINEW_AT_LEAST(2)], double columns[SINEW_AT_LEAST(1)], double next[SINEW_AT_LEAST(2)])
 {
     const double t1 = memory[1] + signals[2] * signals[7] / shape[0];
     const double t2 = sinew_min(sinew_max(memory[0] + signals[7] * t1, 0.0), 1.0);
-    const double t3 = -(1.0 - t2);
-    const double t4 = -t2;
-    columns[0] = signals[2] * sinew_choose(t4, 0.0, sinew_choose(t3, 0.0, 1.0));
+    const double t3 = -(shape[1] * t1);
+    const double t4 = sinew_choose(-t2, t3, sinew_choose(-(1.0 - t2), t3, t1));
+    columns[0] = -(shape[0] * (memory[1] - t4) / signals[7]);
     next[0] = t2;
-    next[1] = sinew_choose(t4, 0.0, sinew_choose(t3, 0.0, t1));
+    next[1] = t4;
 }
 
 void effects_guiding_friction(const double signals[SINEW_AT_LEAST(8)], double columns[SINEW_AT_LEAST(2)])

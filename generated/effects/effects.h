@@ -125,6 +125,15 @@ void effects_load_ripple(const double signals[SINEW_AT_LEAST(8)], const double s
  * 0 multiplications, 0 additions. */
 void effects_gear_elasticity(const double signals[SINEW_AT_LEAST(8)], double columns[SINEW_AT_LEAST(1)]);
 
+/* Terms of the effect 'gear elasticity', to be multiplied by its coefficients.
+ *   in  signals       8 [SI] position, velocity, acceleration, its second derivative, load, time, direction, step; made for -3..3, -5..5, -50..50, -1e+04..1e+04, -10..10, 0..100, -1..1, 0.0001..0.01
+ *   in  shape         2 [SI] natural_frequency, damping_ratio; made for 10..400, 0.01..0.4
+ *   in  memory        3 [1] before this sample; made for -1..1
+ *   out columns       1 [SI] inertia_behind_spring
+ *   out next          3 [1] states for the next sample
+ * 24 multiplications, 12 additions, 1 divisions. */
+void effects_gear_resonance(const double signals[SINEW_AT_LEAST(8)], const double shape[SINEW_AT_LEAST(2)], const double memory[SINEW_AT_LEAST(3)], double columns[SINEW_AT_LEAST(1)], double next[SINEW_AT_LEAST(3)]);
+
 /* Terms of the effect 'spring towards a position', to be multiplied by its coefficients.
  *   in  signals       8 [SI] position, velocity, acceleration, its second derivative, load, time, direction, step; made for -3..3, -5..5, -50..50, -1e+04..1e+04, -10..10, 0..100, -1..1, 0.0001..0.01
  *   out columns       1 [SI] stiffness
@@ -146,12 +155,12 @@ void effects_cable_torque(const double signals[SINEW_AT_LEAST(8)], const double 
 
 /* Terms of the effect 'backlash', to be multiplied by its coefficients.
  *   in  signals       8 [SI] position, velocity, acceleration, its second derivative, load, time, direction, step; made for -3..3, -5..5, -50..50, -1e+04..1e+04, -10..10, 0..100, -1..1, 0.0001..0.01
- *   in  shape         1 [SI] gap; made for 0.0001..0.03
+ *   in  shape         2 [SI] gap, restitution; made for 0.0001..0.03, 0.1..0.9
  *   in  memory        2 [1] before this sample; made for -1..1
  *   out columns       1 [SI] inertia_behind_gap
  *   out next          2 [1] states for the next sample
- * 3 multiplications, 3 additions, 1 divisions, 6 other functions. */
-void effects_inertial_backlash(const double signals[SINEW_AT_LEAST(8)], const double shape[SINEW_AT_LEAST(1)], const double memory[SINEW_AT_LEAST(2)], double columns[SINEW_AT_LEAST(1)], double next[SINEW_AT_LEAST(2)]);
+ * 4 multiplications, 4 additions, 2 divisions, 4 other functions. */
+void effects_inertial_backlash(const double signals[SINEW_AT_LEAST(8)], const double shape[SINEW_AT_LEAST(2)], const double memory[SINEW_AT_LEAST(2)], double columns[SINEW_AT_LEAST(1)], double next[SINEW_AT_LEAST(2)]);
 
 /* Terms of the effect 'guiding friction', to be multiplied by its coefficients.
  *   in  signals       8 [SI] position, velocity, acceleration, its second derivative, load, time, direction, step; made for -3..3, -5..5, -50..50, -1e+04..1e+04, -10..10, 0..100, -1..1, 0.0001..0.01

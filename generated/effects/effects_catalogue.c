@@ -268,6 +268,28 @@ static const sinew_argument gear_elasticity_outputs[] = {
     {"columns", "SI", 1, 1, 0, 0},
 };
 
+static void call_gear_resonance(const void *in, void *out)
+{
+    const double *x = (const double *)in;
+    double *y = (double *)out;
+    effects_gear_resonance(x + 0, x + 8, x + 10, y + 0, y + 1);
+}
+static const double gear_resonance_signals_low[] = {-3.0, -5.0, -50.0, -10000.0, -10.0, 0.0, -1.0, 1e-04};
+static const double gear_resonance_signals_high[] = {3.0, 5.0, 50.0, 10000.0, 10.0, 100.0, 1.0, 0.01};
+static const double gear_resonance_shape_low[] = {10.0, 0.01};
+static const double gear_resonance_shape_high[] = {400.0, 0.4};
+static const double gear_resonance_memory_low[] = {-1.0, -1.0, -1.0};
+static const double gear_resonance_memory_high[] = {1.0, 1.0, 1.0};
+static const sinew_argument gear_resonance_inputs[] = {
+    {"signals", "SI", 8, 1, gear_resonance_signals_low, gear_resonance_signals_high},
+    {"shape", "SI", 2, 1, gear_resonance_shape_low, gear_resonance_shape_high},
+    {"memory", "1", 3, 1, gear_resonance_memory_low, gear_resonance_memory_high},
+};
+static const sinew_argument gear_resonance_outputs[] = {
+    {"columns", "SI", 1, 1, 0, 0},
+    {"next", "1", 3, 1, 0, 0},
+};
+
 static void call_torsion_spring(const void *in, void *out)
 {
     const double *x = (const double *)in;
@@ -320,17 +342,17 @@ static void call_inertial_backlash(const void *in, void *out)
 {
     const double *x = (const double *)in;
     double *y = (double *)out;
-    effects_inertial_backlash(x + 0, x + 8, x + 9, y + 0, y + 1);
+    effects_inertial_backlash(x + 0, x + 8, x + 10, y + 0, y + 1);
 }
 static const double inertial_backlash_signals_low[] = {-3.0, -5.0, -50.0, -10000.0, -10.0, 0.0, -1.0, 1e-04};
 static const double inertial_backlash_signals_high[] = {3.0, 5.0, 50.0, 10000.0, 10.0, 100.0, 1.0, 0.01};
-static const double inertial_backlash_shape_low[] = {1e-04};
-static const double inertial_backlash_shape_high[] = {0.03};
+static const double inertial_backlash_shape_low[] = {1e-04, 0.1};
+static const double inertial_backlash_shape_high[] = {0.03, 0.9};
 static const double inertial_backlash_memory_low[] = {-1.0, -1.0};
 static const double inertial_backlash_memory_high[] = {1.0, 1.0};
 static const sinew_argument inertial_backlash_inputs[] = {
     {"signals", "SI", 8, 1, inertial_backlash_signals_low, inertial_backlash_signals_high},
-    {"shape", "SI", 1, 1, inertial_backlash_shape_low, inertial_backlash_shape_high},
+    {"shape", "SI", 2, 1, inertial_backlash_shape_low, inertial_backlash_shape_high},
     {"memory", "1", 2, 1, inertial_backlash_memory_low, inertial_backlash_memory_high},
 };
 static const sinew_argument inertial_backlash_outputs[] = {
@@ -462,10 +484,11 @@ static const sinew_function functions[] = {
     {"effects_ripple", 2, 1, 9, 2, ripple_inputs, ripple_outputs, call_ripple},
     {"effects_load_ripple", 2, 1, 9, 2, load_ripple_inputs, load_ripple_outputs, call_load_ripple},
     {"effects_gear_elasticity", 1, 1, 8, 1, gear_elasticity_inputs, gear_elasticity_outputs, call_gear_elasticity},
+    {"effects_gear_resonance", 3, 2, 13, 4, gear_resonance_inputs, gear_resonance_outputs, call_gear_resonance},
     {"effects_torsion_spring", 1, 1, 8, 1, torsion_spring_inputs, torsion_spring_outputs, call_torsion_spring},
     {"effects_offset_drift", 1, 1, 8, 1, offset_drift_inputs, offset_drift_outputs, call_offset_drift},
     {"effects_cable_torque", 2, 1, 10, 7, cable_torque_inputs, cable_torque_outputs, call_cable_torque},
-    {"effects_inertial_backlash", 3, 2, 11, 3, inertial_backlash_inputs, inertial_backlash_outputs, call_inertial_backlash},
+    {"effects_inertial_backlash", 3, 2, 12, 3, inertial_backlash_inputs, inertial_backlash_outputs, call_inertial_backlash},
     {"effects_guiding_friction", 1, 1, 8, 2, guiding_friction_inputs, guiding_friction_outputs, call_guiding_friction},
     {"effects_force_sensor_scale", 1, 1, 8, 1, force_sensor_scale_inputs, force_sensor_scale_outputs, call_force_sensor_scale},
     {"effects_force_sensor_offset", 1, 1, 8, 1, force_sensor_offset_inputs, force_sensor_offset_outputs, call_force_sensor_offset},
@@ -474,4 +497,4 @@ static const sinew_function functions[] = {
     {"effects_late_reversal", 3, 2, 10, 2, late_reversal_inputs, late_reversal_outputs, call_late_reversal},
 };
 
-const sinew_catalogue effects_catalogue = {"effects", "69c538edcbf3bf2f45779b1c8a2551790ff791915ec1f60e5b93999b2315532f", 8, 26, functions};
+const sinew_catalogue effects_catalogue = {"effects", "69c538edcbf3bf2f45779b1c8a2551790ff791915ec1f60e5b93999b2315532f", 8, 27, functions};

@@ -39,7 +39,8 @@ struct ShapeParameter {
   std::string name, unit;  ///< unit: {position}, {velocity}, ... stand for the place's own
   Scale scale = Scale::none;
   double low = 0.0, high = 1.0;
-  int grid = 5;  ///< starting values of a search
+  int grid = 5;         ///< starting values of a search
+  bool inside = false;  ///< a fit that ends at `high` is not this effect
 };
 
 enum class Sign { any, positive, negative };

@@ -23,6 +23,7 @@ const std::vector<Effect>& effects() {
       ripple(),
       load_ripple(),
       gear_elasticity(),
+      gear_resonance(),
       torsion_spring(),
       offset_drift(),
       cable_torque(),

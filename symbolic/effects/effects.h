@@ -22,6 +22,7 @@ Effect position_friction();
 Effect ripple();
 Effect load_ripple();
 Effect gear_elasticity();
+Effect gear_resonance();
 Effect torsion_spring();
 Effect offset_drift();
 Effect cable_torque();
