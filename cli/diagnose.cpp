@@ -18,6 +18,7 @@
 #include "identification/findings_json.h"
 #include "identification/report_html.h"
 #include "identification/report_text.h"
+#include "identification/verdict_text.h"
 #include "symbolic/hand_mechanism.h"
 #include "symbolic/identified_mechanism.h"
 #include "symbolic/put_files.h"
@@ -153,6 +154,7 @@ FileSet extended_c(const DiagnoseOptions& o, const Diagnosis& diagnosis) {
 void write_results(const DiagnoseOptions& o, Diagnosis& diagnosis) {
   auto& extension = diagnosis.findings.extension;
   extension.dry_run = o.dry_run;
+  diagnosis.findings.next_step = diagnosis::next_step(diagnosis.findings);
   std::map<std::string, std::string> files;
   const FileSet generated = extension.adopted ? extended_c(o, diagnosis) : FileSet{};
   if (extension.adopted) {

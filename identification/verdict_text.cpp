@@ -78,6 +78,8 @@ std::string next_step(const Findings& f) {
   if (f.verdict.causes.empty() && f.verdict.unexplained.none_of_the_known)
     return "Look at the plots for what changes along with it, and log what might drive it.";
   if (f.verdict.causes.empty()) return "Nothing to do.";
+  if (f.extension.adopted && f.extension.dry_run)
+    return "The model was left as it is; without --dry-run it takes the terms named here.";
   if (f.extension.adopted) return "Generate the model again; it now holds the terms named here.";
   return "The model was left as it is: " + f.extension.reason + ".";
 }

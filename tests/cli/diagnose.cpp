@@ -127,7 +127,10 @@ TEST_CASE("where the model is right nothing is named and nothing changes") {
 
 TEST_CASE("a dry run leaves the model as it is") {
   const Bench bench(1.5);
-  CHECK(bench.diagnose({"--dry-run"}).status == 1);
+  const Ended ended = bench.diagnose({"--dry-run"});
+  CHECK(ended.status == 1);
+  // Said once that the model held the terms.
+  CHECK(ended.output.find("without --dry-run it takes the terms") != std::string::npos);
   CHECK_FALSE(fs::exists(bench.path("models/slide/identified.toml")));
   CHECK(fs::exists(bench.path("found/identified.toml")));
   CHECK(fs::exists(bench.path("found/generated/slide/slide.c")));
