@@ -51,7 +51,7 @@ Regression regress(const Eigen::MatrixXd& columns, const Eigen::VectorXd& target
   Regression result;
   const auto n = columns.cols();
   result.values.setZero(n);
-  result.standard_errors.setConstant(n, INFINITY);
+  result.standard_errors.setConstant(n, std::numeric_limits<double>::infinity());
   result.freedom = columns.rows() - n;
   if (result.freedom < 1) return result;
   Eigen::VectorXd scale = columns.colwise().norm();

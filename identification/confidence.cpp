@@ -8,9 +8,9 @@ namespace sinew::diagnosis {
 
 double confidence_of(const ConfidenceEvidence& evidence) {
   constexpr double kOffset = 0.2, kMargin = 1.1, kLeftOver = -3.0;
-  // On sealed drives at the noise's size with one, two, unknown and no causes 133 of 144 sets
-  // whose curve said about one held the truth: more than this nothing so far carries
-  // (docs/blind_trials.md).
+  // On sealed drives at the noise's size with one, two, unknown and no causes 133 of 144 sets held
+  // the truth, nearly all of them where the curve says about one: more than this nothing so far
+  // carries (docs/blind_trials.md).
   constexpr double kCeiling = 0.92;
   const double margin = std::min(std::max(evidence.margin, 0.0), 1e6);
   const double logit =

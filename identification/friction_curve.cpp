@@ -7,6 +7,7 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace sinew {
@@ -197,7 +198,7 @@ void fit(FrictionCurve& curve) {
 }
 
 void judge(FrictionCurve& curve) {
-  double slowest = INFINITY, fastest = 0.0;
+  double slowest = std::numeric_limits<double>::infinity(), fastest = 0.0;
   bool forward = false, backward = false;
   for (const FrictionPoint& point : curve.points) {
     slowest = std::min(slowest, std::abs(point.velocity));

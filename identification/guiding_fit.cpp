@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <boost/math/distributions/fisher_f.hpp>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace sinew {
@@ -57,7 +58,8 @@ Fit fit(const std::vector<GuidingMeasurement>& points, std::vector<double> p) {
   ceres::Solve(options, &problem, &summary);
   const auto rows = static_cast<Eigen::Index>(points.size());
   Eigen::Matrix<double, Eigen::Dynamic, parameters> J(rows, parameters);
-  Fit result{summary.IsSolutionUsable(), 0.0, p, std::vector<double>(parameters, INFINITY)};
+  Fit result{summary.IsSolutionUsable(), 0.0, p,
+             std::vector<double>(parameters, std::numeric_limits<double>::infinity())};
   for (Eigen::Index i = 0; i < rows; ++i) {
     const Cost cost(new Residual{points[static_cast<std::size_t>(i)]});
     double residual = 0.0, row[parameters];

@@ -7,6 +7,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <limits>
 
 #include "identification/units.h"
 #include "symbolic/csv_reader.h"
@@ -100,19 +101,19 @@ class TableReader {
   double number(const TableRow& row, Field field) {
     const Column& column = columns_[field];
     const TableCell& cell = row.cells[static_cast<std::size_t>(column.at)];
-    double value = NAN;
+    double value = std::numeric_limits<double>::quiet_NaN();
     const char *begin = cell.text.data(), *end = begin + cell.text.size();
     const auto parsed = std::from_chars(begin, end, value);
     if (parsed.ec != std::errc() || parsed.ptr != end || !std::isfinite(value)) {
       findings_.add(cell.where, fmt::format("'{}' is no number", cell.text),
                     fmt::format("expected the {} as a finite number", column.name));
-      return NAN;
+      return std::numeric_limits<double>::quiet_NaN();
     }
     const bool zero_fits = field == bending || field == friction;
     if (value < 0.0 || (value == 0.0 && !zero_fits)) {
       findings_.add(cell.where, fmt::format("the {} is {}", column.name, value),
                     zero_fits ? "expected 0 or more" : "expected more than 0");
-      return NAN;
+      return std::numeric_limits<double>::quiet_NaN();
     }
     return value * column.factor;
   }

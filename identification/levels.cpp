@@ -45,11 +45,11 @@ bool has_free_shape(const Term& term) {
   return std::any_of(shapes.begin(), shapes.end(), is_free);
 }
 
-/// What small changes of the causes' nonlinear parameters add. They were fitted with every level
-/// free: what they can take up beside a level at its nominal value is not the level's.
-Term shape_changes(const Design& design, const Model& model, const Weights& weights) {
-  Term changes;
-  changes.columns.resize(design.segments().size());
+/// What small changes of the causes' nonlinear parameters add, a term each; they have no candidate.
+/// The parameters were fitted with every level free: what they can take up beside a level at its
+/// nominal value is not the level's.
+std::vector<Term> shape_changes(const Design& design, const Model& model, const Weights& weights) {
+  std::vector<Term> changes;
   const VectorXd coefficients = solve(stack(model, weights)).coefficients;
   const std::vector<Index> first = first_columns(model);
   for (std::size_t t = 0; t < model.terms.size(); ++t) {
@@ -57,26 +57,18 @@ Term shape_changes(const Design& design, const Model& model, const Weights& weig
     if (term.baseline || !has_free_shape(term)) continue;
     const VectorXd own = coefficients.segment(first[t], first[t + 1] - first[t]);
     for (Index p = 0; p < term.nonlinear.size(); ++p) {
-      const NonlinearParameter& range = term.candidate->nonlinear[static_cast<std::size_t>(p)];
-      if (!is_free(range)) continue;
-      VectorXd up = term.nonlinear;
-      up(p) += 1e-2 * (range.logarithmic ? up(p) : range.high - range.low);
-      const BandColumns moved = design.columns(*term.candidate, up);
-      for (std::size_t s = 0; s < moved.size(); ++s) {
-        if (moved[s].cols() == 0 || weights[s].size() == 0) continue;
-        MatrixXd& x = changes.columns[s];
-        x.conservativeResize(moved[s].rows(), x.cols() + 1);
-        x.rightCols(1) = (moved[s] - term.columns[s]) * own;
-      }
+      if (!is_free(term.candidate->nonlinear[static_cast<std::size_t>(p)])) continue;
+      changes.emplace_back();
+      changes.back().columns = shape_rate(design, term, p, own);
     }
   }
   return changes;
 }
 
-Moments moments(const Design& design, const LevelTerms& parts, const Term& shapes,
+Moments moments(const Design& design, const LevelTerms& parts, const std::vector<Term>& shapes,
                 const NoiseView& noise) {
   Model all = parts.base;
-  all.terms.push_back(shapes);
+  all.terms.insert(all.terms.end(), shapes.begin(), shapes.end());
   const Index own = first_columns(all).back();
   for (const Term& level : parts.levels) all.terms.push_back(level);
   // A level without columns in these logs still has its places.
@@ -328,7 +320,7 @@ LevelSelection restrict_to_levels(const Design& design, const Settings& settings
   Selection& state = result.state;
   draw_surrogates(design, settings, state.noise);
   const Weights& weights = state.noise.weights;
-  const Term shapes = shape_changes(design, selection.model, weights);
+  const std::vector<Term> shapes = shape_changes(design, selection.model, weights);
   const Moments m = moments(design, parts, shapes, state.noise);
   const Search search(m, parameter_price(design), settings.most_levels);
   const double nominal_loss =

@@ -3,6 +3,7 @@
 
 #include <Eigen/QR>
 #include <cmath>
+#include <limits>
 
 namespace sinew {
 namespace {
@@ -61,7 +62,7 @@ MiddleOfLoop middle_of_loop(const ArrayXd& u, const ArrayXd& force,
                             const std::vector<Index>& starts, double step, int highest) {
   const Index every = std::max<Index>(1, u.size() / rows_to_choose);
   const ArrayXd few_u = thinned(u, every), few_force = thinned(force, every);
-  double least = INFINITY, length = 0.0;
+  double least = std::numeric_limits<double>::infinity(), length = 0.0;
   const auto attempt = [&](double candidate) {
     const ArrayXd z = thinned(loop_state(u, starts, step, candidate), every);
     const MatrixXd columns = columns_of(few_u, z, highest);

@@ -210,6 +210,20 @@ Term make_term(const Design& design, const Candidate& candidate, const VectorXd&
   return {&candidate, baseline, nonlinear, design.columns(candidate, nonlinear)};
 }
 
+BandColumns shape_rate(const Design& design, const Term& term, Index parameter,
+                       const VectorXd& coefficients) {
+  const NonlinearParameter& range = term.candidate->nonlinear[static_cast<std::size_t>(parameter)];
+  const double h = 1e-3 * (range.logarithmic ? term.nonlinear(parameter) : range.high - range.low);
+  VectorXd up = term.nonlinear, down = term.nonlinear;
+  up(parameter) += h;
+  down(parameter) -= h;
+  BandColumns rate = design.columns(*term.candidate, up);
+  const BandColumns low = design.columns(*term.candidate, down);
+  for (std::size_t s = 0; s < rate.size(); ++s)
+    if (rate[s].cols() > 0) rate[s] = (rate[s] - low[s]) * coefficients / (2.0 * h);
+  return rate;
+}
+
 void append_term(const Design& design, const Weights& weights, const Candidate& candidate,
                  const VectorXd& nonlinear, Model& model) {
   if (candidate.kind != CandidateKind::delay) {

@@ -17,6 +17,11 @@ void refine(const Design& design, const Weights& weights, RefineScope scope, Mod
 Term make_term(const Design& design, const Candidate& candidate, const Eigen::VectorXd& nonlinear,
                bool baseline);
 
+/// Derivative of what a term says by one of its nonlinear parameters: one column for each segment
+/// where it acts.
+BandColumns shape_rate(const Design& design, const Term& term, Eigen::Index parameter,
+                       const Eigen::VectorXd& coefficients);
+
 /// Appends a term; a delay gets the time derivative of the model's present prediction.
 void append_term(const Design& design, const Weights& weights, const Candidate& candidate,
                  const Eigen::VectorXd& nonlinear, Model& model);

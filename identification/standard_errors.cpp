@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "identification/refine.h"
 #include "identification/spectrum.h"
 
 namespace sinew::diagnosis {
@@ -15,19 +16,12 @@ using Eigen::VectorXd;
 /// Whitened derivative of a term's prediction with respect to one nonlinear parameter.
 VectorXd sensitivity(const Design& design, const Term& term, Index parameter,
                      const VectorXd& coefficients, const Weights& weights, const Stack& stacked) {
-  const NonlinearParameter& range = term.candidate->nonlinear[static_cast<std::size_t>(parameter)];
-  const double h = 1e-3 * (range.logarithmic ? term.nonlinear(parameter) : range.high - range.low);
-  VectorXd up = term.nonlinear, down = term.nonlinear;
-  up(parameter) += h;
-  down(parameter) -= h;
-  const BandColumns high = design.columns(*term.candidate, up);
-  const BandColumns low = design.columns(*term.candidate, down);
+  const BandColumns rate = shape_rate(design, term, parameter, coefficients);
   VectorXd result = VectorXd::Zero(stacked.y.size());
   for (std::size_t s = 0; s < weights.size(); ++s) {
     const Index rows = stacked.first_row[s + 1] - stacked.first_row[s];
-    if (rows > 0 && high[s].cols() > 0)
-      result.segment(stacked.first_row[s], rows) =
-          weights[s].cwiseProduct((high[s] - low[s]) * coefficients) / (2.0 * h);
+    if (rows > 0 && rate[s].cols() > 0)
+      result.segment(stacked.first_row[s], rows) = weights[s].cwiseProduct(rate[s].col(0));
   }
   return result;
 }

@@ -20,18 +20,22 @@ using Eigen::VectorXd;
 double log_upper_gamma(double shape, double x) {
   if (x <= 0.0) return 0.0;
   if (x < shape + 300.0) {
-    const double q = boost::math::gamma_q(shape, x);
+    // Doubles are enough here; Boost's usual policy computes in long double, at several times the
+    // price.
+    using namespace boost::math::policies;
+    const double q = boost::math::gamma_q(shape, x, policy<promote_double<false>>());
     if (q > 1e-290) return std::log(q);
   }
   return (shape - 1.0) * std::log(x) - x - std::lgamma(shape) + std::log1p((shape - 1.0) / x);
 }
 
 VectorXd one_surrogate(const NoiseModel& noise, Index samples, std::mt19937_64& random) {
-  std::uniform_real_distribution<double> angle(0.0, 2.0 * std::numbers::pi);
   const Index bins = noise.leftover.size();
   VectorXd band(2 * bins);
   for (Index b = 0; b < bins; ++b) {
-    const double phase = angle(random), amplitude = std::sqrt(noise.leftover(b));
+    const double turns = std::ldexp(static_cast<double>(random() >> 11), -53);
+    const double phase = 2.0 * std::numbers::pi * turns;
+    const double amplitude = std::sqrt(noise.leftover(b));
     band(2 * b) = amplitude * std::cos(phase);
     band(2 * b + 1) = b == 0 ? 0.0 : amplitude * std::sin(phase);
   }

@@ -5,8 +5,8 @@
 
 #include "symbolic/argument.h"
 #include "symbolic/differentiate.h"
-#include "symbolic/exact_number.h"
 #include "symbolic/inline_function.h"
+#include "symbolic/kinematics.h"
 #include "symbolic/spatial.h"
 
 namespace sinew {
@@ -14,37 +14,11 @@ namespace {
 
 using GiNaC::ex;
 
-/// A frame in the one that carries it.
-struct FramePose {
-  Matrix3ex R;
-  Vector3ex p;
-};
-
 /// How a frame moves against {0}, in its own axes: velocity and acceleration of its origin, the
 /// latter less gravity, angular velocity and acceleration.
 struct FrameMotion {
   Vector3ex v, w, a, alpha;
 };
-
-FramePose of_homogeneous(const std::vector<ex>& T) {
-  FramePose pose;
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = 0; j < 3; ++j) pose.R[i][j] = T[4 * i + j];
-    pose.p[i] = T[4 * i + 3];
-  }
-  return pose;
-}
-
-FramePose of_constant(const Transform& transform) {
-  FramePose pose;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const auto row = static_cast<Eigen::Index>(i);
-    for (std::size_t j = 0; j < 3; ++j)
-      pose.R[i][j] = exact_number(transform.rotation(row, static_cast<Eigen::Index>(j)));
-    pose.p[i] = exact_number(transform.translation(row));
-  }
-  return pose;
-}
 
 Vector3ex turned_into(const Matrix3ex& R, const Vector3ex& v) {
   Vector3ex result;
@@ -70,18 +44,18 @@ class Bases {
       by_rate_.emplace_back(list_, cd_.symbols[j], "cd" + std::to_string(j));
     }
     const std::size_t bars = c_.symbols.size() - 2;
-    palm_ = of_homogeneous(
+    palm_ = from_homogeneous(
         inlined(list_, wrist_pose(hand.wrist), {c_.symbols[bars], c_.symbols[bars + 1]})[0]);
     if (hand.has_four_bar())
-      coupler_ =
-          of_homogeneous(inlined(list_, four_bar_coupler_pose(hand.four_bar), {c_.symbols[0]})[0]);
+      coupler_ = from_homogeneous(
+          inlined(list_, four_bar_coupler_pose(hand.four_bar), {c_.symbols[0]})[0]);
   }
 
   Function pose_function() {
     std::vector<ex> rows;
     for (const HandFinger& finger : hand_.fingers) {
-      FramePose pose = palm_;
-      for (const FramePose& step : steps_to(finger)) pose = product(pose, step);
+      PoseEx pose = palm_;
+      for (const PoseEx& step : steps_to(finger)) pose = product(pose, step);
       for (std::size_t i = 0; i < 3; ++i) {
         rows.insert(rows.end(), pose.R[i].begin(), pose.R[i].end());
         rows.push_back(pose.p[i]);
@@ -136,9 +110,9 @@ class Bases {
   }
 
   /// From the palm to a finger's base.
-  std::vector<FramePose> steps_to(const HandFinger& finger) const {
-    if (!finger.on_coupler) return {of_constant(finger.base)};
-    return {of_constant(hand_.four_bar_base), coupler_, of_constant(finger.base)};
+  std::vector<PoseEx> steps_to(const HandFinger& finger) const {
+    if (!finger.on_coupler) return {from_transform(finger.base)};
+    return {from_transform(hand_.four_bar_base), coupler_, from_transform(finger.base)};
   }
 
   std::vector<FrameMotion> motions(bool second) {
@@ -151,7 +125,7 @@ class Bases {
     std::vector<FrameMotion> result;
     for (const HandFinger& finger : hand_.fingers) {
       FrameMotion motion = palm;
-      for (const FramePose& step : steps_to(finger)) motion = carried(motion, step, second);
+      for (const PoseEx& step : steps_to(finger)) motion = carried(motion, step, second);
       result.push_back(motion);
     }
     return result;
@@ -159,7 +133,7 @@ class Bases {
 
   /// Motion of a frame at a pose that may change with the carriers' angles; with `second` its
   /// accelerations, too.
-  FrameMotion carried(const FrameMotion& carrier, const FramePose& pose, bool second) {
+  FrameMotion carried(const FrameMotion& carrier, const PoseEx& pose, bool second) {
     const Vector3ex p_rate = rate("p_rate", pose.p);
     Matrix3ex columns, column_rates;
     for (std::size_t j = 0; j < 3; ++j) {
@@ -208,8 +182,8 @@ class Bases {
     return list_.define(name, sum);
   }
 
-  FramePose product(const FramePose& a, const FramePose& b) {
-    FramePose result;
+  PoseEx product(const PoseEx& a, const PoseEx& b) {
+    PoseEx result;
     for (std::size_t i = 0; i < 3; ++i) {
       for (std::size_t j = 0; j < 3; ++j)
         result.R[i][j] = list_.define(
@@ -224,7 +198,7 @@ class Bases {
   DefinitionList list_;
   std::deque<ForwardDerivative> by_,
       by_rate_;  ///< one a carrier: by its angle, by its rate
-  FramePose palm_, coupler_;
+  PoseEx palm_, coupler_;
 };
 
 }  // namespace

@@ -3,7 +3,6 @@
 
 #include "symbolic/argument.h"
 #include "symbolic/coordinates.h"
-#include "symbolic/exact_number.h"
 #include "symbolic/hand_members.h"
 #include "symbolic/inline_function.h"
 #include "symbolic/kinematics.h"
@@ -13,26 +12,6 @@ namespace sinew {
 namespace {
 
 using GiNaC::ex;
-
-PoseEx from_homogeneous(const std::vector<ex>& T) {
-  PoseEx pose;
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = 0; j < 3; ++j) pose.R[i][j] = T[4 * i + j];
-    pose.p[i] = T[4 * i + 3];
-  }
-  return pose;
-}
-
-PoseEx from_transform(const Transform& transform) {
-  PoseEx pose;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const auto row = static_cast<Eigen::Index>(i);
-    for (std::size_t j = 0; j < 3; ++j)
-      pose.R[i][j] = exact_number(transform.rotation(row, static_cast<Eigen::Index>(j)));
-    pose.p[i] = exact_number(transform.translation[row]);
-  }
-  return pose;
-}
 
 PoseEx product(DefinitionList& list, const std::string& name, const PoseEx& a, const PoseEx& b) {
   PoseEx result;

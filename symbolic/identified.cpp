@@ -17,8 +17,6 @@ namespace {
 /// Reads one file; every mistake is reported with its place.
 class IdentifiedReader {
  public:
-  explicit IdentifiedReader(TomlFile& file) : file_(file) {}
-
   Identified read(TomlTable root) {
     Identified result;
     for (TomlTable& table : root.tables("log")) {
@@ -83,8 +81,6 @@ class IdentifiedReader {
       table.report("effect", error.what(), "expected an effect of the catalogue");
     }
   }
-
-  TomlFile& file_;
 };
 
 void append(const std::vector<IdentifiedValue>& values, const char* key, std::string& text) {
@@ -119,7 +115,7 @@ Identified read_identified(const std::filesystem::path& folder) {
                  "expected TOML 1.0");
   }
   findings.raise_if_any();
-  Identified result = IdentifiedReader(file).read(TomlTable(root, "", file));
+  Identified result = IdentifiedReader().read(TomlTable(root, "", file));
   findings.raise_if_any();
   return result;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "symbolic/kinematics.h"
 
+#include "symbolic/exact_number.h"
 #include "symbolic/joint_angles.h"
 #include "symbolic/run_geometry.h"
 
@@ -20,6 +21,26 @@ Vector3ex column(const Matrix3ex& R, std::size_t j) {
 }
 
 }  // namespace
+
+PoseEx from_homogeneous(const std::vector<GiNaC::ex>& T) {
+  PoseEx pose;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) pose.R[i][j] = T[4 * i + j];
+    pose.p[i] = T[4 * i + 3];
+  }
+  return pose;
+}
+
+PoseEx from_transform(const Transform& transform) {
+  PoseEx pose;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto row = static_cast<Eigen::Index>(i);
+    for (std::size_t j = 0; j < 3; ++j)
+      pose.R[i][j] = exact_number(transform.rotation(row, static_cast<Eigen::Index>(j)));
+    pose.p[i] = exact_number(transform.translation[row]);
+  }
+  return pose;
+}
 
 Kinematics::Kinematics(DefinitionList& list, const JointTree& tree, const std::vector<ex>& q)
     : list_(list), tree_(tree), links_(tree.links.size()), axes_(tree.links.size()) {

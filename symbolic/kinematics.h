@@ -13,11 +13,15 @@
 
 namespace sinew {
 
-/// Pose in the base frame.
+/// Pose in the base frame, or in that of what carries it.
 struct PoseEx {
   Matrix3ex R;
   Vector3ex p;
 };
+
+/// Of a homogeneous transform, 4 x 4, row by row.
+PoseEx from_homogeneous(const std::vector<GiNaC::ex>& T);
+PoseEx from_transform(const Transform& transform);
 
 /// Poses of all links, and their joints' axes, in the base frame.
 class Kinematics {

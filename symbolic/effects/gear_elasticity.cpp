@@ -18,14 +18,14 @@ Effect gear_elasticity() {
 Effect gear_resonance() {
   Effect e("gear_resonance", "gear elasticity");
   const EffectSignals& s = effect_signals();
-  const GiNaC::ex rate_of = e.shape("natural_frequency", "rad/s", Scale::none, 10.0, 400.0, 6);
+  const GiNaC::ex w = e.shape("natural_frequency", "rad/s", Scale::none, 10.0, 400.0, 6);
   e.shapes.back().inside = true;
   const GiNaC::ex damping = e.shape("damping_ratio", "1", Scale::none, 0.01, 0.4, 1);
   e.shapes.back().inside = true;
   // Twist of the gear behind a sensor on the motor: twist'' = -qdd - 2 D w twist' - w^2 twist, by
   // the trapezoidal rule, which neither delays nor diverges.
   const GiNaC::symbol twist("twist"), rate("rate"), change("change");
-  const GiNaC::ex w = rate_of, half = s.step / 2;
+  const GiNaC::ex half = s.step / 2;
   const GiNaC::ex drifted = rate + half * change;
   const GiNaC::ex carried = twist + half * (rate + drifted);
   const GiNaC::ex now = -(s.acceleration + 2 * damping * w * drifted + w * w * carried) /

@@ -44,10 +44,11 @@ VectorXd trajectory(Index n, double step, Random& random) {
   const double hold = q(half - 1);
   ArrayXd sines = ArrayXd::Zero(n - half);
   const ArrayXd t = ArrayXd::LinSpaced(n - half, 0.0, step * static_cast<double>(n - half - 1));
-  for (const double f : {0.11, 0.23, 0.41, 0.77, 1.3})
-    sines +=
-        uniform(random, 0.3, 1.0) * 0.25 / std::sqrt(f) *
-        (2.0 * kPi * f * uniform(random, 0.9, 1.1) * t + uniform(random, 0.0, 2.0 * kPi)).sin();
+  for (const double f : {0.11, 0.23, 0.41, 0.77, 1.3}) {
+    const double amplitude = uniform(random, 0.3, 1.0) * 0.25 / std::sqrt(f);
+    const double rate = 2.0 * kPi * f * uniform(random, 0.9, 1.1);
+    sines += amplitude * (rate * t + uniform(random, 0.0, 2.0 * kPi)).sin();
+  }
   const ArrayXd blend = 0.5 - 0.5 * (kPi * (t / 1.0).min(1.0)).cos();
   q.tail(n - half) = hold * (1.0 - blend) + blend * sines;
   // No drive follows a jump in acceleration.

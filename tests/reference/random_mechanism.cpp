@@ -78,8 +78,10 @@ Joint random_joint(RandomNumbers& random, int index, const RandomMechanismOption
   if (options.branched && index >= 2 && random.chance(0.4)) joint.parent = -2;
   joint.origin = random_origin(random, options.arm);
   const int kind = random.index(3);
-  if (kind == 1)
-    joint.axis = Eigen::Vector3d::Unit(random.index(3)) * (random.chance(0.5) ? 1 : -1);
+  if (kind == 1) {
+    const auto along = random.index(3);
+    joint.axis = Eigen::Vector3d::Unit(along) * (random.chance(0.5) ? 1 : -1);
+  }
   if (kind == 2) joint.axis = random.direction();
   if (joint.type == JointType::prismatic) {
     joint.low = options.arm ? -0.3 : -0.03;
@@ -111,7 +113,8 @@ Tendon random_tendon(RandomNumbers& random, int index, const Mechanism& mechanis
   int coordinate = 0;
   for (const Joint& joint : mechanism.joints) {
     if (joint.type == JointType::fixed) continue;
-    const double radius = random.uniform(0.003, 0.008) * (random.chance(0.5) ? 1.0 : -1.0);
+    const double size = random.uniform(0.003, 0.008);
+    const double radius = random.chance(0.5) ? size : -size;
     // The first n tendons reach one joint more each, so that P has full rank.
     if ((always && coordinate == index) || (coordinate < index && random.chance(0.3)))
       tendon.pulleys.push_back({joint.name, radius});

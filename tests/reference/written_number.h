@@ -11,6 +11,12 @@ namespace sinew::reference {
 /// double's the two are different models. Rotations and axes are not written but computed.
 template <class Scalar>
 Scalar written_number(double value);
+template <>
+double written_number(double value);
+template <>
+long double written_number(double value);
+template <>
+Real50 written_number(double value);
 
 template <class Scalar>
 Vector3<Scalar> written_vector(const Eigen::Vector3d& values) {

@@ -23,7 +23,7 @@ class Number {
 };
 
 double distance(double computed, Number& exact) {
-  if (!std::isfinite(computed)) return INFINITY;
+  if (!std::isfinite(computed)) return HUGE_VAL;
   // MPFR's exponent has the mantissa in [1/2, 1): the unit of a double is 2^(exponent - 53).
   const long exponent =
       mpfr_zero_p(exact.get()) ? -1021 : std::max(mpfr_get_exp(exact.get()), mpfr_exp_t{-1021});

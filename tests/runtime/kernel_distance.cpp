@@ -72,9 +72,13 @@ const std::vector<double> sine_double{SINEW_S1, SINEW_S2, SINEW_S3, SINEW_S4, SI
 const std::vector<double> cosine_double{SINEW_C1, SINEW_C2, SINEW_C3, SINEW_C4, SINEW_C5, SINEW_C6};
 #include "sinew_precision_end.h"
 
+std::vector<double> widened(const std::vector<float>& values) {
+  return {values.begin(), values.end()};
+}
+
 #include "sinew_float.h"
-const std::vector<double> sine_float{SINEW_S1, SINEW_S2, SINEW_S3};
-const std::vector<double> cosine_float{SINEW_C1, SINEW_C2, SINEW_C3};
+const std::vector<double> sine_float = widened({SINEW_S1, SINEW_S2, SINEW_S3});
+const std::vector<double> cosine_float = widened({SINEW_C1, SINEW_C2, SINEW_C3});
 #include "sinew_precision_end.h"
 
 }  // namespace

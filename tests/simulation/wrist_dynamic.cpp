@@ -47,7 +47,8 @@ std::vector<Eigen::Vector2d> torques(const sinew::Plant& prescribed, const sinew
   sinew::Evaluation e;
   for (const std::vector<double>& row : run.rows) {
     VectorXd y(2 * (n - 2)), q(n), qd(n), qdd(n), pull(n), taken(n);
-    y << Eigen::Map<const VectorXd>(&row[1], n - 2), Eigen::Map<const VectorXd>(&row[n - 1], n - 2);
+    y << Eigen::Map<const VectorXd>(row.data() + 1, n - 2),
+        Eigen::Map<const VectorXd>(row.data() + n - 1, n - 2);
     prescribed.evaluate(row[0], y.data(), e, true);
     q << e.q, e.wrist.q[0], e.wrist.q[1];
     qd << e.qd, e.wrist.qd[0], e.wrist.qd[1];

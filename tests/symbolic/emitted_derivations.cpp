@@ -132,7 +132,7 @@ TEST_CASE("deriving again gives the same text", "[emitted]") {
 }
 
 TEST_CASE("wrist, four-bar and thumb give finite values for any input", "[emitted]") {
-  const double inputs[] = {std::nan(""), INFINITY, -INFINITY, 1e308, -1e308, 5e-324, -0.0};
+  const double inputs[] = {std::nan(""), HUGE_VAL, -HUGE_VAL, 1e308, -1e308, 5e-324, -0.0};
   LinkPositionSettings settings;
   settings.gradient_iterations = 3;
   const std::vector<Function> functions{wrist_pose(wrist_parameters()),

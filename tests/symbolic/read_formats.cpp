@@ -181,7 +181,7 @@ TEST_CASE("a mechanism made by hand is checked too", "[formats]") {
   using Catch::Contains;
   CHECK(wrong([](Mechanism&) {}) == "");
   CHECK_THAT(wrong([](Mechanism& m) { m.name = "a b"; }), Contains("has a character other"));
-  CHECK_THAT(wrong([](Mechanism& m) { m.gravity[0] = NAN; }), Contains("gravity is not finite"));
+  CHECK_THAT(wrong([](Mechanism& m) { m.gravity[0] = std::nan(""); }), Contains("gravity is not finite"));
   CHECK_THAT(wrong([](Mechanism& m) { m.bodies.pop_back(); }),
              Contains("bodies and joints differ"));
   CHECK_THAT(wrong([](Mechanism& m) { m.joints[1].parent = 2; }),
@@ -197,7 +197,7 @@ TEST_CASE("a mechanism made by hand is checked too", "[formats]") {
              Contains("mass of body 'upper' is -1"));
   CHECK_THAT(wrong([](Mechanism& m) { m.bodies[0].mass = 0; }),
              Contains("has inertia but no mass"));
-  CHECK_THAT(wrong([](Mechanism& m) { m.bodies[0].centre_of_mass[1] = INFINITY; }),
+  CHECK_THAT(wrong([](Mechanism& m) { m.bodies[0].centre_of_mass[1] = HUGE_VAL; }),
              Contains("not finite"));
   CHECK_THAT(wrong([](Mechanism& m) { m.bodies[0].inertia(0, 1) += 1e-6; }),
              Contains("not symmetric"));

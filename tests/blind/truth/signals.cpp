@@ -11,8 +11,7 @@ constexpr double pi = 3.14159265358979323846;
 
 }  // namespace
 
-Motion::Motion(Course course, double amplitude, double top_speed, double seconds, Draw draw)
-    : course_(course) {
+Motion::Motion(Course course, double amplitude, double top_speed, double seconds, Draw draw) {
   const bool with_sines =
       course == Course::sines || course == Course::mixed || course == Course::one_way;
   const bool with_strokes =

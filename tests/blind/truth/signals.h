@@ -36,7 +36,6 @@ class Motion {
     double start, from, distance, speed, ramp, length;
   };
   Reference strokes(double time);
-  Course course_;
   std::vector<Sine> sines_;
   std::vector<Stroke> strokes_;
   size_t current_ = 0;

@@ -96,7 +96,8 @@ Spoiled spoil(const Table& given, Draw draw) {
     }
     case 9: {
       const auto [low, high] = std::minmax_element(log.columns[ec].begin(), log.columns[ec].end());
-      log.columns[ec][row] += draw.sign() * draw.uniform(0.6, 3.0) * (*high - *low);
+      const double way = draw.sign();
+      log.columns[ec][row] += way * draw.uniform(0.6, 3.0) * (*high - *low);
       return finish("spike", en, line);
     }
     case 10:
