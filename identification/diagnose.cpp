@@ -119,7 +119,7 @@ class Run {
     const auto is_fast = [&](const NamedCause& cause) {
       const std::string origin = origin_of(cause.candidate);
       return origin == "gear_elasticity" || origin == "gear_resonance" ||
-             origin == "inertial_backlash";
+             origin == "inertial_backlash" || origin == "loaded_backlash";
     };
     std::set<std::string> noisy;
     for (const NamedCause& cause : verdict.causes)

@@ -283,7 +283,7 @@ void DrivenSubject::add(const std::string& effect, std::size_t joint, const std:
   if (!name.empty()) c.name = name;
   c.kind = kind;
   // Impacts are as short as a sample; what they leave in the band is enough.
-  c.broadband = effect == "inertial_backlash";
+  c.broadband = effect == "inertial_backlash" || effect == "loaded_backlash";
   if (kind == CandidateKind::decoy) c.depends_on = "position, periodic at no known order";
   problem_.library.push_back(std::move(c));
   library_.push_back({kind == CandidateKind::decoy ? "" : effect, joint, fixed, {}});
@@ -296,7 +296,8 @@ void DrivenSubject::add_library(std::size_t joint) {
         "inertial_backlash", "offset_drift"})
     add(effect, joint);
   const LogScale s = scale(joint);
-  if (s.load > 0.0) add("load_friction", joint);
+  if (s.load > 0.0)
+    for (const char* effect : {"load_friction", "loaded_backlash"}) add(effect, joint);
   if (model_.joints[joint].motor) return;
   // A joint carries cables and springs; a motor's own shaft does not.
   add("position_friction", joint);

@@ -46,6 +46,8 @@ double unit_of(Scale scale, const LogScale& log) {
       return log.speed;
     case Scale::duration:
       return log.duration;
+    case Scale::mobility:
+      return log.mobility;
   }
   return 1.0;
 }
@@ -68,14 +70,20 @@ void replace_all(std::string& text, const std::string& from, const std::string& 
 }  // namespace
 
 LogScale scale_of(const std::vector<Recording>& logs, int axis) {
-  LogScale s{1e300, -1e300, 0.0, 0.0, 0.0};
+  LogScale s{1e300, -1e300, 0.0, 0.0, 0.0, 0.0};
+  double agitation = 0.0, driven = 0.0;
   for (const Recording& log : logs) {
     s.low = std::min(s.low, log.q.col(axis).minCoeff());
     s.high = std::max(s.high, log.q.col(axis).maxCoeff());
     s.speed = std::max(s.speed, log.qd.col(axis).cwiseAbs().maxCoeff());
     s.duration = std::max(s.duration, log.step * static_cast<double>(log.q.rows()));
     if (log.load.size() > 0) s.load = std::max(s.load, log.load.col(axis).cwiseAbs().maxCoeff());
+    if (static_cast<std::size_t>(axis) >= log.target.size()) continue;
+    const VectorXd acceleration = log.qdd.col(axis).array() - log.qdd.col(axis).mean();
+    agitation += acceleration.squaredNorm();
+    driven += acceleration.dot(log.target[static_cast<std::size_t>(axis)]);
   }
+  s.mobility = driven > 0.0 ? agitation / driven : 1.0;
   return s;
 }
 
@@ -145,6 +153,7 @@ std::string unit_at(const std::string& pattern, bool revolute) {
   replace_all(unit, "/{velocity}^2", "*s^2/" + length + "^2");
   replace_all(unit, "/{velocity}", "*s/" + length);
   replace_all(unit, "{effort}/{acceleration}", revolute ? "kg*m^2" : "kg");
+  replace_all(unit, "{acceleration}/{effort}", revolute ? "1/(kg*m^2)" : "1/kg");
   replace_all(unit, "*s^2/{acceleration}", "*s^4/" + length);
   replace_all(unit, "{effort}", revolute ? "N*m" : "N");
   replace_all(unit, "{position}", length);

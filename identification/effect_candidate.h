@@ -25,6 +25,7 @@ struct LogScale {
   double speed = 1.0;            ///< largest |velocity|
   double duration = 1.0;         ///< s
   double load = 0.0;             ///< largest |load|
+  double mobility = 1.0;         ///< acceleration that goes with an effort
 };
 LogScale scale_of(const std::vector<Recording>& logs, int axis);
 

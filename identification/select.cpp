@@ -307,6 +307,34 @@ Model baseline_model(const Design& design) {
   return model;
 }
 
+namespace {
+
+/// A nuisance with a physical limit and a shape of its own, as how friction turns at a reversal.
+bool is_limited_nuisance(const Term& term) {
+  const auto limited = [](const LinearParameter& p) {
+    return std::isfinite(p.low) || std::isfinite(p.high);
+  };
+  const auto& linear = term.candidate->linear;
+  return term.baseline && term.nonlinear.size() > 0 &&
+         std::any_of(linear.begin(), linear.end(), limited);
+}
+
+/// Takes out the nuisances that the training logs do not show: what is fitted to next to nothing
+/// there may be anything in a held-out log.
+void drop_unseen_nuisances(const Search& s) {
+  constexpr double kSeen = 12.0;  // drop of the whitened deviance, two parameters
+  Model& model = s.state.model;
+  for (std::size_t t = model.terms.size(); t-- > 0;) {
+    if (!is_limited_nuisance(model.terms[t])) continue;
+    Model without = model;
+    remove_term(s.design, t, without);
+    const Weights& weights = s.state.noise.weights;
+    if (deviance(without, weights) - deviance(model, weights) < kSeen) model = std::move(without);
+  }
+}
+
+}  // namespace
+
 Selection select_causes(const Design& design, const Library& library, const Settings& settings) {
   Selection state;
   const Search search{design, library, settings, state};
@@ -315,6 +343,7 @@ Selection select_causes(const Design& design, const Library& library, const Sett
   renew_noise(search);
   refine(design, state.noise.weights, RefineScope::all_terms, state.model);
   renew_noise(search);
+  drop_unseen_nuisances(search);
   state.baseline_loss =
       cross_validate(design, state.model, state.noise.weights, settings.blocks).plain.sum();
   std::vector<std::vector<int>> visited{{}};

@@ -158,6 +158,17 @@ void effects_inertial_backlash(const double signals[SINEW_AT_LEAST(8)], const do
     next[1] = t4;
 }
 
+void effects_loaded_backlash(const double signals[SINEW_AT_LEAST(8)], const double shape[SINEW_AT_LEAST(3)], const double memory[SINEW_AT_LEAST(2)], double columns[SINEW_AT_LEAST(1)], double next[SINEW_AT_LEAST(2)])
+{
+    const double t1 = memory[1] + signals[7] * (signals[2] + signals[4] * shape[1]) / shape[0];
+    const double t2 = sinew_min(sinew_max(memory[0] + signals[7] * t1, 0.0), 1.0);
+    const double t3 = -(shape[2] * t1);
+    const double t4 = sinew_choose(-t2, t3, sinew_choose(-(1.0 - t2), t3, t1));
+    columns[0] = -(shape[0] * (memory[1] - t4) / signals[7]);
+    next[0] = t2;
+    next[1] = t4;
+}
+
 void effects_guiding_friction(const double signals[SINEW_AT_LEAST(8)], double columns[SINEW_AT_LEAST(2)])
 {
     columns[0] = signals[4] * signals[6];

@@ -162,6 +162,15 @@ void effects_cable_torque(const double signals[SINEW_AT_LEAST(8)], const double 
  * 4 multiplications, 4 additions, 2 divisions, 4 other functions. */
 void effects_inertial_backlash(const double signals[SINEW_AT_LEAST(8)], const double shape[SINEW_AT_LEAST(2)], const double memory[SINEW_AT_LEAST(2)], double columns[SINEW_AT_LEAST(1)], double next[SINEW_AT_LEAST(2)]);
 
+/* Terms of the effect 'backlash', to be multiplied by its coefficients.
+ *   in  signals       8 [SI] position, velocity, acceleration, its second derivative, load, time, direction, step; made for -3..3, -5..5, -50..50, -1e+04..1e+04, -10..10, 0..100, -1..1, 0.0001..0.01
+ *   in  shape         3 [SI] gap, mobility, restitution; made for 0.0001..0.03, 1.1..5, 0.1..0.9
+ *   in  memory        2 [1] before this sample; made for -1..1
+ *   out columns       1 [SI] inertia_behind_gap
+ *   out next          2 [1] states for the next sample
+ * 5 multiplications, 5 additions, 2 divisions, 4 other functions. */
+void effects_loaded_backlash(const double signals[SINEW_AT_LEAST(8)], const double shape[SINEW_AT_LEAST(3)], const double memory[SINEW_AT_LEAST(2)], double columns[SINEW_AT_LEAST(1)], double next[SINEW_AT_LEAST(2)]);
+
 /* Terms of the effect 'guiding friction', to be multiplied by its coefficients.
  *   in  signals       8 [SI] position, velocity, acceleration, its second derivative, load, time, direction, step; made for -3..3, -5..5, -50..50, -1e+04..1e+04, -10..10, 0..100, -1..1, 0.0001..0.01
  *   out columns       2 [SI] share_when_straight, share_for_bending

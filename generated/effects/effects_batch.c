@@ -256,6 +256,22 @@ void effects_inertial_backlash_batch(int count, const double *SINEW_RESTRICT sig
     }
 }
 
+void effects_loaded_backlash_batch(int count, const double *SINEW_RESTRICT signals, const double *SINEW_RESTRICT shape, const double *SINEW_RESTRICT memory, double *SINEW_RESTRICT columns, double *SINEW_RESTRICT next)
+{
+    const size_t n = (size_t)count;
+    SINEW_STATES_ARE_INDEPENDENT
+    for (size_t state = 0; state < n; ++state) {
+        const double t1 = signals[7 * n + state] * (signals[2 * n + state] + signals[4 * n + state] * shape[1 * n + state]);
+        const double t2 = memory[1 * n + state] + t1 / shape[state];
+        const double t3 = sinew_min(sinew_max(memory[state] + signals[7 * n + state] * t2, 0.0), 1.0);
+        const double t4 = -(shape[2 * n + state] * t2);
+        const double t5 = sinew_choose(-t3, t4, sinew_choose(-(1.0 - t3), t4, t2));
+        columns[state] = -(shape[state] * (memory[1 * n + state] - t5) / signals[7 * n + state]);
+        next[state] = t3;
+        next[1 * n + state] = t5;
+    }
+}
+
 void effects_guiding_friction_batch(int count, const double *SINEW_RESTRICT signals, double *SINEW_RESTRICT columns)
 {
     const size_t n = (size_t)count;

@@ -360,6 +360,28 @@ static const sinew_argument inertial_backlash_outputs[] = {
     {"next", "1", 2, 1, 0, 0},
 };
 
+static void call_loaded_backlash(const void *in, void *out)
+{
+    const double *x = (const double *)in;
+    double *y = (double *)out;
+    effects_loaded_backlash(x + 0, x + 8, x + 11, y + 0, y + 1);
+}
+static const double loaded_backlash_signals_low[] = {-3.0, -5.0, -50.0, -10000.0, -10.0, 0.0, -1.0, 1e-04};
+static const double loaded_backlash_signals_high[] = {3.0, 5.0, 50.0, 10000.0, 10.0, 100.0, 1.0, 0.01};
+static const double loaded_backlash_shape_low[] = {1e-04, 1.1, 0.1};
+static const double loaded_backlash_shape_high[] = {0.03, 5.0, 0.9};
+static const double loaded_backlash_memory_low[] = {-1.0, -1.0};
+static const double loaded_backlash_memory_high[] = {1.0, 1.0};
+static const sinew_argument loaded_backlash_inputs[] = {
+    {"signals", "SI", 8, 1, loaded_backlash_signals_low, loaded_backlash_signals_high},
+    {"shape", "SI", 3, 1, loaded_backlash_shape_low, loaded_backlash_shape_high},
+    {"memory", "1", 2, 1, loaded_backlash_memory_low, loaded_backlash_memory_high},
+};
+static const sinew_argument loaded_backlash_outputs[] = {
+    {"columns", "SI", 1, 1, 0, 0},
+    {"next", "1", 2, 1, 0, 0},
+};
+
 static void call_guiding_friction(const void *in, void *out)
 {
     const double *x = (const double *)in;
@@ -489,6 +511,7 @@ static const sinew_function functions[] = {
     {"effects_offset_drift", 1, 1, 8, 1, offset_drift_inputs, offset_drift_outputs, call_offset_drift},
     {"effects_cable_torque", 2, 1, 10, 7, cable_torque_inputs, cable_torque_outputs, call_cable_torque},
     {"effects_inertial_backlash", 3, 2, 12, 3, inertial_backlash_inputs, inertial_backlash_outputs, call_inertial_backlash},
+    {"effects_loaded_backlash", 3, 2, 13, 3, loaded_backlash_inputs, loaded_backlash_outputs, call_loaded_backlash},
     {"effects_guiding_friction", 1, 1, 8, 2, guiding_friction_inputs, guiding_friction_outputs, call_guiding_friction},
     {"effects_force_sensor_scale", 1, 1, 8, 1, force_sensor_scale_inputs, force_sensor_scale_outputs, call_force_sensor_scale},
     {"effects_force_sensor_offset", 1, 1, 8, 1, force_sensor_offset_inputs, force_sensor_offset_outputs, call_force_sensor_offset},
@@ -497,4 +520,4 @@ static const sinew_function functions[] = {
     {"effects_late_reversal", 3, 2, 10, 2, late_reversal_inputs, late_reversal_outputs, call_late_reversal},
 };
 
-const sinew_catalogue effects_catalogue = {"effects", "69c538edcbf3bf2f45779b1c8a2551790ff791915ec1f60e5b93999b2315532f", 8, 27, functions};
+const sinew_catalogue effects_catalogue = {"effects", "69c538edcbf3bf2f45779b1c8a2551790ff791915ec1f60e5b93999b2315532f", 8, 28, functions};

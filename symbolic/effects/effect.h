@@ -30,8 +30,9 @@ const EffectSignals& effect_signals();
 /// All signals, in the order in which emitted regressors take them.
 std::vector<GiNaC::symbol> signal_list();
 
-/// What a range of a shape parameter is measured in.
-enum class Scale { none, reach, speed, duration };
+/// What a range of a shape parameter is measured in; mobility: the
+/// reciprocal of the inertia that the efforts show.
+enum class Scale { none, reach, speed, duration, mobility };
 
 /// A parameter that enters nonlinearly. `low` and `high` are in units of the log's own scale.
 struct ShapeParameter {

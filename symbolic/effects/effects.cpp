@@ -28,6 +28,7 @@ const std::vector<Effect>& effects() {
       offset_drift(),
       cable_torque(),
       inertial_backlash(),
+      loaded_backlash(),
       guiding_friction(),
       force_sensor_scale(),
       force_sensor_offset(),

@@ -27,6 +27,7 @@ Effect torsion_spring();
 Effect offset_drift();
 Effect cable_torque();
 Effect inertial_backlash();
+Effect loaded_backlash();
 // At a tendon:
 Effect guiding_friction();
 Effect force_sensor_scale();

@@ -269,9 +269,9 @@ std::vector<Candidate> drive_library(const DriveScales& scales) {
   add_ripples(scales, list);
   add_dynamics(scales, list);
   add_position(scales, list);
-  for (Candidate& flexible :
-       flexible_families({scales.low, scales.high, scales.speed, scales.load, scales.duration}))
-    list.push_back(std::move(flexible));
+  const FlexibleRanges ranges{scales.low, scales.high, scales.speed, scales.load, scales.duration};
+  for (auto* shapes : {flexible_families, local_decoys})
+    for (Candidate& shape : shapes(ranges, 0, 0)) list.push_back(std::move(shape));
   return list;
 }
 

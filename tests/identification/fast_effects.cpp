@@ -76,6 +76,30 @@ TEST_CASE("a load in a gap flies on, is hit and goes with the motor") {
   CHECK(bouncing.cwiseAbs().maxCoeff() > 1.5 * found.cwiseAbs().maxCoeff());
 }
 
+TEST_CASE("a load in a gap goes where its own force takes it") {
+  // Planted defect: with the force left out nothing ever leaves the first side, and the flight and
+  // its end fail.
+  const double gap = 2e-3, mobility = 8.0, force = -0.5;
+  Recording log = moved_by(VectorXd::Zero(400));
+  log.load = Eigen::MatrixXd::Zero(400, 1);
+  log.load.bottomRows(360).setConstant(force);
+  const VectorXd found = effect_columns(Regressor(find_effect("loaded_backlash")), log, 0,
+                                        Eigen::Vector3d(gap, mobility, 0.0))
+                             .col(0);
+  const auto flight = static_cast<Index>(std::sqrt(2.0 * gap / -(mobility * force)) / step);
+  CHECK(found.segment(0, 40).isZero(0.0));
+  CHECK(found.segment(40, flight - 2)
+            .isApprox(VectorXd::Constant(flight - 2, mobility * force), 1e-12));
+  CHECK(found.segment(40 + flight + 2, 100).isZero(1e-9));
+  CHECK(std::abs(found.sum() * step) < 1e-12);
+  // Under no load it is the other description of the same gap.
+  VectorXd shaken(400);
+  for (Index k = 0; k < shaken.size(); ++k)
+    shaken(k) = 5.0 * std::sin(0.05 * static_cast<double>(k));
+  CHECK(column("loaded_backlash", shaken, Eigen::Vector3d(gap, mobility, 0.3)) ==
+        column("inertial_backlash", shaken, Eigen::Vector2d(gap, 0.3)));
+}
+
 TEST_CASE("the true motion is the reading plus where in its play the sensor is") {
   // Planted defect: with a straight way across the play the error is half of its half.
   const double half = 5e-4;
