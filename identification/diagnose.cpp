@@ -10,6 +10,7 @@
 #include "identification/held_out_judgement.h"
 #include "identification/log_record.h"
 #include "identification/measure.h"
+#include "identification/prediction.h"
 #include "identification/read_csv.h"
 #include "identification/verdict_text.h"
 #include "symbolic/effects/effects.h"
@@ -85,11 +86,13 @@ class Run {
     const std::vector<ExtensionTerm> terms = extension_terms(subject_, design, explanation);
     const bool any = std::any_of(terms.begin(), terms.end(),
                                  [](const ExtensionTerm& t) { return t.cause >= 0; });
-    const std::vector<MeasuredChannel> measured =
-        measure(subject_, design, any ? terms : std::vector<ExtensionTerm>{});
+    const std::vector<ExtensionTerm> adding = any ? terms : std::vector<ExtensionTerm>{};
+    const EffortModel after = extended_effort(subject_, adding);
+    const std::vector<MeasuredChannel> measured = measure(subject_, design, adding, after);
     for (int c = 0; c < subject_.problem().channels; ++c)
       f.channels.push_back(
           channel_finding(subject_, measured, c, noise_floor(explanation.selection, design, c)));
+    add_predictions(subject_, after, f.channels);
     result_.extended = extended(request_.identified, terms);
     for (const LogRecord& log : f.logs)
       if (!log.held_out) result_.extended.logs.push_back({log.file, log.sha256});

@@ -1,36 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "identification/effort_model.h"
 
-#include <string>
-
 #include "generator/assemble.h"
 #include "generator/cost.h"
 
 namespace sinew::diagnosis {
-namespace {
 
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-
-/// Where an argument's numbers start, and how many there are.
-struct ArgumentSlot {
-  std::string name;
-  Index at = 0, count = 0;
-};
-
-std::vector<ArgumentSlot> slots_of(const sinew_argument* arguments, int count) {
-  std::vector<ArgumentSlot> slots;
-  Index at = 0;
-  for (int i = 0; i < count; ++i) {
-    const Index size = static_cast<Index>(arguments[i].rows) * arguments[i].cols;
-    slots.push_back({arguments[i].name, at, size});
-    at += size;
-  }
-  return slots;
-}
-
-}  // namespace
 
 EffortModel::EffortModel(const DrivenModel& model, const Identified& identified,
                          const std::filesystem::path& runtime)
@@ -47,42 +25,68 @@ MatrixXd EffortModel::operator()(const Recording& log) const {
 
 MatrixXd EffortModel::operator()(const Recording& log, const MatrixXd& q, const MatrixXd& qd,
                                  const MatrixXd& qdd) const {
-  const sinew_function& function = compiled_->find("effort");
-  const auto inputs = slots_of(function.inputs, function.input_count);
-  VectorXd in = VectorXd::Zero(function.input_size), out(function.output_size);
-  const auto jerk = log.signals.find("jerk"), jounce = log.signals.find("jounce"),
-             tension = log.signals.find("tension");
+  EffortAtInstant effort(*this);
   MatrixXd efforts(q.rows(), joints_);
-  Index state = -1;
-  for (const ArgumentSlot& slot : inputs)
-    if (slot.name == "memory") state = slot.at;
   for (Index k = 0; k < q.rows(); ++k) {
-    for (const ArgumentSlot& slot : inputs) {
-      auto part = in.segment(slot.at, slot.count);
-      if (slot.name == "q")
-        part = q.row(k).transpose();
-      else if (slot.name == "qd")
-        part = qd.row(k).transpose();
-      else if (slot.name == "qdd")
-        part = qdd.row(k).transpose();
-      else if (slot.name == "load" && log.load.size() > 0)
-        part = log.load.row(k).transpose();
-      else if (slot.name == "tension")
-        part = tension->second.row(k).transpose();
-      else if (slot.name == "qddd" && jerk != log.signals.end())
-        part = jerk->second.row(k).transpose();
-      else if (slot.name == "qdddd" && jounce != log.signals.end())
-        part = jounce->second.row(k).transpose();
-      else if (slot.name == "time")
-        part(0) = log.time(k) - log.time(0);
-      else if (slot.name == "step")
-        part(0) = log.step;
-    }
-    function.call(in.data(), out.data());
-    efforts.row(k) = out.head(joints_).transpose();
-    if (state >= 0) in.segment(state, out.size() - joints_) = out.tail(out.size() - joints_);
+    effort.take(log, k);
+    efforts.row(k) =
+        effort(q.row(k).transpose(), qd.row(k).transpose(), qdd.row(k).transpose()).transpose();
+    effort.remember();
   }
   return efforts;
+}
+
+EffortAtInstant::EffortAtInstant(const EffortModel& model)
+    : compiled_(model.compiled_), function_(&compiled_->find("effort")), joints_(model.joints_) {
+  Index at = 0;
+  for (int i = 0; i < function_->input_count; ++i) {
+    const Index size = static_cast<Index>(function_->inputs[i].rows) * function_->inputs[i].cols;
+    slots_.push_back({function_->inputs[i].name, at, size});
+    at += size;
+  }
+  in_ = VectorXd::Zero(function_->input_size);
+  out_ = VectorXd::Zero(function_->output_size);
+}
+
+void EffortAtInstant::take(const Recording& log, Index sample) {
+  const auto signal = [&](const char* name, Eigen::Ref<VectorXd> part) {
+    const auto found = log.signals.find(name);
+    if (found != log.signals.end()) part = found->second.row(sample).transpose();
+  };
+  for (const Slot& slot : slots_) {
+    auto part = in_.segment(slot.at, slot.count);
+    if (slot.name == "load" && log.load.size() > 0)
+      part = log.load.row(sample).transpose();
+    else if (slot.name == "tension")
+      signal("tension", part);
+    else if (slot.name == "qddd")
+      signal("jerk", part);
+    else if (slot.name == "qdddd")
+      signal("jounce", part);
+    else if (slot.name == "time")
+      part(0) = log.time(sample) - log.time(0);
+    else if (slot.name == "step")
+      part(0) = log.step;
+  }
+}
+
+VectorXd EffortAtInstant::operator()(const VectorXd& q, const VectorXd& qd, const VectorXd& qdd) {
+  for (const Slot& slot : slots_) {
+    auto part = in_.segment(slot.at, slot.count);
+    if (slot.name == "q")
+      part = q;
+    else if (slot.name == "qd")
+      part = qd;
+    else if (slot.name == "qdd")
+      part = qdd;
+  }
+  function_->call(in_.data(), out_.data());
+  return out_.head(joints_);
+}
+
+void EffortAtInstant::remember() {
+  for (const Slot& slot : slots_)
+    if (slot.name == "memory") in_.segment(slot.at, slot.count) = out_.tail(slot.count);
 }
 
 }  // namespace sinew::diagnosis

@@ -6,6 +6,8 @@
 #include <Eigen/Core>
 #include <filesystem>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "identification/candidate.h"
 #include "simulation/compiled_model.h"
@@ -32,9 +34,37 @@ class EffortModel {
   int operations() const { return operations_; }
 
  private:
+  friend class EffortAtInstant;
   int joints_;
   int operations_ = 0;
   std::shared_ptr<CompiledModel> compiled_;
+};
+
+/// The emitted effort at one instant after the other, for a motion of one's own. A copy goes on by
+/// itself from where the original is.
+class EffortAtInstant {
+ public:
+  explicit EffortAtInstant(const EffortModel& model);
+
+  /// Takes all but the motion from a recording's sample.
+  void take(const Recording& log, Eigen::Index sample);
+  /// Effort of each joint for a motion; what effects remember stays as it was.
+  Eigen::VectorXd operator()(const Eigen::VectorXd& q, const Eigen::VectorXd& qd,
+                             const Eigen::VectorXd& qdd);
+  /// Effects remember the last motion given.
+  void remember();
+
+ private:
+  struct Slot {
+    std::string name;
+    Eigen::Index at = 0, count = 0;
+  };
+
+  std::shared_ptr<CompiledModel> compiled_;
+  const sinew_function* function_;
+  Eigen::Index joints_;
+  std::vector<Slot> slots_;
+  Eigen::VectorXd in_, out_;
 };
 
 }  // namespace sinew::diagnosis

@@ -52,11 +52,14 @@ MatrixXd nuisance_columns(const DrivenSubject& subject, const Design& design, in
 
 }  // namespace
 
+EffortModel extended_effort(const DrivenSubject& subject, std::vector<ExtensionTerm> terms) {
+  std::erase_if(terms, [](const ExtensionTerm& t) { return t.per_log; });
+  return subject.effort_with(extended(subject.identified(), terms));
+}
+
 std::vector<MeasuredChannel> measure(const DrivenSubject& subject, const Design& design,
-                                     const std::vector<ExtensionTerm>& terms) {
-  std::vector<ExtensionTerm> lasting = terms;
-  std::erase_if(lasting, [](const ExtensionTerm& t) { return t.per_log; });
-  const EffortModel after = subject.effort_with(extended(subject.identified(), lasting));
+                                     const std::vector<ExtensionTerm>& terms,
+                                     const EffortModel& after) {
   std::vector<MeasuredChannel> result;
   // Of every log once: a log has a segment for each channel.
   std::map<int, std::pair<MatrixXd, MatrixXd>> efforts;

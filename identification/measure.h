@@ -21,11 +21,15 @@ struct MeasuredChannel {
   double step = 0.0;                               ///< s
 };
 
-/// Runs the emitted effort of the model as it was and of the extended one over every log.
+/// The emitted effort with the terms that hold for every log.
+EffortModel extended_effort(const DrivenSubject& subject, std::vector<ExtensionTerm> terms);
+
+/// Runs the emitted effort of the model as it was and of the extended one, `after`, over every log.
 /// Coefficients that differ from log to log are fitted on the other half of the log they are judged
 /// on.
 std::vector<MeasuredChannel> measure(const DrivenSubject& subject, const Design& design,
-                                     const std::vector<ExtensionTerm>& terms);
+                                     const std::vector<ExtensionTerm>& terms,
+                                     const EffortModel& after);
 
 /// Gain of the mean square over the chosen logs of one channel (-1: all), with its interval.
 Gain measured_gain(const std::vector<MeasuredChannel>& measured, int channel, bool held_out,
