@@ -42,6 +42,33 @@ double held_step(const VectorXd& signal) {
   return sizes[sizes.size() / 2];
 }
 
+double sensor_step(const VectorXd& reading) {
+  constexpr double kNear = 0.1, kNearlyAll = 0.9;  // a fifth of all changes is near by chance
+  constexpr std::size_t kFewest = 40;
+  std::vector<double> changes;
+  for (Index k = 1; k < reading.size(); ++k)
+    if (reading(k) != reading(k - 1)) changes.push_back(std::abs(reading(k) - reading(k - 1)));
+  if (changes.size() < kFewest) return 0.0;
+  const auto small = changes.begin() + kFewest / 4;
+  std::nth_element(changes.begin(), small, changes.end());
+  double step = *small;
+  // From single steps to many at once, as the step becomes known well enough to count them.
+  for (const double most : {1.0, 4.0, 16.0, 64.0}) {
+    double way = 0.0, steps = 0.0;
+    for (const double change : changes) {
+      const double count = std::round(change / step);
+      if (count < 1.0 || count > most) continue;
+      way += change;
+      steps += count;
+    }
+    if (steps > 0.0) step = way / steps;
+  }
+  const auto fits = std::count_if(changes.begin(), changes.end(), [&](double change) {
+    return std::abs(change - step * std::round(change / step)) < kNear * step;
+  });
+  return static_cast<double>(fits) > kNearlyAll * static_cast<double>(changes.size()) ? step : 0.0;
+}
+
 VectorXd dequantised(const VectorXd& signal) {
   VectorXd out = signal;
   double last_at = -1.0, last = 0.0;

@@ -11,6 +11,10 @@ namespace sinew::diagnosis {
 /// where it is not held.
 double held_step(const Eigen::VectorXd& signal);
 
+/// Step of a sensor, whether or not its readings were rounded again to a finer grid: what nearly
+/// all changes from sample to sample are multiples of. 0 where there is none.
+double sensor_step(const Eigen::VectorXd& reading);
+
 /// Straight lines between the middles of the changes; the signal itself before the first and after
 /// the last.
 Eigen::VectorXd dequantised(const Eigen::VectorXd& signal);

@@ -116,9 +116,12 @@ void DrivenSubject::add_tendon_forces(const MatrixXd& forces, const MatrixXd& ef
 }
 
 void DrivenSubject::add_log(const Log& log, const DrivenColumns& columns, bool held_out) {
-  for (std::size_t c = 0; c < quantum_.size(); ++c)
-    quantum_[c] =
-        std::max(quantum_[c], log.channels[static_cast<std::size_t>(columns.positions[c])].quantum);
+  for (std::size_t c = 0; c < quantum_.size(); ++c) {
+    const int position = columns.positions[c];
+    quantum_[c] = std::max(quantum_[c], log.channels[static_cast<std::size_t>(position)].quantum);
+    for (const sinew::Segment& segment : log.segments)
+      quantum_[c] = std::max(quantum_[c], sensor_step(columns_of(segment, {position}).col(0)));
+  }
   int part = 0;
   for (const sinew::Segment& segment : log.segments) {
     if (segment.samples.rows() < kShortestSegment) continue;

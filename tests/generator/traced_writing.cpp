@@ -30,6 +30,7 @@ Injected inject(const std::string& call, const std::string& action, int count,
   std::vector<std::string> command{
       "strace", "-f",
       "-o",     trace,
+      "-E",     "ASAN_OPTIONS=detect_leaks=0",  // a traced process cannot be searched for leaks
       "-e",     "trace=" + call,
       "-e",     "inject=" + call + ":" + action + ":when=" + std::to_string(count)};
   command.insert(command.end(), more.begin(), more.end());

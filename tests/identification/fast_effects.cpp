@@ -100,6 +100,23 @@ TEST_CASE("a load in a gap goes where its own force takes it") {
         column("inertial_backlash", shaken, Eigen::Vector2d(gap, 0.3)));
 }
 
+TEST_CASE("a coarse sensor's step is found behind a finer grid") {
+  const double coarse = 2.0489e-4, fine = 9.48e-6;
+  const auto rounded = [](double x, double unit) { return unit * std::round(x / unit); };
+  VectorXd motion(8000), twice(8000), once(8000);
+  for (Index k = 0; k < motion.size(); ++k) {
+    motion(k) = 0.4 * std::sin(5.0 * step * static_cast<double>(k));
+    twice(k) = rounded(rounded(motion(k), coarse), fine);
+    once(k) = rounded(motion(k), fine);
+  }
+  CHECK(sensor_step(twice) == Catch::Detail::Approx(coarse).epsilon(1e-3));
+  CHECK(sensor_step(once) == Catch::Detail::Approx(fine).epsilon(1e-3));
+  // Planted: no steps, and steps with noise on the reading.
+  CHECK(sensor_step(motion) == 0.0);
+  for (Index k = 0; k < twice.size(); ++k) twice(k) += 0.37 * fine * static_cast<double>(k * k % 13);
+  CHECK(sensor_step(twice) == 0.0);
+}
+
 TEST_CASE("the true motion is the reading plus where in its play the sensor is") {
   // Planted defect: with a straight way across the play the error is half of its half.
   const double half = 5e-4;

@@ -2,6 +2,7 @@
 // Inputs that elementary functions are tested with.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -36,7 +37,8 @@ std::vector<Real> angles_within(Real limit, int random_count) {
     result.push_back(static_cast<Real>(uniform(-4, 4)));
   }
   const double eighth = std::numbers::pi / 4;
-  const auto steps = static_cast<std::int64_t>(static_cast<double>(limit) / eighth);
+  const auto steps =
+      static_cast<std::int64_t>(std::min(static_cast<double>(limit) / eighth, 0x1p62));
   const std::int64_t stride = steps / 3000 + 1;
   for (std::int64_t k = -steps; k <= steps; k += stride) {
     Real x = static_cast<Real>(static_cast<double>(k) * eighth);
