@@ -55,4 +55,14 @@ bool strace_works() {
   }
 }
 
+bool writes_may_fail() {
+#if defined(__SANITIZE_ADDRESS__)
+  return false;
+#elif defined(__has_feature)
+  return !__has_feature(address_sanitizer);
+#else
+  return true;
+#endif
+}
+
 }  // namespace sinew

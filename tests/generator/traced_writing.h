@@ -17,6 +17,9 @@ std::size_t entries_in(const std::filesystem::path& folder);
 /// False where strace is missing or may not trace.
 bool strace_works();
 
+/// False in a build with sanitizers, whose runtime repeats writes of its own until they succeed.
+bool writes_may_fail();
+
 struct Injected {
   bool happened = false;  ///< the program made as many calls
   int status = 0;
