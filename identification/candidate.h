@@ -13,6 +13,11 @@
 
 namespace sinew::diagnosis {
 
+/// A stretch of a log's time [s] in which a joint rests.
+struct Standstill {
+  double from = 0.0, to = 0.0;
+};
+
 /// One log, uniformly sampled. Matrices are samples x axes; unused ones stay empty. SI units.
 struct Recording {
   std::string name;
@@ -27,6 +32,8 @@ struct Recording {
   /// Per channel: what the model under test says of the target; empty: nothing. It is subtracted,
   /// at the model's time, and moves with a delay as every other term does.
   std::vector<Eigen::VectorXd> known;
+  /// Per channel, or empty: nothing is told from what is measured there (standstill.h).
+  std::vector<std::vector<Standstill>> standstills;
 };
 
 /// A nonlinear parameter: its bounds are physical limits, its grid starts the search.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <vector>
 
 namespace sinew::diagnosis {
@@ -24,6 +25,65 @@ std::vector<Index> lone_changes(const VectorXd& signal) {
   return changes;
 }
 
+/// Line through the counts and the values that are at most `most` steps away from the first.
+struct Lattice {
+  double step, offset;
+  double counted = 0.0;  ///< values
+  double near = 0.0;     ///< of them: to a tenth of a step
+};
+
+Lattice fitted(const VectorXd& way, double step, double most) {
+  constexpr double kNear = 0.1;  // by chance a fifth is as near
+  double counts = 0.0, squares = 0.0, ways = 0.0, products = 0.0;
+  Lattice lattice{step, 0.0};
+  for (const double x : way) {
+    const double count = std::round(x / step);
+    if (std::abs(count) > most) continue;
+    lattice.counted += 1.0;
+    counts += count;
+    squares += count * count;
+    ways += x;
+    products += count * x;
+  }
+  const double spread = lattice.counted * squares - counts * counts;
+  if (spread > 0.0) lattice.step = (lattice.counted * products - counts * ways) / spread;
+  // The first value, too, lies off the lattice by its own rounding.
+  lattice.offset = (ways - lattice.step * counts) / lattice.counted;
+  for (const double x : way) {
+    if (std::abs(std::round(x / step)) > most) continue;
+    const double off = (x - lattice.offset) / lattice.step;
+    lattice.near += std::abs(off - std::round(off)) < kNear ? 1.0 : 0.0;
+  }
+  return lattice;
+}
+
+/// Spacing of the lattice on which nearly all values lie, near `step`; 0 where they do not. It
+/// becomes known well enough to count ever more of it from the first value on.
+double lattice_step(const VectorXd& values, double step) {
+  constexpr double kNearlyAll = 0.9, kFew = 40.0;
+  const VectorXd way = values.array() - values(0);
+  const double furthest = way.cwiseAbs().maxCoeff();
+  for (double most = 4.0;; most *= 4.0) {
+    const bool all = most * step > furthest;
+    const Lattice lattice = fitted(way, step, most);
+    if (lattice.counted >= kFew) {
+      if (!(lattice.step > 0.0) || lattice.near < kNearlyAll * lattice.counted) return 0.0;
+      step = lattice.step;
+    }
+    if (all) return lattice.counted >= kFew ? step : 0.0;
+  }
+}
+
+/// A motion at one constant speed has equal changes without any steps of a sensor.
+bool changes_vary(const std::vector<double>& changes, double step) {
+  constexpr double kUsual = 0.9;
+  std::map<double, int> of_count;
+  for (const double change : changes) ++of_count[std::round(change / step)];
+  const auto usual = std::max_element(of_count.begin(), of_count.end(),
+                                      [](auto& a, auto& b) { return a.second < b.second; });
+  return static_cast<double>(usual->second) < kUsual * static_cast<double>(changes.size());
+}
+
 }  // namespace
 
 double held_step(const VectorXd& signal) {
@@ -43,30 +103,15 @@ double held_step(const VectorXd& signal) {
 }
 
 double sensor_step(const VectorXd& reading) {
-  constexpr double kNear = 0.1, kNearlyAll = 0.9;  // a fifth of all changes is near by chance
-  constexpr std::size_t kFewest = 40;
+  constexpr Index kFewest = 40;
   std::vector<double> changes;
   for (Index k = 1; k < reading.size(); ++k)
     if (reading(k) != reading(k - 1)) changes.push_back(std::abs(reading(k) - reading(k - 1)));
-  if (changes.size() < kFewest) return 0.0;
+  if (static_cast<Index>(changes.size()) < kFewest) return 0.0;
   const auto small = changes.begin() + kFewest / 4;
   std::nth_element(changes.begin(), small, changes.end());
-  double step = *small;
-  // From single steps to many at once, as the step becomes known well enough to count them.
-  for (const double most : {1.0, 4.0, 16.0, 64.0}) {
-    double way = 0.0, steps = 0.0;
-    for (const double change : changes) {
-      const double count = std::round(change / step);
-      if (count < 1.0 || count > most) continue;
-      way += change;
-      steps += count;
-    }
-    if (steps > 0.0) step = way / steps;
-  }
-  const auto fits = std::count_if(changes.begin(), changes.end(), [&](double change) {
-    return std::abs(change - step * std::round(change / step)) < kNear * step;
-  });
-  return static_cast<double>(fits) > kNearlyAll * static_cast<double>(changes.size()) ? step : 0.0;
+  const double step = lattice_step(reading, *small);
+  return step > 0.0 && changes_vary(changes, step) ? step : 0.0;
 }
 
 VectorXd dequantised(const VectorXd& signal) {

@@ -11,8 +11,8 @@ namespace sinew::diagnosis {
 /// where it is not held.
 double held_step(const Eigen::VectorXd& signal);
 
-/// Step of a sensor, whether or not its readings were rounded again to a finer grid: what nearly
-/// all changes from sample to sample are multiples of. 0 where there is none.
+/// Step of a sensor, whether or not its readings were rounded again to a finer grid: the spacing of
+/// the lattice on which nearly all of them lie. 0 where there is none.
 double sensor_step(const Eigen::VectorXd& reading);
 
 /// Straight lines between the middles of the changes; the signal itself before the first and after

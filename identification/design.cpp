@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "identification/spectrum.h"
+#include "identification/standstill.h"
 
 namespace sinew::diagnosis {
 namespace {
@@ -58,6 +59,7 @@ Recording thin(const Recording& log, const DecimatingFilter& filter) {
   for (const auto& [name, signal] : log.signals) r.signals[name] = take(signal);
   for (const VectorXd& x : log.target) r.target.push_back(take(x));
   for (const VectorXd& x : log.known) r.known.push_back(take(x));
+  r.standstills = log.standstills;
   return r;
 }
 
@@ -98,8 +100,23 @@ void Design::add_segments(const std::vector<Recording>& recordings, int first, b
                                                         static_cast<double>(segment.samples)) +
                                          1);
       segments_.push_back(segment);
+      windows_.push_back(window_of(static_cast<int>(segments_.size()) - 1));
     }
   }
+}
+
+/// 1 where what is measured counts, at the decimated instants.
+VectorXd Design::window_of(int segment) const {
+  const Segment& s = segments_[static_cast<std::size_t>(segment)];
+  const Recording& log = recording(s.recording);
+  const auto channel = static_cast<std::size_t>(s.channel);
+  if (log.standstills.size() <= channel) return VectorXd::Ones(s.samples);
+  return motion_window(log.standstills[channel], at_instants(segment, log.time));
+}
+
+MatrixXd Design::seen_band(int segment, const MatrixXd& samples) const {
+  const auto i = static_cast<std::size_t>(segment);
+  return to_band(windows_[i].asDiagonal() * samples, segments_[i].bins);
 }
 
 const Recording& Design::recording(int index) const {
@@ -141,7 +158,7 @@ VectorXd Design::at_instants(int segment, const VectorXd& as_given) const {
 VectorXd Design::target(int segment, double advance) const {
   const Segment& s = segments_[static_cast<std::size_t>(segment)];
   const VectorXd& raw = recording(s.recording).target[static_cast<std::size_t>(s.channel)];
-  const VectorXd band = to_band(filtered(segment, raw, advance), s.bins);
+  const VectorXd band = seen_band(segment, filtered(segment, raw, advance));
   const std::optional<VectorXd> said = known(segment, 0);
   return said ? VectorXd(band - *said) : band;
 }
@@ -151,7 +168,7 @@ std::optional<VectorXd> Design::known(int segment, int derivative) const {
   const Recording& log = recording(s.recording);
   if (log.known.empty()) return std::nullopt;
   const VectorXd& raw = log.known[static_cast<std::size_t>(s.channel)];
-  return VectorXd(to_band(filtered(segment, raw, 0.0, derivative), s.bins));
+  return VectorXd(seen_band(segment, filtered(segment, raw, 0.0, derivative)));
 }
 
 std::vector<Design::Coefficient> Design::coefficients(const Candidate& candidate) const {
@@ -186,9 +203,10 @@ BandColumns Design::columns(const Candidate& candidate, const VectorXd& nonlinea
     if (!raw.allFinite())
       throw std::invalid_argument("log '" + recording(s.recording).name + "': the columns of '" +
                                   candidate.name + "' are not finite everywhere");
-    const MatrixXd band = to_band(filtered(static_cast<int>(i), raw, 0.0, derivative), s.bins);
+    const MatrixXd band =
+        seen_band(static_cast<int>(i), filtered(static_cast<int>(i), raw, 0.0, derivative));
     raw_energy += energy_per_sample(raw);
-    band_energy += band.bottomRows(band.rows() - 2).squaredNorm() / static_cast<double>(s.samples);
+    band_energy += band.bottomRows(band.rows() - 2).squaredNorm() / windows_[i].squaredNorm();
     result[i] = MatrixXd::Zero(band.rows(), static_cast<Index>(layout.size()));
     for (std::size_t c = 0; c < layout.size(); ++c)
       if (layout[c].recording < 0 || layout[c].recording == s.recording)

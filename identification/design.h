@@ -65,10 +65,17 @@ class Design {
   Eigen::MatrixXd filtered(int segment, const Eigen::MatrixXd& raw, double advance = 0.0,
                            int derivative = 0) const;
 
+  /// At a segment's instants: 1, and 0 at standstill. Targets and columns are multiplied with it.
+  const Eigen::VectorXd& window(int segment) const {
+    return windows_[static_cast<std::size_t>(segment)];
+  }
+
   /// A signal of the recording at the decimated instants, unfiltered, for plots and splines.
   Eigen::VectorXd at_instants(int segment, const Eigen::VectorXd& raw) const;
 
  private:
+  Eigen::VectorXd window_of(int segment) const;
+  Eigen::MatrixXd seen_band(int segment, const Eigen::MatrixXd& samples) const;
   void add_segments(const std::vector<Recording>& recordings, int first, bool holdout);
   const Recording& given(int index) const;
   Eigen::MatrixXd thinned(int segment, const Eigen::MatrixXd& raw) const;
@@ -80,6 +87,7 @@ class Design {
   };
   std::map<int, Thinned> thinned_;  ///< by recording, where thinned
   std::vector<Segment> segments_;
+  std::vector<Eigen::VectorXd> windows_;
 };
 
 }  // namespace sinew::diagnosis

@@ -111,10 +111,11 @@ class Run {
   }
 
   /// Every encoder has steps and every sensor noise, which the acceleration makes large. Steps are
-  /// a cause where they make a good part of what all other causes leave over; noise is none. What
+  /// a cause where they are no finer than a good encoder's and make a good part of what all other
+  /// causes leave over; noise is none. What
   /// it leaves of itself passes for effects of fast motion at its place: they have to be larger.
   void set_sensor_noise_aside(Verdict& verdict) const {
-    constexpr double good_part = 0.2, fast_part = 0.08;
+    constexpr double good_part = 0.2, fast_part = 0.08, finest = 8e-5;
     const auto is_noise = [&](const NamedCause& cause) {
       const std::string origin = origin_of(cause.candidate);
       return origin == "sensor_noise" || origin == "sensor_quantisation";
@@ -130,9 +131,13 @@ class Run {
     const auto aside = [&](const NamedCause& cause) {
       if (origin_of(cause.candidate) == "sensor_noise") return true;
       const double share = cause.cross_validated.share;
-      return is_noise(cause) ? share < good_part
-                             : is_fast(cause) && share < fast_part &&
-                                   noisy.count(cause.members.front().place) == 1;
+      if (is_noise(cause))
+        return share < good_part ||
+               subject_.position_step(
+                   subject_.library_origins()[static_cast<std::size_t>(cause.candidate)].joint) <
+                   finest;
+      return is_fast(cause) && share < fast_part &&
+             noisy.count(cause.members.front().place) == 1;
     };
     for (const NamedCause& cause : verdict.causes)
       if (aside(cause))

@@ -12,6 +12,7 @@
 #include "identification/model_candidates.h"
 #include "identification/refine.h"
 #include "identification/select.h"
+#include "identification/standstill.h"
 #include "identification/trial.h"
 #include "symbolic/dynamics_functions.h"
 #include "symbolic/effects/effects.h"
@@ -45,6 +46,21 @@ MatrixXd columns_of(const sinew::Segment& segment, const std::vector<int>& chann
   for (std::size_t c = 0; c < channels.size(); ++c)
     x.col(static_cast<Index>(c)) = segment.samples.col(channels[c]).matrix();
   return x;
+}
+
+/// What is left of a joint's acceleration above the motion is what the position's noise at still
+/// higher frequencies makes of itself there.
+bool noise_of_position(const std::vector<const Recording*>& logs, Index c) {
+  double found = 0.0, expected = 0.0;
+  for (const Recording* log : logs) {
+    const double top = std::min(highest_cutoff, 0.1 / log->step);
+    const double density = (log->signals.at("logged_q").col(c) - log->q.col(c)).squaredNorm() /
+                           (0.5 / log->step - top);
+    expected += density * std::pow(2.0 * std::numbers::pi, 4) *
+                (std::pow(top, 5) - std::pow(smooth_cutoff, 5)) / 5.0;
+    found += (log->qdd.col(c) - log->signals.at("smooth_qdd").col(c)).squaredNorm();
+  }
+  return expected > 0.0 && found < 4.0 * expected;
 }
 
 /// Friction whose law over the velocity is not known is fitted as a whole: its level, known, is the
@@ -100,6 +116,11 @@ LogScale DrivenSubject::scale(std::size_t joint) const {
   return scale_of(problem_.training, static_cast<int>(joint));
 }
 
+double DrivenSubject::position_step(std::size_t joint) const {
+  const LogScale s = scale(joint);
+  return s.high > s.low ? quantum_[joint] / (s.high - s.low) : 0.0;
+}
+
 /// Joints: torques of the tendons' forces. Motors: what they measure themselves, their tendon a
 /// load.
 void DrivenSubject::add_tendon_forces(const MatrixXd& forces, const MatrixXd& efforts,
@@ -147,14 +168,31 @@ void DrivenSubject::add_log(const Log& log, const DrivenColumns& columns, bool h
     r.signals["smooth_qd"] = r.qd + without_ends(smooth.qd - r.qd, r.step);
     r.signals["smooth_qdd"] = r.qdd + without_ends(smooth.qdd - r.qdd, r.step);
     // Higher derivatives of a quantised position are its noise unless they are smoothed more.
-    const double slow = std::min(slow_cutoff, 0.1 / log.period);
-    const MatrixXd acceleration = differentiate(r.q, r.step, slow).qdd;
-    const Motion of_acceleration = differentiate(acceleration, r.step, slow);
-    r.signals["jerk"] = without_ends(of_acceleration.qd, r.step);
-    r.signals["jounce"] = without_ends(of_acceleration.qdd, r.step);
+    add_derivatives(std::min(slow_cutoff, 0.1 / log.period), r);
     add_sensor_errors(r);
+    for (Index c = 0; c < r.q.cols(); ++c)
+      r.standstills.push_back(find_standstills(r.time, {r.qd.col(c), r.signals["smooth_qd"].col(c)}));
     (held_out ? problem_.holdout : problem_.training).push_back(std::move(r));
   }
+}
+
+/// What effects that act by the acceleration see of it: where all of it above the motion is noise
+/// of the position, an effect that takes fast accelerations away would be that noise's shadow.
+void DrivenSubject::add_derivatives(double slow, Recording& log) const {
+  const auto add = [&](double cutoff, const std::vector<Index>& joints) {
+    const MatrixXd acceleration = differentiate(log.q(Eigen::all, joints), log.step, cutoff).qdd;
+    const Motion motion = differentiate(acceleration, log.step, cutoff);
+    log.signals["jerk"](Eigen::all, joints) = without_ends(motion.qd, log.step);
+    log.signals["jounce"](Eigen::all, joints) = without_ends(motion.qdd, log.step);
+  };
+  MatrixXd& seen = log.signals["acceleration"] = log.qdd;
+  log.signals["jerk"] = log.signals["jounce"] = MatrixXd::Zero(seen.rows(), seen.cols());
+  std::vector<Index> clean, noisy;
+  for (Index c = 0; c < seen.cols(); ++c) (noise_of_position({&log}, c) ? noisy : clean).push_back(c);
+  if (!clean.empty()) add(slow, clean);
+  if (noisy.empty()) return;
+  add(std::min(slow, smooth_cutoff), noisy);
+  seen(Eigen::all, noisy) = log.signals.at("smooth_qdd")(Eigen::all, noisy);
 }
 
 /// Where in its play a loose position sensor is, and the errors of one with steps: no error is
@@ -167,7 +205,9 @@ void DrivenSubject::add_sensor_errors(Recording& log) const {
     const double step = quantum_[static_cast<std::size_t>(c)];
     side.col(c) = side_of_play(reading.col(c), log.qd.col(c), step,
                                2e-3 * log.qd.col(c).cwiseAbs().maxCoeff());
-    steps.col(c) = (steps.col(c).array().abs() < 0.55 * step).select(steps.col(c), 0.0);
+    // More than that is motion, unless the motion is known to be smoother.
+    if (!noise_of_position({&log}, c))
+      steps.col(c) = (steps.col(c).array().abs() < 0.55 * step).select(steps.col(c), 0.0);
   }
   const auto add = [&](const std::string& name, const MatrixXd& error) {
     Motion motion = differentiate(error, log.step, std::min(highest_cutoff, 0.1 / log.step));
@@ -340,10 +380,13 @@ void DrivenSubject::add_model_candidates(std::size_t joint) {
   take(delay_candidate(where), "delay");
   take(sensor_low_pass_candidate(where, known_), "sensor_low_pass");
   take(sensor_hysteresis_candidate(where, known_, scale(joint)), "sensor_hysteresis");
+  std::vector<const Recording*> logs;
+  for (const Recording& log : problem_.training) logs.push_back(&log);
   if (coarse_sensor(joint))
-    take(sensor_quantisation_candidate(where, known_), "sensor_quantisation");
-  else if (noisy_sensor(joint))
-    take(sensor_noise_candidate(where, known_), "sensor_noise");
+    take(sensor_quantisation_candidate(where, known_, coupled_joints(joint)),
+         "sensor_quantisation");
+  else if (noise_of_position(logs, static_cast<Index>(joint)))
+    take(sensor_noise_candidate(where, known_, coupled_joints(joint)), "sensor_noise");
   if (tendon_driven(joint))
     take(pulley_radius_candidate(where.axis, where.name), "pulley_radius");
   else if (!gain_is_level(joint))
@@ -360,6 +403,18 @@ void DrivenSubject::add_model_candidates(std::size_t joint) {
     }
 }
 
+/// Joints whose effort a joint's acceleration is felt in, for which the logs get the signal.
+std::vector<int> DrivenSubject::coupled_joints(std::size_t joint) {
+  std::vector<int> list;
+  const auto axis = static_cast<int>(joint);
+  for (auto* logs : {&problem_.training, &problem_.holdout})
+    for (Recording& log : *logs) add_mass_matrix_column(known_, axis, log);
+  const MatrixXd& column = problem_.training.front().signals.at(mass_matrix_column(axis));
+  for (Index c = 0; c < column.cols(); ++c)
+    if (!column.col(c).isZero(0.0)) list.push_back(static_cast<int>(c));
+  return list;
+}
+
 /// Half of the errors of a sensor with steps are below a quarter of a step, fast motion or not;
 /// where they are much larger, it is other noise that they come from.
 bool DrivenSubject::coarse_sensor(std::size_t joint) const {
@@ -374,22 +429,6 @@ bool DrivenSubject::coarse_sensor(std::size_t joint) const {
   const auto middle = errors.begin() + static_cast<std::ptrdiff_t>(errors.size() / 2);
   std::nth_element(errors.begin(), middle, errors.end());
   return *middle < 0.4 * quantum_[joint];
-}
-
-/// What is left of the acceleration above the motion is what the position's noise at still higher
-/// frequencies makes of itself there.
-bool DrivenSubject::noisy_sensor(std::size_t joint) const {
-  const auto c = static_cast<Index>(joint);
-  double found = 0.0, expected = 0.0;
-  for (const Recording& log : problem_.training) {
-    const double top = std::min(highest_cutoff, 0.1 / log.step);
-    const double density =
-        (log.signals.at("logged_q").col(c) - log.q.col(c)).squaredNorm() / (0.5 / log.step - top);
-    expected += density * std::pow(2.0 * std::numbers::pi, 4) *
-                (std::pow(top, 5) - std::pow(smooth_cutoff, 5)) / 5.0;
-    found += (log.qdd.col(c) - log.signals.at("smooth_qdd").col(c)).squaredNorm();
-  }
-  return expected > 0.0 && found < 4.0 * expected;
 }
 
 }  // namespace sinew::diagnosis

@@ -27,7 +27,8 @@ MatrixXd signals_of(const Recording& log, int axis) {
   MatrixXd x = MatrixXd::Zero(signals, log.q.rows());
   x.row(0) = log.q.col(axis).transpose();
   x.row(1) = log.qd.col(axis).transpose();
-  x.row(2) = log.qdd.col(axis).transpose();
+  const auto seen = log.signals.find("acceleration");
+  x.row(2) = (seen == log.signals.end() ? log.qdd : seen->second).col(axis).transpose();
   x.row(3) = log.signals.at("jounce").col(axis).transpose();
   if (log.load.size() > 0) x.row(4) = log.load.col(axis).transpose();
   x.row(5) = (log.time.array() - log.time(0)).matrix().transpose();

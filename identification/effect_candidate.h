@@ -39,7 +39,7 @@ struct Regressor {
 };
 
 /// samples x columns at the given shape parameters. The recording needs q, qd, qdd, time, and the
-/// signals "direction" and "jounce"; a missing load counts as zero.
+/// signals "direction" and "jounce"; a missing load counts as zero. "acceleration" goes before qdd.
 Eigen::MatrixXd effect_columns(const Regressor& regressor, const Recording& log, int axis,
                                const Eigen::VectorXd& shape);
 

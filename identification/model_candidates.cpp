@@ -40,6 +40,26 @@ VectorXd response(const EffortModel& effort, const Recording& log, int axis, con
   return (effort(log, q, qd, qdd).col(axis) - effort(log).col(axis)) / size;
 }
 
+/// What a rough error of an axis' logged position makes of the efforts: at other joints by its
+/// acceleration alone.
+Candidate sensor_error(const EffectPlace& place, const EffortModel& effort,
+                       const std::vector<int>& coupled, const std::string& name,
+                       const std::string& share,
+                       const std::function<Motion(const Recording&)>& error) {
+  Candidate c = at(place, name, {share, "1", 0.0, 1.5, false, {}});
+  c.channels = coupled;
+  c.limit_meaning = "the motion would be rougher than what is logged of it";
+  c.broadband = true;
+  c.isolating_experiment = "the same motion against a finer sensor";
+  c.columns = [axis = place.axis, effort, error](const Recording& log, int channel,
+                                                 const VectorXd&) -> MatrixXd {
+    const Motion change = error(log);
+    if (channel == axis) return response(effort, log, axis, change, 1.0);
+    return log.signals.at(mass_matrix_column(axis)).col(channel).cwiseProduct(change.qdd.col(0));
+  };
+  return c;
+}
+
 }  // namespace
 
 Candidate delay_candidate(const EffectPlace& place) {
@@ -98,39 +118,38 @@ Candidate sensor_scale_candidate(const EffectPlace& place, const EffortModel& ef
   return c;
 }
 
-Candidate sensor_noise_candidate(const EffectPlace& place, const EffortModel& effort) {
+std::string mass_matrix_column(int axis) {
+  return "mass_matrix_column_" + std::to_string(axis);
+}
+
+void add_mass_matrix_column(const EffortModel& effort, int axis, Recording& log) {
+  MatrixXd qdd = log.qdd;
+  qdd.col(axis).array() += 1.0;
+  log.signals[mass_matrix_column(axis)] = effort(log, log.q, log.qd, qdd) - effort(log);
+}
+
+Candidate sensor_noise_candidate(const EffectPlace& place, const EffortModel& effort,
+                                 const std::vector<int>& coupled) {
   // 1: all of the difference between the logged and the smooth motion is the sensor's.
-  Candidate c =
-      at(place, "noise of the position sensor", {"share_of_noise", "1", 0.0, 1.5, false, {}});
-  c.limit_meaning = "the motion would be rougher than what is logged of it";
-  c.broadband = true;
-  c.isolating_experiment = "the same motion against a finer sensor";
-  c.columns = [axis = place.axis, effort](const Recording& log, int channel,
-                                          const VectorXd&) -> MatrixXd {
-    if (channel != axis) return {};
+  const auto error = [axis = place.axis](const Recording& log) {
     const auto change = [&](const char* smooth, const MatrixXd& logged) -> MatrixXd {
       return log.signals.at(smooth).col(axis) - logged.col(axis);
     };
-    return response(
-        effort, log, axis,
-        {change("smooth_q", log.q), change("smooth_qd", log.qd), change("smooth_qdd", log.qdd)},
-        1.0);
+    return Motion{change("smooth_q", log.q), change("smooth_qd", log.qd),
+                  change("smooth_qdd", log.qdd)};
   };
-  return c;
+  return sensor_error(place, effort, coupled, "noise of the position sensor", "share_of_noise",
+                      error);
 }
 
-Candidate sensor_quantisation_candidate(const EffectPlace& place, const EffortModel& effort) {
-  Candidate c = sensor_noise_candidate(place, effort);
-  c.name = "quantisation of the position sensor";
-  c.linear.front().name = "share_of_steps";
-  c.columns = [axis = place.axis, effort](const Recording& log, int channel,
-                                          const VectorXd&) -> MatrixXd {
-    if (channel != axis) return {};
-    const Motion error{-log.signals.at("steps").col(axis), -log.signals.at("steps_rate").col(axis),
-                       -log.signals.at("steps_acceleration").col(axis)};
-    return response(effort, log, axis, error, 1.0);
+Candidate sensor_quantisation_candidate(const EffectPlace& place, const EffortModel& effort,
+                                        const std::vector<int>& coupled) {
+  const auto error = [axis = place.axis](const Recording& log) {
+    return Motion{-log.signals.at("steps").col(axis), -log.signals.at("steps_rate").col(axis),
+                  -log.signals.at("steps_acceleration").col(axis)};
   };
-  return c;
+  return sensor_error(place, effort, coupled, "quantisation of the position sensor",
+                      "share_of_steps", error);
 }
 
 Candidate sensor_hysteresis_candidate(const EffectPlace& place, const EffortModel& effort,

@@ -20,12 +20,21 @@ Candidate sensor_low_pass_candidate(const EffectPlace& place, const EffortModel&
 /// The logged position is a constant share too large or too small.
 Candidate sensor_scale_candidate(const EffectPlace& place, const EffortModel& effort);
 
+/// Signal of the column of the mass matrix that an axis' acceleration meets: samples x joints.
+std::string mass_matrix_column(int axis);
+
+/// Adds that signal: the other joints feel what is wrong with the acceleration of this one.
+void add_mass_matrix_column(const EffortModel& effort, int axis, Recording& log);
+
 /// The logged position has steps so coarse that its acceleration is them. Uses signals "smooth_q",
-/// "smooth_qd" and "smooth_qdd": the motion as it may have been between the steps.
-Candidate sensor_quantisation_candidate(const EffectPlace& place, const EffortModel& effort);
+/// "smooth_qd" and "smooth_qdd", the motion as it may have been between the steps, and the column
+/// of the mass matrix. Acts on the joints `coupled`, this one among them.
+Candidate sensor_quantisation_candidate(const EffectPlace& place, const EffortModel& effort,
+                                        const std::vector<int>& coupled);
 
 /// The same for noise of another kind.
-Candidate sensor_noise_candidate(const EffectPlace& place, const EffortModel& effort);
+Candidate sensor_noise_candidate(const EffectPlace& place, const EffortModel& effort,
+                                 const std::vector<int>& coupled);
 
 /// The logged position follows the true one with play.
 Candidate sensor_hysteresis_candidate(const EffectPlace& place, const EffortModel& effort,

@@ -58,14 +58,18 @@ MatrixXd all_columns(const Model& model, const std::vector<const BandColumns*>& 
 }
 
 /// Noise level per sample from the whitened residual: moving mean square over a quarter second,
-/// drawn to its mean so that chance fluctuations of few samples do not become a pattern.
-VectorXd level_over_time(const VectorXd& whitened, const VectorXd& leverage, double rate_hz) {
+/// drawn to its mean so that chance fluctuations of few samples do not become a pattern. What a
+/// sample says counts by `seen`, 0 to 1.
+VectorXd level_over_time(const VectorXd& whitened, const VectorXd& leverage, const VectorXd& seen,
+                         double rate_hz) {
   const auto half = std::max<Index>(4, static_cast<Index>(0.125 * rate_hz));
-  const VectorXd square =
-      whitened.cwiseAbs2() / (whitened.squaredNorm() / static_cast<double>(whitened.size()));
-  const VectorXd local = smooth_ratio(square, (1.0 - leverage.array()).max(0.2), half, 0.0);
-  const double own = static_cast<double>(2 * half + 1), prior = 25.0;
-  const VectorXd level = (own * local.array() + prior) / (own + prior);
+  const VectorXd square = whitened.cwiseAbs2() / (whitened.squaredNorm() / seen.sum());
+  const VectorXd freedom = (seen - leverage).cwiseMax(0.2 * seen).cwiseMax(1e-9);
+  const VectorXd local = smooth_ratio(square, freedom, half, 0.0);
+  const VectorXd own = static_cast<double>(2 * half + 1) *
+                       smooth_ratio(seen, VectorXd::Ones(seen.size()), half, 0.0);
+  const double prior = 25.0;
+  const VectorXd level = (own.array() * local.array() + prior) / (own.array() + prior);
   return (level / level.mean()).cwiseSqrt();
 }
 
@@ -89,31 +93,34 @@ VectorXd damped(const VectorXd& variance) {
 /// The residual is that of an unweighted fit: weights taken from the residual of a fit with those
 /// weights run away where the model is wrong (what is badly fitted counts less and less).
 NoiseModel estimate_segment(const VectorXd& target, const MatrixXd& columns,
-                            const Segment& segment) {
+                            const Segment& segment, const VectorXd& window) {
   const Index bins = segment.bins;
+  const VectorXd seen = window.cwiseAbs2();
+  const double share = seen.mean();
   NoiseModel noise;
   // A model without free terms has nothing to take out.
   const MatrixXd basis =
       columns.cols() == 0 ? MatrixXd(target.size(), 0) : strongest_basis(columns, bins / 5);
   const VectorXd residual = target - basis * (basis.transpose() * target);
   const Leverage leverage = leverage_of(basis, segment.samples);
-  noise.variance = noise_spectrum(residual, leverage.bins);
+  noise.variance = noise_spectrum(residual, leverage.bins, share);
   const VectorXd energy = bin_energy(residual).cwiseQuotient(damped(noise.variance));
   noise.leftover = 2.0 * noise.variance.cwiseQuotient(damped(noise.variance));
   for (Index b = 1; b < bins; ++b)
-    if (leverage.bins(b) < 0.6) noise.leftover(b) = 2.0 * energy(b) / (2.0 - leverage.bins(b));
+    if (leverage.bins(b) < 0.6 * share)
+      noise.leftover(b) = 2.0 * energy(b) / (2.0 * share - leverage.bins(b));
   const VectorXd even = residual.cwiseQuotient(per_row(noise.variance.cwiseSqrt()));
   noise.level =
-      level_over_time(from_band(even, segment.samples), leverage.samples, segment.rate_hz);
+      level_over_time(from_band(even, segment.samples), leverage.samples, seen, segment.rate_hz);
   return noise;
 }
 
 }  // namespace
 
-VectorXd noise_spectrum(const VectorXd& residual, const VectorXd& leverage) {
+VectorXd noise_spectrum(const VectorXd& residual, const VectorXd& leverage, double share) {
   const VectorXd energy = bin_energy(residual);
-  VectorXd freedom = (2.0 - leverage.array()).max(0.05);
-  freedom(0) = std::max(0.05, 1.0 - leverage(0));
+  VectorXd freedom = (2.0 * share - leverage.array()).max(0.05 * share);
+  freedom(0) = std::max(0.05 * share, share - leverage(0));
   // Never zero: a noise-free target must not divide by it.
   return smooth_ratio(energy, freedom, 8, 0.12).cwiseMax(1e-30);
 }
@@ -126,7 +133,8 @@ std::vector<NoiseModel> estimate_noise(const Design& design, const Model& model,
   parallel_for(static_cast<int>(segments.size()), threads, [&](int i) {
     const auto s = static_cast<std::size_t>(i);
     if (segments[s].holdout) return;
-    noise[s] = estimate_segment(model.target[s], all_columns(model, saturating, s), segments[s]);
+    noise[s] = estimate_segment(model.target[s], all_columns(model, saturating, s), segments[s],
+                                design.window(i));
   });
   return noise;
 }

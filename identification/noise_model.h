@@ -18,8 +18,10 @@ struct NoiseModel {
 
 /// Noise spectrum of one residual in the band. `leverage` per bin is the energy of an orthonormal
 /// basis of everything fitted there: a fit with k coefficients takes k degrees of freedom out of
-/// the bins where its columns live, and the spectrum is raised by just that.
-Eigen::VectorXd noise_spectrum(const Eigen::VectorXd& residual, const Eigen::VectorXd& leverage);
+/// the bins where its columns live, and the spectrum is raised by just that. share: of the log
+/// that counts (Design::window).
+Eigen::VectorXd noise_spectrum(const Eigen::VectorXd& residual, const Eigen::VectorXd& leverage,
+                               double share);
 
 /// Estimates the noise of every training segment from what is left over by a fit with the model
 /// *and* all `saturating` columns, so that an effect that is not accepted yet is not taken for

@@ -137,13 +137,15 @@ void RigidColumns::add_gravity(const Mechanism& mechanism) {
 void RigidColumns::add_signals(Recording& log) const {
   const sinew_function& function = compiled_->find("inverse_dynamics");
   const Index n = coordinates_;
+  const auto seen = log.signals.find("acceleration");
+  const MatrixXd& qdd = seen == log.signals.end() ? log.qdd : seen->second;
   VectorXd in(function.input_size), plus(n), minus(n);
   for (const Group& group : groups_) {
     const auto wide = static_cast<Index>(group.columns.size());
     MatrixXd x(log.q.rows(), n * wide);
     for (Index k = 0; k < x.rows(); ++k) {
       in.head(3 * n) << log.q.row(k).head(n).transpose(), log.qd.row(k).head(n).transpose(),
-          log.qdd.row(k).head(n).transpose();
+          qdd.row(k).head(n).transpose();
       for (Index c = 0; c < wide; ++c) {
         const Column& column = group.columns[static_cast<std::size_t>(c)];
         in.tail(in.size() - 3 * n) = column.plus;

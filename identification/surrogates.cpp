@@ -29,7 +29,7 @@ double log_upper_gamma(double shape, double x) {
   return (shape - 1.0) * std::log(x) - x - std::lgamma(shape) + std::log1p((shape - 1.0) / x);
 }
 
-VectorXd one_surrogate(const NoiseModel& noise, Index samples, std::mt19937_64& random) {
+VectorXd one_surrogate(const NoiseModel& noise, const VectorXd& window, std::mt19937_64& random) {
   const Index bins = noise.leftover.size();
   VectorXd band(2 * bins);
   for (Index b = 0; b < bins; ++b) {
@@ -39,7 +39,8 @@ VectorXd one_surrogate(const NoiseModel& noise, Index samples, std::mt19937_64& 
     band(2 * b) = amplitude * std::cos(phase);
     band(2 * b + 1) = b == 0 ? 0.0 : amplitude * std::sin(phase);
   }
-  return to_band(from_band(band, samples).col(0).cwiseProduct(noise.level), bins);
+  const VectorXd even = from_band(band, window.size());
+  return to_band(even.cwiseProduct(noise.level).cwiseProduct(window), bins);
 }
 
 }  // namespace
@@ -55,7 +56,7 @@ std::vector<Eigen::MatrixXf> make_surrogates(const Design& design,
     for (std::size_t s = 0; s < noise.size(); ++s)
       if (surrogates[s].size() > 0)
         surrogates[s].col(i) =
-            one_surrogate(noise[s], design.segments()[s].samples, random).cast<float>();
+            one_surrogate(noise[s], design.window(static_cast<int>(s)), random).cast<float>();
   });
   return surrogates;
 }

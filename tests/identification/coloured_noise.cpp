@@ -56,7 +56,7 @@ TEST_CASE("the noise spectrum is found, and a fit's appetite is put back") {
   const double pole = 0.95;
   const VectorXd residual = to_band(autoregressive(pole, 11), kBins);
   const VectorXd none = VectorXd::Zero(kBins);
-  CHECK(std::abs(bias(noise_spectrum(residual, none), pole, 5, kBins)) < 0.05);
+  CHECK(std::abs(bias(noise_spectrum(residual, none, 1.0), pole, 5, kBins)) < 0.05);
 
   // Sixty sines below bin 60 eat half of the noise there.
   MatrixXd basis = MatrixXd::Zero(2 * kBins, 60);
@@ -64,9 +64,9 @@ TEST_CASE("the noise spectrum is found, and a fit's appetite is put back") {
   const VectorXd left = residual - basis * (basis.transpose() * residual);
   VectorXd leverage = VectorXd::Zero(kBins);
   for (Index c = 0; c < basis.cols(); ++c) leverage += bin_energy(basis.col(c));
-  CHECK(std::abs(bias(noise_spectrum(left, leverage), pole, 5, 50)) < 0.35);
+  CHECK(std::abs(bias(noise_spectrum(left, leverage, 1.0), pole, 5, 50)) < 0.35);
   // Without the correction the noise would be taken for half of what it is.
-  CHECK(bias(noise_spectrum(left, none), pole, 5, 50) < -0.45);
+  CHECK(bias(noise_spectrum(left, none, 1.0), pole, 5, 50) < -0.45);
 }
 
 TEST_CASE("a null distribution gives uniform probabilities far into its tail") {

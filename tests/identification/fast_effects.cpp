@@ -111,9 +111,25 @@ TEST_CASE("a coarse sensor's step is found behind a finer grid") {
   }
   CHECK(sensor_step(twice) == Catch::Detail::Approx(coarse).epsilon(1e-3));
   CHECK(sensor_step(once) == Catch::Detail::Approx(fine).epsilon(1e-3));
-  // Planted: no steps, and steps with noise on the reading.
+  // Planted: no steps, strokes at constant speeds in whole ratios, whose changes from sample to
+  // sample are multiples of one, and steps with noise on the reading.
   CHECK(sensor_step(motion) == 0.0);
-  for (Index k = 0; k < twice.size(); ++k) twice(k) += 0.37 * fine * static_cast<double>(k * k % 13);
+  for (const double most : {1.0, 3.0}) {
+    VectorXd strokes = VectorXd::Zero(8000);
+    double speed = 0.0, place = 0.0;
+    for (Index k = 0; k < strokes.size(); ++k) {
+      const auto stroke = static_cast<double>(k / 500);
+      const double wanted = (std::fmod(stroke, most) + 1.0) * (k / 500 % 2 == 0 ? 0.1 : -0.1);
+      speed += 0.1 * (wanted - speed);
+      place += step * speed;
+      strokes(k) = place;
+    }
+    CHECK(sensor_step(strokes) == 0.0);
+  }
+  VectorXd uniform = VectorXd::LinSpaced(8000, 0.0, 0.8);
+  CHECK(sensor_step(uniform) == 0.0);
+  for (Index k = 0; k < twice.size(); ++k)
+    twice(k) += 0.37 * fine * static_cast<double>(k * k % 13);
   CHECK(sensor_step(twice) == 0.0);
 }
 

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Standstill: friction is then whatever holds the joint, and a log cannot tell by which law.
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "identification/candidate.h"
+
+namespace sinew::diagnosis {
+
+/// Stretches of a log [s] in which a joint rests, each with the way into and out of it: one of its
+/// velocities, differently smoothed and as long as `time`, is next to zero for longer than any
+/// reversal takes. Empty where next to nothing would be left of the log.
+std::vector<Standstill> find_standstills(const Eigen::VectorXd& time,
+                                         const std::vector<Eigen::VectorXd>& velocities);
+
+/// 1 in motion, 0 at standstill, with smooth flanks between, at the times [s].
+Eigen::VectorXd motion_window(const std::vector<Standstill>& stretches,
+                              const Eigen::VectorXd& time);
+
+}  // namespace sinew::diagnosis
