@@ -126,6 +126,11 @@ std::vector<Trial> contenders(const Design& design, const Library& library,
               present.model.terms.begin() + static_cast<std::ptrdiff_t>(term) + 1,
               present.model.terms.end());
   present.allowed = true;
+  // What explains something else is no rival, however much that is.
+  std::erase_if(trials, [&](const Trial& t) {
+    return canonical_correlation(without, state.noise.weights, present.model.terms.back().columns,
+                                 t.model.terms.back().columns) < kSameThing;
+  });
   trials.push_back(std::move(present));
   rank_trials(design, state.freedom, state.noise.weights, trials);
   refit_close_ones(design, state, deviance(without, state.noise.weights), trials);

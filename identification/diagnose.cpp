@@ -115,10 +115,14 @@ class Run {
   /// causes leave over; noise is none. What
   /// it leaves of itself passes for effects of fast motion at its place: they have to be larger.
   void set_sensor_noise_aside(Verdict& verdict) const {
-    constexpr double good_part = 0.2, fast_part = 0.08, finest = 8e-5;
+    constexpr double good_part = 0.2, fast_part = 0.08;
     const auto is_noise = [&](const NamedCause& cause) {
       const std::string origin = origin_of(cause.candidate);
       return origin == "sensor_noise" || origin == "sensor_quantisation";
+    };
+    const auto is_always_there = [&](const NamedCause& cause) {
+      return cause.candidate >= 0 &&
+             subject_.problem().library[static_cast<std::size_t>(cause.candidate)].aside;
     };
     const auto is_fast = [&](const NamedCause& cause) {
       const std::string origin = origin_of(cause.candidate);
@@ -129,15 +133,9 @@ class Run {
     for (const NamedCause& cause : verdict.causes)
       if (is_noise(cause)) noisy.insert(cause.members.front().place);
     const auto aside = [&](const NamedCause& cause) {
-      if (origin_of(cause.candidate) == "sensor_noise") return true;
       const double share = cause.cross_validated.share;
-      if (is_noise(cause))
-        return share < good_part ||
-               subject_.position_step(
-                   subject_.library_origins()[static_cast<std::size_t>(cause.candidate)].joint) <
-                   finest;
-      return is_fast(cause) && share < fast_part &&
-             noisy.count(cause.members.front().place) == 1;
+      if (is_noise(cause)) return share < good_part || is_always_there(cause);
+      return is_fast(cause) && share < fast_part && noisy.count(cause.members.front().place) == 1;
     };
     for (const NamedCause& cause : verdict.causes)
       if (aside(cause))

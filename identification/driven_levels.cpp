@@ -43,7 +43,7 @@ void DrivenSubject::add_common_levels(std::size_t joint) {
   if (gain_is_level(joint))
     add_level(torque_constant_candidate(where), {"torque_constant", joint, {}, {}});
   if (model_.joints.size() == 1)
-    add_level(sensor_scale_candidate(where, known_), {"sensor_scale", joint, {}, {}});
+    add_level(sensor_scale_candidate(where, known_, {where.axis}), {"sensor_scale", joint, {}, {}});
 }
 
 void DrivenSubject::add_level(const Candidate& c, CandidateOrigin origin, int columns) {

@@ -116,11 +116,6 @@ LogScale DrivenSubject::scale(std::size_t joint) const {
   return scale_of(problem_.training, static_cast<int>(joint));
 }
 
-double DrivenSubject::position_step(std::size_t joint) const {
-  const LogScale s = scale(joint);
-  return s.high > s.low ? quantum_[joint] / (s.high - s.low) : 0.0;
-}
-
 /// Joints: torques of the tendons' forces. Motors: what they measure themselves, their tendon a
 /// load.
 void DrivenSubject::add_tendon_forces(const MatrixXd& forces, const MatrixXd& efforts,
@@ -171,7 +166,8 @@ void DrivenSubject::add_log(const Log& log, const DrivenColumns& columns, bool h
     add_derivatives(std::min(slow_cutoff, 0.1 / log.period), r);
     add_sensor_errors(r);
     for (Index c = 0; c < r.q.cols(); ++c)
-      r.standstills.push_back(find_standstills(r.time, {r.qd.col(c), r.signals["smooth_qd"].col(c)}));
+      r.standstills.push_back(
+          find_standstills(r.time, {r.qd.col(c), r.signals["smooth_qd"].col(c)}));
     (held_out ? problem_.holdout : problem_.training).push_back(std::move(r));
   }
 }
@@ -188,7 +184,8 @@ void DrivenSubject::add_derivatives(double slow, Recording& log) const {
   MatrixXd& seen = log.signals["acceleration"] = log.qdd;
   log.signals["jerk"] = log.signals["jounce"] = MatrixXd::Zero(seen.rows(), seen.cols());
   std::vector<Index> clean, noisy;
-  for (Index c = 0; c < seen.cols(); ++c) (noise_of_position({&log}, c) ? noisy : clean).push_back(c);
+  for (Index c = 0; c < seen.cols(); ++c)
+    (noise_of_position({&log}, c) ? noisy : clean).push_back(c);
   if (!clean.empty()) add(slow, clean);
   if (noisy.empty()) return;
   add(std::min(slow, smooth_cutoff), noisy);
@@ -271,7 +268,11 @@ void DrivenSubject::prepare(const Settings& settings) {
   for (auto* logs : {&problem_.training, &problem_.holdout})
     for (Recording& log : *logs) {
       set_signals(log);
-      if (rigid_) rigid_->add_signals(log);
+      if (!rigid_) continue;
+      rigid_->add_signals(log);
+      if (!model_.joints.front().carries_links) continue;
+      MatrixXd& carried = log.signals["carried"] = rigid_->effort(log);
+      if (log.load.size() > 0) carried += log.load;
     }
   add_mechanism_candidates();
   for (std::size_t j = 0; j < bristle_.size(); ++j) {
@@ -339,13 +340,17 @@ void DrivenSubject::add_library(std::size_t joint) {
         "inertial_backlash", "offset_drift"})
     add(effect, joint);
   const LogScale s = scale(joint);
-  if (s.load > 0.0)
-    for (const char* effect : {"load_friction", "loaded_backlash"}) add(effect, joint);
+  if (s.load > 0.0 || carries_links(joint)) add("load_friction", joint);
+  if (s.load > 0.0) add("loaded_backlash", joint);
   if (model_.joints[joint].motor) return;
   // A joint carries cables and springs; a motor's own shaft does not.
   add("position_friction", joint);
   add("torsion_spring", joint);
   add("cable_torque", joint, {}, Eigen::Vector2d(0.5 * (s.low + s.high), 0.5 * (s.high - s.low)));
+}
+
+bool DrivenSubject::carries_links(std::size_t joint) const {
+  return rigid_ && model_.joints[joint].carries_links;
 }
 
 void DrivenSubject::add_ripples(std::size_t joint) {
@@ -360,7 +365,7 @@ void DrivenSubject::add_ripples(std::size_t joint) {
     for (const double k : {0.73, 1.37, 2.41})
       add("ripple", joint, fmt::format("ripple off every order of the {}", shaft), number(rate * k),
           CandidateKind::decoy);
-    if (scale(joint).load > 0.0)
+    if (scale(joint).load > 0.0 || carries_links(joint))
       add("load_ripple", joint, fmt::format("ripple proportional to load, once per {} turn", shaft),
           number(rate));
   };
@@ -378,21 +383,25 @@ void DrivenSubject::add_model_candidates(std::size_t joint) {
     library_.push_back({effect, joint, {}, {}});
   };
   take(delay_candidate(where), "delay");
-  take(sensor_low_pass_candidate(where, known_), "sensor_low_pass");
+  const std::vector<int> coupled = coupled_joints(joint);
+  take(sensor_low_pass_candidate(where, known_, coupled), "sensor_low_pass");
   take(sensor_hysteresis_candidate(where, known_, scale(joint)), "sensor_hysteresis");
   std::vector<const Recording*> logs;
   for (const Recording& log : problem_.training) logs.push_back(&log);
-  if (coarse_sensor(joint))
-    take(sensor_quantisation_candidate(where, known_, coupled_joints(joint)),
-         "sensor_quantisation");
-  else if (noise_of_position(logs, static_cast<Index>(joint)))
-    take(sensor_noise_candidate(where, known_, coupled_joints(joint)), "sensor_noise");
+  if (coarse_sensor(joint)) {
+    take(sensor_quantisation_candidate(where, known_, coupled), "sensor_quantisation");
+    problem_.library.back().aside = fine_sensor(joint);
+  } else if (noise_of_position(logs, static_cast<Index>(joint))) {
+    take(sensor_noise_candidate(where, known_, coupled), "sensor_noise");
+    problem_.library.back().aside = true;
+  }
   if (tendon_driven(joint))
     take(pulley_radius_candidate(where.axis, where.name), "pulley_radius");
   else if (!gain_is_level(joint))
     take(torque_constant_candidate(where), "torque_constant");
+  if (carries_links(joint)) take(sensor_offset_candidate(where, known_, coupled), "sensor_offset");
   // One joint's scale is a level too (driven_levels.cpp); here it meets what else bends friction.
-  take(sensor_scale_candidate(where, known_), "sensor_scale");
+  take(sensor_scale_candidate(where, known_, coupled), "sensor_scale");
   const LogScale s = scale(joint);
   const FlexibleRanges ranges{s.low, s.high, s.speed, s.load, s.duration};
   const int axis = static_cast<int>(joint);
@@ -403,15 +412,27 @@ void DrivenSubject::add_model_candidates(std::size_t joint) {
     }
 }
 
-/// Joints whose effort a joint's acceleration is felt in, for which the logs get the signal.
+/// With steps as fine as any good encoder's over the range that the joint moves in.
+bool DrivenSubject::fine_sensor(std::size_t joint) const {
+  constexpr double kFinest = 8e-5;
+  const LogScale s = scale(joint);
+  return quantum_[joint] < kFinest * (s.high - s.low);
+}
+
+/// Joints whose effort feels what is wrong with a joint's logged motion, itself among them; the
+/// logs get the signals for the others.
 std::vector<int> DrivenSubject::coupled_joints(std::size_t joint) {
-  std::vector<int> list;
   const auto axis = static_cast<int>(joint);
+  if (!carries_links(joint)) return {axis};
   for (auto* logs : {&problem_.training, &problem_.holdout})
-    for (Recording& log : *logs) add_mass_matrix_column(known_, axis, log);
+    for (Recording& log : *logs) {
+      add_mass_matrix_column(known_, axis, log);
+      add_sensor_responses(known_, axis, log);
+    }
+  std::vector<int> list;
   const MatrixXd& column = problem_.training.front().signals.at(mass_matrix_column(axis));
   for (Index c = 0; c < column.cols(); ++c)
-    if (!column.col(c).isZero(0.0)) list.push_back(static_cast<int>(c));
+    if (c == axis || !column.col(c).isZero(0.0)) list.push_back(static_cast<int>(c));
   return list;
 }
 

@@ -62,8 +62,6 @@ class DrivenSubject {
   const std::vector<CandidateOrigin>& baseline_origins() const { return baseline_; }
   /// What a level cause changes.
   const CandidateOrigin& level_origin(int level) const;
-  /// Steps of the logged position over the range it covers; 0 where no steps were seen.
-  double position_step(std::size_t joint) const;
   /// What is known of a joint's friction direction: true where it is a bristle state.
   bool bristle(std::size_t joint) const { return bristle_[joint]; }
 
@@ -75,6 +73,7 @@ class DrivenSubject {
   /// The candidate's first columns (all: -1) as changes of the model's own values.
   void add_level(const Candidate& candidate, CandidateOrigin origin, int columns = -1);
   bool coarse_sensor(std::size_t joint) const;
+  bool fine_sensor(std::size_t joint) const;
   std::vector<int> coupled_joints(std::size_t joint);
   void add_tendon_forces(const Eigen::MatrixXd& forces, const Eigen::MatrixXd& efforts,
                          Recording& log) const;
@@ -88,6 +87,7 @@ class DrivenSubject {
   void set_signals(Recording& log) const;
   bool gain_is_level(std::size_t joint) const;
   bool tendon_driven(std::size_t joint) const;
+  bool carries_links(std::size_t joint) const;
   void add(const std::string& effect, std::size_t joint, const std::string& name = {},
            const Eigen::VectorXd& fixed = {}, CandidateKind kind = CandidateKind::named);
   std::string place(std::size_t joint) const;

@@ -30,7 +30,11 @@ MatrixXd signals_of(const Recording& log, int axis) {
   const auto seen = log.signals.find("acceleration");
   x.row(2) = (seen == log.signals.end() ? log.qdd : seen->second).col(axis).transpose();
   x.row(3) = log.signals.at("jounce").col(axis).transpose();
-  if (log.load.size() > 0) x.row(4) = log.load.col(axis).transpose();
+  const auto carried = log.signals.find("carried");
+  if (carried != log.signals.end())
+    x.row(4) = carried->second.col(axis).transpose();
+  else if (log.load.size() > 0)
+    x.row(4) = log.load.col(axis).transpose();
   x.row(5) = (log.time.array() - log.time(0)).matrix().transpose();
   x.row(6) = log.signals.at("direction").col(axis).transpose();
   x.row(7).setConstant(log.step);

@@ -39,7 +39,8 @@ struct Regressor {
 };
 
 /// samples x columns at the given shape parameters. The recording needs q, qd, qdd, time, and the
-/// signals "direction" and "jounce"; a missing load counts as zero. "acceleration" goes before qdd.
+/// signals "direction" and "jounce"; a missing load counts as zero. "acceleration" goes before qdd,
+/// "carried" before the load.
 Eigen::MatrixXd effect_columns(const Regressor& regressor, const Recording& log, int axis,
                                const Eigen::VectorXd& shape);
 

@@ -47,8 +47,13 @@ bool fill_special(const std::vector<ParameterEstimate>& estimates, IdentifiedEff
     return true;
   }
   if (changes_mechanism(entry)) {
-    for (const ParameterEstimate& e : estimates)
-      entry.coefficients.push_back({e.name, e.value, e.standard_error, e.unit});
+    for (const ParameterEstimate& e : estimates) {
+      // A mass that chance made negative would leave a link that has none of its own impossible.
+      const bool mass = entry.effect == "payload" && e.name == "mass";
+      const double least = std::max(0.1 * e.standard_error, 1e-9);
+      entry.coefficients.push_back(
+          {e.name, mass ? std::max(e.value, least) : e.value, e.standard_error, e.unit});
+    }
     return true;
   }
   if (entry.effect == "torque_constant" || entry.effect == "pulley_radius") {

@@ -25,7 +25,7 @@ double worth(const Design& design, const Settings& settings, const Model& model,
 
 Model without_causes(const Design& design, Model model) {
   for (std::size_t t = model.terms.size(); t-- > 0;)
-    if (!model.terms[t].baseline) remove_term(design, t, model);
+    if (!model.terms[t].baseline && !model.terms[t].candidate->aside) remove_term(design, t, model);
   return model;
 }
 

@@ -12,6 +12,8 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
+constexpr double kSmallScale = 1e-4, kSmallTime = 1e-3;  // of the derivatives; 1, s
+
 Candidate at(const EffectPlace& place, const std::string& name, LinearParameter parameter) {
   Candidate c;
   c.name = name;
@@ -29,15 +31,36 @@ auto of_its_size(double factor) {
   };
 }
 
-/// Change of the effort at one axis for a small change of the motion there, per `size`.
-VectorXd response(const EffortModel& effort, const Recording& log, int axis, const Motion& change,
-                  double size) {
+/// Change of all efforts for a small change of the motion at one axis, per `size`.
+MatrixXd responses(const EffortModel& effort, const Recording& log, int axis, const Motion& change,
+                   double size) {
   MatrixXd q = log.q, qd = log.qd, qdd = log.qdd;
   q.col(axis) += size * change.q.col(0);
   qd.col(axis) += size * change.qd.col(0);
   qdd.col(axis) += size * change.qdd.col(0);
   // Not from signal "known": of a thinned log that is filtered, and no effort of its motion.
-  return (effort(log, q, qd, qdd).col(axis) - effort(log).col(axis)) / size;
+  return (effort(log, q, qd, qdd) - effort(log)) / size;
+}
+
+VectorXd response(const EffortModel& effort, const Recording& log, int axis, const Motion& change,
+                  double size) {
+  return responses(effort, log, axis, change, size).col(axis);
+}
+
+/// The true motion is the logged one plus that much of its rate.
+Motion rate_of(const Recording& log, int axis) {
+  return {log.qd.col(axis), log.qdd.col(axis), log.signals.at("jerk").col(axis)};
+}
+
+/// The true position is by one unit less than the logged one.
+Motion unit_less(const Recording& log) {
+  const VectorXd none = VectorXd::Zero(log.q.rows());
+  return {VectorXd::Constant(none.size(), -1.0), none, none};
+}
+
+/// The true motion is that much less than the logged one.
+Motion less_of(const Recording& log, int axis) {
+  return {-log.q.col(axis), -log.qd.col(axis), -log.qdd.col(axis)};
 }
 
 /// What a rough error of an axis' logged position makes of the efforts: at other joints by its
@@ -87,33 +110,66 @@ Candidate torque_constant_candidate(const EffectPlace& place) {
   return c;
 }
 
-Candidate sensor_low_pass_candidate(const EffectPlace& place, const EffortModel& effort) {
+std::string scale_response(int axis) {
+  return "scale_response_" + std::to_string(axis);
+}
+
+std::string rate_response(int axis) {
+  return "rate_response_" + std::to_string(axis);
+}
+
+std::string offset_response(int axis) {
+  return "offset_response_" + std::to_string(axis);
+}
+
+void add_sensor_responses(const EffortModel& effort, int axis, Recording& log) {
+  log.signals[offset_response(axis)] = responses(effort, log, axis, unit_less(log), kSmallScale);
+  log.signals[scale_response(axis)] = responses(effort, log, axis, less_of(log, axis), kSmallScale);
+  log.signals[rate_response(axis)] = responses(effort, log, axis, rate_of(log, axis), kSmallTime);
+}
+
+Candidate sensor_low_pass_candidate(const EffectPlace& place, const EffortModel& effort,
+                                    const std::vector<int>& coupled) {
   Candidate c =
       at(place, "low-pass of the position sensor", {"time_constant", "s", 0.0, 0.1, false, {}});
+  c.channels = coupled;
   c.nonlinear = {{"time_constant_of_motion", "s", 1e-3, 0.05, 4, true}};
   c.possible = of_its_size(15.0);
   c.limit_meaning = "the sensor would run ahead of the motion";
   c.isolating_experiment = "fast sinusoids against a second sensor";
   c.columns = [axis = place.axis, effort](const Recording& log, int channel,
                                           const VectorXd& constant) -> MatrixXd {
-    if (channel != axis) return {};
-    // The true motion is the logged one plus the time constant times its rate.
-    const Motion rate{log.qd.col(axis), log.qdd.col(axis), log.signals.at("jerk").col(axis)};
-    return response(effort, log, axis, rate, constant(0));
+    if (channel != axis) return log.signals.at(rate_response(axis)).col(channel);
+    return response(effort, log, axis, rate_of(log, axis), constant(0));
   };
   return c;
 }
 
-Candidate sensor_scale_candidate(const EffectPlace& place, const EffortModel& effort) {
+Candidate sensor_offset_candidate(const EffectPlace& place, const EffortModel& effort,
+                                  const std::vector<int>& coupled) {
+  constexpr double most = 0.2;
+  Candidate c = at(place, "zero offset of the position sensor",
+                   {"zero_offset", place.revolute ? "rad" : "m", -most, most, false, {}});
+  c.channels = coupled;
+  c.isolating_experiment = "the position held at a stop or a mark that is known";
+  c.columns = [axis = place.axis, effort](const Recording& log, int channel,
+                                          const VectorXd&) -> MatrixXd {
+    if (channel != axis) return log.signals.at(offset_response(axis)).col(channel);
+    return response(effort, log, axis, unit_less(log), kSmallScale);
+  };
+  return c;
+}
+
+Candidate sensor_scale_candidate(const EffectPlace& place, const EffortModel& effort,
+                                 const std::vector<int>& coupled) {
   Candidate c =
       at(place, "scale of the position sensor", {"scale_error", "1", -0.5, 0.5, false, {}});
+  c.channels = coupled;
   c.isolating_experiment = "the travel between two stops, measured with a gauge";
   c.columns = [axis = place.axis, effort](const Recording& log, int channel,
                                           const VectorXd&) -> MatrixXd {
-    if (channel != axis) return {};
-    // The true motion is the logged one divided by 1 + scale_error.
-    const Motion change{-log.q.col(axis), -log.qd.col(axis), -log.qdd.col(axis)};
-    return response(effort, log, axis, change, 1e-4);
+    if (channel != axis) return log.signals.at(scale_response(axis)).col(channel);
+    return response(effort, log, axis, less_of(log, axis), kSmallScale);
   };
   return c;
 }

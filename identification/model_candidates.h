@@ -14,11 +14,28 @@ Candidate delay_candidate(const EffectPlace& place);
 /// The effort is larger or smaller than logged, by a constant share. Uses signal "effort".
 Candidate torque_constant_candidate(const EffectPlace& place);
 
-/// The position is logged behind a first-order low-pass. Uses signals "known" and "jerk".
-Candidate sensor_low_pass_candidate(const EffectPlace& place, const EffortModel& effort);
+/// What the efforts of the other joints do with a constant error of one axis' position (per rad or
+/// m), with one in proportion to it, and with one in proportion to its rate (per second): signals
+/// of samples x joints.
+std::string offset_response(int axis);
+std::string scale_response(int axis);
+std::string rate_response(int axis);
+void add_sensor_responses(const EffortModel& effort, int axis, Recording& log);
 
-/// The logged position is a constant share too large or too small.
-Candidate sensor_scale_candidate(const EffectPlace& place, const EffortModel& effort);
+/// The position is logged behind a first-order low-pass. Uses signals "known", "jerk" and, at other
+/// joints that are `coupled`, the response to the rate.
+Candidate sensor_low_pass_candidate(const EffectPlace& place, const EffortModel& effort,
+                                    const std::vector<int>& coupled);
+
+/// The logged position is wrong by a constant: gravity and the inertia of further links show it.
+/// Uses, at other joints that are `coupled`, the response to an offset.
+Candidate sensor_offset_candidate(const EffectPlace& place, const EffortModel& effort,
+                                  const std::vector<int>& coupled);
+
+/// The logged position is a constant share too large or too small. Uses, at other joints that are
+/// `coupled`, the response to the position.
+Candidate sensor_scale_candidate(const EffectPlace& place, const EffortModel& effort,
+                                 const std::vector<int>& coupled);
 
 /// Signal of the column of the mass matrix that an axis' acceleration meets: samples x joints.
 std::string mass_matrix_column(int axis);

@@ -105,22 +105,27 @@ void RigidColumns::add_payload(const Mechanism& mechanism, std::size_t body) {
   groups_.push_back(std::move(group));
 }
 
-/// Gravity that the model lacks, or has in another direction.
-void RigidColumns::add_gravity(const Mechanism& mechanism) {
+/// The mechanism's own, under some gravity.
+VectorXd RigidColumns::nominal(const Vector3d& gravity) const {
   VectorXd mass(bodies_);
   MatrixXd com(bodies_, 3), inertia(bodies_, 6);
   for (Index b = 0; b < bodies_; ++b) {
-    const Body& body = mechanism.bodies[static_cast<std::size_t>(b)];
+    const Body& body = mechanism_.bodies[static_cast<std::size_t>(b)];
     const Eigen::Matrix3d& I = body.inertia;
     mass(b) = body.mass;
     com.row(b) = body.centre_of_mass.transpose();
     inertia.row(b) << I(0, 0), I(1, 1), I(2, 2), I(0, 1), I(0, 2), I(1, 2);
   }
+  return parameters(mass, com, inertia, gravity);
+}
+
+/// Gravity that the model lacks, or has in another direction.
+void RigidColumns::add_gravity(const Mechanism& mechanism) {
   const bool absent = mechanism.gravity.isZero(0.0);
   Group group{"gravity", absent ? "gravity left out" : "direction of gravity",
               "base",    "slow motion over the whole range",
               {},        {}};
-  const VectorXd none = parameters(mass, com, inertia, Vector3d::Zero());
+  const VectorXd none = nominal(Vector3d::Zero());
   const char* axes[] = {"x", "y", "z"};
   // Its size is known where it is there at all: a base that leans moves it sideways.
   Index along = -1;
@@ -129,9 +134,24 @@ void RigidColumns::add_gravity(const Mechanism& mechanism) {
     if (k == along) continue;
     group.parameters.push_back(
         parameter(std::string("gravity_change_") + axes[k], "m/s^2", -infinity));
-    group.columns.push_back({parameters(mass, com, inertia, Vector3d::Unit(k)), none, 1.0});
+    group.columns.push_back({nominal(Vector3d::Unit(k)), none, 1.0});
   }
   groups_.push_back(std::move(group));
+}
+
+MatrixXd RigidColumns::effort(const Recording& log) const {
+  const sinew_function& function = compiled_->find("inverse_dynamics");
+  const Index n = coordinates_;
+  VectorXd in(function.input_size), out(n);
+  in.tail(in.size() - 3 * n) = nominal(mechanism_.gravity);
+  MatrixXd effort(log.q.rows(), n);
+  for (Index k = 0; k < effort.rows(); ++k) {
+    in.head(3 * n) << log.q.row(k).head(n).transpose(), log.qd.row(k).head(n).transpose(),
+        log.qdd.row(k).head(n).transpose();
+    function.call(in.data(), out.data());
+    effort.row(k) = out.transpose();
+  }
+  return effort;
 }
 
 void RigidColumns::add_signals(Recording& log) const {

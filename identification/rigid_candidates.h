@@ -26,6 +26,9 @@ class RigidColumns {
   /// columns of one coordinate stand together.
   void add_signals(Recording& log) const;
 
+  /// What the links ask of the joints: samples x coordinates.
+  Eigen::MatrixXd effort(const Recording& log) const;
+
   /// Candidates that act on all channels; they read what add_signals left in the recording.
   std::vector<Candidate> candidates() const;
 
@@ -41,6 +44,7 @@ class RigidColumns {
   };
   Eigen::VectorXd parameters(const Eigen::VectorXd& mass, const Eigen::MatrixXd& com,
                              const Eigen::MatrixXd& inertia, const Eigen::Vector3d& gravity) const;
+  Eigen::VectorXd nominal(const Eigen::Vector3d& gravity) const;
   void add_payload(const Mechanism& mechanism, std::size_t body);
   void add_gravity(const Mechanism& mechanism);
 

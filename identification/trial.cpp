@@ -19,9 +19,14 @@ const Candidate& candidate_at(const Design& design, int index) {
   return design.problem().library[static_cast<std::size_t>(index)];
 }
 
+/// Another form of a cause that the model has counts as well: one cause is named once.
 bool taken(const Design& design, const Model& model, int candidate) {
-  return std::any_of(model.terms.begin(), model.terms.end(),
-                     [&](const Term& term) { return library_index(design, term) == candidate; });
+  const Candidate& wanted = candidate_at(design, candidate);
+  return std::any_of(model.terms.begin(), model.terms.end(), [&](const Term& term) {
+    return library_index(design, term) == candidate ||
+           (!term.baseline && term.level < 0 && wanted.kind == CandidateKind::named &&
+            term.candidate->name == wanted.name && term.candidate->place == wanted.place);
+  });
 }
 
 Trial try_candidate(const Design& design, const Weights& weights, const Model& base,

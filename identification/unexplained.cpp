@@ -88,6 +88,22 @@ std::vector<Dependence> take_out_decoys(const Design& design, const Settings& se
   return list;
 }
 
+bool is_name(const Term& term) {
+  return !term.baseline && !term.candidate->aside && !is_unnamed(*term.candidate);
+}
+
+/// What the baseline and what is in every measurement leave over.
+double loss_without_names(const Design& design, const Settings& settings,
+                          const Selection& selection) {
+  if (std::none_of(selection.model.terms.begin(), selection.model.terms.end(),
+                   [](const Term& t) { return !t.baseline && t.candidate->aside; }))
+    return selection.baseline_loss;
+  Model model = selection.model;
+  for (std::size_t t = model.terms.size(); t-- > 0;)
+    if (is_name(model.terms[t])) remove_term(design, t, model);
+  return plain_loss(design, settings, model, own_noise(design, model, settings.threads));
+}
+
 /// Names whose part the unnamed terms take over, and names of less than what has no name.
 void withdraw(const Design& design, const Settings& settings, const Model& with_flexible,
               Selection& selection, Unexplained& result) {
@@ -97,7 +113,7 @@ void withdraw(const Design& design, const Settings& settings, const Model& with_
   std::vector<const Candidate*> gone;
   for (std::size_t t = 0; t < with_flexible.terms.size(); ++t) {
     const Term& term = with_flexible.terms[t];
-    if (term.baseline || is_unnamed(*term.candidate)) continue;
+    if (!is_name(term)) continue;
     Model without = with_flexible;
     remove_term(design, t, without);
     const double beside = plain_loss(design, settings, without, noise) - full;
@@ -188,7 +204,7 @@ Structure find_unexplained(const Design& design, const Library& library, const S
     noise = own_noise(design, model, settings.threads);
     last = best.loss;
   }
-  const double base = selection.baseline_loss;
+  const double base = loss_without_names(design, settings, selection);
   result.remaining = named / base;
   std::stable_sort(
       result.depends_on.begin(), result.depends_on.end(),
@@ -206,7 +222,7 @@ Structure find_unexplained(const Design& design, const Library& library, const S
   if (result.depends_on.empty()) return structure;
   result.named_share = base > last ? std::clamp((base - named) / (base - last), 0.0, 1.0) : 0.0;
   const bool any_name = std::any_of(selection.model.terms.begin(), selection.model.terms.end(),
-                                    [](const Term& t) { return !t.baseline; });
+                                    [](const Term& t) { return is_name(t); });
   if (any_name && result.named_share < kNamesHold)
     withdraw(design, settings, model, selection, result);
   result.none_of_the_known = !any_name || result.named_share < kNamesHold;

@@ -86,8 +86,8 @@ std::string next_step(const Findings& f) {
 
 void describe_model_term(const std::string& effect, CauseTerm& term) {
   const GiNaC::symbol model("model"), gain("gain_change"), delay("delay"), rate("model_rate"),
-      tau("time_constant"), scale("scale_error"), slope("model_slope"), q("q"), play("half_play"),
-      side("side"), share("share_of_steps"), steps("model_of_the_steps");
+      tau("time_constant"), scale("scale_error"), offset("zero_offset"), slope("model_slope"),
+      q("q"), play("half_play"), side("side"), share("share_of_steps"), steps("model_of_the_steps");
   if (effect == "delay")
     set_term(term, model + delay * rate,
              "effort left over in proportion to the model's rate of change",
@@ -104,6 +104,9 @@ void describe_model_term(const std::string& effect, CauseTerm& term) {
   else if (effect == "sensor_scale")
     set_term(term, model - scale * q * slope, "inertia and damping off by one share, friction not",
              "large motion");
+  else if (effect == "sensor_offset")
+    set_term(term, model - offset * slope, "as if gravity and the other links stood elsewhere",
+             "gravity, or joints that move together");
   else if (effect == "sensor_quantisation")
     set_term(term, model + share * steps,
              "effort left over as rough as the position's steps make it",

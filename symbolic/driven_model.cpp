@@ -59,6 +59,8 @@ DrivenModel driven_model(const Mechanism& mechanism, const CostOf& cost) {
   const Coordinates coordinates(mechanism);
   for (const int index : coordinates.joints())
     model.joints.push_back(driven_joint(mechanism.joints[static_cast<std::size_t>(index)]));
+  // A lone joint's own inertia is hardly a load to its gear; other links are.
+  for (DrivenJoint& joint : model.joints) joint.carries_links = model.joints.size() > 1;
   return model;
 }
 
@@ -103,6 +105,7 @@ DrivenModel tendon_driven_model(const Mechanism& mechanism,
     throw std::invalid_argument("model '" + mechanism.name + "' has no tendons");
   DrivenModel model = driven_model(mechanism, cost);
   model.tendons.motion = tendon_motion_function(mechanism);
+  for (DrivenJoint& joint : model.joints) joint.carries_links = false;  // no gear is there
   for (const Tendon& tendon : mechanism.tendons) model.tendons.names.push_back(tendon.name);
   if (!motor) return model;
   model.tendons.motor = motor;

@@ -20,6 +20,8 @@ struct DrivenJoint {
   std::string name;    ///< of the joint; "motor" for a motor, "motor 3" for a tendon's
   bool motor = false;  ///< a motor's shaft, no joint
   bool revolute = true;
+  bool carries_links =
+      false;  ///< load of its effects: what the links ask of it, and an external one
   Range position, velocity, acceleration;  ///< SI
   double damping = 0.0;                    ///< N m s/rad or N s/m
   double friction = 0.0;                   ///< N m or N: level at high speed

@@ -46,6 +46,7 @@ class EffortWriter {
     inputs.insert(inputs.end(), qd_at_.begin(), qd_at_.end());
     inputs.insert(inputs.end(), qdd_at_.begin(), qdd_at_.end());
     std::vector<ex> tau = inlined(list_, model_.rigid, inputs).front();
+    if (!model_.joints.empty() && model_.joints.front().carries_links) carried_ = tau;
     for (std::size_t i = 0; i < tau.size(); ++i) tau[i] += drive(i) + load_.symbols[i];
     for (const IdentifiedEffect& each : identified_.effects)
       if (is_term(each)) add_term(each, tau);
@@ -71,7 +72,8 @@ class EffortWriter {
     std::vector<ex> tau(static_cast<std::size_t>(n_), ex(0));
     bool any = false;
     for (const IdentifiedEffect& each : identified_.effects) {
-      if (!is_term(each) || tendon_of(each.place) || !is_measurable(find_effect(each.effect)))
+      if (!is_term(each) || tendon_of(each.place) || !is_measurable(find_effect(each.effect)) ||
+          depends_on_links(each))
         continue;
       tau[joint_of(each.place)] += exact_number(share) * term(each);
       any = true;
@@ -245,7 +247,7 @@ class EffortWriter {
     const EffectSignals& s = effect_signals();
     GiNaC::exmap map{{s.position, q_at_[joint]},       {s.velocity, qd_at_[joint]},
                      {s.acceleration, qdd_at_[joint]}, {s.jounce, jounce_.symbols[joint]},
-                     {s.load, load_.symbols[joint]},   {s.time, time_.symbols[0]},
+                     {s.load, load_at(joint)},         {s.time, time_.symbols[0]},
                      {s.step, step_.symbols[0]}};
     if (joint < directions_.size()) map[s.direction] = directions_[joint];
     for (std::size_t k = 0; k < effect.shapes.size(); ++k)
@@ -256,6 +258,12 @@ class EffortWriter {
     for (const EffectState& state : effect.states)
       next_.push_back(list_.define("next_state", state.next.subs(map)));
     return map;
+  }
+
+  /// A compensation has no terms that need what the links ask.
+  ex load_at(std::size_t joint) const {
+    const ex external = load_.symbols[joint];
+    return carried_.empty() ? external : carried_[joint] + external;
   }
 
   ex term(const IdentifiedEffect& each) {
@@ -271,6 +279,14 @@ class EffortWriter {
            std::none_of(effect.columns.begin(), effect.columns.end(), [&](const EffectColumn& c) {
              return c.term.has(s.acceleration) || c.term.has(s.jounce) || c.term.has(s.time);
            });
+  }
+
+  /// Needs the joint's torque and with it the acceleration.
+  bool depends_on_links(const IdentifiedEffect& each) const {
+    const std::vector<EffectColumn>& columns = find_effect(each.effect).columns;
+    return model_.joints[joint_of(each.place)].carries_links &&
+           std::any_of(columns.begin(), columns.end(),
+                       [](const EffectColumn& c) { return c.term.has(effect_signals().load); });
   }
 
   /// Arguments nothing depends on are no arguments, but for the motion.
@@ -297,6 +313,7 @@ class EffortWriter {
   int n_;
   Argument q_, qd_, qdd_, load_, tension_, jerk_, jounce_, time_, step_, states_;
   DefinitionList list_;
+  std::vector<ex> carried_;  ///< what the links ask of every joint
   std::vector<ex> q_at_, qd_at_, qdd_at_, directions_, next_;
   std::vector<ex> moment_arms_, tendon_rates_, bending_;
 };

@@ -48,16 +48,16 @@ struct LogFiles {
   reference::TemporaryFolder folder;
 };
 
-Outcome judged(const truth::SealedTrial& trial, diagnosis::Findings findings, const Words& words) {
+}  // namespace
+
+Outcome judged(truth::Seal seal, diagnosis::Findings findings, const Words& words) {
   Outcome outcome;
   outcome.words = words;
   outcome.findings = std::move(findings);
-  outcome.seal = trial.seal();
+  outcome.seal = std::move(seal);
   judge(outcome);
   return outcome;
 }
-
-}  // namespace
 
 Words by_table(std::map<std::string, std::string> table) {
   return [table = std::move(table)](const std::string& name, const std::string&) {
@@ -113,7 +113,7 @@ Outcome diagnose_driven(
   request.settings.edge_s = diagnosis::driven_edge;
   request.settings.band_hz = diagnosis::driven_band;
   request.settings.seed = static_cast<unsigned>(wanted.seed);
-  return judged(trial, diagnosis::diagnose(request).findings, words);
+  return judged(trial.seal(), diagnosis::diagnose(request).findings, words);
 }
 
 Outcome diagnose_rig(const truth::TrialRequest& wanted,
@@ -129,7 +129,7 @@ Outcome diagnose_rig(const truth::TrialRequest& wanted,
   request.holdout = files.holdout();
   request.settings.edge_s = 0.1;
   request.settings.seed = static_cast<unsigned>(wanted.seed);
-  return judged(trial, diagnosis::diagnose_observed(request).findings, words);
+  return judged(trial.seal(), diagnosis::diagnose_observed(request).findings, words);
 }
 
 void Rates::add(const Outcome& o) {

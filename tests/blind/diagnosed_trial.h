@@ -31,6 +31,9 @@ struct Outcome {
   std::string missed() const;  ///< why what is hidden was ruled out
 };
 
+/// Opens the seal after the verdict.
+Outcome judged(truth::Seal seal, diagnosis::Findings findings, const Words& words);
+
 /// Diagnoses the trial's logs as driven joints; `request` has the model and its channels.
 Outcome diagnose_driven(
     const truth::TrialRequest& trial,

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Sealed trials on robot arms: the program gets the mechanism and the logs alone; the seal is
+// opened after the verdict.
+#include <catch2/catch.hpp>
+
+#include "identification/driven_channels.h"
+#include "symbolic/driven_model.h"
+#include "tests/blind/arm_trial.h"
+#include "tests/blind/diagnosed_trial.h"
+#include "tests/reference/temporary_folder.h"
+
+namespace {
+
+using namespace sinew;
+using blind::Outcome;
+
+/// A cause at another joint is another cause.
+std::string word(const std::string& name, const std::string& place) {
+  static const blind::Words table = blind::by_table({{"viscous friction level", "viscous_level"},
+                                                     {"Coulomb friction level", "coulomb_level"},
+                                                     {"Stribeck friction", "stribeck"},
+                                                     {"load-dependent friction", "load_friction"},
+                                                     {"torque constant", "torque_constant"},
+                                                     {"slow drift of friction", "friction_drift"},
+                                                     {"spring towards a position", "spring"}});
+  return table(name, place) + "@" + place;
+}
+
+Outcome diagnose_arm(const truth::TrialRequest& wanted) {
+  blind::ArmTrial trial = blind::arm_trial(wanted);
+  const reference::TemporaryFolder folder;
+  const auto file = [&](const char* name, const std::string& text) {
+    reference::write_text(folder.path() / name, text);
+    return std::vector<std::string>{(folder.path() / name).string()};
+  };
+  diagnosis::DiagnoseRequest request;
+  request.model = driven_model(trial.nominal);
+  request.mechanism = trial.nominal;
+  request.name = trial.nominal.name;
+  request.runtime = SINEW_SOURCE_DIR "/runtime";
+  request.logs = file("train.csv", trial.train);
+  request.holdout = file("holdout.csv", trial.holdout);
+  request.channels = [&](const std::string& log) {
+    return diagnosis::robot_log_channels(trial.nominal, log, {});
+  };
+  request.settings.edge_s = diagnosis::driven_edge;
+  request.settings.band_hz = diagnosis::driven_band;
+  request.settings.seed = static_cast<unsigned>(wanted.seed);
+  for (auto& cause : trial.seal.hidden) cause.name += "@" + cause.place;
+  return blind::judged(std::move(trial.seal), diagnosis::diagnose(request).findings, word);
+}
+
+}  // namespace
+
+TEST_CASE("study: sealed arms", "[.study]") {
+  blind::study(diagnose_arm, "arm");
+}
+
+TEST_CASE("causes hidden in arms are named from the logs alone") {
+  const blind::Rates rates =
+      blind::run(diagnose_arm, {100, "arm", truth::Family::one, 3.0}, 6,
+                 [](std::uint64_t seed, const Outcome& o) {
+                   WARN(seed << " hidden:" << o.hidden() << ", told:" << o.told());
+                 });
+  INFO(rates.text());
+  CHECK(rates.detected == 6);
+  CHECK(rates.all_inside >= 5);
+}
+
+TEST_CASE("an arm that hides nothing is told to leave nothing over") {
+  // Planted: before standstill counted for nothing and position noise reached every coupled joint,
+  // each arm that rested between its strokes got friction, delays or elasticity it did not have.
+  const blind::Rates rates = blind::run(diagnose_arm, {200, "arm", truth::Family::nothing, 1.0}, 6,
+                                        [](std::uint64_t seed, const Outcome& o) {
+                                          INFO("seed " << seed << ", told:" << o.told());
+                                          CHECK_FALSE(o.findings.extension.adopted);
+                                        });
+  INFO(rates.text());
+  CHECK(rates.false_names == 0);
+  CHECK(rates.none_of_the_known == 0);
+}
