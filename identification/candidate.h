@@ -74,8 +74,9 @@ struct Candidate {
   std::vector<NonlinearParameter> nonlinear;
   std::vector<LinearParameter> linear;
   ColumnFunction columns;
-  bool broadband = false;  ///< like noise: may lie mostly above the frequencies looked at
-  bool aside = false;      ///< is in every measurement: fitted, and no name for what is wrong
+  bool broadband = false;    ///< like noise: may lie mostly above the frequencies looked at
+  double least_share = 0.0;  ///< where more than the settings': of the residual, or it is no cause
+  bool aside = false;        ///< is in every measurement: fitted, and no name for what is wrong
   /// false: a fit with these coefficients and nonlinear parameters is not this effect; may be
   /// empty.
   std::function<bool(const Eigen::VectorXd& coefficients, const Eigen::VectorXd& nonlinear)>

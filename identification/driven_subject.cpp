@@ -29,6 +29,9 @@ constexpr double highest_cutoff = 60.0;  // Hz; above, an encoder's acceleration
 constexpr double slow_cutoff = 35.0;     // Hz; for third and higher derivatives
 constexpr double smooth_cutoff = 18.0;   // Hz; motion below, a coarse sensor's steps above
 
+// What fast effects have to explain where all fast motion is noise of the position.
+constexpr double kFastShare = 0.2;
+
 VectorXd number(double value) {
   return VectorXd::Constant(1, value);
 }
@@ -48,16 +51,23 @@ MatrixXd columns_of(const sinew::Segment& segment, const std::vector<int>& chann
   return x;
 }
 
+/// Mean square of the acceleration between the two smoothers, for white noise of the position that
+/// has mean square 1 above both.
+double noise_of_acceleration(double step) {
+  constexpr Index half = 250;
+  const VectorXd pulse = VectorXd::Unit(2 * half + 1, half);
+  const Motion fast = differentiate(pulse, step, std::min(highest_cutoff, 0.1 / step));
+  const Motion slow = differentiate(pulse, step, std::min(smooth_cutoff, 0.1 / step));
+  return (fast.qdd - slow.qdd).squaredNorm() / (pulse - fast.q).squaredNorm();
+}
+
 /// What is left of a joint's acceleration above the motion is what the position's noise at still
 /// higher frequencies makes of itself there.
 bool noise_of_position(const std::vector<const Recording*>& logs, Index c) {
   double found = 0.0, expected = 0.0;
   for (const Recording* log : logs) {
-    const double top = std::min(highest_cutoff, 0.1 / log->step);
-    const double density = (log->signals.at("logged_q").col(c) - log->q.col(c)).squaredNorm() /
-                           (0.5 / log->step - top);
-    expected += density * std::pow(2.0 * std::numbers::pi, 4) *
-                (std::pow(top, 5) - std::pow(smooth_cutoff, 5)) / 5.0;
+    expected += noise_of_acceleration(log->step) *
+                (log->signals.at("logged_q").col(c) - log->q.col(c)).squaredNorm();
     found += (log->qdd.col(c) - log->signals.at("smooth_qdd").col(c)).squaredNorm();
   }
   return expected > 0.0 && found < 4.0 * expected;
@@ -252,7 +262,7 @@ void DrivenSubject::prepare(const Settings& settings) {
       log.signals["direction"] = MatrixXd::Zero(log.q.rows(), log.q.cols());
       const MatrixXd said = known_(log);
       log.signals["known"] = said;
-      log.signals["effort"] = said;
+      log.signals["effort"] = known_(log, log.q, log.qd, log.signals.at("acceleration"));
       log.known.clear();
       for (Index c = 0; c < said.cols(); ++c) log.known.push_back(said.col(c));
     }
@@ -327,7 +337,11 @@ void DrivenSubject::add(const std::string& effect, std::size_t joint, const std:
   if (!name.empty()) c.name = name;
   c.kind = kind;
   // Impacts are as short as a sample; what they leave in the band is enough.
-  c.broadband = effect == "inertial_backlash" || effect == "loaded_backlash";
+  const bool impacts = effect == "inertial_backlash" || effect == "loaded_backlash";
+  c.broadband = impacts;
+  if ((impacts || effect == "gear_elasticity" || effect == "gear_resonance") &&
+      noise_of_position(training(), static_cast<Index>(joint)))
+    c.least_share = kFastShare;
   if (kind == CandidateKind::decoy) c.depends_on = "position, periodic at no known order";
   problem_.library.push_back(std::move(c));
   library_.push_back({kind == CandidateKind::decoy ? "" : effect, joint, fixed, {}});
@@ -386,12 +400,10 @@ void DrivenSubject::add_model_candidates(std::size_t joint) {
   const std::vector<int> coupled = coupled_joints(joint);
   take(sensor_low_pass_candidate(where, known_, coupled), "sensor_low_pass");
   take(sensor_hysteresis_candidate(where, known_, scale(joint)), "sensor_hysteresis");
-  std::vector<const Recording*> logs;
-  for (const Recording& log : problem_.training) logs.push_back(&log);
   if (coarse_sensor(joint)) {
     take(sensor_quantisation_candidate(where, known_, coupled), "sensor_quantisation");
     problem_.library.back().aside = fine_sensor(joint);
-  } else if (noise_of_position(logs, static_cast<Index>(joint))) {
+  } else if (noise_of_position(training(), static_cast<Index>(joint))) {
     take(sensor_noise_candidate(where, known_, coupled), "sensor_noise");
     problem_.library.back().aside = true;
   }
@@ -434,6 +446,12 @@ std::vector<int> DrivenSubject::coupled_joints(std::size_t joint) {
   for (Index c = 0; c < column.cols(); ++c)
     if (c == axis || !column.col(c).isZero(0.0)) list.push_back(static_cast<int>(c));
   return list;
+}
+
+std::vector<const Recording*> DrivenSubject::training() const {
+  std::vector<const Recording*> logs;
+  for (const Recording& log : problem_.training) logs.push_back(&log);
+  return logs;
 }
 
 /// Half of the errors of a sensor with steps are below a quarter of a step, fast motion or not;

@@ -72,6 +72,7 @@ class DrivenSubject {
   void add_mechanism_levels();
   /// The candidate's first columns (all: -1) as changes of the model's own values.
   void add_level(const Candidate& candidate, CandidateOrigin origin, int columns = -1);
+  std::vector<const Recording*> training() const;
   bool coarse_sensor(std::size_t joint) const;
   bool fine_sensor(std::size_t joint) const;
   std::vector<int> coupled_joints(std::size_t joint);

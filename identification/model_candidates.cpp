@@ -60,7 +60,9 @@ Motion unit_less(const Recording& log) {
 
 /// The true motion is that much less than the logged one.
 Motion less_of(const Recording& log, int axis) {
-  return {-log.q.col(axis), -log.qd.col(axis), -log.qdd.col(axis)};
+  const auto seen = log.signals.find("acceleration");
+  const MatrixXd& qdd = seen == log.signals.end() ? log.qdd : seen->second;
+  return {-log.q.col(axis), -log.qd.col(axis), -qdd.col(axis)};
 }
 
 /// What a rough error of an axis' logged position makes of the efforts: at other joints by its

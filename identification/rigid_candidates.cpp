@@ -143,11 +143,12 @@ MatrixXd RigidColumns::effort(const Recording& log) const {
   const sinew_function& function = compiled_->find("inverse_dynamics");
   const Index n = coordinates_;
   VectorXd in(function.input_size), out(n);
+  const MatrixXd& qdd = log.signals.at("acceleration");
   in.tail(in.size() - 3 * n) = nominal(mechanism_.gravity);
   MatrixXd effort(log.q.rows(), n);
   for (Index k = 0; k < effort.rows(); ++k) {
     in.head(3 * n) << log.q.row(k).head(n).transpose(), log.qd.row(k).head(n).transpose(),
-        log.qdd.row(k).head(n).transpose();
+        qdd.row(k).head(n).transpose();
     function.call(in.data(), out.data());
     effort.row(k) = out.transpose();
   }

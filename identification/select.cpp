@@ -216,6 +216,10 @@ int find_shadow(const Search& s) {
   return -1;
 }
 
+double least_share(const Search& s, std::size_t term) {
+  return std::max(s.settings.least_share, s.state.model.terms[term].candidate->least_share);
+}
+
 /// Takes out causes that the others have made superfluous or impossible.
 void prune(const Search& s) {
   Selection& state = s.state;
@@ -225,8 +229,7 @@ void prune(const Search& s) {
     const LinearFit fit = solve(stack(state.model, state.noise.weights));
     const bool impossible = violates_limits(s.design, state.model, fit, t);
     const bool superfluous = evidence.statistic < evidence.freedom * parameter_price(s.design) ||
-                             evidence.validated <= 0.0 ||
-                             evidence.gain.share < s.settings.least_share ||
+                             evidence.validated <= 0.0 || evidence.gain.share < least_share(s, t) ||
                              evidence.of_baseline < s.settings.least_of_baseline;
     if (!impossible && !superfluous) continue;
     const Term& term = state.model.terms[t];
