@@ -426,7 +426,7 @@ void DrivenSubject::add_model_candidates(std::size_t joint) {
 
 /// With steps as fine as any good encoder's over the range that the joint moves in.
 bool DrivenSubject::fine_sensor(std::size_t joint) const {
-  constexpr double kFinest = 8e-5;
+  constexpr double kFinest = 4e-5;
   const LogScale s = scale(joint);
   return quantum_[joint] < kFinest * (s.high - s.low);
 }

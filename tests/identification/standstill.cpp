@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Standstill is found where a joint rests, and nowhere else.
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "identification/standstill.h"
+
+namespace {
+
+using namespace sinew::diagnosis;
+using Eigen::Index;
+using Eigen::VectorXd;
+
+constexpr double kStep = 0.002;
+
+/// Strokes of one second with rests of `rest` seconds between, fifth-order in time.
+VectorXd strokes(double rest, int count) {
+  const auto still = static_cast<Index>(rest / kStep), moving = static_cast<Index>(1.0 / kStep);
+  VectorXd v = VectorXd::Zero(count * (still + moving));
+  for (int i = 0; i < count; ++i)
+    for (Index k = 0; k < moving; ++k) {
+      const double s = static_cast<double>(k) / static_cast<double>(moving), r = 1.0 - s;
+      v(i * (still + moving) + k) = (i % 2 == 0 ? 30.0 : -30.0) * s * s * r * r;
+    }
+  return v;
+}
+
+VectorXd times(const VectorXd& like) {
+  return VectorXd::LinSpaced(like.size(), 0.0, kStep * static_cast<double>(like.size() - 1));
+}
+
+}  // namespace
+
+TEST_CASE("standstill is the rest between strokes with the ways into and out of it") {
+  const VectorXd v = strokes(0.3, 6);
+  const auto found = find_standstills(times(v), {v});
+  REQUIRE(found.size() == 6);
+  for (std::size_t i = 0; i + 1 < found.size(); ++i) {
+    const double begin = 1.3 * static_cast<double>(i) + 1.0;
+    CHECK(found[i].from < begin);
+    CHECK(found[i].from > begin - 0.15);
+    CHECK(found[i].to > begin + 0.3);
+    CHECK(found[i].to < begin + 0.45);
+  }
+  const VectorXd window = motion_window(found, times(v));
+  for (Index k = 0; k < v.size(); ++k) {
+    if (v(k) == 0.0 && k > 0) CHECK(window(k) == 0.0);
+    if (std::abs(v(k)) > 0.5) CHECK(window(k) == 1.0);
+  }
+}
+
+TEST_CASE("reversals and slow motion are no standstill") {
+  VectorXd v(8000);
+  for (Index k = 0; k < v.size(); ++k) v(k) = std::sin(3.0 * kStep * static_cast<double>(k));
+  CHECK(find_standstills(times(v), {v}).empty());
+  // A friction curve's slow strokes: a hundredth of the fastest.
+  for (Index k = 0; k < v.size(); ++k)
+    v(k) = (k / 500 % 2 == 0 ? 1.0 : -1.0) * (k < 4000 ? 0.01 : 1.0);
+  CHECK(find_standstills(times(v), {v}).empty());
+  CHECK(motion_window({}, times(v)).isOnes(0.0));
+}
+
+TEST_CASE("a log of next to nothing but rest is left as it is") {
+  const VectorXd v = strokes(6.0, 4);
+  CHECK(find_standstills(times(v), {v}).empty());
+  CHECK(find_standstills(times(v), {VectorXd::Zero(v.size())}).empty());
+}
+
+TEST_CASE("the rougher of two velocities does not hide a rest, nor the smoother one") {
+  const VectorXd v = strokes(0.3, 6);
+  VectorXd rough = v;
+  for (Index k = 0; k < rough.size(); ++k) rough(k) += 0.05 * (k % 2 == 0 ? 1.0 : -1.0);
+  CHECK(find_standstills(times(v), {rough}).empty());
+  CHECK(find_standstills(times(v), {rough, v}).size() == 6);
+}
