@@ -10,6 +10,7 @@
 #include "identification/effect_candidate.h"
 #include "identification/flexible_families.h"
 #include "identification/model_candidates.h"
+#include "identification/position_noise.h"
 #include "identification/refine.h"
 #include "identification/select.h"
 #include "identification/standstill.h"
@@ -25,10 +26,6 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double highest_cutoff = 60.0;  // Hz; above, an encoder's acceleration is its steps
-constexpr double slow_cutoff = 35.0;     // Hz; for third and higher derivatives
-constexpr double smooth_cutoff = 18.0;   // Hz; motion below, a coarse sensor's steps above
-
 // What fast effects have to explain where all fast motion is noise of the position.
 constexpr double kFastShare = 0.2;
 
@@ -36,41 +33,11 @@ VectorXd number(double value) {
   return VectorXd::Constant(1, value);
 }
 
-/// Zero where a smoother reached beyond the log's ends.
-MatrixXd without_ends(MatrixXd x, double step) {
-  const Index edge = std::min<Index>(x.rows() / 2, std::lround(driven_edge / step));
-  x.topRows(edge).setZero();
-  x.bottomRows(edge).setZero();
-  return x;
-}
-
 MatrixXd columns_of(const sinew::Segment& segment, const std::vector<int>& channels) {
   MatrixXd x(segment.samples.rows(), static_cast<Index>(channels.size()));
   for (std::size_t c = 0; c < channels.size(); ++c)
     x.col(static_cast<Index>(c)) = segment.samples.col(channels[c]).matrix();
   return x;
-}
-
-/// Mean square of the acceleration between the two smoothers, for white noise of the position that
-/// has mean square 1 above both.
-double noise_of_acceleration(double step) {
-  constexpr Index half = 250;
-  const VectorXd pulse = VectorXd::Unit(2 * half + 1, half);
-  const Motion fast = differentiate(pulse, step, std::min(highest_cutoff, 0.1 / step));
-  const Motion slow = differentiate(pulse, step, std::min(smooth_cutoff, 0.1 / step));
-  return (fast.qdd - slow.qdd).squaredNorm() / (pulse - fast.q).squaredNorm();
-}
-
-/// What is left of a joint's acceleration above the motion is what the position's noise at still
-/// higher frequencies makes of itself there.
-bool noise_of_position(const std::vector<const Recording*>& logs, Index c) {
-  double found = 0.0, expected = 0.0;
-  for (const Recording* log : logs) {
-    expected += noise_of_acceleration(log->step) *
-                (log->signals.at("logged_q").col(c) - log->q.col(c)).squaredNorm();
-    found += (log->qdd.col(c) - log->signals.at("smooth_qdd").col(c)).squaredNorm();
-  }
-  return expected > 0.0 && found < 4.0 * expected;
 }
 
 /// Friction whose law over the velocity is not known is fitted as a whole: its level, known, is the
@@ -158,7 +125,7 @@ void DrivenSubject::add_log(const Log& log, const DrivenColumns& columns, bool h
     r.time = VectorXd::LinSpaced(n, segment.start,
                                  segment.start + log.period * static_cast<double>(n - 1));
     Motion motion = differentiate(columns_of(segment, columns.positions), log.period,
-                                  std::min(highest_cutoff, 0.1 / log.period));
+                                  motion_cutoff(log.period));
     r.q = std::move(motion.q);
     r.qd = std::move(motion.qd);
     r.qdd = std::move(motion.qdd);
@@ -167,63 +134,14 @@ void DrivenSubject::add_log(const Log& log, const DrivenColumns& columns, bool h
     if (columns.load >= 0) r.load = columns_of(segment, {columns.load});
     if (tendons_) add_tendon_forces(columns_of(segment, columns.forces), measured, r);
     r.signals["logged_q"] = columns_of(segment, columns.positions);
-    const Motion smooth =
-        differentiate(r.signals["logged_q"], log.period, std::min(smooth_cutoff, 0.1 / log.period));
-    r.signals["smooth_q"] = r.q + without_ends(smooth.q - r.q, r.step);
-    r.signals["smooth_qd"] = r.qd + without_ends(smooth.qd - r.qd, r.step);
-    r.signals["smooth_qdd"] = r.qdd + without_ends(smooth.qdd - r.qdd, r.step);
-    // Higher derivatives of a quantised position are its noise unless they are smoothed more.
-    add_derivatives(std::min(slow_cutoff, 0.1 / log.period), r);
+    add_smooth_motion(r);
+    add_derivatives(r);
     add_sensor_errors(r);
     for (Index c = 0; c < r.q.cols(); ++c)
       r.standstills.push_back(
           find_standstills(r.time, {r.qd.col(c), r.signals["smooth_qd"].col(c)}));
     (held_out ? problem_.holdout : problem_.training).push_back(std::move(r));
   }
-}
-
-/// What effects that act by the acceleration see of it: where all of it above the motion is noise
-/// of the position, an effect that takes fast accelerations away would be that noise's shadow.
-void DrivenSubject::add_derivatives(double slow, Recording& log) const {
-  const auto add = [&](double cutoff, const std::vector<Index>& joints) {
-    const MatrixXd acceleration = differentiate(log.q(Eigen::all, joints), log.step, cutoff).qdd;
-    const Motion motion = differentiate(acceleration, log.step, cutoff);
-    log.signals["jerk"](Eigen::all, joints) = without_ends(motion.qd, log.step);
-    log.signals["jounce"](Eigen::all, joints) = without_ends(motion.qdd, log.step);
-  };
-  MatrixXd& seen = log.signals["acceleration"] = log.qdd;
-  log.signals["jerk"] = log.signals["jounce"] = MatrixXd::Zero(seen.rows(), seen.cols());
-  std::vector<Index> clean, noisy;
-  for (Index c = 0; c < seen.cols(); ++c)
-    (noise_of_position({&log}, c) ? noisy : clean).push_back(c);
-  if (!clean.empty()) add(slow, clean);
-  if (noisy.empty()) return;
-  add(std::min(slow, smooth_cutoff), noisy);
-  seen(Eigen::all, noisy) = log.signals.at("smooth_qdd")(Eigen::all, noisy);
-}
-
-/// Where in its play a loose position sensor is, and the errors of one with steps: no error is
-/// larger than half a step. Smoothed and differentiated as the position is.
-void DrivenSubject::add_sensor_errors(Recording& log) const {
-  const MatrixXd& reading = log.signals.at("logged_q");
-  MatrixXd side(reading.rows(), reading.cols());
-  MatrixXd steps = reading - log.signals.at("smooth_q");
-  for (Index c = 0; c < side.cols(); ++c) {
-    const double step = quantum_[static_cast<std::size_t>(c)];
-    side.col(c) = side_of_play(reading.col(c), log.qd.col(c), step,
-                               2e-3 * log.qd.col(c).cwiseAbs().maxCoeff());
-    // More than that is motion, unless the motion is known to be smoother.
-    if (!noise_of_position({&log}, c))
-      steps.col(c) = (steps.col(c).array().abs() < 0.55 * step).select(steps.col(c), 0.0);
-  }
-  const auto add = [&](const std::string& name, const MatrixXd& error) {
-    Motion motion = differentiate(error, log.step, std::min(highest_cutoff, 0.1 / log.step));
-    log.signals[name] = std::move(motion.q);
-    log.signals[name + "_rate"] = std::move(motion.qd);
-    log.signals[name + "_acceleration"] = std::move(motion.qdd);
-  };
-  add("side", side);
-  add("steps", steps);
 }
 
 void DrivenSubject::set_signals(Recording& log) const {
@@ -422,52 +340,6 @@ void DrivenSubject::add_model_candidates(std::size_t joint) {
       c.place = place(joint);
       take(std::move(c), "");
     }
-}
-
-/// With steps as fine as any good encoder's over the range that the joint moves in.
-bool DrivenSubject::fine_sensor(std::size_t joint) const {
-  constexpr double kFinest = 4e-5;
-  const LogScale s = scale(joint);
-  return quantum_[joint] < kFinest * (s.high - s.low);
-}
-
-/// Joints whose effort feels what is wrong with a joint's logged motion, itself among them; the
-/// logs get the signals for the others.
-std::vector<int> DrivenSubject::coupled_joints(std::size_t joint) {
-  const auto axis = static_cast<int>(joint);
-  if (!carries_links(joint)) return {axis};
-  for (auto* logs : {&problem_.training, &problem_.holdout})
-    for (Recording& log : *logs) {
-      add_mass_matrix_column(known_, axis, log);
-      add_sensor_responses(known_, axis, log);
-    }
-  std::vector<int> list;
-  const MatrixXd& column = problem_.training.front().signals.at(mass_matrix_column(axis));
-  for (Index c = 0; c < column.cols(); ++c)
-    if (c == axis || !column.col(c).isZero(0.0)) list.push_back(static_cast<int>(c));
-  return list;
-}
-
-std::vector<const Recording*> DrivenSubject::training() const {
-  std::vector<const Recording*> logs;
-  for (const Recording& log : problem_.training) logs.push_back(&log);
-  return logs;
-}
-
-/// Half of the errors of a sensor with steps are below a quarter of a step, fast motion or not;
-/// where they are much larger, it is other noise that they come from.
-bool DrivenSubject::coarse_sensor(std::size_t joint) const {
-  const auto c = static_cast<Index>(joint);
-  std::vector<double> errors;
-  for (const Recording& log : problem_.training) {
-    const VectorXd error =
-        (log.signals.at("logged_q").col(c) - log.signals.at("smooth_q").col(c)).cwiseAbs();
-    errors.insert(errors.end(), error.begin(), error.end());
-  }
-  if (quantum_[joint] <= 0.0 || errors.empty()) return false;
-  const auto middle = errors.begin() + static_cast<std::ptrdiff_t>(errors.size() / 2);
-  std::nth_element(errors.begin(), middle, errors.end());
-  return *middle < 0.4 * quantum_[joint];
 }
 
 }  // namespace sinew::diagnosis

@@ -83,7 +83,8 @@ class DrivenSubject {
   void add_levels(std::size_t joint);
   void add_common_levels(std::size_t joint);
   void fit_directions(const Settings& settings);
-  void add_derivatives(double slow, Recording& log) const;
+  void add_smooth_motion(Recording& log) const;
+  void add_derivatives(Recording& log) const;
   void add_sensor_errors(Recording& log) const;
   void set_signals(Recording& log) const;
   bool gain_is_level(std::size_t joint) const;

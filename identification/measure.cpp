@@ -69,8 +69,9 @@ std::vector<MeasuredChannel> measure(const DrivenSubject& subject, const Design&
     const int segment = static_cast<int>(i);
     if (!efforts.contains(s.recording)) efforts[s.recording] = {subject.effort()(log), after(log)};
     const auto& [said_before, said_after] = efforts[s.recording];
-    MeasuredChannel m{s.recording, s.channel, s.holdout,      {}, {}, {}, {}, {},
-                      {},          {},        1.0 / s.rate_hz};
+    MeasuredChannel m{
+        s.recording,           s.channel, s.holdout, {}, {}, {}, {}, {}, {}, {}, 1.0 / s.rate_hz,
+        design.window(segment)};
     const auto axis = static_cast<Index>(s.channel);
     m.time = design.at_instants(segment, log.time);
     m.position = design.at_instants(segment, log.q.col(axis));
@@ -95,10 +96,13 @@ Gain measured_gain(const std::vector<MeasuredChannel>& measured, int channel, bo
     // Channels of different units count by their share.
     const double unit = std::max(m.measured.squaredNorm(), 1e-300);
     const Index n = m.measured.size();
+    const VectorXd counts = m.counts.size() > 0 ? m.counts : VectorXd::Ones(n);
+    const VectorXd left_before = counts.cwiseProduct(m.measured - m.before);
+    const VectorXd left_after = counts.cwiseProduct(m.measured - m.after);
     for (int b = 0; b < blocks; ++b) {
       const Index from = n * b / blocks, count = n * (b + 1) / blocks - from;
-      before.push_back((m.measured - m.before).segment(from, count).squaredNorm() / unit);
-      after.push_back((m.measured - m.after).segment(from, count).squaredNorm() / unit);
+      before.push_back(left_before.segment(from, count).squaredNorm() / unit);
+      after.push_back(left_after.segment(from, count).squaredNorm() / unit);
     }
   }
   if (before.empty()) return {};

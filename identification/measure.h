@@ -19,6 +19,7 @@ struct MeasuredChannel {
   Eigen::VectorXd time, position, velocity, load;  ///< load empty where there is none
   Eigen::VectorXd measured, before, after;         ///< effort, all behind the same filter
   double step = 0.0;                               ///< s
+  Eigen::VectorXd counts;  ///< 1, and 0 at standstill (Design::window); empty: all count
 };
 
 /// The emitted effort with the terms that hold for every log.
@@ -31,7 +32,8 @@ std::vector<MeasuredChannel> measure(const DrivenSubject& subject, const Design&
                                      const std::vector<ExtensionTerm>& terms,
                                      const EffortModel& after);
 
-/// Gain of the mean square over the chosen logs of one channel (-1: all), with its interval.
+/// Gain of the mean square, standstill aside, over the chosen logs of one channel (-1: all), with
+/// its interval.
 Gain measured_gain(const std::vector<MeasuredChannel>& measured, int channel, bool held_out,
                    int blocks, unsigned seed);
 
