@@ -34,6 +34,14 @@ struct Recording {
   std::vector<Eigen::VectorXd> known;
   /// Per channel, or empty: nothing is told from what is measured there (standstill.h).
   std::vector<std::vector<Standstill>> standstills;
+  /// Per channel, or empty: highest frequency [Hz] at which anything is told from it.
+  std::vector<double> band_hz;
+
+  /// As effects see it: qdd, or the signal "acceleration" where qdd is partly a sensor's noise.
+  const Eigen::MatrixXd& acceleration() const {
+    const auto seen = signals.find("acceleration");
+    return seen == signals.end() ? qdd : seen->second;
+  }
 };
 
 /// A nonlinear parameter: its bounds are physical limits, its grid starts the search.
@@ -76,7 +84,10 @@ struct Candidate {
   ColumnFunction columns;
   bool broadband = false;    ///< like noise: may lie mostly above the frequencies looked at
   double least_share = 0.0;  ///< where more than the settings': of the residual, or it is no cause
-  bool aside = false;        ///< is in every measurement: fitted, and no name for what is wrong
+  /// Of a lag of its first channel's position: what the effort does, per s^2, with an error in
+  /// proportion to the acceleration. By half of that, times its square, it is not a delay.
+  ColumnFunction bend;
+  bool aside = false;  ///< is in every measurement: fitted, and no name for what is wrong
   /// false: a fit with these coefficients and nonlinear parameters is not this effect; may be
   /// empty.
   std::function<bool(const Eigen::VectorXd& coefficients, const Eigen::VectorXd& nonlinear)>

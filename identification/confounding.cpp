@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "identification/lag.h"
 #include "identification/refine.h"
 #include "identification/spectrum.h"
 
@@ -144,6 +145,17 @@ std::vector<Trial> contenders(const Design& design, const Library& library,
   return trials;
 }
 
+/// A lag that these logs cannot tell from the delay; the model takes the delay for both.
+void add_lag(RankedCause lag, double behind, Rivals& rivals, double& sum) {
+  if (std::any_of(rivals.members.begin(), rivals.members.end(),
+                  [&](const RankedCause& c) { return c.candidate == lag.candidate; }))
+    return;
+  lag.behind = std::max(0.0, behind);
+  lag.weight = std::exp(-0.5 * lag.behind);
+  sum += lag.weight;
+  rivals.members.push_back(std::move(lag));
+}
+
 }  // namespace
 
 double canonical_correlation(const Model& model, const Weights& weights, const BandColumns& a,
@@ -192,6 +204,9 @@ Rivals find_rivals(const Design& design, const Library& library, const Settings&
     else
       rivals.margin = std::min(rivals.margin, cause.behind);
   }
+  if (const auto lag = lag_behind_delay(design, state, term);
+      lag && lag->deviance <= std::max(kByChance, kByImperfection * own))
+    add_lag(describe(design, lag->candidate), lag->deviance, rivals, sum);
   for (RankedCause& cause : rivals.members) cause.weight /= sum;
   return rivals;
 }

@@ -23,22 +23,22 @@ struct Stretch {
 
 std::vector<Stretch> cut(const Design& design, bool holdout, int blocks, int& total) {
   std::vector<int> recordings;
+  std::vector<double> seconds;  // of each, as its first segment sees it
   double duration = 0.0;
   for (const Segment& s : design.segments())
     if (s.holdout == holdout &&
         std::find(recordings.begin(), recordings.end(), s.recording) == recordings.end()) {
       recordings.push_back(s.recording);
-      duration += static_cast<double>(s.samples) / s.rate_hz;
+      seconds.push_back(static_cast<double>(s.samples) / s.rate_hz);
+      duration += seconds.back();
     }
   std::vector<Stretch> list;
   total = 0;
-  for (const int recording : recordings) {
-    int here = 0;
+  for (std::size_t r = 0; r < recordings.size(); ++r) {
+    const int here = std::max(3, static_cast<int>(std::lround(seconds[r] / duration * blocks)));
     for (std::size_t i = 0; i < design.segments().size(); ++i) {
       const Segment& s = design.segments()[i];
-      if (s.recording != recording || s.holdout != holdout) continue;
-      const double share = static_cast<double>(s.samples) / s.rate_hz / duration;
-      here = std::max(3, static_cast<int>(std::lround(share * blocks)));
+      if (s.recording != recordings[r] || s.holdout != holdout) continue;
       for (int b = 0; b < here; ++b) {
         const Index from = s.samples * b / here, to = s.samples * (b + 1) / here;
         list.push_back({i, from, to - from, total + b});

@@ -60,6 +60,7 @@ Recording thin(const Recording& log, const DecimatingFilter& filter) {
   for (const VectorXd& x : log.target) r.target.push_back(take(x));
   for (const VectorXd& x : log.known) r.known.push_back(take(x));
   r.standstills = log.standstills;
+  r.band_hz = log.band_hz;
   return r;
 }
 
@@ -87,7 +88,10 @@ void Design::add_segments(const std::vector<Recording>& recordings, int first, b
       segment.recording = index;
       segment.channel = channel;
       segment.holdout = holdout;
-      segment.filter = design_decimating_filter(log.step, std::min(band, 0.4 / log.step));
+      const double seen = log.band_hz.empty()
+                              ? band
+                              : std::min(band, log.band_hz[static_cast<std::size_t>(channel)]);
+      segment.filter = design_decimating_filter(log.step, std::min(seen, 0.4 / log.step));
       segment.samples =
           filtered_length(segment.filter, raw - 2 * edge_samples(settings_, log.step));
       if (segment.samples == 0) continue;

@@ -43,6 +43,7 @@ class Run {
     subject_.prepare(request_.settings);
     tell("searching for causes", 0.3);
     Explanation explanation = explain(subject_.problem(), request_.settings);
+    look_at_standstills(explanation);
     merge_members(explanation.verdict);
     set_sensor_noise_aside(explanation.verdict);
     if (!request_.holdout.empty()) confirm_on_held_out(explanation.verdict);
@@ -77,6 +78,28 @@ class Run {
                       channels.load.empty() ? -1 : log.channel(channels.load)},
                      held_out);
     result_.findings.logs.push_back(log_record(log, held_out));
+  }
+
+  /// A sensor with play stands still behind every reversal. So does a joint that sticks, but it
+  /// hides less than a few steps of its sensor, and a play explains little of it.
+  void look_at_standstills(Explanation& explanation) {
+    constexpr double kSteps = 3.0, kShare = 0.3;
+    std::vector<int> named;
+    for (const NamedCause& cause : explanation.verdict.causes) named.push_back(cause.candidate);
+    DrivenSubject subject = subject_;
+    subject.look_at_standstills(named);
+    Explanation other = explain(subject.problem(), request_.settings);
+    const auto is_play = [&](const NamedCause& cause) {
+      if (cause.candidate < 0) return false;
+      const CandidateOrigin& origin =
+          subject.library_origins()[static_cast<std::size_t>(cause.candidate)];
+      return origin.effect == "sensor_hysteresis" && cause.cross_validated.share > kShare &&
+             cause.parameters.front().value > kSteps * subject.position_step(origin.joint);
+    };
+    const auto& causes = other.verdict.causes;
+    if (std::none_of(causes.begin(), causes.end(), is_play)) return;
+    subject_ = std::move(subject);
+    explanation = std::move(other);
   }
 
   /// Adopted where the measured gain on held-out logs is positive with its interval.

@@ -8,6 +8,7 @@
 #include "identification/filter.h"
 #include "identification/model_candidates.h"
 #include "identification/position_noise.h"
+#include "identification/standstill.h"
 
 namespace sinew::diagnosis {
 namespace {
@@ -54,6 +55,42 @@ void DrivenSubject::add_derivatives(Recording& log) const {
   seen(Eigen::all, noisy) = log.signals.at("smooth_qdd")(Eigen::all, noisy);
 }
 
+/// Nothing is told from an effort at frequencies where all motion that it would need is noise of a
+/// position: of its own joint's, and of every joint's where they carry each other.
+void DrivenSubject::set_bands() {
+  std::vector<bool> noisy;
+  for (std::size_t j = 0; j < bristle_.size(); ++j)
+    noisy.push_back(noise_of_position(training(), static_cast<Index>(j)));
+  const bool any = std::find(noisy.begin(), noisy.end(), true) != noisy.end();
+  for (auto* logs : {&problem_.training, &problem_.holdout})
+    for (Recording& log : *logs) {
+      log.band_hz.clear();
+      for (std::size_t j = 0; j < noisy.size(); ++j)
+        log.band_hz.push_back(noisy[j] || (any && carries_links(j))
+                                  ? smooth_cutoff(log.step)
+                                  : std::numeric_limits<double>::infinity());
+    }
+}
+
+/// They count again, for what hides in them, beside what is named already.
+void DrivenSubject::look_at_standstills(const std::vector<int>& named) {
+  for (auto* logs : {&problem_.training, &problem_.holdout})
+    for (Recording& log : *logs) log.standstills.clear();
+  std::vector<Candidate> library;
+  std::vector<CandidateOrigin> origins;
+  for (std::size_t i = 0; i < library_.size(); ++i) {
+    const bool keep = problem_.library[i].kind == CandidateKind::flexible ||
+                      problem_.library[i].kind == CandidateKind::decoy ||
+                      library_[i].effect == "sensor_hysteresis" ||
+                      std::find(named.begin(), named.end(), static_cast<int>(i)) != named.end();
+    if (!keep) continue;
+    library.push_back(std::move(problem_.library[i]));
+    origins.push_back(std::move(library_[i]));
+  }
+  problem_.library = std::move(library);
+  library_ = std::move(origins);
+}
+
 /// Where in its play a loose position sensor is, and the errors of one with steps: no error is
 /// larger than half a step. Smoothed and differentiated as the position is.
 void DrivenSubject::add_sensor_errors(Recording& log) const {
@@ -91,10 +128,7 @@ std::vector<int> DrivenSubject::coupled_joints(std::size_t joint) {
   const auto axis = static_cast<int>(joint);
   if (!carries_links(joint)) return {axis};
   for (auto* logs : {&problem_.training, &problem_.holdout})
-    for (Recording& log : *logs) {
-      add_mass_matrix_column(known_, axis, log);
-      add_sensor_responses(known_, axis, log);
-    }
+    for (Recording& log : *logs) add_sensor_responses(known_, axis, log);
   std::vector<int> list;
   const MatrixXd& column = problem_.training.front().signals.at(mass_matrix_column(axis));
   for (Index c = 0; c < column.cols(); ++c)

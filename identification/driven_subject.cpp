@@ -8,7 +8,6 @@
 
 #include "identification/dequantise.h"
 #include "identification/effect_candidate.h"
-#include "identification/flexible_families.h"
 #include "identification/model_candidates.h"
 #include "identification/position_noise.h"
 #include "identification/refine.h"
@@ -138,8 +137,8 @@ void DrivenSubject::add_log(const Log& log, const DrivenColumns& columns, bool h
     add_derivatives(r);
     add_sensor_errors(r);
     for (Index c = 0; c < r.q.cols(); ++c)
-      r.standstills.push_back(
-          find_standstills(r.time, {r.qd.col(c), r.signals["smooth_qd"].col(c)}));
+      r.standstills.push_back(find_standstills(r.time, {r.qd.col(c), r.signals["smooth_qd"].col(c)},
+                                               motion_cutoff(log.period)));
     (held_out ? problem_.holdout : problem_.training).push_back(std::move(r));
   }
 }
@@ -175,12 +174,13 @@ void DrivenSubject::fit_directions(const Settings& settings) {
 }
 
 void DrivenSubject::prepare(const Settings& settings) {
+  set_bands();
   for (auto* logs : {&problem_.training, &problem_.holdout})
     for (Recording& log : *logs) {
       log.signals["direction"] = MatrixXd::Zero(log.q.rows(), log.q.cols());
       const MatrixXd said = known_(log);
       log.signals["known"] = said;
-      log.signals["effort"] = known_(log, log.q, log.qd, log.signals.at("acceleration"));
+      log.signals["effort"] = known_(log, log.q, log.qd, log.acceleration());
       log.known.clear();
       for (Index c = 0; c < said.cols(); ++c) log.known.push_back(said.col(c));
     }
@@ -281,8 +281,27 @@ void DrivenSubject::add_library(std::size_t joint) {
   add("cable_torque", joint, {}, Eigen::Vector2d(0.5 * (s.low + s.high), 0.5 * (s.high - s.low)));
 }
 
+FlexibleRanges DrivenSubject::ranges(std::size_t joint) const {
+  const LogScale s = scale(joint);
+  return {s.low, s.high, s.speed, s.load, s.duration};
+}
+
 bool DrivenSubject::carries_links(std::size_t joint) const {
   return rigid_ && model_.joints[joint].carries_links;
+}
+
+/// Where the model does not say how far a turn of the motor moves the joint.
+void DrivenSubject::add_ripple_of_any_period(std::size_t joint) {
+  const EffectPlace where{static_cast<int>(joint), place(joint), model_.joints[joint].revolute};
+  Candidate c = effect_candidate(find_effect("ripple"), where, scale(joint));
+  const NonlinearParameter visible = visible_periods(ranges(joint));
+  NonlinearParameter& wavenumber = c.nonlinear.front();
+  wavenumber.low = 2.0 * std::numbers::pi * visible.low;
+  wavenumber.high = 2.0 * std::numbers::pi * visible.high;
+  wavenumber.grid = visible.grid;
+  wavenumber.logarithmic = false;
+  problem_.library.push_back(std::move(c));
+  library_.push_back({"ripple", joint, {}, {}});
 }
 
 void DrivenSubject::add_ripples(std::size_t joint) {
@@ -301,7 +320,10 @@ void DrivenSubject::add_ripples(std::size_t joint) {
       add("load_ripple", joint, fmt::format("ripple proportional to load, once per {} turn", shaft),
           number(rate));
   };
-  orders(model_.joints[joint].motor_turn, "motor");
+  if (model_.joints[joint].motor_turn > 0.0)
+    orders(model_.joints[joint].motor_turn, "motor");
+  else
+    add_ripple_of_any_period(joint);
   // An output that never makes a good part of a turn shows no order of its own.
   const LogScale s = scale(joint);
   if (s.high - s.low > 0.4 * model_.joints[joint].output_turn)
@@ -316,7 +338,9 @@ void DrivenSubject::add_model_candidates(std::size_t joint) {
   };
   take(delay_candidate(where), "delay");
   const std::vector<int> coupled = coupled_joints(joint);
-  take(sensor_low_pass_candidate(where, known_, coupled), "sensor_low_pass");
+  take(sensor_low_pass_candidate(where, known_, coupled,
+                                 bristle_[joint] ? model_.joints[joint].friction : 0.0),
+       "sensor_low_pass");
   take(sensor_hysteresis_candidate(where, known_, scale(joint)), "sensor_hysteresis");
   if (coarse_sensor(joint)) {
     take(sensor_quantisation_candidate(where, known_, coupled), "sensor_quantisation");
@@ -332,11 +356,9 @@ void DrivenSubject::add_model_candidates(std::size_t joint) {
   if (carries_links(joint)) take(sensor_offset_candidate(where, known_, coupled), "sensor_offset");
   // One joint's scale is a level too (driven_levels.cpp); here it meets what else bends friction.
   take(sensor_scale_candidate(where, known_, coupled), "sensor_scale");
-  const LogScale s = scale(joint);
-  const FlexibleRanges ranges{s.low, s.high, s.speed, s.load, s.duration};
   const int axis = static_cast<int>(joint);
   for (auto* shapes : {flexible_families, local_decoys})
-    for (Candidate& c : shapes(ranges, axis, axis)) {
+    for (Candidate& c : shapes(ranges(joint), axis, axis)) {
       c.place = place(joint);
       take(std::move(c), "");
     }

@@ -10,6 +10,7 @@
 #include "identification/candidate.h"
 #include "identification/effect_candidate.h"
 #include "identification/effort_model.h"
+#include "identification/flexible_families.h"
 #include "identification/log.h"
 #include "identification/rigid_candidates.h"
 #include "identification/tendon_candidates.h"
@@ -59,6 +60,11 @@ class DrivenSubject {
   /// The emitted effort of the model with these entries.
   EffortModel effort_with(const Identified& identified) const;
   const std::vector<CandidateOrigin>& library_origins() const { return library_; }
+  /// Rests and reversals count again, which prepare() leaves aside. The library keeps the
+  /// candidates `named`, the plays of the sensors, and what has no name.
+  void look_at_standstills(const std::vector<int>& named);
+  /// Step of a joint's position sensor as logged, rad or m; 0: none seen.
+  double position_step(std::size_t joint) const { return quantum_[joint]; }
   const std::vector<CandidateOrigin>& baseline_origins() const { return baseline_; }
   /// What a level cause changes.
   const CandidateOrigin& level_origin(int level) const;
@@ -79,6 +85,7 @@ class DrivenSubject {
   void add_tendon_forces(const Eigen::MatrixXd& forces, const Eigen::MatrixXd& efforts,
                          Recording& log) const;
   void add_ripples(std::size_t joint);
+  void add_ripple_of_any_period(std::size_t joint);
   void add_model_candidates(std::size_t joint);
   void add_levels(std::size_t joint);
   void add_common_levels(std::size_t joint);
@@ -86,10 +93,12 @@ class DrivenSubject {
   void add_smooth_motion(Recording& log) const;
   void add_derivatives(Recording& log) const;
   void add_sensor_errors(Recording& log) const;
+  void set_bands();
   void set_signals(Recording& log) const;
   bool gain_is_level(std::size_t joint) const;
   bool tendon_driven(std::size_t joint) const;
   bool carries_links(std::size_t joint) const;
+  FlexibleRanges ranges(std::size_t joint) const;
   void add(const std::string& effect, std::size_t joint, const std::string& name = {},
            const Eigen::VectorXd& fixed = {}, CandidateKind kind = CandidateKind::named);
   std::string place(std::size_t joint) const;

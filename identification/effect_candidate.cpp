@@ -27,8 +27,7 @@ MatrixXd signals_of(const Recording& log, int axis) {
   MatrixXd x = MatrixXd::Zero(signals, log.q.rows());
   x.row(0) = log.q.col(axis).transpose();
   x.row(1) = log.qd.col(axis).transpose();
-  const auto seen = log.signals.find("acceleration");
-  x.row(2) = (seen == log.signals.end() ? log.qdd : seen->second).col(axis).transpose();
+  x.row(2) = log.acceleration().col(axis).transpose();
   x.row(3) = log.signals.at("jounce").col(axis).transpose();
   const auto carried = log.signals.find("carried");
   if (carried != log.signals.end())

@@ -74,11 +74,7 @@ Candidate position_and_velocity(const FlexibleRanges& r, int axis, int channel) 
 Candidate any_period_in_position(const FlexibleRanges& r, int axis, int channel) {
   Candidate c = unnamed(CandidateKind::flexible, "position, periodically", axis, channel);
   c.name = "any period in position";
-  const double reach = r.high - r.low;
-  // Faster than 50 Hz at half the top speed would be out of the band.
-  const double most = std::max(4.0, std::min(80.0, 100.0 * reach / r.speed));
-  c.nonlinear = {{"turns per unit", "", 2.0 / reach, most / reach,
-                  static_cast<int>(2.0 * (most - 2.0)), false}};
+  c.nonlinear = {visible_periods(r)};
   add_coefficients(c, 2, true);
   c.columns = [axis](const Recording& log, int, const VectorXd& p) {
     const ArrayXd angle = 2.0 * pi * p(0) * log.q.col(axis).array();
@@ -167,6 +163,14 @@ VectorXd way_since_reversal(const VectorXd& position, const VectorXd& velocity, 
     way(i) = std::abs(position(i) - turned_at);
   }
   return way;
+}
+
+NonlinearParameter visible_periods(const FlexibleRanges& r) {
+  const double reach = r.high - r.low;
+  // Faster than 50 Hz at half the top speed would be out of the band.
+  const double most = std::max(4.0, std::min(80.0, 100.0 * reach / r.speed));
+  return {
+      "turns per unit", "", 2.0 / reach, most / reach, static_cast<int>(2.0 * (most - 2.0)), false};
 }
 
 std::vector<Candidate> flexible_families(const FlexibleRanges& r, int axis, int channel) {

@@ -23,6 +23,10 @@ struct FlexibleRanges {
 std::vector<Candidate> flexible_families(const FlexibleRanges& ranges, int axis = 0,
                                          int channel = 0);
 
+/// Search for a sine over the position: from two periods over the range to what the band shows,
+/// in periods per rad or m.
+NonlinearParameter visible_periods(const FlexibleRanges& ranges);
+
 /// Decoys of the same axis: a force at one place only, and forces beyond a position. They compete
 /// with the named causes: a series of ripples must not stand in for a tight spot.
 std::vector<Candidate> local_decoys(const FlexibleRanges& ranges, int axis = 0, int channel = 0);

@@ -29,9 +29,9 @@ struct FrictionPoint {
 struct FrictionCurve {
   std::vector<FrictionPoint> points;
   bool identified = false;
-  Estimate gamma1, gamma2, gamma3;   ///< s/rad, N·m, N·m·s/rad
-  Estimate plateau;                  ///< gamma2 pi/2 [N·m]
-  double residual = 0.0;             ///< N·m, rms over the points
+  Estimate gamma1, gamma2, gamma3;  ///< s/rad, N·m, N·m·s/rad
+  Estimate plateau;                 ///< gamma2 pi/2 [N·m]
+  double residual = 0.0;            ///< N·m, rms over the points
   /// Largest share of the fitted friction that may be fed forward: at every velocity measured, and
   /// at standstill, the true friction is larger with 97.5 % confidence, so that the motor stays
   /// passive. Below 1 by the fit's uncertainty; 0 where that is as large as the friction.

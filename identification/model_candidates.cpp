@@ -31,25 +31,44 @@ auto of_its_size(double factor) {
   };
 }
 
-/// Change of all efforts for a small change of the motion at one axis, per `size`.
-MatrixXd responses(const EffortModel& effort, const Recording& log, int axis, const Motion& change,
-                   double size) {
+/// All efforts after a small change of the motion at one axis.
+MatrixXd changed_effort(const EffortModel& effort, const Recording& log, int axis,
+                        const Motion& change, double size) {
   MatrixXd q = log.q, qd = log.qd, qdd = log.qdd;
   q.col(axis) += size * change.q.col(0);
   qd.col(axis) += size * change.qd.col(0);
   qdd.col(axis) += size * change.qdd.col(0);
-  // Not from signal "known": of a thinned log that is filtered, and no effort of its motion.
-  return (effort(log, q, qd, qdd) - effort(log)) / size;
+  return effort(log, q, qd, qdd);
 }
 
+/// Change of the axis' own effort for a small change of its motion, per `size`.
 VectorXd response(const EffortModel& effort, const Recording& log, int axis, const Motion& change,
                   double size) {
-  return responses(effort, log, axis, change, size).col(axis);
+  // Not from signal "known": of a thinned log that is filtered, and no effort of its motion.
+  return (changed_effort(effort, log, axis, change, size) - effort(log)).col(axis) / size;
 }
 
 /// The true motion is the logged one plus that much of its rate.
 Motion rate_of(const Recording& log, int axis) {
   return {log.qd.col(axis), log.qdd.col(axis), log.signals.at("jerk").col(axis)};
+}
+
+/// The true motion is the logged one plus that much of its second derivative.
+Motion curvature_of(const Recording& log, int axis) {
+  return {log.acceleration().col(axis), log.signals.at("jerk").col(axis),
+          log.signals.at("jounce").col(axis)};
+}
+
+/// A signal that many samples ahead of itself, its end held.
+VectorXd earlier(const VectorXd& x, double samples) {
+  const auto whole = static_cast<Index>(samples);
+  const double part = samples - static_cast<double>(whole);
+  VectorXd ahead(x.size());
+  for (Index k = 0; k < x.size(); ++k) {
+    const Index at = std::min(k + whole, x.size() - 1), next = std::min(at + 1, x.size() - 1);
+    ahead(k) = x(at) + part * (x(next) - x(at));
+  }
+  return ahead;
 }
 
 /// The true position is by one unit less than the logged one.
@@ -58,11 +77,15 @@ Motion unit_less(const Recording& log) {
   return {VectorXd::Constant(none.size(), -1.0), none, none};
 }
 
+/// The true acceleration is by one unit more than the logged one.
+Motion accelerated(const Recording& log) {
+  const VectorXd none = VectorXd::Zero(log.q.rows());
+  return {none, none, VectorXd::Ones(none.size())};
+}
+
 /// The true motion is that much less than the logged one.
 Motion less_of(const Recording& log, int axis) {
-  const auto seen = log.signals.find("acceleration");
-  const MatrixXd& qdd = seen == log.signals.end() ? log.qdd : seen->second;
-  return {-log.q.col(axis), -log.qd.col(axis), -qdd.col(axis)};
+  return {-log.q.col(axis), -log.qd.col(axis), -log.acceleration().col(axis)};
 }
 
 /// What a rough error of an axis' logged position makes of the efforts: at other joints by its
@@ -124,25 +147,39 @@ std::string offset_response(int axis) {
   return "offset_response_" + std::to_string(axis);
 }
 
+std::string mass_matrix_column(int axis) {
+  return "mass_matrix_column_" + std::to_string(axis);
+}
+
 void add_sensor_responses(const EffortModel& effort, int axis, Recording& log) {
-  log.signals[offset_response(axis)] = responses(effort, log, axis, unit_less(log), kSmallScale);
-  log.signals[scale_response(axis)] = responses(effort, log, axis, less_of(log, axis), kSmallScale);
-  log.signals[rate_response(axis)] = responses(effort, log, axis, rate_of(log, axis), kSmallTime);
+  const MatrixXd logged = effort(log);
+  const auto add = [&](const std::string& name, const Motion& change, double size) {
+    log.signals[name] = (changed_effort(effort, log, axis, change, size) - logged) / size;
+  };
+  add(offset_response(axis), unit_less(log), kSmallScale);
+  add(scale_response(axis), less_of(log, axis), kSmallScale);
+  add(rate_response(axis), rate_of(log, axis), kSmallTime);
+  add(mass_matrix_column(axis), accelerated(log), 1.0);
 }
 
 Candidate sensor_low_pass_candidate(const EffectPlace& place, const EffortModel& effort,
-                                    const std::vector<int>& coupled) {
+                                    const std::vector<int>& coupled, double friction) {
   Candidate c =
       at(place, "low-pass of the position sensor", {"time_constant", "s", 0.0, 0.1, false, {}});
   c.channels = coupled;
+  c.bend = [axis = place.axis, effort](const Recording& log, int, const VectorXd&) -> MatrixXd {
+    return response(effort, log, axis, curvature_of(log, axis), kSmallTime * kSmallTime);
+  };
   c.nonlinear = {{"time_constant_of_motion", "s", 1e-3, 0.05, 4, true}};
-  c.possible = of_its_size(15.0);
+  c.possible = of_its_size(2.0);
   c.limit_meaning = "the sensor would run ahead of the motion";
   c.isolating_experiment = "fast sinusoids against a second sensor";
-  c.columns = [axis = place.axis, effort](const Recording& log, int channel,
-                                          const VectorXd& constant) -> MatrixXd {
+  c.columns = [axis = place.axis, effort, friction](const Recording& log, int channel,
+                                                    const VectorXd& constant) -> MatrixXd {
     if (channel != axis) return log.signals.at(rate_response(axis)).col(channel);
-    return response(effort, log, axis, rate_of(log, axis), constant(0));
+    const VectorXd direction = log.signals.at("direction").col(axis);
+    return response(effort, log, axis, rate_of(log, axis), constant(0)) +
+           friction / constant(0) * (earlier(direction, constant(0) / log.step) - direction);
   };
   return c;
 }
@@ -174,16 +211,6 @@ Candidate sensor_scale_candidate(const EffectPlace& place, const EffortModel& ef
     return response(effort, log, axis, less_of(log, axis), kSmallScale);
   };
   return c;
-}
-
-std::string mass_matrix_column(int axis) {
-  return "mass_matrix_column_" + std::to_string(axis);
-}
-
-void add_mass_matrix_column(const EffortModel& effort, int axis, Recording& log) {
-  MatrixXd qdd = log.qdd;
-  qdd.col(axis).array() += 1.0;
-  log.signals[mass_matrix_column(axis)] = effort(log, log.q, log.qd, qdd) - effort(log);
 }
 
 Candidate sensor_noise_candidate(const EffectPlace& place, const EffortModel& effort,

@@ -15,17 +15,19 @@ Candidate delay_candidate(const EffectPlace& place);
 Candidate torque_constant_candidate(const EffectPlace& place);
 
 /// What the efforts of the other joints do with a constant error of one axis' position (per rad or
-/// m), with one in proportion to it, and with one in proportion to its rate (per second): signals
-/// of samples x joints.
+/// m), with one in proportion to it, with one in proportion to its rate (per second), and with one
+/// of its acceleration alone (the column of the mass matrix): signals of samples x joints.
 std::string offset_response(int axis);
 std::string scale_response(int axis);
 std::string rate_response(int axis);
+std::string mass_matrix_column(int axis);
 void add_sensor_responses(const EffortModel& effort, int axis, Recording& log);
 
-/// The position is logged behind a first-order low-pass. Uses signals "known", "jerk" and, at other
-/// joints that are `coupled`, the response to the rate.
+/// The position is logged behind a first-order low-pass. Uses signals "jerk", "direction" and, at
+/// other joints that are `coupled`, the response to the rate. `friction` [N m or N]: what the
+/// effort leaves out and turns with the direction, too.
 Candidate sensor_low_pass_candidate(const EffectPlace& place, const EffortModel& effort,
-                                    const std::vector<int>& coupled);
+                                    const std::vector<int>& coupled, double friction);
 
 /// The logged position is wrong by a constant: gravity and the inertia of further links show it.
 /// Uses, at other joints that are `coupled`, the response to an offset.
@@ -36,12 +38,6 @@ Candidate sensor_offset_candidate(const EffectPlace& place, const EffortModel& e
 /// `coupled`, the response to the position.
 Candidate sensor_scale_candidate(const EffectPlace& place, const EffortModel& effort,
                                  const std::vector<int>& coupled);
-
-/// Signal of the column of the mass matrix that an axis' acceleration meets: samples x joints.
-std::string mass_matrix_column(int axis);
-
-/// Adds that signal: the other joints feel what is wrong with the acceleration of this one.
-void add_mass_matrix_column(const EffortModel& effort, int axis, Recording& log);
 
 /// The logged position has steps so coarse that its acceleration is them. Uses signals "smooth_q",
 /// "smooth_qd" and "smooth_qdd", the motion as it may have been between the steps, and the column

@@ -92,8 +92,8 @@ VectorXd damped(const VectorXd& variance) {
 
 /// The residual is that of an unweighted fit: weights taken from the residual of a fit with those
 /// weights run away where the model is wrong (what is badly fitted counts less and less).
-NoiseModel estimate_segment(const VectorXd& target, const MatrixXd& columns,
-                            const Segment& segment, const VectorXd& window) {
+NoiseModel estimate_segment(const VectorXd& target, const MatrixXd& columns, const Segment& segment,
+                            const VectorXd& window) {
   const Index bins = segment.bins;
   const VectorXd seen = window.cwiseAbs2();
   const double share = seen.mean();

@@ -143,7 +143,7 @@ MatrixXd RigidColumns::effort(const Recording& log) const {
   const sinew_function& function = compiled_->find("inverse_dynamics");
   const Index n = coordinates_;
   VectorXd in(function.input_size), out(n);
-  const MatrixXd& qdd = log.signals.at("acceleration");
+  const MatrixXd& qdd = log.acceleration();
   in.tail(in.size() - 3 * n) = nominal(mechanism_.gravity);
   MatrixXd effort(log.q.rows(), n);
   for (Index k = 0; k < effort.rows(); ++k) {
@@ -158,8 +158,7 @@ MatrixXd RigidColumns::effort(const Recording& log) const {
 void RigidColumns::add_signals(Recording& log) const {
   const sinew_function& function = compiled_->find("inverse_dynamics");
   const Index n = coordinates_;
-  const auto seen = log.signals.find("acceleration");
-  const MatrixXd& qdd = seen == log.signals.end() ? log.qdd : seen->second;
+  const MatrixXd& qdd = log.acceleration();
   VectorXd in(function.input_size), plus(n), minus(n);
   for (const Group& group : groups_) {
     const auto wide = static_cast<Index>(group.columns.size());

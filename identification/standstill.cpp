@@ -10,14 +10,16 @@ namespace {
 
 using Eigen::Index;
 using Eigen::VectorXd;
+using Flags = Eigen::ArrayX<bool>;
 
 constexpr double kStill = 5e-4;      // of the largest speed
 constexpr double kUnderWay = 1e-2;   // of the largest speed
 constexpr double kShortest = 0.04;   // s; a reversal is over sooner
 constexpr double kLongestWay = 0.1;  // s; after that slow motion is motion
-constexpr double kSmoothing = 0.02;  // s that filters reach to each side
-constexpr double kFlank = 0.02;      // s
-constexpr double kMost = 0.7;        // of a log
+constexpr double kSmoothing = 1.2;  // periods of the smoother's cutoff that it reaches to each side
+constexpr double kReversal = 0.36;  // periods that it spreads a reversal over
+constexpr double kFlank = 0.02;     // s
+constexpr double kMost = 0.7;       // of a log
 
 /// From the end of rest to where the joint is under way: in samples, forwards or backwards.
 Index way_out(const VectorXd& speed, Index at, Index direction, Index longest, double fast) {
@@ -28,14 +30,27 @@ Index way_out(const VectorXd& speed, Index at, Index direction, Index longest, d
   return way;
 }
 
+/// Samples within a smoother's reach of a reversal: where friction turns, and with it the motion,
+/// a log shows their sum over that time and not their course.
+Flags reversing(const VectorXd& velocity, double step, double cutoff) {
+  const auto reach = static_cast<Index>(std::ceil(kReversal / (cutoff * step)));
+  Flags near = Flags::Constant(velocity.size(), false);
+  for (Index k = 1; k < velocity.size(); ++k) {
+    if ((velocity(k) > 0.0) == (velocity(k - 1) > 0.0)) continue;
+    const Index from = std::max<Index>(0, k - reach);
+    near.segment(from, std::min(velocity.size(), k + reach) - from) = true;
+  }
+  return near;
+}
+
 /// Samples of rest, each stretch of them with the way into and out of it.
-Eigen::ArrayX<bool> resting(const VectorXd& velocity, double step) {
+Flags resting(const VectorXd& velocity, double step, double cutoff) {
   const VectorXd speed = velocity.cwiseAbs();
   const double fastest = speed.maxCoeff();
   const auto shortest = static_cast<Index>(std::ceil(kShortest / step));
   const auto longest = static_cast<Index>(kLongestWay / step);
-  const auto smoothing = static_cast<Index>(std::ceil(kSmoothing / step));
-  Eigen::ArrayX<bool> rest = Eigen::ArrayX<bool>::Constant(speed.size(), false);
+  const auto smoothing = static_cast<Index>(std::ceil(kSmoothing / (cutoff * step)));
+  Flags rest = Flags::Constant(speed.size(), false);
   for (Index k = 0; k < speed.size();) {
     Index end = k;
     while (end < speed.size() && speed(end) < kStill * fastest) ++end;
@@ -51,22 +66,31 @@ Eigen::ArrayX<bool> resting(const VectorXd& velocity, double step) {
   return rest;
 }
 
-}  // namespace
+bool too_many(const Flags& flags) {
+  return static_cast<double>(flags.count()) > kMost * static_cast<double>(flags.size());
+}
 
-std::vector<Standstill> find_standstills(const VectorXd& time,
-                                         const std::vector<VectorXd>& velocities) {
-  Eigen::ArrayX<bool> rest = Eigen::ArrayX<bool>::Constant(time.size(), false);
-  if (time.size() < 2) return {};
-  const double step = (time(time.size() - 1) - time(0)) / static_cast<double>(time.size() - 1);
-  for (const VectorXd& velocity : velocities) rest = rest || resting(velocity, step);
-  if (static_cast<double>(rest.count()) > kMost * static_cast<double>(rest.size())) return {};
+std::vector<Standstill> stretches(const Flags& flags, const VectorXd& time) {
   std::vector<Standstill> found;
-  for (Index k = 0; k < rest.size(); ++k) {
-    if (!rest(k)) continue;
-    if (k == 0 || !rest(k - 1)) found.push_back({time(k), time(k)});
+  for (Index k = 0; k < flags.size(); ++k) {
+    if (!flags(k)) continue;
+    if (k == 0 || !flags(k - 1)) found.push_back({time(k), time(k)});
     found.back().to = time(k);
   }
   return found;
+}
+
+}  // namespace
+
+std::vector<Standstill> find_standstills(const VectorXd& time,
+                                         const std::vector<VectorXd>& velocities, double cutoff) {
+  if (time.size() < 2) return {};
+  const double step = (time(time.size() - 1) - time(0)) / static_cast<double>(time.size() - 1);
+  Flags rest = Flags::Constant(time.size(), false);
+  for (const VectorXd& velocity : velocities) rest = rest || resting(velocity, step, cutoff);
+  const Flags all = rest || reversing(velocities.front(), step, cutoff);
+  if (!too_many(all)) return stretches(all, time);
+  return too_many(rest) ? std::vector<Standstill>{} : stretches(rest, time);
 }
 
 VectorXd motion_window(const std::vector<Standstill>& stretches, const VectorXd& time) {

@@ -50,6 +50,18 @@ DrivenJoint driven_motor(const MotorParameters& motor, const std::string& name) 
   return joint;
 }
 
+/// As a lone joint's torque does under gravity, and not without.
+bool depends_on_position(const Function& rigid) {
+  const auto has_position = [&](const ex& value) {
+    const auto& q = rigid.inputs.front().symbols;
+    return std::any_of(q.begin(), q.end(), [&](const auto& each) { return value.has(each); });
+  };
+  return std::any_of(rigid.definitions.begin(), rigid.definitions.end(),
+                     [&](const Definition& each) { return has_position(each.value); }) ||
+         std::any_of(rigid.outputs.front().values.begin(), rigid.outputs.front().values.end(),
+                     has_position);
+}
+
 }  // namespace
 
 DrivenModel driven_model(const Mechanism& mechanism, const CostOf& cost) {
@@ -59,8 +71,9 @@ DrivenModel driven_model(const Mechanism& mechanism, const CostOf& cost) {
   const Coordinates coordinates(mechanism);
   for (const int index : coordinates.joints())
     model.joints.push_back(driven_joint(mechanism.joints[static_cast<std::size_t>(index)]));
-  // A lone joint's own inertia is hardly a load to its gear; other links are.
-  for (DrivenJoint& joint : model.joints) joint.carries_links = model.joints.size() > 1;
+  // A lone joint's own inertia is hardly a load to its gear; weight and other links are.
+  const bool loaded = model.joints.size() > 1 || depends_on_position(model.rigid);
+  for (DrivenJoint& joint : model.joints) joint.carries_links = loaded;
   return model;
 }
 

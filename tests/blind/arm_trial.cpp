@@ -215,9 +215,9 @@ std::string csv(const Mechanism& arm, const Motion& m, const MatrixXd& tau, doub
 
 }  // namespace
 
-ArmTrial arm_trial(const truth::TrialRequest& request) {
+RobotTrial arm_trial(const truth::TrialRequest& request) {
   RandomNumbers random(request.seed);
-  ArmTrial trial;
+  RobotTrial trial;
   trial.nominal = draw_arm(random);
   const auto joints = static_cast<Index>(trial.nominal.joints.size());
   const bool strokes = random.chance(0.5), held = random.chance(0.3);

@@ -4,21 +4,11 @@
 // rests between strokes; encoders have steps as encoders have.
 #pragma once
 
-#include <cstdint>
-#include <string>
-
-#include "symbolic/mechanism.h"
-#include "tests/blind/truth/sealed_trial.h"
+#include "tests/blind/robot_trial.h"
 
 namespace sinew::blind {
 
-struct ArmTrial {
-  Mechanism nominal;           ///< what the program gets, with the logs
-  std::string train, holdout;  ///< CSV text: time, q_<joint>, tau_<joint>
-  truth::Seal seal;
-};
-
 /// request.family: nothing or one; request.size: rms of what is hidden over that of the noise.
-ArmTrial arm_trial(const truth::TrialRequest& request);
+RobotTrial arm_trial(const truth::TrialRequest& request);
 
 }  // namespace sinew::blind

@@ -2,6 +2,7 @@
 // Standstill is found where a joint rests, and nowhere else.
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <numbers>
 
 #include "identification/standstill.h"
 
@@ -11,7 +12,7 @@ using namespace sinew::diagnosis;
 using Eigen::Index;
 using Eigen::VectorXd;
 
-constexpr double kStep = 0.002;
+constexpr double kStep = 0.002, kCutoff = 60.0;
 
 /// Strokes of one second with rests of `rest` seconds between, fifth-order in time.
 VectorXd strokes(double rest, int count) {
@@ -33,10 +34,10 @@ VectorXd times(const VectorXd& like) {
 
 TEST_CASE("standstill is the rest between strokes with the ways into and out of it") {
   const VectorXd v = strokes(0.3, 6);
-  const auto found = find_standstills(times(v), {v});
-  REQUIRE(found.size() == 6);
-  for (std::size_t i = 0; i + 1 < found.size(); ++i) {
-    const double begin = 1.3 * static_cast<double>(i) + 1.0;
+  const auto found = find_standstills(times(v), {v}, kCutoff);
+  REQUIRE(found.size() == 7);  // the first sample, at rest as well, counts as a reversal
+  for (std::size_t i = 1; i + 1 < found.size(); ++i) {
+    const double begin = 1.3 * static_cast<double>(i - 1) + 1.0;
     CHECK(found[i].from < begin);
     CHECK(found[i].from > begin - 0.15);
     CHECK(found[i].to > begin + 0.3);
@@ -49,27 +50,40 @@ TEST_CASE("standstill is the rest between strokes with the ways into and out of 
   }
 }
 
-TEST_CASE("reversals and slow motion are no standstill") {
+TEST_CASE("a reversal is standstill for as long as the smoother spreads it, slow motion is none") {
   VectorXd v(8000);
-  for (Index k = 0; k < v.size(); ++k) v(k) = std::sin(3.0 * kStep * static_cast<double>(k));
-  CHECK(find_standstills(times(v), {v}).empty());
+  const auto swing = [&](double hertz) {
+    for (Index k = 0; k < v.size(); ++k)
+      v(k) = std::cos(2.0 * std::numbers::pi * hertz * kStep * static_cast<double>(k));
+    return find_standstills(times(v), {v}, kCutoff);
+  };
+  const auto found = swing(0.5);
+  REQUIRE(found.size() == 16);
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const double turn = static_cast<double>(i) + 0.5;
+    CHECK(found[i].from < turn);
+    CHECK(found[i].to > turn);
+    CHECK(found[i].to - found[i].from < 0.015);
+  }
+  // Nothing would be left between the reversals of a vibration.
+  CHECK(swing(50.0).empty());
   // A friction curve's slow strokes: a hundredth of the fastest.
   for (Index k = 0; k < v.size(); ++k)
     v(k) = (k / 500 % 2 == 0 ? 1.0 : -1.0) * (k < 4000 ? 0.01 : 1.0);
-  CHECK(find_standstills(times(v), {v}).empty());
+  CHECK(find_standstills(times(v), {v}, kCutoff).size() == 15);
   CHECK(motion_window({}, times(v)).isOnes(0.0));
 }
 
 TEST_CASE("a log of next to nothing but rest is left as it is") {
   const VectorXd v = strokes(6.0, 4);
-  CHECK(find_standstills(times(v), {v}).empty());
-  CHECK(find_standstills(times(v), {VectorXd::Zero(v.size())}).empty());
+  CHECK(find_standstills(times(v), {v}, kCutoff).empty());
+  CHECK(find_standstills(times(v), {VectorXd::Zero(v.size())}, kCutoff).empty());
 }
 
 TEST_CASE("the rougher of two velocities does not hide a rest, nor the smoother one") {
   const VectorXd v = strokes(0.3, 6);
   VectorXd rough = v;
   for (Index k = 0; k < rough.size(); ++k) rough(k) += 0.05 * (k % 2 == 0 ? 1.0 : -1.0);
-  CHECK(find_standstills(times(v), {rough}).empty());
-  CHECK(find_standstills(times(v), {rough, v}).size() == 6);
+  CHECK(find_standstills(times(v), {rough, v}, kCutoff).size() == 7);
+  CHECK(find_standstills(times(v), {v, rough}, kCutoff).size() == 7);
 }
