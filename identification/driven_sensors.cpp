@@ -2,13 +2,13 @@
 // What the logged positions of driven joints show: the smooth motion, its derivatives, and the
 // errors of the sensors.
 #include <algorithm>
+#include <limits>
 
 #include "identification/dequantise.h"
 #include "identification/driven_subject.h"
 #include "identification/filter.h"
 #include "identification/model_candidates.h"
 #include "identification/position_noise.h"
-#include "identification/standstill.h"
 
 namespace sinew::diagnosis {
 namespace {

@@ -62,14 +62,17 @@ Problem arm(int channels, double payload, unsigned seed) {
     offset.channels = {c};
     problem.baseline.push_back(std::move(offset));
   }
-  problem.library = {
-      group("payload", [](const Recording& r, int c, const VectorXd&) -> MatrixXd {
-        return r.q.col(c).array().cos();
-      }),
-      group("torque gain",
-            [](const Recording& r, int c, const VectorXd&) -> MatrixXd { return r.command.col(c); }),
-      group("spring",
-            [](const Recording& r, int c, const VectorXd&) -> MatrixXd { return r.q.col(c); })};
+  problem.library = {group("payload",
+                           [](const Recording& r, int c, const VectorXd&) -> MatrixXd {
+                             return r.q.col(c).array().cos();
+                           }),
+                     group("torque gain",
+                           [](const Recording& r, int c, const VectorXd&) -> MatrixXd {
+                             return r.command.col(c);
+                           }),
+                     group("spring", [](const Recording& r, int c, const VectorXd&) -> MatrixXd {
+                       return r.q.col(c);
+                     })};
   return problem;
 }
 
@@ -118,7 +121,8 @@ TEST_CASE("the experiment that moves both joints is the one that separates") {
   const Problem one = arm(1, 0.3, 6), two = arm(2, 0.3, 6);
   const Settings settings = quick();
   const Design design(one, settings);
-  const Term payload{&one.library[0], false, VectorXd(), design.columns(one.library[0], VectorXd())};
+  const Term payload{&one.library[0], false, VectorXd(),
+                     design.columns(one.library[0], VectorXd())};
   const VectorXd size = VectorXd::Constant(1, 0.3);
   const double alone = expected_separation(one, settings, payload, size, one.library[1],
                                            {"one joint", one.training[0]}, 1e-4);
