@@ -84,8 +84,8 @@ struct Candidate {
   ColumnFunction columns;
   bool broadband = false;    ///< like noise: may lie mostly above the frequencies looked at
   double least_share = 0.0;  ///< where more than the settings': of the residual, or it is no cause
-  /// Of a lag of its first channel's position: what the effort does, per s^2, with an error in
-  /// proportion to the acceleration. By half of that, times its square, it is not a delay.
+  /// Lags of a position only: the effort of its channel for a position error of one s^2 times the
+  /// acceleration. A delay d and a lag d differ by d^2 / 2 of it (lag.h).
   ColumnFunction bend;
   bool aside = false;  ///< is in every measurement: fitted, and no name for what is wrong
   /// false: a fit with these coefficients and nonlinear parameters is not this effect; may be

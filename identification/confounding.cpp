@@ -146,11 +146,10 @@ std::vector<Trial> contenders(const Design& design, const Library& library,
 }
 
 /// A lag that these logs cannot tell from the delay; the model takes the delay for both.
-void add_lag(RankedCause lag, double behind, Rivals& rivals, double& sum) {
+void add_lag(RankedCause lag, Rivals& rivals, double& sum) {
   if (std::any_of(rivals.members.begin(), rivals.members.end(),
                   [&](const RankedCause& c) { return c.candidate == lag.candidate; }))
     return;
-  lag.behind = std::max(0.0, behind);
   lag.weight = std::exp(-0.5 * lag.behind);
   sum += lag.weight;
   rivals.members.push_back(std::move(lag));
@@ -205,8 +204,13 @@ Rivals find_rivals(const Design& design, const Library& library, const Settings&
       rivals.margin = std::min(rivals.margin, cause.behind);
   }
   if (const auto lag = lag_behind_delay(design, state, term);
-      lag && lag->deviance <= std::max(kByChance, kByImperfection * own))
-    add_lag(describe(design, lag->candidate), lag->deviance, rivals, sum);
+      lag && lag->deviance <= std::max(kByChance, kByImperfection * own)) {
+    RankedCause cause = describe(design, lag->candidate);
+    cause.behind = std::max(0.0, lag->deviance);
+    cause.correlation = canonical_correlation(
+        without, state.noise.weights, trials.front().model.terms.back().columns, lag->columns);
+    add_lag(std::move(cause), rivals, sum);
+  }
   for (RankedCause& cause : rivals.members) cause.weight /= sum;
   return rivals;
 }

@@ -98,6 +98,7 @@ class Run {
     };
     const auto& causes = other.verdict.causes;
     if (std::none_of(causes.begin(), causes.end(), is_play)) return;
+    // The other explanation points into that subject's library, which moves along.
     subject_ = std::move(subject);
     explanation = std::move(other);
   }

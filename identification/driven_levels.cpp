@@ -77,7 +77,7 @@ void DrivenSubject::add_mechanism_levels() {
   }
 }
 
-/// Without a load and without other joints, a wrong gain only scales what the baseline has.
+/// Without a load, a weight and other joints, a wrong gain only scales what the baseline has.
 bool DrivenSubject::gain_is_level(std::size_t joint) const {
   return model_.joints.size() == 1 && scale(joint).load == 0.0 && !carries_links(joint);
 }

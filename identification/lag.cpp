@@ -42,7 +42,9 @@ std::optional<LagBehind> lag_behind_delay(const Design& design, const Selection&
   const double variance = fit.covariance.bottomRightCorner<1, 1>()(0, 0);
   if (!(variance > 0.0)) return {};
   const double of_delay = fit.coefficients(fit.coefficients.size() - 1), of_lag = of_delay + 1.0;
-  LagBehind result{static_cast<int>(lag - library.begin()), 0.0};
+  const NonlinearParameter& size = lag->nonlinear.front();
+  const VectorXd at = VectorXd::Constant(1, std::clamp(delay.nonlinear(0), size.low, size.high));
+  LagBehind result{static_cast<int>(lag - library.begin()), 0.0, design.columns(*lag, at)};
   // Logs bent by something else say nothing of either.
   if (of_delay * of_delay < kBent * variance)
     result.deviance = (of_lag * of_lag - of_delay * of_delay) / variance;

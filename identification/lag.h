@@ -14,6 +14,7 @@ namespace sinew::diagnosis {
 struct LagBehind {
   int candidate = 0;  ///< the lag, index into the library
   double deviance = 0.0;
+  BandColumns columns;  ///< the lag's own, at the delay's size
 };
 std::optional<LagBehind> lag_behind_delay(const Design& design, const Selection& state,
                                           std::size_t term);

@@ -137,8 +137,8 @@ class Plant {
     const double turning = 1e-3 * j_.speed;
     const double rest = passive(t);
     // Friction turns within microseconds of motion: taken at the step's end, linearised.
-    const double stiffness =
-        (j_.coulomb + h_.coulomb) / turning / std::pow(std::cosh(std::min(20.0, qd_ / turning)), 2);
+    const double stiffness = (j_.coulomb + h_.coulomb) / turning /
+                             std::pow(std::cosh(std::min(20.0, std::abs(qd_) / turning)), 2);
     const double acceleration = (acting() / (1.0 + h_.gain) - rest) / (inertia + stiffness * kStep);
     qd_ += acceleration * kStep;
     q_ += qd_ * kStep;
