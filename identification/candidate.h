@@ -123,6 +123,9 @@ struct LevelCause {
   std::vector<LevelParameter> parameters;
   std::string limit_meaning;
   std::string isolating_experiment;
+  /// Channels at which its one parameter [s] delays what the nominal model says, against nothing
+  /// else; absent: it delays nothing.
+  std::optional<std::vector<int>> delayed;
 };
 
 /// Everything one diagnosis works on. The baseline's coefficients are re-fitted with every cause.
@@ -131,6 +134,9 @@ struct Problem {
   std::vector<Candidate> baseline;
   std::vector<Candidate> library;
   int channels = 1;
+  /// The targets are made of the same measured forces, noise and all: their errors are counted
+  /// together, in the targets' unit, and not each channel's by itself.
+  bool shared_noise = false;
   std::vector<LevelCause> levels;  ///< may be empty: then the baseline has no nominal values
 };
 

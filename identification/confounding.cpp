@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "identification/baseline.h"
 #include "identification/lag.h"
 #include "identification/refine.h"
 #include "identification/spectrum.h"

@@ -79,7 +79,56 @@ MatrixXd time_columns(const Design& design, const Model& model, const VectorXd* 
   return x;
 }
 
+/// The plain rows of one stretch, condensed to what gives its squared error for any coefficients.
+struct PlainErrors {
+  Index block = 0, channel = 0;
+  std::vector<Index> at;
+  MatrixXd gram;  // of the active columns, in the squares of the channel's unit
+
+  /// error: minus the coefficients, and 1 for the target.
+  void add_to(BlockLosses& losses, const VectorXd& error) const {
+    const VectorXd own = error(at);
+    losses.plain(block, channel) += own.dot(gram * own);
+  }
+};
+
+PlainErrors plain_errors(const Design& design, const Stretch& stretch, const MatrixXd& x,
+                         const std::vector<Index>& at) {
+  const auto rows = x.middleRows(stretch.first, stretch.count);
+  const int channel = design.segments()[stretch.segment].channel;
+  const double unit = design.unit(channel);
+  return {stretch.block, channel, at, rows.transpose() * rows / (unit * unit)};
+}
+
+BlockLosses no_losses(const Design& design, int blocks) {
+  return {VectorXd::Zero(blocks), MatrixXd::Zero(blocks, design.problem().channels),
+          VectorXd::Zero(blocks)};
+}
+
 }  // namespace
+
+VectorXd BlockLosses::over(const std::vector<bool>& channels) const {
+  VectorXd sum = VectorXd::Zero(plain.rows());
+  for (Index c = 0; c < plain.cols(); ++c)
+    if (channels[static_cast<std::size_t>(c)]) sum += plain.col(c);
+  return sum;
+}
+
+double sum_over(const VectorXd& values, const std::vector<bool>& channels) {
+  double sum = 0.0;
+  for (Index c = 0; c < values.size(); ++c)
+    if (channels[static_cast<std::size_t>(c)]) sum += values(c);
+  return sum;
+}
+
+std::vector<bool> channels_of(const Design& design, const Term& term) {
+  const Problem& problem = design.problem();
+  std::vector<bool> channels(static_cast<std::size_t>(problem.channels), problem.shared_noise);
+  for (std::size_t s = 0; s < design.segments().size(); ++s)
+    if (term.columns[s].cols() > 0)
+      channels[static_cast<std::size_t>(design.segments()[s].channel)] = true;
+  return channels;
+}
 
 BlockLosses cross_validate(const Design& design, const Model& model, const Weights& weights,
                            int blocks) {
@@ -87,8 +136,9 @@ BlockLosses cross_validate(const Design& design, const Model& model, const Weigh
   const std::vector<Stretch> stretches = cut(design, false, blocks, total);
   const Index wide = first_columns(model).back();
   const MatrixXd none = MatrixXd::Zero(wide + 1, wide + 1);
-  std::vector<MatrixXd> whitened(static_cast<std::size_t>(total), none), plain = whitened;
-  BlockLosses losses{VectorXd::Zero(total), VectorXd::Zero(total), VectorXd::Zero(total)};
+  std::vector<MatrixXd> whitened(static_cast<std::size_t>(total), none);
+  std::vector<std::vector<PlainErrors>> plain(whitened.size());
+  BlockLosses losses = no_losses(design, total);
   std::size_t last = design.segments().size();
   MatrixXd x, raw;
   std::vector<Index> at;
@@ -101,9 +151,8 @@ BlockLosses cross_validate(const Design& design, const Model& model, const Weigh
     }
     const auto b = static_cast<std::size_t>(stretch.block);
     const auto rows = x.middleRows(stretch.first, stretch.count);
-    const auto raw_rows = raw.middleRows(stretch.first, stretch.count);
     whitened[b](at, at) += rows.transpose() * rows;
-    plain[b](at, at) += raw_rows.transpose() * raw_rows;
+    plain[b].push_back(plain_errors(design, stretch, raw, at));
     losses.samples(stretch.block) += static_cast<double>(stretch.count);
   }
   MatrixXd all = none;
@@ -115,7 +164,7 @@ BlockLosses cross_validate(const Design& design, const Model& model, const Weigh
                        others.topRightCorner(wide, 1);
     error(wide) = 1.0;
     losses.whitened(b) = error.dot(whitened[static_cast<std::size_t>(b)] * error);
-    losses.plain(b) = error.dot(plain[static_cast<std::size_t>(b)] * error);
+    for (const PlainErrors& part : plain[static_cast<std::size_t>(b)]) part.add_to(losses, error);
   }
   return losses;
 }
@@ -124,8 +173,9 @@ BlockLosses held_out(const Design& design, const Model& model, const LinearFit& 
   int total = 0;
   const std::vector<Stretch> stretches = cut(design, true, blocks, total);
   const Index wide = first_columns(model).back();
-  std::vector<MatrixXd> grams(static_cast<std::size_t>(total), MatrixXd::Zero(wide + 1, wide + 1));
-  BlockLosses losses{VectorXd::Zero(total), VectorXd::Zero(total), VectorXd::Zero(total)};
+  std::vector<std::vector<PlainErrors>> plain(static_cast<std::size_t>(total));
+  MatrixXd all = MatrixXd::Zero(wide + 1, wide + 1);
+  BlockLosses losses = no_losses(design, total);
   std::size_t last = design.segments().size();
   MatrixXd x;
   std::vector<Index> active;
@@ -135,8 +185,9 @@ BlockLosses held_out(const Design& design, const Model& model, const LinearFit& 
       active = active_columns(model, stretch.segment);
       last = stretch.segment;
     }
-    const auto rows = x.middleRows(stretch.first, stretch.count);
-    grams[static_cast<std::size_t>(stretch.block)](active, active) += rows.transpose() * rows;
+    const PlainErrors part = plain_errors(design, stretch, x, active);
+    all(active, active) += part.gram;
+    plain[static_cast<std::size_t>(stretch.block)].push_back(part);
     losses.samples(stretch.block) += static_cast<double>(stretch.count);
   }
   // Coefficients the training knows nothing of: nuisances of the held-out logs.
@@ -147,20 +198,20 @@ BlockLosses held_out(const Design& design, const Model& model, const LinearFit& 
       if (c.recording >= static_cast<int>(design.problem().training.size())) own.push_back(at);
       ++at;
     }
-  MatrixXd all = MatrixXd::Zero(wide + 1, wide + 1);
-  for (const MatrixXd& gram : grams) all += gram;
   for (int b = 0; b < total; ++b) {
-    const MatrixXd others = all - grams[static_cast<std::size_t>(b)];
+    const auto& here = plain[static_cast<std::size_t>(b)];
     VectorXd error(wide + 1);
     error.head(wide) = -fit.coefficients;
     error(wide) = 1.0;
     for (const Index i : own) error(i) = 0.0;
     if (!own.empty()) {
+      MatrixXd others = all;
+      for (const PlainErrors& part : here) others(part.at, part.at) -= part.gram;
       const VectorXd nuisance =
           scaled_pseudo_inverse(others(own, own), 1e-9) * (others * error)(own);
       for (std::size_t i = 0; i < own.size(); ++i) error(own[i]) = -nuisance(static_cast<Index>(i));
     }
-    losses.plain(b) = error.dot(grams[static_cast<std::size_t>(b)] * error);
+    for (const PlainErrors& part : here) part.add_to(losses, error);
   }
   return losses;
 }

@@ -9,9 +9,20 @@ namespace sinew::diagnosis {
 /// Sums of squared errors per block of what was predicted without that block.
 struct BlockLosses {
   Eigen::VectorXd whitened;
-  Eigen::VectorXd plain;  ///< target's unit squared, inside the band
+  Eigen::MatrixXd plain;  ///< blocks x channels, in the squares of Design::unit, inside the band
   Eigen::VectorXd samples;
+
+  /// Plain losses of the blocks, over all channels or over those that are true in `channels`.
+  Eigen::VectorXd over_all() const { return plain.rowwise().sum(); }
+  Eigen::VectorXd over(const std::vector<bool>& channels) const;
 };
+
+/// Sum of a value per channel over those that are true in `channels`.
+double sum_over(const Eigen::VectorXd& values, const std::vector<bool>& channels);
+
+/// The channels by whose errors a term is judged: those on which it acts, or all where they share
+/// their noise.
+std::vector<bool> channels_of(const Design& design, const Term& term);
 
 /// Every training log is cut into contiguous blocks (about `blocks` over all logs); for each the
 /// linear coefficients are fitted without it, nonlinear parameters are kept.

@@ -67,7 +67,7 @@ Recording thin(const Recording& log, const DecimatingFilter& filter) {
 }  // namespace
 
 Design::Design(const Problem& problem, const Settings& settings)
-    : problem_(problem), settings_(settings) {
+    : problem_(problem), settings_(settings), units_(VectorXd::Ones(problem.channels)) {
   add_segments(problem.training, 0, false);
   if (segments_.empty())
     throw std::invalid_argument("Design: no training log is long enough for the filter");

@@ -70,6 +70,11 @@ class Design {
     return windows_[static_cast<std::size_t>(segment)];
   }
 
+  /// What errors of a channel are counted in, so that those of a heavy joint and of a light one,
+  /// or of a force and a torque, can be added: 1 in the target's unit, or what was set.
+  double unit(int channel) const { return units_(channel); }
+  void set_units(const Eigen::VectorXd& units) { units_ = units; }
+
   /// A signal of the recording at the decimated instants, unfiltered, for plots and splines.
   Eigen::VectorXd at_instants(int segment, const Eigen::VectorXd& raw) const;
 
@@ -88,6 +93,7 @@ class Design {
   std::map<int, Thinned> thinned_;  ///< by recording, where thinned
   std::vector<Segment> segments_;
   std::vector<Eigen::VectorXd> windows_;
+  Eigen::VectorXd units_;
 };
 
 }  // namespace sinew::diagnosis

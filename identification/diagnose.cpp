@@ -83,7 +83,7 @@ class Run {
   /// A sensor with play stands still behind every reversal. So does a joint that sticks, but it
   /// hides less than a few steps of its sensor, and a play explains little of it.
   void look_at_standstills(Explanation& explanation) {
-    constexpr double kSteps = 3.0, kShare = 0.3;
+    constexpr double kSteps = 3.0, kShare = 0.5;
     std::vector<int> named;
     for (const NamedCause& cause : explanation.verdict.causes) named.push_back(cause.candidate);
     DrivenSubject subject = subject_;

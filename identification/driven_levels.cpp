@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Changes of the model's own values, as a diagnosis of driven joints may name them.
 #include <algorithm>
+#include <numeric>
 
 #include "identification/driven_subject.h"
 #include "identification/model_candidates.h"
@@ -29,10 +30,29 @@ void DrivenSubject::add_levels(std::size_t joint) {
     parameter.low = lowest[k];
     parameter.shares = {{base + k, 0, 1.0}};
     problem_.levels.push_back(
-        {effect.name, place(joint), {parameter}, "it would be negative", effect.experiment});
+        {effect.name, place(joint), {parameter}, "it would be negative", effect.experiment, {}});
     levels_.push_back({effects[k], joint, {}, {}});
   }
   add_common_levels(joint);
+  add_delay_level(delay_candidate({static_cast<int>(joint), place(joint), driven.revolute}),
+                  {"delay", joint, {}, {}}, {static_cast<int>(joint)});
+}
+
+/// A delay moves inertia into damping and weight into friction: what the model says shows it, its
+/// free values would not.
+void DrivenSubject::add_delay_level(const Candidate& delay, CandidateOrigin origin,
+                                    std::vector<int> channels) {
+  LevelCause level{
+      delay.name,         delay.place, {}, delay.limit_meaning, delay.isolating_experiment,
+      std::move(channels)};
+  LevelParameter parameter;
+  parameter.name = delay.linear.front().name;
+  parameter.unit = delay.linear.front().unit;
+  parameter.low = delay.nonlinear.front().low;
+  parameter.high = delay.nonlinear.front().high;
+  level.parameters = {std::move(parameter)};
+  problem_.levels.push_back(std::move(level));
+  levels_.push_back(std::move(origin));
 }
 
 /// One parameter that moves several of the model's values at once.
@@ -40,14 +60,13 @@ void DrivenSubject::add_common_levels(std::size_t joint) {
   const EffectPlace where{static_cast<int>(joint), place(joint), model_.joints[joint].revolute};
   if (tendon_driven(joint))
     add_level(pulley_radius_candidate(where.axis, where.name), {"pulley_radius", joint, {}, {}});
-  if (gain_is_level(joint))
-    add_level(torque_constant_candidate(where), {"torque_constant", joint, {}, {}});
+  if (!tendons_) add_level(torque_constant_candidate(where), {"torque_constant", joint, {}, {}});
   if (model_.joints.size() == 1)
     add_level(sensor_scale_candidate(where, known_, {where.axis}), {"sensor_scale", joint, {}, {}});
 }
 
 void DrivenSubject::add_level(const Candidate& c, CandidateOrigin origin, int columns) {
-  LevelCause level{c.name, c.place, {}, c.limit_meaning, c.isolating_experiment};
+  LevelCause level{c.name, c.place, {}, c.limit_meaning, c.isolating_experiment, {}};
   const std::size_t count = columns < 0 ? c.linear.size() : static_cast<std::size_t>(columns);
   for (std::size_t k = 0; k < count; ++k) {
     const LinearParameter& p = c.linear[k];
@@ -66,6 +85,11 @@ void DrivenSubject::add_level(const Candidate& c, CandidateOrigin origin, int co
 
 /// What acts on several joints looks like changes of their own values.
 void DrivenSubject::add_mechanism_levels() {
+  if (model_.joints.size() > 1) {
+    std::vector<int> all(model_.joints.size());
+    std::iota(all.begin(), all.end(), 0);
+    add_delay_level(common_delay_candidate(), {"delay", 0, {}, {}, true}, all);
+  }
   constexpr int mass_and_first_moments = 4;
   for (std::size_t i = 0; i < library_.size(); ++i) {
     const CandidateOrigin origin = library_[i];

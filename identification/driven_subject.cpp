@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <numbers>
 
+#include "identification/baseline.h"
 #include "identification/dequantise.h"
 #include "identification/effect_candidate.h"
 #include "identification/model_candidates.h"
@@ -64,6 +65,7 @@ DrivenSubject::DrivenSubject(DrivenModel model, Identified identified,
   presliding_.resize(bristle_.size(), 0.0);
   quantum_.resize(bristle_.size(), 0.0);
   problem_.channels = static_cast<int>(bristle_.size());
+  problem_.shared_noise = tendons_ != nullptr;
 }
 
 EffortModel DrivenSubject::effort_with(const Identified& identified) const {
@@ -218,6 +220,7 @@ void DrivenSubject::add_mechanism_candidates() {
     problem_.library.push_back(std::move(candidate));
     library_.push_back(std::move(origin));
   };
+  if (model_.joints.size() > 1) take(common_delay_candidate(), {"delay", 0, {}, {}, true});
   if (rigid_)
     for (Candidate& c : rigid_->candidates()) {
       const std::string effect = c.name == "payload" ? "payload" : "gravity";

@@ -28,8 +28,9 @@ inline constexpr double driven_band = 60.0;
 struct CandidateOrigin {
   std::string effect;  ///< identifier; empty: has no term in the model (decoys, splines)
   std::size_t joint = 0;
-  Eigen::VectorXd fixed;  ///< shape parameters that are not searched
-  std::string tendon;     ///< its place instead of a joint; empty: none
+  Eigen::VectorXd fixed;    ///< shape parameters that are not searched
+  std::string tendon;       ///< its place instead of a joint; empty: none
+  bool everywhere = false;  ///< at every joint alike
 };
 
 /// Columns of a log: positions of all coordinates; efforts of those where they are measured, which
@@ -89,6 +90,7 @@ class DrivenSubject {
   void add_model_candidates(std::size_t joint);
   void add_levels(std::size_t joint);
   void add_common_levels(std::size_t joint);
+  void add_delay_level(const Candidate& delay, CandidateOrigin origin, std::vector<int> channels);
   void fit_directions(const Settings& settings);
   void add_smooth_motion(Recording& log) const;
   void add_derivatives(Recording& log) const;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "identification/baseline.h"
 #include "identification/confidence.h"
 #include "identification/level_structure.h"
 #include "identification/levels.h"
@@ -32,6 +33,21 @@ double relative_error(const Design& design, const Model& model, const Weights& w
     energy += measured.squaredNorm();
   }
   return std::sqrt(error / std::max(energy, 1e-300));
+}
+
+/// Root mean square of what a model leaves of each channel in the training logs, all frequencies
+/// alike.
+VectorXd left_over(const Design& design, const Model& model) {
+  const Stack rows = stack(model, even_weights(design));
+  const LinearFit fit = solve(rows);
+  VectorXd energy = VectorXd::Zero(design.problem().channels), count = energy;
+  for (std::size_t s = 0; s < design.segments().size(); ++s) {
+    const Segment& segment = design.segments()[s];
+    const Index own = rows.first_row[s + 1] - rows.first_row[s];
+    energy(segment.channel) += fit.residual.segment(rows.first_row[s], own).squaredNorm();
+    count(segment.channel) += static_cast<double>(own);
+  }
+  return energy.cwiseQuotient(count.cwiseMax(1.0)).cwiseSqrt().cwiseMax(1e-12);
 }
 
 BlockLosses held_out_losses(const Design& design, const Settings& settings, const Model& model,
@@ -106,7 +122,9 @@ NamedCause name_cause(const Design& design, const Library& library, const Settin
   const BlockLosses before = held_out_losses(design, settings, without, selection.noise.weights);
   const BlockLosses after =
       held_out_losses(design, settings, selection.model, selection.noise.weights);
-  cause.held_out = block_bootstrap_gain(before.plain, after.plain, 0.95, settings.seed);
+  const std::vector<bool> channels = channels_of(design, own);
+  cause.held_out =
+      block_bootstrap_gain(before.over(channels), after.over(channels), 0.95, settings.seed);
   cause.separating_experiment = separating_experiment(design.problem(), settings, selection, term,
                                                       cause.members, experiments);
   return cause;
@@ -230,8 +248,8 @@ void measure(const Design& design, const Settings& settings, Explanation& result
   verdict.relative_error_before = relative_error(design, before, noise.weights);
   verdict.relative_error_after = relative_error(design, after.model, after.noise.weights);
   verdict.held_out = block_bootstrap_gain(
-      held_out_losses(design, settings, before, noise.weights).plain,
-      held_out_losses(design, settings, after.model, after.noise.weights).plain, 0.95,
+      held_out_losses(design, settings, before, noise.weights).over_all(),
+      held_out_losses(design, settings, after.model, after.noise.weights).over_all(), 0.95,
       settings.seed);
 }
 
@@ -239,7 +257,8 @@ void measure(const Design& design, const Settings& settings, Explanation& result
 
 Explanation explain(const Problem& problem, const Settings& settings,
                     const std::vector<PlannedExperiment>& experiments) {
-  const Design design(problem, settings);
+  Design design(problem, settings);
+  if (!problem.shared_noise) design.set_units(left_over(design, baseline_model(design)));
   const Library library(design, settings.threads);
   Explanation result;
   result.selection = select_causes(design, library, settings);

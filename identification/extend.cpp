@@ -101,8 +101,12 @@ void add_directions(const DrivenSubject& subject, const Selection& selection,
 
 /// Of the causes, the one that this candidate's term stands for.
 int cause_of(const Verdict& verdict, int candidate) {
-  for (std::size_t c = 0; c < verdict.causes.size(); ++c)
-    if (verdict.causes[c].candidate == candidate) return static_cast<int>(c);
+  for (std::size_t c = 0; c < verdict.causes.size(); ++c) {
+    const NamedCause& cause = verdict.causes[c];
+    if (cause.candidate == candidate ||
+        std::find(cause.also.begin(), cause.also.end(), candidate) != cause.also.end())
+      return static_cast<int>(c);
+  }
   return -1;
 }
 
@@ -157,6 +161,12 @@ std::vector<ExtensionTerm> extension_terms(const DrivenSubject& subject, const D
     entry.per_log =
         term.level < 0 && std::any_of(term.candidate->linear.begin(), term.candidate->linear.end(),
                                       [](const LinearParameter& p) { return p.per_log; });
+    // The model has a delay at each joint; one of all joints is the same at each.
+    if (origin.everywhere)
+      for (std::size_t j = 1; j < subject.model().joints.size(); ++j) {
+        result.push_back(entry);
+        result.back().entry.place = subject.model().joints[j].name;
+      }
     result.push_back(std::move(entry));
   }
   return result;

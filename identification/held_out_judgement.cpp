@@ -7,16 +7,36 @@
 
 namespace sinew::diagnosis {
 
+namespace {
+
+bool same(const RankedCause& a, const RankedCause& b) {
+  return a.name == b.name && a.place == b.place;
+}
+
+void merge_alike(std::vector<NamedCause>& causes) {
+  for (std::size_t i = 0; i < causes.size(); ++i)
+    for (std::size_t k = causes.size(); k-- > i + 1;) {
+      if (!same(causes[k].members.front(), causes[i].members.front())) continue;
+      causes[i].also.push_back(causes[k].candidate);
+      causes[i].also.insert(causes[i].also.end(), causes[k].also.begin(), causes[k].also.end());
+      causes[i].parameters.insert(causes[i].parameters.end(), causes[k].parameters.begin(),
+                                  causes[k].parameters.end());
+      causes.erase(causes.begin() + static_cast<std::ptrdiff_t>(k));
+    }
+}
+
+}  // namespace
+
 void merge_members(Verdict& verdict) {
   for (NamedCause& cause : verdict.causes) {
     std::vector<RankedCause> members;
     for (const RankedCause& m : cause.members)
-      if (std::none_of(members.begin(), members.end(), [&](const RankedCause& other) {
-            return other.name == m.name && other.place == m.place;
-          }))
+      if (std::none_of(members.begin(), members.end(),
+                       [&](const RankedCause& other) { return same(other, m); }))
         members.push_back(m);
     cause.members = std::move(members);
   }
+  merge_alike(verdict.causes);
 }
 
 void confirm_on_held_out(Verdict& verdict) {
@@ -27,8 +47,8 @@ void confirm_on_held_out(Verdict& verdict) {
       continue;
     }
     const RankedCause& first = cause.members.front();
-    verdict.ruled_out.push_back(
-        {first.name, first.place, "no gain on the held-out logs", cause.statistic, cause.p_family});
+    verdict.ruled_out.push_back({first.name, first.place, "no sure gain on the held-out logs",
+                                 cause.statistic, cause.p_family});
   }
   verdict.causes = std::move(kept);
 }

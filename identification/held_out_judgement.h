@@ -9,11 +9,12 @@
 
 namespace sinew::diagnosis {
 
-/// Members of one name and place count once in their set.
+/// Members of one name and place count once in their set, and causes that the same name and place
+/// stand for best are one: the first of them, with the parameters of all.
 void merge_members(Verdict& verdict);
 
-/// Moves every cause that gains nothing on the held-out logs to what is ruled out. The other
-/// causes keep the parameters that they were fitted with beside it.
+/// Moves every cause whose gain on the held-out logs may be none (the 95 % interval of its blocks)
+/// to what is ruled out. The other causes keep the parameters that they were fitted with beside it.
 void confirm_on_held_out(Verdict& verdict);
 
 /// Adopted where there is a term, a held-out log, and a gain there whose interval lies above zero.

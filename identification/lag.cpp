@@ -27,6 +27,7 @@ std::optional<LagBehind> lag_behind_delay(const Design& design, const Selection&
   const Term& delay = state.model.terms[term];
   const std::vector<Candidate>& library = design.problem().library;
   if (delay.candidate->kind != CandidateKind::delay || delay.candidate->channels.empty()) return {};
+  if (delay.nonlinear(0) <= 0.0) return {};  // of the effort, not of the position
   const auto lag = lag_at(library, *delay.candidate);
   if (lag == library.end()) return {};
   Candidate bend;

@@ -2,6 +2,7 @@
 #include "identification/level_terms.h"
 
 #include <algorithm>
+#include <optional>
 #include <stdexcept>
 
 namespace sinew::diagnosis {
@@ -96,7 +97,22 @@ ColumnFunction level_columns(const Problem& problem, const LevelCause& level,
   };
 }
 
-Term level_term(const Design& design, const Model& model, int index,
+/// What a delay of what the nominal model says adds to it, per second: its time derivative.
+BandColumns delay_columns(const Design& design, const std::vector<int>& channels,
+                          const FixedPart& nominal) {
+  BandColumns columns(design.segments().size());
+  for (std::size_t s = 0; s < columns.size(); ++s) {
+    const int channel = design.segments()[s].channel;
+    if (std::find(channels.begin(), channels.end(), channel) == channels.end()) continue;
+    columns[s] = MatrixXd::Zero(2 * design.segments()[s].bins, 1);
+    if (const std::optional<VectorXd> known = design.known(static_cast<int>(s), 1))
+      columns[s] += *known;
+    if (!nominal.rate.empty()) columns[s] += nominal.rate[s];
+  }
+  return columns;
+}
+
+Term level_term(const Design& design, const Model& model, const FixedPart& nominal, int index,
                 std::vector<std::shared_ptr<const Candidate>>& made) {
   const Problem& problem = design.problem();
   const LevelCause& level = problem.levels[static_cast<std::size_t>(index)];
@@ -116,7 +132,8 @@ Term level_term(const Design& design, const Model& model, int index,
   Term term;
   term.candidate = c.get();
   term.level = index;
-  term.columns = design.columns(*c, VectorXd());
+  term.columns = level.delayed ? delay_columns(design, *level.delayed, nominal)
+                               : design.columns(*c, VectorXd());
   made.push_back(std::move(c));
   return term;
 }
@@ -168,7 +185,7 @@ LevelTerms take_apart(const Design& design, const Model& model) {
     parts.base.terms.push_back(free_part(design, term, mine, parts.made));
   }
   for (int i = 0; i < static_cast<int>(problem.levels.size()); ++i)
-    parts.levels.push_back(level_term(design, model, i, parts.made));
+    parts.levels.push_back(level_term(design, model, parts.base.fixed, i, parts.made));
   return parts;
 }
 

@@ -6,6 +6,7 @@
 
 #include "identification/level_terms.h"
 #include "identification/refine.h"
+#include "identification/shadow.h"
 
 namespace sinew::diagnosis {
 namespace {
@@ -251,7 +252,7 @@ struct Judged {
 
 Judged judge_level(const Design& design, const Settings& settings, const LevelTerms& parts,
                    const Moments& m, const Search& search, const Weights& weights, const Set& set,
-                   int level, double nominal_loss) {
+                   int level, const VectorXd& nominal_loss) {
   Judged j;
   const Set others = without(set, level);
   j.evidence.statistic = drop(m, set) - std::max(0.0, drop(m, others));
@@ -262,8 +263,11 @@ Judged judge_level(const Design& design, const Settings& settings, const LevelTe
   const BlockLosses a = cross_validate(design, after, weights, settings.blocks);
   const BlockLosses b = cross_validate(design, before, weights, settings.blocks);
   j.evidence.validated = b.whitened.sum() - a.whitened.sum();
-  j.evidence.gain = block_bootstrap_gain(b.plain, a.plain, 0.95, settings.seed);
-  j.evidence.of_baseline = (b.plain.sum() - a.plain.sum()) / nominal_loss;
+  const std::vector<bool> channels =
+      channels_of(design, parts.levels[static_cast<std::size_t>(level)]);
+  const VectorXd losses_before = b.over(channels), losses_after = a.over(channels);
+  j.evidence.gain = block_bootstrap_gain(losses_before, losses_after, 0.95, settings.seed);
+  j.evidence.of_baseline = (losses_before - losses_after).sum() / sum_over(nominal_loss, channels);
   if (j.evidence.p_family > settings.significance)
     j.against = "too little to be told from noise";
   else if (j.evidence.validated <= 0.0 || j.evidence.of_baseline < settings.least_of_baseline ||
@@ -323,8 +327,10 @@ LevelSelection restrict_to_levels(const Design& design, const Settings& settings
   const std::vector<Term> shapes = shape_changes(design, selection.model, weights);
   const Moments m = moments(design, parts, shapes, state.noise);
   const Search search(m, parameter_price(design), settings.most_levels);
-  const double nominal_loss =
-      cross_validate(design, parts.base, weights, settings.blocks).plain.sum();
+  const VectorXd nominal_loss = cross_validate(design, parts.base, weights, settings.blocks)
+                                    .plain.colwise()
+                                    .sum()
+                                    .transpose();
   std::vector<bool> banned(parts.levels.size(), false);
   for (std::size_t l = 0; l < banned.size(); ++l) {
     const Index own = m.first[l];
@@ -355,7 +361,14 @@ LevelSelection restrict_to_levels(const Design& design, const Settings& settings
       refusal = {-1 - level, j.against};
       settled = false;
     }
-    if (settled) break;
+    if (settled) {
+      const Model model = model_of(design, weights, parts, search, set);
+      const auto shadow = find_shadow(design, settings, weights, model);
+      if (!shadow) break;
+      settled = false;
+      refusal = {-1 - model.terms[*shadow].level,
+                 "no more than what the form of a named cause leaves over"};
+    }
     banned[static_cast<std::size_t>(-1 - refusal.candidate)] = true;
     result.refused.push_back(refusal);
   }

@@ -33,6 +33,13 @@ std::vector<Index> first_columns(const Model& model) {
   return first;
 }
 
+Weights even_weights(const Design& design) {
+  Weights even;
+  for (const Segment& s : design.segments())
+    even.push_back(s.holdout ? VectorXd() : VectorXd(VectorXd::Ones(2 * s.bins)));
+  return even;
+}
+
 Stack stack(const Model& model, const Weights& weights) {
   Stack result;
   const std::vector<Index> first = first_columns(model);

@@ -36,6 +36,8 @@ struct Model {
 /// Per segment: what each band row is multiplied with, 1 / the noise's (damped) standard deviation
 /// there. Empty for held-out logs.
 using Weights = std::vector<Eigen::VectorXd>;
+/// 1 everywhere in the training logs.
+Weights even_weights(const Design& design);
 
 /// Whitened band rows stacked over segments. Most terms act on few segments, so each segment keeps
 /// only the columns that act there.

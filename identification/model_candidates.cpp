@@ -113,9 +113,15 @@ Candidate sensor_error(const EffectPlace& place, const EffortModel& effort,
 Candidate delay_candidate(const EffectPlace& place) {
   Candidate c = at(place, "delay", {"delay", "s", 0.0, 1e300, false, {}});
   c.kind = CandidateKind::delay;
-  c.nonlinear = {{"delay", "s", 0.0, 0.02, 1, false}};
-  c.limit_meaning = "the force would follow the motion";
+  c.nonlinear = {{"delay", "s", -0.02, 0.02, 1, false}};
+  c.limit_meaning = "it would be longer than any bus or filter makes it";
   c.isolating_experiment = "steps of the command at several speeds, logged at the highest rate";
+  return c;
+}
+
+Candidate common_delay_candidate() {
+  Candidate c = delay_candidate({0, "all joints", true});
+  c.channels.clear();
   return c;
 }
 

@@ -8,8 +8,11 @@
 
 namespace sinew::diagnosis {
 
-/// The logged effort acts later than logged.
+/// The logged effort acts later than logged; or, negative, was measured later than the motion.
 Candidate delay_candidate(const EffectPlace& place);
+
+/// One delay of all efforts against all positions, as of a bus or a log that joins two clocks.
+Candidate common_delay_candidate();
 
 /// The effort is larger or smaller than logged, by a constant share. Uses signal "effort".
 Candidate torque_constant_candidate(const EffectPlace& place);

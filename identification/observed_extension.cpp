@@ -14,7 +14,7 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr int rounds = 4;  // Gauss-Newton steps from the linear estimate
+constexpr int kRounds = 4;  // Gauss-Newton steps from the linear estimate
 
 /// The entry of an effect at a place, made where there is none.
 IdentifiedEffect& entry_of(Identified& identified, const ObservationEffect& effect) {
@@ -156,7 +156,7 @@ Identified extended_observation(const ObservedSubject& subject, const Design& de
   }
   if (l.free.empty()) return result;
   Linearised linearised(subject, design);
-  for (int i = 0; i < rounds; ++i) {
+  for (int i = 0; i < kRounds; ++i) {
     linearised.at(l.deviation, l.shape, l.free);
     const VectorXd change = linearised.columns.colPivHouseholderQr().solve(linearised.residual);
     if (!change.allFinite()) break;

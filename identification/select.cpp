@@ -2,10 +2,11 @@
 #include "identification/select.h"
 
 #include <algorithm>
-#include <cmath>
-#include <functional>
+#include <optional>
 
+#include "identification/baseline.h"
 #include "identification/refine.h"
+#include "identification/shadow.h"
 
 namespace sinew::diagnosis {
 namespace {
@@ -187,35 +188,6 @@ void merge_causes(const Search& s) {
     }
 }
 
-/// Plain loss on left-out blocks without some terms, all other parameters as they are.
-double loss_without(const Search& s, std::vector<std::size_t> terms) {
-  Model model = s.state.model;
-  std::sort(terms.begin(), terms.end(), std::greater<>());
-  for (const std::size_t t : terms) remove_term(s.design, t, model);
-  return cross_validate(s.design, model, s.state.noise.weights, s.settings.blocks).plain.sum();
-}
-
-/// No term has exactly the form of what it names, and what another form leaves over invites others:
-/// a cause that is small beside a large one, and large where that one is missing, is its shadow.
-/// Returns the term to take out, or -1.
-int find_shadow(const Search& s) {
-  constexpr double kSmall = 0.15;   // of the large one's worth
-  constexpr double kInvited = 3.0;  // times its own worth, without the large one
-  const std::vector<Term>& terms = s.state.model.terms;
-  const double all = loss_without(s, {});
-  std::vector<double> worth(terms.size(), 0.0);
-  for (std::size_t t = 0; t < terms.size(); ++t)
-    if (!terms[t].baseline) worth[t] = loss_without(s, {t}) - all;
-  for (std::size_t t = 0; t < terms.size(); ++t)
-    for (std::size_t u = 0; u < terms.size(); ++u) {
-      if (t == u || terms[t].baseline || terms[u].baseline) continue;
-      if (worth[t] >= kSmall * worth[u]) continue;
-      const double alone = loss_without(s, {t, u}) - loss_without(s, {u});
-      if (alone > kInvited * worth[t]) return static_cast<int>(t);
-    }
-  return -1;
-}
-
 double least_share(const Search& s, std::size_t term) {
   return std::max(s.settings.least_share, s.state.model.terms[term].candidate->least_share);
 }
@@ -240,8 +212,9 @@ void prune(const Search& s) {
     refine(s.design, state.noise.weights, RefineScope::all_terms, state.model);
     t = static_cast<std::size_t>(-1);
   }
-  for (int shadow = find_shadow(s); shadow >= 0; shadow = find_shadow(s)) {
-    const auto t = static_cast<std::size_t>(shadow);
+  while (const std::optional<std::size_t> shadow =
+             find_shadow(s.design, s.settings, state.noise.weights, state.model)) {
+    const std::size_t t = *shadow;
     state.refused.push_back({library_index(s.design, state.model.terms[t]),
                              "no more than what the form of a named cause leaves over"});
     remove_term(s.design, t, state.model);
@@ -255,26 +228,6 @@ std::vector<int> causes_of(const Design& design, const Model& model) {
     if (!term.baseline) list.push_back(library_index(design, term));
   std::sort(list.begin(), list.end());
   return list;
-}
-
-/// Best starting value of every nonlinear baseline parameter, term by term, unweighted.
-void choose_starts(const Design& design, Model& model) {
-  Weights even;
-  for (const Segment& s : design.segments())
-    even.push_back(s.holdout ? VectorXd() : VectorXd(VectorXd::Ones(2 * s.bins)));
-  for (std::size_t t = 0; t < model.terms.size(); ++t) {
-    if (model.terms[t].nonlinear.size() == 0) continue;
-    Term best = model.terms[t];
-    double least = deviance(model, even);
-    for (const VectorXd& value : starting_values(*best.candidate)) {
-      model.terms[t] = make_term(design, *best.candidate, value, true);
-      const double loss = deviance(model, even);
-      if (loss >= least) continue;
-      least = loss;
-      best = model.terms[t];
-    }
-    model.terms[t] = best;
-  }
 }
 
 }  // namespace
@@ -292,51 +245,13 @@ Evidence judge(const Design& design, const Settings& settings, const Selection& 
   const BlockLosses before = cross_validate(design, without, weights, settings.blocks);
   const BlockLosses after = cross_validate(design, state.model, weights, settings.blocks);
   evidence.validated = before.whitened.sum() - after.whitened.sum();
-  evidence.gain = block_bootstrap_gain(before.plain, after.plain, 0.95, settings.seed);
-  evidence.of_baseline = (before.plain.sum() - after.plain.sum()) / state.baseline_loss;
+  const std::vector<bool> channels = channels_of(design, state.model.terms[term]);
+  const VectorXd losses_before = before.over(channels), losses_after = after.over(channels);
+  evidence.gain = block_bootstrap_gain(losses_before, losses_after, 0.95, settings.seed);
+  evidence.of_baseline =
+      (losses_before - losses_after).sum() / sum_over(state.baseline_loss, channels);
   return evidence;
 }
-
-Model baseline_model(const Design& design) {
-  Model model;
-  model.advance.assign(design.segments().size(), 0.0);
-  for (std::size_t s = 0; s < design.segments().size(); ++s)
-    model.target.push_back(design.target(static_cast<int>(s)));
-  for (const Candidate& candidate : design.problem().baseline) {
-    const std::vector<VectorXd> values = starting_values(candidate);
-    model.terms.push_back(make_term(design, candidate, values[values.size() / 2], true));
-  }
-  choose_starts(design, model);
-  return model;
-}
-
-namespace {
-
-/// A nuisance with a physical limit and a shape of its own, as how friction turns at a reversal.
-bool is_limited_nuisance(const Term& term) {
-  const auto limited = [](const LinearParameter& p) {
-    return std::isfinite(p.low) || std::isfinite(p.high);
-  };
-  const auto& linear = term.candidate->linear;
-  return term.baseline && term.nonlinear.size() > 0 &&
-         std::any_of(linear.begin(), linear.end(), limited);
-}
-
-/// Takes out the nuisances that the training logs do not show: what is fitted to next to nothing
-/// there may be anything in a held-out log.
-void drop_unseen_nuisances(const Search& s) {
-  constexpr double kSeen = 12.0;  // drop of the whitened deviance, two parameters
-  Model& model = s.state.model;
-  for (std::size_t t = model.terms.size(); t-- > 0;) {
-    if (!is_limited_nuisance(model.terms[t])) continue;
-    Model without = model;
-    remove_term(s.design, t, without);
-    const Weights& weights = s.state.noise.weights;
-    if (deviance(without, weights) - deviance(model, weights) < kSeen) model = std::move(without);
-  }
-}
-
-}  // namespace
 
 Selection select_causes(const Design& design, const Library& library, const Settings& settings) {
   Selection state;
@@ -346,9 +261,11 @@ Selection select_causes(const Design& design, const Library& library, const Sett
   renew_noise(search);
   refine(design, state.noise.weights, RefineScope::all_terms, state.model);
   renew_noise(search);
-  drop_unseen_nuisances(search);
-  state.baseline_loss =
-      cross_validate(design, state.model, state.noise.weights, settings.blocks).plain.sum();
+  settle_nuisances(design, state.noise.weights, state.model);
+  state.baseline_loss = cross_validate(design, state.model, state.noise.weights, settings.blocks)
+                            .plain.colwise()
+                            .sum()
+                            .transpose();
   std::vector<std::vector<int>> visited{{}};
   while (static_cast<int>(causes_of(design, state.model).size()) < settings.most_causes) {
     const Model before = state.model;

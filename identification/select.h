@@ -18,7 +18,7 @@ struct Evidence {
   double freedom = 1.0;      ///< its null's mean statistic
   double validated = 0.0;    ///< drop of the whitened block-cross-validated loss
   double of_baseline = 0.0;  ///< drop of the plain loss as a share of the baseline's
-  Gain gain;                 ///< of the plain cross-validated loss
+  Gain gain;                 ///< of the plain cross-validated loss, both in the term's channels
 };
 
 /// Why a candidate is not in the model.
@@ -37,13 +37,10 @@ struct Selection {
   std::vector<Refusal> refused;
   std::vector<Evidence> evidence;  ///< per term of the model; baseline terms' stay empty
   std::vector<double> p_family;    ///< per candidate, at the step that took it
-  double baseline_loss = 1.0;      ///< plain cross-validated loss of the baseline
+  Eigen::VectorXd baseline_loss;   ///< plain cross-validated loss of the baseline, per channel
   std::vector<Term> levels;        ///< restrict_to_levels(): every level of the problem
   std::vector<std::shared_ptr<const Candidate>> made;  ///< what those terms point to
 };
-
-/// Model of the baseline alone, at the middle of its nonlinear parameters' ranges.
-Model baseline_model(const Design& design);
 
 /// Evidence for one term of the model.
 Evidence judge(const Design& design, const Settings& settings, const Selection& state,

@@ -34,11 +34,15 @@ Index way_out(const VectorXd& speed, Index at, Index direction, Index longest, d
 /// a log shows their sum over that time and not their course.
 Flags reversing(const VectorXd& velocity, double step, double cutoff) {
   const auto reach = static_cast<Index>(std::ceil(kReversal / (cutoff * step)));
+  const VectorXd speed = velocity.cwiseAbs();
+  const double fast = kUnderWay * speed.maxCoeff();
+  const auto longest = static_cast<Index>(kLongestWay / step);
   Flags near = Flags::Constant(velocity.size(), false);
   for (Index k = 1; k < velocity.size(); ++k) {
     if ((velocity(k) > 0.0) == (velocity(k - 1) > 0.0)) continue;
-    const Index from = std::max<Index>(0, k - reach);
-    near.segment(from, std::min(velocity.size(), k + reach) - from) = true;
+    const Index from = std::max<Index>(0, k - reach - way_out(speed, k - 1, -1, longest, fast));
+    const Index to = std::min(speed.size(), k + reach + way_out(speed, k, 1, longest, fast));
+    near.segment(from, to - from) = true;
   }
   return near;
 }

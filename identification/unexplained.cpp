@@ -39,7 +39,7 @@ double plain_loss(const Design& design, const Settings& settings, const Model& m
 Flexible best_flexible(const Design& design, const Settings& settings, const Model& model,
                        const NoiseView& noise, const Screening& screening) {
   Flexible best;
-  const VectorXd before = cross_validate(design, model, noise.weights, settings.blocks).plain;
+  const BlockLosses before = cross_validate(design, model, noise.weights, settings.blocks);
   for (const Screened& s : screening.candidates) {
     const Candidate& c = design.problem().library[static_cast<std::size_t>(s.candidate)];
     if (c.kind != CandidateKind::flexible || s.gate != Gate::open) continue;
@@ -48,11 +48,12 @@ Flexible best_flexible(const Design& design, const Settings& settings, const Mod
     Flexible trial{s.candidate, p, model, {}, 0.0};
     append_term(design, noise.weights, c, s.nonlinear, trial.model);
     refine(design, noise.weights, RefineScope::last_term, trial.model);
-    const VectorXd after =
-        cross_validate(design, trial.model, noise.weights, settings.blocks).plain;
-    trial.gain = block_bootstrap_gain(before, after, 0.95, settings.seed);
-    trial.loss = after.sum();
-    if (trial.gain.share < kWorthSaying) continue;
+    const BlockLosses after = cross_validate(design, trial.model, noise.weights, settings.blocks);
+    const std::vector<bool> channels = channels_of(design, trial.model.terms.back());
+    trial.gain =
+        block_bootstrap_gain(before.over(channels), after.over(channels), 0.95, settings.seed);
+    trial.loss = after.plain.sum();
+    if (trial.gain.share < kWorthSaying || trial.gain.low <= 0.0) continue;
     if (best.candidate < 0 || trial.loss < best.loss) best = std::move(trial);
   }
   return best;
@@ -97,7 +98,7 @@ double loss_without_names(const Design& design, const Settings& settings,
                           const Selection& selection) {
   if (std::none_of(selection.model.terms.begin(), selection.model.terms.end(),
                    [](const Term& t) { return !t.baseline && t.candidate->aside; }))
-    return selection.baseline_loss;
+    return selection.baseline_loss.sum();
   Model model = selection.model;
   for (std::size_t t = model.terms.size(); t-- > 0;)
     if (is_name(model.terms[t])) remove_term(design, t, model);

@@ -30,6 +30,7 @@ struct RankedCause {
 struct NamedCause {
   std::vector<RankedCause> members;
   int candidate = 0;        ///< of the term that the model takes: one of the members
+  std::vector<int> also;    ///< of more terms that the same name stands for best
   double confidence = 0.0;  ///< that the truth is among the members: confidence.h
   double statistic = 0.0;   ///< drop of the whitened deviance
   double p_family = 1.0;    ///< against surrogates, over the whole library

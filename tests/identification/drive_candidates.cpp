@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "identification/baseline.h"
 #include "identification/flexible_families.h"
 #include "identification/refine.h"
 #include "identification/select.h"

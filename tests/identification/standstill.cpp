@@ -50,7 +50,7 @@ TEST_CASE("standstill is the rest between strokes with the ways into and out of 
   }
 }
 
-TEST_CASE("a reversal is standstill for as long as the smoother spreads it, slow motion is none") {
+TEST_CASE("a reversal is standstill until the joint is under way, slow motion is none") {
   VectorXd v(8000);
   const auto swing = [&](double hertz) {
     for (Index k = 0; k < v.size(); ++k)
@@ -63,7 +63,8 @@ TEST_CASE("a reversal is standstill for as long as the smoother spreads it, slow
     const double turn = static_cast<double>(i) + 0.5;
     CHECK(found[i].from < turn);
     CHECK(found[i].to > turn);
-    CHECK(found[i].to - found[i].from < 0.015);
+    // 6 ms to each side for the smoother, and 3.2 ms below a hundredth of the speed.
+    CHECK(found[i].to - found[i].from == Approx(0.0184).margin(2.5 * kStep));
   }
   // Nothing would be left between the reversals of a vibration.
   CHECK(swing(50.0).empty());
@@ -72,6 +73,22 @@ TEST_CASE("a reversal is standstill for as long as the smoother spreads it, slow
     v(k) = (k / 500 % 2 == 0 ? 1.0 : -1.0) * (k < 4000 ? 0.01 : 1.0);
   CHECK(find_standstills(times(v), {v}, kCutoff).size() == 15);
   CHECK(motion_window({}, times(v)).isOnes(0.0));
+}
+
+TEST_CASE("where a joint lingers behind its reversals it is not under way") {
+  const auto linger = [](double speed) {
+    VectorXd v(4000);
+    for (Index k = 0; k < v.size(); ++k) {
+      const double side = k / 1000 % 2 == 0 ? 1.0 : -1.0;
+      v(k) = side * (k % 1000 < 30 ? speed : 1.0);
+    }
+    return find_standstills(times(v), {v}, kCutoff);
+  };
+  const auto found = linger(0.005);
+  REQUIRE(found.size() == 3);
+  for (const Standstill& each : found) CHECK(each.to - each.from > 0.06);
+  // Planted: as fast as a slow stroke. Then a reversal is over as soon as the smoother says.
+  for (const Standstill& each : linger(0.02)) CHECK(each.to - each.from < 0.015);
 }
 
 TEST_CASE("a log of next to nothing but rest is left as it is") {

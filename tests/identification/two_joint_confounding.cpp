@@ -4,6 +4,7 @@
 #include <cmath>
 #include <random>
 
+#include "identification/baseline.h"
 #include "identification/explain.h"
 
 namespace {

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// No term has exactly the form of what it names, and what another form leaves over invites others:
+// a cause that is small beside a large one, and large where that one is missing, is its shadow.
+#pragma once
+
+#include <optional>
+
+#include "identification/cross_validation.h"
+
+namespace sinew::diagnosis {
+
+/// A term that is the shadow of a cause of the library. Where the model has levels, only those are
+/// asked about.
+std::optional<std::size_t> find_shadow(const Design& design, const Settings& settings,
+                                       const Weights& weights, const Model& model);
+
+}  // namespace sinew::diagnosis
