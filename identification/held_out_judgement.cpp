@@ -37,6 +37,13 @@ void merge_members(Verdict& verdict) {
     cause.members = std::move(members);
   }
   merge_alike(verdict.causes);
+  std::erase_if(verdict.ruled_out, [&](const RuledOut& out) {
+    return std::any_of(verdict.causes.begin(), verdict.causes.end(), [&](const NamedCause& cause) {
+      return std::any_of(cause.members.begin(), cause.members.end(), [&](const RankedCause& m) {
+        return m.name == out.name && m.place == out.place;
+      });
+    });
+  });
 }
 
 void confirm_on_held_out(Verdict& verdict) {

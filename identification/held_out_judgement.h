@@ -11,6 +11,7 @@ namespace sinew::diagnosis {
 
 /// Members of one name and place count once in their set, and causes that the same name and place
 /// stand for best are one: the first of them, with the parameters of all.
+/// What is named in another form is not ruled out.
 void merge_members(Verdict& verdict);
 
 /// Moves every cause whose gain on the held-out logs may be none (the 95 % interval of its blocks)

@@ -30,7 +30,8 @@ struct IdentifiedEffect {
 };
 
 /// Contents of identified.toml. Besides the effects of the catalogue there are
-///   delay      (coefficient delay [s]): the effort acts that much later than it is logged;
+///   delay      (coefficient delay [s]): the effort acts that much later than it is logged (negative:
+///              it was measured later);
 ///   direction  (shape presliding_length): the direction of friction is a bristle state, not a
 ///              function of the velocity;
 ///   torque_constant (coefficient gain_change [1]): the effort is that share larger than logged;
