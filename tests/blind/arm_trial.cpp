@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <numbers>
@@ -25,10 +26,15 @@ struct Motion {
   MatrixXd q, qd, qdd;  // samples x joints
 };
 
-Mechanism draw_arm(RandomNumbers& random) {
+/// The axes of an arm of five or six joints: shoulder and elbow upright, a wrist that rolls and
+/// pitches.
+const std::array<Eigen::Vector3d, 6> kLongAxes = {
+    {{0, 0, 1}, {0, -1, 0}, {0, -1, 0}, {1, 0, 0}, {0, -1, 0}, {1, 0, 0}}};
+
+Mechanism draw_arm(RandomNumbers& random, bool is_long) {
   Mechanism arm;
   arm.name = "arm";
-  const int joints = 2 + random.index(2);
+  const int joints = is_long ? 5 + random.index(2) : 2 + random.index(2);
   const bool upright = joints == 3 || random.chance(0.5);
   double length = 0.0, mass = random.uniform(1.5, 4.0);
   for (int i = 0; i < joints; ++i) {
@@ -36,6 +42,7 @@ Mechanism draw_arm(RandomNumbers& random) {
     joint.name = fmt::format("j{}", i + 1);
     joint.parent = i - 1;
     joint.axis = upright && i > 0 ? Eigen::Vector3d(0, -1, 0) : Eigen::Vector3d(0, 0, 1);
+    if (is_long) joint.axis = kLongAxes[static_cast<std::size_t>(i)];
     joint.origin.translation = Eigen::Vector3d(length, 0, i == 0 ? 0.3 : 0.0);
     joint.max_velocity = 20.0;
     length = random.uniform(0.2, 0.4);
@@ -44,6 +51,7 @@ Mechanism draw_arm(RandomNumbers& random) {
     body.name = fmt::format("l{}", i + 1);
     body.mass = mass;
     body.centre_of_mass = Eigen::Vector3d(random.uniform(0.3, 0.6) * length, 0, 0);
+    if (is_long) body.centre_of_mass.z() = random.uniform(0.05, 0.2) * length;
     const double across = mass * (length * length + thick * thick) / 12.0;
     body.inertia = Eigen::Vector3d(mass * thick * thick / 6.0, across, across).asDiagonal();
     joint.damping = random.uniform(0.05, 0.2) * mass;
@@ -147,6 +155,7 @@ struct Hidden {
   std::string cause;  // empty: nothing
   Index joint = 0;
   double size = 0.0, value = 0.0;  // value: 0 until the training log has set it
+  Index late = 0;                  // samples that all torques are measured late
 };
 
 struct Sensors {
@@ -181,11 +190,15 @@ MatrixXd measured(const Mechanism& arm, const Motion& m, const Sensors& sensors,
     body.centre_of_mass = centre;
     tau += torques(loaded, m) - links;
     hidden.value = more;
-  } else if (!hidden.cause.empty()) {
+  } else if (!hidden.cause.empty() && hidden.late == 0) {
     const VectorXd more = added(hidden.cause, m, at, side.col(at), links.col(at), tau.col(at));
     const double unit = hidden.cause == "offset" ? 1.0 : rms(more);
     if (hidden.value == 0.0) hidden.value = hidden.size * noise(at) / unit;
     tau.col(at) += hidden.value * more;
+  }
+  if (hidden.late > 0) {
+    const Index rest = tau.rows() - hidden.late;
+    tau.bottomRows(rest) = MatrixXd(tau.topRows(rest));
   }
   for (Index j = 0; j < tau.cols(); ++j) {
     double coloured = 0.0;
@@ -218,7 +231,8 @@ std::string csv(const Mechanism& arm, const Motion& m, const MatrixXd& tau, doub
 RobotTrial arm_trial(const truth::TrialRequest& request) {
   RandomNumbers random(request.seed);
   RobotTrial trial;
-  trial.nominal = draw_arm(random);
+  const bool is_long = request.plant == "long_arm";
+  trial.nominal = draw_arm(random, is_long);
   const auto joints = static_cast<Index>(trial.nominal.joints.size());
   const bool strokes = random.chance(0.5), held = random.chance(0.3);
   const double turning_speed = held ? 0.0 : std::pow(10.0, random.uniform(-3.0, -1.7));
@@ -229,6 +243,11 @@ RobotTrial arm_trial(const truth::TrialRequest& request) {
   hidden.joint = random.index(static_cast<int>(joints));
   hidden.size = request.size;
   if (request.family == truth::Family::one) hidden.cause = drawn;
+  if (is_long && !hidden.cause.empty() && random.chance(0.15)) {
+    hidden.cause = "delay";
+    hidden.late = 1;
+    hidden.value = -kStep * static_cast<double>(hidden.late);
+  }
   for (std::string* log : {&trial.train, &trial.holdout}) {
     const Motion motion = draw_motion(random, joints, strokes);
     const MatrixXd tau = measured(trial.nominal, motion, sensors, hidden, random);
@@ -237,6 +256,7 @@ RobotTrial arm_trial(const truth::TrialRequest& request) {
   trial.seal.family = request.family;
   if (hidden.cause.empty()) return trial;
   const std::string place = hidden.cause == "payload" ? "link " + trial.nominal.bodies.back().name
+                            : hidden.late > 0         ? "all joints"
                                                       : fmt::format("joint j{}", hidden.joint + 1);
   trial.seal.hidden = {{hidden.cause, place, "", hidden.value, hidden.size}};
   return trial;

@@ -8,6 +8,8 @@
 
 namespace sinew::blind {
 
+/// request.plant: "arm" of two or three joints, or "long_arm" of five or six, its last link a
+/// hundredth to a sixth of the first; all of a long arm's torques may be measured late.
 /// request.family: nothing or one; request.size: rms of what is hidden over that of the noise.
 RobotTrial arm_trial(const truth::TrialRequest& request);
 

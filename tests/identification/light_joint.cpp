@@ -5,26 +5,19 @@
 #include <random>
 
 #include "identification/explain.h"
+#include "tests/identification/two_joints.h"
 
 namespace {
 
 using namespace sinew::diagnosis;
-using Eigen::ArrayXd;
-using Eigen::Index;
+namespace test = sinew::test;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kStep = 5e-3;
-constexpr Index kSamples = 6000;
 constexpr double kHeavy = 200.0, kLight = 1.0;  // N·m of both joints' weight per rad
 
 double weight_of(int joint) {
   return joint == 0 ? kHeavy : kLight;
-}
-
-double angle(int joint, double t) {
-  return joint == 0 ? 1.1 * std::sin(0.9 * t) + 0.4 * std::sin(2.3 * t)
-                    : 0.8 * std::sin(1.3 * t + 1.0) + 0.5 * std::sin(3.1 * t);
 }
 
 /// What acts on one joint, or on both.
@@ -47,28 +40,18 @@ MatrixXd tripled(const Recording& log, int channel, const VectorXd&) {
 }
 
 /// Two joints with their weight and damping. The noise is 1 % of each joint's own effort.
-/// hidden: of the light joint's effort; delay: of both efforts, as late as a bus makes them.
+/// hidden: of the light joint's effort; delay: both efforts act that much later, to first order.
 Problem arm(double hidden, double delay, unsigned seed) {
   std::mt19937_64 random(seed);
   std::normal_distribution<double> gauss;
-  Recording log;
-  log.name = "arm";
-  log.step = kStep;
-  log.time = ArrayXd::LinSpaced(kSamples, 0.0, kStep * static_cast<double>(kSamples - 1));
-  log.q.resize(kSamples, 2);
-  log.qd.resize(kSamples, 2);
+  Recording log = test::two_joint_motion();
   Problem problem;
   problem.channels = 2;
   for (int c = 0; c < 2; ++c) {
-    VectorXd said(kSamples), measured(kSamples);
-    for (Index k = 0; k < kSamples; ++k) {
-      const double t = log.time(k);
-      log.q(k, c) = angle(c, t);
-      log.qd(k, c) = (angle(c, t + 1e-5) - angle(c, t - 1e-5)) / 2e-5;
-      said(k) = weight_of(c) * angle(c, t);
-      measured(k) = weight_of(c) * (angle(c, t + delay) + 0.01 * gauss(random));
-      if (c == 1) measured(k) += hidden * std::sin(3.0 * log.q(k, c));
-    }
+    const VectorXd said = weight_of(c) * log.q.col(c);
+    VectorXd measured = said + weight_of(c) * delay * log.qd.col(c);
+    for (double& effort : measured) effort += 0.01 * weight_of(c) * gauss(random);
+    if (c == 1) measured.array() += hidden * (3.0 * log.q.col(c).array()).sin();
     log.target.push_back(measured);
     log.known.push_back(said);
     problem.baseline.push_back(group("viscous level", {c}, velocity));
@@ -92,18 +75,11 @@ Problem arm(double hidden, double delay, unsigned seed) {
   return problem;
 }
 
-Settings quick() {
-  Settings settings;
-  settings.band_hz = 20.0;
-  settings.surrogates = 100;
-  return settings;
-}
-
 }  // namespace
 
 TEST_CASE("a cause at a light joint is named beside a heavy one") {
   Problem problem = arm(0.01 * kLight, 0.0, 31);
-  const Explanation e = explain(problem, quick());
+  const Explanation e = explain(problem, test::below_20_hz());
   REQUIRE(e.verdict.causes.size() == 1);
   CHECK(e.verdict.causes[0].members[0].name == "ripple");
   CHECK(e.verdict.causes[0].members[0].place == "joint 1");
@@ -111,13 +87,13 @@ TEST_CASE("a cause at a light joint is named beside a heavy one") {
   CHECK(e.verdict.causes[0].cross_validated.share > 0.3);
   // Planted: all errors in N·m together. The heavy joint's noise leaves the light one no share.
   problem.shared_noise = true;
-  CHECK(explain(problem, quick()).verdict.causes.empty());
+  CHECK(explain(problem, test::below_20_hz()).verdict.causes.empty());
 }
 
 TEST_CASE("one delay of both joints is one cause, not a damping of each") {
   for (const double delay : {4e-3, -3e-3}) {
     Problem problem = arm(0.0, delay, 32);
-    const Explanation e = explain(problem, quick());
+    const Explanation e = explain(problem, test::below_20_hz());
     CAPTURE(delay);
     REQUIRE(e.verdict.causes.size() == 1);
     CHECK(e.verdict.causes[0].members[0].name == "delay");
@@ -126,10 +102,10 @@ TEST_CASE("one delay of both joints is one cause, not a damping of each") {
     CHECK(std::abs(found.value - delay) < 5.0 * found.standard_error);
     // Planted: without the delay among the levels.
     problem.levels.pop_back();
-    CHECK(explain(problem, quick()).verdict.causes.size() == 2);
+    CHECK(explain(problem, test::below_20_hz()).verdict.causes.size() == 2);
   }
 }
 
 TEST_CASE("an arm that hides nothing has no cause") {
-  CHECK(explain(arm(0.0, 0.0, 33), quick()).verdict.causes.empty());
+  CHECK(explain(arm(0.0, 0.0, 33), test::below_20_hz()).verdict.causes.empty());
 }

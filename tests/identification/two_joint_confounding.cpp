@@ -6,17 +6,14 @@
 
 #include "identification/baseline.h"
 #include "identification/explain.h"
+#include "tests/identification/two_joints.h"
 
 namespace {
 
 using namespace sinew::diagnosis;
-using Eigen::ArrayXd;
-using Eigen::Index;
+namespace test = sinew::test;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-
-constexpr double kStep = 5e-3;
-constexpr Index kSamples = 6000;
 
 Candidate group(const std::string& name, ColumnFunction columns) {
   Candidate c;
@@ -32,16 +29,8 @@ Candidate group(const std::string& name, ColumnFunction columns) {
 Problem arm(int channels, double payload, unsigned seed) {
   std::mt19937_64 random(seed);
   std::normal_distribution<double> gauss;
-  Recording log;
-  log.name = "arm";
-  log.step = kStep;
-  const ArrayXd t = ArrayXd::LinSpaced(kSamples, 0.0, kStep * static_cast<double>(kSamples - 1));
-  log.time = t;
-  log.q.resize(kSamples, 2);
-  log.q.col(0) = 1.1 * (0.9 * t).sin() + 0.4 * (2.3 * t).sin();
-  log.q.col(1) = 0.8 * (1.3 * t + 1.0).sin() + 0.5 * (3.1 * t).sin();
-  log.qd = MatrixXd::Zero(kSamples, 2);
-  log.command.resize(kSamples, 2);
+  Recording log = test::two_joint_motion();
+  log.command.resize(log.q.rows(), 2);
   log.command.col(0) = log.q.col(0).array().cos();
   log.command.col(1) = log.q.col(1).array().cos() + 0.8 * (log.q.col(1).array() * 3.0).sin();
   for (int c = 0; c < channels; ++c) {
@@ -77,17 +66,10 @@ Problem arm(int channels, double payload, unsigned seed) {
   return problem;
 }
 
-Settings quick() {
-  Settings settings;
-  settings.band_hz = 20.0;
-  settings.surrogates = 100;
-  return settings;
-}
-
 }  // namespace
 
 TEST_CASE("one joint cannot tell a payload from a torque gain, and says so") {
-  const Explanation e = explain(arm(1, 0.3, 4), quick());
+  const Explanation e = explain(arm(1, 0.3, 4), test::below_20_hz());
   REQUIRE(e.verdict.causes.size() == 1);
   CHECK(e.verdict.causes[0].members.size() == 2);
   CHECK_FALSE(e.verdict.causes[0].separating_experiment.empty());
@@ -95,7 +77,7 @@ TEST_CASE("one joint cannot tell a payload from a torque gain, and says so") {
 }
 
 TEST_CASE("a second joint separates them") {
-  const Explanation e = explain(arm(2, 0.3, 4), quick());
+  const Explanation e = explain(arm(2, 0.3, 4), test::below_20_hz());
   REQUIRE(e.verdict.causes.size() == 1);
   REQUIRE(e.verdict.causes[0].members.size() == 1);
   CHECK(e.verdict.causes[0].members[0].name == "payload");
@@ -107,7 +89,7 @@ TEST_CASE("a second joint separates them") {
 
 TEST_CASE("canonical correlation is one for stand-ins and small for strangers") {
   const Problem problem = arm(1, 0.3, 5);
-  const Settings settings = quick();
+  const Settings settings = test::below_20_hz();
   const Design design(problem, settings);
   const Model model = baseline_model(design);
   const Weights weights = own_noise(design, model, 1).weights;
@@ -120,7 +102,7 @@ TEST_CASE("canonical correlation is one for stand-ins and small for strangers") 
 
 TEST_CASE("the experiment that moves both joints is the one that separates") {
   const Problem one = arm(1, 0.3, 6), two = arm(2, 0.3, 6);
-  const Settings settings = quick();
+  const Settings settings = test::below_20_hz();
   const Design design(one, settings);
   const Term payload{&one.library[0], false, VectorXd(),
                      design.columns(one.library[0], VectorXd())};
