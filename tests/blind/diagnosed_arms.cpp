@@ -77,8 +77,8 @@ TEST_CASE("study: sealed long arms", "[.study]") {
 }
 
 TEST_CASE("causes hidden in arms of five and six joints are named from the logs alone") {
-  // Planted defect: with the errors of all joints added in N·m (Problem::shared_noise) what is hidden
-  // at the light joints of 102 and 105 is not told.
+  // Planted defect: with the errors of all joints added in N·m (Problem::shared_noise) what is
+  // hidden at the light joints of 102 and 105 is not told.
   const blind::Rates rates =
       blind::run(diagnose_arm, {102, "long_arm", truth::Family::one, 2.0}, 4,
                  [](std::uint64_t seed, const Outcome& o) {
