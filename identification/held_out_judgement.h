@@ -14,8 +14,8 @@ namespace sinew::diagnosis {
 /// What is named in another form is not ruled out.
 void merge_members(Verdict& verdict);
 
-/// Moves every cause whose gain on the held-out logs may be none (the 95 % interval of its blocks)
-/// to what is ruled out. The other causes keep the parameters that they were fitted with beside it.
+/// Moves every cause that gains nothing on the held-out logs to what is ruled out. The other
+/// causes keep the parameters that they were fitted with beside it.
 void confirm_on_held_out(Verdict& verdict);
 
 /// Adopted where there is a term, a held-out log, and a gain there whose interval lies above zero.

@@ -362,9 +362,8 @@ LevelSelection restrict_to_levels(const Design& design, const Settings& settings
       settled = false;
     }
     if (settled) {
-      if (set.empty()) break;  // find_shadow would ask about the causes
       const Model model = model_of(design, weights, parts, search, set);
-      const auto shadow = find_shadow(design, settings, weights, model);
+      const auto shadow = find_shadow(design, settings, weights, model, ShadowOf::levels);
       if (!shadow) break;
       settled = false;
       refusal = {-1 - model.terms[*shadow].level,

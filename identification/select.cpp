@@ -212,8 +212,8 @@ void prune(const Search& s) {
     refine(s.design, state.noise.weights, RefineScope::all_terms, state.model);
     t = static_cast<std::size_t>(-1);
   }
-  while (const std::optional<std::size_t> shadow =
-             find_shadow(s.design, s.settings, state.noise.weights, state.model)) {
+  while (const std::optional<std::size_t> shadow = find_shadow(
+             s.design, s.settings, state.noise.weights, state.model, ShadowOf::causes)) {
     const std::size_t t = *shadow;
     state.refused.push_back({library_index(s.design, state.model.terms[t]),
                              "no more than what the form of a named cause leaves over"});

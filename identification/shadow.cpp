@@ -9,7 +9,7 @@
 namespace sinew::diagnosis {
 
 std::optional<std::size_t> find_shadow(const Design& design, const Settings& settings,
-                                       const Weights& weights, const Model& model) {
+                                       const Weights& weights, const Model& model, ShadowOf asked) {
   constexpr double kSmall = 0.15;   // of the large one's worth
   constexpr double kInvited = 3.0;  // times its own worth, without the large one
   const auto loss_without = [&](std::vector<std::size_t> terms) {
@@ -19,10 +19,10 @@ std::optional<std::size_t> find_shadow(const Design& design, const Settings& set
     return cross_validate(design, rest, weights, settings.blocks).plain.sum();
   };
   const std::vector<Term>& terms = model.terms;
-  const bool levels =
-      std::any_of(terms.begin(), terms.end(), [](const Term& t) { return t.level >= 0; });
   const auto is_cause = [&](std::size_t t) { return !terms[t].baseline && terms[t].level < 0; };
-  const auto is_asked = [&](std::size_t t) { return levels ? terms[t].level >= 0 : is_cause(t); };
+  const auto is_asked = [&](std::size_t t) {
+    return asked == ShadowOf::levels ? terms[t].level >= 0 : is_cause(t);
+  };
   const double all = loss_without({});
   std::vector<double> worth(terms.size(), 0.0);
   for (std::size_t t = 0; t < terms.size(); ++t)

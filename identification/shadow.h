@@ -9,9 +9,11 @@
 
 namespace sinew::diagnosis {
 
-/// A term that is the shadow of a cause of the library. Where the model has levels, only those are
-/// asked about.
+/// Which terms are asked about.
+enum class ShadowOf { causes, levels };
+
+/// A cause or a level of the model that is the shadow of another cause of the library.
 std::optional<std::size_t> find_shadow(const Design& design, const Settings& settings,
-                                       const Weights& weights, const Model& model);
+                                       const Weights& weights, const Model& model, ShadowOf asked);
 
 }  // namespace sinew::diagnosis

@@ -4,7 +4,10 @@
 #include <cmath>
 #include <random>
 
+#include "identification/baseline.h"
 #include "identification/explain.h"
+#include "identification/refine.h"
+#include "identification/shadow.h"
 #include "tests/identification/two_joints.h"
 
 namespace {
@@ -108,4 +111,28 @@ TEST_CASE("one delay of both joints is one cause, not a damping of each") {
 
 TEST_CASE("an arm that hides nothing has no cause") {
   CHECK(explain(arm(0.0, 0.0, 33), test::below_20_hz()).verdict.causes.empty());
+}
+
+TEST_CASE("a small cause that only stands in for a large one is its shadow, and no level is") {
+  Problem problem = arm(0.03 * kLight, 0.0, 34);
+  // Nearly the same as what is hidden, and 1 % more to say beside it.
+  problem.library.push_back(
+      group("lookalike", {1}, [](const Recording& log, int channel, const VectorXd&) -> MatrixXd {
+        const auto q = log.q.col(channel).array();
+        return (3.0 * q).sin() + 0.3 * (11.0 * q).sin();
+      }));
+  const VectorXd extra = 0.0015 * (11.0 * problem.training[0].q.col(1).array()).sin();
+  problem.training[0].target[1] += extra;
+  const Settings settings = test::below_20_hz();
+  const Design design(problem, settings);
+  const Weights weights = even_weights(design);
+  Model model = baseline_model(design);
+  for (const int c : {1, 2})
+    append_term(design, weights, problem.library[static_cast<std::size_t>(c)], VectorXd(), model);
+  const auto shadow = find_shadow(design, settings, weights, model, ShadowOf::causes);
+  REQUIRE(shadow);
+  CHECK(model.terms[*shadow].candidate->name == "lookalike");
+  // Without a level in the model there is none to ask about; a cause in its place was written to
+  // where no level is.
+  CHECK_FALSE(find_shadow(design, settings, weights, model, ShadowOf::levels));
 }
