@@ -107,26 +107,11 @@ BlockLosses no_losses(const Design& design, int blocks) {
 
 }  // namespace
 
-VectorXd BlockLosses::over(const std::vector<bool>& channels) const {
-  VectorXd sum = VectorXd::Zero(plain.rows());
-  for (Index c = 0; c < plain.cols(); ++c)
-    if (channels[static_cast<std::size_t>(c)]) sum += plain.col(c);
-  return sum;
-}
-
-double sum_over(const VectorXd& values, const std::vector<bool>& channels) {
-  double sum = 0.0;
-  for (Index c = 0; c < values.size(); ++c)
-    if (channels[static_cast<std::size_t>(c)]) sum += values(c);
-  return sum;
-}
-
-std::vector<bool> channels_of(const Design& design, const Term& term) {
+VectorXd channels_of(const Design& design, const Term& term) {
   const Problem& problem = design.problem();
-  std::vector<bool> channels(static_cast<std::size_t>(problem.channels), problem.shared_noise);
+  VectorXd channels = VectorXd::Constant(problem.channels, problem.shared_noise ? 1.0 : 0.0);
   for (std::size_t s = 0; s < design.segments().size(); ++s)
-    if (term.columns[s].cols() > 0)
-      channels[static_cast<std::size_t>(design.segments()[s].channel)] = true;
+    if (term.columns[s].cols() > 0) channels(design.segments()[s].channel) = 1.0;
   return channels;
 }
 

@@ -12,17 +12,13 @@ struct BlockLosses {
   Eigen::MatrixXd plain;  ///< blocks x channels, in the squares of Design::unit, inside the band
   Eigen::VectorXd samples;
 
-  /// Plain losses of the blocks, over all channels or over those that are true in `channels`.
+  /// Plain losses of the blocks over all channels.
   Eigen::VectorXd over_all() const { return plain.rowwise().sum(); }
-  Eigen::VectorXd over(const std::vector<bool>& channels) const;
 };
 
-/// Sum of a value per channel over those that are true in `channels`.
-double sum_over(const Eigen::VectorXd& values, const std::vector<bool>& channels);
-
-/// The channels by whose errors a term is judged: those on which it acts, or all where they share
-/// their noise.
-std::vector<bool> channels_of(const Design& design, const Term& term);
+/// 1 for the channels by whose errors a term is judged, else 0: those on which it acts, or all
+/// where they share their noise.
+Eigen::VectorXd channels_of(const Design& design, const Term& term);
 
 /// Every training log is cut into contiguous blocks (about `blocks` over all logs); for each the
 /// linear coefficients are fitted without it, nonlinear parameters are kept.

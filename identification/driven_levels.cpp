@@ -60,6 +60,7 @@ void DrivenSubject::add_common_levels(std::size_t joint) {
   const EffectPlace where{static_cast<int>(joint), place(joint), model_.joints[joint].revolute};
   if (tendon_driven(joint))
     add_level(pulley_radius_candidate(where.axis, where.name), {"pulley_radius", joint, {}, {}});
+  // Where tendons give the effort, the noise of their forces would pass for a gain.
   if (!tendons_) add_level(torque_constant_candidate(where), {"torque_constant", joint, {}, {}});
   if (model_.joints.size() == 1)
     add_level(sensor_scale_candidate(where, known_, {where.axis}), {"sensor_scale", joint, {}, {}});
@@ -101,8 +102,9 @@ void DrivenSubject::add_mechanism_levels() {
   }
 }
 
-/// Without a load, a weight and other joints, a wrong gain only scales what the baseline has.
-bool DrivenSubject::gain_is_level(std::size_t joint) const {
+/// Without a load, a weight and other joints, a wrong gain only scales what the baseline has: it
+/// can be seen against the model's values alone.
+bool DrivenSubject::gain_is_only_level(std::size_t joint) const {
   return model_.joints.size() == 1 && scale(joint).load == 0.0 && !carries_links(joint);
 }
 

@@ -354,7 +354,7 @@ void DrivenSubject::add_model_candidates(std::size_t joint) {
   }
   if (tendon_driven(joint))
     take(pulley_radius_candidate(where.axis, where.name), "pulley_radius");
-  else if (!gain_is_level(joint))
+  else if (!gain_is_only_level(joint))
     take(torque_constant_candidate(where), "torque_constant");
   if (carries_links(joint)) take(sensor_offset_candidate(where, known_, coupled), "sensor_offset");
   // One joint's scale is a level too (driven_levels.cpp); here it meets what else bends friction.

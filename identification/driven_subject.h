@@ -97,7 +97,7 @@ class DrivenSubject {
   void add_sensor_errors(Recording& log) const;
   void set_bands();
   void set_signals(Recording& log) const;
-  bool gain_is_level(std::size_t joint) const;
+  bool gain_is_only_level(std::size_t joint) const;
   bool tendon_driven(std::size_t joint) const;
   bool carries_links(std::size_t joint) const;
   FlexibleRanges ranges(std::size_t joint) const;

@@ -122,9 +122,9 @@ NamedCause name_cause(const Design& design, const Library& library, const Settin
   const BlockLosses before = held_out_losses(design, settings, without, selection.noise.weights);
   const BlockLosses after =
       held_out_losses(design, settings, selection.model, selection.noise.weights);
-  const std::vector<bool> channels = channels_of(design, own);
+  const VectorXd channels = channels_of(design, own);
   cause.held_out =
-      block_bootstrap_gain(before.over(channels), after.over(channels), 0.95, settings.seed);
+      block_bootstrap_gain(before.plain * channels, after.plain * channels, 0.95, settings.seed);
   cause.separating_experiment = separating_experiment(design.problem(), settings, selection, term,
                                                       cause.members, experiments);
   return cause;

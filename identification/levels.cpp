@@ -263,11 +263,10 @@ Judged judge_level(const Design& design, const Settings& settings, const LevelTe
   const BlockLosses a = cross_validate(design, after, weights, settings.blocks);
   const BlockLosses b = cross_validate(design, before, weights, settings.blocks);
   j.evidence.validated = b.whitened.sum() - a.whitened.sum();
-  const std::vector<bool> channels =
-      channels_of(design, parts.levels[static_cast<std::size_t>(level)]);
-  const VectorXd losses_before = b.over(channels), losses_after = a.over(channels);
+  const VectorXd channels = channels_of(design, parts.levels[static_cast<std::size_t>(level)]);
+  const VectorXd losses_before = b.plain * channels, losses_after = a.plain * channels;
   j.evidence.gain = block_bootstrap_gain(losses_before, losses_after, 0.95, settings.seed);
-  j.evidence.of_baseline = (losses_before - losses_after).sum() / sum_over(nominal_loss, channels);
+  j.evidence.of_baseline = (losses_before - losses_after).sum() / nominal_loss.dot(channels);
   if (j.evidence.p_family > settings.significance)
     j.against = "too little to be told from noise";
   else if (j.evidence.validated <= 0.0 || j.evidence.of_baseline < settings.least_of_baseline ||

@@ -245,11 +245,10 @@ Evidence judge(const Design& design, const Settings& settings, const Selection& 
   const BlockLosses before = cross_validate(design, without, weights, settings.blocks);
   const BlockLosses after = cross_validate(design, state.model, weights, settings.blocks);
   evidence.validated = before.whitened.sum() - after.whitened.sum();
-  const std::vector<bool> channels = channels_of(design, state.model.terms[term]);
-  const VectorXd losses_before = before.over(channels), losses_after = after.over(channels);
+  const VectorXd channels = channels_of(design, state.model.terms[term]);
+  const VectorXd losses_before = before.plain * channels, losses_after = after.plain * channels;
   evidence.gain = block_bootstrap_gain(losses_before, losses_after, 0.95, settings.seed);
-  evidence.of_baseline =
-      (losses_before - losses_after).sum() / sum_over(state.baseline_loss, channels);
+  evidence.of_baseline = (losses_before - losses_after).sum() / state.baseline_loss.dot(channels);
   return evidence;
 }
 

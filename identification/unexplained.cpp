@@ -49,9 +49,9 @@ Flexible best_flexible(const Design& design, const Settings& settings, const Mod
     append_term(design, noise.weights, c, s.nonlinear, trial.model);
     refine(design, noise.weights, RefineScope::last_term, trial.model);
     const BlockLosses after = cross_validate(design, trial.model, noise.weights, settings.blocks);
-    const std::vector<bool> channels = channels_of(design, trial.model.terms.back());
+    const Eigen::VectorXd channels = channels_of(design, trial.model.terms.back());
     trial.gain =
-        block_bootstrap_gain(before.over(channels), after.over(channels), 0.95, settings.seed);
+        block_bootstrap_gain(before.plain * channels, after.plain * channels, 0.95, settings.seed);
     trial.loss = after.plain.sum();
     if (trial.gain.share < kWorthSaying || trial.gain.low <= 0.0) continue;
     if (best.candidate < 0 || trial.loss < best.loss) best = std::move(trial);

@@ -57,6 +57,9 @@ Plant motor_plant(const fs::path& model, const fs::path& file, const fs::path& r
   const DriveMode mode = read_drive_mode(file);
   require_motor_mode(mode, file);
   const Scenario scenario = read_scenario(file, channels_of(mode, {}, 0, TopOfModel::nothing));
+  if (scenario.weight_feedforward)
+    throw std::runtime_error(fmt::format(
+        "{}: weight_feedforward needs tendons, which a motor alone has none of", file.string()));
   PlantParts parts;
   parts.motor.emplace(*motor, scenario, runtime);
   return Plant(scenario, std::move(parts));
@@ -73,11 +76,10 @@ Plant hand_plant(const fs::path& model, const fs::path& file, const fs::path& ru
   const Scenario scenario =
       read_scenario(file, channels_of(mode, joints, channels,
                                       free ? TopOfModel::nothing : TopOfModel::commanded_wrist));
-  if (free && scenario.wrist_feedforward)
-    throw std::runtime_error(
-        fmt::format("{}: wrist_feedforward needs to know the wrist's motion; expected the wrist "
-                    "mode prescribed",
-                    file.string()));
+  if (free && (scenario.wrist_feedforward || scenario.weight_feedforward))
+    throw std::runtime_error(fmt::format(
+        "{}: {} needs to know the wrist's motion; expected the wrist mode prescribed",
+        file.string(), scenario.wrist_feedforward ? "wrist_feedforward" : "weight_feedforward"));
   PlantParts parts;
   const Eigen::Vector3d own_gravity = hand.fingers.front().mechanism.gravity;
   parts.joints = hand_joints(

@@ -152,6 +152,9 @@ class Solver {
     check(CVodeSetLinearSolver(memory_, linear_, matrix_));
     check(CVodeSetLinSysFn(memory_, linear_system));
     check(CVodeQuadInit(memory_, quadrature, work_));
+    check(CVodeSetQuadErrCon(memory_, SUNTRUE));
+    check(
+        CVodeQuadSStolerances(memory_, scenario_.relative_tolerance, scenario_.absolute_tolerance));
     events_ = static_cast<int>(plant.event_names().size());
     if (events_ > 0) {
       check(CVodeRootInit(memory_, events_, roots));

@@ -128,12 +128,21 @@ void Plant::read_initial() {
     evaluate(0.0, initial_.data(), e, false);
   }
   closure_ = e.elongation.array() - pretension;
+  if (scenario_.weight_feedforward) carry_weight();
   // The searches start within reach of the pretension.
   for (int i = 0; i < 10; ++i) {
     scratch_time_ = -1.0;  // to be evaluated again, from the new guess
     accept(0.0, initial_.data());
   }
   scratch_time_ = -1.0;
+}
+
+void Plant::carry_weight() {
+  weight_.emplace(parts_, initial_.head(n_), scenario_.pretension);
+  VectorXd angle = VectorXd::Zero(motors_), rate = angle;
+  weight_->add(parts_, flexion_, abduction_, 0.0, angle, rate);
+  for (int i = 0; i < k_; ++i)
+    if (!scenario_.initial.contains(fmt::format("theta_{}", i + 1))) initial_(n_ + i) = angle(i);
 }
 
 void Plant::take_guiding(Evaluation& e) const {

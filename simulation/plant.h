@@ -14,6 +14,7 @@
 
 #include "simulation/drive_train.h"
 #include "simulation/joints.h"
+#include "simulation/weight_feedforward.h"
 #include "simulation/wrist_drive.h"
 
 namespace sinew {
@@ -134,6 +135,8 @@ class Plant {
   };
 
   void read_initial();
+  /// Motors carry the weight from the start on; those that move start there unless told otherwise.
+  void carry_weight();
   void take_commands(double time, Evaluation& e) const;
   void take_wrist(double time, Evaluation& e) const;
   void take_external(double time, Evaluation& e) const;
@@ -166,6 +169,7 @@ class Plant {
   mutable Eigen::VectorXd scratch_state_;
   mutable WristNow wrist_now_;
   mutable WristTrack wrist_track_;
+  mutable std::optional<WeightFeedforward> weight_;
   mutable Eigen::VectorXd inertial_;  ///< for one call after the other
 };
 

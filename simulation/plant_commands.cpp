@@ -59,6 +59,8 @@ void Plant::take_motor_commands(double time, Evaluation& e) const {
     e.theta_reference.setZero(motors_);
     e.reference_rate.setZero(motors_);
   }
+  if (weight_)
+    weight_->add(parts_, flexion_, abduction_, time, e.theta_reference, e.reference_rate);
   for (int i = 0; i < motors_; ++i) {
     const Sample sample = at(motor_command_[static_cast<std::size_t>(i)], time);
     e.theta_reference(i) += sample.value;

@@ -145,6 +145,14 @@ class ScenarioReader {
     take(table, "pretension", Dimension::force, scenario_.pretension, Sign::not_negative);
     scenario_.compensation = table.truth("compensation").value_or(false);
     scenario_.wrist_feedforward = table.truth("wrist_feedforward").value_or(false);
+    scenario_.weight_feedforward = table.truth("weight_feedforward").value_or(false);
+    if (scenario_.weight_feedforward && scenario_.drive != DriveMode::servo &&
+        scenario_.drive != DriveMode::prescribed)
+      table.report("weight_feedforward", "weight_feedforward needs motors that follow positions",
+                   "expected the mode servo or prescribed");
+    if (scenario_.weight_feedforward && !(scenario_.pretension > 0.0))
+      table.report("weight_feedforward", "tendons without pretension cannot pull both ways",
+                   "expected pretension = { value = ..., unit = \"N\" }");
     if (scenario_.drive == DriveMode::servo && !(scenario_.gain > 0.0))
       table.report("gain", "a servo has no gain",
                    "expected gain = { value = ..., unit = \"N*m\" }");

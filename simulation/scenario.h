@@ -62,11 +62,12 @@ struct Scenario {
   double step = 1.0 / 3000.0;  ///< s, of the fixed-step integrators
 
   DriveMode drive = DriveMode::torque;
-  double gain = 0.0;               ///< N·m/rad, of the servo
-  double rate_gain = 0.0;          ///< N·m·s/rad
-  bool compensation = false;       ///< adds the emitted friction and ripple feedforward
-  bool wrist_feedforward = false;  ///< adds the emitted wrist feedforward to motor positions
-  double pretension = 0.0;         ///< N, of every tendon in the initial state
+  double gain = 0.0;                ///< N·m/rad, of the servo
+  double rate_gain = 0.0;           ///< N·m·s/rad
+  bool compensation = false;        ///< adds the emitted friction and ripple feedforward
+  bool wrist_feedforward = false;   ///< adds the emitted wrist feedforward to motor positions
+  bool weight_feedforward = false;  ///< motor positions also carry the bodies' weight
+  double pretension = 0.0;          ///< N, of every tendon in the initial state
 
   bool motor_friction = true;
   bool motor_ripple = true;

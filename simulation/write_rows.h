@@ -3,6 +3,7 @@
 
 #include <cstdio>
 #include <filesystem>
+#include <future>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -10,8 +11,9 @@
 namespace sinew {
 
 /// A CSV file that appears whole or not at all: rows go to a file beside it, which replaces the old
-/// one in finish() and vanishes otherwise. Numbers are written so that they read back the same.
-/// Throws std::runtime_error naming the file where writing fails.
+/// one in finish() and vanishes otherwise. Numbers are written so that they read back the same, by
+/// another thread: as text a hand's row takes as long as its simulation. Throws std::runtime_error
+/// naming the file where writing fails, at the latest from finish().
 class RowWriter {
  public:
   RowWriter(const std::filesystem::path& file, const std::vector<std::string>& header);
@@ -25,10 +27,16 @@ class RowWriter {
  private:
   [[noreturn]] void fail(const char* what) const;
   void put(std::string_view text);
+  void put_row(const double* row);
+  /// Gives the rows held to the other thread, once it is done with the last ones.
+  void hand_over();
 
   std::filesystem::path file_, partial_;
   std::FILE* stream_ = nullptr;
-  std::string text_;  ///< of one row
+  std::size_t columns_;
+  std::string text_;                    ///< of one row
+  std::vector<double> held_, written_;  ///< rows that wait; rows the other thread writes
+  std::future<void> writing_;
 };
 
 }  // namespace sinew

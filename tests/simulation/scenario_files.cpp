@@ -47,6 +47,9 @@ const std::vector<Mistake> mistakes{
      "scenario.toml:7:11: the model has no command 'tau_1'"},
     {"unit = \"N*m\" }", "unit = \"N\" }", false,
      "scenario.toml:8:29: command[0].value has the unit 'N' of force"},
+    {"[drive]\n", "[drive]\nweight_feedforward = true\n", false,
+     "scenario.toml:5:22: weight_feedforward needs motors that follow positions; expected the mode "
+     "servo or prescribed"},
     {"[drive]\n", "[drive]\nspeed = 1\n", false, "scenario.toml:5:1: unknown key 'speed' in drive"},
     {"[scenario]", "[scenario", false, "scenario.toml:1:"},
     {"load [N*m]", "load", true, "commands.csv:1:10: column 'load' has no unit"},
@@ -131,6 +134,20 @@ TEST_CASE("what cannot be simulated is refused", "[scenario]") {
                            "= \"N\" }\n"));
   CHECK(place.simulate(output, "index") == 2);
   CHECK(output.find("beyond the lever's travel") != std::string::npos);
+  const auto weighed = [&](const std::string& gravity) {
+    write_text(place.scenario,
+               scenario_text(1, 10,
+                             "gravity = { value = [" + gravity +
+                                 "], unit = \"m/s^2\" }\n[drive]\nmode = \"prescribed\"\n"
+                                 "weight_feedforward = true\npretension = { value = 2, unit = "
+                                 "\"N\" }\n"));
+    return place.simulate(output, "index");
+  };
+  CHECK(weighed("0, -9.81, 0") == 0);
+  std::filesystem::remove(place.out);
+  CHECK(weighed("0, -900, 0") == 2);
+  CHECK(output.find("weight_feedforward: tendon") != std::string::npos);
+  CHECK(output.find("would go slack at 0 s; expected more pretension") != std::string::npos);
   CHECK(place.files() == 2);
 }
 
