@@ -138,10 +138,29 @@ void DrivenSubject::add_log(const Log& log, const DrivenColumns& columns, bool h
     add_smooth_motion(r);
     add_derivatives(r);
     add_sensor_errors(r);
-    for (Index c = 0; c < r.q.cols(); ++c)
-      r.standstills.push_back(find_standstills(r.time, {r.qd.col(c), r.signals["smooth_qd"].col(c)},
-                                               motion_cutoff(log.period)));
+    add_standstills(r);
     (held_out ? problem_.holdout : problem_.training).push_back(std::move(r));
+  }
+}
+
+/// A joint turns round while its tendons go on: what is lost in their guides is then as well known
+/// as ever. It is not where one of its tendons rests with it.
+void DrivenSubject::add_standstills(Recording& log) const {
+  const double cutoff = motion_cutoff(log.step);
+  for (Index c = 0; c < log.q.cols(); ++c) {
+    log.standstills.push_back(
+        find_standstills(log.time, {log.qd.col(c), log.signals["smooth_qd"].col(c)}, cutoff));
+    if (!tendon_driven(static_cast<std::size_t>(c))) continue;
+    std::vector<Standstill> of_tendons;
+    const MatrixXd& rates = log.signals.at("tendon_rate");
+    const MatrixXd& arms = log.signals.at("moment_arm");
+    const Index n = arms.cols() / rates.cols();
+    for (Index t = 0; t < rates.cols(); ++t) {
+      if (arms.col(t * n + c).isZero(0.0)) continue;
+      const auto own = find_standstills(log.time, {rates.col(t)}, cutoff);
+      of_tendons.insert(of_tendons.end(), own.begin(), own.end());
+    }
+    log.standstills.back() = overlapping(log.standstills.back(), of_tendons);
   }
 }
 
@@ -175,6 +194,18 @@ void DrivenSubject::fit_directions(const Settings& settings) {
       presliding_[baseline_[t].joint] = model.terms[t].nonlinear(0);
 }
 
+/// What the model says, of a tendon's force the slow part alone: a gain on it would find the force
+/// sensor's noise, which is in the target's error, too.
+MatrixXd DrivenSubject::effort_of_smooth_load(Recording& log) const {
+  if (!tendons_ || !model_.tendons.motor) return known_(log, log.q, log.qd, log.acceleration());
+  const MatrixXd measured = log.load;
+  const MatrixXd& tension = log.signals.at("slow_tension");
+  log.load.rightCols(tension.cols()) = model_.tendons.motor->pulley_radius * tension;
+  MatrixXd effort = known_(log, log.q, log.qd, log.acceleration());
+  log.load = measured;
+  return effort;
+}
+
 void DrivenSubject::prepare(const Settings& settings) {
   set_bands();
   for (auto* logs : {&problem_.training, &problem_.holdout})
@@ -182,7 +213,7 @@ void DrivenSubject::prepare(const Settings& settings) {
       log.signals["direction"] = MatrixXd::Zero(log.q.rows(), log.q.cols());
       const MatrixXd said = known_(log);
       log.signals["known"] = said;
-      log.signals["effort"] = known_(log, log.q, log.qd, log.acceleration());
+      log.signals["effort"] = effort_of_smooth_load(log);
       log.known.clear();
       for (Index c = 0; c < said.cols(); ++c) log.known.push_back(said.col(c));
     }

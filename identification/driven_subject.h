@@ -96,7 +96,9 @@ class DrivenSubject {
   void add_derivatives(Recording& log) const;
   void add_sensor_errors(Recording& log) const;
   void set_bands();
+  void add_standstills(Recording& log) const;
   void set_signals(Recording& log) const;
+  Eigen::MatrixXd effort_of_smooth_load(Recording& log) const;
   bool gain_is_only_level(std::size_t joint) const;
   bool tendon_driven(std::size_t joint) const;
   bool carries_links(std::size_t joint) const;

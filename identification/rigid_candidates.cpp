@@ -16,7 +16,8 @@ using Eigen::Vector3d;
 using Eigen::VectorXd;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr std::size_t most_payloads = 5;  // a hand's fingers
+constexpr double strongest_gravity = 10.0;  // m/s²
+constexpr std::size_t most_payloads = 5;    // a hand's fingers
 
 LinearParameter parameter(const std::string& name, const std::string& unit, double low) {
   LinearParameter p;
@@ -75,6 +76,7 @@ void RigidColumns::add_payload(const Mechanism& mechanism, std::size_t body) {
               "payload",
               "link " + carrier.name,
               "the same slow motion with and without what may be attached",
+              "its mass would be negative",
               {},
               {}};
   const VectorXd no_mass = VectorXd::Zero(bodies_);
@@ -122,9 +124,13 @@ VectorXd RigidColumns::nominal(const Vector3d& gravity) const {
 /// Gravity that the model lacks, or has in another direction.
 void RigidColumns::add_gravity(const Mechanism& mechanism) {
   const bool absent = mechanism.gravity.isZero(0.0);
-  Group group{"gravity", absent ? "gravity left out" : "direction of gravity",
-              "base",    "slow motion over the whole range",
-              {},        {}};
+  Group group{"gravity",
+              absent ? "gravity left out" : "direction of gravity",
+              "base",
+              "slow motion over the whole range",
+              "gravity would be stronger than the earth's",
+              {},
+              {}};
   const VectorXd none = nominal(Vector3d::Zero());
   const char* axes[] = {"x", "y", "z"};
   // Its size is known where it is there at all: a base that leans moves it sideways.
@@ -133,7 +139,8 @@ void RigidColumns::add_gravity(const Mechanism& mechanism) {
   for (int k = 0; k < 3; ++k) {
     if (k == along) continue;
     group.parameters.push_back(
-        parameter(std::string("gravity_change_") + axes[k], "m/s^2", -infinity));
+        parameter(std::string("gravity_change_") + axes[k], "m/s^2", -strongest_gravity));
+    group.parameters.back().high = strongest_gravity;
     group.columns.push_back({nominal(Vector3d::Unit(k)), none, 1.0});
   }
   groups_.push_back(std::move(group));
@@ -186,7 +193,7 @@ std::vector<Candidate> RigidColumns::candidates() const {
     c.name = group.name;
     c.place = group.place;
     c.linear = group.parameters;
-    c.limit_meaning = "its mass would be negative";
+    c.limit_meaning = group.limit;
     c.isolating_experiment = group.experiment;
     const auto wide = static_cast<Index>(group.columns.size());
     c.columns = [signal = group.signal, wide, n = coordinates_](const Recording& log, int channel,

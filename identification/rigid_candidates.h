@@ -38,7 +38,7 @@ class RigidColumns {
     double scale = 1.0;
   };
   struct Group {
-    std::string signal, name, place, experiment;
+    std::string signal, name, place, experiment, limit;
     std::vector<LinearParameter> parameters;
     std::vector<Column> columns;
   };

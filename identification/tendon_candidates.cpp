@@ -20,15 +20,16 @@ using Eigen::VectorXd;
 constexpr double slow_force_cutoff = 5.0;
 
 /// The signals of an effect at a tendon, as a recording of one axis.
-Recording at_tendon(const Recording& log, Index tendon) {
+Recording at_tendon(const Recording& log, Index tendon, bool motor_side) {
+  const std::string end = motor_side ? "motor_side" : "tendon";
   Recording r;
   r.step = log.step;
   r.time = log.time;
   r.q = log.signals.at("bending").col(tendon);
-  r.qd = log.signals.at("tendon_rate").col(tendon);
+  r.qd = log.signals.at(end + "_rate").col(tendon);
   r.qdd = MatrixXd::Zero(r.q.rows(), 1);
   r.load = log.signals.at("slow_tension").col(tendon);
-  r.signals["direction"] = log.signals.at("tendon_direction").col(tendon);
+  r.signals["direction"] = log.signals.at(end + "_direction").col(tendon);
   r.signals["jounce"] = MatrixXd::Zero(r.q.rows(), 1);
   return r;
 }
@@ -41,7 +42,9 @@ TendonColumns::TendonColumns(const DrivenModel& model, const std::filesystem::pa
       coordinates_(model.tendons.coordinates()),
       compiled_(std::make_shared<CompiledModel>(
           assemble({model.name, "Motion of the tendons", "", {}}, {model.tendons.motion}, {}),
-          runtime)) {}
+          runtime)) {
+  if (model.tendons.motor) motor_radius_ = model.tendons.motor->pulley_radius;
+}
 
 void TendonColumns::add_signals(Recording& log) const {
   const sinew_function& function = compiled_->find("tendon_motion");
@@ -57,8 +60,15 @@ void TendonColumns::add_signals(Recording& log) const {
   }
   log.signals["slow_tension"] =
       differentiate(log.signals.at("tension"), log.step, slow_force_cutoff).q;
-  log.signals["tendon_direction"] =
-      (rates.array() / slip_speed_).atan().matrix() * (2.0 / std::numbers::pi);
+  const auto direction = [this](const MatrixXd& rate) -> MatrixXd {
+    return (rate.array() / slip_speed_).atan().matrix() * (2.0 / std::numbers::pi);
+  };
+  log.signals["tendon_direction"] = direction(rates);
+  if (motor_radius_) {
+    const MatrixXd at_motors = -*motor_radius_ * log.qd.rightCols(m);
+    log.signals["motor_side_direction"] = direction(at_motors);
+    log.signals["motor_side_rate"] = at_motors;
+  }
   log.signals["moment_arm"] = std::move(arms);
   log.signals["tendon_rate"] = std::move(rates);
   log.signals["bending"] = std::move(bending);
@@ -82,12 +92,12 @@ Candidate TendonColumns::candidate(const Effect& effect, Index tendon) const {
       effect, {0, tendon_place(names_[static_cast<std::size_t>(tendon)]), false}, no_scale);
   c.channels.clear();
   const Index n = coordinates_;
-  c.columns = [regressor = Regressor(effect), tendon, n](const Recording& log, int channel,
-                                                         const VectorXd& shape) -> MatrixXd {
+  c.columns = [regressor = Regressor(effect), tendon, n, motor_side = effect.motor_side](
+                  const Recording& log, int channel, const VectorXd& shape) -> MatrixXd {
     const MatrixXd& arms = log.signals.at("moment_arm");
     if (channel >= n || arms.col(tendon * n + channel).isZero(0.0))
       return MatrixXd(log.q.rows(), 0);
-    const MatrixXd lost = effect_columns(regressor, at_tendon(log, tendon), 0, shape);
+    const MatrixXd lost = effect_columns(regressor, at_tendon(log, tendon, motor_side), 0, shape);
     return lost.array().colwise() * arms.col(tendon * n + channel).array();
   };
   return c;
@@ -97,7 +107,7 @@ std::vector<TendonColumns::AtTendon> TendonColumns::candidates() const {
   std::vector<AtTendon> list;
   for (std::size_t t = 0; t < names_.size(); ++t)
     for (const Effect& effect : effects())
-      if (effect.at_tendon)
+      if (effect.at_tendon && (!effect.motor_side || motor_radius_))
         list.push_back(
             {candidate(effect, static_cast<Index>(t)), effect.id, tendon_place(names_[t])});
   return list;
@@ -106,6 +116,11 @@ std::vector<TendonColumns::AtTendon> TendonColumns::candidates() const {
 Candidate pulley_radius_candidate(int axis, const std::string& place) {
   Candidate c = torque_constant_candidate({axis, place, true});
   c.name = "pulley radius";
+  // The term scales the model's torque: 1 + gain is the model's radius over the true one. Beyond
+  // this it is the links that are not as the model says.
+  c.linear.front().low = -0.5;
+  c.linear.front().high = 1.0;
+  c.limit_meaning = "the pulley would be less than half or more than twice as large";
   c.isolating_experiment = "a known weight at the link, the joint held by its tendons alone";
   return c;
 }

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,7 +22,7 @@ class TendonColumns {
 
   /// From signal "tension" (samples x tendons, N) and the motion: "moment_arm" (samples x tendons *
   /// coordinates), "slow_tension", "tendon_rate", "bending", "tendon_direction" (samples x
-  /// tendons).
+  /// tendons), where there are motors also "motor_side_rate" and "motor_side_direction".
   void add_signals(Recording& log) const;
 
   /// samples x coordinates: -P^T f, the joint torques of the measured forces (5.11).
@@ -42,6 +43,7 @@ class TendonColumns {
   std::vector<std::string> names_;
   double slip_speed_;
   Eigen::Index coordinates_;
+  std::optional<double> motor_radius_;  ///< m, where the motors' motion is logged
   std::shared_ptr<CompiledModel> compiled_;
 };
 

@@ -134,6 +134,22 @@ void withdraw(const Design& design, const Settings& settings, const Model& with_
   }
 }
 
+/// What a model leaves over of one segment, every coefficient fitted to it alone.
+VectorXd left_over_in(const Model& model, std::size_t segment) {
+  Index wide = 0;
+  for (const Term& term : model.terms) wide += term.columns[segment].cols();
+  const VectorXd& target = model.target[segment];
+  MatrixXd x(target.size(), wide);
+  wide = 0;
+  for (const Term& term : model.terms) {
+    const MatrixXd& own = term.columns[segment];
+    if (own.cols() == 0) continue;  // does not act on this channel
+    x.middleCols(wide, own.cols()) = own;
+    wide += own.cols();
+  }
+  return target - x * (scaled_pseudo_inverse(x.transpose() * x) * (x.transpose() * target));
+}
+
 /// Names that `kept` no longer has leave the model with the unnamed terms as well.
 void take_out_withdrawn(const Design& design, const Model& kept, Model& beside) {
   for (std::size_t t = beside.terms.size(); t-- > 0;) {
@@ -148,24 +164,15 @@ void take_out_withdrawn(const Design& design, const Model& kept, Model& beside) 
 
 SpectralLine strongest_line(const Design& design, const Model& model) {
   SpectralLine best;
-  double tests = 0.0;
+  double tests = 0.0, all = 0.0, in_line = 0.0;
   for (const Segment& s : design.segments())
     if (!s.holdout) tests += static_cast<double>(s.bins);
   for (std::size_t i = 0; i < design.segments().size(); ++i) {
     const Segment& s = design.segments()[i];
     if (s.holdout) continue;
-    Index wide = 0;
-    for (const Term& term : model.terms) wide += term.columns[i].cols();
-    MatrixXd x(2 * s.bins, wide);
-    wide = 0;
-    for (const Term& term : model.terms) {
-      if (term.columns[i].cols() == 0) continue;  // does not act on this channel
-      x.middleCols(wide, term.columns[i].cols()) = term.columns[i];
-      wide += term.columns[i].cols();
-    }
-    const VectorXd residual = model.target[i] - x * (scaled_pseudo_inverse(x.transpose() * x) *
-                                                     (x.transpose() * model.target[i]));
-    const VectorXd energy = bin_energy(residual);
+    const double unit = design.unit(s.channel);
+    const VectorXd energy = bin_energy(left_over_in(model, i)) / (unit * unit);
+    all += energy.sum();
     const VectorXd around = smooth_ratio(energy, VectorXd::Ones(s.bins), 12, 0.12);
     for (Index b = 2; b + 2 < s.bins; ++b) {
       const double half = std::max(12.0, 0.12 * static_cast<double>(b));
@@ -176,11 +183,13 @@ SpectralLine strongest_line(const Design& design, const Model& model) {
           0.05 * around(b));
       const double p =
           -std::expm1(tests * std::log1p(-std::min(std::exp(-peak / level), 0.999999)));
-      if (p < best.p_value)
-        best = {static_cast<double>(b) * s.rate_hz / static_cast<double>(s.samples), p,
-                (energy.segment(b - 1, 3).sum() - 3.0 * level) / energy.sum()};
+      if (p >= best.p_value) continue;
+      in_line = energy.segment(b - 1, 3).sum() - 3.0 * level;
+      best = {static_cast<double>(b) * s.rate_hz / static_cast<double>(s.samples), p,
+              in_line / energy.sum(), 0.0};
     }
   }
+  if (in_line > 0.0) best.of_all = in_line / all;
   return best;
 }
 
@@ -218,7 +227,7 @@ Structure find_unexplained(const Design& design, const Library& library, const S
     d.p_family = line.p_value;
     d.gain.share = d.gain.low = d.gain.high = line.share;
     result.depends_on.push_back(d);
-    last *= 1.0 - line.share;
+    last *= 1.0 - line.of_all;
   }
   if (result.depends_on.empty()) return structure;
   result.named_share = base > last ? std::clamp((base - named) / (base - last), 0.0, 1.0) : 0.0;

@@ -32,7 +32,8 @@ Structure find_unexplained(const Design& design, const Library& library, const S
 struct SpectralLine {
   double frequency_hz = 0.0;
   double p_value = 1.0;
-  double share = 0.0;  ///< of its segment's residual energy
+  double share = 0.0;   ///< of its segment's residual energy
+  double of_all = 0.0;  ///< of all channels' in their units
 };
 SpectralLine strongest_line(const Design& design, const Model& model);
 

@@ -194,10 +194,23 @@ class EffortWriter {
     bending_ = std::move(motion[2]);
   }
 
+  /// dh/dt of a taut tendon, from its motor's end.
+  ex rate_at_motor(const IdentifiedEffect& each, std::size_t tendon) const {
+    const DrivenTendons& tendons = model_.tendons;
+    if (!tendons.motor)
+      throw std::invalid_argument("identified.toml: '" + each.effect + "' at '" + each.place +
+                                  "' needs the motors, which model '" + model_.name +
+                                  "' is without");
+    const std::size_t motor = static_cast<std::size_t>(tendons.coordinates()) + tendon;
+    return -exact_number(tendons.motor->pulley_radius) * qd_at_[motor];
+  }
+
   /// Signals of an effect at a tendon.
-  GiNaC::exmap tendon_replacements(std::size_t tendon) {
+  GiNaC::exmap tendon_replacements(const IdentifiedEffect& each, std::size_t tendon) {
     const EffectSignals& s = effect_signals();
-    const ex rate = list_.define("tendon_rate", tendon_rates_[tendon]);
+    const ex rate = list_.define("tendon_rate", find_effect(each.effect).motor_side
+                                                    ? rate_at_motor(each, tendon)
+                                                    : tendon_rates_[tendon]);
     return {{s.position, list_.define("bending", bending_[tendon])},
             {s.velocity, rate},
             {s.load, tension_.symbols[tendon]},
@@ -211,7 +224,8 @@ class EffortWriter {
       tau[joint_of(each.place)] += term(each);
       return;
     }
-    const ex lost = sum_of_columns(find_effect(each.effect), each, tendon_replacements(*tendon));
+    const ex lost =
+        sum_of_columns(find_effect(each.effect), each, tendon_replacements(each, *tendon));
     const auto n = static_cast<std::size_t>(model_.tendons.coordinates());
     for (std::size_t j = 0; j < n; ++j) tau[j] += moment_arms_[*tendon * n + j] * lost;
   }

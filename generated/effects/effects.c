@@ -175,6 +175,12 @@ void effects_guiding_friction(const double signals[SINEW_AT_LEAST(8)], double co
     columns[1] = signals[0] * signals[4] * signals[6];
 }
 
+void effects_motor_side_guiding(const double signals[SINEW_AT_LEAST(8)], double columns[SINEW_AT_LEAST(2)])
+{
+    columns[0] = signals[4] * signals[6];
+    columns[1] = signals[0] * signals[4] * signals[6];
+}
+
 void effects_force_sensor_scale(const double signals[SINEW_AT_LEAST(8)], double columns[SINEW_AT_LEAST(1)])
 {
     columns[0] = signals[4];

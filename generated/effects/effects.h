@@ -177,6 +177,12 @@ void effects_loaded_backlash(const double signals[SINEW_AT_LEAST(8)], const doub
  * 3 multiplications, 0 additions. */
 void effects_guiding_friction(const double signals[SINEW_AT_LEAST(8)], double columns[SINEW_AT_LEAST(2)]);
 
+/* Terms of the effect 'guiding friction', to be multiplied by its coefficients.
+ *   in  signals       8 [SI] position, velocity, acceleration, its second derivative, load, time, direction, step; made for -3..3, -5..5, -50..50, -1e+04..1e+04, -10..10, 0..100, -1..1, 0.0001..0.01
+ *   out columns       2 [SI] share_when_straight, share_for_bending
+ * 3 multiplications, 0 additions. */
+void effects_motor_side_guiding(const double signals[SINEW_AT_LEAST(8)], double columns[SINEW_AT_LEAST(2)]);
+
 /* Terms of the effect 'scale of the force sensor', to be multiplied by its coefficients.
  *   in  signals       8 [SI] position, velocity, acceleration, its second derivative, load, time, direction, step; made for -3..3, -5..5, -50..50, -1e+04..1e+04, -10..10, 0..100, -1..1, 0.0001..0.01
  *   out columns       1 [SI] force_excess

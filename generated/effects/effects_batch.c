@@ -282,6 +282,16 @@ void effects_guiding_friction_batch(int count, const double *SINEW_RESTRICT sign
     }
 }
 
+void effects_motor_side_guiding_batch(int count, const double *SINEW_RESTRICT signals, double *SINEW_RESTRICT columns)
+{
+    const size_t n = (size_t)count;
+    SINEW_STATES_ARE_INDEPENDENT
+    for (size_t state = 0; state < n; ++state) {
+        columns[state] = signals[4 * n + state] * signals[6 * n + state];
+        columns[1 * n + state] = signals[state] * signals[4 * n + state] * signals[6 * n + state];
+    }
+}
+
 void effects_force_sensor_scale_batch(int count, const double *SINEW_RESTRICT signals, double *SINEW_RESTRICT columns)
 {
     const size_t n = (size_t)count;

@@ -397,6 +397,21 @@ static const sinew_argument guiding_friction_outputs[] = {
     {"columns", "SI", 2, 1, 0, 0},
 };
 
+static void call_motor_side_guiding(const void *in, void *out)
+{
+    const double *x = (const double *)in;
+    double *y = (double *)out;
+    effects_motor_side_guiding(x + 0, y + 0);
+}
+static const double motor_side_guiding_signals_low[] = {-3.0, -5.0, -50.0, -10000.0, -10.0, 0.0, -1.0, 1e-04};
+static const double motor_side_guiding_signals_high[] = {3.0, 5.0, 50.0, 10000.0, 10.0, 100.0, 1.0, 0.01};
+static const sinew_argument motor_side_guiding_inputs[] = {
+    {"signals", "SI", 8, 1, motor_side_guiding_signals_low, motor_side_guiding_signals_high},
+};
+static const sinew_argument motor_side_guiding_outputs[] = {
+    {"columns", "SI", 2, 1, 0, 0},
+};
+
 static void call_force_sensor_scale(const void *in, void *out)
 {
     const double *x = (const double *)in;
@@ -513,6 +528,7 @@ static const sinew_function functions[] = {
     {"effects_inertial_backlash", 3, 2, 12, 3, inertial_backlash_inputs, inertial_backlash_outputs, call_inertial_backlash},
     {"effects_loaded_backlash", 3, 2, 13, 3, loaded_backlash_inputs, loaded_backlash_outputs, call_loaded_backlash},
     {"effects_guiding_friction", 1, 1, 8, 2, guiding_friction_inputs, guiding_friction_outputs, call_guiding_friction},
+    {"effects_motor_side_guiding", 1, 1, 8, 2, motor_side_guiding_inputs, motor_side_guiding_outputs, call_motor_side_guiding},
     {"effects_force_sensor_scale", 1, 1, 8, 1, force_sensor_scale_inputs, force_sensor_scale_outputs, call_force_sensor_scale},
     {"effects_force_sensor_offset", 1, 1, 8, 1, force_sensor_offset_inputs, force_sensor_offset_outputs, call_force_sensor_offset},
     {"effects_presliding", 3, 2, 10, 2, presliding_inputs, presliding_outputs, call_presliding},
@@ -520,4 +536,4 @@ static const sinew_function functions[] = {
     {"effects_late_reversal", 3, 2, 10, 2, late_reversal_inputs, late_reversal_outputs, call_late_reversal},
 };
 
-const sinew_catalogue effects_catalogue = {"effects", "69c538edcbf3bf2f45779b1c8a2551790ff791915ec1f60e5b93999b2315532f", 8, 28, functions};
+const sinew_catalogue effects_catalogue = {"effects", "69c538edcbf3bf2f45779b1c8a2551790ff791915ec1f60e5b93999b2315532f", 8, 29, functions};

@@ -79,6 +79,7 @@ struct Effect {
   std::vector<EffectColumn> columns;
   std::vector<EffectState> states;
   bool at_tendon = false;      ///< its places are tendons, else joints
+  bool motor_side = false;     ///< at a tendon: it moves there as its motor does
   bool baseline_only = false;  ///< how the model's own friction turns: fitted, never named
   bool compensable = false;    ///< known from what the firmware measures, and safe to feed forward
   std::string signature;       ///< what it leaves over

@@ -30,6 +30,7 @@ const std::vector<Effect>& effects() {
       inertial_backlash(),
       loaded_backlash(),
       guiding_friction(),
+      motor_side_guiding(),
       force_sensor_scale(),
       force_sensor_offset(),
       presliding(),

@@ -30,6 +30,7 @@ Effect inertial_backlash();
 Effect loaded_backlash();
 // At a tendon:
 Effect guiding_friction();
+Effect motor_side_guiding();
 Effect force_sensor_scale();
 Effect force_sensor_offset();
 // How the model's own friction turns:

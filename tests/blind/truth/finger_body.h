@@ -15,9 +15,8 @@ struct FingerBody {
   std::array<double, 4> mass{0.002, 0.009, 0.006, 0.003};
   std::array<double, 4> length{0.006, 0.04038, 0.0298, 0.0201};
   double width = 0.012;
-  double gravity = 9.81;        ///< 0: none
-  double velocity_terms = 1.0;  ///< 0: without Coriolis and centrifugal forces
-  double payload = 0.0;         ///< kg, a point at the tip
+  double gravity = 9.81;  ///< 0: none
+  double payload = 0.0;   ///< kg, a point at the tip
 
   /// Joint torques for a motion.
   Vector4 torque(const Vector4& q, const Vector4& qd, const Vector4& qdd) const;

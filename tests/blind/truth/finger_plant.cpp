@@ -24,12 +24,12 @@ struct FingerModel {
   double motor_turn = 2.0 * pi / 100.0, motor_radius = 0.005;
   double stiffness = 1.2e4, pretension = 20.0;  // tendons: N/m, N
   double damping = 1.0e-4;                      // joints
-  bool gravity = true, velocity_terms = true;
+  bool gravity = true;
   Matrix84 pulleys;  // dh/dq, m
 };
 
 struct FingerHidden {
-  double payload = 0.0, gravity = 0.0, coriolis = 0.0, joint_damping = 0.0, pulley = 0.0;
+  double payload = 0.0, gravity = 0.0, joint_damping = 0.0, pulley = 0.0;
   double guiding = 0.0, level = 0.0, viscous = 0.0, input_ripple = 0.0, torque_gain = 0.0;
   double elbow = 0.0, rattle = 0.0;  // outside: a stiff joint, tension that wanders
 };
@@ -60,7 +60,6 @@ class FingerRun {
             double ripple_phase)
       : m_(model), h_(hidden), motor_(motor), joint_(joint), ripple_phase_(ripple_phase) {
     body_.gravity = model.gravity ? 9.81 : 9.81 * hidden.gravity;
-    body_.velocity_terms = model.velocity_terms ? 1.0 : hidden.coriolis;
     body_.payload = hidden.payload;
     true_pulleys_ = model.pulleys;
     true_pulleys_.col(joint) *= 1.0 + hidden.pulley;
@@ -133,7 +132,7 @@ class FingerRun {
     const Vector4 moving = body_.torque(q, qd, zero) - rest;
     Matrix4 left = M;
     left.diagonal() += step * damping;
-    const Vector4 right = torque - rest - body_.velocity_terms * moving - damping.cwiseProduct(qd);
+    const Vector4 right = torque - rest - moving - damping.cwiseProduct(qd);
     qd += left.llt().solve(step * right);
     q += step * qd;
   }
@@ -153,7 +152,6 @@ class FingerPlant : public Plant {
   explicit FingerPlant(Draw draw) {
     model_.pulleys = pulley_matrix();
     model_.gravity = draw.chance(0.7);
-    model_.velocity_terms = draw.chance(0.8);
     sigma_ = draw.uniform(0.006, 0.02);
     motor_ = static_cast<size_t>(draw.below(motors));
     joint_ = draw.below(4);
@@ -177,8 +175,6 @@ class FingerPlant : public Plant {
     };
     if (!model_.gravity)
       causes_.push_back({{"gravity", "finger", "1", 1.0, 1.0, 0.0, false, true}, &H::gravity});
-    if (!model_.velocity_terms)
-      causes_.push_back({{"coriolis", "finger", "1", 1.0, 1.0, 0.0, false, true}, &H::coriolis});
     for (const FingerCause& c : causes_) listed_.push_back(c.cause);
   }
 
@@ -188,10 +184,9 @@ class FingerPlant : public Plant {
         "{{\"inertia\": {:.17g}, \"friction_shape\": {:.17g}, \"friction_level\": {:.17g}, "
         "\"viscous\": {:.17g}, \"motor_turn\": {:.17g}, \"motor_radius\": {:.17g}, "
         "\"tendon_stiffness\": {:.17g}, \"pretension\": {:.17g}, \"joint_damping\": {:.17g}, "
-        "\"gravity\": {}, \"velocity_terms\": {}}}",
+        "\"gravity\": {}}}",
         model_.inertia, model_.shape, model_.level, model_.viscous, model_.motor_turn,
-        model_.motor_radius, model_.stiffness, model_.pretension, model_.damping, model_.gravity,
-        model_.velocity_terms);
+        model_.motor_radius, model_.stiffness, model_.pretension, model_.damping, model_.gravity);
   }
   const std::vector<Cause>& causes() const override { return listed_; }
   void scale_noise(double factor) override { sigma_ *= factor; }
@@ -269,7 +264,6 @@ class FingerPlant : public Plant {
         qd(j) = vs[static_cast<size_t>(j)][k];
         qdd(j) = as[static_cast<size_t>(j)][k];
       }
-      if (!model_.velocity_terms) qd.setZero();
       const Vector4 needed = body.torque(q, qd, qdd);
       for (size_t j = 0; j < 4; ++j) {
         const auto c = static_cast<long>(j);
