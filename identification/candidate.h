@@ -149,8 +149,8 @@ struct Settings {
   double least_of_baseline = 0.01;  ///< the same against what the baseline leaves over
   int surrogates = 200;
   int blocks = 12;
-  int most_causes = 8;
-  int most_levels = 6;
+  int most_causes = 8;  ///< or one a channel, where there are more channels
+  int most_levels = 6;  ///< the same
   int threads = 2;
   unsigned seed = 1;
 };

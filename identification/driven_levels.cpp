@@ -28,6 +28,7 @@ void DrivenSubject::add_levels(std::size_t joint) {
     parameter.name = column.name;
     parameter.unit = unit_at(column.unit, driven.revolute);
     parameter.low = lowest[k];
+    if (k == 0 && tendon_driven(joint)) parameter.high = most_inertia(joint);
     parameter.shares = {{base + k, 0, 1.0}};
     problem_.levels.push_back(
         {effect.name, place(joint), {parameter}, "it would be negative", effect.experiment, {}});
@@ -36,6 +37,16 @@ void DrivenSubject::add_levels(std::size_t joint) {
   add_common_levels(joint);
   add_delay_level(delay_candidate({static_cast<int>(joint), place(joint), driven.revolute}),
                   {"delay", joint, {}, {}}, {static_cast<int>(joint)});
+}
+
+/// No link is that much heavier than its model: what would be is no inertia. [kg m²]
+double DrivenSubject::most_inertia(std::size_t joint) const {
+  constexpr double times_the_model = 30.0;
+  const auto axis = static_cast<int>(joint);
+  double largest = 0.0;
+  for (const Recording& log : problem_.training)
+    largest = std::max(largest, mass_column(known_, axis, log).col(axis).maxCoeff());
+  return times_the_model * largest;
 }
 
 /// A delay moves inertia into damping and weight into friction: what the model says shows it, its

@@ -238,7 +238,7 @@ void DrivenSubject::prepare(const Settings& settings) {
   add_mechanism_candidates();
   for (std::size_t j = 0; j < bristle_.size(); ++j) {
     add_library(j);
-    add_ripples(j);
+    if (!tendon_driven(j)) add_ripples(j);
     add_model_candidates(j);
     add_levels(j);
   }
@@ -302,17 +302,23 @@ void DrivenSubject::add(const std::string& effect, std::size_t joint, const std:
 void DrivenSubject::add_library(std::size_t joint) {
   for (const char* effect :
        {"viscous_asymmetry", "coulomb_asymmetry", "stribeck", "concave_friction", "concave_power",
-        "quadratic_friction", "friction_drift", "gear_elasticity", "gear_resonance",
-        "inertial_backlash", "offset_drift"})
+        "quadratic_friction", "friction_drift", "offset_drift"})
     add(effect, joint);
   const LogScale s = scale(joint);
   if (s.load > 0.0 || carries_links(joint)) add("load_friction", joint);
-  if (s.load > 0.0) add("loaded_backlash", joint);
+  if (!tendon_driven(joint)) add_gear(joint);
   if (model_.joints[joint].motor) return;
   // A joint carries cables and springs; a motor's own shaft does not.
   add("position_friction", joint);
   add("torsion_spring", joint);
   add("cable_torque", joint, {}, Eigen::Vector2d(0.5 * (s.low + s.high), 0.5 * (s.high - s.low)));
+}
+
+/// A joint that tendons pull has no gear, and its effort is what they pull with.
+void DrivenSubject::add_gear(std::size_t joint) {
+  for (const char* effect : {"gear_elasticity", "gear_resonance", "inertial_backlash"})
+    add(effect, joint);
+  if (scale(joint).load > 0.0) add("loaded_backlash", joint);
 }
 
 FlexibleRanges DrivenSubject::ranges(std::size_t joint) const {

@@ -85,11 +85,13 @@ class DrivenSubject {
   std::vector<int> coupled_joints(std::size_t joint);
   void add_tendon_forces(const Eigen::MatrixXd& forces, const Eigen::MatrixXd& efforts,
                          Recording& log) const;
+  void add_gear(std::size_t joint);
   void add_ripples(std::size_t joint);
   void add_ripple_of_any_period(std::size_t joint);
   void add_model_candidates(std::size_t joint);
   void add_levels(std::size_t joint);
   void add_common_levels(std::size_t joint);
+  double most_inertia(std::size_t joint) const;
   void add_delay_level(const Candidate& delay, CandidateOrigin origin, std::vector<int> channels);
   void fit_directions(const Settings& settings);
   void add_smooth_motion(Recording& log) const;

@@ -17,6 +17,8 @@ using Eigen::MatrixXf;
 using Eigen::VectorXd;
 using Set = std::vector<int>;
 
+constexpr std::size_t kStarts = 24;
+
 /// All levels' whitened columns with the base model projected out, as moments.
 struct Moments {
   std::vector<Index> first;  ///< column of each level's first parameter, and the total
@@ -165,13 +167,11 @@ class Search {
     return sum;
   }
 
-  /// Best set found from every single level on by adding, removing and exchanging.
+  /// Best set found from the most promising single levels on by adding, removing and exchanging.
   Set best(const std::vector<bool>& banned) const {
     Set found;
     double least = score(found);
-    for (int start = -1; start < static_cast<int>(price_.size()); ++start) {
-      if (start >= 0 && banned[static_cast<std::size_t>(start)]) continue;
-      Set set = start < 0 ? Set{} : Set{start};
+    for (Set set : starts(banned)) {
       const double here = descend(banned, set);
       if (here >= least - 1e-9) continue;
       least = here;
@@ -182,6 +182,18 @@ class Search {
   }
 
  private:
+  /// No level, and the single ones with the best scores.
+  std::vector<Set> starts(const std::vector<bool>& banned) const {
+    std::vector<Set> sets;
+    for (int l = 0; l < static_cast<int>(price_.size()); ++l)
+      if (!banned[static_cast<std::size_t>(l)]) sets.push_back({l});
+    std::stable_sort(sets.begin(), sets.end(),
+                     [&](const Set& a, const Set& b) { return score(a) < score(b); });
+    if (sets.size() > kStarts) sets.resize(kStarts);
+    sets.insert(sets.begin(), Set{});
+    return sets;
+  }
+
   double descend(const std::vector<bool>& banned, Set& set) const {
     double now = score(set);
     for (;;) {
@@ -325,7 +337,8 @@ LevelSelection restrict_to_levels(const Design& design, const Settings& settings
   const Weights& weights = state.noise.weights;
   const std::vector<Term> shapes = shape_changes(design, selection.model, weights);
   const Moments m = moments(design, parts, shapes, state.noise);
-  const Search search(m, parameter_price(design), settings.most_levels);
+  const int most = std::max(settings.most_levels, design.problem().channels);
+  const Search search(m, parameter_price(design), most);
   const VectorXd nominal_loss = cross_validate(design, parts.base, weights, settings.blocks)
                                     .plain.colwise()
                                     .sum()

@@ -157,6 +157,10 @@ std::string mass_matrix_column(int axis) {
   return "mass_matrix_column_" + std::to_string(axis);
 }
 
+MatrixXd mass_column(const EffortModel& effort, int axis, const Recording& log) {
+  return changed_effort(effort, log, axis, accelerated(log), 1.0) - effort(log);
+}
+
 void add_sensor_responses(const EffortModel& effort, int axis, Recording& log) {
   const MatrixXd logged = effort(log);
   const auto add = [&](const std::string& name, const Motion& change, double size) {
@@ -165,7 +169,7 @@ void add_sensor_responses(const EffortModel& effort, int axis, Recording& log) {
   add(offset_response(axis), unit_less(log), kSmallScale);
   add(scale_response(axis), less_of(log, axis), kSmallScale);
   add(rate_response(axis), rate_of(log, axis), kSmallTime);
-  add(mass_matrix_column(axis), accelerated(log), 1.0);
+  log.signals[mass_matrix_column(axis)] = mass_column(effort, axis, log);
 }
 
 Candidate sensor_low_pass_candidate(const EffectPlace& place, const EffortModel& effort,

@@ -24,6 +24,8 @@ std::string offset_response(int axis);
 std::string scale_response(int axis);
 std::string rate_response(int axis);
 std::string mass_matrix_column(int axis);
+/// The mass matrix' column of an axis, samples x joints.
+Eigen::MatrixXd mass_column(const EffortModel& effort, int axis, const Recording& log);
 void add_sensor_responses(const EffortModel& effort, int axis, Recording& log);
 
 /// The position is logged behind a first-order low-pass. Uses signals "jerk", "direction" and, at

@@ -192,6 +192,11 @@ double least_share(const Search& s, std::size_t term) {
   return std::max(s.settings.least_share, s.state.model.terms[term].candidate->least_share);
 }
 
+/// Counted over all channels a cause of a few is a small share, which chance in the others blurs.
+bool is_unsure(const Design& design, const Gain& gain) {
+  return design.problem().shared_noise && gain.low <= 0.0;
+}
+
 /// Takes out causes that the others have made superfluous or impossible.
 void prune(const Search& s) {
   Selection& state = s.state;
@@ -202,7 +207,8 @@ void prune(const Search& s) {
     const bool impossible = violates_limits(s.design, state.model, fit, t);
     const bool superfluous = evidence.statistic < evidence.freedom * parameter_price(s.design) ||
                              evidence.validated <= 0.0 || evidence.gain.share < least_share(s, t) ||
-                             evidence.of_baseline < s.settings.least_of_baseline;
+                             evidence.of_baseline < s.settings.least_of_baseline ||
+                             is_unsure(s.design, evidence.gain);
     if (!impossible && !superfluous) continue;
     const Term& term = state.model.terms[t];
     state.refused.push_back(
@@ -266,7 +272,8 @@ Selection select_causes(const Design& design, const Library& library, const Sett
                             .sum()
                             .transpose();
   std::vector<std::vector<int>> visited{{}};
-  while (static_cast<int>(causes_of(design, state.model).size()) < settings.most_causes) {
+  const int most = std::max(settings.most_causes, design.problem().channels);
+  while (static_cast<int>(causes_of(design, state.model).size()) < most) {
     const Model before = state.model;
     const NoiseView noise_before = state.noise;
     if (!add_cause(search)) break;

@@ -116,6 +116,16 @@ TEST_CASE("causes hidden in a finger with its tendons are named") {
   CHECK(rates.all_inside >= 5);
 }
 
+TEST_CASE("what a guide takes is named where the tendon slides in it as its motor turns") {
+  // Planted defect: without motor_side_guiding 208 gets Coulomb friction at a joint and "none of
+  // the known", 210 the friction beside the guide.
+  for (const std::uint64_t seed : {208UL, 210UL}) {
+    const Outcome o = diagnose_finger({seed, "finger", truth::Family::one, 2.0});
+    INFO(seed << " hidden:" << o.hidden() << ", told:" << o.told());
+    CHECK(o.all_right);
+  }
+}
+
 TEST_CASE("a finger that hides nothing is told to leave nothing over") {
   const blind::Rates rates =
       blind::run(diagnose_finger, {101, "finger", truth::Family::nothing, 1.0}, 3);
