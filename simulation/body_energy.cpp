@@ -2,7 +2,6 @@
 #include "simulation/body_energy.h"
 
 #include <Eigen/Geometry>
-#include <cmath>
 
 namespace sinew {
 
@@ -26,6 +25,7 @@ BodyEnergy::BodyEnergy(const Mechanism& mechanism) : frames_(mechanism.bodies.si
     link.centre = own.back().transpose() * body.centre_of_mass;
     link.inertia = own.back().transpose() * body.inertia * own.back();
     link.mass = body.mass;
+    if (link.type != JointType::fixed) ++moving_;
     links_.push_back(link);
   }
 }
@@ -33,6 +33,8 @@ BodyEnergy::BodyEnergy(const Mechanism& mechanism) : frames_(mechanism.bodies.si
 double BodyEnergy::at(const double* positions, const double* rates, const MovingFrame& base,
                       const Vector3d& gravity) const {
   double energy = 0.0;
+  sines_.of(positions, moving_);
+  std::size_t joint = 0;
   for (std::size_t i = 0; i < links_.size(); ++i) {
     const Link& link = links_[i];
     const MovingFrame& carrier =
@@ -44,7 +46,7 @@ double BodyEnergy::at(const double* positions, const double* rates, const Moving
     own.velocity.noalias() =
         link.rotation.transpose() * (carrier.velocity + carrier.spin.cross(link.origin));
     if (link.type == JointType::revolute) {
-      const double c = std::cos(*positions), s = std::sin(*positions++);
+      const double c = sines_.cosine(joint), s = sines_.sine(joint);
       const auto turned = [&](Vector3d& v) {
         const double x = v(0);
         v(0) = c * x + s * v(1);
@@ -55,12 +57,12 @@ double BodyEnergy::at(const double* positions, const double* rates, const Moving
       own.rotation.col(1) = c * own.rotation.col(1) - s * x;
       turned(own.spin);
       turned(own.velocity);
-      own.spin(2) += *rates++;
+      own.spin(2) += rates[joint++];
     } else if (link.type == JointType::prismatic) {
-      const Vector3d slide(0.0, 0.0, *positions++);
+      const Vector3d slide(0.0, 0.0, positions[joint]);
       own.origin += own.rotation * slide;
       own.velocity += own.spin.cross(slide);
-      own.velocity(2) += *rates++;
+      own.velocity(2) += rates[joint++];
     }
     const Vector3d velocity = own.velocity + own.spin.cross(link.centre);
     energy += 0.5 * (link.mass * velocity.squaredNorm() + own.spin.dot(link.inertia * own.spin)) -

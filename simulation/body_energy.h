@@ -6,6 +6,7 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "simulation/sines.h"
 #include "symbolic/mechanism.h"
 
 namespace sinew {
@@ -38,7 +39,9 @@ class BodyEnergy {
     double mass = 0.0;
   };
   std::vector<Link> links_;
+  std::size_t moving_ = 0;                   ///< joints
   mutable std::vector<MovingFrame> frames_;  ///< for one call after the other
+  mutable Sines sines_;
 };
 
 }  // namespace sinew

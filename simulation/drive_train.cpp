@@ -121,13 +121,22 @@ void TendonModel::at(int count, const double* elongation, const double* guess,
   states.force = states.found.head(count) + states.stiffness.cwiseProduct(states.residual);
 }
 
-double TendonModel::energy(double elongation, const TendonStates& states, int i) const {
-  if (elongation <= 0.0) return 0.0;
-  // The search stopped `residual` short of the elongation: up to there, and the rest.
-  const double left = states.residual(i), stiffness = states.stiffness(i);
-  const double force = states.force(i) - stiffness * left;
-  return energy_.at(states.lever_angle(i), force) + force * left + 0.5 * stiffness * left * left +
-         force * std::max(0.0, elongation - longest_);
+double TendonModel::energy(const Eigen::VectorXd& elongation, const TendonStates& states) const {
+  const auto count = static_cast<std::size_t>(elongation.size());
+  angle_.resize(count);
+  force_.resize(count);
+  double rest = 0.0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto t = static_cast<Eigen::Index>(i);
+    const bool slack = elongation(t) <= 0.0;
+    // The search stopped `residual` short of the elongation: up to there, and the rest.
+    const double left = slack ? 0.0 : states.residual(t), stiffness = states.stiffness(t);
+    angle_[i] = slack ? free_angle() : states.lever_angle(t);
+    force_[i] = slack ? 0.0 : states.force(t) - stiffness * left;
+    rest += force_[i] * (left + std::max(0.0, elongation(t) - longest_)) +
+            0.5 * stiffness * left * left;
+  }
+  return energy_.at(count, angle_.data(), force_.data()) + rest;
 }
 
 double TendonModel::force_at(double elongation) const {

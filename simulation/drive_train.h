@@ -71,9 +71,9 @@ class TendonModel {
   void at(int count, const double* elongation, const double* guess, TendonStates& states) const;
   /// Force of one tendon after a long search [N].
   double force_at(double elongation) const;
-  /// Energy in lever and tendon [J]; beyond the lever's travel the force stays what it is at its
-  /// end.
-  double energy(double elongation, const TendonStates& states, int tendon) const;
+  /// Energy in all levers and tendons [J]; beyond the lever's travel the force stays what it is at
+  /// its end.
+  double energy(const Eigen::VectorXd& elongation, const TendonStates& states) const;
   /// Elongation [m] at a force. Throws std::invalid_argument beyond the lever's travel.
   double elongation_at(double force) const;
   /// End of the lever's travel [m].
@@ -87,6 +87,7 @@ class TendonModel {
   CompiledModel model_;
   Search* search_;
   double longest_ = 0.0;
+  mutable std::vector<double> angle_, force_;  ///< for one call after the other
 };
 
 /// Friction between a tendon's two ends.

@@ -47,8 +47,7 @@ EnergyNow Plant::energy(const Evaluation& e) const {
     add_rate(parts_.motor->inertia() * e.omega.cwiseProduct(e.motor.acceleration));
   }
   if (!elastic_) return now;
-  for (int i = 0; i < tendons_; ++i)
-    now.value += parts_.tendon->energy(e.elongation(i), e.tendon, i);
+  now.value += parts_.tendon->energy(e.elongation, e.tendon);
   add_rate(e.force().cwiseProduct(parts_.motor->radius() * e.omega + e.h_rate));
   return now;
 }

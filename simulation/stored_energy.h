@@ -3,6 +3,7 @@
 // motion, so that a mistake there cannot hide.
 #pragma once
 
+#include "simulation/sines.h"
 #include "symbolic/part.h"
 
 namespace sinew {
@@ -12,16 +13,19 @@ namespace sinew {
 class TendonEnergy {
  public:
   explicit TendonEnergy(const TendonWithLever& parameters);
-  double at(double lever_angle, double force) const;
+  /// Sum over `count` tendons.
+  double at(std::size_t count, const double* lever_angle, const double* force) const;
 
  private:
-  double spring_length(double lever_angle) const;
+  double spring_length(double cosine) const;
 
   double stiffness_ = 0.0, softness_ = 0.0;  ///< N/m of the spring, m/N of the tendon
   // The spring is the side across from the lever's pivot in a triangle: law of cosines.
   double squares_ = 0.0, swing_ = 0.0;  ///< m²
   double angle_ = 0.0;                  ///< rad, of the lever's corner at lever angle 0
   double free_length_ = 0.0;            ///< m
+  mutable std::vector<double> corner_;  ///< rad, for one call after the other
+  mutable Sines sines_;
 };
 
 }  // namespace sinew
