@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Changes of the model's own values, as a diagnosis of driven joints may name them.
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include "identification/driven_subject.h"
@@ -30,8 +31,14 @@ void DrivenSubject::add_levels(std::size_t joint) {
     parameter.low = lowest[k];
     if (k == 0 && tendon_driven(joint)) parameter.high = most_inertia(joint);
     parameter.shares = {{base + k, 0, 1.0}};
+    const bool bounded = std::isfinite(parameter.high);
     problem_.levels.push_back(
-        {effect.name, place(joint), {parameter}, "it would be negative", effect.experiment, {}});
+        {effect.name,
+         place(joint),
+         {parameter},
+         bounded ? "it would be negative, or far beyond any link's" : "it would be negative",
+         effect.experiment,
+         {}});
     levels_.push_back({effects[k], joint, {}, {}});
   }
   add_common_levels(joint);

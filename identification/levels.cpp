@@ -17,7 +17,7 @@ using Eigen::MatrixXf;
 using Eigen::VectorXd;
 using Set = std::vector<int>;
 
-constexpr std::size_t kStarts = 24;
+constexpr std::size_t kStarts = 24;  // of the search: twice a finger's channels
 
 /// All levels' whitened columns with the base model projected out, as moments.
 struct Moments {
