@@ -7,6 +7,7 @@
 
 #include "identification/baseline.h"
 #include "identification/lag.h"
+#include "identification/parallel_for.h"
 #include "identification/refine.h"
 #include "identification/spectrum.h"
 
@@ -72,15 +73,16 @@ RankedCause describe(const Design& design, int candidate) {
 
 /// The other causes were fitted beside the present one: whoever comes near it is compared only
 /// after all parameters were fitted beside it, too.
-void refit_close_ones(const Design& design, const Selection& state, double without,
+void refit_close_ones(const Design& design, const Selection& state, double without, int threads,
                       std::vector<Trial>& trials) {
   double best = trials.front().score;
   for (const Trial& trial : trials) best = std::min(best, trial.score);
-  for (Trial& trial : trials) {
+  parallel_for(static_cast<int>(trials.size()), threads, [&](int i) {
+    Trial& trial = trials[static_cast<std::size_t>(i)];
     const double close = std::max(3.0 * kByChance, 2.0 * kClose * (without - trial.deviance));
     if (trial.score - best <= close)
-      refine(design, state.noise.weights, RefineScope::all_terms, trial.model);
-  }
+      refine(design, state.noise.weights, RefineScope::around_last, trial.model);
+  });
   rank_trials(design, state.freedom, state.noise.weights, trials);
 }
 
@@ -135,7 +137,7 @@ std::vector<Trial> contenders(const Design& design, const Library& library,
   });
   trials.push_back(std::move(present));
   rank_trials(design, state.freedom, state.noise.weights, trials);
-  refit_close_ones(design, state, deviance(without, state.noise.weights), trials);
+  refit_close_ones(design, state, deviance(without, state.noise.weights), settings.threads, trials);
   std::sort(trials.begin(), trials.end(),
             [](const Trial& a, const Trial& b) { return a.score < b.score; });
   // The search's own choice stays first unless another one is better by more than chance.
@@ -144,6 +146,23 @@ std::vector<Trial> contenders(const Design& design, const Library& library,
   if (chosen->score <= trials.front().score + kByChance)
     std::rotate(trials.begin(), chosen, chosen + 1);
   return trials;
+}
+
+/// A form stretched to its limit imitates another one there: friction that warms up within moments
+/// is friction, friction that hardly bends is straight. The other one says it with less.
+bool imitates(const Term& term) {
+  constexpr double kEdge = 0.02;  // of the range
+  if (term.level >= 0) return false;
+  const auto& shapes = term.candidate->nonlinear;
+  for (std::size_t p = 0; p < shapes.size(); ++p) {
+    const NonlinearParameter& shape = shapes[p];
+    if (!(shape.high > shape.low)) continue;
+    const auto at = [&](double x) { return shape.logarithmic ? std::log(x) : x; };
+    const double low = at(shape.low), high = at(shape.high);
+    const double place = (at(term.nonlinear(static_cast<Index>(p))) - low) / (high - low);
+    if (place < kEdge || place > 1.0 - kEdge) return true;
+  }
+  return false;
 }
 
 /// A lag that these logs cannot tell from the delay; the model takes the delay for both.
@@ -194,7 +213,7 @@ Rivals find_rivals(const Design& design, const Library& library, const Settings&
       cause.correlation = canonical_correlation(without, state.noise.weights,
                                                 trials.front().model.terms.back().columns,
                                                 trial.model.terms.back().columns);
-      if (cause.correlation < kSameThing) continue;
+      if (cause.correlation < kSameThing || imitates(trial.model.terms.back())) continue;
     }
     sum += cause.weight;
     const bool near = cause.behind <= std::max(kByChance, kByImperfection * own) ||

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Channels of one coordinate know of one another: the position's derivative is the velocity, the
-// effort moves the inertia, a measurement follows its reference.
+// effort of a lone one moves its inertia, a measurement follows its reference.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -58,15 +58,21 @@ class Checker {
       check_exchanged_effort(group);
       check_velocity(group);
       check_reference(group);
-      check_effort(group);
+      if (alone()) check_effort(group);
     }
-    check_crossed();
     for (size_t i = 0; i < specs_.size(); ++i) check_range(i);
   }
 
  private:
   const Eigen::ArrayXXd& samples() const { return log_.segments[longest_].samples; }
   ArrayXd series(int channel) const { return samples().col(channel); }
+
+  /// One coordinate has an effort. Where several have, gravity and the others' motion are in each,
+  /// and only the model can tell (effort_consistency.h).
+  bool alone() const {
+    return std::count_if(groups_.begin(), groups_.end(),
+                         [](const Group& group) { return group.has(ChannelRole::effort); }) == 1;
+  }
 
   void report(FaultKind kind, Severity severity, int channel, const std::string& meaning,
               const std::string& action) {
@@ -262,7 +268,7 @@ class Checker {
     if (!group.has(ChannelRole::position) || !group.has(ChannelRole::effort)) return;
     const int pc = group.of(ChannelRole::position), ec = group.of(ChannelRole::effort);
     const double pace_p = pace(pc), pace_e = pace(ec);
-    if (pace_e > 0.0 && pace_p > 2.5 * pace_e) {
+    if (alone() && pace_e > 0.0 && pace_p > 2.5 * pace_e) {
       swapped(pc, ec,
               "the first changes faster than the second, but motion is smoother than the effort "
               "that causes it");
@@ -338,37 +344,6 @@ class Checker {
              fmt::format("'{}' {}", e.name, evidence), "the values are kept");
     }
     return true;
-  }
-
-  // ---- efforts of two coordinates exchanged
-
-  void check_crossed() {
-    std::vector<const Group*> drives;
-    for (const Group& group : groups_)
-      if (group.has(ChannelRole::position) && group.has(ChannelRole::effort))
-        drives.push_back(&group);
-    if (drives.size() < 2 || drives.size() > 12) return;
-    const size_t n = drives.size();
-    Eigen::MatrixXd score = Eigen::MatrixXd::Zero(static_cast<long>(n), static_cast<long>(n));
-    for (size_t i = 0; i < n; ++i)
-      for (size_t j = 0; j < n; ++j)
-        score(static_cast<long>(i), static_cast<long>(j)) = crossed_score(*drives[i], *drives[j]);
-    for (long i = 0; i < static_cast<long>(n); ++i)
-      for (long j = i + 1; j < static_cast<long>(n); ++j)
-        if (score(i, j) > 0.5 && score(j, i) > 0.5 && score(i, i) < 0.5 * score(i, j) &&
-            score(j, j) < 0.5 * score(j, i))
-          swapped(drives[static_cast<size_t>(i)]->of(ChannelRole::effort),
-                  drives[static_cast<size_t>(j)]->of(ChannelRole::effort),
-                  "each belongs to the motion of the other");
-  }
-
-  // How well the position of `b` explains the effort of `a`, in a way that dissipates.
-  double crossed_score(const Group& a, const Group& b) const {
-    if (a.spec(ChannelRole::effort).unit != b.spec(ChannelRole::effort).unit) return 0.0;
-    const auto m = motion(b.of(ChannelRole::position), a.of(ChannelRole::effort));
-    if (!m) return 0.0;
-    const EffortFit found = fit_effort(*m, false);
-    return found.friction_share > 0.0 ? found.explained : 0.0;
   }
 
   const Log& log_;

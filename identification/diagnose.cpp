@@ -5,6 +5,7 @@
 #include <chrono>
 #include <set>
 
+#include "identification/effort_consistency.h"
 #include "identification/explain.h"
 #include "identification/extend.h"
 #include "identification/held_out_judgement.h"
@@ -12,6 +13,7 @@
 #include "identification/measure.h"
 #include "identification/prediction.h"
 #include "identification/read_csv.h"
+#include "identification/sensor_play.h"
 #include "identification/verdict_text.h"
 #include "symbolic/effects/effects.h"
 #include "symbolic/print_mathml.h"
@@ -67,17 +69,31 @@ class Run {
     const DrivenChannels channels = request_.channels(file);
     ReadOptions options;
     options.map = request_.map;
+    options.max_rate = kDiagnosisRate;
     const Log log = read_csv(file, channels.specs, options);
     const auto found = [&](const std::vector<std::string>& names) {
       std::vector<int> columns;
       for (const std::string& name : names) columns.push_back(log.channel(name));
       return columns;
     };
-    subject_.add_log(log,
-                     {found(channels.positions), found(channels.efforts), found(channels.forces),
-                      channels.load.empty() ? -1 : log.channel(channels.load)},
-                     held_out);
+    const DrivenColumns columns{found(channels.positions), found(channels.efforts),
+                                found(channels.forces),
+                                channels.load.empty() ? -1 : log.channel(channels.load)};
+    subject_.add_log(log, columns, held_out);
+    check_columns(log, columns, held_out);
     result_.findings.logs.push_back(log_record(log, held_out));
+  }
+
+  /// The model tells exchanged columns and wrong signs of coupled joints from what they lack.
+  void check_columns(const Log& log, const DrivenColumns& columns, bool held_out) const {
+    const Recording* longest = nullptr;
+    for (const Recording& r : held_out ? subject_.problem().holdout : subject_.problem().training)
+      if (r.name.starts_with(log.file) && (!longest || r.time.size() > longest->time.size()))
+        longest = &r;
+    if (!longest) return;
+    FaultList faults(log.file);
+    judge_efforts(log, columns, *longest, subject_.effort(), faults);
+    if (faults.stops()) throw LogError(faults.all());
   }
 
   /// A sensor with play stands still behind every reversal. So does a joint that sticks, but it
@@ -88,6 +104,13 @@ class Run {
     for (const NamedCause& cause : explanation.verdict.causes) named.push_back(cause.candidate);
     DrivenSubject subject = subject_;
     subject.look_at_standstills(named);
+    std::vector<int> plays;
+    const std::vector<CandidateOrigin>& origins = subject.library_origins();
+    for (std::size_t i = 0; i < origins.size(); ++i)
+      if (origins[i].effect == "sensor_hysteresis") plays.push_back(static_cast<int>(i));
+    if (!may_have_play(Design(subject.problem(), request_.settings), explanation.selection.model,
+                       plays))
+      return;
     Explanation other = explain(subject.problem(), request_.settings);
     const auto is_play = [&](const NamedCause& cause) {
       if (cause.candidate < 0) return false;

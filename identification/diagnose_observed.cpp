@@ -62,10 +62,11 @@ class ObservedRun {
     tell("reading " + file, 0.0);
     ReadOptions options;
     options.map = request_.map;
+    options.max_rate = kDiagnosisRate;
     const Log log = read_csv(file, request_.rig.specs, options);
     int part = 0;
     for (const sinew::Segment& segment : log.segments) {
-      if (segment.samples.rows() < kShortestSegment) continue;
+      if (segment.samples.rows() < shortest_segment(log.period)) continue;
       Recording r = request_.rig.recording(log, segment, subject_.open());
       r.name = log.segments.size() > 1 ? fmt::format("{} part {}", log.file, ++part) : log.file;
       subject_.add(std::move(r), held_out);

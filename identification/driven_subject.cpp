@@ -118,7 +118,7 @@ void DrivenSubject::add_log(const Log& log, const DrivenColumns& columns, bool h
   }
   int part = 0;
   for (const sinew::Segment& segment : log.segments) {
-    if (segment.samples.rows() < kShortestSegment) continue;
+    if (segment.samples.rows() < shortest_segment(log.period)) continue;
     Recording r;
     r.name = log.segments.size() > 1 ? fmt::format("{} part {}", log.file, ++part) : log.file;
     r.step = log.period;

@@ -103,16 +103,18 @@ MatrixXd effect_columns(const Regressor& regressor, const Recording& log, int ax
   const sinew_function& function = *regressor.function;
   const Index count = regressor.columns;
   const MatrixXd x = signals_of(log, axis);
-  VectorXd in(function.input_size), out(function.output_size);
-  in.segment(signals, shape.size()) = shape;
+  std::vector<double> in(static_cast<std::size_t>(function.input_size));
+  std::vector<double> out(static_cast<std::size_t>(function.output_size));
+  std::copy(shape.begin(), shape.end(), in.begin() + signals);
   const Index states = regressor.initial_state.size();
-  in.tail(states) = regressor.initial_state;
+  double* const state = in.data() + in.size() - states;
+  std::copy(regressor.initial_state.begin(), regressor.initial_state.end(), state);
   MatrixXd columns(x.cols(), count);
   for (Index k = 0; k < x.cols(); ++k) {
-    in.head(signals) = x.col(k);
+    std::copy_n(x.data() + k * signals, signals, in.data());
     function.call(in.data(), out.data());
-    columns.row(k) = out.head(count).transpose();
-    in.tail(states) = out.tail(states);
+    for (Index c = 0; c < count; ++c) columns(k, c) = out[static_cast<std::size_t>(c)];
+    std::copy_n(out.data() + out.size() - states, states, state);
   }
   return columns;
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "identification/level_terms.h"
+#include "identification/parallel_for.h"
 #include "identification/refine.h"
 #include "identification/shadow.h"
 
@@ -18,6 +19,8 @@ using Eigen::VectorXd;
 using Set = std::vector<int>;
 
 constexpr std::size_t kStarts = 24;  // of the search: twice a finger's channels
+// A model without friction lacks two values at every joint, and more may be wrong with it.
+constexpr int kManyLevels = 24;
 
 /// All levels' whitened columns with the base model projected out, as moments.
 struct Moments {
@@ -148,7 +151,8 @@ Set without(Set set, int level) {
 /// The sparse search over sets of allowed levels.
 class Search {
  public:
-  Search(const Moments& m, double price, int most) : m_(m), most_(static_cast<std::size_t>(most)) {
+  Search(const Moments& m, double price, int most, int threads)
+      : m_(m), most_(static_cast<std::size_t>(most)), threads_(threads) {
     for (int l = 0; l + 1 < static_cast<int>(m.first.size()); ++l) {
       const double freedom =
           m.surrogates.size() ? std::max(0.5, drops_by_chance(m, {l}).mean()) : 1.0;
@@ -171,11 +175,16 @@ class Search {
   Set best(const std::vector<bool>& banned) const {
     Set found;
     double least = score(found);
-    for (Set set : starts(banned)) {
-      const double here = descend(banned, set);
-      if (here >= least - 1e-9) continue;
-      least = here;
-      found = set;
+    std::vector<Set> sets = starts(banned);
+    std::vector<double> scores(sets.size());
+    parallel_for(static_cast<int>(sets.size()), threads_, [&](int i) {
+      const auto k = static_cast<std::size_t>(i);
+      scores[k] = descend(banned, sets[k]);
+    });
+    for (std::size_t k = 0; k < sets.size(); ++k) {
+      if (scores[k] >= least - 1e-9) continue;
+      least = scores[k];
+      found = sets[k];
     }
     std::sort(found.begin(), found.end());
     return found;
@@ -196,7 +205,7 @@ class Search {
 
   double descend(const std::vector<bool>& banned, Set& set) const {
     double now = score(set);
-    for (;;) {
+    for (bool exchanging = false;;) {
       Set next = set;
       double least = now - 1e-9;
       const auto consider = [&](Set trial) {
@@ -210,10 +219,17 @@ class Search {
         if (banned[static_cast<std::size_t>(l)] || std::count(set.begin(), set.end(), l)) continue;
         Set more = set;
         more.push_back(l);
-        if (more.size() <= most_) consider(more);
-        for (const int level : set) consider(without(more, level));
+        if (!exchanging && more.size() <= most_) consider(more);
+        // Exchanges are many: only where nothing else helps.
+        if (exchanging)
+          for (const int level : set) consider(without(more, level));
       }
-      if (least >= now - 1e-9) return now;
+      if (least >= now - 1e-9) {
+        if (exchanging) return now;
+        exchanging = true;
+        continue;
+      }
+      exchanging = false;
       set = std::move(next);
       now = least;
     }
@@ -221,6 +237,7 @@ class Search {
 
   const Moments& m_;
   std::size_t most_;
+  int threads_;
   std::vector<double> price_, freedom_;
 };
 
@@ -262,30 +279,42 @@ struct Judged {
   std::string against;
 };
 
+/// A set of levels, its model and what that loses on left-out blocks.
+struct Trialled {
+  Set set;
+  Model model;
+  BlockLosses losses;
+};
+
+/// Much of what the model's own values leave over, or most of what is left beside all others: large
+/// friction must not hide a part of it that is plain once the rest is known.
+bool is_worth_naming(const Evidence& evidence, const Settings& settings) {
+  constexpr double kMostOfTheRest = 0.5;
+  return evidence.validated > 0.0 && evidence.gain.share >= settings.least_share &&
+         (evidence.of_baseline >= settings.least_of_baseline || evidence.gain.low > kMostOfTheRest);
+}
+
 Judged judge_level(const Design& design, const Settings& settings, const LevelTerms& parts,
-                   const Moments& m, const Search& search, const Weights& weights, const Set& set,
-                   int level, const VectorXd& nominal_loss) {
+                   const Moments& m, const Search& search, const Weights& weights,
+                   const Trialled& all, int level, const VectorXd& nominal_loss) {
   Judged j;
-  const Set others = without(set, level);
-  j.evidence.statistic = drop(m, set) - std::max(0.0, drop(m, others));
+  const Set others = without(all.set, level);
+  j.evidence.statistic = drop(m, all.set) - std::max(0.0, drop(m, others));
   j.evidence.freedom = search.freedom(level);
-  j.evidence.p_family = p_value(m, set, level, j.evidence.statistic);
-  const Model after = model_of(design, weights, parts, search, set);
+  j.evidence.p_family = p_value(m, all.set, level, j.evidence.statistic);
   const Model before = model_of(design, weights, parts, search, others);
-  const BlockLosses a = cross_validate(design, after, weights, settings.blocks);
   const BlockLosses b = cross_validate(design, before, weights, settings.blocks);
-  j.evidence.validated = b.whitened.sum() - a.whitened.sum();
+  j.evidence.validated = b.whitened.sum() - all.losses.whitened.sum();
   const VectorXd channels = channels_of(design, parts.levels[static_cast<std::size_t>(level)]);
-  const VectorXd losses_before = b.plain * channels, losses_after = a.plain * channels;
+  const VectorXd losses_before = b.plain * channels, losses_after = all.losses.plain * channels;
   j.evidence.gain = block_bootstrap_gain(losses_before, losses_after, 0.95, settings.seed);
   j.evidence.of_baseline = (losses_before - losses_after).sum() / nominal_loss.dot(channels);
   if (j.evidence.p_family > settings.significance)
     j.against = "too little to be told from noise";
-  else if (j.evidence.validated <= 0.0 || j.evidence.of_baseline < settings.least_of_baseline ||
-           j.evidence.gain.share < settings.least_share)
+  else if (!is_worth_naming(j.evidence, settings))
     j.against = "no gain worth naming on left-out blocks";
   else if (!design.problem().holdout.empty() &&
-           held_out_drop(design, settings, before, after, weights) <= 0.0)
+           held_out_drop(design, settings, before, all.model, weights) <= 0.0)
     j.against = "no gain on the held-out logs";
   return j;
 }
@@ -337,8 +366,9 @@ LevelSelection restrict_to_levels(const Design& design, const Settings& settings
   const Weights& weights = state.noise.weights;
   const std::vector<Term> shapes = shape_changes(design, selection.model, weights);
   const Moments m = moments(design, parts, shapes, state.noise);
-  const int most = std::max(settings.most_levels, design.problem().channels);
-  const Search search(m, parameter_price(design), most);
+  const int channels = design.problem().channels;
+  const int most = std::max({settings.most_levels, channels, std::min(3 * channels, kManyLevels)});
+  const Search search(m, parameter_price(design), most, settings.threads);
   const VectorXd nominal_loss = cross_validate(design, parts.base, weights, settings.blocks)
                                     .plain.colwise()
                                     .sum()
@@ -364,9 +394,17 @@ LevelSelection restrict_to_levels(const Design& design, const Settings& settings
     settled = true;
     double weakest = std::numeric_limits<double>::infinity();
     Refusal refusal;
-    for (const int level : set) {
-      const Judged j =
-          judge_level(design, settings, parts, m, search, weights, set, level, nominal_loss);
+    Trialled all{set, model_of(design, weights, parts, search, set), {}};
+    all.losses = cross_validate(design, all.model, weights, settings.blocks);
+    std::vector<Judged> judged(set.size());
+    parallel_for(static_cast<int>(set.size()), settings.threads, [&](int i) {
+      const auto k = static_cast<std::size_t>(i);
+      judged[k] =
+          judge_level(design, settings, parts, m, search, weights, all, set[k], nominal_loss);
+    });
+    for (std::size_t i = 0; i < set.size(); ++i) {
+      const int level = set[i];
+      const Judged& j = judged[i];
       evidence.push_back(j.evidence);
       if (j.against.empty() || j.evidence.statistic >= weakest) continue;
       weakest = j.evidence.statistic;
@@ -374,11 +412,10 @@ LevelSelection restrict_to_levels(const Design& design, const Settings& settings
       settled = false;
     }
     if (settled) {
-      const Model model = model_of(design, weights, parts, search, set);
-      const auto shadow = find_shadow(design, settings, weights, model, ShadowOf::levels);
+      const auto shadow = find_shadow(design, settings, weights, all.model, ShadowOf::levels);
       if (!shadow) break;
       settled = false;
-      refusal = {-1 - model.terms[*shadow].level,
+      refusal = {-1 - all.model.terms[*shadow].level,
                  "no more than what the form of a named cause leaves over"};
     }
     banned[static_cast<std::size_t>(-1 - refusal.candidate)] = true;

@@ -26,9 +26,10 @@ Model nominal_model(const Design& design, const Model& baseline);
 
 /// `selection` with its baseline held at the nominal values and levels found by search:
 /// minimises whitened deviance + price * effective parameters over sets of at most
-/// Settings::most_levels levels (or one a channel) whose changes lie within their limits. Each
-/// level must beat surrogates (Bonferroni over all levels), gain Settings::least_of_baseline of the
-/// nominal residual's energy on left-out blocks, and gain on held-out logs. Throws
+/// Settings::most_levels levels (or three a channel, up to 24, or one) whose changes lie within
+/// their limits. Each level must beat surrogates (Bonferroni over all levels), gain
+/// Settings::least_of_baseline of the nominal residual's energy on left-out blocks or half of what
+/// all others leave over, and gain on held-out logs. Throws
 /// std::invalid_argument where a share points to no baseline coefficient or to one per log. Levels
 /// in `withdrawn` are not taken.
 LevelSelection restrict_to_levels(const Design& design, const Settings& settings,

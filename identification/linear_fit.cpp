@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "identification/linear_fit.h"
 
+#include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
@@ -17,6 +18,11 @@ Index width(const Term& term) {
   for (const MatrixXd& part : term.columns)
     if (part.cols() > 0) return part.cols();
   return 0;
+}
+
+bool delays(const Candidate& delay, int channel) {
+  return delay.channels.empty() ||
+         std::count(delay.channels.begin(), delay.channels.end(), channel);
 }
 
 }  // namespace
@@ -89,6 +95,12 @@ MatrixXd scaled_pseudo_inverse(const MatrixXd& gram, double tolerance) {
   const VectorXd scale =
       gram.diagonal().unaryExpr([](double d) { return d > 0.0 ? 1.0 / std::sqrt(d) : 0.0; });
   const MatrixXd unit = scale.asDiagonal() * gram * scale.asDiagonal();
+  // The decomposition takes ten times as long and is for what is nearly dependent.
+  const Eigen::LLT<MatrixXd> factor(unit);
+  if (factor.info() == Eigen::Success && factor.rcond() > 1e3 * tolerance) {
+    const MatrixXd half = factor.matrixL().solve(MatrixXd(scale.asDiagonal()));
+    return half.transpose() * half;
+  }
   const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(unit);
   const double limit = tolerance * std::max(eigen.eigenvalues().maxCoeff(), 1e-300);
   const VectorXd inverse =
@@ -139,26 +151,35 @@ VectorXd predict(const std::vector<const BandColumns*>& columns, const VectorXd&
   return sum;
 }
 
-BandColumns prediction_rate(const Design& design, const Model& model, const VectorXd& coefficients,
-                            const Candidate& delay) {
+std::vector<BandColumns> term_rates(const Design& design, const Model& model,
+                                    const Candidate* delay) {
   std::vector<BandColumns> rates;
   for (const Term& term : model.terms) {
-    if (term.candidate->kind == CandidateKind::delay) {
-      BandColumns none = term.columns;  // keeps the coefficient's place; its rate is second order
-      for (MatrixXd& part : none) part.setZero();
-      rates.push_back(std::move(none));
-    } else {
+    bool wanted = false;
+    for (std::size_t s = 0; s < term.columns.size(); ++s)
+      wanted |=
+          term.columns[s].cols() > 0 && (!delay || delays(*delay, design.segments()[s].channel));
+    // A delay's own rate is second order.
+    if (wanted && term.candidate->kind != CandidateKind::delay) {
       rates.push_back(design.columns(*term.candidate, term.nonlinear, 1));
+      continue;
     }
+    BandColumns none = term.columns;  // keeps the coefficient's place
+    for (MatrixXd& part : none) part.setZero();
+    rates.push_back(std::move(none));
   }
+  return rates;
+}
+
+BandColumns prediction_rate(const Design& design, const Model& model,
+                            const std::vector<BandColumns>& rates, const VectorXd& coefficients,
+                            const Candidate& delay) {
   std::vector<const BandColumns*> all;
   for (const BandColumns& rate : rates) all.push_back(&rate);
   BandColumns result(design.segments().size());
   for (std::size_t s = 0; s < result.size(); ++s) {
     const int channel = design.segments()[s].channel;
-    if (!delay.channels.empty() &&
-        std::find(delay.channels.begin(), delay.channels.end(), channel) == delay.channels.end())
-      continue;
+    if (!delays(delay, channel)) continue;
     result[s] = predict(all, coefficients, s);
     const auto add = [&](const VectorXd& rate) {
       if (result[s].size() == 0)

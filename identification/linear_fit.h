@@ -79,8 +79,14 @@ Eigen::MatrixXd scaled_pseudo_inverse(const Eigen::MatrixXd& gram, double tolera
 Eigen::VectorXd predict(const std::vector<const BandColumns*>& columns,
                         const Eigen::VectorXd& coefficients, std::size_t segment);
 
-/// Time derivative of the model's prediction: the column a delay is linearised with.
+/// Time derivative of every term's columns where `delay` acts (null: everywhere).
+std::vector<BandColumns> term_rates(const Design& design, const Model& model,
+                                    const Candidate* delay = nullptr);
+
+/// Time derivative of the model's prediction: the column a delay is linearised with. `rates`: of
+/// term_rates().
 BandColumns prediction_rate(const Design& design, const Model& model,
+                            const std::vector<BandColumns>& rates,
                             const Eigen::VectorXd& coefficients, const Candidate& delay);
 
 }  // namespace sinew::diagnosis

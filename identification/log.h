@@ -4,6 +4,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -85,8 +87,14 @@ struct Channel {
   double noise_floor = 0.0;  ///< rms of the part that no smooth signal explains (kept samples)
 };
 
-/// Samples of a segment that is worth diagnosing.
-inline constexpr Eigen::Index kShortestSegment = 400;
+/// What a diagnosis reads: its band and the turns of friction need no more [Hz].
+inline constexpr double kDiagnosisRate = 1000.0;
+
+/// Samples of a segment that is worth diagnosing, at a sampling period [s]: the smoothers of the
+/// motion are longer than a few hundred where samples are dense.
+inline Eigen::Index shortest_segment(double period) {
+  return std::max<Eigen::Index>(400, static_cast<Eigen::Index>(std::ceil(0.5 / period)));
+}
 
 /// A stretch without gaps. Sample k was taken at start + k * Log::period.
 struct Segment {

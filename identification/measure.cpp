@@ -90,25 +90,38 @@ std::vector<MeasuredChannel> measure(const DrivenSubject& subject, const Design&
 
 Gain measured_gain(const std::vector<MeasuredChannel>& measured, int channel, bool held_out,
                    int blocks, unsigned seed) {
-  std::vector<double> before, after;
+  std::map<int, std::pair<double, double>> left;  // of each channel, before and after
+  struct Block {
+    int channel;
+    double before, after;
+  };
+  std::vector<Block> all;
   for (const MeasuredChannel& m : measured) {
     if (m.held_out != held_out || (channel >= 0 && m.channel != channel)) continue;
-    // Channels of different units count by their share.
-    const double unit = std::max(m.measured.squaredNorm(), 1e-300);
     const Index n = m.measured.size();
     const VectorXd counts = m.counts.size() > 0 ? m.counts : VectorXd::Ones(n);
     const VectorXd left_before = counts.cwiseProduct(m.measured - m.before);
     const VectorXd left_after = counts.cwiseProduct(m.measured - m.after);
     for (int b = 0; b < blocks; ++b) {
       const Index from = n * b / blocks, count = n * (b + 1) / blocks - from;
-      before.push_back(left_before.segment(from, count).squaredNorm() / unit);
-      after.push_back(left_after.segment(from, count).squaredNorm() / unit);
+      all.push_back({m.channel, left_before.segment(from, count).squaredNorm(),
+                     left_after.segment(from, count).squaredNorm()});
     }
+    left[m.channel].first += left_before.squaredNorm();
+    left[m.channel].second += left_after.squaredNorm();
   }
-  if (before.empty()) return {};
-  return block_bootstrap_gain(VectorXd::Map(before.data(), static_cast<Index>(before.size())),
-                              VectorXd::Map(after.data(), static_cast<Index>(after.size())), 0.95,
-                              seed);
+  if (all.empty()) return {};
+  // A joint that hardly moves measures its noise alone: by its share of what is measured it would
+  // outweigh all others.
+  VectorXd before(static_cast<Index>(all.size())), after = before;
+  for (Index k = 0; k < before.size(); ++k) {
+    const Block& block = all[static_cast<std::size_t>(k)];
+    const auto& [was, is] = left.at(block.channel);
+    const double unit = std::max(std::min(was, is), 1e-300);
+    before(k) = block.before / unit;
+    after(k) = block.after / unit;
+  }
+  return block_bootstrap_gain(before, after, 0.95, seed);
 }
 
 double noise_floor(const Selection& selection, const Design& design, int channel) {

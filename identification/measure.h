@@ -32,8 +32,8 @@ std::vector<MeasuredChannel> measure(const DrivenSubject& subject, const Design&
                                      const std::vector<ExtensionTerm>& terms,
                                      const EffortModel& after);
 
-/// Gain of the mean square, standstill aside, over the chosen logs of one channel (-1: all), with
-/// its interval.
+/// Gain of the mean square, standstill aside, over the chosen logs of one channel, with its
+/// interval. channel = -1: of all, each in units of what is left of it at best.
 Gain measured_gain(const std::vector<MeasuredChannel>& measured, int channel, bool held_out,
                    int blocks, unsigned seed);
 

@@ -2,6 +2,7 @@
 #include "identification/position_noise.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "identification/filter.h"
 
@@ -19,7 +20,7 @@ double at_most(double frequency, double step) {
 /// Mean square of the acceleration between the two smoothers, for white noise of the position that
 /// has mean square 1 above both.
 double noise_of_acceleration(double step) {
-  constexpr Index half = 250;
+  const auto half = static_cast<Index>(std::ceil(0.3 / step));  // longer than either smoother
   const VectorXd pulse = VectorXd::Unit(2 * half + 1, half);
   const Motion fast = differentiate(pulse, step, motion_cutoff(step));
   const Motion slow = differentiate(pulse, step, smooth_cutoff(step));

@@ -137,8 +137,10 @@ class Reading {
     const std::vector<DataFault>& found = faults_.all();
     grid.resample = std::any_of(found.begin(), found.end(),
                                 [](const DataFault& f) { return f.kind == FaultKind::jitter; });
-    grid.decimation =
-        static_cast<int>((inspection_.rows + options_.max_samples - 1) / options_.max_samples);
+    const long for_memory = (inspection_.rows + options_.max_samples - 1) / options_.max_samples;
+    // 999.9 Hz is 1 kHz: a mean of stamps.
+    const double for_rate = 1.01 / (grid.period * options_.max_rate);
+    grid.decimation = static_cast<int>(std::max({1L, for_memory, static_cast<long>(for_rate)}));
     return grid;
   }
 

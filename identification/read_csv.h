@@ -13,6 +13,7 @@ namespace sinew {
 struct ReadOptions {
   std::vector<std::string> map;   ///< texts of --map, see map_columns
   long max_samples = 200000;      ///< kept a channel; a longer log is low-passed and thinned out
+  double max_rate = 1e9;          ///< Hz; a faster log is thinned out, too, down to here or above
   int longest_fill = 5;           ///< missing samples in a row that interpolation may fill
   bool check_consistency = true;  ///< compare channels with one another and with the model
 };

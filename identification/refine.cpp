@@ -115,7 +115,7 @@ void fit_nonlinear(const Design& design, const Weights& weights, RefineScope sco
   }
   ceres::Solver::Options options;
   options.linear_solver_type = ceres::DENSE_NORMAL_CHOLESKY;
-  options.max_num_iterations = scope == RefineScope::all_terms ? 12 : 8;
+  options.max_num_iterations = scope == RefineScope::last_term ? 8 : 12;
   options.function_tolerance = 1e-5;
   options.logging_type = ceres::SILENT;
   ceres::Solver::Summary summary;
@@ -153,7 +153,7 @@ std::vector<std::size_t> component(const Model& model, std::size_t from) {
 void fit_by_components(const Design& design, const Weights& weights, RefineScope scope,
                        Model& model) {
   std::vector<bool> done(model.terms.size(), false);
-  for (std::size_t t = scope == RefineScope::last_term ? done.size() - 1 : 0; t < done.size();
+  for (std::size_t t = scope == RefineScope::all_terms ? 0 : done.size() - 1; t < done.size();
        ++t) {
     if (done[t]) continue;
     const std::vector<std::size_t> terms = component(model, t);
@@ -181,7 +181,8 @@ double move_delays(const Design& design, const Weights& weights, Model& model) {
     const VectorXd before = solve(stack(model, weights)).coefficients;
     VectorXd plain = before;
     plain(first_columns(model)[t]) = 0.0;
-    model.terms[t].columns = prediction_rate(design, model, plain, candidate);
+    model.terms[t].columns =
+        prediction_rate(design, model, term_rates(design, model, &candidate), plain, candidate);
     const double step = solve(stack(model, weights)).coefficients(first_columns(model)[t]);
     const NonlinearParameter& range = candidate.nonlinear.front();
     const double old = model.terms[t].nonlinear(0);
@@ -198,7 +199,7 @@ double move_delays(const Design& design, const Weights& weights, Model& model) {
 }  // namespace
 
 void refine(const Design& design, const Weights& weights, RefineScope scope, Model& model) {
-  const int rounds = scope == RefineScope::all_terms ? 4 : 1;
+  const int rounds = scope == RefineScope::last_term ? 1 : 4;
   for (int round = 0; round < rounds; ++round) {
     fit_by_components(design, weights, scope, model);
     if (move_delays(design, weights, model) < 2e-6) break;
@@ -232,7 +233,8 @@ void append_term(const Design& design, const Weights& weights, const Candidate& 
   }
   const VectorXd coefficients = solve(stack(model, weights)).coefficients;
   model.terms.push_back({&candidate, false, VectorXd::Zero(1),
-                         prediction_rate(design, model, coefficients, candidate)});
+                         prediction_rate(design, model, term_rates(design, model, &candidate),
+                                         coefficients, candidate)});
 }
 
 void remove_term(const Design& design, std::size_t index, Model& model) {

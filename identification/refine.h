@@ -6,8 +6,9 @@
 
 namespace sinew::diagnosis {
 
-/// Which nonlinear parameters move: all terms', or only the last term's (a quick trial).
-enum class RefineScope { all_terms, last_term };
+/// Which nonlinear parameters move: all terms', those of the last term and of all that act where it
+/// acts, directly or by way of others, or only the last term's (a quick trial).
+enum class RefineScope { all_terms, around_last, last_term };
 
 /// Improves the model in place within the parameters' bounds. The linear coefficients are
 /// eliminated at every evaluation (variable projection), so causes are always re-fitted together.

@@ -103,29 +103,45 @@ Left leave(const Projected& p, const BandColumns& columns, const Weights& weight
   return left;
 }
 
-/// Statistic and coefficients within the limits: coefficients outside are held at their limit of
-/// zero (an active set of at most two rounds; groups are small).
-double limited_statistic(const MatrixXd& gram, const VectorXd& moment, const VectorXd& low,
-                         const VectorXd& high, VectorXd* coefficients) {
-  std::vector<Index> free;
-  for (Index c = 0; c < moment.size(); ++c)
-    if (gram(c, c) > 0.0) free.push_back(c);
-  VectorXd beta = VectorXd::Zero(moment.size());
-  while (!free.empty()) {
-    const MatrixXd inverse = scaled_pseudo_inverse(gram(free, free), 1e-6);
-    const VectorXd part = inverse * moment(free);
-    beta.setZero();
-    for (std::size_t i = 0; i < free.size(); ++i) beta(free[i]) = part(static_cast<Index>(i));
-    std::vector<Index> inside;
-    for (const Index c : free)
-      if (beta(c) >= low(c) && beta(c) <= high(c)) inside.push_back(c);
-    if (inside.size() == free.size()) break;
-    free = inside;
-    beta.setZero();
+/// Statistics of one group for many moments: its normal matrix is inverted once.
+class GroupStatistic {
+ public:
+  explicit GroupStatistic(const MatrixXd& gram) : gram_(gram) {
+    for (Index c = 0; c < gram.cols(); ++c)
+      if (gram(c, c) > 0.0) all_.push_back(c);
+    inverse_ = scaled_pseudo_inverse(gram(all_, all_), kDependent);
   }
-  if (coefficients) *coefficients = beta;
-  return std::max(0.0, 2.0 * beta.dot(moment) - beta.dot(gram * beta));
-}
+
+  /// Statistic and coefficients within the limits: coefficients outside are held at their limit of
+  /// zero (an active set of at most two rounds; groups are small).
+  double limited(const VectorXd& moment, const VectorXd& low, const VectorXd& high,
+                 VectorXd* coefficients) const {
+    VectorXd beta = VectorXd::Zero(moment.size());
+    for (std::vector<Index> free = all_; !free.empty();) {
+      const VectorXd own = moment(free);
+      const VectorXd part =
+          free.size() == all_.size()
+              ? VectorXd(inverse_ * own)
+              : VectorXd(scaled_pseudo_inverse(gram_(free, free), kDependent) * own);
+      beta.setZero();
+      for (std::size_t i = 0; i < free.size(); ++i) beta(free[i]) = part(static_cast<Index>(i));
+      std::vector<Index> inside;
+      for (const Index c : free)
+        if (beta(c) >= low(c) && beta(c) <= high(c)) inside.push_back(c);
+      if (inside.size() == free.size()) break;
+      free = inside;
+      beta.setZero();
+    }
+    if (coefficients) *coefficients = beta;
+    return std::max(0.0, 2.0 * beta.dot(moment) - beta.dot(gram_ * beta));
+  }
+
+ private:
+  static constexpr double kDependent = 1e-6;
+  const MatrixXd& gram_;
+  std::vector<Index> all_;
+  MatrixXd inverse_;
+};
 
 struct Limits {
   VectorXd low, high;
@@ -160,14 +176,14 @@ SlotResult test_slot(const Design& design, const Projected& p, const Candidate& 
   const Limits limits = limits_of(design, candidate);
   const VectorXd open =
       VectorXd::Constant(left.moment.size(), std::numeric_limits<double>::infinity());
+  const GroupStatistic group(left.gram);
   result.data.statistic =
-      limited_statistic(left.gram, left.moment, limits.low, limits.high, &result.data.coefficients);
-  result.data.unrestricted = limited_statistic(left.gram, left.moment, -open, open, nullptr);
+      group.limited(left.moment, limits.low, limits.high, &result.data.coefficients);
+  result.data.unrestricted = group.limited(left.moment, -open, open, nullptr);
   result.data.gate = result.data.statistic > 0.0 ? Gate::open : Gate::limit_violated;
   result.null.resize(left.null_moments.cols());
   for (Index i = 0; i < result.null.size(); ++i)
-    result.null(i) =
-        limited_statistic(left.gram, left.null_moments.col(i), limits.low, limits.high, nullptr);
+    result.null(i) = group.limited(left.null_moments.col(i), limits.low, limits.high, nullptr);
   return result;
 }
 
@@ -221,10 +237,14 @@ Screening screen(const Design& design, const Library& library, const Model& mode
   const LinearFit fit = solve(stack(model, weights));
   const Projected projected = project(design, model, weights, surrogates, threads);
   std::vector<Slot> delays;
+  std::vector<BandColumns> rates;  // the same for every delay
   for (std::size_t c = 0; c < candidates.size(); ++c)
-    if (candidates[c].kind == CandidateKind::delay)
+    if (candidates[c].kind == CandidateKind::delay) {
+      if (rates.empty()) rates = term_rates(design, model);
       delays.push_back({static_cast<int>(c), VectorXd(),
-                        prediction_rate(design, model, fit.coefficients, candidates[c]), 1.0});
+                        prediction_rate(design, model, rates, fit.coefficients, candidates[c]),
+                        1.0});
+    }
   const auto fixed = library.slots().size();
   std::vector<SlotResult> results(fixed + delays.size());
   const auto slot_at = [&](std::size_t i) -> const Slot& {

@@ -2,9 +2,12 @@
 #include "identification/select.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <optional>
 
 #include "identification/baseline.h"
+#include "identification/parallel_for.h"
 #include "identification/refine.h"
 #include "identification/shadow.h"
 
@@ -61,18 +64,17 @@ void note_refusals(const std::vector<Trial>& trials, Selection& state) {
 
 /// Position of the allowed trial with the smallest plain loss on left-out blocks, or -1.
 int smallest_loss(const Search& s, const std::vector<Trial>& trials) {
-  int best = -1;
-  double least = 0.0;
-  for (std::size_t i = 0; i < trials.size(); ++i) {
-    if (!trials[i].allowed) continue;
-    const NoiseView own = own_noise(s.design, trials[i].model, s.settings.threads);
-    const double loss =
-        cross_validate(s.design, trials[i].model, own.weights, s.settings.blocks).plain.sum();
-    if (best >= 0 && loss >= least) continue;
-    best = static_cast<int>(i);
-    least = loss;
-  }
-  return best;
+  std::vector<double> losses(trials.size(), std::numeric_limits<double>::infinity());
+  parallel_for(static_cast<int>(trials.size()), s.settings.threads, [&](int i) {
+    const auto k = static_cast<std::size_t>(i);
+    if (!trials[k].allowed) return;
+    const NoiseView own = own_noise(s.design, trials[k].model, 1);
+    losses[k] =
+        cross_validate(s.design, trials[k].model, own.weights, s.settings.blocks).plain.sum();
+  });
+  const auto least = std::min_element(losses.begin(), losses.end());
+  return least == losses.end() || std::isinf(*least) ? -1
+                                                     : static_cast<int>(least - losses.begin());
 }
 
 /// The best trial under the noise that it leaves over itself. The present model's noise must not
