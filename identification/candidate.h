@@ -87,7 +87,8 @@ struct Candidate {
   /// Lags of a position only: the effort of its channel for a position error of one s^2 times the
   /// acceleration. A delay d and a lag d differ by d^2 / 2 of it (lag.h).
   ColumnFunction bend;
-  bool aside = false;  ///< is in every measurement: fitted, and no name for what is wrong
+  bool unlikely = false;  ///< named only where no other cause explains as much
+  bool aside = false;     ///< is in every measurement: fitted, and no name for what is wrong
   /// false: a fit with these coefficients and nonlinear parameters is not this effect; may be
   /// empty.
   std::function<bool(const Eigen::VectorXd& coefficients, const Eigen::VectorXd& nonlinear)>
@@ -126,6 +127,7 @@ struct LevelCause {
   /// Channels at which its one parameter [s] delays what the nominal model says, against nothing
   /// else; absent: it delays nothing.
   std::optional<std::vector<int>> delayed;
+  bool unlikely = false;  ///< as a candidate's
 };
 
 /// Everything one diagnosis works on. The baseline's coefficients are re-fitted with every cause.

@@ -103,6 +103,13 @@ void add_levels(const Design& design, const Selection& state, const Model& witho
   }
 }
 
+bool is_unlikely(const Design& design, const Trial& trial) {
+  const Problem& problem = design.problem();
+  return trial.candidate < 0
+             ? problem.levels[static_cast<std::size_t>(-1 - trial.candidate)].unlikely
+             : problem.library[static_cast<std::size_t>(trial.candidate)].unlikely;
+}
+
 /// Fitted models with the term replaced by whatever comes near it.
 std::vector<Trial> contenders(const Design& design, const Library& library,
                               const Settings& settings, const Selection& state, std::size_t term) {
@@ -120,7 +127,8 @@ std::vector<Trial> contenders(const Design& design, const Library& library,
   std::erase_if(trials, [&](const Trial& t) {
     const bool decoy = t.candidate >= 0 && library_of[static_cast<std::size_t>(t.candidate)].kind ==
                                                CandidateKind::decoy;
-    return !t.allowed || decoy;  // a decoy is no name, and lost against this one
+    // A decoy is no name, and lost against this one.
+    return !t.allowed || decoy || is_unlikely(design, t);
   });
   Trial present;
   present.candidate = own;
@@ -145,6 +153,10 @@ std::vector<Trial> contenders(const Design& design, const Library& library,
                                    [own](const Trial& t) { return t.candidate == own; });
   if (chosen->score <= trials.front().score + kByChance)
     std::rotate(trials.begin(), chosen, chosen + 1);
+  const auto likely = std::find_if(trials.begin(), trials.end(),
+                                   [&](const Trial& t) { return !is_unlikely(design, t); });
+  if (likely != trials.end() && likely->score <= trials.front().score + kByChance)
+    std::rotate(trials.begin(), likely, likely + 1);
   return trials;
 }
 

@@ -85,7 +85,7 @@ void DrivenSubject::add_common_levels(std::size_t joint) {
 }
 
 void DrivenSubject::add_level(const Candidate& c, CandidateOrigin origin, int columns) {
-  LevelCause level{c.name, c.place, {}, c.limit_meaning, c.isolating_experiment, {}};
+  LevelCause level{c.name, c.place, {}, c.limit_meaning, c.isolating_experiment, {}, false};
   const std::size_t count = columns < 0 ? c.linear.size() : static_cast<std::size_t>(columns);
   for (std::size_t k = 0; k < count; ++k) {
     const LinearParameter& p = c.linear[k];
@@ -98,6 +98,7 @@ void DrivenSubject::add_level(const Candidate& c, CandidateOrigin origin, int co
     };
     level.parameters.push_back(std::move(parameter));
   }
+  level.unlikely = c.unlikely;
   problem_.levels.push_back(std::move(level));
   levels_.push_back(std::move(origin));
 }
@@ -113,7 +114,7 @@ void DrivenSubject::add_mechanism_levels() {
   for (std::size_t i = 0; i < library_.size(); ++i) {
     const CandidateOrigin origin = library_[i];
     const Candidate candidate = problem_.library[i];
-    if (origin.effect == "payload")
+    if (origin.effect == "payload" || origin.effect == "inertial_parameters")
       add_level(candidate, origin, mass_and_first_moments);
     else if (origin.effect == "gravity" || !origin.tendon.empty())
       add_level(candidate, origin);

@@ -254,7 +254,9 @@ void DrivenSubject::add_mechanism_candidates() {
   if (model_.joints.size() > 1) take(common_delay_candidate(), {"delay", 0, {}, {}, true});
   if (rigid_)
     for (Candidate& c : rigid_->candidates()) {
-      const std::string effect = c.name == "payload" ? "payload" : "gravity";
+      const std::string effect = c.place == "base" ? "gravity"
+                                 : c.unlikely      ? "inertial_parameters"
+                                                   : "payload";
       take(std::move(c), {effect, 0, {}, {}});
     }
   if (tendons_)

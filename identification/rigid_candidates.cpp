@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "generator/assemble.h"
+#include "identification/parallel_for.h"
 #include "symbolic/dynamics_functions.h"
 #include "symbolic/runtime_parameters.h"
 
@@ -18,6 +19,7 @@ using Eigen::VectorXd;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double strongest_gravity = 10.0;  // m/s²
 constexpr std::size_t most_payloads = 5;    // a hand's fingers
+constexpr std::size_t most_links = 8;       // of an arm, whose own masses are asked about
 
 LinearParameter parameter(const std::string& name, const std::string& unit, double low) {
   LinearParameter p;
@@ -27,8 +29,12 @@ LinearParameter parameter(const std::string& name, const std::string& unit, doub
   return p;
 }
 
-/// Bodies that carry no further one and do move.
-std::vector<std::size_t> leaves(const Mechanism& mechanism) {
+struct MovingBody {
+  std::size_t body = 0;
+  bool leaf = true;  ///< carries no further one
+};
+
+std::vector<MovingBody> moving_bodies(const Mechanism& mechanism) {
   std::vector<bool> moves, leaf(mechanism.bodies.size(), true);
   for (std::size_t i = 0; i < mechanism.joints.size(); ++i) {
     const Joint& joint = mechanism.joints[i];
@@ -36,9 +42,9 @@ std::vector<std::size_t> leaves(const Mechanism& mechanism) {
     moves.push_back(joint.type != JointType::fixed || with_parent);
     if (joint.parent >= 0) leaf[static_cast<std::size_t>(joint.parent)] = false;
   }
-  std::vector<std::size_t> list;
+  std::vector<MovingBody> list;
   for (std::size_t i = 0; i < leaf.size(); ++i)
-    if (leaf[i] && moves[i] && list.size() < most_payloads) list.push_back(i);
+    if (moves[i]) list.push_back({i, leaf[i]});
   return list;
 }
 
@@ -53,7 +59,12 @@ RigidColumns::RigidColumns(const Mechanism& mechanism, const std::filesystem::pa
       {base_parameters_function(mechanism), inverse_dynamics_function(mechanism, {}, true)}, {});
   compiled_ = std::make_shared<CompiledModel>(emitted, runtime);
   coordinates_ = compiled_->find("inverse_dynamics").output_size;
-  for (const std::size_t body : leaves(mechanism)) add_payload(mechanism, body);
+  const std::vector<MovingBody> moving = moving_bodies(mechanism);
+  std::size_t payloads = 0;
+  for (const MovingBody& m : moving)
+    if (m.leaf && payloads++ < most_payloads) add_payload(mechanism, m.body);
+  if (mechanism.tendons.empty() && coordinates_ > 1 && moving.size() <= most_links)
+    for (const MovingBody& m : moving) add_inertial(mechanism, m.body, m.leaf);
   add_gravity(mechanism);
 }
 
@@ -68,24 +79,17 @@ VectorXd RigidColumns::parameters(const VectorXd& mass, const MatrixXd& com,
   return out;
 }
 
-/// Ten parameters of what hangs on a body: mass, first moments, moments of inertia.
-void RigidColumns::add_payload(const Mechanism& mechanism, std::size_t body) {
-  const auto b = static_cast<Index>(body);
-  const Body& carrier = mechanism.bodies[body];
-  Group group{"payload of " + carrier.name,
-              "payload",
-              "link " + carrier.name,
-              "the same slow motion with and without what may be attached",
-              "its mass would be negative",
-              {},
-              {}};
+/// Ten parameters of a mass that moves with a body: mass, first moments, moments of inertia.
+RigidColumns::Group RigidColumns::mass_of(const Body& carrier, Index b) const {
+  Group group;
+  group.place = "link " + carrier.name;
   const VectorXd no_mass = VectorXd::Zero(bodies_);
   const MatrixXd no_com = MatrixXd::Zero(bodies_, 3), no_inertia = MatrixXd::Zero(bodies_, 6);
-  const VectorXd nothing = parameters(no_mass, no_com, no_inertia, mechanism.gravity);
   VectorXd unit = no_mass;
   unit(b) = 1.0;
+  const Vector3d& gravity = mechanism_.gravity;
   group.parameters.push_back(parameter("mass", "kg", 0.0));
-  group.columns.push_back({parameters(unit, no_com, no_inertia, mechanism.gravity), nothing, 1.0});
+  group.columns.push_back({parameters(unit, no_com, no_inertia, gravity), {}, 1.0});
   const char* axes[] = {"x", "y", "z"};
   constexpr double arm = 0.125;
   for (Index k = 0; k < 3; ++k) {
@@ -93,17 +97,40 @@ void RigidColumns::add_payload(const Mechanism& mechanism, std::size_t body) {
     com(b, k) = arm;
     group.parameters.push_back(
         parameter(std::string("first_moment_") + axes[k], "kg*m", -infinity));
-    group.columns.push_back({parameters(unit, com, no_inertia, mechanism.gravity),
-                             parameters(unit, -com, no_inertia, mechanism.gravity), 0.5 / arm});
+    group.columns.push_back({parameters(unit, com, no_inertia, gravity),
+                             parameters(unit, -com, no_inertia, gravity), 0.5 / arm});
   }
   const char* moments[] = {"xx", "yy", "zz", "xy", "xz", "yz"};
   for (Index k = 0; k < 6; ++k) {
     MatrixXd inertia = no_inertia;
     inertia(b, k) = 1.0;
     group.parameters.push_back(parameter(std::string("moment_") + moments[k], "kg*m^2", -infinity));
-    group.columns.push_back(
-        {parameters(no_mass, no_com, inertia, mechanism.gravity), nothing, 1.0});
+    group.columns.push_back({parameters(no_mass, no_com, inertia, gravity), {}, 1.0});
   }
+  return group;
+}
+
+void RigidColumns::add_payload(const Mechanism& mechanism, std::size_t body) {
+  const Body& carrier = mechanism.bodies[body];
+  Group group = mass_of(carrier, static_cast<Index>(body));
+  group.signal = "payload of " + carrier.name;
+  group.name = "payload";
+  group.experiment = "the same slow motion with and without what may be attached";
+  group.limit = "its mass would be negative";
+  groups_.push_back(std::move(group));
+}
+
+/// A link that is not as its drawing says. What the last one carries more is a payload.
+void RigidColumns::add_inertial(const Mechanism& mechanism, std::size_t body, bool leaf) {
+  const Body& carrier = mechanism.bodies[body];
+  Group group = mass_of(carrier, static_cast<Index>(body));
+  group.signal = "inertial parameters of " + carrier.name;
+  group.name = "inertial parameters";
+  group.parameters.front().low = -carrier.mass;
+  if (leaf) group.parameters.front().high = 0.0;
+  group.experiment = "motion of all joints that it moves with, slow and fast";
+  group.limit = leaf ? "it would carry something" : "its mass would be negative";
+  group.unlikely = true;
   groups_.push_back(std::move(group));
 }
 
@@ -130,7 +157,8 @@ void RigidColumns::add_gravity(const Mechanism& mechanism) {
               "slow motion over the whole range",
               "gravity would be stronger than the earth's",
               {},
-              {}};
+              {},
+              false};
   const VectorXd none = nominal(Vector3d::Zero());
   const char* axes[] = {"x", "y", "z"};
   // Its size is known where it is there at all: a base that leans moves it sideways.
@@ -162,28 +190,39 @@ MatrixXd RigidColumns::effort(const Recording& log) const {
   return effort;
 }
 
-void RigidColumns::add_signals(Recording& log) const {
+MatrixXd RigidColumns::columns_of(const Group& group, const Recording& log) const {
   const sinew_function& function = compiled_->find("inverse_dynamics");
   const Index n = coordinates_;
   const MatrixXd& qdd = log.acceleration();
-  VectorXd in(function.input_size), plus(n), minus(n);
-  for (const Group& group : groups_) {
-    const auto wide = static_cast<Index>(group.columns.size());
-    MatrixXd x(log.q.rows(), n * wide);
+  VectorXd in(function.input_size), plus(n), minus = VectorXd::Zero(n);
+  const auto wide = static_cast<Index>(group.columns.size());
+  MatrixXd x(log.q.rows(), n * wide);
+  for (Index c = 0; c < wide; ++c) {
+    const Column& column = group.columns[static_cast<std::size_t>(c)];
+    const bool both = column.minus.size() > 0;
+    minus.setZero();
     for (Index k = 0; k < x.rows(); ++k) {
       in.head(3 * n) << log.q.row(k).head(n).transpose(), log.qd.row(k).head(n).transpose(),
           qdd.row(k).head(n).transpose();
-      for (Index c = 0; c < wide; ++c) {
-        const Column& column = group.columns[static_cast<std::size_t>(c)];
-        in.tail(in.size() - 3 * n) = column.plus;
-        function.call(in.data(), plus.data());
+      in.tail(in.size() - 3 * n) = column.plus;
+      function.call(in.data(), plus.data());
+      if (both) {
         in.tail(in.size() - 3 * n) = column.minus;
         function.call(in.data(), minus.data());
-        for (Index i = 0; i < n; ++i) x(k, i * wide + c) = column.scale * (plus(i) - minus(i));
       }
+      for (Index i = 0; i < n; ++i) x(k, i * wide + c) = column.scale * (plus(i) - minus(i));
     }
-    log.signals[group.signal] = std::move(x);
   }
+  return x;
+}
+
+void RigidColumns::add_signals(Recording& log) const {
+  std::vector<MatrixXd> all(groups_.size());
+  parallel_for(static_cast<int>(all.size()), 2, [&](int i) {
+    const auto g = static_cast<std::size_t>(i);
+    all[g] = columns_of(groups_[g], log);
+  });
+  for (std::size_t g = 0; g < all.size(); ++g) log.signals[groups_[g].signal] = std::move(all[g]);
 }
 
 std::vector<Candidate> RigidColumns::candidates() const {
@@ -195,6 +234,7 @@ std::vector<Candidate> RigidColumns::candidates() const {
     c.linear = group.parameters;
     c.limit_meaning = group.limit;
     c.isolating_experiment = group.experiment;
+    c.unlikely = group.unlikely;
     const auto wide = static_cast<Index>(group.columns.size());
     c.columns = [signal = group.signal, wide, n = coordinates_](const Recording& log, int channel,
                                                                 const VectorXd&) -> MatrixXd {

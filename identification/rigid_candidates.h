@@ -35,17 +35,22 @@ class RigidColumns {
  private:
   struct Column {
     Eigen::VectorXd plus, minus;  ///< parameters; the column is their difference * scale
+                                  ///< (minus empty: nothing is taken off)
     double scale = 1.0;
   };
   struct Group {
     std::string signal, name, place, experiment, limit;
     std::vector<LinearParameter> parameters;
     std::vector<Column> columns;
+    bool unlikely = false;
   };
   Eigen::VectorXd parameters(const Eigen::VectorXd& mass, const Eigen::MatrixXd& com,
                              const Eigen::MatrixXd& inertia, const Eigen::Vector3d& gravity) const;
   Eigen::VectorXd nominal(const Eigen::Vector3d& gravity) const;
+  Group mass_of(const Body& carrier, Eigen::Index body) const;
   void add_payload(const Mechanism& mechanism, std::size_t body);
+  void add_inertial(const Mechanism& mechanism, std::size_t body, bool leaf);
+  Eigen::MatrixXd columns_of(const Group& group, const Recording& log) const;
   void add_gravity(const Mechanism& mechanism);
 
   Mechanism mechanism_;

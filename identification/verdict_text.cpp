@@ -87,7 +87,8 @@ std::string next_step(const Findings& f) {
 void describe_model_term(const std::string& effect, CauseTerm& term) {
   const GiNaC::symbol model("model"), gain("gain_change"), delay("delay"), rate("model_rate"),
       tau("time_constant"), scale("scale_error"), offset("zero_offset"), slope("model_slope"),
-      q("q"), play("half_play"), side("side"), share("share_of_steps"), steps("model_of_the_steps");
+      q("q"), play("half_play"), side("side"), share("share_of_steps"), steps("model_of_the_steps"),
+      regressor("regressor_of_the_link"), change("change_of_its_inertial_parameters");
   if (effect == "delay")
     set_term(term, model + delay * rate,
              "effort left over in proportion to the model's rate of change",
@@ -98,6 +99,10 @@ void describe_model_term(const std::string& effect, CauseTerm& term) {
   else if (effect == "pulley_radius")
     set_term(term, model / (1 + gain), "torque left over in proportion to the tendons' torque",
              "tendon forces that are known apart from the motion");
+  else if (effect == "payload" || effect == "inertial_parameters")
+    set_term(term, model + regressor * change,
+             "effort left over with the link's weight and its acceleration",
+             "motion of all joints that the link moves with");
   else if (effect == "sensor_low_pass")
     set_term(term, model + tau * rate,
              "effort left over in proportion to the model's rate of change", "fast motion");

@@ -30,7 +30,7 @@ void add_payload(const IdentifiedEffect& entry, Body& body) {
   moments += body.inertia + parallel_axis(body.mass, body.centre_of_mass);
   body.mass += value("mass");
   if (!(body.mass > 0.0))
-    throw std::invalid_argument("identified.toml: the payload leaves link '" + body.name +
+    throw std::invalid_argument("identified.toml: what was learnt leaves link '" + body.name +
                                 "' without mass");
   body.centre_of_mass = first / body.mass;
   body.inertia = moments - parallel_axis(body.mass, body.centre_of_mass);
@@ -44,10 +44,14 @@ Eigen::Vector3d changed_axis(const std::string& coefficient) {
   throw std::invalid_argument("identified.toml: gravity has no coefficient '" + coefficient + "'");
 }
 
+bool changes_link(const IdentifiedEffect& entry) {
+  return entry.effect == "payload" || entry.effect == "inertial_parameters";
+}
+
 }  // namespace
 
 bool changes_mechanism(const IdentifiedEffect& entry) {
-  return entry.effect == "payload" || entry.effect == "gravity";
+  return changes_link(entry) || entry.effect == "gravity";
 }
 
 Mechanism with_identified(Mechanism mechanism, const Identified& identified) {
@@ -55,7 +59,7 @@ Mechanism with_identified(Mechanism mechanism, const Identified& identified) {
     if (entry.effect == "gravity")
       for (const IdentifiedValue& change : entry.coefficients)
         mechanism.gravity += change.value * changed_axis(change.name);
-    if (entry.effect != "payload") continue;
+    if (!changes_link(entry)) continue;
     const auto body = std::find_if(mechanism.bodies.begin(), mechanism.bodies.end(),
                                    [&](const Body& b) { return "link " + b.name == entry.place; });
     if (body == mechanism.bodies.end())

@@ -95,3 +95,21 @@ TEST_CASE("logs of thousands of rows a second are diagnosed like slower ones") {
   CHECK(cause.members.front().name == "payload");
   CHECK(cause.parameters.front().value == Approx(0.3 * arm.bodies.back().mass).epsilon(0.1));
 }
+
+TEST_CASE("a link that is heavier than its drawing is named, and the model takes it") {
+  // Planted defect: without add_inertial (rigid_candidates.cpp) the joints get torque constants,
+  // cable torques and what has no name.
+  const Mechanism arm = arm_of_five();
+  Mechanism built = arm;
+  built.bodies[2].mass *= 1.2;
+  built.bodies[2].inertia *= 1.2;
+  const Findings found = diagnosed(arm, csv(draw_log(built, 1, {})), csv(draw_log(built, 2, {})));
+  REQUIRE(found.verdict.causes.size() == 1);
+  const auto& cause = found.verdict.causes.front();
+  CHECK(cause.members.size() == 1);
+  CHECK(cause.members.front().name == "inertial parameters");
+  CHECK(cause.members.front().place == "link l3");
+  CHECK(found.terms.front().effect == "inertial_parameters");
+  CHECK(found.extension.adopted);
+  for (const auto& channel : found.channels) CHECK(channel.unexplained_after < 1e-3);
+}
