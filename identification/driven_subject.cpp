@@ -318,8 +318,13 @@ void DrivenSubject::add_library(std::size_t joint) {
 
 /// A joint that tendons pull has no gear, and its effort is what they pull with.
 void DrivenSubject::add_gear(std::size_t joint) {
-  for (const char* effect : {"gear_elasticity", "gear_resonance", "inertial_backlash"})
-    add(effect, joint);
+  // A spring shows in the fourth derivative of the position. Where the motion has none worth
+  // mentioning, that is the position's noise, and so is part of what the inertia leaves over.
+  constexpr double kMostlyNoise = 0.5;
+  const double noise = noise_of_jounce(training(), static_cast<Index>(joint), quantum_[joint]);
+  if (noise < kMostlyNoise)
+    for (const char* effect : {"gear_elasticity", "gear_resonance"}) add(effect, joint);
+  add("inertial_backlash", joint);
   if (scale(joint).load > 0.0) add("loaded_backlash", joint);
 }
 

@@ -84,12 +84,15 @@ int library_index(const Design& design, const Term& term) {
 }
 
 double model_price(const Design& design, const std::vector<double>& freedom, const Model& model) {
-  double sum = 0.0;
+  constexpr double kUnlikely = 12.0;  // deviance that chance may put the unlikely one ahead
+  double sum = 0.0, unlikely = 0.0;
   for (const Term& term : model.terms)
-    if (!term.baseline)
+    if (!term.baseline) {
+      if (term.candidate->unlikely) unlikely += kUnlikely;
       sum += term.level >= 0 ? term.freedom
                              : freedom[static_cast<std::size_t>(library_index(design, term))];
-  return sum * parameter_price(design);
+    }
+  return sum * parameter_price(design) + unlikely;
 }
 
 bool violates_limits(const Design& design, const Model& model, const LinearFit& fit,
