@@ -4,12 +4,13 @@
 #include <fmt/format.h>
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
 #include <initializer_list>
 #include <numbers>
-#include <optional>
 #include <utility>
 
+#include "identification/filter.h"
 #include "identification/signal_relations.h"
 
 namespace sinew::diagnosis {
@@ -21,41 +22,19 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr Index kMostPoints = 4000;
-constexpr double kSmoothing = 0.02;  // s, half of the window
+constexpr double kCutoff = 10.0;  // Hz
 // A model that lacks a payload or friction fits worse than the second, one that reads the right
 // columns better; with a wrong column it fits by a multiple worse.
 constexpr double kGood = 0.9, kFits = 0.97, kTimesWorse = 10.0;
 
-/// Samples that are looked at: every `stride`th, behind a mean over 2 m + 1 of a mean over 2 m + 1.
+/// Samples that are looked at: every `stride`th, away from the ends.
 struct Thinning {
-  Index m = 1, stride = 1;
+  Index first = 0, count = 0, stride = 1;
+
+  MatrixXd operator()(const MatrixXd& x) const {
+    return x(Eigen::seqN(first, count, stride), Eigen::all);
+  }
 };
-
-VectorXd every(const ArrayXd& x, Index stride) {
-  VectorXd y((x.size() - 1) / stride + 1);
-  for (Index k = 0; k < y.size(); ++k) y(k) = x(k * stride);
-  return y;
-}
-
-ArrayXd smooth(const ArrayXd& x, const Thinning& thinning) {
-  return moving_mean(moving_mean(x, thinning.m), thinning.m);
-}
-
-MatrixXd thinned(const MatrixXd& x, const Thinning& thinning) {
-  MatrixXd y((x.rows() - 4 * thinning.m - 1) / thinning.stride + 1, x.cols());
-  for (Index c = 0; c < x.cols(); ++c)
-    y.col(c) = every(smooth(x.col(c).array(), thinning), thinning.stride);
-  return y;
-}
-
-ArrayXd rate(const ArrayXd& x, double step) {
-  ArrayXd v(x.size());
-  const Index n = x.size() - 2;
-  v.segment(1, n) = (x.tail(n) - x.head(n)) / (2.0 * step);
-  v(0) = v(1);
-  v(n + 1) = v(n);
-  return v;
-}
 
 /// The motion and the efforts as they would be if the columns were others.
 struct Reading {
@@ -90,11 +69,6 @@ double left_over(const Match& m) {
   return is_good(m) ? 1.0 - m.correlation * m.correlation : 1.0;
 }
 
-/// Of one coordinate.
-struct Motion {
-  VectorXd q, qd, qdd;
-};
-
 class Judge {
  public:
   Judge(const Log& log, const DrivenColumns& columns, const Recording& recording,
@@ -102,29 +76,26 @@ class Judge {
       : log_(log), columns_(columns), model_(model), faults_(faults) {
     count_ = static_cast<Index>(columns.efforts.size());
     first_ = recording.q.cols() - count_;
-    const Index m = std::max<Index>(1, std::lround(kSmoothing / recording.step));
-    const Index n = recording.q.rows() - 4 * m;
-    if (count_ == 0 || recording.q.cols() < 2 || n < 200) return;
-    const Thinning thin{m, std::max<Index>(1, n / kMostPoints)};
+    const double cutoff = std::min(kCutoff, 0.1 / recording.step);
+    const auto end = static_cast<Index>(std::ceil(driven_edge / recording.step));
+    const Index rows = recording.q.rows() - 2 * end;
+    if (count_ == 0 || recording.q.cols() < 2 || rows < 200) return;
+    const Index stride = std::max<Index>(1, rows / kMostPoints);
+    const Thinning thinned{end, (rows - 1) / stride + 1, stride};
     MatrixXd measured(recording.q.rows(), count_);
     for (Index i = 0; i < count_; ++i)
       measured.col(i) = recording.target[static_cast<std::size_t>(first_ + i)];
-    as_logged_ = {thinned(recording.q, thin), thinned(recording.qd, thin),
-                  thinned(recording.qdd, thin), thinned(measured, thin)};
-    for (Index i = 0; i < count_; ++i) {
-      const ArrayXd x = smooth(measured.col(i).array(), thin);
-      const ArrayXd v = rate(x, recording.step);
-      as_positions_.push_back({every(x, thin.stride), every(v, thin.stride),
-                               every(rate(v, recording.step), thin.stride)});
-    }
-    template_.step = recording.step * static_cast<double>(thin.stride);
-    const Index points = as_logged_.q.rows();
-    template_.time =
-        VectorXd::LinSpaced(points, 0.0, template_.step * static_cast<double>(points - 1));
-    if (recording.load.size() > 0) template_.load = thinned(recording.load, thin);
+    // Efforts are smoothed as positions are, and may stand for them.
+    const Motion motion = differentiate(recording.q, recording.step, cutoff);
+    const Motion efforts = differentiate(measured, recording.step, cutoff);
+    as_logged_ = {thinned(motion.q), thinned(motion.qd), thinned(motion.qdd), thinned(efforts.q)};
+    as_positions_ = {thinned(efforts.q), thinned(efforts.qd), thinned(efforts.qdd)};
+    template_.step = recording.step * static_cast<double>(stride);
+    template_.time = VectorXd::LinSpaced(thinned.count, 0.0,
+                                         template_.step * static_cast<double>(thinned.count - 1));
+    if (recording.load.size() > 0) template_.load = thinned(recording.load);
     const auto tension = recording.signals.find("tension");
-    if (tension != recording.signals.end())
-      template_.signals["tension"] = thinned(tension->second, thin);
+    if (tension != recording.signals.end()) template_.signals["tension"] = thinned(tension->second);
   }
 
   void run() {
@@ -249,10 +220,9 @@ class Judge {
         return;
       }
       Reading other = as_logged_;
-      const Motion& motion = as_positions_[static_cast<std::size_t>(i)];
-      other.q.col(first_ + i) = motion.q;
-      other.qd.col(first_ + i) = motion.qd;
-      other.qdd.col(first_ + i) = motion.qdd;
+      other.q.col(first_ + i) = as_positions_.q.col(i);
+      other.qd.col(first_ + i) = as_positions_.qd.col(i);
+      other.qdd.col(first_ + i) = as_positions_.qdd.col(i);
       other.measured.col(i) = as_logged_.q.col(first_ + i);
       if (mends(other, {i})) {
         exchanged(position(i), effort(i), "the model fits the other way round, and not as it is");
@@ -297,7 +267,7 @@ class Judge {
   Index count_ = 0;  ///< judged coordinates: the last of all
   Index first_ = 0;
   Reading as_logged_;
-  std::vector<Motion> as_positions_;  ///< the measured efforts, as if they were positions
+  Motion as_positions_;  ///< the measured efforts, as if they were positions
   Recording template_;
   std::vector<Match> now_;
   std::vector<Index> suspects_;

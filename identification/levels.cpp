@@ -280,7 +280,7 @@ struct Judged {
 };
 
 /// A set of levels, its model and what that loses on left-out blocks.
-struct Trialled {
+struct FittedSet {
   Set set;
   Model model;
   BlockLosses losses;
@@ -296,7 +296,7 @@ bool is_worth_naming(const Evidence& evidence, const Settings& settings) {
 
 Judged judge_level(const Design& design, const Settings& settings, const LevelTerms& parts,
                    const Moments& m, const Search& search, const Weights& weights,
-                   const Trialled& all, int level, const VectorXd& nominal_loss) {
+                   const FittedSet& all, int level, const VectorXd& nominal_loss) {
   Judged j;
   const Set others = without(all.set, level);
   j.evidence.statistic = drop(m, all.set) - std::max(0.0, drop(m, others));
@@ -394,7 +394,7 @@ LevelSelection restrict_to_levels(const Design& design, const Settings& settings
     settled = true;
     double weakest = std::numeric_limits<double>::infinity();
     Refusal refusal;
-    Trialled all{set, model_of(design, weights, parts, search, set), {}};
+    FittedSet all{set, model_of(design, weights, parts, search, set), {}};
     all.losses = cross_validate(design, all.model, weights, settings.blocks);
     std::vector<Judged> judged(set.size());
     parallel_for(static_cast<int>(set.size()), settings.threads, [&](int i) {

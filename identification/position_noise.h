@@ -20,9 +20,9 @@ double smooth_cutoff(double step);
 /// the signals "logged_q" and "smooth_qdd".
 bool noise_of_position(const std::vector<const Recording*>& logs, Eigen::Index joint);
 
-/// Share of the fourth derivative of a joint's position (signal "jounce", smoothed at `cutoff`
-/// [Hz]) that is the position's noise: 1 where the motion itself has none. `quantum`: step of the
-/// sensor, rad or m; 0 where none is seen.
+/// Share of the fourth derivative of a joint's position (signal "jounce") that is the position's
+/// noise: 1 where the motion itself has none. `quantum`: step of the sensor, rad or m; 0 where none
+/// is seen.
 double noise_of_jounce(const std::vector<const Recording*>& logs, Eigen::Index joint,
                        double quantum);
 

@@ -111,7 +111,12 @@ TEST_CASE("a link that is heavier than its drawing is named, and the model takes
   CHECK(cause.members.front().place == "link l3");
   CHECK(found.terms.front().effect == "inertial_parameters");
   CHECK(found.extension.adopted);
-  for (const auto& channel : found.channels) CHECK(channel.unexplained_after < 1e-3);
+  // What is left is what the arm's true parameters leave.
+  const Findings true_model =
+      diagnosed(built, csv(draw_log(built, 1, {})), csv(draw_log(built, 2, {})));
+  for (std::size_t j = 0; j < found.channels.size(); ++j)
+    CHECK(found.channels[j].domains.front().after <
+          1.05 * true_model.channels[j].domains.front().before);
 }
 
 TEST_CASE("a position's noise is no elasticity of a gear") {
@@ -130,12 +135,19 @@ TEST_CASE("a position's noise is no elasticity of a gear") {
     FAIL_CHECK(cause.members.front().name << ", " << cause.members.front().place);
 }
 
-TEST_CASE("a log of fifty rows a second is diagnosed") {
+TEST_CASE("logs of twenty rows a second are diagnosed") {
   // Planted defect: with a pulse as long as the smoothers of faster logs need (pulse_for() without
   // 250) it is shorter than this log's.
   const Mechanism arm = arm_of_five();
-  const Findings found =
-      diagnosed(arm, csv(draw_log(arm, 1, {}, 0.02)), csv(draw_log(arm, 2, {}, 0.02)));
-  for (const auto& cause : found.verdict.causes)
-    FAIL_CHECK(cause.members.front().name << ", " << cause.members.front().place);
+  Mechanism loaded = arm;
+  loaded.bodies.back().mass *= 1.3;
+  loaded.bodies.back().inertia *= 1.3;
+  const auto log = [](const Mechanism& of, std::uint64_t seed) {
+    return csv(draw_log(of, seed, {}, 0.05, 40.0));
+  };
+  CHECK(diagnosed(arm, log(arm, 1), log(arm, 2)).verdict.causes.empty());
+  const Findings found = diagnosed(arm, log(loaded, 1), log(loaded, 2));
+  REQUIRE(found.verdict.causes.size() == 1);
+  CHECK(found.verdict.causes.front().members.front().name == "payload");
+  CHECK(found.terms.front().effect == "payload");
 }

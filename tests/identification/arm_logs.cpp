@@ -39,10 +39,10 @@ Mechanism arm_of_five() {
   return arm;
 }
 
-ArmLog draw_log(const Mechanism& arm, std::uint64_t seed, const ArmFriction& friction,
-                double step) {
+ArmLog draw_log(const Mechanism& arm, std::uint64_t seed, const ArmFriction& friction, double step,
+                double seconds) {
   RandomNumbers random(seed);
-  const auto samples = static_cast<Index>(10.0 / step);
+  const auto samples = static_cast<Index>(seconds / step);
   MatrixXd q = MatrixXd::Zero(samples, kArmJoints), qd = q, qdd = q, tau = q;
   for (Index j = 0; j < kArmJoints; ++j) {
     q.col(j).setConstant(random.uniform(-0.5, 0.5));
@@ -69,7 +69,7 @@ ArmLog draw_log(const Mechanism& arm, std::uint64_t seed, const ArmFriction& fri
     const double noise = 0.01 * std::sqrt(tau.col(j).squaredNorm() / double(samples));
     for (Index k = 0; k < samples; ++k) {
       tau(k, j) += noise * random.uniform(-1.7, 1.7);
-      q(k, j) += 2e-6 * random.uniform(-1.7, 1.7);
+      q(k, j) += 1e-5 * random.uniform(-1.7, 1.7);
     }
   }
   return {q, tau, step};

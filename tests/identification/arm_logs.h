@@ -27,10 +27,10 @@ struct ArmLog {
   double step = 0.0;  ///< s
 };
 
-/// Ten seconds of a Fourier series of one period for all joints, as excitation is planned, and what
-/// the arm asks of its joints there, with a hundredth of noise.
+/// A Fourier series of ten seconds for all joints, as excitation is planned, and what the arm asks
+/// of its joints there, with a hundredth of noise.
 ArmLog draw_log(const Mechanism& arm, std::uint64_t seed, const ArmFriction& friction,
-                double step = 0.004);
+                double step = 0.004, double seconds = 10.0);
 
 /// time, q_j1 ..., tau_j1 ...
 std::string csv(const ArmLog& log);
