@@ -142,6 +142,10 @@ struct Problem {
   std::vector<LevelCause> levels;  ///< may be empty: then the baseline has no nominal values
 };
 
+/// Signal with the model's effort of the logged motion, where the recording is as it was logged: of
+/// one that was thinned the filtered effort is no effort of its motion.
+inline constexpr const char* effort_of_logged_motion = "effort_of_logged_motion";
+
 /// How the search is done; confidence.h was fitted with the defaults.
 struct Settings {
   double band_hz = 0.0;         ///< highest frequency looked at; 0: chosen from the sampling rate
@@ -153,7 +157,7 @@ struct Settings {
   int blocks = 12;
   int most_causes = 8;  ///< or one a channel, where there are more channels
   int most_levels = 6;  ///< the same
-  int threads = 2;
+  int threads = 0;      ///< 0: as many as the machine has
   unsigned seed = 1;
 };
 

@@ -69,7 +69,7 @@ class Run {
     const DrivenChannels channels = request_.channels(file);
     ReadOptions options;
     options.map = request_.map;
-    options.max_rate = kDiagnosisRate;
+    options.max_rate = channels.forces.empty() ? kDiagnosisRate : kTendonRate;
     const Log log = read_csv(file, channels.specs, options);
     const auto found = [&](const std::vector<std::string>& names) {
       std::vector<int> columns;

@@ -212,7 +212,7 @@ void DrivenSubject::prepare(const Settings& settings) {
     for (Recording& log : *logs) {
       log.signals["direction"] = MatrixXd::Zero(log.q.rows(), log.q.cols());
       const MatrixXd said = known_(log);
-      log.signals["known"] = said;
+      log.signals[effort_of_logged_motion] = said;
       log.signals["effort"] = effort_of_smooth_load(log);
       log.known.clear();
       for (Index c = 0; c < said.cols(); ++c) log.known.push_back(said.col(c));

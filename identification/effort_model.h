@@ -15,6 +15,15 @@
 
 namespace sinew::diagnosis {
 
+/// Where an input of the emitted function comes from.
+enum class EffortInput { q, qd, qdd, load, tension, jerk, jounce, time, step, memory };
+
+/// Its numbers among all inputs.
+struct EffortSlot {
+  EffortInput input;
+  Eigen::Index at = 0, count = 0;
+};
+
 class EffortModel {
  public:
   /// `runtime`: folder of the runtime's headers. Throws std::runtime_error where the emitted C does
@@ -30,13 +39,21 @@ class EffortModel {
   Eigen::MatrixXd operator()(const Recording& log, const Eigen::MatrixXd& q,
                              const Eigen::MatrixXd& qd, const Eigen::MatrixXd& qdd) const;
 
+  /// One joint's effort alone, for another motion: of a joint without links in little time.
+  Eigen::VectorXd of_joint(int joint, const Recording& log, const Eigen::MatrixXd& q,
+                           const Eigen::MatrixXd& qd, const Eigen::MatrixXd& qdd) const;
+
   /// Operations of the emitted function.
   int operations() const { return operations_; }
 
  private:
   friend class EffortAtInstant;
+  Eigen::MatrixXd run(const std::string& function, const Recording& log, const Eigen::MatrixXd& q,
+                      const Eigen::MatrixXd& qd, const Eigen::MatrixXd& qdd) const;
+
   int joints_;
   int operations_ = 0;
+  std::vector<bool> carries_links_;
   std::shared_ptr<CompiledModel> compiled_;
 };
 
@@ -55,15 +72,10 @@ class EffortAtInstant {
   void remember();
 
  private:
-  struct Slot {
-    std::string name;
-    Eigen::Index at = 0, count = 0;
-  };
-
   std::shared_ptr<CompiledModel> compiled_;
   const sinew_function* function_;
   Eigen::Index joints_;
-  std::vector<Slot> slots_;
+  std::vector<EffortSlot> slots_;
   Eigen::VectorXd in_, out_;
 };
 

@@ -6,6 +6,8 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "identification/parallel_for.h"
+
 namespace sinew::diagnosis {
 namespace {
 
@@ -128,9 +130,9 @@ Motion differentiate(const MatrixXd& position, double step, double cutoff_hz) {
                  w2 = kernel(cutoff, half, 0.0, 2, Window::blackman) / (step * step);
   Motion motion{MatrixXd(n, position.cols()), MatrixXd(n, position.cols()),
                 MatrixXd(n, position.cols())};
-  VectorXd padded(n + 2 * half);
-  for (Index c = 0; c < position.cols(); ++c) {
+  parallel_for(static_cast<int>(position.cols()), kAllThreads, [&](int c) {
     const auto p = position.col(c);
+    VectorXd padded(n + 2 * half);
     padded.segment(half, n) = p;
     for (Index j = 1; j <= half; ++j) {
       padded(half - j) = 2.0 * p(0) - p(j);
@@ -142,7 +144,7 @@ Motion differentiate(const MatrixXd& position, double step, double cutoff_hz) {
       motion.qd(k, c) = w1.dot(piece);
       motion.qdd(k, c) = w2.dot(piece);
     }
-  }
+  });
   return motion;
 }
 

@@ -89,6 +89,9 @@ struct Channel {
 
 /// What a diagnosis reads: its band and the turns of friction need no more [Hz].
 inline constexpr double kDiagnosisRate = 1000.0;
+/// Of a tendon-driven model, whose many channels would make every look at a log long: ten samples
+/// of the fastest motion looked at [Hz].
+inline constexpr double kTendonRate = 600.0;
 
 /// Samples of a segment that is worth diagnosing, at a sampling period [s]: the smoothers of the
 /// motion are longer than a few hundred where samples are dense.

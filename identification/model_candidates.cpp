@@ -31,21 +31,36 @@ auto of_its_size(double factor) {
   };
 }
 
-/// All efforts after a small change of the motion at one axis.
+/// The logged motion with a small change of it at one axis.
+Motion changed_motion(const Recording& log, int axis, const Motion& change, double size) {
+  Motion motion{log.q, log.qd, log.qdd};
+  motion.q.col(axis) += size * change.q.col(0);
+  motion.qd.col(axis) += size * change.qd.col(0);
+  motion.qdd.col(axis) += size * change.qdd.col(0);
+  return motion;
+}
+
+/// All efforts after it.
 MatrixXd changed_effort(const EffortModel& effort, const Recording& log, int axis,
                         const Motion& change, double size) {
-  MatrixXd q = log.q, qd = log.qd, qdd = log.qdd;
-  q.col(axis) += size * change.q.col(0);
-  qd.col(axis) += size * change.qd.col(0);
-  qdd.col(axis) += size * change.qdd.col(0);
-  return effort(log, q, qd, qdd);
+  const Motion motion = changed_motion(log, axis, change, size);
+  return effort(log, motion.q, motion.qd, motion.qdd);
+}
+
+MatrixXd logged_effort(const EffortModel& effort, const Recording& log) {
+  const auto found = log.signals.find(effort_of_logged_motion);
+  return found != log.signals.end() ? found->second : effort(log);
 }
 
 /// Change of the axis' own effort for a small change of its motion, per `size`.
 VectorXd response(const EffortModel& effort, const Recording& log, int axis, const Motion& change,
                   double size) {
-  // Not from signal "known": of a thinned log that is filtered, and no effort of its motion.
-  return (changed_effort(effort, log, axis, change, size) - effort(log)).col(axis) / size;
+  const auto found = log.signals.find(effort_of_logged_motion);
+  const VectorXd now = found != log.signals.end()
+                           ? VectorXd(found->second.col(axis))
+                           : effort.of_joint(axis, log, log.q, log.qd, log.qdd);
+  const Motion motion = changed_motion(log, axis, change, size);
+  return (effort.of_joint(axis, log, motion.q, motion.qd, motion.qdd) - now) / size;
 }
 
 /// The true motion is the logged one plus that much of its rate.
@@ -158,11 +173,11 @@ std::string mass_matrix_column(int axis) {
 }
 
 MatrixXd mass_column(const EffortModel& effort, int axis, const Recording& log) {
-  return changed_effort(effort, log, axis, accelerated(log), 1.0) - effort(log);
+  return changed_effort(effort, log, axis, accelerated(log), 1.0) - logged_effort(effort, log);
 }
 
 void add_sensor_responses(const EffortModel& effort, int axis, Recording& log) {
-  const MatrixXd logged = effort(log);
+  const MatrixXd logged = logged_effort(effort, log);
   const auto add = [&](const std::string& name, const Motion& change, double size) {
     log.signals[name] = (changed_effort(effort, log, axis, change, size) - logged) / size;
   };

@@ -218,7 +218,7 @@ MatrixXd RigidColumns::columns_of(const Group& group, const Recording& log) cons
 
 void RigidColumns::add_signals(Recording& log) const {
   std::vector<MatrixXd> all(groups_.size());
-  parallel_for(static_cast<int>(all.size()), 2, [&](int i) {
+  parallel_for(static_cast<int>(all.size()), kAllThreads, [&](int i) {
     const auto g = static_cast<std::size_t>(i);
     all[g] = columns_of(groups_[g], log);
   });

@@ -2,8 +2,10 @@
 #include "identification/sensor_play.h"
 
 #include <algorithm>
+#include <atomic>
 
 #include "identification/baseline.h"
+#include "identification/parallel_for.h"
 #include "identification/refine.h"
 #include "identification/screening.h"
 
@@ -47,17 +49,22 @@ Model same_terms(const Design& design, const Weights& even, const Model& found) 
 bool may_have_play(const Design& design, const Model& found, const std::vector<int>& plays) {
   if (plays.empty()) return false;
   const Weights even = even_weights(design);
-  for (Model base : {baseline_model(design), same_terms(design, even, found)}) {
+  std::atomic<bool> any = false;
+  for (const Model& base : {baseline_model(design), same_terms(design, even, found)}) {
     const VectorXd without = left_over(design, base, even);
-    base.terms.emplace_back();
-    for (const int index : plays) {
-      const Candidate& play = design.problem().library[static_cast<std::size_t>(index)];
+    parallel_for(static_cast<int>(plays.size()), kAllThreads, [&](int i) {
+      const auto index = static_cast<std::size_t>(plays[static_cast<std::size_t>(i)]);
+      const Candidate& play = design.problem().library[index];
+      Model beside = base;
+      beside.terms.emplace_back();
       for (const VectorXd& start : starting_values(play)) {
-        base.terms.back() = make_term(design, play, start, false);
-        const VectorXd with = left_over(design, base, even);
-        if (((without - with).array() > kGoodPart * without.array()).any()) return true;
+        if (any) return;
+        beside.terms.back() = make_term(design, play, start, false);
+        const VectorXd with = left_over(design, beside, even);
+        if (((without - with).array() > kGoodPart * without.array()).any()) any = true;
       }
-    }
+    });
+    if (any) return true;
   }
   return false;
 }

@@ -338,6 +338,15 @@ Function effort_function(const DrivenModel& model, const Identified& identified)
   return EffortWriter(model, identified).effort();
 }
 
+Function drive_effort_function(const DrivenModel& model, const Identified& identified) {
+  Function f = effort_function(model, identified);
+  f.name = "drive_effort";
+  f.doc = "Effort of the drives that carry no links; 0 for the others.";
+  for (std::size_t i = 0; i < model.joints.size(); ++i)
+    if (model.joints[i].carries_links) f.outputs.front().values[i] = 0;
+  return f;
+}
+
 Function compensation_function(const DrivenModel& model, const Identified& identified,
                                double share) {
   // Ahead of the motion there is nothing to delay, and a bristle's state is not measured:
