@@ -39,8 +39,7 @@ class Run {
     f.description = request_.description;
     f.model_hash = request_.hash;
     f.kind = request_.kind;
-    for (const std::string& file : request_.logs) read(file, false);
-    for (const std::string& file : request_.holdout) read(file, true);
+    read();
     tell("comparing with the model", 0.2);
     subject_.prepare(request_.settings);
     tell("searching for causes", 0.3);
@@ -64,13 +63,24 @@ class Run {
     if (request_.progress) request_.progress(step, share);
   }
 
-  void read(const std::string& file, bool held_out) {
-    tell("reading " + file, 0.0);
-    const DrivenChannels channels = request_.channels(file);
+  void read() {
+    tell("reading the logs", 0.0);
+    std::vector<LogFile> files;
+    std::vector<DrivenChannels> channels;
     ReadOptions options;
     options.map = request_.map;
-    options.max_rate = channels.forces.empty() ? kDiagnosisRate : kTendonRate;
-    const Log log = read_csv(file, channels.specs, options);
+    for (const std::vector<std::string>& group : {request_.logs, request_.holdout})
+      for (const std::string& file : group) {
+        channels.push_back(request_.channels(file));
+        files.push_back({file, channels.back().specs});
+        options.max_rate = channels.back().forces.empty() ? kDiagnosisRate : kTendonRate;
+      }
+    const std::vector<Log> logs = read_csv(files, options);
+    for (std::size_t i = 0; i < logs.size(); ++i)
+      take(logs[i], channels[i], i >= request_.logs.size());
+  }
+
+  void take(const Log& log, const DrivenChannels& channels, bool held_out) {
     const auto found = [&](const std::vector<std::string>& names) {
       std::vector<int> columns;
       for (const std::string& name : names) columns.push_back(log.channel(name));

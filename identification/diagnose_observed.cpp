@@ -35,8 +35,7 @@ class ObservedRun {
     f.description = request_.description;
     f.model_hash = request_.hash;
     f.kind = request_.kind;
-    for (const std::string& file : request_.logs) read(file, false);
-    for (const std::string& file : request_.holdout) read(file, true);
+    read();
     tell("comparing with the model", 0.2);
     prepare();
     tell("searching for causes", 0.3);
@@ -58,12 +57,19 @@ class ObservedRun {
     if (request_.progress) request_.progress(step, share);
   }
 
-  void read(const std::string& file, bool held_out) {
-    tell("reading " + file, 0.0);
+  void read() {
+    tell("reading the logs", 0.0);
     ReadOptions options;
     options.map = request_.map;
     options.max_rate = kDiagnosisRate;
-    const Log log = read_csv(file, request_.rig.specs, options);
+    std::vector<LogFile> files;
+    for (const std::vector<std::string>& group : {request_.logs, request_.holdout})
+      for (const std::string& file : group) files.push_back({file, request_.rig.specs});
+    const std::vector<Log> logs = read_csv(files, options);
+    for (std::size_t i = 0; i < logs.size(); ++i) take(logs[i], i >= request_.logs.size());
+  }
+
+  void take(const Log& log, bool held_out) {
     int part = 0;
     for (const sinew::Segment& segment : log.segments) {
       if (segment.samples.rows() < shortest_segment(log.period)) continue;

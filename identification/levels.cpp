@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <mutex>
 
 #include "identification/level_terms.h"
 #include "identification/parallel_for.h"
@@ -163,12 +165,17 @@ class Search {
 
   double freedom(int level) const { return freedom_[static_cast<std::size_t>(level)]; }
 
-  double score(const Set& set) const {
-    const double gained = drop(m_, set);
-    if (gained < 0.0) return std::numeric_limits<double>::infinity();
-    double sum = m_.base - gained;
-    for (const int level : set) sum += price_[static_cast<std::size_t>(level)];
-    return sum;
+  /// From whatever start, a search meets the same sets again and again.
+  double score(Set set) const {
+    std::sort(set.begin(), set.end());
+    {
+      const std::lock_guard<std::mutex> lock(guard_);
+      const auto known = scores_.find(set);
+      if (known != scores_.end()) return known->second;
+    }
+    const double value = deviance_and_price(set);
+    const std::lock_guard<std::mutex> lock(guard_);
+    return scores_.emplace(std::move(set), value).first->second;
   }
 
   /// Best set found from the most promising single levels on by adding, removing and exchanging.
@@ -235,10 +242,20 @@ class Search {
     }
   }
 
+  double deviance_and_price(const Set& set) const {
+    const double gained = drop(m_, set);
+    if (gained < 0.0) return std::numeric_limits<double>::infinity();
+    double sum = m_.base - gained;
+    for (const int level : set) sum += price_[static_cast<std::size_t>(level)];
+    return sum;
+  }
+
   const Moments& m_;
   std::size_t most_;
   int threads_;
   std::vector<double> price_, freedom_;
+  mutable std::mutex guard_;
+  mutable std::map<Set, double> scores_;
 };
 
 /// Bonferroni over the levels of the probability that a set gains that much by one of them.

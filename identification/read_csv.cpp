@@ -5,11 +5,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <limits>
 
 #include "identification/csv_rows.h"
 #include "identification/data_faults.h"
 #include "identification/inspect.h"
+#include "identification/parallel_for.h"
 #include "identification/sha256.h"
 #include "identification/uniform_grid.h"
 
@@ -213,6 +215,22 @@ class Reading {
 Log read_csv(const std::string& path, const std::vector<ChannelSpec>& specs,
              const ReadOptions& options) {
   return Reading(path, specs, options).read();
+}
+
+std::vector<Log> read_csv(const std::vector<LogFile>& files, const ReadOptions& options) {
+  std::vector<Log> logs(files.size());
+  std::vector<std::exception_ptr> errors(files.size());
+  diagnosis::parallel_for(static_cast<int>(files.size()), diagnosis::kAllThreads, [&](int index) {
+    const auto i = static_cast<std::size_t>(index);
+    try {
+      logs[i] = read_csv(files[i].path, files[i].specs, options);
+    } catch (...) {
+      errors[i] = std::current_exception();
+    }
+  });
+  for (const std::exception_ptr& error : errors)
+    if (error) std::rethrow_exception(error);
+  return logs;
 }
 
 }  // namespace sinew

@@ -27,4 +27,13 @@ struct ReadOptions {
 Log read_csv(const std::string& path, const std::vector<ChannelSpec>& specs,
              const ReadOptions& options = {});
 
+struct LogFile {
+  std::string path;
+  std::vector<ChannelSpec> specs;
+};
+
+/// Several logs at a time, in the order given. Of several that cannot be used, the first one's
+/// error is thrown.
+std::vector<Log> read_csv(const std::vector<LogFile>& files, const ReadOptions& options);
+
 }  // namespace sinew

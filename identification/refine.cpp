@@ -117,6 +117,9 @@ void fit_nonlinear(const Design& design, const Weights& weights, RefineScope sco
   options.linear_solver_type = ceres::DENSE_NORMAL_CHOLESKY;
   options.max_num_iterations = scope == RefineScope::last_term ? 8 : 12;
   options.function_tolerance = 1e-5;
+  // Ceres searches along every step where there are bounds; a step that does not help is tried
+  // shorter anyhow.
+  options.max_num_line_search_step_size_iterations = 0;
   options.logging_type = ceres::SILENT;
   ceres::Solver::Summary summary;
   ceres::Solve(options, &problem, &summary);
