@@ -68,7 +68,7 @@ void set_common(const DiagnoseOptions& o, const ModelFolder& folder, Request& re
   request.description = folder.identity.description;
   request.hash = folder.identity.hash;
   request.runtime = runtime_folder(o.runtime);
-  request.identified = read_identified(o.folder);
+  request.identified = folder.identified;
   request.logs = o.logs;
   request.holdout = o.holdout;
   request.map = o.map;

@@ -80,10 +80,10 @@ std::vector<std::string> coordinate_notes(const Hand& hand) {
 ModelFolder open_model_folder(const fs::path& folder) {
   ModelFolder result;
   result.folder = folder;
-  result.identified = read_identified(folder);
   std::string description;
   std::vector<fs::path> parts;
   if (is_hand_folder(folder)) {
+    result.identified = read_identified(folder);
     HandDescription read = read_hand(folder);
     result.identity.name = read.hand.name;
     description = read.hand.description;
@@ -92,10 +92,13 @@ ModelFolder open_model_folder(const fs::path& folder) {
     result.model = std::move(read.hand);
   } else if (is_part_folder(folder)) {
     const Part part = read_part(folder);
+    const std::optional<Observation> observation = observation_of(part);
+    result.identified = read_identified(folder, observation ? &*observation : nullptr);
     result.identity.name = part.name;
     description = part.description;
     result.model = part;
   } else {
+    result.identified = read_identified(folder);
     const Mechanism mechanism = with_identified(read_mechanism(folder), result.identified);
     if (speaks_of_motors(result.identified)) parts.push_back(folder_of_motor(folder));
     result.identity.name = mechanism.name;

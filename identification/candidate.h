@@ -139,6 +139,8 @@ struct Problem {
   /// The targets are made of the same measured forces, noise and all: their errors are counted
   /// together, in the targets' unit, and not each channel's by itself.
   bool shared_noise = false;
+  /// Channels measure different things (a force, an angle): each counts by its own size.
+  bool unlike_channels = false;
   std::vector<LevelCause> levels;  ///< may be empty: then the baseline has no nominal values
 };
 

@@ -244,6 +244,9 @@ Rivals find_rivals(const Design& design, const Library& library, const Settings&
     add_lag(std::move(cause), rivals, sum);
   }
   for (RankedCause& cause : rivals.members) cause.weight /= sum;
+  rivals.model = trials.front().model;
+  std::rotate(rivals.model.terms.begin() + static_cast<std::ptrdiff_t>(term),
+              rivals.model.terms.end() - 1, rivals.model.terms.end());
   return rivals;
 }
 

@@ -21,6 +21,7 @@ double canonical_correlation(const Model& model, const Weights& weights, const B
 struct Rivals {
   std::vector<RankedCause> members;
   double margin = 0.0;  ///< how far behind the best candidate outside the set is, deviance
+  Model model;          ///< with the first member in the term's place
 };
 Rivals find_rivals(const Design& design, const Library& library, const Settings& settings,
                    const Selection& state, std::size_t term);

@@ -195,7 +195,7 @@ Index Design::width(const Candidate& candidate) const {
 
 BandColumns Design::columns(const Candidate& candidate, const VectorXd& nonlinear, int derivative,
                             double* in_band) const {
-  double raw_energy = 0.0, band_energy = 0.0;
+  double raw_energy = 0.0, raw_power = 0.0, band_energy = 0.0;
   const std::vector<Coefficient> layout = coefficients(candidate);
   BandColumns result(segments_.size());
   for (std::size_t i = 0; i < segments_.size(); ++i) {
@@ -211,13 +211,16 @@ BandColumns Design::columns(const Candidate& candidate, const VectorXd& nonlinea
     const MatrixXd band =
         seen_band(static_cast<int>(i), filtered(static_cast<int>(i), raw, 0.0, derivative));
     raw_energy += energy_per_sample(raw);
+    raw_power += raw.squaredNorm() / static_cast<double>(raw.rows());
     band_energy += band.bottomRows(band.rows() - 2).squaredNorm() / windows_[i].squaredNorm();
     result[i] = MatrixXd::Zero(band.rows(), static_cast<Index>(layout.size()));
     for (std::size_t c = 0; c < layout.size(); ++c)
       if (layout[c].recording < 0 || layout[c].recording == s.recording)
         result[i].col(static_cast<Index>(c)) = band.col(layout[c].parameter);
   }
-  if (in_band) *in_band = raw_energy > 0.0 ? band_energy / raw_energy : 1.0;
+  // What never changes lies in the band, whatever rounding leaves of its changes.
+  constexpr double rounding = 1e-12;
+  if (in_band) *in_band = raw_energy > rounding * raw_power ? band_energy / raw_energy : 1.0;
   return result;
 }
 

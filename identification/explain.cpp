@@ -18,21 +18,26 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
+/// Of what was measured: root of the mean square of all channels together, or of the channels'
+/// shares where they measure different things.
 double relative_error(const Design& design, const Model& model, const Weights& weights) {
   const LinearFit fit = solve(stack(model, weights));
   std::vector<const BandColumns*> columns;
   for (const Term& term : model.terms) columns.push_back(&term.columns);
-  double error = 0.0, energy = 0.0;
+  VectorXd error = VectorXd::Zero(design.problem().channels), energy = error;
   for (std::size_t s = 0; s < design.segments().size(); ++s) {
     if (design.segments()[s].holdout) continue;
     const VectorXd prediction = predict(columns, fit.coefficients, s);
-    error += (prediction.size() ? VectorXd(model.target[s] - prediction) : model.target[s])
-                 .squaredNorm();
+    const auto c = design.segments()[s].channel;
+    error(c) += (prediction.size() ? VectorXd(model.target[s] - prediction) : model.target[s])
+                    .squaredNorm();
     VectorXd measured = design.target(static_cast<int>(s), model.advance[s]);
     if (const auto known = design.known(static_cast<int>(s), 0)) measured += *known;
-    energy += measured.squaredNorm();
+    energy(c) += measured.squaredNorm();
   }
-  return std::sqrt(error / std::max(energy, 1e-300));
+  if (!design.problem().unlike_channels)
+    return std::sqrt(error.sum() / std::max(energy.sum(), 1e-300));
+  return std::sqrt(error.cwiseQuotient(energy.cwiseMax(1e-300)).mean());
 }
 
 /// Root mean square of what a model leaves of each channel in the training logs, all frequencies
@@ -101,17 +106,19 @@ std::string separating_experiment(const Problem& problem, const Settings& settin
                                             : first.isolating_experiment;
 }
 
+/// The cause of a term. Where another one turns out to be better by more than chance, the model
+/// takes that one instead: what is named is what the model is extended by.
 NamedCause name_cause(const Design& design, const Library& library, const Settings& settings,
-                      const Selection& selection, std::size_t term,
-                      const std::vector<PlannedExperiment>& experiments) {
+                      const std::vector<PlannedExperiment>& experiments, std::size_t term,
+                      Selection& selection) {
   const Evidence& evidence = selection.evidence[term];
-  const Rivals rivals = find_rivals(design, library, settings, selection, term);
+  Rivals rivals = find_rivals(design, library, settings, selection, term);
   NamedCause cause;
   cause.members = rivals.members;
+  if (cause.members.front().candidate != library_index(design, selection.model.terms[term]))
+    selection.model = std::move(rivals.model);
   const Term& own = selection.model.terms[term];
-  cause.candidate = own.level >= 0
-                        ? -1 - own.level
-                        : static_cast<int>(own.candidate - design.problem().library.data());
+  cause.candidate = library_index(design, own);
   cause.statistic = evidence.statistic;
   cause.p_family = evidence.p_family;
   cause.validated = evidence.validated;
@@ -209,25 +216,29 @@ void name_levels(const Design& design, const Library& library, const Settings& s
                  const std::vector<PlannedExperiment>& experiments, const Structure& structure,
                  Explanation& result) {
   LevelSelection levels = find_levels(design, settings, structure, result);
-  const Selection& state = levels.state;
-  const auto all = estimates(design, state.model, state.noise);
-  for (std::size_t t = 0; t < state.model.terms.size(); ++t) {
-    if (state.model.terms[t].level < 0) continue;
-    NamedCause cause = name_cause(design, library, settings, state, t, experiments);
-    cause.parameters = all[t];
+  Selection& state = levels.state;
+  std::vector<std::size_t> named;
+  for (std::size_t t = 0; t < state.model.terms.size(); ++t)
+    if (state.model.terms[t].level >= 0) named.push_back(t);
+  const std::size_t first = result.verdict.causes.size();
+  for (const std::size_t t : named) {
+    NamedCause cause = name_cause(design, library, settings, experiments, t, state);
     cause.confidence =
         confidence_of({cause.confidence, cause.p_family, cause.cross_validated.share, 0.0});
     result.verdict.causes.push_back(std::move(cause));
   }
+  const auto all = estimates(design, state.model, state.noise);
+  for (std::size_t i = 0; i < named.size(); ++i)
+    result.verdict.causes[first + i].parameters = all[named[i]];
   const std::vector<LevelCause>& causes = design.problem().levels;
   for (std::size_t l = 0; l < causes.size(); ++l) {
     const int index = -1 - static_cast<int>(l);
-    const bool named = std::any_of(
+    const bool is_named = std::any_of(
         result.verdict.causes.begin(), result.verdict.causes.end(), [&](const NamedCause& c) {
           return std::any_of(c.members.begin(), c.members.end(),
                              [&](const RankedCause& m) { return m.candidate == index; });
         });
-    if (named) continue;
+    if (is_named) continue;
     RuledOut out{causes[l].name, causes[l].place, "nothing beyond noise beside the named causes",
                  levels.statistic[l], levels.p_family[l]};
     for (const Refusal& refusal : levels.refused)
@@ -269,21 +280,26 @@ Explanation explain(const Problem& problem, const Settings& settings,
   if (!verdict.unexplained.withdrawn.empty())
     selection.noise = own_noise(design, selection.model, settings.threads);
 
-  const auto all = estimates(design, selection.model, selection.noise);
-  result.estimates = all;
+  std::vector<std::size_t> named;
   for (std::size_t t = 0; t < selection.model.terms.size(); ++t) {
     const Term& term = selection.model.terms[t];
-    if (term.baseline)
-      for (const ParameterEstimate& estimate : all[t]) verdict.baseline.push_back(estimate);
-    if (term.baseline || term.candidate->kind != CandidateKind::named) {
-      if (term.candidate->kind != CandidateKind::delay) continue;
-    }
-    NamedCause cause = name_cause(design, library, settings, selection, t, experiments);
-    cause.parameters = all[t];
+    if (!term.baseline && (term.candidate->kind == CandidateKind::named ||
+                           term.candidate->kind == CandidateKind::delay))
+      named.push_back(t);
+  }
+  for (const std::size_t t : named) {
+    NamedCause cause = name_cause(design, library, settings, experiments, t, selection);
     cause.confidence = confidence_of({cause.confidence, cause.p_family, cause.cross_validated.share,
                                       1.0 - verdict.unexplained.named_share});
     verdict.causes.push_back(std::move(cause));
   }
+  result.estimates = estimates(design, selection.model, selection.noise);
+  for (std::size_t i = 0; i < named.size(); ++i)
+    verdict.causes[i].parameters = result.estimates[named[i]];
+  for (std::size_t t = 0; t < selection.model.terms.size(); ++t)
+    if (selection.model.terms[t].baseline)
+      for (const ParameterEstimate& estimate : result.estimates[t])
+        verdict.baseline.push_back(estimate);
   list_ruled_out(design, selection, verdict);
   if (!problem.levels.empty())
     name_levels(design, library, settings, experiments, structure, result);

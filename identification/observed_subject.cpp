@@ -89,7 +89,7 @@ MatrixXd ObservedModel::operator()(const Recording& log, const VectorXd& deviati
       in.segment(slot.at, slot.count) = slot.signal->row(k).transpose();
     function.call(in.data(), out.data());
     measured.row(k) = out.head(channels).transpose();
-    if (units_.size() == channels) measured.row(k).array() /= units_.transpose().array();
+    measured.row(k).head(units_.size()).array() /= units_.transpose().array();
     if (state >= 0) in.segment(state, states) = out.segment(channels, states);
   }
   return measured;
@@ -105,6 +105,7 @@ ObservedSubject::ObservedSubject(Observation observation, std::vector<ObservedCh
       learnt_(values_of(observation_, identified_, false)),
       shapes_(values_of(observation_, identified_, true)) {
   problem_.channels = static_cast<int>(channels_.size());
+  problem_.unlike_channels = true;
   Index deviations = 0, shapes = 0;
   for (const ObservationEffect& effect : observation_.effects) {
     first_deviation_.push_back(deviations);
@@ -123,7 +124,7 @@ void ObservedSubject::set_units() {
   double count = 1e-300;
   for (const Recording& log : problem_.training) {
     const MatrixXd said = open_(log, learnt_, shapes_);
-    for (Index c = 0; c < said.cols(); ++c) {
+    for (Index c = 0; c < energy.size(); ++c) {
       const VectorXd left = log.target[static_cast<std::size_t>(c)] - said.col(c);
       energy(c) += (left.array() - left.mean()).square().sum();
     }
@@ -142,7 +143,7 @@ void ObservedSubject::set_known() {
     for (Recording& log : *logs) {
       const MatrixXd said = open_(log, learnt_, shapes_);
       log.known.clear();
-      for (Index c = 0; c < said.cols(); ++c) log.known.push_back(said.col(c));
+      for (Index c = 0; c < units_.size(); ++c) log.known.push_back(said.col(c));
       log.signals["said"] = said;
     }
 }
@@ -183,7 +184,7 @@ void ObservedSubject::add_effect(std::size_t index) {
       up(at + static_cast<Index>(p)) += steps[p];
       down(at + static_cast<Index>(p)) -= steps[p];
       all.middleCols(channels * static_cast<Index>(p), channels) =
-          (open(log, up, shape) - open(log, down, shape)) / (2.0 * steps[p]);
+          (open(log, up, shape) - open(log, down, shape)).leftCols(channels) / (2.0 * steps[p]);
     }
     return all;
   };

@@ -8,6 +8,7 @@
 
 #include "symbolic/effects/effects.h"
 #include "symbolic/identified_mechanism.h"
+#include "symbolic/observation.h"
 #include "symbolic/read_text.h"
 #include "symbolic/toml_reader.h"
 
@@ -17,6 +18,8 @@ namespace {
 /// Reads one file; every mistake is reported with its place.
 class IdentifiedReader {
  public:
+  explicit IdentifiedReader(const Observation* observation) : observation_(observation) {}
+
   Identified read(TomlTable root) {
     Identified result;
     for (TomlTable& table : root.tables("log")) {
@@ -58,29 +61,49 @@ class IdentifiedReader {
 
   /// The names have to be those of the effect, all of them.
   void check(TomlTable& table, const IdentifiedEffect& read) {
+    if (observation_) return check_observed(table, read);
     if (read.effect == "delay" || read.effect == "direction" || read.effect == "torque_constant" ||
-        changes_mechanism(read))
+        read.effect == "pulley_radius" || changes_mechanism(read))
       return;
     try {
       const Effect& effect = find_effect(read.effect);
-      const auto same = [&](const auto& declared, const std::vector<IdentifiedValue>& given,
-                            const char* key) {
-        bool fits = declared.size() == given.size();
-        std::string expected;
-        for (std::size_t i = 0; i < declared.size(); ++i) {
-          expected += (i ? ", " : "") + declared[i].name;
-          fits = fits && given[i].name == declared[i].name;
-        }
-        if (!fits)
-          table.report(key, fmt::format("{} has other values than '{}'", table.path(), effect.id),
-                       "expected " + (expected.empty() ? "none" : expected));
-      };
-      same(effect.shapes, read.shape, "shape");
-      same(effect.columns, read.coefficients, "coefficient");
+      same_names(table, read.effect, effect.shapes, read.shape, "shape");
+      same_names(table, read.effect, effect.columns, read.coefficients, "coefficient");
     } catch (const std::invalid_argument& error) {
       table.report("effect", error.what(), "expected an effect of the catalogue");
     }
   }
+
+  void check_observed(TomlTable& table, const IdentifiedEffect& read) {
+    const ObservationEffect* effect = find_effect(*observation_, read.effect, read.place);
+    if (!effect) {
+      std::string known;
+      for (const ObservationEffect& each : observation_->effects)
+        known += fmt::format("{}{} at '{}'", known.empty() ? "" : ", ", each.id, each.place);
+      table.report("effect", fmt::format("no effect '{}' at '{}'", read.effect, read.place),
+                   "expected one of " + known);
+      return;
+    }
+    same_names(table, read.effect, effect->shapes, read.shape, "shape");
+    same_names(table, read.effect, effect->deviations, read.coefficients, "coefficient");
+  }
+
+  template <class Declared>
+  static void same_names(TomlTable& table, const std::string& effect,
+                         const std::vector<Declared>& declared,
+                         const std::vector<IdentifiedValue>& given, const char* key) {
+    bool fits = declared.size() == given.size();
+    std::string expected;
+    for (std::size_t i = 0; i < declared.size(); ++i) {
+      expected += (i ? ", " : "") + declared[i].name;
+      fits = fits && given[i].name == declared[i].name;
+    }
+    if (!fits)
+      table.report(key, fmt::format("{} has other values than '{}'", table.path(), effect),
+                   "expected " + (expected.empty() ? "none" : expected));
+  }
+
+  const Observation* observation_;  ///< of a rig; nullptr for what is driven
 };
 
 void append(const std::vector<IdentifiedValue>& values, const char* key, std::string& text) {
@@ -98,7 +121,7 @@ double IdentifiedEffect::coefficient(const std::string& name) const {
   throw std::invalid_argument("effect '" + effect + "' has no coefficient '" + name + "'");
 }
 
-Identified read_identified(const std::filesystem::path& folder) {
+Identified read_identified(const std::filesystem::path& folder, const Observation* observation) {
   const std::filesystem::path path = folder / "identified.toml";
   if (!std::filesystem::exists(path)) return {};
   Findings findings;
@@ -115,7 +138,7 @@ Identified read_identified(const std::filesystem::path& folder) {
                  "expected TOML 1.0");
   }
   findings.raise_if_any();
-  Identified result = IdentifiedReader().read(TomlTable(root, "", file));
+  Identified result = IdentifiedReader(observation).read(TomlTable(root, "", file));
   findings.raise_if_any();
   return result;
 }

@@ -42,8 +42,12 @@ struct Identified {
   bool empty() const { return effects.empty(); }
 };
 
-/// Empty where the folder has no identified.toml. Throws DescriptionError with all mistakes found.
-Identified read_identified(const std::filesystem::path& folder);
+struct Observation;
+
+/// Empty where the folder has no identified.toml. `observation`: of a rig, whose effects these are
+/// then; nullptr for what is driven. Throws DescriptionError with all mistakes found.
+Identified read_identified(const std::filesystem::path& folder,
+                           const Observation* observation = nullptr);
 
 /// TOML text; the same for the same contents.
 std::string identified_text(const Identified& identified);
