@@ -82,6 +82,9 @@ void DrivenSubject::add_common_levels(std::size_t joint) {
   if (!tendons_) add_level(torque_constant_candidate(where), {"torque_constant", joint, {}, {}});
   if (model_.joints.size() == 1)
     add_level(sensor_scale_candidate(where, known_, {where.axis}), {"sensor_scale", joint, {}, {}});
+  if (is_lone_link() || (tendon_driven(joint) && moves_links(joint)))
+    add_level(sensor_offset_candidate(where, known_, {where.axis}),
+              {"sensor_offset", joint, {}, {}});
 }
 
 void DrivenSubject::add_level(const Candidate& c, CandidateOrigin origin, int columns) {
@@ -110,6 +113,7 @@ void DrivenSubject::add_mechanism_levels() {
     std::iota(all.begin(), all.end(), 0);
     add_delay_level(common_delay_candidate(), {"delay", 0, {}, {}, true}, all);
   }
+  if (is_lone_link()) add_payload_levels();
   constexpr int mass_and_first_moments = 4;
   for (std::size_t i = 0; i < library_.size(); ++i) {
     const CandidateOrigin origin = library_[i];
@@ -118,6 +122,24 @@ void DrivenSubject::add_mechanism_levels() {
       add_level(candidate, origin, mass_and_first_moments);
     else if (origin.effect == "gravity" || !origin.tendon.empty())
       add_level(candidate, origin);
+  }
+}
+
+/// The free payloads of a lone joint.
+void DrivenSubject::add_payload_levels() {
+  for (std::size_t t = 0; t < baseline_.size(); ++t) {
+    if (baseline_[t].effect != "payload") continue;
+    const Candidate& c = problem_.baseline[t];
+    LevelCause level{c.name, c.place, {}, c.limit_meaning, c.isolating_experiment, {}, false};
+    for (std::size_t k = 0; k < c.linear.size(); ++k) {
+      LevelParameter parameter{c.linear[k].name, c.linear[k].unit, {}, {}, {}, {}};
+      parameter.low = k == 0 ? 0.0 : -std::numeric_limits<double>::infinity();
+      parameter.high = std::numeric_limits<double>::infinity();
+      parameter.shares = {{static_cast<int>(t), static_cast<int>(k), 1.0}};
+      level.parameters.push_back(std::move(parameter));
+    }
+    problem_.levels.push_back(std::move(level));
+    levels_.push_back(baseline_[t]);
   }
 }
 

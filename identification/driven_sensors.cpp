@@ -126,7 +126,7 @@ bool DrivenSubject::fine_sensor(std::size_t joint) const {
 /// logs get the signals for the others.
 std::vector<int> DrivenSubject::coupled_joints(std::size_t joint) {
   const auto axis = static_cast<int>(joint);
-  if (!carries_links(joint)) return {axis};
+  if (!moves_links(joint)) return {axis};
   for (auto* logs : {&problem_.training, &problem_.holdout})
     for (Recording& log : *logs) add_sensor_responses(known_, axis, log);
   std::vector<int> list;

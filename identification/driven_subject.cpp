@@ -257,11 +257,26 @@ void DrivenSubject::add_mechanism_candidates() {
       const std::string effect = c.place == "base" ? "gravity"
                                  : c.unlikely      ? "inertial_parameters"
                                                    : "payload";
+      if (effect == "payload" && is_lone_link()) {
+        add_free_payload(std::move(c));
+        continue;
+      }
       take(std::move(c), {effect, 0, {}, {}});
     }
   if (tendons_)
     for (TendonColumns::AtTendon& each : tendons_->candidates())
       take(std::move(each.candidate), {each.effect, 0, {}, each.place});
+}
+
+/// A gain, a leaning base and a payload all make another weight of a lone joint: which of them it
+/// is shows against the model's values alone, the moment of inertia among them.
+void DrivenSubject::add_free_payload(Candidate payload) {
+  for (LinearParameter& p : payload.linear) {
+    p.low = -std::numeric_limits<double>::infinity();
+    p.nominal = 0.0;
+  }
+  problem_.baseline.push_back(std::move(payload));
+  baseline_.push_back({"payload", 0, {}, {}});
 }
 
 void DrivenSubject::add_baseline(std::size_t joint) {
@@ -333,6 +348,14 @@ FlexibleRanges DrivenSubject::ranges(std::size_t joint) const {
   return {s.low, s.high, s.speed, s.load, s.duration};
 }
 
+bool DrivenSubject::moves_links(std::size_t joint) const {
+  return carries_links(joint) || (rigid_ && tendon_driven(joint));
+}
+
+bool DrivenSubject::is_lone_link() const {
+  return model_.joints.size() == 1 && carries_links(0);
+}
+
 bool DrivenSubject::carries_links(std::size_t joint) const {
   return rigid_ && model_.joints[joint].carries_links;
 }
@@ -400,7 +423,7 @@ void DrivenSubject::add_model_candidates(std::size_t joint) {
     take(pulley_radius_candidate(where.axis, where.name), "pulley_radius");
   else if (!gain_is_only_level(joint))
     take(torque_constant_candidate(where), "torque_constant");
-  if (carries_links(joint)) take(sensor_offset_candidate(where, known_, coupled), "sensor_offset");
+  if (moves_links(joint)) take(sensor_offset_candidate(where, known_, coupled), "sensor_offset");
   // One joint's scale is a level too (driven_levels.cpp); here it meets what else bends friction.
   take(sensor_scale_candidate(where, known_, coupled), "sensor_scale");
   const int axis = static_cast<int>(joint);

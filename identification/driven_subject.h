@@ -75,7 +75,9 @@ class DrivenSubject {
  private:
   void add_baseline(std::size_t joint);
   void add_library(std::size_t joint);
+  void add_free_payload(Candidate payload);
   void add_mechanism_candidates();
+  void add_payload_levels();
   void add_mechanism_levels();
   /// The candidate's first columns (all: -1) as changes of the model's own values.
   void add_level(const Candidate& candidate, CandidateOrigin origin, int columns = -1);
@@ -101,6 +103,8 @@ class DrivenSubject {
   void add_standstills(Recording& log) const;
   void set_signals(Recording& log) const;
   Eigen::MatrixXd effort_of_smooth_load(Recording& log) const;
+  bool is_lone_link() const;
+  bool moves_links(std::size_t joint) const;
   bool gain_is_only_level(std::size_t joint) const;
   bool tendon_driven(std::size_t joint) const;
   bool carries_links(std::size_t joint) const;

@@ -98,11 +98,10 @@ const EffortSlot* memory_of(const std::vector<EffortSlot>& slots) {
 EffortModel::EffortModel(const DrivenModel& model, const Identified& identified,
                          const std::filesystem::path& runtime)
     : joints_(static_cast<int>(model.joints.size())) {
-  for (const DrivenJoint& joint : model.joints) carries_links_.push_back(joint.carries_links);
+  for (const DrivenJoint& joint : model.joints) motor_.push_back(joint.motor);
   std::vector<Function> functions{effort_function(model, identified)};
-  if (std::adjacent_find(carries_links_.begin(), carries_links_.end(), std::not_equal_to<>()) !=
-      carries_links_.end())
-    functions.push_back(drive_effort_function(model, identified));
+  if (std::adjacent_find(motor_.begin(), motor_.end(), std::not_equal_to<>()) != motor_.end())
+    functions.push_back(motor_effort_function(model, identified));
   const EmittedModel emitted =
       assemble({model.name, "Effort of the drives", "", {}}, functions, {});
   operations_ = count_operations(emitted.functions.front()).operations();
@@ -120,9 +119,8 @@ MatrixXd EffortModel::operator()(const Recording& log, const MatrixXd& q, const 
 
 VectorXd EffortModel::of_joint(int joint, const Recording& log, const MatrixXd& q,
                                const MatrixXd& qd, const MatrixXd& qdd) const {
-  const bool alone =
-      !carries_links_[static_cast<std::size_t>(joint)] && compiled_->has("drive_effort");
-  return run(alone ? "drive_effort" : "effort", log, q, qd, qdd).col(joint);
+  const bool alone = motor_[static_cast<std::size_t>(joint)] && compiled_->has("motor_effort");
+  return run(alone ? "motor_effort" : "effort", log, q, qd, qdd).col(joint);
 }
 
 MatrixXd EffortModel::run(const std::string& name, const Recording& log, const MatrixXd& q,

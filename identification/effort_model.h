@@ -39,7 +39,7 @@ class EffortModel {
   Eigen::MatrixXd operator()(const Recording& log, const Eigen::MatrixXd& q,
                              const Eigen::MatrixXd& qd, const Eigen::MatrixXd& qdd) const;
 
-  /// One joint's effort alone, for another motion: of a joint without links in little time.
+  /// One joint's effort alone, for another motion: of a motor in little time.
   Eigen::VectorXd of_joint(int joint, const Recording& log, const Eigen::MatrixXd& q,
                            const Eigen::MatrixXd& qd, const Eigen::MatrixXd& qdd) const;
 
@@ -53,7 +53,7 @@ class EffortModel {
 
   int joints_;
   int operations_ = 0;
-  std::vector<bool> carries_links_;
+  std::vector<bool> motor_;
   std::shared_ptr<CompiledModel> compiled_;
 };
 

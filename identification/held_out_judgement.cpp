@@ -46,16 +46,26 @@ void merge_members(Verdict& verdict) {
   });
 }
 
+namespace {
+
+/// The lower end of the interval is 1.96 standard errors below the gain. To one side, 1.6 are sure.
+bool is_sure(const Gain& gain) {
+  constexpr double of_interval = 1.96, enough = 1.6;
+  return gain.share * of_interval > enough * (gain.share - gain.low) && gain.share > 0.0;
+}
+
+}  // namespace
+
 void confirm_on_held_out(Verdict& verdict) {
   std::vector<NamedCause> kept;
   for (NamedCause& cause : verdict.causes) {
-    if (cause.held_out.share > 0.0) {
+    if (is_sure(cause.held_out)) {
       kept.push_back(std::move(cause));
       continue;
     }
     const RankedCause& first = cause.members.front();
     verdict.ruled_out.push_back(
-        {first.name, first.place, "no gain on the held-out logs", cause.statistic, cause.p_family});
+        {first.name, first.place, "no sure gain on the held-out logs", cause.statistic, cause.p_family});
   }
   verdict.causes = std::move(kept);
 }

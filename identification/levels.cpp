@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 #include <mutex>
+#include <optional>
 
 #include "identification/level_terms.h"
 #include "identification/parallel_for.h"
@@ -266,6 +267,30 @@ double p_value(const Moments& m, const Set& set, int level, double statistic) {
   return std::min(1.0, single * static_cast<double>(m.first.size() - 1));
 }
 
+/// The level of a set that does most of what others of the set undo, far more than is left of them
+/// together: large errors that happen to cancel are none. They come from columns that share a noise
+/// with the target, or from a form that no level has.
+std::optional<int> cancelled(const Moments& m, const Set& set) {
+  constexpr double kMost = 25.0;  // times the energy of all together
+  const std::vector<Index> at = indices(m, set);
+  if (at.empty()) return std::nullopt;
+  const MatrixXd gram = m.gram(at, at);
+  const VectorXd value = scaled_pseudo_inverse(gram, 1e-8) * VectorXd(m.target(at));
+  double largest = kMost * value.dot(gram * value);
+  std::optional<int> found;
+  Index first = 0;
+  for (const int level : set) {
+    const Index wide = static_cast<Index>(indices(m, {level}).size());
+    const VectorXd own = value.segment(first, wide);
+    const double energy = own.dot(gram.block(first, first, wide, wide) * own);
+    first += wide;
+    if (energy <= largest) continue;
+    largest = energy;
+    found = level;
+  }
+  return found;
+}
+
 /// The causes' nonlinear parameters fitted beside the set. Those of the baseline stay: the levels'
 /// columns are made with them.
 Model model_of(const Design& design, const Weights& weights, const LevelTerms& parts,
@@ -427,6 +452,10 @@ LevelSelection restrict_to_levels(const Design& design, const Settings& settings
       weakest = j.evidence.statistic;
       refusal = {-1 - level, j.against};
       settled = false;
+    }
+    if (const auto level = settled ? cancelled(m, set) : std::nullopt) {
+      settled = false;
+      refusal = {-1 - *level, "it would undo what others of the causes do"};
     }
     if (settled) {
       const auto shadow = find_shadow(design, settings, weights, all.model, ShadowOf::levels);

@@ -72,9 +72,9 @@ double assumed_friction_speed(const DrivenJoint& joint);
 /// not.
 Function effort_function(const DrivenModel& model, const Identified& identified);
 
-/// The same function, named drive_effort, of the joints that carry no links: tau is 0 for the
-/// others, whose rigid body is left out.
-Function drive_effort_function(const DrivenModel& model, const Identified& identified);
+/// The same function, named motor_effort, of the tendons' motors: tau is 0 for the joints, whose
+/// rigid body is left out.
+Function motor_effort_function(const DrivenModel& model, const Identified& identified);
 
 /// compensation(q, qd[, load] -> tau): feedforward of the identified effects that follow from what
 /// the firmware measures, `share` of each so that friction is never over-compensated. No outputs

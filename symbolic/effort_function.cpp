@@ -338,12 +338,12 @@ Function effort_function(const DrivenModel& model, const Identified& identified)
   return EffortWriter(model, identified).effort();
 }
 
-Function drive_effort_function(const DrivenModel& model, const Identified& identified) {
+Function motor_effort_function(const DrivenModel& model, const Identified& identified) {
   Function f = effort_function(model, identified);
-  f.name = "drive_effort";
-  f.doc = "Effort of the drives that carry no links; 0 for the others.";
+  f.name = "motor_effort";
+  f.doc = "Effort of the tendons' motors; 0 for the joints.";
   for (std::size_t i = 0; i < model.joints.size(); ++i)
-    if (model.joints[i].carries_links) f.outputs.front().values[i] = 0;
+    if (!model.joints[i].motor) f.outputs.front().values[i] = 0;
   return f;
 }
 
