@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 #include <stdexcept>
 
@@ -33,6 +34,19 @@ DrivenJoint driven_joint(const Joint& joint) {
   driven.motor_turn = joint.motor_turn;
   driven.output_turn = driven.revolute ? 2.0 * std::numbers::pi : 0.0;
   return driven;
+}
+
+/// A joint that follows another one at a fixed ratio leaves its losses and inertia to that one.
+void add_followers(const Mechanism& mechanism, DrivenJoint& driven) {
+  for (const JointCoupling& coupling : mechanism.couplings) {
+    if (coupling.independent != driven.name) continue;
+    for (const Joint& joint : mechanism.joints) {
+      if (joint.name != coupling.dependent) continue;
+      driven.damping += coupling.ratio * coupling.ratio * joint.damping;
+      driven.armature += coupling.ratio * coupling.ratio * joint.armature;
+      driven.friction += std::abs(coupling.ratio) * joint.friction;
+    }
+  }
 }
 
 DrivenJoint driven_motor(const MotorParameters& motor, const std::string& name) {
@@ -69,8 +83,10 @@ DrivenModel driven_model(const Mechanism& mechanism, const CostOf& cost) {
   model.name = mechanism.name;
   model.rigid = inverse_dynamics_function(mechanism, cost);
   const Coordinates coordinates(mechanism);
-  for (const int index : coordinates.joints())
+  for (const int index : coordinates.joints()) {
     model.joints.push_back(driven_joint(mechanism.joints[static_cast<std::size_t>(index)]));
+    add_followers(mechanism, model.joints.back());
+  }
   // A lone joint's own inertia is hardly a load to its gear; weight and other links are.
   const bool loaded = model.joints.size() > 1 || depends_on_position(model.rigid);
   for (DrivenJoint& joint : model.joints) joint.carries_links = loaded;

@@ -151,3 +151,30 @@ TEST_CASE("logs of twenty rows a second are diagnosed") {
   CHECK(found.verdict.causes.front().members.front().name == "payload");
   CHECK(found.terms.front().effect == "payload");
 }
+
+TEST_CASE("what a pendulum carries is a payload, with its weight and its inertia") {
+  // Planted defect: with its payload in the library alone (is_lone_link() never true), a torque
+  // constant and friction levels take its place.
+  Mechanism pendulum = arm_of_five();
+  pendulum.joints = {pendulum.joints[1]};
+  pendulum.joints.front().name = "j1";
+  pendulum.joints.front().parent = -1;
+  pendulum.bodies = {pendulum.bodies[1]};
+  pendulum.bodies.front().name = "l1";
+  Mechanism loaded = pendulum;
+  loaded.bodies.front().mass *= 1.1;
+  loaded.bodies.front().centre_of_mass.x() *= 1.1;
+  loaded.bodies.front().inertia *= 1.15;
+  const ArmFriction friction{0.1, 0.05};
+  pendulum.joints.front().friction = friction.coulomb;
+  pendulum.joints.front().damping = friction.viscous;
+  pendulum.joints.front().friction_speed = 0.01;
+  const auto log = [&](const Mechanism& of, std::uint64_t seed) {
+    return csv(draw_log(of, seed, friction, 0.004, 20.0));
+  };
+  const Findings found = diagnosed(pendulum, log(loaded, 1), log(loaded, 2));
+  REQUIRE(found.verdict.causes.size() == 1);
+  CHECK(found.verdict.causes.front().members.front().name == "payload");
+  CHECK(found.terms.front().effect == "payload");
+  CHECK(found.extension.adopted);
+}

@@ -43,8 +43,9 @@ ArmLog draw_log(const Mechanism& arm, std::uint64_t seed, const ArmFriction& fri
                 double seconds) {
   RandomNumbers random(seed);
   const auto samples = static_cast<Index>(seconds / step);
-  MatrixXd q = MatrixXd::Zero(samples, kArmJoints), qd = q, qdd = q, tau = q;
-  for (Index j = 0; j < kArmJoints; ++j) {
+  const auto joints = static_cast<Index>(arm.joints.size());
+  MatrixXd q = MatrixXd::Zero(samples, joints), qd = q, qdd = q, tau = q;
+  for (Index j = 0; j < joints; ++j) {
     q.col(j).setConstant(random.uniform(-0.5, 0.5));
     for (int harmonic = 1; harmonic <= 5; ++harmonic) {
       const double w = 2.0 * std::numbers::pi * 0.1 * harmonic;
@@ -65,7 +66,7 @@ ArmLog draw_log(const Mechanism& arm, std::uint64_t seed, const ArmFriction& fri
             .inverse_dynamics(q.row(k).transpose(), qd.row(k).transpose(), qdd.row(k).transpose())
             .transpose();
   tau.array() += friction.coulomb * (qd.array() / 0.01).tanh() + friction.viscous * qd.array();
-  for (Index j = 0; j < kArmJoints; ++j) {
+  for (Index j = 0; j < joints; ++j) {
     const double noise = 0.01 * std::sqrt(tau.col(j).squaredNorm() / double(samples));
     for (Index k = 0; k < samples; ++k) {
       tau(k, j) += noise * random.uniform(-1.7, 1.7);
@@ -77,13 +78,13 @@ ArmLog draw_log(const Mechanism& arm, std::uint64_t seed, const ArmFriction& fri
 
 std::string csv(const ArmLog& log) {
   std::string text = "time [s]";
-  for (Index j = 0; j < kArmJoints; ++j) text += fmt::format(",q_j{} [rad]", j + 1);
-  for (Index j = 0; j < kArmJoints; ++j) text += fmt::format(",tau_j{} [N*m]", j + 1);
+  for (Index j = 0; j < log.q.cols(); ++j) text += fmt::format(",q_j{} [rad]", j + 1);
+  for (Index j = 0; j < log.q.cols(); ++j) text += fmt::format(",tau_j{} [N*m]", j + 1);
   for (Index k = 0; k < log.q.rows(); ++k) {
     fmt::format_to(std::back_inserter(text), "\n{:.6f}", log.step * static_cast<double>(k));
-    for (Index j = 0; j < kArmJoints; ++j)
+    for (Index j = 0; j < log.q.cols(); ++j)
       fmt::format_to(std::back_inserter(text), ",{:.8f}", log.q(k, j));
-    for (Index j = 0; j < kArmJoints; ++j)
+    for (Index j = 0; j < log.q.cols(); ++j)
       fmt::format_to(std::back_inserter(text), ",{:.8g}", log.tau(k, j));
   }
   return text + "\n";

@@ -32,7 +32,7 @@ struct ArmLog {
 ArmLog draw_log(const Mechanism& arm, std::uint64_t seed, const ArmFriction& friction,
                 double step = 0.004, double seconds = 10.0);
 
-/// time, q_j1 ..., tau_j1 ...
+/// time, q_j1 ..., tau_j1 ..., whatever the joints are called.
 std::string csv(const ArmLog& log);
 
 }  // namespace sinew::test
