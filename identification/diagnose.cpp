@@ -10,6 +10,7 @@
 #include "identification/extend.h"
 #include "identification/held_out_judgement.h"
 #include "identification/log_record.h"
+#include "identification/lone_consistency.h"
 #include "identification/measure.h"
 #include "identification/prediction.h"
 #include "identification/read_csv.h"
@@ -103,6 +104,8 @@ class Run {
     if (!longest) return;
     FaultList faults(log.file);
     judge_efforts(log, columns, *longest, subject_.effort(), faults);
+    judge_lone_effort(log, columns, *longest, subject_.effort(), request_.model.joints.front(),
+                      faults);
     if (faults.stops()) throw LogError(faults.all());
   }
 

@@ -27,6 +27,15 @@ std::string names_of(const std::string& file, const std::vector<std::string>& ma
   return known;
 }
 
+/// What links and gravity ask of the joint is the model's to tell: no inertia, no friction.
+DriveLimits limits_of(const Joint& joint) {
+  DriveLimits limits;
+  limits.low = joint.low;
+  limits.high = joint.high;
+  limits.max_velocity = joint.max_velocity;
+  return limits;
+}
+
 }  // namespace
 
 DrivenChannels drive_log_channels(bool revolute, const DriveLimits& limits) {
@@ -48,7 +57,7 @@ DrivenChannels robot_log_channels(const Mechanism& mechanism, const std::string&
     const Joint& joint = joint_at(coordinates.joints().front());
     const std::string known = names_of(file, map);
     if (known.find("q_" + joint.name) == std::string::npos)
-      return drive_log_channels(joint.type == JointType::revolute, {});
+      return drive_log_channels(joint.type == JointType::revolute, limits_of(joint));
   }
   DrivenChannels channels;
   channels.specs = robot_channels(mechanism);
