@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <chrono>
+#include <map>
 #include <set>
 
 #include "identification/effort_consistency.h"
 #include "identification/explain.h"
 #include "identification/extend.h"
+#include "identification/far_off.h"
 #include "identification/held_out_judgement.h"
 #include "identification/log_record.h"
 #include "identification/lone_consistency.h"
@@ -15,6 +17,7 @@
 #include "identification/prediction.h"
 #include "identification/read_csv.h"
 #include "identification/sensor_play.h"
+#include "identification/tendon_consistency.h"
 #include "identification/verdict_text.h"
 #include "symbolic/effects/effects.h"
 #include "symbolic/print_mathml.h"
@@ -54,6 +57,7 @@ class Run {
     extend(explanation);
     describe_terms(explanation.verdict);
     f.headline = headline(f);
+    tell_far_off(far_off_, f);
     f.next_step = next_step(f);
     f.seconds = std::chrono::duration<double>(Clock::now() - start).count();
     return std::move(result_);
@@ -91,8 +95,25 @@ class Run {
                                 found(channels.forces),
                                 channels.load.empty() ? -1 : log.channel(channels.load)};
     subject_.add_log(log, columns, held_out);
+    columns_[log.file] = judged_columns(log, columns);
     check_columns(log, columns, held_out);
     result_.findings.logs.push_back(log_record(log, held_out));
+  }
+
+  /// What each channel of the problem is measured by: forces of tendons stand for their joints.
+  static std::vector<LoggedColumn> judged_columns(const Log& log, const DrivenColumns& columns) {
+    std::vector<LoggedColumn> judged;
+    const auto add = [&](int index, const std::string& whole) {
+      const Channel& channel = log.channels[static_cast<std::size_t>(index)];
+      judged.push_back({whole.empty() ? channel.name : whole, channel.column});
+    };
+    const std::size_t joints = columns.positions.size() - columns.efforts.size();
+    for (std::size_t j = 0; j < joints; ++j)
+      add(columns.forces.front(),
+          "the forces' torque at " +
+              log.channels[static_cast<std::size_t>(columns.positions[j])].name);
+    for (const int effort : columns.efforts) add(effort, {});
+    return judged;
   }
 
   /// The model tells exchanged columns and wrong signs of coupled joints from what they lack.
@@ -103,9 +124,13 @@ class Run {
         longest = &r;
     if (!longest) return;
     FaultList faults(log.file);
-    judge_efforts(log, columns, *longest, subject_.effort(), faults);
-    judge_lone_effort(log, columns, *longest, subject_.effort(), request_.model.joints.front(),
-                      faults);
+    const DrivenModel& model = request_.model;
+    if (!model.tendons.names.empty()) {
+      judge_tendons(log, columns, *longest, model, subject_.effort(), request_.runtime, faults);
+    } else {
+      judge_efforts(log, columns, *longest, subject_.effort(), faults);
+      judge_lone_effort(log, columns, *longest, subject_.effort(), model.joints.front(), faults);
+    }
     if (faults.stops()) throw LogError(faults.all());
   }
 
@@ -152,6 +177,7 @@ class Run {
     for (int c = 0; c < subject_.problem().channels; ++c)
       f.channels.push_back(
           channel_finding(subject_, measured, c, noise_floor(explanation.selection, design, c)));
+    far_off_ = far_off_channels(subject_.problem(), measured, columns_, false);
     add_predictions(subject_, after, f.channels);
     result_.extended = extended(request_.identified, terms);
     for (const LogRecord& log : f.logs)
@@ -238,6 +264,8 @@ class Run {
 
   const DiagnoseRequest& request_;
   DrivenSubject subject_;
+  std::map<std::string, std::vector<LoggedColumn>> columns_;  ///< by file
+  std::vector<DataFault> far_off_;
   Diagnosis result_;
 };
 

@@ -5,8 +5,10 @@
 
 #include <algorithm>
 #include <chrono>
+#include <map>
 
 #include "identification/explain.h"
+#include "identification/far_off.h"
 #include "identification/held_out_judgement.h"
 #include "identification/log_record.h"
 #include "identification/measure_plots.h"
@@ -47,6 +49,7 @@ class ObservedRun {
     extend(explanation);
     describe_terms();
     f.headline = headline(f);
+    tell_far_off(far_off_, f);
     f.next_step = next_step(f);
     f.seconds = std::chrono::duration<double>(Clock::now() - start).count();
     return std::move(result_);
@@ -77,6 +80,11 @@ class ObservedRun {
       r.name = log.segments.size() > 1 ? fmt::format("{} part {}", log.file, ++part) : log.file;
       subject_.add(std::move(r), held_out);
     }
+    for (const ObservedChannel& channel : request_.rig.channels) {
+      const int index = log.channel(channel.name);
+      columns_[log.file].push_back(
+          {channel.name, index < 0 ? 0 : log.channels[static_cast<std::size_t>(index)].column});
+    }
     result_.findings.logs.push_back(log_record(log, held_out));
   }
 
@@ -97,6 +105,7 @@ class ObservedRun {
         any ? extended_observation(subject_, design, explanation) : request_.identified;
     const std::vector<MeasuredChannel> measured =
         measure_observation(subject_, design, result_.extended, request_.rig.free_zero);
+    far_off_ = far_off_channels(subject_.problem(), measured, columns_, request_.rig.free_zero);
     for (int c = 0; c < subject_.problem().channels; ++c)
       f.channels.push_back(channel(
           measured, c, subject_.units()(c) * noise_floor(explanation.selection, design, c)));
@@ -149,6 +158,8 @@ class ObservedRun {
 
   const ObservedRequest& request_;
   ObservedSubject subject_;
+  std::map<std::string, std::vector<LoggedColumn>> columns_;  ///< by file
+  std::vector<DataFault> far_off_;
   Diagnosis result_;
 };
 

@@ -35,6 +35,7 @@ enum class FaultKind {
   held_samples,
   spike,
   out_of_range,
+  far_off,
   too_short,
 };
 
