@@ -57,8 +57,11 @@ std::vector<DataFault> far_off_channels(
     const auto* log = log_of(r.name, columns);
     if (!log) continue;
     const auto c = static_cast<std::size_t>(m.channel);
-    const double left =
-        share(rms(changes(m.measured - m.after, free_zero)), rms(changes(m.measured, free_zero)));
+    // An extension may do harm where it was not learnt; the log is as the better of both says.
+    const auto rest = [&](const Eigen::VectorXd& said) {
+      return share(rms(changes(m.measured - said, free_zero)), rms(changes(m.measured, free_zero)));
+    };
+    const double left = std::min(rest(m.before), rest(m.after));
     const double noise =
         share(white_noise_rms(r.target[c].array()), rms(changes(r.target[c], free_zero)));
     if (left < kHalf || noise > kHardlyNoise * left) continue;
