@@ -360,6 +360,21 @@ std::vector<ChannelSpec> wrist_channels(int tendons) {
   return specs;
 }
 
+bool names_channel(const std::vector<std::string>& header,
+                   const std::vector<std::string>& overrides, const std::string& channel) {
+  const auto is = [wanted = lower(channel)](std::string_view name) {
+    return lower(name) == wanted;
+  };
+  for (const std::string& text : overrides)
+    if (is(trimmed(std::string_view(text).substr(0, text.find('='))))) return true;
+  return std::any_of(header.begin(), header.end(), [&](const std::string& cell) {
+    const NameAndUnit parts = split_name_and_unit(cell);
+    if (is(parts.name) || is(trimmed(cell))) return true;
+    const auto suffix = parts.unit.empty() ? split_unit_suffix(parts.name) : std::nullopt;
+    return suffix && is(suffix->name);
+  });
+}
+
 ColumnMap map_columns(const std::vector<std::string>& header, const std::vector<ChannelSpec>& specs,
                       const std::vector<std::string>& overrides, const std::string& file,
                       long header_row) {

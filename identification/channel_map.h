@@ -66,6 +66,10 @@ struct ColumnMap {
   std::vector<DataFault> notes;        ///< units taken from a name's end, columns that stay unused
 };
 
+/// Whether map_columns() would find a channel of this name in the header, or `overrides` name it.
+bool names_channel(const std::vector<std::string>& header,
+                   const std::vector<std::string>& overrides, const std::string& channel);
+
 /// Finds every channel of `specs` in the header. `overrides` are texts of --map:
 /// "channel=column name [unit]" or "channel=#3 [unit]". Names match exactly, else without regard
 /// to case. Throws LogError, each finding naming the header's row and the column: a required

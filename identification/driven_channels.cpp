@@ -3,28 +3,17 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
 #include <numeric>
 
+#include "identification/csv_rows.h"
 #include "symbolic/coordinates.h"
 
 namespace sinew::diagnosis {
 namespace {
 
-/// The header: the first line that is no comment.
-std::string header_of(const std::string& file) {
-  std::ifstream in(file, std::ios::binary);
-  std::string line;
-  while (std::getline(in, line))
-    if (!line.empty() && line.front() != '#') return line;
-  return {};
-}
-
-/// All that can name a channel.
-std::string names_of(const std::string& file, const std::vector<std::string>& map) {
-  std::string known = header_of(file);
-  for (const std::string& text : map) known += " " + text;
-  return known;
+bool has_channel(const std::string& file, const std::vector<std::string>& map,
+                 const std::string& name) {
+  return names_channel(CsvReader(file).dialect().header, map, name);
 }
 
 /// What links and gravity ask of the joint is the model's to tell: no inertia, no friction.
@@ -55,8 +44,7 @@ DrivenChannels robot_log_channels(const Mechanism& mechanism, const std::string&
   };
   if (coordinates.count() == 1) {
     const Joint& joint = joint_at(coordinates.joints().front());
-    const std::string known = names_of(file, map);
-    if (known.find("q_" + joint.name) == std::string::npos)
+    if (!has_channel(file, map, "q_" + joint.name))
       return drive_log_channels(joint.type == JointType::revolute, limits_of(joint));
   }
   DrivenChannels channels;
@@ -70,8 +58,7 @@ DrivenChannels robot_log_channels(const Mechanism& mechanism, const std::string&
 
 LoggedEfforts logged_efforts(const Mechanism& mechanism, const std::string& file,
                              const std::vector<std::string>& map) {
-  const std::string known = names_of(file, map);
-  const auto has = [&](const std::string& name) { return known.find(name) != std::string::npos; };
+  const auto has = [&](const std::string& name) { return has_channel(file, map, name); };
   if (mechanism.tendons.empty() || !has("force_1")) return LoggedEfforts::at_joints;
   return has("theta_1") && has("tau_1") ? LoggedEfforts::tendon_forces_and_motors
                                         : LoggedEfforts::tendon_forces;
