@@ -190,9 +190,12 @@ class Checker {
     const ArrayXd lag_base = 0.5 * (r.tail(r.size() - 2) - r.head(r.size() - 2));
     const ArrayXd error = (p - r).segment(1, r.size() - 2);
     const double lag = -slope(error, lag_base);  // samples that the measurement is behind
-    const double noise_p = noise_of(pc), noise_r = noise_of(rc);
+    const double noise_p = noise_beside_jerks(pc), noise_r = noise_beside_jerks(rc);
     const bool leads = lag < -1.0 && correlation(error, lag_base) > 0.3;
-    const bool noise_free = std::max(noise_p, noise_r) < 1.0e-6 * rms(centred(r));
+    // Steps of a sensor are noise enough, also where a log rests most of the time.
+    const auto quantum = [&](int c) { return log_.channels[static_cast<size_t>(c)].quantum; };
+    const bool noise_free =
+        std::max(noise_p, noise_r) < 1.0e-6 * rms(centred(r)) && quantum(pc) <= 2.0 * quantum(rc);
     if ((leads && (noise_free || noise_r > 1.2 * noise_p)) ||
         (lag < 0.5 && noise_r > 3.0 * noise_p))
       swapped(pc, rc,
@@ -223,12 +226,25 @@ class Checker {
 
   // Mean, not median, of third differences: a coarse encoder at rest most of the time still
   // shows its steps, and a reference made of parabolas shows none.
-  double noise_of(int channel) const {
+  double noise_of(int channel) const { return noise_from(third_differences(channel)); }
+
+  // A reference made of parabolas jumps in its acceleration: a few large third differences that
+  // are no noise. A sensor's are all over the motion.
+  double noise_beside_jerks(int channel) const {
+    ArrayXd third = third_differences(channel);
+    const auto usual = static_cast<long>(0.97 * static_cast<double>(third.size()));
+    std::nth_element(third.data(), third.data() + usual, third.data() + third.size());
+    return noise_from(third.head(usual));
+  }
+
+  ArrayXd third_differences(int channel) const {
     const auto x = samples().col(channel);
     const long n = x.size() - 3;
-    const double mean =
-        (x.tail(n) - 3.0 * x.segment(2, n) + 3.0 * x.segment(1, n) - x.head(n)).abs().mean();
-    return mean / (0.7978845608 * std::sqrt(20.0));
+    return (x.tail(n) - 3.0 * x.segment(2, n) + 3.0 * x.segment(1, n) - x.head(n)).abs();
+  }
+
+  static double noise_from(const ArrayXd& third) {
+    return third.mean() / (0.7978845608 * std::sqrt(20.0));
   }
 
   // ---- effort against motion
