@@ -99,7 +99,20 @@ struct Judge {
 
   void held(size_t c) {
     const ChannelInspector& channel = inspection.channels[c];
-    if (channel.low() == channel.high() || !is_noisy(channel) || channel.repeated() < 0.2) return;
+    if (channel.low() == channel.high()) return;
+    const long rows = channel.rows_a_value();
+    if (rows > 1 && column(c).spec.role != ChannelRole::reference) {
+      add(c, FaultKind::held_samples, Severity::doubtful, 0, 0,
+          fmt::format(
+              "'{}' is only fresh every {} rows: the log is written faster than the channel "
+              "is measured",
+              column(c).spec.name, rows),
+          fmt::format("the rows are kept; it is up to {} rows late, and delays and fast effects "
+                      "cannot be told",
+                      rows - 1));
+      return;
+    }
+    if (!is_noisy(channel) || channel.repeated() < 0.2) return;
     add(c, FaultKind::held_samples, Severity::doubtful, 0, 0,
         fmt::format("'{}' repeats the value before in {:.0f} % of the rows: the log is written "
                     "faster than the channel is measured",
@@ -144,6 +157,7 @@ struct Judge {
   // at its end slows down before it gets there; a commanded step gets there at once.
   static bool is_clipped(const ChannelInspector& channel, const ExtremeRuns& runs) {
     if (runs.samples < 5 || runs.counted_runs == 0) return false;
+    if (runs.longest < 2 * channel.rows_a_value()) return false;
     if (is_noisy(channel)) return true;
     const auto times = static_cast<double>(runs.counted_runs);
     const double entry = runs.entry_total / times, approach = runs.approach_total / times;

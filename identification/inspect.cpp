@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace sinew {
 namespace {
@@ -11,13 +12,52 @@ constexpr long shortest_run = 6;
 constexpr long longest_hold = 20;  // rows; longer is a stand-still, not a slow source
 constexpr size_t candidates_kept = 2048;
 constexpr size_t early_steps = 2000;
-constexpr long context = 48;  // rows after a spike that still tell what is usual there
+constexpr size_t divisor_steps = 1000;  // the smallest ones, that tell a quantum
+constexpr double most_quanta = 200.0;   // a step of more does not tell it
+constexpr long context = 48;            // rows after a spike that still tell what is usual there
 
 double quantile_of(std::vector<double> values, double fraction) {
   if (values.empty()) return 0.0;
   const auto at = static_cast<size_t>(fraction * static_cast<double>(values.size() - 1));
   std::nth_element(values.begin(), values.begin() + static_cast<long>(at), values.end());
   return values[at];
+}
+
+bool is_decimal(double step) {
+  const double power = std::log10(step);
+  return std::abs(power - std::round(power)) < 1.0e-3;
+}
+
+// The greatest common divisor of the smallest steps; larger ones carry more rounding error.
+// `steps` rise; off: share of the divisor by which a multiple may be missed. 0 where there is none.
+double common_divisor(const std::vector<double>& steps, double floor, double off) {
+  double divisor = 0.0, products = 0.0, squares = 0.0;
+  for (size_t i = 0; i < steps.size(); ++i) {
+    if (steps[i] < floor) return 0.0;
+    if (divisor == 0.0) divisor = steps[i];
+    const double times = std::round(steps[i] / divisor);
+    if (times > most_quanta) break;
+    const double rest = std::abs(steps[i] - divisor * times);
+    if (rest > off * divisor) {
+      if (i >= divisor_steps) continue;
+      divisor = rest;
+      products = squares = 0.0;
+      continue;
+    }
+    // Values written with few digits: of the smallest steps as many are rounded down as up, and
+    // the mean over all multiples is finer than any of them.
+    products += times * steps[i];
+    squares += times * times;
+    divisor = products / squares;
+  }
+  // A motion under constant acceleration has small steps with a common divisor too, but not all.
+  size_t near = 0, fitting = 0;
+  for (const double step : steps) {
+    if (step > most_quanta * divisor) break;
+    ++near;
+    fitting += std::abs(step - divisor * std::round(step / divisor)) <= off * divisor ? 1u : 0u;
+  }
+  return static_cast<double>(fitting) > 0.95 * static_cast<double>(near) ? divisor : 0.0;
 }
 
 }  // namespace
@@ -107,6 +147,8 @@ void ChannelInspector::push_step(long row, double value) {
   } else {
     if (count_ > 0) {
       close_run(value, false);
+      if (run_.length < static_cast<long>(holds_.size()))
+        ++holds_[static_cast<size_t>(run_.length)];
       steps_.push(std::abs(value - before));
     }
     run_ = RunCandidate();
@@ -170,37 +212,29 @@ void ChannelInspector::finish() {
   std::sort(runs_.begin(), runs_.end(), by_row);
 }
 
-// The greatest common divisor of the smallest steps; larger ones carry more rounding error.
 double ChannelInspector::quantum() const {
   std::vector<double> steps = steps_.values();
   if (steps.size() < 4) return 0.0;
   std::sort(steps.begin(), steps.end());
   const double floor =
       std::max(1.0e-8 * (high_ - low_), 64.0e-16 * std::max(std::abs(low_), std::abs(high_)));
-  double divisor = 0.0, products = 0.0, squares = 0.0;
-  for (size_t i = 0; i < std::min<size_t>(steps.size(), 1000); ++i) {
-    if (steps[i] < floor) return 0.0;
-    if (divisor == 0.0) divisor = steps[i];
-    const double times = std::round(steps[i] / divisor);
-    const double rest = std::abs(steps[i] - divisor * times);
-    if (rest > 0.05 * divisor) {
-      divisor = rest;
-      products = squares = 0.0;
-      continue;
-    }
-    // Values written with few digits: the mean over all multiples is finer than the smallest.
-    products += times * steps[i];
-    squares += times * times;
-    divisor = products / squares;
-  }
-  // A motion under constant acceleration has small steps with a common divisor too, but not all.
-  size_t near = 0, fitting = 0;
-  for (const double step : steps) {
-    if (step > 200.0 * divisor) break;
-    ++near;
-    fitting += std::abs(step - divisor * std::round(step / divisor)) <= 0.05 * divisor ? 1u : 0u;
-  }
-  return static_cast<double>(fitting) > 0.95 * static_cast<double>(near) ? divisor : 0.0;
+  // Few digits show themselves as a decimal step; the sensor's may stand above it, off by some of
+  // them.
+  const double exact = common_divisor(steps, floor, 0.05);
+  if (exact > 0.0 && !is_decimal(exact)) return exact;
+  const double rounded = common_divisor(steps, floor, 0.12);
+  return rounded > 5.0 * exact ? rounded : exact;
+}
+
+long ChannelInspector::rows_a_value() const {
+  const auto most = std::max_element(holds_.begin(), holds_.end());
+  const auto rows = static_cast<size_t>(most - holds_.begin());
+  const long all = std::accumulate(holds_.begin(), holds_.end(), 0L);
+  if (rows < 2 || all < 50 || 2 * *most < all || step(0.5) < 2.5 * quantum()) return 1;
+  long regular = 0;  // two equal values in a row stand twice as long
+  for (size_t times = rows; times < holds_.size(); times += rows) regular += holds_[times];
+  return static_cast<double>(regular) > 0.95 * static_cast<double>(all) ? static_cast<long>(rows)
+                                                                        : 1;
 }
 
 double ChannelInspector::noise() const {

@@ -3,6 +3,7 @@
 // that does not grow with the log.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <deque>
 #include <vector>
@@ -79,6 +80,9 @@ class ChannelInspector {
   double repeated() const {
     return count_ > 1 ? static_cast<double>(repeats_) / static_cast<double>(count_ - 1) : 0.0;
   }
+  /// Rows from one fresh value to the next where they come regularly: the source is so many times
+  /// slower than the log. 1 where it is not, or a quantum alone holds the values.
+  long rows_a_value() const;
   const ExtremeRuns& at_high() const { return at_high_; }
   const ExtremeRuns& at_low() const { return at_low_; }
 
@@ -106,6 +110,7 @@ class ChannelInspector {
   std::deque<Pending> pending_;
   std::vector<SpikeCandidate> spikes_;
   std::vector<RunCandidate> runs_;
+  std::array<long, 64> holds_{};  ///< how often a value stood for so many rows
   RunCandidate run_;
   ExtremeRuns at_high_, at_low_;
 };
