@@ -65,6 +65,8 @@ std::string fault_name(FaultKind kind) {
       return "held samples";
     case FaultKind::spike:
       return "spike";
+    case FaultKind::wrapped_angle:
+      return "wrapped angle";
     case FaultKind::far_off:
       return "far off the model";
     case FaultKind::out_of_range:

@@ -34,6 +34,7 @@ enum class FaultKind {
   stuck,
   held_samples,
   spike,
+  wrapped_angle,
   out_of_range,
   far_off,
   too_short,

@@ -10,6 +10,7 @@
 
 #include "identification/csv_rows.h"
 #include "identification/data_faults.h"
+#include "identification/full_turns.h"
 #include "identification/inspect.h"
 #include "identification/parallel_for.h"
 #include "identification/sha256.h"
@@ -37,6 +38,8 @@ class Reading {
 
   Log read() {
     inspect();
+    if (!wrapped_as_expected()) inspect();
+    tell_wrapped();
     if (inspection_.rows == 0)
       faults_.add(FaultKind::too_short, Severity::stop, reader_.dialect().header_row + 1, 0, 0, "",
                   "no data after the header", "the log is not used");
@@ -68,7 +71,58 @@ class Reading {
     return specs;
   }
 
+  /// Jumps of a full turn are taken out at the first passage; it is made once more where they turn
+  /// out to be none.
+  bool wrapped_as_expected() {
+    const std::vector<bool> wrapped = wrapped_channels(map_.channels, turns_);
+    bool expected = true;
+    for (size_t c = 0; c < wrapped.size(); ++c)
+      expected = expected && (wrapped[c] || turns_[c].jumps() == 0);
+    joined_ = wrapped;
+    if (expected) return true;
+    faults_ = FaultList(path_);
+    for (const DataFault& note : map_.notes) faults_.all().push_back(note);
+    inspection_ = Inspection();
+    reader_ = CsvReader(path_);
+    return false;
+  }
+
+  void tell_wrapped() {
+    for (size_t c = 0; c < joined_.size(); ++c) {
+      if (!joined_[c]) continue;
+      const FullTurns& turns = turns_[c];
+      const MappedColumn& m = map_.channels[c];
+      faults_.add(FaultKind::wrapped_angle, Severity::repaired, turns.first_row(),
+                  turns.first_row(), m.column, m.spec.name,
+                  fmt::format("'{}' jumps by a full turn, {} times in all: its angle is wrapped",
+                              m.spec.name, turns.jumps()),
+                  "the turns are joined");
+    }
+  }
+
+  /// A row's values in SI units, wrapped angles joined; NaN where a cell has no number.
+  std::vector<double> values_of(const CsvRow& row) {
+    std::vector<double> values(map_.channels.size());
+    for (size_t c = 0; c < values.size(); ++c) {
+      values[c] = row.value[c + 1] * map_.channels[c].factor;
+      if (joined_.empty() || joined_[c]) values[c] = turns_[c].push(row.line, values[c]);
+    }
+    return values;
+  }
+
+  /// Of wrapped angles: so many turns that the motion lies where the model's range is.
+  std::vector<double> whole_turns() const {
+    std::vector<double> shifts(map_.channels.size(), 0.0);
+    for (size_t c = 0; c < shifts.size(); ++c) {
+      const ChannelSpec& spec = map_.channels[c].spec;
+      const double middle = 0.5 * (spec.low + spec.high);
+      if (joined_[c]) shifts[c] = turns_[c].shift_towards(std::isfinite(middle) ? middle : 0.0);
+    }
+    return shifts;
+  }
+
   void inspect() {
+    turns_.assign(map_.channels.size(), FullTurns());
     Sha256 hash;
     reader_.on_bytes([&](const char* bytes, size_t count) { hash.update(bytes, count); });
     reader_.select(columns_of(map_));
@@ -94,12 +148,13 @@ class Reading {
     inspection_.time.push(
         row.line, row.value[0] * map_.time.factor,
         row.time_decimals - static_cast<int>(std::lround(std::log10(map_.time.factor))));
+    const std::vector<double> values = values_of(row);
     for (size_t c = 0; c < map_.channels.size(); ++c) {
       if (row.state[c + 1] != CellState::number) {
         ++inspection_.missing[c];
         report_cell(row, c + 1, map_.channels[c]);
       }
-      inspection_.channels[c].push(row.line, row.value[c + 1] * map_.channels[c].factor);
+      inspection_.channels[c].push(row.line, values[c]);
     }
   }
 
@@ -157,11 +212,12 @@ class Reading {
     CsvReader again(path_);
     again.select(columns_of(map_));
     CsvRow row;
-    std::vector<double> values(map_.channels.size());
+    const std::vector<double> shifts = whole_turns();
+    turns_.assign(map_.channels.size(), FullTurns());
     size_t first_hole = 0;
     while (again.next(row)) {
-      for (size_t c = 0; c < values.size(); ++c)
-        values[c] = row.value[c + 1] * map_.channels[c].factor;
+      std::vector<double> values = values_of(row);
+      for (size_t c = 0; c < values.size(); ++c) values[c] += shifts[c];
       cut_holes(row.line, first_hole, values);
       builder.push(row.line, row.value[0] * map_.time.factor, values);
     }
@@ -206,6 +262,8 @@ class Reading {
   CsvReader reader_;
   ColumnMap map_;
   Inspection inspection_;
+  std::vector<FullTurns> turns_;
+  std::vector<bool> joined_;  ///< angles that are wrapped; empty: not known yet, all are followed
   std::vector<Hole> holes_;
   Log log_;
 };
