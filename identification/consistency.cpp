@@ -192,10 +192,9 @@ class Checker {
     const double lag = -slope(error, lag_base);  // samples that the measurement is behind
     const double noise_p = noise_beside_jerks(pc), noise_r = noise_beside_jerks(rc);
     const bool leads = lag < -1.0 && correlation(error, lag_base) > 0.3;
-    // Steps of a sensor are noise enough, also where a log rests most of the time.
-    const auto quantum = [&](int c) { return log_.channels[static_cast<size_t>(c)].quantum; };
+    // A sensor's steps are noise enough, also where a log rests most of the time.
     const bool noise_free =
-        std::max(noise_p, noise_r) < 1.0e-6 * rms(centred(r)) && quantum(pc) <= 2.0 * quantum(rc);
+        std::max(noise_p, noise_r) < 1.0e-6 * rms(centred(r)) && noise_p <= 3.0 * noise_r;
     if ((leads && (noise_free || noise_r > 1.2 * noise_p)) ||
         (lag < 0.5 && noise_r > 3.0 * noise_p))
       swapped(pc, rc,
