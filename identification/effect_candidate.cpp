@@ -136,11 +136,12 @@ Candidate effect_candidate(const Effect& effect, const EffectPlace& place, const
                              p.grid, p.low > 0.0});
     }
   if (std::any_of(effect.shapes.begin(), effect.shapes.end(),
-                  [](const auto& s) { return s.inside; }))
+                  [](const auto& s) { return s.inside || s.above; }))
     c.possible = [shapes = effect.shapes, ranges = c.nonlinear](const VectorXd&,
                                                                 const VectorXd& nonlinear) {
       for (std::size_t p = 0; p < ranges.size(); ++p)
-        if (shapes[p].inside && nonlinear(static_cast<Index>(p)) > 0.98 * ranges[p].high)
+        if ((shapes[p].inside && nonlinear(static_cast<Index>(p)) > 0.98 * ranges[p].high) ||
+            (shapes[p].above && nonlinear(static_cast<Index>(p)) < 1.02 * ranges[p].low))
           return false;
       return true;
     };

@@ -42,6 +42,7 @@ struct ShapeParameter {
   double low = 0.0, high = 1.0;
   int grid = 5;         ///< starting values of a search
   bool inside = false;  ///< a fit that ends at `high` is not this effect
+  bool above = false;   ///< nor one that ends at `low`
 };
 
 enum class Sign { any, positive, negative };

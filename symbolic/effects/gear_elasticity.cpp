@@ -22,6 +22,7 @@ Effect gear_resonance() {
   e.shapes.back().inside = true;
   const GiNaC::ex damping = e.shape("damping_ratio", "1", Scale::none, 0.01, 0.4, 1);
   e.shapes.back().inside = true;
+  e.shapes.back().above = true;  // a line of the spectrum is a resonance without damping
   // Twist of the gear behind a sensor on the motor: twist'' = -qdd - 2 D w twist' - w^2 twist, by
   // the trapezoidal rule, which neither delays nor diverges.
   const GiNaC::symbol twist("twist"), rate("rate"), change("change");
