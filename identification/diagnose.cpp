@@ -96,8 +96,9 @@ class Run {
                                 channels.load.empty() ? -1 : log.channel(channels.load)};
     subject_.add_log(log, columns, held_out);
     columns_[log.file] = judged_columns(log, columns);
-    check_columns(log, columns, held_out);
     result_.findings.logs.push_back(log_record(log, held_out));
+    for (const DataFault& doubt : check_columns(log, columns, held_out))
+      result_.findings.logs.back().faults.push_back(message(doubt));
   }
 
   /// What each channel of the problem is measured by: forces of tendons stand for their joints.
@@ -117,12 +118,14 @@ class Run {
   }
 
   /// The model tells exchanged columns and wrong signs of coupled joints from what they lack.
-  void check_columns(const Log& log, const DrivenColumns& columns, bool held_out) const {
+  /// Throws LogError where going on is not safe, and gives what is doubtful.
+  std::vector<DataFault> check_columns(const Log& log, const DrivenColumns& columns,
+                                       bool held_out) const {
     const Recording* longest = nullptr;
     for (const Recording& r : held_out ? subject_.problem().holdout : subject_.problem().training)
       if (r.name.starts_with(log.file) && (!longest || r.time.size() > longest->time.size()))
         longest = &r;
-    if (!longest) return;
+    if (!longest) return {};
     FaultList faults(log.file);
     const DrivenModel& model = request_.model;
     if (!model.tendons.names.empty()) {
@@ -132,6 +135,7 @@ class Run {
       judge_lone_effort(log, columns, *longest, subject_.effort(), model.joints.front(), faults);
     }
     if (faults.stops()) throw LogError(faults.all());
+    return faults.all();
   }
 
   /// A sensor with play stands still behind every reversal. So does a joint that sticks, but it

@@ -18,7 +18,7 @@ using Eigen::VectorXd;
 using std::numbers::pi;
 
 // What a joint truly lacks changes its inertia or friction some times over. A factor beyond that is
-// a unit's; a smaller one only where it is met exactly.
+// a unit's; a smaller one may be, where it is met exactly, or chance.
 constexpr double kBeyondPhysics = 20.0, kUnitSpread = 1.6, kExactWithin = 0.03;
 constexpr double kTimesLess = 10.0, kUnitMostLeft = 0.3, kExactMostLeft = 0.02;
 
@@ -111,14 +111,19 @@ void judge_lone_effort(const Log& log, const DrivenColumns& columns, const Recor
   const int index = (unit->position ? columns.positions : columns.efforts).front();
   const Channel& at = log.channels[static_cast<std::size_t>(index)];
   const long row = log.segments.front().first_row;
-  faults.add(FaultKind::unit_slip, Severity::stop, row, row, at.column, at.name,
-             fmt::format("'{}' seems {:.4g} times too {}: {}; with that the model leaves {:.2g} % "
-                         "of the effort over, and {:.3g} % as it is",
-                         at.name, unit->size(), unit->factor > 1.0 ? "large" : "small",
-                         unit->meaning, 100.0 * std::sqrt(judge.left(*unit, kUnitSpread)),
-                         100.0 * std::sqrt(judge.left(1.0, 1.0, 1.0))),
-             fmt::format("units are converted only when told: --map \"{}=#{} [unit]\"", at.name,
-                         at.column));
+  const bool stop = unit->size() > kBeyondPhysics;
+  faults.add(
+      FaultKind::unit_slip, stop ? Severity::stop : Severity::doubtful, row, row, at.column,
+      at.name,
+      fmt::format("'{}' seems {:.4g} times too {}: {}; with that the model leaves {:.2g} % "
+                  "of the effort over, and {:.3g} % as it is",
+                  at.name, unit->size(), unit->factor > 1.0 ? "large" : "small", unit->meaning,
+                  100.0 * std::sqrt(judge.left(*unit, kUnitSpread)),
+                  100.0 * std::sqrt(judge.left(1.0, 1.0, 1.0))),
+      fmt::format("{}: --map \"{}=#{} [unit]\"",
+                  stop ? "units are converted only when told"
+                       : "it is taken as it is, a joint may be that much heavier; if it is not",
+                  at.name, at.column));
 }
 
 }  // namespace sinew::diagnosis
