@@ -152,3 +152,13 @@ TEST_CASE("the true motion is the reading plus where in its play the sensor is")
     CHECK(error.tail(3500).cwiseAbs().maxCoeff() < 0.15 * half);
   }
 }
+
+TEST_CASE("a resonance without damping is a line of the spectrum and no gear") {
+  // Planted defect: without `above` at the damping ratio (gear_elasticity.cpp) it is one.
+  const Candidate gear = effect_candidate(find_effect("gear_resonance"), {0, "motor", true},
+                                          {-1.0, 1.0, 5.0, 0.0, 10.0, 1.0});
+  REQUIRE(gear.possible);
+  const Eigen::VectorXd coefficient = Eigen::VectorXd::Ones(1);
+  CHECK(gear.possible(coefficient, Eigen::Vector2d(100.0, 0.05)));
+  CHECK_FALSE(gear.possible(coefficient, Eigen::Vector2d(100.0, 0.01)));
+}
