@@ -132,9 +132,10 @@ void DrivenSubject::add_payload_levels() {
     const Candidate& c = problem_.baseline[t];
     LevelCause level{c.name, c.place, {}, c.limit_meaning, c.isolating_experiment, {}, false};
     for (std::size_t k = 0; k < c.linear.size(); ++k) {
-      LevelParameter parameter{c.linear[k].name, c.linear[k].unit, {}, {}, {}, {}};
-      parameter.low = k == 0 ? 0.0 : -std::numeric_limits<double>::infinity();
-      parameter.high = std::numeric_limits<double>::infinity();
+      LevelParameter parameter;
+      parameter.name = c.linear[k].name;
+      parameter.unit = c.linear[k].unit;
+      if (parameter.name == "mass") parameter.low = 0.0;
       parameter.shares = {{static_cast<int>(t), static_cast<int>(k), 1.0}};
       level.parameters.push_back(std::move(parameter));
     }

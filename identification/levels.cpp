@@ -3,10 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <mutex>
 #include <optional>
 
+#include "identification/level_search.h"
 #include "identification/level_terms.h"
 #include "identification/parallel_for.h"
 #include "identification/refine.h"
@@ -19,30 +18,9 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::MatrixXf;
 using Eigen::VectorXd;
-using Set = std::vector<int>;
 
-constexpr std::size_t kStarts = 24;  // of the search: twice a finger's channels
 // A model without friction lacks two values at every joint, and more may be wrong with it.
 constexpr int kManyLevels = 24;
-
-/// All levels' whitened columns with the base model projected out, as moments.
-struct Moments {
-  std::vector<Index> first;  ///< column of each level's first parameter, and the total
-  MatrixXd gram;
-  VectorXd target;
-  MatrixXd surrogates;
-  VectorXd low, high;
-  double base = 0.0;  ///< deviance with every level at its nominal value
-};
-
-std::vector<Index> indices(const Moments& m, const Set& set) {
-  std::vector<Index> list;
-  for (const int level : set)
-    for (Index c = m.first[static_cast<std::size_t>(level)];
-         c < m.first[static_cast<std::size_t>(level) + 1]; ++c)
-      list.push_back(c);
-  return list;
-}
 
 bool is_free(const NonlinearParameter& p) {
   return p.high > p.low;
@@ -74,14 +52,14 @@ std::vector<Term> shape_changes(const Design& design, const Model& model, const 
   return changes;
 }
 
-Moments moments(const Design& design, const LevelTerms& parts, const std::vector<Term>& shapes,
-                const NoiseView& noise) {
+LevelMoments moments(const Design& design, const LevelTerms& parts, const std::vector<Term>& shapes,
+                     const NoiseView& noise) {
   Model all = parts.base;
   all.terms.insert(all.terms.end(), shapes.begin(), shapes.end());
   const Index own = first_columns(all).back();
   for (const Term& level : parts.levels) all.terms.push_back(level);
   // A level without columns in these logs still has its places.
-  Moments m;
+  LevelMoments m;
   m.first.push_back(0);
   for (const Term& level : parts.levels) {
     Index wide = 0;
@@ -120,181 +98,10 @@ Moments moments(const Design& design, const LevelTerms& parts, const std::vector
   return m;
 }
 
-/// Drop of the deviance by a set; negative where a change lies beyond its limit by more than two
-/// standard errors.
-double drop(const Moments& m, const Set& set) {
-  const std::vector<Index> at = indices(m, set);
-  if (at.empty()) return 0.0;
-  const MatrixXd inverse = scaled_pseudo_inverse(m.gram(at, at), 1e-8);
-  const VectorXd value = inverse * m.target(at);
-  for (std::size_t i = 0; i < at.size(); ++i) {
-    const auto k = static_cast<Index>(i);
-    const double slack = 2.0 * std::sqrt(std::max(0.0, inverse(k, k)));
-    if (value(k) < m.low(at[i]) - slack || value(k) > m.high(at[i]) + slack) return -1.0;
-  }
-  return value.dot(VectorXd(m.target(at)));
-}
-
-/// The same for every surrogate, without limits.
-VectorXd drops_by_chance(const Moments& m, const Set& set) {
-  const std::vector<Index> at = indices(m, set);
-  if (at.empty()) return VectorXd::Zero(m.surrogates.cols());
-  const MatrixXd moment = m.surrogates(at, Eigen::all);
-  return (moment.cwiseProduct(scaled_pseudo_inverse(m.gram(at, at), 1e-8) * moment))
-      .colwise()
-      .sum()
-      .transpose();
-}
-
-Set without(Set set, int level) {
-  std::erase(set, level);
-  return set;
-}
-
-/// The sparse search over sets of allowed levels.
-class Search {
- public:
-  Search(const Moments& m, double price, int most, int threads)
-      : m_(m), most_(static_cast<std::size_t>(most)), threads_(threads) {
-    for (int l = 0; l + 1 < static_cast<int>(m.first.size()); ++l) {
-      const double freedom =
-          m.surrogates.size() ? std::max(0.5, drops_by_chance(m, {l}).mean()) : 1.0;
-      freedom_.push_back(freedom);
-      price_.push_back(price * freedom);
-    }
-  }
-
-  double freedom(int level) const { return freedom_[static_cast<std::size_t>(level)]; }
-
-  /// From whatever start, a search meets the same sets again and again.
-  double score(Set set) const {
-    std::sort(set.begin(), set.end());
-    {
-      const std::lock_guard<std::mutex> lock(guard_);
-      const auto known = scores_.find(set);
-      if (known != scores_.end()) return known->second;
-    }
-    const double value = deviance_and_price(set);
-    const std::lock_guard<std::mutex> lock(guard_);
-    return scores_.emplace(std::move(set), value).first->second;
-  }
-
-  /// Best set found from the most promising single levels on by adding, removing and exchanging.
-  Set best(const std::vector<bool>& banned) const {
-    Set found;
-    double least = score(found);
-    std::vector<Set> sets = starts(banned);
-    std::vector<double> scores(sets.size());
-    parallel_for(static_cast<int>(sets.size()), threads_, [&](int i) {
-      const auto k = static_cast<std::size_t>(i);
-      scores[k] = descend(banned, sets[k]);
-    });
-    for (std::size_t k = 0; k < sets.size(); ++k) {
-      if (scores[k] >= least - 1e-9) continue;
-      least = scores[k];
-      found = sets[k];
-    }
-    std::sort(found.begin(), found.end());
-    return found;
-  }
-
- private:
-  /// No level, and the single ones with the best scores.
-  std::vector<Set> starts(const std::vector<bool>& banned) const {
-    std::vector<Set> sets;
-    for (int l = 0; l < static_cast<int>(price_.size()); ++l)
-      if (!banned[static_cast<std::size_t>(l)]) sets.push_back({l});
-    std::stable_sort(sets.begin(), sets.end(),
-                     [&](const Set& a, const Set& b) { return score(a) < score(b); });
-    if (sets.size() > kStarts) sets.resize(kStarts);
-    sets.insert(sets.begin(), Set{});
-    return sets;
-  }
-
-  double descend(const std::vector<bool>& banned, Set& set) const {
-    double now = score(set);
-    for (bool exchanging = false;;) {
-      Set next = set;
-      double least = now - 1e-9;
-      const auto consider = [&](Set trial) {
-        const double value = score(trial);
-        if (value >= least) return;
-        least = value;
-        next = std::move(trial);
-      };
-      for (const int level : set) consider(without(set, level));
-      for (int l = 0; l < static_cast<int>(price_.size()); ++l) {
-        if (banned[static_cast<std::size_t>(l)] || std::count(set.begin(), set.end(), l)) continue;
-        Set more = set;
-        more.push_back(l);
-        if (!exchanging && more.size() <= most_) consider(more);
-        // Exchanges are many: only where nothing else helps.
-        if (exchanging)
-          for (const int level : set) consider(without(more, level));
-      }
-      if (least >= now - 1e-9) {
-        if (exchanging) return now;
-        exchanging = true;
-        continue;
-      }
-      exchanging = false;
-      set = std::move(next);
-      now = least;
-    }
-  }
-
-  double deviance_and_price(const Set& set) const {
-    const double gained = drop(m_, set);
-    if (gained < 0.0) return std::numeric_limits<double>::infinity();
-    double sum = m_.base - gained;
-    for (const int level : set) sum += price_[static_cast<std::size_t>(level)];
-    return sum;
-  }
-
-  const Moments& m_;
-  std::size_t most_;
-  int threads_;
-  std::vector<double> price_, freedom_;
-  mutable std::mutex guard_;
-  mutable std::map<Set, double> scores_;
-};
-
-/// Bonferroni over the levels of the probability that a set gains that much by one of them.
-double p_value(const Moments& m, const Set& set, int level, double statistic) {
-  if (m.surrogates.size() == 0) return 1.0;
-  const NullDistribution null(drops_by_chance(m, set) - drops_by_chance(m, without(set, level)));
-  const double single = std::exp(-null.surprise(statistic));
-  return std::min(1.0, single * static_cast<double>(m.first.size() - 1));
-}
-
-/// The level of a set that does most of what others of the set undo, far more than is left of them
-/// together: large errors that happen to cancel are none. They come from columns that share a noise
-/// with the target, or from a form that no level has.
-std::optional<int> cancelled(const Moments& m, const Set& set) {
-  constexpr double kMost = 25.0;  // times the energy of all together
-  const std::vector<Index> at = indices(m, set);
-  if (at.empty()) return std::nullopt;
-  const MatrixXd gram = m.gram(at, at);
-  const VectorXd value = scaled_pseudo_inverse(gram, 1e-8) * VectorXd(m.target(at));
-  double largest = kMost * value.dot(gram * value);
-  std::optional<int> found;
-  Index first = 0;
-  for (const int level : set) {
-    const Index wide = static_cast<Index>(indices(m, {level}).size());
-    const VectorXd own = value.segment(first, wide);
-    const double energy = own.dot(gram.block(first, first, wide, wide) * own);
-    first += wide;
-    if (energy <= largest) continue;
-    largest = energy;
-    found = level;
-  }
-  return found;
-}
-
 /// The causes' nonlinear parameters fitted beside the set. Those of the baseline stay: the levels'
 /// columns are made with them.
 Model model_of(const Design& design, const Weights& weights, const LevelTerms& parts,
-               const Search& search, const Set& set) {
+               const LevelSearch& search, const LevelSet& set) {
   Model model = parts.base;
   bool open = false, held = false;
   for (const Term& term : model.terms) (term.baseline ? held : open) |= has_free_shape(term);
@@ -323,7 +130,7 @@ struct Judged {
 
 /// A set of levels, its model and what that loses on left-out blocks.
 struct FittedSet {
-  Set set;
+  LevelSet set;
   Model model;
   BlockLosses losses;
 };
@@ -337,10 +144,10 @@ bool is_worth_naming(const Evidence& evidence, const Settings& settings) {
 }
 
 Judged judge_level(const Design& design, const Settings& settings, const LevelTerms& parts,
-                   const Moments& m, const Search& search, const Weights& weights,
+                   const LevelMoments& m, const LevelSearch& search, const Weights& weights,
                    const FittedSet& all, int level, const VectorXd& nominal_loss) {
   Judged j;
-  const Set others = without(all.set, level);
+  const LevelSet others = without(all.set, level);
   j.evidence.statistic = drop(m, all.set) - std::max(0.0, drop(m, others));
   j.evidence.freedom = search.freedom(level);
   j.evidence.p_family = p_value(m, all.set, level, j.evidence.statistic);
@@ -370,9 +177,9 @@ bool is_named(const LevelCause& level, const Model& model) {
 }
 
 /// What the levels outside the set would add to it.
-void judge_others(const Moments& m, const Set& set, LevelSelection& result) {
+void judge_others(const LevelMoments& m, const LevelSet& set, LevelSelection& result) {
   for (int l = 0; l + 1 < static_cast<int>(m.first.size()); ++l) {
-    Set more = set;
+    LevelSet more = set;
     if (std::count(set.begin(), set.end(), l)) more = without(set, l);
     const double few = drop(m, more);
     more.push_back(l);
@@ -407,10 +214,10 @@ LevelSelection restrict_to_levels(const Design& design, const Settings& settings
   draw_surrogates(design, settings, state.noise);
   const Weights& weights = state.noise.weights;
   const std::vector<Term> shapes = shape_changes(design, selection.model, weights);
-  const Moments m = moments(design, parts, shapes, state.noise);
+  const LevelMoments m = moments(design, parts, shapes, state.noise);
   const int channels = design.problem().channels;
   const int most = std::max({settings.most_levels, channels, std::min(3 * channels, kManyLevels)});
-  const Search search(m, parameter_price(design), most, settings.threads);
+  const LevelSearch search(m, parameter_price(design), most, settings.threads);
   const VectorXd nominal_loss = cross_validate(design, parts.base, weights, settings.blocks)
                                     .plain.colwise()
                                     .sum()
@@ -428,7 +235,7 @@ LevelSelection restrict_to_levels(const Design& design, const Settings& settings
     banned[static_cast<std::size_t>(level)] = true;
     result.refused.push_back({-1 - level, "not told from chance or from structure without a name"});
   }
-  Set set;
+  LevelSet set;
   std::vector<Evidence> evidence;
   for (bool settled = false; !settled;) {
     set = search.best(banned);

@@ -29,7 +29,7 @@ Model nominal_model(const Design& design, const Model& baseline);
 /// Settings::most_levels levels (or three a channel, up to 24, or one) whose changes lie within
 /// their limits. Each level must beat surrogates (Bonferroni over all levels), gain
 /// Settings::least_of_baseline of the nominal residual's energy on left-out blocks or half of what
-/// all others leave over, and gain on held-out logs. Throws
+/// all others leave over, gain on held-out logs, and not be undone by others of its set. Throws
 /// std::invalid_argument where a share points to no baseline coefficient or to one per log. Levels
 /// in `withdrawn` are not taken.
 LevelSelection restrict_to_levels(const Design& design, const Settings& settings,

@@ -4,7 +4,7 @@
 #include <random>
 
 #include "identification/effort_model.h"
-#include "symbolic/read_mechanism.h"
+#include "tests/identification/finger_with_motors.h"
 
 namespace {
 
@@ -15,17 +15,9 @@ using Eigen::MatrixXd;
 
 constexpr Index kSamples = 5000;  // more than a block of inputs
 
-/// The index finger with a motor each tendon, one of which has friction that remembers.
-EffortModel finger_with_motors() {
-  MotorParameters motor;
-  motor.gear_ratio = 100.0;
-  motor.torque_constant = 1.0;
-  motor.gearbox_inertia = 2e-3;
-  motor.pulley_radius = 0.005;
-  motor.gamma1 = 50.0;
-  motor.gamma2 = 0.1;
-  const DrivenModel model =
-      tendon_driven_model(read_mechanism(SINEW_SOURCE_DIR "/models/index"), motor);
+/// One of the finger's motors has friction that remembers.
+EffortModel effort_with_memory() {
+  const DrivenModel model = test::finger_with_motors();
   Identified identified;
   identified.effects.push_back({"presliding",
                                 model.joints.back().name,
@@ -58,7 +50,7 @@ Recording wandering(Index joints, Index tendons) {
 TEST_CASE("a log's effort has the bits of one instant after the other, one joint's alone too") {
   // Planted defects: a state that begins anew with every block of inputs; the load of one block
   // for all; a motor's effort from the function of its neighbour.
-  const EffortModel model = finger_with_motors();
+  const EffortModel model = effort_with_memory();
   const Recording log = wandering(12, 8);
   const MatrixXd all = model(log);
   EffortAtInstant instant(model);

@@ -12,7 +12,7 @@
 #include "identification/far_off.h"
 #include "identification/tendon_candidates.h"
 #include "identification/tendon_consistency.h"
-#include "symbolic/read_mechanism.h"
+#include "tests/identification/finger_with_motors.h"
 #include "tests/reference/random_numbers.h"
 
 namespace {
@@ -27,21 +27,10 @@ using std::numbers::pi;
 constexpr Index kJoints = 4, kTendons = 8, kRows = 8000;
 const char* const kRuntime = SINEW_SOURCE_DIR "/runtime";
 
-DrivenModel index_with_motors() {
-  MotorParameters motor;
-  motor.gear_ratio = 0.01;
-  motor.torque_constant = 1.0;
-  motor.gearbox_inertia = 2e-3;
-  motor.pulley_radius = 0.005;
-  motor.gamma1 = 50.0;
-  motor.gamma2 = 0.1;
-  return tendon_driven_model(read_mechanism(SINEW_SOURCE_DIR "/models/index"), motor);
-}
-
 /// A finger's log: all forces keep near 20 N and carry the joints, motors go their own ways.
 class TendonFinger {
  public:
-  TendonFinger() : model_(index_with_motors()), effort_(model_, {}, kRuntime) {
+  TendonFinger() : model_(test::finger_with_motors()), effort_(model_, {}, kRuntime) {
     for (Index c = 0; c < kJoints; ++c) columns_.positions.push_back(add("q", c, "rad"));
     for (Index t = 0; t < kTendons; ++t) columns_.forces.push_back(add("force_", t, "N"));
     for (Index t = 0; t < kTendons; ++t) columns_.positions.push_back(add("theta_", t, "rad"));
