@@ -30,6 +30,7 @@ struct Lattice {
   double step, offset;
   double counted = 0.0;  ///< values
   double near = 0.0;     ///< of them: to a tenth of a step
+  double squares = 0.0;  ///< of the distances of those, in steps
 };
 
 Lattice fitted(const VectorXd& way, double step, double most) {
@@ -52,25 +53,29 @@ Lattice fitted(const VectorXd& way, double step, double most) {
   for (const double x : way) {
     if (std::abs(std::round(x / step)) > most) continue;
     const double off = (x - lattice.offset) / lattice.step;
-    lattice.near += std::abs(off - std::round(off)) < kNear ? 1.0 : 0.0;
+    const double distance = off - std::round(off);
+    if (std::abs(distance) >= kNear) continue;
+    lattice.near += 1.0;
+    lattice.squares += distance * distance;
   }
   return lattice;
 }
 
-/// Spacing of the lattice on which nearly all values lie, near `step`; 0 where they do not. It
-/// becomes known well enough to count ever more of it from the first value on.
-double lattice_step(const VectorXd& values, double step) {
+/// The lattice on which nearly all values lie, its step near `step`. It becomes known well enough
+/// to count ever more of it from the first value on.
+SensorSteps lattice_near(const VectorXd& values, double step) {
   constexpr double kNearlyAll = 0.9, kFew = 40.0;
   const VectorXd way = values.array() - values(0);
   const double furthest = way.cwiseAbs().maxCoeff();
+  SensorSteps found;
   for (double most = 4.0;; most *= 4.0) {
-    const bool all = most * step > furthest;
     const Lattice lattice = fitted(way, step, most);
     if (lattice.counted >= kFew) {
-      if (!(lattice.step > 0.0) || lattice.near < kNearlyAll * lattice.counted) return 0.0;
+      if (!(lattice.step > 0.0) || lattice.near < kNearlyAll * lattice.counted) return {};
       step = lattice.step;
+      found = {step, step * std::sqrt(lattice.squares / lattice.near)};
     }
-    if (all) return lattice.counted >= kFew ? step : 0.0;
+    if (most * step > furthest) return found;
   }
 }
 
@@ -102,16 +107,16 @@ double held_step(const VectorXd& signal) {
   return sizes[sizes.size() / 2];
 }
 
-double sensor_step(const VectorXd& reading) {
+SensorSteps sensor_steps(const VectorXd& reading) {
   constexpr Index kFewest = 40;
   std::vector<double> changes;
   for (Index k = 1; k < reading.size(); ++k)
     if (reading(k) != reading(k - 1)) changes.push_back(std::abs(reading(k) - reading(k - 1)));
-  if (static_cast<Index>(changes.size()) < kFewest) return 0.0;
+  if (static_cast<Index>(changes.size()) < kFewest) return {};
   const auto small = changes.begin() + kFewest / 4;
   std::nth_element(changes.begin(), small, changes.end());
-  const double step = lattice_step(reading, *small);
-  return step > 0.0 && changes_vary(changes, step) ? step : 0.0;
+  const SensorSteps steps = lattice_near(reading, *small);
+  return steps.step > 0.0 && changes_vary(changes, steps.step) ? steps : SensorSteps();
 }
 
 VectorXd dequantised(const VectorXd& signal) {

@@ -11,9 +11,13 @@ namespace sinew::diagnosis {
 /// where it is not held.
 double held_step(const Eigen::VectorXd& signal);
 
-/// Step of a sensor, whether or not its readings were rounded again to a finer grid: the spacing of
-/// the lattice on which nearly all of them lie. 0 where there is none.
-double sensor_step(const Eigen::VectorXd& reading);
+/// The lattice on which nearly all readings of a sensor lie, whether or not they were rounded again
+/// to a finer grid.
+struct SensorSteps {
+  double step = 0.0;     ///< 0: there is none
+  double scatter = 0.0;  ///< rms distance of the readings from it
+};
+SensorSteps sensor_steps(const Eigen::VectorXd& reading);
 
 /// Straight lines between the middles of the changes; the signal itself before the first and after
 /// the last.

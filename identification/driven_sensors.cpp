@@ -56,11 +56,13 @@ void DrivenSubject::add_derivatives(Recording& log) const {
 }
 
 /// Nothing is told from an effort at frequencies where all motion that it would need is noise of a
-/// position: of its own joint's, and of every joint's where they carry each other.
+/// position: of its own joint's, and of every joint's where they carry each other. Where a log is
+/// written finer than its sensor reads, the sensor's steps are the error, and known.
 void DrivenSubject::set_bands() {
   std::vector<bool> noisy;
   for (std::size_t j = 0; j < bristle_.size(); ++j)
-    noisy.push_back(noise_of_position(training(), static_cast<Index>(j)));
+    noisy.push_back(noise_of_position(training(), static_cast<Index>(j)) &&
+                    !(rounded_again_[j] && coarse_sensor(j)));
   const bool any = std::find(noisy.begin(), noisy.end(), true) != noisy.end();
   for (auto* logs : {&problem_.training, &problem_.holdout})
     for (Recording& log : *logs) {

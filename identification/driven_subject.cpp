@@ -64,6 +64,7 @@ DrivenSubject::DrivenSubject(DrivenModel model, Identified identified,
     tendons_ = std::make_shared<const TendonColumns>(model_, runtime_);
   presliding_.resize(bristle_.size(), 0.0);
   quantum_.resize(bristle_.size(), 0.0);
+  rounded_again_.resize(bristle_.size(), false);
   problem_.channels = static_cast<int>(bristle_.size());
   problem_.shared_noise = tendons_ != nullptr;
 }
@@ -109,13 +110,20 @@ void DrivenSubject::add_tendon_forces(const MatrixXd& forces, const MatrixXd& ef
   log.load.rightCols(efforts.cols()) = model_.tendons.motor->pulley_radius * forces;
 }
 
-void DrivenSubject::add_log(const Log& log, const DrivenColumns& columns, bool held_out) {
-  for (std::size_t c = 0; c < quantum_.size(); ++c) {
-    const int position = columns.positions[c];
-    quantum_[c] = std::max(quantum_[c], log.channels[static_cast<std::size_t>(position)].quantum);
-    for (const sinew::Segment& segment : log.segments)
-      quantum_[c] = std::max(quantum_[c], sensor_step(columns_of(segment, {position}).col(0)));
+/// Steps of a joint's sensor as this log shows them.
+void DrivenSubject::learn_steps(const Log& log, int position, std::size_t joint) {
+  const Channel& channel = log.channels[static_cast<std::size_t>(position)];
+  quantum_[joint] = std::max(quantum_[joint], channel.quantum);
+  for (const sinew::Segment& segment : log.segments) {
+    const SensorSteps steps = sensor_steps(columns_of(segment, {position}).col(0));
+    quantum_[joint] = std::max(quantum_[joint], steps.step);
+    // The digits it is written with round a reading by no more than half the last one.
+    if (steps.scatter > channel.last_digit) rounded_again_[joint] = true;
   }
+}
+
+void DrivenSubject::add_log(const Log& log, const DrivenColumns& columns, bool held_out) {
+  for (std::size_t c = 0; c < quantum_.size(); ++c) learn_steps(log, columns.positions[c], c);
   int part = 0;
   for (const sinew::Segment& segment : log.segments) {
     if (segment.samples.rows() < shortest_segment(log.period)) continue;

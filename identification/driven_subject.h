@@ -82,6 +82,7 @@ class DrivenSubject {
   /// The candidate's first columns (all: -1) as changes of the model's own values.
   void add_level(const Candidate& candidate, CandidateOrigin origin, int columns = -1);
   std::vector<const Recording*> training() const;
+  void learn_steps(const Log& log, int position, std::size_t joint);
   bool coarse_sensor(std::size_t joint) const;
   bool fine_sensor(std::size_t joint) const;
   std::vector<int> coupled_joints(std::size_t joint);
@@ -122,8 +123,9 @@ class DrivenSubject {
   std::shared_ptr<const RigidColumns> rigid_;
   std::shared_ptr<const TendonColumns> tendons_;  ///< none where efforts are measured at the joints
   std::vector<bool> bristle_;
-  std::vector<double> quantum_;     ///< of the logged positions; 0: no steps seen
-  std::vector<double> presliding_;  ///< fitted length, where the direction is a bristle state
+  std::vector<double> quantum_;      ///< of the logged positions; 0: no steps seen
+  std::vector<bool> rounded_again_;  ///< their logs have a much finer grid than the sensor
+  std::vector<double> presliding_;   ///< fitted length, where the direction is a bristle state
   Problem problem_;
   std::vector<CandidateOrigin> library_, baseline_, levels_;
 };

@@ -23,11 +23,6 @@ double quantile_of(std::vector<double> values, double fraction) {
   return values[at];
 }
 
-bool is_decimal(double step) {
-  const double power = std::log10(step);
-  return std::abs(power - std::round(power)) < 1.0e-3;
-}
-
 // The greatest common divisor of the smallest steps; larger ones carry more rounding error.
 // `steps` rise; off: share of the divisor by which a multiple may be missed. 0 where there is none.
 double common_divisor(const std::vector<double>& steps, double floor, double off) {
@@ -212,16 +207,39 @@ void ChannelInspector::finish() {
   std::sort(runs_.begin(), runs_.end(), by_row);
 }
 
+// Smaller differences are rounding errors of the numbers.
+double ChannelInspector::least_step() const {
+  return std::max(1.0e-8 * (high_ - low_), 64.0e-16 * std::max(std::abs(low_), std::abs(high_)));
+}
+
+bool ChannelInspector::is_of_digits(double step) const {
+  const double power = std::log10(step / std::abs(unit_));
+  return std::abs(power - std::round(power)) < 1.0e-3;
+}
+
+double ChannelInspector::last_digit() const {
+  constexpr double kSome = 0.3;  // of numbers with nine digits in all, large ones end sooner
+  const std::vector<double> steps = steps_.values();
+  double digit = std::abs(unit_) * std::pow(10.0, std::ceil(std::log10(high_ - low_)));
+  for (; digit > least_step(); digit *= 0.1) {
+    const auto fitting = std::count_if(steps.begin(), steps.end(), [&](double step) {
+      const double times = std::round(step / digit);
+      return times > 0.0 && std::abs(step - times * digit) < 1.0e-3 * digit;
+    });
+    if (static_cast<double>(fitting) > kSome * static_cast<double>(steps.size())) return digit;
+  }
+  return least_step();
+}
+
 double ChannelInspector::quantum() const {
   std::vector<double> steps = steps_.values();
   if (steps.size() < 4) return 0.0;
   std::sort(steps.begin(), steps.end());
-  const double floor =
-      std::max(1.0e-8 * (high_ - low_), 64.0e-16 * std::max(std::abs(low_), std::abs(high_)));
+  const double floor = least_step();
   // Few digits show themselves as a decimal step; the sensor's may stand above it, off by some of
   // them.
   const double exact = common_divisor(steps, floor, 0.05);
-  if (exact > 0.0 && !is_decimal(exact)) return exact;
+  if (exact > 0.0 && !is_of_digits(exact)) return exact;
   const double rounded = common_divisor(steps, floor, 0.12);
   return rounded > 5.0 * exact ? rounded : exact;
 }

@@ -57,6 +57,9 @@ struct ExtremeRuns {
 
 class ChannelInspector {
  public:
+  /// unit: of the digits the values are written with, in the values' own unit.
+  explicit ChannelInspector(double unit = 1.0) : unit_(unit) {}
+
   /// One row's value; NaN where the cell has none.
   void push(long row, double value);
   void finish();
@@ -66,6 +69,8 @@ class ChannelInspector {
   double high() const { return high_; }
   /// Smallest step where (nearly) all steps are its multiples, else 0.
   double quantum() const;
+  /// Value of the last digit that at least some values are written with.
+  double last_digit() const;
   /// rms of the white part, from third differences.
   double noise() const;
   /// Typical deviation of a sample from the line through its neighbours (1 sigma equivalent).
@@ -88,6 +93,8 @@ class ChannelInspector {
 
  private:
   static constexpr long approach_rows = 16;
+  double least_step() const;
+  bool is_of_digits(double step) const;
   struct Pending {
     SpikeCandidate candidate;
     long due = 0;
@@ -98,6 +105,7 @@ class ChannelInspector {
   double mean_step() const;
   void extreme(ExtremeRuns& runs, double value, long row, bool repeats) const;
 
+  double unit_;
   long count_ = 0;
   long repeats_ = 0;
   double low_ = 0.0, high_ = 0.0;

@@ -126,7 +126,7 @@ class Reading {
     Sha256 hash;
     reader_.on_bytes([&](const char* bytes, size_t count) { hash.update(bytes, count); });
     reader_.select(columns_of(map_));
-    inspection_.channels.resize(map_.channels.size());
+    for (const MappedColumn& m : map_.channels) inspection_.channels.emplace_back(m.factor);
     inspection_.missing.assign(map_.channels.size(), 0);
     CsvRow row;
     while (reader_.next(row)) inspect_row(row);
@@ -241,6 +241,7 @@ class Reading {
       channel.role = m.spec.role;
       channel.column = m.column;
       channel.quantum = inspection_.channels[c].quantum();
+      channel.last_digit = inspection_.channels[c].last_digit();
       bool any = false;
       long longest = 0;
       for (const Segment& segment : log_.segments) {

@@ -91,7 +91,8 @@ TEST_CASE("study: sealed drives", "[.study]") {
 TEST_CASE("causes hidden in drives are named from the logs alone") {
   // Seeds in a row, one cause each as large as the noise. docs/blind_trials.md has the rates of
   // many more; this is to see that they have not become worse. Planted defect: without
-  // look_at_standstills (diagnose.cpp) seed 2005, a sensor's play, is told to hide nothing.
+  // look_at_standstills (diagnose.cpp) seed 2005, a sensor's play, is told to hide nothing; with
+  // set_bands cutting every noisy joint's band seed 2006, a sensor's steps.
   const blind::Rates rates =
       blind::run(diagnose_drive, {2000, "drive", truth::Family::one, 1.0}, 12,
                  [](std::uint64_t seed, const Outcome& o) {

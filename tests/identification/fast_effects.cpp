@@ -109,11 +109,13 @@ TEST_CASE("a coarse sensor's step is found behind a finer grid") {
     twice(k) = rounded(rounded(motion(k), coarse), fine);
     once(k) = rounded(motion(k), fine);
   }
-  CHECK(sensor_step(twice) == Catch::Detail::Approx(coarse).epsilon(1e-3));
-  CHECK(sensor_step(once) == Catch::Detail::Approx(fine).epsilon(1e-3));
+  CHECK(sensor_steps(twice).step == Catch::Detail::Approx(coarse).epsilon(1e-3));
+  CHECK(sensor_steps(once).step == Catch::Detail::Approx(fine).epsilon(1e-3));
+  CHECK(sensor_steps(twice).scatter == Catch::Detail::Approx(fine / std::sqrt(12.0)).epsilon(0.1));
+  CHECK(sensor_steps(once).scatter < 1e-3 * fine);
   // Planted: no steps, strokes at constant speeds in whole ratios, whose changes from sample to
   // sample are multiples of one, and steps with noise on the reading.
-  CHECK(sensor_step(motion) == 0.0);
+  CHECK(sensor_steps(motion).step == 0.0);
   for (const double most : {1.0, 3.0}) {
     VectorXd strokes = VectorXd::Zero(8000);
     double speed = 0.0, place = 0.0;
@@ -124,13 +126,13 @@ TEST_CASE("a coarse sensor's step is found behind a finer grid") {
       place += step * speed;
       strokes(k) = place;
     }
-    CHECK(sensor_step(strokes) == 0.0);
+    CHECK(sensor_steps(strokes).step == 0.0);
   }
   VectorXd uniform = VectorXd::LinSpaced(8000, 0.0, 0.8);
-  CHECK(sensor_step(uniform) == 0.0);
+  CHECK(sensor_steps(uniform).step == 0.0);
   for (Index k = 0; k < twice.size(); ++k)
     twice(k) += 0.37 * fine * static_cast<double>(k * k % 13);
-  CHECK(sensor_step(twice) == 0.0);
+  CHECK(sensor_steps(twice).step == 0.0);
 }
 
 TEST_CASE("the true motion is the reading plus where in its play the sensor is") {

@@ -152,16 +152,20 @@ class DrivePlant : public Plant {
     unsigned taken_out = t_all;
     for (const Dose& dose : doses) taken_out &= chosen_[static_cast<size_t>(dose.cause)].taken_out;
     const double period = run_.period;
-    const std::vector<double> v = derivative(log.columns[1], period);
+    // Before friction, which rectifies them: what differences make of a coarse sensor's steps is no
+    // cause's size.
+    const std::vector<double> position = smoothed(log.columns[1], 3);
+    const std::vector<double> effort = smoothed(log.columns[2], 3);
+    const std::vector<double> load =
+        model_.loaded ? smoothed(log.columns[4], 3) : std::vector<double>();
+    const std::vector<double> v = derivative(position, period);
     const std::vector<double> a = derivative(v, period);
     std::vector<double> level(v.size()), rest(v.size());
     for (size_t k = 0; k < v.size(); ++k) {
       level[k] = std::atan(model_.shape * v[k]);
-      rest[k] = log.columns[2][k] - model_.inertia * a[k] - model_.viscous * v[k] -
-                model_.level * level[k];
-      if (model_.loaded) rest[k] -= log.columns[4][k];
+      rest[k] = effort[k] - model_.inertia * a[k] - model_.viscous * v[k] - model_.level * level[k];
+      if (model_.loaded) rest[k] -= load[k];
     }
-    // Twice: what differences make of a coarse sensor's steps is no cause's size.
     const auto smooth = [](const std::vector<double>& x) {
       return thinned(smoothed(smoothed(x, 6), 6));
     };
@@ -171,7 +175,7 @@ class DrivePlant : public Plant {
     if (taken_out & t_level) columns.push_back(smooth(level));
     std::vector<double> left = smooth(rest);
     if (taken_out & t_offset) columns.emplace_back(left.size(), 1.0);
-    if (model_.loaded && (taken_out & t_load)) columns.push_back(smooth(log.columns[4]));
+    if (model_.loaded && (taken_out & t_load)) columns.push_back(smooth(load));
     left = without_columns(left, columns);
     for (double& x : left) x /= sigma_;
     return {left};
