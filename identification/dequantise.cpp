@@ -110,13 +110,19 @@ double held_step(const VectorXd& signal) {
 SensorSteps sensor_steps(const VectorXd& reading) {
   constexpr Index kFewest = 40;
   std::vector<double> changes;
-  for (Index k = 1; k < reading.size(); ++k)
-    if (reading(k) != reading(k - 1)) changes.push_back(std::abs(reading(k) - reading(k - 1)));
+  std::size_t lone = 0;  // the reading is held before and after
+  for (Index k = 1; k < reading.size(); ++k) {
+    if (reading(k) == reading(k - 1)) continue;
+    changes.push_back(std::abs(reading(k) - reading(k - 1)));
+    const bool held_before = k > 1 && reading(k - 1) == reading(k - 2);
+    lone += held_before && k + 1 < reading.size() && reading(k + 1) == reading(k) ? 1U : 0U;
+  }
   if (static_cast<Index>(changes.size()) < kFewest) return {};
   const auto small = changes.begin() + kFewest / 4;
   std::nth_element(changes.begin(), small, changes.end());
   const SensorSteps steps = lattice_near(reading, *small);
-  return steps.step > 0.0 && changes_vary(changes, steps.step) ? steps : SensorSteps();
+  const bool by_steps = 2 * lone > changes.size() || changes_vary(changes, steps.step);
+  return steps.step > 0.0 && by_steps ? steps : SensorSteps();
 }
 
 VectorXd dequantised(const VectorXd& signal) {
