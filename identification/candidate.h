@@ -88,6 +88,7 @@ struct Candidate {
   /// acceleration. A delay d and a lag d differ by d^2 / 2 of it (lag.h).
   ColumnFunction bend;
   bool unlikely = false;  ///< named only where no other cause explains as much
+  std::string contains;   ///< level at the same place that is a part of it; may be empty
   bool aside = false;     ///< is in every measurement: fitted, and no name for what is wrong
   /// false: a fit with these coefficients and nonlinear parameters is not this effect; may be
   /// empty.

@@ -4,6 +4,7 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "identification/baseline.h"
 #include "identification/lag.h"
@@ -19,6 +20,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr double kByChance = 8.0;         // deviance a wrong cause may be ahead of the right one
+constexpr double kStays = 2.0;            // the same among two of a kind
 constexpr double kByImperfection = 0.04;  // share of the cause's own statistic
 constexpr double kPairedLimit = 1.6;      // standard errors of the paired block differences
 constexpr double kClose = 0.12;           // share within which the paired differences are asked
@@ -151,7 +153,8 @@ std::vector<Trial> contenders(const Design& design, const Library& library,
   // The search's own choice stays first unless another one is better by more than chance.
   const auto chosen = std::find_if(trials.begin(), trials.end(),
                                    [own](const Trial& t) { return t.candidate == own; });
-  if (chosen->score <= trials.front().score + kByChance)
+  const bool value_against_form = own < 0 && trials.front().candidate >= 0;
+  if (chosen->score <= trials.front().score + (value_against_form ? kByChance : kStays))
     std::rotate(trials.begin(), chosen, chosen + 1);
   const auto likely = std::find_if(trials.begin(), trials.end(),
                                    [&](const Trial& t) { return !is_unlikely(design, t); });
@@ -177,14 +180,41 @@ bool imitates(const Term& term) {
   return false;
 }
 
-/// A lag that these logs cannot tell from the delay; the model takes the delay for both.
-void add_lag(RankedCause lag, Rivals& rivals, double& sum) {
+/// The lag in the delay's place, its term last, where that says nearly as much: its own fit differs
+/// by the noise that a derivative of the position brings along.
+std::optional<Model> with_lag(const Design& design, const Weights& weights, const Model& without,
+                              const LagBehind& lag, double of_delay, int threads) {
+  constexpr double kNearly = 0.8;
+  const Candidate& candidate = design.problem().library[static_cast<std::size_t>(lag.candidate)];
+  std::vector<Screened> list;
+  for (const VectorXd& start : starting_values(candidate)) {
+    list.emplace_back();
+    list.back().candidate = lag.candidate;
+    list.back().nonlinear = start;
+  }
+  std::vector<Trial> trials = try_candidates(design, weights, without, list, threads);
+  const double before = deviance(without, weights);
+  std::optional<Model> best;
+  double most = kNearly * of_delay;
+  for (Trial& trial : trials) {
+    const double drop = before - deviance(trial.model, weights);
+    if (!trial.allowed || drop < most) continue;
+    most = drop;
+    best = std::move(trial.model);
+  }
+  return best;
+}
+
+/// A lag that these logs cannot tell from the delay: first where they are bent as by a lag and the
+/// model can take it; else the model takes the delay for both.
+void add_lag(RankedCause lag, std::optional<Model> model, Rivals& rivals, double& sum) {
   if (std::any_of(rivals.members.begin(), rivals.members.end(),
                   [&](const RankedCause& c) { return c.candidate == lag.candidate; }))
     return;
   lag.weight = std::exp(-0.5 * lag.behind);
   sum += lag.weight;
-  rivals.members.push_back(std::move(lag));
+  rivals.members.insert(model ? rivals.members.begin() : rivals.members.end(), std::move(lag));
+  if (model) rivals.model = *std::move(model);
 }
 
 }  // namespace
@@ -235,16 +265,19 @@ Rivals find_rivals(const Design& design, const Library& library, const Settings&
     else
       rivals.margin = std::min(rivals.margin, cause.behind);
   }
+  rivals.model = trials.front().model;
   if (const auto lag = lag_behind_delay(design, state, term);
       lag && lag->deviance <= std::max(kByChance, kByImperfection * own)) {
     RankedCause cause = describe(design, lag->candidate);
     cause.behind = std::max(0.0, lag->deviance);
     cause.correlation = canonical_correlation(
         without, state.noise.weights, trials.front().model.terms.back().columns, lag->columns);
-    add_lag(std::move(cause), rivals, sum);
+    std::optional<Model> in_its_place;
+    if (lag->deviance < 0.0)
+      in_its_place = with_lag(design, state.noise.weights, without, *lag, own, settings.threads);
+    add_lag(std::move(cause), std::move(in_its_place), rivals, sum);
   }
   for (RankedCause& cause : rivals.members) cause.weight /= sum;
-  rivals.model = trials.front().model;
   std::rotate(rivals.model.terms.begin() + static_cast<std::ptrdiff_t>(term),
               rivals.model.terms.end() - 1, rivals.model.terms.end());
   return rivals;

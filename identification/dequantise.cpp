@@ -164,7 +164,11 @@ VectorXd side_of_play(const VectorXd& reading, const VectorXd& velocity, double 
     last = now;
     from = k + 1;
   }
-  return side;
+  if (quantum <= 0.0) return side;
+  // A change lies between two samples.
+  VectorXd centred = side;
+  centred.tail(side.size() - 1) = 0.5 * (side.tail(side.size() - 1) + side.head(side.size() - 1));
+  return centred;
 }
 
 }  // namespace sinew::diagnosis

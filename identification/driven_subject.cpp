@@ -269,6 +269,8 @@ void DrivenSubject::add_mechanism_candidates() {
         add_free_payload(std::move(c));
         continue;
       }
+      // A lone link's payloads and offset make every weight that a leaning base would.
+      if (effect == "gravity" && model_.joints.size() == 1) c.unlikely = true;
       take(std::move(c), {effect, 0, {}, {}});
     }
   if (tendons_)
@@ -337,6 +339,7 @@ void DrivenSubject::add_library(std::size_t joint) {
   add("position_friction", joint);
   add("torsion_spring", joint);
   add("cable_torque", joint, {}, Eigen::Vector2d(0.5 * (s.low + s.high), 0.5 * (s.high - s.low)));
+  problem_.library.back().contains = find_effect("offset").name;
 }
 
 /// A joint that tendons pull has no gear, and its effort is what they pull with.
@@ -386,11 +389,15 @@ void DrivenSubject::add_ripples(std::size_t joint) {
   const auto orders = [&](double turn, const std::string& shaft) {
     if (turn <= 0.0) return;
     const double rate = 2.0 * std::numbers::pi / turn;
-    for (const int k : {1, 2, 3})
+    // A link that turns under gravity has its weight once a turn.
+    const bool weight = is_lone_link() && shaft == "output";
+    for (const int k : {1, 2, 3}) {
       add("ripple", joint,
           k == 1 ? fmt::format("ripple once per {} turn", shaft)
                  : fmt::format("ripple {} times per {} turn", k, shaft),
           number(rate * k));
+      problem_.library.back().unlikely = weight && k == 1;
+    }
     for (const double k : {0.73, 1.37, 2.41})
       add("ripple", joint, fmt::format("ripple off every order of the {}", shaft), number(rate * k),
           CandidateKind::decoy);

@@ -46,9 +46,9 @@ std::optional<LagBehind> lag_behind_delay(const Design& design, const Selection&
   const NonlinearParameter& size = lag->nonlinear.front();
   const VectorXd at = VectorXd::Constant(1, std::clamp(delay.nonlinear(0), size.low, size.high));
   LagBehind result{static_cast<int>(lag - library.begin()), 0.0, design.columns(*lag, at)};
-  // Logs bent by something else say nothing of either.
-  if (of_delay * of_delay < kBent * variance)
-    result.deviance = (of_lag * of_lag - of_delay * of_delay) / variance;
+  result.deviance = (of_lag * of_lag - of_delay * of_delay) / variance;
+  // Logs bent by something else rule neither out.
+  if (of_delay * of_delay >= kBent * variance) result.deviance = std::min(0.0, result.deviance);
   return result;
 }
 

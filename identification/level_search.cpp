@@ -64,7 +64,7 @@ LevelSearch::LevelSearch(const LevelMoments& m, double price, int most, int thre
     const double freedom =
         m.surrogates.size() ? std::max(0.5, drops_by_chance(m, {l}).mean()) : 1.0;
     freedom_.push_back(freedom);
-    price_.push_back(price * freedom);
+    price_.push_back(price * freedom + m.dearer[static_cast<std::size_t>(l)]);
   }
 }
 

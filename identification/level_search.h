@@ -20,7 +20,8 @@ struct LevelMoments {
   Eigen::VectorXd target;
   Eigen::MatrixXd surrogates;
   Eigen::VectorXd low, high;
-  double base = 0.0;  ///< deviance with every level at its nominal value
+  std::vector<double> dearer;  ///< what each level costs beside its parameters
+  double base = 0.0;           ///< deviance with every level at its nominal value
 };
 
 /// Drop of the deviance by a set; negative where a change lies beyond its limit by more than two

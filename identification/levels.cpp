@@ -19,6 +19,8 @@ using Eigen::MatrixXd;
 using Eigen::MatrixXf;
 using Eigen::VectorXd;
 
+// Deviance that one more wrong value must be worth: one that explains as much as two is likelier.
+constexpr double kAnother = 4.0;
 // A model without friction lacks two values at every joint, and more may be wrong with it.
 constexpr int kManyLevels = 24;
 
@@ -86,6 +88,8 @@ LevelMoments moments(const Design& design, const LevelTerms& parts, const std::v
     const MatrixXf part = x.middleRows(s.first_row[i], draws.rows()).cast<float>();
     m.surrogates += (part.transpose() * draws).cast<double>();
   }
+  for (const LevelCause& level : design.problem().levels)
+    m.dearer.push_back(level.unlikely ? kUnlikely : kAnother);
   m.low = VectorXd::Zero(x.cols());
   m.high = VectorXd::Zero(x.cols());
   for (std::size_t l = 0; l < parts.levels.size(); ++l)
@@ -168,11 +172,11 @@ Judged judge_level(const Design& design, const Settings& settings, const LevelTe
   return j;
 }
 
-/// The same cause is in the model already, beside the baseline.
+/// The same cause is in the model already, beside the baseline, or part of one.
 bool is_named(const LevelCause& level, const Model& model) {
   return std::any_of(model.terms.begin(), model.terms.end(), [&](const Term& term) {
-    return !term.baseline && term.candidate->name == level.name &&
-           term.candidate->place == level.place;
+    return !term.baseline && term.candidate->place == level.place &&
+           (term.candidate->name == level.name || term.candidate->contains == level.name);
   });
 }
 
@@ -225,7 +229,8 @@ LevelSelection restrict_to_levels(const Design& design, const Settings& settings
   std::vector<bool> banned(parts.levels.size(), false);
   for (std::size_t l = 0; l < banned.size(); ++l) {
     const Index own = m.first[l];
-    banned[l] = m.first[l + 1] == own || !(m.gram(own, own) > 0.0);
+    // A payload at the axis has a first moment alone.
+    banned[l] = !(m.gram.diagonal().segment(own, m.first[l + 1] - own).array() > 0.0).any();
     if (banned[l])
       result.refused.push_back({-1 - static_cast<int>(l), "not excited by these logs"});
   }

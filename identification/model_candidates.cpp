@@ -191,6 +191,7 @@ Candidate sensor_low_pass_candidate(const EffectPlace& place, const EffortModel&
     return response(effort, log, axis, curvature_of(log, axis), kSmallTime * kSmallTime);
   };
   c.nonlinear = {{"time_constant_of_motion", "s", 1e-3, 0.05, 4, true}};
+  c.contains = "delay";
   c.possible = of_its_size(2.0);
   c.limit_meaning = "the sensor would run ahead of the motion";
   c.isolating_experiment = "fast sinusoids against a second sensor";

@@ -84,7 +84,6 @@ int library_index(const Design& design, const Term& term) {
 }
 
 double model_price(const Design& design, const std::vector<double>& freedom, const Model& model) {
-  constexpr double kUnlikely = 12.0;  // deviance that chance may put the unlikely one ahead
   double sum = 0.0, unlikely = 0.0;
   for (const Term& term : model.terms)
     if (!term.baseline) {

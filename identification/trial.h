@@ -34,6 +34,9 @@ struct Trial {
   double score = 0.0;  ///< deviance plus the price of its parameters: smaller is better
 };
 
+/// Deviance that chance may put an unlikely cause ahead of a likely one.
+inline constexpr double kUnlikely = 12.0;
+
 /// What an effective parameter costs when models are compared: the logarithm of the number of
 /// independent rows.
 double parameter_price(const Design& design);

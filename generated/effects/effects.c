@@ -127,7 +127,7 @@ void effects_offset_drift(const double signals[SINEW_AT_LEAST(8)], double column
     columns[0] = signals[5];
 }
 
-void effects_cable_torque(const double signals[SINEW_AT_LEAST(8)], const double shape[SINEW_AT_LEAST(2)], double columns[SINEW_AT_LEAST(7)])
+void effects_cable_torque(const double signals[SINEW_AT_LEAST(8)], const double shape[SINEW_AT_LEAST(2)], double columns[SINEW_AT_LEAST(8)])
 {
     const double t1 = sinew_min(sinew_max((signals[0] - shape[0]) / shape[1], -1.0), 1.0);
     const double t2 = 1.0 - (t1 + t1) * t1;
@@ -138,13 +138,14 @@ void effects_cable_torque(const double signals[SINEW_AT_LEAST(8)], const double 
     const double t7 = t3 + (t6 + t6) * t1;
     const double t8 = t7 + t1;
     const double t9 = t2 - (t8 + t8) * t1 - t5;
-    columns[0] = t1;
-    columns[1] = -t2;
-    columns[2] = -t4;
-    columns[3] = t6;
-    columns[4] = t8;
-    columns[5] = -t9;
-    columns[6] = -(t1 * (t9 + t9 + 1.0) + t7);
+    columns[0] = 1.0;
+    columns[1] = t1;
+    columns[2] = -t2;
+    columns[3] = -t4;
+    columns[4] = t6;
+    columns[5] = t8;
+    columns[6] = -t9;
+    columns[7] = -(t1 * (t9 + t9 + 1.0) + t7);
 }
 
 void effects_inertial_backlash(const double signals[SINEW_AT_LEAST(8)], const double shape[SINEW_AT_LEAST(2)], const double memory[SINEW_AT_LEAST(2)], double columns[SINEW_AT_LEAST(1)], double next[SINEW_AT_LEAST(2)])

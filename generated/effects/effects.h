@@ -149,9 +149,9 @@ void effects_offset_drift(const double signals[SINEW_AT_LEAST(8)], double column
 /* Terms of the effect 'position-dependent cable torque', to be multiplied by its coefficients.
  *   in  signals       8 [SI] position, velocity, acceleration, its second derivative, load, time, direction, step; made for -3..3, -5..5, -50..50, -1e+04..1e+04, -10..10, 0..100, -1..1, 0.0001..0.01
  *   in  shape         2 [SI] middle, half_range; made for 0.1..1
- *   out columns       7 [SI] degree_1, degree_2, degree_3, degree_4, degree_5, degree_6, degree_7
+ *   out columns       8 [SI] degree_0, degree_1, degree_2, degree_3, degree_4, degree_5, degree_6, degree_7
  * 6 multiplications, 16 additions, 1 divisions, 2 other functions. */
-void effects_cable_torque(const double signals[SINEW_AT_LEAST(8)], const double shape[SINEW_AT_LEAST(2)], double columns[SINEW_AT_LEAST(7)]);
+void effects_cable_torque(const double signals[SINEW_AT_LEAST(8)], const double shape[SINEW_AT_LEAST(2)], double columns[SINEW_AT_LEAST(8)]);
 
 /* Terms of the effect 'backlash', to be multiplied by its coefficients.
  *   in  signals       8 [SI] position, velocity, acceleration, its second derivative, load, time, direction, step; made for -3..3, -5..5, -50..50, -1e+04..1e+04, -10..10, 0..100, -1..1, 0.0001..0.01

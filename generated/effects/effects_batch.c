@@ -231,13 +231,14 @@ void effects_cable_torque_batch(int count, const double *SINEW_RESTRICT signals,
         const double t7 = t3 + (t6 + t6) * t1;
         const double t8 = t7 + t1;
         const double t9 = t2 - (t8 + t8) * t1 - t5;
-        columns[state] = t1;
-        columns[1 * n + state] = -t2;
-        columns[2 * n + state] = -t4;
-        columns[3 * n + state] = t6;
-        columns[4 * n + state] = t8;
-        columns[5 * n + state] = -t9;
-        columns[6 * n + state] = -(t1 * (t9 + t9 + 1.0) + t7);
+        columns[state] = 1.0;
+        columns[1 * n + state] = t1;
+        columns[2 * n + state] = -t2;
+        columns[3 * n + state] = -t4;
+        columns[4 * n + state] = t6;
+        columns[5 * n + state] = t8;
+        columns[6 * n + state] = -t9;
+        columns[7 * n + state] = -(t1 * (t9 + t9 + 1.0) + t7);
     }
 }
 

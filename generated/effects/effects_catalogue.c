@@ -335,7 +335,7 @@ static const sinew_argument cable_torque_inputs[] = {
     {"shape", "SI", 2, 1, cable_torque_shape_low, cable_torque_shape_high},
 };
 static const sinew_argument cable_torque_outputs[] = {
-    {"columns", "SI", 7, 1, 0, 0},
+    {"columns", "SI", 8, 1, 0, 0},
 };
 
 static void call_inertial_backlash(const void *in, void *out)
@@ -524,7 +524,7 @@ static const sinew_function functions[] = {
     {"effects_gear_resonance", 3, 2, 13, 4, gear_resonance_inputs, gear_resonance_outputs, call_gear_resonance},
     {"effects_torsion_spring", 1, 1, 8, 1, torsion_spring_inputs, torsion_spring_outputs, call_torsion_spring},
     {"effects_offset_drift", 1, 1, 8, 1, offset_drift_inputs, offset_drift_outputs, call_offset_drift},
-    {"effects_cable_torque", 2, 1, 10, 7, cable_torque_inputs, cable_torque_outputs, call_cable_torque},
+    {"effects_cable_torque", 2, 1, 10, 8, cable_torque_inputs, cable_torque_outputs, call_cable_torque},
     {"effects_inertial_backlash", 3, 2, 12, 3, inertial_backlash_inputs, inertial_backlash_outputs, call_inertial_backlash},
     {"effects_loaded_backlash", 3, 2, 13, 3, loaded_backlash_inputs, loaded_backlash_outputs, call_loaded_backlash},
     {"effects_guiding_friction", 1, 1, 8, 2, guiding_friction_inputs, guiding_friction_outputs, call_guiding_friction},

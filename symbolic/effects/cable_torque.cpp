@@ -11,6 +11,7 @@ Effect cable_torque() {
   const GiNaC::ex half = e.shape("half_range", "{position}", Scale::reach, 0.0, 1.0);
   const GiNaC::ex x = clamped((s.position - middle) / half, -1, 1);
   // Chebyshev polynomials: columns that stay well conditioned.
+  e.column("degree_0", "{effort}", Sign::any, GiNaC::ex(1));
   GiNaC::ex before = 1, now = x;
   for (int degree = 1; degree <= 7; ++degree) {
     e.column("degree_" + std::to_string(degree), "{effort}", Sign::any, now);
