@@ -117,6 +117,37 @@ Model model_of(const Design& design, const Weights& weights, const LevelTerms& p
   return model;
 }
 
+/// The causes' shapes were fitted with every level free. The model with a cause's shape begun
+/// elsewhere, or in another form of the same cause, where that explains more beside these levels.
+Model best_form(const Design& design, const Weights& weights, const Model& model) {
+  const std::vector<Candidate>& library = design.problem().library;
+  Model best = model;
+  double least = deviance(model, weights);
+  for (std::size_t t = 0; t < model.terms.size(); ++t) {
+    const Term& own = model.terms[t];
+    if (own.baseline || own.level >= 0 || !has_free_shape(own)) continue;
+    for (const Candidate& form : library) {
+      if (form.name != own.candidate->name || form.place != own.candidate->place) continue;
+      for (const VectorXd& start : starting_values(form)) {
+        Model trial = model;
+        trial.terms[t] = make_term(design, form, start, false);
+        const auto at = trial.terms.begin() + static_cast<std::ptrdiff_t>(t);
+        std::rotate(at, at + 1, trial.terms.end());
+        refine(design, weights, RefineScope::last_term, trial);
+        const LinearFit fit = solve(stack(trial, weights));
+        if (violates_limits(design, trial, fit, trial.terms.size() - 1)) continue;
+        const double now = deviance(trial, weights);
+        if (now >= least) continue;
+        least = now;
+        std::rotate(trial.terms.begin() + static_cast<std::ptrdiff_t>(t), trial.terms.end() - 1,
+                    trial.terms.end());
+        best = std::move(trial);
+      }
+    }
+  }
+  return best;
+}
+
 double held_out_drop(const Design& design, const Settings& settings, const Model& before,
                      const Model& after, const Weights& weights) {
   const double a =
@@ -155,15 +186,18 @@ Judged judge_level(const Design& design, const Settings& settings, const LevelTe
   j.evidence.statistic = drop(m, all.set) - std::max(0.0, drop(m, others));
   j.evidence.freedom = search.freedom(level);
   j.evidence.p_family = p_value(m, all.set, level, j.evidence.statistic);
-  const Model before = model_of(design, weights, parts, search, others);
+  const Model before = best_form(design, weights, model_of(design, weights, parts, search, others));
   const BlockLosses b = cross_validate(design, before, weights, settings.blocks);
   j.evidence.validated = b.whitened.sum() - all.losses.whitened.sum();
   const VectorXd channels = channels_of(design, parts.levels[static_cast<std::size_t>(level)]);
   const VectorXd losses_before = b.plain * channels, losses_after = all.losses.plain * channels;
   j.evidence.gain = block_bootstrap_gain(losses_before, losses_after, 0.95, settings.seed);
   j.evidence.of_baseline = (losses_before - losses_after).sum() / nominal_loss.dot(channels);
+  const double worth = parameter_price(design) * j.evidence.freedom + kAnother;
   if (j.evidence.p_family > settings.significance)
     j.against = "too little to be told from noise";
+  else if (deviance(before, weights) - deviance(all.model, weights) < worth)
+    j.against = "another form of the named causes says as much";
   else if (!is_worth_naming(j.evidence, settings))
     j.against = "no gain worth naming on left-out blocks";
   else if (!design.problem().holdout.empty() &&
@@ -248,7 +282,8 @@ LevelSelection restrict_to_levels(const Design& design, const Settings& settings
     settled = true;
     double weakest = std::numeric_limits<double>::infinity();
     Refusal refusal;
-    FittedSet all{set, model_of(design, weights, parts, search, set), {}};
+    FittedSet all{
+        set, best_form(design, weights, model_of(design, weights, parts, search, set)), {}};
     all.losses = cross_validate(design, all.model, weights, settings.blocks);
     std::vector<Judged> judged(set.size());
     parallel_for(static_cast<int>(set.size()), settings.threads, [&](int i) {
@@ -280,7 +315,7 @@ LevelSelection restrict_to_levels(const Design& design, const Settings& settings
     result.refused.push_back(refusal);
   }
   judge_others(m, set, result);
-  state.model = model_of(design, weights, parts, search, set);
+  state.model = best_form(design, weights, model_of(design, weights, parts, search, set));
   state.levels = parts.levels;
   for (Term& level : state.levels) level.freedom = search.freedom(level.level);
   state.made = parts.made;
