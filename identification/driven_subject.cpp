@@ -338,8 +338,13 @@ void DrivenSubject::add_library(std::size_t joint) {
   // A joint carries cables and springs; a motor's own shaft does not.
   add("position_friction", joint);
   add("torsion_spring", joint);
-  add("cable_torque", joint, {}, Eigen::Vector2d(0.5 * (s.low + s.high), 0.5 * (s.high - s.low)));
-  problem_.library.back().contains = find_effect("offset").name;
+  const Eigen::Vector2d range(0.5 * (s.low + s.high), 0.5 * (s.high - s.low));
+  for (const char* cable : {"cable_torque", "cable_torque_cubic"}) {
+    // A cubic is near the weight that a link carries over a part of a turn.
+    if (carries_links(joint) && cable == std::string("cable_torque_cubic")) continue;
+    add(cable, joint, {}, range);
+    problem_.library.back().contains = find_effect("offset").name;
+  }
 }
 
 /// A joint that tendons pull has no gear, and its effort is what they pull with.

@@ -148,6 +148,16 @@ void effects_cable_torque(const double signals[SINEW_AT_LEAST(8)], const double 
     columns[7] = -(t1 * (t9 + t9 + 1.0) + t7);
 }
 
+void effects_cable_torque_cubic(const double signals[SINEW_AT_LEAST(8)], const double shape[SINEW_AT_LEAST(2)], double columns[SINEW_AT_LEAST(4)])
+{
+    const double t1 = sinew_min(sinew_max((signals[0] - shape[0]) / shape[1], -1.0), 1.0);
+    const double t2 = 1.0 - (t1 + t1) * t1;
+    columns[0] = 1.0;
+    columns[1] = t1;
+    columns[2] = -t2;
+    columns[3] = -(t1 * (t2 + t2 + 1.0));
+}
+
 void effects_inertial_backlash(const double signals[SINEW_AT_LEAST(8)], const double shape[SINEW_AT_LEAST(2)], const double memory[SINEW_AT_LEAST(2)], double columns[SINEW_AT_LEAST(1)], double next[SINEW_AT_LEAST(2)])
 {
     const double t1 = memory[1] + signals[2] * signals[7] / shape[0];

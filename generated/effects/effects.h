@@ -153,6 +153,13 @@ void effects_offset_drift(const double signals[SINEW_AT_LEAST(8)], double column
  * 6 multiplications, 16 additions, 1 divisions, 2 other functions. */
 void effects_cable_torque(const double signals[SINEW_AT_LEAST(8)], const double shape[SINEW_AT_LEAST(2)], double columns[SINEW_AT_LEAST(8)]);
 
+/* Terms of the effect 'position-dependent cable torque', to be multiplied by its coefficients.
+ *   in  signals       8 [SI] position, velocity, acceleration, its second derivative, load, time, direction, step; made for -3..3, -5..5, -50..50, -1e+04..1e+04, -10..10, 0..100, -1..1, 0.0001..0.01
+ *   in  shape         2 [SI] middle, half_range; made for 0.1..1
+ *   out columns       4 [SI] degree_0, degree_1, degree_2, degree_3
+ * 2 multiplications, 5 additions, 1 divisions, 2 other functions. */
+void effects_cable_torque_cubic(const double signals[SINEW_AT_LEAST(8)], const double shape[SINEW_AT_LEAST(2)], double columns[SINEW_AT_LEAST(4)]);
+
 /* Terms of the effect 'backlash', to be multiplied by its coefficients.
  *   in  signals       8 [SI] position, velocity, acceleration, its second derivative, load, time, direction, step; made for -3..3, -5..5, -50..50, -1e+04..1e+04, -10..10, 0..100, -1..1, 0.0001..0.01
  *   in  shape         2 [SI] gap, restitution; made for 0.0001..0.03, 0.1..0.9

@@ -242,6 +242,20 @@ void effects_cable_torque_batch(int count, const double *SINEW_RESTRICT signals,
     }
 }
 
+void effects_cable_torque_cubic_batch(int count, const double *SINEW_RESTRICT signals, const double *SINEW_RESTRICT shape, double *SINEW_RESTRICT columns)
+{
+    const size_t n = (size_t)count;
+    SINEW_STATES_ARE_INDEPENDENT
+    for (size_t state = 0; state < n; ++state) {
+        const double t1 = sinew_min(sinew_max((signals[state] - shape[state]) / shape[1 * n + state], -1.0), 1.0);
+        const double t2 = 1.0 - (t1 + t1) * t1;
+        columns[state] = 1.0;
+        columns[1 * n + state] = t1;
+        columns[2 * n + state] = -t2;
+        columns[3 * n + state] = -(t1 * (t2 + t2 + 1.0));
+    }
+}
+
 void effects_inertial_backlash_batch(int count, const double *SINEW_RESTRICT signals, const double *SINEW_RESTRICT shape, const double *SINEW_RESTRICT memory, double *SINEW_RESTRICT columns, double *SINEW_RESTRICT next)
 {
     const size_t n = (size_t)count;

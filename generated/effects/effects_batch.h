@@ -41,6 +41,7 @@ void effects_gear_resonance_batch(int count, const double *SINEW_RESTRICT signal
 void effects_torsion_spring_batch(int count, const double *SINEW_RESTRICT signals, double *SINEW_RESTRICT columns);
 void effects_offset_drift_batch(int count, const double *SINEW_RESTRICT signals, double *SINEW_RESTRICT columns);
 void effects_cable_torque_batch(int count, const double *SINEW_RESTRICT signals, const double *SINEW_RESTRICT shape, double *SINEW_RESTRICT columns);
+void effects_cable_torque_cubic_batch(int count, const double *SINEW_RESTRICT signals, const double *SINEW_RESTRICT shape, double *SINEW_RESTRICT columns);
 void effects_inertial_backlash_batch(int count, const double *SINEW_RESTRICT signals, const double *SINEW_RESTRICT shape, const double *SINEW_RESTRICT memory, double *SINEW_RESTRICT columns, double *SINEW_RESTRICT next);
 void effects_loaded_backlash_batch(int count, const double *SINEW_RESTRICT signals, const double *SINEW_RESTRICT shape, const double *SINEW_RESTRICT memory, double *SINEW_RESTRICT columns, double *SINEW_RESTRICT next);
 void effects_guiding_friction_batch(int count, const double *SINEW_RESTRICT signals, double *SINEW_RESTRICT columns);

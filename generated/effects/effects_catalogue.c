@@ -338,6 +338,24 @@ static const sinew_argument cable_torque_outputs[] = {
     {"columns", "SI", 8, 1, 0, 0},
 };
 
+static void call_cable_torque_cubic(const void *in, void *out)
+{
+    const double *x = (const double *)in;
+    double *y = (double *)out;
+    effects_cable_torque_cubic(x + 0, x + 8, y + 0);
+}
+static const double cable_torque_cubic_signals_low[] = {-3.0, -5.0, -50.0, -10000.0, -10.0, 0.0, -1.0, 1e-04};
+static const double cable_torque_cubic_signals_high[] = {3.0, 5.0, 50.0, 10000.0, 10.0, 100.0, 1.0, 0.01};
+static const double cable_torque_cubic_shape_low[] = {0.1, 0.1};
+static const double cable_torque_cubic_shape_high[] = {1.0, 1.0};
+static const sinew_argument cable_torque_cubic_inputs[] = {
+    {"signals", "SI", 8, 1, cable_torque_cubic_signals_low, cable_torque_cubic_signals_high},
+    {"shape", "SI", 2, 1, cable_torque_cubic_shape_low, cable_torque_cubic_shape_high},
+};
+static const sinew_argument cable_torque_cubic_outputs[] = {
+    {"columns", "SI", 4, 1, 0, 0},
+};
+
 static void call_inertial_backlash(const void *in, void *out)
 {
     const double *x = (const double *)in;
@@ -525,6 +543,7 @@ static const sinew_function functions[] = {
     {"effects_torsion_spring", 1, 1, 8, 1, torsion_spring_inputs, torsion_spring_outputs, call_torsion_spring},
     {"effects_offset_drift", 1, 1, 8, 1, offset_drift_inputs, offset_drift_outputs, call_offset_drift},
     {"effects_cable_torque", 2, 1, 10, 8, cable_torque_inputs, cable_torque_outputs, call_cable_torque},
+    {"effects_cable_torque_cubic", 2, 1, 10, 4, cable_torque_cubic_inputs, cable_torque_cubic_outputs, call_cable_torque_cubic},
     {"effects_inertial_backlash", 3, 2, 12, 3, inertial_backlash_inputs, inertial_backlash_outputs, call_inertial_backlash},
     {"effects_loaded_backlash", 3, 2, 13, 3, loaded_backlash_inputs, loaded_backlash_outputs, call_loaded_backlash},
     {"effects_guiding_friction", 1, 1, 8, 2, guiding_friction_inputs, guiding_friction_outputs, call_guiding_friction},
@@ -536,4 +555,4 @@ static const sinew_function functions[] = {
     {"effects_late_reversal", 3, 2, 10, 2, late_reversal_inputs, late_reversal_outputs, call_late_reversal},
 };
 
-const sinew_catalogue effects_catalogue = {"effects", "69c538edcbf3bf2f45779b1c8a2551790ff791915ec1f60e5b93999b2315532f", 8, 29, functions};
+const sinew_catalogue effects_catalogue = {"effects", "69c538edcbf3bf2f45779b1c8a2551790ff791915ec1f60e5b93999b2315532f", 8, 30, functions};

@@ -3,19 +3,19 @@
 #include "symbolic/piecewise.h"
 
 namespace sinew {
+namespace {
 
-Effect cable_torque() {
-  Effect e("cable_torque", "position-dependent cable torque");
+Effect cable_torque_of(const std::string& id, int highest) {
+  Effect e(id, "position-dependent cable torque");
   const EffectSignals& s = effect_signals();
   const GiNaC::ex middle = e.shape("middle", "{position}", Scale::reach, 0.0, 1.0);
   const GiNaC::ex half = e.shape("half_range", "{position}", Scale::reach, 0.0, 1.0);
   const GiNaC::ex x = clamped((s.position - middle) / half, -1, 1);
   // Chebyshev polynomials: columns that stay well conditioned.
-  e.column("degree_0", "{effort}", Sign::any, GiNaC::ex(1));
-  GiNaC::ex before = 1, now = x;
-  for (int degree = 1; degree <= 7; ++degree) {
+  GiNaC::ex before = x, now = 1;
+  for (int degree = 0; degree <= highest; ++degree) {
     e.column("degree_" + std::to_string(degree), "{effort}", Sign::any, now);
-    const GiNaC::ex next = 2 * x * now - before;
+    const GiNaC::ex next = degree == 0 ? x : GiNaC::ex(2 * x * now - before);
     before = now;
     now = next;
   }
@@ -24,6 +24,17 @@ Effect cable_torque() {
   e.experiment = "slow motion over the whole range both ways";
   e.compensable = true;
   return e;
+}
+
+}  // namespace
+
+Effect cable_torque() {
+  return cable_torque_of("cable_torque", 7);
+}
+
+// What a short stretch of a cable does, told by fewer numbers from shorter logs.
+Effect cable_torque_cubic() {
+  return cable_torque_of("cable_torque_cubic", 3);
 }
 
 }  // namespace sinew

@@ -27,6 +27,7 @@ const std::vector<Effect>& effects() {
       torsion_spring(),
       offset_drift(),
       cable_torque(),
+      cable_torque_cubic(),
       inertial_backlash(),
       loaded_backlash(),
       guiding_friction(),

@@ -26,6 +26,7 @@ Effect gear_resonance();
 Effect torsion_spring();
 Effect offset_drift();
 Effect cable_torque();
+Effect cable_torque_cubic();
 Effect inertial_backlash();
 Effect loaded_backlash();
 // At a tendon:
