@@ -22,7 +22,8 @@ std::string parameter_table(const std::vector<ParameterEstimate>& parameters,
   for (const ParameterEstimate& p : parameters)
     table.row(
         {"<math>" + mathml_name(p.name) + "</math>",
-         escaped(shown_estimate(p.value, p.standard_error, p.unit)),
+         p.is_felt() ? escaped(shown_estimate(p.value, p.standard_error, p.unit))
+                     : "not felt in these logs",
          p.log.empty() ? "every log" : "<span class=\"mono\">" + escaped_name(p.log) + "</span>"});
   return table.empty() ? "" : table.html();
 }

@@ -94,7 +94,7 @@ std::string largest_parameters(const NamedCause& cause) {
   std::string text;
   int shown = 0;
   for (const ParameterEstimate& p : cause.parameters) {
-    if (!p.log.empty() || ++shown > 3) continue;
+    if (!p.log.empty() || !p.is_felt() || ++shown > 3) continue;
     std::string name = p.name;
     for (char& c : name) c = c == '_' ? ' ' : c;
     text += (text.empty() ? "" : "; ") + escaped(name) + " <b>" +

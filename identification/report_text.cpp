@@ -92,7 +92,7 @@ std::string error_of(const Findings& findings) {
 std::string parameters_of(const NamedCause& cause) {
   std::string text;
   for (const ParameterEstimate& p : cause.parameters) {
-    if (!p.log.empty()) continue;
+    if (!p.log.empty() || !p.is_felt()) continue;
     text += (text.empty() ? "" : ", ") + p.name + " " +
             shown_estimate(p.value, p.standard_error, p.unit);
   }

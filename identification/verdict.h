@@ -14,6 +14,9 @@ struct ParameterEstimate {
   double value = 0.0;
   double standard_error = 0.0;  ///< for coloured noise, all parameters free
   std::string log;              ///< a nuisance's log; empty for shared parameters
+
+  /// false: moves nothing in these logs, as a payload's mass at the axis.
+  bool is_felt() const { return value != 0.0 || standard_error > 0.0; }
 };
 
 /// A candidate that may be the cause.

@@ -54,6 +54,14 @@ TEST_CASE("the counting above sees a line that is too wide") {
   CHECK(lines_of("one\ntwo\n") == 2);
 }
 
+TEST_CASE("what the logs do not feel is not told as nothing") {
+  // Planted defect: without is_felt() it says "unfelt 0 kg".
+  Findings f = example::rich_drive();
+  for (NamedCause& c : f.verdict.causes)
+    c.parameters.insert(c.parameters.begin(), {"unfelt", "kg", 0.0, 0.0, ""});
+  CHECK_FALSE(contains(report_text(f), "unfelt"));
+}
+
 TEST_CASE("the summary says what matters") {
   const std::string rich = report_text(example::rich_drive());
   CHECK(contains(rich, "friction concave in speed, motor"));
