@@ -10,6 +10,7 @@
 #include "identification/parallel_for.h"
 #include "identification/refine.h"
 #include "identification/shadow.h"
+#include "identification/standard_errors.h"
 
 namespace sinew::diagnosis {
 namespace {
@@ -230,6 +231,45 @@ void prune(const Search& s) {
   }
 }
 
+/// Its size is not told from none, nor where in its range some parameter of its form lies: it
+/// explains by what that form happens to do in these logs.
+bool is_undetermined(const Candidate& candidate, const std::vector<ParameterEstimate>& all) {
+  constexpr double kStandardErrors = 2.0;
+  const auto is = [](const auto& parameter) {
+    return [&](const ParameterEstimate& e) { return e.name == parameter.name; };
+  };
+  bool sized = false, formless = false;
+  for (const LinearParameter& p : candidate.linear)
+    for (const ParameterEstimate& e : all)
+      sized = sized || (is(p)(e) && std::abs(e.value) >= kStandardErrors * e.standard_error);
+  for (const NonlinearParameter& p : candidate.nonlinear) {
+    const auto found = std::find_if(all.begin(), all.end(), is(p));
+    formless = formless || (found != all.end() && found->standard_error > p.high - p.low);
+  }
+  return formless && !sized;
+}
+
+void drop_undetermined(const Search& s) {
+  Selection& state = s.state;
+  const auto& terms = state.model.terms;
+  const auto has_form = [](const Term& t) {
+    return !t.baseline && t.candidate->kind == CandidateKind::named && t.nonlinear.size() > 0;
+  };
+  while (std::any_of(terms.begin(), terms.end(), has_form)) {
+    const auto all = estimates(s.design, state.model, state.noise);
+    std::size_t t = 0;
+    while (t < terms.size() &&
+           !(has_form(terms[t]) && is_undetermined(*terms[t].candidate, all[t])))
+      ++t;
+    if (t == terms.size()) return;
+    state.refused.push_back(
+        {library_index(s.design, terms[t]), "neither its size nor its form is told from none"});
+    remove_term(s.design, t, state.model);
+    refine(s.design, state.noise.weights, RefineScope::all_terms, state.model);
+    renew_noise(s);
+  }
+}
+
 std::vector<int> causes_of(const Design& design, const Model& model) {
   std::vector<int> list;
   for (const Term& term : model.terms)
@@ -295,6 +335,7 @@ Selection select_causes(const Design& design, const Library& library, const Sett
     visited.push_back(now);
     renew_noise(search);
   }
+  drop_undetermined(search);
   draw_surrogates(design, settings, state.noise);
   state.last = screen(design, library, state.model, state.noise.weights, state.noise.surrogates,
                       settings.threads);
