@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "identification/baseline.h"
 #include "identification/confidence.h"
@@ -264,6 +265,15 @@ void measure(const Design& design, const Settings& settings, Explanation& result
       settings.seed);
 }
 
+/// The lowest frequency above which a channel is left out, below the band asked for; 0: none is.
+double cut_of(const Problem& problem, const Settings& settings) {
+  double lowest = std::numeric_limits<double>::infinity();
+  for (const Recording& log : problem.training)
+    for (const double band : log.band_hz) lowest = std::min(lowest, band);
+  const bool cut = std::isfinite(lowest) && (settings.band_hz <= 0.0 || lowest < settings.band_hz);
+  return cut ? lowest : 0.0;
+}
+
 }  // namespace
 
 Explanation explain(const Problem& problem, const Settings& settings,
@@ -308,6 +318,7 @@ Explanation explain(const Problem& problem, const Settings& settings,
                      return a.cross_validated.share > b.cross_validated.share;
                    });
   measure(design, settings, result);
+  verdict.compared_below_hz = cut_of(problem, settings);
   return result;
 }
 

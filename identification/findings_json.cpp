@@ -157,7 +157,9 @@ Json json(const Verdict& verdict) {
           {"baseline", list(verdict.baseline, [](const auto& x) { return json(x); })},
           {"relative_error_before", number(verdict.relative_error_before)},
           {"relative_error_after", number(verdict.relative_error_after)},
-          {"held_out", json(verdict.held_out)}};
+          {"held_out", json(verdict.held_out)},
+          {"compared_below_hz",
+           verdict.compared_below_hz > 0.0 ? number(verdict.compared_below_hz) : Json(nullptr)}};
 }
 
 Json json(const CauseTerm& term) {

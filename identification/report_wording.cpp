@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "identification/report_wording.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "identification/report_numbers.h"
@@ -105,9 +107,15 @@ std::string leftover_of(const Verdict& verdict) {
     if (!dependence.place.empty()) text += " (" + dependence.place + ")";
     on.push_back(text);
   }
+  if (on.empty() && rest.none_of_the_known)
+    return "Structure that none of the known causes explains.";
   if (on.empty())
-    return rest.none_of_the_known ? "Structure that none of the known causes explains."
-                                  : "Nothing beyond noise.";
+    return verdict.compared_below_hz > 0.0
+               ? fmt::format(
+                     "Nothing beyond noise below {:.2g} Hz; above, noise of the logged "
+                     "position would hide it.",
+                     verdict.compared_below_hz)
+               : "Nothing beyond noise.";
   const std::string what = joined(on, "and");
   return rest.none_of_the_known
              ? "Structure that none of the known causes explains. It depends on " + what + "."

@@ -76,6 +76,9 @@ struct Verdict {
   double relative_error_before = 0.0;
   double relative_error_after = 0.0;
   Gain held_out;  ///< of all causes together on the held-out logs
+  /// Where noise of a logged position cuts the comparison, the lowest frequency above which a
+  /// channel is not looked at [Hz]; 0: nothing is cut.
+  double compared_below_hz = 0.0;
   bool nothing_beyond_noise() const { return causes.empty() && !unexplained.none_of_the_known; }
 };
 

@@ -51,7 +51,11 @@ std::string cause_text(const NamedCause& cause) {
 
 std::string headline(const Findings& f) {
   const Verdict& v = f.verdict;
-  if (v.nothing_beyond_noise()) return "The model leaves nothing over but noise.";
+  if (v.nothing_beyond_noise())
+    return v.compared_below_hz > 0.0
+               ? fmt::format("The model leaves nothing over but noise below {:.2g} Hz.",
+                             v.compared_below_hz)
+               : "The model leaves nothing over but noise.";
   if (v.causes.empty())
     return "The model leaves structure over that none of the known causes explains; it depends "
            "on " +

@@ -131,12 +131,15 @@ TEST_CASE("a joint in closed loop that hides nothing is told to leave nothing ov
   // Planted defect: with reversals taken for motion (find_standstills: the rests alone) eight of
   // these get names, thirteen in all: delays, elasticity, inertia, friction. With set_bands leaving
   // every band as it is three get names (a sensor's steps, elasticity), and one model is extended.
+  int cut = 0;
   const blind::Rates rates = blind::run(diagnose_joint, {800, "joint", truth::Family::nothing, 1.0},
-                                        12, [](std::uint64_t seed, const Outcome& o) {
+                                        12, [&cut](std::uint64_t seed, const Outcome& o) {
                                           INFO("seed " << seed << ", told:" << o.told());
                                           CHECK_FALSE(o.findings.extension.adopted);
+                                          cut += o.findings.verdict.compared_below_hz > 0.0 ? 1 : 0;
                                         });
   INFO(rates.text());
   CHECK(rates.false_names == 0);
   CHECK(rates.none_of_the_known == 0);
+  CHECK(cut >= 3);  // those three are told to leave nothing below 18 Hz alone
 }

@@ -5,6 +5,7 @@
 #include <catch2/catch.hpp>
 #include <sstream>
 
+#include "identification/verdict_text.h"
 #include "report_example.h"
 
 using namespace sinew::diagnosis;
@@ -74,6 +75,14 @@ TEST_CASE("the summary says what matters") {
   CHECK(contains(pair, "To settle it"));
   CHECK(contains(report_text(example::none_of_the_known()), "position × direction"));
   CHECK(contains(report_text(example::nothing_beyond_noise()), "down to the noise"));
+}
+
+TEST_CASE("nothing beyond noise is told of what was compared alone") {
+  // Planted defect: with compared_below_hz left out of headline() the first check fails.
+  Findings f = example::nothing_beyond_noise();
+  f.verdict.compared_below_hz = 18.0;
+  CHECK(contains(headline(f), "noise below 18 Hz"));
+  CHECK(contains(report_text(f), "below 18 Hz; above, noise"));
 }
 
 TEST_CASE("a worse error is called worse") {
