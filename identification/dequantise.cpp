@@ -61,11 +61,22 @@ Lattice fitted(const VectorXd& way, double step, double most) {
   return lattice;
 }
 
+/// Where the reading moves least over some samples: there its neighbours are few steps away.
+Index slowest(const VectorXd& reading) {
+  constexpr Index kStretch = 40;
+  if (reading.size() <= kStretch) return 0;
+  Index at = 0;
+  (reading.tail(reading.size() - kStretch) - reading.head(reading.size() - kStretch))
+      .cwiseAbs()
+      .minCoeff(&at);
+  return at;
+}
+
 /// The lattice on which nearly all values lie, its step near `step`. It becomes known well enough
-/// to count ever more of it from the first value on.
+/// to count ever more of it from where the reading is slow.
 SensorSteps lattice_near(const VectorXd& values, double step) {
   constexpr double kNearlyAll = 0.9, kFew = 40.0;
-  const VectorXd way = values.array() - values(0);
+  const VectorXd way = values.array() - values(slowest(values));
   const double furthest = way.cwiseAbs().maxCoeff();
   SensorSteps found;
   for (double most = 4.0;; most *= 4.0) {
@@ -120,7 +131,14 @@ SensorSteps sensor_steps(const VectorXd& reading) {
   if (static_cast<Index>(changes.size()) < kFewest) return {};
   const auto small = changes.begin() + kFewest / 4;
   std::nth_element(changes.begin(), small, changes.end());
-  const SensorSteps steps = lattice_near(reading, *small);
+  // One step each, rounded again this way or that.
+  double single = 0.0, count = 0.0;
+  for (const double change : changes) {
+    if (std::abs(change - *small) > 0.4 * *small) continue;
+    single += change;
+    count += 1.0;
+  }
+  const SensorSteps steps = lattice_near(reading, single / count);
   const bool by_steps = 2 * lone > changes.size() || changes_vary(changes, steps.step);
   return steps.step > 0.0 && by_steps ? steps : SensorSteps();
 }

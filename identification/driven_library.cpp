@@ -112,12 +112,13 @@ void DrivenSubject::add_library(std::size_t joint) {
   add("position_friction", joint);
   add("torsion_spring", joint);
   const Eigen::Vector2d range(0.5 * (s.low + s.high), 0.5 * (s.high - s.low));
-  for (const char* cable : {"cable_torque", "cable_torque_cubic"}) {
-    // A cubic is near the weight that a link carries over a part of a turn.
-    if (carries_links(joint) && cable == std::string("cable_torque_cubic")) continue;
-    add(cable, joint, {}, range);
+  const auto add_cable = [&](const char* effect) {
+    add(effect, joint, {}, range);
     problem_.library.back().contains = find_effect("offset").name;
-  }
+  };
+  add_cable("cable_torque");
+  // A cubic is near the weight that a link carries over a part of a turn.
+  if (!carries_links(joint)) add_cable("cable_torque_cubic");
 }
 
 /// A joint that tendons pull has no gear, and its effort is what they pull with.

@@ -109,7 +109,7 @@ void DrivenSubject::learn_steps(const Log& log, int position, std::size_t joint)
   for (const sinew::Segment& segment : log.segments) {
     const SensorSteps steps = sensor_steps(columns_of(segment, {position}).col(0));
     quantum_[joint] = std::max(quantum_[joint], steps.step);
-    // The digits it is written with round a reading by no more than half the last one.
+    // What writes a reading rounds it by no more than half the last digit.
     if (steps.scatter > channel.last_digit) rounded_again_[joint] = true;
   }
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace sinew {
@@ -219,16 +220,19 @@ bool ChannelInspector::is_of_digits(double step) const {
 
 double ChannelInspector::last_digit() const {
   constexpr double kSome = 0.3;  // of numbers with nine digits in all, large ones end sooner
+  const double single =
+      double(std::numeric_limits<float>::epsilon()) * std::max(std::abs(low_), std::abs(high_));
+  const double least = std::max(least_step(), single);
   const std::vector<double> steps = steps_.values();
   double digit = std::abs(unit_) * std::pow(10.0, std::ceil(std::log10(high_ - low_)));
-  for (; digit > least_step(); digit *= 0.1) {
+  for (; digit > least; digit *= 0.1) {
     const auto fitting = std::count_if(steps.begin(), steps.end(), [&](double step) {
       const double times = std::round(step / digit);
       return times > 0.0 && std::abs(step - times * digit) < 1.0e-3 * digit;
     });
     if (static_cast<double>(fitting) > kSome * static_cast<double>(steps.size())) return digit;
   }
-  return least_step();
+  return least;
 }
 
 double ChannelInspector::quantum() const {

@@ -69,7 +69,8 @@ class ChannelInspector {
   double high() const { return high_; }
   /// Smallest step where (nearly) all steps are its multiples, else 0.
   double quantum() const;
-  /// Value of the last digit that at least some values are written with.
+  /// What the values were rounded to on their way into the file: the last digit that at least some
+  /// are written with, or that of single precision.
   double last_digit() const;
   /// rms of the white part, from third differences.
   double noise() const;

@@ -86,7 +86,7 @@ struct Channel {
   double low = 0.0;  ///< smallest and largest value kept
   double high = 0.0;
   double quantum = 0.0;      ///< step of a quantised signal; 0 where none is seen
-  double last_digit = 0.0;   ///< value of the last one that it is written with
+  double last_digit = 0.0;   ///< what its values were rounded to on their way into the file
   double noise_floor = 0.0;  ///< rms of the part that no smooth signal explains (kept samples)
 };
 

@@ -9,12 +9,15 @@
 #include <functional>
 #include <numbers>
 
+#include "identification/dequantise.h"
 #include "identification/read_csv.h"
 #include "tests/identification/planted_log.h"
 
 namespace {
 
 using namespace sinew;
+using diagnosis::sensor_steps;
+using diagnosis::SensorSteps;
 using std::numbers::pi;
 using Row = std::function<std::string(long)>;
 
@@ -68,6 +71,29 @@ TEST_CASE(
     CHECK(count_of(log, FaultKind::stuck) == 0);
     CHECK(log.channels[0].quantum == Approx(step).epsilon(0.02));
   }
+}
+
+TEST_CASE("single precision and few digits are no second sensor") {
+  // Planted defect: with the digits alone in last_digit() the fourth kind, a float written in full,
+  // looks like a sensor that was rounded again. The last kind is one.
+  const double step = 2.0 * pi / 131072.0, finer = 3.1e-6;
+  const auto scatter_in_digits = [&](const std::function<std::string(double)>& written) {
+    const Log log = read_rows([&](long k) {
+      const double t = 0.001 * double(k);
+      const double q = 0.7 * std::sin(0.9 * t) + 0.3 * std::sin(2.3 * t);
+      return fmt::format("{},{:.6f},{:.8f}", written(std::round(q / step) * step),
+                         -0.1 * q + noise(k), q);
+    });
+    const SensorSteps steps = sensor_steps(log.segments.front().samples.col(0).matrix());
+    CHECK(steps.step == Approx(step).epsilon(0.001));
+    return steps.scatter / log.channels[0].last_digit;
+  };
+  CHECK(scatter_in_digits([](double q) { return fmt::format("{:.6f}", q); }) < 1.0);
+  CHECK(scatter_in_digits([](double q) { return fmt::format("{:.7g}", q); }) < 1.0);
+  CHECK(scatter_in_digits([](double q) { return fmt::format("{:.17g}", q); }) < 1.0);
+  CHECK(scatter_in_digits([](double q) { return fmt::format("{:.12g}", double(float(q))); }) < 1.0);
+  CHECK(scatter_in_digits(
+            [&](double q) { return fmt::format("{:.12g}", std::round(q / finer) * finer); }) > 1.0);
 }
 
 TEST_CASE("a drive that leads a reference without noise is not exchanged with it") {
