@@ -155,7 +155,7 @@ void write_results(const DiagnoseOptions& o, Diagnosis& diagnosis) {
   auto& extension = diagnosis.findings.extension;
   extension.dry_run = o.dry_run;
   diagnosis.findings.next_step = diagnosis::next_step(diagnosis.findings);
-  std::map<std::string, std::string> files;
+  std::map<std::string, std::string> files = diagnosis.experiments;
   const FileSet generated = extension.adopted ? extended_c(o, diagnosis) : FileSet{};
   if (extension.adopted) {
     files["identified.toml"] = identified_text(diagnosis.extended);

@@ -19,12 +19,11 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kByChance = 8.0;         // deviance a wrong cause may be ahead of the right one
-constexpr double kStays = 2.0;            // the same among two of a kind
-constexpr double kByImperfection = 0.04;  // share of the cause's own statistic
-constexpr double kPairedLimit = 1.6;      // standard errors of the paired block differences
-constexpr double kClose = 0.12;           // share within which the paired differences are asked
-constexpr double kSameThing = 0.4;  // least correlation: below, a rival explains something else
+constexpr double kByChance = 8.0;     // deviance a wrong cause may be ahead of the right one
+constexpr double kStays = 2.0;        // the same among two of a kind
+constexpr double kPairedLimit = 1.6;  // standard errors of the paired block differences
+constexpr double kClose = 0.12;       // share within which the paired differences are asked
+constexpr double kSameThing = 0.4;    // least correlation: below, a rival explains something else
 
 /// Whitened columns of a group with the model's columns projected out.
 MatrixXd apart(const Stack& stacked, const MatrixXd& inverse, const Weights& weights,
@@ -281,36 +280,6 @@ Rivals find_rivals(const Design& design, const Library& library, const Settings&
   std::rotate(rivals.model.terms.begin() + static_cast<std::ptrdiff_t>(term),
               rivals.model.terms.end() - 1, rivals.model.terms.end());
   return rivals;
-}
-
-double expected_separation(const Problem& problem, const Settings& settings, const Term& first,
-                           const VectorXd& first_coefficients, const Candidate& second,
-                           const PlannedExperiment& experiment, double noise_variance) {
-  Problem planned;
-  planned.channels = problem.channels;
-  planned.baseline = problem.baseline;
-  planned.training = {experiment.motion};
-  for (VectorXd& target : planned.training[0].target) target.setZero();
-  if (planned.training[0].target.empty())
-    planned.training[0].target.assign(static_cast<std::size_t>(problem.channels),
-                                      VectorXd::Zero(experiment.motion.time.size()));
-  for (std::size_t channel = 0; channel < planned.training[0].target.size(); ++channel) {
-    const MatrixXd columns =
-        first.candidate->columns(planned.training[0], static_cast<int>(channel), first.nonlinear);
-    if (columns.cols() > 0)
-      planned.training[0].target[channel] = columns * first_coefficients.head(columns.cols());
-  }
-  const Design design(planned, settings);
-  Weights even;
-  for (const Segment& s : design.segments()) even.push_back(VectorXd::Ones(2 * s.bins));
-  Model model = baseline_model(design);
-  double least = deviance(model, even);
-  model.terms.push_back({});
-  for (const VectorXd& value : starting_values(second)) {
-    model.terms.back() = make_term(design, second, value, false);
-    least = std::min(least, deviance(model, even));
-  }
-  return least / std::max(noise_variance, 1e-300);
 }
 
 }  // namespace sinew::diagnosis

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which candidates these logs cannot tell apart, and the experiment that would.
+// Which candidates these logs cannot tell apart.
 #pragma once
 
 #include <string>
@@ -15,6 +15,10 @@ namespace sinew::diagnosis {
 double canonical_correlation(const Model& model, const Weights& weights, const BandColumns& a,
                              const BandColumns& b);
 
+/// Share of a cause's own statistic by which another one may be behind and still be the right one:
+/// no model is perfect.
+inline constexpr double kByImperfection = 0.04;
+
 /// The cause in term `term` and every candidate that explains its part about as well, best first.
 /// A rival belongs to the set where its deviance is behind by less than chance and the model's own
 /// imperfection allow, or where the paired block differences do not speak against it.
@@ -25,18 +29,5 @@ struct Rivals {
 };
 Rivals find_rivals(const Design& design, const Library& library, const Settings& settings,
                    const Selection& state, std::size_t term);
-
-/// A planned experiment: its motion, without a target.
-struct PlannedExperiment {
-  std::string name;
-  Recording motion;
-};
-
-/// Expected squared separation of two fitted causes on a planned motion: what is left of the
-/// first's prediction after the baseline and the second are fitted to it, over the noise variance
-/// per sample. first_coefficients: one for each of the first candidate's linear parameters.
-double expected_separation(const Problem& problem, const Settings& settings, const Term& first,
-                           const Eigen::VectorXd& first_coefficients, const Candidate& second,
-                           const PlannedExperiment& experiment, double noise_variance);
 
 }  // namespace sinew::diagnosis

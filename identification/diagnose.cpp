@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "identification/diagnose.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
 #include <map>
@@ -14,6 +16,7 @@
 #include "identification/log_record.h"
 #include "identification/lone_consistency.h"
 #include "identification/measure.h"
+#include "identification/motion_file.h"
 #include "identification/prediction.h"
 #include "identification/read_csv.h"
 #include "identification/sensor_play.h"
@@ -47,11 +50,12 @@ class Run {
     tell("comparing with the model", 0.2);
     subject_.prepare(request_.settings);
     tell("searching for causes", 0.3);
-    Explanation explanation = explain(subject_.problem(), request_.settings);
+    Explanation explanation = explain_subject(subject_);
     look_at_standstills(explanation);
     merge_members(explanation.verdict);
     set_sensor_noise_aside(explanation.verdict);
     if (!request_.holdout.empty()) confirm_on_held_out(explanation.verdict);
+    write_motions(explanation.verdict);
     f.verdict = explanation.verdict;
     tell("extending and measuring", 0.9);
     extend(explanation);
@@ -138,6 +142,26 @@ class Run {
     return faults.all();
   }
 
+  Explanation explain_subject(const DrivenSubject& subject) const {
+    std::map<int, std::vector<PlannedExperiment>> planned;
+    return explain(subject.problem(), request_.settings,
+                   [&](int channel) -> const std::vector<PlannedExperiment>& {
+                     const auto [at, is_new] = planned.try_emplace(channel);
+                     if (is_new) at->second = subject.experiments(channel);
+                     return at->second;
+                   });
+  }
+
+  /// Motions that would settle what is told as a set, as files.
+  void write_motions(Verdict& verdict) {
+    const DrivenChannels channels = request_.channels(request_.logs.front());
+    for (NamedCause& cause : verdict.causes) {
+      if (cause.members.size() < 2 || !cause.separation.motion) continue;
+      cause.separation.file = fmt::format("experiment_{}.csv", result_.experiments.size() + 1);
+      result_.experiments[cause.separation.file] = motion_text(*cause.separation.motion, channels);
+    }
+  }
+
   /// A sensor with play stands still behind every reversal. So does a joint that sticks, but it
   /// hides less than a few steps of its sensor, and a play explains little of it.
   void look_at_standstills(Explanation& explanation) {
@@ -153,7 +177,7 @@ class Run {
     if (!may_have_play(Design(subject.problem(), request_.settings), explanation.selection.model,
                        plays))
       return;
-    Explanation other = explain(subject.problem(), request_.settings);
+    Explanation other = explain_subject(subject);
     const auto is_play = [&](const NamedCause& cause) {
       if (cause.candidate < 0) return false;
       const CandidateOrigin& origin =

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -40,6 +41,8 @@ struct DiagnoseRequest {
 struct Diagnosis {
   Findings findings;
   Identified extended;  ///< what the model has learnt with this, where it is adopted
+  /// Motions that would settle what cannot be told apart, as CSV text, by file name.
+  std::map<std::string, std::string> experiments;
 };
 
 /// Reads the logs, explains what the model leaves over, extends the model and measures the gain on

@@ -125,22 +125,26 @@ void DrivenSubject::add_log(const Log& log, const DrivenColumns& columns, bool h
     const Index n = segment.samples.rows();
     r.time = VectorXd::LinSpaced(n, segment.start,
                                  segment.start + log.period * static_cast<double>(n - 1));
-    Motion motion = differentiate(columns_of(segment, columns.positions), log.period,
-                                  motion_cutoff(log.period));
-    r.q = std::move(motion.q);
-    r.qd = std::move(motion.qd);
-    r.qdd = std::move(motion.qdd);
+    add_motion(columns_of(segment, columns.positions), r);
     const MatrixXd measured = columns_of(segment, columns.efforts);
     for (Index c = 0; c < measured.cols(); ++c) r.target.push_back(measured.col(c));
     if (columns.load >= 0) r.load = columns_of(segment, {columns.load});
     if (tendons_) add_tendon_forces(columns_of(segment, columns.forces), measured, r);
-    r.signals["logged_q"] = columns_of(segment, columns.positions);
-    add_smooth_motion(r);
-    add_derivatives(r);
-    add_sensor_errors(r);
     add_standstills(r);
     (held_out ? problem_.holdout : problem_.training).push_back(std::move(r));
   }
+}
+
+/// Positions as logged, and what follows from them.
+void DrivenSubject::add_motion(const MatrixXd& positions, Recording& log) const {
+  Motion motion = differentiate(positions, log.step, motion_cutoff(log.step));
+  log.q = std::move(motion.q);
+  log.qd = std::move(motion.qd);
+  log.qdd = std::move(motion.qdd);
+  log.signals["logged_q"] = positions;
+  add_smooth_motion(log);
+  add_derivatives(log);
+  add_sensor_errors(log);
 }
 
 /// A joint turns round while its tendons go on: what is lost in their guides is then as well known
@@ -164,6 +168,17 @@ void DrivenSubject::add_standstills(Recording& log) const {
   }
 }
 
+/// What the model says.
+void DrivenSubject::add_model(Recording& log) const {
+  log.signals["direction"] = MatrixXd::Zero(log.q.rows(), log.q.cols());
+  const MatrixXd said = known_(log);
+  log.signals[effort_of_logged_motion] = said;
+  log.signals["effort"] = effort_of_smooth_load(log);
+  log.known.clear();
+  for (Index c = 0; c < said.cols(); ++c) log.known.push_back(said.col(c));
+}
+
+/// What candidates act by.
 void DrivenSubject::set_signals(Recording& log) const {
   MatrixXd direction(log.q.rows(), log.q.cols());
   for (std::size_t j = 0; j < bristle_.size(); ++j) {
@@ -181,6 +196,11 @@ void DrivenSubject::set_signals(Recording& log) const {
     if (bristle_[j])
       effort.col(static_cast<Index>(j)) +=
           model_.joints[j].friction * direction.col(static_cast<Index>(j));
+  if (!rigid_) return;
+  rigid_->add_signals(log);
+  if (!model_.joints.front().carries_links) return;
+  MatrixXd& carried = log.signals["carried"] = rigid_->effort(log);
+  if (log.load.size() > 0) carried += log.load;
 }
 
 /// Baseline alone first: the length over which friction turns has to be known before effects are
@@ -209,14 +229,7 @@ MatrixXd DrivenSubject::effort_of_smooth_load(Recording& log) const {
 void DrivenSubject::prepare(const Settings& settings) {
   set_bands();
   for (auto* logs : {&problem_.training, &problem_.holdout})
-    for (Recording& log : *logs) {
-      log.signals["direction"] = MatrixXd::Zero(log.q.rows(), log.q.cols());
-      const MatrixXd said = known_(log);
-      log.signals[effort_of_logged_motion] = said;
-      log.signals["effort"] = effort_of_smooth_load(log);
-      log.known.clear();
-      for (Index c = 0; c < said.cols(); ++c) log.known.push_back(said.col(c));
-    }
+    for (Recording& log : *logs) add_model(log);
   problem_.baseline.clear();
   problem_.library.clear();
   baseline_.clear();
@@ -227,14 +240,7 @@ void DrivenSubject::prepare(const Settings& settings) {
   if (std::any_of(bristle_.begin(), bristle_.end(), [](bool b) { return b; }))
     fit_directions(settings);
   for (auto* logs : {&problem_.training, &problem_.holdout})
-    for (Recording& log : *logs) {
-      set_signals(log);
-      if (!rigid_) continue;
-      rigid_->add_signals(log);
-      if (!model_.joints.front().carries_links) continue;
-      MatrixXd& carried = log.signals["carried"] = rigid_->effort(log);
-      if (log.load.size() > 0) carried += log.load;
-    }
+    for (Recording& log : *logs) set_signals(log);
   add_mechanism_candidates();
   for (std::size_t j = 0; j < bristle_.size(); ++j) {
     add_library(j);

@@ -13,6 +13,7 @@
 #include "identification/flexible_families.h"
 #include "identification/log.h"
 #include "identification/rigid_candidates.h"
+#include "identification/separation.h"
 #include "identification/tendon_candidates.h"
 #include "symbolic/driven_model.h"
 
@@ -64,6 +65,9 @@ class DrivenSubject {
   /// Rests and reversals count again, which prepare() leaves aside. The library keeps the
   /// candidates `named`, the plays of the sensors, and what has no name.
   void look_at_standstills(const std::vector<int>& named);
+  /// Experiments that causes at a channel may be told apart by, within what the logs cover; none
+  /// where tendons drive the joints. After prepare().
+  std::vector<PlannedExperiment> experiments(int channel) const;
   /// Step of a joint's position sensor as logged, rad or m; 0: none seen.
   double position_step(std::size_t joint) const { return quantum_[joint]; }
   const std::vector<CandidateOrigin>& baseline_origins() const { return baseline_; }
@@ -102,7 +106,11 @@ class DrivenSubject {
   void add_sensor_errors(Recording& log) const;
   void set_bands();
   void add_standstills(Recording& log) const;
+  void add_motion(const Eigen::MatrixXd& positions, Recording& log) const;
+  void add_model(Recording& log) const;
   void set_signals(Recording& log) const;
+  MotionRange covered(std::size_t joint) const;
+  Recording planned(const PlannedMotion& motion) const;
   Eigen::MatrixXd effort_of_smooth_load(Recording& log) const;
   bool is_lone_link() const;
   bool moves_links(std::size_t joint) const;

@@ -10,6 +10,7 @@
 #include "identification/level_structure.h"
 #include "identification/levels.h"
 #include "identification/refine.h"
+#include "identification/separation.h"
 #include "identification/standard_errors.h"
 #include "identification/unexplained.h"
 
@@ -61,56 +62,22 @@ BlockLosses held_out_losses(const Design& design, const Settings& settings, cons
   return held_out(design, model, solve(stack(model, weights)), settings.blocks);
 }
 
-const std::string& isolating_experiment(const Problem& problem, int candidate) {
-  return candidate < 0
-             ? problem.levels[static_cast<std::size_t>(-1 - candidate)].isolating_experiment
-             : problem.library[static_cast<std::size_t>(candidate)].isolating_experiment;
-}
-
-/// The planned experiment that separates two members best, or what isolates them.
-std::string separating_experiment(const Problem& problem, const Settings& settings,
-                                  const Selection& selection, std::size_t term,
-                                  const std::vector<RankedCause>& members,
-                                  const std::vector<PlannedExperiment>& experiments) {
-  if (members.size() < 2) return {};
-  const int best_one = members[0].candidate, next = members[1].candidate;
-  if (best_one < 0 || next < 0) {
-    const std::string own = isolating_experiment(problem, best_one);
-    return own.empty() ? isolating_experiment(problem, next) : own;
-  }
-  const Candidate& first = problem.library[static_cast<std::size_t>(best_one)];
-  const Candidate& second = problem.library[static_cast<std::size_t>(next)];
-  const Term& own = selection.model.terms[term];
-  std::string best;
-  double largest = 0.0;
-  if (own.candidate == &first && first.kind != CandidateKind::delay &&
-      second.kind != CandidateKind::delay) {
-    const LinearFit fit = solve(stack(selection.model, selection.noise.weights));
-    const auto layout = [&] {
-      VectorXd one(static_cast<Index>(first.linear.size()));
-      const Index at = first_columns(selection.model)[term];
-      const Index wide = first_columns(selection.model)[term + 1] - at;
-      for (Index i = 0; i < one.size(); ++i) one(i) = fit.coefficients(at + i * wide / one.size());
-      return one;
-    }();
-    for (const PlannedExperiment& experiment : experiments) {
-      const double separation =
-          expected_separation(problem, settings, own, layout, second, experiment,
-                              selection.noise.noise.front().variance.mean());
-      if (separation <= largest) continue;
-      largest = separation;
-      best = experiment.name;
-    }
-  }
-  if (!best.empty()) return best;
-  return first.isolating_experiment.empty() ? second.isolating_experiment
-                                            : first.isolating_experiment;
+/// What a term gains on held-out logs beside the rest of the model.
+Gain gain_on_held_out(const Design& design, const Settings& settings, const Selection& selection,
+                      std::size_t term) {
+  const Weights& weights = selection.noise.weights;
+  Model without = selection.model;
+  remove_term(design, term, without);
+  const VectorXd channels = channels_of(design, selection.model.terms[term]);
+  const BlockLosses before = held_out_losses(design, settings, without, weights);
+  const BlockLosses after = held_out_losses(design, settings, selection.model, weights);
+  return block_bootstrap_gain(before.plain * channels, after.plain * channels, 0.95, settings.seed);
 }
 
 /// The cause of a term. Where another one turns out to be better by more than chance, the model
 /// takes that one instead: what is named is what the model is extended by.
 NamedCause name_cause(const Design& design, const Library& library, const Settings& settings,
-                      const std::vector<PlannedExperiment>& experiments, std::size_t term,
+                      const ExperimentPlanner& planner, const Selection& found, std::size_t term,
                       Selection& selection) {
   const Evidence& evidence = selection.evidence[term];
   Rivals rivals = find_rivals(design, library, settings, selection, term);
@@ -125,16 +92,8 @@ NamedCause name_cause(const Design& design, const Library& library, const Settin
   cause.validated = evidence.validated;
   cause.cross_validated = evidence.gain;
   cause.confidence = rivals.margin;  // weighed once the left-over structure is known
-  Model without = selection.model;
-  remove_term(design, term, without);
-  const BlockLosses before = held_out_losses(design, settings, without, selection.noise.weights);
-  const BlockLosses after =
-      held_out_losses(design, settings, selection.model, selection.noise.weights);
-  const VectorXd channels = channels_of(design, own);
-  cause.held_out =
-      block_bootstrap_gain(before.plain * channels, after.plain * channels, 0.95, settings.seed);
-  cause.separating_experiment = separating_experiment(design.problem(), settings, selection, term,
-                                                      cause.members, experiments);
+  cause.held_out = gain_on_held_out(design, settings, selection, term);
+  cause.separation = separate(design, settings, found, selection, term, cause.members, planner);
   return cause;
 }
 
@@ -214,16 +173,22 @@ LevelSelection find_levels(const Design& design, const Settings& settings,
 
 /// Names the levels the model's own values differ in, and lists the others as ruled out.
 void name_levels(const Design& design, const Library& library, const Settings& settings,
-                 const std::vector<PlannedExperiment>& experiments, const Structure& structure,
+                 const ExperimentPlanner& planner, const Structure& structure,
                  Explanation& result) {
   LevelSelection levels = find_levels(design, settings, structure, result);
   Selection& state = levels.state;
   std::vector<std::size_t> named;
   for (std::size_t t = 0; t < state.model.terms.size(); ++t)
     if (state.model.terms[t].level >= 0) named.push_back(t);
+  // Beside values of the model that are free, a cause gains no more than they leave to it: of logs
+  // under one load friction by the load would gain nothing. They are not free in what is adopted.
+  for (NamedCause& cause : result.verdict.causes)
+    for (std::size_t t = 0; t < state.model.terms.size(); ++t)
+      if (cause.candidate >= 0 && library_index(design, state.model.terms[t]) == cause.candidate)
+        cause.held_out = gain_on_held_out(design, settings, state, t);
   const std::size_t first = result.verdict.causes.size();
   for (const std::size_t t : named) {
-    NamedCause cause = name_cause(design, library, settings, experiments, t, state);
+    NamedCause cause = name_cause(design, library, settings, planner, result.selection, t, state);
     cause.confidence =
         confidence_of({cause.confidence, cause.p_family, cause.cross_validated.share, 0.0});
     result.verdict.causes.push_back(std::move(cause));
@@ -277,7 +242,7 @@ double cut_of(const Problem& problem, const Settings& settings) {
 }  // namespace
 
 Explanation explain(const Problem& problem, const Settings& settings,
-                    const std::vector<PlannedExperiment>& experiments) {
+                    const ExperimentPlanner& planner) {
   Design design(problem, settings);
   if (!problem.shared_noise) design.set_units(left_over(design, baseline_model(design)));
   const Library library(design, settings.threads);
@@ -298,7 +263,7 @@ Explanation explain(const Problem& problem, const Settings& settings,
       named.push_back(t);
   }
   for (const std::size_t t : named) {
-    NamedCause cause = name_cause(design, library, settings, experiments, t, selection);
+    NamedCause cause = name_cause(design, library, settings, planner, selection, t, selection);
     cause.confidence = confidence_of({cause.confidence, cause.p_family, cause.cross_validated.share,
                                       1.0 - verdict.unexplained.named_share});
     verdict.causes.push_back(std::move(cause));
@@ -311,8 +276,7 @@ Explanation explain(const Problem& problem, const Settings& settings,
       for (const ParameterEstimate& estimate : result.estimates[t])
         verdict.baseline.push_back(estimate);
   list_ruled_out(design, selection, verdict);
-  if (!problem.levels.empty())
-    name_levels(design, library, settings, experiments, structure, result);
+  if (!problem.levels.empty()) name_levels(design, library, settings, planner, structure, result);
   std::stable_sort(verdict.causes.begin(), verdict.causes.end(),
                    [](const NamedCause& a, const NamedCause& b) {
                      return a.cross_validated.share > b.cross_validated.share;

@@ -2,7 +2,8 @@
 // From recordings and candidates to a verdict.
 #pragma once
 
-#include "identification/confounding.h"
+#include "identification/select.h"
+#include "identification/separation.h"
 #include "identification/verdict.h"
 
 namespace sinew::diagnosis {
@@ -18,10 +19,10 @@ struct Explanation {
   Selection adopted;
 };
 
-/// Names what the baseline leaves over. `experiments` (may be empty) are what the separating
-/// experiment is chosen from; without them each candidate's isolating experiment is proposed.
+/// Names what the baseline leaves over. `planner` (may be empty): what the separating experiment is
+/// chosen from; without it a candidate's isolating experiment is proposed.
 /// Deterministic for given settings. Throws std::invalid_argument where no log is long enough.
 Explanation explain(const Problem& problem, const Settings& settings,
-                    const std::vector<PlannedExperiment>& experiments = {});
+                    const ExperimentPlanner& planner = {});
 
 }  // namespace sinew::diagnosis

@@ -123,7 +123,10 @@ Json json(const NamedCause& cause) {
           {"cross_validated", json(cause.cross_validated)},
           {"held_out", json(cause.held_out)},
           {"parameters", list(cause.parameters, [](const auto& x) { return json(x); })},
-          {"separating_experiment", cause.separating_experiment}};
+          {"separating_experiment", cause.separation.experiment},
+          {"separating_motion", cause.separation.file},
+          {"would_rule_out", cause.separation.rules_out},
+          {"expected_separation", number(cause.separation.expected)}};
 }
 
 Json json(const RuledOut& cause) {

@@ -64,8 +64,8 @@ void confirm_on_held_out(Verdict& verdict) {
       continue;
     }
     const RankedCause& first = cause.members.front();
-    verdict.ruled_out.push_back(
-        {first.name, first.place, "no sure gain on the held-out logs", cause.statistic, cause.p_family});
+    verdict.ruled_out.push_back({first.name, first.place, "no sure gain on the held-out logs",
+                                 cause.statistic, cause.p_family});
   }
   verdict.causes = std::move(kept);
 }

@@ -97,21 +97,6 @@ ColumnFunction level_columns(const Problem& problem, const LevelCause& level,
   };
 }
 
-/// What a delay of what the nominal model says adds to it, per second: its time derivative.
-BandColumns delay_columns(const Design& design, const std::vector<int>& channels,
-                          const FixedPart& nominal) {
-  BandColumns columns(design.segments().size());
-  for (std::size_t s = 0; s < columns.size(); ++s) {
-    const int channel = design.segments()[s].channel;
-    if (std::find(channels.begin(), channels.end(), channel) == channels.end()) continue;
-    columns[s] = MatrixXd::Zero(2 * design.segments()[s].bins, 1);
-    if (const std::optional<VectorXd> known = design.known(static_cast<int>(s), 1))
-      columns[s] += *known;
-    if (!nominal.rate.empty()) columns[s] += nominal.rate[s];
-  }
-  return columns;
-}
-
 Term level_term(const Design& design, const Model& model, const FixedPart& nominal, int index,
                 std::vector<std::shared_ptr<const Candidate>>& made) {
   const Problem& problem = design.problem();
@@ -139,6 +124,21 @@ Term level_term(const Design& design, const Model& model, const FixedPart& nomin
 }
 
 }  // namespace
+
+BandColumns delay_columns(const Design& design, const std::vector<int>& channels,
+                          const FixedPart& nominal) {
+  BandColumns columns(design.segments().size());
+  for (std::size_t s = 0; s < columns.size(); ++s) {
+    const int channel = design.segments()[s].channel;
+    if (!channels.empty() && std::find(channels.begin(), channels.end(), channel) == channels.end())
+      continue;
+    columns[s] = MatrixXd::Zero(2 * design.segments()[s].bins, 1);
+    if (const std::optional<VectorXd> known = design.known(static_cast<int>(s), 1))
+      columns[s] += *known;
+    if (!nominal.rate.empty()) columns[s] += nominal.rate[s];
+  }
+  return columns;
+}
 
 FixedPart nominal_part(const Design& design, const Model& model, const Covered& covered) {
   FixedPart fixed;

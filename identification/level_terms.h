@@ -21,6 +21,11 @@ struct LevelTerms {
 /// a share points to no baseline coefficient or to one per log.
 LevelTerms take_apart(const Design& design, const Model& model);
 
+/// What a delay of what the nominal model says adds to it, per second: its time derivative.
+/// channels: where it acts; empty: everywhere.
+BandColumns delay_columns(const Design& design, const std::vector<int>& channels,
+                          const FixedPart& nominal);
+
 /// Prediction and its rate of all (or all covered) baseline coefficients at their nominal values.
 /// covered: per term and linear parameter; empty: all.
 FixedPart nominal_part(const Design& design, const Model& model,

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "identification/report_numbers.h"
+#include "identification/verdict_text.h"
 
 namespace sinew::diagnosis {
 namespace {
@@ -72,9 +73,9 @@ std::string separation_of(const NamedCause& cause) {
   const std::string set =
       "These logs cannot tell " +
       (labels.size() == 2 ? joined(labels, "from") + "." : joined(labels, "and") + " apart.");
-  return cause.separating_experiment.empty()
+  return cause.separation.experiment.empty()
              ? set
-             : set + " To settle it: " + sentence(cause.separating_experiment);
+             : set + " To settle it: " + sentence(experiment_text(cause.separation));
 }
 
 std::vector<std::string> faults_of(const Findings& findings) {

@@ -2,10 +2,12 @@
 // What a diagnosis says, and what every statement rests on.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "identification/cross_validation.h"
+#include "identification/planned_motion.h"
 
 namespace sinew::diagnosis {
 
@@ -29,6 +31,16 @@ struct RankedCause {
   double weight = 1.0;       ///< share among all rivals, sums to at most 1
 };
 
+/// What is proposed for a set that cannot be told apart.
+struct Separation {
+  std::string experiment;               ///< in words; empty: nothing is known
+  double expected = 0.0;                ///< standard errors between the first member and the
+                                        ///< closest of those ruled out; 0: not known
+  std::vector<std::string> rules_out;   ///< members that it would tell from the first
+  std::optional<PlannedMotion> motion;  ///< where one was planned
+  std::string file;                     ///< the motion's, beside the findings; may be empty
+};
+
 /// One cause, or a set that these logs cannot tell apart (best first).
 struct NamedCause {
   std::vector<RankedCause> members;
@@ -41,7 +53,7 @@ struct NamedCause {
   Gain cross_validated;     ///< of the error on left-out blocks, 95 % interval
   Gain held_out;            ///< on held-out logs; share 0 where none were given
   std::vector<ParameterEstimate> parameters;  ///< of that term
-  std::string separating_experiment;          ///< where there is more than one member
+  Separation separation;                      ///< where there is more than one member
 };
 
 struct RuledOut {

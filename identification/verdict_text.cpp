@@ -49,6 +49,16 @@ std::string cause_text(const NamedCause& cause) {
   return joined(names, " or ") + (one_place ? " (" + place + ")" : "");
 }
 
+std::string experiment_text(const Separation& separation) {
+  constexpr double kPlenty = 100.0;
+  if (!separation.motion) return separation.experiment;
+  return fmt::format(
+      "{}{}, expected to tell it from {} by {} standard errors", separation.experiment,
+      separation.file.empty() ? "" : ", as in " + separation.file,
+      joined(separation.rules_out, " and "),
+      separation.expected > kPlenty ? "more than 100" : fmt::format("{:.0f}", separation.expected));
+}
+
 std::string headline(const Findings& f) {
   const Verdict& v = f.verdict;
   if (v.nothing_beyond_noise())
@@ -76,9 +86,9 @@ std::string next_step(const Findings& f) {
   for (const NamedCause& cause : f.verdict.causes)
     if (cause.members.size() > 1)
       return fmt::format("To tell {} apart, log this: {}.", cause_text(cause),
-                         cause.separating_experiment.empty()
+                         cause.separation.experiment.empty()
                              ? "a motion with other speeds and loads"
-                             : cause.separating_experiment);
+                             : experiment_text(cause.separation));
   if (f.verdict.causes.empty() && f.verdict.unexplained.none_of_the_known)
     return "Look at the plots for what changes along with it, and log what might drive it.";
   if (f.verdict.causes.empty()) return "Nothing to do.";

@@ -67,25 +67,32 @@ std::string word(const std::string& name, const std::string& place) {
   return table(name, place);
 }
 
+diagnosis::DiagnoseRequest drive_request(const truth::Trial& open) {
+  diagnosis::DiagnoseRequest request;
+  request.model = nominal_model(open);
+  const bool revolute = open.plant == "drive";
+  request.channels = [revolute](const std::string&) {
+    return diagnosis::drive_log_channels(revolute, {});
+  };
+  return request;
+}
+
 Outcome diagnose_drive(const truth::TrialRequest& trial) {
-  return blind::diagnose_driven(
-      trial,
-      [](const truth::Trial& open) {
-        diagnosis::DiagnoseRequest request;
-        request.model = nominal_model(open);
-        const bool revolute = open.plant == "drive";
-        request.channels = [revolute](const std::string&) {
-          return diagnosis::drive_log_channels(revolute, {});
-        };
-        return request;
-      },
-      word);
+  return blind::diagnose_driven(trial, drive_request, word);
+}
+
+blind::Settled settle_drive(const truth::TrialRequest& trial) {
+  return blind::settle_driven(trial, drive_request, word);
 }
 
 }  // namespace
 
 TEST_CASE("study: sealed drives", "[.study]") {
   blind::study(diagnose_drive, "drive");
+}
+
+TEST_CASE("study: drives play the motion asked for", "[.study]") {
+  blind::settling_study(settle_drive, "drive");
 }
 
 TEST_CASE("causes hidden in drives are named from the logs alone") {
@@ -115,6 +122,22 @@ TEST_CASE("causes that were missed once are found") {
     INFO("seed " << seed << " hidden:" << o.hidden() << ", told:" << o.told());
     CHECK(o.all_right);
   }
+}
+
+TEST_CASE("what one log cannot tell apart the motion asked for does") {
+  // Pairs that look the same in the logs handed over. 443001 also needs the held-out gain of load
+  // friction beside the friction level as adopted: held-out logs under one load show none beside a
+  // level that is free (seen to fail with gain_on_held_out of the search's model alone).
+  int settled = 0;
+  for (const std::uint64_t seed : {443001U, 444000U, 444001U, 444002U}) {
+    const blind::Settled s = settle_drive({seed, "drive", truth::Family::inseparable, 1.0});
+    INFO("seed " << seed << " hidden:" << s.before.hidden() << ", told:" << s.before.told());
+    CHECK(s.before.members > 1);
+    REQUIRE(s.after);
+    INFO("then told:" << s.after->told());
+    settled += s.after->is_settled();
+  }
+  CHECK(settled == 4);
 }
 
 TEST_CASE("a drive that hides nothing is told to leave nothing over") {

@@ -3,7 +3,10 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cstdlib>
+#include <filesystem>
+#include <fstream>
 #include <set>
 
 #include "tests/reference/temporary_folder.h"
@@ -45,6 +48,11 @@ struct LogFiles {
   }
   std::vector<std::string> train() const { return {(folder.path() / "train.csv").string()}; }
   std::vector<std::string> holdout() const { return {(folder.path() / "holdout.csv").string()}; }
+  std::string add(const std::string& name, const std::string& text) const {
+    const std::filesystem::path path = folder.path() / name;
+    std::ofstream(path, std::ios::binary) << text;
+    return path.string();
+  }
   reference::TemporaryFolder folder;
 };
 
@@ -99,21 +107,46 @@ std::string Outcome::missed() const {
   return text;
 }
 
-Outcome diagnose_driven(
-    const truth::TrialRequest& wanted,
-    const std::function<diagnosis::DiagnoseRequest(const truth::Trial&)>& request_for,
-    const Words& words) {
-  const truth::SealedTrial trial(wanted);
-  const LogFiles files(trial);
-  diagnosis::DiagnoseRequest request = request_for(trial.open());
+namespace {
+
+diagnosis::DiagnoseRequest filled(diagnosis::DiagnoseRequest request, const LogFiles& files,
+                                  std::uint64_t seed) {
   request.name = request.model.name;
   request.runtime = SINEW_SOURCE_DIR "/runtime";
   request.logs = files.train();
   request.holdout = files.holdout();
   request.settings.edge_s = diagnosis::driven_edge;
   request.settings.band_hz = diagnosis::driven_band;
-  request.settings.seed = static_cast<unsigned>(wanted.seed);
+  request.settings.seed = static_cast<unsigned>(seed);
+  return request;
+}
+
+}  // namespace
+
+Outcome diagnose_driven(
+    const truth::TrialRequest& wanted,
+    const std::function<diagnosis::DiagnoseRequest(const truth::Trial&)>& request_for,
+    const Words& words) {
+  const truth::SealedTrial trial(wanted);
+  const LogFiles files(trial);
+  const auto request = filled(request_for(trial.open()), files, wanted.seed);
   return judged(trial.seal(), diagnosis::diagnose(request).findings, words);
+}
+
+Settled settle_driven(
+    const truth::TrialRequest& wanted,
+    const std::function<diagnosis::DiagnoseRequest(const truth::Trial&)>& request_for,
+    const Words& words) {
+  const truth::SealedTrial trial(wanted);
+  const LogFiles files(trial);
+  auto request = filled(request_for(trial.open()), files, wanted.seed);
+  diagnosis::Diagnosis first = diagnosis::diagnose(request);
+  Settled settled{judged(trial.seal(), first.findings, words), {}};
+  if (first.experiments.empty()) return settled;
+  const auto& [name, motion] = *first.experiments.begin();
+  request.logs.push_back(files.add(name, trial.play(motion)));
+  settled.after = judged(trial.seal(), diagnosis::diagnose(request).findings, words);
+  return settled;
 }
 
 Outcome diagnose_rig(const truth::TrialRequest& wanted,
@@ -153,6 +186,20 @@ std::string Rates::text() const {
       none_of_the_known, sets ? static_cast<double>(members) / sets : 0.0, adopted);
 }
 
+bool Outcome::is_settled() const {
+  if (!all_right) return false;
+  for (const diagnosis::NamedCause& cause : findings.verdict.causes)
+    for (const auto& member : cause.members) {
+      const std::string name = words(member.name, member.place);
+      const bool is_hidden =
+          std::any_of(seal.hidden.begin(), seal.hidden.end(),
+                      [&](const truth::HiddenCause& h) { return h.name == name; });
+      const auto& rivals = seal.admissible;
+      if (!is_hidden && std::find(rivals.begin(), rivals.end(), name) != rivals.end()) return false;
+    }
+  return true;
+}
+
 Rates run(const Trials& diagnose, truth::TrialRequest request, int count,
           const std::function<void(std::uint64_t, const Outcome&)>& each) {
   Rates rates;
@@ -164,13 +211,56 @@ Rates run(const Trials& diagnose, truth::TrialRequest request, int count,
   return rates;
 }
 
-void study(const Trials& diagnose, const std::string& plant) {
+namespace {
+
+truth::TrialRequest wanted_by_environment(const std::string& plant, truth::Family family) {
   truth::TrialRequest request;
   const char* other = std::getenv("SINEW_PLANT");
   request.plant = other ? other : plant;
   request.seed = static_cast<std::uint64_t>(environment("SINEW_SEED", 1));
   request.size = environment("SINEW_SIZE", 100) / 100.0;
-  request.family = static_cast<truth::Family>(environment("SINEW_FAMILY", 1));
+  request.family =
+      static_cast<truth::Family>(environment("SINEW_FAMILY", static_cast<int>(family)));
+  return request;
+}
+
+}  // namespace
+
+void settling_study(const std::function<Settled(const truth::TrialRequest&)>& settle,
+                    const std::string& plant) {
+  truth::TrialRequest request = wanted_by_environment(plant, truth::Family::inseparable);
+  int sets = 0, asked = 0, settled = 0, inside = 0, alone = 0;
+  const int trials = environment("SINEW_TRIALS", 20);
+  for (int i = 0; i < trials; ++i, ++request.seed) {
+    const Settled outcome = settle(request);
+    const bool is_set = outcome.before.members > 1;
+    const Outcome* after = outcome.after ? &*outcome.after : nullptr;
+    sets += is_set;
+    inside += outcome.before.all_inside;
+    asked += after != nullptr;
+    settled += after && after->is_settled();
+    alone += after && after->is_settled() && after->members == 1;
+    fmt::print("{:5d} {} hidden:{} | told:{}\n", request.seed,
+               !is_set               ? "no set "
+               : !after              ? "not asked"
+               : after->is_settled() ? "settled"
+                                     : "open   ",
+               outcome.before.hidden(), outcome.before.told());
+    if (after) {
+      const auto& separation = outcome.before.findings.verdict.causes.front().separation;
+      fmt::print("      {} ({:.1f}) told:{}\n", separation.experiment, separation.expected,
+                 after->told());
+    }
+    std::fflush(stdout);
+  }
+  fmt::print(
+      "trials {}: told as a set {}, with the hidden one {}, a motion asked for {}, settled {}, "
+      "alone {}\n",
+      trials, sets, inside, asked, settled, alone);
+}
+
+void study(const Trials& diagnose, const std::string& plant) {
+  const truth::TrialRequest request = wanted_by_environment(plant, truth::Family::one);
   const auto line = [](std::uint64_t seed, const Outcome& o) {
     const char* how = o.all_right ? "ok " : o.all_inside ? "in " : "-- ";
     fmt::print("{:5d} {} hidden:{} | told:{} | {:.1f} s\n", seed, how, o.hidden(), o.told(),

@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,7 @@ struct Outcome {
   int members = 0;          ///< of all sets together
   bool all_inside = false;  ///< each hidden cause is in a set, no set is false
   bool all_right = false;   ///< and is named first there
+  bool is_settled() const;  ///< each hidden cause alone in its set, and nothing else
   std::string told() const;
   std::string hidden() const;
   std::string missed() const;  ///< why what is hidden was ruled out
@@ -39,6 +41,16 @@ Outcome diagnose_driven(
     const truth::TrialRequest& trial,
     const std::function<diagnosis::DiagnoseRequest(const truth::Trial&)>& request,
     const Words& words);
+
+/// The same, and where the hidden cause is told in a set with others, once more with a log of the
+/// motion that the program asked for: `before`, and what was told then.
+struct Settled {
+  Outcome before;
+  std::optional<Outcome> after;  ///< none: no set, or no motion asked for
+};
+Settled settle_driven(const truth::TrialRequest& trial,
+                      const std::function<diagnosis::DiagnoseRequest(const truth::Trial&)>& request,
+                      const Words& words);
 
 /// Diagnoses the trial's logs as a rig's; `rig`: the model under test from what is handed over.
 Outcome diagnose_rig(const truth::TrialRequest& trial,
@@ -58,6 +70,10 @@ struct Rates {
 /// Trials with the seeds first, first + 1, ...
 Rates run(const Trials& diagnose, truth::TrialRequest request, int count,
           const std::function<void(std::uint64_t seed, const Outcome&)>& each = {});
+
+/// Like study() for trials of inseparable pairs, with the motion asked for played.
+void settling_study(const std::function<Settled(const truth::TrialRequest&)>& settle,
+                    const std::string& plant);
 
 /// SINEW_TRIALS, SINEW_SIZE (percent of the noise), SINEW_SEED, SINEW_FAMILY, SINEW_PLANT choose
 /// the run; a line for each trial and the rates at the end.

@@ -157,7 +157,7 @@ Findings inseparable_pair() {
   v.causes[0].members = {{4, "payload", "elbow", 0.0, 0.0, 1.0, 0.58},
                          {9, "torque gain", "elbow", 1.3, 0.4, 0.998, 0.42}};
   v.causes[0].parameters = {{"mass", "kg", 0.412, 0.008, ""}};
-  v.causes[0].separating_experiment =
+  v.causes[0].separation.experiment =
       "move the shoulder as well, slowly, with the elbow held at 90 degrees. A payload loads the "
       "shoulder, a torque gain does not.";
   v.ruled_out = {{"Coulomb friction level", "elbow", "chance does as well", 6.0, 0.44}};

@@ -42,7 +42,7 @@ TEST_CASE("the terminal's summary fits a terminal, whatever was found") {
   for (NamedCause& c : wordy.verdict.causes) {
     c.members.assign(3, c.members.front());
     for (RankedCause& m : c.members) m.name += " with a name that goes on for quite a while";
-    c.separating_experiment = std::string(400, 'x') + " " + std::string(300, 'y');
+    c.separation.experiment = std::string(400, 'x') + " " + std::string(300, 'y');
   }
   for (std::string* text : {&wordy.headline, &wordy.next_step, &wordy.extension.reason})
     for (int i = 0; i < 60; ++i) *text += " and more words";

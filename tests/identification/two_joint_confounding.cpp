@@ -5,6 +5,7 @@
 #include <random>
 
 #include "identification/baseline.h"
+#include "identification/confounding.h"
 #include "identification/explain.h"
 #include "tests/identification/two_joints.h"
 
@@ -72,7 +73,8 @@ TEST_CASE("one joint cannot tell a payload from a torque gain, and says so") {
   const Explanation e = explain(arm(1, 0.3, 4), test::below_20_hz());
   REQUIRE(e.verdict.causes.size() == 1);
   CHECK(e.verdict.causes[0].members.size() == 2);
-  CHECK_FALSE(e.verdict.causes[0].separating_experiment.empty());
+  CHECK(e.verdict.causes[0].separation.experiment == "hold payload");
+  CHECK_FALSE(e.verdict.causes[0].separation.motion);
   for (const RankedCause& member : e.verdict.causes[0].members) CHECK(member.name != "spring");
 }
 
@@ -100,17 +102,37 @@ TEST_CASE("canonical correlation is one for stand-ins and small for strangers") 
   CHECK(canonical_correlation(model, weights, columns(0), columns(2)) < 0.5);
 }
 
-TEST_CASE("the experiment that moves both joints is the one that separates") {
-  const Problem one = arm(1, 0.3, 6), two = arm(2, 0.3, 6);
-  const Settings settings = test::below_20_hz();
-  const Design design(one, settings);
-  const Term payload{&one.library[0], false, VectorXd(),
-                     design.columns(one.library[0], VectorXd())};
-  const VectorXd size = VectorXd::Constant(1, 0.3);
-  const double alone = expected_separation(one, settings, payload, size, one.library[1],
-                                           {"one joint", one.training[0]}, 1e-4);
-  const double both = expected_separation(two, settings, payload, size, two.library[1],
-                                          {"both joints", two.training[0]}, 1e-4);
-  CHECK(alone < 1.0);
-  CHECK(both > 100.0);
+TEST_CASE("the planned motion that separates a set is the one proposed") {
+  // Planted defect: with left_by() (separation.cpp) leaving the rival out, every motion seems to
+  // separate them, and the first one is proposed.
+  const Problem problem = arm(1, 0.3, 6);
+  const auto planned = [&](const std::string& name, double bend) {
+    PlannedExperiment each{{name, problem.training[0].step, {}, {}}, problem.training[0]};
+    each.recording.target[0].setZero();
+    each.recording.command.col(0) = each.recording.q.col(0).array().cos() +
+                                    bend * (each.recording.q.col(0).array() * 3.0).sin();
+    return each;
+  };
+  const std::vector<PlannedExperiment> all{planned("as it was", 0.0), planned("a little", 0.3),
+                                           planned("much", 0.9), planned("some", 0.5)};
+  const Explanation e = explain(problem, test::below_20_hz(),
+                                [&](int) -> const std::vector<PlannedExperiment>& { return all; });
+  REQUIRE(e.verdict.causes.size() == 1);
+  const Separation& separation = e.verdict.causes[0].separation;
+  CHECK(separation.experiment == "much");
+  CHECK(separation.expected > 5.0);
+  REQUIRE(separation.motion);
+  CHECK(separation.motion->name == "much");
+}
+
+TEST_CASE("where no planned motion would settle a set, what isolates a member is proposed") {
+  const Problem problem = arm(1, 0.3, 6);
+  PlannedExperiment same{{"as it was", problem.training[0].step, {}, {}}, problem.training[0]};
+  same.recording.target[0].setZero();
+  const std::vector<PlannedExperiment> all{same};
+  const Explanation e = explain(problem, test::below_20_hz(),
+                                [&](int) -> const std::vector<PlannedExperiment>& { return all; });
+  REQUIRE(e.verdict.causes.size() == 1);
+  CHECK(e.verdict.causes[0].separation.experiment == "hold payload");
+  CHECK_FALSE(e.verdict.causes[0].separation.motion);
 }

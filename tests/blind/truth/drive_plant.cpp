@@ -118,6 +118,10 @@ class DrivePlant : public Plant {
   const std::vector<Cause>& causes() const override { return listed_; }
 
   Table simulate(const std::vector<Dose>& doses, int log) const override {
+    return run(hidden_by(doses, log), run_, command(log));
+  }
+
+  DriveHidden hidden_by(const std::vector<Dose>& doses, int log) const {
     DriveHidden hidden;
     const double shift = 2.0 * pi * 0.381966 * log;  // an incremental encoder starts anywhere
     hidden.output_order = order_out_;
@@ -133,8 +137,18 @@ class DrivePlant : public Plant {
     hidden.stop_at = 0.35 * model_.amplitude;
     hidden.swing_time = swing_time_;
     for (const Dose& dose : doses) chosen_[static_cast<size_t>(dose.cause)].set(hidden, dose.value);
-    const DriveSamples s = by_mujoco_ ? run_drive_in_mujoco(model_, hidden, run_, command(log))
-                                      : run_drive(model_, hidden, run_, command(log));
+    return hidden;
+  }
+
+  Table play(const std::vector<Dose>& doses, const Table& motion) const override {
+    DriveRun as_long = run_;
+    as_long.seconds = motion.columns[0].back();
+    return run(hidden_by(doses, 3), as_long, followed_command(model_, as_long, command(3), motion));
+  }
+
+  Table run(const DriveHidden& hidden, const DriveRun& how, const DriveCommand& command) const {
+    const DriveSamples s = by_mujoco_ ? run_drive_in_mujoco(model_, hidden, how, command)
+                                      : run_drive(model_, hidden, how, command);
     Table table;
     const bool l = model_.linear;
     table.header = {"time [s]", l ? "x [m]" : "theta [rad]", l ? "f [N]" : "tau_m [N·m]",

@@ -234,6 +234,35 @@ DriveCommand draw_command(const DriveModel& model, const DriveRun& run, Draw dra
   return command;
 }
 
+DriveCommand followed_command(const DriveModel& model, const DriveRun& run,
+                              const DriveCommand& controller, const Table& motion) {
+  DriveCommand command;
+  command.stiffness = controller.stiffness;
+  command.damping = controller.damping;
+  const std::vector<double>&time = motion.columns[0], &position = motion.columns[1];
+  const double period = (time.back() - time.front()) / static_cast<double>(time.size() - 1);
+  const std::vector<double> velocity = derivative(position, period);
+  const std::vector<double> acceleration = derivative(velocity, period);
+  const double step = run.period / inner_steps;
+  const auto count = static_cast<size_t>(run.seconds / run.period) * inner_steps;
+  for (size_t k = 0; k < count; ++k) {
+    const double at = static_cast<double>(k) * step / period;
+    const size_t i = std::min(static_cast<size_t>(at), position.size() - 2);
+    const double u = at - static_cast<double>(i);
+    const auto between = [&](const std::vector<double>& x) { return x[i] + u * (x[i + 1] - x[i]); };
+    // Hermite's cubic, so that the position is as smooth as its velocity says.
+    const double rise = position[i + 1] - position[i];
+    const double a = period * velocity[i] - rise, b = rise - period * velocity[i + 1];
+    Reference r{between(position) + u * (1.0 - u) * (a * (1.0 - u) + b * u), between(velocity),
+                between(acceleration)};
+    command.reference.push_back(r);
+    command.help.push_back(
+        0.7 * (model.level * std::atan(model.shape * r.velocity) + model.viscous * r.velocity));
+    command.load.push_back(motion.columns.size() > 2 ? between(motion.columns[2]) : 0.0);
+  }
+  return command;
+}
+
 DriveSamples run_drive(const DriveModel& model, const DriveHidden& hidden, const DriveRun& run,
                        const DriveCommand& command) {
   return Drive(model, hidden, run, command).simulate();

@@ -5,6 +5,7 @@
 
 #include <vector>
 
+#include "tests/blind/truth/plant.h"
 #include "tests/blind/truth/signals.h"
 
 namespace sinew::truth {
@@ -75,6 +76,11 @@ struct DriveCommand {
 };
 
 DriveCommand draw_command(const DriveModel& model, const DriveRun& run, Draw draw);
+
+/// The same controller with another reference and load: columns of `motion` are the time, the
+/// reference and, where there is one, the load.
+DriveCommand followed_command(const DriveModel& model, const DriveRun& run,
+                              const DriveCommand& controller, const Table& motion);
 
 DriveSamples run_drive(const DriveModel& model, const DriveHidden& hidden, const DriveRun& run,
                        const DriveCommand& command);

@@ -6,6 +6,8 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <sstream>
+#include <stdexcept>
 
 namespace sinew::truth {
 namespace {
@@ -60,6 +62,28 @@ int Table::column(const std::string& name) const {
   for (size_t i = 0; i < header.size(); ++i)
     if (header[i].substr(0, header[i].find(' ')) == name) return static_cast<int>(i);
   return -1;
+}
+
+Table Plant::play(const std::vector<Dose>&, const Table&) const {
+  throw std::runtime_error("a " + kind() + " of these trials follows no motions");
+}
+
+Table table_of(const std::string& csv) {
+  Table table;
+  std::istringstream lines(csv);
+  for (std::string line; std::getline(lines, line);) {
+    if (line.empty() || line.front() == '#') continue;
+    std::istringstream cells(line);
+    std::vector<std::string> row;
+    for (std::string cell; std::getline(cells, cell, ',');) row.push_back(cell);
+    if (table.header.empty()) {
+      table.header = row;
+      table.columns.resize(row.size());
+      continue;
+    }
+    for (size_t c = 0; c < row.size(); ++c) table.columns.at(c).push_back(std::stod(row[c]));
+  }
+  return table;
 }
 
 std::string csv_text(const Table& log) {

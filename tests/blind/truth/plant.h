@@ -47,6 +47,10 @@ class Plant {
   virtual const std::vector<Cause>& causes() const = 0;
   /// What a perfect sensor would log.
   virtual Table simulate(const std::vector<Dose>& doses, int log) const = 0;
+  /// The same while it follows a motion that somebody asks for: `motion` has the time, the
+  /// reference, and the load where the plant has one. Throws std::runtime_error where the plant
+  /// follows no motions.
+  virtual Table play(const std::vector<Dose>& doses, const Table& motion) const;
   /// What the model leaves over, per channel, in units of that channel's noise: the channels'
   /// residuals behind a low-pass, with the model's own terms fitted and taken out, but for those
   /// that the doses' causes themselves are.
@@ -69,6 +73,9 @@ std::unique_ptr<Plant> draw_lever(Draw draw);
 std::unique_ptr<Plant> draw_finger(Draw draw);
 /// Wrist moving, fingers held.
 std::unique_ptr<Plant> draw_wrist(Draw draw);
+
+/// A table from CSV text: lines that begin with # first, then names, then numbers.
+Table table_of(const std::string& csv);
 
 /// The log as CSV text, nine digits.
 std::string csv_text(const Table& log);

@@ -122,6 +122,12 @@ std::string SealedTrial::follow_up() const {
   return log_text(2);
 }
 
+std::string SealedTrial::play(const std::string& motion) const {
+  Table log = plant_->play(doses_, table_of(motion));
+  plant_->measure(log, 3);
+  return csv_text(log);
+}
+
 std::vector<int> SealedTrial::eligible(bool outside) const {
   std::vector<int> list;
   const auto& causes = plant_->causes();

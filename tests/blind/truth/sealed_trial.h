@@ -55,6 +55,9 @@ class SealedTrial {
   /// A further log with the same causes, from the experiment that would separate an inseparable
   /// pair (varied speeds, varied load, both directions); for others a fresh motion.
   std::string follow_up() const;
+  /// A further log with the same causes while the plant follows a motion asked for, CSV text with
+  /// the time, the reference, and the load where the plant has one.
+  std::string play(const std::string& motion) const;
 
  private:
   /// Adds the cause if the size can be reached within its limits.
