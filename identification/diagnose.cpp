@@ -87,6 +87,7 @@ class Run {
     const std::vector<Log> logs = read_csv(files, options);
     for (std::size_t i = 0; i < logs.size(); ++i)
       take(logs[i], channels[i], i >= request_.logs.size());
+    refuse_held_out_twins(result_.findings.logs);
   }
 
   void take(const Log& log, const DrivenChannels& channels, bool held_out) {

@@ -70,6 +70,7 @@ class ObservedRun {
       for (const std::string& file : group) files.push_back({file, request_.rig.specs});
     const std::vector<Log> logs = read_csv(files, options);
     for (std::size_t i = 0; i < logs.size(); ++i) take(logs[i], i >= request_.logs.size());
+    refuse_held_out_twins(result_.findings.logs);
   }
 
   void take(const Log& log, bool held_out) {

@@ -68,9 +68,8 @@ void DrivenSubject::set_bands() {
     for (Recording& log : *logs) {
       log.band_hz.clear();
       for (std::size_t j = 0; j < noisy.size(); ++j)
-        log.band_hz.push_back(noisy[j] || (any && carries_links(j))
-                                  ? smooth_cutoff(log.step)
-                                  : std::numeric_limits<double>::infinity());
+        log.band_hz.push_back(noisy[j] || (any && carries_links(j)) ? smooth_cutoff(log.step)
+                                                                    : motion_cutoff(log.step));
     }
 }
 

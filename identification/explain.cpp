@@ -8,6 +8,7 @@
 #include "identification/baseline.h"
 #include "identification/confidence.h"
 #include "identification/level_structure.h"
+#include "identification/level_terms.h"
 #include "identification/levels.h"
 #include "identification/refine.h"
 #include "identification/separation.h"
@@ -181,11 +182,16 @@ void name_levels(const Design& design, const Library& library, const Settings& s
   for (std::size_t t = 0; t < state.model.terms.size(); ++t)
     if (state.model.terms[t].level >= 0) named.push_back(t);
   // Beside values of the model that are free, a cause gains no more than they leave to it: of logs
-  // under one load friction by the load would gain nothing. They are not free in what is adopted.
+  // under one load friction by the load would gain nothing. Where it takes most of what the model
+  // as adopted leaves over, in which they are not free, that is what it gains.
+  constexpr double kMost = 0.5;
   for (NamedCause& cause : result.verdict.causes)
-    for (std::size_t t = 0; t < state.model.terms.size(); ++t)
-      if (cause.candidate >= 0 && library_index(design, state.model.terms[t]) == cause.candidate)
-        cause.held_out = gain_on_held_out(design, settings, state, t);
+    for (std::size_t t = 0; t < state.model.terms.size(); ++t) {
+      if (cause.candidate < 0 || library_index(design, state.model.terms[t]) != cause.candidate)
+        continue;
+      const Gain adopted = gain_on_held_out(design, settings, state, t);
+      if (adopted.low > kMost) cause.held_out = adopted;
+    }
   const std::size_t first = result.verdict.causes.size();
   for (const std::size_t t : named) {
     NamedCause cause = name_cause(design, library, settings, planner, result.selection, t, state);
@@ -214,12 +220,40 @@ void name_levels(const Design& design, const Library& library, const Settings& s
   result.adopted = std::move(levels.state);
 }
 
+/// The model before any cause: its free coefficients are fitted, its values are its own. `parts`:
+/// the model found, which owns what the result points to.
+Model unexplained_model(const Design& design, const Model& found, const LevelTerms& parts) {
+  Model model = design.problem().levels.empty() ? found : parts.base;
+  for (std::size_t t = model.terms.size(); t-- > 0;)
+    if (!model.terms[t].baseline) remove_term(design, t, model);
+  return model;
+}
+
+/// Where the held-out logs leave most over, beside what the training logs do.
+Disagreement most_excess(const Design& design, const Settings& settings, const Selection& after) {
+  Disagreement most;
+  const auto mean = [](const BlockLosses& losses) {
+    return VectorXd(losses.plain.colwise().sum().transpose() / losses.samples.sum());
+  };
+  const BlockLosses held = held_out_losses(design, settings, after.model, after.noise.weights);
+  if (held.plain.size() == 0 || held.samples.sum() <= 0.0) return most;
+  const VectorXd there = mean(held);
+  const VectorXd here =
+      mean(cross_validate(design, after.model, after.noise.weights, settings.blocks));
+  for (int c = 0; c < design.problem().channels; ++c) {
+    const double ratio = std::sqrt(there(c) / std::max(here(c), 1e-300));
+    if (here(c) <= 0.0 || ratio <= most.ratio) continue;
+    most.channel = c;
+    most.ratio = ratio;
+  }
+  return most;
+}
+
 /// Errors before and after, and what all causes together gain on held-out logs.
 void measure(const Design& design, const Settings& settings, Explanation& result) {
   Verdict& verdict = result.verdict;
-  const Model baseline = baseline_model(design);
-  const Model before =
-      has_nominal(design.problem()) ? nominal_model(design, result.selection.model) : baseline;
+  const LevelTerms parts = take_apart(design, result.selection.model);
+  const Model before = unexplained_model(design, result.selection.model, parts);
   const NoiseView noise = own_noise(design, before, settings.threads);
   const Selection& after = design.problem().levels.empty() ? result.selection : result.adopted;
   verdict.relative_error_before = relative_error(design, before, noise.weights);
@@ -228,6 +262,7 @@ void measure(const Design& design, const Settings& settings, Explanation& result
       held_out_losses(design, settings, before, noise.weights).over_all(),
       held_out_losses(design, settings, after.model, after.noise.weights).over_all(), 0.95,
       settings.seed);
+  verdict.most_excess = most_excess(design, settings, after);
 }
 
 /// The lowest frequency above which a channel is left out, below the band asked for; 0: none is.

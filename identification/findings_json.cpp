@@ -152,9 +152,18 @@ Json json(const Unexplained& unexplained) {
           {"remaining", number(unexplained.remaining)}};
 }
 
+Json json(const Disagreement& disagreement) {
+  return {{"name", disagreement.name},
+          {"place", disagreement.place},
+          {"in_training", json(disagreement.in_training)},
+          {"channel", disagreement.channel},
+          {"ratio", number(disagreement.ratio)}};
+}
+
 Json json(const Verdict& verdict) {
   return {{"outcome", outcome(verdict)},
           {"causes", list(verdict.causes, [](const auto& x) { return json(x); })},
+          {"disagreements", list(verdict.disagreements, [](const auto& x) { return json(x); })},
           {"ruled_out", list(verdict.ruled_out, [](const auto& x) { return json(x); })},
           {"unexplained", json(verdict.unexplained)},
           {"baseline", list(verdict.baseline, [](const auto& x) { return json(x); })},
@@ -196,6 +205,7 @@ Json model_of(const Findings& findings) {
 
 std::string outcome(const Verdict& verdict) {
   if (verdict.nothing_beyond_noise()) return "nothing beyond noise";
+  if (verdict.causes.empty() && !verdict.unexplained.none_of_the_known) return "the logs disagree";
   if (verdict.causes.empty()) return "none of the known causes";
   const bool set = std::any_of(verdict.causes.begin(), verdict.causes.end(),
                                [](const NamedCause& c) { return c.members.size() > 1; });

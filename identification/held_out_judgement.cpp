@@ -57,6 +57,7 @@ bool is_sure(const Gain& gain) {
 }  // namespace
 
 void confirm_on_held_out(Verdict& verdict) {
+  constexpr double kExcess = 3.0;
   std::vector<NamedCause> kept;
   for (NamedCause& cause : verdict.causes) {
     if (is_sure(cause.held_out)) {
@@ -66,8 +67,12 @@ void confirm_on_held_out(Verdict& verdict) {
     const RankedCause& first = cause.members.front();
     verdict.ruled_out.push_back({first.name, first.place, "no sure gain on the held-out logs",
                                  cause.statistic, cause.p_family});
+    if (is_plain(cause.cross_validated, cause.p_family))
+      verdict.disagreements.push_back({first.name, first.place, cause.cross_validated, -1, 1.0});
   }
   verdict.causes = std::move(kept);
+  if (verdict.disagreements.empty() && verdict.most_excess.ratio > kExcess)
+    verdict.disagreements.push_back(verdict.most_excess);
 }
 
 void decide_adoption(bool any_term, bool held_out, const Gain& gain,

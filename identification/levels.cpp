@@ -10,6 +10,7 @@
 #include "identification/parallel_for.h"
 #include "identification/refine.h"
 #include "identification/shadow.h"
+#include "identification/verdict.h"
 
 namespace sinew::diagnosis {
 namespace {
@@ -200,7 +201,8 @@ Judged judge_level(const Design& design, const Settings& settings, const LevelTe
     j.against = "another form of the named causes says as much";
   else if (!is_worth_naming(j.evidence, settings))
     j.against = "no gain worth naming on left-out blocks";
-  else if (!design.problem().holdout.empty() &&
+  // What is plain here and nowhere there is for the verdict: the logs disagree.
+  else if (!design.problem().holdout.empty() && !is_plain(j.evidence.gain, j.evidence.p_family) &&
            held_out_drop(design, settings, before, all.model, weights) <= 0.0)
     j.against = "no gain on the held-out logs";
   return j;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <vector>
+
 #include "identification/findings.h"
 #include "identification/log.h"
 
@@ -8,5 +10,9 @@ namespace sinew::diagnosis {
 
 /// What a report says of a log that was read.
 LogRecord log_record(const Log& log, bool held_out);
+
+/// Throws std::invalid_argument where a held-out log is one of the others: what was learnt from a
+/// log is no surprise to it.
+void refuse_held_out_twins(const std::vector<LogRecord>& logs);
 
 }  // namespace sinew::diagnosis

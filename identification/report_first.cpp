@@ -7,6 +7,7 @@
 #include "identification/report_page.h"
 #include "identification/report_sections.h"
 #include "identification/report_wording.h"
+#include "identification/verdict_text.h"
 
 namespace sinew::diagnosis {
 namespace {
@@ -160,11 +161,18 @@ std::string noise_card() {
          "logs do not excite cannot be seen in them.</p></article>\n";
 }
 
+std::string disagreement_card(const Findings& findings) {
+  return "<article class=\"card cause alone\"><span class=\"label\">Not the same in all "
+         "logs</span>\n<h3>Training and held-out logs disagree</h3>\n<p>" +
+         escaped(disagreement_text(findings)) + "</p></article>\n";
+}
+
 std::string cards(const Findings& findings) {
   const Verdict& v = findings.verdict;
   std::string text;
   for (std::size_t i = 0; i < v.causes.size(); ++i) text += cause_card(findings, i);
   if (v.unexplained.none_of_the_known) text += leftover_card(v);
+  if (!v.disagreements.empty()) text += disagreement_card(findings);
   if (v.nothing_beyond_noise() && !findings.logs.empty()) text += noise_card();
   return "<div class=\"cards\">\n" + text + "</div>\n";
 }

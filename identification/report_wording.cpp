@@ -93,6 +93,8 @@ std::string headline_of(const Findings& findings) {
   if (verdict.nothing_beyond_noise())
     return "The model explains these logs down to the noise; nothing is missing that they can "
            "show.";
+  if (verdict.causes.empty() && !verdict.unexplained.none_of_the_known)
+    return disagreement_text(findings);
   if (verdict.causes.empty())
     return "The model misses something, and it is none of the known causes.";
   std::vector<std::string> names;
@@ -113,8 +115,8 @@ std::string leftover_of(const Verdict& verdict) {
   if (on.empty())
     return verdict.compared_below_hz > 0.0
                ? fmt::format(
-                     "Nothing beyond noise below {:.2g} Hz; above, noise of the logged "
-                     "position would hide it.",
+                     "Nothing beyond noise below {:.2g} Hz; above, noise or too few samples of the "
+                     "logged position would hide it.",
                      verdict.compared_below_hz)
                : "Nothing beyond noise.";
   const std::string what = joined(on, "and");

@@ -17,7 +17,7 @@ constexpr double kUnderWay = 1e-2;   // of the largest speed
 constexpr double kShortest = 0.04;   // s; a reversal is over sooner
 constexpr double kLongestWay = 0.1;  // s; after that slow motion is motion
 constexpr double kSmoothing = 1.2;  // periods of the smoother's cutoff that it reaches to each side
-constexpr double kReversal = 0.36;  // periods that it spreads a reversal over
+constexpr double kReversal = 0.36;  // periods that one of 60 Hz spreads a reversal over
 constexpr double kFlank = 0.02;     // s
 constexpr double kMost = 0.7;       // of a log
 
@@ -30,10 +30,17 @@ Index way_out(const VectorXd& speed, Index at, Index direction, Index longest, d
   return way;
 }
 
+/// Periods of the cutoff within which a reversal is smeared by more than noise: more where samples
+/// are sparse, since all that is compared lies below a lower cutoff, where friction's turn is
+/// large.
+double periods_of_reversal(double cutoff) {
+  return std::min(kSmoothing, kReversal * std::sqrt(60.0 / std::min(cutoff, 60.0)));
+}
+
 /// Samples within a smoother's reach of a reversal: where friction turns, and with it the motion,
 /// a log shows their sum over that time and not their course.
 Flags reversing(const VectorXd& velocity, double step, double cutoff) {
-  const auto reach = static_cast<Index>(std::ceil(kReversal / (cutoff * step)));
+  const auto reach = static_cast<Index>(std::ceil(periods_of_reversal(cutoff) / (cutoff * step)));
   const VectorXd speed = velocity.cwiseAbs();
   const double fast = kUnderWay * speed.maxCoeff();
   const auto longest = static_cast<Index>(kLongestWay / step);

@@ -70,6 +70,12 @@ struct Dependence {
   Gain gain;  ///< cross-validated, of what the named causes leave over
 };
 
+/// A gain on left-out blocks that is no fluke of the training logs.
+inline bool is_plain(const Gain& gain, double p_family) {
+  constexpr double kShare = 0.2, kByChance = 0.01;
+  return gain.low > kShare && p_family < kByChance;
+}
+
 struct Unexplained {
   bool none_of_the_known = false;      ///< structure of its own, and no name fits it
   std::vector<Dependence> depends_on;  ///< strongest first
@@ -78,8 +84,18 @@ struct Unexplained {
   double remaining = 1.0;              ///< cross-validated loss left, share of the baseline's
 };
 
+/// Training and held-out logs that cannot both be of one model: a cause that is plain in the former
+/// and gains nothing sure in the latter, or more left over in the latter.
+struct Disagreement {
+  std::string name, place;  ///< of the cause; empty: none
+  Gain in_training;         ///< of the cause, on left-out blocks
+  int channel = -1;         ///< where more is left over
+  double ratio = 1.0;       ///< rms left in the held-out logs / in the training logs, there
+};
+
 struct Verdict {
   std::vector<NamedCause> causes;  ///< largest gain first
+  std::vector<Disagreement> disagreements;
   std::vector<RuledOut> ruled_out;
   Unexplained unexplained;
   std::vector<ParameterEstimate> baseline;
@@ -88,10 +104,16 @@ struct Verdict {
   double relative_error_before = 0.0;
   double relative_error_after = 0.0;
   Gain held_out;  ///< of all causes together on the held-out logs
-  /// Where noise of a logged position cuts the comparison, the lowest frequency above which a
-  /// channel is not looked at [Hz]; 0: nothing is cut.
+  /// Where the comparison ends below the band asked for, since a logged position is noise above or
+  /// has too few samples a second, the lowest frequency above which a channel is not looked at
+  /// [Hz]; 0: nothing is cut.
   double compared_below_hz = 0.0;
-  bool nothing_beyond_noise() const { return causes.empty() && !unexplained.none_of_the_known; }
+  /// The channel in which the held-out logs leave most over beside the training logs, with all
+  /// causes in the model; without held-out logs as it stands here.
+  Disagreement most_excess;
+  bool nothing_beyond_noise() const {
+    return causes.empty() && !unexplained.none_of_the_known && disagreements.empty();
+  }
 };
 
 }  // namespace sinew::diagnosis

@@ -59,8 +59,27 @@ std::string experiment_text(const Separation& separation) {
       separation.expected > kPlenty ? "more than 100" : fmt::format("{:.0f}", separation.expected));
 }
 
+std::string disagreement_text(const Findings& f) {
+  std::vector<std::string> parts;
+  for (const Disagreement& d : f.verdict.disagreements)
+    if (!d.name.empty())
+      parts.push_back(
+          fmt::format("{} ({}) takes away {:.0f} % of what the model leaves over there in the "
+                      "training logs, and "
+                      "nothing sure in the held-out ones",
+                      d.name, d.place, 100.0 * d.in_training.share));
+    else
+      parts.push_back(fmt::format(
+          "of '{}' the held-out logs leave {:.1f} times as much over as the training logs",
+          f.channels[static_cast<std::size_t>(d.channel)].name, d.ratio));
+  return parts.empty() ? "" : "The logs disagree: " + joined(parts, "; ") + ".";
+}
+
 std::string headline(const Findings& f) {
   const Verdict& v = f.verdict;
+  const std::string disagreement = disagreement_text(f);
+  if (v.causes.empty() && !v.unexplained.none_of_the_known && !disagreement.empty())
+    return disagreement;
   if (v.nothing_beyond_noise())
     return v.compared_below_hz > 0.0
                ? fmt::format("The model leaves nothing over but noise below {:.2g} Hz.",
@@ -79,7 +98,7 @@ std::string headline(const Findings& f) {
   if (v.unexplained.none_of_the_known)
     text += " Beyond that there is structure that no known cause explains; it depends on " +
             dependences(v.unexplained) + ".";
-  return text;
+  return disagreement.empty() ? text : text + " " + disagreement;
 }
 
 std::string next_step(const Findings& f) {
@@ -91,6 +110,10 @@ std::string next_step(const Findings& f) {
                              : experiment_text(cause.separation));
   if (f.verdict.causes.empty() && f.verdict.unexplained.none_of_the_known)
     return "Look at the plots for what changes along with it, and log what might drive it.";
+  if (f.verdict.causes.empty() && !f.verdict.disagreements.empty())
+    return "See that all logs are of one machine in one state; what changes from log to log is "
+           "named "
+           "where every log shows it.";
   if (f.verdict.causes.empty()) return "Nothing to do.";
   if (f.extension.adopted && f.extension.dry_run)
     return "The model was left as it is; without --dry-run it takes the terms named here.";

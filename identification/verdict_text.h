@@ -14,6 +14,9 @@ std::string cause_text(const NamedCause& cause);
 /// What to log to tell a set apart, where its motion is, and how sure that would be.
 std::string experiment_text(const Separation& separation);
 
+/// What training and held-out logs do not agree on; empty: nothing.
+std::string disagreement_text(const Findings& findings);
+
 /// One sentence that a person understands.
 std::string headline(const Findings& findings);
 

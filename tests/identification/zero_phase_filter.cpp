@@ -67,12 +67,13 @@ TEST_CASE("the derivative smoother is exact on a parabola and right on a sine") 
   }
   const Motion swing = differentiate(sine(5.0, 2000), kStep, 60.0);
   CHECK(swing.qdd(1010, 0) == Approx(-std::pow(kTurn * 5.0, 2) * std::sin(kTurn * 5.0 * 1.01))
-                                  .margin(2e-3 * std::pow(kTurn * 5.0, 2)));
-  // Up to the cutoff: a kernel that ends in a step loses a seventh of the acceleration there.
+                                  .margin(3e-4 * std::pow(kTurn * 5.0, 2)));
+  // Up to the cutoff: a kernel that ends in a step loses a seventh of the acceleration there, and
+  // one that is scaled to be exact on parabolas makes all of it 0.1 % too large.
   for (const double hz : {20.0, 40.0, 55.0}) {
     const Motion fast = differentiate(sine(hz, 2000), kStep, 60.0);
     const double rate = std::pow(kTurn * hz, 2);
-    CHECK(fast.qdd(1003, 0) == Approx(-rate * std::sin(kTurn * hz * 1.003)).margin(1e-2 * rate));
+    CHECK(fast.qdd(1003, 0) == Approx(-rate * std::sin(kTurn * hz * 1.003)).margin(3e-4 * rate));
   }
 }
 
