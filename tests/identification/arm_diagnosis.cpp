@@ -181,26 +181,6 @@ TEST_CASE("logs that disagree are a finding, and no noise") {
   CHECK(later.verdict.disagreements.front().ratio > 3.0);
 }
 
-TEST_CASE("friction that turns in slow logs is no elasticity, delay or backlash") {
-  // Planted defects: with everything compared up to 60 Hz, where the smoothed motion ends at 25 or
-  // at 10 (set_bands()), joints get elastic gears and backlash; with windows about reversals as
-  // short as in fast logs (periods_of_reversal()) the slower ones get inertias and friction.
-  Mechanism arm = arm_of_five();
-  const ArmFriction friction{0.3, 0.1};
-  for (Joint& joint : arm.joints) {
-    joint.friction = friction.coulomb;
-    joint.damping = friction.viscous;
-  }
-  for (const double step : {0.004, 0.01}) {
-    const auto log = [&](std::uint64_t seed) {
-      return csv(draw_log(arm, seed, friction, step, 30.0));
-    };
-    const Findings found = diagnosed(arm, log(1), log(2));
-    INFO(found.headline << " at " << step << " s");
-    CHECK(found.verdict.causes.empty());
-  }
-}
-
 TEST_CASE("what a pendulum carries is a payload, with its weight and its inertia") {
   // Planted defect: with its payload in the library alone (is_lone_link() never true), a torque
   // constant and friction levels take its place.
