@@ -91,8 +91,15 @@ void complete(ObservedSubject& subject) {
   }
   for (int axis = 0; axis < 2; ++axis) {
     const LogScale s = scale_of(problem.training, axis);
-    for (Candidate& c : flexible_families({s.low, s.high, s.speed, 0.0, s.duration}, axis, 0))
+    const FlexibleRanges ranges{s.low, s.high, s.speed, 0.0, s.duration};
+    for (Candidate& c : flexible_families(ranges, axis, 0))
       subject.add_candidate(common(std::move(c), axis, channels), "");
+    // One motor's play, friction or gear shows in its own angle alone.
+    for (int channel = 0; channels > 1 && channel < problem.channels; ++channel)
+      for (Candidate& c : flexible_families(ranges, axis, channel)) {
+        c.place = subject.channels()[static_cast<std::size_t>(channel)].name;
+        subject.add_candidate(std::move(c), "");
+      }
   }
 }
 

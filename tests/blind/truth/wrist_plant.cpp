@@ -69,7 +69,7 @@ Pose palm_pose(const WristModel& m, double q71, double q73) {
 struct WristHidden {
   double left_uncompensated = 0.0, zero71 = 0.0, zero73 = 0.0, contact = 0.0, scale = 0.0,
          coarse = 0.0;
-  double drag = 0.0, sag = 0.0;
+  double drag = 0.0, sag = 0.0, loose = 0.0;
 };
 
 struct WristCause {
@@ -95,6 +95,7 @@ class WristPlant : public Plant {
         {{"sensor_quantisation", "q73", "rad", 2.0e-3, 0.1, 0.0, false, false}, &H::coarse},
         {{"drag", "wrist", "rad", 0.01, 1.0, 0.0, true, false}, &H::drag},
         {{"sag", "wrist", "rad", 0.01, 1.0, 0.0, true, false}, &H::sag},
+        {{"loose", "motor 5", "rad", 0.02, 1.0, 0.0, true, false}, &H::loose},
     };
     for (const WristCause& c : causes_) listed_.push_back(c.cause);
   }
@@ -123,6 +124,7 @@ class WristPlant : public Plant {
     for (size_t i = 1; i <= tendons; ++i) t.header.push_back(fmt::format("theta_{} [rad]", i));
     t.columns.assign(t.header.size(), std::vector<double>(rows));
     std::array<double, tendons> start{}, lag{};
+    double played = 0.0;
     std::array<Vector3d, tendons> first_direction;
     for (size_t k = 0; k < rows; ++k) {
       const double q71 = zero71_ + flexion[k].position, q73 = zero73_ + abduction[k].position;
@@ -145,6 +147,10 @@ class WristPlant : public Plant {
         lag[i] += 0.01 * (std::tanh(40.0 * abduction[k].velocity) - lag[i]);
         theta +=
             h.drag * lag[i] + h.sag * std::sin(6.0 * abduction[k].position) * flexion[k].velocity;
+        if (i == 4 && h.loose > 0.0) {
+          played = std::clamp(played, theta - 0.5 * h.loose, theta + 0.5 * h.loose);
+          theta = played;
+        }
         t.columns[3 + i][k] = theta;
       }
     }
