@@ -19,11 +19,13 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kByChance = 8.0;     // deviance a wrong cause may be ahead of the right one
-constexpr double kStays = 2.0;        // the same among two of a kind
-constexpr double kPairedLimit = 1.6;  // standard errors of the paired block differences
-constexpr double kClose = 0.12;       // share within which the paired differences are asked
-constexpr double kSameThing = 0.4;    // least correlation: below, a rival explains something else
+constexpr double kByChance = 8.0;         // deviance a wrong cause may be ahead of the right one
+constexpr double kStays = 2.0;            // the same among two of a kind
+constexpr double kPairedLimit = 1.6;      // standard errors of the paired block differences
+constexpr double kClose = 0.12;           // share within which the paired differences are asked
+constexpr double kPlainlyBehind = 100.0;  // deviance; with the same in every block it is no rival
+constexpr double kInEveryBlock = 4.0;     // standard errors of the paired block differences
+constexpr double kSameThing = 0.4;  // least correlation: below, a rival explains something else
 
 /// Whitened columns of a group with the model's columns projected out.
 MatrixXd apart(const Stack& stacked, const MatrixXd& inverse, const Weights& weights,
@@ -255,6 +257,10 @@ Rivals find_rivals(const Design& design, const Library& library, const Settings&
                                                 trials.front().model.terms.back().columns,
                                                 trial.model.terms.back().columns);
       if (cause.correlation < kSameThing || imitates(trial.model.terms.back())) continue;
+    }
+    if (cause.behind > kPlainlyBehind && cause.paired_z > kInEveryBlock) {
+      rivals.margin = std::min(rivals.margin, cause.behind);
+      continue;
     }
     sum += cause.weight;
     const bool near = cause.behind <= std::max(kByChance, kByImperfection * own) ||

@@ -153,6 +153,16 @@ struct Judge {
     }
   }
 
+  // A motion that turns round stays within one of its sensor's quanta for as long as a parabola
+  // does: the slower it comes, the longer. Its deceleration follows from the rows before.
+  static bool turns_round(const ChannelInspector& channel, const ExtremeRuns& runs) {
+    constexpr double kLonger = 1.5;
+    const double approach = runs.approach_total / static_cast<double>(runs.counted_runs);
+    const double rows = static_cast<double>(runs.longest);
+    const double deceleration = approach / (0.5 * ChannelInspector::approach_rows + 0.5 * rows);
+    return rows * rows < kLonger * kLonger * 8.0 * channel.quantum() / deceleration;
+  }
+
   // Cut off: the value is reached at speed and then does not change. A motion that comes to rest
   // at its end slows down before it gets there; a commanded step gets there at once.
   static bool is_clipped(const ChannelInspector& channel, const ExtremeRuns& runs) {
@@ -161,7 +171,7 @@ struct Judge {
     if (is_noisy(channel)) return true;
     const auto times = static_cast<double>(runs.counted_runs);
     const double entry = runs.entry_total / times, approach = runs.approach_total / times;
-    if (entry > 4.0 * channel.step(0.98)) return false;
+    if (entry > 4.0 * channel.step(0.98) || turns_round(channel, runs)) return false;
     // Where a row moves by less than some quanta, only the rows before tell the speed.
     if (channel.step(0.5) > 2.5 * channel.quantum())
       return entry > 0.3 * channel.step(0.5) && runs.longest >= 4;

@@ -92,8 +92,10 @@ class ChannelInspector {
   const ExtremeRuns& at_high() const { return at_high_; }
   const ExtremeRuns& at_low() const { return at_low_; }
 
- private:
+  /// Rows before a run that its approach is the mean step of.
   static constexpr long approach_rows = 16;
+
+ private:
   double least_step() const;
   bool is_of_digits(double step) const;
   struct Pending {

@@ -231,8 +231,8 @@ void prune(const Search& s) {
   }
 }
 
-/// Its size is not told from none, nor where in its range some parameter of its form lies: it
-/// explains by what that form happens to do in these logs.
+/// Its size is not told from none beside the other causes; nor, where it has a form, where in its
+/// range some parameter of that lies: it explains by what the form happens to do in these logs.
 bool is_undetermined(const Candidate& candidate, const std::vector<ParameterEstimate>& all) {
   constexpr double kStandardErrors = 2.0;
   const auto is = [](const auto& parameter) {
@@ -246,24 +246,24 @@ bool is_undetermined(const Candidate& candidate, const std::vector<ParameterEsti
     const auto found = std::find_if(all.begin(), all.end(), is(p));
     formless = formless || (found != all.end() && found->standard_error > p.high - p.low);
   }
-  return formless && !sized;
+  return (formless || candidate.nonlinear.empty()) && !sized;
 }
 
 void drop_undetermined(const Search& s) {
   Selection& state = s.state;
   const auto& terms = state.model.terms;
-  const auto has_form = [](const Term& t) {
-    return !t.baseline && t.candidate->kind == CandidateKind::named && t.nonlinear.size() > 0;
+  const auto is_named = [](const Term& t) {
+    return !t.baseline && t.candidate->kind == CandidateKind::named;
   };
-  while (std::any_of(terms.begin(), terms.end(), has_form)) {
+  while (std::any_of(terms.begin(), terms.end(), is_named)) {
     const auto all = estimates(s.design, state.model, state.noise);
     std::size_t t = 0;
     while (t < terms.size() &&
-           !(has_form(terms[t]) && is_undetermined(*terms[t].candidate, all[t])))
+           !(is_named(terms[t]) && is_undetermined(*terms[t].candidate, all[t])))
       ++t;
     if (t == terms.size()) return;
-    state.refused.push_back(
-        {library_index(s.design, terms[t]), "neither its size nor its form is told from none"});
+    state.refused.push_back({library_index(s.design, terms[t]),
+                             "its size is not told from none beside the named causes"});
     remove_term(s.design, t, state.model);
     refine(s.design, state.noise.weights, RefineScope::all_terms, state.model);
     renew_noise(s);
