@@ -90,9 +90,9 @@ class ObservedRun {
   }
 
   void prepare() {
+    subject_.prepare();
     if (request_.rig.free_zero)
       for (int c = 0; c < subject_.problem().channels; ++c) subject_.add_offset(c);
-    subject_.prepare();
     if (request_.rig.complete) request_.rig.complete(subject_);
   }
 

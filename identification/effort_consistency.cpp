@@ -26,6 +26,7 @@ constexpr double kCutoff = 10.0;  // Hz
 // A model that lacks a payload or friction fits worse than the second, one that reads the right
 // columns better; with a wrong column it fits by a multiple worse.
 constexpr double kGood = 0.9, kFits = 0.97, kTimesWorse = 10.0;
+constexpr double kNoJoint = 20.0;  // times the effort that its model says: another quantity
 
 /// Samples that are looked at: every `stride`th, away from the ends.
 struct Thinning {
@@ -178,6 +179,15 @@ class Judge {
                          m.ratio, slip.meaning),
              fmt::format("units are converted only when told: --map \"{}=#{} [unit]\"", e.name,
                          e.column));
+      else if (std::max(m.ratio, 1.0 / m.ratio) > kNoJoint)
+        stop(FaultKind::unit_slip, e,
+             fmt::format(
+                 "'{}' is {:.3g} times what the model says of this motion: {}", e.name, m.ratio,
+                 m.ratio < 1.0 ? fmt::format("the torque of a motor in front of a gear of "
+                                             "about {:.0f}, or another unit",
+                                             1.0 / m.ratio)
+                               : std::string("no joint is that much heavier, another unit")),
+             "the log is not used: give the effort at the joint, in N*m or N");
     }
     for (const auto& [a, b] : suspect_pairs()) {
       std::vector<Match> then = now_;

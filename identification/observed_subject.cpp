@@ -211,9 +211,10 @@ void ObservedSubject::add_offset(int channel) {
   c.place = channels_[static_cast<std::size_t>(channel)].name;
   c.channels = {channel};
   c.linear = {{"zero", channels_[static_cast<std::size_t>(channel)].unit, -1e300, 1e300, true, {}}};
-  c.columns = [channel](const Recording& log, int at, const VectorXd&) -> MatrixXd {
+  c.columns = [channel, one = 1.0 / units_(channel)](const Recording& log, int at,
+                                                     const VectorXd&) -> MatrixXd {
     if (at != channel) return {};
-    return MatrixXd::Ones(log.time.size(), 1);
+    return MatrixXd::Constant(log.time.size(), 1, one);
   };
   problem_.baseline.push_back(std::move(c));
 }

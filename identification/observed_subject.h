@@ -63,7 +63,7 @@ class ObservedSubject {
 
   /// One candidate for each effect at the deviations learnt so far, with what may act beside them.
   void prepare();
-  /// A free value of a channel for each log (a motor's zero), part of the model.
+  /// A free value of a channel for each log (a motor's zero), part of the model. After prepare().
   void add_offset(int channel);
   /// A cause that no model can hold, for instance a coarse sensor.
   void add_candidate(Candidate candidate, const std::string& id);

@@ -96,6 +96,9 @@ TEST_CASE("a wrong column of an arm is found by the model and named") {
        [](ArmLog& l, Index a, Index) { l.tau.col(a) *= -1.0; }},
       {"effort in N·mm", FaultKind::unit_slip,
        [](ArmLog& l, Index a, Index) { l.tau.col(a) *= 1000.0; }},
+      // Seen to fail without kNoJoint (effort_consistency.cpp).
+      {"effort of the motor before a gear of 80", FaultKind::unit_slip,
+       [](ArmLog& l, Index a, Index) { l.tau.col(a) /= 80.0; }},
       {"efforts exchanged", FaultKind::swapped_columns,
        [](ArmLog& l, Index a, Index b) { l.tau.col(a).swap(l.tau.col(b)); }},
       {"positions exchanged", FaultKind::swapped_columns,

@@ -121,8 +121,8 @@ diagnosis::Findings diagnosed(double step, std::uint64_t seed) {
 }  // namespace
 
 TEST_CASE("friction that sticks in slow logs is no elasticity, delay or backlash") {
-  // Planted defect: with everything compared up to 60 Hz, where the smoothed motion ends at 25 or at
-  // 10 (set_bands()), all nine get gear elasticity or backlash.
+  // Planted defect: with everything compared up to 60 Hz, where the smoothed motion ends at 25 or
+  // at 10 (set_bands()), all nine get gear elasticity or backlash.
   for (const double step : {0.004, 0.008, 0.01})
     for (const std::uint64_t seed : {1U, 2U, 3U}) {
       const diagnosis::Findings found = diagnosed(step, seed);
