@@ -71,7 +71,10 @@ Design::Design(const Problem& problem, const Settings& settings)
     : problem_(problem), settings_(settings), units_(VectorXd::Ones(problem.channels)) {
   add_segments(problem.training, 0, false);
   if (segments_.empty())
-    throw std::invalid_argument("Design: no training log is long enough for the filter");
+    throw std::invalid_argument(
+        (problem.training.empty() ? std::string("the training logs") : problem.training[0].name) +
+        ": no stretch without a gap is long enough to compare with the model; log for longer, or "
+        "see what cuts it: values that stand still for many rows, gaps and spikes are left out");
   add_segments(problem.holdout, static_cast<int>(problem.training.size()), true);
 }
 
