@@ -231,21 +231,6 @@ void judge_others(const LevelMoments& m, const LevelSet& set, LevelSelection& re
 
 }  // namespace
 
-bool has_nominal(const Problem& problem) {
-  if (!problem.levels.empty()) return true;
-  return std::any_of(problem.training.begin(), problem.training.end(),
-                     [](const Recording& log) { return !log.known.empty(); });
-}
-
-Model nominal_model(const Design& design, const Model& baseline) {
-  Model model;
-  model.fixed = nominal_part(design, baseline, {});
-  model.advance.assign(design.segments().size(), 0.0);
-  model.target.resize(design.segments().size());
-  for (std::size_t s = 0; s < design.segments().size(); ++s) set_advance(design, s, 0.0, model);
-  return model;
-}
-
 LevelSelection restrict_to_levels(const Design& design, const Settings& settings,
                                   const Selection& selection, const std::vector<int>& withdrawn) {
   const LevelTerms parts = take_apart(design, selection.model);

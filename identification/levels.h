@@ -18,20 +18,14 @@ struct LevelSelection {
   std::vector<double> statistic;
 };
 
-/// True where the problem says what the model under test predicts.
-bool has_nominal(const Problem& problem);
-
-/// The model under test as it is: nothing fitted, no delay, no cause.
-Model nominal_model(const Design& design, const Model& baseline);
-
 /// `selection` with its baseline held at the nominal values and levels found by search:
 /// minimises whitened deviance + price * effective parameters over sets of at most
 /// Settings::most_levels levels (or three a channel, up to 24, or one) whose changes lie within
 /// their limits. Each level must beat surrogates (Bonferroni over all levels), gain
 /// Settings::least_of_baseline of the nominal residual's energy on left-out blocks or half of what
-/// all others leave over, gain on held-out logs, and not be undone by others of its set. Throws
-/// std::invalid_argument where a share points to no baseline coefficient or to one per log. Levels
-/// in `withdrawn` are not taken.
+/// all others leave over, gain on held-out logs (or be plain in the training logs: verdict.h), and
+/// not be undone by others of its set. Throws std::invalid_argument where a share points to no
+/// baseline coefficient or to one per log. Levels in `withdrawn` are not taken.
 LevelSelection restrict_to_levels(const Design& design, const Settings& settings,
                                   const Selection& selection,
                                   const std::vector<int>& withdrawn = {});

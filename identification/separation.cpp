@@ -167,6 +167,14 @@ int first_channel(const Design& design, const Term& term) {
   return 0;
 }
 
+/// Another form of a member before it: a set tells each name once.
+bool is_named_alike(const std::vector<RankedCause>& members, std::size_t m) {
+  return std::any_of(members.begin(), members.begin() + static_cast<std::ptrdiff_t>(m),
+                     [&](const RankedCause& other) {
+                       return other.name == members[m].name && other.place == members[m].place;
+                     });
+}
+
 /// Names of the members that are told from the first one, and by how much at least.
 /// `known`: the first one's statistic in these logs, which count again beside the planned one.
 Separation judged(const PlannedFit& fit, const PlannedMotion& motion, double known,
@@ -175,7 +183,7 @@ Separation judged(const PlannedFit& fit, const PlannedMotion& motion, double kno
   Separation result{motion.name, std::numeric_limits<double>::infinity(), {}, motion, {}};
   for (std::size_t m = 1; m < members.size(); ++m) {
     const double left = fit.left_by(members[m].candidate);
-    if (left < enough) continue;
+    if (left < enough || is_named_alike(members, m)) continue;
     result.rules_out.push_back(members[m].name);
     result.expected = std::min(result.expected, std::sqrt(left));
   }

@@ -99,8 +99,8 @@ struct Verdict {
   std::vector<RuledOut> ruled_out;
   Unexplained unexplained;
   std::vector<ParameterEstimate> baseline;
-  /// rms residual / rms of what was measured, inside the band. Before: of the model at its nominal
-  /// values; where the problem has none, with its baseline fitted. After: with all named causes.
+  /// rms residual / rms of what was measured, inside the band. Before: of the model at its own
+  /// values, with what is always free fitted (a motor's zero). After: with all named causes.
   double relative_error_before = 0.0;
   double relative_error_after = 0.0;
   Gain held_out;  ///< of all causes together on the held-out logs

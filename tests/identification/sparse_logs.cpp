@@ -6,10 +6,8 @@
 #include <cmath>
 #include <iterator>
 
-#include "identification/diagnose.h"
-#include "identification/driven_channels.h"
+#include "tests/identification/diagnosed_robot.h"
 #include "tests/reference/random_numbers.h"
-#include "tests/reference/temporary_folder.h"
 
 namespace {
 
@@ -96,28 +94,6 @@ std::string log_of(double step, std::uint64_t seed, double seconds) {
   return text;
 }
 
-diagnosis::Findings diagnosed(double step, std::uint64_t seed) {
-  const reference::TemporaryFolder folder;
-  const auto file = [&](const char* name, std::uint64_t of) {
-    reference::write_text(folder.path() / name, log_of(step, of, 30.0));
-    return std::vector<std::string>{(folder.path() / name).string()};
-  };
-  diagnosis::DiagnoseRequest request;
-  const Mechanism mechanism = slide();
-  request.model = driven_model(mechanism);
-  request.mechanism = mechanism;
-  request.name = mechanism.name;
-  request.runtime = SINEW_SOURCE_DIR "/runtime";
-  request.logs = file("train.csv", seed);
-  request.holdout = file("holdout.csv", seed + 1000);
-  request.channels = [&](const std::string& log) {
-    return diagnosis::robot_log_channels(mechanism, log, {});
-  };
-  request.settings.edge_s = diagnosis::driven_edge;
-  request.settings.band_hz = diagnosis::driven_band;
-  return diagnosis::diagnose(request).findings;
-}
-
 }  // namespace
 
 TEST_CASE("friction that sticks in slow logs is no elasticity, delay or backlash") {
@@ -125,7 +101,8 @@ TEST_CASE("friction that sticks in slow logs is no elasticity, delay or backlash
   // at 10 (set_bands()), all nine get gear elasticity or backlash.
   for (const double step : {0.004, 0.008, 0.01})
     for (const std::uint64_t seed : {1U, 2U, 3U}) {
-      const diagnosis::Findings found = diagnosed(step, seed);
+      const diagnosis::Findings found =
+          test::diagnosed(slide(), log_of(step, seed, 30.0), log_of(step, seed + 1000, 30.0));
       INFO(found.headline << " at " << step << " s, seed " << seed << ", error "
                           << found.verdict.relative_error_before);
       CHECK(found.verdict.nothing_beyond_noise());

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/identification/diagnosed_robot.h"
+
+#include "identification/diagnose.h"
+#include "identification/driven_channels.h"
+#include "symbolic/driven_model.h"
+#include "tests/reference/temporary_folder.h"
+
+namespace sinew::test {
+
+diagnosis::Findings diagnosed(const Mechanism& nominal, const std::string& train,
+                              const std::string& holdout) {
+  const reference::TemporaryFolder folder;
+  const auto file = [&](const char* name, const std::string& text) {
+    reference::write_text(folder.path() / name, text);
+    return std::vector<std::string>{(folder.path() / name).string()};
+  };
+  diagnosis::DiagnoseRequest request;
+  request.model = driven_model(nominal);
+  request.mechanism = nominal;
+  request.name = nominal.name;
+  request.runtime = SINEW_SOURCE_DIR "/runtime";
+  request.logs = file("train.csv", train);
+  request.holdout = file("holdout.csv", holdout);
+  request.channels = [&](const std::string& log) {
+    return diagnosis::robot_log_channels(nominal, log, {});
+  };
+  request.settings.edge_s = diagnosis::driven_edge;
+  request.settings.band_hz = diagnosis::driven_band;
+  return diagnosis::diagnose(request).findings;
+}
+
+}  // namespace sinew::test

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A mechanism's logs diagnosed as `sinew diagnose` does it.
+#pragma once
+
+#include <string>
+
+#include "identification/findings.h"
+#include "symbolic/mechanism.h"
+
+namespace sinew::test {
+
+/// `train`, `holdout`: CSV text with q_<joint>, tau_<joint>.
+diagnosis::Findings diagnosed(const Mechanism& nominal, const std::string& train,
+                              const std::string& holdout);
+
+}  // namespace sinew::test
