@@ -87,6 +87,9 @@ struct Candidate {
   /// Lags of a position only: the effort of its channel for a position error of one s^2 times the
   /// acceleration. A delay d and a lag d differ by d^2 / 2 of it (lag.h).
   ColumnFunction bend;
+  /// Not proportional to its one coefficient: the columns are a secant to a size of it, which
+  /// refine() makes the coefficient itself; without nonlinear parameters, the tangent.
+  bool secant = false;
   bool unlikely = false;  ///< named only where no other cause explains as much
   std::string contains;   ///< level at the same place that is a part of it; may be empty
   bool aside = false;     ///< is in every measurement: fitted, and no name for what is wrong
@@ -94,6 +97,9 @@ struct Candidate {
   /// empty.
   std::function<bool(const Eigen::VectorXd& coefficients, const Eigen::VectorXd& nonlinear)>
       possible;
+  /// The coefficients are mass, first moments and moments of inertia (xx, yy, zz, xy, xz, yz) of a
+  /// body within this reach [m] of its frame; such a body has to exist.
+  std::optional<double> body_within;
   std::vector<int> channels;  ///< where it acts; empty: asked for every channel
   std::string limit_meaning;  ///< what a violated limit says, for the ruled-out list
   std::string depends_on;     ///< flexible and decoy: "position x direction", "velocity", ...
@@ -128,7 +134,8 @@ struct LevelCause {
   /// Channels at which its one parameter [s] delays what the nominal model says, against nothing
   /// else; absent: it delays nothing.
   std::optional<std::vector<int>> delayed;
-  bool unlikely = false;  ///< as a candidate's
+  bool unlikely = false;                   ///< as a candidate's
+  std::optional<double> body_within = {};  ///< as a candidate's, of mass and first moments
 };
 
 /// Everything one diagnosis works on. The baseline's coefficients are re-fitted with every cause.

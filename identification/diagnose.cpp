@@ -240,9 +240,9 @@ class Run {
              subject_.problem().library[static_cast<std::size_t>(cause.candidate)].aside;
     };
     const auto is_fast = [&](const NamedCause& cause) {
-      const std::string origin = origin_of(cause.candidate);
-      return origin == "gear_elasticity" || origin == "gear_resonance" ||
-             origin == "inertial_backlash" || origin == "loaded_backlash";
+      const std::string& name = cause.members.front().name;
+      return name == find_effect("gear_elasticity").name ||
+             name == find_effect("inertial_backlash").name;
     };
     std::set<std::string> noisy;
     for (const NamedCause& cause : verdict.causes)

@@ -102,6 +102,7 @@ void DrivenSubject::add_level(const Candidate& c, CandidateOrigin origin, int co
     level.parameters.push_back(std::move(parameter));
   }
   level.unlikely = c.unlikely;
+  level.body_within = c.body_within;
   problem_.levels.push_back(std::move(level));
   levels_.push_back(std::move(origin));
 }

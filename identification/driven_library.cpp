@@ -89,11 +89,11 @@ void DrivenSubject::add(const std::string& effect, std::size_t joint, const std:
   if (!name.empty()) c.name = name;
   c.kind = kind;
   // Impacts are as short as a sample; what they leave in the band is enough.
-  const bool impacts = effect == "inertial_backlash" || effect == "loaded_backlash";
-  c.broadband = impacts;
-  if ((impacts || effect == "gear_elasticity" || effect == "gear_resonance") &&
+  c.broadband = c.name == find_effect("inertial_backlash").name;
+  if ((c.broadband || c.name == find_effect("gear_elasticity").name) &&
       noise_of_position(training(), static_cast<Index>(joint)))
     c.least_share = kFastShare;
+  if (find_effect(effect).links_react) let_others_react(joint, c);
   if (kind == CandidateKind::decoy) c.depends_on = "position, periodic at no known order";
   problem_.library.push_back(std::move(c));
   library_.push_back({kind == CandidateKind::decoy ? "" : effect, joint, fixed, {}});
@@ -127,8 +127,11 @@ void DrivenSubject::add_gear(std::size_t joint) {
   // mentioning, that is the position's noise, and so is part of what the inertia leaves over.
   constexpr double kMostlyNoise = 0.5;
   const double noise = noise_of_jounce(training(), static_cast<Index>(joint), quantum_[joint]);
+  const bool links = carries_links(joint);
   if (noise < kMostlyNoise)
-    for (const char* effect : {"gear_elasticity", "gear_resonance"}) add(effect, joint);
+    for (const char* effect : {"elasticity", "resonance"})
+      add((links ? "link_" : "gear_") + std::string(effect), joint);
+  if (links) return add("link_backlash", joint);
   add("inertial_backlash", joint);
   if (scale(joint).load > 0.0) add("loaded_backlash", joint);
 }

@@ -185,7 +185,7 @@ void DrivenSubject::set_signals(Recording& log) const {
     const auto c = static_cast<Index>(j);
     if (bristle_[j])
       direction.col(c) = effect_columns(Regressor(find_effect("presliding")), log,
-                                        static_cast<int>(j), number(presliding_[j]));
+                                        static_cast<int>(j), VectorXd::Constant(1, presliding_[j]));
     else
       direction.col(c) =
           (log.qd.col(c).array() / model_.joints[j].friction_speed).atan() * 2.0 / std::numbers::pi;
@@ -201,6 +201,7 @@ void DrivenSubject::set_signals(Recording& log) const {
   if (!model_.joints.front().carries_links) return;
   MatrixXd& carried = log.signals["carried"] = rigid_->effort(log);
   if (log.load.size() > 0) carried += log.load;
+  add_link_signals(log);
 }
 
 /// Baseline alone first: the length over which friction turns has to be known before effects are

@@ -109,6 +109,9 @@ class DrivenSubject {
   void add_motion(const Eigen::MatrixXd& positions, Recording& log) const;
   void add_model(Recording& log) const;
   void set_signals(Recording& log) const;
+  void add_link_signals(Recording& log) const;
+  std::vector<int> reacting(std::size_t joint) const;
+  void let_others_react(std::size_t joint, Candidate& candidate) const;
   MotionRange covered(std::size_t joint) const;
   Recording planned(const PlannedMotion& motion) const;
   Eigen::MatrixXd effort_of_smooth_load(Recording& log) const;

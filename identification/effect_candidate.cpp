@@ -13,7 +13,7 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr Index signals = 8;
+constexpr Index signals = 11;
 
 const sinew_function& emitted(const std::string& id) {
   const std::string name = "effects_" + id;
@@ -37,6 +37,11 @@ MatrixXd signals_of(const Recording& log, int axis) {
   x.row(5) = (log.time.array() - log.time(0)).matrix().transpose();
   x.row(6) = log.signals.at("direction").col(axis).transpose();
   x.row(7).setConstant(log.step);
+  constexpr const char* of_links[] = {"parting", "carried_inertia", "carried_jounce"};
+  for (Index k = 0; k < 3; ++k) {
+    const auto found = log.signals.find(of_links[k]);
+    if (found != log.signals.end()) x.row(8 + k) = found->second.col(axis).transpose();
+  }
   return x;
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "identification/body_limits.h"
 #include "identification/linear_fit.h"
 #include "identification/parallel_for.h"
 #include "identification/surrogates.h"
@@ -49,6 +50,17 @@ double drop(const LevelMoments& m, const LevelSet& set) {
     const auto k = static_cast<Index>(i);
     const double slack = 2.0 * std::sqrt(std::max(0.0, inverse(k, k)));
     if (value(k) < m.low(at[i]) - slack || value(k) > m.high(at[i]) + slack) return -1.0;
+  }
+  const VectorXd errors = inverse.diagonal().cwiseMax(0.0).cwiseSqrt();
+  Index first = 0;
+  for (const int level : set) {
+    const auto l = static_cast<std::size_t>(level);
+    const Index wide = m.first[l + 1] - m.first[l];
+    const bool limited = l < m.body_within.size() && m.body_within[l];
+    if (limited &&
+        !is_body(value.segment(first, wide), errors.segment(first, wide), *m.body_within[l]))
+      return -1.0;
+    first += wide;
   }
   return value.dot(VectorXd(m.target(at)));
 }

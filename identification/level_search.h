@@ -20,12 +20,13 @@ struct LevelMoments {
   Eigen::VectorXd target;
   Eigen::MatrixXd surrogates;
   Eigen::VectorXd low, high;
-  std::vector<double> dearer;  ///< what each level costs beside its parameters
-  double base = 0.0;           ///< deviance with every level at its nominal value
+  std::vector<std::optional<double>> body_within;  ///< each level's; see candidate.h
+  std::vector<double> dearer;                      ///< what each level costs beside its parameters
+  double base = 0.0;  ///< deviance with every level at its nominal value
 };
 
 /// Drop of the deviance by a set; negative where a change lies beyond its limit by more than two
-/// standard errors.
+/// standard errors, or is that of no body.
 double drop(const LevelMoments& m, const LevelSet& set);
 
 LevelSet without(LevelSet set, int level);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "identification/best_form.h"
 #include "identification/level_search.h"
 #include "identification/level_terms.h"
 #include "identification/parallel_for.h"
@@ -24,16 +25,6 @@ using Eigen::VectorXd;
 constexpr double kAnother = 4.0;
 // A model without friction lacks two values at every joint, and more may be wrong with it.
 constexpr int kManyLevels = 24;
-
-bool is_free(const NonlinearParameter& p) {
-  return p.high > p.low;
-}
-
-bool has_free_shape(const Term& term) {
-  if (term.nonlinear.size() == 0 || term.candidate->kind == CandidateKind::delay) return false;
-  const auto& shapes = term.candidate->nonlinear;
-  return std::any_of(shapes.begin(), shapes.end(), is_free);
-}
 
 /// What small changes of the causes' nonlinear parameters add, a term each; they have no candidate.
 /// The parameters were fitted with every level free: what they can take up beside a level at its
@@ -89,8 +80,10 @@ LevelMoments moments(const Design& design, const LevelTerms& parts, const std::v
     const MatrixXf part = x.middleRows(s.first_row[i], draws.rows()).cast<float>();
     m.surrogates += (part.transpose() * draws).cast<double>();
   }
-  for (const LevelCause& level : design.problem().levels)
+  for (const LevelCause& level : design.problem().levels) {
     m.dearer.push_back(level.unlikely ? kUnlikely : kAnother);
+    m.body_within.push_back(level.body_within);
+  }
   m.low = VectorXd::Zero(x.cols());
   m.high = VectorXd::Zero(x.cols());
   for (std::size_t l = 0; l < parts.levels.size(); ++l)
@@ -118,35 +111,9 @@ Model model_of(const Design& design, const Weights& weights, const LevelTerms& p
   return model;
 }
 
-/// The causes' shapes were fitted with every level free. The model with a cause's shape begun
-/// elsewhere, or in another form of the same cause, where that explains more beside these levels.
-Model best_form(const Design& design, const Weights& weights, const Model& model) {
-  const std::vector<Candidate>& library = design.problem().library;
-  Model best = model;
-  double least = deviance(model, weights);
-  for (std::size_t t = 0; t < model.terms.size(); ++t) {
-    const Term& own = model.terms[t];
-    if (own.baseline || own.level >= 0 || !has_free_shape(own)) continue;
-    for (const Candidate& form : library) {
-      if (form.name != own.candidate->name || form.place != own.candidate->place) continue;
-      for (const VectorXd& start : starting_values(form)) {
-        Model trial = model;
-        trial.terms[t] = make_term(design, form, start, false);
-        const auto at = trial.terms.begin() + static_cast<std::ptrdiff_t>(t);
-        std::rotate(at, at + 1, trial.terms.end());
-        refine(design, weights, RefineScope::last_term, trial);
-        const LinearFit fit = solve(stack(trial, weights));
-        if (violates_limits(design, trial, fit, trial.terms.size() - 1)) continue;
-        const double now = deviance(trial, weights);
-        if (now >= least) continue;
-        least = now;
-        std::rotate(trial.terms.begin() + static_cast<std::ptrdiff_t>(t), trial.terms.end() - 1,
-                    trial.terms.end());
-        best = std::move(trial);
-      }
-    }
-  }
-  return best;
+/// The causes' shapes were fitted with every level free.
+Model beside_levels(const Design& design, const Weights& weights, const Model& model) {
+  return best_form(design, weights, model, [](const Term&) { return true; });
 }
 
 double held_out_drop(const Design& design, const Settings& settings, const Model& before,
@@ -187,7 +154,8 @@ Judged judge_level(const Design& design, const Settings& settings, const LevelTe
   j.evidence.statistic = drop(m, all.set) - std::max(0.0, drop(m, others));
   j.evidence.freedom = search.freedom(level);
   j.evidence.p_family = p_value(m, all.set, level, j.evidence.statistic);
-  const Model before = best_form(design, weights, model_of(design, weights, parts, search, others));
+  const Model before =
+      beside_levels(design, weights, model_of(design, weights, parts, search, others));
   const BlockLosses b = cross_validate(design, before, weights, settings.blocks);
   j.evidence.validated = b.whitened.sum() - all.losses.whitened.sum();
   const VectorXd channels = channels_of(design, parts.levels[static_cast<std::size_t>(level)]);
@@ -270,7 +238,7 @@ LevelSelection restrict_to_levels(const Design& design, const Settings& settings
     double weakest = std::numeric_limits<double>::infinity();
     Refusal refusal;
     FittedSet all{
-        set, best_form(design, weights, model_of(design, weights, parts, search, set)), {}};
+        set, beside_levels(design, weights, model_of(design, weights, parts, search, set)), {}};
     all.losses = cross_validate(design, all.model, weights, settings.blocks);
     std::vector<Judged> judged(set.size());
     parallel_for(static_cast<int>(set.size()), settings.threads, [&](int i) {
@@ -302,7 +270,7 @@ LevelSelection restrict_to_levels(const Design& design, const Settings& settings
     result.refused.push_back(refusal);
   }
   judge_others(m, set, result);
-  state.model = best_form(design, weights, model_of(design, weights, parts, search, set));
+  state.model = beside_levels(design, weights, model_of(design, weights, parts, search, set));
   state.levels = parts.levels;
   for (Term& level : state.levels) level.freedom = search.freedom(level.level);
   state.made = parts.made;

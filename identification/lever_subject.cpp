@@ -16,8 +16,8 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double motion_cutoff = 15.0;  // Hz; a calibration is drawn slowly, counts are steps
-constexpr double coarse_count = 3.0;    // counts; finer steps are what a 12-bit sensor has
+constexpr double calibration_cutoff = 15.0;  // Hz; a calibration is drawn slowly, counts are steps
+constexpr double coarse_count = 3.0;         // counts; finer steps are what a 12-bit sensor has
 
 VectorXd column_of(const Log& log, const sinew::Segment& segment, const std::string& channel) {
   return segment.samples.col(log.channel(channel)).matrix();
@@ -43,7 +43,7 @@ Recording recording_of(const Log& log, const sinew::Segment& segment, const Obse
   r.time = VectorXd::LinSpaced(n, segment.start,
                                segment.start + log.period * static_cast<double>(n - 1));
   const VectorXd count = column_of(log, segment, "count");
-  const double cutoff = std::min(motion_cutoff, 0.1 / log.period);
+  const double cutoff = std::min(calibration_cutoff, 0.1 / log.period);
   r.signals["count"] = count;
   r.signals["count_rate"] = differentiate(count, log.period, cutoff).qd;
   const bool bent = log.channel("bend") >= 0;

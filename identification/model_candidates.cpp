@@ -63,6 +63,15 @@ VectorXd response(const EffortModel& effort, const Recording& log, int axis, con
   return (effort.of_joint(axis, log, motion.q, motion.qd, motion.qdd) - now) / size;
 }
 
+/// Change of a channel's effort for a change of the axis' motion by `size`, per `size`.
+VectorXd secant(const EffortModel& effort, const Recording& log, int axis, int channel,
+                const Motion& change, double size) {
+  if (channel == axis) return response(effort, log, axis, change, size);
+  return (changed_effort(effort, log, axis, change, size) - logged_effort(effort, log))
+             .col(channel) /
+         size;
+}
+
 /// The true motion is the logged one plus that much of its rate.
 Motion rate_of(const Recording& log, int axis) {
   return {log.qd.col(axis), log.qdd.col(axis), log.signals.at("jerk").col(axis)};
@@ -212,8 +221,10 @@ Candidate sensor_offset_candidate(const EffectPlace& place, const EffortModel& e
                    {"zero_offset", place.revolute ? "rad" : "m", -most, most, false, {}});
   c.channels = coupled;
   c.isolating_experiment = "the position held at a stop or a mark that is known";
+  c.secant = true;
   c.columns = [axis = place.axis, effort](const Recording& log, int channel,
-                                          const VectorXd&) -> MatrixXd {
+                                          const VectorXd& size) -> MatrixXd {
+    if (size.size() > 0) return secant(effort, log, axis, channel, unit_less(log), size(0));
     if (channel != axis) return log.signals.at(offset_response(axis)).col(channel);
     return response(effort, log, axis, unit_less(log), kSmallScale);
   };
@@ -226,8 +237,10 @@ Candidate sensor_scale_candidate(const EffectPlace& place, const EffortModel& ef
       at(place, "scale of the position sensor", {"scale_error", "1", -0.5, 0.5, false, {}});
   c.channels = coupled;
   c.isolating_experiment = "the travel between two stops, measured with a gauge";
+  c.secant = true;
   c.columns = [axis = place.axis, effort](const Recording& log, int channel,
-                                          const VectorXd&) -> MatrixXd {
+                                          const VectorXd& size) -> MatrixXd {
+    if (size.size() > 0) return secant(effort, log, axis, channel, less_of(log, axis), size(0));
     if (channel != axis) return log.signals.at(scale_response(axis)).col(channel);
     return response(effort, log, axis, less_of(log, axis), kSmallScale);
   };

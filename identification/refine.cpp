@@ -199,13 +199,36 @@ double move_delays(const Design& design, const Weights& weights, Model& model) {
   return largest;
 }
 
+/// Makes every secant one to the coefficient that was fitted with it; returns the largest change
+/// that still matters.
+double move_secants(const Design& design, const Weights& weights, Model& model) {
+  constexpr double kTangentHolds = 0.01;  // rad, or 1
+  double largest = 0.0;
+  const std::vector<Index> first = first_columns(model);
+  VectorXd fitted;
+  for (std::size_t t = 0; t < model.terms.size(); ++t) {
+    Term& term = model.terms[t];
+    if (!term.candidate->secant || term.level >= 0) continue;
+    if (fitted.size() == 0) fitted = solve(stack(model, weights)).coefficients;
+    const LinearParameter& range = term.candidate->linear.front();
+    const double now = std::clamp(fitted(first[t]), range.low, range.high);
+    const double old = term.nonlinear.size() > 0 ? term.nonlinear(0) : 0.0;
+    if (std::abs(now) < kTangentHolds || std::abs(now - old) < 0.01 * std::abs(now)) continue;
+    term.nonlinear = VectorXd::Constant(1, now);
+    term.columns = design.columns(*term.candidate, term.nonlinear);
+    largest = std::max(largest, std::abs(now - old));
+  }
+  return largest;
+}
+
 }  // namespace
 
 void refine(const Design& design, const Weights& weights, RefineScope scope, Model& model) {
   const int rounds = scope == RefineScope::last_term ? 1 : 4;
   for (int round = 0; round < rounds; ++round) {
     fit_by_components(design, weights, scope, model);
-    if (move_delays(design, weights, model) < 2e-6) break;
+    const double moved = move_secants(design, weights, model);
+    if (move_delays(design, weights, model) < 2e-6 && moved == 0.0) break;
   }
 }
 

@@ -48,6 +48,14 @@ std::vector<MovingBody> moving_bodies(const Mechanism& mechanism) {
   return list;
 }
 
+/// Twice what the links can reach [m].
+double reach_of(const Mechanism& mechanism) {
+  double reach = 0.0, centre = 0.0;
+  for (const Joint& joint : mechanism.joints) reach += joint.origin.translation.norm();
+  for (const Body& body : mechanism.bodies) centre = std::max(centre, body.centre_of_mass.norm());
+  return 2.0 * (reach + centre);
+}
+
 }  // namespace
 
 RigidColumns::RigidColumns(const Mechanism& mechanism, const std::filesystem::path& runtime)
@@ -116,7 +124,8 @@ void RigidColumns::add_payload(const Mechanism& mechanism, std::size_t body) {
   group.signal = "payload of " + carrier.name;
   group.name = "payload";
   group.experiment = "the same slow motion with and without what may be attached";
-  group.limit = "its mass would be negative";
+  group.limit = "no body near the robot has such a mass and such moments";
+  group.body_within = reach_of(mechanism);
   groups_.push_back(std::move(group));
 }
 
@@ -151,14 +160,12 @@ VectorXd RigidColumns::nominal(const Vector3d& gravity) const {
 /// Gravity that the model lacks, or has in another direction.
 void RigidColumns::add_gravity(const Mechanism& mechanism) {
   const bool absent = mechanism.gravity.isZero(0.0);
-  Group group{"gravity",
-              absent ? "gravity left out" : "direction of gravity",
-              "base",
-              "slow motion over the whole range",
-              "gravity would be stronger than the earth's",
-              {},
-              {},
-              false};
+  Group group;
+  group.signal = "gravity";
+  group.name = absent ? "gravity left out" : "direction of gravity";
+  group.place = "base";
+  group.experiment = "slow motion over the whole range";
+  group.limit = "gravity would be stronger than the earth's";
   const VectorXd none = nominal(Vector3d::Zero());
   const char* axes[] = {"x", "y", "z"};
   // Its size is known where it is there at all: a base that leans moves it sideways.
@@ -188,6 +195,24 @@ MatrixXd RigidColumns::effort(const Recording& log) const {
     effort.row(k) = out.transpose();
   }
   return effort;
+}
+
+MatrixXd RigidColumns::mass_matrix(const Recording& log) const {
+  const sinew_function& function = compiled_->find("inverse_dynamics");
+  const Index n = coordinates_;
+  VectorXd in = VectorXd::Zero(function.input_size);
+  in.tail(in.size() - 3 * n) = nominal(Vector3d::Zero());
+  MatrixXd columns(log.q.rows(), n * n);
+  VectorXd out(n);
+  for (Index k = 0; k < columns.rows(); ++k) {
+    in.head(n) = log.q.row(k).head(n).transpose();
+    for (Index j = 0; j < n; ++j) {
+      in.segment(2 * n, n) = VectorXd::Unit(n, j);
+      function.call(in.data(), out.data());
+      columns.row(k).segment(j * n, n) = out.transpose();
+    }
+  }
+  return columns;
 }
 
 MatrixXd RigidColumns::columns_of(const Group& group, const Recording& log) const {
@@ -235,6 +260,7 @@ std::vector<Candidate> RigidColumns::candidates() const {
     c.limit_meaning = group.limit;
     c.isolating_experiment = group.experiment;
     c.unlikely = group.unlikely;
+    c.body_within = group.body_within;
     const auto wide = static_cast<Index>(group.columns.size());
     c.columns = [signal = group.signal, wide, n = coordinates_](const Recording& log, int channel,
                                                                 const VectorXd&) -> MatrixXd {

@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,10 @@ class RigidColumns {
   /// What the links ask of the joints: samples x coordinates.
   Eigen::MatrixXd effort(const Recording& log) const;
 
+  /// Mass matrix of the links at every sample: samples x (coordinates * coordinates), one column of
+  /// it after the other.
+  Eigen::MatrixXd mass_matrix(const Recording& log) const;
+
   /// Candidates that act on all channels; they read what add_signals left in the recording.
   std::vector<Candidate> candidates() const;
 
@@ -43,6 +48,7 @@ class RigidColumns {
     std::vector<LinearParameter> parameters;
     std::vector<Column> columns;
     bool unlikely = false;
+    std::optional<double> body_within;
   };
   Eigen::VectorXd parameters(const Eigen::VectorXd& mass, const Eigen::MatrixXd& com,
                              const Eigen::MatrixXd& inertia, const Eigen::Vector3d& gravity) const;

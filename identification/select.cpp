@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "identification/baseline.h"
+#include "identification/best_form.h"
 #include "identification/parallel_for.h"
 #include "identification/refine.h"
 #include "identification/shadow.h"
@@ -270,6 +271,17 @@ void drop_undetermined(const Search& s) {
   }
 }
 
+/// Impacts come sooner or later by whether others came: a fit of what makes them ends where it
+/// began, and other causes would make up for it.
+void begin_impacts_elsewhere(const Search& s) {
+  const auto makes_impacts = [](const Term& term) { return term.candidate->broadband; };
+  const auto& terms = s.state.model.terms;
+  if (std::none_of(terms.begin(), terms.end(), makes_impacts)) return;
+  s.state.model = best_form(s.design, s.state.noise.weights, s.state.model, makes_impacts);
+  refine(s.design, s.state.noise.weights, RefineScope::all_terms, s.state.model);
+  renew_noise(s);
+}
+
 std::vector<int> causes_of(const Design& design, const Model& model) {
   std::vector<int> list;
   for (const Term& term : model.terms)
@@ -321,6 +333,7 @@ Selection select_causes(const Design& design, const Library& library, const Sett
     if (!add_cause(search)) break;
     refine(design, state.noise.weights, RefineScope::all_terms, state.model);
     renew_noise(search);
+    begin_impacts_elsewhere(search);
     swap_causes(search);
     merge_causes(search);
     prune(search);

@@ -12,6 +12,7 @@ std::optional<std::size_t> find_shadow(const Design& design, const Settings& set
                                        const Weights& weights, const Model& model, ShadowOf asked) {
   constexpr double kSmall = 0.15;   // of the large one's worth
   constexpr double kInvited = 3.0;  // times its own worth, without the large one
+  constexpr double kOfImpacts = 0.005;
   const auto loss_without = [&](std::vector<std::size_t> terms) {
     Model rest = model;
     std::sort(terms.begin(), terms.end(), std::greater<>());
@@ -30,6 +31,8 @@ std::optional<std::size_t> find_shadow(const Design& design, const Settings& set
   for (std::size_t t = 0; t < terms.size(); ++t)
     for (std::size_t u = 0; u < terms.size(); ++u) {
       if (t == u || !is_asked(t) || !is_cause(u) || worth[t] >= kSmall * worth[u]) continue;
+      // When an impact comes is known to a sample: what is left of each is large.
+      if (terms[u].candidate->broadband && worth[t] < kOfImpacts * worth[u]) return t;
       if (loss_without({t, u}) - loss_without({u}) > kInvited * worth[t]) return t;
     }
   return {};

@@ -12,7 +12,8 @@ namespace sinew::diagnosis {
 /// Which terms are asked about.
 enum class ShadowOf { causes, levels };
 
-/// A cause or a level of the model that is the shadow of another cause of the library.
+/// A cause or a level of the model that is the shadow of another cause of the library, or next to
+/// nothing beside impacts.
 std::optional<std::size_t> find_shadow(const Design& design, const Settings& settings,
                                        const Weights& weights, const Model& model, ShadowOf asked);
 

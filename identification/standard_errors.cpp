@@ -63,7 +63,8 @@ std::vector<std::vector<ParameterEstimate>> estimates(const Design& design, cons
            place.recording < 0 ? std::string() : design.recording(place.recording).name});
       columns[t].push_back(first[t] + c);
     }
-    for (Index p = 0; p < term.nonlinear.size() && !delay; ++p) {
+    const auto shapes = static_cast<Index>(delay ? 0 : term.candidate->nonlinear.size());
+    for (Index p = 0; p < shapes; ++p) {
       const NonlinearParameter& range = term.candidate->nonlinear[static_cast<std::size_t>(p)];
       if (!(range.high > range.low)) continue;
       a.conservativeResize(Eigen::NoChange, a.cols() + 1);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "identification/body_limits.h"
 #include "identification/parallel_for.h"
 #include "identification/refine.h"
 
@@ -110,6 +111,12 @@ bool violates_limits(const Design& design, const Model& model, const LinearFit& 
     const double slack = 2.0 * std::sqrt(std::max(0.0, fit.covariance(at, at)));
     const double value = fit.coefficients(at);
     if (value < p.low - slack || value > p.high + slack) return true;
+  }
+  if (t.candidate->body_within) {
+    const auto n = static_cast<Index>(layout.size());
+    const VectorXd errors = fit.covariance.diagonal().segment(first, n).cwiseMax(0.0).cwiseSqrt();
+    if (!is_body(fit.coefficients.segment(first, n), errors, *t.candidate->body_within))
+      return true;
   }
   if (!t.candidate->possible) return false;
   const auto wide = static_cast<Index>(layout.size());

@@ -48,7 +48,7 @@ int library_index(const Design& design, const Term& term);
 double model_price(const Design& design, const std::vector<double>& freedom, const Model& model);
 
 /// True where a linear coefficient lies beyond its limit by more than two standard errors, or a
-/// delay stands at a bound.
+/// delay stands at a bound, or no body has the parameters of one.
 bool violates_limits(const Design& design, const Model& model, const LinearFit& fit,
                      std::size_t term);
 

@@ -17,8 +17,8 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double motion_cutoff = 30.0;  // Hz
-constexpr double coarse_angle = 5e-4;   // rad; finer steps do not show
+constexpr double wrist_cutoff = 30.0;  // Hz
+constexpr double coarse_angle = 5e-4;  // rad; finer steps do not show
 constexpr const char* angles[] = {"q71", "q73"};
 
 Recording recording_of(const Log& log, const sinew::Segment& segment,
@@ -33,7 +33,7 @@ Recording recording_of(const Log& log, const sinew::Segment& segment,
     q.col(j) = segment.samples.col(log.channel(angles[j])).matrix();
     r.signals[angles[j]] = q.col(j);
   }
-  Motion motion = differentiate(q, log.period, std::min(motion_cutoff, 0.1 / log.period));
+  Motion motion = differentiate(q, log.period, std::min(wrist_cutoff, 0.1 / log.period));
   r.q = std::move(motion.q);
   r.qd = std::move(motion.qd);
   r.qdd = std::move(motion.qdd);

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <numbers>
 #include <stdexcept>
 
@@ -221,7 +222,10 @@ class EffortWriter {
   void add_term(const IdentifiedEffect& each, std::vector<ex>& tau) {
     const std::optional<std::size_t> tendon = tendon_of(each.place);
     if (!tendon) {
-      tau[joint_of(each.place)] += term(each);
+      const std::size_t joint = joint_of(each.place);
+      const ex effort = term(each);
+      tau[joint] += effort;
+      if (find_effect(each.effect).links_react) react(joint, effort, tau);
       return;
     }
     const ex lost =
@@ -264,6 +268,7 @@ class EffortWriter {
                      {s.load, load_at(joint)},         {s.time, time_.symbols[0]},
                      {s.step, step_.symbols[0]}};
     if (joint < directions_.size()) map[s.direction] = directions_[joint];
+    if (acts_by_links(effect)) add_link_signals(joint, map);
     for (std::size_t k = 0; k < effect.shapes.size(); ++k)
       map[effect.shapes[k].symbol] = exact_number(shape.at(k).value);
     const std::size_t first = next_.size();
@@ -272,6 +277,51 @@ class EffortWriter {
     for (const EffectState& state : effect.states)
       next_.push_back(list_.define("next_state", state.next.subs(map)));
     return map;
+  }
+
+  static bool acts_by_links(const Effect& effect) {
+    return std::any_of(effect.columns.begin(), effect.columns.end(), [](const EffectColumn& c) {
+      return c.term.has(effect_signals().carried_inertia);
+    });
+  }
+
+  /// Column `joint` of the links' mass matrix: what they ask for its unit acceleration from rest.
+  const std::vector<ex>& links_column(std::size_t joint) {
+    std::vector<ex>& column = links_columns_[joint];
+    if (!column.empty()) return column;
+    const auto asked = [&](bool moved) {
+      std::vector<ex> inputs(q_at_);
+      inputs.resize(3 * q_at_.size(), ex(0));
+      if (moved) inputs[2 * q_at_.size() + joint] = 1;
+      return inlined(list_, model_.rigid, inputs).front();
+    };
+    const std::vector<ex> at_rest = asked(false);
+    column = asked(true);
+    for (std::size_t i = 0; i < column.size(); ++i)
+      column[i] = list_.define("links_column", column[i] - at_rest[i]);
+    return column;
+  }
+
+  void add_link_signals(std::size_t joint, GiNaC::exmap& map) {
+    if (carried_.empty())
+      throw std::invalid_argument("identified.toml: joint '" + model_.joints[joint].name +
+                                  "' carries no links, which an effect at it needs");
+    const EffectSignals& s = effect_signals();
+    const std::vector<ex>& column = links_column(joint);
+    ex jounce = 0;
+    for (std::size_t i = 0; i < column.size(); ++i) jounce += column[i] * jounce_.symbols[i];
+    const ex inertia = column[joint];
+    map[s.carried_inertia] = inertia;
+    map[s.parting] = list_.define("parting", load_at(joint) / inertia);
+    map[s.carried_jounce] = list_.define("carried_jounce", jounce) / inertia;
+  }
+
+  /// What the links do otherwise than their joint says, where other joints feel it.
+  void react(std::size_t joint, const ex& effort, std::vector<ex>& tau) {
+    const std::vector<ex>& column = links_column(joint);
+    const ex by_inertia = list_.define("reaction", effort / column[joint]);
+    for (std::size_t i = 0; i < column.size(); ++i)
+      if (i != joint) tau[i] += column[i] * by_inertia;
   }
 
   /// A compensation has no terms that need what the links ask.
@@ -327,7 +377,8 @@ class EffortWriter {
   int n_;
   Argument q_, qd_, qdd_, load_, tension_, jerk_, jounce_, time_, step_, states_;
   DefinitionList list_;
-  std::vector<ex> carried_;  ///< what the links ask of every joint
+  std::vector<ex> carried_;                               ///< what the links ask of every joint
+  std::map<std::size_t, std::vector<ex>> links_columns_;  ///< by joint
   std::vector<ex> q_at_, qd_at_, qdd_at_, directions_, next_;
   std::vector<ex> moment_arms_, tendon_rates_, bending_;
 };

@@ -10,75 +10,75 @@
 
 #include "sinew_math.h"
 
-void effects_inertia(const double signals[SINEW_AT_LEAST(8)], double columns[SINEW_AT_LEAST(1)])
+void effects_inertia(const double signals[SINEW_AT_LEAST(11)], double columns[SINEW_AT_LEAST(1)])
 {
     columns[0] = signals[2];
 }
 
-void effects_viscous_level(const double signals[SINEW_AT_LEAST(8)], double columns[SINEW_AT_LEAST(1)])
+void effects_viscous_level(const double signals[SINEW_AT_LEAST(11)], double columns[SINEW_AT_LEAST(1)])
 {
     columns[0] = signals[1];
 }
 
-void effects_coulomb_level(const double signals[SINEW_AT_LEAST(8)], double columns[SINEW_AT_LEAST(1)])
+void effects_coulomb_level(const double signals[SINEW_AT_LEAST(11)], double columns[SINEW_AT_LEAST(1)])
 {
     columns[0] = signals[6];
 }
 
-void effects_offset(const double signals[SINEW_AT_LEAST(8)], double columns[SINEW_AT_LEAST(1)])
+void effects_offset(const double signals[SINEW_AT_LEAST(11)], double columns[SINEW_AT_LEAST(1)])
 {
     (void)signals;
     columns[0] = 1.0;
 }
 
-void effects_viscous_asymmetry(const double signals[SINEW_AT_LEAST(8)], double columns[SINEW_AT_LEAST(1)])
+void effects_viscous_asymmetry(const double signals[SINEW_AT_LEAST(11)], double columns[SINEW_AT_LEAST(1)])
 {
     columns[0] = sinew_max(signals[1], -signals[1]);
 }
 
-void effects_coulomb_asymmetry(const double signals[SINEW_AT_LEAST(8)], double columns[SINEW_AT_LEAST(1)])
+void effects_coulomb_asymmetry(const double signals[SINEW_AT_LEAST(11)], double columns[SINEW_AT_LEAST(1)])
 {
     columns[0] = sinew_max(signals[6], -signals[6]);
 }
 
-void effects_stribeck(const double signals[SINEW_AT_LEAST(8)], const double shape[SINEW_AT_LEAST(1)], double columns[SINEW_AT_LEAST(1)])
+void effects_stribeck(const double signals[SINEW_AT_LEAST(11)], const double shape[SINEW_AT_LEAST(1)], double columns[SINEW_AT_LEAST(1)])
 {
     const double t1 = signals[6] * sinew_exp(-(signals[1] * signals[1] / (shape[0] * shape[0])));
     columns[0] = t1;
 }
 
-void effects_concave_friction(const double signals[SINEW_AT_LEAST(8)], const double shape[SINEW_AT_LEAST(1)], double columns[SINEW_AT_LEAST(1)])
+void effects_concave_friction(const double signals[SINEW_AT_LEAST(11)], const double shape[SINEW_AT_LEAST(1)], double columns[SINEW_AT_LEAST(1)])
 {
     columns[0] = sinew_atan(signals[1] / shape[0]);
 }
 
-void effects_concave_power(const double signals[SINEW_AT_LEAST(8)], const double shape[SINEW_AT_LEAST(2)], double columns[SINEW_AT_LEAST(1)])
+void effects_concave_power(const double signals[SINEW_AT_LEAST(11)], const double shape[SINEW_AT_LEAST(2)], double columns[SINEW_AT_LEAST(1)])
 {
     const double t1 = sinew_log(sinew_max(sinew_max(signals[1], -signals[1]) / shape[0], 1e-06));
     columns[0] = signals[6] * sinew_exp(shape[1] * t1);
 }
 
-void effects_quadratic_friction(const double signals[SINEW_AT_LEAST(8)], double columns[SINEW_AT_LEAST(1)])
+void effects_quadratic_friction(const double signals[SINEW_AT_LEAST(11)], double columns[SINEW_AT_LEAST(1)])
 {
     columns[0] = signals[1] * sinew_max(signals[1], -signals[1]);
 }
 
-void effects_load_friction(const double signals[SINEW_AT_LEAST(8)], double columns[SINEW_AT_LEAST(1)])
+void effects_load_friction(const double signals[SINEW_AT_LEAST(11)], double columns[SINEW_AT_LEAST(1)])
 {
     columns[0] = signals[6] * sinew_max(signals[4], -signals[4]);
 }
 
-void effects_friction_drift(const double signals[SINEW_AT_LEAST(8)], const double shape[SINEW_AT_LEAST(1)], double columns[SINEW_AT_LEAST(1)])
+void effects_friction_drift(const double signals[SINEW_AT_LEAST(11)], const double shape[SINEW_AT_LEAST(1)], double columns[SINEW_AT_LEAST(1)])
 {
     columns[0] = signals[6] * (1.0 - sinew_exp(-(signals[5] / shape[0])));
 }
 
-void effects_position_friction(const double signals[SINEW_AT_LEAST(8)], double columns[SINEW_AT_LEAST(1)])
+void effects_position_friction(const double signals[SINEW_AT_LEAST(11)], double columns[SINEW_AT_LEAST(1)])
 {
     columns[0] = signals[0] * signals[6];
 }
 
-void effects_ripple(const double signals[SINEW_AT_LEAST(8)], const double shape[SINEW_AT_LEAST(1)], double columns[SINEW_AT_LEAST(2)])
+void effects_ripple(const double signals[SINEW_AT_LEAST(11)], const double shape[SINEW_AT_LEAST(1)], double columns[SINEW_AT_LEAST(2)])
 {
     const double t1 = signals[0] * shape[0];
     double s2, c3;
@@ -87,7 +87,7 @@ void effects_ripple(const double signals[SINEW_AT_LEAST(8)], const double shape[
     columns[1] = c3;
 }
 
-void effects_load_ripple(const double signals[SINEW_AT_LEAST(8)], const double shape[SINEW_AT_LEAST(1)], double columns[SINEW_AT_LEAST(2)])
+void effects_load_ripple(const double signals[SINEW_AT_LEAST(11)], const double shape[SINEW_AT_LEAST(1)], double columns[SINEW_AT_LEAST(2)])
 {
     const double t1 = signals[0] * shape[0];
     double s2, c3;
@@ -96,12 +96,12 @@ void effects_load_ripple(const double signals[SINEW_AT_LEAST(8)], const double s
     columns[1] = signals[4] * c3;
 }
 
-void effects_gear_elasticity(const double signals[SINEW_AT_LEAST(8)], double columns[SINEW_AT_LEAST(1)])
+void effects_gear_elasticity(const double signals[SINEW_AT_LEAST(11)], double columns[SINEW_AT_LEAST(1)])
 {
     columns[0] = signals[3];
 }
 
-void effects_gear_resonance(const double signals[SINEW_AT_LEAST(8)], const double shape[SINEW_AT_LEAST(2)], const double memory[SINEW_AT_LEAST(3)], double columns[SINEW_AT_LEAST(1)], double next[SINEW_AT_LEAST(3)])
+void effects_gear_resonance(const double signals[SINEW_AT_LEAST(11)], const double shape[SINEW_AT_LEAST(2)], const double memory[SINEW_AT_LEAST(3)], double columns[SINEW_AT_LEAST(1)], double next[SINEW_AT_LEAST(3)])
 {
     const double t1 = signals[7] * memory[2];
     const double t2 = 4.0 * memory[1] + t1;
@@ -117,17 +117,17 @@ void effects_gear_resonance(const double signals[SINEW_AT_LEAST(8)], const doubl
     next[2] = t7;
 }
 
-void effects_torsion_spring(const double signals[SINEW_AT_LEAST(8)], double columns[SINEW_AT_LEAST(1)])
+void effects_torsion_spring(const double signals[SINEW_AT_LEAST(11)], double columns[SINEW_AT_LEAST(1)])
 {
     columns[0] = signals[0];
 }
 
-void effects_offset_drift(const double signals[SINEW_AT_LEAST(8)], double columns[SINEW_AT_LEAST(1)])
+void effects_offset_drift(const double signals[SINEW_AT_LEAST(11)], double columns[SINEW_AT_LEAST(1)])
 {
     columns[0] = signals[5];
 }
 
-void effects_cable_torque(const double signals[SINEW_AT_LEAST(8)], const double shape[SINEW_AT_LEAST(2)], double columns[SINEW_AT_LEAST(8)])
+void effects_cable_torque(const double signals[SINEW_AT_LEAST(11)], const double shape[SINEW_AT_LEAST(2)], double columns[SINEW_AT_LEAST(8)])
 {
     const double t1 = sinew_min(sinew_max((signals[0] - shape[0]) / shape[1], -1.0), 1.0);
     const double t2 = 1.0 - (t1 + t1) * t1;
@@ -148,7 +148,7 @@ void effects_cable_torque(const double signals[SINEW_AT_LEAST(8)], const double 
     columns[7] = -(t1 * (t9 + t9 + 1.0) + t7);
 }
 
-void effects_cable_torque_cubic(const double signals[SINEW_AT_LEAST(8)], const double shape[SINEW_AT_LEAST(2)], double columns[SINEW_AT_LEAST(4)])
+void effects_cable_torque_cubic(const double signals[SINEW_AT_LEAST(11)], const double shape[SINEW_AT_LEAST(2)], double columns[SINEW_AT_LEAST(4)])
 {
     const double t1 = sinew_min(sinew_max((signals[0] - shape[0]) / shape[1], -1.0), 1.0);
     const double t2 = 1.0 - (t1 + t1) * t1;
@@ -158,7 +158,7 @@ void effects_cable_torque_cubic(const double signals[SINEW_AT_LEAST(8)], const d
     columns[3] = -(t1 * (t2 + t2 + 1.0));
 }
 
-void effects_inertial_backlash(const double signals[SINEW_AT_LEAST(8)], const double shape[SINEW_AT_LEAST(2)], const double memory[SINEW_AT_LEAST(2)], double columns[SINEW_AT_LEAST(1)], double next[SINEW_AT_LEAST(2)])
+void effects_inertial_backlash(const double signals[SINEW_AT_LEAST(11)], const double shape[SINEW_AT_LEAST(2)], const double memory[SINEW_AT_LEAST(2)], double columns[SINEW_AT_LEAST(1)], double next[SINEW_AT_LEAST(2)])
 {
     const double t1 = memory[1] + signals[2] * signals[7] / shape[0];
     const double t2 = sinew_min(sinew_max(memory[0] + signals[7] * t1, 0.0), 1.0);
@@ -169,7 +169,7 @@ void effects_inertial_backlash(const double signals[SINEW_AT_LEAST(8)], const do
     next[1] = t4;
 }
 
-void effects_loaded_backlash(const double signals[SINEW_AT_LEAST(8)], const double shape[SINEW_AT_LEAST(3)], const double memory[SINEW_AT_LEAST(2)], double columns[SINEW_AT_LEAST(1)], double next[SINEW_AT_LEAST(2)])
+void effects_loaded_backlash(const double signals[SINEW_AT_LEAST(11)], const double shape[SINEW_AT_LEAST(3)], const double memory[SINEW_AT_LEAST(2)], double columns[SINEW_AT_LEAST(1)], double next[SINEW_AT_LEAST(2)])
 {
     const double t1 = memory[1] + signals[7] * (signals[2] + signals[4] * shape[1]) / shape[0];
     const double t2 = sinew_min(sinew_max(memory[0] + signals[7] * t1, 0.0), 1.0);
@@ -180,30 +180,61 @@ void effects_loaded_backlash(const double signals[SINEW_AT_LEAST(8)], const doub
     next[1] = t4;
 }
 
-void effects_guiding_friction(const double signals[SINEW_AT_LEAST(8)], double columns[SINEW_AT_LEAST(2)])
+void effects_link_elasticity(const double signals[SINEW_AT_LEAST(11)], double columns[SINEW_AT_LEAST(1)])
+{
+    columns[0] = signals[9] * signals[10];
+}
+
+void effects_link_resonance(const double signals[SINEW_AT_LEAST(11)], const double shape[SINEW_AT_LEAST(2)], const double memory[SINEW_AT_LEAST(3)], double columns[SINEW_AT_LEAST(1)], double next[SINEW_AT_LEAST(3)])
+{
+    const double t1 = signals[7] * memory[2];
+    const double t2 = 4.0 * memory[1] + t1;
+    const double t3 = shape[0] * shape[0];
+    const double t4 = 4.0 * (signals[8] + shape[0] * shape[1] * (memory[1] + memory[1] + t1)) + (4.0 * memory[0] + signals[7] * t2) * t3;
+    const double t5 = signals[7] * signals[7];
+    const double t6 = 1.0 / (4.0 * (1.0 + signals[7] * shape[0] * shape[1]) + t5 * t3);
+    const double t7 = 0.5 * signals[7];
+    columns[0] = -(signals[9] * t4 * t6);
+    next[0] = memory[0] + 0.25 * signals[7] * t2 - 0.25 * t4 * t5 * t6;
+    next[1] = memory[1] + t7 * memory[2] - t7 * t4 * t6;
+    next[2] = -(t4 * t6);
+}
+
+void effects_link_backlash(const double signals[SINEW_AT_LEAST(11)], const double shape[SINEW_AT_LEAST(2)], const double memory[SINEW_AT_LEAST(2)], double columns[SINEW_AT_LEAST(1)], double next[SINEW_AT_LEAST(2)])
+{
+    const double t1 = memory[1] + signals[7] * signals[8] / shape[0];
+    const double t2 = sinew_min(sinew_max(memory[0] + signals[7] * t1, 0.0), 1.0);
+    const double t3 = -(shape[1] * t1);
+    const double t4 = sinew_choose(-t2, t3, sinew_choose(-(1.0 - t2), t3, t1));
+    columns[0] = -(signals[9] * shape[0] * (memory[1] - t4) / signals[7]);
+    next[0] = t2;
+    next[1] = t4;
+}
+
+void effects_guiding_friction(const double signals[SINEW_AT_LEAST(11)], double columns[SINEW_AT_LEAST(2)])
 {
     columns[0] = signals[4] * signals[6];
     columns[1] = signals[0] * signals[4] * signals[6];
 }
 
-void effects_motor_side_guiding(const double signals[SINEW_AT_LEAST(8)], double columns[SINEW_AT_LEAST(2)])
+void effects_motor_side_guiding(const double signals[SINEW_AT_LEAST(11)], double columns[SINEW_AT_LEAST(2)])
 {
     columns[0] = signals[4] * signals[6];
     columns[1] = signals[0] * signals[4] * signals[6];
 }
 
-void effects_force_sensor_scale(const double signals[SINEW_AT_LEAST(8)], double columns[SINEW_AT_LEAST(1)])
+void effects_force_sensor_scale(const double signals[SINEW_AT_LEAST(11)], double columns[SINEW_AT_LEAST(1)])
 {
     columns[0] = signals[4];
 }
 
-void effects_force_sensor_offset(const double signals[SINEW_AT_LEAST(8)], double columns[SINEW_AT_LEAST(1)])
+void effects_force_sensor_offset(const double signals[SINEW_AT_LEAST(11)], double columns[SINEW_AT_LEAST(1)])
 {
     (void)signals;
     columns[0] = 1.0;
 }
 
-void effects_presliding(const double signals[SINEW_AT_LEAST(8)], const double shape[SINEW_AT_LEAST(1)], const double memory[SINEW_AT_LEAST(1)], double columns[SINEW_AT_LEAST(1)], double next[SINEW_AT_LEAST(1)])
+void effects_presliding(const double signals[SINEW_AT_LEAST(11)], const double shape[SINEW_AT_LEAST(1)], const double memory[SINEW_AT_LEAST(1)], double columns[SINEW_AT_LEAST(1)], double next[SINEW_AT_LEAST(1)])
 {
     const double t1 = signals[1] * signals[7] / shape[0];
     const double t2 = sinew_exp(-sinew_max(t1, -t1));
@@ -212,12 +243,12 @@ void effects_presliding(const double signals[SINEW_AT_LEAST(8)], const double sh
     next[0] = t3;
 }
 
-void effects_soft_reversal(const double signals[SINEW_AT_LEAST(8)], const double shape[SINEW_AT_LEAST(1)], double columns[SINEW_AT_LEAST(1)])
+void effects_soft_reversal(const double signals[SINEW_AT_LEAST(11)], const double shape[SINEW_AT_LEAST(1)], double columns[SINEW_AT_LEAST(1)])
 {
     columns[0] = sinew_tanh(signals[1] / shape[0]) - sinew_choose(signals[1], 1.0, -1.0);
 }
 
-void effects_late_reversal(const double signals[SINEW_AT_LEAST(8)], const double shape[SINEW_AT_LEAST(1)], const double memory[SINEW_AT_LEAST(1)], double columns[SINEW_AT_LEAST(1)], double next[SINEW_AT_LEAST(1)])
+void effects_late_reversal(const double signals[SINEW_AT_LEAST(11)], const double shape[SINEW_AT_LEAST(1)], const double memory[SINEW_AT_LEAST(1)], double columns[SINEW_AT_LEAST(1)], double next[SINEW_AT_LEAST(1)])
 {
     const double t1 = signals[1] * signals[7] / shape[0];
     const double t2 = sinew_exp(-sinew_max(t1, -t1));

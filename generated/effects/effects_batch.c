@@ -287,6 +287,52 @@ void effects_loaded_backlash_batch(int count, const double *SINEW_RESTRICT signa
     }
 }
 
+void effects_link_elasticity_batch(int count, const double *SINEW_RESTRICT signals, double *SINEW_RESTRICT columns)
+{
+    const size_t n = (size_t)count;
+    SINEW_STATES_ARE_INDEPENDENT
+    for (size_t state = 0; state < n; ++state) {
+        columns[state] = signals[9 * n + state] * signals[10 * n + state];
+    }
+}
+
+void effects_link_resonance_batch(int count, const double *SINEW_RESTRICT signals, const double *SINEW_RESTRICT shape, const double *SINEW_RESTRICT memory, double *SINEW_RESTRICT columns, double *SINEW_RESTRICT next)
+{
+    const size_t n = (size_t)count;
+    SINEW_STATES_ARE_INDEPENDENT
+    for (size_t state = 0; state < n; ++state) {
+        const double t1 = signals[7 * n + state] * memory[2 * n + state];
+        const double t2 = 4.0 * memory[1 * n + state] + t1;
+        const double t3 = shape[state] * shape[state];
+        const double t4 = shape[state] * shape[1 * n + state] * (memory[1 * n + state] + memory[1 * n + state] + t1);
+        const double t5 = 4.0 * (signals[8 * n + state] + t4) + (4.0 * memory[state] + signals[7 * n + state] * t2) * t3;
+        const double t6 = 4.0 * (1.0 + signals[7 * n + state] * shape[state] * shape[1 * n + state]);
+        const double t7 = signals[7 * n + state] * signals[7 * n + state];
+        const double t8 = 1.0 / (t6 + t7 * t3);
+        const double t9 = 0.5 * signals[7 * n + state];
+        columns[state] = -(signals[9 * n + state] * t5 * t8);
+        next[state] = memory[state] + 0.25 * signals[7 * n + state] * t2 - 0.25 * t5 * t7 * t8;
+        next[1 * n + state] = memory[1 * n + state] + t9 * memory[2 * n + state] - t9 * t5 * t8;
+        next[2 * n + state] = -(t5 * t8);
+    }
+}
+
+void effects_link_backlash_batch(int count, const double *SINEW_RESTRICT signals, const double *SINEW_RESTRICT shape, const double *SINEW_RESTRICT memory, double *SINEW_RESTRICT columns, double *SINEW_RESTRICT next)
+{
+    const size_t n = (size_t)count;
+    SINEW_STATES_ARE_INDEPENDENT
+    for (size_t state = 0; state < n; ++state) {
+        const double t1 = memory[1 * n + state] + signals[7 * n + state] * signals[8 * n + state] / shape[state];
+        const double t2 = sinew_min(sinew_max(memory[state] + signals[7 * n + state] * t1, 0.0), 1.0);
+        const double t3 = -(shape[1 * n + state] * t1);
+        const double t4 = sinew_choose(-t2, t3, sinew_choose(-(1.0 - t2), t3, t1));
+        const double t5 = signals[9 * n + state] * shape[state] * (memory[1 * n + state] - t4) / signals[7 * n + state];
+        columns[state] = -t5;
+        next[state] = t2;
+        next[1 * n + state] = t4;
+    }
+}
+
 void effects_guiding_friction_batch(int count, const double *SINEW_RESTRICT signals, double *SINEW_RESTRICT columns)
 {
     const size_t n = (size_t)count;

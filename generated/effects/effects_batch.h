@@ -44,6 +44,9 @@ void effects_cable_torque_batch(int count, const double *SINEW_RESTRICT signals,
 void effects_cable_torque_cubic_batch(int count, const double *SINEW_RESTRICT signals, const double *SINEW_RESTRICT shape, double *SINEW_RESTRICT columns);
 void effects_inertial_backlash_batch(int count, const double *SINEW_RESTRICT signals, const double *SINEW_RESTRICT shape, const double *SINEW_RESTRICT memory, double *SINEW_RESTRICT columns, double *SINEW_RESTRICT next);
 void effects_loaded_backlash_batch(int count, const double *SINEW_RESTRICT signals, const double *SINEW_RESTRICT shape, const double *SINEW_RESTRICT memory, double *SINEW_RESTRICT columns, double *SINEW_RESTRICT next);
+void effects_link_elasticity_batch(int count, const double *SINEW_RESTRICT signals, double *SINEW_RESTRICT columns);
+void effects_link_resonance_batch(int count, const double *SINEW_RESTRICT signals, const double *SINEW_RESTRICT shape, const double *SINEW_RESTRICT memory, double *SINEW_RESTRICT columns, double *SINEW_RESTRICT next);
+void effects_link_backlash_batch(int count, const double *SINEW_RESTRICT signals, const double *SINEW_RESTRICT shape, const double *SINEW_RESTRICT memory, double *SINEW_RESTRICT columns, double *SINEW_RESTRICT next);
 void effects_guiding_friction_batch(int count, const double *SINEW_RESTRICT signals, double *SINEW_RESTRICT columns);
 void effects_motor_side_guiding_batch(int count, const double *SINEW_RESTRICT signals, double *SINEW_RESTRICT columns);
 void effects_force_sensor_scale_batch(int count, const double *SINEW_RESTRICT signals, double *SINEW_RESTRICT columns);

@@ -10,7 +10,8 @@ const EffectSignals& effect_signals() {
 
 std::vector<GiNaC::symbol> signal_list() {
   const EffectSignals& s = effect_signals();
-  return {s.position, s.velocity, s.acceleration, s.jounce, s.load, s.time, s.direction, s.step};
+  return {s.position,  s.velocity, s.acceleration, s.jounce,          s.load,          s.time,
+          s.direction, s.step,     s.parting,      s.carried_inertia, s.carried_jounce};
 }
 
 GiNaC::ex Effect::shape(const std::string& parameter, const std::string& unit, Scale scale,

@@ -24,6 +24,10 @@ struct EffectSignals {
   GiNaC::symbol time{"t"};               ///< s since the log's start
   GiNaC::symbol direction{"direction"};  ///< of friction, -1..1: soft sign of the velocity
   GiNaC::symbol step{"step"};            ///< s to the next sample, for states
+  // At a joint that carries links; the others' motion goes on meanwhile.
+  GiNaC::symbol parting{"parting"};  ///< joint's acceleration against its links', were they let go
+  GiNaC::symbol carried_inertia{"carried_inertia"};  ///< of the links about the joint
+  GiNaC::symbol carried_jounce{"carried_jounce"};    ///< parting of a motion by its jounces alone
 };
 const EffectSignals& effect_signals();
 
@@ -82,11 +86,14 @@ struct Effect {
   bool at_tendon = false;      ///< its places are tendons, else joints
   bool motor_side = false;     ///< at a tendon: it moves there as its motor does
   bool baseline_only = false;  ///< how the model's own friction turns: fitted, never named
-  bool compensable = false;    ///< known from what the firmware measures, and safe to feed forward
-  std::string signature;       ///< what it leaves over
-  std::string excitation;      ///< what has to happen for it to be seen
-  std::string experiment;      ///< what isolates it
-  std::string limit;           ///< what a violated sign says
+  /// The links behind the joint's gear move otherwise than its sensor says. Other joints that carry
+  /// them feel that, in the ratio of their column of the mass matrix.
+  bool links_react = false;
+  bool compensable = false;  ///< known from what the firmware measures, and safe to feed forward
+  std::string signature;     ///< what it leaves over
+  std::string excitation;    ///< what has to happen for it to be seen
+  std::string experiment;    ///< what isolates it
+  std::string limit;         ///< what a violated sign says
 };
 
 /// Effort of an effect: sum of coefficient * term.

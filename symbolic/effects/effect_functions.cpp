@@ -13,9 +13,11 @@ Argument signals_argument() {
   argument.rows = static_cast<int>(argument.symbols.size());
   argument.unit = "SI";
   argument.doc =
-      "position, velocity, acceleration, its second derivative, load, time, direction, step";
+      "position, velocity, acceleration, its second derivative, load, time, direction, step, "
+      "parting, carried inertia, carried jounce";
   argument.ranges = {{-3.0, 3.0},   {-5.0, 5.0},  {-50.0, 50.0}, {-1e4, 1e4},
-                     {-10.0, 10.0}, {0.0, 100.0}, {-1.0, 1.0},   {1e-4, 1e-2}};
+                     {-10.0, 10.0}, {0.0, 100.0}, {-1.0, 1.0},   {1e-4, 1e-2},
+                     {-50.0, 50.0}, {1e-3, 10.0}, {-1e4, 1e4}};
   return argument;
 }
 

@@ -29,6 +29,10 @@ Effect cable_torque();
 Effect cable_torque_cubic();
 Effect inertial_backlash();
 Effect loaded_backlash();
+// In the gear of a joint that carries links:
+Effect link_elasticity();
+Effect link_resonance();
+Effect link_backlash();
 // At a tendon:
 Effect guiding_friction();
 Effect motor_side_guiding();
