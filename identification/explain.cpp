@@ -7,6 +7,7 @@
 
 #include "identification/baseline.h"
 #include "identification/confidence.h"
+#include "identification/fewer_causes.h"
 #include "identification/level_structure.h"
 #include "identification/level_terms.h"
 #include "identification/levels.h"
@@ -172,11 +173,30 @@ LevelSelection find_levels(const Design& design, const Settings& settings,
   }
 }
 
+/// What is left without a name, and the values of the model that differ; causes that one alone may
+/// replace are exchanged for it.
+LevelSelection find_values(const Design& design, const Library& library, const Settings& settings,
+                           Explanation& result) {
+  constexpr int most_exchanges = 2;
+  Selection& selection = result.selection;
+  for (int left = most_exchanges;; --left) {
+    const Selection found = selection;
+    const Structure structure = find_unexplained(design, library, settings, selection);
+    result.verdict.unexplained = structure.said;
+    if (!structure.said.withdrawn.empty())
+      selection.noise = own_noise(design, selection.model, settings.threads);
+    if (design.problem().levels.empty()) return {};
+    LevelSelection levels = find_levels(design, settings, structure, result);
+    const auto fewer =
+        left > 0 ? find_fewer_causes(design, library, settings, levels.state) : std::nullopt;
+    if (!fewer) return levels;
+    selection = replace_causes(design, library, settings, found, *fewer);
+  }
+}
+
 /// Names the levels the model's own values differ in, and lists the others as ruled out.
 void name_levels(const Design& design, const Library& library, const Settings& settings,
-                 const ExperimentPlanner& planner, const Structure& structure,
-                 Explanation& result) {
-  LevelSelection levels = find_levels(design, settings, structure, result);
+                 const ExperimentPlanner& planner, LevelSelection levels, Explanation& result) {
   Selection& state = levels.state;
   std::vector<std::size_t> named;
   for (std::size_t t = 0; t < state.model.terms.size(); ++t)
@@ -283,12 +303,9 @@ Explanation explain(const Problem& problem, const Settings& settings,
   const Library library(design, settings.threads);
   Explanation result;
   result.selection = select_causes(design, library, settings);
+  LevelSelection levels = find_values(design, library, settings, result);
   Selection& selection = result.selection;
   Verdict& verdict = result.verdict;
-  const Structure structure = find_unexplained(design, library, settings, selection);
-  verdict.unexplained = structure.said;
-  if (!verdict.unexplained.withdrawn.empty())
-    selection.noise = own_noise(design, selection.model, settings.threads);
 
   std::vector<std::size_t> named;
   for (std::size_t t = 0; t < selection.model.terms.size(); ++t) {
@@ -311,7 +328,8 @@ Explanation explain(const Problem& problem, const Settings& settings,
       for (const ParameterEstimate& estimate : result.estimates[t])
         verdict.baseline.push_back(estimate);
   list_ruled_out(design, selection, verdict);
-  if (!problem.levels.empty()) name_levels(design, library, settings, planner, structure, result);
+  if (!problem.levels.empty())
+    name_levels(design, library, settings, planner, std::move(levels), result);
   std::stable_sort(verdict.causes.begin(), verdict.causes.end(),
                    [](const NamedCause& a, const NamedCause& b) {
                      return a.cross_validated.share > b.cross_validated.share;

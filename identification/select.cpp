@@ -349,13 +349,18 @@ Selection select_causes(const Design& design, const Library& library, const Sett
     renew_noise(search);
   }
   drop_undetermined(search);
+  conclude(design, library, settings, state);
+  return state;
+}
+
+void conclude(const Design& design, const Library& library, const Settings& settings,
+              Selection& state) {
   draw_surrogates(design, settings, state.noise);
   state.last = screen(design, library, state.model, state.noise.weights, state.noise.surrogates,
                       settings.threads);
   state.evidence.assign(state.model.terms.size(), {});
   for (std::size_t t = 0; t < state.model.terms.size(); ++t)
     if (!state.model.terms[t].baseline) state.evidence[t] = judge(design, settings, state, t);
-  return state;
 }
 
 }  // namespace sinew::diagnosis

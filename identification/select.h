@@ -49,4 +49,8 @@ Evidence judge(const Design& design, const Settings& settings, const Selection& 
 /// The whole search over named and decoy candidates; flexible ones are left to unexplained.h.
 Selection select_causes(const Design& design, const Library& library, const Settings& settings);
 
+/// What the library and each cause of a final model come to.
+void conclude(const Design& design, const Library& library, const Settings& settings,
+              Selection& state);
+
 }  // namespace sinew::diagnosis

@@ -114,7 +114,8 @@ bool violates_limits(const Design& design, const Model& model, const LinearFit& 
   }
   if (t.candidate->body_within) {
     const auto n = static_cast<Index>(layout.size());
-    const VectorXd errors = fit.covariance.diagonal().segment(first, n).cwiseMax(0.0).cwiseSqrt();
+    const Eigen::VectorXd errors =
+        fit.covariance.diagonal().segment(first, n).cwiseMax(0.0).cwiseSqrt();
     if (!is_body(fit.coefficients.segment(first, n), errors, *t.candidate->body_within))
       return true;
   }
