@@ -206,7 +206,12 @@ void add_diagnose_command(CLI::App& app, int& exit_status) {
   command->add_option("--out", o->out, "Folder for report.html and findings.json")->required();
   command->add_option("--map", o->map, "channel=column name [unit], or channel=#3 [unit]");
   command->add_option("--band", o->band, "Highest frequency looked at [Hz]")
-      ->check(CLI::PositiveNumber);
+      ->check([](const std::string& text) {
+        double hertz = 0.0;
+        return CLI::detail::lexical_cast(text, hertz) && hertz > 0.0
+                   ? std::string()
+                   : "expected a frequency above 0 Hz, got '" + text + "'";
+      });
   command->add_option("--seed", o->seed, "Of the surrogates and intervals");
   command->add_option("--runtime", o->runtime, "Folder of the runtime's headers");
   command->add_flag("--dry-run", o->dry_run, "Leave the model as it is");

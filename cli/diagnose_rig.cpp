@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/diagnose_rig.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
+#include <stdexcept>
 
 #include "identification/channel_map.h"
 #include "identification/csv_rows.h"
@@ -10,6 +14,8 @@
 
 namespace sinew {
 namespace {
+
+constexpr std::size_t kMostMotors = 99;
 
 using Headers = std::vector<std::vector<std::string>>;
 
@@ -31,6 +37,20 @@ std::vector<int> logged_tendons(std::size_t count, const Headers& headers,
   return tendons;
 }
 
+/// Throws std::invalid_argument naming a log without any motor's angle, or all of them where they
+/// have none in common.
+void require_motors(const std::vector<int>& tendons, const std::vector<std::string>& files,
+                    const Headers& headers, const std::vector<std::string>& map) {
+  if (!tendons.empty()) return;
+  constexpr const char* wanted = "the angle of at least one motor, theta_1 [rad] ...";
+  for (std::size_t f = 0; f < files.size(); ++f)
+    if (logged_tendons(kMostMotors, {headers[f]}, map).empty())
+      throw std::invalid_argument(fmt::format(
+          "{}:1: a wrist's log needs {}; the header has: {}. --map theta_1=name says which it is",
+          files[f], wanted, fmt::join(headers[f], ", ")));
+  throw std::invalid_argument(fmt::format("the logs have no motor in common: all need {}", wanted));
+}
+
 }  // namespace
 
 std::optional<diagnosis::ObservedRequest> rig_request(const ModelFolder& folder,
@@ -39,9 +59,10 @@ std::optional<diagnosis::ObservedRequest> rig_request(const ModelFolder& folder,
                                                       const std::vector<std::string>& map) {
   const Part* part = std::get_if<Part>(&folder.model);
   if (!part) return std::nullopt;
+  std::vector<std::string> files = logs;
+  files.insert(files.end(), holdout.begin(), holdout.end());
   Headers headers;
-  for (const auto* files : {&logs, &holdout})
-    for (const std::string& file : *files) headers.push_back(CsvReader(file).dialect().header);
+  for (const std::string& file : files) headers.push_back(CsvReader(file).dialect().header);
   diagnosis::ObservedRequest request;
   const bool elongation = everywhere("elongation", headers, map);
   if (const auto* lever = std::get_if<LeverParameters>(&part->parameters)) {
@@ -54,8 +75,9 @@ std::optional<diagnosis::ObservedRequest> rig_request(const ModelFolder& folder,
         elongation);
   } else if (const auto* wrist = std::get_if<WristParameters>(&part->parameters)) {
     request.kind = "wrist";
-    request.rig = diagnosis::wrist_rig(*wrist, part->name,
-                                       logged_tendons(wrist->palm_points.size(), headers, map));
+    const std::vector<int> tendons = logged_tendons(wrist->palm_points.size(), headers, map);
+    require_motors(tendons, files, headers, map);
+    request.rig = diagnosis::wrist_rig(*wrist, part->name, tendons);
   } else {
     return std::nullopt;
   }

@@ -106,3 +106,15 @@ TEST_CASE("slack is named, which changes nothing but a mean") {
   INFO(told.output);
   CHECK(told.says("The model lacks: slack (tendon)."));
 }
+
+TEST_CASE("a wrist's log without motors is named with what its header has") {
+  const Workplace place =
+      lever_that_has({"slack", "tendon", {}, {{"slack", 1e-4, 0.0, "m"}}}, false);
+  const Ended ended = place.sinew(
+      {"diagnose", SINEW_SOURCE_DIR "/models/wrist", "--log", "a.csv", "--out", "found"});
+  INFO(ended.output);
+  CHECK(ended.status == 2);
+  CHECK(ended.says("a.csv:1: "));
+  CHECK(ended.says("the header has: time"));
+  CHECK(ended.says("--map theta_1="));
+}

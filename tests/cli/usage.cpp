@@ -49,6 +49,8 @@ TEST_CASE("wrong usage ends with 2 and says what is wrong") {
       {{"check", model, "--scalar", "half"}, "expected double or float"},
       {{"cost", "models/none"}, "models/none"},
       {{"dump", model}, "--function"},
+      {{"diagnose", model, "--log", "a.csv", "--out", "o", "--band", "-5"},
+       "expected a frequency above 0 Hz, got '-5'"},
       {{"dump", model, "--function", "nosuch"}, "expected one of forward_kinematics, "},
       {{"dump", model, "--function", "bias", "--after", "nosuch"},
        "expected one of lower, share, "}};
