@@ -90,6 +90,7 @@ struct Candidate {
   /// Not proportional to its one coefficient: the columns are a secant to a size of it, which
   /// refine() makes the coefficient itself; without nonlinear parameters, the tangent.
   bool secant = false;
+  bool value = false;     ///< changes a value that the model has, where no level can stand for it
   bool unlikely = false;  ///< named only where no other cause explains as much
   std::string contains;   ///< level at the same place that is a part of it; may be empty
   bool aside = false;     ///< is in every measurement: fitted, and no name for what is wrong

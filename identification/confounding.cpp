@@ -154,7 +154,9 @@ std::vector<Trial> contenders(const Design& design, const Library& library,
   // The search's own choice stays first unless another one is better by more than chance.
   const auto chosen = std::find_if(trials.begin(), trials.end(),
                                    [own](const Trial& t) { return t.candidate == own; });
-  const bool value_against_form = own < 0 && trials.front().candidate >= 0;
+  const int ahead = trials.front().candidate;
+  const bool value_against_form =
+      own < 0 && ahead >= 0 && !library_of[static_cast<std::size_t>(ahead)].value;
   if (chosen->score <= trials.front().score + (value_against_form ? kByChance : kStays))
     std::rotate(trials.begin(), chosen, chosen + 1);
   const auto likely = std::find_if(trials.begin(), trials.end(),

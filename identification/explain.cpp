@@ -203,14 +203,19 @@ void name_levels(const Design& design, const Library& library, const Settings& s
     if (state.model.terms[t].level >= 0) named.push_back(t);
   // Beside values of the model that are free, a cause gains no more than they leave to it: of logs
   // under one load friction by the load would gain nothing. Where it takes most of what the model
-  // as adopted leaves over, in which they are not free, that is what it gains.
+  // as adopted leaves over, in which they are not free, that is what it gains; and so it is where
+  // it took the place of such values.
   constexpr double kMost = 0.5;
+  const auto is_exchanged = [&](const NamedCause& cause) {
+    const std::vector<int>& list = result.selection.exchanged;
+    return std::find(list.begin(), list.end(), cause.candidate) != list.end();
+  };
   for (NamedCause& cause : result.verdict.causes)
     for (std::size_t t = 0; t < state.model.terms.size(); ++t) {
       if (cause.candidate < 0 || library_index(design, state.model.terms[t]) != cause.candidate)
         continue;
       const Gain adopted = gain_on_held_out(design, settings, state, t);
-      if (adopted.low > kMost) cause.held_out = adopted;
+      if (adopted.low > kMost || is_exchanged(cause)) cause.held_out = adopted;
     }
   const std::size_t first = result.verdict.causes.size();
   for (const std::size_t t : named) {

@@ -187,6 +187,7 @@ Selection replace_causes(const Design& design, const Library& library, const Set
                 state.model);
     refine(design, state.noise.weights, RefineScope::last_term, state.model);
     state.p_family[index] = fewer.p_family;
+    state.exchanged.push_back(fewer.candidate);
   }
   refine(design, state.noise.weights, RefineScope::all_terms, state.model);
   state.noise = own_noise(design, state.model, settings.threads);

@@ -151,6 +151,7 @@ Candidate common_delay_candidate() {
 
 Candidate torque_constant_candidate(const EffectPlace& place) {
   Candidate c = at(place, "torque constant", {"gain", "1", -0.6, 1.5, false, {}});
+  c.value = true;
   c.limit_meaning = "no gain is that wrong: is the unit, is the sign right?";
   c.isolating_experiment = "a known external load, for instance a weight held still";
   c.columns = [axis = place.axis](const Recording& log, int channel, const VectorXd&) -> MatrixXd {

@@ -38,6 +38,7 @@ struct Selection {
   std::vector<Evidence> evidence;  ///< per term of the model; baseline terms' stay empty
   std::vector<double> p_family;    ///< per candidate, at the step that took it
   Eigen::VectorXd baseline_loss;   ///< plain cross-validated loss of the baseline, per channel
+  std::vector<int> exchanged;      ///< candidates that values of the model were given up for
   std::vector<Term> levels;        ///< restrict_to_levels(): every level of the problem
   std::vector<std::shared_ptr<const Candidate>> made;  ///< what those terms point to
 };
