@@ -39,6 +39,27 @@ Mechanism arm_of_five() {
   return arm;
 }
 
+Mechanism upper_and_lower_arm() {
+  Mechanism arm;
+  arm.name = "arm";
+  for (int i = 0; i < 2; ++i) {
+    Joint joint;
+    joint.name = fmt::format("j{}", i + 1);
+    joint.parent = i - 1;
+    joint.axis = {0.0, 1.0, 0.0};
+    joint.origin.translation = Eigen::Vector3d(0.0, 0.0, 0.35 * i);
+    Body body;
+    body.name = fmt::format("l{}", i + 1);
+    body.mass = i == 0 ? 3.2 : 1.6;
+    body.centre_of_mass = {0.0, 0.0, i == 0 ? 0.16 : 0.13};
+    body.inertia = Eigen::Vector3d(0.01, 0.01, 0.001).asDiagonal();
+    body.inertia *= body.mass;
+    arm.joints.push_back(joint);
+    arm.bodies.push_back(body);
+  }
+  return arm;
+}
+
 ArmLog draw_log(const Mechanism& arm, std::uint64_t seed, const ArmFriction& friction, double step,
                 double seconds) {
   RandomNumbers random(seed);

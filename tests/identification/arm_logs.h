@@ -16,6 +16,9 @@ inline constexpr Eigen::Index kArmJoints = 5;
 /// hand has a fiftieth of the shoulder's mass.
 Mechanism arm_of_five();
 
+/// Two links in a vertical plane; no friction.
+Mechanism upper_and_lower_arm();
+
 /// Friction of every joint, [N·m] and [N·m·s/rad].
 struct ArmFriction {
   double coulomb = 0.0, viscous = 0.0;

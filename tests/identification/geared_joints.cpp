@@ -23,30 +23,16 @@ using Eigen::MatrixXd;
 using Eigen::Vector2d;
 using Eigen::VectorXd;
 
-/// An upper and a lower arm, in a vertical plane unless they weigh nothing; every motor has a
-/// gear's inertia.
-Mechanism upper_and_lower_arm(bool weighing) {
-  Mechanism arm;
+/// The arm in its vertical plane unless it weighs nothing; every motor has a gear's inertia.
+Mechanism geared_arm(bool weighing) {
+  Mechanism arm = test::upper_and_lower_arm();
   if (!weighing) arm.gravity.setZero();
-  arm.name = "geared";
-  for (int i = 0; i < 2; ++i) {
-    Joint joint;
-    joint.name = fmt::format("j{}", i + 1);
-    joint.parent = i - 1;
-    joint.axis = {0.0, 1.0, 0.0};
-    joint.origin.translation = Eigen::Vector3d(0.0, 0.0, i == 0 ? 0.2 : 0.35);
+  for (std::size_t i = 0; i < 2; ++i) {
+    Joint& joint = arm.joints[i];
     joint.armature = i == 0 ? 0.12 : 0.05;
     joint.damping = i == 0 ? 0.5 : 0.2;
     joint.friction = i == 0 ? 0.8 : 0.35;
     joint.friction_speed = 0.02;
-    Body body;
-    body.name = fmt::format("l{}", i + 1);
-    body.mass = i == 0 ? 3.2 : 1.6;
-    body.centre_of_mass = {0.0, 0.0, i == 0 ? 0.16 : 0.13};
-    body.inertia = Eigen::Vector3d(0.01, 0.01, 0.001).asDiagonal();
-    body.inertia *= body.mass;
-    arm.joints.push_back(joint);
-    arm.bodies.push_back(body);
   }
   return arm;
 }
@@ -143,7 +129,7 @@ std::string geared_log(const Mechanism& arm, const Gear& gear, std::uint64_t see
 }
 
 Findings diagnosed(const Gear& gear, bool weighing) {
-  const Mechanism arm = upper_and_lower_arm(weighing);
+  const Mechanism arm = geared_arm(weighing);
   return test::diagnosed(arm, geared_log(arm, gear, 3), geared_log(arm, gear, 8));
 }
 
