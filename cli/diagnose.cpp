@@ -7,6 +7,7 @@
 #include <CLI/CLI.hpp>
 #include <fstream>
 #include <memory>
+#include <sstream>
 
 #include "cli/diagnose_rig.h"
 #include "cli/learnt_model.h"
@@ -208,7 +209,8 @@ void add_diagnose_command(CLI::App& app, int& exit_status) {
   command->add_option("--band", o->band, "Highest frequency looked at [Hz]")
       ->check([](const std::string& text) {
         double hertz = 0.0;
-        return CLI::detail::lexical_cast(text, hertz) && hertz > 0.0
+        std::istringstream in(text);
+        return in >> hertz && in.eof() && hertz > 0.0
                    ? std::string()
                    : "expected a frequency above 0 Hz, got '" + text + "'";
       });

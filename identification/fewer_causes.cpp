@@ -46,6 +46,7 @@ struct Alternative {
   FewerCauses causes;
   Model model;
   double score = 0.0;
+  bool allowed = false;  ///< keeps the new cause's limits
 };
 
 /// Causes that act on a channel, by their places in the model.
@@ -110,7 +111,7 @@ std::vector<Alternative> alternatives(const Search& s, const std::vector<std::si
   };
   const auto add = [&](int index, const std::function<void(Model&)>& append) {
     if (is_in_group(index)) return;
-    Alternative trial{{index, {}, 1.0}, without, 0.0};
+    Alternative trial{{index, {}, 1.0}, without, 0.0, false};
     append(trial.model);
     list.push_back(std::move(trial));
   };
@@ -131,21 +132,19 @@ std::vector<Alternative> alternatives(const Search& s, const std::vector<std::si
 std::optional<Alternative> best_instead(const Search& s, const std::vector<std::size_t>& group,
                                         double present) {
   std::vector<Alternative> trials = alternatives(s, group);
-  std::vector<bool> allowed(trials.size(), false);
   parallel_for(static_cast<int>(trials.size()), s.settings.threads, [&](int i) {
     Alternative& trial = trials[static_cast<std::size_t>(i)];
     refine(s.design, s.weights(), RefineScope::last_term, trial.model);
     const LinearFit fit = solve(stack(trial.model, s.weights()));
-    allowed[static_cast<std::size_t>(i)] =
-        !violates_limits(s.design, trial.model, fit, trial.model.terms.size() - 1);
+    trial.allowed = !violates_limits(s.design, trial.model, fit, trial.model.terms.size() - 1);
     trial.score = s.score(trial.model);
   });
   std::optional<Alternative> best;
-  for (std::size_t i = 0; i < trials.size(); ++i) {
-    if (!allowed[i]) continue;
-    take_back(s, group, trials[i]);
-    if (trials[i].causes.instead_of.size() < 2 || trials[i].score > present - kWorthIt) continue;
-    if (!best || trials[i].score < best->score) best = std::move(trials[i]);
+  for (Alternative& trial : trials) {
+    if (!trial.allowed) continue;
+    take_back(s, group, trial);
+    if (trial.causes.instead_of.size() < 2 || trial.score > present - kWorthIt) continue;
+    if (!best || trial.score < best->score) best = std::move(trial);
   }
   return best;
 }
