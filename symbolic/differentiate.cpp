@@ -83,12 +83,18 @@ ex ForwardDerivative::of_definition(std::size_t position) {
              list_.define(definition.symbol.get_name() + "_by_" + suffix_, derivative);
 }
 
+// by_parts() writes definitions down: calls that share an expression would come in the compiler's
+// order.
 ex ForwardDerivative::total(const ex& value, const ex& own) {
-  if (const auto cases = cases_of(value))
-    return choose(cases->condition, by_parts(cases->a), by_parts(cases->b));
+  if (const auto cases = cases_of(value)) {
+    const ex a = by_parts(cases->a), b = by_parts(cases->b);
+    return choose(cases->condition, a, b);
+  }
   if (is_root(value)) return (by_parts(value.op(0)) / 2) / own;
-  if (const ex below = denominator_of(value); !below.is_equal(1))
-    return (by_parts(value * below) - own * by_parts(below)) / below;
+  if (const ex below = denominator_of(value); !below.is_equal(1)) {
+    const ex above = by_parts(value * below);
+    return (above - own * by_parts(below)) / below;
+  }
   return by_parts(value);
 }
 

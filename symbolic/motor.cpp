@@ -59,8 +59,10 @@ struct Motor {
   }
 
   ex acceleration() {
+    const ex lost = friction();  // one after the other: an expression's order is the compiler's
+    const ex periodic = ripple();
     const ex net =
-        tau_m.symbols[0] - friction() - ripple() - exact_number(p.pulley_radius) * f.symbols[0];
+        tau_m.symbols[0] - lost - periodic - exact_number(p.pulley_radius) * f.symbols[0];
     return list.define("acceleration", net / inertia());
   }
 

@@ -93,8 +93,9 @@ Function tendon_bending_angles(const Mechanism& mechanism) {
       const std::string name = tendon.name + "_stretch";
       const Directions now = directions(list, kinematics, mechanism, straight, name),
                        rest = directions_at_rest(mechanism, tree, straight);
-      sum += angle_between(list, name + "_start", rest.from, now.from) +
-             angle_between(list, name + "_end", rest.to, now.to);
+      // Two statements: which of two summands comes first would be the compiler's to say.
+      sum += angle_between(list, name + "_start", rest.from, now.from);
+      sum += angle_between(list, name + "_end", rest.to, now.to);
     }
     angles.push_back(sum);
   }

@@ -174,8 +174,10 @@ Function wrist_feedforward_rate(const WristParameters& parameters) {
   const Argument dq71 = scalar_argument("dq71", "rad/s", rate_range, "rate of q71");
   const Argument dq73 = scalar_argument("dq73", "rad/s", rate_range, "rate of q73");
   std::vector<ex> rates;
-  for (std::size_t i = 0; i < lengths.h.size(); ++i)
-    rates.push_back(lengths.slope(i, 0) * dq71.symbols[0] + lengths.slope(i, 1) * dq73.symbols[0]);
+  for (std::size_t i = 0; i < lengths.h.size(); ++i) {
+    const ex by_q71 = lengths.slope(i, 0), by_q73 = lengths.slope(i, 1);
+    rates.push_back(by_q71 * dq71.symbols[0] + by_q73 * dq73.symbols[0]);
+  }
   Function function = lengths.start.finish("feedforward_rate", "",
                                            "Rates of the motor angles of wrist_feedforward.",
                                            {{"delta_theta_rate", tendon_count(parameters), 1,
@@ -202,12 +204,14 @@ Function wrist_joint_stiffness(const WristParameters& parameters) {
   const Argument f = forces(parameters), k = stiffnesses(tendon_count(parameters));
   const auto entry = [&](int row, int col) {
     ex sum = 0;
-    for (std::size_t i = 0; i < lengths.h.size();
-         ++i)  // named, so that a tendon's terms stay together
-      sum += lengths.start.list.define(
-          "K_" + std::to_string(i),
-          f.symbols[i] * lengths.curvature(i, row, col) +
-              k.symbols[i] * lengths.slope(i, row) * lengths.slope(i, col));
+    for (std::size_t i = 0; i < lengths.h.size(); ++i) {
+      // What they need is written down in this order, whatever the compiler's order of operands.
+      const ex by_row = lengths.slope(i, row), by_col = lengths.slope(i, col);
+      const ex curvature = lengths.curvature(i, row, col);
+      // Named, so that a tendon's terms stay together.
+      sum += lengths.start.list.define("K_" + std::to_string(i),
+                                       f.symbols[i] * curvature + k.symbols[i] * by_row * by_col);
+    }
     return sum;
   };
   const ex mixed = lengths.start.list.define("K_01", entry(0, 1));

@@ -36,7 +36,7 @@ void motor_acceleration(const double theta[SINEW_AT_LEAST(1)], const double qd[S
     const double s6 = sine2[1];
     const double ripple = 0.02 * s4 + 0.04 * s6;
     const double friction = 0.0356 * qd[0] + 0.5586 * sinew_atan(10.0 * qd[0]);
-    const double acceleration = 487.8048780487805 * (ripple - tau_m[0] + friction) + 2.4390243902439024 * f[0];
+    const double acceleration = 487.8048780487805 * (friction - tau_m[0] + ripple) + 2.4390243902439024 * f[0];
     qdd[0] = -acceleration;
 }
 
@@ -62,7 +62,7 @@ void motor_power_balance(const double theta[SINEW_AT_LEAST(1)], const double qd[
     const double s6 = sine2[1];
     const double friction = 0.0356 * qd[0] + 0.5586 * sinew_atan(10.0 * qd[0]);
     const double ripple = 0.02 * s4 + 0.04 * s6;
-    const double acceleration = 487.8048780487805 * (ripple - tau_m[0] + friction) + 2.4390243902439024 * f[0];
+    const double acceleration = 487.8048780487805 * (friction - tau_m[0] + ripple) + 2.4390243902439024 * f[0];
     power[0] = qd[0] * tau_m[0];
     power[1] = -(qd[0] * friction);
     power[2] = -(qd[0] * ripple);

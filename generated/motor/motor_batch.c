@@ -53,7 +53,7 @@ void motor_acceleration_batch(int count, const double *SINEW_RESTRICT theta, con
         sinew_sincos(1.1 + 100.0 * theta[state], &s3, &c4);
         const double ripple = 0.02 * s1 + 0.04 * s3;
         const double friction = 0.0356 * qd[state] + 0.5586 * sinew_atan(10.0 * qd[state]);
-        const double acceleration = 487.8048780487805 * (ripple - tau_m[state] + friction) + 2.4390243902439024 * f[state];
+        const double acceleration = 487.8048780487805 * (friction - tau_m[state] + ripple) + 2.4390243902439024 * f[state];
         qdd[state] = -acceleration;
     }
 }
@@ -85,7 +85,7 @@ void motor_power_balance_batch(int count, const double *SINEW_RESTRICT theta, co
         sinew_sincos(1.1 + 100.0 * theta[state], &s3, &c4);
         const double friction = 0.0356 * qd[state] + 0.5586 * sinew_atan(10.0 * qd[state]);
         const double ripple = 0.02 * s1 + 0.04 * s3;
-        const double acceleration = 487.8048780487805 * (ripple - tau_m[state] + friction) + 2.4390243902439024 * f[state];
+        const double acceleration = 487.8048780487805 * (friction - tau_m[state] + ripple) + 2.4390243902439024 * f[state];
         power[state] = qd[state] * tau_m[state];
         power[1 * n + state] = -(qd[state] * friction);
         power[2 * n + state] = -(qd[state] * ripple);

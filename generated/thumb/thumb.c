@@ -2295,10 +2295,10 @@ void thumb_bending_angles(const double q[SINEW_AT_LEAST(4)], double angles[SINEW
     const double t45 = sinew_atan2(sinew_sqrt(t44 + D_stretch_start_asidez * D_stretch_start_asidez), t34 + 0.024 * D_stretch_dy - 0.045 * D_stretch_dx);
     const double t46 = sinew_max(q[2], -q[2]);
     const double t47 = t46 + sinew_max(q[3], -q[3]);
-    angles[0] = t18 + t23;
-    angles[1] = t30 + t35;
-    angles[2] = t38 + t40;
-    angles[3] = t43 + t45;
+    angles[0] = t23 + t18;
+    angles[1] = t35 + t30;
+    angles[2] = t40 + t38;
+    angles[3] = t45 + t43;
     angles[4] = t46;
     angles[5] = t46;
     angles[6] = t47;

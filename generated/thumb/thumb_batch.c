@@ -2332,10 +2332,10 @@ void thumb_bending_angles_batch(int count, const double *SINEW_RESTRICT q, doubl
         const double t42 = sinew_atan2(sinew_sqrt(t41 + D_stretch_start_asidez * D_stretch_start_asidez), t31 + 0.024 * D_stretch_dy - 0.045 * D_stretch_dx);
         const double t43 = sinew_max(q[2 * n + state], -q[2 * n + state]);
         const double t44 = t43 + sinew_max(q[3 * n + state], -q[3 * n + state]);
-        angles[state] = t15 + t20;
-        angles[1 * n + state] = t27 + t32;
-        angles[2 * n + state] = t35 + t37;
-        angles[3 * n + state] = t40 + t42;
+        angles[state] = t20 + t15;
+        angles[1 * n + state] = t32 + t27;
+        angles[2 * n + state] = t37 + t35;
+        angles[3 * n + state] = t42 + t40;
         angles[4 * n + state] = t43;
         angles[5 * n + state] = t43;
         angles[6 * n + state] = t44;

@@ -2269,8 +2269,8 @@ void thumb_table_5_2_bending_angles(const double q[SINEW_AT_LEAST(4)], double an
     const double t29 = sinew_atan2(sinew_sqrt(t24 + D_stretch_start_asidez * D_stretch_start_asidez), -(0.045 * D_stretch_dx));
     const double t30 = sinew_max(q[2], -q[2]);
     const double t31 = t30 + sinew_max(q[3], -q[3]);
-    angles[0] = sinew_atan2(sinew_sqrt(t15), 0.045 * A_stretch_end_dx) + t18;
-    angles[1] = sinew_atan2(sinew_sqrt(t22), -(0.045 * B_stretch_end_dx)) + t25;
+    angles[0] = t18 + sinew_atan2(sinew_sqrt(t15), 0.045 * A_stretch_end_dx);
+    angles[1] = t25 + sinew_atan2(sinew_sqrt(t22), -(0.045 * B_stretch_end_dx));
     angles[2] = t27 + sinew_atan2(sinew_sqrt(t26), 0.045 * C_stretch_end_dx);
     angles[3] = t29 + sinew_atan2(sinew_sqrt(t28), -(0.045 * D_stretch_end_dx));
     angles[4] = t30;

@@ -2306,8 +2306,8 @@ void thumb_table_5_2_bending_angles_batch(int count, const double *SINEW_RESTRIC
         const double t26 = sinew_atan2(sinew_sqrt(t21 + D_stretch_start_asidez * D_stretch_start_asidez), -(0.045 * D_stretch_dx));
         const double t27 = sinew_max(q[2 * n + state], -q[2 * n + state]);
         const double t28 = t27 + sinew_max(q[3 * n + state], -q[3 * n + state]);
-        angles[state] = sinew_atan2(sinew_sqrt(t12), 0.045 * A_stretch_end_dx) + t15;
-        angles[1 * n + state] = sinew_atan2(sinew_sqrt(t19), -(0.045 * B_stretch_end_dx)) + t22;
+        angles[state] = t15 + sinew_atan2(sinew_sqrt(t12), 0.045 * A_stretch_end_dx);
+        angles[1 * n + state] = t22 + sinew_atan2(sinew_sqrt(t19), -(0.045 * B_stretch_end_dx));
         angles[2 * n + state] = t24 + sinew_atan2(sinew_sqrt(t23), 0.045 * C_stretch_end_dx);
         angles[3 * n + state] = t26 + sinew_atan2(sinew_sqrt(t25), -(0.045 * D_stretch_end_dx));
         angles[4 * n + state] = t27;

@@ -25,11 +25,13 @@ std::string accept_command(const Ended& check) {
 
 }  // namespace
 
-TEST_CASE("the committed C is what the model gives") {
-  const Ended ended = Workplace::sinew_in(SINEW_SOURCE_DIR, {"check", model});
+TEST_CASE("the committed C is what every model gives") {
+  // Seen to fail: motor, both thumbs and wrist, committed from another compiler's program, whose
+  // order of operands was another.
+  const Ended ended = Workplace::sinew_in(SINEW_SOURCE_DIR, {"check", "models"});
   INFO(ended.output);
   CHECK(ended.status == 0);
-  CHECK(ended.says("up to date"));
+  CHECK(ended.says("wrist: generated/wrist is up to date"));
 }
 
 TEST_CASE("generate writes what check then accepts") {

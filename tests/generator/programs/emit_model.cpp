@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// emit_model <model folder> <output folder>: what `sinew generate` writes, under the locale that
-// the environment asks for. Says on the standard output how this locale writes one half. Needs
-// nothing but symbolic/ and generator/, so that a second compiler builds it quickly.
+// emit_model <model folder> <output folder>: what `sinew generate` writes of a mechanism, a part or
+// a hand, and what a part's sensors read, under the locale that the environment asks for. Says on
+// the standard output how this locale writes one half. Needs nothing but symbolic/ and generator/,
+// so that a second compiler builds it quickly.
 #include <clocale>
 #include <cstdio>
 #include <exception>
@@ -12,6 +13,9 @@
 #include "generator/rewrite.h"
 #include "generator/write.h"
 #include "symbolic/functions.h"
+#include "symbolic/hand.h"
+#include "symbolic/part_observation.h"
+#include "symbolic/read_hand.h"
 #include "symbolic/read_mechanism.h"
 
 using namespace sinew;
@@ -34,10 +38,22 @@ Graph disturbed(const Graph& graph) {
 }
 #endif
 
-void emit(const char* model_folder, const char* output_folder) {
-  const Mechanism mechanism = read_mechanism(model_folder);
-  EmittedModel model = assemble({mechanism.name, mechanism.description, std::string(64, '0'), {}},
-                                functions_of(mechanism, emitted_cost), Target{});
+std::vector<Function> functions_of_part(const Part& part) {
+  std::vector<Function> functions = functions_of(part);
+  if (const std::optional<Observation> observation = observation_of(part))
+    functions.push_back(closed_observation(*observation, {}));
+  return functions;
+}
+
+std::vector<Function> functions_of_folder(const std::filesystem::path& folder) {
+  if (is_hand_folder(folder)) return hand_functions(read_hand(folder).hand);
+  if (is_part_folder(folder)) return functions_of_part(read_part(folder));
+  return functions_of(read_mechanism(folder), emitted_cost);
+}
+
+void emit(const std::filesystem::path& folder, const char* output_folder) {
+  EmittedModel model = assemble({folder.filename().string(), "", std::string(64, '0'), {}},
+                                functions_of_folder(folder), Target{});
   for (Graph& graph : model.functions) graph = disturbed(graph);
   replace_folder(output_folder, emit_files(model));
 }
