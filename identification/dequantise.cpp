@@ -144,15 +144,21 @@ SensorSteps sensor_steps(const VectorXd& reading) {
 }
 
 VectorXd dequantised(const VectorXd& signal) {
+  constexpr Index kRest = 4;  // times the usual time between changes
+  const std::vector<Index> changes = lone_changes(signal);
+  std::vector<Index> held;
+  for (std::size_t i = 1; i < changes.size(); ++i) held.push_back(changes[i] - changes[i - 1]);
+  if (held.empty()) return signal;
+  const auto usual = held.begin() + static_cast<std::ptrdiff_t>(held.size() / 2);
+  std::nth_element(held.begin(), usual, held.end());
   VectorXd out = signal;
-  double last_at = -1.0, last = 0.0;
-  for (const Index k : lone_changes(signal)) {
-    const double at = static_cast<double>(k) - 0.5, middle = 0.5 * (signal(k) + signal(k - 1));
-    if (last_at >= 0.0)
-      for (auto i = static_cast<Index>(last_at + 0.5); i < k; ++i)
-        out(i) = last + (middle - last) * (static_cast<double>(i) - last_at) / (at - last_at);
-    last_at = at;
-    last = middle;
+  const auto middle = [&](Index k) { return 0.5 * (signal(k) + signal(k - 1)); };
+  for (std::size_t c = 1; c < changes.size(); ++c) {
+    const Index from = changes[c - 1], to = changes[c];
+    if (to - from > kRest * *usual) continue;
+    for (Index i = from; i < to; ++i)
+      out(i) = middle(from) + (middle(to) - middle(from)) * (static_cast<double>(i - from) + 0.5) /
+                                  static_cast<double>(to - from);
   }
   return out;
 }

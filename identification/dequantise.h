@@ -19,8 +19,8 @@ struct SensorSteps {
 };
 SensorSteps sensor_steps(const Eigen::VectorXd& reading);
 
-/// Straight lines between the middles of the changes; the signal itself before the first and after
-/// the last.
+/// Straight lines between the middles of the changes; the signal itself before the first, after the
+/// last, and where it is held so long that the motion rests, which may be anywhere within the step.
 Eigen::VectorXd dequantised(const Eigen::VectorXd& signal);
 
 /// Which end of its play a sensor is at, -1..1: the direction of the reading's motion, and on its

@@ -23,6 +23,21 @@ VectorXd column_of(const Log& log, const sinew::Segment& segment, const std::str
   return segment.samples.col(log.channel(channel)).matrix();
 }
 
+/// Rate of the count without what its sensor flickers by while the lever rests: every flicker would
+/// turn the friction of guides over a little, and so would what a smoother swings over at a stop.
+/// Reversals come late by the flicker, a count where there is none.
+VectorXd steady_rate(const VectorXd& count, double step) {
+  const double play = 1.0 + 3.0 * white_noise_rms(count.array());
+  VectorXd rate = VectorXd::Zero(count.size());
+  double steady = count.size() > 0 ? count(0) : 0.0;
+  for (Index k = 1; k < count.size(); ++k) {
+    const double before = steady;
+    steady = std::clamp(steady, count(k) - play, count(k) + play);
+    rate(k) = (steady - before) / step;
+  }
+  return rate;
+}
+
 /// Neither deviations nor state: the force and the elongation of the lever as it should be.
 MatrixXd nominal(const ObservedModel& model, const Recording& r, const Observation& observation) {
   Index deviations = 0;
@@ -45,7 +60,7 @@ Recording recording_of(const Log& log, const sinew::Segment& segment, const Obse
   const VectorXd count = column_of(log, segment, "count");
   const double cutoff = std::min(calibration_cutoff, 0.1 / log.period);
   r.signals["count"] = count;
-  r.signals["count_rate"] = differentiate(count, log.period, cutoff).qd;
+  r.signals["count_rate"] = steady_rate(count, log.period);
   const bool bent = log.channel("bend") >= 0;
   r.signals["bend"] = bent ? column_of(log, segment, "bend") : VectorXd::Zero(n);
   r.target.push_back(column_of(log, segment, "force"));

@@ -16,7 +16,7 @@ namespace {
 using GiNaC::ex;
 using GiNaC::numeric;
 
-const numeric reversal_velocity(1, 10000);  // m/s; friction of guides turns over this
+const numeric guide_turns_over(1, 20000);  // m of travel; and it stays as it is at rest
 
 ObservationParameter deviation(const char* name, const char* unit, double low, double high,
                                double step) {
@@ -32,6 +32,8 @@ struct LeverEffects {
   ObservationEffect slack{"slack", "slack", "tendon", {}, {}, {1}};
   ObservationEffect scale{"sensor_scale", "scale of the lever sensor", "sensor", {}, {}, {}};
   ObservationEffect offset{"sensor_offset", "offset of the lever sensor", "sensor", {}, {}, {}};
+  ObservationEffect zero{
+      "force_sensor_offset", "offset of the force sensor", "sensor", {}, {}, {0}};
   ObservationEffect capstan{
       "guiding_capstan", "guiding friction (capstan law)", "tendon", {}, {}, {0}};
   ObservationEffect fitted{
@@ -72,6 +74,10 @@ struct LeverEffects {
     offset.experiment = "the count with the tendon free";
     offset.signature = "force and elongation off together from the start of travel";
     offset.excitation = "the whole travel";
+    zero.deviations = {deviation("force_offset", "N", -1000.0, 1000.0, 1e-3)};
+    zero.experiment = "the tendon slack: what the load cell still shows";
+    zero.signature = "the same force left over everywhere, with the tendon slack, too";
+    zero.excitation = "the start of travel, where the lever is at its stop";
     for (ObservationEffect* e : {&capstan, &fitted}) {
       e->limit = "friction would drive the tendon";
       e->experiment = "slow triangular motion at several bending angles and forces";
@@ -85,7 +91,7 @@ struct LeverEffects {
   }
 
   std::vector<ObservationEffect> all() const {
-    return {spring, preload, hysteresis, series, slack, scale, offset, capstan, fitted};
+    return {spring, preload, hysteresis, series, slack, scale, offset, zero, capstan, fitted};
   }
 };
 
@@ -106,7 +112,8 @@ class Reading {
     bend_ = scalar_argument("bend", "rad", {0.0, 6.3},
                             "total bending angle between lever and load cell");
     step_ = scalar_argument("step", "s", {1e-4, 1e-2}, "to the next sample");
-    state_ = scalar_argument("memory", "1", {-1.0, 1.0}, "of the hysteresis, before this sample");
+    state_ = array_argument("memory", 2, 1, "1", {-1.0, 1.0},
+                            "of the hysteresis and of the guides, before this sample");
   }
 
   Function function() {
@@ -122,7 +129,7 @@ class Reading {
             {count_, rate_, bend_, step_, state_},
             list_.items(),
             {{"measured", 2, 1, {guided, stretched}, "N, m", "force, elongation"},
-             {"next", 1, 1, {next_}, "1", "state for the next sample"}}};
+             {"next", 2, 1, {next_, guided_}, "1", "states for the next sample"}}};
   }
 
  private:
@@ -148,24 +155,27 @@ class Reading {
                     g.safe_slope);
     force_ = list_.define("force", maximum(pull, 0));
     const ex rate = clamped(rate_.symbols[0], -1000000, 1000000);
-    velocity_ = list_.define("velocity", -g.slope * per_count_ * rate);
-    // Dahl's law: the way from one side of the loop to the other has a length of its own.
-    const ex z = clamped(state_.symbols[0], -1, 1);
-    const ex way = list_.define(
-        "way", velocity_ * clamped(step_.symbols[0], 0, 1) / e_.hysteresis.shapes.front().symbol);
-    const ex left = list_.define("left", GiNaC::exp(-magnitude(way)));
-    next_ = list_.define("state_next", choose(way, 1 - (1 - z) * left, (1 + z) * left - 1));
+    travel_ =
+        list_.define("travel", -g.slope * per_count_ * rate * clamped(step_.symbols[0], 0, 1));
+    next_ = turned(0, e_.hysteresis.shapes.front().symbol, "loop");
+  }
+
+  /// Dahl's law: the way from one side of a loop to the other has a length of its own, at rest it
+  /// stays where it is.
+  ex turned(int state, const ex& length, const std::string& name) {
+    const ex z = clamped(state_.symbols[static_cast<std::size_t>(state)], -1, 1);
+    const ex way = list_.define(name + "_way", travel_ / length);
+    const ex left = list_.define(name + "_left", GiNaC::exp(-magnitude(way)));
+    return list_.define(name + "_next", choose(way, 1 - (1 - z) * left, (1 + z) * left - 1));
   }
 
   ex write_guides() {
-    const ex direction = list_.define(
-        "direction",
-        velocity_ / GiNaC::sqrt(velocity_ * velocity_ + GiNaC::pow(reversal_velocity, 2)));
+    guided_ = turned(1, guide_turns_over, "guide");
     const ex bend = list_.define("bend_limited", clamped(bend_.symbols[0], 0, 100));
     const ex loop = list_.define("loop", force_ * (1 + first(e_.hysteresis) * next_));
-    const ex exponent = clamped(first(e_.capstan) * bend * direction, -10, 10);
-    return list_.define("cell", loop * GiNaC::exp(exponent)) +
-           first(e_.fitted) * direction * (1 - GiNaC::exp(-e_.fitted.shapes.front().symbol * bend));
+    const ex exponent = clamped(first(e_.capstan) * bend * guided_, -10, 10);
+    return list_.define("cell", loop * GiNaC::exp(exponent)) + first(e_.zero) +
+           first(e_.fitted) * guided_ * (1 - GiNaC::exp(-e_.fitted.shapes.front().symbol * bend));
   }
 
   /// The equations as a report shows them.
@@ -183,6 +193,7 @@ class Reading {
     say(e_.slack, "elongation", x + first(e_.slack));
     say(e_.scale, "count", count / (1 + first(e_.scale)));
     say(e_.offset, "count", count - first(e_.offset));
+    say(e_.zero, "force", f + first(e_.zero));
     say(e_.capstan, "force", f * GiNaC::exp(first(e_.capstan) * alpha * direction));
     say(e_.fitted, "force",
         f + first(e_.fitted) * direction *
@@ -193,7 +204,7 @@ class Reading {
   LeverEffects& e_;
   DefinitionList list_;
   Argument count_, rate_, bend_, step_, state_;
-  ex per_count_, theta_, elongation_, force_, velocity_, next_;
+  ex per_count_, theta_, elongation_, force_, travel_, next_, guided_;
 };
 
 }  // namespace

@@ -47,6 +47,7 @@ Outcome diagnose_lever(const truth::TrialRequest& trial) {
                        {"lever hysteresis", "lever_hysteresis"},
                        {"tendon in series", "series_tendon"},
                        {"slack", "slack"},
+                       {"offset of the force sensor", "force_offset"},
                        {"scale of the lever sensor", "sensor_scale"},
                        {"quantisation of the lever sensor", "sensor_quantisation"},
                        {"guiding friction (capstan law)", "guiding_friction"},
@@ -67,6 +68,17 @@ TEST_CASE("causes hidden in a lever's calibration are named") {
                  });
   INFO(rates.text());
   CHECK(rates.all_inside >= 5);
+}
+
+TEST_CASE("what friction and a coarse sensor do stays as it is while the lever rests") {
+  // The calibration stops on its way every few seconds. Planted defects: with the direction of
+  // guides from the velocity alone, which is zero at rest, 1004 gets lever hysteresis; with rests
+  // joined by straight lines (kRest in dequantise.cpp without end) 1008 is told as nothing.
+  for (const std::uint64_t seed : {1004U, 1008U}) {
+    const Outcome o = diagnose_lever({seed, "lever", truth::Family::one, 1.0});
+    INFO(seed << " hidden:" << o.hidden() << ", told:" << o.told());
+    CHECK(o.all_right);
+  }
 }
 
 TEST_CASE("a lever that hides nothing is told to leave nothing over") {

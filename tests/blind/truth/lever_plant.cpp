@@ -108,7 +108,8 @@ class LeverCurve {
 };
 
 struct LeverHidden {
-  double spring = 0.0, preload = 0.0, hysteresis = 0.0, series = 0.0, guiding = 0.0, slack = 0.0;
+  double spring = 0.0, preload = 0.0, hysteresis = 0.0, series = 0.0, guiding = 0.0, slack = 0.0,
+         force_offset = 0.0;
   double scale = 0.0, coarse = 0.0, creep = 0.0, wobble = 0.0;
 };
 
@@ -116,6 +117,24 @@ struct LeverCause {
   Cause cause;
   double LeverHidden::*field;
 };
+
+// Which sample of a course is drawn at each row: some operators stop on their way every few
+// seconds.
+std::vector<size_t> stops(bool any, size_t rows, double period, Draw draw) {
+  std::vector<size_t> at(rows, 0);
+  const auto samples = [&](double low, double high) {
+    return static_cast<size_t>(draw.uniform(low, high) / period);
+  };
+  size_t stop = samples(1.0, 3.0), left = 0;
+  for (size_t k = 1; k < rows; ++k) {
+    at[k] = at[k - 1] + (left == 0 ? 1 : 0);
+    if (left > 0) --left;
+    if (!any || at[k] != stop || left > 0) continue;
+    left = samples(0.3, 1.2);
+    stop += samples(1.0, 3.0);
+  }
+  return at;
+}
 
 class LeverPlant : public Plant {
  public:
@@ -129,6 +148,8 @@ class LeverPlant : public Plant {
     creep_time_ = draw.uniform(1.0, 4.0);
     wobble_rate_ = 2.0 * pi / draw.uniform(0.8e-3, 2.0e-3);
     for (auto& s : streams_) s = draw.bits();
+    rests_ = draw.chance(0.5);
+    guide_way_ = draw.uniform(2.0e-5, 8.0e-5);
     const LeverCurve curve(model_, 0.0, 0.0);
     first_angle_ = model_.rest;
     last_angle_ = curve.last_angle(1.15 * model_.reach);
@@ -141,6 +162,7 @@ class LeverPlant : public Plant {
         {{"slack", "tendon", "m", 5.0e-5, 3.0e-3, 0.0, false, false}, &H::slack},
         {{"sensor_scale", "sensor", "1", 0.01, 0.3, -0.3, false, false}, &H::scale},
         {{"sensor_quantisation", "sensor", "1", 20.0, 400.0, 0.0, false, false}, &H::coarse},
+        {{"force_offset", "sensor", "N", 0.1, 30.0, -30.0, false, false}, &H::force_offset},
         {{"creep", "lever", "N", 1.0, 30.0, 0.0, true, false}, &H::creep},
         {{"wobble", "lever", "N", 1.0, 30.0, 0.0, true, false}, &H::wobble},
     };
@@ -172,10 +194,13 @@ class LeverPlant : public Plant {
     t.header = {"time [s]", "count [1]", "force [N]", "elongation [m]"};
     if (guided_) t.header.push_back("bend [rad]");
     t.columns.assign(t.header.size(), std::vector<double>(rows));
-    double grip = 0.0, slow = 0.0, bend = 0.6, before = 0.0, lever_before = 0.5 * model_.reach;
+    const std::vector<size_t> at =
+        stops(rests_, rows, period, Draw(~streams_[0] + static_cast<std::uint64_t>(log)));
+    double grip = 0.0, held = 0.0, slow = 0.0, bend = 0.6, before = 0.5 * model_.reach,
+           lever_before = 0.5 * model_.reach;
     for (size_t k = 0; k < rows; ++k) {
-      const double drawn = std::clamp(0.52 * model_.reach + course[k].position, 0.02 * model_.reach,
-                                      1.1 * model_.reach);
+      const double drawn = std::clamp(0.52 * model_.reach + course[at[k]].position,
+                                      0.02 * model_.reach, 1.1 * model_.reach);
       if (k % 3000 == 0) bend = draw.uniform(0.3, 3.0);
       // Drawn length = slack + lever + stretch of the tendon itself; three rounds settle it.
       double lever = lever_before, force = 0.0;
@@ -192,10 +217,14 @@ class LeverPlant : public Plant {
       double seen = force + h.hysteresis * grip * std::min(1.0, force / 70.0);
       slow += period / creep_time_ * (force / 50.0 - slow);
       seen += h.creep * (force / 50.0 - slow) + h.wobble * std::sin(wobble_rate_ * lever);
-      // The cell lies behind the bend: friction against the tendon's motion.
-      const double direction = std::tanh((drawn - before) / period / (0.004 * model_.reach));
-      if (guided_) seen *= std::exp(h.guiding * bend * direction);
+      // The cell lies behind the bend: friction against the tendon's motion, kept where it stops.
+      const double drawn_way = k > 0 ? drawn - before : 0.0;
+      held = std::clamp(
+          held + drawn_way / guide_way_ * (1.0 - std::abs(held) * (held * drawn_way > 0.0)), -1.0,
+          1.0);
+      if (guided_) seen *= std::exp(h.guiding * bend * held);
       before = drawn;
+      seen += h.force_offset;
       const double share = (curve.angle(lever) - first_angle_) / (last_angle_ - first_angle_);
       double count = 4000.0 * share * (1.0 + h.scale) + 40.0;
       if (h.coarse > 0.0) count = h.coarse * std::round(count / h.coarse);
@@ -238,7 +267,8 @@ class LeverPlant : public Plant {
 
  private:
   LeverModel model_;
-  bool guided_ = false;
+  bool guided_ = false, rests_ = false;
+  double guide_way_ = 4.0e-5;
   double sigma_force_ = 0.5, sigma_length_ = 2.0e-5, hysteresis_way_ = 4.0e-4, creep_time_ = 2.0;
   double wobble_rate_ = 1.0, first_angle_ = 0.0, last_angle_ = 1.0;
   std::uint64_t streams_[4] = {};
