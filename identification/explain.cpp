@@ -227,6 +227,13 @@ void name_levels(const Design& design, const Library& library, const Settings& s
   const auto all = estimates(design, state.model, state.noise);
   for (std::size_t i = 0; i < named.size(); ++i)
     result.verdict.causes[first + i].parameters = all[named[i]];
+  // Told as the model is extended by them: beside values that are free a cause that does much the
+  // same as they do has hardly a size.
+  for (std::size_t i = 0; i < first; ++i)
+    for (std::size_t t = 0; t < state.model.terms.size(); ++t)
+      if (result.verdict.causes[i].candidate >= 0 &&
+          library_index(design, state.model.terms[t]) == result.verdict.causes[i].candidate)
+        result.verdict.causes[i].parameters = all[t];
   const std::vector<LevelCause>& causes = design.problem().levels;
   for (std::size_t l = 0; l < causes.size(); ++l) {
     const int index = -1 - static_cast<int>(l);

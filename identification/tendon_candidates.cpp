@@ -34,6 +34,13 @@ Recording at_tendon(const Recording& log, Index tendon, bool motor_side) {
   return r;
 }
 
+/// What a force in the tendon is multiplied with at a channel: the joints' moment arms; at its
+/// motor, behind the joints, `motor_arm`.
+VectorXd arm_at(const Recording& log, Index tendon, Index joints, int channel, double motor_arm) {
+  if (channel < joints) return log.signals.at("moment_arm").col(tendon * joints + channel);
+  return VectorXd::Constant(log.q.rows(), channel == joints + tendon ? motor_arm : 0.0);
+}
+
 }  // namespace
 
 TendonColumns::TendonColumns(const DrivenModel& model, const std::filesystem::path& runtime)
@@ -92,13 +99,13 @@ Candidate TendonColumns::candidate(const Effect& effect, Index tendon) const {
       effect, {0, tendon_place(names_[static_cast<std::size_t>(tendon)]), false}, no_scale);
   c.channels.clear();
   const Index n = coordinates_;
-  c.columns = [regressor = Regressor(effect), tendon, n, motor_side = effect.motor_side](
+  const double motor_arm = effect.felt_by_motor ? motor_radius_.value_or(0.0) : 0.0;
+  c.columns = [regressor = Regressor(effect), tendon, n, motor_arm, motor_side = effect.motor_side](
                   const Recording& log, int channel, const VectorXd& shape) -> MatrixXd {
-    const MatrixXd& arms = log.signals.at("moment_arm");
-    if (channel >= n || arms.col(tendon * n + channel).isZero(0.0))
-      return MatrixXd(log.q.rows(), 0);
+    const VectorXd arm = arm_at(log, tendon, n, channel, motor_arm);
+    if (arm.isZero(0.0)) return MatrixXd(log.q.rows(), 0);
     const MatrixXd lost = effect_columns(regressor, at_tendon(log, tendon, motor_side), 0, shape);
-    return lost.array().colwise() * arms.col(tendon * n + channel).array();
+    return lost.array().colwise() * arm.array();
   };
   return c;
 }

@@ -232,6 +232,8 @@ class EffortWriter {
         sum_of_columns(find_effect(each.effect), each, tendon_replacements(each, *tendon));
     const auto n = static_cast<std::size_t>(model_.tendons.coordinates());
     for (std::size_t j = 0; j < n; ++j) tau[j] += moment_arms_[*tendon * n + j] * lost;
+    if (find_effect(each.effect).felt_by_motor && model_.tendons.motor)
+      tau[n + *tendon] += exact_number(model_.tendons.motor->pulley_radius) * lost;
   }
 
   ex soft_sign(const ex& velocity, double speed) {

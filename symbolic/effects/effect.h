@@ -83,8 +83,10 @@ struct Effect {
   std::vector<ShapeParameter> shapes;
   std::vector<EffectColumn> columns;
   std::vector<EffectState> states;
-  bool at_tendon = false;      ///< its places are tendons, else joints
-  bool motor_side = false;     ///< at a tendon: it moves there as its motor does
+  bool at_tendon = false;   ///< its places are tendons, else joints
+  bool motor_side = false;  ///< at a tendon: it moves there as its motor does
+  /// At a tendon: its force is not as measured, so that its motor carries something else, too.
+  bool felt_by_motor = false;
   bool baseline_only = false;  ///< how the model's own friction turns: fitted, never named
   /// The links behind the joint's gear move otherwise than its sensor says. Other joints that carry
   /// them feel that, in the ratio of their column of the mass matrix.

@@ -8,11 +8,14 @@ Effect force_sensor_scale() {
   Effect e("force_sensor_scale", "scale of the force sensor");
   const EffectSignals& s = effect_signals();
   e.column("force_excess", "1", Sign::any, s.load).most = 0.3;
-  e.signature = "torques off in proportion to one tendon's force, at every joint that it passes";
+  e.signature =
+      "torques off in proportion to one tendon's force, at every joint that it passes "
+      "and at its motor";
   e.excitation = "varying force in one tendon";
   e.experiment = "the tendon pulled against a known weight";
   e.limit = "a sensor that works is not that far off";
   e.at_tendon = true;
+  e.felt_by_motor = true;
   return e;
 }
 

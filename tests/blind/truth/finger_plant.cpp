@@ -31,7 +31,8 @@ struct FingerModel {
 struct FingerHidden {
   double payload = 0.0, gravity = 0.0, joint_damping = 0.0, pulley = 0.0;
   double guiding = 0.0, level = 0.0, viscous = 0.0, input_ripple = 0.0, torque_gain = 0.0;
-  double elbow = 0.0, rattle = 0.0;  // outside: a stiff joint, tension that wanders
+  double force_scale = 0.0, force_offset = 0.0;  // what the sensor shows of the tendon
+  double elbow = 0.0, rattle = 0.0;              // outside: a stiff joint, tension that wanders
 };
 
 struct FingerCause {
@@ -170,6 +171,8 @@ class FingerPlant : public Plant {
         {{"viscous_level", m, "N*m*s/rad", 0.01, 1.0, -0.025, false, false}, &H::viscous},
         {{"input_ripple", m, "N*m", 0.03, 1.0, 0.0, false, false}, &H::input_ripple},
         {{"torque_constant", m, "1", 0.05, 0.6, -0.4, false, false}, &H::torque_gain},
+        {{"force_scale", t, "1", 0.01, 0.28, -0.28, false, false}, &H::force_scale},
+        {{"force_offset", t, "N", 0.1, 20.0, -10.0, false, false}, &H::force_offset},
         {{"stiff_joint", j, "N*m/rad^3", 0.05, 1.0, 0.0, true, false}, &H::elbow},
         {{"wandering_tension", t, "N", 2.0, 18.0, 0.0, true, false}, &H::rattle},
     };
@@ -225,7 +228,7 @@ class FingerPlant : public Plant {
                     model_.motor_radius * model_.pretension +
                     0.8 * model_.level * std::atan(model_.shape * omega_d(i)) +
                     model_.viscous * omega_d(i);
-      if (k % inner_steps == 0) log_row(t, k / inner_steps, period, run, effort);
+      if (k % inner_steps == 0) log_row(t, k / inner_steps, period, run, effort, h);
       run.advance(effort, static_cast<double>(k) * step, step);
     }
     return t;
@@ -302,8 +305,8 @@ class FingerPlant : public Plant {
     t.columns.assign(t.header.size(), std::vector<double>(rows));
     return t;
   }
-  static void log_row(Table& t, size_t row, double period, const FingerRun& run,
-                      const Vector8& effort) {
+  void log_row(Table& t, size_t row, double period, const FingerRun& run, const Vector8& effort,
+               const FingerHidden& h) const {
     t.columns[0][row] = static_cast<double>(row) * period;
     for (size_t j = 0; j < 4; ++j) t.columns[1 + j][row] = run.q(static_cast<long>(j));
     const Vector8 pull = run.pull();
@@ -312,6 +315,8 @@ class FingerPlant : public Plant {
       t.columns[5 + i][row] = run.theta(static_cast<long>(i));
       t.columns[5 + motors + i][row] = effort(static_cast<long>(i));
     }
+    double& shown = t.columns[5 + 2 * motors + motor_][row];
+    shown += h.force_scale * shown + h.force_offset;
   }
   // The first quarter second settles.
   static std::vector<double> inner(const std::vector<double>& x) {
