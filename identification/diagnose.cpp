@@ -78,6 +78,7 @@ class Run {
     std::vector<DrivenChannels> channels;
     ReadOptions options;
     options.map = request_.map;
+    options.max_values = diagnosis_values(request_.logs.size() + request_.holdout.size());
     for (const std::vector<std::string>& group : {request_.logs, request_.holdout})
       for (const std::string& file : group) {
         channels.push_back(request_.channels(file));

@@ -65,6 +65,7 @@ class ObservedRun {
     ReadOptions options;
     options.map = request_.map;
     options.max_rate = kDiagnosisRate;
+    options.max_values = diagnosis_values(request_.logs.size() + request_.holdout.size());
     std::vector<LogFile> files;
     for (const std::vector<std::string>& group : {request_.logs, request_.holdout})
       for (const std::string& file : group) files.push_back({file, request_.rig.specs});

@@ -73,6 +73,8 @@ std::string fault_name(FaultKind kind) {
       return "out of range";
     case FaultKind::too_short:
       return "too short";
+    case FaultKind::too_long:
+      return "too long";
   }
   return "unknown";
 }

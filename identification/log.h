@@ -38,6 +38,7 @@ enum class FaultKind {
   out_of_range,
   far_off,
   too_short,
+  too_long,
 };
 
 /// note: nothing was changed. repaired: the log was changed as `action` says. doubtful: kept, but a
@@ -95,6 +96,15 @@ inline constexpr double kDiagnosisRate = 1000.0;
 /// Of a tendon-driven model, whose many channels would make every look at a log long: ten samples
 /// of the fastest motion looked at [Hz].
 inline constexpr double kTendonRate = 600.0;
+
+/// Values of all channels that a diagnosis keeps of a log that is one of `logs`, so that its memory
+/// and time do not grow with their length: one log of a finger with eight tendons and their motors
+/// is kept for a minute.
+inline constexpr long diagnosis_values(std::size_t logs) {
+  constexpr long kAll = 1'600'000;
+  constexpr std::size_t kMostShares = 3;
+  return kAll / static_cast<long>(std::clamp<std::size_t>(logs, 1, kMostShares));
+}
 
 /// Samples of a segment that is worth diagnosing, at a sampling period [s]: the smoothers of the
 /// motion are longer than a few hundred where samples are dense.

@@ -194,15 +194,34 @@ class Reading {
     const std::vector<DataFault>& found = faults_.all();
     grid.resample = std::any_of(found.begin(), found.end(),
                                 [](const DataFault& f) { return f.kind == FaultKind::jitter; });
-    const long for_memory = (inspection_.rows + options_.max_samples - 1) / options_.max_samples;
+    const long for_memory =
+        options_.max_values > 0
+            ? 1L
+            : (inspection_.rows + options_.max_samples - 1) / options_.max_samples;
     // 999.9 Hz is 1 kHz: a mean of stamps.
     const double for_rate = 1.01 / (grid.period * options_.max_rate);
     grid.decimation = static_cast<int>(std::max({1L, for_memory, static_cast<long>(for_rate)}));
+    if (options_.max_values > 0)
+      grid.stretches =
+          spread_stretches(inspection_.rows,
+                           std::min(options_.max_samples,
+                                    options_.max_values / static_cast<long>(map_.channels.size())),
+                           grid.decimation);
     return grid;
+  }
+
+  void tell_stretches(const GridSettings& grid) {
+    if (grid.stretches.rows == 0) return;
+    faults_.add(FaultKind::too_long, Severity::note, reader_.dialect().header_row + 1, 0, 0, "",
+                fmt::format("{} s are more than is looked at",
+                            std::lround(static_cast<double>(inspection_.rows) * grid.period)),
+                fmt::format("stretches of {:.1f} s, evenly spread over the log, are read",
+                            static_cast<double>(grid.stretches.rows) * grid.period));
   }
 
   void build() {
     const GridSettings grid = grid_settings();
+    tell_stretches(grid);
     log_.raw_period = grid.period;
     log_.decimation = grid.decimation;
     log_.period = grid.period * grid.decimation;

@@ -11,9 +11,12 @@
 namespace sinew {
 
 struct ReadOptions {
-  std::vector<std::string> map;   ///< texts of --map, see map_columns
-  long max_samples = 200000;      ///< kept a channel; a longer log is low-passed and thinned out
-  double max_rate = 1e9;          ///< Hz; a faster log is thinned out, too, down to here or above
+  std::vector<std::string> map;  ///< texts of --map, see map_columns
+  long max_samples = 200000;     ///< kept a channel; a longer log is low-passed and thinned out
+  double max_rate = 1e9;         ///< Hz; a faster log is thinned out, too, down to here or above
+  /// Kept of all channels together: of a longer log Stretches are read at its own rate, which no
+  /// thinning then lowers for max_samples' sake. 0: whole logs.
+  long max_values = 0;
   int longest_fill = 5;           ///< missing samples in a row that interpolation may fill
   bool check_consistency = true;  ///< compare channels with one another and with the model
 };

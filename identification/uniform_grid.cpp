@@ -40,6 +40,14 @@ double hermite(double y0, double m0, double y1, double m1, double s) {
 
 }  // namespace
 
+Stretches spread_stretches(long rows, long kept, int decimation) {
+  constexpr long kMostPieces = 8, kSamplesOfPiece = 3000;
+  if (rows <= kept * decimation) return {};
+  const long pieces = std::clamp(kept / kSamplesOfPiece, 2L, kMostPieces);
+  const long each = std::max(1L, kept / pieces) * decimation;
+  return {each, (rows - each) / (pieces - 1)};
+}
+
 Decimator::Decimator(int factor, size_t channels)
     : factor_(factor), channels_(channels), half_(factor > 1 ? 10L * factor : 0) {
   if (factor_ > 1) taps_ = low_pass(factor_, half_);
@@ -283,7 +291,7 @@ void UniformBuilder::release(bool flush) {
     ahead_.pop_front();
     const bool whole = std::all_of(row.values.begin(), row.values.end(),
                                    [](double v) { return std::isfinite(v); });
-    if (whole)
+    if (whole && settings_.stretches.holds(released_++))
       store(row);
     else
       end_segment();

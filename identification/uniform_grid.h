@@ -11,6 +11,17 @@
 
 namespace sinew {
 
+/// What is read of a log that is longer than is kept at its rate: pieces evenly spread over it. Its
+/// rate, which fast effects need, stays, and so do its beginning and end, which slow ones need.
+struct Stretches {
+  long rows = 0;   ///< of each piece; 0: all rows are read
+  long every = 1;  ///< rows from the beginning of one piece to that of the next
+  bool holds(long row) const { return rows == 0 || row % every < rows; }
+};
+/// Two to eight pieces with `kept` samples together, which are every `decimation`-th of `rows`
+/// rows.
+Stretches spread_stretches(long rows, long kept, int decimation);
+
 struct GridSettings {
   double period = 0.0;      ///< s
   bool resample = false;    ///< interpolate to the grid; else rows are taken as they stand
@@ -19,6 +30,7 @@ struct GridSettings {
   int decimation = 1;
   long shortest_segment = 64;  ///< rows; a shorter stretch is left out
   int time_column = 1;
+  Stretches stretches;
 };
 
 /// Keeps every n-th sample behind a symmetric low-pass (no phase shift), all channels alike. At
@@ -102,6 +114,7 @@ class UniformBuilder {
   double segment_start_ = 0.0;
   long segment_line_ = 0;
   long segment_rows_ = 0;
+  long released_ = 0;  ///< rows so far, be they kept or not
   std::vector<double> kept_;
   std::vector<Decimator> decimator_;
   std::vector<Segment> segments_;

@@ -85,6 +85,29 @@ TEST_CASE("thinning keeps the phase and removes what would fold back") {
   CHECK(folded > 0.5);
 }
 
+TEST_CASE("of a log that is too long stretches from its beginning to its end are read") {
+  // Planted defect: with spread_stretches giving none the log is read whole.
+  ReadOptions options;
+  options.max_rate = 500.0;
+  options.max_values = 2 * 6000;
+  const Log log =
+      read_csv(write_file("far.csv", sines(60000, 1.0e-3, 180.0)), rotary_drive_channels(), options);
+  CHECK(log.decimation == 2);  // for the rate alone: what fast effects need stays
+  REQUIRE(log.segments.size() == 2);
+  CHECK(log.sample_count() == 6000);
+  CHECK(log.segments.front().start == 0.0);
+  const Segment& last = log.segments.back();
+  CHECK(last.start + log.period * static_cast<double>(last.samples.rows()) == Approx(60.0));
+  for (const Segment& s : log.segments)
+    for (long k = 20; k < s.samples.rows() - 20; ++k) {
+      const double t = s.start + static_cast<double>(k) * log.period;
+      REQUIRE(std::abs(s.samples(k, 0) - std::sin(2.0 * pi * 0.7 * t)) < 1.0e-4);
+    }
+  REQUIRE(log.faults.size() == 1);
+  CHECK(log.faults.front().kind == FaultKind::too_long);
+  CHECK(log.faults.front().severity == Severity::note);
+}
+
 TEST_CASE("memory does not grow with the log") {
   const auto peak = [] {
     rusage usage{};
