@@ -9,6 +9,7 @@
 #include <fstream>
 #include <set>
 
+#include "tests/blind/study_record.h"
 #include "tests/reference/temporary_folder.h"
 
 namespace sinew::blind {
@@ -246,6 +247,7 @@ void settling_study(const std::function<Settled(const truth::TrialRequest&)>& se
                : after->is_settled() ? "settled"
                                      : "open   ",
                outcome.before.hidden(), outcome.before.told());
+    record(request, outcome.before, after);
     if (after) {
       const auto& separation = outcome.before.findings.verdict.causes.front().separation;
       fmt::print("      {} ({:.1f}) told:{}\n", separation.experiment, separation.expected,
@@ -261,7 +263,9 @@ void settling_study(const std::function<Settled(const truth::TrialRequest&)>& se
 
 void study(const Trials& diagnose, const std::string& plant) {
   const truth::TrialRequest request = wanted_by_environment(plant, truth::Family::one);
-  const auto line = [](std::uint64_t seed, const Outcome& o) {
+  const auto line = [trial = request](std::uint64_t seed, const Outcome& o) mutable {
+    trial.seed = seed;
+    record(trial, o);
     const char* how = o.all_right ? "ok " : o.all_inside ? "in " : "-- ";
     fmt::print("{:5d} {} hidden:{} | told:{} | {:.1f} s\n", seed, how, o.hidden(), o.told(),
                o.findings.seconds);

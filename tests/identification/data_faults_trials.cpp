@@ -7,6 +7,7 @@
 
 #include "identification/read_csv.h"
 #include "tests/identification/planted_log.h"
+#include "tests/reference/record_line.h"
 
 using namespace sinew;
 using namespace sinew::test;
@@ -62,6 +63,9 @@ TEST_CASE("planted faults are found, with row and column") {
         }
       }
     table += fmt::format("{:22} {:4} of {:4}\n", planted_name(fault), found_here, here);
+    reference::record_line(
+        fmt::format(R"({{"what": "planted", "kind": "{}", "found": {}, "of": {}}})",
+                    planted_name(fault), found_here, here));
     CHECK(found_here >= 0.85 * here);  // one miss of a kind; the sum below is the goal
     planted_total += here;
     found_total += found_here;
@@ -84,6 +88,8 @@ TEST_CASE("clean logs are not suspected") {
       ++suspected;
       UNSCOPED_INFO(fmt::format("suspected: kind {}, trial {}{}", kind, trial, what));
     }
+  reference::record_line(
+      fmt::format(R"({{"what": "clean", "suspected": {}, "of": {}}})", suspected, clean));
   WARN(suspected << " of " << clean << " clean logs suspected");
   CHECK(suspected <= 0.01 * clean);
 }

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a test measured, for the tables that scripts/study writes.
+#pragma once
+
+#include <string>
+
+namespace sinew::reference {
+
+/// Appends the line to the file that SINEW_RECORD names; without it nothing is done. Throws
+/// std::runtime_error if the file cannot be written.
+void record_line(const std::string& json);
+
+}  // namespace sinew::reference
