@@ -21,8 +21,10 @@ struct Standstill {
 /// One log, uniformly sampled. Matrices are samples x axes; unused ones stay empty. SI units.
 struct Recording {
   std::string name;
-  double step = 0.0;            ///< s
-  Eigen::VectorXd time;         ///< s
+  double step = 0.0;     ///< s
+  Eigen::VectorXd time;  ///< s, of the log's own clock
+  /// s: where the log begins of which this is a stretch; none: it is the whole log.
+  std::optional<double> log_start;
   Eigen::MatrixXd q, qd, qdd;   ///< motion, from differentiate() in filter.h or measured
   Eigen::MatrixXd command;      ///< drive command
   Eigen::MatrixXd load;         ///< load on each axis, for instance tendon force
@@ -36,6 +38,9 @@ struct Recording {
   std::vector<std::vector<Standstill>> standstills;
   /// Per channel, or empty: highest frequency [Hz] at which anything is told from it.
   std::vector<double> band_hz;
+
+  /// What grows with time in a log grows on from stretch to stretch.
+  double started() const { return log_start.value_or(time(0)); }
 
   /// As effects see it: qdd, or the signal "acceleration" where qdd is partly a sensor's noise.
   const Eigen::MatrixXd& acceleration() const {

@@ -50,6 +50,7 @@ Recording thin(const Recording& log, const DecimatingFilter& filter) {
   r.name = log.name;
   r.step = log.step * filter.factor;
   r.time = take(log.time);
+  r.log_start = log.log_start;
   r.q = take(log.q);
   r.qd = take(log.qd);
   r.qdd = take(log.qdd);

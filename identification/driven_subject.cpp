@@ -125,6 +125,7 @@ void DrivenSubject::add_log(const Log& log, const DrivenColumns& columns, bool h
     const Index n = segment.samples.rows();
     r.time = VectorXd::LinSpaced(n, segment.start,
                                  segment.start + log.period * static_cast<double>(n - 1));
+    r.log_start = log.segments.front().start;
     add_motion(columns_of(segment, columns.positions), r);
     const MatrixXd measured = columns_of(segment, columns.efforts);
     for (Index c = 0; c < measured.cols(); ++c) r.target.push_back(measured.col(c));

@@ -2,6 +2,7 @@
 #include "identification/effect_candidate.h"
 
 #include <algorithm>
+#include <array>
 #include <stdexcept>
 
 extern "C" const sinew_catalogue effects_catalogue;
@@ -13,7 +14,7 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr Index signals = 11;
+constexpr std::size_t signals = 11;
 
 const sinew_function& emitted(const std::string& id) {
   const std::string name = "effects_" + id;
@@ -22,28 +23,39 @@ const sinew_function& emitted(const std::string& id) {
   throw std::logic_error(name + " is not emitted; sinew generate models/effects");
 }
 
-/// signals x samples, as signal_list() orders them.
-MatrixXd signals_of(const Recording& log, int axis) {
-  MatrixXd x = MatrixXd::Zero(signals, log.q.rows());
-  x.row(0) = log.q.col(axis).transpose();
-  x.row(1) = log.qd.col(axis).transpose();
-  x.row(2) = log.acceleration().col(axis).transpose();
-  x.row(3) = log.signals.at("jounce").col(axis).transpose();
-  const auto carried = log.signals.find("carried");
-  if (carried != log.signals.end())
-    x.row(4) = carried->second.col(axis).transpose();
-  else if (log.load.size() > 0)
-    x.row(4) = log.load.col(axis).transpose();
-  x.row(5) = (log.time.array() - log.time(0)).matrix().transpose();
-  x.row(6) = log.signals.at("direction").col(axis).transpose();
-  x.row(7).setConstant(log.step);
-  constexpr const char* of_links[] = {"parting", "carried_inertia", "carried_jounce"};
-  for (Index k = 0; k < 3; ++k) {
-    const auto found = log.signals.find(of_links[k]);
-    if (found != log.signals.end()) x.row(8 + k) = found->second.col(axis).transpose();
+/// Where each signal's samples are, as signal_list() orders them; nullptr: one value for all.
+struct SignalSamples {
+  std::array<const double*, signals> samples{};
+  std::array<double, signals> value{};
+  double start = 0.0;  ///< of the log
+
+  SignalSamples(const Recording& log, int axis) {
+    const auto column = [&](const MatrixXd& x) { return x.data() + axis * x.rows(); };
+    samples[0] = column(log.q);
+    samples[1] = column(log.qd);
+    samples[2] = column(log.acceleration());
+    samples[3] = column(log.signals.at("jounce"));
+    const auto carried = log.signals.find("carried");
+    if (carried != log.signals.end())
+      samples[4] = column(carried->second);
+    else if (log.load.size() > 0)
+      samples[4] = column(log.load);
+    samples[5] = log.time.data();
+    samples[6] = column(log.signals.at("direction"));
+    value[7] = log.step;
+    start = log.started();
+    constexpr const char* of_links[] = {"parting", "carried_inertia", "carried_jounce"};
+    for (std::size_t k = 0; k < std::size(of_links); ++k) {
+      const auto found = log.signals.find(of_links[k]);
+      if (found != log.signals.end()) samples[8 + k] = column(found->second);
+    }
   }
-  return x;
-}
+  void read(Index row, double* in) const {
+    for (std::size_t s = 0; s < samples.size(); ++s)
+      in[s] = samples[s] ? samples[s][row] : value[s];
+    in[5] -= start;
+  }
+};
 
 double unit_of(Scale scale, const LogScale& log) {
   switch (scale) {
@@ -85,7 +97,7 @@ LogScale scale_of(const std::vector<Recording>& logs, int axis) {
     s.low = std::min(s.low, log.q.col(axis).minCoeff());
     s.high = std::max(s.high, log.q.col(axis).maxCoeff());
     s.speed = std::max(s.speed, log.qd.col(axis).cwiseAbs().maxCoeff());
-    s.duration = std::max(s.duration, log.step * static_cast<double>(log.q.rows()));
+    s.duration = std::max(s.duration, log.time(log.time.size() - 1) + log.step - log.started());
     if (log.load.size() > 0) s.load = std::max(s.load, log.load.col(axis).cwiseAbs().maxCoeff());
     if (static_cast<std::size_t>(axis) >= log.target.size()) continue;
     const VectorXd acceleration = log.qdd.col(axis).array() - log.qdd.col(axis).mean();
@@ -107,16 +119,16 @@ MatrixXd effect_columns(const Regressor& regressor, const Recording& log, int ax
                         const VectorXd& shape) {
   const sinew_function& function = *regressor.function;
   const Index count = regressor.columns;
-  const MatrixXd x = signals_of(log, axis);
+  const SignalSamples x(log, axis);
   std::vector<double> in(static_cast<std::size_t>(function.input_size));
   std::vector<double> out(static_cast<std::size_t>(function.output_size));
-  std::copy(shape.begin(), shape.end(), in.begin() + signals);
+  std::copy(shape.begin(), shape.end(), in.begin() + static_cast<std::ptrdiff_t>(signals));
   const Index states = regressor.initial_state.size();
   double* const state = in.data() + in.size() - states;
   std::copy(regressor.initial_state.begin(), regressor.initial_state.end(), state);
-  MatrixXd columns(x.cols(), count);
-  for (Index k = 0; k < x.cols(); ++k) {
-    std::copy_n(x.data() + k * signals, signals, in.data());
+  MatrixXd columns(log.q.rows(), count);
+  for (Index k = 0; k < columns.rows(); ++k) {
+    x.read(k, in.data());
     function.call(in.data(), out.data());
     for (Index c = 0; c < count; ++c) columns(k, c) = out[static_cast<std::size_t>(c)];
     std::copy_n(out.data() + out.size() - states, states, state);

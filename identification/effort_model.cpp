@@ -64,7 +64,7 @@ void take_logged(const Recording& log, const std::vector<EffortSlot>& slots, Ind
         signal("jounce", slot);
         break;
       case EffortInput::time:
-        in.row(slot.at) = (log.time.segment(first, in.cols()).array() - log.time(0)).transpose();
+        in.row(slot.at) = (log.time.segment(first, in.cols()).array() - log.started()).transpose();
         break;
       case EffortInput::step:
         in.row(slot.at).setConstant(log.step);

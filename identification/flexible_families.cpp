@@ -21,6 +21,13 @@ ArrayXd direction(const Recording& log, int axis, double soft) {
   return (log.qd.col(axis).array() / soft).tanh();
 }
 
+/// Both from one call: a search over periods does little else.
+MatrixXd sine_and_cosine(const VectorXd& angle) {
+  MatrixXd x(angle.size(), 2);
+  for (Index k = 0; k < angle.size(); ++k) sincos(angle(k), &x(k, 0), &x(k, 1));
+  return x;
+}
+
 Candidate unnamed(CandidateKind kind, const std::string& depends_on, int axis, int channel) {
   Candidate c;
   c.name = "any dependence on " + depends_on;
@@ -77,10 +84,7 @@ Candidate any_period_in_position(const FlexibleRanges& r, int axis, int channel)
   c.nonlinear = {visible_periods(r)};
   add_coefficients(c, 2, true);
   c.columns = [axis](const Recording& log, int, const VectorXd& p) {
-    const ArrayXd angle = 2.0 * pi * p(0) * log.q.col(axis).array();
-    MatrixXd x(angle.size(), 2);
-    x << angle.sin(), angle.cos();
-    return x;
+    return sine_and_cosine(2.0 * pi * p(0) * log.q.col(axis));
   };
   return c;
 }
@@ -92,11 +96,8 @@ Candidate any_swing_of_friction(const FlexibleRanges& r, double soft, int axis, 
   c.nonlinear = {{"swings per second", "Hz", 1.0 / r.duration, 30.0 / r.duration, 58, false}};
   add_coefficients(c, 2, true);
   c.columns = [axis, soft](const Recording& log, int, const VectorXd& p) {
-    const ArrayXd angle = 2.0 * pi * p(0) * log.time.array();
-    const ArrayXd side = direction(log, axis, soft);
-    MatrixXd x(angle.size(), 2);
-    x << side * angle.sin(), side * angle.cos();
-    return x;
+    return MatrixXd(direction(log, axis, soft).matrix().asDiagonal() *
+                    sine_and_cosine(2.0 * pi * p(0) * log.time));
   };
   return c;
 }
@@ -185,7 +186,7 @@ std::vector<Candidate> flexible_families(const FlexibleRanges& r, int axis, int 
   const Values position = [axis](const Recording& log) { return VectorXd(log.q.col(axis)); };
   const Values velocity = [axis](const Recording& log) { return VectorXd(log.qd.col(axis)); };
   const Values load = [axis](const Recording& log) { return VectorXd(log.load.col(axis)); };
-  const Values time = [](const Recording& log) { return VectorXd(log.time.array() - log.time(0)); };
+  const Values time = [](const Recording& log) { return VectorXd(log.time.array() - log.started()); };
   const double reach = r.high - r.low;
   const Values way = [axis, soft, reach](const Recording& log) {
     const VectorXd w = way_since_reversal(log.q.col(axis), log.qd.col(axis), soft);

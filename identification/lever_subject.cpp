@@ -57,6 +57,7 @@ Recording recording_of(const Log& log, const sinew::Segment& segment, const Obse
   const Index n = segment.samples.rows();
   r.time = VectorXd::LinSpaced(n, segment.start,
                                segment.start + log.period * static_cast<double>(n - 1));
+  r.log_start = log.segments.front().start;
   const VectorXd count = column_of(log, segment, "count");
   const double cutoff = std::min(calibration_cutoff, 0.1 / log.period);
   r.signals["count"] = count;

@@ -100,11 +100,7 @@ inline constexpr double kTendonRate = 600.0;
 /// Values of all channels that a diagnosis keeps of a log that is one of `logs`, so that its memory
 /// and time do not grow with their length: one log of a finger with eight tendons and their motors
 /// is kept for a minute.
-inline constexpr long diagnosis_values(std::size_t logs) {
-  constexpr long kAll = 1'600'000;
-  constexpr std::size_t kMostShares = 3;
-  return kAll / static_cast<long>(std::clamp<std::size_t>(logs, 1, kMostShares));
-}
+long diagnosis_values(std::size_t logs);
 
 /// Samples of a segment that is worth diagnosing, at a sampling period [s]: the smoothers of the
 /// motion are longer than a few hundred where samples are dense.

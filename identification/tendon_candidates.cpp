@@ -25,6 +25,7 @@ Recording at_tendon(const Recording& log, Index tendon, bool motor_side) {
   Recording r;
   r.step = log.step;
   r.time = log.time;
+  r.log_start = log.log_start;
   r.q = log.signals.at("bending").col(tendon);
   r.qd = log.signals.at(end + "_rate").col(tendon);
   r.qdd = MatrixXd::Zero(r.q.rows(), 1);

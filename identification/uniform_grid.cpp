@@ -291,7 +291,8 @@ void UniformBuilder::release(bool flush) {
     ahead_.pop_front();
     const bool whole = std::all_of(row.values.begin(), row.values.end(),
                                    [](double v) { return std::isfinite(v); });
-    if (whole && settings_.stretches.holds(released_++))
+    const bool looked_at = settings_.stretches.holds(released_++);
+    if (whole && looked_at)
       store(row);
     else
       end_segment();

@@ -28,6 +28,7 @@ Recording recording_of(const Log& log, const sinew::Segment& segment,
   const Index n = segment.samples.rows();
   r.time = VectorXd::LinSpaced(n, segment.start,
                                segment.start + log.period * static_cast<double>(n - 1));
+  r.log_start = log.segments.front().start;
   MatrixXd q(n, 2);
   for (Index j = 0; j < 2; ++j) {
     q.col(j) = segment.samples.col(log.channel(angles[j])).matrix();

@@ -35,7 +35,8 @@ class Calibration {
                                       300.0 * std::sin(2.3 * t + 2.0 * phase));
       const double rate =
           1350.0 * std::cos(0.9 * t + phase) + 690.0 * std::cos(2.3 * t + 2.0 * phase);
-      const std::vector<double> out = evaluate(reading_, {count, rate, 0.0, 0.005, memory[0], memory[1]});
+      const std::vector<double> out =
+          evaluate(reading_, {count, rate, 0.0, 0.005, memory[0], memory[1]});
       memory = {out[2], out[3]};
       text += fmt::format("{:.3f},{:.0f},{:.4f}", t, count, out[0] + 0.05 * normal(random));
       if (with_elongation) text += fmt::format(",{:.5f}", 1e3 * out[1] + 0.005 * normal(random));

@@ -2,12 +2,10 @@
 // The two measured logs, where they are present.
 #include <algorithm>
 #include <catch2/catch.hpp>
-#include <nlohmann/json.hpp>
 
 #include "identification/explain.h"
 #include "tests/identification/drive_candidates.h"
 #include "tests/identification/drive_logs.h"
-#include "tests/reference/record_line.h"
 
 namespace {
 
@@ -23,15 +21,6 @@ const NamedCause* find_cause(const Verdict& verdict, const std::string& name) {
 bool ruled_out(const Verdict& verdict, const std::string& name) {
   return std::any_of(verdict.ruled_out.begin(), verdict.ruled_out.end(),
                      [&](const RuledOut& r) { return r.name == name; });
-}
-
-/// For the table of docs/blind_trials.md.
-void record(const std::string& log, const Verdict& verdict) {
-  nlohmann::ordered_json line{{"log", log}, {"error", verdict.relative_error_after}};
-  for (const NamedCause& cause : verdict.causes)
-    line["named"].push_back(cause.members.front().name);
-  for (const RuledOut& out : verdict.ruled_out) line["ruled_out"].push_back(out.name);
-  sinew::reference::record_line(line.dump());
 }
 
 }  // namespace
@@ -52,7 +41,6 @@ TEST_CASE("the positioning drive's causes are named without help") {
   scales.presliding = fitted_presliding(problem.training, scales, settings);
   problem.library = drive_library(scales);
   const Verdict verdict = explain(problem, settings).verdict;
-  record("positioning drive", verdict);
 
   CHECK(find_cause(verdict, "viscous asymmetry"));
   CHECK(find_cause(verdict, "friction concave in speed"));
@@ -80,7 +68,6 @@ TEST_CASE("the cable's torque is found in the master arm's joint") {
   scales.presliding = fitted_presliding(problem.training, scales, settings);
   problem.library = drive_library(scales);
   const Verdict verdict = explain(problem, settings).verdict;
-  record("cable joint", verdict);
   CHECK(find_cause(verdict, "position-dependent cable torque"));
   CHECK(verdict.relative_error_after < 0.25 * verdict.relative_error_before);
 }

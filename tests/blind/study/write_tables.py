@@ -202,12 +202,13 @@ def measured_goals(study):
     if emps is None:
         body.append(["measured positioning drive", "", "the log is not there", ""])
     else:
-        wanted = {"viscous asymmetry", "delay", "friction concave in speed", "ripple, input order 1"}
-        refused = {"Stribeck friction", "input ripple off order"}
+        wanted = {"viscous asymmetry", "delay", "friction concave in speed", "ripple once per motor turn"}
+        refused = {"Stribeck friction", "ripple off every order of the motor"}
         named = wanted <= set(emps["named"]) and refused <= set(emps["ruled_out"])
         body.append(["measured positioning drive: viscous asymmetry, delay, concave friction and the "
                      "ripple named, Stribeck and the ripple off order ruled out", "all six",
                      ", ".join(emps["named"]), "met" if named else "missed"])
+        body.append(["its delay", "near 0.8 ms", ", ".join(f"{1e3 * d:.2f} ms" for d in emps["delays"]), ""])
         body.append(["its training error", "≤ 1.9 %"] + goal(100 * emps["error"], 1.9, False, 2))
     if cable is None:
         body.append(["measured joint with a cable", "", "the log is not there", ""])
