@@ -50,6 +50,11 @@ class Row:
     def false_trials(self):
         return sum(trial["false_names"] > 0 for trial in self.trials)
 
+    def told_as_set(self):
+        """Trials told as a set of several that holds what is hidden."""
+        return [trial for trial in self.trials
+                if trial["inside"] and any(len(told["members"]) > 1 for told in trial["told"])]
+
     def mean_set(self):
         sets = [told for trial in self.trials for told in trial["told"]]
         return sum(len(told["members"]) for told in sets) / len(sets) if sets else 0.0
@@ -57,10 +62,6 @@ class Row:
 
 def share(part, whole):
     return f"{part} of {whole}"
-
-
-def percent(part, whole):
-    return f"{100 * part / whole:.1f} %" if whole else "–"
 
 
 class Study:
@@ -125,12 +126,28 @@ def outside_table(study):
 def pairs_table(study):
     body = []
     for row in study.of("inseparable"):
-        as_set = [t for t in row.trials if t["inside"] and any(len(s["members"]) > 1 for s in t["told"])]
+        as_set = row.told_as_set()
         body.append([row.seeds, share(len(as_set), row.count),
                      share(sum(t.get("settled", False) for t in as_set), len(as_set)),
                      sum(t.get("alone", False) for t in as_set)])
     return table(["one of an inseparable pair, seeds", "told as a set that holds it",
                   "settled by the motion asked for", "alone then"], body)
+
+
+def plain(name):
+    """Without its place."""
+    return name.split("@")[0]
+
+
+def set_text(told):
+    members = [plain(member) for member in told["members"]]
+    return members[0] if len(members) == 1 else "{" + ", ".join(members) + "}"
+
+
+def verdict_text(trial):
+    if not trial["told"]:
+        return "none of the known causes" if trial["none_of_the_known"] else "nothing"
+    return " + ".join(set_text(told) for told in trial["told"])
 
 
 def confusion_table(study):
@@ -140,18 +157,9 @@ def confusion_table(study):
         if row.size < 1.0:
             continue
         for trial in row.trials:
-            hidden = trial["hidden"][0]
-            cause = hidden.split("@")[0]
+            cause = plain(trial["hidden"][0])
             told[cause]["hidden"] += 1
-            if trial["right"]:
-                told[cause]["right"] += 1
-            elif not trial["told"]:
-                told[cause]["none of the known causes" if trial["none_of_the_known"] else "nothing"] += 1
-            else:
-                names = " + ".join(("{" + ", ".join(m.split("@")[0] for m in s["members"]) + "}"
-                                    if len(s["members"]) > 1 else s["members"][0].split("@")[0])
-                                   for s in trial["told"])
-                told[cause][names] += 1
+            told[cause]["right" if trial["right"] else verdict_text(trial)] += 1
     body = []
     for cause in sorted(told):
         counts = told[cause]
@@ -191,9 +199,11 @@ def rate(row, key):
 def fault_rates(study):
     planted = [line for line in study.faults if line["what"] == "planted"]
     clean = [line for line in study.faults if line["what"] == "clean"]
-    total = lambda lines, key: sum(line[key] for line in lines)
-    return (100.0 * total(planted, "found") / total(planted, "of") if planted else None,
-            100.0 * total(clean, "suspected") / total(clean, "of") if clean else None)
+
+    def share_of(lines, key):
+        return 100.0 * sum(line[key] for line in lines) / sum(line["of"] for line in lines) if lines else None
+
+    return share_of(planted, "found"), share_of(clean, "suspected")
 
 
 def measured_goals(study):
@@ -228,7 +238,7 @@ def goal_table(study):
     pairs = study.row("pairs")
     as_set = settled = None
     if pairs:
-        good = [t for t in pairs.trials if t["inside"] and any(len(s["members"]) > 1 for s in t["told"])]
+        good = pairs.told_as_set()
         as_set = 100.0 * len(good) / pairs.count
         settled = 100.0 * sum(t.get("settled", False) for t in good) / max(1, len(good))
     outside = study.row("drives_outside")
@@ -262,9 +272,10 @@ def goal_table(study):
         body.append([f"a finger's log of {log['seconds_of_log']:.0f} s at 3 kHz, {log['hidden']}", "≤ 10 s"]
                     + goal(log["seconds"], 10, False, 1, " s"))
     memory = study.speed["memory_MB"]
-    body.append(["memory for a log of " + ", ".join(f"{s} s" for s in memory), "flat",
-                 ", ".join(f"{m:.0f} MB" for m in memory.values()),
-                 "met" if max(memory.values()) < 1.2 * min(memory.values()) else "missed"])
+    used = list(memory.values())
+    body.append(["memory for a finger's log of " + ", ".join(memory) + " s", "flat",
+                 ", ".join(f"{m:.0f} MB" for m in used),
+                 "met beyond the first" if used[-1] < 1.1 * used[-2] else "missed"])
     return table(["", "goal", "measured", ""], body)
 
 
@@ -278,8 +289,10 @@ def rates_file(study, file):
 
 def page(study):
     notes = (pathlib.Path(__file__).parent / "notes.md").read_text(encoding="utf-8")
+    planted = [line for line in study.faults if line["what"] == "planted"]
     faults = [[line["kind"], share(line["found"], line["of"])]
-              for line in study.faults if line["what"] == "planted"]
+              for line in planted if line["found"] < line["of"]]
+    always = ", ".join(line["kind"] for line in planted if line["found"] == line["of"])
     bins, error = calibration(study)
     seconds = sum(t["seconds"] for row in study.rows for t in row.trials)
     trials = sum(row.count for row in study.rows)
@@ -301,7 +314,8 @@ def page(study):
         several_table(study), outside_table(study), pairs_table(study),
         "## Confidence\n",
         f"Sets of all trials that hide what the library has; mean distance {error:.3f}.\n", bins,
-        "## Data faults\n", table(["planted", "found, with row and column"], faults),
+        "## Data faults\n", f"Always found, with row and column: {always}.\n",
+        table(["planted", "found, with row and column"], faults),
         notes]
     return "\n".join(parts)
 
