@@ -6,7 +6,10 @@
 #include <CLI/CLI.hpp>
 
 #include "symbolic/effects/effects.h"
+#include "symbolic/effects/model_effects.h"
+#include "symbolic/lever_effects.h"
 #include "symbolic/print_mathml.h"
+#include "symbolic/wrist_effects.h"
 
 namespace sinew {
 namespace {
@@ -33,24 +36,77 @@ std::string entry(const Effect& effect) {
   return text;
 }
 
-void print_page() {
+/// What every cause has in common. `e`: an effect of a whole model or of a rig.
+template <class Described>
+std::string described(const Described& e) {
+  std::string text =
+      fmt::format("- looks like: {}\n- is seen where there is: {}\n- is shown alone by: {}\n",
+                  e.signature, e.excitation, e.experiment);
+  if (!e.limit.empty()) text += fmt::format("- not taken where {}\n", e.limit);
+  return text;
+}
+
+std::string entry(const ModelEffect& effect) {
+  return fmt::format("\n## {} (`{}`)\n\n    {}\n\n", effect.name, effect.id,
+                     plain_equation("effort", effect.effort)) +
+         described(effect);
+}
+
+std::string entry(const ObservationEffect& effect) {
+  std::string parameters;
+  for (const auto* list : {&effect.deviations, &effect.shapes})
+    for (const ObservationParameter& p : *list)
+      parameters += fmt::format("{}`{}` [{}]", parameters.empty() ? "" : ", ", p.name, p.unit);
+  return fmt::format("\n## {} (`{}`, at {})\n\n    {}\n\n- parameters: {}\n", effect.name,
+                     effect.id, effect.place, plain_equation(effect.left, effect.term),
+                     parameters) +
+         described(effect);
+}
+
+void print_efforts() {
   fmt::print(
       "<!-- SPDX-License-Identifier: GPL-3.0-or-later -->\n# Effects\n\n"
-      "What a diagnosis knows, one entry a file in `symbolic/effects/`. The page is the output "
-      "of "
-      "`sinew effects`.\nEfforts count positive where they have to be provided: q, qd, qdd are "
-      "position, velocity and acceleration,\nqdddd the acceleration's second derivative, load an "
-      "external effort against the motion, direction the\ndirection of friction (-1..1), t the "
-      "time, "
-      "step the sampling period.\n");
+      "What a diagnosis knows, as `symbolic/effects/`, `symbolic/lever_effects.cpp` and "
+      "`symbolic/wrist_effects.cpp`\nhave it. The page is the output of `sinew effects`.\nEfforts "
+      "count positive where they have to be provided: q, qd, qdd are position, velocity and "
+      "acceleration,\nqdddd the acceleration's second derivative, load an external effort against "
+      "the motion, direction the\ndirection of friction (-1..1), t the time, step the sampling "
+      "period.\n");
   for (const Effect& effect : effects()) fmt::print("{}", entry(effect));
+}
+
+void print_whole_models() {
+  fmt::print(
+      "\n# Of the model as a whole\n\n"
+      "model is the effort of the model under test, model_rate its derivative by time, model_slope "
+      "the one by the\nposition that the sensor shows.\n");
+  for (const ModelEffect& effect : model_effects()) fmt::print("{}", entry(effect));
+}
+
+void print_rigs() {
+  fmt::print(
+      "\n# At a lever and its tendon on their calibration rig\n\n"
+      "f is the lever's force, x its elongation, z the side of its loop (-1..1), alpha the bending "
+      "angle between\nlever and load cell, direction the side that the guides' friction is on. A "
+      "sensor whose steps are coarse is\nfound as well.\n");
+  for (const ObservationEffect& effect : LeverEffects(0.0).all()) fmt::print("{}", entry(effect));
+  fmt::print(
+      "\n# At a wrist\n\n"
+      "theta is a motor's angle, h a tendon's length, turned how far the tendon is bent from the "
+      "reference pose. A\nsensor whose steps are coarse is found as well; the first motor stands "
+      "for all.\n");
+  for (const ObservationEffect& effect : WristEffects(1).all()) fmt::print("{}", entry(effect));
 }
 
 }  // namespace
 
 void add_effects_command(CLI::App& app, int&) {
   app.add_subcommand("effects", "The manual's page of the effects that a diagnosis knows")
-      ->callback([] { print_page(); });
+      ->callback([] {
+        print_efforts();
+        print_whole_models();
+        print_rigs();
+      });
 }
 
 }  // namespace sinew

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "identification/filter.h"
+#include "symbolic/effects/model_effects.h"
 
 namespace sinew::diagnosis {
 namespace {
@@ -14,9 +15,13 @@ using Eigen::VectorXd;
 
 constexpr double kSmallScale = 1e-4, kSmallTime = 1e-3;  // of the derivatives; 1, s
 
-Candidate at(const EffectPlace& place, const std::string& name, LinearParameter parameter) {
+/// Named, limited and told apart as the effect says.
+Candidate of_effect(const std::string& id, const EffectPlace& place, LinearParameter parameter) {
+  const ModelEffect& effect = *find_model_effect(id);
   Candidate c;
-  c.name = name;
+  c.name = effect.name;
+  c.limit_meaning = effect.limit;
+  c.isolating_experiment = effect.experiment;
   c.place = place.name;
   c.channels = {place.axis};
   c.linear = {std::move(parameter)};
@@ -115,14 +120,11 @@ Motion less_of(const Recording& log, int axis) {
 /// What a rough error of an axis' logged position makes of the efforts: at other joints by its
 /// acceleration alone.
 Candidate sensor_error(const EffectPlace& place, const EffortModel& effort,
-                       const std::vector<int>& coupled, const std::string& name,
-                       const std::string& share,
+                       const std::vector<int>& coupled, const std::string& share,
                        const std::function<Motion(const Recording&)>& error) {
-  Candidate c = at(place, name, {share, "1", 0.0, 1.5, false, {}});
+  Candidate c = of_effect("sensor_quantisation", place, {share, "1", 0.0, 1.5, false, {}});
   c.channels = coupled;
-  c.limit_meaning = "the motion would be rougher than what is logged of it";
   c.broadband = true;
-  c.isolating_experiment = "the same motion against a finer sensor";
   c.columns = [axis = place.axis, effort, error](const Recording& log, int channel,
                                                  const VectorXd&) -> MatrixXd {
     const Motion change = error(log);
@@ -135,11 +137,9 @@ Candidate sensor_error(const EffectPlace& place, const EffortModel& effort,
 }  // namespace
 
 Candidate delay_candidate(const EffectPlace& place) {
-  Candidate c = at(place, "delay", {"delay", "s", 0.0, 1e300, false, {}});
+  Candidate c = of_effect("delay", place, {"delay", "s", 0.0, 1e300, false, {}});
   c.kind = CandidateKind::delay;
   c.nonlinear = {{"delay", "s", -0.02, 0.02, 1, false}};
-  c.limit_meaning = "it would be longer than any bus or filter makes it";
-  c.isolating_experiment = "steps of the command at several speeds, logged at the highest rate";
   return c;
 }
 
@@ -150,10 +150,8 @@ Candidate common_delay_candidate() {
 }
 
 Candidate torque_constant_candidate(const EffectPlace& place) {
-  Candidate c = at(place, "torque constant", {"gain", "1", -0.6, 1.5, false, {}});
+  Candidate c = of_effect("torque_constant", place, {"gain", "1", -0.6, 1.5, false, {}});
   c.value = true;
-  c.limit_meaning = "no gain is that wrong: is the unit, is the sign right?";
-  c.isolating_experiment = "a known external load, for instance a weight held still";
   c.columns = [axis = place.axis](const Recording& log, int channel, const VectorXd&) -> MatrixXd {
     if (channel != axis) return {};
     return log.signals.at("effort").col(axis);
@@ -194,8 +192,7 @@ void add_sensor_responses(const EffortModel& effort, int axis, Recording& log) {
 
 Candidate sensor_low_pass_candidate(const EffectPlace& place, const EffortModel& effort,
                                     const std::vector<int>& coupled, double friction) {
-  Candidate c =
-      at(place, "low-pass of the position sensor", {"time_constant", "s", 0.0, 0.1, false, {}});
+  Candidate c = of_effect("sensor_low_pass", place, {"time_constant", "s", 0.0, 0.1, false, {}});
   c.channels = coupled;
   c.bend = [axis = place.axis, effort](const Recording& log, int, const VectorXd&) -> MatrixXd {
     return response(effort, log, axis, curvature_of(log, axis), kSmallTime * kSmallTime);
@@ -203,8 +200,6 @@ Candidate sensor_low_pass_candidate(const EffectPlace& place, const EffortModel&
   c.nonlinear = {{"time_constant_of_motion", "s", 1e-3, 0.05, 4, true}};
   c.contains = "delay";
   c.possible = of_its_size(2.0);
-  c.limit_meaning = "the sensor would run ahead of the motion";
-  c.isolating_experiment = "fast sinusoids against a second sensor";
   c.columns = [axis = place.axis, effort, friction](const Recording& log, int channel,
                                                     const VectorXd& constant) -> MatrixXd {
     if (channel != axis) return log.signals.at(rate_response(axis)).col(channel);
@@ -218,10 +213,9 @@ Candidate sensor_low_pass_candidate(const EffectPlace& place, const EffortModel&
 Candidate sensor_offset_candidate(const EffectPlace& place, const EffortModel& effort,
                                   const std::vector<int>& coupled) {
   constexpr double most = 0.2;
-  Candidate c = at(place, "zero offset of the position sensor",
-                   {"zero_offset", place.revolute ? "rad" : "m", -most, most, false, {}});
+  Candidate c = of_effect("sensor_offset", place,
+                          {"zero_offset", place.revolute ? "rad" : "m", -most, most, false, {}});
   c.channels = coupled;
-  c.isolating_experiment = "the position held at a stop or a mark that is known";
   c.secant = true;
   c.columns = [axis = place.axis, effort](const Recording& log, int channel,
                                           const VectorXd& size) -> MatrixXd {
@@ -234,10 +228,8 @@ Candidate sensor_offset_candidate(const EffectPlace& place, const EffortModel& e
 
 Candidate sensor_scale_candidate(const EffectPlace& place, const EffortModel& effort,
                                  const std::vector<int>& coupled) {
-  Candidate c =
-      at(place, "scale of the position sensor", {"scale_error", "1", -0.5, 0.5, false, {}});
+  Candidate c = of_effect("sensor_scale", place, {"scale_error", "1", -0.5, 0.5, false, {}});
   c.channels = coupled;
-  c.isolating_experiment = "the travel between two stops, measured with a gauge";
   c.secant = true;
   c.columns = [axis = place.axis, effort](const Recording& log, int channel,
                                           const VectorXd& size) -> MatrixXd {
@@ -258,8 +250,9 @@ Candidate sensor_noise_candidate(const EffectPlace& place, const EffortModel& ef
     return Motion{change("smooth_q", log.q), change("smooth_qd", log.qd),
                   change("smooth_qdd", log.qdd)};
   };
-  return sensor_error(place, effort, coupled, "noise of the position sensor", "share_of_noise",
-                      error);
+  Candidate c = sensor_error(place, effort, coupled, "share_of_noise", error);
+  c.name = "noise of the position sensor";
+  return c;
 }
 
 Candidate sensor_quantisation_candidate(const EffectPlace& place, const EffortModel& effort,
@@ -268,21 +261,17 @@ Candidate sensor_quantisation_candidate(const EffectPlace& place, const EffortMo
     return Motion{-log.signals.at("steps").col(axis), -log.signals.at("steps_rate").col(axis),
                   -log.signals.at("steps_acceleration").col(axis)};
   };
-  return sensor_error(place, effort, coupled, "quantisation of the position sensor",
-                      "share_of_steps", error);
+  return sensor_error(place, effort, coupled, "share_of_steps", error);
 }
 
 Candidate sensor_hysteresis_candidate(const EffectPlace& place, const EffortModel& effort,
                                       const LogScale& scale) {
   const std::string unit = place.revolute ? "rad" : "m";
   const double reach = scale.high - scale.low;
-  Candidate c =
-      at(place, "hysteresis of the position sensor", {"half_play", unit, 0.0, reach, false, {}});
+  Candidate c = of_effect("sensor_hysteresis", place, {"half_play", unit, 0.0, reach, false, {}});
   // Friction turns within the play: what the sensor hides of the motion is not proportional to it.
   c.nonlinear = {{"half_play_of_motion", unit, 1e-5 * reach, 3e-3 * reach, 4, true}};
   c.possible = of_its_size(4.0);
-  c.limit_meaning = "the sensor would run ahead of the motion";
-  c.isolating_experiment = "slow reversals against a second sensor";
   c.columns = [axis = place.axis, effort](const Recording& log, int channel,
                                           const VectorXd& half_play) -> MatrixXd {
     if (channel != axis) return {};

@@ -6,6 +6,7 @@
 #include "generator/assemble.h"
 #include "identification/parallel_for.h"
 #include "symbolic/dynamics_functions.h"
+#include "symbolic/effects/model_effects.h"
 #include "symbolic/runtime_parameters.h"
 
 namespace sinew::diagnosis {
@@ -27,6 +28,15 @@ LinearParameter parameter(const std::string& name, const std::string& unit, doub
   p.unit = unit;
   p.low = low;
   return p;
+}
+
+/// Named, limited and told apart as the effect says; the group's type is its owner's own.
+template <class Group>
+void describe(const std::string& effect, Group& group) {
+  const ModelEffect& e = *find_model_effect(effect);
+  group.name = e.name;
+  group.experiment = e.experiment;
+  group.limit = e.limit;
 }
 
 struct MovingBody {
@@ -122,9 +132,7 @@ void RigidColumns::add_payload(const Mechanism& mechanism, std::size_t body) {
   const Body& carrier = mechanism.bodies[body];
   Group group = mass_of(carrier, static_cast<Index>(body));
   group.signal = "payload of " + carrier.name;
-  group.name = "payload";
-  group.experiment = "the same slow motion with and without what may be attached";
-  group.limit = "no body near the robot has such a mass and such moments";
+  describe("payload", group);
   group.body_within = reach_of(mechanism);
   groups_.push_back(std::move(group));
 }
@@ -134,11 +142,10 @@ void RigidColumns::add_inertial(const Mechanism& mechanism, std::size_t body, bo
   const Body& carrier = mechanism.bodies[body];
   Group group = mass_of(carrier, static_cast<Index>(body));
   group.signal = "inertial parameters of " + carrier.name;
-  group.name = "inertial parameters";
+  describe("inertial_parameters", group);
   group.parameters.front().low = -carrier.mass;
   if (leaf) group.parameters.front().high = 0.0;
-  group.experiment = "motion of all joints that it moves with, slow and fast";
-  group.limit = leaf ? "it would carry something" : "its mass would be negative";
+  if (leaf) group.limit = "it would carry something";
   group.unlikely = true;
   groups_.push_back(std::move(group));
 }
@@ -162,10 +169,9 @@ void RigidColumns::add_gravity(const Mechanism& mechanism) {
   const bool absent = mechanism.gravity.isZero(0.0);
   Group group;
   group.signal = "gravity";
+  describe("gravity", group);
   group.name = absent ? "gravity left out" : "direction of gravity";
   group.place = "base";
-  group.experiment = "slow motion over the whole range";
-  group.limit = "gravity would be stronger than the earth's";
   const VectorXd none = nominal(Vector3d::Zero());
   const char* axes[] = {"x", "y", "z"};
   // Its size is known where it is there at all: a base that leans moves it sideways.

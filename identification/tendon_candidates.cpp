@@ -8,6 +8,7 @@
 #include "identification/filter.h"
 #include "identification/model_candidates.h"
 #include "symbolic/effects/effects.h"
+#include "symbolic/effects/model_effects.h"
 
 namespace sinew::diagnosis {
 namespace {
@@ -123,13 +124,14 @@ std::vector<TendonColumns::AtTendon> TendonColumns::candidates() const {
 
 Candidate pulley_radius_candidate(int axis, const std::string& place) {
   Candidate c = torque_constant_candidate({axis, place, true});
-  c.name = "pulley radius";
+  const ModelEffect& e = *find_model_effect("pulley_radius");
+  c.name = e.name;
   // The term scales the model's torque: 1 + gain is the model's radius over the true one. Beyond
   // this it is the links that are not as the model says.
   c.linear.front().low = -0.5;
   c.linear.front().high = 1.0;
-  c.limit_meaning = "the pulley would be less than half or more than twice as large";
-  c.isolating_experiment = "a known weight at the link, the joint held by its tendons alone";
+  c.limit_meaning = e.limit;
+  c.isolating_experiment = e.experiment;
   return c;
 }
 

@@ -4,10 +4,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <ginac/ginac.h>
-
 #include <algorithm>
 
+#include "symbolic/effects/model_effects.h"
 #include "symbolic/print_mathml.h"
 
 namespace sinew::diagnosis {
@@ -27,14 +26,6 @@ std::string dependences(const Unexplained& unexplained) {
     on.push_back(d.place.empty() ? d.on : d.on + " (" + d.place + ")");
   }
   return on.empty() ? "nothing that was looked at" : joined(on, " and ");
-}
-
-void set_term(CauseTerm& term, const GiNaC::ex& effort, const char* signature,
-              const char* excitation) {
-  term.mathml = mathml_equation("effort", effort);
-  term.text = plain_equation("effort", effort);
-  term.signature = signature;
-  term.excitation = excitation;
 }
 
 }  // namespace
@@ -122,40 +113,12 @@ std::string next_step(const Findings& f) {
 }
 
 void describe_model_term(const std::string& effect, CauseTerm& term) {
-  const GiNaC::symbol model("model"), gain("gain_change"), delay("delay"), rate("model_rate"),
-      tau("time_constant"), scale("scale_error"), offset("zero_offset"), slope("model_slope"),
-      q("q"), play("half_play"), side("side"), share("share_of_steps"), steps("model_of_the_steps"),
-      regressor("regressor_of_the_link"), change("change_of_its_inertial_parameters");
-  if (effect == "delay")
-    set_term(term, model + delay * rate,
-             "effort left over in proportion to the model's rate of change",
-             "fast changes of the effort");
-  else if (effect == "torque_constant")
-    set_term(term, model / (1 + gain), "effort left over in proportion to the whole effort",
-             "a load that is known apart from the motion");
-  else if (effect == "pulley_radius")
-    set_term(term, model / (1 + gain), "torque left over in proportion to the tendons' torque",
-             "tendon forces that are known apart from the motion");
-  else if (effect == "payload" || effect == "inertial_parameters")
-    set_term(term, model + regressor * change,
-             "effort left over with the link's weight and its acceleration",
-             "motion of all joints that the link moves with");
-  else if (effect == "sensor_low_pass")
-    set_term(term, model + tau * rate,
-             "effort left over in proportion to the model's rate of change", "fast motion");
-  else if (effect == "sensor_scale")
-    set_term(term, model - scale * q * slope, "inertia and damping off by one share, friction not",
-             "large motion");
-  else if (effect == "sensor_offset")
-    set_term(term, model - offset * slope, "as if gravity and the other links stood elsewhere",
-             "gravity, or joints that move together");
-  else if (effect == "sensor_quantisation")
-    set_term(term, model + share * steps,
-             "effort left over as rough as the position's steps make it",
-             "motion that is smooth itself");
-  else if (effect == "sensor_hysteresis")
-    set_term(term, model + play * side * slope, "a short pulse behind every reversal",
-             "many reversals");
+  const ModelEffect* e = find_model_effect(effect);
+  if (!e) return;
+  term.mathml = mathml_equation("effort", e->effort);
+  term.text = plain_equation("effort", e->effort);
+  term.signature = e->signature;
+  term.excitation = e->excitation;
 }
 
 }  // namespace sinew::diagnosis

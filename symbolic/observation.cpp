@@ -41,6 +41,11 @@ const ObservationEffect* find_effect(const Observation& observation, const std::
   return nullptr;
 }
 
+ObservationParameter observation_parameter(const std::string& name, const std::string& unit,
+                                           double low, double high, double step) {
+  return {GiNaC::symbol(name), name, unit, low, high, step};
+}
+
 Function open_observation(const Observation& observation) {
   std::vector<ObservationParameter> deviations, shapes;
   for (const ObservationEffect& effect : observation.effects) {

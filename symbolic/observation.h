@@ -20,6 +20,10 @@ struct ObservationParameter {
   double step = 0.0;             ///< of a numerical derivative; of a shape the starting points
 };
 
+/// With a symbol of that name.
+ObservationParameter observation_parameter(const std::string& name, const std::string& unit,
+                                           double low, double high, double step);
+
 /// One effect at one place.
 struct ObservationEffect {
   std::string id;           ///< as identified.toml has it
@@ -32,6 +36,8 @@ struct ObservationEffect {
   std::string excitation{};  ///< what has to happen for it to be seen
   std::string experiment{};  ///< what isolates it
   std::string limit{};       ///< what a violated limit says
+
+  GiNaC::ex first() const { return deviations.front().symbol; }
 };
 
 /// `function` has one output number for each measured channel ("measured"), and "next" where it has

@@ -5,79 +5,13 @@
 
 #include "symbolic/argument.h"
 #include "symbolic/exact_number.h"
+#include "symbolic/wrist_effects.h"
 #include "symbolic/wrist_geometry.h"
 
 namespace sinew {
 namespace {
 
 using GiNaC::ex;
-
-ObservationParameter deviation(const std::string& name, const char* unit, double low, double high,
-                               double step) {
-  return {GiNaC::symbol(name), name, unit, low, high, step};
-}
-
-ex first(const ObservationEffect& e) {
-  return e.deviations.front().symbol;
-}
-
-struct WristEffects {
-  ObservationEffect coupling{"wrist_coupling", "coupling left uncompensated", "wrist", {}, {}, {}};
-  ObservationEffect zero71{"wrist_zero", "zero offset", "q71", {}, {}, {}};
-  ObservationEffect zero73{"wrist_zero", "zero offset", "q73", {}, {}, {}};
-  ObservationEffect contact{"contact_shift", "contact-point shift", "wrist", {}, {}, {}};
-  ObservationEffect scale71{"sensor_scale", "scale of the angle sensor", "q71", {}, {}, {}};
-  ObservationEffect scale73{"sensor_scale", "scale of the angle sensor", "q73", {}, {}, {}};
-  std::vector<ObservationEffect> radii;
-
-  explicit WristEffects(std::size_t tendons) {
-    coupling.deviations = {deviation("share", "1", 0.0, 1.0, 1e-4)};
-    coupling.limit = "more than the coupling would be compensated";
-    coupling.signature = "motor angles left over in proportion to the tendons' lengths";
-    coupling.excitation = "motion of the wrist";
-    coupling.experiment = "the fingers watched while the wrist moves";
-    contact.deviations = {deviation("radius", "m", 0.0, 0.02, 1e-6)};
-    contact.limit = "the tendon would leave its pulley inwards";
-    contact.signature = "tendons longer the farther they are bent from the reference pose";
-    contact.excitation = "flexion and abduction far from the reference pose";
-    contact.experiment = "one wrist angle at a time, over its whole range";
-    name(zero71, zero73, "offset", "rad", 1e-5,
-         "the palm set parallel to the forearm with a gauge");
-    name(scale71, scale73, "scale_error", "1", 1e-5, "the angle between two stops, with a gauge");
-    for (ObservationEffect* e : {&zero71, &zero73})
-      e->signature = "lengths off by their slope over the angle";
-    for (ObservationEffect* e : {&scale71, &scale73})
-      e->signature = "lengths off in proportion to the angle";
-    for (std::size_t i = 0; i < tendons; ++i) {
-      ObservationEffect e{
-          "pulley_radius",      "pulley radius", "motor " + std::to_string(i + 1), {}, {},
-          {static_cast<int>(i)}};
-      e.deviations = {deviation("change", "1", -0.5, 1.0, 1e-4)};
-      e.signature = "one motor's angle off by a constant share";
-      e.excitation = "motion of the wrist";
-      e.experiment = "the pulley measured";
-      e.limit = "half or twice the radius";
-      radii.push_back(e);
-    }
-  }
-
-  std::vector<ObservationEffect> all() const {
-    std::vector<ObservationEffect> list{coupling, zero71, zero73, contact, scale71, scale73};
-    list.insert(list.end(), radii.begin(), radii.end());
-    return list;
-  }
-
- private:
-  static void name(ObservationEffect& a, ObservationEffect& b, const char* parameter,
-                   const char* unit, double step, const char* experiment) {
-    for (ObservationEffect* e : {&a, &b}) {
-      e->deviations = {deviation(std::string(parameter), unit, -0.5, 0.5, step)};
-      e->experiment = experiment;
-      e->excitation = "both wrist angles over their range";
-      e->limit = "half a radian, or half the angle";
-    }
-  }
-};
 
 /// From the forearm point of a tendon to its palm point.
 Vector3 span(const WristParameters& p, std::size_t i, const WristPose& pose) {
@@ -94,22 +28,7 @@ Vector3 reference_span(const WristParameters& p, std::size_t i, const WristLinks
 ex true_angle(DefinitionList& list, const std::string& name, const ex& logged, double reference,
               const ObservationEffect& scale, const ObservationEffect& zero) {
   const ex zero_pose = exact_number(reference);
-  return list.define(name, zero_pose + (logged - zero_pose) / (1 + first(scale)) + first(zero));
-}
-
-void describe(WristEffects& e) {
-  const GiNaC::symbol theta("theta"), h("h"), q71("q71"), q73("q73"), turned("turned");
-  const auto say = [](ObservationEffect& effect, const char* left, const ex& term) {
-    effect.left = left;
-    effect.term = term;
-  };
-  say(e.coupling, "theta", theta * (1 - first(e.coupling)));
-  say(e.zero71, "q71", q71 + first(e.zero71));
-  say(e.zero73, "q73", q73 + first(e.zero73));
-  say(e.contact, "h", h + first(e.contact) * turned);
-  say(e.scale71, "q71", q71 / (1 + first(e.scale71)));
-  say(e.scale73, "q73", q73 / (1 + first(e.scale73)));
-  for (ObservationEffect& r : e.radii) say(r, "theta", theta / (1 + first(r)));
+  return list.define(name, zero_pose + (logged - zero_pose) / (1 + scale.first()) + zero.first());
 }
 
 std::vector<ex> motor_angles(const WristParameters& p, const WristLinks& links,
@@ -123,9 +42,9 @@ std::vector<ex> motor_angles(const WristParameters& p, const WristLinks& links,
     const Vector3 aside = define(list, "aside", cross(rest, here));
     const ex turned =
         list.define("turned", GiNaC::atan2(GiNaC::sqrt(dot(aside, aside)), dot(rest, here)));
-    const ex change = list.define("change", length - rest_length + first(e.contact) * turned);
-    theta.push_back(-change * (1 - first(e.coupling)) / exact_number(p.motor_radius) /
-                    (1 + first(e.radii[i])));
+    const ex change = list.define("change", length - rest_length + e.contact.first() * turned);
+    theta.push_back(-change * (1 - e.coupling.first()) / exact_number(p.motor_radius) /
+                    (1 + e.radii[i].first()));
   }
   return theta;
 }
@@ -152,7 +71,6 @@ Observation wrist_observation(const WristParameters& parameters, const std::stri
   Output measured{"measured", static_cast<int>(parameters.palm_points.size()), 1, {}, "rad", ""};
   measured.doc = "motor angles, 0 in the reference pose";
   measured.values = motor_angles(parameters, links, pose, effects, list);
-  describe(effects);
   return {model,
           {"observation",
            "Where the motors stand that keep the tendons at their force while the wrist moves.",

@@ -292,7 +292,7 @@ def page(study):
     planted = [line for line in study.faults if line["what"] == "planted"]
     faults = [[line["kind"], share(line["found"], line["of"])]
               for line in planted if line["found"] < line["of"]]
-    always = ", ".join(line["kind"] for line in planted if line["found"] == line["of"])
+    always = "; ".join(line["kind"] for line in planted if line["found"] == line["of"])
     bins, error = calibration(study)
     seconds = sum(t["seconds"] for row in study.rows for t in row.trials)
     trials = sum(row.count for row in study.rows)
