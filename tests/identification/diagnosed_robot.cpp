@@ -8,6 +8,23 @@
 
 namespace sinew::test {
 
+Mechanism slide(double mass, double damping, double friction) {
+  Mechanism m;
+  m.name = "slide";
+  Body body;
+  body.name = "carriage";
+  body.mass = mass;
+  Joint joint;
+  joint.name = "x";
+  joint.type = JointType::prismatic;
+  joint.damping = damping;
+  joint.friction = friction;
+  m.bodies = {body};
+  m.joints = {joint};
+  m.gravity.setZero();
+  return m;
+}
+
 diagnosis::Findings diagnosed(const Mechanism& nominal, const std::string& train,
                               const std::string& holdout) {
   const reference::TemporaryFolder folder;

@@ -9,6 +9,9 @@
 
 namespace sinew::test {
 
+/// A carriage on a rail without weight: kg, N·s/m, N.
+Mechanism slide(double mass, double damping, double friction);
+
 /// `train`, `holdout`: CSV text with q_<joint>, tau_<joint>.
 diagnosis::Findings diagnosed(const Mechanism& nominal, const std::string& train,
                               const std::string& holdout);

@@ -14,22 +14,6 @@ using namespace sinew;
 
 constexpr double kMass = 8.0, kViscous = 30.0, kDrift = 0.03;  // kg, N·s/m, N/s
 
-Mechanism slide() {
-  Mechanism m;
-  m.name = "slide";
-  Body body;
-  body.name = "carriage";
-  body.mass = kMass;
-  Joint joint;
-  joint.name = "x";
-  joint.type = JointType::prismatic;
-  joint.damping = kViscous;
-  m.bodies = {body};
-  m.joints = {joint};
-  m.gravity.setZero();
-  return m;
-}
-
 /// Fifteen seconds of motion, three minutes without a row, fifteen more; an offset that drifts.
 std::string log_with_hole(std::uint64_t seed) {
   reference::RandomNumbers random(seed);
@@ -55,7 +39,8 @@ std::string log_with_hole(std::uint64_t seed) {
 TEST_CASE("what grows with time grows on behind a hole in the log") {
   // Planted defect: with each stretch's time from its own beginning (Recording::started) the drift
   // is told as "none of the known causes".
-  const diagnosis::Findings found = test::diagnosed(slide(), log_with_hole(1), log_with_hole(2));
+  const diagnosis::Findings found =
+      test::diagnosed(test::slide(kMass, kViscous, 0.0), log_with_hole(1), log_with_hole(2));
   INFO(found.headline);
   REQUIRE(found.verdict.causes.size() == 1);
   const diagnosis::NamedCause& cause = found.verdict.causes.front();

@@ -15,23 +15,6 @@ using namespace sinew;
 
 constexpr double kMass = 20.0, kViscous = 60.0, kCoulomb = 30.0;
 
-Mechanism slide() {
-  Mechanism m;
-  m.name = "slide";
-  Body body;
-  body.name = "carriage";
-  body.mass = kMass;
-  Joint joint;
-  joint.name = "x";
-  joint.type = JointType::prismatic;
-  joint.damping = kViscous;
-  joint.friction = kCoulomb;
-  m.bodies = {body};
-  m.joints = {joint};
-  m.gravity.setZero();
-  return m;
-}
-
 struct Reference {
   double position = 0.0, velocity = 0.0, acceleration = 0.0;
 };
@@ -102,7 +85,8 @@ TEST_CASE("friction that sticks in slow logs is no elasticity, delay or backlash
   for (const double step : {0.004, 0.008, 0.01})
     for (const std::uint64_t seed : {1U, 2U, 3U}) {
       const diagnosis::Findings found =
-          test::diagnosed(slide(), log_of(step, seed, 30.0), log_of(step, seed + 1000, 30.0));
+          test::diagnosed(test::slide(kMass, kViscous, kCoulomb), log_of(step, seed, 30.0),
+                          log_of(step, seed + 1000, 30.0));
       INFO(found.headline << " at " << step << " s, seed " << seed << ", error "
                           << found.verdict.relative_error_before);
       CHECK(found.verdict.nothing_beyond_noise());
