@@ -17,6 +17,7 @@
 #include "identification/diagnose.h"
 #include "identification/driven_channels.h"
 #include "identification/findings_json.h"
+#include "identification/model_channels.h"
 #include "identification/report_html.h"
 #include "identification/report_text.h"
 #include "identification/verdict_text.h"
@@ -172,8 +173,9 @@ void write_results(const DiagnoseOptions& o, Diagnosis& diagnosis) {
     replace_folder(fs::path(o.out) / "generated" / diagnosis.findings.model, generated);
 }
 
-int run(const DiagnoseOptions& o) {
+int run(DiagnoseOptions o) {
   const ModelFolder folder = open_model_folder(o.folder);
+  o.map = mapped_channels(o.folder, o.map);
   const Progress progress(!o.json);
   const auto told = [&](const std::string& step, double share) { progress(step, share); };
   Diagnosis diagnosis;

@@ -117,10 +117,12 @@ class Mapper {
         channel == "time" || std::any_of(specs_.begin(), specs_.end(),
                                          [&](const ChannelSpec& s) { return s.name == channel; });
     if (at == std::string::npos || !known) {
-      report(FaultKind::missing_cell, Severity::stop, 0, channel,
-             fmt::format("--map '{}' does not begin with a channel of this model ({})", text,
-                         fmt::join(channel_names(), ", ")),
-             "write --map \"channel=column name [unit]\"");
+      report(
+          FaultKind::missing_cell, Severity::stop, 0, channel,
+          fmt::format("'{}' (--map or channels.toml) does not begin with a channel of this model "
+                      "({})",
+                      text, fmt::join(channel_names(), ", ")),
+          "write \"channel=column name [unit]\"");
       return;
     }
     const NameAndUnit parts = split_name_and_unit(std::string_view(text).substr(at + 1));
@@ -193,8 +195,8 @@ class Mapper {
       const int column = column_of_override(*o);
       if (column < 0)
         report(FaultKind::missing_cell, Severity::stop, 0, s.name,
-               fmt::format("--map asks for column '{}', the header has: {}", o->column,
-                           fmt::join(column_names(), ", ")),
+               fmt::format("--map or channels.toml asks for column '{}', the header has: {}",
+                           o->column, fmt::join(column_names(), ", ")),
                "the log is not used");
       return column;
     }

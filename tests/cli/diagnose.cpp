@@ -176,6 +176,34 @@ TEST_CASE("logs that cannot be used end with 2, say where, and nothing is writte
         2);
 }
 
+TEST_CASE("a model's folder says what a recorder calls its channels") {
+  // Planted defect: without mapped_channels() in cli/diagnose.cpp the log has no effort.
+  const Bench bench(1.5);
+  for (const char* log : {"train.csv", "test.csv"}) {
+    std::string text = bench.text(log);
+    text.replace(0, text.find('\n'), "time [s],carriage [m],drive force");
+    reference::write_text(bench.path(log), text);
+  }
+  CHECK(bench.diagnose().status == 2);
+  const std::string channels = "[channels]\nq_x = \"carriage [m]\"\n";
+  reference::write_text(bench.path("models/slide/channels.toml"),
+                        channels + "tau_x = \"drive force [N]\"\n");
+  const Ended named = bench.diagnose({"--dry-run"});
+  INFO(named.output);
+  CHECK(named.status == 1);
+  CHECK(named.says("viscous asymmetry"));
+  // --map goes before it.
+  reference::write_text(bench.path("models/slide/channels.toml"),
+                        channels + "tau_x = \"none [N]\"\n");
+  CHECK(bench.diagnose({"--dry-run"}).status == 2);
+  CHECK(bench.diagnose({"--dry-run", "--map", "tau_x=drive force [N]"}).status == 1);
+  reference::write_text(bench.path("models/slide/channels.toml"), channels + "tau_x = 3\n");
+  const Ended wrong = bench.diagnose();
+  CHECK(wrong.status == 2);
+  CHECK(wrong.says("channels.toml:3"));
+  CHECK(wrong.says("column name [unit]"));
+}
+
 TEST_CASE("the manual's page of effects is what the program says") {
   const Workplace here;
   const Ended page = here.sinew({"effects"});
