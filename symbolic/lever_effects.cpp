@@ -80,17 +80,17 @@ void LeverEffects::write_equations() {
     e.left = left;
     e.term = term;
   };
-  say(spring, "force", f * (1 + spring.first()));
-  say(preload, "force", f + K * preload.first() * leverage);
-  say(hysteresis, "force", f * (1 + hysteresis.first() * z));
-  say(series, "elongation", x + series.first() * f);
-  say(slack, "elongation", x + slack.first());
-  say(scale, "count", count / (1 + scale.first()));
-  say(offset, "count", count - offset.first());
-  say(zero, "force", f + zero.first());
-  say(capstan, "force", f * GiNaC::exp(capstan.first() * alpha * direction));
+  say(spring, "force", f * (1 + spring.deviation()));
+  say(preload, "force", f + K * preload.deviation() * leverage);
+  say(hysteresis, "force", f * (1 + hysteresis.deviation() * z));
+  say(series, "elongation", x + series.deviation() * f);
+  say(slack, "elongation", x + slack.deviation());
+  say(scale, "count", count / (1 + scale.deviation()));
+  say(offset, "count", count - offset.deviation());
+  say(zero, "force", f + zero.deviation());
+  say(capstan, "force", f * GiNaC::exp(capstan.deviation() * alpha * direction));
   say(fitted, "force",
-      f + fitted.first() * direction * (1 - GiNaC::exp(-fitted.shapes.front().symbol * alpha)));
+      f + fitted.deviation() * direction * (1 - GiNaC::exp(-fitted.shapes.front().symbol * alpha)));
 }
 
 }  // namespace sinew

@@ -41,8 +41,8 @@ class Reading {
     write_force();
     const ex guided = write_guides();
     const ex stretched = elongation_ +
-                         (exact_number(rig_.compliance) + e_.series.first()) * force_ +
-                         e_.slack.first();
+                         (exact_number(rig_.compliance) + e_.series.deviation()) * force_ +
+                         e_.slack.deviation();
     return {"observation",
             "What the calibration rig's load cell and gauge read at a count of the lever's sensor.",
             "4.1",
@@ -58,10 +58,10 @@ class Reading {
     const numeric free = exact_number(p.free_angle), end = exact_number(p.end_angle);
     const numeric range = end - free,
                   counts = exact_number(rig_.lever.count_end) - exact_number(rig_.lever.count_free);
-    per_count_ = range / counts / (1 + e_.scale.first());
+    per_count_ = range / counts / (1 + e_.scale.deviation());
     const ex share = list_.define(
-        "share", (count_.symbols[0] - e_.offset.first() - exact_number(rig_.lever.count_free)) /
-                     counts / (1 + e_.scale.first()));
+        "share", (count_.symbols[0] - e_.offset.deviation() - exact_number(rig_.lever.count_free)) /
+                     counts / (1 + e_.scale.deviation()));
     const ex limited =
         list_.define("share_limited", clamped(share, numeric(-1, 10), numeric(11, 10)));
     theta_ = list_.define("theta", free + range * limited);
@@ -71,8 +71,8 @@ class Reading {
     const LeverGeometry g = lever_geometry(list_, rig_.lever, theta_);
     elongation_ = list_.define("elongation", free_path_length(rig_.lever) - g.length);
     const ex pull = list_.define(
-        "pull", -(1 + e_.spring.first()) * (g.energy_slope + e_.preload.first() * g.preload_slope) /
-                    g.safe_slope);
+        "pull", -(1 + e_.spring.deviation()) *
+                    (g.energy_slope + e_.preload.deviation() * g.preload_slope) / g.safe_slope);
     force_ = list_.define("force", maximum(pull, 0));
     const ex rate = clamped(rate_.symbols[0], -1000000, 1000000);
     travel_ =
@@ -92,10 +92,11 @@ class Reading {
   ex write_guides() {
     guided_ = turned(1, guide_turns_over, "guide");
     const ex bend = list_.define("bend_limited", clamped(bend_.symbols[0], 0, 100));
-    const ex loop = list_.define("loop", force_ * (1 + e_.hysteresis.first() * next_));
-    const ex exponent = clamped(e_.capstan.first() * bend * guided_, -10, 10);
-    return list_.define("cell", loop * GiNaC::exp(exponent)) + e_.zero.first() +
-           e_.fitted.first() * guided_ * (1 - GiNaC::exp(-e_.fitted.shapes.front().symbol * bend));
+    const ex loop = list_.define("loop", force_ * (1 + e_.hysteresis.deviation() * next_));
+    const ex exponent = clamped(e_.capstan.deviation() * bend * guided_, -10, 10);
+    return list_.define("cell", loop * GiNaC::exp(exponent)) + e_.zero.deviation() +
+           e_.fitted.deviation() * guided_ *
+               (1 - GiNaC::exp(-e_.fitted.shapes.front().symbol * bend));
   }
 
   const LeverRig& rig_;

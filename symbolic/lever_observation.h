@@ -13,10 +13,10 @@ struct LeverRig {
   double compliance = 0.0;  ///< m/N, of the tendon in series: l0/(E S)
 };
 
-/// observation(count, count_rate [1/s], bend [rad], step [s], state -> measured 2, next 1): force
-/// [N] and elongation of lever and tendon [m]; bend is the total bending angle between lever and
-/// load cell. Counts may lie up to a tenth of the travel outside it. Throws std::invalid_argument
-/// where both counts are the same.
+/// observation(count, count_rate [1/s], bend [rad], step [s], memory 2 -> measured 2, next 2):
+/// force [N] and elongation of lever and tendon [m]; bend is the total bending angle between lever
+/// and load cell; memory holds the sides of hysteresis and guides (-1..1). Counts may lie up to a
+/// tenth of the travel outside it. Throws std::invalid_argument where both counts are the same.
 Observation lever_observation(const LeverRig& rig, const std::string& model);
 
 }  // namespace sinew

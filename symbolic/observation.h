@@ -37,7 +37,8 @@ struct ObservationEffect {
   std::string experiment{};  ///< what isolates it
   std::string limit{};       ///< what a violated limit says
 
-  GiNaC::ex first() const { return deviations.front().symbol; }
+  /// Symbol of its first deviation, which most effects have alone.
+  GiNaC::ex deviation() const { return deviations.front().symbol; }
 };
 
 /// `function` has one output number for each measured channel ("measured"), and "next" where it has

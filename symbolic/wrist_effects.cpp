@@ -74,13 +74,13 @@ void WristEffects::write_equations() {
     effect.left = left;
     effect.term = term;
   };
-  say(coupling, "theta", theta * (1 - coupling.first()));
-  say(zero71, "q71", q71 + zero71.first());
-  say(zero73, "q73", q73 + zero73.first());
-  say(contact, "h", h + contact.first() * turned);
-  say(scale71, "q71", q71 / (1 + scale71.first()));
-  say(scale73, "q73", q73 / (1 + scale73.first()));
-  for (ObservationEffect& r : radii) say(r, "theta", theta / (1 + r.first()));
+  say(coupling, "theta", theta * (1 - coupling.deviation()));
+  say(zero71, "q71", q71 + zero71.deviation());
+  say(zero73, "q73", q73 + zero73.deviation());
+  say(contact, "h", h + contact.deviation() * turned);
+  say(scale71, "q71", q71 / (1 + scale71.deviation()));
+  say(scale73, "q73", q73 / (1 + scale73.deviation()));
+  for (ObservationEffect& r : radii) say(r, "theta", theta / (1 + r.deviation()));
 }
 
 }  // namespace sinew

@@ -28,7 +28,8 @@ Vector3 reference_span(const WristParameters& p, std::size_t i, const WristLinks
 ex true_angle(DefinitionList& list, const std::string& name, const ex& logged, double reference,
               const ObservationEffect& scale, const ObservationEffect& zero) {
   const ex zero_pose = exact_number(reference);
-  return list.define(name, zero_pose + (logged - zero_pose) / (1 + scale.first()) + zero.first());
+  return list.define(name,
+                     zero_pose + (logged - zero_pose) / (1 + scale.deviation()) + zero.deviation());
 }
 
 std::vector<ex> motor_angles(const WristParameters& p, const WristLinks& links,
@@ -42,9 +43,9 @@ std::vector<ex> motor_angles(const WristParameters& p, const WristLinks& links,
     const Vector3 aside = define(list, "aside", cross(rest, here));
     const ex turned =
         list.define("turned", GiNaC::atan2(GiNaC::sqrt(dot(aside, aside)), dot(rest, here)));
-    const ex change = list.define("change", length - rest_length + e.contact.first() * turned);
-    theta.push_back(-change * (1 - e.coupling.first()) / exact_number(p.motor_radius) /
-                    (1 + e.radii[i].first()));
+    const ex change = list.define("change", length - rest_length + e.contact.deviation() * turned);
+    theta.push_back(-change * (1 - e.coupling.deviation()) / exact_number(p.motor_radius) /
+                    (1 + e.radii[i].deviation()));
   }
   return theta;
 }

@@ -275,7 +275,7 @@ def goal_table(study):
     used = list(memory.values())
     body.append(["memory for a finger's log of " + ", ".join(memory) + " s", "flat",
                  ", ".join(f"{m:.0f} MB" for m in used),
-                 "met beyond the first" if used[-1] < 1.1 * used[-2] else "missed"])
+                 "flat from the second on" if used[-1] < 1.1 * used[-2] else "missed"])
     return table(["", "goal", "measured", ""], body)
 
 
@@ -304,8 +304,9 @@ def page(study):
         "LuGre or Bouc–Wen, their integrator their own). The size of a cause is the rms of what it leaves "
         "over, orthogonal to the model's own terms, divided by the noise's. “Right”: a set for each "
         "hidden cause with the right name first, and no other set.\n",
-        "Everything but the remarks is run and written by one command, by one program "
-        f"({trials} trials, {seconds / 3600:.1f} hours of its time):\n\n    scripts/study\n",
+        "Everything but the remarks is run and written by one command "
+        f"({trials} trials, {seconds / 3600:.1f} hours of the program's time; what was not run in one go is in "
+        "the remarks):\n\n    scripts/study\n",
         "## Goals\n", goal_table(study),
         "## One cause\n", "![rates over the size of a cause](blind_rates.svg)\n", one_cause_table(study),
         "What was told, by cause (a set in braces):\n", confusion_table(study)[0],
