@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "symbolic/mechanism.h"
+#include "symbolic/model/mechanism.h"
 
 namespace sinew::benchmarks {
 

@@ -8,7 +8,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "symbolic/read_urdf.h"
+#include "symbolic/model/read_urdf.h"
 #include "tests/reference/newton_euler.h"
 
 namespace sinew::benchmarks {

@@ -7,10 +7,10 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "identification/channel_map.h"
-#include "identification/csv_rows.h"
-#include "identification/lever_subject.h"
-#include "identification/wrist_subject.h"
+#include "identification/logs/channel_map.h"
+#include "identification/logs/csv_rows.h"
+#include "identification/subjects/lever_subject.h"
+#include "identification/subjects/wrist_subject.h"
 
 namespace sinew {
 namespace {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "cli/model_folder.h"
-#include "identification/diagnose_observed.h"
+#include "identification/adoption/diagnose_observed.h"
 
 namespace sinew {
 

@@ -7,9 +7,9 @@
 
 #include "symbolic/effects/effects.h"
 #include "symbolic/effects/model_effects.h"
-#include "symbolic/lever_effects.h"
-#include "symbolic/print_mathml.h"
-#include "symbolic/wrist_effects.h"
+#include "symbolic/extension/lever_effects.h"
+#include "symbolic/notation/print_mathml.h"
+#include "symbolic/extension/wrist_effects.h"
 
 namespace sinew {
 namespace {
@@ -66,8 +66,8 @@ std::string entry(const ObservationEffect& effect) {
 void print_efforts() {
   fmt::print(
       "<!-- SPDX-License-Identifier: GPL-3.0-or-later -->\n# Effects\n\n"
-      "What a diagnosis knows, as `symbolic/effects/`, `symbolic/lever_effects.cpp` and "
-      "`symbolic/wrist_effects.cpp`\nhave it. The page is the output of `sinew effects`.\nEfforts "
+      "What a diagnosis knows, as `symbolic/effects/`, `symbolic/extension/lever_effects.cpp` and "
+      "`symbolic/extension/wrist_effects.cpp`\nhave it. The page is the output of `sinew effects`.\nEfforts "
       "count positive where they have to be provided: q, qd, qdd are position, velocity and "
       "acceleration,\nqdddd the acceleration's second derivative, load an external effort against "
       "the motion, direction the\ndirection of friction (-1..1), t the time, step the sampling "

@@ -11,7 +11,7 @@
 #include "cli/figures_lever.h"
 #include "cli/figures_motor.h"
 #include "cli/source_figures.h"
-#include "symbolic/part.h"
+#include "symbolic/parts/part.h"
 
 namespace sinew {
 namespace {

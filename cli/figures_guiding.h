@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "cli/figure.h"
-#include "identification/guiding_fit.h"
+#include "identification/experiments/guiding_fit.h"
 
 namespace sinew {
 

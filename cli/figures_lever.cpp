@@ -8,7 +8,7 @@
 #include <numbers>
 #include <random>
 
-#include "identification/lever_calibration.h"
+#include "identification/experiments/lever_calibration.h"
 
 namespace sinew {
 namespace {

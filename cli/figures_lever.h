@@ -6,7 +6,7 @@
 
 #include "cli/figure.h"
 #include "simulation/compiled_model.h"
-#include "symbolic/part.h"
+#include "symbolic/parts/part.h"
 
 namespace sinew {
 

@@ -8,9 +8,9 @@
 #include <numbers>
 #include <random>
 
-#include "identification/friction_curve.h"
+#include "identification/experiments/friction_curve.h"
 #include "simulation/simulate.h"
-#include "symbolic/part.h"
+#include "symbolic/parts/part.h"
 
 namespace sinew {
 namespace {

@@ -12,7 +12,7 @@
 
 #include "cli/identify_experiments.h"
 #include "cli/identify_logs.h"
-#include "symbolic/part.h"
+#include "symbolic/parts/part.h"
 
 namespace sinew {
 namespace {

@@ -7,11 +7,11 @@
 
 #include "generator/assemble.h"
 #include "generator/write.h"
-#include "identification/compensation_effect.h"
-#include "identification/friction_curve.h"
-#include "identification/inertia_impulse.h"
-#include "identification/lever_calibration.h"
-#include "identification/ripple_fit.h"
+#include "identification/experiments/compensation_effect.h"
+#include "identification/experiments/friction_curve.h"
+#include "identification/experiments/inertia_impulse.h"
+#include "identification/experiments/lever_calibration.h"
+#include "identification/experiments/ripple_fit.h"
 
 namespace sinew {
 namespace {

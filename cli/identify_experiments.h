@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "identification/bump_projection.h"
-#include "identification/log.h"
-#include "symbolic/lever.h"
-#include "symbolic/motor.h"
+#include "identification/experiments/bump_projection.h"
+#include "identification/logs/log.h"
+#include "symbolic/parts/lever.h"
+#include "symbolic/parts/motor.h"
 
 namespace sinew {
 

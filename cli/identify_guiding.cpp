@@ -3,7 +3,7 @@
 
 #include "cli/figures_guiding.h"
 #include "cli/identify_experiments.h"
-#include "identification/guiding_fit.h"
+#include "identification/experiments/guiding_fit.h"
 
 namespace sinew {
 namespace {

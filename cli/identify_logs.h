@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "identification/read_csv.h"
+#include "identification/logs/read_csv.h"
 
 namespace sinew {
 

@@ -9,8 +9,8 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "symbolic/read_urdf.h"
-#include "symbolic/write_mechanism.h"
+#include "symbolic/model/read_urdf.h"
+#include "symbolic/model/write_mechanism.h"
 
 namespace sinew {
 namespace {

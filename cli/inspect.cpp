@@ -16,8 +16,8 @@
 #include "generator/lower.h"
 #include "generator/passes/pipeline.h"
 #include "generator/statements.h"
-#include "symbolic/dynamics_functions.h"
-#include "symbolic/lagrangian.h"
+#include "symbolic/dynamics/dynamics_functions.h"
+#include "symbolic/dynamics/lagrangian.h"
 
 namespace sinew {
 namespace {

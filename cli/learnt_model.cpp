@@ -4,9 +4,9 @@
 #include <algorithm>
 
 #include "generator/assemble.h"
-#include "symbolic/hand_mechanism.h"
-#include "symbolic/identified_mechanism.h"
-#include "symbolic/part.h"
+#include "symbolic/hand/hand_mechanism.h"
+#include "symbolic/extension/identified_mechanism.h"
+#include "symbolic/parts/part.h"
 
 namespace sinew {
 namespace {

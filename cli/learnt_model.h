@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <optional>
 
-#include "symbolic/driven_model.h"
-#include "symbolic/hand.h"
+#include "symbolic/extension/driven_model.h"
+#include "symbolic/hand/hand.h"
 
 namespace sinew {
 

@@ -7,14 +7,14 @@
 #include <stdexcept>
 
 #include "cli/learnt_model.h"
-#include "identification/sha256.h"
-#include "symbolic/coordinates.h"
-#include "symbolic/driven_model.h"
-#include "symbolic/functions.h"
-#include "symbolic/identified_mechanism.h"
-#include "symbolic/part_observation.h"
-#include "symbolic/read_hand.h"
-#include "symbolic/read_mechanism.h"
+#include "identification/logs/sha256.h"
+#include "symbolic/dynamics/coordinates.h"
+#include "symbolic/extension/driven_model.h"
+#include "symbolic/tendons/functions.h"
+#include "symbolic/extension/identified_mechanism.h"
+#include "symbolic/extension/part_observation.h"
+#include "symbolic/hand/read_hand.h"
+#include "symbolic/model/read_mechanism.h"
 
 namespace sinew {
 namespace {

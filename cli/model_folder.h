@@ -5,10 +5,10 @@
 #include <variant>
 
 #include "generator/assemble.h"
-#include "symbolic/hand.h"
-#include "symbolic/identified.h"
-#include "symbolic/mechanism.h"
-#include "symbolic/part.h"
+#include "symbolic/hand/hand.h"
+#include "symbolic/extension/identified.h"
+#include "symbolic/model/mechanism.h"
+#include "symbolic/parts/part.h"
 
 namespace sinew {
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "symbolic/read_hand.h"
+#include "symbolic/hand/read_hand.h"
 
 namespace sinew {
 namespace {

@@ -10,9 +10,9 @@
 #include "generator/evaluate.h"
 #include "generator/lower.h"
 #include "generator/passes/pipeline.h"
-#include "symbolic/dynamics_functions.h"
-#include "symbolic/exact_number.h"
-#include "symbolic/tendon_functions.h"
+#include "symbolic/dynamics/dynamics_functions.h"
+#include "symbolic/expressions/exact_number.h"
+#include "symbolic/tendons/tendon_functions.h"
 
 namespace sinew {
 namespace {

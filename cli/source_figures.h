@@ -4,7 +4,7 @@
 
 #include "simulation/compiled_model.h"
 #include "cli/figure.h"
-#include "symbolic/wrist.h"
+#include "symbolic/parts/wrist.h"
 
 namespace sinew {
 

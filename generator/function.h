@@ -44,7 +44,7 @@ struct Output {
 /// A function to emit: `<model>_<name>(inputs..., outputs...)`.
 ///
 /// Expressions may use +, *, integer and half-integer powers, sin, cos, atan, atan2, acos, asin,
-/// exp, log, sqrt, abs and the functions of symbolic/piecewise.h (minimum, maximum, choose).
+/// exp, log, sqrt, abs and the functions of symbolic/expressions/piecewise.h (minimum, maximum, choose).
 struct Function {
   std::string name;      ///< without the model's prefix
   std::string doc;       ///< one or two sentences

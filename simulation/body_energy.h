@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "simulation/sines.h"
-#include "symbolic/mechanism.h"
+#include "symbolic/model/mechanism.h"
 
 namespace sinew {
 

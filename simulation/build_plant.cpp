@@ -4,10 +4,10 @@
 #include <stdexcept>
 
 #include "simulation/simulate.h"
-#include "symbolic/coordinates.h"
-#include "symbolic/part.h"
-#include "symbolic/read_hand.h"
-#include "symbolic/read_mechanism.h"
+#include "symbolic/dynamics/coordinates.h"
+#include "symbolic/parts/part.h"
+#include "symbolic/hand/read_hand.h"
+#include "symbolic/model/read_mechanism.h"
 
 namespace sinew {
 namespace {

@@ -8,9 +8,9 @@
 #include <optional>
 #include <vector>
 
-#include "symbolic/csv_reader.h"
-#include "symbolic/identifier.h"
-#include "symbolic/read_text.h"
+#include "symbolic/files/csv_reader.h"
+#include "symbolic/files/identifier.h"
+#include "symbolic/files/read_text.h"
 
 namespace sinew {
 namespace {

@@ -6,8 +6,8 @@
 #include <string>
 
 #include "simulation/signal.h"
-#include "symbolic/description_error.h"
-#include "symbolic/units.h"
+#include "symbolic/files/description_error.h"
+#include "symbolic/files/units.h"
 
 namespace sinew {
 

@@ -10,7 +10,7 @@
 #include "simulation/compiled_model.h"
 #include "simulation/scenario.h"
 #include "simulation/stored_energy.h"
-#include "symbolic/part.h"
+#include "symbolic/parts/part.h"
 
 namespace sinew {
 

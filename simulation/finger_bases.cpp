@@ -3,11 +3,11 @@
 
 #include <deque>
 
-#include "symbolic/argument.h"
-#include "symbolic/differentiate.h"
-#include "symbolic/inline_function.h"
-#include "symbolic/kinematics.h"
-#include "symbolic/spatial.h"
+#include "symbolic/expressions/argument.h"
+#include "symbolic/expressions/differentiate.h"
+#include "symbolic/expressions/inline_function.h"
+#include "symbolic/dynamics/kinematics.h"
+#include "symbolic/dynamics/spatial.h"
 
 namespace sinew {
 namespace {

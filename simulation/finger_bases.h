@@ -5,7 +5,7 @@
 // and accelerations cdd likewise. One row of a result a finger, in their order.
 #pragma once
 
-#include "symbolic/hand.h"
+#include "symbolic/hand/hand.h"
 
 namespace sinew {
 

@@ -5,11 +5,11 @@
 
 #include "generator/assemble.h"
 #include "simulation/moving_base.h"
-#include "symbolic/coordinates.h"
-#include "symbolic/functions.h"
-#include "symbolic/symbols.h"
-#include "symbolic/tendon_bending.h"
-#include "symbolic/tendon_functions.h"
+#include "symbolic/dynamics/coordinates.h"
+#include "symbolic/tendons/functions.h"
+#include "symbolic/dynamics/symbols.h"
+#include "symbolic/tendons/tendon_bending.h"
+#include "symbolic/tendons/tendon_functions.h"
 
 namespace sinew {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "simulation/body_energy.h"
 #include "simulation/compiled_model.h"
-#include "symbolic/mechanism.h"
+#include "symbolic/model/mechanism.h"
 
 namespace sinew {
 

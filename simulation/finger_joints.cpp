@@ -3,7 +3,7 @@
 
 #include "simulation/finger_dynamics.h"
 #include "simulation/joints.h"
-#include "symbolic/coordinates.h"
+#include "symbolic/dynamics/coordinates.h"
 
 namespace sinew {
 namespace {

@@ -4,9 +4,9 @@
 #include <algorithm>
 
 #include "generator/assemble.h"
-#include "symbolic/differentiate.h"
-#include "symbolic/inline_function.h"
-#include "symbolic/wrist.h"
+#include "symbolic/expressions/differentiate.h"
+#include "symbolic/expressions/inline_function.h"
+#include "symbolic/parts/wrist.h"
 
 namespace sinew {
 namespace {

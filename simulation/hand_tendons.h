@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "simulation/finger_dynamics.h"
-#include "symbolic/hand.h"
+#include "symbolic/hand/hand.h"
 
 namespace sinew {
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "simulation/compiled_model.h"
-#include "symbolic/hand.h"
+#include "symbolic/hand/hand.h"
 
 namespace sinew {
 

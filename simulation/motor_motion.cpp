@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "simulation/motor_motion.h"
 
-#include "symbolic/argument.h"
-#include "symbolic/differentiate.h"
-#include "symbolic/inline_function.h"
+#include "symbolic/expressions/argument.h"
+#include "symbolic/expressions/differentiate.h"
+#include "symbolic/expressions/inline_function.h"
 
 namespace sinew {
 

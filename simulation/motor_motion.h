@@ -2,7 +2,7 @@
 #pragma once
 
 #include "generator/function.h"
-#include "symbolic/motor.h"
+#include "symbolic/parts/motor.h"
 
 namespace sinew {
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "simulation/moving_base.h"
 
-#include "symbolic/coordinates.h"
-#include "symbolic/forward_dynamics.h"
-#include "symbolic/mass_matrix.h"
-#include "symbolic/recursive_lagrangian.h"
-#include "symbolic/symbols.h"
+#include "symbolic/dynamics/coordinates.h"
+#include "symbolic/dynamics/forward_dynamics.h"
+#include "symbolic/dynamics/mass_matrix.h"
+#include "symbolic/dynamics/recursive_lagrangian.h"
+#include "symbolic/dynamics/symbols.h"
 
 namespace sinew {
 namespace {

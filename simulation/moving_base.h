@@ -7,7 +7,7 @@
 #pragma once
 
 #include "generator/function.h"
-#include "symbolic/mechanism.h"
+#include "symbolic/model/mechanism.h"
 
 namespace sinew {
 

@@ -5,9 +5,9 @@
 
 #include "simulation/command_table.h"
 #include "simulation/scenario.h"
-#include "symbolic/identifier.h"
-#include "symbolic/read_text.h"
-#include "symbolic/toml_reader.h"
+#include "symbolic/files/identifier.h"
+#include "symbolic/files/read_text.h"
+#include "symbolic/files/toml_reader.h"
 
 namespace sinew {
 namespace {

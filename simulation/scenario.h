@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "simulation/signal.h"
-#include "symbolic/description_error.h"
-#include "symbolic/units.h"
+#include "symbolic/files/description_error.h"
+#include "symbolic/files/units.h"
 
 namespace sinew {
 

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "simulation/sines.h"
-#include "symbolic/part.h"
+#include "symbolic/parts/part.h"
 
 namespace sinew {
 

@@ -4,7 +4,7 @@
 #include "simulation/compiled_model.h"
 #include "simulation/joints.h"
 #include "simulation/signal.h"
-#include "symbolic/wrist.h"
+#include "symbolic/parts/wrist.h"
 
 namespace sinew {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "symbolic/effects/effects.h"
-#include "symbolic/piecewise.h"
+#include "symbolic/expressions/piecewise.h"
 
 namespace sinew {
 namespace {

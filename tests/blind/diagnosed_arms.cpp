@@ -3,8 +3,8 @@
 // the seal is opened after the verdict.
 #include <catch2/catch.hpp>
 
-#include "identification/driven_channels.h"
-#include "symbolic/driven_model.h"
+#include "identification/subjects/driven_channels.h"
+#include "symbolic/extension/driven_model.h"
 #include "tests/blind/arm_trial.h"
 #include "tests/blind/diagnosed_trial.h"
 #include "tests/blind/joint_trial.h"

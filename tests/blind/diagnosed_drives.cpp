@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
-#include "identification/driven_channels.h"
+#include "identification/subjects/driven_channels.h"
 #include "tests/blind/diagnosed_trial.h"
 
 namespace {

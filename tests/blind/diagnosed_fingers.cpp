@@ -6,7 +6,7 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
-#include "identification/driven_channels.h"
+#include "identification/subjects/driven_channels.h"
 #include "tests/blind/diagnosed_trial.h"
 
 namespace {

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
-#include "identification/lever_subject.h"
+#include "identification/subjects/lever_subject.h"
 #include "tests/blind/diagnosed_trial.h"
 
 namespace {

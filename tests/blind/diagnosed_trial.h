@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "identification/diagnose.h"
-#include "identification/diagnose_observed.h"
+#include "identification/adoption/diagnose.h"
+#include "identification/adoption/diagnose_observed.h"
 #include "tests/blind/truth/sealed_trial.h"
 
 namespace sinew::blind {

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <numeric>
 
-#include "identification/wrist_subject.h"
+#include "identification/subjects/wrist_subject.h"
 #include "tests/blind/diagnosed_trial.h"
 
 namespace {

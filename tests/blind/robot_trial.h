@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "symbolic/mechanism.h"
+#include "symbolic/model/mechanism.h"
 #include "tests/blind/truth/sealed_trial.h"
 
 namespace sinew::blind {

@@ -6,7 +6,7 @@
 #include <catch2/catch.hpp>
 #include <cstdlib>
 
-#include "identification/read_csv.h"
+#include "identification/logs/read_csv.h"
 #include "tests/blind/truth/sealed_trial.h"
 #include "tests/reference/temporary_folder.h"
 

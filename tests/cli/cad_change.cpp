@@ -7,10 +7,10 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "symbolic/evaluate_function.h"
-#include "symbolic/functions.h"
-#include "symbolic/part.h"
-#include "symbolic/read_mechanism.h"
+#include "symbolic/expressions/evaluate_function.h"
+#include "symbolic/tendons/functions.h"
+#include "symbolic/parts/part.h"
+#include "symbolic/model/read_mechanism.h"
 #include "tests/cli/program.h"
 
 using namespace sinew;

@@ -7,9 +7,9 @@
 #include <fstream>
 #include <random>
 
-#include "symbolic/evaluate_function.h"
-#include "symbolic/part.h"
-#include "symbolic/part_observation.h"
+#include "symbolic/expressions/evaluate_function.h"
+#include "symbolic/parts/part.h"
+#include "symbolic/extension/part_observation.h"
 #include "tests/cli/program.h"
 
 using namespace sinew;

@@ -7,9 +7,9 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "symbolic/check_mechanism.h"
-#include "symbolic/read_mechanism.h"
-#include "symbolic/write_mechanism.h"
+#include "symbolic/model/check_mechanism.h"
+#include "symbolic/model/read_mechanism.h"
+#include "symbolic/model/write_mechanism.h"
 
 /// Either messages, each with its "; expected" part, or a sound mechanism that reads back as
 /// written. Anything else ends the process.

@@ -2,7 +2,7 @@
 #include <cstdint>
 
 #include "tests/fuzz/description.h"
-#include "tests/symbolic/malformed_case.h"
+#include "tests/symbolic/model/malformed_case.h"
 
 /// mechanism.toml beside a sound table of mass properties.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

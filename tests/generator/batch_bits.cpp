@@ -10,8 +10,8 @@
 #include "generator/emit_batch.h"
 #include "generator/evaluate.h"
 #include "generator/write.h"
-#include "symbolic/functions.h"
-#include "symbolic/read_mechanism.h"
+#include "symbolic/tendons/functions.h"
+#include "symbolic/model/read_mechanism.h"
 #include "tests/generator/every_operation.h"
 #include "tests/reference/temporary_folder.h"
 

@@ -18,8 +18,8 @@
 #include "generator/literal.h"
 #include "generator/lower.h"
 #include "generator/write.h"
-#include "symbolic/functions.h"
-#include "symbolic/read_mechanism.h"
+#include "symbolic/tendons/functions.h"
+#include "symbolic/model/read_mechanism.h"
 #include "tests/generator/every_operation.h"
 #include "tests/reference/emitted_model.h"
 

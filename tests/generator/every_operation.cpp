@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "symbolic/piecewise.h"
+#include "symbolic/expressions/piecewise.h"
 #include "tests/reference/sampling.h"
 
 namespace sinew {

@@ -11,8 +11,8 @@
 #include "generator/dump.h"
 #include "generator/lower.h"
 #include "generator/statements.h"
-#include "symbolic/functions.h"
-#include "symbolic/read_mechanism.h"
+#include "symbolic/tendons/functions.h"
+#include "symbolic/model/read_mechanism.h"
 #include "tests/generator/every_operation.h"
 #include "tests/reference/temporary_folder.h"
 

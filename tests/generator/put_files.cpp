@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A description's folder is the old one or the new one; what else is in it stays.
-#include "symbolic/put_files.h"
+#include "symbolic/files/put_files.h"
 
 #include <catch2/catch.hpp>
 #include <vector>

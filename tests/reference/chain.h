@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "symbolic/mechanism.h"
+#include "symbolic/model/mechanism.h"
 #include "tests/reference/scalar.h"
 
 namespace sinew::reference {

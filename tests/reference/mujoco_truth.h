@@ -5,7 +5,7 @@
 #include <memory>
 #include <string>
 
-#include "symbolic/mechanism.h"
+#include "symbolic/model/mechanism.h"
 #include "tests/reference/scalar.h"
 
 namespace sinew::reference {

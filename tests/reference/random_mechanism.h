@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "symbolic/mechanism.h"
+#include "symbolic/model/mechanism.h"
 
 namespace sinew::reference {
 

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "symbolic/mechanism.h"
+#include "symbolic/model/mechanism.h"
 
 namespace sinew::reference {
 

@@ -4,7 +4,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "symbolic/read_mechanism.h"
+#include "symbolic/model/read_mechanism.h"
 #include "tests/simulation/scenario_run.h"
 
 using namespace sinew_tests;

@@ -10,9 +10,9 @@
 #include "generator/assemble.h"
 #include "simulation/finger_bases.h"
 #include "simulation/finger_dynamics.h"
-#include "symbolic/coordinates.h"
-#include "symbolic/read_hand.h"
-#include "symbolic/read_mechanism.h"
+#include "symbolic/dynamics/coordinates.h"
+#include "symbolic/hand/read_hand.h"
+#include "symbolic/model/read_mechanism.h"
 #include "tests/reference/chain.h"
 #include "tests/simulation/scenario_run.h"
 

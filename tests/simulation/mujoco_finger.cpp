@@ -10,7 +10,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "symbolic/read_mechanism.h"
+#include "symbolic/model/read_mechanism.h"
 #include "tests/reference/mujoco_truth.h"
 #include "tests/simulation/scenario_run.h"
 

@@ -2,8 +2,8 @@
 // Scenario files that are wrong, and what becomes of the output then.
 #include <catch2/catch.hpp>
 
-#include "identification/read_csv.h"
-#include "symbolic/read_mechanism.h"
+#include "identification/logs/read_csv.h"
+#include "symbolic/model/read_mechanism.h"
 #include "tests/simulation/scenario_run.h"
 
 using namespace sinew_tests;

@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "symbolic/read_hand.h"
+#include "symbolic/hand/read_hand.h"
 #include "tests/simulation/hand_runs.h"
 
 using namespace sinew_tests;

@@ -12,11 +12,11 @@
 #include "generator/assemble.h"
 #include "generator/rewrite.h"
 #include "generator/write.h"
-#include "symbolic/functions.h"
-#include "symbolic/hand.h"
-#include "symbolic/part_observation.h"
-#include "symbolic/read_hand.h"
-#include "symbolic/read_mechanism.h"
+#include "symbolic/tendons/functions.h"
+#include "symbolic/hand/hand.h"
+#include "symbolic/extension/part_observation.h"
+#include "symbolic/hand/read_hand.h"
+#include "symbolic/model/read_mechanism.h"
 
 using namespace sinew;
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // put_files <folder> <letter>: puts files full of the letter into the folder, as `sinew import`
 // does.
-#include "symbolic/put_files.h"
+#include "symbolic/files/put_files.h"
 
 #include <cstdio>
 #include <exception>

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "identification/adoption/diagnose_observed.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <map>
+
+#include "identification/diagnosis/explain.h"
+#include "identification/adoption/far_off.h"
+#include "identification/adoption/held_out_judgement.h"
+#include "identification/report/log_record.h"
+#include "identification/adoption/measure_plots.h"
+#include "identification/adoption/observed_extension.h"
+#include "identification/logs/read_csv.h"
+#include "identification/report/verdict_text.h"
+#include "symbolic/notation/print_mathml.h"
+
+namespace sinew::diagnosis {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using Eigen::Index;
+
+class ObservedRun {
+ public:
+  explicit ObservedRun(const ObservedRequest& request)
+      : request_(request),
+        subject_(request.rig.observation, request.rig.channels, request.identified,
+                 request.runtime) {}
+
+  Diagnosis operator()() {
+    const auto start = Clock::now();
+    Findings& f = result_.findings;
+    f.model = request_.name;
+    f.description = request_.description;
+    f.model_hash = request_.hash;
+    f.kind = request_.kind;
+    read();
+    tell("comparing with the model", 0.2);
+    prepare();
+    tell("searching for causes", 0.3);
+    Explanation explanation = explain(subject_.problem(), request_.settings);
+    merge_members(explanation.verdict);
+    if (!request_.holdout.empty()) confirm_on_held_out(explanation.verdict);
+    f.verdict = explanation.verdict;
+    tell("extending and measuring", 0.9);
+    extend(explanation);
+    describe_terms();
+    f.headline = headline(f);
+    tell_far_off(far_off_, f);
+    f.next_step = next_step(f);
+    f.seconds = std::chrono::duration<double>(Clock::now() - start).count();
+    return std::move(result_);
+  }
+
+ private:
+  void tell(const std::string& step, double share) const {
+    if (request_.progress) request_.progress(step, share);
+  }
+
+  void read() {
+    tell("reading the logs", 0.0);
+    ReadOptions options;
+    options.map = request_.map;
+    options.max_rate = kDiagnosisRate;
+    options.max_values = diagnosis_values(request_.logs.size() + request_.holdout.size());
+    std::vector<LogFile> files;
+    for (const std::vector<std::string>& group : {request_.logs, request_.holdout})
+      for (const std::string& file : group) files.push_back({file, request_.rig.specs});
+    const std::vector<Log> logs = read_csv(files, options);
+    for (std::size_t i = 0; i < logs.size(); ++i) take(logs[i], i >= request_.logs.size());
+    refuse_held_out_twins(result_.findings.logs);
+  }
+
+  void take(const Log& log, bool held_out) {
+    int part = 0;
+    for (const sinew::Segment& segment : log.segments) {
+      if (segment.samples.rows() < shortest_segment(log.period)) continue;
+      Recording r = request_.rig.recording(log, segment, subject_.open());
+      r.name = log.segments.size() > 1 ? fmt::format("{} part {}", log.file, ++part) : log.file;
+      subject_.add(std::move(r), held_out);
+    }
+    for (const ObservedChannel& channel : request_.rig.channels) {
+      const int index = log.channel(channel.name);
+      columns_[log.file].push_back(
+          {channel.name, index < 0 ? 0 : log.channels[static_cast<std::size_t>(index)].column});
+    }
+    result_.findings.logs.push_back(log_record(log, held_out));
+  }
+
+  void prepare() {
+    subject_.prepare();
+    if (request_.rig.free_zero)
+      for (int c = 0; c < subject_.problem().channels; ++c) subject_.add_offset(c);
+    if (request_.rig.complete) request_.rig.complete(subject_);
+  }
+
+  /// Adopted where the measured gain on held-out logs is positive with its interval.
+  void extend(const Explanation& explanation) {
+    Findings& f = result_.findings;
+    const Design design(subject_.problem(), request_.settings);
+    const bool any = std::any_of(f.verdict.causes.begin(), f.verdict.causes.end(),
+                                 [&](const NamedCause& c) { return effect_of(c) >= 0; });
+    result_.extended =
+        any ? extended_observation(subject_, design, explanation) : request_.identified;
+    const std::vector<MeasuredChannel> measured =
+        measure_observation(subject_, design, result_.extended, request_.rig.free_zero);
+    far_off_ = far_off_channels(subject_.problem(), measured, columns_, request_.rig.free_zero);
+    for (int c = 0; c < subject_.problem().channels; ++c)
+      f.channels.push_back(channel(
+          measured, c, subject_.units()(c) * noise_floor(explanation.selection, design, c)));
+    for (const LogRecord& log : f.logs)
+      if (!log.held_out && any) result_.extended.logs.push_back({log.file, log.sha256});
+    decide_adoption(any, !request_.holdout.empty(),
+                    measured_gain(measured, -1, true, 12, request_.settings.seed), {"observation"},
+                    f.extension);
+    f.extension.operations_before = observation_operations(subject_, request_.identified);
+    f.extension.operations_after = observation_operations(subject_, result_.extended);
+  }
+
+  ChannelFinding channel(const std::vector<MeasuredChannel>& measured, int index, double noise) {
+    const ObservedChannel& named = request_.rig.channels[static_cast<std::size_t>(index)];
+    ChannelFinding finding;
+    finding.name = named.name;
+    finding.unit = named.unit;
+    finding.noise_floor = noise;
+    const bool held_out = !request_.holdout.empty();
+    add_error("sensor", measured, index, held_out, finding);
+    finding.plots = channel_plots(
+        measured, index, held_out,
+        {named.name, named.unit, request_.rig.position, request_.rig.position_unit, "N"});
+    return finding;
+  }
+
+  int effect_of(const NamedCause& cause) const {
+    const int candidate = cause.candidate;
+    return candidate < 0 ? -1 : subject_.origins()[static_cast<std::size_t>(candidate)].effect;
+  }
+
+  void describe_terms() {
+    const auto& causes = result_.findings.verdict.causes;
+    for (std::size_t c = 0; c < causes.size(); ++c) {
+      CauseTerm term;
+      term.cause = static_cast<int>(c);
+      const int index = effect_of(causes[c]);
+      if (index >= 0) {
+        const ObservationEffect& effect =
+            subject_.observation().effects[static_cast<std::size_t>(index)];
+        term.effect = effect.id;
+        term.mathml = mathml_equation(effect.left, effect.term);
+        term.text = plain_equation(effect.left, effect.term);
+        term.signature = effect.signature;
+        term.excitation = effect.excitation;
+      }
+      result_.findings.terms.push_back(std::move(term));
+    }
+  }
+
+  const ObservedRequest& request_;
+  ObservedSubject subject_;
+  std::map<std::string, std::vector<LoggedColumn>> columns_;  ///< by file
+  std::vector<DataFault> far_off_;
+  Diagnosis result_;
+};
+
+}  // namespace
+
+Diagnosis diagnose_observed(const ObservedRequest& request) {
+  return ObservedRun(request)();
+}
+
+}  // namespace sinew::diagnosis

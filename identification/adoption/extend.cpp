@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "identification/adoption/extend.h"
+
+#include <algorithm>
+
+#include "identification/subjects/effect_candidate.h"
+#include "identification/diagnosis/standard_errors.h"
+#include "symbolic/effects/effects.h"
+#include "symbolic/extension/identified_mechanism.h"
+
+namespace sinew::diagnosis {
+namespace {
+
+/// The estimate called `name`; of a nuisance the first log's.
+const ParameterEstimate* find(const std::vector<ParameterEstimate>& estimates,
+                              const std::string& name) {
+  for (const ParameterEstimate& e : estimates)
+    if (e.name == name) return &e;
+  return nullptr;
+}
+
+IdentifiedValue value_of(const std::vector<ParameterEstimate>& estimates, const std::string& name) {
+  const ParameterEstimate* e = find(estimates, name);
+  return e ? IdentifiedValue{name, e->value, e->standard_error, e->unit}
+           : IdentifiedValue{name, 0.0, 0.0, "1"};
+}
+
+/// An effect of the catalogue.
+void fill(const CandidateOrigin& origin, bool revolute, const Eigen::VectorXd& searched,
+          const std::vector<ParameterEstimate>& estimates, IdentifiedEffect& entry) {
+  const Effect& effect = find_effect(entry.effect);
+  for (std::size_t k = 0; k < effect.shapes.size(); ++k) {
+    const ShapeParameter& shape = effect.shapes[k];
+    IdentifiedValue value = value_of(estimates, shape.name);
+    value.unit = unit_at(shape.unit, revolute);
+    value.value = (origin.fixed.size() > 0 ? origin.fixed : searched)(static_cast<Eigen::Index>(k));
+    entry.shape.push_back(std::move(value));
+  }
+  for (const EffectColumn& column : effect.columns)
+    entry.coefficients.push_back(value_of(estimates, column.name));
+}
+
+/// Entries that are no effect of the catalogue. False where the model has no place for it.
+bool fill_special(const std::vector<ParameterEstimate>& estimates, IdentifiedEffect& entry) {
+  if (entry.effect == "delay") {
+    entry.coefficients = {value_of(estimates, "delay")};
+    return true;
+  }
+  if (changes_mechanism(entry)) {
+    for (const ParameterEstimate& e : estimates) {
+      // A mass that chance made negative would leave a link that has none of its own impossible.
+      const bool mass = entry.effect == "payload" && e.name == "mass";
+      const double least = std::max(0.1 * e.standard_error, 1e-9);
+      entry.coefficients.push_back(
+          {e.name, mass ? std::max(e.value, least) : e.value, e.standard_error, e.unit});
+    }
+    return true;
+  }
+  if (entry.effect == "torque_constant" || entry.effect == "pulley_radius") {
+    // The term says by how much the logged effort exceeds what the motion took.
+    IdentifiedValue gain = value_of(estimates, "gain");
+    gain.name = "gain_change";
+    gain.value = 1.0 / (1.0 + gain.value) - 1.0;
+    entry.coefficients = {gain};
+    return true;
+  }
+  return false;
+}
+
+bool in_catalogue(const std::string& id) {
+  return std::any_of(effects().begin(), effects().end(),
+                     [&](const Effect& effect) { return effect.id == id; });
+}
+
+/// The direction of friction where its law over the velocity is a bristle's.
+void add_directions(const DrivenSubject& subject, const Selection& selection,
+                    const std::vector<std::vector<ParameterEstimate>>& all,
+                    std::vector<ExtensionTerm>& result) {
+  for (std::size_t t = 0; t < selection.model.terms.size(); ++t) {
+    const Term& term = selection.model.terms[t];
+    if (!term.baseline) continue;
+    const CandidateOrigin& origin = subject.baseline_origins()[static_cast<std::size_t>(
+        term.candidate - subject.problem().baseline.data())];
+    if (origin.effect == "soft_reversal" || origin.effect == "late_reversal") {
+      ExtensionTerm soft;
+      soft.entry.effect = origin.effect;
+      soft.entry.place = subject.model().joints[origin.joint].name;
+      fill(origin, subject.model().joints[origin.joint].revolute, term.nonlinear, all[t],
+           soft.entry);
+      result.push_back(std::move(soft));
+    }
+    if (origin.effect != "presliding") continue;
+    ExtensionTerm direction;
+    direction.entry.effect = "direction";
+    direction.entry.place = subject.model().joints[origin.joint].name;
+    direction.entry.shape = {value_of(all[t], "presliding_length")};
+    direction.entry.shape.front().value = term.nonlinear(0);
+    result.push_back(std::move(direction));
+  }
+}
+
+/// Of the causes, the one that this candidate's term stands for.
+int cause_of(const Verdict& verdict, int candidate) {
+  for (std::size_t c = 0; c < verdict.causes.size(); ++c) {
+    const NamedCause& cause = verdict.causes[c];
+    if (cause.candidate == candidate ||
+        std::find(cause.also.begin(), cause.also.end(), candidate) != cause.also.end())
+      return static_cast<int>(c);
+  }
+  return -1;
+}
+
+bool same_values(const std::vector<IdentifiedValue>& a, const std::vector<IdentifiedValue>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](const auto& x, const auto& y) { return x.value == y.value; });
+}
+
+/// Adds to the value of that name, or to the list.
+void add_to(std::vector<IdentifiedValue>& values, const IdentifiedValue& more) {
+  const auto same = std::find_if(values.begin(), values.end(),
+                                 [&](const IdentifiedValue& v) { return v.name == more.name; });
+  if (same == values.end()) {
+    values.push_back(more);
+    return;
+  }
+  same->value += more.value;
+  same->standard_error = more.standard_error;
+}
+
+}  // namespace
+
+std::vector<ExtensionTerm> extension_terms(const DrivenSubject& subject, const Design& design,
+                                           const Explanation& explanation) {
+  const Selection& selection =
+      subject.problem().levels.empty() ? explanation.selection : explanation.adopted;
+  const auto all = estimates(design, selection.model, selection.noise);
+  std::vector<ExtensionTerm> result;
+  add_directions(subject, explanation.selection, explanation.estimates, result);
+  for (std::size_t t = 0; t < selection.model.terms.size(); ++t) {
+    const Term& term = selection.model.terms[t];
+    if (term.baseline) continue;
+    const int candidate = term.level >= 0
+                              ? -1 - term.level
+                              : static_cast<int>(term.candidate - subject.problem().library.data());
+    const CandidateOrigin& origin =
+        candidate < 0 ? subject.level_origin(term.level)
+                      : subject.library_origins()[static_cast<std::size_t>(candidate)];
+    if (origin.effect.empty()) continue;
+    ExtensionTerm entry;
+    entry.cause = cause_of(explanation.verdict, candidate);
+    if (entry.cause < 0) continue;
+    entry.entry.effect = origin.effect;
+    entry.entry.place = changes_mechanism(entry.entry) ? term.candidate->place
+                        : origin.tendon.empty()        ? subject.model().joints[origin.joint].name
+                                                       : origin.tendon;
+    if (in_catalogue(origin.effect))
+      fill(origin, origin.tendon.empty() && subject.model().joints[origin.joint].revolute,
+           term.nonlinear, all[t], entry.entry);
+    else if (!fill_special(all[t], entry.entry))
+      continue;
+    entry.per_log =
+        term.level < 0 && std::any_of(term.candidate->linear.begin(), term.candidate->linear.end(),
+                                      [](const LinearParameter& p) { return p.per_log; });
+    // The model has a delay at each joint; one of all joints is the same at each.
+    if (origin.everywhere)
+      for (std::size_t j = 1; j < subject.model().joints.size(); ++j) {
+        result.push_back(entry);
+        result.back().entry.place = subject.model().joints[j].name;
+      }
+    result.push_back(std::move(entry));
+  }
+  return result;
+}
+
+Identified extended(const Identified& before, const std::vector<ExtensionTerm>& terms) {
+  Identified result = before;
+  for (const ExtensionTerm& term : terms) {
+    if (term.entry.effect == "direction")
+      std::erase_if(result.effects, [&](const IdentifiedEffect& e) {
+        return e.effect == "direction" && e.place == term.entry.place;
+      });
+    const auto same =
+        std::find_if(result.effects.begin(), result.effects.end(), [&](const IdentifiedEffect& e) {
+          return e.effect == term.entry.effect && e.place == term.entry.place &&
+                 same_values(e.shape, term.entry.shape);
+        });
+    if (same == result.effects.end()) {
+      result.effects.push_back(term.entry);
+      continue;
+    }
+    for (const IdentifiedValue& more : term.entry.coefficients) add_to(same->coefficients, more);
+  }
+  return result;
+}
+
+}  // namespace sinew::diagnosis

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// From a verdict to the model's own entries: what goes into identified.toml.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "identification/subjects/driven_subject.h"
+#include "identification/diagnosis/explain.h"
+
+namespace sinew::diagnosis {
+
+/// A term of the final model as an entry.
+struct ExtensionTerm {
+  int cause = -1;  ///< index into the verdict's causes; -1: goes with others
+  IdentifiedEffect entry;
+  bool per_log = false;  ///< has coefficients that differ from log to log
+};
+
+/// The entries of all causes that have a term in the model, and the direction of friction that
+/// they were found with.
+std::vector<ExtensionTerm> extension_terms(const DrivenSubject& subject, const Design& design,
+                                           const Explanation& explanation);
+
+/// `before` with the entries added. The same effect at the same place with the same shape adds up.
+Identified extended(const Identified& before, const std::vector<ExtensionTerm>& terms);
+
+}  // namespace sinew::diagnosis

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "identification/adoption/held_out_judgement.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace sinew::diagnosis {
+
+namespace {
+
+bool same(const RankedCause& a, const RankedCause& b) {
+  return a.name == b.name && a.place == b.place;
+}
+
+void merge_alike(std::vector<NamedCause>& causes) {
+  for (std::size_t i = 0; i < causes.size(); ++i)
+    for (std::size_t k = causes.size(); k-- > i + 1;) {
+      if (!same(causes[k].members.front(), causes[i].members.front())) continue;
+      causes[i].also.push_back(causes[k].candidate);
+      causes[i].also.insert(causes[i].also.end(), causes[k].also.begin(), causes[k].also.end());
+      causes[i].parameters.insert(causes[i].parameters.end(), causes[k].parameters.begin(),
+                                  causes[k].parameters.end());
+      causes.erase(causes.begin() + static_cast<std::ptrdiff_t>(k));
+    }
+}
+
+}  // namespace
+
+void merge_members(Verdict& verdict) {
+  for (NamedCause& cause : verdict.causes) {
+    std::vector<RankedCause> members;
+    for (const RankedCause& m : cause.members)
+      if (std::none_of(members.begin(), members.end(),
+                       [&](const RankedCause& other) { return same(other, m); }))
+        members.push_back(m);
+    cause.members = std::move(members);
+  }
+  merge_alike(verdict.causes);
+  std::erase_if(verdict.ruled_out, [&](const RuledOut& out) {
+    return std::any_of(verdict.causes.begin(), verdict.causes.end(), [&](const NamedCause& cause) {
+      return std::any_of(cause.members.begin(), cause.members.end(), [&](const RankedCause& m) {
+        return m.name == out.name && m.place == out.place;
+      });
+    });
+  });
+}
+
+namespace {
+
+/// The lower end of the interval is 1.96 standard errors below the gain. To one side, 1.6 are sure.
+bool is_sure(const Gain& gain) {
+  constexpr double of_interval = 1.96, enough = 1.6;
+  return gain.share * of_interval > enough * (gain.share - gain.low) && gain.share > 0.0;
+}
+
+}  // namespace
+
+void confirm_on_held_out(Verdict& verdict) {
+  constexpr double kExcess = 3.0;
+  std::vector<NamedCause> kept;
+  for (NamedCause& cause : verdict.causes) {
+    if (is_sure(cause.held_out)) {
+      kept.push_back(std::move(cause));
+      continue;
+    }
+    const RankedCause& first = cause.members.front();
+    verdict.ruled_out.push_back({first.name, first.place, "no sure gain on the held-out logs",
+                                 cause.statistic, cause.p_family});
+    if (is_plain(cause.cross_validated, cause.p_family))
+      verdict.disagreements.push_back({first.name, first.place, cause.cross_validated, -1, 1.0});
+  }
+  verdict.causes = std::move(kept);
+  if (verdict.disagreements.empty() && verdict.most_excess.ratio > kExcess)
+    verdict.disagreements.push_back(verdict.most_excess);
+}
+
+void decide_adoption(bool any_term, bool held_out, const Gain& gain,
+                     std::vector<std::string> functions, Extension& extension) {
+  const std::string falls = fmt::format(
+      "on the held-out logs the squared error falls by {:.1f} % (95 %: {:.1f} to {:.1f} %)",
+      100.0 * gain.share, 100.0 * gain.low, 100.0 * gain.high);
+  if (!any_term) {
+    extension.reason = "no cause with a term of its own was named";
+  } else if (!held_out) {
+    extension.reason =
+        "no held-out log was given (--holdout): a gain on the training log proves nothing";
+  } else if (!(gain.low > 0.0)) {
+    extension.reason = falls + ", which includes nothing at all";
+  } else {
+    extension.adopted = true;
+    extension.reason = falls;
+    extension.functions = std::move(functions);
+  }
+}
+
+}  // namespace sinew::diagnosis

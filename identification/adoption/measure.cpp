@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "identification/adoption/measure.h"
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "identification/subjects/effect_candidate.h"
+#include "identification/adoption/measure_plots.h"
+#include "symbolic/effects/effects.h"
+
+namespace sinew::diagnosis {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+/// Residual less what the columns explain; each half is fitted on the other.
+VectorXd crosswise(const VectorXd& residual, const MatrixXd& columns) {
+  const Index half = residual.size() / 2, rest = residual.size() - half;
+  VectorXd out = residual;
+  const VectorXd first = columns.topRows(half).colPivHouseholderQr().solve(residual.head(half));
+  const VectorXd second = columns.bottomRows(rest).colPivHouseholderQr().solve(residual.tail(rest));
+  out.head(half) -= columns.topRows(half) * second;
+  out.tail(rest) -= columns.bottomRows(rest) * first;
+  return out;
+}
+
+/// The per-log terms that act on a channel: their columns, filtered.
+MatrixXd nuisance_columns(const DrivenSubject& subject, const Design& design, int segment,
+                          const std::vector<ExtensionTerm>& terms) {
+  const Segment& s = design.segments()[static_cast<std::size_t>(segment)];
+  const Recording& log = design.recording(s.recording);
+  MatrixXd all(s.samples, 0);
+  for (const ExtensionTerm& term : terms) {
+    if (!term.per_log) continue;
+    const auto axis = static_cast<std::size_t>(s.channel);
+    if (subject.model().joints[axis].name != term.entry.place) continue;
+    VectorXd shape(static_cast<Index>(term.entry.shape.size()));
+    for (Index k = 0; k < shape.size(); ++k)
+      shape(k) = term.entry.shape[static_cast<std::size_t>(k)].value;
+    const MatrixXd raw =
+        effect_columns(Regressor(find_effect(term.entry.effect)), log, s.channel, shape);
+    const MatrixXd filtered = design.filtered(segment, raw);
+    all.conservativeResize(Eigen::NoChange, all.cols() + filtered.cols());
+    all.rightCols(filtered.cols()) = filtered;
+  }
+  return all;
+}
+
+}  // namespace
+
+EffortModel extended_effort(const DrivenSubject& subject, std::vector<ExtensionTerm> terms) {
+  std::erase_if(terms, [](const ExtensionTerm& t) { return t.per_log; });
+  return subject.effort_with(extended(subject.identified(), terms));
+}
+
+std::vector<MeasuredChannel> measure(const DrivenSubject& subject, const Design& design,
+                                     const std::vector<ExtensionTerm>& terms,
+                                     const EffortModel& after) {
+  std::vector<MeasuredChannel> result;
+  // Of every log once: a log has a segment for each channel.
+  std::map<int, std::pair<MatrixXd, MatrixXd>> efforts;
+  for (std::size_t i = 0; i < design.segments().size(); ++i) {
+    const Segment& s = design.segments()[i];
+    const Recording& log = design.recording(s.recording);
+    const int segment = static_cast<int>(i);
+    if (!efforts.contains(s.recording)) efforts[s.recording] = {subject.effort()(log), after(log)};
+    const auto& [said_before, said_after] = efforts[s.recording];
+    MeasuredChannel m{
+        s.recording,           s.channel, s.holdout, {}, {}, {}, {}, {}, {}, {}, 1.0 / s.rate_hz,
+        design.window(segment)};
+    const auto axis = static_cast<Index>(s.channel);
+    m.time = design.at_instants(segment, log.time);
+    m.position = design.at_instants(segment, log.q.col(axis));
+    m.velocity = design.at_instants(segment, log.qd.col(axis));
+    if (log.load.size() > 0) m.load = design.at_instants(segment, log.load.col(axis));
+    m.measured = design.filtered(segment, log.target[static_cast<std::size_t>(s.channel)]);
+    m.before = design.filtered(segment, said_before.col(axis));
+    const VectorXd said = design.filtered(segment, said_after.col(axis));
+    const MatrixXd nuisance = nuisance_columns(subject, design, segment, terms);
+    m.after =
+        nuisance.cols() == 0 ? said : VectorXd(m.measured - crosswise(m.measured - said, nuisance));
+    result.push_back(std::move(m));
+  }
+  return result;
+}
+
+Gain measured_gain(const std::vector<MeasuredChannel>& measured, int channel, bool held_out,
+                   int blocks, unsigned seed) {
+  std::map<int, std::pair<double, double>> left;  // of each channel, before and after
+  struct Block {
+    int channel;
+    double before, after;
+  };
+  std::vector<Block> all;
+  for (const MeasuredChannel& m : measured) {
+    if (m.held_out != held_out || (channel >= 0 && m.channel != channel)) continue;
+    const Index n = m.measured.size();
+    const VectorXd counts = m.counts.size() > 0 ? m.counts : VectorXd::Ones(n);
+    const VectorXd left_before = counts.cwiseProduct(m.measured - m.before);
+    const VectorXd left_after = counts.cwiseProduct(m.measured - m.after);
+    for (int b = 0; b < blocks; ++b) {
+      const Index from = n * b / blocks, count = n * (b + 1) / blocks - from;
+      all.push_back({m.channel, left_before.segment(from, count).squaredNorm(),
+                     left_after.segment(from, count).squaredNorm()});
+    }
+    left[m.channel].first += left_before.squaredNorm();
+    left[m.channel].second += left_after.squaredNorm();
+  }
+  if (all.empty()) return {};
+  // A joint that hardly moves measures its noise alone: by its share of what is measured it would
+  // outweigh all others.
+  VectorXd before(static_cast<Index>(all.size())), after = before;
+  for (Index k = 0; k < before.size(); ++k) {
+    const Block& block = all[static_cast<std::size_t>(k)];
+    const auto& [was, is] = left.at(block.channel);
+    const double unit = std::max(std::min(was, is), 1e-300);
+    before(k) = block.before / unit;
+    after(k) = block.after / unit;
+  }
+  return block_bootstrap_gain(before, after, 0.95, seed);
+}
+
+double noise_floor(const Selection& selection, const Design& design, int channel) {
+  double energy = 0.0, count = 0.0;
+  const auto& noise = selection.noise.noise;
+  for (std::size_t i = 0; i < design.segments().size() && i < noise.size(); ++i) {
+    const Segment& s = design.segments()[i];
+    if (s.channel != channel || s.holdout || noise[i].variance.size() == 0) continue;
+    energy += 2.0 * noise[i].variance.sum();
+    count += static_cast<double>(s.samples);
+  }
+  return std::sqrt(energy / std::max(count, 1.0));
+}
+
+void add_error(const std::string& domain, const std::vector<MeasuredChannel>& measured, int channel,
+               bool held_out, ChannelFinding& finding) {
+  double energy = 0.0, variance = 0.0, before = 0.0, after = 0.0, count = 0.0;
+  for (const MeasuredChannel& m : measured) {
+    if (m.channel != channel || m.held_out != held_out) continue;
+    energy += m.measured.squaredNorm();
+    variance += (m.measured.array() - m.measured.mean()).square().sum();
+    before += (m.measured - m.before).squaredNorm();
+    after += (m.measured - m.after).squaredNorm();
+    count += static_cast<double>(m.measured.size());
+  }
+  count = std::max(count, 1.0);
+  finding.measured_rms = std::sqrt(energy / count);
+  finding.unexplained_before = before / std::max(variance, 1e-300);
+  finding.unexplained_after = after / std::max(variance, 1e-300);
+  finding.domains.push_back({domain, finding.unit, std::sqrt(before / count),
+                             std::sqrt(after / count),
+                             measured_gain(measured, channel, held_out, 12, 1)});
+}
+
+ChannelFinding channel_finding(const DrivenSubject& subject,
+                               const std::vector<MeasuredChannel>& measured, int channel,
+                               double noise_floor) {
+  const DrivenJoint& joint = subject.model().joints[static_cast<std::size_t>(channel)];
+  ChannelFinding finding;
+  finding.unit = joint.revolute ? "N*m" : "N";
+  finding.name = joint.name == "motor" ? "tau_m" : "effort of " + joint.name;
+  finding.noise_floor = noise_floor;
+  const bool judged_on_held_out =
+      std::any_of(measured.begin(), measured.end(), [](const auto& m) { return m.held_out; });
+  add_error("force", measured, channel, judged_on_held_out, finding);
+  finding.plots = channel_plots(measured, channel, judged_on_held_out, joint.revolute);
+  return finding;
+}
+
+}  // namespace sinew::diagnosis

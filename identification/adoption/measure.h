@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The error of a model on logs, through its emitted C: before and after an extension.
+#pragma once
+
+#include <vector>
+
+#include "identification/regression/cross_validation.h"
+#include "identification/subjects/driven_subject.h"
+#include "identification/adoption/extend.h"
+#include "identification/report/findings.h"
+
+namespace sinew::diagnosis {
+
+/// One channel of one recording at the band-limited instants.
+struct MeasuredChannel {
+  int recording = 0;  ///< training logs first, then held-out ones
+  int channel = 0;
+  bool held_out = false;
+  Eigen::VectorXd time, position, velocity, load;  ///< load empty where there is none
+  Eigen::VectorXd measured, before, after;         ///< effort, all behind the same filter
+  double step = 0.0;                               ///< s
+  Eigen::VectorXd counts;  ///< 1, and 0 at standstill (Design::window); empty: all count
+};
+
+/// The emitted effort with the terms that hold for every log.
+EffortModel extended_effort(const DrivenSubject& subject, std::vector<ExtensionTerm> terms);
+
+/// Runs the emitted effort of the model as it was and of the extended one, `after`, over every log.
+/// Coefficients that differ from log to log are fitted on the other half of the log they are judged
+/// on.
+std::vector<MeasuredChannel> measure(const DrivenSubject& subject, const Design& design,
+                                     const std::vector<ExtensionTerm>& terms,
+                                     const EffortModel& after);
+
+/// Gain of the mean square, standstill aside, over the chosen logs of one channel, with its
+/// interval. channel = -1: of all, each in units of what is left of it at best.
+Gain measured_gain(const std::vector<MeasuredChannel>& measured, int channel, bool held_out,
+                   int blocks, unsigned seed);
+
+/// rms of the noise that is left in the band, from the noise model of the final selection.
+double noise_floor(const Selection& selection, const Design& design, int channel);
+
+/// Adds a domain's error of one channel, over the held-out logs or the training logs, and the
+/// shares left unexplained. The finding knows its unit.
+void add_error(const std::string& domain, const std::vector<MeasuredChannel>& measured, int channel,
+               bool held_out, ChannelFinding& finding);
+
+/// The error in the force domain and the plots of one channel.
+ChannelFinding channel_finding(const DrivenSubject& subject,
+                               const std::vector<MeasuredChannel>& measured, int channel,
+                               double noise_floor);
+
+}  // namespace sinew::diagnosis

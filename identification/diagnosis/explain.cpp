@@ -1,0 +1,354 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "identification/diagnosis/explain.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "identification/regression/baseline.h"
+#include "identification/diagnosis/confidence.h"
+#include "identification/diagnosis/fewer_causes.h"
+#include "identification/diagnosis/level_structure.h"
+#include "identification/diagnosis/level_terms.h"
+#include "identification/diagnosis/levels.h"
+#include "identification/regression/refine.h"
+#include "identification/diagnosis/separation.h"
+#include "identification/diagnosis/standard_errors.h"
+#include "identification/diagnosis/unexplained.h"
+
+namespace sinew::diagnosis {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+/// Of what was measured: root of the mean square of all channels together, or of the channels'
+/// shares where they measure different things.
+double relative_error(const Design& design, const Model& model, const Weights& weights) {
+  const LinearFit fit = solve(stack(model, weights));
+  std::vector<const BandColumns*> columns;
+  for (const Term& term : model.terms) columns.push_back(&term.columns);
+  VectorXd error = VectorXd::Zero(design.problem().channels), energy = error;
+  for (std::size_t s = 0; s < design.segments().size(); ++s) {
+    if (design.segments()[s].holdout) continue;
+    const VectorXd prediction = predict(columns, fit.coefficients, s);
+    const auto c = design.segments()[s].channel;
+    error(c) += (prediction.size() ? VectorXd(model.target[s] - prediction) : model.target[s])
+                    .squaredNorm();
+    VectorXd measured = design.target(static_cast<int>(s), model.advance[s]);
+    if (const auto known = design.known(static_cast<int>(s), 0)) measured += *known;
+    energy(c) += measured.squaredNorm();
+  }
+  if (!design.problem().unlike_channels)
+    return std::sqrt(error.sum() / std::max(energy.sum(), 1e-300));
+  return std::sqrt(error.cwiseQuotient(energy.cwiseMax(1e-300)).mean());
+}
+
+/// Root mean square of what a model leaves of each channel in the training logs, all frequencies
+/// alike.
+VectorXd left_over(const Design& design, const Model& model) {
+  const Stack rows = stack(model, even_weights(design));
+  const LinearFit fit = solve(rows);
+  VectorXd energy = VectorXd::Zero(design.problem().channels), count = energy;
+  for (std::size_t s = 0; s < design.segments().size(); ++s) {
+    const Segment& segment = design.segments()[s];
+    const Index own = rows.first_row[s + 1] - rows.first_row[s];
+    energy(segment.channel) += fit.residual.segment(rows.first_row[s], own).squaredNorm();
+    count(segment.channel) += static_cast<double>(own);
+  }
+  return energy.cwiseQuotient(count.cwiseMax(1.0)).cwiseSqrt().cwiseMax(1e-12);
+}
+
+BlockLosses held_out_losses(const Design& design, const Settings& settings, const Model& model,
+                            const Weights& weights) {
+  return held_out(design, model, solve(stack(model, weights)), settings.blocks);
+}
+
+/// What a term gains on held-out logs beside the rest of the model.
+Gain gain_on_held_out(const Design& design, const Settings& settings, const Selection& selection,
+                      std::size_t term) {
+  const Weights& weights = selection.noise.weights;
+  Model without = selection.model;
+  remove_term(design, term, without);
+  const VectorXd channels = channels_of(design, selection.model.terms[term]);
+  const BlockLosses before = held_out_losses(design, settings, without, weights);
+  const BlockLosses after = held_out_losses(design, settings, selection.model, weights);
+  return block_bootstrap_gain(before.plain * channels, after.plain * channels, 0.95, settings.seed);
+}
+
+/// The cause of a term. Where another one turns out to be better by more than chance, the model
+/// takes that one instead: what is named is what the model is extended by.
+NamedCause name_cause(const Design& design, const Library& library, const Settings& settings,
+                      const ExperimentPlanner& planner, const Selection& found, std::size_t term,
+                      Selection& selection) {
+  const Evidence& evidence = selection.evidence[term];
+  Rivals rivals = find_rivals(design, library, settings, selection, term);
+  NamedCause cause;
+  cause.members = rivals.members;
+  if (cause.members.front().candidate != library_index(design, selection.model.terms[term]))
+    selection.model = std::move(rivals.model);
+  const Term& own = selection.model.terms[term];
+  cause.candidate = library_index(design, own);
+  cause.statistic = evidence.statistic;
+  cause.p_family = evidence.p_family;
+  cause.validated = evidence.validated;
+  cause.cross_validated = evidence.gain;
+  cause.confidence = rivals.margin;  // weighed once the left-over structure is known
+  cause.held_out = gain_on_held_out(design, settings, selection, term);
+  cause.separation = separate(design, settings, found, selection, term, cause.members, planner);
+  return cause;
+}
+
+std::string reason_of(const Screened& screened, const Candidate& candidate, double p) {
+  switch (screened.gate) {
+    case Gate::not_excited:
+      return "not excited by these logs beside the model";
+    case Gate::out_of_band:
+      return "mostly above the frequencies looked at";
+    case Gate::limit_violated:
+      return candidate.limit_meaning.empty() ? "outside its physical limits"
+                                             : candidate.limit_meaning;
+    case Gate::open:
+      break;
+  }
+  return p > 0.05 ? "nothing beyond noise beside the named causes"
+                  : "too little beside the named causes to be told from noise";
+}
+
+void list_ruled_out(const Design& design, const Selection& selection, Verdict& verdict) {
+  const std::vector<Candidate>& library = design.problem().library;
+  for (const Screened& s : selection.last.candidates) {
+    const Candidate& candidate = library[static_cast<std::size_t>(s.candidate)];
+    if (candidate.kind == CandidateKind::flexible) continue;
+    const bool named =
+        std::any_of(verdict.causes.begin(), verdict.causes.end(), [&](const NamedCause& cause) {
+          return std::any_of(cause.members.begin(), cause.members.end(),
+                             [&](const RankedCause& m) { return m.candidate == s.candidate; });
+        });
+    if (named) continue;
+    const double p = selection.last.family.p_value(s.surprise);
+    RuledOut out{candidate.name, candidate.place, reason_of(s, candidate, p), s.statistic, p};
+    for (const Refusal& refusal : selection.refused)
+      if (refusal.candidate == s.candidate && !refusal.reason.empty()) out.reason = refusal.reason;
+    verdict.ruled_out.push_back(std::move(out));
+  }
+}
+
+/// Levels whose change is not told from none by its standard error, all parameters free.
+std::vector<int> uncertain_levels(const Design& design, const Selection& state) {
+  constexpr double kStandardErrors = 3.0;
+  std::vector<int> list;
+  const auto all = estimates(design, state.model, state.noise);
+  for (std::size_t t = 0; t < all.size(); ++t) {
+    if (state.model.terms[t].level < 0) continue;
+    const bool certain = std::any_of(all[t].begin(), all[t].end(), [](const ParameterEstimate& p) {
+      return std::abs(p.value) >= kStandardErrors * p.standard_error;
+    });
+    if (!certain) list.push_back(state.model.terms[t].level);
+  }
+  return list;
+}
+
+/// The levels the model's own values differ in. Those that are not certain, and those that
+/// structure without a name takes over, are taken back.
+LevelSelection find_levels(const Design& design, const Settings& settings,
+                           const Structure& structure, Explanation& result) {
+  Unexplained& unexplained = result.verdict.unexplained;
+  std::vector<int> taken_back;
+  for (;;) {
+    LevelSelection levels = restrict_to_levels(design, settings, result.selection, taken_back);
+    std::vector<int> now = uncertain_levels(design, levels.state);
+    if (now.empty() && !unexplained.depends_on.empty()) {
+      const NamesBeside names =
+          names_beside(design, settings, levels.state, result.selection, structure);
+      unexplained.named_share = names.named_share;
+      unexplained.none_of_the_known = names.named_share < kNamesHold;
+      now = names.stand_in;
+      for (const int level : now)
+        unexplained.withdrawn.push_back(
+            design.problem().levels[static_cast<std::size_t>(level)].name);
+    }
+    if (now.empty()) return levels;
+    taken_back.insert(taken_back.end(), now.begin(), now.end());
+  }
+}
+
+/// What is left without a name, and the values of the model that differ; causes that one alone may
+/// replace are exchanged for it.
+LevelSelection find_values(const Design& design, const Library& library, const Settings& settings,
+                           Explanation& result) {
+  constexpr int most_exchanges = 2;
+  Selection& selection = result.selection;
+  for (int left = most_exchanges;; --left) {
+    const Selection found = selection;
+    const Structure structure = find_unexplained(design, library, settings, selection);
+    result.verdict.unexplained = structure.said;
+    if (!structure.said.withdrawn.empty())
+      selection.noise = own_noise(design, selection.model, settings.threads);
+    if (design.problem().levels.empty()) return {};
+    LevelSelection levels = find_levels(design, settings, structure, result);
+    const auto fewer =
+        left > 0 ? find_fewer_causes(design, library, settings, levels.state) : std::nullopt;
+    if (!fewer) return levels;
+    selection = replace_causes(design, library, settings, found, *fewer);
+  }
+}
+
+/// Names the levels the model's own values differ in, and lists the others as ruled out.
+void name_levels(const Design& design, const Library& library, const Settings& settings,
+                 const ExperimentPlanner& planner, LevelSelection levels, Explanation& result) {
+  Selection& state = levels.state;
+  std::vector<std::size_t> named;
+  for (std::size_t t = 0; t < state.model.terms.size(); ++t)
+    if (state.model.terms[t].level >= 0) named.push_back(t);
+  // Beside values of the model that are free, a cause gains no more than they leave to it: of logs
+  // under one load friction by the load would gain nothing. Where it takes most of what the model
+  // as adopted leaves over, in which they are not free, that is what it gains; and so it is where
+  // it took the place of such values.
+  constexpr double kMost = 0.5;
+  const auto is_exchanged = [&](const NamedCause& cause) {
+    const std::vector<int>& list = result.selection.exchanged;
+    return std::find(list.begin(), list.end(), cause.candidate) != list.end();
+  };
+  for (NamedCause& cause : result.verdict.causes)
+    for (std::size_t t = 0; t < state.model.terms.size(); ++t) {
+      if (cause.candidate < 0 || library_index(design, state.model.terms[t]) != cause.candidate)
+        continue;
+      const Gain adopted = gain_on_held_out(design, settings, state, t);
+      if (adopted.low > kMost || is_exchanged(cause)) cause.held_out = adopted;
+    }
+  const std::size_t first = result.verdict.causes.size();
+  for (const std::size_t t : named) {
+    NamedCause cause = name_cause(design, library, settings, planner, result.selection, t, state);
+    cause.confidence =
+        confidence_of({cause.confidence, cause.p_family, cause.cross_validated.share, 0.0});
+    result.verdict.causes.push_back(std::move(cause));
+  }
+  const auto all = estimates(design, state.model, state.noise);
+  for (std::size_t i = 0; i < named.size(); ++i)
+    result.verdict.causes[first + i].parameters = all[named[i]];
+  // Told as the model is extended by them: beside values that are free a cause that does much the
+  // same as they do has hardly a size.
+  for (std::size_t i = 0; i < first; ++i)
+    for (std::size_t t = 0; t < state.model.terms.size(); ++t)
+      if (result.verdict.causes[i].candidate >= 0 &&
+          library_index(design, state.model.terms[t]) == result.verdict.causes[i].candidate)
+        result.verdict.causes[i].parameters = all[t];
+  const std::vector<LevelCause>& causes = design.problem().levels;
+  for (std::size_t l = 0; l < causes.size(); ++l) {
+    const int index = -1 - static_cast<int>(l);
+    const bool is_named = std::any_of(
+        result.verdict.causes.begin(), result.verdict.causes.end(), [&](const NamedCause& c) {
+          return std::any_of(c.members.begin(), c.members.end(),
+                             [&](const RankedCause& m) { return m.candidate == index; });
+        });
+    if (is_named) continue;
+    RuledOut out{causes[l].name, causes[l].place, "nothing beyond noise beside the named causes",
+                 levels.statistic[l], levels.p_family[l]};
+    for (const Refusal& refusal : levels.refused)
+      if (refusal.candidate == index) out.reason = refusal.reason;
+    result.verdict.ruled_out.push_back(std::move(out));
+  }
+  result.adopted = std::move(levels.state);
+}
+
+/// The model before any cause: its free coefficients are fitted, its values are its own. `parts`:
+/// the model found, which owns what the result points to.
+Model unexplained_model(const Design& design, const Model& found, const LevelTerms& parts) {
+  Model model = design.problem().levels.empty() ? found : parts.base;
+  for (std::size_t t = model.terms.size(); t-- > 0;)
+    if (!model.terms[t].baseline) remove_term(design, t, model);
+  return model;
+}
+
+/// Where the held-out logs leave most over, beside what the training logs do.
+Disagreement most_excess(const Design& design, const Settings& settings, const Selection& after) {
+  Disagreement most;
+  const auto mean = [](const BlockLosses& losses) {
+    return VectorXd(losses.plain.colwise().sum().transpose() / losses.samples.sum());
+  };
+  const BlockLosses held = held_out_losses(design, settings, after.model, after.noise.weights);
+  if (held.plain.size() == 0 || held.samples.sum() <= 0.0) return most;
+  const VectorXd there = mean(held);
+  const VectorXd here =
+      mean(cross_validate(design, after.model, after.noise.weights, settings.blocks));
+  for (int c = 0; c < design.problem().channels; ++c) {
+    const double ratio = std::sqrt(there(c) / std::max(here(c), 1e-300));
+    if (here(c) <= 0.0 || ratio <= most.ratio) continue;
+    most.channel = c;
+    most.ratio = ratio;
+  }
+  return most;
+}
+
+/// Errors before and after, and what all causes together gain on held-out logs.
+void measure(const Design& design, const Settings& settings, Explanation& result) {
+  Verdict& verdict = result.verdict;
+  const LevelTerms parts = take_apart(design, result.selection.model);
+  const Model before = unexplained_model(design, result.selection.model, parts);
+  const NoiseView noise = own_noise(design, before, settings.threads);
+  const Selection& after = design.problem().levels.empty() ? result.selection : result.adopted;
+  verdict.relative_error_before = relative_error(design, before, noise.weights);
+  verdict.relative_error_after = relative_error(design, after.model, after.noise.weights);
+  verdict.held_out = block_bootstrap_gain(
+      held_out_losses(design, settings, before, noise.weights).over_all(),
+      held_out_losses(design, settings, after.model, after.noise.weights).over_all(), 0.95,
+      settings.seed);
+  verdict.most_excess = most_excess(design, settings, after);
+}
+
+/// The lowest frequency above which a channel is left out, below the band asked for; 0: none is.
+double cut_of(const Problem& problem, const Settings& settings) {
+  double lowest = std::numeric_limits<double>::infinity();
+  for (const Recording& log : problem.training)
+    for (const double band : log.band_hz) lowest = std::min(lowest, band);
+  const bool cut = std::isfinite(lowest) && (settings.band_hz <= 0.0 || lowest < settings.band_hz);
+  return cut ? lowest : 0.0;
+}
+
+}  // namespace
+
+Explanation explain(const Problem& problem, const Settings& settings,
+                    const ExperimentPlanner& planner) {
+  Design design(problem, settings);
+  if (!problem.shared_noise) design.set_units(left_over(design, baseline_model(design)));
+  const Library library(design, settings.threads);
+  Explanation result;
+  result.selection = select_causes(design, library, settings);
+  LevelSelection levels = find_values(design, library, settings, result);
+  Selection& selection = result.selection;
+  Verdict& verdict = result.verdict;
+
+  std::vector<std::size_t> named;
+  for (std::size_t t = 0; t < selection.model.terms.size(); ++t) {
+    const Term& term = selection.model.terms[t];
+    if (!term.baseline && (term.candidate->kind == CandidateKind::named ||
+                           term.candidate->kind == CandidateKind::delay))
+      named.push_back(t);
+  }
+  for (const std::size_t t : named) {
+    NamedCause cause = name_cause(design, library, settings, planner, selection, t, selection);
+    cause.confidence = confidence_of({cause.confidence, cause.p_family, cause.cross_validated.share,
+                                      1.0 - verdict.unexplained.named_share});
+    verdict.causes.push_back(std::move(cause));
+  }
+  result.estimates = estimates(design, selection.model, selection.noise);
+  for (std::size_t i = 0; i < named.size(); ++i)
+    verdict.causes[i].parameters = result.estimates[named[i]];
+  for (std::size_t t = 0; t < selection.model.terms.size(); ++t)
+    if (selection.model.terms[t].baseline)
+      for (const ParameterEstimate& estimate : result.estimates[t])
+        verdict.baseline.push_back(estimate);
+  list_ruled_out(design, selection, verdict);
+  if (!problem.levels.empty())
+    name_levels(design, library, settings, planner, std::move(levels), result);
+  std::stable_sort(verdict.causes.begin(), verdict.causes.end(),
+                   [](const NamedCause& a, const NamedCause& b) {
+                     return a.cross_validated.share > b.cross_validated.share;
+                   });
+  measure(design, settings, result);
+  verdict.compared_below_hz = cut_of(problem, settings);
+  return result;
+}
+
+}  // namespace sinew::diagnosis

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A fitted model taken apart: what stays free, what is held at its nominal value, and the columns
+// of every level cause.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "identification/regression/linear_fit.h"
+
+namespace sinew::diagnosis {
+
+/// The pieces. Candidates made on the way are owned here; terms point to them.
+struct LevelTerms {
+  Model base;                ///< free baseline coefficients and causes; the nominal part is fixed
+  std::vector<Term> levels;  ///< one for each level of the problem, in its order
+  std::vector<std::shared_ptr<const Candidate>> made;
+};
+
+/// Nonlinear parameters of the baseline keep the model's values. Throws std::invalid_argument where
+/// a share points to no baseline coefficient or to one per log.
+LevelTerms take_apart(const Design& design, const Model& model);
+
+/// What a delay of what the nominal model says adds to it, per second: its time derivative.
+/// channels: where it acts; empty: everywhere.
+BandColumns delay_columns(const Design& design, const std::vector<int>& channels,
+                          const FixedPart& nominal);
+
+/// Prediction and its rate of all (or all covered) baseline coefficients at their nominal values.
+/// covered: per term and linear parameter; empty: all.
+FixedPart nominal_part(const Design& design, const Model& model,
+                       const std::vector<std::vector<bool>>& covered);
+
+}  // namespace sinew::diagnosis

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "identification/diagnosis/standard_errors.h"
+
+#include <cmath>
+
+#include "identification/regression/refine.h"
+#include "identification/regression/spectrum.h"
+
+namespace sinew::diagnosis {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+/// Whitened derivative of a term's prediction with respect to one nonlinear parameter.
+VectorXd sensitivity(const Design& design, const Term& term, Index parameter,
+                     const VectorXd& coefficients, const Weights& weights, const Stack& stacked) {
+  const BandColumns rate = shape_rate(design, term, parameter, coefficients);
+  VectorXd result = VectorXd::Zero(stacked.y.size());
+  for (std::size_t s = 0; s < weights.size(); ++s) {
+    const Index rows = stacked.first_row[s + 1] - stacked.first_row[s];
+    if (rows > 0 && rate[s].cols() > 0)
+      result.segment(stacked.first_row[s], rows) = weights[s].cwiseProduct(rate[s].col(0));
+  }
+  return result;
+}
+
+/// Variance of the weighted noise in every stacked row.
+VectorXd row_noise(const NoiseView& noise, const Stack& stacked) {
+  VectorXd variance = VectorXd::Zero(stacked.y.size());
+  for (std::size_t s = 0; s < noise.weights.size(); ++s) {
+    const Index rows = stacked.first_row[s + 1] - stacked.first_row[s];
+    if (rows > 0)
+      variance.segment(stacked.first_row[s], rows) =
+          noise.weights[s].cwiseAbs2().cwiseProduct(per_row(noise.noise[s].variance));
+  }
+  return variance;
+}
+
+}  // namespace
+
+std::vector<std::vector<ParameterEstimate>> estimates(const Design& design, const Model& model,
+                                                      const NoiseView& noise) {
+  const Stack stacked = stack(model, noise.weights);
+  const LinearFit fit = solve(stacked);
+  const std::vector<Index> first = first_columns(model);
+  MatrixXd a = stacked.dense();
+  std::vector<std::vector<ParameterEstimate>> result(model.terms.size());
+  std::vector<std::vector<Index>> columns(model.terms.size());
+  for (std::size_t t = 0; t < model.terms.size(); ++t) {
+    const Term& term = model.terms[t];
+    const bool delay = term.candidate->kind == CandidateKind::delay;
+    const auto layout = design.coefficients(*term.candidate);
+    const Index wide = first[t + 1] - first[t];
+    for (Index c = 0; c < wide; ++c) {
+      const auto& place = layout[static_cast<std::size_t>(c)];
+      if (place.recording >= static_cast<int>(design.problem().training.size())) continue;
+      const LinearParameter& p = term.candidate->linear[static_cast<std::size_t>(place.parameter)];
+      const double value = delay ? term.nonlinear(0) : fit.coefficients(first[t] + c);
+      result[t].push_back(
+          {p.name, p.unit, value, 0.0,
+           place.recording < 0 ? std::string() : design.recording(place.recording).name});
+      columns[t].push_back(first[t] + c);
+    }
+    const auto shapes = static_cast<Index>(delay ? 0 : term.candidate->nonlinear.size());
+    for (Index p = 0; p < shapes; ++p) {
+      const NonlinearParameter& range = term.candidate->nonlinear[static_cast<std::size_t>(p)];
+      if (!(range.high > range.low)) continue;
+      a.conservativeResize(Eigen::NoChange, a.cols() + 1);
+      a.rightCols(1) = sensitivity(design, term, p, fit.coefficients.segment(first[t], wide),
+                                   noise.weights, stacked);
+      result[t].push_back({range.name, range.unit, term.nonlinear(p), 0.0, {}});
+      columns[t].push_back(a.cols() - 1);
+    }
+  }
+  const MatrixXd inverse = scaled_pseudo_inverse(a.transpose() * a);
+  const MatrixXd spread = a.transpose() * row_noise(noise, stacked).asDiagonal() * a;
+  const MatrixXd covariance = inverse * spread * inverse;
+  for (std::size_t t = 0; t < result.size(); ++t)
+    for (std::size_t i = 0; i < result[t].size(); ++i)
+      result[t][i].standard_error =
+          std::sqrt(std::max(0.0, covariance(columns[t][i], columns[t][i])));
+  return result;
+}
+
+}  // namespace sinew::diagnosis

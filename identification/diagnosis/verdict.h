@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a diagnosis says, and what every statement rests on.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "identification/regression/cross_validation.h"
+#include "identification/diagnosis/planned_motion.h"
+
+namespace sinew::diagnosis {
+
+struct ParameterEstimate {
+  std::string name, unit;
+  double value = 0.0;
+  double standard_error = 0.0;  ///< for coloured noise, all parameters free
+  std::string log;              ///< a nuisance's log; empty for shared parameters
+
+  /// false: moves nothing in these logs, as a payload's mass at the axis.
+  bool is_felt() const { return value != 0.0 || standard_error > 0.0; }
+};
+
+/// A candidate that may be the cause.
+struct RankedCause {
+  int candidate = 0;  ///< index into the library; level i of the problem is -1 - i
+  std::string name, place;
+  double behind = 0.0;       ///< whitened deviance and price above the best: 0 for the best
+  double paired_z = 0.0;     ///< mean paired block difference to the best / its standard error
+  double correlation = 1.0;  ///< largest canonical correlation with the best, baseline taken out
+  double weight = 1.0;       ///< share among all rivals, sums to at most 1
+};
+
+/// What is proposed for a set that cannot be told apart.
+struct Separation {
+  std::string experiment;               ///< in words; empty: nothing is known
+  double expected = 0.0;                ///< standard errors between the first member and the
+                                        ///< closest of those ruled out; 0: not known
+  std::vector<std::string> rules_out;   ///< members that it would tell from the first
+  std::optional<PlannedMotion> motion;  ///< where one was planned
+  std::string file;                     ///< the motion's, beside the findings; may be empty
+};
+
+/// One cause, or a set that these logs cannot tell apart (best first).
+struct NamedCause {
+  std::vector<RankedCause> members;
+  int candidate = 0;        ///< of the term that the model takes: one of the members
+  std::vector<int> also;    ///< of more terms that the same name stands for best
+  double confidence = 0.0;  ///< that the truth is among the members: confidence.h
+  double statistic = 0.0;   ///< drop of the whitened deviance
+  double p_family = 1.0;    ///< against surrogates, over the whole library
+  double validated = 0.0;   ///< drop of the whitened loss on left-out blocks
+  Gain cross_validated;     ///< of the error on left-out blocks, 95 % interval
+  Gain held_out;            ///< on held-out logs; share 0 where none were given
+  std::vector<ParameterEstimate> parameters;  ///< of that term
+  Separation separation;                      ///< where there is more than one member
+};
+
+struct RuledOut {
+  std::string name, place, reason;
+  double statistic = 0.0;  ///< on top of the final model
+  double p_family = 1.0;
+};
+
+/// A dependence that no named cause accounts for.
+struct Dependence {
+  std::string on;  ///< "position x direction", "periodic in time, 12.4 Hz", ...
+  std::string place;
+  double p_family = 1.0;
+  Gain gain;  ///< cross-validated, of what the named causes leave over
+};
+
+/// A gain on left-out blocks that is no fluke of the training logs.
+inline bool is_plain(const Gain& gain, double p_family) {
+  constexpr double kShare = 0.2, kByChance = 0.01;
+  return gain.low > kShare && p_family < kByChance;
+}
+
+struct Unexplained {
+  bool none_of_the_known = false;      ///< structure of its own, and no name fits it
+  std::vector<Dependence> depends_on;  ///< strongest first
+  std::vector<std::string> withdrawn;  ///< names that only stood in for it
+  double named_share = 1.0;            ///< of all structure found, what named causes account for
+  double remaining = 1.0;              ///< cross-validated loss left, share of the baseline's
+};
+
+/// Training and held-out logs that cannot both be of one model: a cause that is plain in the former
+/// and gains nothing sure in the latter, or more left over in the latter.
+struct Disagreement {
+  std::string name, place;  ///< of the cause; empty: none
+  Gain in_training;         ///< of the cause, on left-out blocks
+  int channel = -1;         ///< where more is left over
+  double ratio = 1.0;       ///< rms left in the held-out logs / in the training logs, there
+};
+
+struct Verdict {
+  std::vector<NamedCause> causes;  ///< largest gain first
+  std::vector<Disagreement> disagreements;
+  std::vector<RuledOut> ruled_out;
+  Unexplained unexplained;
+  std::vector<ParameterEstimate> baseline;
+  /// rms residual / rms of what was measured, inside the band. Before: of the model at its own
+  /// values, with what is always free fitted (a motor's zero). After: with all named causes.
+  double relative_error_before = 0.0;
+  double relative_error_after = 0.0;
+  Gain held_out;  ///< of all causes together on the held-out logs
+  /// Where the comparison ends below the band asked for, since a logged position is noise above or
+  /// has too few samples a second, the lowest frequency above which a channel is not looked at
+  /// [Hz]; 0: nothing is cut.
+  double compared_below_hz = 0.0;
+  /// The channel in which the held-out logs leave most over beside the training logs, with all
+  /// causes in the model; without held-out logs as it stands here.
+  Disagreement most_excess;
+  bool nothing_beyond_noise() const {
+    return causes.empty() && !unexplained.none_of_the_known && disagreements.empty();
+  }
+};
+
+}  // namespace sinew::diagnosis

@@ -1,0 +1,386 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "identification/logs/channel_map.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <numeric>
+#include <optional>
+
+#include "identification/logs/units.h"
+#include "symbolic/dynamics/coordinates.h"
+
+namespace sinew {
+namespace {
+
+ChannelSpec spec(std::string name, std::string unit, ChannelRole role, int group, bool required) {
+  ChannelSpec result;
+  result.name = std::move(name);
+  result.unit = std::move(unit);
+  result.role = role;
+  result.group = group;
+  result.required = required;
+  return result;
+}
+
+std::vector<ChannelSpec> drive_channels(const DriveLimits& limits, const std::string& position,
+                                        const std::string& velocity, const std::string& effort,
+                                        const std::string& length, const std::string& force) {
+  ChannelSpec p = spec(position, length, ChannelRole::position, 0, true);
+  p.low = limits.low;
+  p.high = limits.high;
+  p.max_rate = limits.max_velocity;
+  ChannelSpec r = p;
+  r.name = position + "_ref";
+  r.role = ChannelRole::reference;
+  r.required = false;
+  ChannelSpec v = spec(velocity, length + "/s", ChannelRole::velocity, 0, false);
+  v.low = -limits.max_velocity;
+  v.high = limits.max_velocity;
+  ChannelSpec e = spec(effort, force, ChannelRole::effort, 0, true);
+  e.low = -limits.max_effort;
+  e.high = limits.max_effort;
+  e.inertia = limits.inertia;
+  e.friction = limits.friction;
+  return {p,
+          e,
+          r,
+          v,
+          spec("load", force, ChannelRole::other, 0, false),
+          spec("i", "A", ChannelRole::current, 0, false)};
+}
+
+ChannelSpec joint_position(const Joint& joint, std::string name, int group) {
+  const bool slides = joint.type == JointType::prismatic;
+  ChannelSpec p = spec(std::move(name), slides ? "m" : "rad", ChannelRole::position, group, true);
+  p.low = joint.low;
+  p.high = joint.high;
+  p.max_rate = joint.max_velocity;
+  return p;
+}
+
+std::string lower(std::string_view text) {
+  std::string result(text);
+  for (char& c : result) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return result;
+}
+
+struct HeaderCell {
+  std::string name, unit, whole;
+};
+
+struct Override {
+  std::string channel, column, unit;
+};
+
+class Mapper {
+ public:
+  Mapper(const std::vector<std::string>& header, const std::vector<ChannelSpec>& specs,
+         std::string file, long row)
+      : specs_(specs), file_(std::move(file)), row_(row) {
+    for (const std::string& cell : header) {
+      const NameAndUnit parts = split_name_and_unit(cell);
+      cells_.push_back({parts.name, parts.unit, std::string(trimmed(cell))});
+    }
+    used_.assign(cells_.size(), false);
+  }
+
+  ColumnMap map(const std::vector<std::string>& overrides) {
+    for (const std::string& text : overrides) read_override(text);
+    ColumnMap result;
+    if (const auto time = find(time_spec())) result.time = *time;
+    for (const ChannelSpec& s : specs_)
+      if (const auto column = find(s)) result.channels.push_back(*column);
+    note_unused();
+    if (std::any_of(faults_.begin(), faults_.end(),
+                    [](const DataFault& f) { return f.severity == Severity::stop; }))
+      throw LogError(faults_);
+    result.notes = faults_;
+    return result;
+  }
+
+ private:
+  static ChannelSpec time_spec() { return spec("time", "s", ChannelRole::other, -1, true); }
+
+  void report(FaultKind kind, Severity severity, int column, const std::string& channel,
+              const std::string& meaning, const std::string& action) {
+    faults_.push_back({kind, severity, file_, row_, row_, column, channel, 1, meaning, action});
+  }
+
+  void read_override(const std::string& text) {
+    const size_t at = text.find('=');
+    const std::string channel(trimmed(std::string_view(text).substr(0, at)));
+    const bool known =
+        channel == "time" || std::any_of(specs_.begin(), specs_.end(),
+                                         [&](const ChannelSpec& s) { return s.name == channel; });
+    if (at == std::string::npos || !known) {
+      report(
+          FaultKind::missing_cell, Severity::stop, 0, channel,
+          fmt::format("'{}' (--map or channels.toml) does not begin with a channel of this model "
+                      "({})",
+                      text, fmt::join(channel_names(), ", ")),
+          "write \"channel=column name [unit]\"");
+      return;
+    }
+    const NameAndUnit parts = split_name_and_unit(std::string_view(text).substr(at + 1));
+    overrides_.push_back({channel, parts.name, parts.unit});
+  }
+
+  std::vector<std::string> channel_names() const {
+    std::vector<std::string> names{"time"};
+    for (const ChannelSpec& s : specs_) names.push_back(s.name);
+    return names;
+  }
+
+  std::vector<std::string> column_names() const {
+    std::vector<std::string> names;
+    for (const HeaderCell& cell : cells_) names.push_back(cell.whole);
+    return names;
+  }
+
+  const Override* override_of(const std::string& channel) const {
+    for (const Override& o : overrides_)
+      if (o.channel == channel) return &o;
+    return nullptr;
+  }
+
+  // Index of the column called so, -1 if there is none; a second one of the name is a finding.
+  int column_called(const std::string& name, const std::string& channel) {
+    for (const bool exact : {true, false}) {
+      std::vector<int> hits;
+      for (size_t i = 0; i < cells_.size(); ++i) {
+        const HeaderCell& cell = cells_[i];
+        const bool hit = exact
+                             ? cell.name == name || cell.whole == name
+                             : lower(cell.name) == lower(name) || lower(cell.whole) == lower(name);
+        if (hit) hits.push_back(static_cast<int>(i));
+      }
+      if (hits.size() > 1)
+        report(
+            FaultKind::row_length, Severity::stop, hits[1] + 1, channel,
+            fmt::format("two columns ({} and {}) are called '{}'", hits[0] + 1, hits[1] + 1, name),
+            fmt::format("name one by its number: --map \"{}=#{} [unit]\"", channel, hits[0] + 1));
+      if (!hits.empty()) return hits[0];
+    }
+    return -1;
+  }
+
+  int column_of_override(const Override& o) {
+    if (o.column.starts_with('#')) {
+      int number = 0;
+      const char* end = o.column.data() + o.column.size();
+      const auto parsed = std::from_chars(o.column.data() + 1, end, number);
+      if (parsed.ptr == end && number >= 1 && number <= static_cast<int>(cells_.size()))
+        return number - 1;
+      return -1;
+    }
+    return column_called(o.column, o.channel);
+  }
+
+  // "q_deg" for channel q, "t_s" for time.
+  int column_with_suffix(const std::string& channel) {
+    for (size_t i = 0; i < cells_.size(); ++i) {
+      if (!cells_[i].unit.empty()) continue;
+      const auto parts = split_unit_suffix(cells_[i].name);
+      if (parts && lower(parts->name) == lower(channel)) return static_cast<int>(i);
+    }
+    return -1;
+  }
+
+  int column_of(const ChannelSpec& s) {
+    if (const Override* o = override_of(s.name)) {
+      const int column = column_of_override(*o);
+      if (column < 0)
+        report(FaultKind::missing_cell, Severity::stop, 0, s.name,
+               fmt::format("--map or channels.toml asks for column '{}', the header has: {}",
+                           o->column, fmt::join(column_names(), ", ")),
+               "the log is not used");
+      return column;
+    }
+    int column = column_called(s.name, s.name);
+    if (column < 0) column = column_with_suffix(s.name);
+    if (column < 0 && s.name == "time") {
+      for (const char* alias : {"t", "timestamp"}) {
+        if (column < 0) column = column_called(alias, s.name);
+        if (column < 0) column = column_with_suffix(alias);
+      }
+    }
+    if (column < 0 && s.required)
+      report(FaultKind::missing_cell, Severity::stop, 0, s.name,
+             fmt::format("no column for channel '{} [{}]'; the header has: {}", s.name, s.unit,
+                         fmt::join(column_names(), ", ")),
+             fmt::format("map it: --map \"{}=column name [unit]\"", s.name));
+    return column;
+  }
+
+  std::string unit_of(const ChannelSpec& s, int column) {
+    const Override* o = override_of(s.name);
+    if (o != nullptr && !o->unit.empty()) return o->unit;
+    const HeaderCell& cell = cells_[static_cast<size_t>(column)];
+    if (!cell.unit.empty()) return cell.unit;
+    // A name that is a channel's own, such as tau_m, says nothing about its unit.
+    const auto own = channel_names();
+    const bool is_own = std::find(own.begin(), own.end(), cell.name) != own.end();
+    const auto suffix = is_own ? std::nullopt : split_unit_suffix(cell.name);
+    if (!suffix) return "";
+    report(FaultKind::missing_unit, Severity::note, column + 1, s.name,
+           fmt::format("'{}' has no [unit]; '{}' is taken from its name", cell.whole, suffix->unit),
+           "");
+    return suffix->unit;
+  }
+
+  std::optional<MappedColumn> find(const ChannelSpec& s) {
+    const int column = column_of(s);
+    if (column < 0) return std::nullopt;
+    used_[static_cast<size_t>(column)] = true;
+    const std::string& whole = cells_[static_cast<size_t>(column)].whole;
+    const std::string text = unit_of(s, column);
+    if (text.empty()) {
+      report(FaultKind::missing_unit, Severity::stop, column + 1, s.name,
+             fmt::format("column '{}' has no unit, channel '{}' is in {}", whole, s.name, s.unit),
+             fmt::format("write '{} [{}]' in the header, or --map \"{}={} [unit]\"", whole, s.unit,
+                         s.name, whole));
+      return std::nullopt;
+    }
+    const std::optional<Unit> given = parse_unit(text);
+    const std::optional<Unit> wanted = parse_unit(s.unit);
+    if (!given || !convertible(*given, *wanted)) {
+      report(FaultKind::wrong_unit, Severity::stop, column + 1, s.name,
+             given ? fmt::format("'{}' cannot be a unit of channel '{}', which is in {}", text,
+                                 s.name, s.unit)
+                   : fmt::format("'{}' is no unit that is known here; channel '{}' is in {}", text,
+                                 s.name, s.unit),
+             "the log is not used");
+      return std::nullopt;
+    }
+    return MappedColumn{column + 1, given->factor / wanted->factor, s};
+  }
+
+  void note_unused() {
+    std::vector<std::string> unused;
+    int first = 0;
+    for (size_t i = 0; i < cells_.size(); ++i) {
+      if (used_[i]) continue;
+      if (first == 0) first = static_cast<int>(i) + 1;
+      unused.push_back(cells_[i].whole);
+    }
+    if (!unused.empty())
+      report(FaultKind::row_length, Severity::note, first, "",
+             fmt::format("columns that are no channel of this model: {}", fmt::join(unused, ", ")),
+             "they stay unused");
+  }
+
+  const std::vector<ChannelSpec>& specs_;
+  std::string file_;
+  long row_;
+  std::vector<HeaderCell> cells_;
+  std::vector<bool> used_;
+  std::vector<Override> overrides_;
+  std::vector<DataFault> faults_;
+};
+
+}  // namespace
+
+std::vector<ChannelSpec> rotary_drive_channels(const DriveLimits& limits) {
+  return drive_channels(limits, "theta", "omega", "tau_m", "rad", "N*m");
+}
+
+std::vector<ChannelSpec> linear_drive_channels(const DriveLimits& limits) {
+  return drive_channels(limits, "x", "v", "f", "m", "N");
+}
+
+std::vector<ChannelSpec> robot_channels(const Mechanism& mechanism) {
+  std::vector<ChannelSpec> specs;
+  int group = 0;
+  for (const Joint& joint : mechanism.joints) {
+    if (joint.type == JointType::fixed) continue;
+    const bool slides = joint.type == JointType::prismatic;
+    const ChannelSpec p = joint_position(joint, "q_" + joint.name, group);
+    specs.push_back(p);
+    specs.push_back(
+        spec("tau_" + joint.name, slides ? "N" : "N*m", ChannelRole::effort, group, true));
+    ChannelSpec v = spec("qd_" + joint.name, p.unit + "/s", ChannelRole::velocity, group, false);
+    v.low = -joint.max_velocity;
+    v.high = joint.max_velocity;
+    specs.push_back(v);
+    ChannelSpec r = p;
+    r.name = p.name + "_ref";
+    r.role = ChannelRole::reference;
+    r.required = false;
+    specs.push_back(r);
+    ++group;
+  }
+  return specs;
+}
+
+std::vector<ChannelSpec> finger_channels(const Mechanism& mechanism) {
+  std::vector<int> numbers(mechanism.tendons.size());
+  std::iota(numbers.begin(), numbers.end(), 1);
+  return finger_channels(mechanism, numbers, true, false);
+}
+
+std::vector<ChannelSpec> finger_channels(const Mechanism& mechanism,
+                                         const std::vector<int>& numbers, bool motors,
+                                         bool forces) {
+  std::vector<ChannelSpec> specs;
+  int group = 0;
+  const Coordinates coordinates(mechanism);
+  for (const int index : coordinates.joints()) {
+    const Joint& joint = mechanism.joints[static_cast<size_t>(index)];
+    specs.push_back(joint_position(joint, joint.name, group++));
+  }
+  for (const int i : numbers)
+    if (forces)
+      specs.push_back(spec(fmt::format("force_{}", i), "N", ChannelRole::other, -1, true));
+  for (const int i : numbers) {
+    if (!motors) continue;
+    specs.push_back(spec(fmt::format("theta_{}", i), "rad", ChannelRole::position, group, true));
+    specs.push_back(spec(fmt::format("tau_{}", i), "N*m", ChannelRole::effort, group, true));
+    ++group;
+  }
+  return specs;
+}
+
+std::vector<ChannelSpec> lever_channels() {
+  return {spec("count", "1", ChannelRole::other, -1, true),
+          spec("force", "N", ChannelRole::effort, -1, true),
+          spec("elongation", "m", ChannelRole::other, -1, false),
+          spec("lever", "rad", ChannelRole::other, -1, false),
+          spec("bend", "rad", ChannelRole::other, -1, false)};
+}
+
+std::vector<ChannelSpec> wrist_channels(int tendons) {
+  std::vector<ChannelSpec> specs = {spec("q71", "rad", ChannelRole::position, 0, true),
+                                    spec("q73", "rad", ChannelRole::position, 1, true)};
+  for (int i = 1; i <= tendons; ++i) {
+    specs.push_back(spec(fmt::format("theta_{}", i), "rad", ChannelRole::position, i + 1, true));
+    specs.push_back(spec(fmt::format("force_{}", i), "N", ChannelRole::other, i + 1, false));
+  }
+  return specs;
+}
+
+bool names_channel(const std::vector<std::string>& header,
+                   const std::vector<std::string>& overrides, const std::string& channel) {
+  const auto is = [wanted = lower(channel)](std::string_view name) {
+    return lower(name) == wanted;
+  };
+  for (const std::string& text : overrides)
+    if (is(trimmed(std::string_view(text).substr(0, text.find('='))))) return true;
+  return std::any_of(header.begin(), header.end(), [&](const std::string& cell) {
+    const NameAndUnit parts = split_name_and_unit(cell);
+    if (is(parts.name) || is(trimmed(cell))) return true;
+    const auto suffix = parts.unit.empty() ? split_unit_suffix(parts.name) : std::nullopt;
+    return suffix && is(suffix->name);
+  });
+}
+
+ColumnMap map_columns(const std::vector<std::string>& header, const std::vector<ChannelSpec>& specs,
+                      const std::vector<std::string>& overrides, const std::string& file,
+                      long header_row) {
+  return Mapper(header, specs, file, header_row).map(overrides);
+}
+
+}  // namespace sinew

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which column of a file is which channel of a model.
+#pragma once
+
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "identification/logs/log.h"
+#include "symbolic/model/mechanism.h"
+
+namespace sinew {
+
+/// A channel that a model knows, and what is plausible for it (SI units).
+struct ChannelSpec {
+  std::string name;
+  std::string unit;  ///< SI
+  ChannelRole role = ChannelRole::other;
+  bool required = false;
+  int group = -1;  ///< channels of one coordinate (position, velocity, effort, ...) share it
+  double low = -std::numeric_limits<double>::infinity();
+  double high = std::numeric_limits<double>::infinity();
+  double max_rate = std::numeric_limits<double>::infinity();  ///< per second
+  double inertia = 0.0;  ///< effort channels: effort per acceleration of the group, 0 if unknown
+  double friction =
+      0.0;  ///< effort channels: effort that motion at usual speed takes, 0 if unknown
+};
+
+/// Limits of a single drive, for the plausibility of its channels. Infinite or 0 where unknown.
+struct DriveLimits {
+  double low = -std::numeric_limits<double>::infinity();  ///< position, rad or m
+  double high = std::numeric_limits<double>::infinity();
+  double max_velocity = std::numeric_limits<double>::infinity();  ///< rad/s or m/s
+  double max_effort = std::numeric_limits<double>::infinity();    ///< N·m or N
+  double inertia = 0.0;                                           ///< kg·m² or kg
+  double friction = 0.0;  ///< effort at usual speed, N·m or N
+};
+
+/// theta, tau_m and optional theta_ref, omega, load, i.
+std::vector<ChannelSpec> rotary_drive_channels(const DriveLimits& limits = {});
+/// x, f and optional x_ref, v, load, i.
+std::vector<ChannelSpec> linear_drive_channels(const DriveLimits& limits = {});
+/// q_<joint>, tau_<joint> and optional qd_<joint>, q_<joint>_ref for every moving joint.
+std::vector<ChannelSpec> robot_channels(const Mechanism& mechanism);
+/// q of every moving joint by the joint's name, theta_1..m, tau_1..m of the m tendons' motors.
+std::vector<ChannelSpec> finger_channels(const Mechanism& mechanism);
+/// The same for tendons of these numbers, of each what is asked for: theta_i and tau_i of its
+/// motor, force_i.
+std::vector<ChannelSpec> finger_channels(const Mechanism& mechanism,
+                                         const std::vector<int>& numbers, bool motors, bool forces);
+/// count and force, optional elongation, lever, bend (of the tendon between lever and load cell).
+std::vector<ChannelSpec> lever_channels();
+/// q71, q73, theta_1..m and optional force_1..m.
+std::vector<ChannelSpec> wrist_channels(int tendons);
+
+/// A column that is read: where it is, and how it becomes SI.
+struct MappedColumn {
+  int column = 0;  ///< from 1
+  double factor = 1.0;
+  ChannelSpec spec;
+};
+
+struct ColumnMap {
+  MappedColumn time;
+  std::vector<MappedColumn> channels;  ///< in the order of the specifications
+  std::vector<DataFault> notes;        ///< units taken from a name's end, columns that stay unused
+};
+
+/// Whether map_columns() would find a channel of this name in the header, or `overrides` name it.
+bool names_channel(const std::vector<std::string>& header,
+                   const std::vector<std::string>& overrides, const std::string& channel);
+
+/// Finds every channel of `specs` in the header. `overrides` are texts of --map:
+/// "channel=column name [unit]" or "channel=#3 [unit]". Names match exactly, else without regard
+/// to case. Throws LogError, each finding naming the header's row and the column: a required
+/// channel is not there, a unit is missing, unknown or of another kind, a name occurs twice.
+ColumnMap map_columns(const std::vector<std::string>& header, const std::vector<ChannelSpec>& specs,
+                      const std::vector<std::string>& overrides, const std::string& file,
+                      long header_row);
+
+}  // namespace sinew

@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "identification/regression/cross_validation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "identification/regression/spectrum.h"
+
+namespace sinew::diagnosis {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+/// A stretch of one segment; stretches of the same log and time share a block.
+struct Stretch {
+  std::size_t segment = 0;
+  Index first = 0, count = 0;
+  int block = 0;
+};
+
+std::vector<Stretch> cut(const Design& design, bool holdout, int blocks, int& total) {
+  std::vector<int> recordings;
+  std::vector<double> seconds;  // of each, as its first segment sees it
+  double duration = 0.0;
+  for (const Segment& s : design.segments())
+    if (s.holdout == holdout &&
+        std::find(recordings.begin(), recordings.end(), s.recording) == recordings.end()) {
+      recordings.push_back(s.recording);
+      seconds.push_back(static_cast<double>(s.samples) / s.rate_hz);
+      duration += seconds.back();
+    }
+  std::vector<Stretch> list;
+  total = 0;
+  for (std::size_t r = 0; r < recordings.size(); ++r) {
+    const int here = std::max(3, static_cast<int>(std::lround(seconds[r] / duration * blocks)));
+    for (std::size_t i = 0; i < design.segments().size(); ++i) {
+      const Segment& s = design.segments()[i];
+      if (s.recording != recordings[r] || s.holdout != holdout) continue;
+      for (int b = 0; b < here; ++b) {
+        const Index from = s.samples * b / here, to = s.samples * (b + 1) / here;
+        list.push_back({i, from, to - from, total + b});
+      }
+    }
+    total += here;
+  }
+  return list;
+}
+
+/// Places among all coefficients of the columns that act on a segment, the target's (one more than
+/// the last coefficient) at the end.
+std::vector<Index> active_columns(const Model& model, std::size_t segment) {
+  const std::vector<Index> first = first_columns(model);
+  std::vector<Index> at;
+  for (std::size_t t = 0; t < model.terms.size(); ++t)
+    for (Index c = 0; c < model.terms[t].columns[segment].cols(); ++c) at.push_back(first[t] + c);
+  at.push_back(first.back());
+  return at;
+}
+
+/// Time-domain rows of one segment, its active columns by term, the target last; without a
+/// whitening in the target's unit.
+MatrixXd time_columns(const Design& design, const Model& model, const VectorXd* weight,
+                      std::size_t segment) {
+  const Segment& s = design.segments()[segment];
+  MatrixXd x(s.samples, static_cast<Index>(active_columns(model, segment).size()));
+  const auto to_time = [&](const MatrixXd& band) {
+    return from_band(weight ? MatrixXd(weight->asDiagonal() * band) : band, s.samples);
+  };
+  Index place = 0;
+  for (const Term& term : model.terms) {
+    const MatrixXd& part = term.columns[segment];
+    if (part.cols() > 0) x.middleCols(place, part.cols()) = to_time(part);
+    place += part.cols();
+  }
+  x.rightCols(1) = to_time(model.target[segment]);
+  return x;
+}
+
+/// The plain rows of one stretch, condensed to what gives its squared error for any coefficients.
+struct PlainErrors {
+  Index block = 0, channel = 0;
+  std::vector<Index> at;
+  MatrixXd gram;  // of the active columns, in the squares of the channel's unit
+
+  /// error: minus the coefficients, and 1 for the target.
+  void add_to(BlockLosses& losses, const VectorXd& error) const {
+    const VectorXd own = error(at);
+    losses.plain(block, channel) += own.dot(gram * own);
+  }
+};
+
+PlainErrors plain_errors(const Design& design, const Stretch& stretch, const MatrixXd& x,
+                         const std::vector<Index>& at) {
+  const auto rows = x.middleRows(stretch.first, stretch.count);
+  const int channel = design.segments()[stretch.segment].channel;
+  const double unit = design.unit(channel);
+  return {stretch.block, channel, at, rows.transpose() * rows / (unit * unit)};
+}
+
+BlockLosses no_losses(const Design& design, int blocks) {
+  return {VectorXd::Zero(blocks), MatrixXd::Zero(blocks, design.problem().channels),
+          VectorXd::Zero(blocks)};
+}
+
+}  // namespace
+
+VectorXd channels_of(const Design& design, const Term& term) {
+  const Problem& problem = design.problem();
+  VectorXd channels = VectorXd::Constant(problem.channels, problem.shared_noise ? 1.0 : 0.0);
+  for (std::size_t s = 0; s < design.segments().size(); ++s)
+    if (term.columns[s].cols() > 0) channels(design.segments()[s].channel) = 1.0;
+  return channels;
+}
+
+BlockLosses cross_validate(const Design& design, const Model& model, const Weights& weights,
+                           int blocks) {
+  int total = 0;
+  const std::vector<Stretch> stretches = cut(design, false, blocks, total);
+  const Index wide = first_columns(model).back();
+  const MatrixXd none = MatrixXd::Zero(wide + 1, wide + 1);
+  std::vector<MatrixXd> whitened(static_cast<std::size_t>(total), none);
+  std::vector<std::vector<PlainErrors>> plain(whitened.size());
+  BlockLosses losses = no_losses(design, total);
+  std::size_t last = design.segments().size();
+  MatrixXd x, raw;
+  std::vector<Index> at;
+  for (const Stretch& stretch : stretches) {
+    if (stretch.segment != last) {
+      x = time_columns(design, model, &weights[stretch.segment], stretch.segment);
+      raw = time_columns(design, model, nullptr, stretch.segment);
+      at = active_columns(model, stretch.segment);
+      last = stretch.segment;
+    }
+    const auto b = static_cast<std::size_t>(stretch.block);
+    const auto rows = x.middleRows(stretch.first, stretch.count);
+    whitened[b](at, at) += rows.transpose() * rows;
+    plain[b].push_back(plain_errors(design, stretch, raw, at));
+    losses.samples(stretch.block) += static_cast<double>(stretch.count);
+  }
+  MatrixXd all = none;
+  for (const MatrixXd& gram : whitened) all += gram;
+  for (int b = 0; b < total; ++b) {
+    const MatrixXd others = all - whitened[static_cast<std::size_t>(b)];
+    VectorXd error(wide + 1);
+    error.head(wide) = -scaled_pseudo_inverse(others.topLeftCorner(wide, wide), 1e-9) *
+                       others.topRightCorner(wide, 1);
+    error(wide) = 1.0;
+    losses.whitened(b) = error.dot(whitened[static_cast<std::size_t>(b)] * error);
+    for (const PlainErrors& part : plain[static_cast<std::size_t>(b)]) part.add_to(losses, error);
+  }
+  return losses;
+}
+
+BlockLosses held_out(const Design& design, const Model& model, const LinearFit& fit, int blocks) {
+  int total = 0;
+  const std::vector<Stretch> stretches = cut(design, true, blocks, total);
+  const Index wide = first_columns(model).back();
+  std::vector<std::vector<PlainErrors>> plain(static_cast<std::size_t>(total));
+  MatrixXd all = MatrixXd::Zero(wide + 1, wide + 1);
+  BlockLosses losses = no_losses(design, total);
+  std::size_t last = design.segments().size();
+  MatrixXd x;
+  std::vector<Index> active;
+  for (const Stretch& stretch : stretches) {
+    if (stretch.segment != last) {
+      x = time_columns(design, model, nullptr, stretch.segment);
+      active = active_columns(model, stretch.segment);
+      last = stretch.segment;
+    }
+    const PlainErrors part = plain_errors(design, stretch, x, active);
+    all(active, active) += part.gram;
+    plain[static_cast<std::size_t>(stretch.block)].push_back(part);
+    losses.samples(stretch.block) += static_cast<double>(stretch.count);
+  }
+  // Coefficients the training knows nothing of: nuisances of the held-out logs.
+  std::vector<Index> own;
+  Index at = 0;
+  for (const Term& term : model.terms)
+    for (const auto& c : design.coefficients(*term.candidate)) {
+      if (c.recording >= static_cast<int>(design.problem().training.size())) own.push_back(at);
+      ++at;
+    }
+  for (int b = 0; b < total; ++b) {
+    const auto& here = plain[static_cast<std::size_t>(b)];
+    VectorXd error(wide + 1);
+    error.head(wide) = -fit.coefficients;
+    error(wide) = 1.0;
+    for (const Index i : own) error(i) = 0.0;
+    if (!own.empty()) {
+      MatrixXd others = all;
+      for (const PlainErrors& part : here) others(part.at, part.at) -= part.gram;
+      const VectorXd nuisance =
+          scaled_pseudo_inverse(others(own, own), 1e-9) * (others * error)(own);
+      for (std::size_t i = 0; i < own.size(); ++i) error(own[i]) = -nuisance(static_cast<Index>(i));
+    }
+    for (const PlainErrors& part : here) part.add_to(losses, error);
+  }
+  return losses;
+}
+
+Gain block_bootstrap_gain(const VectorXd& before, const VectorXd& after, double level,
+                          unsigned seed) {
+  Gain gain;
+  if (before.size() == 0 || before.sum() <= 0.0) return gain;
+  gain.share = 1.0 - after.sum() / before.sum();
+  std::mt19937_64 random(seed);
+  std::uniform_int_distribution<Index> pick(0, before.size() - 1);
+  std::vector<double> draws(1000);
+  for (double& draw : draws) {
+    double top = 0.0, bottom = 0.0;
+    for (Index i = 0; i < before.size(); ++i) {
+      const Index b = pick(random);
+      top += after(b);
+      bottom += before(b);
+    }
+    draw = 1.0 - top / bottom;
+  }
+  std::sort(draws.begin(), draws.end());
+  const double tail = 0.5 * (1.0 - level) * static_cast<double>(draws.size());
+  gain.low = draws[static_cast<std::size_t>(tail)];
+  gain.high = draws[draws.size() - 1 - static_cast<std::size_t>(tail)];
+  return gain;
+}
+
+}  // namespace sinew::diagnosis

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Out-of-sample losses on contiguous blocks and on held-out logs.
+#pragma once
+
+#include "identification/regression/linear_fit.h"
+
+namespace sinew::diagnosis {
+
+/// Sums of squared errors per block of what was predicted without that block.
+struct BlockLosses {
+  Eigen::VectorXd whitened;
+  Eigen::MatrixXd plain;  ///< blocks x channels, in the squares of Design::unit, inside the band
+  Eigen::VectorXd samples;
+
+  /// Plain losses of the blocks over all channels.
+  Eigen::VectorXd over_all() const { return plain.rowwise().sum(); }
+};
+
+/// 1 for the channels by whose errors a term is judged, else 0: those on which it acts, or all
+/// where they share their noise.
+Eigen::VectorXd channels_of(const Design& design, const Term& term);
+
+/// Every training log is cut into contiguous blocks (about `blocks` over all logs); for each the
+/// linear coefficients are fitted without it, nonlinear parameters are kept.
+BlockLosses cross_validate(const Design& design, const Model& model, const Weights& weights,
+                           int blocks);
+
+/// The same on the held-out logs with the training's coefficients. Per-log nuisances are fitted
+/// on the held-out log's other blocks. Whitened losses stay zero.
+BlockLosses held_out(const Design& design, const Model& model, const LinearFit& fit, int blocks);
+
+/// A gain with the interval that resampling whole blocks gives.
+struct Gain {
+  double share = 0.0;  ///< of the squared error that goes away: 1 - after / before
+  double low = 0.0, high = 0.0;
+};
+
+/// level: of the interval, for instance 0.95.
+Gain block_bootstrap_gain(const Eigen::VectorXd& before, const Eigen::VectorXd& after, double level,
+                          unsigned seed);
+
+}  // namespace sinew::diagnosis

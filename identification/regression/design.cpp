@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "identification/regression/design.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "identification/regression/spectrum.h"
+#include "identification/regression/standstill.h"
+
+namespace sinew::diagnosis {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+Index edge_samples(const Settings& settings, double step) {
+  return static_cast<Index>(std::lround(settings.edge_s / step));
+}
+
+bool acts_on(const Candidate& candidate, int channel) {
+  return candidate.channels.empty() ||
+         std::find(candidate.channels.begin(), candidate.channels.end(), channel) !=
+             candidate.channels.end();
+}
+
+/// Mean square with every column's mean taken out.
+double energy_per_sample(const MatrixXd& x) {
+  return (x.rowwise() - x.colwise().mean()).squaredNorm() / static_cast<double>(x.rows());
+}
+
+// Half the work of a frictional drive lies below 40 Hz; more band costs time and adds noise.
+constexpr double kBand = 100.0;
+
+// Samples a second that are kept at least, as a multiple of the band.
+constexpr double kSamplesPerBand = 6.0;
+
+/// The filter that thins a log, factor 1 where it is not sampled fast enough to be worth it.
+DecimatingFilter thinning_filter(double step, double band_hz) {
+  const double factor = std::floor(1.0 / (step * kSamplesPerBand * band_hz));
+  return design_decimating_filter(step, 0.4 / (std::max(1.0, factor) * step) * (1.0 - 1e-9));
+}
+
+Recording thin(const Recording& log, const DecimatingFilter& filter) {
+  Recording r;
+  const auto take = [&](const MatrixXd& x) {
+    return x.size() == 0 ? x : filter_decimate(filter, x);
+  };
+  r.name = log.name;
+  r.step = log.step * filter.factor;
+  r.time = take(log.time);
+  r.log_start = log.log_start;
+  r.q = take(log.q);
+  r.qd = take(log.qd);
+  r.qdd = take(log.qdd);
+  r.command = take(log.command);
+  r.load = take(log.load);
+  r.temperature = take(log.temperature);
+  for (const auto& [name, signal] : log.signals)
+    if (name != effort_of_logged_motion) r.signals[name] = take(signal);
+  for (const VectorXd& x : log.target) r.target.push_back(take(x));
+  for (const VectorXd& x : log.known) r.known.push_back(take(x));
+  r.standstills = log.standstills;
+  r.band_hz = log.band_hz;
+  return r;
+}
+
+}  // namespace
+
+Design::Design(const Problem& problem, const Settings& settings)
+    : problem_(problem), settings_(settings), units_(VectorXd::Ones(problem.channels)) {
+  add_segments(problem.training, 0, false);
+  if (segments_.empty())
+    throw std::invalid_argument(
+        (problem.training.empty() ? std::string("the training logs") : problem.training[0].name) +
+        ": no stretch without a gap is long enough to compare with the model; log for longer, or "
+        "see what cuts it: values that stand still for many rows, gaps and spikes are left out");
+  add_segments(problem.holdout, static_cast<int>(problem.training.size()), true);
+}
+
+void Design::add_segments(const std::vector<Recording>& recordings, int first, bool holdout) {
+  for (std::size_t r = 0; r < recordings.size(); ++r) {
+    const double band = settings_.band_hz > 0.0 ? settings_.band_hz : kBand;
+    const int index = first + static_cast<int>(r);
+    const DecimatingFilter thinning = thinning_filter(recordings[r].step, band);
+    if (thinning.factor > 1) thinned_[index] = {thinning, thin(recordings[r], thinning)};
+    const Recording& log = recording(index);
+    for (int channel = 0; channel < static_cast<int>(log.target.size()); ++channel) {
+      const Index raw = log.target[static_cast<std::size_t>(channel)].size();
+      if (raw == 0) continue;
+      Segment segment;
+      segment.recording = index;
+      segment.channel = channel;
+      segment.holdout = holdout;
+      const double seen = log.band_hz.empty()
+                              ? band
+                              : std::min(band, log.band_hz[static_cast<std::size_t>(channel)]);
+      segment.filter = design_decimating_filter(log.step, std::min(seen, 0.4 / log.step));
+      segment.samples =
+          filtered_length(segment.filter, raw - 2 * edge_samples(settings_, log.step));
+      if (segment.samples == 0) continue;
+      segment.rate_hz = 1.0 / (log.step * segment.filter.factor);
+      if (!log.target[static_cast<std::size_t>(channel)].allFinite())
+        throw std::invalid_argument("log '" + log.name + "', channel " + std::to_string(channel) +
+                                    ": the target is not finite everywhere");
+      segment.bins = std::min<Index>(segment.samples / 2,
+                                     static_cast<Index>(segment.filter.band_hz / segment.rate_hz *
+                                                        static_cast<double>(segment.samples)) +
+                                         1);
+      segments_.push_back(segment);
+      windows_.push_back(window_of(static_cast<int>(segments_.size()) - 1));
+    }
+  }
+}
+
+/// 1 where what is measured counts, at the decimated instants.
+VectorXd Design::window_of(int segment) const {
+  const Segment& s = segments_[static_cast<std::size_t>(segment)];
+  const Recording& log = recording(s.recording);
+  const auto channel = static_cast<std::size_t>(s.channel);
+  if (log.standstills.size() <= channel) return VectorXd::Ones(s.samples);
+  return motion_window(log.standstills[channel], at_instants(segment, log.time));
+}
+
+MatrixXd Design::seen_band(int segment, const MatrixXd& samples) const {
+  const auto i = static_cast<std::size_t>(segment);
+  return to_band(windows_[i].asDiagonal() * samples, segments_[i].bins);
+}
+
+const Recording& Design::recording(int index) const {
+  const auto found = thinned_.find(index);
+  return found == thinned_.end() ? given(index) : found->second.log;
+}
+
+MatrixXd Design::thinned(int segment, const MatrixXd& raw) const {
+  const int index = segments_[static_cast<std::size_t>(segment)].recording;
+  const auto found = thinned_.find(index);
+  if (found == thinned_.end() || raw.rows() != given(index).q.rows()) return raw;
+  return filter_decimate(found->second.filter, raw);
+}
+
+const Recording& Design::given(int index) const {
+  const auto training = problem_.training.size();
+  const auto i = static_cast<std::size_t>(index);
+  return i < training ? problem_.training[i] : problem_.holdout[i - training];
+}
+
+MatrixXd Design::filtered(int segment, const MatrixXd& as_given, double advance,
+                          int derivative) const {
+  const Segment& s = segments_[static_cast<std::size_t>(segment)];
+  const MatrixXd raw = thinned(segment, as_given);
+  const Index edge = edge_samples(settings_, s.filter.step);
+  return filter_decimate(s.filter, raw.middleRows(edge, raw.rows() - 2 * edge), advance, derivative)
+      .topRows(s.samples);
+}
+
+VectorXd Design::at_instants(int segment, const VectorXd& as_given) const {
+  const Segment& s = segments_[static_cast<std::size_t>(segment)];
+  const VectorXd raw = thinned(segment, as_given);
+  const Index edge = edge_samples(settings_, s.filter.step);
+  VectorXd out(s.samples);
+  for (Index k = 0; k < s.samples; ++k) out(k) = raw(edge + centre_sample(s.filter, k));
+  return out;
+}
+
+VectorXd Design::target(int segment, double advance) const {
+  const Segment& s = segments_[static_cast<std::size_t>(segment)];
+  const VectorXd& raw = recording(s.recording).target[static_cast<std::size_t>(s.channel)];
+  const VectorXd band = seen_band(segment, filtered(segment, raw, advance));
+  const std::optional<VectorXd> said = known(segment, 0);
+  return said ? VectorXd(band - *said) : band;
+}
+
+std::optional<VectorXd> Design::known(int segment, int derivative) const {
+  const Segment& s = segments_[static_cast<std::size_t>(segment)];
+  const Recording& log = recording(s.recording);
+  if (log.known.empty()) return std::nullopt;
+  const VectorXd& raw = log.known[static_cast<std::size_t>(s.channel)];
+  return VectorXd(seen_band(segment, filtered(segment, raw, 0.0, derivative)));
+}
+
+std::vector<Design::Coefficient> Design::coefficients(const Candidate& candidate) const {
+  std::vector<Coefficient> list;
+  const int logs = static_cast<int>(problem_.training.size() + problem_.holdout.size());
+  for (int p = 0; p < static_cast<int>(candidate.linear.size()); ++p) {
+    if (!candidate.linear[static_cast<std::size_t>(p)].per_log) {
+      list.push_back({p, -1});
+      continue;
+    }
+    for (int log = 0; log < logs; ++log) list.push_back({p, log});
+  }
+  return list;
+}
+
+Index Design::width(const Candidate& candidate) const {
+  return static_cast<Index>(coefficients(candidate).size());
+}
+
+BandColumns Design::columns(const Candidate& candidate, const VectorXd& nonlinear, int derivative,
+                            double* in_band) const {
+  double raw_energy = 0.0, raw_power = 0.0, band_energy = 0.0;
+  const std::vector<Coefficient> layout = coefficients(candidate);
+  BandColumns result(segments_.size());
+  for (std::size_t i = 0; i < segments_.size(); ++i) {
+    const Segment& s = segments_[i];
+    if (!acts_on(candidate, s.channel)) continue;
+    const MatrixXd raw = candidate.columns(recording(s.recording), s.channel, nonlinear);
+    if (raw.cols() == 0) continue;
+    if (raw.cols() != static_cast<Index>(candidate.linear.size()))
+      throw std::logic_error("candidate '" + candidate.name + "': columns and coefficients differ");
+    if (!raw.allFinite())
+      throw std::invalid_argument("log '" + recording(s.recording).name + "': the columns of '" +
+                                  candidate.name + "' are not finite everywhere");
+    const MatrixXd band =
+        seen_band(static_cast<int>(i), filtered(static_cast<int>(i), raw, 0.0, derivative));
+    raw_energy += energy_per_sample(raw);
+    raw_power += raw.squaredNorm() / static_cast<double>(raw.rows());
+    band_energy += band.bottomRows(band.rows() - 2).squaredNorm() / windows_[i].squaredNorm();
+    result[i] = MatrixXd::Zero(band.rows(), static_cast<Index>(layout.size()));
+    for (std::size_t c = 0; c < layout.size(); ++c)
+      if (layout[c].recording < 0 || layout[c].recording == s.recording)
+        result[i].col(static_cast<Index>(c)) = band.col(layout[c].parameter);
+  }
+  // What never changes lies in the band, whatever rounding leaves of its changes.
+  constexpr double rounding = 1e-12;
+  if (in_band) *in_band = raw_energy > rounding * raw_power ? band_energy / raw_energy : 1.0;
+  return result;
+}
+
+}  // namespace sinew::diagnosis

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Targets and regressor columns of a problem, filtered alike and taken to the band (spectrum.h).
+#pragma once
+
+#include <Eigen/Core>
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "identification/regression/candidate.h"
+#include "identification/logs/filter.h"
+
+namespace sinew::diagnosis {
+
+/// One channel of one log.
+struct Segment {
+  int recording = 0;  ///< index into training, then holdout
+  int channel = 0;
+  bool holdout = false;
+  DecimatingFilter filter;
+  Eigen::Index samples = 0;  ///< after decimation
+  Eigen::Index bins = 0;
+  double rate_hz = 0.0;  ///< after decimation
+};
+
+/// Columns of a group in the band, one matrix for each segment; 0 x 0 where it does not act.
+using BandColumns = std::vector<Eigen::MatrixXd>;
+
+/// Filters what a problem holds. Keeps a reference to the problem. Logs sampled at more than twelve
+/// times the band are thinned first, every signal by the same zero-phase filter: no regressor needs
+/// more samples, and the work of evaluating them is what a long log costs.
+class Design {
+ public:
+  Design(const Problem& problem, const Settings& settings);
+
+  const Problem& problem() const { return problem_; }
+  const std::vector<Segment>& segments() const { return segments_; }
+  /// As the candidates see it: thinned where the log was.
+  const Recording& recording(int index) const;
+
+  /// Filtered target of one segment in the band, `advance` [s] later than the model's time, less
+  /// what the recording says is known.
+  Eigen::VectorXd target(int segment, double advance = 0.0) const;
+
+  /// Filtered known part of one segment in the band (derivative = 1: its time derivative).
+  std::optional<Eigen::VectorXd> known(int segment, int derivative) const;
+
+  /// Coefficients of a candidate over all logs: per-log nuisances count once for each log.
+  Eigen::Index width(const Candidate& candidate) const;
+
+  /// Linear parameter behind a coefficient, and its log (-1: shared).
+  struct Coefficient {
+    int parameter = 0;
+    int recording = -1;
+  };
+  std::vector<Coefficient> coefficients(const Candidate& candidate) const;
+
+  /// Filtered columns (derivative = 1: their time derivative) of all segments. in_band: the share
+  /// of the raw columns' energy (means taken out) that is left after the filter.
+  BandColumns columns(const Candidate& candidate, const Eigen::VectorXd& nonlinear,
+                      int derivative = 0, double* in_band = nullptr) const;
+
+  /// Raw columns put through the segment's filter, decimated time domain. They may have the samples
+  /// of the log as given or of recording().
+  Eigen::MatrixXd filtered(int segment, const Eigen::MatrixXd& raw, double advance = 0.0,
+                           int derivative = 0) const;
+
+  /// At a segment's instants: 1, and 0 at standstill. Targets and columns are multiplied with it.
+  const Eigen::VectorXd& window(int segment) const {
+    return windows_[static_cast<std::size_t>(segment)];
+  }
+
+  /// What errors of a channel are counted in, so that those of a heavy joint and of a light one,
+  /// or of a force and a torque, can be added: 1 in the target's unit, or what was set.
+  double unit(int channel) const { return units_(channel); }
+  void set_units(const Eigen::VectorXd& units) { units_ = units; }
+
+  /// A signal of the recording at the decimated instants, unfiltered, for plots and splines.
+  Eigen::VectorXd at_instants(int segment, const Eigen::VectorXd& raw) const;
+
+ private:
+  Eigen::VectorXd window_of(int segment) const;
+  Eigen::MatrixXd seen_band(int segment, const Eigen::MatrixXd& samples) const;
+  void add_segments(const std::vector<Recording>& recordings, int first, bool holdout);
+  const Recording& given(int index) const;
+  Eigen::MatrixXd thinned(int segment, const Eigen::MatrixXd& raw) const;
+  const Problem& problem_;
+  Settings settings_;
+  struct Thinned {
+    DecimatingFilter filter;
+    Recording log;
+  };
+  std::map<int, Thinned> thinned_;  ///< by recording, where thinned
+  std::vector<Segment> segments_;
+  std::vector<Eigen::VectorXd> windows_;
+  Eigen::VectorXd units_;
+};
+
+}  // namespace sinew::diagnosis

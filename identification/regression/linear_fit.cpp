@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "identification/regression/linear_fit.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+
+namespace sinew::diagnosis {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+namespace {
+
+Index width(const Term& term) {
+  for (const MatrixXd& part : term.columns)
+    if (part.cols() > 0) return part.cols();
+  return 0;
+}
+
+bool delays(const Candidate& delay, int channel) {
+  return delay.channels.empty() ||
+         std::count(delay.channels.begin(), delay.channels.end(), channel);
+}
+
+}  // namespace
+
+void set_advance(const Design& design, std::size_t segment, double advance, Model& model) {
+  model.advance[segment] = advance;
+  model.target[segment] = design.target(static_cast<int>(segment), advance);
+  if (!model.fixed.value.empty()) model.target[segment] -= model.fixed.value[segment];
+}
+
+std::vector<Index> first_columns(const Model& model) {
+  std::vector<Index> first{0};
+  for (const Term& term : model.terms) first.push_back(first.back() + width(term));
+  return first;
+}
+
+Weights even_weights(const Design& design) {
+  Weights even;
+  for (const Segment& s : design.segments())
+    even.push_back(s.holdout ? VectorXd() : VectorXd(VectorXd::Ones(2 * s.bins)));
+  return even;
+}
+
+Stack stack(const Model& model, const Weights& weights) {
+  Stack result;
+  const std::vector<Index> first = first_columns(model);
+  result.coefficients = first.back();
+  result.first_row.push_back(0);
+  for (const VectorXd& weight : weights)
+    result.first_row.push_back(result.first_row.back() + weight.size());
+  result.a.resize(weights.size());
+  result.at.resize(weights.size());
+  result.y = VectorXd::Zero(result.first_row.back());
+  for (std::size_t s = 0; s < weights.size(); ++s) {
+    const Index rows = weights[s].size();
+    if (rows == 0) continue;
+    result.y.segment(result.first_row[s], rows) = weights[s].cwiseProduct(model.target[s]);
+    for (std::size_t t = 0; t < model.terms.size(); ++t)
+      for (Index c = 0; c < model.terms[t].columns[s].cols(); ++c)
+        result.at[s].push_back(first[t] + c);
+    result.a[s].resize(rows, static_cast<Index>(result.at[s].size()));
+    Index place = 0;
+    for (const Term& term : model.terms) {
+      const MatrixXd& part = term.columns[s];
+      if (part.cols() == 0) continue;
+      result.a[s].middleCols(place, part.cols()) = weights[s].asDiagonal() * part;
+      place += part.cols();
+    }
+  }
+  return result;
+}
+
+MatrixXd Stack::dense() const {
+  MatrixXd all = MatrixXd::Zero(first_row.back(), coefficients);
+  for (std::size_t s = 0; s < a.size(); ++s)
+    for (std::size_t c = 0; c < at[s].size(); ++c)
+      all.col(at[s][c]).segment(first_row[s], a[s].rows()) = a[s].col(static_cast<Index>(c));
+  return all;
+}
+
+MatrixXd Stack::gram() const {
+  MatrixXd sum = MatrixXd::Zero(coefficients, coefficients);
+  for (std::size_t s = 0; s < a.size(); ++s)
+    if (!at[s].empty()) sum(at[s], at[s]) += a[s].transpose() * a[s];
+  return sum;
+}
+
+MatrixXd scaled_pseudo_inverse(const MatrixXd& gram, double tolerance) {
+  if (gram.size() == 0) return gram;
+  const VectorXd scale =
+      gram.diagonal().unaryExpr([](double d) { return d > 0.0 ? 1.0 / std::sqrt(d) : 0.0; });
+  const MatrixXd unit = scale.asDiagonal() * gram * scale.asDiagonal();
+  // The decomposition takes ten times as long and is for what is nearly dependent.
+  const Eigen::LLT<MatrixXd> factor(unit);
+  if (factor.info() == Eigen::Success && factor.rcond() > 1e3 * tolerance) {
+    const MatrixXd half = factor.matrixL().solve(MatrixXd(scale.asDiagonal()));
+    return half.transpose() * half;
+  }
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(unit);
+  const double limit = tolerance * std::max(eigen.eigenvalues().maxCoeff(), 1e-300);
+  const VectorXd inverse =
+      eigen.eigenvalues().unaryExpr([limit](double e) { return e > limit ? 1.0 / e : 0.0; });
+  const MatrixXd v = scale.asDiagonal() * eigen.eigenvectors();
+  return v * inverse.asDiagonal() * v.transpose();
+}
+
+LinearFit solve(const Stack& stack) {
+  LinearFit fit;
+  fit.residual = stack.y;
+  fit.coefficients = VectorXd::Zero(stack.coefficients);
+  if (stack.coefficients > 0) {
+    fit.covariance = scaled_pseudo_inverse(stack.gram());
+    // Twice, for refinement: the normal equations square the condition number.
+    for (int round = 0; round < 2; ++round) {
+      VectorXd moment = VectorXd::Zero(stack.coefficients);
+      for (std::size_t s = 0; s < stack.a.size(); ++s)
+        if (!stack.at[s].empty())
+          moment(stack.at[s]) +=
+              stack.a[s].transpose() * fit.residual.segment(stack.first_row[s], stack.a[s].rows());
+      const VectorXd step = fit.covariance * moment;
+      fit.coefficients += step;
+      for (std::size_t s = 0; s < stack.a.size(); ++s)
+        if (!stack.at[s].empty())
+          fit.residual.segment(stack.first_row[s], stack.a[s].rows()) -=
+              stack.a[s] * step(stack.at[s]);
+    }
+  }
+  fit.deviance = fit.residual.squaredNorm();
+  return fit;
+}
+
+VectorXd predict(const std::vector<const BandColumns*>& columns, const VectorXd& coefficients,
+                 std::size_t segment) {
+  VectorXd sum;
+  Index at = 0;
+  for (const BandColumns* group : columns) {
+    Index wide = 0;
+    for (const MatrixXd& part : *group) wide = std::max(wide, part.cols());
+    const MatrixXd& part = (*group)[segment];
+    if (part.cols() > 0) {
+      if (sum.size() == 0) sum = VectorXd::Zero(part.rows());
+      sum += part * coefficients.segment(at, wide);
+    }
+    at += wide;
+  }
+  return sum;
+}
+
+std::vector<BandColumns> term_rates(const Design& design, const Model& model,
+                                    const Candidate* delay) {
+  std::vector<BandColumns> rates;
+  for (const Term& term : model.terms) {
+    bool wanted = false;
+    for (std::size_t s = 0; s < term.columns.size(); ++s)
+      wanted |=
+          term.columns[s].cols() > 0 && (!delay || delays(*delay, design.segments()[s].channel));
+    // A delay's own rate is second order.
+    if (wanted && term.candidate->kind != CandidateKind::delay) {
+      rates.push_back(design.columns(*term.candidate, term.nonlinear, 1));
+      continue;
+    }
+    BandColumns none = term.columns;  // keeps the coefficient's place
+    for (MatrixXd& part : none) part.setZero();
+    rates.push_back(std::move(none));
+  }
+  return rates;
+}
+
+BandColumns prediction_rate(const Design& design, const Model& model,
+                            const std::vector<BandColumns>& rates, const VectorXd& coefficients,
+                            const Candidate& delay) {
+  std::vector<const BandColumns*> all;
+  for (const BandColumns& rate : rates) all.push_back(&rate);
+  BandColumns result(design.segments().size());
+  for (std::size_t s = 0; s < result.size(); ++s) {
+    const int channel = design.segments()[s].channel;
+    if (!delays(delay, channel)) continue;
+    result[s] = predict(all, coefficients, s);
+    const auto add = [&](const VectorXd& rate) {
+      if (result[s].size() == 0)
+        result[s] = rate;
+      else
+        result[s] += rate;
+    };
+    if (const std::optional<VectorXd> known = design.known(static_cast<int>(s), 1)) add(*known);
+    if (!model.fixed.rate.empty()) add(model.fixed.rate[s]);
+  }
+  return result;
+}
+
+}  // namespace sinew::diagnosis

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Generalised least squares over whitened band columns, and the model it is done for.
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "identification/regression/design.h"
+
+namespace sinew::diagnosis {
+
+/// A group that takes part in the fit, at given nonlinear parameters.
+struct Term {
+  const Candidate* candidate = nullptr;
+  bool baseline = false;
+  Eigen::VectorXd nonlinear;
+  BandColumns columns;   ///< unwhitened
+  double freedom = 0.0;  ///< levels only: effective number of parameters
+  int level = -1;        ///< index into the problem's levels
+};
+
+/// What a model says with coefficients that are not fitted, per segment in the band.
+struct FixedPart {
+  std::vector<Eigen::VectorXd> value, rate;  ///< empty: nothing
+};
+
+/// Baseline terms and accepted causes. A delay's term holds the model's time derivative; what it
+/// has found so far is in `advance`: the target is taken that much later than the model's time.
+struct Model {
+  std::vector<Term> terms;
+  std::vector<double> advance;          ///< s, per segment
+  std::vector<Eigen::VectorXd> target;  ///< in the band, at that advance, less what is fixed
+  FixedPart fixed;
+};
+
+/// Per segment: what each band row is multiplied with, 1 / the noise's (damped) standard deviation
+/// there. Empty for held-out logs.
+using Weights = std::vector<Eigen::VectorXd>;
+/// 1 everywhere in the training logs.
+Weights even_weights(const Design& design);
+
+/// Whitened band rows stacked over segments. Most terms act on few segments, so each segment keeps
+/// only the columns that act there.
+struct Stack {
+  std::vector<Eigen::MatrixXd> a;             ///< per segment: its rows x its columns
+  std::vector<std::vector<Eigen::Index>> at;  ///< per segment: the columns' coefficients, ascending
+  Eigen::VectorXd y;                          ///< all rows
+  std::vector<Eigen::Index> first_row;        ///< of each segment, and the total at the end
+  Eigen::Index coefficients = 0;
+  Eigen::MatrixXd dense() const;  ///< all rows x all coefficients
+  Eigen::MatrixXd gram() const;   ///< dense()' dense()
+};
+
+/// Result of a fit. Coefficients follow the terms, each term's as Design::coefficients lists them.
+struct LinearFit {
+  Eigen::VectorXd coefficients;
+  Eigen::MatrixXd covariance;  ///< pseudo-inverse of the whitened normal matrix
+  Eigen::VectorXd residual;    ///< whitened, stacked
+  double deviance = 0.0;       ///< residual' residual
+};
+
+/// Column of each term's first coefficient, and the total at the end.
+std::vector<Eigen::Index> first_columns(const Model& model);
+
+/// Moves a segment's target against the model's time.
+void set_advance(const Design& design, std::size_t segment, double advance, Model& model);
+
+/// Whitened training rows of all terms and the target.
+Stack stack(const Model& model, const Weights& weights);
+
+/// Least squares; columns that are zero or linearly dependent get the minimum-norm coefficients.
+LinearFit solve(const Stack& stack);
+
+/// Symmetric pseudo-inverse after scaling to a unit diagonal; relative eigenvalues below
+/// `tolerance` count as zero.
+Eigen::MatrixXd scaled_pseudo_inverse(const Eigen::MatrixXd& gram, double tolerance = 1e-10);
+
+/// Model prediction of one segment in the band (derivative columns as given in `columns`).
+Eigen::VectorXd predict(const std::vector<const BandColumns*>& columns,
+                        const Eigen::VectorXd& coefficients, std::size_t segment);
+
+/// Time derivative of every term's columns where `delay` acts (null: everywhere).
+std::vector<BandColumns> term_rates(const Design& design, const Model& model,
+                                    const Candidate* delay = nullptr);
+
+/// Time derivative of the model's prediction: the column a delay is linearised with. `rates`: of
+/// term_rates().
+BandColumns prediction_rate(const Design& design, const Model& model,
+                            const std::vector<BandColumns>& rates,
+                            const Eigen::VectorXd& coefficients, const Candidate& delay);
+
+}  // namespace sinew::diagnosis

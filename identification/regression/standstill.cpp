@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "identification/regression/standstill.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace sinew::diagnosis {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+using Flags = Eigen::ArrayX<bool>;
+
+constexpr double kStill = 5e-4;      // of the largest speed
+constexpr double kUnderWay = 1e-2;   // of the largest speed
+constexpr double kShortest = 0.04;   // s; a reversal is over sooner
+constexpr double kLongestWay = 0.1;  // s; after that slow motion is motion
+constexpr double kSmoothing = 1.2;  // periods of the smoother's cutoff that it reaches to each side
+constexpr double kReversal = 0.36;  // periods that one of 60 Hz spreads a reversal over
+constexpr double kFlank = 0.02;     // s
+constexpr double kMost = 0.7;       // of a log
+
+/// From the end of rest to where the joint is under way: in samples, forwards or backwards.
+Index way_out(const VectorXd& speed, Index at, Index direction, Index longest, double fast) {
+  Index way = 0;
+  while (way < longest && at + direction * way >= 0 && at + direction * way < speed.size() &&
+         speed(at + direction * way) < fast)
+    ++way;
+  return way;
+}
+
+/// Periods of the cutoff within which a reversal is smeared by more than noise: more where samples
+/// are sparse, since all that is compared lies below a lower cutoff, where friction's turn is
+/// large.
+double periods_of_reversal(double cutoff) {
+  return std::min(kSmoothing, kReversal * std::sqrt(60.0 / std::min(cutoff, 60.0)));
+}
+
+/// Samples within a smoother's reach of a reversal: where friction turns, and with it the motion,
+/// a log shows their sum over that time and not their course.
+Flags reversing(const VectorXd& velocity, double step, double cutoff) {
+  const auto reach = static_cast<Index>(std::ceil(periods_of_reversal(cutoff) / (cutoff * step)));
+  const VectorXd speed = velocity.cwiseAbs();
+  const double fast = kUnderWay * speed.maxCoeff();
+  const auto longest = static_cast<Index>(kLongestWay / step);
+  Flags near = Flags::Constant(velocity.size(), false);
+  for (Index k = 1; k < velocity.size(); ++k) {
+    if ((velocity(k) > 0.0) == (velocity(k - 1) > 0.0)) continue;
+    const Index from = std::max<Index>(0, k - reach - way_out(speed, k - 1, -1, longest, fast));
+    const Index to = std::min(speed.size(), k + reach + way_out(speed, k, 1, longest, fast));
+    near.segment(from, to - from) = true;
+  }
+  return near;
+}
+
+/// Samples of rest, each stretch of them with the way into and out of it.
+Flags resting(const VectorXd& velocity, double step, double cutoff) {
+  const VectorXd speed = velocity.cwiseAbs();
+  const double fastest = speed.maxCoeff();
+  const auto shortest = static_cast<Index>(std::ceil(kShortest / step));
+  const auto longest = static_cast<Index>(kLongestWay / step);
+  const auto smoothing = static_cast<Index>(std::ceil(kSmoothing / (cutoff * step)));
+  Flags rest = Flags::Constant(speed.size(), false);
+  for (Index k = 0; k < speed.size();) {
+    Index end = k;
+    while (end < speed.size() && speed(end) < kStill * fastest) ++end;
+    if (end - k >= shortest) {
+      const double fast = kUnderWay * fastest;
+      const Index before = smoothing + way_out(speed, k, -1, longest, fast);
+      const Index after = smoothing + way_out(speed, end - 1, 1, longest, fast);
+      const Index from = std::max<Index>(0, k - before);
+      rest.segment(from, std::min(speed.size(), end + after) - from) = true;
+    }
+    k = end + 1;
+  }
+  return rest;
+}
+
+bool too_many(const Flags& flags) {
+  return static_cast<double>(flags.count()) > kMost * static_cast<double>(flags.size());
+}
+
+std::vector<Standstill> stretches(const Flags& flags, const VectorXd& time) {
+  std::vector<Standstill> found;
+  for (Index k = 0; k < flags.size(); ++k) {
+    if (!flags(k)) continue;
+    if (k == 0 || !flags(k - 1)) found.push_back({time(k), time(k)});
+    found.back().to = time(k);
+  }
+  return found;
+}
+
+}  // namespace
+
+std::vector<Standstill> find_standstills(const VectorXd& time,
+                                         const std::vector<VectorXd>& velocities, double cutoff) {
+  if (time.size() < 2) return {};
+  const double step = (time(time.size() - 1) - time(0)) / static_cast<double>(time.size() - 1);
+  Flags rest = Flags::Constant(time.size(), false);
+  for (const VectorXd& velocity : velocities) rest = rest || resting(velocity, step, cutoff);
+  const Flags all = rest || reversing(velocities.front(), step, cutoff);
+  if (!too_many(all)) return stretches(all, time);
+  return too_many(rest) ? std::vector<Standstill>{} : stretches(rest, time);
+}
+
+std::vector<Standstill> overlapping(const std::vector<Standstill>& stretches,
+                                    const std::vector<Standstill>& others) {
+  std::vector<Standstill> kept;
+  for (const Standstill& own : stretches)
+    if (std::any_of(others.begin(), others.end(), [&](const Standstill& other) {
+          return other.from <= own.to && own.from <= other.to;
+        }))
+      kept.push_back(own);
+  return kept;
+}
+
+VectorXd motion_window(const std::vector<Standstill>& stretches, const VectorXd& time) {
+  VectorXd window = VectorXd::Ones(time.size());
+  for (Index k = 0; k < time.size(); ++k)
+    for (const Standstill& rest : stretches) {
+      const double away = std::max(rest.from - time(k), time(k) - rest.to) / kFlank;
+      if (away >= 1.0) continue;
+      window(k) *= away <= 0.0 ? 0.0 : 0.5 - 0.5 * std::cos(std::numbers::pi * away);
+    }
+  return window;
+}
+
+}  // namespace sinew::diagnosis

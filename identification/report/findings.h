@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Everything a diagnosis found, as plain data: the report and findings.json are made from this
+// alone.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "identification/diagnosis/verdict.h"
+
+namespace sinew::diagnosis {
+
+/// A log that took part.
+struct LogRecord {
+  std::string file, sha256;
+  bool held_out = false;
+  long rows = 0;
+  double seconds = 0.0;
+  double period = 0.0;              ///< s, of the samples that were used
+  std::vector<std::string> faults;  ///< "file:row:column: what; what was done"
+};
+
+/// One curve or cloud of points.
+struct Series {
+  std::string label;  ///< "measured", "model before", "model after", "noise floor", ...
+  std::vector<double> x, y;
+  bool points = false;
+};
+
+/// A picture of one channel. kind: "time", "velocity", "position", "load", "spectrum", "loop".
+struct Plot {
+  std::string kind, title, x_label, y_label;  ///< labels with units
+  std::string caption;                        ///< one sentence: what to see here
+  bool logarithmic = false;                   ///< both axes
+  std::vector<Series> series;
+};
+
+/// The error in one domain, model before and after, on the held-out logs where there are any (the
+/// training logs otherwise). domain: "force" (inverse dynamics), "window" (short-window
+/// prediction of the motion), "open loop".
+struct DomainError {
+  std::string domain, unit;
+  double before = 0.0, after = 0.0;  ///< rms
+  Gain gain;                         ///< of the mean square, 95 % by blocks
+};
+
+/// What the model gets wrong on one measured channel.
+struct ChannelFinding {
+  std::string name, unit;  ///< as in the log, "tau_m", "N*m"
+  double measured_rms = 0.0;
+  double noise_floor = 0.0;         ///< rms that no model can explain
+  double unexplained_before = 0.0;  ///< share of the variance, 0..1
+  double unexplained_after = 0.0;
+  std::vector<DomainError> domains;
+  std::vector<Plot> plots;  ///< the ones that carry the verdict first
+};
+
+/// The symbolic term of a cause.
+struct CauseTerm {
+  int cause = 0;             ///< index into verdict.causes
+  std::string mathml;        ///< <math> element: effort = ...
+  std::string text;          ///< the same on one line, plain text
+  std::string signature;     ///< what it looks like in the residual
+  std::string excitation;    ///< what has to happen for it to be seen
+  std::string effect;        ///< identifier in symbolic/effects, as identified.toml has it
+  bool compensable = false;  ///< whether the firmware's compensation takes it up
+};
+
+/// What became of the model.
+struct Extension {
+  bool adopted = false;
+  bool dry_run = false;
+  std::string reason;        ///< why adopted or not, in one sentence
+  std::string model_folder;  ///< where the extended model was written, empty where it was not
+  std::vector<std::string> functions;               ///< emitted functions that are new or changed
+  int operations_before = 0, operations_after = 0;  ///< of the force model
+};
+
+struct Findings {
+  std::string model, description, model_hash;
+  std::string kind;  ///< "rotary drive", "robot", "finger", "lever", "wrist"
+  std::vector<LogRecord> logs;
+  std::vector<ChannelFinding> channels;
+  Verdict verdict;
+  std::vector<CauseTerm> terms;
+  Extension extension;
+  std::string headline;   ///< one sentence a person understands
+  std::string next_step;  ///< what to do now
+  double seconds = 0.0;   ///< time the diagnosis took
+};
+
+}  // namespace sinew::diagnosis

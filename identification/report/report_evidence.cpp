@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "identification/report/report_numbers.h"
+#include "identification/report/report_page.h"
+#include "identification/report/report_sections.h"
+#include "identification/report/report_wording.h"
+#include "symbolic/notation/print_mathml.h"
+
+namespace sinew::diagnosis {
+namespace {
+
+std::string parameter_table(const std::vector<ParameterEstimate>& parameters,
+                            const std::string& caption) {
+  bool per_log = false;
+  for (const ParameterEstimate& p : parameters) per_log = per_log || !p.log.empty();
+  std::vector<std::string> headings = {"Parameter", "#Value ± standard error"};
+  if (per_log) headings.push_back("Holds for");
+  Table table(headings, caption, true);
+  for (const ParameterEstimate& p : parameters)
+    table.row(
+        {"<math>" + mathml_name(p.name) + "</math>",
+         p.is_felt() ? escaped(shown_estimate(p.value, p.standard_error, p.unit))
+                     : "not felt in these logs",
+         p.log.empty() ? "every log" : "<span class=\"mono\">" + escaped_name(p.log) + "</span>"});
+  return table.empty() ? "" : table.html();
+}
+
+std::string term(const Findings& findings, const CauseTerm& term) {
+  const auto index = static_cast<std::size_t>(term.cause);
+  if (term.cause < 0 || index >= findings.verdict.causes.size()) return "";
+  const NamedCause& cause = findings.verdict.causes[index];
+  const std::string place = place_of(cause);
+  const std::string name = cause.members.empty() ? title_of(cause) : cause.members.front().name;
+  std::string text = "<div class=\"term card\"><h3>" + escaped(capitalised(name)) +
+                     (place.empty() ? "" : " <span class=\"soft\">" + escaped(place) + "</span>") +
+                     "</h3>\n";
+  if (cause.members.size() > 1)
+    text +=
+        "<p class=\"small soft\">The likeliest of the set; the others have terms of their "
+        "own.</p>\n";
+  text += term.mathml.empty() ? "<p class=\"mono\">" + escaped(term.text) + "</p>\n"
+                              : "<div class=\"math\" tabindex=\"0\" role=\"group\" aria-label=\"" +
+                                    escaped(term.text) + "\">" + term.mathml + "</div>\n";
+  text += "<div class=\"sides\"><div>" + parameter_table(cause.parameters, "") + "</div>\n<div>";
+  if (!term.signature.empty())
+    text += "<p><b>Looks like:</b> " + escaped(term.signature) + ".</p>\n";
+  if (!term.excitation.empty())
+    text += "<p><b>Shows in:</b> " + escaped(term.excitation) + ".</p>\n";
+  text += "<p class=\"small soft\">";
+  if (!term.effect.empty()) text += "Entry <code>" + escaped(term.effect) + "</code>. ";
+  text += term.compensable ? "The firmware's compensation can take it up."
+                           : "The firmware cannot compensate it from what it measures; the "
+                             "simulation has it.";
+  return text + "</p></div></div></div>\n";
+}
+
+Table member_table(const NamedCause& cause) {
+  Table table({"Explanation", "Place", "#Likelihood among rivals", "#Behind the best",
+               "#Paired difference / error", "#Correlation with the best"});
+  for (const RankedCause& m : cause.members)
+    table.row({escaped(m.name), escaped(m.place), shown_share(m.weight), shown_number(m.behind),
+               m.behind > 0.0 ? shown_number(m.paired_z, 2) : "–", shown_number(m.correlation)});
+  return table;
+}
+
+std::string found(const Findings& findings) {
+  Table table({"Cause", "Place", "#Confidence", "#Evidence", "#Chance of a false name",
+               "#Gain on left-out blocks", "#Gain on held-out logs"},
+              "Evidence is the drop of the noise-weighted misfit that the cause alone brings.");
+  for (const NamedCause& c : findings.verdict.causes)
+    table.row({escaped(title_of(c)), escaped(place_of(c)), escaped(shown_confidence(c.confidence)),
+               shown_number(c.statistic), escaped(shown_probability(c.p_family)),
+               shown_share(c.cross_validated.share),
+               has_held_out(findings) ? shown_share(c.held_out.share) : "–"});
+  return table.empty() ? "" : "<h3>Found</h3>\n" + table.html();
+}
+
+std::string sets(const Findings& findings) {
+  std::string text;
+  for (const NamedCause& c : findings.verdict.causes)
+    if (c.members.size() > 1)
+      text += "<h3>Cannot tell apart: " + escaped(title_of(c)) + "</h3>\n<p class=\"settle\">" +
+              escaped(separation_of(c)) + "</p>\n" + member_table(c).html();
+  return text;
+}
+
+std::string ruled_out(const Verdict& verdict) {
+  if (verdict.ruled_out.empty()) return "";
+  Table table({"Cause", "Place", "Why not", "#Evidence on top", "#By chance"});
+  for (const RuledOut& r : verdict.ruled_out)
+    table.row({escaped(r.name), escaped(r.place), escaped(r.reason), shown_number(r.statistic),
+               escaped(shown_probability(r.p_family))});
+  return "<h3>Ruled out</h3>\n<p>Every cause below was asked for as well, on top of the final "
+         "model.</p>\n" +
+         (verdict.ruled_out.size() > 12 ? folded("All " + std::to_string(verdict.ruled_out.size()) +
+                                                     " causes that were ruled out",
+                                                 table.html())
+                                        : table.html());
+}
+
+std::string withdrawn(const Unexplained& rest) {
+  if (rest.withdrawn.empty()) return "";
+  std::string items;
+  for (const std::string& name : rest.withdrawn) items += "<li>" + escaped(name) + "</li>";
+  return "<p>Named at first and taken back, because it only stood in for this structure:</p><ul>" +
+         items + "</ul>\n";
+}
+
+}  // namespace
+
+std::string term_section(const Findings& findings) {
+  std::string text;
+  for (const CauseTerm& each : findings.terms) text += term(findings, each);
+  return section("terms", "What was missing, as an equation", text);
+}
+
+std::string ranking_section(const Findings& findings) {
+  return section("ranking", "Why these causes and no others",
+                 found(findings) + sets(findings) + ruled_out(findings.verdict));
+}
+
+std::string unexplained_section(const Findings& findings) {
+  const Unexplained& rest = findings.verdict.unexplained;
+  std::string text = "<p>" + escaped(leftover_of(findings.verdict)) + "</p>\n";
+  Table table({"Depends on", "Place", "#By chance", "#Squared error a free curve takes away"});
+  for (const Dependence& d : rest.depends_on)
+    table.row({escaped(shown_dependence(d.on)), escaped(d.place),
+               escaped(shown_probability(d.p_family)),
+               shown_share(d.gain.share) + " <span class=\"soft\">(" + shown_interval(d.gain) +
+                   ")</span>"});
+  if (!table.empty()) text += table.html();
+  text += withdrawn(rest);
+  if (!findings.verdict.causes.empty() || rest.none_of_the_known)
+    text += fmt::format(
+        "<p class=\"soft\">Of all structure that was found, named causes account for "
+        "{}; {} of the cross-validated misfit remains, noise included.</p>\n",
+        shown_share(rest.named_share), shown_share(rest.remaining));
+  return section("unexplained", "What is still unexplained", text);
+}
+
+}  // namespace sinew::diagnosis

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "identification/report/report_text.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "identification/report/report_numbers.h"
+#include "identification/report/report_wording.h"
+
+namespace sinew::diagnosis {
+namespace {
+
+constexpr std::size_t kWidth = 100, kLabel = 11;
+
+std::size_t width_of(const std::string& text) {
+  return static_cast<std::size_t>(
+      std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
+}
+
+std::string padded(std::string text, std::size_t width) {
+  while (width_of(text) < width) text += ' ';
+  return text;
+}
+
+/// A word alone on its line that is still too long.
+std::string shortened(std::string word, std::size_t width) {
+  if (width_of(word) <= width) return word;
+  while (width_of(word) > width - 1) {
+    while ((word.back() & 0xC0) == 0x80) word.pop_back();
+    word.pop_back();
+  }
+  return word + "…";
+}
+
+/// `label` in a column of its own, the text wrapped beside it in at most `most` lines.
+class Page {
+ public:
+  void add(const std::string& label, const std::string& text, std::size_t most,
+           std::size_t indent = kLabel) {
+    std::string line = padded(label, indent);
+    std::size_t lines = 1, begin = 0;
+    while (begin < text.size()) {
+      const std::size_t end = std::min(text.find_first_of(" \n", begin), text.size());
+      const std::string word = shortened(text.substr(begin, end - begin), kWidth - indent);
+      begin = end + 1;
+      if (word.empty()) continue;
+      const bool first = width_of(line) <= indent;
+      if (first || width_of(line) + 1 + width_of(word) <= kWidth - (lines == most ? 2 : 0)) {
+        line += (first ? "" : " ") + word;
+        continue;
+      }
+      if (lines == most) {
+        line += " …";
+        break;
+      }
+      put(line);
+      line = std::string(indent, ' ') + word;
+      ++lines;
+    }
+    put(line);
+  }
+  void gap() { text_ += "\n"; }
+  const std::string& text() const { return text_; }
+
+ private:
+  void put(const std::string& line) {
+    text_ += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
+  }
+  std::string text_;
+};
+
+std::string logs_of(const Findings& findings) {
+  const auto held =
+      static_cast<std::size_t>(std::count_if(findings.logs.begin(), findings.logs.end(),
+                                             [](const LogRecord& log) { return log.held_out; }));
+  std::string text = counted(findings.logs.size(), "log", "logs");
+  if (held) text += ", " + std::to_string(held) + " held out";
+  return text;
+}
+
+std::string error_of(const Findings& findings) {
+  const Verdict& v = findings.verdict;
+  std::string text = shown_percent(v.relative_error_before);
+  if (v.causes.empty()) return text + " of what was measured";
+  text += " → " + shown_percent(v.relative_error_after) + " of what was measured";
+  if (!has_held_out(findings)) return text;
+  return text + "; on " + measured_on(findings) + " the squared error " +
+         (v.held_out.share < 0.0 ? "rises by " : "falls by ") +
+         shown_share(std::abs(v.held_out.share)) + " (" + shown_interval(v.held_out) + ")";
+}
+
+std::string parameters_of(const NamedCause& cause) {
+  std::string text;
+  for (const ParameterEstimate& p : cause.parameters) {
+    if (!p.log.empty() || !p.is_felt()) continue;
+    text += (text.empty() ? "" : ", ") + p.name + " " +
+            shown_estimate(p.value, p.standard_error, p.unit);
+  }
+  return text;
+}
+
+void add_cause(Page& page, const Findings& findings, const NamedCause& cause, std::size_t index) {
+  const std::string label = index == 0 ? "Missing" : "";
+  const std::string place = place_of(cause);
+  page.add(label,
+           std::to_string(index + 1) + ". " + title_of(cause) +
+               (place.empty() ? "" : ", " + place) + ": " + shown_confidence(cause.confidence) +
+               " sure, takes away " + shown_share(gain_of(findings, cause).share) + " (" +
+               shown_interval(gain_of(findings, cause)) + ")",
+           2);
+  const std::string second = cause.members.size() > 1 ? separation_of(cause) : parameters_of(cause);
+  if (!second.empty()) page.add("", second, cause.members.size() > 1 ? 2 : 1, kLabel + 3);
+}
+
+void add_causes(Page& page, const Findings& findings, std::size_t most) {
+  const auto& causes = findings.verdict.causes;
+  for (std::size_t i = 0; i < std::min(most, causes.size()); ++i)
+    add_cause(page, findings, causes[i], i);
+  if (causes.size() > most)
+    page.add("", "and " + std::to_string(causes.size() - most) + " more in the report", 1);
+}
+
+std::string ruled_out_of(const Verdict& verdict) {
+  std::string text;
+  constexpr std::size_t kMost = 2;
+  const auto& all = verdict.ruled_out;
+  for (std::size_t i = 0; i < std::min(kMost, all.size()); ++i)
+    text += (i ? "; " : "") + all[i].name + " (" + all[i].reason + ")";
+  if (all.size() > kMost) text += "; " + std::to_string(all.size() - kMost) + " more in the report";
+  return text;
+}
+
+std::string model_of(const Extension& extension) {
+  const std::string state = extension.adopted   ? "extended"
+                            : extension.dry_run ? "unchanged (dry run)"
+                                                : "unchanged";
+  return extension.reason.empty() ? state : state + ": " + extension.reason;
+}
+
+/// With at most so many causes.
+std::string page_of(const Findings& findings, std::size_t most) {
+  const Verdict& verdict = findings.verdict;
+  const std::vector<std::string> faults = faults_of(findings);
+  Page page;
+  page.add("", headline_of(findings), 3, 0);
+  page.gap();
+  page.add("Model",
+           findings.model + (findings.kind.empty() ? "" : ", " + findings.kind) + " · " +
+               logs_of(findings),
+           1);
+  page.add("Error", error_of(findings), 2);
+  add_causes(page, findings, most);
+  if (!verdict.ruled_out.empty()) page.add("Ruled out", ruled_out_of(verdict), 2);
+  page.add("Left over", leftover_of(verdict), 2);
+  if (!faults.empty())
+    page.add("Log faults", std::to_string(faults.size()) + ", the first: " + faults.front(), 2);
+  if (!findings.extension.reason.empty() || findings.extension.adopted)
+    page.add("Extension", model_of(findings.extension), 2);
+  if (!findings.next_step.empty()) page.add("Next", findings.next_step, 2);
+  return page.text();
+}
+
+}  // namespace
+
+std::string report_text(const Findings& findings) {
+  constexpr std::ptrdiff_t kLines = 25;
+  std::string text;
+  for (std::size_t most = 4; most > 0; --most) {
+    text = page_of(findings, most);
+    if (std::count(text.begin(), text.end(), '\n') <= kLines) break;
+  }
+  return text;
+}
+
+}  // namespace sinew::diagnosis

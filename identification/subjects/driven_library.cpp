@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What may be named at driven joints: the baseline's terms and the candidates beside them.
+#include <fmt/format.h>
+
+#include <numbers>
+
+#include "identification/subjects/driven_subject.h"
+#include "identification/subjects/effect_candidate.h"
+#include "identification/regression/flexible_families.h"
+#include "identification/subjects/model_candidates.h"
+#include "identification/regression/position_noise.h"
+#include "symbolic/effects/effects.h"
+
+namespace sinew::diagnosis {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+// What fast effects have to explain where all fast motion is noise of the position.
+constexpr double kFastShare = 0.2;
+
+VectorXd number(double value) {
+  return VectorXd::Constant(1, value);
+}
+
+}  // namespace
+
+/// What acts on several joints at once.
+void DrivenSubject::add_mechanism_candidates() {
+  const auto take = [&](Candidate candidate, CandidateOrigin origin) {
+    problem_.library.push_back(std::move(candidate));
+    library_.push_back(std::move(origin));
+  };
+  if (model_.joints.size() > 1) take(common_delay_candidate(), {"delay", 0, {}, {}, true});
+  if (rigid_)
+    for (Candidate& c : rigid_->candidates()) {
+      const std::string effect = c.place == "base" ? "gravity"
+                                 : c.unlikely      ? "inertial_parameters"
+                                                   : "payload";
+      if (effect == "payload" && is_lone_link()) {
+        add_free_payload(std::move(c));
+        continue;
+      }
+      // A lone link's payloads and offset make every weight that a leaning base would.
+      if (effect == "gravity" && model_.joints.size() == 1) c.unlikely = true;
+      take(std::move(c), {effect, 0, {}, {}});
+    }
+  if (tendons_)
+    for (TendonColumns::AtTendon& each : tendons_->candidates())
+      take(std::move(each.candidate), {each.effect, 0, {}, each.place});
+}
+
+/// A gain, a leaning base and a payload all make another weight of a lone joint: which of them it
+/// is shows against the model's values alone, the moment of inertia among them.
+void DrivenSubject::add_free_payload(Candidate payload) {
+  for (LinearParameter& p : payload.linear) {
+    p.low = -std::numeric_limits<double>::infinity();
+    p.nominal = 0.0;
+  }
+  problem_.baseline.push_back(std::move(payload));
+  baseline_.push_back({"payload", 0, {}, {}});
+}
+
+void DrivenSubject::add_baseline(std::size_t joint) {
+  const EffectPlace where{static_cast<int>(joint), place(joint), model_.joints[joint].revolute};
+  std::vector<const char*> terms{"inertia", "viscous_level", "coulomb_level", "offset"};
+  // How friction turns is no cause by itself, and must not pass for one.
+  terms.push_back(bristle_[joint] ? "soft_reversal" : "late_reversal");
+  for (const char* id : terms) {
+    const std::string effect =
+        id == std::string("coulomb_level") && bristle_[joint] ? "presliding" : id;
+    Candidate c = effect_candidate(find_effect(effect), where, scale(joint));
+    for (LinearParameter& p : c.linear) {
+      if (effect == "soft_reversal" || effect == "late_reversal") continue;
+      p.low = -std::numeric_limits<double>::infinity();
+      p.nominal = effect == "presliding" ? model_.joints[joint].friction : 0.0;
+    }
+    problem_.baseline.push_back(std::move(c));
+    baseline_.push_back({effect, joint, {}, {}});
+  }
+}
+
+void DrivenSubject::add(const std::string& effect, std::size_t joint, const std::string& name,
+                        const VectorXd& fixed, CandidateKind kind) {
+  const EffectPlace where{static_cast<int>(joint), place(joint), model_.joints[joint].revolute};
+  Candidate c = effect_candidate(find_effect(effect), where, scale(joint),
+                                 fixed.size() ? std::optional(fixed) : std::nullopt);
+  if (!name.empty()) c.name = name;
+  c.kind = kind;
+  // Impacts are as short as a sample; what they leave in the band is enough.
+  c.broadband = c.name == find_effect("inertial_backlash").name;
+  if ((c.broadband || c.name == find_effect("gear_elasticity").name) &&
+      noise_of_position(training(), static_cast<Index>(joint)))
+    c.least_share = kFastShare;
+  if (find_effect(effect).links_react) let_others_react(joint, c);
+  if (kind == CandidateKind::decoy) c.depends_on = "position, periodic at no known order";
+  problem_.library.push_back(std::move(c));
+  library_.push_back({kind == CandidateKind::decoy ? "" : effect, joint, fixed, {}});
+}
+
+void DrivenSubject::add_library(std::size_t joint) {
+  for (const char* effect :
+       {"viscous_asymmetry", "coulomb_asymmetry", "stribeck", "concave_friction", "concave_power",
+        "quadratic_friction", "friction_drift", "offset_drift"})
+    add(effect, joint);
+  const LogScale s = scale(joint);
+  if (s.load > 0.0 || carries_links(joint)) add("load_friction", joint);
+  if (!tendon_driven(joint)) add_gear(joint);
+  if (model_.joints[joint].motor) return;
+  // A joint carries cables and springs; a motor's own shaft does not.
+  add("position_friction", joint);
+  add("torsion_spring", joint);
+  const Eigen::Vector2d range(0.5 * (s.low + s.high), 0.5 * (s.high - s.low));
+  const auto add_cable = [&](const char* effect) {
+    add(effect, joint, {}, range);
+    problem_.library.back().contains = find_effect("offset").name;
+  };
+  add_cable("cable_torque");
+  // A cubic is near the weight that a link carries over a part of a turn.
+  if (!carries_links(joint)) add_cable("cable_torque_cubic");
+}
+
+/// A joint that tendons pull has no gear, and its effort is what they pull with.
+void DrivenSubject::add_gear(std::size_t joint) {
+  // A spring shows in the fourth derivative of the position. Where the motion has none worth
+  // mentioning, that is the position's noise, and so is part of what the inertia leaves over.
+  constexpr double kMostlyNoise = 0.5;
+  const double noise = noise_of_jounce(training(), static_cast<Index>(joint), quantum_[joint]);
+  const bool links = carries_links(joint);
+  if (noise < kMostlyNoise)
+    for (const char* effect : {"elasticity", "resonance"})
+      add((links ? "link_" : "gear_") + std::string(effect), joint);
+  if (links) return add("link_backlash", joint);
+  add("inertial_backlash", joint);
+  if (scale(joint).load > 0.0) add("loaded_backlash", joint);
+}
+
+/// Where the model does not say how far a turn of the motor moves the joint.
+void DrivenSubject::add_ripple_of_any_period(std::size_t joint) {
+  const EffectPlace where{static_cast<int>(joint), place(joint), model_.joints[joint].revolute};
+  Candidate c = effect_candidate(find_effect("ripple"), where, scale(joint));
+  const NonlinearParameter visible = visible_periods(ranges(joint));
+  NonlinearParameter& wavenumber = c.nonlinear.front();
+  wavenumber.low = 2.0 * std::numbers::pi * visible.low;
+  wavenumber.high = 2.0 * std::numbers::pi * visible.high;
+  wavenumber.grid = visible.grid;
+  wavenumber.logarithmic = false;
+  problem_.library.push_back(std::move(c));
+  library_.push_back({"ripple", joint, {}, {}});
+}
+
+void DrivenSubject::add_ripples(std::size_t joint) {
+  const auto orders = [&](double turn, const std::string& shaft) {
+    if (turn <= 0.0) return;
+    const double rate = 2.0 * std::numbers::pi / turn;
+    // A link that turns under gravity has its weight once a turn.
+    const bool weight = is_lone_link() && shaft == "output";
+    for (const int k : {1, 2, 3}) {
+      add("ripple", joint,
+          k == 1 ? fmt::format("ripple once per {} turn", shaft)
+                 : fmt::format("ripple {} times per {} turn", k, shaft),
+          number(rate * k));
+      problem_.library.back().unlikely = weight && k == 1;
+    }
+    for (const double k : {0.73, 1.37, 2.41})
+      add("ripple", joint, fmt::format("ripple off every order of the {}", shaft), number(rate * k),
+          CandidateKind::decoy);
+    if (scale(joint).load > 0.0 || carries_links(joint))
+      add("load_ripple", joint, fmt::format("ripple proportional to load, once per {} turn", shaft),
+          number(rate));
+  };
+  if (model_.joints[joint].motor_turn > 0.0)
+    orders(model_.joints[joint].motor_turn, "motor");
+  else
+    add_ripple_of_any_period(joint);
+  // An output that never makes a good part of a turn shows no order of its own.
+  const LogScale s = scale(joint);
+  if (s.high - s.low > 0.4 * model_.joints[joint].output_turn)
+    orders(model_.joints[joint].output_turn, "output");
+}
+
+void DrivenSubject::add_model_candidates(std::size_t joint) {
+  const EffectPlace where{static_cast<int>(joint), place(joint), model_.joints[joint].revolute};
+  const auto take = [&](Candidate candidate, const std::string& effect) {
+    problem_.library.push_back(std::move(candidate));
+    library_.push_back({effect, joint, {}, {}});
+  };
+  take(delay_candidate(where), "delay");
+  const std::vector<int> coupled = coupled_joints(joint);
+  take(sensor_low_pass_candidate(where, known_, coupled,
+                                 bristle_[joint] ? model_.joints[joint].friction : 0.0),
+       "sensor_low_pass");
+  take(sensor_hysteresis_candidate(where, known_, scale(joint)), "sensor_hysteresis");
+  if (coarse_sensor(joint)) {
+    take(sensor_quantisation_candidate(where, known_, coupled), "sensor_quantisation");
+    problem_.library.back().aside = fine_sensor(joint);
+  } else if (noise_of_position(training(), static_cast<Index>(joint))) {
+    take(sensor_noise_candidate(where, known_, coupled), "sensor_noise");
+    problem_.library.back().aside = true;
+  }
+  if (tendon_driven(joint))
+    take(pulley_radius_candidate(where.axis, where.name), "pulley_radius");
+  else if (!gain_is_only_level(joint))
+    take(torque_constant_candidate(where), "torque_constant");
+  if (moves_links(joint)) take(sensor_offset_candidate(where, known_, coupled), "sensor_offset");
+  // One joint's scale is a level too (driven_levels.cpp); here it meets what else bends friction.
+  take(sensor_scale_candidate(where, known_, coupled), "sensor_scale");
+  const int axis = static_cast<int>(joint);
+  for (auto* shapes : {flexible_families, local_decoys})
+    for (Candidate& c : shapes(ranges(joint), axis, axis)) {
+      c.place = place(joint);
+      take(std::move(c), "");
+    }
+}
+
+}  // namespace sinew::diagnosis

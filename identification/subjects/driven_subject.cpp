@@ -1,0 +1,273 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "identification/subjects/driven_subject.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numbers>
+
+#include "identification/regression/baseline.h"
+#include "identification/logs/dequantise.h"
+#include "identification/subjects/effect_candidate.h"
+#include "identification/regression/position_noise.h"
+#include "identification/regression/refine.h"
+#include "identification/diagnosis/select.h"
+#include "identification/regression/standstill.h"
+#include "identification/regression/trial.h"
+#include "symbolic/dynamics/dynamics_functions.h"
+#include "symbolic/effects/effects.h"
+#include "symbolic/extension/identified_mechanism.h"
+
+namespace sinew::diagnosis {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+MatrixXd columns_of(const sinew::Segment& segment, const std::vector<int>& channels) {
+  MatrixXd x(segment.samples.rows(), static_cast<Index>(channels.size()));
+  for (std::size_t c = 0; c < channels.size(); ++c)
+    x.col(static_cast<Index>(c)) = segment.samples.col(channels[c]).matrix();
+  return x;
+}
+
+/// Friction whose law over the velocity is not known is fitted as a whole: its level, known, is the
+/// baseline's nominal value.
+DrivenModel without_open_friction(DrivenModel model) {
+  for (DrivenJoint& joint : model.joints)
+    if (joint.friction_speed == 0.0) joint.friction = 0.0;
+  return model;
+}
+
+}  // namespace
+
+DrivenSubject::DrivenSubject(DrivenModel model, Identified identified,
+                             std::filesystem::path runtime,
+                             std::shared_ptr<const RigidColumns> rigid)
+    : model_(std::move(model)),
+      identified_(std::move(identified)),
+      runtime_(std::move(runtime)),
+      effort_(model_, identified_, runtime_),
+      known_(without_open_friction(model_), identified_, runtime_),
+      rigid_(std::move(rigid)) {
+  for (const DrivenJoint& joint : model_.joints) bristle_.push_back(joint.friction_speed == 0.0);
+  if (!model_.tendons.names.empty())
+    tendons_ = std::make_shared<const TendonColumns>(model_, runtime_);
+  presliding_.resize(bristle_.size(), 0.0);
+  quantum_.resize(bristle_.size(), 0.0);
+  rounded_again_.resize(bristle_.size(), false);
+  problem_.channels = static_cast<int>(bristle_.size());
+  problem_.shared_noise = tendons_ != nullptr;
+}
+
+EffortModel DrivenSubject::effort_with(const Identified& identified) const {
+  if (!rigid_) return {model_, identified, runtime_};
+  // What the model had learnt before is in its mechanism already.
+  Identified added = identified;
+  std::erase_if(added.effects, [&](const IdentifiedEffect& e) {
+    return std::any_of(identified_.effects.begin(), identified_.effects.end(),
+                       [&](const IdentifiedEffect& old) {
+                         return old.effect == e.effect && old.place == e.place;
+                       });
+  });
+  DrivenModel extended = model_;
+  const Mechanism mechanism = with_identified(rigid_->mechanism(), added);
+  extended.rigid = tendons_ ? tendon_driven_model(mechanism, model_.tendons.motor).rigid
+                            : inverse_dynamics_function(mechanism);
+  return {extended, identified, runtime_};
+}
+
+std::string DrivenSubject::place(std::size_t joint) const {
+  const DrivenJoint& driven = model_.joints[joint];
+  return driven.motor ? driven.name : "joint " + driven.name;
+}
+
+LogScale DrivenSubject::scale(std::size_t joint) const {
+  return scale_of(problem_.training, static_cast<int>(joint));
+}
+
+/// Joints: torques of the tendons' forces. Motors: what they measure themselves, their tendon a
+/// load.
+void DrivenSubject::add_tendon_forces(const MatrixXd& forces, const MatrixXd& efforts,
+                                      Recording& log) const {
+  log.signals["tension"] = forces;
+  tendons_->add_signals(log);
+  const MatrixXd torque = tendons_->joint_torque(log);
+  log.target.clear();
+  for (Index j = 0; j < torque.cols(); ++j) log.target.push_back(torque.col(j));
+  for (Index i = 0; i < efforts.cols(); ++i) log.target.push_back(efforts.col(i));
+  if (efforts.cols() == 0) return;
+  log.load = MatrixXd::Zero(log.q.rows(), log.q.cols());
+  log.load.rightCols(efforts.cols()) = model_.tendons.motor->pulley_radius * forces;
+}
+
+/// Steps of a joint's sensor as this log shows them.
+void DrivenSubject::learn_steps(const Log& log, int position, std::size_t joint) {
+  const Channel& channel = log.channels[static_cast<std::size_t>(position)];
+  quantum_[joint] = std::max(quantum_[joint], channel.quantum);
+  for (const sinew::Segment& segment : log.segments) {
+    const SensorSteps steps = sensor_steps(columns_of(segment, {position}).col(0));
+    quantum_[joint] = std::max(quantum_[joint], steps.step);
+    // What writes a reading rounds it by no more than half the last digit.
+    if (steps.scatter > channel.last_digit) rounded_again_[joint] = true;
+  }
+}
+
+void DrivenSubject::add_log(const Log& log, const DrivenColumns& columns, bool held_out) {
+  for (std::size_t c = 0; c < quantum_.size(); ++c) learn_steps(log, columns.positions[c], c);
+  int part = 0;
+  for (const sinew::Segment& segment : log.segments) {
+    if (segment.samples.rows() < shortest_segment(log.period)) continue;
+    Recording r;
+    r.name = log.segments.size() > 1 ? fmt::format("{} part {}", log.file, ++part) : log.file;
+    r.step = log.period;
+    const Index n = segment.samples.rows();
+    r.time = VectorXd::LinSpaced(n, segment.start,
+                                 segment.start + log.period * static_cast<double>(n - 1));
+    r.log_start = log.segments.front().start;
+    add_motion(columns_of(segment, columns.positions), r);
+    const MatrixXd measured = columns_of(segment, columns.efforts);
+    for (Index c = 0; c < measured.cols(); ++c) r.target.push_back(measured.col(c));
+    if (columns.load >= 0) r.load = columns_of(segment, {columns.load});
+    if (tendons_) add_tendon_forces(columns_of(segment, columns.forces), measured, r);
+    add_standstills(r);
+    (held_out ? problem_.holdout : problem_.training).push_back(std::move(r));
+  }
+}
+
+/// Positions as logged, and what follows from them.
+void DrivenSubject::add_motion(const MatrixXd& positions, Recording& log) const {
+  Motion motion = differentiate(positions, log.step, motion_cutoff(log.step));
+  log.q = std::move(motion.q);
+  log.qd = std::move(motion.qd);
+  log.qdd = std::move(motion.qdd);
+  log.signals["logged_q"] = positions;
+  add_smooth_motion(log);
+  add_derivatives(log);
+  add_sensor_errors(log);
+}
+
+/// A joint turns round while its tendons go on: what is lost in their guides is then as well known
+/// as ever. It is not where one of its tendons rests with it.
+void DrivenSubject::add_standstills(Recording& log) const {
+  const double cutoff = motion_cutoff(log.step);
+  for (Index c = 0; c < log.q.cols(); ++c) {
+    log.standstills.push_back(
+        find_standstills(log.time, {log.qd.col(c), log.signals["smooth_qd"].col(c)}, cutoff));
+    if (!tendon_driven(static_cast<std::size_t>(c))) continue;
+    std::vector<Standstill> of_tendons;
+    const MatrixXd& rates = log.signals.at("tendon_rate");
+    const MatrixXd& arms = log.signals.at("moment_arm");
+    const Index n = arms.cols() / rates.cols();
+    for (Index t = 0; t < rates.cols(); ++t) {
+      if (arms.col(t * n + c).isZero(0.0)) continue;
+      const auto own = find_standstills(log.time, {rates.col(t)}, cutoff);
+      of_tendons.insert(of_tendons.end(), own.begin(), own.end());
+    }
+    log.standstills.back() = overlapping(log.standstills.back(), of_tendons);
+  }
+}
+
+/// What the model says.
+void DrivenSubject::add_model(Recording& log) const {
+  log.signals["direction"] = MatrixXd::Zero(log.q.rows(), log.q.cols());
+  const MatrixXd said = known_(log);
+  log.signals[effort_of_logged_motion] = said;
+  log.signals["effort"] = effort_of_smooth_load(log);
+  log.known.clear();
+  for (Index c = 0; c < said.cols(); ++c) log.known.push_back(said.col(c));
+}
+
+/// What candidates act by.
+void DrivenSubject::set_signals(Recording& log) const {
+  MatrixXd direction(log.q.rows(), log.q.cols());
+  for (std::size_t j = 0; j < bristle_.size(); ++j) {
+    const auto c = static_cast<Index>(j);
+    if (bristle_[j])
+      direction.col(c) = effect_columns(Regressor(find_effect("presliding")), log,
+                                        static_cast<int>(j), VectorXd::Constant(1, presliding_[j]));
+    else
+      direction.col(c) =
+          (log.qd.col(c).array() / model_.joints[j].friction_speed).atan() * 2.0 / std::numbers::pi;
+  }
+  log.signals["direction"] = direction;
+  MatrixXd& effort = log.signals["effort"];
+  for (std::size_t j = 0; j < bristle_.size(); ++j)
+    if (bristle_[j])
+      effort.col(static_cast<Index>(j)) +=
+          model_.joints[j].friction * direction.col(static_cast<Index>(j));
+  if (!rigid_) return;
+  rigid_->add_signals(log);
+  if (!model_.joints.front().carries_links) return;
+  MatrixXd& carried = log.signals["carried"] = rigid_->effort(log);
+  if (log.load.size() > 0) carried += log.load;
+  add_link_signals(log);
+}
+
+/// Baseline alone first: the length over which friction turns has to be known before effects are
+/// written that act in its direction.
+void DrivenSubject::fit_directions(const Settings& settings) {
+  const Design design(problem_, settings);
+  Model model = baseline_model(design);
+  refine(design, own_noise(design, model, settings.threads).weights, RefineScope::all_terms, model);
+  for (std::size_t t = 0; t < baseline_.size(); ++t)
+    if (baseline_[t].effect == "presliding")
+      presliding_[baseline_[t].joint] = model.terms[t].nonlinear(0);
+}
+
+/// What the model says, of a tendon's force the slow part alone: a gain on it would find the force
+/// sensor's noise, which is in the target's error, too.
+MatrixXd DrivenSubject::effort_of_smooth_load(Recording& log) const {
+  if (!tendons_ || !model_.tendons.motor) return known_(log, log.q, log.qd, log.acceleration());
+  const MatrixXd measured = log.load;
+  const MatrixXd& tension = log.signals.at("slow_tension");
+  log.load.rightCols(tension.cols()) = model_.tendons.motor->pulley_radius * tension;
+  MatrixXd effort = known_(log, log.q, log.qd, log.acceleration());
+  log.load = measured;
+  return effort;
+}
+
+void DrivenSubject::prepare(const Settings& settings) {
+  set_bands();
+  for (auto* logs : {&problem_.training, &problem_.holdout})
+    for (Recording& log : *logs) add_model(log);
+  problem_.baseline.clear();
+  problem_.library.clear();
+  baseline_.clear();
+  library_.clear();
+  levels_.clear();
+  problem_.levels.clear();
+  for (std::size_t j = 0; j < bristle_.size(); ++j) add_baseline(j);
+  if (std::any_of(bristle_.begin(), bristle_.end(), [](bool b) { return b; }))
+    fit_directions(settings);
+  for (auto* logs : {&problem_.training, &problem_.holdout})
+    for (Recording& log : *logs) set_signals(log);
+  add_mechanism_candidates();
+  for (std::size_t j = 0; j < bristle_.size(); ++j) {
+    add_library(j);
+    if (!tendon_driven(j)) add_ripples(j);
+    add_model_candidates(j);
+    add_levels(j);
+  }
+  add_mechanism_levels();
+}
+
+FlexibleRanges DrivenSubject::ranges(std::size_t joint) const {
+  const LogScale s = scale(joint);
+  return {s.low, s.high, s.speed, s.load, s.duration};
+}
+
+bool DrivenSubject::moves_links(std::size_t joint) const {
+  return carries_links(joint) || (rigid_ && tendon_driven(joint));
+}
+
+bool DrivenSubject::is_lone_link() const {
+  return model_.joints.size() == 1 && carries_links(0);
+}
+
+bool DrivenSubject::carries_links(std::size_t joint) const {
+  return rigid_ && model_.joints[joint].carries_links;
+}
+
+}  // namespace sinew::diagnosis

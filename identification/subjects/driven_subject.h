@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Joints with drives under diagnosis: recordings from logs, the baseline whose coefficients are
+// changes of the model's own values, and the library of what may be missing at each joint.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "identification/regression/candidate.h"
+#include "identification/subjects/effect_candidate.h"
+#include "identification/subjects/effort_model.h"
+#include "identification/regression/flexible_families.h"
+#include "identification/logs/log.h"
+#include "identification/subjects/rigid_candidates.h"
+#include "identification/diagnosis/separation.h"
+#include "identification/subjects/tendon_candidates.h"
+#include "symbolic/extension/driven_model.h"
+
+namespace sinew::diagnosis {
+
+/// Left away at both ends of every log [s]: there the smoothers reach beyond it.
+inline constexpr double driven_edge = 0.25;
+
+/// Highest frequency looked at [Hz] unless told otherwise.
+inline constexpr double driven_band = 60.0;
+
+/// What a candidate (or a baseline term) stands for in identified.toml.
+struct CandidateOrigin {
+  std::string effect;  ///< identifier; empty: has no term in the model (decoys, splines)
+  std::size_t joint = 0;
+  Eigen::VectorXd fixed;    ///< shape parameters that are not searched
+  std::string tendon;       ///< its place instead of a joint; empty: none
+  bool everywhere = false;  ///< at every joint alike
+};
+
+/// Columns of a log: positions of all coordinates; efforts of those where they are measured, which
+/// are all, or the motors' where tendons drive the joints; forces of the tendons.
+struct DrivenColumns {
+  std::vector<int> positions, efforts, forces;
+  int load = -1;  ///< -1: none
+};
+
+class DrivenSubject {
+ public:
+  /// `runtime`: folder of the runtime's headers; `rigid`: the mechanism's own columns, or none.
+  DrivenSubject(DrivenModel model, Identified identified, std::filesystem::path runtime,
+                std::shared_ptr<const RigidColumns> rigid = {});
+
+  /// Adds a log's segments.
+  void add_log(const Log& log, const DrivenColumns& columns, bool held_out);
+
+  /// Baseline, library and levels for the logs added so far. Throws std::invalid_argument where
+  /// no stretch of a log is long enough.
+  void prepare(const Settings& settings);
+
+  const Problem& problem() const { return problem_; }
+  const DrivenModel& model() const { return model_; }
+  const Identified& identified() const { return identified_; }
+  const std::filesystem::path& runtime() const { return runtime_; }
+  const EffortModel& effort() const { return effort_; }
+  /// The emitted effort of the model with these entries.
+  EffortModel effort_with(const Identified& identified) const;
+  const std::vector<CandidateOrigin>& library_origins() const { return library_; }
+  /// Rests and reversals count again, which prepare() leaves aside. The library keeps the
+  /// candidates `named`, the plays of the sensors, and what has no name.
+  void look_at_standstills(const std::vector<int>& named);
+  /// Experiments that causes at a channel may be told apart by, within what the logs cover; none
+  /// where tendons drive the joints. After prepare().
+  std::vector<PlannedExperiment> experiments(int channel) const;
+  /// Step of a joint's position sensor as logged, rad or m; 0: none seen.
+  double position_step(std::size_t joint) const { return quantum_[joint]; }
+  const std::vector<CandidateOrigin>& baseline_origins() const { return baseline_; }
+  /// What a level cause changes.
+  const CandidateOrigin& level_origin(int level) const;
+  /// What is known of a joint's friction direction: true where it is a bristle state.
+  bool bristle(std::size_t joint) const { return bristle_[joint]; }
+
+ private:
+  void add_baseline(std::size_t joint);
+  void add_library(std::size_t joint);
+  void add_free_payload(Candidate payload);
+  void add_mechanism_candidates();
+  void add_payload_levels();
+  void add_mechanism_levels();
+  /// The candidate's first columns (all: -1) as changes of the model's own values.
+  void add_level(const Candidate& candidate, CandidateOrigin origin, int columns = -1);
+  std::vector<const Recording*> training() const;
+  void learn_steps(const Log& log, int position, std::size_t joint);
+  bool coarse_sensor(std::size_t joint) const;
+  bool fine_sensor(std::size_t joint) const;
+  std::vector<int> coupled_joints(std::size_t joint);
+  void add_tendon_forces(const Eigen::MatrixXd& forces, const Eigen::MatrixXd& efforts,
+                         Recording& log) const;
+  void add_gear(std::size_t joint);
+  void add_ripples(std::size_t joint);
+  void add_ripple_of_any_period(std::size_t joint);
+  void add_model_candidates(std::size_t joint);
+  void add_levels(std::size_t joint);
+  void add_common_levels(std::size_t joint);
+  double most_inertia(std::size_t joint) const;
+  void add_delay_level(const Candidate& delay, CandidateOrigin origin, std::vector<int> channels);
+  void fit_directions(const Settings& settings);
+  void add_smooth_motion(Recording& log) const;
+  void add_derivatives(Recording& log) const;
+  void add_sensor_errors(Recording& log) const;
+  void set_bands();
+  void add_standstills(Recording& log) const;
+  void add_motion(const Eigen::MatrixXd& positions, Recording& log) const;
+  void add_model(Recording& log) const;
+  void set_signals(Recording& log) const;
+  void add_link_signals(Recording& log) const;
+  std::vector<int> reacting(std::size_t joint) const;
+  void let_others_react(std::size_t joint, Candidate& candidate) const;
+  MotionRange covered(std::size_t joint) const;
+  Recording planned(const PlannedMotion& motion) const;
+  Eigen::MatrixXd effort_of_smooth_load(Recording& log) const;
+  bool is_lone_link() const;
+  bool moves_links(std::size_t joint) const;
+  bool gain_is_only_level(std::size_t joint) const;
+  bool tendon_driven(std::size_t joint) const;
+  bool carries_links(std::size_t joint) const;
+  FlexibleRanges ranges(std::size_t joint) const;
+  void add(const std::string& effect, std::size_t joint, const std::string& name = {},
+           const Eigen::VectorXd& fixed = {}, CandidateKind kind = CandidateKind::named);
+  std::string place(std::size_t joint) const;
+  LogScale scale(std::size_t joint) const;
+
+  DrivenModel model_;
+  Identified identified_;
+  std::filesystem::path runtime_;
+  EffortModel effort_;
+  EffortModel known_;  ///< without friction whose law is not known
+  std::shared_ptr<const RigidColumns> rigid_;
+  std::shared_ptr<const TendonColumns> tendons_;  ///< none where efforts are measured at the joints
+  std::vector<bool> bristle_;
+  std::vector<double> quantum_;      ///< of the logged positions; 0: no steps seen
+  std::vector<bool> rounded_again_;  ///< their logs have a much finer grid than the sensor
+  std::vector<double> presliding_;   ///< fitted length, where the direction is a bristle state
+  Problem problem_;
+  std::vector<CandidateOrigin> library_, baseline_, levels_;
+};
+
+}  // namespace sinew::diagnosis

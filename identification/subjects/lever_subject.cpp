@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "identification/subjects/lever_subject.h"
+
+#include <algorithm>
+#include <map>
+#include <string>
+
+#include "identification/logs/dequantise.h"
+#include "identification/subjects/effect_candidate.h"
+#include "identification/logs/filter.h"
+
+namespace sinew::diagnosis {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr double calibration_cutoff = 15.0;  // Hz; a calibration is drawn slowly, counts are steps
+constexpr double coarse_count = 3.0;         // counts; finer steps are what a 12-bit sensor has
+
+VectorXd column_of(const Log& log, const sinew::Segment& segment, const std::string& channel) {
+  return segment.samples.col(log.channel(channel)).matrix();
+}
+
+/// Rate of the count without what its sensor flickers by while the lever rests: every flicker would
+/// turn the friction of guides over a little, and so would what a smoother swings over at a stop.
+/// Reversals come late by the flicker, a count where there is none.
+VectorXd steady_rate(const VectorXd& count, double step) {
+  const double play = 1.0 + 3.0 * white_noise_rms(count.array());
+  VectorXd rate = VectorXd::Zero(count.size());
+  double steady = count.size() > 0 ? count(0) : 0.0;
+  for (Index k = 1; k < count.size(); ++k) {
+    const double before = steady;
+    steady = std::clamp(steady, count(k) - play, count(k) + play);
+    rate(k) = (steady - before) / step;
+  }
+  return rate;
+}
+
+/// Neither deviations nor state: the force and the elongation of the lever as it should be.
+MatrixXd nominal(const ObservedModel& model, const Recording& r, const Observation& observation) {
+  Index deviations = 0;
+  std::vector<double> shapes;
+  for (const ObservationEffect& e : observation.effects) {
+    deviations += static_cast<Index>(e.deviations.size());
+    for (const ObservationParameter& p : e.shapes) shapes.push_back(p.high);
+  }
+  return model(r, VectorXd::Zero(deviations),
+               VectorXd::Map(shapes.data(), static_cast<Index>(shapes.size())));
+}
+
+Recording recording_of(const Log& log, const sinew::Segment& segment, const ObservedModel& model,
+                       const Observation& observation, bool with_elongation) {
+  Recording r;
+  r.step = log.period;
+  const Index n = segment.samples.rows();
+  r.time = VectorXd::LinSpaced(n, segment.start,
+                               segment.start + log.period * static_cast<double>(n - 1));
+  r.log_start = log.segments.front().start;
+  const VectorXd count = column_of(log, segment, "count");
+  const double cutoff = std::min(calibration_cutoff, 0.1 / log.period);
+  r.signals["count"] = count;
+  r.signals["count_rate"] = steady_rate(count, log.period);
+  const bool bent = log.channel("bend") >= 0;
+  r.signals["bend"] = bent ? column_of(log, segment, "bend") : VectorXd::Zero(n);
+  r.target.push_back(column_of(log, segment, "force"));
+  if (with_elongation) r.target.push_back(column_of(log, segment, "elongation"));
+  const MatrixXd said = nominal(model, r, observation);
+  const Motion travel = differentiate(said.col(1), log.period, cutoff);
+  r.q = said.col(1);
+  r.qd = travel.qd;
+  r.qdd = travel.qdd;
+  r.load = said.col(0);
+  return r;
+}
+
+/// What the model would say more, were the sensor not coarse. The reading between two changes is
+/// not causal: the model can hold no such term.
+Candidate coarse_sensor(const ObservedModel& model, const VectorXd& learnt,
+                        const VectorXd& shapes) {
+  Candidate c;
+  c.name = "quantisation of the lever sensor";
+  c.place = "sensor";
+  c.linear = {{"share", "1", 0.0, 3.0, false, {}}};
+  c.limit_meaning = "its steps would lie between the true values";
+  c.isolating_experiment = "a slow motion, the reading against a finer sensor";
+  c.columns = [model, learnt, shapes](const Recording& log, int channel,
+                                      const VectorXd&) -> MatrixXd {
+    std::map<std::string, MatrixXd> fine;
+    fine["count"] = dequantised(log.signals.at("count").col(0));
+    return (model(log, learnt, shapes, &fine) - model(log, learnt, shapes)).col(channel);
+  };
+  return c;
+}
+
+void complete(ObservedSubject& subject, bool with_elongation) {
+  const Problem& problem = subject.problem();
+  double step = 1e300;
+  for (const Recording& log : problem.training)
+    step = std::min(step, held_step(log.signals.at("count").col(0)));
+  if (step >= coarse_count && !problem.training.empty())
+    subject.add_candidate(coarse_sensor(subject.open(), subject.learnt(), subject.shapes()),
+                          "sensor_quantisation");
+  const LogScale s = scale_of(problem.training, 0);
+  for (int channel = 0; channel < (with_elongation ? 2 : 1); ++channel)
+    for (Candidate& c :
+         flexible_families({s.low, s.high, s.speed, s.load, s.duration}, 0, channel)) {
+      c.place = channel == 0 ? "force" : "elongation";
+      subject.add_candidate(std::move(c), "");
+    }
+}
+
+}  // namespace
+
+ObservedRig lever_rig(const LeverRig& rig, const std::string& model, bool with_elongation) {
+  ObservedRig result;
+  result.observation = lever_observation(rig, model);
+  result.channels = {{"force", "N"}};
+  if (with_elongation) result.channels.push_back({"elongation", "m"});
+  result.specs = lever_channels();
+  result.position = "elongation";
+  result.position_unit = "m";
+  result.recording = [observation = result.observation, with_elongation](
+                         const Log& log, const sinew::Segment& segment, const ObservedModel& open) {
+    return recording_of(log, segment, open, observation, with_elongation);
+  };
+  result.complete = [with_elongation](ObservedSubject& s) { complete(s, with_elongation); };
+  return result;
+}
+
+}  // namespace sinew::diagnosis

@@ -1,0 +1,281 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "identification/subjects/rigid_candidates.h"
+
+#include <algorithm>
+
+#include "generator/assemble.h"
+#include "identification/logs/parallel_for.h"
+#include "symbolic/dynamics/dynamics_functions.h"
+#include "symbolic/effects/model_effects.h"
+#include "symbolic/dynamics/runtime_parameters.h"
+
+namespace sinew::diagnosis {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double strongest_gravity = 10.0;  // m/s²
+constexpr std::size_t most_payloads = 5;    // a hand's fingers
+constexpr std::size_t most_links = 8;       // of an arm, whose own masses are asked about
+
+LinearParameter parameter(const std::string& name, const std::string& unit, double low) {
+  LinearParameter p;
+  p.name = name;
+  p.unit = unit;
+  p.low = low;
+  return p;
+}
+
+/// Named, limited and told apart as the effect says; the group's type is its owner's own.
+template <class Group>
+void describe(const std::string& effect, Group& group) {
+  const ModelEffect& e = *find_model_effect(effect);
+  group.name = e.name;
+  group.experiment = e.experiment;
+  group.limit = e.limit;
+}
+
+struct MovingBody {
+  std::size_t body = 0;
+  bool leaf = true;  ///< carries no further one
+};
+
+std::vector<MovingBody> moving_bodies(const Mechanism& mechanism) {
+  std::vector<bool> moves, leaf(mechanism.bodies.size(), true);
+  for (std::size_t i = 0; i < mechanism.joints.size(); ++i) {
+    const Joint& joint = mechanism.joints[i];
+    const bool with_parent = joint.parent >= 0 && moves[static_cast<std::size_t>(joint.parent)];
+    moves.push_back(joint.type != JointType::fixed || with_parent);
+    if (joint.parent >= 0) leaf[static_cast<std::size_t>(joint.parent)] = false;
+  }
+  std::vector<MovingBody> list;
+  for (std::size_t i = 0; i < leaf.size(); ++i)
+    if (moves[i]) list.push_back({i, leaf[i]});
+  return list;
+}
+
+/// Twice what the links can reach [m].
+double reach_of(const Mechanism& mechanism) {
+  double reach = 0.0, centre = 0.0;
+  for (const Joint& joint : mechanism.joints) reach += joint.origin.translation.norm();
+  for (const Body& body : mechanism.bodies) centre = std::max(centre, body.centre_of_mass.norm());
+  return 2.0 * (reach + centre);
+}
+
+}  // namespace
+
+RigidColumns::RigidColumns(const Mechanism& mechanism, const std::filesystem::path& runtime)
+    : mechanism_(mechanism),
+      bodies_(static_cast<Index>(mechanism.bodies.size())),
+      coordinates_(coordinate_count(mechanism)) {
+  const EmittedModel emitted = assemble(
+      {mechanism.name, "Dynamics with open masses", "", {}},
+      {base_parameters_function(mechanism), inverse_dynamics_function(mechanism, {}, true)}, {});
+  compiled_ = std::make_shared<CompiledModel>(emitted, runtime);
+  coordinates_ = compiled_->find("inverse_dynamics").output_size;
+  const std::vector<MovingBody> moving = moving_bodies(mechanism);
+  std::size_t payloads = 0;
+  for (const MovingBody& m : moving)
+    if (m.leaf && payloads++ < most_payloads) add_payload(mechanism, m.body);
+  if (mechanism.tendons.empty() && coordinates_ > 1 && moving.size() <= most_links)
+    for (const MovingBody& m : moving) add_inertial(mechanism, m.body, m.leaf);
+  add_gravity(mechanism);
+}
+
+VectorXd RigidColumns::parameters(const VectorXd& mass, const MatrixXd& com,
+                                  const MatrixXd& inertia, const Vector3d& gravity) const {
+  const sinew_function& function = compiled_->find("base_parameters");
+  VectorXd in(function.input_size), out(function.output_size);
+  const MatrixXd com_rows = com.transpose(), inertia_rows = inertia.transpose();
+  in << mass, Eigen::Map<const VectorXd>(com_rows.data(), com_rows.size()),
+      Eigen::Map<const VectorXd>(inertia_rows.data(), inertia_rows.size()), gravity;
+  function.call(in.data(), out.data());
+  return out;
+}
+
+/// Ten parameters of a mass that moves with a body: mass, first moments, moments of inertia.
+RigidColumns::Group RigidColumns::mass_of(const Body& carrier, Index b) const {
+  Group group;
+  group.place = "link " + carrier.name;
+  const VectorXd no_mass = VectorXd::Zero(bodies_);
+  const MatrixXd no_com = MatrixXd::Zero(bodies_, 3), no_inertia = MatrixXd::Zero(bodies_, 6);
+  VectorXd unit = no_mass;
+  unit(b) = 1.0;
+  const Vector3d& gravity = mechanism_.gravity;
+  group.parameters.push_back(parameter("mass", "kg", 0.0));
+  group.columns.push_back({parameters(unit, no_com, no_inertia, gravity), {}, 1.0});
+  const char* axes[] = {"x", "y", "z"};
+  constexpr double arm = 0.125;
+  for (Index k = 0; k < 3; ++k) {
+    MatrixXd com = no_com;
+    com(b, k) = arm;
+    group.parameters.push_back(
+        parameter(std::string("first_moment_") + axes[k], "kg*m", -infinity));
+    group.columns.push_back({parameters(unit, com, no_inertia, gravity),
+                             parameters(unit, -com, no_inertia, gravity), 0.5 / arm});
+  }
+  const char* moments[] = {"xx", "yy", "zz", "xy", "xz", "yz"};
+  for (Index k = 0; k < 6; ++k) {
+    MatrixXd inertia = no_inertia;
+    inertia(b, k) = 1.0;
+    group.parameters.push_back(parameter(std::string("moment_") + moments[k], "kg*m^2", -infinity));
+    group.columns.push_back({parameters(no_mass, no_com, inertia, gravity), {}, 1.0});
+  }
+  return group;
+}
+
+void RigidColumns::add_payload(const Mechanism& mechanism, std::size_t body) {
+  const Body& carrier = mechanism.bodies[body];
+  Group group = mass_of(carrier, static_cast<Index>(body));
+  group.signal = "payload of " + carrier.name;
+  describe("payload", group);
+  group.body_within = reach_of(mechanism);
+  groups_.push_back(std::move(group));
+}
+
+/// A link that is not as its drawing says. What the last one carries more is a payload.
+void RigidColumns::add_inertial(const Mechanism& mechanism, std::size_t body, bool leaf) {
+  const Body& carrier = mechanism.bodies[body];
+  Group group = mass_of(carrier, static_cast<Index>(body));
+  group.signal = "inertial parameters of " + carrier.name;
+  describe("inertial_parameters", group);
+  group.parameters.front().low = -carrier.mass;
+  if (leaf) group.parameters.front().high = 0.0;
+  if (leaf) group.limit = "it would carry something";
+  group.unlikely = true;
+  groups_.push_back(std::move(group));
+}
+
+/// The mechanism's own, under some gravity.
+VectorXd RigidColumns::nominal(const Vector3d& gravity) const {
+  VectorXd mass(bodies_);
+  MatrixXd com(bodies_, 3), inertia(bodies_, 6);
+  for (Index b = 0; b < bodies_; ++b) {
+    const Body& body = mechanism_.bodies[static_cast<std::size_t>(b)];
+    const Eigen::Matrix3d& I = body.inertia;
+    mass(b) = body.mass;
+    com.row(b) = body.centre_of_mass.transpose();
+    inertia.row(b) << I(0, 0), I(1, 1), I(2, 2), I(0, 1), I(0, 2), I(1, 2);
+  }
+  return parameters(mass, com, inertia, gravity);
+}
+
+/// Gravity that the model lacks, or has in another direction.
+void RigidColumns::add_gravity(const Mechanism& mechanism) {
+  const bool absent = mechanism.gravity.isZero(0.0);
+  Group group;
+  group.signal = "gravity";
+  describe("gravity", group);
+  group.name = absent ? "gravity left out" : "direction of gravity";
+  group.place = "base";
+  const VectorXd none = nominal(Vector3d::Zero());
+  const char* axes[] = {"x", "y", "z"};
+  // Its size is known where it is there at all: a base that leans moves it sideways.
+  Index along = -1;
+  if (!absent) mechanism.gravity.cwiseAbs().maxCoeff(&along);
+  for (int k = 0; k < 3; ++k) {
+    if (k == along) continue;
+    group.parameters.push_back(
+        parameter(std::string("gravity_change_") + axes[k], "m/s^2", -strongest_gravity));
+    group.parameters.back().high = strongest_gravity;
+    group.columns.push_back({nominal(Vector3d::Unit(k)), none, 1.0});
+  }
+  groups_.push_back(std::move(group));
+}
+
+MatrixXd RigidColumns::effort(const Recording& log) const {
+  const sinew_function& function = compiled_->find("inverse_dynamics");
+  const Index n = coordinates_;
+  VectorXd in(function.input_size), out(n);
+  const MatrixXd& qdd = log.acceleration();
+  in.tail(in.size() - 3 * n) = nominal(mechanism_.gravity);
+  MatrixXd effort(log.q.rows(), n);
+  for (Index k = 0; k < effort.rows(); ++k) {
+    in.head(3 * n) << log.q.row(k).head(n).transpose(), log.qd.row(k).head(n).transpose(),
+        qdd.row(k).head(n).transpose();
+    function.call(in.data(), out.data());
+    effort.row(k) = out.transpose();
+  }
+  return effort;
+}
+
+MatrixXd RigidColumns::mass_matrix(const Recording& log) const {
+  const sinew_function& function = compiled_->find("inverse_dynamics");
+  const Index n = coordinates_;
+  VectorXd in = VectorXd::Zero(function.input_size);
+  in.tail(in.size() - 3 * n) = nominal(Vector3d::Zero());
+  MatrixXd columns(log.q.rows(), n * n);
+  VectorXd out(n);
+  for (Index k = 0; k < columns.rows(); ++k) {
+    in.head(n) = log.q.row(k).head(n).transpose();
+    for (Index j = 0; j < n; ++j) {
+      in.segment(2 * n, n) = VectorXd::Unit(n, j);
+      function.call(in.data(), out.data());
+      columns.row(k).segment(j * n, n) = out.transpose();
+    }
+  }
+  return columns;
+}
+
+MatrixXd RigidColumns::columns_of(const Group& group, const Recording& log) const {
+  const sinew_function& function = compiled_->find("inverse_dynamics");
+  const Index n = coordinates_;
+  const MatrixXd& qdd = log.acceleration();
+  VectorXd in(function.input_size), plus(n), minus = VectorXd::Zero(n);
+  const auto wide = static_cast<Index>(group.columns.size());
+  MatrixXd x(log.q.rows(), n * wide);
+  for (Index c = 0; c < wide; ++c) {
+    const Column& column = group.columns[static_cast<std::size_t>(c)];
+    const bool both = column.minus.size() > 0;
+    minus.setZero();
+    for (Index k = 0; k < x.rows(); ++k) {
+      in.head(3 * n) << log.q.row(k).head(n).transpose(), log.qd.row(k).head(n).transpose(),
+          qdd.row(k).head(n).transpose();
+      in.tail(in.size() - 3 * n) = column.plus;
+      function.call(in.data(), plus.data());
+      if (both) {
+        in.tail(in.size() - 3 * n) = column.minus;
+        function.call(in.data(), minus.data());
+      }
+      for (Index i = 0; i < n; ++i) x(k, i * wide + c) = column.scale * (plus(i) - minus(i));
+    }
+  }
+  return x;
+}
+
+void RigidColumns::add_signals(Recording& log) const {
+  std::vector<MatrixXd> all(groups_.size());
+  parallel_for(static_cast<int>(all.size()), kAllThreads, [&](int i) {
+    const auto g = static_cast<std::size_t>(i);
+    all[g] = columns_of(groups_[g], log);
+  });
+  for (std::size_t g = 0; g < all.size(); ++g) log.signals[groups_[g].signal] = std::move(all[g]);
+}
+
+std::vector<Candidate> RigidColumns::candidates() const {
+  std::vector<Candidate> list;
+  for (const Group& group : groups_) {
+    Candidate c;
+    c.name = group.name;
+    c.place = group.place;
+    c.linear = group.parameters;
+    c.limit_meaning = group.limit;
+    c.isolating_experiment = group.experiment;
+    c.unlikely = group.unlikely;
+    c.body_within = group.body_within;
+    const auto wide = static_cast<Index>(group.columns.size());
+    c.columns = [signal = group.signal, wide, n = coordinates_](const Recording& log, int channel,
+                                                                const VectorXd&) -> MatrixXd {
+      if (channel >= n) return MatrixXd(log.q.rows(), 0);  // a motor
+      return log.signals.at(signal).middleCols(channel * wide, wide);
+    };
+    list.push_back(std::move(c));
+  }
+  return list;
+}
+
+}  // namespace sinew::diagnosis

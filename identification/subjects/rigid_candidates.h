@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a mechanism's mass properties and gravity may get wrong, as columns from its emitted inverse
+// dynamics with masses and gravity as arguments.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "identification/regression/candidate.h"
+#include "simulation/compiled_model.h"
+#include "symbolic/model/mechanism.h"
+
+namespace sinew::diagnosis {
+
+/// Inverse dynamics that is linear in mass properties and in gravity.
+class RigidColumns {
+ public:
+  /// `runtime`: folder of the runtime's headers.
+  RigidColumns(const Mechanism& mechanism, const std::filesystem::path& runtime);
+
+  const Mechanism& mechanism() const { return mechanism_; }
+
+  /// Columns of every effect for a recording, samples x (coordinates * columns), into its signals;
+  /// columns of one coordinate stand together.
+  void add_signals(Recording& log) const;
+
+  /// What the links ask of the joints: samples x coordinates.
+  Eigen::MatrixXd effort(const Recording& log) const;
+
+  /// Mass matrix of the links at every sample: samples x (coordinates * coordinates), one column of
+  /// it after the other.
+  Eigen::MatrixXd mass_matrix(const Recording& log) const;
+
+  /// Candidates that act on all channels; they read what add_signals left in the recording.
+  std::vector<Candidate> candidates() const;
+
+ private:
+  struct Column {
+    Eigen::VectorXd plus, minus;  ///< parameters; the column is their difference * scale
+                                  ///< (minus empty: nothing is taken off)
+    double scale = 1.0;
+  };
+  struct Group {
+    std::string signal, name, place, experiment, limit;
+    std::vector<LinearParameter> parameters;
+    std::vector<Column> columns;
+    bool unlikely = false;
+    std::optional<double> body_within;
+  };
+  Eigen::VectorXd parameters(const Eigen::VectorXd& mass, const Eigen::MatrixXd& com,
+                             const Eigen::MatrixXd& inertia, const Eigen::Vector3d& gravity) const;
+  Eigen::VectorXd nominal(const Eigen::Vector3d& gravity) const;
+  Group mass_of(const Body& carrier, Eigen::Index body) const;
+  void add_payload(const Mechanism& mechanism, std::size_t body);
+  void add_inertial(const Mechanism& mechanism, std::size_t body, bool leaf);
+  Eigen::MatrixXd columns_of(const Group& group, const Recording& log) const;
+  void add_gravity(const Mechanism& mechanism);
+
+  Mechanism mechanism_;
+  std::shared_ptr<CompiledModel> compiled_;
+  Eigen::Index bodies_, coordinates_;
+  std::vector<Group> groups_;
+};
+
+}  // namespace sinew::diagnosis

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "identification/subjects/slow_recording.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "identification/subjects/driven_subject.h"
+#include "identification/logs/filter.h"
+
+namespace sinew::diagnosis {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr Index most_points = 4000, fewest_rows = 200;
+constexpr double slow_cutoff = 10.0;  // Hz
+
+}  // namespace
+
+Recording slow_recording(const Recording& recording) {
+  Recording slow;
+  const auto end = static_cast<Index>(std::ceil(driven_edge / recording.step));
+  const Index rows = recording.q.rows() - 2 * end;
+  if (rows < fewest_rows) return slow;
+  const double cutoff = std::min(slow_cutoff, 0.1 / recording.step);
+  const Index stride = std::max<Index>(1, rows / most_points), count = (rows - 1) / stride + 1;
+  const auto thinned = [&](const MatrixXd& x) -> MatrixXd {
+    return x(Eigen::seqN(end, count, stride), Eigen::all);
+  };
+  const auto smooth = [&](const MatrixXd& x) -> MatrixXd {
+    return thinned(differentiate(x, recording.step, cutoff).q);
+  };
+  const Motion motion = differentiate(recording.q, recording.step, cutoff);
+  slow.q = thinned(motion.q);
+  slow.qd = thinned(motion.qd);
+  slow.qdd = thinned(motion.qdd);
+  slow.step = recording.step * static_cast<double>(stride);
+  slow.time = VectorXd::LinSpaced(count, 0.0, slow.step * static_cast<double>(count - 1));
+  for (const VectorXd& target : recording.target) slow.target.push_back(smooth(target));
+  if (recording.load.size() > 0) slow.load = smooth(recording.load);
+  const auto found = [&](const char* name) { return recording.signals.find(name); };
+  if (const auto tension = found("tension"); tension != recording.signals.end())
+    slow.signals["tension"] = smooth(tension->second);
+  if (const auto arms = found("moment_arm"); arms != recording.signals.end())
+    slow.signals["moment_arm"] = thinned(arms->second);
+  return slow;
+}
+
+double share_left_over(const VectorXd& measured, const VectorXd& model) {
+  const double size = measured.squaredNorm();
+  const double left = (measured - model).squaredNorm();
+  return size > 0.0 && std::isfinite(left) ? left / size : std::numeric_limits<double>::infinity();
+}
+
+}  // namespace sinew::diagnosis

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "identification/subjects/tendon_candidates.h"
+
+#include <numbers>
+
+#include "generator/assemble.h"
+#include "identification/subjects/effect_candidate.h"
+#include "identification/logs/filter.h"
+#include "identification/subjects/model_candidates.h"
+#include "symbolic/effects/effects.h"
+#include "symbolic/effects/model_effects.h"
+
+namespace sinew::diagnosis {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+/// Hz. A sensor's noise is in the joints' torques too: a term with all of it would find itself.
+constexpr double slow_force_cutoff = 5.0;
+
+/// The signals of an effect at a tendon, as a recording of one axis.
+Recording at_tendon(const Recording& log, Index tendon, bool motor_side) {
+  const std::string end = motor_side ? "motor_side" : "tendon";
+  Recording r;
+  r.step = log.step;
+  r.time = log.time;
+  r.log_start = log.log_start;
+  r.q = log.signals.at("bending").col(tendon);
+  r.qd = log.signals.at(end + "_rate").col(tendon);
+  r.qdd = MatrixXd::Zero(r.q.rows(), 1);
+  r.load = log.signals.at("slow_tension").col(tendon);
+  r.signals["direction"] = log.signals.at(end + "_direction").col(tendon);
+  r.signals["jounce"] = MatrixXd::Zero(r.q.rows(), 1);
+  return r;
+}
+
+/// What a force in the tendon is multiplied with at a channel: the joints' moment arms; at its
+/// motor, behind the joints, `motor_arm`.
+VectorXd arm_at(const Recording& log, Index tendon, Index joints, int channel, double motor_arm) {
+  if (channel < joints) return log.signals.at("moment_arm").col(tendon * joints + channel);
+  return VectorXd::Constant(log.q.rows(), channel == joints + tendon ? motor_arm : 0.0);
+}
+
+}  // namespace
+
+TendonColumns::TendonColumns(const DrivenModel& model, const std::filesystem::path& runtime)
+    : names_(model.tendons.names),
+      slip_speed_(model.tendons.slip_speed),
+      coordinates_(model.tendons.coordinates()),
+      compiled_(std::make_shared<CompiledModel>(
+          assemble({model.name, "Motion of the tendons", "", {}}, {model.tendons.motion}, {}),
+          runtime)) {
+  if (model.tendons.motor) motor_radius_ = model.tendons.motor->pulley_radius;
+}
+
+void TendonColumns::add_signals(Recording& log) const {
+  const sinew_function& function = compiled_->find("tendon_motion");
+  const Index n = coordinates_, m = static_cast<Index>(names_.size()), rows = log.q.rows();
+  MatrixXd arms(rows, m * n), rates(rows, m), bending(rows, m);
+  VectorXd in(function.input_size), out(function.output_size);
+  for (Index k = 0; k < rows; ++k) {
+    in << log.q.row(k).head(n).transpose(), log.qd.row(k).head(n).transpose();
+    function.call(in.data(), out.data());
+    arms.row(k) = out.head(m * n).transpose();
+    rates.row(k) = out.segment(m * n, m).transpose();
+    bending.row(k) = out.tail(m).transpose();
+  }
+  log.signals["slow_tension"] =
+      differentiate(log.signals.at("tension"), log.step, slow_force_cutoff).q;
+  const auto direction = [this](const MatrixXd& rate) -> MatrixXd {
+    return (rate.array() / slip_speed_).atan().matrix() * (2.0 / std::numbers::pi);
+  };
+  log.signals["tendon_direction"] = direction(rates);
+  if (motor_radius_) {
+    const MatrixXd at_motors = -*motor_radius_ * log.qd.rightCols(m);
+    log.signals["motor_side_direction"] = direction(at_motors);
+    log.signals["motor_side_rate"] = at_motors;
+  }
+  log.signals["moment_arm"] = std::move(arms);
+  log.signals["tendon_rate"] = std::move(rates);
+  log.signals["bending"] = std::move(bending);
+}
+
+MatrixXd TendonColumns::joint_torque(const Recording& log) const {
+  const MatrixXd& arms = log.signals.at("moment_arm");
+  const MatrixXd& tension = log.signals.at("tension");
+  MatrixXd torque = MatrixXd::Zero(arms.rows(), coordinates_);
+  for (Index t = 0; t < tension.cols(); ++t)
+    torque -=
+        (arms.middleCols(t * coordinates_, coordinates_).array().colwise() * tension.col(t).array())
+            .matrix();
+  return torque;
+}
+
+Candidate TendonColumns::candidate(const Effect& effect, Index tendon) const {
+  // The regressor stands for the force lost; the joints feel it with the moment arms.
+  const LogScale no_scale;
+  Candidate c = effect_candidate(
+      effect, {0, tendon_place(names_[static_cast<std::size_t>(tendon)]), false}, no_scale);
+  c.channels.clear();
+  const Index n = coordinates_;
+  const double motor_arm = effect.felt_by_motor ? motor_radius_.value_or(0.0) : 0.0;
+  c.columns = [regressor = Regressor(effect), tendon, n, motor_arm, motor_side = effect.motor_side](
+                  const Recording& log, int channel, const VectorXd& shape) -> MatrixXd {
+    const VectorXd arm = arm_at(log, tendon, n, channel, motor_arm);
+    if (arm.isZero(0.0)) return MatrixXd(log.q.rows(), 0);
+    const MatrixXd lost = effect_columns(regressor, at_tendon(log, tendon, motor_side), 0, shape);
+    return lost.array().colwise() * arm.array();
+  };
+  return c;
+}
+
+std::vector<TendonColumns::AtTendon> TendonColumns::candidates() const {
+  std::vector<AtTendon> list;
+  for (std::size_t t = 0; t < names_.size(); ++t)
+    for (const Effect& effect : effects())
+      if (effect.at_tendon && (!effect.motor_side || motor_radius_))
+        list.push_back(
+            {candidate(effect, static_cast<Index>(t)), effect.id, tendon_place(names_[t])});
+  return list;
+}
+
+Candidate pulley_radius_candidate(int axis, const std::string& place) {
+  Candidate c = torque_constant_candidate({axis, place, true});
+  const ModelEffect& e = *find_model_effect("pulley_radius");
+  c.name = e.name;
+  // The term scales the model's torque: 1 + gain is the model's radius over the true one. Beyond
+  // this it is the links that are not as the model says.
+  c.linear.front().low = -0.5;
+  c.linear.front().high = 1.0;
+  c.limit_meaning = e.limit;
+  c.isolating_experiment = e.experiment;
+  return c;
+}
+
+}  // namespace sinew::diagnosis

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "identification/subjects/wrist_subject.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "identification/logs/dequantise.h"
+#include "identification/subjects/effect_candidate.h"
+#include "identification/logs/filter.h"
+
+namespace sinew::diagnosis {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr double wrist_cutoff = 30.0;  // Hz
+constexpr double coarse_angle = 5e-4;  // rad; finer steps do not show
+constexpr const char* angles[] = {"q71", "q73"};
+
+Recording recording_of(const Log& log, const sinew::Segment& segment,
+                       const std::vector<int>& tendons) {
+  Recording r;
+  r.step = log.period;
+  const Index n = segment.samples.rows();
+  r.time = VectorXd::LinSpaced(n, segment.start,
+                               segment.start + log.period * static_cast<double>(n - 1));
+  r.log_start = log.segments.front().start;
+  MatrixXd q(n, 2);
+  for (Index j = 0; j < 2; ++j) {
+    q.col(j) = segment.samples.col(log.channel(angles[j])).matrix();
+    r.signals[angles[j]] = q.col(j);
+  }
+  Motion motion = differentiate(q, log.period, std::min(wrist_cutoff, 0.1 / log.period));
+  r.q = std::move(motion.q);
+  r.qd = std::move(motion.qd);
+  r.qdd = std::move(motion.qdd);
+  for (const int i : tendons)
+    r.target.push_back(segment.samples.col(log.channel(fmt::format("theta_{}", i))).matrix());
+  return r;
+}
+
+/// What the model would say more, were the sensor not coarse.
+Candidate coarse_angle_candidate(const ObservedSubject& subject, const std::string& angle) {
+  Candidate c;
+  c.name = "quantisation of the angle sensor";
+  c.place = angle;
+  c.linear = {{"share", "1", 0.0, 3.0, false, {}}};
+  c.limit_meaning = "its steps would lie between the true values";
+  c.isolating_experiment = "a slow motion, the reading against a finer sensor";
+  c.columns = [model = subject.open(), learnt = subject.learnt(), shapes = subject.shapes(), angle](
+                  const Recording& log, int channel, const VectorXd&) -> MatrixXd {
+    const auto cached = log.signals.find("change by a coarse " + angle);
+    return cached->second.col(channel);
+  };
+  return c;
+}
+
+/// A dependence that all motors share: friction or play of the wrist itself.
+Candidate common(Candidate family, int axis, Index channels) {
+  family.channels.clear();
+  family.place = angles[axis];
+  for (LinearParameter& p : family.linear) p.per_log = false;
+  family.columns = [own = family.columns, channels](const Recording& log, int channel,
+                                                    const VectorXd& p) -> MatrixXd {
+    if (channel >= channels) return {};
+    return own(log, channel, p);
+  };
+  return family;
+}
+
+void complete(ObservedSubject& subject) {
+  Problem& problem = subject.problem();
+  const auto channels = static_cast<Index>(problem.channels);
+  for (const char* angle : angles) {
+    double step = 1e300;
+    for (const Recording& log : problem.training)
+      step = std::min(step, held_step(log.signals.at(angle).col(0)));
+    if (step < coarse_angle) continue;
+    for (auto* logs : {&problem.training, &problem.holdout})
+      for (Recording& log : *logs) {
+        std::map<std::string, MatrixXd> fine;
+        fine[angle] = dequantised(log.signals.at(angle).col(0));
+        log.signals[std::string("change by a coarse ") + angle] =
+            subject.open()(log, subject.learnt(), subject.shapes(), &fine) -
+            subject.open()(log, subject.learnt(), subject.shapes());
+      }
+    subject.add_candidate(coarse_angle_candidate(subject, angle), "sensor_quantisation");
+  }
+  for (int axis = 0; axis < 2; ++axis) {
+    const LogScale s = scale_of(problem.training, axis);
+    const FlexibleRanges ranges{s.low, s.high, s.speed, 0.0, s.duration};
+    for (Candidate& c : flexible_families(ranges, axis, 0))
+      subject.add_candidate(common(std::move(c), axis, channels), "");
+    // One motor's play, friction or gear shows in its own angle alone.
+    for (int channel = 0; channels > 1 && channel < problem.channels; ++channel)
+      for (Candidate& c : flexible_families(ranges, axis, channel)) {
+        c.place = subject.channels()[static_cast<std::size_t>(channel)].name;
+        subject.add_candidate(std::move(c), "");
+      }
+  }
+}
+
+}  // namespace
+
+ObservedRig wrist_rig(const WristParameters& wrist, const std::string& model,
+                      const std::vector<int>& tendons) {
+  if (tendons.empty())
+    throw std::invalid_argument("a wrist's log needs the angle of at least one motor, theta_1 ...");
+  WristParameters logged = wrist;
+  logged.forearm_points.clear();
+  logged.palm_points.clear();
+  ObservedRig rig;
+  rig.specs = wrist_channels(static_cast<int>(wrist.palm_points.size()));
+  for (ChannelSpec& spec : rig.specs)
+    if (spec.name.rfind("theta_", 0) == 0) spec.required = false;
+  for (const int i : tendons) {
+    logged.forearm_points.push_back(wrist.forearm_points[static_cast<std::size_t>(i - 1)]);
+    logged.palm_points.push_back(wrist.palm_points[static_cast<std::size_t>(i - 1)]);
+    rig.channels.push_back({fmt::format("theta_{}", i), "rad"});
+  }
+  rig.observation = wrist_observation(logged, model);
+  // Places are the wrist's own numbers.
+  for (ObservationEffect& effect : rig.observation.effects)
+    if (effect.id == "pulley_radius")
+      effect.place =
+          fmt::format("motor {}", tendons[static_cast<std::size_t>(effect.outputs.front())]);
+  rig.position = "q71";
+  rig.position_unit = "rad";
+  rig.free_zero = true;
+  rig.recording = [tendons](const Log& log, const sinew::Segment& segment, const ObservedModel&) {
+    return recording_of(log, segment, tendons);
+  };
+  rig.complete = complete;
+  return rig;
+}
+
+}  // namespace sinew::diagnosis

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "generator/function.h"
+#include "symbolic/dynamics/choose_plan.h"
+#include "symbolic/model/mechanism.h"
+
+namespace sinew {
+
+/// mass_matrix, coriolis_matrix, gravity, bias, mass_matrix_and_bias, inverse_dynamics and
+/// forward_dynamics, each in the form that is cheapest for itself.
+/// With `runtime_parameters` masses and gravity are an argument (runtime_parameters.h) and
+/// base_parameters comes first.
+std::vector<Function> dynamics_functions(const Mechanism& mechanism, const CostOf& cost,
+                                         bool runtime_parameters = false);
+
+/// inverse_dynamics alone, the same as above.
+Function inverse_dynamics_function(const Mechanism& mechanism, const CostOf& cost = {},
+                                   bool runtime_parameters = false);
+
+}  // namespace sinew

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Mistakes found in a description: collected, each with its place, and reported together.
+#pragma once
+
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "symbolic/files/source_location.h"
+
+namespace sinew {
+
+/// A description that cannot be used. Every message reads
+/// `file:line:column: what is wrong; what was expected`.
+class DescriptionError : public std::runtime_error {
+ public:
+  explicit DescriptionError(std::vector<std::string> messages);
+  const std::vector<std::string>& messages() const { return messages_; }
+
+ private:
+  std::vector<std::string> messages_;
+};
+
+/// `file:line:column`, or the file alone where the line is unknown (0).
+std::string to_text(const SourceLocation& where);
+
+/// Collects mistakes while a description is read, so that one run shows them all.
+class Findings {
+ public:
+  /// One mistake; the same mistake at the same place is kept once.
+  void add(const SourceLocation& where, std::string_view wrong, std::string_view expected);
+  bool any() const { return !entries_.empty(); }
+  std::size_t count() const { return entries_.size(); }
+  /// Throws DescriptionError with all messages, in the order of the files' lines, if there are any.
+  void raise_if_any() const;
+
+ private:
+  struct Entry {
+    SourceLocation where;
+    std::string text;
+  };
+  std::vector<Entry> entries_;
+  std::set<std::string> known_;  ///< texts of the entries
+};
+
+}  // namespace sinew

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "symbolic/files/read_text.h"
+
+#include <fstream>
+#include <sstream>
+
+namespace sinew {
+
+std::string read_text(const std::filesystem::path& path, Findings& findings) {
+  std::error_code ignored;
+  const bool is_file = std::filesystem::is_regular_file(path, ignored);
+  std::ifstream stream;
+  if (is_file) stream.open(path, std::ios::binary);
+  std::ostringstream text;
+  if (stream.is_open() && stream.peek() != std::ifstream::traits_type::eof())
+    text << stream.rdbuf();
+  if (!stream.is_open() || stream.bad())
+    findings.add({path.string(), 0, 0}, "cannot be read", "expected a readable file");
+  return text.str();
+}
+
+}  // namespace sinew

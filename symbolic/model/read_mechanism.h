@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A model folder as a Mechanism.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "symbolic/files/description_error.h"
+#include "symbolic/model/mechanism.h"
+
+namespace sinew {
+
+/// Reads mechanism.toml and mass_properties.csv of a folder (docs/model_files.md). Values are
+/// converted to SI, bodies sorted depth-first from the base with siblings in file order, axes made
+/// unit vectors, quarter turns exact. Throws DescriptionError with all mistakes found.
+Mechanism read_mechanism(const std::filesystem::path& model_folder);
+
+/// The texts of the two files, and what to call them in messages.
+struct MechanismText {
+  std::string_view toml;
+  std::string_view csv;
+  std::string toml_name = "mechanism.toml";
+  std::string csv_name = "mass_properties.csv";
+};
+
+/// The same from text.
+Mechanism parse_mechanism(const MechanismText& text);
+
+}  // namespace sinew

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "identification/adoption/held_out_judgement.h"
+
+#include <catch2/catch.hpp>
+
+using namespace sinew::diagnosis;
+
+TEST_CASE("a name stands where its gain on held-out logs is surely one") {
+  // Planted defect: with any share above zero "chance" is named, too.
+  const auto cause = [](const char* name, const Gain& gain) {
+    NamedCause c;
+    c.members.emplace_back();
+    c.members.front().name = name;
+    c.held_out = gain;
+    return c;
+  };
+  Verdict verdict;
+  verdict.causes = {cause("chance", {0.011, -0.003, 0.019}), cause("sure", {0.05, 0.02, 0.08}),
+                    cause("sure to one side", {0.05, -0.005, 0.1}),
+                    cause("loss", {-0.2, -0.3, -0.1})};
+  confirm_on_held_out(verdict);
+  REQUIRE(verdict.causes.size() == 2);
+  CHECK(verdict.causes[0].members.front().name == "sure");
+  CHECK(verdict.causes[1].members.front().name == "sure to one side");
+  REQUIRE(verdict.ruled_out.size() == 2);
+  CHECK(verdict.ruled_out.front().reason == "no sure gain on the held-out logs");
+}

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "identification/regression/flexible_families.h"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <numbers>
+
+using Eigen::Index;
+using Eigen::VectorXd;
+namespace diagnosis = sinew::diagnosis;
+
+TEST_CASE("the way since the last reversal starts anew at every turn and not at rest") {
+  const Index count = 4000;
+  VectorXd q(count), qd(count), expected(count);
+  for (Index i = 0; i < count; ++i) {
+    const double phase = 2.0 * std::numbers::pi * static_cast<double>(i) / 1000.0;
+    q(i) = -std::cos(phase);
+    qd(i) = std::sin(phase);
+    const bool forwards = std::fmod(phase, 2.0 * std::numbers::pi) < std::numbers::pi;
+    expected(i) = forwards ? q(i) + 1.0 : 1.0 - q(i);
+  }
+  const VectorXd way = diagnosis::way_since_reversal(q, qd, 0.05);
+  // Around a turn the direction is undecided: those samples are left out.
+  const double rest = std::asin(0.05);
+  for (Index i = 0; i < count; ++i) {
+    const double phase = 2.0 * std::numbers::pi * static_cast<double>(i) / 1000.0;
+    if (std::abs(std::sin(phase)) <= std::sin(2.0 * rest)) continue;
+    INFO(i);
+    CHECK(std::abs(way(i) - expected(i)) < 0.01);
+  }
+  // A pause that does not turn does not start anew.
+  VectorXd pause = qd;
+  pause.segment(200, 50).setZero();
+  const VectorXd again = diagnosis::way_since_reversal(q, pause, 0.05);
+  CHECK(std::abs(again(260) - expected(260)) < 0.01);
+}
+
+TEST_CASE("splines spread over a range sum to one inside it and stay constant outside") {
+  const VectorXd x = VectorXd::LinSpaced(101, -1.5, 2.5);
+  const Eigen::MatrixXd basis = diagnosis::spline_basis(x, -1.0, 2.0, 9);
+  for (Index i = 0; i < x.size(); ++i) CHECK(std::abs(basis.row(i).sum() - 1.0) < 1e-12);
+  CHECK((basis.row(0) - basis.row(5)).norm() < 1e-12);
+}
+
+TEST_CASE("a tight spot and a soft stop have decoys of their own") {
+  const auto decoys = diagnosis::local_decoys({-1.0, 1.0, 2.0, 0.0, 20.0});
+  REQUIRE(decoys.size() == 3);
+  diagnosis::Recording log;
+  log.q = VectorXd::LinSpaced(201, -1.0, 1.0);
+  for (const diagnosis::Candidate& c : decoys) {
+    CHECK(c.kind == diagnosis::CandidateKind::decoy);
+    CHECK_FALSE(c.depends_on.empty());
+    const VectorXd at = c.nonlinear.size() == 2 ? VectorXd(Eigen::Vector2d(0.2, 0.1))
+                                                : VectorXd(VectorXd::Constant(1, 0.2));
+    const Eigen::MatrixXd x = c.columns(log, 0, at);
+    REQUIRE(x.cols() == 1);
+    const bool above = c.name.find("above") != std::string::npos;
+    const bool below = c.name.find("below") != std::string::npos;
+    CHECK((x(0, 0) > 1e-9) == below);
+    CHECK((x(200, 0) > 1e-9) == above);
+  }
+}

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Standstill is found where a joint rests, and nowhere else.
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <numbers>
+
+#include "identification/regression/standstill.h"
+
+namespace {
+
+using namespace sinew::diagnosis;
+using Eigen::Index;
+using Eigen::VectorXd;
+
+constexpr double kStep = 0.002, kCutoff = 60.0;
+
+/// Strokes of one second with rests of `rest` seconds between, fifth-order in time.
+VectorXd strokes(double rest, int count) {
+  const auto still = static_cast<Index>(rest / kStep), moving = static_cast<Index>(1.0 / kStep);
+  VectorXd v = VectorXd::Zero(count * (still + moving));
+  for (int i = 0; i < count; ++i)
+    for (Index k = 0; k < moving; ++k) {
+      const double s = static_cast<double>(k) / static_cast<double>(moving), r = 1.0 - s;
+      v(i * (still + moving) + k) = (i % 2 == 0 ? 30.0 : -30.0) * s * s * r * r;
+    }
+  return v;
+}
+
+VectorXd times(const VectorXd& like) {
+  return VectorXd::LinSpaced(like.size(), 0.0, kStep * static_cast<double>(like.size() - 1));
+}
+
+}  // namespace
+
+TEST_CASE("standstill is the rest between strokes with the ways into and out of it") {
+  const VectorXd v = strokes(0.3, 6);
+  const auto found = find_standstills(times(v), {v}, kCutoff);
+  REQUIRE(found.size() == 7);  // the first sample, at rest as well, counts as a reversal
+  for (std::size_t i = 1; i + 1 < found.size(); ++i) {
+    const double begin = 1.3 * static_cast<double>(i - 1) + 1.0;
+    CHECK(found[i].from < begin);
+    CHECK(found[i].from > begin - 0.15);
+    CHECK(found[i].to > begin + 0.3);
+    CHECK(found[i].to < begin + 0.45);
+  }
+  const VectorXd window = motion_window(found, times(v));
+  for (Index k = 0; k < v.size(); ++k) {
+    if (v(k) == 0.0 && k > 0) CHECK(window(k) == 0.0);
+    if (std::abs(v(k)) > 0.5) CHECK(window(k) == 1.0);
+  }
+}
+
+TEST_CASE("a reversal is standstill until the joint is under way, slow motion is none") {
+  VectorXd v(8000);
+  const auto swing = [&](double hertz) {
+    for (Index k = 0; k < v.size(); ++k)
+      v(k) = std::cos(2.0 * std::numbers::pi * hertz * kStep * static_cast<double>(k));
+    return find_standstills(times(v), {v}, kCutoff);
+  };
+  const auto found = swing(0.5);
+  REQUIRE(found.size() == 16);
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const double turn = static_cast<double>(i) + 0.5;
+    CHECK(found[i].from < turn);
+    CHECK(found[i].to > turn);
+    // 6 ms to each side for the smoother, and 3.2 ms below a hundredth of the speed.
+    CHECK(found[i].to - found[i].from == Approx(0.0184).margin(2.5 * kStep));
+  }
+  // Nothing would be left between the reversals of a vibration.
+  CHECK(swing(50.0).empty());
+  // A friction curve's slow strokes: a hundredth of the fastest.
+  for (Index k = 0; k < v.size(); ++k)
+    v(k) = (k / 500 % 2 == 0 ? 1.0 : -1.0) * (k < 4000 ? 0.01 : 1.0);
+  CHECK(find_standstills(times(v), {v}, kCutoff).size() == 15);
+  CHECK(motion_window({}, times(v)).isOnes(0.0));
+}
+
+TEST_CASE("where a joint lingers behind its reversals it is not under way") {
+  const auto linger = [](double speed) {
+    VectorXd v(4000);
+    for (Index k = 0; k < v.size(); ++k) {
+      const double side = k / 1000 % 2 == 0 ? 1.0 : -1.0;
+      v(k) = side * (k % 1000 < 30 ? speed : 1.0);
+    }
+    return find_standstills(times(v), {v}, kCutoff);
+  };
+  const auto found = linger(0.005);
+  REQUIRE(found.size() == 3);
+  for (const Standstill& each : found) CHECK(each.to - each.from > 0.06);
+  // Planted: as fast as a slow stroke. Then a reversal is over as soon as the smoother says.
+  for (const Standstill& each : linger(0.02)) CHECK(each.to - each.from < 0.015);
+}
+
+TEST_CASE("of a joint's standstills those count in which a tendon rests with it") {
+  const std::vector<Standstill> joint{{0.0, 1.0}, {2.0, 2.5}, {4.0, 4.2}};
+  const std::vector<Standstill> tendons{{0.9, 1.4}, {3.0, 3.9}, {4.2, 5.0}};
+  const std::vector<Standstill> both = overlapping(joint, tendons);
+  REQUIRE(both.size() == 2);
+  CHECK(both[0].to == 1.0);
+  CHECK(both[1].from == 4.0);
+  CHECK(overlapping(joint, {}).empty());
+}
+
+TEST_CASE("a log of next to nothing but rest is left as it is") {
+  const VectorXd v = strokes(6.0, 4);
+  CHECK(find_standstills(times(v), {v}, kCutoff).empty());
+  CHECK(find_standstills(times(v), {VectorXd::Zero(v.size())}, kCutoff).empty());
+}
+
+TEST_CASE("the rougher of two velocities does not hide a rest, nor the smoother one") {
+  const VectorXd v = strokes(0.3, 6);
+  VectorXd rough = v;
+  for (Index k = 0; k < rough.size(); ++k) rough(k) += 0.05 * (k % 2 == 0 ? 1.0 : -1.0);
+  CHECK(find_standstills(times(v), {rough, v}, kCutoff).size() == 7);
+  CHECK(find_standstills(times(v), {v, rough}, kCutoff).size() == 7);
+}

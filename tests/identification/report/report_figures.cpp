@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "identification/report/report_figures.h"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <cstdlib>
+
+#include "identification/report/report_svg.h"
+#include "identification/report/report_thinning.h"
+#include "report_example_plots.h"
+
+using namespace sinew::diagnosis;
+
+namespace {
+
+bool no_gnuplot() {
+  if (std::system("gnuplot --version > /dev/null 2>&1") == 0) return false;
+  WARN("skipped: no gnuplot (Debian: gnuplot-nox)");
+  return true;
+}
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+Series spike_in_noise(std::size_t count, std::size_t at) {
+  Series series{"measured", {}, {}, false};
+  for (std::size_t i = 0; i < count; ++i) {
+    series.x.push_back(static_cast<double>(i));
+    series.y.push_back(i == at ? 50.0 : std::sin(static_cast<double>(i)));
+  }
+  return series;
+}
+
+}  // namespace
+
+TEST_CASE("a short series stays as it is, a long one keeps its extremes") {
+  CHECK(thinned(spike_in_noise(700, 3), false).x.size() == 700);
+  for (const std::size_t at : {0U, 12345U, 99999U}) {
+    const Series thin = thinned(spike_in_noise(100000, at), false);
+    CHECK(thin.x.size() <= 710);
+    CHECK(*std::max_element(thin.y.begin(), thin.y.end()) == 50.0);
+    CHECK(std::is_sorted(thin.x.begin(), thin.x.end()));
+  }
+}
+
+TEST_CASE("every n-th sample, in its stead, would lose the spike") {
+  Series cloud = spike_in_noise(100000, 12345);
+  cloud.points = true;
+  const Series thin = thinned(cloud, false);
+  CHECK(thin.x.size() <= 700);
+  CHECK(*std::max_element(thin.y.begin(), thin.y.end()) < 50.0);
+}
+
+TEST_CASE("gaps stay gaps, and what has no logarithm is left out") {
+  Series gap = spike_in_noise(100000, 5);
+  for (std::size_t i = 40000; i < 50000; ++i) gap.y[i] = std::nan("");
+  const Series thin = thinned(gap, false);
+  CHECK(std::any_of(thin.y.begin(), thin.y.end(), [](double y) { return std::isnan(y); }));
+  const Series spectrum{"", {0.0, 1.0, 2.0, 3.0}, {1.0, -1.0, 0.0, 2.0}, false};
+  CHECK(thinned(spectrum, true).x == std::vector<double>{3.0});
+  CHECK(thinned({"", {1.0, 2.0, 3.0}, {1.0}, true}, false).x.size() == 1);
+}
+
+TEST_CASE("pictures carry no ids, fonts, fixed colours or addresses, and say what they show") {
+  if (no_gnuplot()) return;
+  const std::vector<Plot> plots = example::drive_plots("f", "N", 3000, 1);
+  const std::vector<std::string> figures =
+      svg_figures(plots, std::vector<std::string>(plots.size(), "what is <shown>"));
+  REQUIRE(figures.size() == plots.size());
+  for (const std::string& svg : figures) {
+    CHECK(contains(svg, "<title>what is &lt;shown&gt;</title>"));
+    for (const char* unwanted : {" id=", "font-family", "http", "rgb(", "#", "url(", "black"})
+      CHECK_FALSE(contains(svg, unwanted));
+    CHECK(contains(svg, "var(--before)"));
+    CHECK(contains(svg, "var(--ink)"));
+  }
+  CHECK(contains(figures.back(), "10<tspan"));
+  CHECK(figures == svg_figures(plots, std::vector<std::string>(plots.size(), "what is <shown>")));
+}
+
+TEST_CASE("text in a plot is text, never a command") {
+  if (no_gnuplot()) return;
+  std::vector<Plot> plots = example::drive_plots("f", "N", 100, 1);
+  plots.resize(2);
+  plots[0].x_label = "it's ` $0 \" \n system 'false' \\";
+  plots[0].y_label = "END\nquit";
+  const std::vector<std::string> figures = svg_figures(plots, {});
+  CHECK(contains(figures[0], "it's ` $0"));
+  CHECK_FALSE(figures[1].empty());
+}
+
+TEST_CASE("nothing to draw and no gnuplot both give an empty place") {
+  Plot empty;
+  empty.series = {{"measured", {1.0}, {std::nan("")}, false}};
+  CHECK(svg_figures({empty}, {"x"}) == std::vector<std::string>{""});
+  CHECK(svg_figures({}, {}).empty());
+  const std::string path = std::getenv("PATH") ? std::getenv("PATH") : "";
+  ::setenv("PATH", "/nowhere", 1);
+  const std::vector<std::string> figures = svg_figures(example::drive_plots("f", "N", 10, 1), {});
+  ::setenv("PATH", path.c_str(), 1);
+  for (const std::string& svg : figures) CHECK(svg.empty());
+}
+
+TEST_CASE("paths become shorter, not different") {
+  const std::string svg =
+      "<svg><g><defs></defs><path d='M1.25,2.75 L10.05,20 \n L3.999,4Z'/></g></svg>";
+  CHECK(contains(svg_for_page(svg, ""), "d='M1.2,2.7 10.0,20 3.9,4Z'"));
+}
+
+TEST_CASE("roles and dashes follow the label") {
+  CHECK(series_role("model before", 4) == "before");
+  CHECK(series_role("after, backwards", 0) == "after");
+  CHECK(series_role("something", 4) == "extra-2");
+  CHECK(is_dashed("before, backwards"));
+  CHECK(is_dashed("model before"));
+  CHECK_FALSE(is_dashed("before, forwards"));
+}
+
+TEST_CASE("what is cut off is no picture") {
+  CHECK(svg_for_page("<svg><defs></defs><g><path", "x").empty());
+  CHECK(svg_for_page("", "x").empty());
+}

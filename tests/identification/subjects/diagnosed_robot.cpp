@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/identification/subjects/diagnosed_robot.h"
+
+#include "identification/adoption/diagnose.h"
+#include "identification/subjects/driven_channels.h"
+#include "symbolic/extension/driven_model.h"
+#include "tests/reference/temporary_folder.h"
+
+namespace sinew::test {
+
+Mechanism slide(double mass, double damping, double friction) {
+  Mechanism m;
+  m.name = "slide";
+  Body body;
+  body.name = "carriage";
+  body.mass = mass;
+  Joint joint;
+  joint.name = "x";
+  joint.type = JointType::prismatic;
+  joint.damping = damping;
+  joint.friction = friction;
+  m.bodies = {body};
+  m.joints = {joint};
+  m.gravity.setZero();
+  return m;
+}
+
+diagnosis::Findings diagnosed(const Mechanism& nominal, const std::string& train,
+                              const std::string& holdout) {
+  const reference::TemporaryFolder folder;
+  const auto file = [&](const char* name, const std::string& text) {
+    reference::write_text(folder.path() / name, text);
+    return std::vector<std::string>{(folder.path() / name).string()};
+  };
+  diagnosis::DiagnoseRequest request;
+  request.model = driven_model(nominal);
+  request.mechanism = nominal;
+  request.name = nominal.name;
+  request.runtime = SINEW_SOURCE_DIR "/runtime";
+  request.logs = file("train.csv", train);
+  request.holdout = file("holdout.csv", holdout);
+  request.channels = [&](const std::string& log) {
+    return diagnosis::robot_log_channels(nominal, log, {});
+  };
+  request.settings.edge_s = diagnosis::driven_edge;
+  request.settings.band_hz = diagnosis::driven_band;
+  return diagnosis::diagnose(request).findings;
+}
+
+}  // namespace sinew::test

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A mechanism's logs diagnosed as `sinew diagnose` does it.
+#pragma once
+
+#include <string>
+
+#include "identification/report/findings.h"
+#include "symbolic/model/mechanism.h"
+
+namespace sinew::test {
+
+/// A carriage on a rail without weight: kg, N·s/m, N.
+Mechanism slide(double mass, double damping, double friction);
+
+/// `train`, `holdout`: CSV text with q_<joint>, tau_<joint>.
+diagnosis::Findings diagnosed(const Mechanism& nominal, const std::string& train,
+                              const std::string& holdout);
+
+}  // namespace sinew::test
