@@ -12,6 +12,7 @@
 #include "identification/logs/uniform_grid.h"
 #include "tests/identification/logs/planted_log.h"
 #include "tests/reference/temporary_folder.h"
+#include "tests/skip.h"
 
 using namespace sinew;
 using sinew::test::write_file;
@@ -191,10 +192,8 @@ TEST_CASE("uneven sampling is put on an even grid") {
 
 TEST_CASE("measured logs read without a false alarm") {
   const std::string folder = std::string(SINEW_SOURCE_DIR) + "/../shared/data/";
-  if (!std::filesystem::exists(folder + "emps/data_emps.csv")) {
-    WARN("no measured logs beside the source: skipped");
-    return;
-  }
+  if (!std::filesystem::exists(folder + "emps/data_emps.csv"))
+    return sinew::test::skip("../shared/data/emps is absent");
   ReadOptions options;
   options.map = {"x=q_meas_m", "x_ref=q_ref_m", "f=force_N"};
   const Log emps = read_csv(folder + "emps/data_emps.csv", linear_drive_channels(), options);

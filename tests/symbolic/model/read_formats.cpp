@@ -9,6 +9,7 @@
 #include "symbolic/model/rotation.h"
 #include "symbolic/model/singular_mass_matrix.h"
 #include "symbolic/files/units.h"
+#include "tests/skip.h"
 #include "tests/symbolic/model/malformed_case.h"
 #include "tests/symbolic/model/same_mechanism.h"
 
@@ -94,10 +95,8 @@ TEST_CASE("the table's columns, units and line ends may vary", "[formats]") {
 
 TEST_CASE("numbers do not depend on the locale", "[formats]") {
   const Mechanism expected = arm();
-  if (std::setlocale(LC_ALL, "de_DE.UTF-8") == nullptr) {
-    WARN("the locale de_DE.UTF-8 is not installed; skipped");
-    return;
-  }
+  if (std::setlocale(LC_ALL, "de_DE.UTF-8") == nullptr)
+    return sinew::test::skip("the locale de_DE.UTF-8 is not installed");
   const Mechanism here = arm();
   std::setlocale(LC_ALL, "C");
   REQUIRE(first_difference(expected, here) == "");
