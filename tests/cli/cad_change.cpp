@@ -8,9 +8,9 @@
 #include <set>
 
 #include "symbolic/expressions/evaluate_function.h"
-#include "symbolic/tendons/functions.h"
-#include "symbolic/parts/part.h"
 #include "symbolic/model/read_mechanism.h"
+#include "symbolic/parts/part.h"
+#include "symbolic/tendons/functions.h"
 #include "tests/cli/program.h"
 #include "tests/skip.h"
 

@@ -7,8 +7,8 @@
 
 #include "generator/assemble.h"
 #include "generator/write.h"
-#include "symbolic/tendons/functions.h"
 #include "symbolic/model/read_mechanism.h"
+#include "symbolic/tendons/functions.h"
 #include "tests/reference/emitted_model.h"
 #include "tests/skip.h"
 

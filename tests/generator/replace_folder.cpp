@@ -137,8 +137,7 @@ TEST_CASE("killed at every system call of the writing, the old or the new output
 }
 
 TEST_CASE("every system call that fails leaves the old output and says so") {
-  if (!strace_works() || !writes_may_fail())
-    return sinew::test::skip("strace cannot trace here");
+  if (!strace_works() || !writes_may_fail()) return sinew::test::skip("strace cannot trace here");
   const TemporaryFolder place;
   const fs::path folder = place.path() / "output";
   for (const auto& [call, error] : std::vector<std::pair<std::string, std::string>>{
@@ -159,8 +158,7 @@ TEST_CASE("every system call that fails leaves the old output and says so") {
 TEST_CASE(
     "without an exchange of folders two renames do it, and the old output survives an end "
     "between") {
-  if (!strace_works())
-    return sinew::test::skip("strace cannot trace here");
+  if (!strace_works()) return sinew::test::skip("strace cannot trace here");
   const TemporaryFolder place;
   const fs::path folder = place.path() / "output";
   const std::string no_exchange = "inject=renameat2:error=EINVAL";

@@ -15,8 +15,8 @@
 #include "generator/lower.h"
 #include "generator/passes/passes.h"
 #include "generator/write.h"
-#include "symbolic/tendons/functions.h"
 #include "symbolic/model/read_mechanism.h"
+#include "symbolic/tendons/functions.h"
 #include "tests/generator/every_operation.h"
 #include "tests/generator/pass_check.h"
 #include "tests/reference/emitted_model.h"
@@ -87,8 +87,7 @@ int code_size(const Target& target, const std::string& level) {
 }  // namespace
 
 TEST_CASE("fused code has the interpreter's bits, in double and in float") {
-  if (!machine_fuses())
-    return sinew::test::skip("this machine has no fused multiply-add");
+  if (!machine_fuses()) return sinew::test::skip("this machine has no fused multiply-add");
   for (const Scalar scalar : {Scalar::binary64, Scalar::binary32}) {
     const EmittedModel model = model_for({.scalar = scalar, .fused = true});
     const reference::TemporaryFolder place;

@@ -28,8 +28,7 @@ bool ruled_out(const Verdict& verdict, const std::string& name) {
 
 TEST_CASE("the positioning drive's causes are named without help") {
   const std::optional<Recording> log = read_positioning_drive();
-  if (!log)
-    return sinew::test::skip("../shared/data/emps is absent");
+  if (!log) return sinew::test::skip("../shared/data/emps is absent");
   Problem problem;
   problem.training = {*log};
   DriveScales scales = drive_scales(problem.training);
@@ -54,8 +53,7 @@ TEST_CASE("the positioning drive's causes are named without help") {
 
 TEST_CASE("the cable's torque is found in the master arm's joint") {
   const std::optional<Recording> log = read_cable_joint();
-  if (!log)
-    return sinew::test::skip("../shared/data/dvrk_mtm is absent");
+  if (!log) return sinew::test::skip("../shared/data/dvrk_mtm is absent");
   Problem problem;
   problem.training = {*log};
   DriveScales scales = drive_scales(problem.training);

@@ -91,8 +91,8 @@ TEST_CASE("of a log that is too long stretches from its beginning to its end are
   ReadOptions options;
   options.max_rate = 500.0;
   options.max_values = 2 * 6000;
-  const Log log =
-      read_csv(write_file("far.csv", sines(60000, 1.0e-3, 180.0)), rotary_drive_channels(), options);
+  const Log log = read_csv(write_file("far.csv", sines(60000, 1.0e-3, 180.0)),
+                           rotary_drive_channels(), options);
   CHECK(log.decimation == 2);  // for the rate alone: what fast effects need stays
   REQUIRE(log.segments.size() == 2);
   CHECK(log.sample_count() == 6000);

@@ -36,8 +36,7 @@ double disagreement(MujocoTruth& truth, const Mechanism& mechanism, int states) 
 }
 
 TEST_CASE("MuJoCo agrees with the reference") {
-  if (!mujoco_available())
-    return test::skip("MuJoCo is not installed (libmujoco-dev)");
+  if (!mujoco_available()) return test::skip("MuJoCo is not installed (libmujoco-dev)");
   for (std::uint64_t seed = 1; seed <= 8; ++seed) {
     RandomMechanismOptions options;
     options.joints = 2 + static_cast<int>(seed);

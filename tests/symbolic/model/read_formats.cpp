@@ -3,12 +3,12 @@
 #include <catch2/catch.hpp>
 #include <clocale>
 
-#include "symbolic/model/check_mechanism.h"
 #include "symbolic/files/identifier.h"
+#include "symbolic/files/units.h"
+#include "symbolic/model/check_mechanism.h"
 #include "symbolic/model/read_mechanism.h"
 #include "symbolic/model/rotation.h"
 #include "symbolic/model/singular_mass_matrix.h"
-#include "symbolic/files/units.h"
 #include "tests/skip.h"
 #include "tests/symbolic/model/malformed_case.h"
 #include "tests/symbolic/model/same_mechanism.h"
@@ -180,7 +180,8 @@ TEST_CASE("a mechanism made by hand is checked too", "[formats]") {
   using Catch::Contains;
   CHECK(wrong([](Mechanism&) {}) == "");
   CHECK_THAT(wrong([](Mechanism& m) { m.name = "a b"; }), Contains("has a character other"));
-  CHECK_THAT(wrong([](Mechanism& m) { m.gravity[0] = std::nan(""); }), Contains("gravity is not finite"));
+  CHECK_THAT(wrong([](Mechanism& m) { m.gravity[0] = std::nan(""); }),
+             Contains("gravity is not finite"));
   CHECK_THAT(wrong([](Mechanism& m) { m.bodies.pop_back(); }),
              Contains("bodies and joints differ"));
   CHECK_THAT(wrong([](Mechanism& m) { m.joints[1].parent = 2; }),
