@@ -129,7 +129,7 @@ TEST_CASE("a small cause that only stands in for a large one is its shadow, and 
   Model model = baseline_model(design);
   for (const int c : {1, 2})
     append_term(design, weights, problem.library[static_cast<std::size_t>(c)], VectorXd(), model);
-  const auto collinearity =
+  const auto collinear =
       find_collinear_term(design, settings, weights, model, CollinearAmong::causes);
   REQUIRE(collinear);
   CHECK(model.terms[*collinear].candidate->name == "lookalike");
