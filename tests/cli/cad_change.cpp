@@ -216,7 +216,7 @@ TEST_CASE("without values from before the summary says so", "[cad]") {
   CHECK(fresh.says("functions are new"));
 }
 
-TEST_CASE("figures follow a wrist's new width", "[cad]") {
+TEST_CASE("figures follow a wrist's new width", "[cad][slow]") {
   if (std::string output; reference::run_program({"gnuplot", "--version"}, output) != 0)
     return sinew::test::skip("gnuplot is not installed (gnuplot-nox)");
   const CadOffice here;
