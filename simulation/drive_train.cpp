@@ -29,15 +29,6 @@ CompiledModel compiled(const std::string& name, const std::vector<Function>& fun
   return CompiledModel(assemble({name, "", "", {}}, functions, {}), runtime, with_batch);
 }
 
-MotorParameters with_losses(MotorParameters parameters, const Scenario& scenario) {
-  if (!scenario.motor_friction) parameters.gamma2 = parameters.gamma3 = 0.0;
-  if (!scenario.motor_ripple) {
-    parameters.output_ripple.clear();
-    parameters.input_ripple.clear();
-  }
-  return parameters;
-}
-
 TendonWithLever searched_from_nearby(TendonWithLever parameters) {
   parameters.lever.newton_iterations = newton_iterations;
   return parameters;
@@ -49,6 +40,15 @@ Function guiding_function(GuidingLaw law, const GuidingParameters& parameters) {
 }
 
 }  // namespace
+
+MotorParameters with_losses(MotorParameters parameters, const Scenario& scenario) {
+  if (!scenario.motor_friction) parameters.gamma2 = parameters.gamma3 = 0.0;
+  if (!scenario.motor_ripple) {
+    parameters.output_ripple.clear();
+    parameters.input_ripple.clear();
+  }
+  return parameters;
+}
 
 MotorModel::MotorModel(MotorParameters parameters, const Scenario& scenario,
                        const std::filesystem::path& runtime)

@@ -25,6 +25,9 @@ struct MotorStates {
   Eigen::VectorXd arguments, results;  ///< of the emitted loop
 };
 
+/// Without the losses that the scenario leaves out.
+MotorParameters with_losses(MotorParameters parameters, const Scenario& scenario);
+
 /// The motor's emitted C; friction and ripple as the scenario wants them.
 class MotorModel {
  public:

@@ -34,12 +34,15 @@ std::vector<EffortSlot> effort_slots(const sinew_function& function) {
 
 DrivenEffort::DrivenEffort(const DrivenModel& model, const Identified& identified,
                            const std::filesystem::path& runtime)
-    : joints_(static_cast<int>(model.joints.size())),
-      compiled_(std::make_shared<const CompiledModel>(
+    : DrivenEffort(std::make_shared<const CompiledModel>(
           assemble({model.name, "Effort of the drives", "", {}},
                    {effort_function(model, identified)}, {}),
-          runtime)),
+          runtime)) {}
+
+DrivenEffort::DrivenEffort(std::shared_ptr<const CompiledModel> compiled)
+    : compiled_(std::move(compiled)),
       function_(&compiled_->find("effort")),
+      joints_(function_->outputs[0].rows),
       slots_(effort_slots(*function_)) {
   in_ = VectorXd::Zero(function_->input_size);
   out_ = VectorXd::Zero(function_->output_size);
@@ -63,7 +66,13 @@ void DrivenEffort::set(EffortInput input, double value) {
 }
 
 void DrivenEffort::set(EffortInput input, const VectorXd& values) {
-  if (const EffortSlot* found = slot(input)) in_.segment(found->at, found->count) = values;
+  const EffortSlot* found = slot(input);
+  if (!found) return;
+  auto part = in_.segment(found->at, found->count);
+  if (values.size() == 0)
+    part.setZero();
+  else
+    part = values;
 }
 
 void DrivenEffort::set_step(double seconds) {

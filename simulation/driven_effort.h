@@ -39,6 +39,8 @@ class DrivenEffort {
   /// effect at a place that the model has not.
   DrivenEffort(const DrivenModel& model, const Identified& identified,
                const std::filesystem::path& runtime);
+  /// Of a model that is compiled already. Throws std::runtime_error where it has no effort.
+  explicit DrivenEffort(std::shared_ptr<const CompiledModel> compiled);
 
   int joints() const { return joints_; }
   /// Some effect acts through the instants before: the effort is one of steps, not of time.
@@ -46,7 +48,7 @@ class DrivenEffort {
 
   void set_time(double seconds) { set(EffortInput::time, seconds); }
   void set_step(double seconds);
-  /// External load against each joint [N·m, N]; force of each tendon [N].
+  /// External load against each joint [N·m, N]; force of each tendon [N]. Empty: none.
   void set_load(const Eigen::VectorXd& load) { set(EffortInput::load, load); }
   void set_tension(const Eigen::VectorXd& tension) { set(EffortInput::tension, tension); }
 
@@ -65,9 +67,9 @@ class DrivenEffort {
   const EffortSlot* slot(EffortInput input) const;
   void take_derivatives(const Eigen::VectorXd& qdd);
 
-  int joints_;
   std::shared_ptr<const CompiledModel> compiled_;
   const sinew_function* function_;
+  int joints_;
   std::vector<EffortSlot> slots_;
   double step_ = 1e-3;  ///< s
   EffortPast past_;

@@ -39,6 +39,11 @@ struct IntegrationCalls {
 /// integration fails or the state is no longer finite.
 IntegrationCount integrate(Plant& plant, const IntegrationCalls& calls);
 
+/// Fixed steps of the scenario's length from a state at a time on, without events and books;
+/// `output` after each of them. Throws std::runtime_error as integrate does.
+void integrate_stretch(Plant& plant, double start, const Eigen::VectorXd& state, long steps,
+                       const OnOutput& output);
+
 /// The two families behind it.
 IntegrationCount integrate_by_cvode(Plant& plant, const IntegrationCalls& calls);
 IntegrationCount integrate_by_fixed_steps(Plant& plant, const IntegrationCalls& calls);

@@ -15,17 +15,19 @@ using Eigen::VectorXd;
 
 class FixedSteps {
  public:
-  FixedSteps(Plant& plant, const IntegrationCalls& calls)
+  FixedSteps(Plant& plant, const IntegrationCalls& calls, double start, VectorXd state)
       : plant_(plant),
         calls_(calls),
-        implicit_(plant.scenario().integrator != Integrator::runge_kutta_4),
-        y_(plant.initial_state()),
-        names_(plant.event_names()) {
+        implicit_(plant.scenario().integrator != Integrator::runge_kutta_4 || plant.needs_steps()),
+        y_(std::move(state)),
+        names_(plant.event_names()),
+        time_(start) {
     signs_.resize(names_.size());
     signs_now_.resize(names_.size());
-    plant_.events(0.0, y_.data(), signs_.data());
+    if (!calls_.step) return;
+    plant_.events(time_, y_.data(), signs_.data());
     last_power_ = powers_now();
-    calls_.step(0.0, y_.data(), work_);
+    calls_.step(time_, y_.data(), work_);
   }
 
   const VectorXd& state() const { return y_; }
@@ -33,10 +35,14 @@ class FixedSteps {
 
   void step(double end) {
     const double h = end - time_;
-    if (implicit_)
-      linearly_implicit_euler(h);
-    else
+    plant_.set_step(h);
+    if (!implicit_)
       runge_kutta(h);
+    else if (plant_.has_drives())
+      implicit_euler(h);
+    else
+      linearly_implicit_euler(h);
+    plant_.remember(time_, end, y_.data());
     time_ = end;
     ++count_.steps;
     if (!y_.allFinite())
@@ -45,8 +51,10 @@ class FixedSteps {
                       "a smaller step or the "
                       "integrator cvode_bdf",
                       plant_.scenario().file, time_));
-    audit(h);
-    watch();
+    if (calls_.step) {
+      audit(h);
+      watch();
+    }
     plant_.accept(time_, y_.data());
   }
 
@@ -78,6 +86,43 @@ class FixedSteps {
     y_ += change_;
   }
 
+  /// y = y_start + h f(start, y), commands held: friction next to rest turns within a step, and one
+  /// linear solution would throw the motion from one side of it to the other. Newton's method, with
+  /// steps that never make the rest larger.
+  void implicit_euler(double h) {
+    constexpr int kMost = 25;
+    constexpr double kEnough = 1e-9;
+    const VectorXd start = y_;
+    linearly_implicit_euler(h);
+    VectorXd rest = left_over(start, h, y_);
+    for (int i = 0; i < kMost && size_of(rest, h) > kEnough * (1.0 + y_.norm()); ++i) {
+      plant_.jacobian(time_, y_.data(), solver_.jacobian);
+      ++count_.jacobians;
+      solver_.prepare(h);
+      solver_.solve(rest.data(), change_.data());
+      double share = 1.0;
+      VectorXd next = y_ - change_, left = left_over(start, h, next);
+      while (share > 1e-3 && !(size_of(left, h) < size_of(rest, h))) {
+        share *= 0.5;
+        next = y_ - share * change_;
+        left = left_over(start, h, next);
+      }
+      y_ = std::move(next);
+      rest = std::move(left);
+    }
+  }
+
+  VectorXd left_over(const VectorXd& start, double h, const VectorXd& y) {
+    slope(time_, y, slopes_[0]);
+    return y - start - h * slopes_[0];
+  }
+
+  /// In rates: a position is worth its change in a step.
+  static double size_of(const VectorXd& rest, double h) {
+    const Eigen::Index half = rest.size() / 2;
+    return rest.head(half).norm() / h + rest.tail(half).norm();
+  }
+
   Powers powers_now() { return plant_.powers(plant_.evaluated(time_, y_.data(), true)); }
 
   void audit(double h) {
@@ -102,7 +147,7 @@ class FixedSteps {
   std::vector<std::string> names_;
   std::vector<double> signs_, signs_now_;
   MotionSolver solver_;
-  double time_ = 0.0;
+  double time_;
   Powers work_{}, last_power_{};
   IntegrationCount count_;
 };
@@ -120,7 +165,7 @@ long output_count(const Scenario& scenario) {
 
 IntegrationCount integrate_by_fixed_steps(Plant& plant, const IntegrationCalls& calls) {
   const Scenario& scenario = plant.scenario();
-  FixedSteps steps(plant, calls);
+  FixedSteps steps(plant, calls, 0.0, plant.initial_state());
   calls.output(0.0, steps.state().data());
   for (long k = 1; k < output_count(scenario); ++k) {
     const double start = output_time(scenario, k - 1), end = output_time(scenario, k);
@@ -134,8 +179,20 @@ IntegrationCount integrate_by_fixed_steps(Plant& plant, const IntegrationCalls& 
   return steps.count();
 }
 
+void integrate_stretch(Plant& plant, double start, const Eigen::VectorXd& state, long steps,
+                       const OnOutput& output) {
+  const IntegrationCalls calls{output, {}, {}};
+  FixedSteps stepped(plant, calls, start, state);
+  for (long k = 1; k <= steps; ++k) {
+    const double time = start + static_cast<double>(k) * plant.scenario().step;
+    stepped.step(time);
+    output(time, stepped.state().data());
+  }
+}
+
 IntegrationCount integrate(Plant& plant, const IntegrationCalls& calls) {
-  const Integrator method = plant.scenario().integrator;
+  Integrator method = plant.scenario().integrator;
+  if (plant.needs_steps()) method = Integrator::fixed_step;
   return method == Integrator::cvode_bdf || method == Integrator::cvode_adams
              ? integrate_by_cvode(plant, calls)
              : integrate_by_fixed_steps(plant, calls);

@@ -8,6 +8,8 @@
 #include <cstring>
 #include <stdexcept>
 
+#include "symbolic/model/channel_name.h"
+
 namespace sinew {
 namespace {
 
@@ -41,8 +43,8 @@ Dimension dimension_of(DriveMode mode) {
 
 const char* name_of_power(int power) {
   static constexpr const char* names[power_count] = {
-      "motor",         "motor_friction", "ripple",   "prescribed", "load",
-      "joint_damping", "guiding",        "external", "wrist",      "base"};
+      "motor",   "motor_friction", "ripple", "prescribed", "load",   "joint_damping",
+      "guiding", "external",       "wrist",  "base",       "effects"};
   return names[power];
 }
 
@@ -61,7 +63,8 @@ ScenarioChannels channels_of(DriveMode mode, const std::vector<JointChannel>& jo
   }
   for (const auto& [name, slides] : joints) {
     channels.commands["tau_" + name] = slides ? Dimension::force : Dimension::torque;
-    channels.initial[name] = slides ? Dimension::length : Dimension::angle;
+    for (const std::string& position : {name, position_channel(name)})
+      channels.initial[position] = slides ? Dimension::length : Dimension::angle;
     channels.initial["qd_" + name] = slides ? Dimension::velocity : Dimension::angular_velocity;
   }
   if (top == TopOfModel::commanded_wrist)
@@ -84,11 +87,19 @@ Plant::Plant(const Scenario& scenario, PlantParts parts)
   for (int i = 0; i < std::max(motors_, tendons_); ++i)
     motor_command_.push_back(command(motor_channel(mode, number_of(i, drive_only))));
   if (!drive_only) {
-    for (const std::string& joint : parts_.joints->names)
+    for (const std::string& joint : parts_.joints->names) {
       joint_command_.push_back(command("tau_" + joint));
+      joint_load_.push_back(command("load_" + joint));
+    }
     for (const char* name : {"tip_force_x", "tip_force_y", "tip_force_z"})
       tip_command_.push_back(command(name));
   }
+  if (!drive_only && scenario_.joint_damping) damping_ = parts_.joints->damping;
+  damping_.conservativeResizeLike(VectorXd::Zero(n_));
+  if (parts_.drives) damping_.head(parts_.drives->coordinates() - driven_motors()).setZero();
+  step_ = scenario_.step;
+  for (int t = 0; parts_.drives && t < parts_.drives->tendons(); ++t)
+    tension_command_.push_back(command(fmt::format("tension_{}", t + 1)));
   load_ = command("load");
   flexion_ = command("flexion");
   abduction_ = command("abduction");
@@ -109,7 +120,7 @@ void Plant::read_initial() {
   initial_ = VectorXd::Zero(size());
   for (int j = 0; j < n_; ++j) {
     const std::string& joint = parts_.joints->names[static_cast<std::size_t>(j)];
-    initial_(j) = value(joint, parts_.joints->rest(j));
+    initial_(j) = value(joint, value(position_channel(joint), parts_.joints->rest(j)));
     initial_(n_ + k_ + j) = value("qd_" + joint);
   }
   for (int i = 0; i < k_; ++i) {
@@ -201,6 +212,7 @@ const Evaluation& Plant::observed(double time, const double* y) const {
                       last.size() > 0 ? last.data() : guess_.data(), shown_.tendon);
   }
   take_motors(shown_);
+  take_readings(time, shown_);
   return shown_;
 }
 
@@ -223,15 +235,19 @@ void Plant::evaluate(double time, const double* y, Evaluation& e, bool with_rate
     parts_.joints->torque(e.q.data(), e.wrist, e.finger_force.data(), e.joint_torque.data());
     e.joint_torque += e.external;
   }
+  take_motors(e);
+  take_readings(time, e);
   if (n_ > 0) {
     e.qdd.resize(n_);
-    if (scenario_.joint_damping) e.joint_torque -= parts_.joints->damping.cwiseProduct(e.qd);
-    parts_.joints->acceleration(e.q.data(), e.qd.data(), e.wrist, e.joint_torque.data(),
-                                e.qdd.data());
-    if (with_rates)
-      e.base_power = parts_.joints->base_power(e.q.data(), e.qd.data(), e.qdd.data(), e.wrist);
+    e.joint_torque -= damping_.cwiseProduct(e.qd);
+    if (!parts_.drives)
+      parts_.joints->acceleration(e.q.data(), e.qd.data(), e.wrist, e.joint_torque.data(),
+                                  e.qdd.data());
   }
-  take_motors(e);
+  if (parts_.drives) take_drives(time, e);
+  if (n_ > 0 && with_rates)
+    e.base_power = parts_.joints->base_power(e.q.data(), e.qd.data(), e.qdd.data(), e.wrist);
+  if (parts_.drives && with_rates) e.effects_power = power_of_effects(e);
 }
 
 bool Plant::is_evaluated(double time, const double* y) const {

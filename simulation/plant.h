@@ -13,6 +13,8 @@
 #include <vector>
 
 #include "simulation/drive_train.h"
+#include "simulation/drives.h"
+#include "simulation/effort_history.h"
 #include "simulation/joints.h"
 #include "simulation/weight_feedforward.h"
 #include "simulation/wrist_drive.h"
@@ -31,6 +33,7 @@ enum Power {
   external_power,
   wrist_power,
   base_power,
+  effects_power,  ///< of the drives' friction and of all that logs taught
   power_count
 };
 using Powers = std::array<double, power_count>;
@@ -50,6 +53,9 @@ struct PlantParts {
   std::optional<TendonModel> tendon;
   std::optional<GuidingModel> guiding;
   std::optional<WristDrive> wrist;
+  /// Of the first coordinates, and where they have as many, of the motors.
+  std::optional<Drives> drives;
+  std::vector<int> drive_tendons;  ///< the plant's number of each of the drives' tendons
 };
 
 /// Everything that follows from a state. To be used again and again: its arrays are kept.
@@ -64,9 +70,13 @@ struct Evaluation {
   Eigen::VectorXd bending, inward;                  ///< one a tendon [rad; m/s towards the motor]
   TendonStates tendon;                              ///< force: on the motor's side
   Eigen::VectorXd external, joint_torque;           ///< on the joints: from outside; all [N·m]
+  // As logged:
+  Eigen::VectorXd logged_force;                    ///< one a tendon [N]
+  Eigen::VectorXd logged_torque, logged_external;  ///< of the motors, on the joints [N·m]
   Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> P;
-  double load = 0.0;        ///< N·m, against the motor
-  double base_power = 0.0;  ///< W, of the base's prescribed motion; with rates only
+  double load = 0.0;           ///< N·m, against the motor
+  double effects_power = 0.0;  ///< W, what the drives take; with rates only
+  double base_power = 0.0;     ///< W, of the base's prescribed motion; with rates only
   bool has_rates = false;
   WristMotion wrist;
 
@@ -114,6 +124,17 @@ class Plant {
   void jacobian(double time, const double* y, MotionJacobian& J) const;
   /// To be called after each accepted step: the next lever searches start there.
   void accept(double time, const double* y);
+  /// Where the drives' effects act through the instants before: `y` at `time` is the last one now,
+  /// got to under the commands of the time `commanded` [s].
+  void remember(double commanded, double time, const double* y);
+  /// Effects that act through the instants before need to know how far the last one is away [s].
+  void set_step(double seconds) { step_ = seconds; }
+  bool has_drives() const { return parts_.drives.has_value(); }
+  /// Effects act through the instants before: only fixed steps integrate that.
+  bool needs_steps() const { return parts_.drives && parts_.drives->needs_steps(); }
+  /// The drives, as they are after the last accepted step.
+  const Drives& drives() const { return *parts_.drives; }
+  void set_past(const EffortPast& past) { parts_.drives->set_past(past); }
 
   Powers powers(const Evaluation& e) const;
   EnergyNow energy(const Evaluation& e) const;
@@ -148,6 +169,17 @@ class Plant {
   const Evaluation& paths_at(double time, const double* y) const;
   void take_guiding(Evaluation& e) const;
   void take_motors(Evaluation& e) const;
+  void take_readings(double time, Evaluation& e) const;
+  double delay_of(int coordinate) const;
+  /// Commanded forces are those that the sensors read.
+  void take_true_forces(Evaluation& e) const;
+  int driven_motors() const;
+  DrivenInstant driven_instant(double time, const Evaluation& e) const;
+  const OtherBodies* other_bodies(const Evaluation& e) const;
+  /// Accelerations of what has drives.
+  void take_drives(double time, Evaluation& e) const;
+  void add_drive_slopes(double time, const Evaluation& e, MotionJacobian& J) const;
+  double power_of_effects(const Evaluation& e) const;
   void motor_jacobian(const Evaluation& e, MotionJacobian& J) const;
   /// Adds what guides make of the joints' rates: P^T (dtension/d(dh/dt)) P.
   void add_guiding_slope(const Evaluation& e, MotionJacobian::Matrix& D) const;
@@ -159,8 +191,12 @@ class Plant {
   int n_ = 0, k_ = 0, motors_ = 0, tendons_ = 0;
   bool elastic_ = false;  ///< tendons with lever, not commanded forces
   Eigen::VectorXd initial_, closure_, guess_, no_force_;
+  Eigen::VectorXd damping_;            ///< of the coordinates that have no drives [N·m·s/rad]
+  double step_ = 0.0;                  ///< s
+  EffortHistory history_;              ///< torques of tendons, torques of motors, forces
   Eigen::VectorXd first_feedforward_;  ///< rad: motors start at 0 wherever the wrist starts
-  std::vector<const Signal*> motor_command_, joint_command_, tip_command_;
+  std::vector<const Signal*> motor_command_, joint_command_, joint_load_, tension_command_,
+      tip_command_;
   const Signal* load_ = nullptr;
   const Signal* flexion_ = nullptr;
   const Signal* abduction_ = nullptr;
@@ -170,7 +206,8 @@ class Plant {
   mutable WristNow wrist_now_;
   mutable WristTrack wrist_track_;
   mutable std::optional<WeightFeedforward> weight_;
-  mutable Eigen::VectorXd inertial_;  ///< for one call after the other
+  mutable Eigen::VectorXd inertial_, driven_guess_;  ///< for one call after the other
+  mutable OtherBodies bodies_;
 };
 
 /// What else can be commanded.

@@ -40,7 +40,7 @@ void Plant::take_external(double time, Evaluation& e) const {
   }
   if (pushed) parts_.joints->tip_torque(e.q.data(), force, e.external.data());
   for (int j = 0; j < n_; ++j)
-    e.external(j) += at(joint_command_[static_cast<std::size_t>(j)], time).value;
+    e.external(j) += at(joint_command_[static_cast<std::size_t>(j)], time - delay_of(j)).value;
 }
 
 void Plant::take_motor_commands(double time, Evaluation& e) const {
@@ -48,7 +48,8 @@ void Plant::take_motor_commands(double time, Evaluation& e) const {
   if (scenario_.drive == DriveMode::torque) {
     e.theta_reference.setZero(motors_);
     for (int i = 0; i < motors_; ++i)
-      e.command_torque(i) = at(motor_command_[static_cast<std::size_t>(i)], time).value;
+      e.command_torque(i) =
+          at(motor_command_[static_cast<std::size_t>(i)], time - delay_of(n_ + i)).value;
     return;
   }
   if (wrist_now_.feedforward.size() > 0) {
@@ -81,6 +82,7 @@ void Plant::take_commands(double time, Evaluation& e) const {
     for (int i = 0; i < tendons_; ++i)
       e.tendon.force(i) =
           scenario_.pretension + at(motor_command_[static_cast<std::size_t>(i)], time).value;
+    take_true_forces(e);
   }
   take_motor_commands(time, e);
   if (k_ > 0) return;

@@ -7,15 +7,15 @@ namespace sinew {
 Powers Plant::powers(const Evaluation& e) const {
   Powers power{};
   if (k_ > 0) {
-    power[motor_power] = e.motor.power;
+    power[motor_power] = e.motor.power;  // with drives of their own: all that the torque does
     power[motor_friction_power] = e.motor.friction_power;
     power[ripple_power] = e.motor.ripple_power;
     power[load_power] = -e.load * e.omega.sum();
   }
+  if (parts_.drives) power[effects_power] = e.effects_power;
   if (n_ > 0) {
     power[external_power] = e.external.dot(e.qd);
-    if (scenario_.joint_damping)
-      power[damping_power] = -parts_.joints->damping.dot(e.qd.cwiseProduct(e.qd));
+    power[damping_power] = -damping_.dot(e.qd.cwiseProduct(e.qd));
     power[base_power] = e.base_power;
   }
   if (tendons_ == 0) return power;

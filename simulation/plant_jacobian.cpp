@@ -12,7 +12,7 @@ void Plant::jacobian(double time, const double* y, MotionJacobian& J) const {
   J.damping.setZero(n_, n_);
   if (n_ > 0) {
     parts_.joints->mass_matrix(e.q.data(), e.wrist, J.mass.data());
-    if (scenario_.joint_damping) J.damping.diagonal() = parts_.joints->damping;
+    J.damping.diagonal() = damping_;
     if (tendons_ > 0) {
       J.stiffness.resize(n_, n_);
       parts_.joints->stiffness(e.q.data(), e.wrist, e.finger_force.data(),
@@ -23,6 +23,7 @@ void Plant::jacobian(double time, const double* y, MotionJacobian& J) const {
     }
   }
   motor_jacobian(e, J);
+  if (parts_.drives) add_drive_slopes(time, e, J);
 }
 
 void Plant::motor_jacobian(const Evaluation& e, MotionJacobian& J) const {

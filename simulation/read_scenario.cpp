@@ -163,6 +163,7 @@ class ScenarioReader {
     scenario_.motor_friction = table.truth("motor_friction").value_or(true);
     scenario_.motor_ripple = table.truth("motor_ripple").value_or(true);
     scenario_.joint_damping = table.truth("joint_damping").value_or(true);
+    scenario_.joint_friction = table.truth("joint_friction").value_or(true);
     take_word(table, "guiding", guiding_words, scenario_.guiding);
     take(table, "fixed_bending", Dimension::angle, scenario_.fixed_bending, Sign::not_negative);
     take(table, "crank_inertia", Dimension::inertia, scenario_.crank_inertia, Sign::positive);

@@ -12,6 +12,7 @@
 #include "simulation/signal.h"
 #include "symbolic/files/description_error.h"
 #include "symbolic/files/units.h"
+#include "symbolic/model/held_joints.h"
 
 namespace sinew {
 
@@ -72,6 +73,7 @@ struct Scenario {
   bool motor_friction = true;
   bool motor_ripple = true;
   bool joint_damping = true;
+  bool joint_friction = true;
   GuidingLaw guiding = GuidingLaw::none;
   double fixed_bending = 0.0;     ///< rad, bending of every tendon outside joints and wrist
   double crank_inertia = 2.0e-5;  ///< kg·m², of what the four-bar's crank moves (complete hand)
@@ -82,7 +84,10 @@ struct Scenario {
 
   std::map<std::string, double> initial;   ///< channel (q20, qd_q20, theta_1, …) -> SI value
   std::map<std::string, Signal> commands;  ///< channel -> command, SI
-  double longest_step = 0.0;               ///< s, that still sees every sample; 0: no limit
+  std::vector<HeldJoint> held;             ///< joints of a mechanism that do not move
+  /// Efforts are those of a log: drives move by what was learnt, be it nothing.
+  bool as_logged = false;
+  double longest_step = 0.0;  ///< s, that still sees every sample; 0: no limit
   MeasurementNoise noise;
 };
 

@@ -10,6 +10,8 @@
 #include <optional>
 #include <random>
 
+#include "symbolic/model/channel_name.h"
+
 namespace sinew {
 namespace {
 
@@ -44,14 +46,6 @@ const Eigen::VectorXd& get(const Evaluation& e) {
   return e.*member;
 }
 
-const Eigen::VectorXd& force_of(const Evaluation& e) {
-  return e.tendon.force;
-}
-
-const Eigen::VectorXd& torque_of(const Evaluation& e) {
-  return e.motor.torque;
-}
-
 const Eigen::VectorXd& lever_of(const Evaluation& e) {
   return e.tendon.lever_angle;
 }
@@ -66,10 +60,18 @@ std::vector<Group> drive_groups(const Plant& plant) {
   const MeasurementNoise& noise = plant.scenario().noise;
   std::vector<Group> groups{{{"theta [rad]"}, noise.theta, get<&Evaluation::theta>},
                             {{"omega [rad/s]"}, noise.omega, get<&Evaluation::omega>},
-                            {{"tau_m [N·m]"}, noise.torque, torque_of}};
+                            {{"tau_m [N·m]"}, noise.torque, get<&Evaluation::logged_torque>}};
   if (plant.scenario().drive == DriveMode::servo)
     groups.push_back({{"theta_ref [rad]"}, 0.0, get<&Evaluation::theta_reference>});
   return groups;
+}
+
+std::vector<std::string> position_columns(const Joints& joints) {
+  std::vector<std::string> columns;
+  for (std::size_t i = 0; i < joints.names.size(); ++i)
+    columns.push_back(
+        fmt::format("{} [{}]", position_channel(joints.names[i]), joints.slides[i] ? "m" : "rad"));
+  return columns;
 }
 
 /// One column a coordinate, in the unit of those that turn or of those that slide.
@@ -86,20 +88,23 @@ std::vector<Group> joint_groups(const Plant& plant) {
   const MeasurementNoise& noise = plant.scenario().noise;
   const Joints& joints = *plant.joints();
   std::vector<Group> groups{
-      {of_coordinates(joints, "", "rad", "m"), noise.position, get<&Evaluation::q>},
+      {position_columns(joints), noise.position, get<&Evaluation::q>},
       {of_coordinates(joints, "qd_", "rad/s", "m/s"), 0.0, get<&Evaluation::qd>}};
   const int motors = plant.motors(), tendons = plant.tendons();
   if (motors > 0) {
     groups.push_back({numbered("theta", motors, "rad"), noise.theta, get<&Evaluation::theta>});
     groups.push_back({numbered("omega", motors, "rad/s"), noise.omega, get<&Evaluation::omega>});
-    groups.push_back({numbered("tau", motors, "N·m"), noise.torque, torque_of});
+    groups.push_back(
+        {numbered("tau", motors, "N·m"), noise.torque, get<&Evaluation::logged_torque>});
   }
-  if (tendons > 0) groups.push_back({numbered("force", tendons, "N"), noise.force, force_of});
+  if (tendons > 0)
+    groups.push_back(
+        {numbered("force", tendons, "N"), noise.force, get<&Evaluation::logged_force>});
   if (tendons > 0 && motors > 0)
     groups.push_back({numbered("lever", tendons, "rad"), 0.0, lever_of});
   if (tendons == 0)
-    groups.push_back(
-        {of_coordinates(joints, "tau_", "N·m", "N"), noise.torque, get<&Evaluation::external>});
+    groups.push_back({of_coordinates(joints, "tau_", "N·m", "N"), noise.torque,
+                      get<&Evaluation::logged_external>});
   return groups;
 }
 

@@ -48,4 +48,9 @@ SimulationResult simulate(Plant& plant, const OnRow& row,
 Plant build_plant(const std::filesystem::path& model, const std::filesystem::path& scenario,
                   const std::filesystem::path& runtime);
 
+/// The same for a scenario put together by a program: its commands are not checked against the
+/// model's channels.
+Plant build_plant(const std::filesystem::path& model, const Scenario& scenario,
+                  const std::filesystem::path& runtime);
+
 }  // namespace sinew

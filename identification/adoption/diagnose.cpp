@@ -8,20 +8,20 @@
 #include <map>
 #include <set>
 
-#include "identification/subjects/effort_consistency.h"
-#include "identification/diagnosis/explain.h"
 #include "identification/adoption/extend.h"
 #include "identification/adoption/far_off.h"
 #include "identification/adoption/held_out_judgement.h"
-#include "identification/report/log_record.h"
-#include "identification/subjects/lone_consistency.h"
 #include "identification/adoption/measure.h"
 #include "identification/adoption/motion_file.h"
 #include "identification/adoption/prediction.h"
-#include "identification/logs/read_csv.h"
+#include "identification/diagnosis/explain.h"
 #include "identification/diagnosis/sensor_play.h"
-#include "identification/subjects/tendon_consistency.h"
+#include "identification/logs/read_csv.h"
+#include "identification/report/log_record.h"
 #include "identification/report/verdict_text.h"
+#include "identification/subjects/effort_consistency.h"
+#include "identification/subjects/lone_consistency.h"
+#include "identification/subjects/tendon_consistency.h"
 #include "symbolic/effects/effects.h"
 #include "symbolic/notation/print_mathml.h"
 
@@ -89,6 +89,8 @@ class Run {
     for (std::size_t i = 0; i < logs.size(); ++i)
       take(logs[i], channels[i], i >= request_.logs.size());
     refuse_held_out_twins(result_.findings.logs);
+    LogRecord& first = result_.findings.logs.front();
+    for (const std::string& note : request_.notes) first.faults.push_back(first.file + ": " + note);
   }
 
   void take(const Log& log, const DrivenChannels& channels, bool held_out) {

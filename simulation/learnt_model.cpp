@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/learnt_model.h"
+#include "simulation/learnt_model.h"
 
 #include <algorithm>
 
 #include "generator/assemble.h"
-#include "symbolic/hand/hand_mechanism.h"
 #include "symbolic/extension/identified_mechanism.h"
+#include "symbolic/hand/hand_mechanism.h"
 #include "symbolic/parts/part.h"
 
 namespace sinew {
