@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/replayed_log.h"
 
+#include "cli/diagnose_rig.h"
 #include "cli/driven_request.h"
 #include "identification/logs/model_channels.h"
 #include "identification/logs/read_csv.h"
@@ -24,6 +25,24 @@ ReplayedLog replayed_log(const std::filesystem::path& model, const std::string& 
                                        result.channels, request.model);
   result.replay.scenario.held = std::move(held);
   return result;
+}
+
+std::optional<diagnosis::ObservedReplay> replayed_rig(const std::filesystem::path& model,
+                                                      const std::string& log,
+                                                      const std::vector<std::string>& map,
+                                                      const std::filesystem::path& runtime) {
+  const ModelFolder folder = open_model_folder(model);
+  const std::vector<std::string> mapped = mapped_channels(model, map);
+  auto request = rig_request(folder, {log}, {}, mapped);
+  if (!request) return std::nullopt;
+  request->name = folder.identity.name;
+  request->identified = folder.identified;
+  request->runtime = runtime;
+  request->logs = {log};
+  request->map = mapped;
+  request->settings.edge_s = diagnosis::driven_edge;
+  request->settings.band_hz = diagnosis::driven_band;
+  return diagnosis::replay_observed(*request);
 }
 
 }  // namespace sinew

@@ -99,7 +99,34 @@ void print_summary(const SimulateOptions& o, double duration, const SimulationRe
     fmt::print("    {}: {:.4g} {}, {:.4g} {}\n", e.channel, e.open_loop, e.unit, e.window, e.unit);
 }
 
+/// A lever, a tendon or a wrist: what its model says of its sensors. False for any other model.
+bool replay_rig(const SimulateOptions& o) {
+  const auto replay =
+      o.log.empty() ? std::nullopt : replayed_rig(o.model, o.log, o.map, runtime_folder(o.runtime));
+  if (!replay) return false;
+  RowWriter out(o.out, replay->columns);
+  for (const std::vector<double>& row : replay->rows) out.write(row);
+  out.finish();
+  nlohmann::ordered_json deviations = nlohmann::ordered_json::array();
+  for (const auto& e : replay->errors)
+    deviations.push_back({{"channel", e.channel}, {"unit", e.unit}, {"sensor", e.rms}});
+  if (o.json) {
+    fmt::print("{}\n", nlohmann::ordered_json{{"model", o.model},
+                                              {"log", o.log},
+                                              {"out", o.out},
+                                              {"rows", replay->rows.size()},
+                                              {"deviations", deviations}}
+                           .dump(2));
+    return true;
+  }
+  fmt::print("{}: {} rows written to {}\n  off the logged sensors (rms):\n", o.model,
+             replay->rows.size(), o.out);
+  for (const auto& e : replay->errors) fmt::print("    {}: {:.4g} {}\n", e.channel, e.rms, e.unit);
+  return true;
+}
+
 void run_simulate(const SimulateOptions& o) {
+  if (replay_rig(o)) return;
   const auto replayed =
       o.log.empty() ? std::nullopt : std::optional(replayed_log(o.model, o.log, o.map));
   const auto runtime = runtime_folder(o.runtime);
