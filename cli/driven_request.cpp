@@ -5,7 +5,7 @@
 
 #include "identification/subjects/driven_channels.h"
 #include "identification/subjects/still_joints.h"
-#include "simulation/learnt_model.h"
+#include "simulation/plant/learnt_model.h"
 #include "symbolic/extension/identified_mechanism.h"
 #include "symbolic/hand/hand_mechanism.h"
 

@@ -10,8 +10,8 @@
 
 #include "cli/replayed_log.h"
 #include "cli/runtime_folder.h"
-#include "simulation/simulate.h"
-#include "simulation/write_rows.h"
+#include "simulation/plant/simulate.h"
+#include "simulation/plant/write_rows.h"
 
 namespace sinew {
 namespace {

@@ -9,8 +9,8 @@
 #include <string>
 
 #include "identification/regression/cross_validation.h"
-#include "simulation/driven_plant.h"
-#include "simulation/integrate.h"
+#include "simulation/plant/driven_plant.h"
+#include "simulation/plant/integrate.h"
 
 namespace sinew::diagnosis {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "identification/report/findings.h"
 #include "identification/subjects/driven_subject.h"
-#include "simulation/plant.h"
+#include "simulation/plant/plant.h"
 
 namespace sinew::diagnosis {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "identification/subjects/driven_channels.h"
-#include "simulation/plant.h"
+#include "simulation/plant/plant.h"
 
 namespace sinew::diagnosis {
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "identification/regression/candidate.h"
-#include "simulation/drives.h"
+#include "simulation/drives/drives.h"
 #include "symbolic/extension/driven_model.h"
 
 namespace sinew::diagnosis {
