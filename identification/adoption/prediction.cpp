@@ -32,7 +32,10 @@ class Predicted {
       : log_(log),
         time_(log.time.array() - log.started()),
         drives_(plant.drives()),
-        plant_(plant) {}
+        plant_(plant) {
+    drives_.forget();
+    plant_.set_past(drives_.past());
+  }
 
   /// What effects remember when the log gets to a sample after the other, along its own motion.
   void follow(Index sample) {

@@ -77,6 +77,7 @@ class Drives {
   DrivenSlopes slopes(const DrivenInstant& now, const Eigen::VectorXd& acceleration) const;
   /// The instant becomes the past of the effects.
   void remember(const DrivenInstant& now, const Eigen::VectorXd& acceleration);
+  void forget() { effort_.forget(); }
   const EffortPast& past() const { return effort_.past(); }
   void set_past(const EffortPast& past) { effort_.set_past(past); }
 

@@ -110,4 +110,10 @@ void DrivenEffort::remember() {
   past_.jerk = jerk_;
 }
 
+void DrivenEffort::forget() {
+  past_.memory.setZero();
+  past_.acceleration.resize(0);
+  past_.jerk.resize(0);
+}
+
 }  // namespace sinew

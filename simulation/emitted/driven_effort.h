@@ -58,6 +58,8 @@ class DrivenEffort {
   /// The motion given last becomes the past.
   void remember();
 
+  /// There is no past: nothing has moved.
+  void forget();
   const EffortPast& past() const { return past_; }
   void set_past(const EffortPast& past) { past_ = past; }
 

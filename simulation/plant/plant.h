@@ -128,13 +128,19 @@ class Plant {
   /// got to under the commands of the time `commanded` [s].
   void remember(double commanded, double time, const double* y);
   /// Effects that act through the instants before need to know how far the last one is away [s].
-  void set_step(double seconds) { step_ = seconds; }
+  void set_step(double seconds) {
+    if (step_ != seconds) scratch_time_ = -1.0;
+    step_ = seconds;
+  }
   bool has_drives() const { return parts_.drives.has_value(); }
   /// Effects act through the instants before: only fixed steps integrate that.
   bool needs_steps() const { return parts_.drives && parts_.drives->needs_steps(); }
   /// The drives, as they are after the last accepted step.
   const Drives& drives() const { return *parts_.drives; }
-  void set_past(const EffortPast& past) { parts_.drives->set_past(past); }
+  void set_past(const EffortPast& past) {
+    parts_.drives->set_past(past);
+    scratch_time_ = -1.0;
+  }
 
   Powers powers(const Evaluation& e) const;
   EnergyNow energy(const Evaluation& e) const;

@@ -12,7 +12,8 @@ namespace {
 
 VectorXd joined(const VectorXd& joints, const VectorXd& motors, int count) {
   VectorXd all(joints.size() + count);
-  all << joints, motors.head(count);
+  all.head(joints.size()) = joints;
+  all.tail(count) = motors.head(count);
   return all;
 }
 
