@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
+#include <optional>
 #include <stdexcept>
 
 #include "simulation/plant/add_drives.h"
@@ -111,15 +112,18 @@ Plant hand_plant(const fs::path& model, const Happening& what, const fs::path& r
         "{}: {} needs to know the wrist's motion; expected the wrist mode prescribed", what.name(),
         scenario.wrist_feedforward ? "wrist_feedforward" : "weight_feedforward"));
   PlantParts parts;
-  const HeldHand held = held_hand(hand);
-  const Eigen::Vector3d own_gravity =
-      hand.fingers.front().mechanism.gravity + learnt_gravity(held, identified);
+  // Taken exactly, which takes a while.
+  const std::optional<HeldHand> held = identified.empty() && !scenario.as_logged
+                                           ? std::nullopt
+                                           : std::optional(held_hand(hand));
+  Eigen::Vector3d own_gravity = hand.fingers.front().mechanism.gravity;
+  if (held) own_gravity += learnt_gravity(*held, identified);
   parts.joints = hand_joints(
       hand, scenario.gravity.value_or(own_gravity),
       {scenario.crank_inertia, free, scenario.wrist_inertia, scenario.wrist_damping}, runtime);
   if (!free) parts.wrist.emplace(hand.wrist, runtime);
   add_drive_train(parts, scenario, model, runtime);
-  add_drives(held, identified, scenario, runtime, parts);
+  if (held) add_drives(*held, identified, scenario, runtime, parts);
   return Plant(scenario, std::move(parts));
 }
 
