@@ -3,6 +3,7 @@
 
 #include <stdexcept>
 
+#include "generator/assemble.h"
 #include "identification/subjects/driven_channels.h"
 #include "identification/subjects/still_joints.h"
 #include "simulation/plant/learnt_model.h"
