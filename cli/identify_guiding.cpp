@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <nlohmann/json.hpp>
 
-#include "cli/figures_guiding.h"
+#include "cli/figures/guiding.h"
 #include "cli/identify_experiments.h"
 #include "identification/experiments/guiding_fit.h"
 

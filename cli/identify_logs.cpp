@@ -9,7 +9,7 @@ namespace sinew {
 namespace {
 
 constexpr double most_deviation = 0.5;  // of a logged velocity from the position's derivative
-constexpr double seen = 20.0;           // times its noise: a position that moves
+constexpr double times_noise = 20.0;           // times its noise: a position that moves
 
 bool is_repair(const DataFault& fault) {
   switch (fault.kind) {
@@ -68,7 +68,7 @@ void require_velocity(const Log& log) {
   for (const Segment& segment : log.segments)
     sums.add(segment.samples.col(theta), segment.samples.col(omega), log.period,
              log.channels[static_cast<std::size_t>(theta)].noise_floor);
-  if (sums.slope <= seen * seen * sums.noise ||
+  if (sums.slope <= times_noise * times_noise * sums.noise ||
       sums.distance <= most_deviation * most_deviation * sums.slope)
     return;
   const Channel &position = log.channels[static_cast<std::size_t>(theta)],

@@ -6,7 +6,7 @@
 
 #include "cli/diagnose.h"
 #include "cli/effects.h"
-#include "cli/figures.h"
+#include "cli/figures/figures.h"
 #include "cli/generate.h"
 #include "cli/identify.h"
 #include "cli/import.h"

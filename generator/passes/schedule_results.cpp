@@ -7,7 +7,7 @@
 namespace sinew {
 namespace {
 
-std::size_t at(Value v) {
+std::size_t position_of(Value v) {
   return static_cast<std::size_t>(v);
 }
 
@@ -19,12 +19,12 @@ bool is_part_of_sum(const Graph& graph, const Node& n) {
 
 /// How many steps of a sum in a row end in each value.
 std::vector<int> sum_lengths(const Graph& graph) {
-  std::vector<int> lengths(at(graph.size()), 0);
+  std::vector<int> lengths(position_of(graph.size()), 0);
   for (Value v = 0; v < graph.size(); ++v) {
     if (!is_part_of_sum(graph, graph[v])) continue;
     for (int i = 0; i < arity(graph[v].op); ++i)
-      lengths[at(v)] = std::max(lengths[at(v)], lengths[at(graph[v].operand(i))]);
-    ++lengths[at(v)];
+      lengths[position_of(v)] = std::max(lengths[position_of(v)], lengths[position_of(graph[v].operand(i))]);
+    ++lengths[position_of(v)];
   }
   return lengths;
 }
@@ -32,11 +32,11 @@ std::vector<int> sum_lengths(const Graph& graph) {
 /// The partial sums of a result, the innermost first, itself last.
 std::vector<Value> partial_sums(const Graph& graph, const std::vector<int>& lengths, Value v) {
   std::vector<Value> sums{v};
-  while (lengths[at(v)] > 1) {
+  while (lengths[position_of(v)] > 1) {
     const Node& node = graph[v];
     v = node.a;
     for (int i = 1; i < arity(node.op); ++i)
-      if (lengths[at(node.operand(i))] > lengths[at(v)]) v = node.operand(i);
+      if (lengths[position_of(node.operand(i))] > lengths[position_of(v)]) v = node.operand(i);
     sums.push_back(v);
   }
   std::reverse(sums.begin(), sums.end());
@@ -58,16 +58,16 @@ std::vector<std::vector<Value>> all_partial_sums(const Graph& graph, bool last_f
 /// shared; -1 where nothing is.
 std::vector<int> shared_steps(const Graph& graph, const std::vector<Value>& sum) {
   const int never = static_cast<int>(sum.size());
-  std::vector<int> needed(at(graph.size()), never);  // by which step for the first time
-  for (std::size_t k = 0; k < sum.size(); ++k) needed[at(sum[k])] = static_cast<int>(k);
+  std::vector<int> needed(position_of(graph.size()), never);  // by which step for the first time
+  for (std::size_t k = 0; k < sum.size(); ++k) needed[position_of(sum[k])] = static_cast<int>(k);
   for (Value v = graph.size() - 1; v >= 0; --v)
     for (int i = 0; i < arity(graph[v].op); ++i)
-      needed[at(graph[v].operand(i))] = std::min(needed[at(graph[v].operand(i))], needed[at(v)]);
-  std::vector<int> shared(at(graph.size()), -1);
+      needed[position_of(graph[v].operand(i))] = std::min(needed[position_of(graph[v].operand(i))], needed[position_of(v)]);
+  std::vector<int> shared(position_of(graph.size()), -1);
   for (Value v = 0; v < graph.size(); ++v) {
-    if (needed[at(v)] < never) shared[at(v)] = needed[at(v)];
+    if (needed[position_of(v)] < never) shared[position_of(v)] = needed[position_of(v)];
     for (int i = 0; i < arity(graph[v].op); ++i)
-      shared[at(v)] = std::max(shared[at(v)], shared[at(graph[v].operand(i))]);
+      shared[position_of(v)] = std::max(shared[position_of(v)], shared[position_of(graph[v].operand(i))]);
   }
   return shared;
 }
@@ -85,7 +85,7 @@ std::vector<Value> beside_longest_sum(const Graph& graph,
   for (int k = -1; k < static_cast<int>(longest->size()); ++k) {
     if (k >= 0) order.push_back((*longest)[static_cast<std::size_t>(k)]);
     for (std::size_t i = 0; i < all.size(); ++i)
-      while (next[i] < all[i].size() && shared[at(all[i][next[i]])] <= k)
+      while (next[i] < all[i].size() && shared[position_of(all[i][next[i]])] <= k)
         order.push_back(all[i][next[i]++]);
   }
   return order;

@@ -10,7 +10,7 @@
 namespace sinew::diagnosis {
 namespace {
 
-constexpr std::size_t kShortlist = 5;
+constexpr std::size_t kRefits = 5;
 constexpr double kAnotherName = 4.0;  // deviance that one more name must be worth
 constexpr double kWorthIt = 4.0;      // deviance; less is chance
 
@@ -19,7 +19,7 @@ bool is_cause(const Term& term) {
 }
 
 /// The search's fixed surroundings.
-struct Search {
+struct Reduction {
   const Design& design;
   const Library& library;
   const Settings& settings;
@@ -50,7 +50,7 @@ struct Alternative {
 };
 
 /// Causes that act on a channel, by their places in the model.
-std::vector<std::size_t> causes_at(const Search& s, int channel) {
+std::vector<std::size_t> causes_at(const Reduction& s, int channel) {
   std::vector<std::size_t> list;
   const std::vector<Term>& terms = s.adopted.model.terms;
   for (std::size_t t = 0; t < terms.size(); ++t) {
@@ -65,7 +65,7 @@ std::vector<std::size_t> causes_at(const Search& s, int channel) {
 }
 
 /// Those that go and are worth their price beside the new one come back.
-void take_back(const Search& s, const std::vector<std::size_t>& group, Alternative& trial) {
+void take_back(const Reduction& s, const std::vector<std::size_t>& group, Alternative& trial) {
   std::vector<std::size_t> out = group;
   for (;;) {
     Model best;
@@ -100,7 +100,7 @@ bool is_value(const Problem& problem, const Candidate& candidate) {
 }
 
 /// Candidates and values of the model that explain most where the group is missing.
-std::vector<Alternative> alternatives(const Search& s, const std::vector<std::size_t>& group) {
+std::vector<Alternative> alternatives(const Reduction& s, const std::vector<std::size_t>& group) {
   Model without = s.adopted.model;
   for (std::size_t i = group.size(); i-- > 0;) remove_term(s.design, group[i], without);
   std::vector<Alternative> list;
@@ -117,7 +117,7 @@ std::vector<Alternative> alternatives(const Search& s, const std::vector<std::si
   };
   const Screening screening =
       screen(s.design, s.library, without, s.weights(), {}, s.settings.threads);
-  for (const Screened& c : shortlist(s.design, s.adopted.freedom, without, screening, kShortlist)) {
+  for (const Screened& c : shortlist(s.design, s.adopted.freedom, without, screening, kRefits)) {
     const Candidate& candidate = s.design.problem().library[static_cast<std::size_t>(c.candidate)];
     if (candidate.kind != CandidateKind::named || is_value(s.design.problem(), candidate)) continue;
     add(c.candidate,
@@ -129,7 +129,7 @@ std::vector<Alternative> alternatives(const Search& s, const std::vector<std::si
 }
 
 /// The best replacement of a group, if it is better than what there is.
-std::optional<Alternative> best_instead(const Search& s, const std::vector<std::size_t>& group,
+std::optional<Alternative> best_instead(const Reduction& s, const std::vector<std::size_t>& group,
                                         double present) {
   std::vector<Alternative> trials = alternatives(s, group);
   parallel_for(static_cast<int>(trials.size()), s.settings.threads, [&](int i) {
@@ -153,7 +153,7 @@ std::optional<Alternative> best_instead(const Search& s, const std::vector<std::
 
 std::optional<FewerCauses> find_fewer_causes(const Design& design, const Library& library,
                                              const Settings& settings, const Selection& adopted) {
-  const Search s{design, library, settings, adopted};
+  const Reduction s{design, library, settings, adopted};
   const double present = s.score(adopted.model);
   std::optional<Alternative> best;
   std::vector<std::vector<std::size_t>> seen;

@@ -18,7 +18,7 @@ namespace {
 
 constexpr size_t block_size = size_t{1} << 20;
 constexpr size_t longest_line = size_t{1} << 24;
-constexpr double nan_value = std::numeric_limits<double>::quiet_NaN();
+constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 
 bool is_missing_word(std::string_view text) {
   static constexpr std::array<std::string_view, 12> words = {
@@ -103,7 +103,7 @@ double parse_cell(std::string_view cell, char decimal, CellState& state) {
   cell = unquoted(cell);
   if (cell.empty()) {
     state = CellState::empty;
-    return nan_value;
+    return no_number;
   }
   std::array<char, 64> swapped;
   if (decimal != '.' && cell.size() < swapped.size() && cell.find('.') == std::string_view::npos) {
@@ -111,7 +111,7 @@ double parse_cell(std::string_view cell, char decimal, CellState& state) {
     cell = std::string_view(swapped.data(), cell.size());
   }
   const std::string_view digits = cell.front() == '+' ? cell.substr(1) : cell;
-  double value = nan_value;
+  double value = no_number;
   const char* end = digits.data() + digits.size();
   const auto parsed = std::from_chars(digits.data(), end, value);
   if (parsed.ec == std::errc() && parsed.ptr == end && std::isfinite(value)) {
@@ -122,7 +122,7 @@ double parse_cell(std::string_view cell, char decimal, CellState& state) {
   const bool missing = is_missing_word(cell) || cell.find('#') != std::string_view::npos ||
                        (parsed.ec == std::errc() && parsed.ptr == end);
   state = missing && !cell.starts_with('#') ? CellState::nan : CellState::text;
-  return nan_value;
+  return no_number;
 }
 
 CsvReader::CsvReader(const std::string& path) : path_(path), file_(std::fopen(path.c_str(), "rb")) {
@@ -268,7 +268,7 @@ bool CsvReader::next(CsvRow& row) {
 void CsvReader::parse(std::string_view line, CsvRow& row) const {
   row.line = line_;
   row.cells = 0;
-  row.value.assign(selected_, nan_value);
+  row.value.assign(selected_, no_number);
   row.state.assign(selected_, CellState::absent);
   const bool quotes = std::memchr(line.data(), '"', line.size()) != nullptr;
   for (size_t at = 0; at <= line.size();) {

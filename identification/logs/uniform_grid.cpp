@@ -12,7 +12,7 @@ namespace sinew {
 namespace {
 
 using std::numbers::pi;
-constexpr double nan_value = std::numeric_limits<double>::quiet_NaN();
+constexpr double no_value = std::numeric_limits<double>::quiet_NaN();
 
 // Windowed sinc (Blackman), cut off at 0.4 of the new sampling rate; unit gain at rest.
 std::vector<double> low_pass(int factor, long half) {
@@ -225,7 +225,7 @@ void UniformBuilder::place(Row row) {
 void UniformBuilder::emit_missing(long count) {
   for (long i = 0; i < count; ++i) {
     Row row;
-    row.values.assign(channels_, nan_value);
+    row.values.assign(channels_, no_value);
     emit(std::move(row));
   }
 }
@@ -245,7 +245,7 @@ void UniformBuilder::resample(bool last) {
         break;
       Row row{recent_[left].line, time, {}};
       row.values = to - from > longest_step_ && time - from > 0.3 * settings_.period
-                       ? std::vector<double>(channels_, nan_value)
+                       ? std::vector<double>(channels_, no_value)
                        : between(left, time);
       emit(std::move(row));
     }

@@ -94,7 +94,7 @@ Candidate coarse_sensor(const ObservedModel& model, const VectorXd& learnt,
   return c;
 }
 
-void complete(ObservedSubject& subject, bool with_elongation) {
+void complete_lever(ObservedSubject& subject, bool with_elongation) {
   const Problem& problem = subject.problem();
   double step = 1e300;
   for (const Recording& log : problem.training)
@@ -125,7 +125,7 @@ ObservedRig lever_rig(const LeverRig& rig, const std::string& model, bool with_e
                          const Log& log, const sinew::Segment& segment, const ObservedModel& open) {
     return recording_of(log, segment, open, observation, with_elongation);
   };
-  result.complete = [with_elongation](ObservedSubject& s) { complete(s, with_elongation); };
+  result.complete = [with_elongation](ObservedSubject& s) { complete_lever(s, with_elongation); };
   return result;
 }
 

@@ -72,7 +72,7 @@ Candidate common(Candidate family, int axis, Index channels) {
   return family;
 }
 
-void complete(ObservedSubject& subject) {
+void complete_wrist(ObservedSubject& subject) {
   Problem& problem = subject.problem();
   const auto channels = static_cast<Index>(problem.channels);
   for (const char* angle : angles) {
@@ -134,7 +134,7 @@ ObservedRig wrist_rig(const WristParameters& wrist, const std::string& model,
   rig.recording = [tendons](const Log& log, const sinew::Segment& segment, const ObservedModel&) {
     return recording_of(log, segment, tendons);
   };
-  rig.complete = complete;
+  rig.complete = complete_wrist;
   return rig;
 }
 

@@ -80,13 +80,13 @@ Linkage::Linkage(const FourBarParameters& p)
   sin3 = list.define("sin3", across / length);
 }
 
-/// Direction of the joint's link at the reference crank angle: 50 digits, so that a joint's zero
+/// LinkDirection of the joint's link at the reference crank angle: 50 digits, so that a joint's zero
 /// is the same on every machine.
-struct Direction {
+struct LinkDirection {
   ex cosine, sine;
 };
 
-Direction reference_direction(const FourBarParameters& parameters, FourBarAngle angle) {
+LinkDirection reference_direction(const FourBarParameters& parameters, FourBarAngle angle) {
   const Linkage k(parameters);
   std::vector<Output> both{{"cosine", 1, 1, {k.cos4}, "1", ""}, {"sine", 1, 1, {k.sin4}, "1", ""}};
   if (angle == FourBarAngle::coupler_on_crank) {
@@ -164,7 +164,7 @@ Function four_bar_joint(const FourBarParameters& parameters, FourBarAngle angle)
     sine = k.list.define("sin_32", k.sin3 * k.cos2 - k.cos3 * k.sin2);
   }
   // Turned back by the reference angle, so that the cut of atan2 is half a turn away from it.
-  const Direction zero = reference_direction(parameters, angle);
+  const LinkDirection zero = reference_direction(parameters, angle);
   const ex slope = k.list.define(
       "slope", rocker ? k.a * (k.sin3 * k.cos2 - k.cos3 * k.sin2) / (k.c * k.sin_34)
                       : k.a * (k.sin4 * k.cos2 - k.cos4 * k.sin2) / (k.b * k.sin_34) - 1);

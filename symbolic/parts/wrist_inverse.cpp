@@ -24,14 +24,14 @@ const GiNaC::numeric largest_step(1, 5);  // rad; keeps the iteration far outsid
 const GiNaC::numeric widest_angle(3, 2);  // rad; targets beyond are taken at nearly a right angle
 
 /// The palm's direction and the angles it comes from, limited to the half space in front.
-struct Direction {
+struct HandDirection {
   ex flexion, abduction;
   Vector3 v;
 };
 
-Direction direction(DefinitionList& list, const ex& flexion, const ex& abduction) {
+HandDirection direction(DefinitionList& list, const ex& flexion, const ex& abduction) {
   const ex limit = widest_angle;
-  Direction d;
+  HandDirection d;
   d.flexion = list.define("limited_flexion", clamped(flexion, -limit, limit));
   d.abduction = list.define("limited_abduction", clamped(abduction, -limit, limit));
   const ex level = list.define("level", GiNaC::cos(d.abduction));
@@ -47,7 +47,7 @@ struct Bars {
   ex mismatch;  ///< (|A A0|² - a² - c²)/2 [m²]
 };
 
-Bars bars_at(DefinitionList& list, const WristLinks& links, const Direction& d, const ex& q71) {
+Bars bars_at(DefinitionList& list, const WristLinks& links, const HandDirection& d, const ex& q71) {
   const auto& [a, b, c, r, r_squared, margin] = links;
   Bars bars;
   auto& q = bars.angles;
@@ -76,7 +76,7 @@ Bars bars_at(DefinitionList& list, const WristLinks& links, const Direction& d, 
   return bars;
 }
 
-ex newton_step(DefinitionList& list, const WristLinks& links, const Direction& d,
+ex newton_step(DefinitionList& list, const WristLinks& links, const HandDirection& d,
                const GiNaC::symbol& q71) {
   const Bars bars = bars_at(list, links, d, q71);
   ForwardDerivative by_q71(list, q71, "q71");
@@ -107,7 +107,7 @@ Function wrist_bar_angles(const WristParameters& parameters) {
   const Argument abduction =
       scalar_argument("abduction", "rad", parameters.abduction, "of the palm, towards y");
   DefinitionList list;
-  const Direction d = direction(list, flexion.symbols[0], abduction.symbols[0]);
+  const HandDirection d = direction(list, flexion.symbols[0], abduction.symbols[0]);
   const GiNaC::numeric ratio = links.c / rational_root(links.a * links.a + links.c * links.c);
   ex q71 = list.define("q71_start", d.flexion / 2 + GiNaC::asin(ratio * GiNaC::cos(d.flexion / 2)));
   for (int i = 0; i < parameters.newton_iterations; ++i)

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "cli/figure.h"
+#include "cli/figures/figure.h"
 #include "simulation/compiled_model.h"
 
 namespace sinew {

@@ -3,16 +3,17 @@
 
 #include <Eigen/Core>
 #include <cmath>
+#include <numbers>
 
-#include "cli/source_figures.h"
+#include "cli/figures/source_figures.h"
 
 namespace sinew {
 namespace {
 
 using Eigen::Vector3d;
 
-constexpr double pi = 3.14159265358979323846, degree = pi / 180;
-constexpr int samples = 400;
+using std::numbers::pi;
+constexpr int path_points = 400;
 
 struct Palm {
   double time, flexion, abduction;  ///< s, rad, rad
@@ -21,8 +22,8 @@ struct Palm {
 /// One second of flexion and extension, one second of abduction and adduction.
 std::vector<Palm> motion(const WristParameters& p) {
   std::vector<Palm> palm;
-  for (int i = 0; i <= samples; ++i) {
-    const double t = 2.0 * i / samples, wave = std::sin(2 * pi * t);
+  for (int i = 0; i <= path_points; ++i) {
+    const double t = 2.0 * i / path_points, wave = std::sin(2 * pi * t);
     palm.push_back({t, t < 1 ? p.flexion.high * wave : 0, t < 1 ? 0 : p.abduction.high * wave});
   }
   return palm;
@@ -84,8 +85,8 @@ Panel displacements(const CompiledModel& wrist, const std::vector<Palm>& track,
 
 Figure against_angles(const CompiledModel& wrist, const WristParameters& p) {
   std::vector<Palm> flexion, abduction;
-  for (int i = 0; i <= samples; ++i) {
-    const double share = static_cast<double>(i) / samples;
+  for (int i = 0; i <= path_points; ++i) {
+    const double share = static_cast<double>(i) / path_points;
     flexion.push_back({0, p.flexion.low + share * (p.flexion.high - p.flexion.low), 0});
     abduction.push_back({0, 0, p.abduction.low + share * (p.abduction.high - p.abduction.low)});
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/figures_lever.h"
+#include "cli/figures/lever.h"
 
 #include <fmt/format.h>
 
@@ -23,8 +23,8 @@ std::vector<double> state_at(const CompiledModel& lever, const LeverParameters& 
 using std::numbers::pi;
 constexpr double spring_mismatch = 0.05, loop_share = 15.0 / 70.0, loop_length = 2e-4;
 constexpr double force_noise = 0.1, gauge_noise = 2e-6;  // N, m
-constexpr double period = 0.005;                         // s
-constexpr long samples = 6000;
+constexpr double sample_period = 0.005;                         // s
+constexpr long sample_count = 6000;
 
 /// Three slow pulls and releases as the rig would log them. The loop follows the way with a length
 /// of its own (Dahl's law).
@@ -33,15 +33,15 @@ Log calibration_log(const CompiledModel& lever, const TendonWithLever& parameter
   const double compliance = parameters.tendon.free_length / parameters.tendon.axial_stiffness;
   Log log;
   log.file = "simulated calibration";
-  log.period = period;
+  log.period = sample_period;
   log.channels = {{"count", "1"}, {"force", "N"}, {"elongation", "m"}};
   Segment segment;
-  segment.samples.resize(samples, 3);
+  segment.samples.resize(sample_count, 3);
   std::mt19937_64 random(11);
   std::normal_distribution<double> unit;
   double z = 0.0, before = 0.0;
-  for (long i = 0; i < samples; ++i) {
-    const double s = 0.5 - 0.5 * std::cos(2.0 * pi * 3.0 * static_cast<double>(i) / samples);
+  for (long i = 0; i < sample_count; ++i) {
+    const double s = 0.5 - 0.5 * std::cos(2.0 * pi * 3.0 * static_cast<double>(i) / sample_count);
     const std::vector<double> state = state_at(lever, p, s);
     const double way = (state[elongation] - before) / loop_length;
     before = state[elongation];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/figures_guiding.h"
+#include "cli/figures/guiding.h"
 
 #include <fmt/format.h>
 
@@ -13,7 +13,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double degree = 3.14159265358979323846 / 180.0;
 constexpr double table_angles[] = {15, 30, 45, 60, 90, 120, 150, 180, 270, 360};  // deg
 
 std::string guide_of(const GuidingSeries& s) {

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "cli/figure.h"
+#include "cli/figures/figure.h"
 #include "simulation/compiled_model.h"
 #include "symbolic/parts/part.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/figure.h"
+#include "cli/figures/figure.h"
 
 #include <fmt/format.h>
 

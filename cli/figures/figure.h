@@ -3,10 +3,13 @@
 #pragma once
 
 #include <filesystem>
+#include <numbers>
 #include <string>
 #include <vector>
 
 namespace sinew {
+
+constexpr double degree = std::numbers::pi / 180.0;  ///< rad
 
 struct Series {
   std::string title;  ///< empty: no entry in the key

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/figure.h"
+#include "cli/figures/figure.h"
 #include "identification/experiments/guiding_fit.h"
 
 namespace sinew {

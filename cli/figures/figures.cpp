@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/figures.h"
+#include "cli/figures/figures.h"
 
 #include <fmt/format.h>
 
@@ -7,10 +7,10 @@
 #include <algorithm>
 #include <memory>
 
-#include "cli/figures_guiding.h"
-#include "cli/figures_lever.h"
-#include "cli/figures_motor.h"
-#include "cli/source_figures.h"
+#include "cli/figures/guiding.h"
+#include "cli/figures/lever.h"
+#include "cli/figures/motor.h"
+#include "cli/figures/source_figures.h"
 #include "symbolic/parts/part.h"
 
 namespace sinew {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/figures_motor.h"
+#include "cli/figures/motor.h"
 
 #include <fmt/format.h>
 

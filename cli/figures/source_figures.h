@@ -3,7 +3,7 @@
 #pragma once
 
 #include "simulation/compiled_model.h"
-#include "cli/figure.h"
+#include "cli/figures/figure.h"
 #include "symbolic/parts/wrist.h"
 
 namespace sinew {

@@ -4,7 +4,7 @@
 #include <Eigen/Eigenvalues>
 #include <cmath>
 
-#include "cli/source_figures.h"
+#include "cli/figures/source_figures.h"
 
 namespace sinew {
 namespace {
@@ -14,8 +14,8 @@ using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowM
 
 constexpr double tendon_stiffness = 1.0e4;  // N/m
 constexpr double damping_ratio = 1e-3;
-constexpr double time_step = 2e-5, duration = 0.3;  // s
-constexpr int joints = 4, sampled_every = 25;
+constexpr double integration_step = 2e-5, released_for = 0.3;  // s
+constexpr int joint_count = 4, sampled_every = 25;
 
 std::vector<double> numbers(const VectorXd& v) {
   return {v.data(), v.data() + v.size()};
@@ -38,12 +38,12 @@ enum class Terms { all, no_coriolis, no_coriolis_no_gravity };
 class Finger {
  public:
   explicit Finger(const CompiledModel& model) : model_(model) {
-    const VectorXd rest = VectorXd::Zero(joints), f = VectorXd::Zero(8),
+    const VectorXd rest = VectorXd::Zero(joint_count), f = VectorXd::Zero(8),
                    kt = VectorXd::Constant(8, tendon_stiffness);
     const auto K = model("joint_stiffness", joined(rest, f, kt)),
                M = model("mass_matrix", numbers(rest));
-    stiffness_ = Eigen::Map<const Matrix>(K.data(), joints, joints);
-    const Matrix mass = Eigen::Map<const Matrix>(M.data(), joints, joints);
+    stiffness_ = Eigen::Map<const Matrix>(K.data(), joint_count, joint_count);
+    const Matrix mass = Eigen::Map<const Matrix>(M.data(), joint_count, joint_count);
     const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> modes(stiffness_, mass);
     const Eigen::MatrixXd shape = mass * modes.eigenvectors();
     const VectorXd rates = 2 * damping_ratio * modes.eigenvalues().cwiseSqrt();
@@ -53,7 +53,7 @@ class Finger {
   VectorXd acceleration(const VectorXd& q, const VectorXd& qd, Terms terms) const {
     VectorXd tau = -stiffness_ * q - damping_ * qd;
     // Without a velocity the bias is gravity alone; adding it to the torque leaves it out.
-    const VectorXd rate = terms == Terms::all ? qd : VectorXd(VectorXd::Zero(joints));
+    const VectorXd rate = terms == Terms::all ? qd : VectorXd(VectorXd::Zero(joint_count));
     if (terms == Terms::no_coriolis_no_gravity) tau += vector(model_("gravity", numbers(q)));
     return vector(model_("forward_dynamics", joined(q, rate, tau)));
   }
@@ -65,11 +65,11 @@ class Finger {
 
 /// Positions at every sampled time, by the classical Runge-Kutta method.
 std::vector<VectorXd> released(const Finger& finger, Terms terms) {
-  VectorXd q = VectorXd::Zero(joints), qd = VectorXd::Zero(joints);
+  VectorXd q = VectorXd::Zero(joint_count), qd = VectorXd::Zero(joint_count);
   q[1] = 0.1;
   std::vector<VectorXd> track;
-  const double h = time_step;
-  for (int step = 0; step * h <= duration; ++step) {
+  const double h = integration_step;
+  for (int step = 0; step * h <= released_for; ++step) {
     if (step % sampled_every == 0) track.push_back(q);
     const VectorXd a1 = finger.acceleration(q, qd, terms), v2 = qd + h / 2 * a1;
     const VectorXd a2 = finger.acceleration(q + h / 2 * qd, v2, terms), v3 = qd + h / 2 * a2;
@@ -83,12 +83,12 @@ std::vector<VectorXd> released(const Finger& finger, Terms terms) {
 
 Panel difference_panel(const std::string& title, const std::vector<VectorXd>& full,
                        const std::vector<VectorXd>& reduced, double& largest) {
-  const char* names[joints] = {"base abduction", "base flexion", "PIP", "DIP"};
+  const char* names[joint_count] = {"base abduction", "base flexion", "PIP", "DIP"};
   Panel panel{title, "time [s]", "difference [rad]", {}};
-  for (int j = 0; j < joints; ++j) {
+  for (int j = 0; j < joint_count; ++j) {
     Series series{names[j], {}, {}, "lines"};
     for (std::size_t i = 0; i < full.size(); ++i) {
-      series.x.push_back(static_cast<double>(i) * sampled_every * time_step);
+      series.x.push_back(static_cast<double>(i) * sampled_every * integration_step);
       series.y.push_back(full[i][j] - reduced[i][j]);
       largest = std::max(largest, std::abs(series.y.back()));
     }

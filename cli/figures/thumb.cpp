@@ -4,12 +4,11 @@
 #include <cmath>
 #include <random>
 
-#include "cli/source_figures.h"
+#include "cli/figures/source_figures.h"
 
 namespace sinew {
 namespace {
 
-constexpr double degree = 3.14159265358979323846 / 180;
 
 struct Case {
   int steps;
