@@ -94,4 +94,11 @@ void decide_adoption(bool any_term, bool held_out, const Gain& gain,
   }
 }
 
+void add_remarks(const std::vector<std::string>& changed, const std::vector<std::string>& refused,
+                 Extension& extension) {
+  std::vector<std::string> remarks = refused;
+  if (extension.adopted) remarks.insert(remarks.end(), changed.begin(), changed.end());
+  for (const std::string& remark : remarks) extension.reason += "; " + remark;
+}
+
 }  // namespace sinew::diagnosis
