@@ -19,6 +19,9 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using Estimates = std::vector<std::vector<ParameterEstimate>>;
 
+constexpr double least_reach = 0.05;  // m: what hangs on a link of no length
+constexpr double worth_saying = 0.1;  // standard errors: less is what no log says anything about
+
 /// Which of a body's ten numbers is called so; -1: none.
 int number_of(const std::string& name) {
   const auto& names = find_model_effect("payload")->coefficients;
@@ -61,7 +64,7 @@ std::vector<LinkTerm> link_terms(const DrivenSubject& subject, const Model& mode
     for (const ParameterEstimate& e : estimates[t])
       link.body.estimated.push_back(number_of(e.name));
     link.body.before = before_of(subject, effect, link.place);
-    link.body.reach = reach_of(subject.rigid()->mechanism());
+    link.body.reach = std::max(least_reach, reach_of(subject.rigid()->mechanism()));
     links.push_back(std::move(link));
   }
   return links;
@@ -165,6 +168,7 @@ std::vector<std::string> make_links_physical(const DrivenSubject& subject, const
   follow(design, model, split, -follows * moved, estimates);
   for (std::size_t b = 0; b < links.size(); ++b)
     take(links[b], nearest.changes[b], estimates[links[b].term]);
+  if (nearest.misfit < worth_saying * worth_saying) return {};
   return {sentence_of(links, nearest.misfit)};
 }
 

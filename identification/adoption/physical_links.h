@@ -13,7 +13,7 @@ namespace sinew::diagnosis {
 /// All terms' estimates, of estimates(). A regression knows no bodies: where a payload or a link
 /// that it gives cannot be one, its parameters become those of the body (a Cholesky factor with
 /// logarithms on its diagonal) that raises the misfit least, and what was fitted beside it follows.
-/// Returns a sentence for each term that was changed.
+/// Returns a sentence where that is not what the logs say.
 std::vector<std::string> make_links_physical(
     const DrivenSubject& subject, const Design& design, const Selection& selection,
     std::vector<std::vector<ParameterEstimate>>& estimates);
