@@ -218,7 +218,7 @@ class Run {
     decide_adoption(any, !request_.holdout.empty(),
                     measured_gain(measured, -1, true, 12, request_.settings.seed),
                     emitted_functions(), f.extension);
-    add_remarks(fitted.changed, possible.refused, f.extension);
+    add_remarks(fitted.changed, possible.refused, any, f.extension);
     f.extension.operations_before = subject_.effort().operations();
     f.extension.operations_after = subject_.effort_with(result_.extended).operations();
   }

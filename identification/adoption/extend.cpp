@@ -8,6 +8,7 @@
 #include "identification/subjects/effect_candidate.h"
 #include "symbolic/effects/effects.h"
 #include "symbolic/extension/identified_mechanism.h"
+#include "symbolic/extension/learnt_entry.h"
 #include "symbolic/model/pseudo_inertia.h"
 
 namespace sinew::diagnosis {
@@ -41,8 +42,6 @@ void fill(const CandidateOrigin& origin, bool revolute, const Eigen::VectorXd& s
   for (const EffectColumn& column : effect.columns) {
     IdentifiedValue value = value_of(estimates, column.name);
     value.unit = unit_at(column.unit, revolute);
-    // An estimate may lie beyond its limit by what chance does.
-    value.value = std::clamp(value.value, limits_of(column).low, limits_of(column).high);
     entry.coefficients.push_back(std::move(value));
   }
 }
@@ -67,6 +66,16 @@ bool fill_special(const std::vector<ParameterEstimate>& estimates, IdentifiedEff
     return true;
   }
   return false;
+}
+
+/// An estimate may lie beyond its limit by what chance does.
+void keep_within_limits(IdentifiedEffect& entry) {
+  const std::optional<DeclaredEntry> declared = declared_entry(entry.effect);
+  if (!declared) return;
+  for (IdentifiedValue& value : entry.coefficients)
+    for (const DeclaredValue& each : declared->coefficients)
+      if (each.name == value.name)
+        value.value = std::clamp(value.value, each.limits.low, each.limits.high);
 }
 
 bool in_catalogue(const std::string& id) {
@@ -176,6 +185,7 @@ ExtensionTerms extension_terms(const DrivenSubject& subject, const Design& desig
            term.nonlinear, all[t], entry.entry);
     else if (!fill_special(all[t], entry.entry))
       continue;
+    keep_within_limits(entry.entry);
     entry.per_log =
         term.level < 0 && std::any_of(term.candidate->linear.begin(), term.candidate->linear.end(),
                                       [](const LinearParameter& p) { return p.per_log; });

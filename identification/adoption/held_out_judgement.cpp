@@ -95,10 +95,12 @@ void decide_adoption(bool any_term, bool held_out, const Gain& gain,
 }
 
 void add_remarks(const std::vector<std::string>& changed, const std::vector<std::string>& refused,
-                 Extension& extension) {
+                 bool any_term, Extension& extension) {
   std::vector<std::string> remarks = refused;
   if (extension.adopted) remarks.insert(remarks.end(), changed.begin(), changed.end());
-  for (const std::string& remark : remarks) extension.reason += "; " + remark;
+  if (!any_term && !refused.empty()) extension.reason.clear();
+  for (const std::string& remark : remarks)
+    extension.reason += (extension.reason.empty() ? "" : "; ") + remark;
 }
 
 }  // namespace sinew::diagnosis

@@ -50,6 +50,16 @@ std::optional<std::string> why_impossible(const DrivenSubject& subject,
   }
 }
 
+std::optional<std::string> why_impossible(const Observation& observation,
+                                          const Identified& identified) {
+  try {
+    parse_identified(identified_text(identified), "identified.toml", observation);
+    return std::nullopt;
+  } catch (const DescriptionError& error) {
+    return first_mistake(error);
+  }
+}
+
 PossibleTerms possible_terms(const DrivenSubject& subject, std::vector<ExtensionTerm> terms) {
   std::stable_partition(terms.begin(), terms.end(),
                         [](const ExtensionTerm& t) { return changes_mechanism(t.entry); });

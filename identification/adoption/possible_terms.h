@@ -7,12 +7,17 @@
 #include <vector>
 
 #include "identification/adoption/extend.h"
+#include "symbolic/extension/observation.h"
 
 namespace sinew::diagnosis {
 
 /// Why a model with these entries could not be: identified.toml would be refused where it is read,
 /// a link would be no body, or the mass matrix not positive definite over the joints' ranges.
 std::optional<std::string> why_impossible(const DrivenSubject& subject,
+                                          const Identified& identified);
+
+/// The same of a rig, whose entries change no mechanism.
+std::optional<std::string> why_impossible(const Observation& observation,
                                           const Identified& identified);
 
 struct PossibleTerms {

@@ -42,10 +42,12 @@ std::vector<VectorXd> spread_points(Index dimensions, int count) {
   return points;
 }
 
-/// Smallest eigenvalue of the symmetric matrix scaled to a unit diagonal; below 0 where an entry of
-/// the diagonal is not positive.
+/// Smallest eigenvalue of the symmetric matrix scaled to a unit diagonal; 0 where an entry of the
+/// diagonal is 0, rounding aside, and -1 where one is negative.
 double definiteness(const MatrixXd& M) {
-  if (!(M.diagonal().minCoeff() > 0.0)) return -1.0;
+  const double rounding = 1e-14 * M.diagonal().cwiseAbs().maxCoeff();
+  if (!(M.diagonal().minCoeff() >= -rounding)) return -1.0;
+  if (M.diagonal().minCoeff() <= rounding) return 0.0;
   const VectorXd scale = M.diagonal().cwiseSqrt().cwiseInverse();
   const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(scale.asDiagonal() * M * scale.asDiagonal(),
                                                        Eigen::EigenvaluesOnly);
@@ -71,21 +73,28 @@ class RigidMass {
                list.items(),
                {{"positions", m, 1, map.positions(), "", ""},
                 {"slopes", m, static_cast<int>(n_), map.projected_columns(identity), "", ""}}};
+    if (coordinates.linear()) linear_ = joints_at(VectorXd::Zero(n_)).second;
   }
 
   MatrixXd operator()(const VectorXd& q) const {
-    const std::vector<double> values = evaluate(joints_, {q.begin(), q.end()});
-    const auto m = static_cast<Index>(joints_.outputs.front().rows);
-    const VectorXd positions = Eigen::Map<const VectorXd>(values.data(), m);
-    const Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>
-        slopes(values.data() + m, m, n_);
+    const auto [positions, slopes] = joints_at(q);
     return slopes.transpose() * mass_matrix_at(mechanism_, positions) * slopes;
   }
 
  private:
+  /// Positions of all moving joints, and their derivatives by the coordinates.
+  std::pair<VectorXd, MatrixXd> joints_at(const VectorXd& q) const {
+    if (linear_.size() > 0) return {linear_ * q, linear_};
+    const std::vector<double> values = evaluate(joints_, {q.begin(), q.end()});
+    const auto m = static_cast<Index>(joints_.outputs.front().rows);
+    const Eigen::Map<const MatrixXd> transposed(values.data() + m, n_, m);
+    return {VectorXd::Map(values.data(), m), transposed.transpose()};
+  }
+
   const Mechanism& mechanism_;
   Index n_ = 0;
   Function joints_;
+  MatrixXd linear_;  ///< those derivatives, where they are the same everywhere
 };
 
 /// What an entry adds to its joint's effort per unit of acceleration, all else at rest; 0 for
