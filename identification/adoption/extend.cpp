@@ -159,7 +159,7 @@ void add_to(std::vector<IdentifiedValue>& values, const IdentifiedValue& more) {
 ExtensionTerms extension_terms(const DrivenSubject& subject, const Design& design,
                                const Explanation& explanation) {
   const Selection& selection =
-      subject.problem().levels.empty() ? explanation.selection : explanation.adopted;
+      subject.problem().deviations.empty() ? explanation.selection : explanation.adopted;
   auto all = estimates(design, selection.model, selection.noise);
   ExtensionTerms extension;
   extension.changed = make_links_physical(subject, design, selection, all);
@@ -168,8 +168,8 @@ ExtensionTerms extension_terms(const DrivenSubject& subject, const Design& desig
   for (std::size_t t = 0; t < selection.model.terms.size(); ++t) {
     const Term& term = selection.model.terms[t];
     if (term.baseline) continue;
-    const int candidate = term.level >= 0
-                              ? -1 - term.level
+    const int candidate = term.deviation >= 0
+                              ? -1 - term.deviation
                               : static_cast<int>(term.candidate - subject.problem().library.data());
     const CandidateOrigin& origin = subject.origin_of(term);
     if (origin.effect.empty()) continue;
@@ -186,9 +186,9 @@ ExtensionTerms extension_terms(const DrivenSubject& subject, const Design& desig
     else if (!fill_special(all[t], entry.entry))
       continue;
     keep_within_limits(entry.entry);
-    entry.per_log =
-        term.level < 0 && std::any_of(term.candidate->linear.begin(), term.candidate->linear.end(),
-                                      [](const LinearParameter& p) { return p.per_log; });
+    entry.per_log = term.deviation < 0 &&
+                    std::any_of(term.candidate->linear.begin(), term.candidate->linear.end(),
+                                [](const LinearParameter& p) { return p.per_log; });
     // The model has a delay at each joint; one of all joints is the same at each.
     if (origin.everywhere)
       for (std::size_t j = 1; j < subject.model().joints.size(); ++j) {
