@@ -70,7 +70,7 @@ TEST_CASE("a joint that moves no inertia is told, and all but the inverse is gen
   const Ended json = here.sinew({"generate", "models/rod", "--json"});
   CHECK(nlohmann::json::parse(json.output).at("notes").size() == 1);
   // With some inertia about its axis all is there.
-  here.change("models/rod/mass_properties.csv", "rod,0.1,", "rod,0.1,0.01");
+  here.change("models/rod/mass_properties.csv", "rod,0.1,0", "rod,0.1,0.01");
   const Ended whole = here.sinew({"generate", "models/rod"});
   INFO(whole.output);
   CHECK(whole.status == 0);

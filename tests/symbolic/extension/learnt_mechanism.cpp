@@ -28,7 +28,7 @@ Mechanism two_links() {
     joint.name = i ? "q2" : "q1";
     joint.parent = i - 1;
     joint.origin.translation[0] = 0.2 * i;
-    joint.low = -1.5;
+    joint.low = 0.3;
     joint.high = 1.5;
     joint.armature = 1e-4;
     arm.joints.push_back(joint);
@@ -108,23 +108,22 @@ TEST_CASE("a link that is no body is refused") {
 }
 
 TEST_CASE("what a drive learns leaves the mass matrix positive at every corner") {
-  // Where the elbow is stretched the shoulder feels most; where it is bent, least. The mass matrix
-  // is indefinite in a part of the range only. Planted defect: the centre of the ranges alone:
-  // read.
+  // The more the elbow is stretched, the less inertia has a shoulder whose elbow gives way: the mass
+  // matrix is indefinite in a part of the range only. Planted defect: the centre of the ranges
+  // alone: read.
   const Mechanism arm = two_links();
   const auto change = [](double inertia) {
     return entry("inertia", "q1", {{"inertia_change", inertia}});
   };
-  const Eigen::MatrixXd straight = mass_matrix_at(arm, Eigen::Vector2d::Zero()),
-                        bent = mass_matrix_at(arm, Eigen::Vector2d(0.0, 1.5));
+  const Eigen::MatrixXd straight = mass_matrix_at(arm, Eigen::Vector2d(0.3, 0.3)),
+                        bent = mass_matrix_at(arm, Eigen::Vector2d(0.3, 0.9));
   const auto schur = [](const Eigen::MatrixXd& M) {
     return M(0, 0) + 1e-4 - M(0, 1) * M(0, 1) / (M(1, 1) + 1e-4);
   };
-  REQUIRE(schur(straight) != Approx(schur(bent)));
-  const double least = std::min(schur(straight), schur(bent)),
-               most = std::max(schur(straight), schur(bent));
+  const double least = schur(straight), in_the_middle = schur(bent);
+  REQUIRE(least < 0.9 * in_the_middle);
   CHECK(refusal(arm, change(-0.9 * least)) == "");
-  const std::string why = refusal(arm, change(-0.5 * (least + most)));
+  const std::string why = refusal(arm, change(-0.5 * (least + in_the_middle)));
   INFO(why);
   CHECK(why.find("would not be positive definite at q1 = ") != std::string::npos);
   CHECK(why.find("'inertia' at 'q1'") != std::string::npos);
