@@ -27,6 +27,6 @@ void decide_adoption(bool any_term, bool held_out, const Gain& gain,
 /// What was changed and what was left out so that the model stays one that there can be: said
 /// behind the reason.
 void add_remarks(const std::vector<std::string>& changed, const std::vector<std::string>& refused,
-                 Extension& extension);
+                 bool any_term, Extension& extension);
 
 }  // namespace sinew::diagnosis
