@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The rates the engine is judged by, over many simulated drives. Not part of a usual run:
-//   SINEW_TRIALS=200 SINEW_SIZE=50 SINEW_SEED=1000 identification_tests "[.study]" -c one
+//   SINEW_TRIALS=200 SINEW_SIZE=50 SINEW_SEED=1000 identification_diagnosis_tests "[.study]" -c one
 #include <fmt/core.h>
 
 #include <array>
