@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "identification/logs/read_csv.h"
 #include "symbolic/dynamics/coordinates.h"
@@ -25,7 +26,9 @@ std::vector<ChannelSpec> positions_of(const Mechanism& mechanism) {
 }
 
 struct Seen {
-  double low = INFINITY, high = -INFINITY, steps = 0.0;
+  double low = std::numeric_limits<double>::infinity();
+  double high = -std::numeric_limits<double>::infinity();
+  double steps = 0.0;
 };
 
 Seen seen_of(const std::string& channel, const std::vector<Log>& logs) {
