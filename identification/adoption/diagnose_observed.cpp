@@ -12,6 +12,7 @@
 #include "identification/adoption/held_out_judgement.h"
 #include "identification/adoption/measure_plots.h"
 #include "identification/adoption/observed_extension.h"
+#include "identification/adoption/possible_terms.h"
 #include "identification/diagnosis/explain.h"
 #include "identification/logs/read_csv.h"
 #include "identification/report/log_record.h"
@@ -128,10 +129,16 @@ class ObservedRun {
   void extend(const Explanation& explanation) {
     Findings& f = result_.findings;
     const Design design(subject_.problem(), request_.settings);
-    const bool any = std::any_of(f.verdict.causes.begin(), f.verdict.causes.end(),
-                                 [&](const NamedCause& c) { return effect_of(c) >= 0; });
+    bool any = std::any_of(f.verdict.causes.begin(), f.verdict.causes.end(),
+                           [&](const NamedCause& c) { return effect_of(c) >= 0; });
     result_.extended =
         any ? extended_observation(subject_, design, explanation) : request_.identified;
+    std::vector<std::string> refused;
+    if (const auto why = why_impossible(subject_.observation(), result_.extended)) {
+      refused.push_back("what was fitted cannot be adopted: " + *why);
+      result_.extended = request_.identified;
+      any = false;
+    }
     const std::vector<MeasuredChannel> measured =
         measure_observation(subject_, design, result_.extended, request_.rig.free_zero);
     discrepant_ =
@@ -144,6 +151,7 @@ class ObservedRun {
     decide_adoption(any, !request_.holdout.empty(),
                     measured_gain(measured, -1, true, 12, request_.settings.seed), {"observation"},
                     f.extension);
+    add_remarks({}, refused, any, f.extension);
     f.extension.operations_before = observation_operations(subject_, request_.identified);
     f.extension.operations_after = observation_operations(subject_, result_.extended);
   }

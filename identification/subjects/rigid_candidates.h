@@ -15,6 +15,9 @@
 
 namespace sinew::diagnosis {
 
+/// Twice what the links can reach [m]: no mass of theirs is farther from its frame.
+double reach_of(const Mechanism& mechanism);
+
 /// Inverse dynamics that is linear in mass properties and in gravity.
 class RigidColumns {
  public:

@@ -6,8 +6,9 @@
 #include "generator/assemble.h"
 #include "simulation/bodies/moving_base.h"
 #include "symbolic/dynamics/coordinates.h"
-#include "symbolic/tendons/functions.h"
 #include "symbolic/dynamics/symbols.h"
+#include "symbolic/model/singular_mass_matrix.h"
+#include "symbolic/tendons/functions.h"
 #include "symbolic/tendons/tendon_bending.h"
 #include "symbolic/tendons/tendon_functions.h"
 
@@ -41,6 +42,10 @@ Function moving_joints(const Mechanism& mechanism) {
 
 CompiledModel compiled(const Mechanism& mechanism, bool moving_base,
                        const std::filesystem::path& runtime) {
+  if (const auto joint = joint_without_inertia(mechanism))
+    throw std::invalid_argument(
+        mechanism.name + " cannot be simulated: its joint '" + mechanism.joints[*joint].name +
+        "' can move without moving any inertia; give the bodies that it carries some");
   std::vector<Function> functions;
   if (moving_base) {
     functions = tendon_functions(mechanism);
