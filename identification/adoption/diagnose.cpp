@@ -60,7 +60,7 @@ class Run {
     f.verdict = explanation.verdict;
     tell("extending and measuring", 0.9);
     extend(explanation);
-    describe_terms(explanation.verdict);
+    describe_terms(f.verdict);
     f.headline = headline(f);
     report_discrepancies(discrepant_, f);
     f.next_step = next_step(f);
@@ -115,7 +115,8 @@ class Run {
     std::vector<LoggedColumn> judged;
     const auto add = [&](int index, const std::string& whole) {
       const Channel& channel = log.channels[static_cast<std::size_t>(index)];
-      judged.push_back({whole.empty() ? channel.name : whole, channel.column});
+      judged.push_back({whole.empty() ? channel.name : whole, channel.column,
+                        whole.empty() ? channel.quantum : 0.0});
     };
     const std::size_t joints = columns.positions.size() - columns.efforts.size();
     for (std::size_t j = 0; j < joints; ++j)
@@ -210,16 +211,18 @@ class Run {
     const EffortModel after = extended_effort(subject_, adding);
     const std::vector<MeasuredChannel> measured = measure(subject_, design, adding, after);
     for (int c = 0; c < subject_.problem().channels; ++c)
-      f.channels.push_back(
-          channel_finding(subject_, measured, c, noise_floor(explanation.selection, design, c)));
+      f.channels.push_back(channel_finding(subject_, measured, c,
+                                           noise_floor(explanation.selection, design, c),
+                                           quantum_of(columns_, c), request_.settings.seed));
+    tell_measured(measured, subject_.problem().unlike_channels, any, request_.settings.seed,
+                  f.verdict);
     discrepant_ = discrepant_channels(subject_.problem(), measured, columns_, false);
     add_predictions(subject_, after, f.channels);
     result_.extended = extended(request_.identified, terms);
     for (const LogRecord& log : f.logs)
       if (!log.held_out) result_.extended.logs.push_back({log.file, log.sha256});
-    decide_adoption(any, !request_.holdout.empty(),
-                    measured_gain(measured, -1, true, 12, request_.settings.seed),
-                    emitted_functions(), f.extension);
+    decide_adoption(any, !request_.holdout.empty(), f.verdict.held_out, emitted_functions(),
+                    f.extension);
     add_remarks(fitted.changed, possible.refused, any, f.extension);
     f.extension.operations_before = subject_.effort().operations();
     f.extension.operations_after = subject_.effort_with(result_.extended).operations();
@@ -267,15 +270,29 @@ class Run {
     std::erase_if(verdict.causes, nuisance);
   }
 
-  void describe_terms(const Verdict& verdict) {
+  void describe_terms(Verdict& verdict) {
     for (std::size_t c = 0; c < verdict.causes.size(); ++c) {
       const int candidate = verdict.causes[c].candidate;
       const std::string id = origin_of(candidate);
+      tell_gain_change(id, verdict.causes[c].parameters);
       CauseTerm term;
       term.cause = static_cast<int>(c);
       term.effect = id;
       fill_term(id, term);
       result_.findings.terms.push_back(std::move(term));
+    }
+  }
+
+  /// The search fits by how much the logged effort exceeds what the motion took; people, the
+  /// equation and the model know the change of the radius or of the constant itself.
+  static void tell_gain_change(const std::string& id, std::vector<ParameterEstimate>& parameters) {
+    if (id != "torque_constant" && id != "pulley_radius") return;
+    for (ParameterEstimate& p : parameters) {
+      if (p.name != "gain") continue;
+      const double whole = 1.0 + p.value;
+      p.name = "gain_change";
+      p.value = 1.0 / whole - 1.0;
+      p.standard_error /= whole * whole;
     }
   }
 

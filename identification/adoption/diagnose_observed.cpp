@@ -112,8 +112,8 @@ class ObservedRun {
     }
     for (const ObservedChannel& channel : request_.rig.channels) {
       const int index = log.channel(channel.name);
-      columns_[log.file].push_back(
-          {channel.name, index < 0 ? 0 : log.channels[static_cast<std::size_t>(index)].column});
+      const Channel* own = index < 0 ? nullptr : &log.channels[static_cast<std::size_t>(index)];
+      columns_[log.file].push_back({channel.name, own ? own->column : 0, own ? own->quantum : 0.0});
     }
     result_.findings.logs.push_back(log_record(log, held_out));
   }
@@ -146,10 +146,11 @@ class ObservedRun {
     for (int c = 0; c < subject_.problem().channels; ++c)
       f.channels.push_back(channel(
           measured, c, subject_.units()(c) * noise_floor(explanation.selection, design, c)));
+    tell_measured(measured, subject_.problem().unlike_channels, any, request_.settings.seed,
+                  f.verdict);
     for (const LogRecord& log : f.logs)
       if (!log.held_out && any) result_.extended.logs.push_back({log.file, log.sha256});
-    decide_adoption(any, !request_.holdout.empty(),
-                    measured_gain(measured, -1, true, 12, request_.settings.seed), {"observation"},
+    decide_adoption(any, !request_.holdout.empty(), f.verdict.held_out, {"observation"},
                     f.extension);
     add_remarks({}, refused, any, f.extension);
     f.extension.operations_before = observation_operations(subject_, request_.identified);
@@ -162,8 +163,9 @@ class ObservedRun {
     finding.name = named.name;
     finding.unit = named.unit;
     finding.noise_floor = noise;
-    const bool held_out = !request_.holdout.empty();
-    add_error("sensor", measured, index, held_out, finding);
+    finding.quantum = quantum_of(columns_, index);
+    const bool held_out = judged_on_held_out(measured);
+    add_error("sensor", measured, index, request_.settings.seed, finding);
     finding.plots = channel_plots(
         measured, index, held_out,
         {named.name, named.unit, request_.rig.position, request_.rig.position_unit, "N"});

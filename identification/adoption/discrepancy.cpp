@@ -71,6 +71,13 @@ std::vector<DataFault> discrepant_channels(
   return faults;
 }
 
+double quantum_of(const std::map<std::string, std::vector<LoggedColumn>>& columns, int channel) {
+  double coarsest = 0.0;
+  for (const auto& [file, list] : columns)
+    coarsest = std::max(coarsest, list[static_cast<std::size_t>(channel)].quantum);
+  return coarsest;
+}
+
 void report_discrepancies(const std::vector<DataFault>& faults, Findings& findings) {
   if (faults.empty()) return;
   for (const DataFault& fault : faults)

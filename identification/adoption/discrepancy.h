@@ -16,7 +16,8 @@ namespace sinew::diagnosis {
 /// Where a channel of the problem stands in a log.
 struct LoggedColumn {
   std::string name;
-  int column = 0;  ///< from 1
+  int column = 0;        ///< from 1
+  double quantum = 0.0;  ///< step of its values, SI; 0: none is seen
 };
 
 /// Doubtful faults, one for each channel and file. `columns`: by file, one for each channel of the
@@ -24,6 +25,9 @@ struct LoggedColumn {
 std::vector<DataFault> discrepant_channels(
     const Problem& problem, const std::vector<MeasuredChannel>& measured,
     const std::map<std::string, std::vector<LoggedColumn>>& columns, bool free_zero);
+
+/// The coarsest step with which a log writes a channel of the problem.
+double quantum_of(const std::map<std::string, std::vector<LoggedColumn>>& columns, int channel);
 
 /// Says so with the logs and in the headline; where nothing else was found it is the finding.
 void report_discrepancies(const std::vector<DataFault>& faults, Findings& findings);

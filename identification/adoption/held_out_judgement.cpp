@@ -77,19 +77,16 @@ void confirm_on_held_out(Verdict& verdict) {
 
 void decide_adoption(bool any_term, bool held_out, const Gain& gain,
                      std::vector<std::string> functions, Extension& extension) {
-  const std::string falls = fmt::format(
-      "on the held-out logs the squared error falls by {:.1f} % (95 %: {:.1f} to {:.1f} %)",
-      100.0 * gain.share, 100.0 * gain.low, 100.0 * gain.high);
   if (!any_term) {
     extension.reason = "no cause with a term of its own was named";
   } else if (!held_out) {
     extension.reason =
         "no held-out log was given (--holdout): a gain on the training log proves nothing";
   } else if (!(gain.low > 0.0)) {
-    extension.reason = falls + ", which includes nothing at all";
+    extension.reason = "the interval of the held-out gain includes zero";
   } else {
     extension.adopted = true;
-    extension.reason = falls;
+    extension.reason = "the whole interval of the held-out gain lies above zero";
     extension.functions = std::move(functions);
   }
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 
 #include "identification/adoption/measure_plots.h"
 #include "identification/subjects/effect_candidate.h"
@@ -88,27 +89,75 @@ std::vector<MeasuredChannel> measure(const DrivenSubject& subject, const Design&
   return result;
 }
 
-Gain measured_gain(const std::vector<MeasuredChannel>& measured, int channel, bool held_out,
-                   int blocks, unsigned seed) {
+bool judged_on_held_out(const std::vector<MeasuredChannel>& measured) {
+  return std::any_of(measured.begin(), measured.end(), [](const auto& m) { return m.held_out; });
+}
+
+namespace {
+
+/// Those of one channel, or of all (-1), on the logs that errors are told of.
+std::vector<const MeasuredChannel*> judged(const std::vector<MeasuredChannel>& measured,
+                                           int channel) {
+  const bool held_out = judged_on_held_out(measured);
+  std::vector<const MeasuredChannel*> list;
+  for (const MeasuredChannel& m : measured)
+    if (m.held_out == held_out && (channel < 0 || m.channel == channel)) list.push_back(&m);
+  return list;
+}
+
+VectorXd counts_of(const MeasuredChannel& m) {
+  return m.counts.size() > 0 ? m.counts : VectorXd::Ones(m.measured.size());
+}
+
+VectorXd error_before(const MeasuredChannel& m) {
+  return counts_of(m).cwiseProduct(m.measured - m.before);
+}
+
+VectorXd error_after(const MeasuredChannel& m) {
+  return counts_of(m).cwiseProduct(m.measured - m.after);
+}
+
+/// Sums over one channel's samples, standstill aside.
+struct ErrorSums {
+  double count = 0.0, energy = 0.0, variance = 0.0, before = 0.0, after = 0.0;
+};
+
+ErrorSums error_sums(const std::vector<MeasuredChannel>& measured, int channel) {
+  ErrorSums sums;
+  for (const MeasuredChannel* m : judged(measured, channel)) {
+    const VectorXd weight = counts_of(*m).cwiseAbs2();
+    const double count = std::max(weight.sum(), 1e-300);
+    const double mean = weight.dot(m->measured) / count;
+    sums.count += weight.sum();
+    sums.energy += weight.dot(m->measured.cwiseAbs2());
+    sums.variance += weight.dot((m->measured.array() - mean).square().matrix());
+    sums.before += error_before(*m).squaredNorm();
+    sums.after += error_after(*m).squaredNorm();
+  }
+  sums.count = std::max(sums.count, 1.0);
+  return sums;
+}
+
+}  // namespace
+
+Gain measured_gain(const std::vector<MeasuredChannel>& measured, int channel, unsigned seed) {
+  constexpr int kBlocks = 12;
   std::map<int, std::pair<double, double>> left;  // of each channel, before and after
   struct Block {
     int channel;
     double before, after;
   };
   std::vector<Block> all;
-  for (const MeasuredChannel& m : measured) {
-    if (m.held_out != held_out || (channel >= 0 && m.channel != channel)) continue;
-    const Index n = m.measured.size();
-    const VectorXd counts = m.counts.size() > 0 ? m.counts : VectorXd::Ones(n);
-    const VectorXd left_before = counts.cwiseProduct(m.measured - m.before);
-    const VectorXd left_after = counts.cwiseProduct(m.measured - m.after);
-    for (int b = 0; b < blocks; ++b) {
-      const Index from = n * b / blocks, count = n * (b + 1) / blocks - from;
-      all.push_back({m.channel, left_before.segment(from, count).squaredNorm(),
+  for (const MeasuredChannel* m : judged(measured, channel)) {
+    const Index n = m->measured.size();
+    const VectorXd left_before = error_before(*m), left_after = error_after(*m);
+    for (int b = 0; b < kBlocks; ++b) {
+      const Index from = n * b / kBlocks, count = n * (b + 1) / kBlocks - from;
+      all.push_back({m->channel, left_before.segment(from, count).squaredNorm(),
                      left_after.segment(from, count).squaredNorm()});
     }
-    left[m.channel].first += left_before.squaredNorm();
-    left[m.channel].second += left_after.squaredNorm();
+    left[m->channel].first += left_before.squaredNorm();
+    left[m->channel].second += left_after.squaredNorm();
   }
   if (all.empty()) return {};
   // A joint that hardly moves measures its noise alone: by its share of what is measured it would
@@ -124,6 +173,25 @@ Gain measured_gain(const std::vector<MeasuredChannel>& measured, int channel, bo
   return block_bootstrap_gain(before, after, 0.95, seed);
 }
 
+void tell_measured(const std::vector<MeasuredChannel>& measured, bool unlike, bool extended,
+                   unsigned seed, Verdict& verdict) {
+  std::set<int> channels;
+  for (const MeasuredChannel& m : measured) channels.insert(m.channel);
+  double variance = 0.0, before = 0.0, after = 0.0;
+  for (const int channel : channels) {
+    const ErrorSums sums = error_sums(measured, channel);
+    const double unit = unlike ? std::max(sums.variance, 1e-300) : 1.0;
+    variance += sums.variance / unit;
+    before += sums.before / unit;
+    after += sums.after / unit;
+  }
+  verdict.relative_error_before = std::sqrt(before / std::max(variance, 1e-300));
+  verdict.relative_error_after = std::sqrt(after / std::max(variance, 1e-300));
+  if (!judged_on_held_out(measured)) return;
+  verdict.held_out = measured_gain(measured, -1, seed);
+  if (extended && verdict.causes.size() == 1) verdict.causes.front().held_out = verdict.held_out;
+}
+
 double noise_floor(const Selection& selection, const Design& design, int channel) {
   double energy = 0.0, count = 0.0;
   const auto& noise = selection.noise.noise;
@@ -137,37 +205,32 @@ double noise_floor(const Selection& selection, const Design& design, int channel
 }
 
 void add_error(const std::string& domain, const std::vector<MeasuredChannel>& measured, int channel,
-               bool held_out, ChannelFinding& finding) {
-  double energy = 0.0, variance = 0.0, before = 0.0, after = 0.0, count = 0.0;
-  for (const MeasuredChannel& m : measured) {
-    if (m.channel != channel || m.held_out != held_out) continue;
-    energy += m.measured.squaredNorm();
-    variance += (m.measured.array() - m.measured.mean()).square().sum();
-    before += (m.measured - m.before).squaredNorm();
-    after += (m.measured - m.after).squaredNorm();
-    count += static_cast<double>(m.measured.size());
-  }
-  count = std::max(count, 1.0);
-  finding.measured_rms = std::sqrt(energy / count);
-  finding.unexplained_before = before / std::max(variance, 1e-300);
-  finding.unexplained_after = after / std::max(variance, 1e-300);
-  finding.domains.push_back({domain, finding.unit, std::sqrt(before / count),
-                             std::sqrt(after / count),
-                             measured_gain(measured, channel, held_out, 12, 1)});
+               unsigned seed, ChannelFinding& finding) {
+  const ErrorSums sums = error_sums(measured, channel);
+  finding.measured_rms = std::sqrt(sums.energy / sums.count);
+  finding.standard_deviation = std::sqrt(sums.variance / sums.count);
+  finding.domains.push_back({domain, finding.unit, std::sqrt(sums.before / sums.count),
+                             std::sqrt(sums.after / sums.count),
+                             measured_gain(measured, channel, seed)});
+  if (finding.nothing_to_explain()) return;
+  const auto unexplained = [&](double error) {
+    return std::min(error / std::max(sums.variance, 1e-300), 1.0);
+  };
+  finding.unexplained_before = unexplained(sums.before);
+  finding.unexplained_after = unexplained(sums.after);
 }
 
 ChannelFinding channel_finding(const DrivenSubject& subject,
                                const std::vector<MeasuredChannel>& measured, int channel,
-                               double noise_floor) {
+                               double noise_floor, double quantum, unsigned seed) {
   const DrivenJoint& joint = subject.model().joints[static_cast<std::size_t>(channel)];
   ChannelFinding finding;
   finding.unit = joint.revolute ? "N*m" : "N";
   finding.name = joint.name == "motor" ? "tau_m" : "effort of " + joint.name;
   finding.noise_floor = noise_floor;
-  const bool judged_on_held_out =
-      std::any_of(measured.begin(), measured.end(), [](const auto& m) { return m.held_out; });
-  add_error("force", measured, channel, judged_on_held_out, finding);
-  finding.plots = channel_plots(measured, channel, judged_on_held_out, joint.revolute);
+  finding.quantum = quantum;
+  add_error("force", measured, channel, seed, finding);
+  finding.plots = channel_plots(measured, channel, judged_on_held_out(measured), joint.revolute);
   return finding;
 }
 

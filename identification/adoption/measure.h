@@ -4,10 +4,10 @@
 
 #include <vector>
 
-#include "identification/regression/cross_validation.h"
-#include "identification/subjects/driven_subject.h"
 #include "identification/adoption/extend.h"
+#include "identification/regression/cross_validation.h"
 #include "identification/report/findings.h"
+#include "identification/subjects/driven_subject.h"
 
 namespace sinew::diagnosis {
 
@@ -32,22 +32,31 @@ std::vector<MeasuredChannel> measure(const DrivenSubject& subject, const Design&
                                      const std::vector<ExtensionTerm>& terms,
                                      const EffortModel& after);
 
-/// Gain of the mean square, standstill aside, over the chosen logs of one channel, with its
-/// interval. channel = -1: of all, each in units of what is left of it at best.
-Gain measured_gain(const std::vector<MeasuredChannel>& measured, int channel, bool held_out,
-                   int blocks, unsigned seed);
+/// The logs that errors and gains are told of: held-out ones where there are any.
+bool judged_on_held_out(const std::vector<MeasuredChannel>& measured);
+
+/// Gain of the mean square, standstill aside, on the logs judged on, with its interval from twelve
+/// blocks of each. channel = -1: of all, each in units of what is left of it at best.
+Gain measured_gain(const std::vector<MeasuredChannel>& measured, int channel, unsigned seed);
+
+/// Puts errors and gain of all channels together, as measured, into a verdict: whatever is told of
+/// them is told from there. A lone cause that the extension holds gains what all gain. `unlike`:
+/// channels of different quantities, each in units of its own variance.
+void tell_measured(const std::vector<MeasuredChannel>& measured, bool unlike, bool extended,
+                   unsigned seed, Verdict& verdict);
 
 /// rms of the noise that is left in the band, from the noise model of the final selection.
 double noise_floor(const Selection& selection, const Design& design, int channel);
 
-/// Adds a domain's error of one channel, over the held-out logs or the training logs, and the
-/// shares left unexplained. The finding knows its unit.
+/// Adds the first domain's error of one channel and what is unexplained of it. The finding knows
+/// its unit and its quantum.
 void add_error(const std::string& domain, const std::vector<MeasuredChannel>& measured, int channel,
-               bool held_out, ChannelFinding& finding);
+               unsigned seed, ChannelFinding& finding);
 
-/// The error in the force domain and the plots of one channel.
+/// The error in the force domain and the plots of one channel, which the logs write in steps of
+/// `quantum`.
 ChannelFinding channel_finding(const DrivenSubject& subject,
                                const std::vector<MeasuredChannel>& measured, int channel,
-                               double noise_floor);
+                               double noise_floor, double quantum, unsigned seed);
 
 }  // namespace sinew::diagnosis

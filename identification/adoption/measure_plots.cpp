@@ -20,7 +20,7 @@ std::vector<double> list(const VectorXd& x) {
   return {x.data(), x.data() + x.size()};
 }
 
-/// Mean of what is left over in `bins` slices of equal width, per direction of motion.
+/// Mean of the residual in `bins` slices of equal width, per direction of motion.
 Series binned(const std::vector<const MeasuredChannel*>& logs, const Abscissa& abscissa, bool after,
               int direction, const std::string& label) {
   constexpr int bins = 60;
@@ -67,7 +67,7 @@ Plot dependence(const std::vector<const MeasuredChannel*>& logs, const std::stri
   return plot;
 }
 
-/// rms per octave-smoothed frequency of what is left over.
+/// Amplitude density of the residual, smoothed over 6 % of the frequency.
 Series spectrum_of(const MeasuredChannel& m, bool after, const std::string& label) {
   VectorXd left = m.measured - (after ? m.after : m.before);
   left.array() -= left.mean();
@@ -104,7 +104,7 @@ std::vector<Plot> channel_plots(const std::vector<MeasuredChannel>& measured, in
   if (logs.empty()) return {};
   const MeasuredChannel& first = *logs.front();
   const std::string effort = names.quantity + " [" + names.unit + "]";
-  const std::string left = "left over [" + names.unit + "]";
+  const std::string left = "residual [" + names.unit + "]";
   const std::string length = names.position_unit;
   const std::string capital = {static_cast<char>(std::toupper(names.quantity.front()))};
   const std::string quantity = capital + names.quantity.substr(1);
@@ -119,7 +119,7 @@ std::vector<Plot> channel_plots(const std::vector<MeasuredChannel>& measured, in
                     {"model before", list(first.time), list(first.before), false},
                     {"model after", list(first.time), list(first.after), false}}});
   plots.push_back({"time",
-                   "What is left over",
+                   "Residual",
                    "time [s]",
                    left,
                    "Measured minus modelled: a good model leaves noise.",
@@ -127,23 +127,23 @@ std::vector<Plot> channel_plots(const std::vector<MeasuredChannel>& measured, in
                    {{"before", list(first.time), list(first.measured - first.before), false},
                     {"after", list(first.time), list(first.measured - first.after), false}}});
   plots.push_back(dependence(
-      logs, "velocity", "Left over against the velocity", "velocity [" + length + "/s]", left,
+      logs, "velocity", "Residual against the velocity", "velocity [" + length + "/s]", left,
       "Friction that the model lacks shows here; flat is good.",
       [](const MeasuredChannel& m) -> const VectorXd& { return m.velocity; }, false));
   plots.push_back(dependence(
-      logs, "position", "Left over against the " + names.position,
+      logs, "position", "Residual against the " + names.position,
       names.position + " [" + length + "]", left,
       "Ripple, springs and gravity show the same curve both ways; friction shows two.",
       [](const MeasuredChannel& m) -> const VectorXd& { return m.position; }, true));
   if (first.load.size() > 0)
     plots.push_back(dependence(
-        logs, "load", "Left over against the load", "load [" + names.load_unit + "]", left,
+        logs, "load", "Residual against the load", "load [" + names.load_unit + "]", left,
         "Friction that grows with the load opens a wedge between the directions.",
         [](const MeasuredChannel& m) -> const VectorXd& { return m.load; }, true));
   plots.push_back({"spectrum",
-                   "Spectrum of what is left over",
+                   "Spectrum of the residual",
                    "frequency [Hz]",
-                   names.unit + " per root Hz",
+                   "residual [" + names.unit + "/√Hz]",
                    "Where over the frequency the extension helps.",
                    true,
                    {spectrum_of(first, false, "before"), spectrum_of(first, true, "after")}});

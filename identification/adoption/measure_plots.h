@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The pictures that carry a verdict: what the model leaves over, against what it may depend on.
+// The plots that carry a verdict: the residual of the model, against what it may depend on.
 #pragma once
 
 #include <string>
 #include <vector>
 
-#include "identification/report/findings.h"
 #include "identification/adoption/measure.h"
+#include "identification/report/findings.h"
 
 namespace sinew::diagnosis {
 
-/// What the pictures of a channel call their axes.
+/// What the plots of a channel call their axes.
 struct PlotNames {
   std::string quantity, unit;           ///< measured: "effort", "N"
   std::string position, position_unit;  ///< "position", "m"

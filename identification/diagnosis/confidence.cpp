@@ -8,14 +8,10 @@ namespace sinew::diagnosis {
 
 double confidence_of(const ConfidenceEvidence& evidence) {
   constexpr double kOffset = 0.2, kMargin = 1.1, kLeftOver = -3.0;
-  // Of 795 sets told for sealed trials of all plants that hide what the library has, 771 held the
-  // truth, nearly as many where the curve says less than one: more than this nothing so far carries
-  // (docs/blind_trials.md).
-  constexpr double kCeiling = 0.97;
   const double margin = std::min(std::max(evidence.margin, 0.0), 1e6);
   const double logit =
       kOffset + kMargin * std::log1p(margin / 4.0) + kLeftOver * evidence.left_over;
-  return kCeiling * (1.0 - evidence.p_family) / (1.0 + std::exp(-logit));
+  return kHighestConfidence * (1.0 - evidence.p_family) / (1.0 + std::exp(-logit));
 }
 
 }  // namespace sinew::diagnosis

@@ -291,6 +291,11 @@ void measure(const Design& design, const Settings& settings, Explanation& result
   const Selection& after = design.problem().deviations.empty() ? result.selection : result.adopted;
   verdict.relative_error_before = relative_error(design, before, noise.weights);
   verdict.relative_error_after = relative_error(design, after.model, after.noise.weights);
+  const auto loss = [&](const Model& model, const Weights& weights) {
+    return cross_validate(design, model, weights, settings.blocks).over_all().sum();
+  };
+  verdict.unexplained.remaining = std::min(
+      loss(after.model, after.noise.weights) / std::max(loss(before, noise.weights), 1e-300), 1.0);
   verdict.held_out = block_bootstrap_gain(
       held_out_losses(design, settings, before, noise.weights).over_all(),
       held_out_losses(design, settings, after.model, after.noise.weights).over_all(), 0.95,

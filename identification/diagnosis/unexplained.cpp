@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "identification/diagnosis/unexplained.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -62,7 +64,9 @@ Flexible best_flexible(const Design& design, const Settings& settings, const Mod
 Dependence describe(const Flexible& flexible) {
   const Term& term = flexible.model.terms.back();
   Dependence d{term.candidate->depends_on, term.candidate->place, flexible.p_family, flexible.gain};
-  if (term.nonlinear.size() > 0) d.on += ", period " + std::to_string(1.0 / term.nonlinear(0));
+  if (term.nonlinear.size() > 0)
+    d.on += fmt::format(", period {:.3g} {}", 1.0 / term.nonlinear(0),
+                        term.candidate->nonlinear.front().unit == "Hz" ? "s" : "of position");
   return d;
 }
 
@@ -213,8 +217,6 @@ Structure find_unexplained(const Design& design, const Library& library, const S
     noise = own_noise(design, model);
     last = best.loss;
   }
-  const double base = loss_without_names(design, settings, selection);
-  result.remaining = named / base;
   std::stable_sort(
       result.depends_on.begin(), result.depends_on.end(),
       [](const Dependence& a, const Dependence& b) { return a.gain.share > b.gain.share; });
@@ -222,13 +224,14 @@ Structure find_unexplained(const Design& design, const Library& library, const S
   // A line that stands out and is next to nothing is worth nobody's time.
   if (line.p_value < settings.significance && line.share > kWorthALine) {
     Dependence d;
-    d.on = "time, periodically, " + std::to_string(line.frequency_hz) + " Hz";
+    d.on = fmt::format("time, periodically, {:.3g} Hz", line.frequency_hz);
     d.p_family = line.p_value;
     d.gain.share = d.gain.low = d.gain.high = line.share;
     result.depends_on.push_back(d);
     last *= 1.0 - line.of_all;
   }
   if (result.depends_on.empty()) return structure;
+  const double base = loss_without_names(design, settings, selection);
   result.named_share = base > last ? std::clamp((base - named) / (base - last), 0.0, 1.0) : 0.0;
   const bool any_name = std::any_of(selection.model.terms.begin(), selection.model.terms.end(),
                                     [](const Term& t) { return is_name(t); });

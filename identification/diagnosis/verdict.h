@@ -64,7 +64,7 @@ struct RuledOut {
 
 /// A dependence that no named cause accounts for.
 struct Dependence {
-  std::string on;  ///< "position x direction", "periodic in time, 12.4 Hz", ...
+  std::string on;  ///< "position x direction", "time, periodically, 12.4 Hz", ...
   std::string place;
   double p_family = 1.0;
   Gain gain;  ///< cross-validated, of what the named causes leave over
@@ -81,7 +81,9 @@ struct Unexplained {
   std::vector<Dependence> depends_on;  ///< strongest first
   std::vector<std::string> withdrawn;  ///< names that only stood in for it
   double named_share = 1.0;            ///< of all structure found, what named causes account for
-  double remaining = 1.0;              ///< cross-validated loss left, share of the baseline's
+  /// Cross-validated loss with all named causes, share of what the model at its own values leaves;
+  /// 1 at most.
+  double remaining = 1.0;
 };
 
 /// Training and held-out logs that cannot both be of one model: a cause that is plain in the former
@@ -99,11 +101,13 @@ struct Verdict {
   std::vector<RuledOut> ruled_out;
   Unexplained unexplained;
   std::vector<ParameterEstimate> baseline;
-  /// rms residual / rms of what was measured, inside the band. Before: of the model at its own
-  /// values, with what is always free fitted (a motor's zero). After: with all named causes.
+  /// rms error / rms of what was measured, of the training logs inside the band. Before: of the
+  /// model at its own values, with what is always free fitted (a motor's zero). After: with all
+  /// named causes. In findings: by the emitted C (adoption/measure.h), rms error / standard
+  /// deviation of what was measured, on the held-out logs where there are any.
   double relative_error_before = 0.0;
   double relative_error_after = 0.0;
-  Gain held_out;  ///< of all causes together on the held-out logs
+  Gain held_out;  ///< of all causes together on the held-out logs; in findings by the emitted C
   /// Where the comparison ends below the band asked for, since a logged position is noise above or
   /// has too few samples a second, the lowest frequency above which a channel is not looked at
   /// [Hz]; 0: nothing is cut.

@@ -3,6 +3,7 @@
 // alone.
 #pragma once
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,7 @@ struct LogRecord {
   double seconds = 0.0;
   double period = 0.0;              ///< s, of the samples that were used
   std::vector<std::string> faults;  ///< "file:row:column: what; what was done"
+  std::vector<std::string> notes;   ///< the same, of what is no fault: a column no channel needs
 };
 
 /// One curve or cloud of points.
@@ -27,7 +29,7 @@ struct Series {
   bool points = false;
 };
 
-/// A picture of one channel. kind: "time", "velocity", "position", "load", "spectrum", "loop".
+/// A plot of one channel. kind: "time", "velocity", "position", "load", "spectrum", "loop".
 struct Plot {
   std::string kind, title, x_label, y_label;  ///< labels with units
   std::string caption;                        ///< one sentence: what to see here
@@ -36,22 +38,36 @@ struct Plot {
 };
 
 /// The error in one domain, model before and after, on the held-out logs where there are any (the
-/// training logs otherwise). domain: "force" (inverse dynamics), "window" (short-window
-/// prediction of the motion), "open loop".
+/// training logs otherwise), standstill aside. domain: "force" (inverse dynamics), "sensor",
+/// "window" (short-window prediction of the motion), "open loop".
 struct DomainError {
   std::string domain, unit;
   double before = 0.0, after = 0.0;  ///< rms
   Gain gain;                         ///< of the mean square, 95 % by blocks
 };
 
-/// What the model gets wrong on one measured channel.
+/// An error of less than this share of the channel's rms is not worth explaining.
+inline constexpr double kMaterialShare = 0.001;
+
+/// What the model gets wrong on one measured channel, on the logs that DomainError says. The first
+/// domain is that of the measured quantity itself.
 struct ChannelFinding {
   std::string name, unit;  ///< as in the log, "tau_m", "N*m"
   double measured_rms = 0.0;
+  double standard_deviation = 0.0;  ///< of what was measured
+  double quantum = 0.0;             ///< step of the logged values; 0: none is seen
   double noise_floor = 0.0;         ///< rms that no model can explain
-  double unexplained_before = 0.0;  ///< share of the variance, 0..1
+  /// Fraction of the channel's variance that the model does not explain: mean square error /
+  /// variance, 1 at most; 0 where there is nothing to explain.
+  double unexplained_before = 0.0;
   double unexplained_after = 0.0;
   std::vector<DomainError> domains;
+
+  /// The rms error that is worth explaining: a thousandth of the rms measured, or the quantum.
+  double material_error() const { return std::max(kMaterialShare * measured_rms, quantum); }
+  bool nothing_to_explain() const {
+    return !domains.empty() && domains.front().before <= material_error();
+  }
   std::vector<Plot> plots;  ///< the ones that carry the verdict first
 };
 
@@ -70,7 +86,7 @@ struct CauseTerm {
 struct Extension {
   bool adopted = false;
   bool dry_run = false;
-  std::string reason;        ///< why adopted or not, in one sentence
+  std::string reason;        ///< why adopted or not, in one sentence without numbers
   std::string model_folder;  ///< where the extended model was written, empty where it was not
   std::vector<std::string> functions;               ///< emitted functions that are new or changed
   int operations_before = 0, operations_after = 0;  ///< of the force model

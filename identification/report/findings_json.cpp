@@ -6,7 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "identification/report/report_thinning.h"
+#include "identification/report/thinning.h"
 
 namespace sinew::diagnosis {
 namespace {
@@ -53,9 +53,14 @@ Json json(const Gain& gain) {
 }
 
 Json json(const LogRecord& log) {
-  return {{"file", log.file},    {"sha256", log.sha256},           {"held_out", log.held_out},
-          {"rows", log.rows},    {"seconds", number(log.seconds)}, {"period_s", number(log.period)},
-          {"faults", log.faults}};
+  return {{"file", log.file},
+          {"sha256", log.sha256},
+          {"held_out", log.held_out},
+          {"rows", log.rows},
+          {"seconds", number(log.seconds)},
+          {"period_s", number(log.period)},
+          {"faults", log.faults},
+          {"notes", log.notes}};
 }
 
 Json json(const Series& series, bool logarithmic) {
@@ -89,7 +94,11 @@ Json json(const ChannelFinding& channel) {
   return {{"name", channel.name},
           {"unit", channel.unit},
           {"measured_rms", number(channel.measured_rms)},
+          {"standard_deviation", number(channel.standard_deviation)},
+          {"quantum", number(channel.quantum)},
           {"noise_floor", number(channel.noise_floor)},
+          {"material_error", number(channel.material_error())},
+          {"nothing_to_explain", channel.nothing_to_explain()},
           {"unexplained_before", number(channel.unexplained_before)},
           {"unexplained_after", number(channel.unexplained_after)},
           {"domains", list(channel.domains, [](const auto& x) { return json(x); })},

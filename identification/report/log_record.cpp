@@ -6,9 +6,10 @@
 namespace sinew::diagnosis {
 
 LogRecord log_record(const Log& log, bool held_out) {
-  LogRecord record{log.file, log.sha256, held_out, log.rows, 0.0, log.period, {}};
+  LogRecord record{log.file, log.sha256, held_out, log.rows, 0.0, log.period, {}, {}};
   record.seconds = log.period * static_cast<double>(log.sample_count());
-  for (const DataFault& fault : log.faults) record.faults.push_back(message(fault));
+  for (const DataFault& fault : log.faults)
+    (fault.severity == Severity::note ? record.notes : record.faults).push_back(message(fault));
   return record;
 }
 

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "identification/report/findings.h"
 #include "identification/logs/log.h"
+#include "identification/report/findings.h"
 
 namespace sinew::diagnosis {
 

@@ -6,39 +6,24 @@
 
 #include <algorithm>
 
+#include "identification/report/numbers.h"
+#include "identification/report/wording.h"
 #include "symbolic/effects/model_effects.h"
 #include "symbolic/notation/print_mathml.h"
 
 namespace sinew::diagnosis {
 namespace {
 
-std::string joined(const std::vector<std::string>& parts, const char* last) {
-  std::string text;
-  for (std::size_t i = 0; i < parts.size(); ++i)
-    text += (i == 0 ? "" : i + 1 == parts.size() ? last : ", ") + parts[i];
-  return text;
-}
-
 std::string dependences(const Unexplained& unexplained) {
   std::vector<std::string> on;
   for (const Dependence& d : unexplained.depends_on) {
     if (on.size() == 2) break;
-    on.push_back(d.place.empty() ? d.on : d.on + " (" + d.place + ")");
+    on.push_back(dependence_text(d));
   }
-  return on.empty() ? "nothing that was looked at" : joined(on, " and ");
+  return on.empty() ? "nothing that was looked at" : joined(on, "and");
 }
 
 }  // namespace
-
-std::string cause_text(const NamedCause& cause) {
-  const std::string& place = cause.members.front().place;
-  const bool one_place = std::all_of(cause.members.begin(), cause.members.end(),
-                                     [&](const RankedCause& m) { return m.place == place; });
-  std::vector<std::string> names;
-  for (const RankedCause& member : cause.members)
-    names.push_back(one_place ? member.name : member.name + " (" + member.place + ")");
-  return joined(names, " or ") + (one_place ? " (" + place + ")" : "");
-}
 
 std::string experiment_text(const Separation& separation) {
   constexpr double kPlenty = 100.0;
@@ -46,7 +31,7 @@ std::string experiment_text(const Separation& separation) {
   return fmt::format(
       "{}{}, expected to tell it from {} by {} standard errors", separation.experiment,
       separation.file.empty() ? "" : ", as in " + separation.file,
-      joined(separation.rules_out, " and "),
+      joined(separation.rules_out, "and"),
       separation.expected > kPlenty ? "more than 100" : fmt::format("{:.0f}", separation.expected));
 }
 
@@ -55,15 +40,15 @@ std::string disagreement_text(const Findings& f) {
   for (const Disagreement& d : f.verdict.disagreements)
     if (!d.name.empty())
       parts.push_back(
-          fmt::format("{} ({}) takes away {:.0f} % of what the model leaves over there in the "
-                      "training logs, and "
-                      "nothing sure in the held-out ones",
-                      d.name, d.place, 100.0 * d.in_training.share));
+          fmt::format("{} ({}) takes away {} of the squared error there in the training logs "
+                      "(cross-validated gain), and nothing sure in the held-out ones",
+                      d.name, d.place, shown_share(d.in_training.share)));
     else
       parts.push_back(fmt::format(
-          "of '{}' the held-out logs leave {:.1f} times as much over as the training logs",
+          "of '{}' the held-out logs leave an rms residual {:.1f} times that of the training logs",
           f.channels[static_cast<std::size_t>(d.channel)].name, d.ratio));
-  return parts.empty() ? "" : "The logs disagree: " + joined(parts, "; ") + ".";
+  return parts.empty() ? ""
+                       : "The logs disagree: " + fmt::format("{}", fmt::join(parts, "; ")) + ".";
 }
 
 std::string headline(const Findings& f) {
@@ -85,7 +70,7 @@ std::string headline(const Findings& f) {
   for (const NamedCause& cause : v.causes)
     if (names.size() < most) names.push_back(cause_text(cause));
   if (v.causes.size() > most) names.push_back(fmt::format("{} more", v.causes.size() - most));
-  std::string text = "The model lacks: " + joined(names, " and ") + ".";
+  std::string text = "The model lacks: " + joined(names, "and") + ".";
   if (v.unexplained.none_of_the_known)
     text += " Beyond that there is structure that no known cause explains; it depends on " +
             dependences(v.unexplained) + ".";
@@ -103,8 +88,7 @@ std::string next_step(const Findings& f) {
     return "Look at the plots for what changes along with it, and log what might drive it.";
   if (f.verdict.causes.empty() && !f.verdict.disagreements.empty())
     return "See that all logs are of one machine in one state; what changes from log to log is "
-           "named "
-           "where every log shows it.";
+           "named where every log shows it.";
   if (f.verdict.causes.empty()) return "Nothing to do.";
   if (f.extension.adopted && f.extension.dry_run)
     return "The model was left as it is; without --dry-run it takes the terms named here.";

@@ -8,9 +8,6 @@
 
 namespace sinew::diagnosis {
 
-/// "friction concave in speed (motor)"; a set as "a or b (motor)".
-std::string cause_text(const NamedCause& cause);
-
 /// What to log to tell a set apart, where its motion is, and how sure that would be.
 std::string experiment_text(const Separation& separation);
 

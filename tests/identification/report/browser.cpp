@@ -8,7 +8,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "identification/report/report_page.h"
+#include "identification/report/page.h"
 #include "tests/reference/temporary_folder.h"
 
 namespace sinew::report {
@@ -29,7 +29,7 @@ addEventListener('load', () => {
     };
     const card = bottom('.cause'), next = bottom('.next');
     for (const folded of page.querySelectorAll('details')) folded.open = true;
-    let widest = 0, smallest = 0;
+    let widest = 0, smallest = 0, labels = 0, cut = 0;
     for (const element of page.querySelectorAll('body *')) {
       if (element.closest('.math') && !element.matches('.math')) continue;
       widest = Math.max(widest, Math.floor(element.getBoundingClientRect().right));
@@ -37,11 +37,15 @@ addEventListener('load', () => {
     for (const text of page.querySelectorAll('svg text')) {
       const height = Math.round(text.getBoundingClientRect().height);
       smallest = smallest ? Math.min(smallest, height) : height;
+      const box = text.getBoundingClientRect(), sheet = text.closest('svg').getBoundingClientRect();
+      ++labels;
+      if (box.left < sheet.left || box.right > sheet.right || box.top < sheet.top ||
+          box.bottom > sheet.bottom) ++cut;
     }
     lines.push(['SEEN', frame.title, view.innerWidth, page.documentElement.scrollWidth, widest,
       view.performance.getEntriesByType('resource').length,
       page.querySelectorAll('svg').length, page.querySelectorAll('math').length, smallest,
-      card, next].join(' '));
+      labels, cut, card, next].join(' '));
   }
   document.body.textContent = lines.join('\n') + '\n';
 });
@@ -53,6 +57,7 @@ std::vector<std::string> arguments_for(const fs::path& folder, const fs::path& p
           "--headless",
           "--no-sandbox",  // the pages are our own, and a container offers no sandbox
           "--disable-gpu",
+          "--disable-quic",
           "--hide-scrollbars",
           "--no-first-run",
           "--disable-background-networking",
@@ -94,7 +99,8 @@ std::vector<Seen> seen_in(const std::string& output) {
     std::istringstream fields(line.substr(at + 5));
     Seen s;
     if (fields >> s.name >> s.width >> s.content_width >> s.widest_element >> s.requests >>
-        s.pictures >> s.equations >> s.smallest_text >> s.first_card >> s.next_step)
+        s.pictures >> s.equations >> s.smallest_text >> s.labels >> s.cut_labels >> s.first_card >>
+        s.next_step)
       result.push_back(s);
   }
   return result;

@@ -26,6 +26,8 @@ struct Seen {
   int requests = 0;        ///< resources that were asked for
   int pictures = 0, equations = 0;
   int smallest_text = 0;  ///< height of the lowest line of text in a picture, px; 0: no pictures
+  int labels = 0;         ///< lines of text in pictures
+  int cut_labels = 0;     ///< those that reach beyond their picture
   int first_card = 0;     ///< lower edge of the first verdict card
   int next_step = 0;      ///< lower edge of "what to do next"
 };

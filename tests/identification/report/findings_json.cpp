@@ -2,8 +2,8 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
+#include "example.h"
 #include "identification/report/findings_json.h"
-#include "report_example.h"
 #include "tests/reference/temporary_folder.h"
 
 using namespace sinew::diagnosis;
@@ -43,6 +43,10 @@ std::string mismatch(const Json& value, const Json& wanted, const std::string& a
   if (wanted.contains("enum") &&
       std::find(wanted["enum"].begin(), wanted["enum"].end(), value) == wanted["enum"].end())
     return at + ": value";
+  if (value.is_number() && wanted.contains("maximum") && value > wanted["maximum"])
+    return at + ": too large";
+  if (value.is_number() && wanted.contains("minimum") && value < wanted["minimum"])
+    return at + ": too small";
   if (value.is_array())
     for (std::size_t i = 0; i < value.size(); ++i) {
       const std::string inner =
@@ -61,13 +65,11 @@ std::string mismatch(const Json& value, const Json& wanted, const std::string& a
 }
 
 std::vector<Findings> all() {
-  return {example::rich_drive(),
-          example::inseparable_pair(),
-          example::none_of_the_known(),
-          example::nothing_beyond_noise(),
-          example::large_finger(),
-          example::empty(),
-          example::hostile()};
+  return {example::rich_drive(),        example::inseparable_pair(),
+          example::none_of_the_known(), example::nothing_beyond_noise(),
+          example::large_finger(),      example::empty(),
+          example::hostile(),           example::lone_cause(),
+          example::awkward_numbers()};
 }
 
 }  // namespace
@@ -79,15 +81,19 @@ TEST_CASE("findings.json is what its schema says") {
 
 TEST_CASE("the comparison with the schema sees what is wrong") {
   const Json good = Json::parse(findings_json(example::rich_drive()));
-  Json lacking = good, unknown = good, wrong = good, other = good;
+  Json lacking = good, unknown = good, wrong = good, other = good, sure = good, negative = good;
   lacking["verdict"]["causes"][1].erase("confidence");
   unknown["channels"][0]["colour"] = "red";
   wrong["verdict"]["causes"][0]["parameters"][0]["value"] = "12";
   other["verdict"]["outcome"] = "perhaps";
+  sure["verdict"]["causes"][0]["confidence"] = 0.98;
+  negative["channels"][0]["unexplained_after"] = -0.1;
   CHECK(mismatch(lacking, schema()) == "/verdict/causes/1: lacks confidence");
   CHECK(mismatch(unknown, schema()) == "/channels/0: unknown colour");
   CHECK(mismatch(wrong, schema()) == "/verdict/causes/0/parameters/0/value: type");
   CHECK(mismatch(other, schema()) == "/verdict/outcome: value");
+  CHECK(mismatch(sure, schema()) == "/verdict/causes/0/confidence: too large");
+  CHECK(mismatch(negative, schema()) == "/channels/0/unexplained_after: too small");
 }
 
 TEST_CASE("every field of the schema is described in docs/findings.md") {
@@ -119,7 +125,7 @@ TEST_CASE("the facts arrive unchanged") {
   CHECK(j["verdict"]["outcome"] == "causes named");
   CHECK(cause["members"][0]["name"] == "friction concave in speed");
   CHECK(cause["parameters"][0]["value"].get<double>() == 12.34);
-  CHECK(j["verdict"]["held_out"]["low"].get<double>() == 0.71);
+  CHECK(j["verdict"]["held_out"] == j["channels"][0]["domains"][0]["gain"]);
   CHECK(j["logs"][1]["faults"].size() == 2);
   CHECK(Json::parse(findings_json(example::inseparable_pair()))["verdict"]["outcome"] ==
         "cannot tell");

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "identification/report/report_page.h"
+#include "identification/report/page.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "identification/report/report_numbers.h"
+#include "identification/report/numbers.h"
 
 namespace sinew::diagnosis {
 

@@ -12,6 +12,12 @@ Findings rich_drive();
 /// A robot's joint: payload or torque gain, which one joint alone cannot tell.
 Findings inseparable_pair();
 
+/// One cause with its term in the model, judged on a held-out log: what it gains is what all gain.
+Findings lone_cause();
+
+/// A joint held still, whose error is nothing to explain, and plots with axes of all kinds.
+Findings awkward_numbers();
+
 /// A cause without a name, a withdrawn name, an extension refused.
 Findings none_of_the_known();
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "identification/report/report_figures.h"
+#include "identification/report/figures.h"
 
 #include <fmt/format.h>
 
@@ -12,15 +12,15 @@
 #include <random>
 #include <sstream>
 
-#include "identification/report/report_svg.h"
-#include "identification/report/report_thinning.h"
+#include "identification/report/svg.h"
+#include "identification/report/thinning.h"
 
 namespace sinew::diagnosis {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// Stands for a role in gnuplot's output; report_svg.h puts the page's colour in its place.
+/// Stands for a role in gnuplot's output; svg.h puts the page's colour in its place.
 std::string colour_of(const std::string& role) {
   return fmt::format("#{:06x}", placeholder_colour(role));
 }

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "identification/report/report_text.h"
+#include "identification/report/text.h"
 
 #include <algorithm>
-#include <cmath>
 
-#include "identification/report/report_numbers.h"
-#include "identification/report/report_wording.h"
+#include "identification/report/numbers.h"
+#include "identification/report/wording.h"
 
 namespace sinew::diagnosis {
 namespace {
@@ -80,32 +79,30 @@ std::string logs_of(const Findings& findings) {
 
 std::string error_of(const Findings& findings) {
   const Verdict& v = findings.verdict;
+  if (nothing_to_explain(findings)) return "nothing to explain, on " + judged_logs(findings);
   std::string text = shown_percent(v.relative_error_before);
-  if (v.causes.empty()) return text + " of what was measured";
-  text += " → " + shown_percent(v.relative_error_after) + " of what was measured";
-  if (!has_held_out(findings)) return text;
-  return text + "; on " + measured_on(findings) + " the squared error " +
-         (v.held_out.share < 0.0 ? "rises by " : "falls by ") +
-         shown_share(std::abs(v.held_out.share)) + " (" + shown_interval(v.held_out) + ")";
+  if (!v.causes.empty()) text += " → " + shown_percent(v.relative_error_after);
+  text += " of the standard deviation, on " + judged_logs(findings);
+  if (v.causes.size() < 2 || !has_held_out(findings)) return text;
+  return text + "; held-out gain of all causes " + shown_share(v.held_out.share) + " (" +
+         shown_interval(v.held_out) + ")";
 }
 
 std::string parameters_of(const NamedCause& cause) {
   std::string text;
   for (const ParameterEstimate& p : cause.parameters) {
     if (!p.log.empty() || !p.is_felt()) continue;
-    text += (text.empty() ? "" : ", ") + p.name + " " +
-            shown_estimate(p.value, p.standard_error, p.unit);
+    text += (text.empty() ? "" : ", ") + parameter_label(cause, p) + " " + shown_parameter(p);
   }
   return text;
 }
 
 void add_cause(Page& page, const Findings& findings, const NamedCause& cause, std::size_t index) {
   const std::string label = index == 0 ? "Missing" : "";
-  const std::string place = place_of(cause);
   page.add(label,
-           std::to_string(index + 1) + ". " + title_of(cause) +
-               (place.empty() ? "" : ", " + place) + ": " + shown_confidence(cause.confidence) +
-               " sure, takes away " + shown_share(gain_of(findings, cause).share) + " (" +
+           std::to_string(index + 1) + ". " + cause_text(cause) + ": confidence " +
+               shown_confidence(cause.confidence) + ", " + gain_name(findings, cause) + " " +
+               shown_share(gain_of(findings, cause).share) + " (" +
                shown_interval(gain_of(findings, cause)) + ")",
            2);
   const std::string second = cause.members.size() > 1 ? separation_of(cause) : parameters_of(cause);
@@ -130,13 +127,6 @@ std::string ruled_out_of(const Verdict& verdict) {
   return text;
 }
 
-std::string model_of(const Extension& extension) {
-  const std::string state = extension.adopted   ? "extended"
-                            : extension.dry_run ? "unchanged (dry run)"
-                                                : "unchanged";
-  return extension.reason.empty() ? state : state + ": " + extension.reason;
-}
-
 /// With at most so many causes.
 std::string page_of(const Findings& findings, std::size_t most) {
   const Verdict& verdict = findings.verdict;
@@ -151,11 +141,12 @@ std::string page_of(const Findings& findings, std::size_t most) {
   page.add("Error", error_of(findings), 2);
   add_causes(page, findings, most);
   if (!verdict.ruled_out.empty()) page.add("Ruled out", ruled_out_of(verdict), 2);
-  page.add("Left over", leftover_of(verdict), 2);
+  page.add("Residual", leftover_of(verdict), 2);
   if (!faults.empty())
     page.add("Log faults", std::to_string(faults.size()) + ", the first: " + faults.front(), 2);
-  if (!findings.extension.reason.empty() || findings.extension.adopted)
-    page.add("Extension", model_of(findings.extension), 2);
+  const Extension& extension = findings.extension;
+  if (!extension.reason.empty() && findings.next_step.find(extension.reason) == std::string::npos)
+    page.add("Extension", extension_state(extension) + ": " + extension.reason, 2);
   if (!findings.next_step.empty()) page.add("Next", findings.next_step, 2);
   return page.text();
 }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "identification/report/report_html.h"
+#include "identification/report/html.h"
 
-#include "identification/report/report_page.h"
-#include "identification/report/report_sections.h"
-#include "identification/report/report_wording.h"
+#include "identification/report/page.h"
+#include "identification/report/sections.h"
+#include "identification/report/wording.h"
 
 namespace sinew::diagnosis {
 namespace {
@@ -14,7 +14,7 @@ struct Entry {
 };
 constexpr Entry kEntries[] = {
     {"channels", "Before and after"},
-    {"pictures", "Pictures"},
+    {"pictures", "Plots"},
     {"terms", "The equation"},
     {"ranking", "Evidence"},
     {"unexplained", "Still unexplained"},

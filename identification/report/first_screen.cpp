@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
-#include "identification/report/report_numbers.h"
-#include "identification/report/report_page.h"
-#include "identification/report/report_sections.h"
-#include "identification/report/report_wording.h"
+#include "identification/report/numbers.h"
+#include "identification/report/page.h"
+#include "identification/report/sections.h"
 #include "identification/report/verdict_text.h"
+#include "identification/report/wording.h"
 
 namespace sinew::diagnosis {
 namespace {
@@ -17,7 +18,7 @@ std::string kicker(const Findings& findings) {
   if (!findings.description.empty()) text += " (" + escaped(findings.description) + ")";
   if (!findings.kind.empty()) text += " · " + escaped(findings.kind);
   text += " · " + counted(findings.logs.size(), "log", "logs");
-  if (has_held_out(findings)) text += ", tested on " + escaped(measured_on(findings));
+  if (has_held_out(findings)) text += ", judged on " + escaped(judged_logs(findings));
   return "<p class=\"kicker\">" + text + "</p>\n";
 }
 
@@ -26,30 +27,36 @@ std::string h1_of(const std::string& headline) {
   return (headline.size() > 150 ? "<h1 class=\"long\">" : "<h1>") + escaped(headline);
 }
 
+/// The gain of all causes; a lone one's stands with it alone.
 std::string gain_sentence(const Findings& findings) {
-  const Gain& gain = findings.verdict.held_out;
-  if (findings.verdict.causes.empty()) return "";
+  const Verdict& v = findings.verdict;
+  if (v.causes.empty()) return "";
   if (!has_held_out(findings))
-    return "<p>No log was held out: gains are measured on blocks of these logs that the fit had "
-           "not "
-           "seen.</p>";
-  if (!std::isfinite(gain.share)) return "";
+    return "<p>No log was held out: these are errors on the logs that were learnt from.</p>";
+  const bool extended = std::any_of(v.causes.begin(), v.causes.end(), [&](const NamedCause& c) {
+    return gain_name(findings, c) != "held-out gain if corrected";
+  });
+  if (!extended) return "<p>The model has no term for this cause: its error stays.</p>";
+  if (v.causes.size() == 1 || !std::isfinite(v.held_out.share)) return "";
   return fmt::format(
-      "<p>On {}, which the model had not seen, the squared error <b>{} by {}</b> "
+      "<p>Held-out gain of all causes together: the squared error <b>{} by {}</b> "
       "<span class=\"soft\">(95&nbsp;% interval {})</span>.</p>",
-      escaped(measured_on(findings)), gain.share < 0.0 ? "rises" : "falls",
-      shown_share(std::abs(gain.share)), shown_interval(gain));
+      v.held_out.share < 0.0 ? "rises" : "falls", shown_share(std::abs(v.held_out.share)),
+      shown_interval(v.held_out));
 }
 
 std::string error_card(const Findings& findings) {
   const Verdict& v = findings.verdict;
   if (!std::isfinite(v.relative_error_before) || findings.logs.empty()) return "";
+  if (nothing_to_explain(findings))
+    return "<div class=\"card\"><span class=\"label\">Error on " + judged_logs(findings) +
+           "</span>\n<p>Nothing to explain: no channel's error is worth a cause.</p></div>\n";
   const bool named = !v.causes.empty() && std::isfinite(v.relative_error_after);
   const double most = named ? std::max(v.relative_error_before, v.relative_error_after)
                             : std::max(v.relative_error_before, 1e-12);
   std::string text =
-      "<div class=\"card\"><span class=\"label\">What the model gets wrong, as a "
-      "share of what was measured</span>\n<p class=\"change\">";
+      "<div class=\"card\"><span class=\"label\">Error on " + judged_logs(findings) +
+      ", rms, relative to the standard deviation of what was measured</span>\n<p class=\"change\">";
   text += fmt::format("<span class=\"before\">{}</span>", shown_percent(v.relative_error_before));
   if (named)
     text += fmt::format(
@@ -61,24 +68,18 @@ std::string error_card(const Findings& findings) {
   if (named)
     text +=
         "<p class=\"small soft\"><span class=\"before\">Orange</span>: the model as it was. "
-        "<span class=\"after\">Blue</span>: with the causes below.</p>\n";
+        "<span class=\"after\">Blue</span>: extended by the causes below.</p>\n";
   return text + gain_sentence(findings) + "</div>\n";
 }
 
 std::string next_card(const Findings& findings) {
   const Extension& e = findings.extension;
   if (findings.next_step.empty() && e.reason.empty()) return "";
-  const std::string outcome = e.adopted   ? "The model was extended: "
-                              : e.dry_run ? "Nothing was changed (dry run): "
-                                          : "The model was left as it is: ";
-  const std::string done =
-      e.reason.empty() ? ""
-                       : "<p class=\"small\">" + outcome + escaped(sentence(e.reason)) + "</p>";
   const std::string todo =
-      findings.next_step.empty() ? "Nothing has to be done." : findings.next_step;
+      findings.next_step.empty() ? extension_state(e) + ": " + e.reason : findings.next_step;
   return "<div class=\"card next\"><h2 class=\"label\" style=\"border:0;padding:0\">What to do "
          "next</h2><p>" +
-         escaped(sentence(todo)) + "</p>" + done + "</div>\n";
+         escaped(sentence(todo)) + "</p></div>\n";
 }
 
 std::string fault_note(const Findings& findings) {
@@ -96,10 +97,8 @@ std::string largest_parameters(const NamedCause& cause) {
   int shown = 0;
   for (const ParameterEstimate& p : cause.parameters) {
     if (!p.log.empty() || !p.is_felt() || ++shown > 3) continue;
-    std::string name = p.name;
-    for (char& c : name) c = c == '_' ? ' ' : c;
-    text += (text.empty() ? "" : "; ") + escaped(name) + " <b>" +
-            escaped(shown_estimate(p.value, p.standard_error, p.unit)) + "</b>";
+    text += (text.empty() ? "" : "; ") + escaped(parameter_label(cause, p)) + " <b>" +
+            escaped(shown_parameter(p)) + "</b>";
   }
   return text.empty() ? "" : "<p class=\"small\">" + text + "</p>\n";
 }
@@ -108,11 +107,12 @@ std::string facts(const Findings& findings, const NamedCause& cause) {
   const Gain& gain = gain_of(findings, cause);
   return fmt::format(
       "<dl class=\"facts\"><div><dt>{0}</dt><dd><b>{1}</b>{2}</dd></div>\n"
-      "<div><dt>Squared error it takes away</dt><dd><b>{3}</b> "
+      "<div><dt>{6}</dt><dd><b>{3}</b> "
       "<span class=\"soft\">({4})</span>{5}</dd></div></dl>\n",
       cause.members.size() > 1 ? "Confidence that it is one of these" : "Confidence",
       escaped(shown_confidence(cause.confidence)), bar(cause.confidence, "ink"),
-      shown_share(gain.share), shown_interval(gain), interval_bar(gain));
+      shown_share(gain.share), shown_interval(gain), interval_bar(gain),
+      capitalised(gain_name(findings, cause)));
 }
 
 std::string cause_card(const Findings& findings, std::size_t index) {
@@ -146,8 +146,8 @@ std::string leftover_card(const Verdict& verdict) {
   if (!rest.depends_on.empty()) {
     const Gain& gain = rest.depends_on.front().gain;
     text += fmt::format(
-        "<dl class=\"facts\"><div><dt>A free curve over it would take away, of the squared "
-        "error left</dt><dd><b>{}</b> <span class=\"soft\">({})</span>{}</dd></div></dl>\n",
+        "<dl class=\"facts\"><div><dt>Cross-validated gain of a free curve over "
+        "it</dt><dd><b>{}</b> <span class=\"soft\">({})</span>{}</dd></div></dl>\n",
         shown_share(gain.share), shown_interval(gain), interval_bar(gain));
   }
   return text +

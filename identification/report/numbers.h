@@ -17,6 +17,14 @@ std::string shown_unit(const std::string& unit);
 /// Number and unit with the natural SI prefix: 0.00087, "s" is "0.870 ms".
 std::string shown_quantity(double value, const std::string& unit, int digits = 3);
 
+/// The unit of an axis whose largest value is `largest`, as it is shown: a prefix, or a power of
+/// ten before units that take none, so that no tick needs more than a few digits.
+struct AxisUnit {
+  double factor = 1.0;  ///< value shown / value
+  std::string unit;     ///< "mN·m", "10⁻⁵ kg·m²"
+};
+AxisUnit axis_unit(double largest, const std::string& unit);
+
 /// Value ± standard error in one prefix, the error with two digits. An error that is zero or not
 /// known is left out.
 std::string shown_estimate(double value, double standard_error, const std::string& unit);

@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "identification/report/report_svg.h"
+#include "identification/report/svg.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <regex>
 #include <sstream>
 #include <string_view>
 
-#include "identification/report/report_page.h"
+#include "identification/report/page.h"
+#include "identification/report/plot_bounds.h"
 
 namespace sinew::diagnosis {
 namespace {
@@ -158,8 +160,13 @@ std::string svg_for_page(const std::string& gnuplot_svg, const std::string& alte
   // One group more than the body opens was opened before the definitions.
   const std::size_t canvas = body.rfind("</g>");
   if (canvas != std::string::npos) body.erase(canvas, 4);
-  return "<svg viewBox=\"0 0 460 300\" role=\"img\"><title>" + escaped(alternative) +
-         "</title><g fill=\"none\" stroke=\"currentColor\">" + body + "</g></svg>";
+  const PlotBounds view = with_labels(body, {0.0, 0.0, 460.0, 300.0});
+  return fmt::format("<svg viewBox=\"{:.0f} {:.0f} {:.0f} {:.0f}\" role=\"img\"><title>",
+                     std::floor(view.left), std::floor(view.top),
+                     std::ceil(view.right) - std::floor(view.left),
+                     std::ceil(view.bottom) - std::floor(view.top)) +
+         escaped(alternative) + "</title><g fill=\"none\" stroke=\"currentColor\">" + body +
+         "</g></svg>";
 }
 
 }  // namespace sinew::diagnosis

@@ -3,27 +3,25 @@
 
 #include <cmath>
 
-#include "identification/report/report_numbers.h"
-#include "identification/report/report_page.h"
-#include "identification/report/report_sections.h"
-#include "identification/report/report_wording.h"
+#include "identification/report/numbers.h"
+#include "identification/report/page.h"
+#include "identification/report/sections.h"
+#include "identification/report/wording.h"
 #include "symbolic/notation/print_mathml.h"
 
 namespace sinew::diagnosis {
 namespace {
 
-std::string parameter_table(const std::vector<ParameterEstimate>& parameters,
-                            const std::string& caption) {
+std::string parameter_table(const NamedCause& cause) {
   bool per_log = false;
-  for (const ParameterEstimate& p : parameters) per_log = per_log || !p.log.empty();
+  for (const ParameterEstimate& p : cause.parameters) per_log = per_log || !p.log.empty();
   std::vector<std::string> headings = {"Parameter", "#Value ± standard error"};
   if (per_log) headings.push_back("Holds for");
-  Table table(headings, caption, true);
-  for (const ParameterEstimate& p : parameters)
+  Table table(headings, "", true);
+  for (const ParameterEstimate& p : cause.parameters)
     table.row(
         {"<math>" + mathml_name(p.name) + "</math>",
-         p.is_felt() ? escaped(shown_estimate(p.value, p.standard_error, p.unit))
-                     : "not felt in these logs",
+         p.is_felt() ? escaped(shown_parameter(p)) : "not excited in these logs",
          p.log.empty() ? "every log" : "<span class=\"mono\">" + escaped_name(p.log) + "</span>"});
   return table.empty() ? "" : table.html();
 }
@@ -39,12 +37,12 @@ std::string term(const Findings& findings, const CauseTerm& term) {
                      "</h3>\n";
   if (cause.members.size() > 1)
     text +=
-        "<p class=\"small soft\">The likeliest of the set; the others have terms of their "
+        "<p class=\"small soft\">The likeliest of the credible set; the others have terms of their "
         "own.</p>\n";
   text += term.mathml.empty() ? "<p class=\"mono\">" + escaped(term.text) + "</p>\n"
                               : "<div class=\"math\" tabindex=\"0\" role=\"group\" aria-label=\"" +
                                     escaped(term.text) + "\">" + term.mathml + "</div>\n";
-  text += "<div class=\"sides\"><div>" + parameter_table(cause.parameters, "") + "</div>\n<div>";
+  text += "<div class=\"sides\"><div>" + parameter_table(cause) + "</div>\n<div>";
   if (!term.signature.empty())
     text += "<p><b>Looks like:</b> " + escaped(term.signature) + ".</p>\n";
   if (!term.excitation.empty())
@@ -58,8 +56,9 @@ std::string term(const Findings& findings, const CauseTerm& term) {
 }
 
 Table member_table(const NamedCause& cause) {
-  Table table({"Explanation", "Place", "#Likelihood among rivals", "#Behind the best",
-               "#Paired difference / error", "#Correlation with the best"});
+  Table table({"Member", "Place", "#Share of the likelihood", "#Deviance above the best",
+               "#Paired z", "#Canonical correlation with the best"},
+              "Paired z: the mean difference to the best over blocks, in its standard errors.");
   for (const RankedCause& m : cause.members)
     table.row({escaped(m.name), escaped(m.place), shown_share(m.weight), shown_number(m.behind),
                m.behind > 0.0 ? shown_number(m.paired_z, 2) : "–", shown_number(m.correlation)});
@@ -67,14 +66,15 @@ Table member_table(const NamedCause& cause) {
 }
 
 std::string found(const Findings& findings) {
-  Table table({"Cause", "Place", "#Confidence", "#Evidence", "#Chance of a false name",
-               "#Gain on left-out blocks", "#Gain on held-out logs"},
-              "Evidence is the drop of the noise-weighted misfit that the cause alone brings.");
+  Table table(
+      {"Cause", "Place", "#Drop of the deviance", "#Family-wise p-value", "#Cross-validated gain"},
+      "Deviance: the squared residual weighted by the noise's own spectrum. Both are of "
+      "the cause beside the others, in the training logs.");
   for (const NamedCause& c : findings.verdict.causes)
-    table.row({escaped(title_of(c)), escaped(place_of(c)), escaped(shown_confidence(c.confidence)),
-               shown_number(c.statistic), escaped(shown_probability(c.p_family)),
-               shown_share(c.cross_validated.share),
-               has_held_out(findings) ? shown_share(c.held_out.share) : "–"});
+    table.row({escaped(title_of(c)), escaped(place_of(c)), shown_number(c.statistic),
+               escaped(shown_probability(c.p_family)),
+               shown_share(c.cross_validated.share) + " <span class=\"soft\">(" +
+                   shown_interval(c.cross_validated) + ")</span>"});
   return table.empty() ? "" : "<h3>Found</h3>\n" + table.html();
 }
 
@@ -82,19 +82,19 @@ std::string sets(const Findings& findings) {
   std::string text;
   for (const NamedCause& c : findings.verdict.causes)
     if (c.members.size() > 1)
-      text += "<h3>Cannot tell apart: " + escaped(title_of(c)) + "</h3>\n<p class=\"settle\">" +
+      text += "<h3>Credible set: " + escaped(title_of(c)) + "</h3>\n<p class=\"settle\">" +
               escaped(separation_of(c)) + "</p>\n" + member_table(c).html();
   return text;
 }
 
 std::string ruled_out(const Verdict& verdict) {
   if (verdict.ruled_out.empty()) return "";
-  Table table({"Cause", "Place", "Why not", "#Evidence on top", "#By chance"});
+  Table table({"Cause", "Place", "Why not", "#Drop of the deviance", "#Family-wise p-value"});
   for (const RuledOut& r : verdict.ruled_out)
     table.row({escaped(r.name), escaped(r.place), escaped(r.reason), shown_number(r.statistic),
                escaped(shown_probability(r.p_family))});
-  return "<h3>Ruled out</h3>\n<p>Every cause below was asked for as well, on top of the final "
-         "model.</p>\n" +
+  return "<h3>Ruled out</h3>\n<p>Every cause below was tested as well, beside the named "
+         "ones.</p>\n" +
          (verdict.ruled_out.size() > 12 ? folded("All " + std::to_string(verdict.ruled_out.size()) +
                                                      " causes that were ruled out",
                                                  table.html())
@@ -125,9 +125,10 @@ std::string ranking_section(const Findings& findings) {
 std::string unexplained_section(const Findings& findings) {
   const Unexplained& rest = findings.verdict.unexplained;
   std::string text = "<p>" + escaped(leftover_of(findings.verdict)) + "</p>\n";
-  Table table({"Depends on", "Place", "#By chance", "#Squared error a free curve takes away"});
+  Table table(
+      {"Depends on", "Place", "#Family-wise p-value", "#Cross-validated gain of a free curve"});
   for (const Dependence& d : rest.depends_on)
-    table.row({escaped(shown_dependence(d.on)), escaped(d.place),
+    table.row({escaped(dependence_text({d.on, "", 1.0, {}})), escaped(d.place),
                escaped(shown_probability(d.p_family)),
                shown_share(d.gain.share) + " <span class=\"soft\">(" + shown_interval(d.gain) +
                    ")</span>"});
@@ -135,8 +136,9 @@ std::string unexplained_section(const Findings& findings) {
   text += withdrawn(rest);
   if (!findings.verdict.causes.empty() || rest.none_of_the_known)
     text += fmt::format(
-        "<p class=\"soft\">Of all structure that was found, named causes account for "
-        "{}; {} of the cross-validated misfit remains, noise included.</p>\n",
+        "<p class=\"soft\">Named causes account for {} of all structure that was found in the "
+        "training logs. The cross-validated loss with them is {} of that of the model as it was, "
+        "noise included.</p>\n",
         shown_share(rest.named_share), shown_share(rest.remaining));
   return section("unexplained", "What is still unexplained", text);
 }

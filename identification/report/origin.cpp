@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
-#include "identification/report/report_numbers.h"
-#include "identification/report/report_page.h"
-#include "identification/report/report_sections.h"
-#include "identification/report/report_wording.h"
+#include "identification/report/numbers.h"
+#include "identification/report/page.h"
+#include "identification/report/sections.h"
+#include "identification/report/wording.h"
 #include "symbolic/notation/print_mathml.h"
 
 namespace sinew::diagnosis {
@@ -30,11 +30,17 @@ std::string log_name(const LogRecord& log) {
   return "<span class=\"mono\">" + escaped_name(log.file) + "</span>";
 }
 
-std::string fault_list(const Findings& findings) {
+std::string list_of(const std::vector<std::string>& texts) {
   std::string items;
-  for (const std::string& fault : faults_of(findings)) items += "<li>" + escaped(fault) + "</li>";
-  return items.empty() ? "<p>No faults were found in them.</p>\n"
-                       : "<h3>Faults, and what was done</h3>\n<ul>" + items + "</ul>\n";
+  for (const std::string& text : texts) items += "<li>" + escaped(text) + "</li>";
+  return "<ul>" + items + "</ul>\n";
+}
+
+std::string fault_list(const Findings& findings) {
+  const std::vector<std::string> faults = faults_of(findings), notes = notes_of(findings);
+  return (faults.empty() ? "<p>No faults were found in them.</p>\n"
+                         : "<h3>Faults, and what was done</h3>\n" + list_of(faults)) +
+         (notes.empty() ? "" : "<h3>Notes</h3>\n" + list_of(notes));
 }
 
 std::string hashes(const Findings& findings) {
@@ -51,27 +57,29 @@ std::string baseline(const Verdict& verdict) {
   if (verdict.baseline.empty()) return "";
   Table table({"Parameter", "#Value ± standard error"}, "", true);
   for (const ParameterEstimate& p : verdict.baseline)
-    table.row({"<math>" + mathml_name(p.name) + "</math>",
-               escaped(shown_estimate(p.value, p.standard_error, p.unit))});
+    table.row({"<math>" + mathml_name(p.name) + "</math>", escaped(shown_parameter(p))});
   return folded("Parameters of the model itself, fitted together with the causes", table.html());
 }
 
 constexpr const char* kMethod = R"(
-<p><b>Error before and after.</b> What the model predicts, minus what was measured, inside the band that
-was looked at. Before: the model with its own parameters fitted to the same logs, so that a gain is the new
-term's and not a better calibration's. After: the same with the causes.</p>
-<p><b>Gain.</b> The share of the squared error that goes away. Its 95&nbsp;% interval comes from drawing
-whole blocks of the log again and again, because neighbouring samples are not independent. A single
-cause is measured against the same model without it, so the shares of several causes do not add up.</p>
-<p><b>Chance of a false name.</b> What a model leaves over is coloured noise, and a test that takes it for
-white always finds something. So the same search runs on surrogates: noise with the same spectrum and
-nothing hidden. The number is how often the best of the whole library does as well there.</p>
-<p><b>Confidence.</b> The probability that the truth is this cause, or one of the set; from trials in
-which the truth was known and one of the library. It is never above 84 %: so often the surest sets held
-the truth there.</p>
+<p><b>Error before and after.</b> What the model's emitted C says, minus what was measured, inside the band
+that was compared, standstill aside; on the held-out logs where there are any. Before: the model as it was.
+After: with the terms that its extension holds.</p>
+<p><b>Held-out gain.</b> The share of the squared error that goes away on logs that the fit had not seen:
+1&nbsp;− (error after / error before)². Of several channels together, each counts in units of what is left of
+it at best. The 95&nbsp;% interval is a block bootstrap's, because neighbouring samples are not
+independent.</p>
+<p><b>Held-out gain beside the other causes.</b> The same for a single cause, against the search's model with
+all other causes fitted again. What several causes share is credited to none, so these gains do not add
+up.</p>
+<p><b>Cross-validated gain.</b> The same on blocks of the training logs, each predicted by a fit to the
+others.</p>
+<p><b>Family-wise p-value.</b> The residual of a model is coloured noise, and a test that takes it for white
+always finds something. So the same search runs on surrogates: noise with the same spectrum and nothing
+hidden. The number is how often the best of the whole library does as well there.</p>
 <p><b>Standard errors</b> are those for coloured noise with all parameters free.</p>
-<p><b>Ruled out.</b> Each cause of the library is asked for on top of the final model. It is refused where
-chance does as well, where left-out blocks do not improve, or where its sign or size is not physical.</p>
+<p><b>Ruled out.</b> Each cause of the library is tested beside the named ones. It is refused where chance
+does as well, where the cross-validated gain is not positive, or where its sign or size is not physical.</p>
 )";
 
 }  // namespace
@@ -79,11 +87,8 @@ chance does as well, where left-out blocks do not improve, or where its sign or 
 std::string extension_section(const Findings& findings) {
   const Extension& e = findings.extension;
   if (!e.adopted && !e.dry_run && e.reason.empty()) return "";
-  std::string text = "<p><b>" +
-                     std::string(e.adopted   ? "The model was extended."
-                                 : e.dry_run ? "Nothing was changed: this was a dry run."
-                                             : "The model was left as it is.") +
-                     "</b> " + escaped(sentence(capitalised(e.reason))) + "</p>\n";
+  std::string text = "<p><b>" + extension_state(e) + ".</b> " +
+                     escaped(sentence(capitalised(e.reason))) + "</p>\n";
   if (!e.model_folder.empty())
     text += "<p>The extended model is in <code>" + escaped_name(e.model_folder) + "</code>.</p>\n";
   return section("extension", "What became of the model",
@@ -102,7 +107,8 @@ std::string log_section(const Findings& findings) {
 }
 
 std::string method_section(const Findings& findings) {
-  std::string text = std::string(kMethod) + baseline(findings.verdict);
+  std::string text = std::string(kMethod) + "<p><b>Confidence.</b> " +
+                     escaped(confidence_meaning()) + "</p>\n" + baseline(findings.verdict);
   if (findings.seconds > 0.0)
     text += "<p class=\"soft\">The diagnosis took " + shown_duration(findings.seconds) + ".</p>\n";
   return section("method", "How the numbers were made", text);

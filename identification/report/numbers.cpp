@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "identification/report/report_numbers.h"
+#include "identification/report/numbers.h"
 
 #include <fmt/format.h>
 
@@ -108,6 +108,16 @@ std::string shown_quantity(double value, const std::string& unit, int digits) {
   const Prefix prefix = prefix_for(value, unit);
   return with_unit(shown_number(value * std::pow(10.0, -prefix.exponent), digits), prefix.sign,
                    unit);
+}
+
+AxisUnit axis_unit(double largest, const std::string& unit) {
+  const Prefix prefix = prefix_for(largest, unit);
+  const double size = std::abs(largest) * std::pow(10.0, -prefix.exponent);
+  const std::string shown = shown_unit(unit);
+  if (prefix.exponent != 0) return {std::pow(10.0, -prefix.exponent), prefix.sign + shown};
+  if (!std::isfinite(size) || size == 0.0 || (size >= 0.01 && size < 1e5)) return {1.0, shown};
+  const int power = exponent_of(size, 3);
+  return {std::pow(10.0, -power), "10" + superscript(power) + (shown.empty() ? "" : " " + shown)};
 }
 
 std::string shown_estimate(double value, double standard_error, const std::string& unit) {

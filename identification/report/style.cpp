@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "identification/report/report_page.h"
+#include "identification/report/page.h"
 
 namespace sinew::diagnosis {
 namespace {

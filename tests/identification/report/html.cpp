@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "identification/report/report_html.h"
+#include "identification/report/html.h"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
@@ -8,8 +8,8 @@
 #include <map>
 #include <set>
 
-#include "identification/report/report_page.h"
-#include "report_example.h"
+#include "example.h"
+#include "identification/report/page.h"
 
 using namespace sinew::diagnosis;
 
@@ -41,13 +41,11 @@ std::string unbalanced(const std::string& html) {
 }
 
 std::vector<Findings> all() {
-  return {example::rich_drive(),
-          example::inseparable_pair(),
-          example::none_of_the_known(),
-          example::nothing_beyond_noise(),
-          example::large_finger(),
-          example::empty(),
-          example::hostile()};
+  return {example::rich_drive(),        example::inseparable_pair(),
+          example::none_of_the_known(), example::nothing_beyond_noise(),
+          example::large_finger(),      example::empty(),
+          example::hostile(),           example::lone_cause(),
+          example::awkward_numbers()};
 }
 
 /// Relative luminance of "#rrggbb" (WCAG 2).
@@ -124,7 +122,7 @@ TEST_CASE("the first screen of named causes") {
   const std::string html = report_html(example::rich_drive());
   const std::string first = html.substr(0, html.find("<nav"));
   for (const char* part :
-       {"flattens out at speed", "4.08", "1.83", "falls by 78", "What to do next",
+       {"flattens out at speed", "4.08", "1.91", "falls by 78", "What to do next",
         "Use the extended model", "Friction concave in speed", "motor", "2\u00a0faults"}) {
     INFO(part);
     CHECK(contains(first, part));
@@ -157,6 +155,15 @@ TEST_CASE("structure without a name, and noise") {
   CHECK(contains(noise, "Nothing beyond noise"));
   CHECK_FALSE(contains(noise, "What was missing, as an equation"));
   CHECK(contains(report_html(example::empty()), "There was no log to look at."));
+}
+
+TEST_CASE("where an error is not worth explaining the report says so") {
+  // Must fail: with nothing_to_explain() never true 102 % relative error are "104 %
+  // unexplained", of an error that is 0.03 % of what is measured.
+  const std::string html = report_html(example::awkward_numbers());
+  CHECK(contains(html, "nothing to explain"));
+  CHECK(contains(html, "error below 10.0\u00a0mN·m"));
+  CHECK_FALSE(contains(report_html(example::rich_drive()), "error below"));
 }
 
 TEST_CASE("every label of a plot has its place in the key, every picture its words") {

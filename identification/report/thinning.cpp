@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "identification/report/report_thinning.h"
+#include "identification/report/thinning.h"
 
 #include <algorithm>
 #include <cmath>

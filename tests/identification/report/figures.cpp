@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "identification/report/report_figures.h"
+#include "identification/report/figures.h"
 
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <cstdlib>
+#include <regex>
 
-#include "identification/report/report_svg.h"
-#include "identification/report/report_thinning.h"
-#include "report_example_plots.h"
+#include "example.h"
+#include "example_plots.h"
+#include "identification/report/html.h"
+#include "identification/report/plot_bounds.h"
+#include "identification/report/svg.h"
+#include "identification/report/thinning.h"
 #include "tests/skip.h"
 
 using namespace sinew::diagnosis;
@@ -78,6 +82,37 @@ TEST_CASE("pictures carry no ids, fonts, fixed colours or addresses, and say wha
   }
   CHECK(contains(figures.back(), "10<tspan"));
   CHECK(figures == svg_figures(plots, std::vector<std::string>(plots.size(), "what is <shown>")));
+}
+
+TEST_CASE("numbers of a plot have a minus sign, never a hyphen, and few digits") {
+  // Planted defect: without "set minussign" in figures.cpp 27 checks fail, of labels like "-5".
+  // Without axis_unit() in channels.cpp a tick would be "−1.5e−05".
+  if (no_gnuplot()) return;
+  const std::string html = report_html(example::awkward_numbers());
+  const std::regex label("<text[^>]*>([^<]*)");
+  int negative = 0;
+  for (std::sregex_iterator it(html.begin(), html.end(), label), end; it != end; ++it) {
+    const std::string text = (*it)[1];
+    INFO(text);
+    CHECK_FALSE(std::regex_search(text, std::regex("-[0-9.]")));
+    CHECK_FALSE(std::regex_search(text, std::regex("[0-9]e")));
+    negative += contains(text, "−");
+  }
+  CHECK(negative > 5);
+}
+
+TEST_CASE("a plot is as large as its labels") {
+  const PlotBounds sheet{0.0, 0.0, 460.0, 300.0};
+  const auto label = [](const char* at, const char* anchor, const char* text) {
+    return std::string("<g transform=\"translate(") + at + ")\" fill=\"x\" font-size=\"13.00\"  " +
+           "text-anchor=\"" + anchor + "\">\n\t<text> " + text + "</text>";
+  };
+  CHECK(with_labels(label("43.5,100", "end", "−5"), sheet).left == 0.0);
+  CHECK(with_labels(label("43.5,100", "end", "−0.00015"), sheet).left < -10.0);
+  CHECK(with_labels(label("455,100", "middle", "1000"), sheet).right > 465.0);
+  CHECK(with_labels(label("5,100", "start", "10<tspan dy=\"-5\">−3</tspan>"), sheet).right ==
+        460.0);
+  CHECK(text_width("−", 10.0) > text_width("1", 10.0));
 }
 
 TEST_CASE("text in a plot is text, never a command") {

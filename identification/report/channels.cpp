@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "identification/report/report_figures.h"
-#include "identification/report/report_numbers.h"
-#include "identification/report/report_page.h"
-#include "identification/report/report_sections.h"
-#include "identification/report/report_wording.h"
+#include "identification/report/figures.h"
+#include "identification/report/numbers.h"
+#include "identification/report/page.h"
+#include "identification/report/sections.h"
+#include "identification/report/wording.h"
 
 namespace sinew::diagnosis {
 namespace {
@@ -21,16 +21,14 @@ std::string change_of(const Gain& gain) {
   return shown_share(gain.share) + " <span class=\"soft\">(" + shown_interval(gain) + ")</span>";
 }
 
-std::string where_of(const Findings& findings) {
-  return has_held_out(findings) ? measured_on(findings) : "the training logs";
-}
-
 /// Where no cause was named there is no model after.
 Table domain_table(const Findings& findings) {
   const bool changed = !findings.verdict.causes.empty();
-  std::vector<std::string> headings = {"Channel", "Seen as", changed ? "#Error before" : "#Error"};
-  if (changed) headings.insert(headings.end(), {"#Error after", "#Squared error that goes away"});
-  Table table(headings, "Root mean square error on " + where_of(findings) +
+  std::vector<std::string> headings = {"Channel", "Domain", changed ? "#Error before" : "#Error"};
+  if (changed)
+    headings.insert(headings.end(),
+                    {"#Error after", "#" + capitalised(extension_gain_name(findings))});
+  Table table(headings, "Root mean square error on " + judged_logs(findings) +
                             (changed ? ", with the 95 % interval of the gain." : "."));
   for (const ChannelFinding& channel : findings.channels)
     for (const DomainError& error : channel.domains)
@@ -41,31 +39,58 @@ Table domain_table(const Findings& findings) {
   return table;
 }
 
-double worst_share(const Findings& findings) {
+double relative(double error, const ChannelFinding& channel) {
+  return channel.standard_deviation > 0.0 ? error / channel.standard_deviation : std::nan("");
+}
+
+double worst_relative_error(const Findings& findings) {
   double worst = 1e-12;
   for (const ChannelFinding& c : findings.channels)
-    for (const double share : {c.unexplained_before, c.unexplained_after})
-      if (std::isfinite(share)) worst = std::max(worst, share);
+    for (const DomainError& first : c.domains) {
+      for (const double error : {relative(first.before, c), relative(first.after, c)})
+        if (std::isfinite(error)) worst = std::max(worst, error);
+      break;
+    }
   return worst;
 }
 
+std::string unexplained_of(const ChannelFinding& channel, bool changed) {
+  if (channel.nothing_to_explain())
+    return "nothing to explain <span class=\"soft\">(error below " +
+           escaped(shown_quantity(channel.material_error(), channel.unit)) + ")</span>";
+  const std::string before = coloured("before", shown_share(channel.unexplained_before));
+  return changed ? before + " → " + coloured("after", shown_share(channel.unexplained_after))
+                 : before;
+}
+
 /// Bars are measured against the worst channel.
-Table noise_table(const Findings& findings) {
+Table variance_table(const Findings& findings) {
   const bool changed = !findings.verdict.causes.empty();
-  std::vector<std::string> headings = {"Channel", "#Measured (rms)", "#Noise floor",
-                                       changed ? "#Unexplained before" : "#Unexplained"};
-  if (changed) headings.push_back("#Unexplained after");
-  Table table(headings,
-              "Share of each channel's variance that the model does not explain, beside the noise "
-              "that no model can explain.");
-  const double worst = worst_share(findings);
-  const auto share = [&](double value, const char* role) {
-    return coloured(role, shown_share(value)) + (changed ? bar(value / worst, role) : "");
+  std::vector<std::string> headings = {"Channel", "#Standard deviation", "#Noise floor",
+                                       changed ? "#Relative error before" : "#Relative error"};
+  if (changed) headings.push_back("#Relative error after");
+  headings.push_back("#Variance unexplained");
+  Table table(
+      headings,
+      "Relative error: rms error / standard deviation of the channel. Variance unexplained: "
+      "mean square error / variance of the channel, 100 % at most. There is nothing to "
+      "explain where the rms error is below " +
+          shown_share(kMaterialShare) +
+          " of the channel's rms or below the step in which the log writes it.");
+  const double worst = worst_relative_error(findings);
+  const auto cell = [&](double error, const char* role) {
+    return coloured(role, shown_percent(error)) + (changed ? bar(error / worst, role) : "");
   };
-  for (const ChannelFinding& c : findings.channels)
-    table.row({escaped_name(c.name), escaped(shown_quantity(c.measured_rms, c.unit)),
-               escaped(shown_quantity(c.noise_floor, c.unit)),
-               share(c.unexplained_before, "before"), share(c.unexplained_after, "after")});
+  for (const ChannelFinding& c : findings.channels) {
+    if (c.domains.empty()) continue;
+    std::vector<std::string> cells = {escaped_name(c.name),
+                                      escaped(shown_quantity(c.standard_deviation, c.unit)),
+                                      escaped(shown_quantity(c.noise_floor, c.unit)),
+                                      cell(relative(c.domains.front().before, c), "before")};
+    if (changed) cells.push_back(cell(relative(c.domains.front().after, c), "after"));
+    cells.push_back(unexplained_of(c, changed));
+    table.row(cells);
+  }
   return table;
 }
 
@@ -100,20 +125,39 @@ std::string figure_of(const Plot& plot, const std::string& svg) {
       samples
           ? "<p class=\"absent\">This picture is drawn by gnuplot (Debian: gnuplot-nox), which was "
             "not there when the report was written. findings.json has its numbers.</p>"
-          : "<p class=\"absent\">The logs have no samples for this picture.</p>";
+          : "<p class=\"absent\">The logs have no samples for this plot.</p>";
   return "<figure><figcaption><h4>" + escaped(capitalised(plot.title)) + "</h4>" +
          (plot.caption.empty() ? "" : "<span class=\"soft\">" + escaped(plot.caption) + "</span>") +
          "</figcaption>\n" + (svg.empty() ? absent : svg) + key_of(plot) + "</figure>\n";
 }
 
+double largest_of(const Plot& plot, std::vector<double> Series::*coordinates) {
+  double largest = 0.0;
+  for (const Series& series : plot.series)
+    for (const double value : series.*coordinates)
+      if (std::isfinite(value)) largest = std::max(largest, std::abs(value));
+  return largest;
+}
+
+/// An axis in the unit that suits its values; where powers of ten are its ticks, in the label's
+/// own.
+void set_axis(Plot& plot, std::string& label, std::vector<double> Series::*coordinates) {
+  const std::size_t open = label.rfind('['), close = label.rfind(']');
+  const bool stated = open != std::string::npos && close != std::string::npos && open < close;
+  const std::string unit = stated ? label.substr(open + 1, close - open - 1) : "1";
+  const AxisUnit axis = plot.logarithmic ? AxisUnit{1.0, shown_unit(unit)}
+                                         : axis_unit(largest_of(plot, coordinates), unit);
+  const std::string shown = axis.unit.empty() ? "" : "[" + axis.unit + "]";
+  label = stated ? label.substr(0, open) + shown + label.substr(close + 1)
+                 : label + (shown.empty() ? "" : " " + shown);
+  if (axis.factor == 1.0) return;
+  for (Series& series : plot.series)
+    for (double& value : series.*coordinates) value *= axis.factor;
+}
+
 Plot with_shown_units(Plot plot) {
-  for (std::string* label : {&plot.x_label, &plot.y_label}) {
-    const std::size_t open = label->rfind('['), close = label->rfind(']');
-    if (open == std::string::npos || close == std::string::npos || close < open) continue;
-    const std::string unit = shown_unit(label->substr(open + 1, close - open - 1));
-    *label =
-        label->substr(0, open) + (unit.empty() ? "" : "[" + unit + "]") + label->substr(close + 1);
-  }
+  set_axis(plot, plot.x_label, &Series::x);
+  set_axis(plot, plot.y_label, &Series::y);
   return plot;
 }
 
@@ -134,7 +178,7 @@ std::string figures(const Findings& findings) {
     for (std::size_t k = 0; k < channel.plots.size(); ++k, ++next)
       content += figure_of(plots[next], drawn[next]);
     content = "<div class=\"figures\">\n" + content + "</div>\n";
-    // The first channels carry the verdict; more would be a wall of pictures.
+    // The first channels carry the verdict; more would be a wall of plots.
     text += findings.channels.size() == 1
                 ? content
                 : folded(channel.name +
@@ -151,7 +195,8 @@ std::string channel_section(const Findings& findings) {
   std::string content;
   const Table domains = domain_table(findings);
   if (!domains.empty()) content += domains.html();
-  content += noise_table(findings).html();
+  const Table variances = variance_table(findings);
+  if (!variances.empty()) content += variances.html();
   return section("channels", "Before and after, channel by channel", content) +
          section("pictures", "What it looks like", figures(findings));
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "identification/report/report_numbers.h"
+#include "identification/report/numbers.h"
 
+#include <fmt/format.h>
 #include <catch2/catch.hpp>
 #include <clocale>
 #include <limits>
@@ -53,6 +54,18 @@ TEST_CASE("quantities take the natural prefix") {
   CHECK(plain(shown_quantity(3e-5, "kg*m^2")) == "3.00×10⁻⁵ kg·m²");
   CHECK(plain(shown_quantity(0.02, "m^2")) == "0.0200 m²");
   CHECK(plain(shown_quantity(0.02, "1")) == "0.0200");
+}
+
+TEST_CASE("axes take a unit in which their values need few digits") {
+  const auto shown = [](double largest, const char* unit) {
+    const AxisUnit axis = axis_unit(largest, unit);
+    return fmt::format("{:.3g} {}", largest * axis.factor, axis.unit);
+  };
+  CHECK(shown(24.0, "s") == "24 s");
+  CHECK(shown(1.5e-5, "N*m") == "15 µN·m");
+  CHECK(shown(2e-5, "kg*m^2") == "2 10⁻⁵ kg·m²");
+  CHECK(shown(123456.0, "1") == "1.23 10⁵");
+  CHECK(shown(0.0, "m") == "0 m");
 }
 
 TEST_CASE("an estimate and its error share prefix and digits") {

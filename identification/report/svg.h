@@ -11,7 +11,8 @@ namespace sinew::diagnosis {
 /// "after", "noise", "extra-1" to "extra-3".
 unsigned placeholder_colour(const std::string& role);
 
-/// The <svg> element with a title for who cannot see it. Empty for text that is no whole SVG.
+/// The <svg> element with a title for who cannot see it, as large as the drawing and all its
+/// labels. Empty for text that is no whole SVG.
 std::string svg_for_page(const std::string& gnuplot_svg, const std::string& alternative);
 
 }  // namespace sinew::diagnosis

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "report_example_plots.h"
+#include "example_plots.h"
 
 #include <cmath>
 
