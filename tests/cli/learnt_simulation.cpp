@@ -119,8 +119,8 @@ std::string value_of(const std::string& kind, const std::string& name, double va
 
 }  // namespace
 
-// In all of them the planted defect is the one that was there: build_plant() without add_drives()
-// and with_identified(). The simulation's error is then the same before and after.
+// Planted defect: identified.toml not read by the simulation (taken away before the log is played
+// again). The motor's open loop stays at 19.8 rad where the report says 0.58.
 
 TEST_CASE("a motor's friction that was learnt acts in its simulation", "[learnt]") {
   const Loop loop("motor");
@@ -141,7 +141,7 @@ TEST_CASE("a motor's friction that was learnt acts in its simulation", "[learnt]
   const json after = loop.replayed();
   compare(findings, before, after, "open loop", "open_loop", 0.02);
   compare(findings, before, after, "window", "window", 0.02);
-  CHECK(after[0].at("window").get<double>() < 0.5 * before[0].at("window").get<double>());
+  CHECK(after[0].at("open_loop").get<double>() < 0.1 * before[0].at("open_loop").get<double>());
 }
 
 namespace {
