@@ -7,7 +7,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "cli/learnt_model.h"
+#include "simulation/plant/learnt_model.h"
 #include "identification/logs/sha256.h"
 #include "symbolic/dynamics/coordinates.h"
 #include "symbolic/extension/driven_model.h"

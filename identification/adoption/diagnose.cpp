@@ -90,6 +90,8 @@ class Run {
     for (std::size_t i = 0; i < logs.size(); ++i)
       take(logs[i], channels[i], i >= request_.logs.size());
     refuse_held_out_twins(result_.findings.logs);
+    LogRecord& first = result_.findings.logs.front();
+    for (const std::string& note : request_.notes) first.faults.push_back(first.file + ": " + note);
   }
 
   void take(const Log& log, const DrivenChannels& channels, bool held_out) {

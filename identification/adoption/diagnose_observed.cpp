@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <map>
 
 #include "identification/adoption/discrepancy.h"
@@ -54,6 +55,32 @@ class ObservedRun {
     f.next_step = next_step(f);
     f.seconds = std::chrono::duration<double>(Clock::now() - start).count();
     return std::move(result_);
+  }
+
+  ObservedReplay replay() {
+    read();
+    prepare();
+    const Design design(subject_.problem(), request_.settings);
+    const std::vector<MeasuredChannel> measured =
+        measure_observation(subject_, design, request_.identified, request_.rig.free_zero);
+    ObservedReplay replay{{"time [s]"}, {}, {}};
+    for (std::size_t c = 0; c < request_.rig.channels.size(); ++c) {
+      const ObservedChannel& named = request_.rig.channels[c];
+      replay.columns.push_back(fmt::format("{} [{}]", named.name, named.unit));
+      ChannelFinding finding;
+      add_error("sensor", measured, static_cast<int>(c), false, finding);
+      replay.errors.push_back({named.name, named.unit, finding.domains.front().before});
+    }
+    std::map<double, std::vector<double>> rows;  // by time: stretches one after the other
+    for (const MeasuredChannel& m : measured)
+      for (Index k = 0; k < m.time.size(); ++k) {
+        std::vector<double>& row = rows[m.time(k)];
+        row.resize(replay.columns.size(), std::nan(""));
+        row[0] = m.time(k);
+        row[static_cast<std::size_t>(m.channel) + 1] = m.before(k);
+      }
+    for (auto& [time, row] : rows) replay.rows.push_back(std::move(row));
+    return replay;
   }
 
  private:
@@ -178,6 +205,10 @@ class ObservedRun {
 
 Diagnosis diagnose_observed(const ObservedRequest& request) {
   return ObservedRun(request)();
+}
+
+ObservedReplay replay_observed(const ObservedRequest& request) {
+  return ObservedRun(request).replay();
 }
 
 }  // namespace sinew::diagnosis

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "identification/regression/candidate.h"
-#include "simulation/compiled_model.h"
+#include "simulation/emitted/compiled_model.h"
 #include "symbolic/model/mechanism.h"
 
 namespace sinew::diagnosis {

@@ -7,7 +7,8 @@ namespace sinew {
 
 LearntPlaces learnt_places(const Mechanism& mechanism, bool motors) {
   LearntPlaces places;
-  for (const int index : Coordinates(mechanism).joints()) {
+  const Coordinates coordinates(mechanism);
+  for (const int index : coordinates.joints()) {
     const Joint& joint = mechanism.joints[static_cast<std::size_t>(index)];
     places.push_back({joint.name, PlaceKind::joint, joint.type == JointType::revolute});
   }

@@ -10,6 +10,7 @@
 #include "symbolic/model/read_mechanism.h"
 #include "symbolic/model/rotation.h"
 #include "symbolic/model/singular_mass_matrix.h"
+#include "tests/skip.h"
 #include "tests/symbolic/model/malformed_case.h"
 #include "tests/symbolic/model/same_mechanism.h"
 
@@ -95,10 +96,8 @@ TEST_CASE("the table's columns, units and line ends may vary", "[formats]") {
 
 TEST_CASE("numbers do not depend on the locale", "[formats]") {
   const Mechanism expected = arm();
-  if (std::setlocale(LC_ALL, "de_DE.UTF-8") == nullptr) {
-    WARN("the locale de_DE.UTF-8 is not installed; skipped");
-    return;
-  }
+  if (std::setlocale(LC_ALL, "de_DE.UTF-8") == nullptr)
+    return sinew::test::skip("the locale de_DE.UTF-8 is not installed");
   const Mechanism here = arm();
   std::setlocale(LC_ALL, "C");
   REQUIRE(first_difference(expected, here) == "");

@@ -245,11 +245,7 @@ TEST_CASE("files that cannot be read", "[urdf]") {
 }
 
 TEST_CASE("the robots of the benchmarks", "[urdf]") {
-  const std::filesystem::path folder = std::string(SINEW_SOURCE_DIR) + "/../shared/bench";
-  if (!std::filesystem::exists(folder / "panda.urdf")) {
-    WARN("the benchmark robots are not there; skipped");
-    return;
-  }
+  const std::filesystem::path folder = std::string(SINEW_SOURCE_DIR) + "/benchmarks/robots";
   const Mechanism panda = read_urdf(folder / "panda.urdf", down);
   REQUIRE(coordinate_count(panda) == 7);
   REQUIRE(panda.bodies[6].mass == 0.735522);
