@@ -47,7 +47,7 @@ TEST_CASE("what is a body already stays") {
 }
 
 TEST_CASE("the nearest body is one, and no other body is nearer by a hundredth") {
-  // Planted defect: eigenvalues made positive and no more (the start): bodies by chance nearer.
+  // Defect to plant: eigenvalues made positive and no more (the start): bodies by chance nearer.
   std::mt19937 random(7);
   std::normal_distribution<double> normal;
   for (unsigned seed = 1; seed <= 6; ++seed) {
@@ -97,8 +97,8 @@ TEST_CASE("a link's change leaves the whole link a body") {
 
 TEST_CASE("what logs tell nothing about is whatever makes a body") {
   // Mass, first moment and one moment are known well, as of a link that turns about one axis; the
-  // other numbers came out 0. Planted defect: information in place of its Schur complement does not
-  // matter here, a unit matrix does: the known ones move by more than their errors.
+  // other numbers came out 0. Defect to plant: information in place of its Schur complement does
+  // not matter here, a unit matrix does: the known ones move by more than their errors.
   VectorXd estimate = VectorXd::Zero(10);
   estimate(0) = 0.1, estimate(1) = 0.02, estimate(6) = 5e-3;
   VectorXd known = VectorXd::Zero(10);
