@@ -171,6 +171,6 @@ TEST_CASE("every effect reads back as it is written, in its own units, for turni
 TEST_CASE("a log's name may hold any character") {
   Identified learnt;
   learnt.logs.push_back({"a \"b\"\\c\nd.csv", std::string(64, 'a')});
-  // Planted defect: the name between quotes as it is: "expected TOML 1.0".
+  // Defect to plant: the name between quotes as it is: "expected TOML 1.0".
   CHECK(read(identified_text(learnt)).logs.front().file == learnt.logs.front().file);
 }
