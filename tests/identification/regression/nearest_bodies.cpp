@@ -47,7 +47,7 @@ TEST_CASE("what is a body already stays") {
 }
 
 TEST_CASE("the nearest body is one, and no other body is nearer by a hundredth") {
-  // Defect to plant: eigenvalues made positive and no more (the start): bodies by chance nearer.
+  // Planted defect: eigenvalues made positive and no more (the start): bodies by chance nearer.
   std::mt19937 random(7);
   std::normal_distribution<double> normal;
   for (unsigned seed = 1; seed <= 6; ++seed) {
