@@ -80,7 +80,8 @@ bool depends_on_position(const Function& rigid) {
 
 std::vector<DrivenJoint> driven_joints(const Mechanism& mechanism) {
   std::vector<DrivenJoint> joints;
-  for (const int index : Coordinates(mechanism).joints()) {
+  const Coordinates coordinates(mechanism);
+  for (const int index : coordinates.joints()) {
     joints.push_back(driven_joint(mechanism.joints[static_cast<std::size_t>(index)]));
     add_followers(mechanism, joints.back());
   }

@@ -44,7 +44,7 @@ std::string told(Act act) {
 }  // namespace
 
 TEST_CASE("a joint that moves no inertia is told, and all but the inverse is generated") {
-  // Planted defect: forward_dynamics not left out (dynamics_functions.cpp): generate ended with
+  // Defect to plant: forward_dynamics not left out (dynamics_functions.cpp): generate ended with
   // "power::eval(): division by zero".
   const Workplace here;
   reference::write_text(here.path("rod.urdf"), robot_with_a_rod);
@@ -88,7 +88,7 @@ TEST_CASE("an identified.toml that makes a link impossible is refused with its p
       "[[effect.coefficient]]\nname = \"mass\"\nvalue = 0.01\nunit = \"kg\"\n";
   const std::string moment =
       "[[effect.coefficient]]\nname = \"moment_xx\"\nvalue = -1\nunit = \"kg*m^2\"\n";
-  // Planted defects: without is_physical() status 0 and a mass matrix with M[0][0] < 0; a Stribeck
+  // Defects to plant: without is_physical() status 0 and a mass matrix with M[0][0] < 0; a Stribeck
   // velocity that is not checked: "power::eval(): division by zero".
   const Ended impossible = learnt(payload + moment);
   INFO(impossible.output);
@@ -109,7 +109,7 @@ TEST_CASE("an identified.toml that makes a link impossible is refused with its p
 }
 
 TEST_CASE("what a library throws is told in words of the program") {
-  // Planted defect: clear_message() giving what() back.
+  // Defect to plant: clear_message() giving what() back.
   using Catch::Contains;
   CHECK_THAT(told([] { GiNaC::pow(GiNaC::ex(0), -1); }),
              Contains("divides by zero") && Contains("[power::eval(): division by zero]"));

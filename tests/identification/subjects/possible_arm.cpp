@@ -27,7 +27,7 @@ std::vector<Range> ranges_of(const Mechanism& arm) {
 
 TEST_CASE("a small load in noisy logs is adopted as a body") {
   // A ring at the hand: its mass shows, most of its moments of inertia are lost in the noise.
-  // Planted defect: without make_links_physical() (extend.cpp) the payload is no body, and
+  // Defect to plant: without make_links_physical() (extend.cpp) the payload is no body, and
   // with_identified() refuses it.
   const Mechanism arm = arm_of_five();
   Mechanism built = arm;
@@ -48,7 +48,7 @@ TEST_CASE("a small load in noisy logs is adopted as a body") {
 }
 
 TEST_CASE("a term that would make the model impossible is left out with the reason") {
-  // Planted defect: possible_terms() taking every term: three stay.
+  // Defect to plant: possible_terms() taking every term: three stay.
   using namespace sinew::diagnosis;
   const Mechanism arm = upper_and_lower_arm();
   const std::filesystem::path runtime = SINEW_SOURCE_DIR "/runtime";

@@ -87,7 +87,7 @@ TEST_CASE("values are converted to SI, in whatever order they stand") {
 TEST_CASE("what no effect declares is refused with its place") {
   using Catch::Contains;
   // Planted defects, each seen to fail: no check of the limits (Stribeck at 0 was read), of units
-  // (newtons were read as newton metres), of places, of second entries, of second values.
+  // (newtons were read as newton metres), of second entries, of second values.
   CHECK(mistakes(viscous("0.1", "N*m*s/rad")) == "");
   CHECK_THAT(mistakes(viscous("0.1", "N*s/m")), Contains("identified.toml:8:8:") &&
                                                     Contains("the unit 'N*s/m'") &&
@@ -143,7 +143,7 @@ TEST_CASE("the same effect at the same place in another shape is another entry")
 }
 
 TEST_CASE("every effect reads back as it is written, in its own units, for turning and sliding") {
-  // A new effect needs nothing but its declaration. Planted defect: a coefficient's unit left "1"
+  // A new effect needs nothing but its declaration. Defect to plant: a coefficient's unit left "1"
   // as the writer once had it for what was not estimated: refused.
   for (const std::string& id : declared_effects())
     for (const LearntPlace& place : places) {
@@ -171,6 +171,6 @@ TEST_CASE("every effect reads back as it is written, in its own units, for turni
 TEST_CASE("a log's name may hold any character") {
   Identified learnt;
   learnt.logs.push_back({"a \"b\"\\c\nd.csv", std::string(64, 'a')});
-  // Planted defect: the name between quotes as it is: "expected TOML 1.0".
+  // Defect to plant: the name between quotes as it is: "expected TOML 1.0".
   CHECK(read(identified_text(learnt)).logs.front().file == learnt.logs.front().file);
 }
