@@ -3,35 +3,31 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
 #include <stdexcept>
 
 #include "cli/learnt_model.h"
+#include "cli/model_set.h"
+#include "generator/outputs/unfinished_run.h"
 #include "identification/logs/sha256.h"
 #include "symbolic/dynamics/coordinates.h"
 #include "symbolic/extension/driven_model.h"
-#include "symbolic/tendons/functions.h"
 #include "symbolic/extension/identified_mechanism.h"
 #include "symbolic/extension/part_observation.h"
 #include "symbolic/hand/read_hand.h"
 #include "symbolic/model/read_mechanism.h"
+#include "symbolic/tendons/functions.h"
 
 namespace sinew {
 namespace {
 
 namespace fs = std::filesystem;
 
-std::string file_content(const fs::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
 std::string described_files(const fs::path& folder) {
   std::string all;
   for (const char* name :
        {"hand.toml", "identified.toml", "mass_properties.csv", "mechanism.toml", "part.toml"}) {
     if (!fs::exists(folder / name)) continue;
-    const std::string text = file_content(folder / name);
+    const std::string text = read_whole(folder / name);
     all += fmt::format("{} {}\n{}", name, text.size(), text);
   }
   return all;
@@ -77,7 +73,24 @@ std::vector<std::string> coordinate_notes(const Hand& hand) {
 
 }  // namespace
 
+void recover_model(const fs::path& folder) {
+  recover_interrupted(folder);
+  for (const fs::path& part : parts_of(folder)) recover_interrupted(part);
+  recover_interrupted(folder_of_motor(folder));
+}
+
+void add_model(Inputs& inputs, const fs::path& folder) {
+  std::vector<fs::path> models = parts_of(folder);
+  models.push_back(folder);
+  models.push_back(folder_of_motor(folder));
+  for (const fs::path& model : models)
+    for (const char* name : {"channels.toml", "hand.toml", "identified.toml", "mass_properties.csv",
+                             "mechanism.toml", "part.toml"})
+      inputs.add(model / name);
+}
+
 ModelFolder open_model_folder(const fs::path& folder) {
+  recover_model(folder);
   ModelFolder result;
   result.folder = folder;
   std::string description;

@@ -8,6 +8,8 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "cli/model_folder.h"
+#include "cli/report_stream.h"
 #include "cli/runtime_folder.h"
 #include "simulation/simulate.h"
 #include "simulation/write_rows.h"
@@ -25,7 +27,7 @@ class RunProgress {
  public:
   explicit RunProgress(double duration) : duration_(duration), shown_(::isatty(2) != 0) {}
   ~RunProgress() {
-    if (last_ >= 0) fmt::print(stderr, "\r      \r");
+    if (last_ >= 0) std::fputs("\r      \r", stderr);
   }
   void operator()(double time) {
     const int percent = static_cast<int>(100.0 * time / duration_);
@@ -69,24 +71,35 @@ nlohmann::ordered_json json_of(const SimulateOptions& o, double duration,
           {"events", events}};
 }
 
+/// Beside the log, where that goes to standard output.
 void print_summary(const SimulateOptions& o, double duration, const SimulationResult& r) {
-  fmt::print("{}: {} rows over {} s written to {}\n", o.model, r.rows, duration, o.out);
-  fmt::print("  {} steps, {} evaluations, {} Jacobians in {:.3f} s: {:.1f} x real time\n",
+  std::FILE* to = stream_of_report(o.out);
+  fmt::print(to, "{}: {} rows over {} s written to {}\n", o.model, r.rows, duration, o.out);
+  fmt::print(to, "  {} steps, {} evaluations, {} Jacobians in {:.3f} s: {:.1f} x real time\n",
              r.count.steps, r.count.evaluations, r.count.jacobians, r.seconds,
              duration / r.seconds);
-  fmt::print("  energy up to {:.4g} J; books close to {:.2g} J, powers to {:.2g}\n",
+  fmt::print(to, "  energy up to {:.4g} J; books close to {:.2g} J, powers to {:.2g}\n",
              r.audit.largest_energy, r.audit.energy_residual, r.audit.power_residual);
   for (int i = 0; i < power_count; ++i) {
     const double work = r.audit.work[static_cast<std::size_t>(i)];
-    if (work != 0.0) fmt::print("  work of {}: {:.6g} J\n", name_of_power(i), work);
+    if (work != 0.0) fmt::print(to, "  work of {}: {:.6g} J\n", name_of_power(i), work);
   }
-  for (const auto& [name, count] : r.event_counts) fmt::print("  {}: {} times\n", name, count);
+  for (const auto& [name, count] : r.event_counts) fmt::print(to, "  {}: {} times\n", name, count);
 }
 
 void run_simulate(const SimulateOptions& o) {
-  Plant plant = build_plant(o.model, o.scenario, runtime_folder(o.runtime));
+  refuse_two_reports(o.out, o.json);
+  recover_model(o.model);
+  const std::filesystem::path runtime = runtime_folder(o.runtime);
+  Inputs inputs;
+  add_model(inputs, o.model);
+  add_runtime(inputs, runtime);
+  inputs.add(o.scenario);
+  check_output_file(o.out, inputs);
+  Plant plant = build_plant(o.model, o.scenario, runtime);
+  for (const std::string& table : plant.scenario().tables) inputs.add(table);
   const double duration = plant.scenario().duration;
-  RowWriter out(o.out, output_columns(plant));
+  RowWriter out(o.out, output_columns(plant), inputs);
   SimulationResult result;
   {
     RunProgress progress(duration);
@@ -110,7 +123,8 @@ void add_simulate_command(CLI::App& app, int&) {
   command->add_option("model", options->model, "Model folder")->required();
   command->add_option("--scenario", options->scenario, "What happens (docs/simulation.md)")
       ->required();
-  command->add_option("--out", options->out, "CSV file of the log")->required();
+  command->add_option("--out", options->out, "CSV file of the log; - is standard output")
+      ->required();
   command->add_option("--runtime", options->runtime, "Folder of the runtime's headers");
   command->add_flag("--json", options->json, "Report for machines");
   command->callback([options] { run_simulate(*options); });
