@@ -70,7 +70,7 @@ TEST_CASE("a pipe gets the output, and its end is told", "[outputs]") {
     CHECK(is_result(here.text("read.txt")));
     CHECK(fs::is_fifo(here.path("pipe")));
     const Ended broken =
-        here.shell("head -c 0 pipe & " + command + " --out pipe; s=$?; wait; exit $s");
+        here.shell("( : < pipe ) & " + command + " --out pipe; s=$?; wait; exit $s");
     CHECK((broken.status == 0 || broken.says("Broken pipe")));  // the reader may leave too late
   }
 }
@@ -105,8 +105,7 @@ TEST_CASE("a folder, a folder that is missing and a socket are no place for a fi
              {"models", "is a folder; expected a file"},
              {"models/", "is a folder; expected a file"},
              {"none/run", "there is no folder"},
-             {"new/", "expected a file"},
-             {"''", "is empty; expected a file"}}) {
+             {"new/", "expected a file"}}) {
       INFO(command << " --out " << out);
       const Ended ended = here.shell(command + " --out " + out);
       INFO(ended.output);
