@@ -12,6 +12,7 @@
 #include "cli/identify_logs.h"
 #include "cli/model_folder.h"
 #include "cli/report_stream.h"
+#include "generator/outputs/unfinished_run.h"
 #include "generator/write.h"
 #include "symbolic/parts/part.h"
 
@@ -108,7 +109,7 @@ Inputs checked_inputs(const IdentifyOptions& o) {
   for (const std::string& log : o.logs) inputs.add(log);
   check_output_file(o.out, inputs);
   for (const std::string& folder : {o.emit, o.tables})
-    if (!folder.empty()) (void)output_folder(folder);
+    if (!folder.empty()) recover_interrupted(output_folder(folder));
   return inputs;
 }
 

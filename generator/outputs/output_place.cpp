@@ -12,6 +12,8 @@
 #include <optional>
 #include <stdexcept>
 
+#include "generator/outputs/unfinished_run.h"
+
 namespace sinew {
 namespace {
 
@@ -129,7 +131,9 @@ OutputPlace output_place(const fs::path& given) {
 
 void check_output_file(const fs::path& given, const Inputs& inputs) {
   const OutputPlace place = place_of(given, Opening::later);
-  if (!place.real.empty()) inputs.refuse(place.real);
+  if (place.real.empty()) return;
+  recover_interrupted(place.real.parent_path());
+  inputs.refuse(place.real);
 }
 
 fs::path replaceable_file(const fs::path& given) {
