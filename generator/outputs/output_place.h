@@ -35,8 +35,8 @@ OutputPlace output_place(const std::filesystem::path& given);
 
 class Inputs;
 
-/// To be asked before long calculations: throws as output_place() does, but opens nothing, and where
-/// the place is one of the inputs. Puts right what an interrupted run left in its folder.
+/// To be asked before long calculations: throws as output_place() does, but opens nothing, and
+/// where the place is one of the inputs. Puts right what an interrupted run left in its folder.
 void check_output_file(const std::filesystem::path& given, const Inputs& inputs);
 
 /// The real path of a regular file, new or to be replaced. Throws std::runtime_error for anything
