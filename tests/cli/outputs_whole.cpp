@@ -32,7 +32,7 @@ struct Command {
 const std::string short_run =
     "[scenario]\nduration = { value = 0.05, unit = \"s\" }\n"
     "output_rate = { value = 1000, unit = \"Hz\" }\n"
-    "[[command]]\nchannel = \"tau\"\nshape = \"step\"\nto = { value = 0.5, unit = \"N*m\" }\n";
+    "[[command]]\nchannel = \"tau_m\"\nshape = \"constant\"\nvalue = { value = 0.5, unit = \"N*m\" }\n";
 const std::string robot =
     "<robot name=\"arm\"><link name=\"base\"/><link name=\"tip\"><inertial><mass value=\"1\"/>"
     "<inertia ixx=\"1\" iyy=\"1\" izz=\"1\" ixy=\"0\" ixz=\"0\" iyz=\"0\"/></inertial></link>"
