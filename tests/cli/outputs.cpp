@@ -115,7 +115,7 @@ TEST_CASE("a folder, a folder that is missing and a socket are no place for a fi
   CHECK(!fs::exists(here.path("none")));
 }
 
-TEST_CASE("- and every path to standard output is standard output", "[outputs]") {
+TEST_CASE("standard output is - and every path to it", "[outputs]") {
   const Bench here;
   for (const std::string& command : both) {
     INFO(command);
