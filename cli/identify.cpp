@@ -101,7 +101,7 @@ void print_value(std::FILE* to, const std::string& name, const Json& value) {
 }
 
 /// What the command reads. Throws std::runtime_error where an output cannot be written.
-Inputs checked_inputs(const IdentifyOptions& o) {
+Inputs inputs_of_experiment(const IdentifyOptions& o) {
   refuse_two_reports(o.out, o.json);
   recover_model(o.model);
   Inputs inputs;
@@ -113,7 +113,7 @@ Inputs checked_inputs(const IdentifyOptions& o) {
   return inputs;
 }
 
-void write_results(const IdentifyOptions& o, Inputs inputs, const IdentifyReport& report,
+void write_identified(const IdentifyOptions& o, Inputs inputs, const IdentifyReport& report,
                    const std::string& text) {
   Outputs outputs;
   outputs.protect(std::move(inputs));
@@ -131,13 +131,13 @@ void print_report(const IdentifyOptions& o, const IdentifyReport& report) {
 }
 
 int run_identify(const IdentifyOptions& o) {
-  Inputs inputs = checked_inputs(o);
+  Inputs inputs = inputs_of_experiment(o);
   std::vector<Log> logs;
   const IdentifyReport report = identify(o, logs);
   const Json whole{
       {"model", o.model},          {"experiment", o.experiment}, {"identified", report.identified},
       {"results", report.results}, {"missing", report.missing},  {"logs", sources_of(logs)}};
-  write_results(o, std::move(inputs), report, whole.dump(2) + "\n");
+  write_identified(o, std::move(inputs), report, whole.dump(2) + "\n");
   if (o.json)
     fmt::print("{}\n", whole.dump(2));
   else

@@ -71,20 +71,15 @@ int import_robot(const ImportOptions& options) {
     fmt::print(stderr, "sinew import: --gravity is not finite; expected 3 finite numbers\n");
     return 2;
   }
-  try {
-    std::vector<std::string> notes;
-    const std::filesystem::path source(options.urdf);
-    Outputs outputs = outputs_for(options);
-    const Mechanism mechanism = read_urdf(source, gravity, &notes);
-    outputs.into_folder(options.out,
-                        mechanism_files(mechanism, "Imported from URDF with sinew import."));
-    outputs.commit();
-    options.json ? report_as_json(mechanism, options, notes)
-                 : report_as_text(mechanism, options, notes);
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "{}\n", error.what());
-    return 2;
-  }
+  std::vector<std::string> notes;
+  const std::filesystem::path source(options.urdf);
+  Outputs outputs = outputs_for(options);
+  const Mechanism mechanism = read_urdf(source, gravity, &notes);
+  outputs.into_folder(options.out,
+                      mechanism_files(mechanism, "Imported from URDF with sinew import."));
+  outputs.commit();
+  options.json ? report_as_json(mechanism, options, notes)
+               : report_as_text(mechanism, options, notes);
   return 0;
 }
 

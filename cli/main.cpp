@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 
+#include "cli/clear_message.h"
 #include "cli/diagnose.h"
 #include "cli/effects.h"
 #include "cli/figures/figures.h"
@@ -65,7 +66,10 @@ int main(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : wrong_usage_or_input;
   } catch (const std::exception& error) {
-    complain(error.what());
+    complain(sinew::clear_message(error).c_str());
+    return wrong_usage_or_input;
+  } catch (...) {
+    complain("something that was not foreseen went wrong; please report it");
     return wrong_usage_or_input;
   }
   if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {

@@ -18,7 +18,8 @@ struct ModelFolder {
   std::variant<Mechanism, Part, Hand> model;
   ModelIdentity identity;
   std::filesystem::path folder;
-  Identified identified;  ///< what logs taught; empty without identified.toml
+  Identified identified;               ///< what logs taught; empty without identified.toml
+  std::vector<std::string> remarks{};  ///< what a user has to know of what is derived
 };
 
 /// Puts right what an interrupted run left in the folder of a model and of those it is made of.
