@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "tests/cli/program.h"
+#include "tests/skip.h"
 
 using namespace sinew;
 namespace fs = std::filesystem;
@@ -222,7 +223,7 @@ TEST_CASE("an import over its own source is refused", "[outputs]") {
 TEST_CASE("a log that cannot be read to its end gives no result", "[outputs]") {
   const Bench here;
   if (here.shell("strace -o /dev/null true").status != 0) {
-    WARN("skipped: strace cannot trace here");
+    sinew::test::skip("strace cannot trace here");
     return;
   }
   // Planted defect: CsvReader::on_bytes() that stops where nothing more can be read: at the reads
@@ -250,7 +251,7 @@ TEST_CASE("a log that cannot be read to its end gives no result", "[outputs]") {
 TEST_CASE("a model's digest is that of what was read, or there is none", "[outputs]") {
   const Bench here;
   if (here.shell("strace -o /dev/null true").status != 0) {
-    WARN("skipped: strace cannot trace here");
+    sinew::test::skip("strace cannot trace here");
     return;
   }
   // Planted defect: the model's files read by an ifstream whose state nobody looks at: exit 0 with

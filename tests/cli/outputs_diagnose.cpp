@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "tests/cli/lever_logs.h"
+#include "tests/skip.h"
 
 using namespace sinew;
 namespace fs = std::filesystem;
@@ -61,7 +62,7 @@ struct Bench {
 
 bool can_trace(const Workplace& here) {
   if (here.shell("strace -o /dev/null true").status == 0) return true;
-  WARN("skipped: strace cannot trace here");
+  sinew::test::skip("strace cannot trace here");
   return false;
 }
 
@@ -115,7 +116,7 @@ TEST_CASE("a full disk under a report keeps the model from being extended", "[ou
   // Before outputs were one step: exit 2, the model extended.
   const Bench bench;
   if (::mount("tmpfs", bench.here.path("d").c_str(), "tmpfs", 0, "size=100k") != 0) {
-    WARN("skipped: a small file system cannot be mounted here");
+    sinew::test::skip("a small file system cannot be mounted here");
     return;
   }
   bench.put_old();

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "tests/cli/program.h"
+#include "tests/skip.h"
 
 using namespace sinew;
 namespace fs = std::filesystem;
@@ -32,7 +33,8 @@ struct Command {
 const std::string short_run =
     "[scenario]\nduration = { value = 0.05, unit = \"s\" }\n"
     "output_rate = { value = 1000, unit = \"Hz\" }\n"
-    "[[command]]\nchannel = \"tau_m\"\nshape = \"constant\"\nvalue = { value = 0.5, unit = \"N*m\" }\n";
+    "[[command]]\nchannel = \"tau_m\"\nshape = \"constant\"\nvalue = { value = 0.5, unit = \"N*m\" "
+    "}\n";
 const std::string robot =
     "<robot name=\"arm\"><link name=\"base\"/><link name=\"tip\"><inertial><mass value=\"1\"/>"
     "<inertia ixx=\"1\" iyy=\"1\" izz=\"1\" ixy=\"0\" ixz=\"0\" iyz=\"0\"/></inertial></link>"
@@ -138,14 +140,14 @@ Files written_by(const Command& command) {
 
 bool can_trace(const Workplace& here) {
   if (here.shell("strace -o /dev/null true").status == 0) return true;
-  WARN("skipped: strace cannot trace here");
+  sinew::test::skip("strace cannot trace here");
   return false;
 }
 
 bool has_tools(const Workplace& here, const Command& command) {
   if (command.name != "figures" && command.name != "identify") return true;
   if (here.shell("gnuplot --version").status == 0) return true;
-  WARN("skipped: " + command.name + " draws with gnuplot, which is missing");
+  sinew::test::skip("" + command.name + " draws with gnuplot, which is missing");
   return false;
 }
 
@@ -215,7 +217,7 @@ TEST_CASE("every command on a full disk ends with 2 and leaves the old outputs",
     fs::remove_all(disk);
     fs::create_directory(disk);
     if (::mount("tmpfs", disk.c_str(), "tmpfs", 0, "size=4m") != 0) {
-      WARN("skipped: a small file system cannot be mounted here");
+      sinew::test::skip("a small file system cannot be mounted here");
       return;
     }
     REQUIRE(bench.shell(command.before).status == 0);

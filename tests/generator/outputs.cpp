@@ -14,6 +14,7 @@
 #include "tests/generator/put_outputs.h"
 #include "tests/generator/traced_writing.h"
 #include "tests/reference/temporary_folder.h"
+#include "tests/skip.h"
 
 using namespace sinew;
 using reference::TemporaryFolder;
@@ -97,7 +98,7 @@ void kill_at_every(const std::string& call, const std::vector<std::string>& more
 
 TEST_CASE("killed at any system call, all outputs are old or new when the next run has looked") {
   if (!strace_works()) {
-    WARN("skipped: strace cannot trace here");
+    sinew::test::skip("strace cannot trace here");
     return;
   }
   // Planted defect: no journal in Outputs::commit(): neither after "rename 2" and "rename 3" (the
@@ -114,7 +115,7 @@ TEST_CASE("killed at any system call, all outputs are old or new when the next r
 
 TEST_CASE("whatever call fails while outputs are put in place, all are old and it says so") {
   if (!strace_works() || !writes_may_fail()) {
-    WARN("skipped: strace cannot trace here");
+    sinew::test::skip("strace cannot trace here");
     return;
   }
   // Planted defect: no undo() in Outputs::commit(): mixed after "rename 2", "rename 3", "renameat2
@@ -193,7 +194,7 @@ TEST_CASE("a journal that came with a folder reaches no folder beside it") {
 
 TEST_CASE("a folder that moved with its neighbours after an end by force is put right there") {
   if (!strace_works()) {
-    WARN("skipped: strace cannot trace here");
+    sinew::test::skip("strace cannot trace here");
     return;
   }
   const Place place;
