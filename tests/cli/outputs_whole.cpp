@@ -147,7 +147,7 @@ bool can_trace(const Workplace& here) {
 bool has_tools(const Workplace& here, const Command& command) {
   if (command.name != "figures" && command.name != "identify") return true;
   if (here.shell("gnuplot --version").status == 0) return true;
-  sinew::test::skip("" + command.name + " draws with gnuplot, which is missing");
+  sinew::test::skip(command.name + " draws with gnuplot, which is missing");
   return false;
 }
 
