@@ -14,6 +14,7 @@
 #include "cli/driven_request.h"
 #include "cli/model_folder.h"
 #include "cli/runtime_folder.h"
+#include "generator/outputs/unfinished_run.h"
 #include "generator/write.h"
 #include "identification/adoption/diagnose.h"
 #include "identification/logs/model_channels.h"
@@ -23,7 +24,7 @@
 #include "identification/report/verdict_text.h"
 #include "identification/subjects/driven_channels.h"
 #include "symbolic/extension/identified_mechanism.h"
-#include "symbolic/files/put_files.h"
+#include "symbolic/hand/hand_mechanism.h"
 #include "symbolic/model/read_mechanism.h"
 
 namespace sinew {
@@ -46,7 +47,7 @@ class Progress {
  public:
   explicit Progress(bool wanted) : shown_(wanted && ::isatty(STDERR_FILENO)) {}
   ~Progress() {
-    if (shown_) fmt::print(stderr, "\r\033[K");
+    if (shown_) std::fputs("\r\033[K", stderr);
   }
   void operator()(const std::string& step, double share) const {
     if (shown_) fmt::print(stderr, "\r\033[K[{:3.0f} %] {}", 100.0 * share, step);
@@ -101,27 +102,53 @@ FileSet extended_c(const DiagnoseOptions& o, const Diagnosis& diagnosis) {
   return emit_files(assemble(folder.identity, derive_functions(folder), Target{}));
 }
 
+Inputs inputs_of(const DiagnoseOptions& o) {
+  Inputs inputs;
+  add_model(inputs, o.folder);
+  add_runtime(inputs, runtime_folder(o.runtime));
+  for (const auto& files : {o.logs, o.holdout})
+    for (const std::string& file : files) inputs.add(file);
+  return inputs;
+}
+
+/// Before the long calculation. Throws std::runtime_error.
+void check_outputs(const DiagnoseOptions& o) {
+  const fs::path out = output_folder(o.out);
+  std::error_code ignored;
+  if (fs::equivalent(out, o.folder, ignored))
+    throw std::runtime_error(o.out +
+                             ": is the model's folder; expected another one for the report");
+  recover_interrupted(out);
+  const Inputs inputs = inputs_of(o);
+  for (const char* name : {"report.html", "findings.json", "identified.toml"})
+    inputs.refuse(out / name);
+}
+
 void write_results(const DiagnoseOptions& o, Diagnosis& diagnosis) {
   auto& extension = diagnosis.findings.extension;
   extension.dry_run = o.dry_run;
   diagnosis.findings.next_step = diagnosis::next_step(diagnosis.findings);
   std::map<std::string, std::string> files = diagnosis.experiments;
   const FileSet generated = extension.adopted ? extended_c(o, diagnosis) : FileSet{};
+  Outputs outputs;  // the model first: its folder keeps the journal
   if (extension.adopted) {
     files["identified.toml"] = identified_text(diagnosis.extended);
     if (!o.dry_run) {
-      put_files(o.folder, {{"identified.toml", files["identified.toml"]}}, true);
+      outputs.into_folder(o.folder, {{"identified.toml", files["identified.toml"]}});
       extension.model_folder = o.folder;
     }
   }
   files["findings.json"] = findings_json(diagnosis.findings);
   files["report.html"] = report_html(diagnosis.findings);
-  put_files(o.out, files, true);
+  outputs.protect(inputs_of(o));
+  outputs.into_folder(o.out, files);
   if (extension.adopted)
-    replace_folder(fs::path(o.out) / "generated" / diagnosis.findings.model, generated);
+    add_emitted(outputs, fs::path(o.out) / "generated" / diagnosis.findings.model, generated);
+  outputs.commit();
 }
 
 int run(DiagnoseOptions o) {
+  check_outputs(o);
   const ModelFolder folder = open_model_folder(o.folder);
   o.map = mapped_channels(o.folder, o.map);
   const Progress progress(!o.json);

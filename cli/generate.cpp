@@ -14,6 +14,7 @@
 #include "cli/model_folder.h"
 #include "cli/model_set.h"
 #include "cli/target_options.h"
+#include "generator/outputs/unfinished_run.h"
 #include "generator/write.h"
 
 namespace sinew {
@@ -82,6 +83,7 @@ Derived derive(const GenerateOptions& o, const std::filesystem::path& path, bool
   Derived derived{path, default_output(folder), emit(o, folder), {}, 0, folder.remarks};
   if (!o.out.empty())
     derived.out = alone ? std::filesystem::path(o.out) : o.out / derived.out.filename();
+  recover_interrupted(output_folder(derived.out).parent_path());
   derived.changes = function_changes(derived.out, derived.model);
   derived.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return derived;
@@ -89,6 +91,7 @@ Derived derive(const GenerateOptions& o, const std::filesystem::path& path, bool
 
 /// All of them before anything is written: a mistake in one leaves everything as it was.
 std::vector<Derived> derive_all(const GenerateOptions& o) {
+  if (!o.out.empty()) (void)output_folder(o.out);
   const std::vector<std::filesystem::path> folders = folders_of(o);
   std::vector<Derived> all;
   for (const std::filesystem::path& folder : folders)
@@ -160,7 +163,9 @@ void report_generated(const std::vector<Derived>& run, bool json) {
 
 void run_generate(const GenerateOptions& o) {
   const std::vector<Derived> run = derive_all(o);
-  for (const Derived& d : run) replace_folder(d.out, emit_files(d.model));
+  Outputs outputs;
+  for (const Derived& d : run) add_emitted(outputs, d.out, emit_files(d.model));
+  outputs.commit();
   report_generated(run, o.json);
 }
 

@@ -2,16 +2,18 @@
 #include "cli/identify.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <CLI/CLI.hpp>
-#include <filesystem>
-#include <fstream>
+#include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "cli/identify_experiments.h"
 #include "cli/identify_logs.h"
+#include "cli/model_folder.h"
+#include "cli/report_stream.h"
+#include "generator/outputs/unfinished_run.h"
+#include "generator/write.h"
 #include "symbolic/parts/part.h"
 
 namespace sinew {
@@ -62,31 +64,16 @@ IdentifyReport identify(const IdentifyOptions& o, std::vector<Log>& logs) {
   const LeverParameters* lever = lever_of(part);
   if (o.experiment == "guiding") {
     require(has_guiding(part), o, "a tendon's guiding");
-    return report_guiding(o.logs, o.tables);
+    return report_guiding(o.logs, !o.tables.empty());
   }
   if (o.experiment == "lever")
     require(lever != nullptr, o, "a lever");
   else
     require(motor != nullptr, o, "a motor");
   logs = read_experiment_logs(o.logs, o.map, channels_of(o.experiment), o.repair);
-  if (o.experiment == "lever") return report_lever(logs, *lever, o.emit);
+  if (o.experiment == "lever") return report_lever(logs, *lever, !o.emit.empty());
   if (o.experiment == "friction") return report_friction(logs, *motor);
   return o.experiment == "inertia" ? report_inertia(logs, *motor) : report_ripple(logs, *motor);
-}
-
-/// The file appears whole or not at all.
-void write_whole(const std::string& file, const std::string& text) {
-  const std::string partial = fmt::format("{}.part-{}", file, ::getpid());
-  std::ofstream out(partial, std::ios::binary);
-  out << text;
-  out.close();
-  std::error_code error;
-  if (out) std::filesystem::rename(partial, file, error);
-  if (!out || error) {
-    std::error_code ignored;
-    std::filesystem::remove(partial, ignored);
-    throw std::runtime_error(file + ": cannot be written");
-  }
 }
 
 Json sources_of(const std::vector<Log>& logs) {
@@ -100,33 +87,61 @@ Json sources_of(const std::vector<Log>& logs) {
   return sources;
 }
 
-void print_value(const std::string& name, const Json& value) {
+void print_value(std::FILE* to, const std::string& name, const Json& value) {
   if (value.is_object() && value.contains("standard_error"))
-    fmt::print("{}: {:.6g} +- {:.2g}\n", name, value["value"].get<double>(),
+    fmt::print(to, "{}: {:.6g} +- {:.2g}\n", name, value["value"].get<double>(),
                value["standard_error"].get<double>());
   else if (value.is_object())
-    for (const auto& [inner, each] : value.items()) print_value(name + "." + inner, each);
+    for (const auto& [inner, each] : value.items()) print_value(to, name + "." + inner, each);
   else if (value.is_array() && !value.empty() && value.front().is_object())
     for (std::size_t i = 0; i < value.size(); ++i)
-      print_value(fmt::format("{}[{}]", name, i), value[i]);
+      print_value(to, fmt::format("{}[{}]", name, i), value[i]);
   else
-    fmt::print("{}: {}\n", name, value.dump());
+    fmt::print(to, "{}: {}\n", name, value.dump());
+}
+
+/// What the command reads. Throws std::runtime_error where an output cannot be written.
+Inputs inputs_of_experiment(const IdentifyOptions& o) {
+  refuse_two_reports(o.out, o.json);
+  recover_model(o.model);
+  Inputs inputs;
+  add_model(inputs, o.model);
+  for (const std::string& log : o.logs) inputs.add(log);
+  check_output_file(o.out, inputs);
+  for (const std::string& folder : {o.emit, o.tables})
+    if (!folder.empty()) recover_interrupted(output_folder(folder));
+  return inputs;
+}
+
+void write_identified(const IdentifyOptions& o, Inputs inputs, const IdentifyReport& report,
+                   const std::string& text) {
+  Outputs outputs;
+  outputs.protect(std::move(inputs));
+  outputs.file(o.out, text);
+  if (!report.emitted.empty()) add_emitted(outputs, o.emit, report.emitted);
+  if (!report.tables.empty()) outputs.into_folder(o.tables, report.tables);
+  outputs.commit();
+}
+
+void print_report(const IdentifyOptions& o, const IdentifyReport& report) {
+  std::FILE* to = stream_of_report(o.out);
+  for (const auto& [name, value] : report.results.items()) print_value(to, name, value);
+  for (const std::string& text : report.missing) fmt::print(to, "not identified: {}\n", text);
+  fmt::print(to, "written to {}\n", o.out);
 }
 
 int run_identify(const IdentifyOptions& o) {
+  Inputs inputs = inputs_of_experiment(o);
   std::vector<Log> logs;
   const IdentifyReport report = identify(o, logs);
   const Json whole{
       {"model", o.model},          {"experiment", o.experiment}, {"identified", report.identified},
       {"results", report.results}, {"missing", report.missing},  {"logs", sources_of(logs)}};
-  write_whole(o.out, whole.dump(2) + "\n");
-  if (o.json) {
+  write_identified(o, std::move(inputs), report, whole.dump(2) + "\n");
+  if (o.json)
     fmt::print("{}\n", whole.dump(2));
-  } else {
-    for (const auto& [name, value] : report.results.items()) print_value(name, value);
-    for (const std::string& text : report.missing) fmt::print("not identified: {}\n", text);
-    fmt::print("written to {}\n", o.out);
-  }
+  else
+    print_report(o, report);
   return report.identified ? 0 : 1;
 }
 
@@ -144,7 +159,8 @@ void add_identify_command(CLI::App& app, int& exit_status) {
       ->check(CLI::IsMember({"friction", "inertia", "ripple", "lever", "guiding"}));
   command->add_option("--log", options->logs, "CSV logs or tables (docs/identify.md)")->required();
   command->add_option("--map", options->map, "channel=column [unit]");
-  command->add_option("--out", options->out, "JSON file of the results")->required();
+  command->add_option("--out", options->out, "JSON file of the results; - is standard output")
+      ->required();
   command->add_option("--emit", options->emit, "lever: folder for the C of the calibration");
   command->add_option("--tables", options->tables,
                       "guiding: folder for the designers' tables and plots");

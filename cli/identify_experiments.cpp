@@ -71,7 +71,7 @@ IdentifyReport report_friction(const std::vector<Log>& logs, const MotorParamete
     results["passive_share"] = curve.passive_share;
     results["models_share"] = motor.friction_compensation;
   }
-  IdentifyReport report{curve.identified, results, curve.missing};
+  IdentifyReport report{curve.identified, results, curve.missing, {}, {}};
   if (curve.identified && motor.friction_compensation > curve.passive_share)
     report.missing.push_back(fmt::format(
         "the model feeds {} of the friction forward, but the log vouches for {:.3g} only; expected "
@@ -88,7 +88,9 @@ IdentifyReport report_inertia(const std::vector<Log>& logs, const MotorParameter
            {"bias_without_friction", r.bias},
            {"residual_Nm", r.residual},
            {"residual_without_friction_Nm", r.residual_without}},
-          r.missing};
+          r.missing,
+          {},
+          {}};
 }
 
 IdentifyReport report_ripple(const std::vector<Log>& logs, const MotorParameters& motor) {
@@ -104,11 +106,10 @@ IdentifyReport report_ripple(const std::vector<Log>& logs, const MotorParameters
       json_of(motor_order_effect(logs, motor.gear_ratio, "omega"));
   const MotorOrderEffect torque = motor_order_effect(logs, motor.gear_ratio, "tau_c");
   if (!torque.amplitudes.empty()) results["controller_torque_at_motor_order_Nm"] = json_of(torque);
-  return {r.missing.empty() || !r.ripples.empty(), results, r.missing};
+  return {r.missing.empty() || !r.ripples.empty(), results, r.missing, {}, {}};
 }
 
-IdentifyReport report_lever(const std::vector<Log>& logs, const LeverParameters& lever,
-                            const std::string& emit) {
+IdentifyReport report_lever(const std::vector<Log>& logs, const LeverParameters& lever, bool emit) {
   LeverCalibrationResult r = calibrate_lever(logs);
   const double seen = 2.0 * r.calibration.half_range,
                range = std::abs(lever.count_end - lever.count_free);
@@ -118,13 +119,13 @@ IdentifyReport report_lever(const std::vector<Log>& logs, const LeverParameters&
         "travel: beyond what was seen the emitted function holds its last values",
         100.0 * seen / range, range));
   const LeverCalibration& c = r.calibration;
-  if (r.identified && !emit.empty())
-    replace_folder(emit, emit_files(assemble({"lever_calibration",
-                                              "Lever sensor: length, force and stiffness from "
-                                              "counts",
-                                              logs.front().sha256,
-                                              {}},
-                                             {lever_calibrated_state(c)}, {})));
+  FileSet emitted;
+  if (r.identified && emit)
+    emitted = emit_files(assemble({"lever_calibration",
+                                   "Lever sensor: length, force and stiffness from counts",
+                                   logs.front().sha256,
+                                   {}},
+                                  {lever_calibrated_state(c)}, {}));
   return {r.identified,
           {{"centre_counts", c.centre},
            {"half_range_counts", c.half_range},
@@ -138,7 +139,9 @@ IdentifyReport report_lever(const std::vector<Log>& logs, const LeverParameters&
            {"stiffness_mismatch", r.stiffness_mismatch},
            {"hysteresis_N", r.hysteresis},
            {"hysteresis_at_N", r.hysteresis_at}},
-          r.missing};
+          r.missing,
+          emitted,
+          {}};
 }
 
 }  // namespace sinew

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "generator/outputs/outputs.h"
 #include "identification/experiments/bump_projection.h"
 #include "identification/logs/log.h"
 #include "symbolic/parts/lever.h"
@@ -19,6 +20,7 @@ struct IdentifyReport {
   bool identified = false;
   nlohmann::ordered_json results;
   std::vector<std::string> missing;
+  FileSet emitted, tables;  ///< of the folders that --emit and --tables name
 };
 
 /// {"value", "standard_error", "interval_95": [low, high]}.
@@ -28,11 +30,10 @@ IdentifyReport report_friction(const std::vector<Log>& logs, const MotorParamete
 IdentifyReport report_inertia(const std::vector<Log>& logs, const MotorParameters& motor);
 /// The first log is the one without compensation where the effect of one is asked for.
 IdentifyReport report_ripple(const std::vector<Log>& logs, const MotorParameters& motor);
-/// `emit`: folder for the C of the calibration, none where empty or not identified.
-IdentifyReport report_lever(const std::vector<Log>& logs, const LeverParameters& lever,
-                            const std::string& emit);
-/// Tables of guiding friction (docs/identify.md); `tables`: folder for the designers' tables and
-/// plots, none where empty.
-IdentifyReport report_guiding(const std::vector<std::string>& files, const std::string& tables);
+/// `emit`: with the C of the calibration, where it is identified.
+IdentifyReport report_lever(const std::vector<Log>& logs, const LeverParameters& lever, bool emit);
+/// Tables of guiding friction (docs/identify.md); `with_tables`: and the designers' tables
+/// and plots.
+IdentifyReport report_guiding(const std::vector<std::string>& files, bool with_tables);
 
 }  // namespace sinew

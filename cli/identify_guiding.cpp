@@ -38,8 +38,8 @@ std::string name_of(const GuidingSeries& s) {
 
 }  // namespace
 
-IdentifyReport report_guiding(const std::vector<std::string>& files, const std::string& tables) {
-  IdentifyReport report{true, {}, {}};
+IdentifyReport report_guiding(const std::vector<std::string>& files, bool with_tables) {
+  IdentifyReport report{true, {}, {}, {}, {}};
   std::vector<FittedSeries> all;
   for (const std::string& file : files)
     for (GuidingSeries& s : read_guiding_table(file)) {
@@ -54,7 +54,7 @@ IdentifyReport report_guiding(const std::vector<std::string>& files, const std::
       report.missing.push_back(name_of(each.series) + ": " + text);
   }
   report.results["series"] = series;
-  if (!tables.empty()) write_guiding_tables(tables, all);
+  if (with_tables) report.tables = guiding_tables(all);
   return report;
 }
 

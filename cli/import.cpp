@@ -8,7 +8,10 @@
 #include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 
+#include "generator/outputs/outputs.h"
+#include "generator/outputs/unfinished_run.h"
 #include "symbolic/model/read_urdf.h"
 #include "symbolic/model/write_mechanism.h"
 
@@ -46,6 +49,22 @@ void report_as_json(const Mechanism& mechanism, const ImportOptions& options,
   fmt::print("{}\n", report.dump(2, ' ', false, replace));
 }
 
+/// Ready to take the model's folder. Throws std::runtime_error where that is in use.
+Outputs outputs_for(const ImportOptions& options) {
+  const std::filesystem::path folder = output_folder(options.out);
+  recover_interrupted(folder);
+  std::error_code ignored;
+  if (!options.force && std::filesystem::exists(folder) &&
+      !std::filesystem::is_empty(folder, ignored))
+    throw std::runtime_error(options.out +
+                             ": is not empty; expected an empty or new folder, or --force");
+  Inputs inputs;
+  inputs.add(options.urdf);
+  Outputs outputs;
+  outputs.protect(std::move(inputs));
+  return outputs;
+}
+
 int import_robot(const ImportOptions& options) {
   const Eigen::Vector3d gravity(options.gravity.data());
   if (!gravity.allFinite()) {
@@ -54,9 +73,11 @@ int import_robot(const ImportOptions& options) {
   }
   std::vector<std::string> notes;
   const std::filesystem::path source(options.urdf);
+  Outputs outputs = outputs_for(options);
   const Mechanism mechanism = read_urdf(source, gravity, &notes);
-  write_mechanism(mechanism, options.out, "Imported from URDF with sinew import.",
-                  options.force ? Existing::replace : Existing::refuse);
+  outputs.into_folder(options.out,
+                      mechanism_files(mechanism, "Imported from URDF with sinew import."));
+  outputs.commit();
   options.json ? report_as_json(mechanism, options, notes)
                : report_as_text(mechanism, options, notes);
   return 0;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
+#include <signal.h>
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
@@ -31,9 +32,17 @@ std::string command_names(const CLI::App& app) {
   return names;
 }
 
+/// Also where standard error cannot be written: the exit code still tells.
+void complain(const char* what) noexcept {
+  std::fputs("sinew: ", stderr);
+  std::fputs(what, stderr);
+  std::fputs("\n", stderr);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
+  ::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is an error of the write, which is told
   int exit_status = 0;
   CLI::App app{"sinew: symbolic models of tendon-driven hands, emitted as real-time C"};
   app.require_subcommand(1);
@@ -57,14 +66,14 @@ int main(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : wrong_usage_or_input;
   } catch (const std::exception& error) {
-    fmt::print(stderr, "sinew: {}\n", sinew::clear_message(error));
+    complain(sinew::clear_message(error).c_str());
     return wrong_usage_or_input;
   } catch (...) {
-    fmt::print(stderr, "sinew: something that was not foreseen went wrong; please report it\n");
+    complain("something that was not foreseen went wrong; please report it");
     return wrong_usage_or_input;
   }
   if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
-    fmt::print(stderr, "sinew: the output cannot be written\n");
+    complain("the output cannot be written");
     return wrong_usage_or_input;
   }
   return exit_status;

@@ -3,10 +3,11 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
 #include <sstream>
 #include <stdexcept>
 
+#include "cli/model_set.h"
+#include "generator/outputs/unfinished_run.h"
 #include "simulation/plant/learnt_model.h"
 #include "identification/logs/sha256.h"
 #include "symbolic/dynamics/coordinates.h"
@@ -25,17 +26,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string file_content(const fs::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
 std::string described_files(const fs::path& folder) {
   std::string all;
   for (const char* name :
        {"hand.toml", "identified.toml", "mass_properties.csv", "mechanism.toml", "part.toml"}) {
     if (!fs::exists(folder / name)) continue;
-    const std::string text = file_content(folder / name);
+    const std::string text = read_whole(folder / name);
     all += fmt::format("{} {}\n{}", name, text.size(), text);
   }
   return all;
@@ -110,7 +106,24 @@ void require_possible(const Mechanism& learnt, const ModelFolder& model) {
 
 }  // namespace
 
+void recover_model(const fs::path& folder) {
+  recover_interrupted(folder);
+  for (const fs::path& part : parts_of(folder)) recover_interrupted(part);
+  recover_interrupted(folder_of_motor(folder));
+}
+
+void add_model(Inputs& inputs, const fs::path& folder) {
+  std::vector<fs::path> models = parts_of(folder);
+  models.push_back(folder);
+  models.push_back(folder_of_motor(folder));
+  for (const fs::path& model : models)
+    for (const char* name : {"channels.toml", "hand.toml", "identified.toml", "mass_properties.csv",
+                             "mechanism.toml", "part.toml"})
+      inputs.add(model / name);
+}
+
 ModelFolder open_model_folder(const fs::path& folder) {
+  recover_model(folder);
   ModelFolder result;
   result.folder = folder;
   std::string description;

@@ -5,6 +5,7 @@
 #include <variant>
 
 #include "generator/assemble.h"
+#include "generator/outputs/outputs.h"
 #include "symbolic/extension/identified.h"
 #include "symbolic/hand/hand.h"
 #include "symbolic/model/mechanism.h"
@@ -21,7 +22,14 @@ struct ModelFolder {
   std::vector<std::string> remarks{};  ///< what a user has to know of what is derived
 };
 
-/// Reads and checks a model folder. Throws DescriptionError with every mistake found.
+/// Puts right what an interrupted run left in the folder of a model and of those it is made of.
+void recover_model(const std::filesystem::path& folder);
+
+/// The files that describe the model and those it is made of.
+void add_model(Inputs& inputs, const std::filesystem::path& folder);
+
+/// Reads and checks a model folder. Throws DescriptionError with every mistake found,
+/// std::runtime_error where a file cannot be read or an interrupted run's outputs not be put back.
 ModelFolder open_model_folder(const std::filesystem::path& folder);
 
 /// All functions of the folder's model, derived in their cheapest forms.

@@ -24,4 +24,10 @@ std::filesystem::path runtime_folder(const std::string& given) {
   throw std::runtime_error("the runtime's headers are not found; name their folder by --runtime");
 }
 
+void add_runtime(Inputs& inputs, const std::filesystem::path& runtime) {
+  std::error_code ignored;
+  for (const auto& entry : std::filesystem::directory_iterator(runtime, ignored))
+    inputs.add(entry.path());
+}
+
 }  // namespace sinew

@@ -8,7 +8,9 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "cli/model_folder.h"
 #include "cli/replayed_log.h"
+#include "cli/report_stream.h"
 #include "cli/runtime_folder.h"
 #include "simulation/plant/simulate.h"
 #include "simulation/plant/write_rows.h"
@@ -27,7 +29,7 @@ class RunProgress {
  public:
   explicit RunProgress(double duration) : duration_(duration), shown_(::isatty(2) != 0) {}
   ~RunProgress() {
-    if (last_ >= 0) fmt::print(stderr, "\r      \r");
+    if (last_ >= 0) std::fputs("\r      \r", stderr);
   }
   void operator()(double time) {
     const int percent = static_cast<int>(100.0 * time / duration_);
@@ -79,32 +81,35 @@ nlohmann::ordered_json json_of(const SimulateOptions& o, double duration, const 
           {"events", events}};
 }
 
+/// Beside the log, where that goes to standard output.
 void print_summary(const SimulateOptions& o, double duration, const SimulationResult& r,
                    const std::vector<diagnosis::ReplayError>& errors) {
-  fmt::print("{}: {} rows over {} s written to {}\n", o.model, r.rows, duration, o.out);
-  fmt::print("  {} steps, {} evaluations, {} Jacobians in {:.3f} s: {:.1f} x real time\n",
+  std::FILE* to = stream_of_report(o.out);
+  fmt::print(to, "{}: {} rows over {} s written to {}\n", o.model, r.rows, duration, o.out);
+  fmt::print(to, "  {} steps, {} evaluations, {} Jacobians in {:.3f} s: {:.1f} x real time\n",
              r.count.steps, r.count.evaluations, r.count.jacobians, r.seconds,
              duration / r.seconds);
-  fmt::print("  energy up to {:.4g} J; books close to {:.2g} J, powers to {:.2g}\n",
+  fmt::print(to, "  energy up to {:.4g} J; books close to {:.2g} J, powers to {:.2g}\n",
              r.audit.largest_energy, r.audit.energy_residual, r.audit.power_residual);
   for (int i = 0; i < power_count; ++i) {
     const double work = r.audit.work[static_cast<std::size_t>(i)];
-    if (work != 0.0) fmt::print("  work of {}: {:.6g} J\n", name_of_power(i), work);
+    if (work != 0.0) fmt::print(to, "  work of {}: {:.6g} J\n", name_of_power(i), work);
   }
-  for (const auto& [name, count] : r.event_counts) fmt::print("  {}: {} times\n", name, count);
+  for (const auto& [name, count] : r.event_counts) fmt::print(to, "  {}: {} times\n", name, count);
   if (!errors.empty())
-    fmt::print("  off the logged position (rms): in open loop, within {} s\n",
+    fmt::print(to, "  off the logged position (rms): in open loop, within {} s\n",
                diagnosis::prediction_window);
   for (const diagnosis::ReplayError& e : errors)
-    fmt::print("    {}: {:.4g} {}, {:.4g} {}\n", e.channel, e.open_loop, e.unit, e.window, e.unit);
+    fmt::print(to, "    {}: {:.4g} {}, {:.4g} {}\n", e.channel, e.open_loop, e.unit, e.window,
+               e.unit);
 }
 
 /// A lever, a tendon or a wrist: what its model says of its sensors. False for any other model.
-bool replay_rig(const SimulateOptions& o) {
+bool replay_rig(const SimulateOptions& o, const Inputs& inputs) {
   const auto replay =
       o.log.empty() ? std::nullopt : replayed_rig(o.model, o.log, o.map, runtime_folder(o.runtime));
   if (!replay) return false;
-  RowWriter out(o.out, replay->columns);
+  RowWriter out(o.out, replay->columns, inputs);
   for (const std::vector<double>& row : replay->rows) out.write(row);
   out.finish();
   nlohmann::ordered_json deviations = nlohmann::ordered_json::array();
@@ -119,21 +124,37 @@ bool replay_rig(const SimulateOptions& o) {
                            .dump(2));
     return true;
   }
-  fmt::print("{}: {} rows written to {}\n  off the logged sensors (rms):\n", o.model,
+  std::FILE* to = stream_of_report(o.out);
+  fmt::print(to, "{}: {} rows written to {}\n  off the logged sensors (rms):\n", o.model,
              replay->rows.size(), o.out);
-  for (const auto& e : replay->errors) fmt::print("    {}: {:.4g} {}\n", e.channel, e.rms, e.unit);
+  for (const auto& e : replay->errors)
+    fmt::print(to, "    {}: {:.4g} {}\n", e.channel, e.rms, e.unit);
   return true;
 }
 
+/// What the command reads. Throws std::runtime_error where its output cannot be written.
+Inputs inputs_of_run(const SimulateOptions& o) {
+  refuse_two_reports(o.out, o.json);
+  recover_model(o.model);
+  Inputs inputs;
+  add_model(inputs, o.model);
+  add_runtime(inputs, runtime_folder(o.runtime));
+  for (const std::string& file : {o.scenario, o.log}) inputs.add(file);
+  check_output_file(o.out, inputs);
+  return inputs;
+}
+
 void run_simulate(const SimulateOptions& o) {
-  if (replay_rig(o)) return;
+  Inputs inputs = inputs_of_run(o);
+  if (replay_rig(o, inputs)) return;
   const auto replayed =
       o.log.empty() ? std::nullopt : std::optional(replayed_log(o.model, o.log, o.map));
   const auto runtime = runtime_folder(o.runtime);
   Plant plant = replayed ? build_plant(o.model, replayed->replay.scenario, runtime)
                          : build_plant(o.model, o.scenario, runtime);
+  for (const std::string& table : plant.scenario().tables) inputs.add(table);
   const double duration = plant.scenario().duration;
-  RowWriter out(o.out, output_columns(plant));
+  RowWriter out(o.out, output_columns(plant), inputs);
   SimulationResult result;
   std::vector<std::vector<double>> rows;
   {
@@ -172,7 +193,8 @@ void add_simulate_command(CLI::App& app, int&) {
   what->require_option(1);
   command->add_option("--map", options->map,
                       "Of a log: channel=column name [unit], or channel=#3 [unit]");
-  command->add_option("--out", options->out, "CSV file of the log")->required();
+  command->add_option("--out", options->out, "CSV file of the log; - is standard output")
+      ->required();
   command->add_option("--runtime", options->runtime, "Folder of the runtime's headers");
   command->add_flag("--json", options->json, "Report for machines");
   command->callback([options] { run_simulate(*options); });

@@ -7,9 +7,10 @@
 
 #include <array>
 #include <filesystem>
-#include <fstream>
 #include <memory>
 #include <stdexcept>
+
+#include "generator/outputs/descriptor.h"
 
 namespace sinew {
 namespace {
@@ -31,7 +32,7 @@ class PrivateFolder {
   PrivateFolder(const PrivateFolder&) = delete;
   PrivateFolder& operator=(const PrivateFolder&) = delete;
   fs::path file(const std::string& name, const std::string& content) const {
-    std::ofstream(path_ / name, std::ios::binary) << content;
+    write_new_file(path_ / name, content);  // cut short it would hide a difference
     return path_ / name;
   }
 

@@ -2,16 +2,13 @@
 #pragma once
 
 #include <filesystem>
-#include <map>
 #include <string>
 #include <vector>
 
 #include "generator/model.h"
+#include "generator/outputs/outputs.h"
 
 namespace sinew {
-
-/// File name -> content, all files of one emitted model.
-using FileSet = std::map<std::string, std::string>;
 
 /// Names of the files of an emitted model, sorted.
 std::vector<std::string> emitted_file_names(const EmittedModel& model);
@@ -19,12 +16,14 @@ std::vector<std::string> emitted_file_names(const EmittedModel& model);
 /// Everything that `generate` writes, in memory.
 FileSet emit_files(const EmittedModel& model);
 
-/// Replaces `folder` by one that holds just `files`, in one step: an interruption at any moment
-/// leaves the old folder whole. Left-overs of interrupted runs beside it are removed. On a file system
+/// Has `folder` hold just `files` when the outputs are committed. Throws std::runtime_error where
+/// it holds files that no manifest of ours lists.
+void add_emitted(Outputs& outputs, const std::filesystem::path& folder, const FileSet& files);
+
+/// That alone and at once: `folder` is the old or the new one at every moment. On a file system
 /// that cannot exchange two folders the old one may, after an interruption, stand beside its place
-/// (.<name>.old-<process>) until the next run puts it back.
-/// Throws std::runtime_error where `folder` holds files that no manifest of ours lists, or where
-/// writing fails; nothing has changed then.
+/// until the next run puts it back. Throws std::runtime_error also where writing fails; nothing has
+/// changed then.
 void replace_folder(const std::filesystem::path& folder, const FileSet& files);
 
 /// Unified diff from what `folder` holds to `files`; empty where they are the same.

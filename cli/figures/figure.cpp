@@ -2,15 +2,16 @@
 #include "cli/figures/figure.h"
 
 #include <fmt/format.h>
+#include <sys/mman.h>
 
+#include <array>
 #include <cstdio>
-#include <fstream>
 #include <stdexcept>
+
+#include "generator/outputs/descriptor.h"
 
 namespace sinew {
 namespace {
-
-namespace fs = std::filesystem;
 
 /// In gnuplot's single quotes.
 std::string quoted(const std::string& text) {
@@ -53,37 +54,42 @@ std::string plot_of(const Panel& panel) {
   return text + "\n" + data;
 }
 
-std::string script_of(const fs::path& svg, const Figure& figure) {
+std::string script_of(const Figure& figure) {
   std::string text = fmt::format(
-      "set terminal svg size {},420 noenhanced background 'white'\nset output {}\nset grid\n"
+      "set terminal svg size {},420 noenhanced background 'white'\nset grid\n"
       "set key below\n"
       "set multiplot layout 1,{} title {}\n",
-      figure.panels.size() > 1 ? 900 : 640, quoted(svg.string()), figure.panels.size(),
+      figure.panels.size() > 1 ? 900 : 640, figure.panels.size(),
       quoted(fmt::format("{} (source: Fig. {})", figure.title, figure.number)));
   for (const Panel& panel : figure.panels) text += plot_of(panel);
   return text + "unset multiplot\n";
 }
 
+/// What gnuplot draws, taken from its standard output: writing a file it does not notice where that
+/// ends for want of space. The script is a file in memory, which no disk can be too full for.
+std::string drawn(const Figure& figure) {
+  const std::string script = script_of(figure);
+  const Descriptor memory(::memfd_create("gnuplot", 0));
+  if (!memory.is_open()) fail_with_errno("the script of a figure", "cannot be kept");
+  write_all(memory, script, "the script of a figure");
+  std::FILE* gnuplot = ::popen(fmt::format("gnuplot /dev/fd/{}", memory.number()).c_str(), "r");
+  if (!gnuplot) throw std::runtime_error("gnuplot cannot be started");
+  std::string svg;
+  std::array<char, 65536> block;
+  for (std::size_t got; (got = std::fread(block.data(), 1, block.size(), gnuplot)) > 0;)
+    svg.append(block.data(), got);
+  if (::pclose(gnuplot) != 0 || svg.find("</svg>") == std::string::npos)
+    throw std::runtime_error(figure.file + ".svg: gnuplot failed; expected Debian's gnuplot-nox");
+  return svg;
+}
+
 }  // namespace
 
-void write_text(const fs::path& path, const std::string& text) {
-  std::ofstream out(path, std::ios::binary);
-  out << text;
-  if (!out.flush()) throw std::runtime_error(path.string() + ": cannot be written");
+FileSet figure_files(const Figure& figure) {
+  return {{figure.file + ".csv", csv_of(figure)}, {figure.file + ".svg", drawn(figure)}};
 }
 
-void write_figure(const fs::path& folder, const Figure& figure) {
-  write_text(folder / (figure.file + ".csv"), csv_of(figure));
-  const fs::path svg = folder / (figure.file + ".svg");
-  const std::string script = script_of(svg, figure);
-  std::FILE* gnuplot = ::popen("gnuplot", "w");
-  if (!gnuplot) throw std::runtime_error("gnuplot cannot be started");
-  const bool whole = std::fwrite(script.data(), 1, script.size(), gnuplot) == script.size();
-  if (::pclose(gnuplot) != 0 || !whole || !fs::exists(svg))
-    throw std::runtime_error(svg.string() + ": gnuplot failed; expected Debian's gnuplot-nox");
-}
-
-void write_index(const fs::path& folder, const std::vector<Figure>& figures) {
+std::string index_page(const std::vector<Figure>& figures) {
   std::string text =
       "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">"
       "<title>Figures</title></head><body>\n<h1>Figures of the source, reproduced</h1>\n";
@@ -93,7 +99,7 @@ void write_index(const fs::path& folder, const std::vector<Figure>& figures) {
         "<a href=\"{}.csv\">CSV</a></p>\n",
         figure.number, escaped(figure.title), figure.file, escaped(figure.title),
         escaped(figure.differs), figure.file);
-  write_text(folder / "index.html", text + "</body></html>\n");
+  return text + "</body></html>\n";
 }
 
 }  // namespace sinew

@@ -2,10 +2,11 @@
 // A figure of the source, reproduced: its numbers as CSV, its drawing as SVG through gnuplot.
 #pragma once
 
-#include <filesystem>
 #include <numbers>
 #include <string>
 #include <vector>
+
+#include "generator/outputs/outputs.h"
 
 namespace sinew {
 
@@ -30,15 +31,11 @@ struct Figure {
   std::vector<Panel> panels;  ///< side by side
 };
 
-/// Writes <file>.csv (a comment with number, title and difference, then panel, series, x, y) and
-/// <file>.svg. Throws std::runtime_error where a file
-/// cannot be written or gnuplot fails.
-void write_figure(const std::filesystem::path& folder, const Figure& figure);
-
-/// Writes a file in one go. Throws std::runtime_error where it cannot be written.
-void write_text(const std::filesystem::path& path, const std::string& text);
+/// <file>.csv (a comment with number, title and difference, then panel, series, x, y) and
+/// <file>.svg. Throws std::runtime_error where gnuplot fails.
+FileSet figure_files(const Figure& figure);
 
 /// index.html: all figures with their notes.
-void write_index(const std::filesystem::path& folder, const std::vector<Figure>& figures);
+std::string index_page(const std::vector<Figure>& figures);
 
 }  // namespace sinew

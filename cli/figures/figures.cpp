@@ -11,6 +11,7 @@
 #include "cli/figures/lever.h"
 #include "cli/figures/motor.h"
 #include "cli/figures/source_figures.h"
+#include "generator/outputs/unfinished_run.h"
 #include "symbolic/parts/part.h"
 
 namespace sinew {
@@ -71,15 +72,37 @@ std::vector<Figure> figures_of(const FiguresOptions& o, int chapter) {
   return figures;
 }
 
+/// What is read, after recovery of what an interrupted run left there.
+Inputs inputs_of(const FiguresOptions& o) {
+  Inputs inputs;
+  for (const std::string& folder : {o.models, o.generated, o.runtime}) {
+    recover_interrupted(folder);
+    std::error_code ignored;
+    for (const fs::directory_entry& model : fs::directory_iterator(folder, ignored)) {
+      inputs.add(model.path());
+      if (!model.is_directory(ignored)) continue;
+      recover_interrupted(model.path());
+      for (const fs::directory_entry& file : fs::directory_iterator(model.path(), ignored))
+        inputs.add(file.path());
+    }
+  }
+  return inputs;
+}
+
 void run_figures(const FiguresOptions& o) {
+  (void)output_folder(o.out);
+  const Inputs inputs = inputs_of(o);
   std::vector<Figure> figures;
   for (const int chapter : {3, 4, 5, 6})
     if (o.chapters.empty() ||
         std::find(o.chapters.begin(), o.chapters.end(), chapter) != o.chapters.end())
       for (Figure& figure : figures_of(o, chapter)) figures.push_back(std::move(figure));
-  fs::create_directories(o.out);
-  for (const Figure& figure : figures) write_figure(o.out, figure);
-  write_index(o.out, figures);
+  FileSet files{{"index.html", index_page(figures)}};
+  for (const Figure& figure : figures) files.merge(figure_files(figure));
+  Outputs outputs;
+  outputs.protect(inputs);
+  outputs.into_folder(o.out, files);
+  outputs.commit();
   fmt::print("{} figures written to {}\n", figures.size(), o.out);
 }
 

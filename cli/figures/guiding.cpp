@@ -4,14 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
 #include <map>
-#include <stdexcept>
 
 namespace sinew {
 namespace {
-
-namespace fs = std::filesystem;
 
 constexpr double table_angles[] = {15, 30, 45, 60, 90, 120, 150, 180, 270, 360};  // deg
 
@@ -155,17 +151,17 @@ Figure figure_pulley_or_sliding(const std::vector<FittedSeries>& all, const std:
   return figure;
 }
 
-void write_guiding_tables(const fs::path& folder, const std::vector<FittedSeries>& all) {
+FileSet guiding_tables(const std::vector<FittedSeries>& all) {
   const double tension = usual_tension(all);
-  fs::create_directories(folder);
-  write_text(folder / "friction_by_angle.csv", friction_table(all, tension));
-  write_text(folder / "pulley_or_sliding.csv", choice_table(all, tension));
+  FileSet files{{"friction_by_angle.csv", friction_table(all, tension)},
+                {"pulley_or_sliding.csv", choice_table(all, tension)}};
   Figure angle = figure_guiding_friction(all, tension, ""),
          choice = figure_pulley_or_sliding(all, "");
   angle.file = "friction_by_angle_plot";
   choice.file = "pulley_or_sliding_plot";
-  write_figure(folder, angle);
-  write_figure(folder, choice);
+  files.merge(figure_files(angle));
+  files.merge(figure_files(choice));
+  return files;
 }
 
 }  // namespace sinew

@@ -26,10 +26,9 @@ Figure figure_pulley_or_sliding(const std::vector<FittedSeries>& all, const std:
 /// Tension that the most measurements were made at [N].
 double usual_tension(const std::vector<FittedSeries>& all);
 
-/// Into `folder`: friction_by_angle.csv (a row a series and angle), pulley_or_sliding.csv (each
-/// pulley against each sliding surface of the same tendon), friction_by_angle.svg,
+/// The designers' files: friction_by_angle.csv (a row a series and angle), pulley_or_sliding.csv
+/// (each pulley against each sliding surface of the same tendon), friction_by_angle.svg,
 /// pulley_or_sliding.svg with their data.
-void write_guiding_tables(const std::filesystem::path& folder,
-                          const std::vector<FittedSeries>& all);
+FileSet guiding_tables(const std::vector<FittedSeries>& all);
 
 }  // namespace sinew

@@ -84,6 +84,11 @@ int decimals_of(std::string_view cell, char decimal) {
   return point == std::string_view::npos ? 0 : static_cast<int>(cell.size() - point - 1);
 }
 
+[[noreturn]] void fail_reading(const std::string& path) {
+  throw std::runtime_error(
+      fmt::format("{}:0:0: cannot be read to its end; expected a readable file", path));
+}
+
 }  // namespace
 
 std::vector<std::string> split_cells(std::string_view line, char delimiter) {
@@ -137,14 +142,14 @@ void CsvReader::on_bytes(std::function<void(const char*, size_t)> listener) {
   listener_ = std::move(listener);
   // What was read while the header was looked for.
   std::FILE* again = std::fopen(path_.c_str(), "rb");
-  if (again == nullptr) return;
+  if (again == nullptr) fail_reading(path_);
   const std::unique_ptr<std::FILE, Closer> closed(again);
   const long already = std::ftell(file_.get());
   std::vector<char> block(block_size);
   for (long left = already; left > 0;) {
     const size_t got =
         std::fread(block.data(), 1, std::min(block.size(), static_cast<size_t>(left)), again);
-    if (got == 0) break;
+    if (got == 0) fail_reading(path_);  // a digest of less than the file would be another file's
     listener_(block.data(), got);
     left -= static_cast<long>(got);
   }
@@ -166,6 +171,7 @@ bool CsvReader::fill() {
   }
   const size_t got = std::fread(buffer_.data() + end_, 1, buffer_.size() - end_, file_.get());
   if (got == 0) {
+    if (std::ferror(file_.get()) != 0) fail_reading(path_);
     at_end_ = true;
     return false;
   }

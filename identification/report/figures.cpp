@@ -11,6 +11,7 @@
 #include <map>
 #include <random>
 #include <sstream>
+#include <stdexcept>
 
 #include "identification/report/svg.h"
 #include "identification/report/thinning.h"
@@ -132,6 +133,14 @@ std::string whole(const fs::path& file) {
   return text.str();
 }
 
+/// Throws std::runtime_error where it is cut short: gnuplot does not notice a full disk.
+std::string whole_drawing(const fs::path& file) {
+  std::string svg = whole(file);
+  if (!svg.empty() && svg.find("</svg>") == std::string::npos)
+    throw std::runtime_error(file.string() + ": cannot be written; expected room for a drawing");
+  return svg;
+}
+
 /// For the shell.
 std::string shell_quoted(const std::string& text) {
   std::string result = "'";
@@ -171,9 +180,11 @@ std::vector<std::string> svg_figures(const std::vector<Plot>& plots,
   for (std::size_t k = 0; k < plots.size(); ++k)
     script << script_of(plots[k], output(k), samples_for(plots));
   script.close();
+  if (!script) throw std::runtime_error(scratch.path().string() + ": cannot be written");
   run_gnuplot(scratch.path() / "figures.gp");
   for (std::size_t k = 0; k < plots.size(); ++k)
-    figures[k] = svg_for_page(whole(output(k)), k < alternatives.size() ? alternatives[k] : "");
+    figures[k] =
+        svg_for_page(whole_drawing(output(k)), k < alternatives.size() ? alternatives[k] : "");
   return figures;
 }
 

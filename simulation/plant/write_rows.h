@@ -1,22 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <cstdio>
 #include <filesystem>
 #include <future>
 #include <string>
-#include <string_view>
 #include <vector>
+
+#include "generator/outputs/outputs.h"
 
 namespace sinew {
 
-/// A CSV file that appears whole or not at all: rows go to a file beside it, which replaces the old
-/// one in finish() and vanishes otherwise. Numbers are written so that they read back the same, by
-/// another thread: as text a hand's row takes as long as its simulation. Throws std::runtime_error
-/// naming the file where writing fails, at the latest from finish().
+/// CSV into an output file (generator/outputs/outputs.h): a regular file appears whole in finish()
+/// or not at all, a stream gets its rows as they come. Numbers are written so that they read back
+/// the same, by another thread: as text a hand's row takes as long as its simulation. Throws
+/// std::runtime_error naming the file where writing fails, at the latest from finish().
 class RowWriter {
  public:
-  RowWriter(const std::filesystem::path& file, const std::vector<std::string>& header);
+  RowWriter(const std::filesystem::path& file, const std::vector<std::string>& header,
+            const Inputs& inputs = {});
   RowWriter(const RowWriter&) = delete;
   RowWriter& operator=(const RowWriter&) = delete;
   ~RowWriter();
@@ -25,16 +26,14 @@ class RowWriter {
   void finish();
 
  private:
-  [[noreturn]] void fail(const char* what) const;
-  void put(std::string_view text);
-  void put_row(const double* row);
+  void add_row(const double* row);
   /// Gives the rows held to the other thread, once it is done with the last ones.
   void hand_over();
 
-  std::filesystem::path file_, partial_;
-  std::FILE* stream_ = nullptr;
+  std::filesystem::path path_;
+  OutputFile file_;
   std::size_t columns_;
-  std::string text_;                    ///< of one row
+  std::string text_;                    ///< of the rows the other thread writes
   std::vector<double> held_, written_;  ///< rows that wait; rows the other thread writes
   std::future<void> writing_;
 };

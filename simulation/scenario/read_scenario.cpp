@@ -199,6 +199,7 @@ class ScenarioReader {
   void read_commands(TomlTable& table) {
     if (const auto name = table.text("file", true)) {
       const fs::path path = fs::path(scenario_.file).parent_path() / *name;
+      scenario_.tables.push_back(path.string());
       for (const auto& [channel, samples] :
            read_command_table(path, channels_->commands, findings_)) {
         scenario_.commands[channel].add(samples);

@@ -52,8 +52,9 @@ struct MeasurementNoise {
 
 struct Scenario {
   std::string file;
-  double duration = 0.0;     ///< s
-  double output_rate = 0.0;  ///< Hz
+  std::vector<std::string> tables;  ///< files of commands that it names
+  double duration = 0.0;            ///< s
+  double output_rate = 0.0;         ///< Hz
   /// m/s², instead of the model's: base frame of a finger, forearm frame of a hand.
   std::optional<Eigen::Vector3d> gravity;
 

@@ -14,7 +14,7 @@ std::string read_text(const std::filesystem::path& path, Findings& findings) {
   std::ostringstream text;
   if (stream.is_open() && stream.peek() != std::ifstream::traits_type::eof())
     text << stream.rdbuf();
-  if (!stream.is_open() || stream.bad())
+  if (!stream.is_open() || stream.bad() || text.fail())  // read to its end, too
     findings.add({path.string(), 0, 0}, "cannot be read", "expected a readable file");
   return text.str();
 }

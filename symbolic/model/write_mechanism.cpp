@@ -5,12 +5,11 @@
 
 #include <stdexcept>
 
-#include "symbolic/model/check_mechanism.h"
 #include "symbolic/files/origin.h"
-#include "symbolic/files/put_files.h"
+#include "symbolic/files/units.h"
+#include "symbolic/model/check_mechanism.h"
 #include "symbolic/model/read_mechanism.h"
 #include "symbolic/model/rotation.h"
-#include "symbolic/files/units.h"
 
 namespace sinew {
 namespace {
@@ -293,13 +292,11 @@ ModelText describe_mechanism(const Mechanism& mechanism, const std::string& comm
   return {head + Describer(mechanism).toml(), head + csv_table(mechanism)};
 }
 
-void write_mechanism(const Mechanism& mechanism, const std::filesystem::path& folder,
-                     const std::string& comment, Existing existing) {
+std::map<std::string, std::string> mechanism_files(const Mechanism& mechanism,
+                                                   const std::string& comment) {
   const ModelText text = describe_mechanism(mechanism, comment);
   require_round_trip(mechanism, text);
-  const bool may_replace = existing == Existing::replace;
-  put_files(folder, {{"mechanism.toml", text.toml}, {"mass_properties.csv", text.csv}},
-            may_replace);
+  return {{"mechanism.toml", text.toml}, {"mass_properties.csv", text.csv}};
 }
 
 }  // namespace sinew

@@ -2,7 +2,7 @@
 // A Mechanism as a model folder that reads back identically.
 #pragma once
 
-#include <filesystem>
+#include <map>
 #include <string>
 
 #include "symbolic/model/mechanism.h"
@@ -18,14 +18,9 @@ struct ModelText {
 };
 ModelText describe_mechanism(const Mechanism& mechanism, const std::string& comment);
 
-/// What to do with a folder that holds something.
-enum class Existing { refuse, replace };
-
-/// Writes the folder as a whole or not at all: the files are written to a folder beside it, which
-/// then takes its place. With Existing::replace other files in the folder are kept. Throws
-/// DescriptionError if the mechanism does not read back identically, std::runtime_error if the
-/// folder holds something and is not to be replaced, or cannot be written.
-void write_mechanism(const Mechanism& mechanism, const std::filesystem::path& folder,
-                     const std::string& comment, Existing existing = Existing::refuse);
+/// The files of its model folder, name -> content. Throws DescriptionError if the mechanism cannot
+/// be described, std::runtime_error if it does not read back identically.
+std::map<std::string, std::string> mechanism_files(const Mechanism& mechanism,
+                                                   const std::string& comment);
 
 }  // namespace sinew

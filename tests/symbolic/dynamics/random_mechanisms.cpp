@@ -2,12 +2,13 @@
 // Mechanisms nobody looked at: generated on the spot, compiled and compared.
 #include <catch2/catch.hpp>
 
+#include "generator/outputs/outputs.h"
 #include "symbolic/model/read_mechanism.h"
 #include "symbolic/model/write_mechanism.h"
+#include "tests/reference/random_mechanism.h"
 #include "tests/symbolic/dynamics/deviation.h"
 #include "tests/symbolic/dynamics/generated_model.h"
 #include "tests/symbolic/dynamics/mechanics_checks.h"
-#include "tests/reference/random_mechanism.h"
 
 namespace sinew::reference {
 namespace {
@@ -22,7 +23,9 @@ Subject generate(std::uint64_t seed, const RandomMechanismOptions& options) {
   const Mechanism original = random_mechanism(seed, options);
   const TemporaryFolder place;
   const std::filesystem::path folder = place.path() / original.name;
-  write_mechanism(original, folder, "a random mechanism");
+  Outputs outputs;
+  outputs.into_folder(folder, mechanism_files(original, "a random mechanism"));
+  outputs.commit();
   return {read_mechanism(folder), GeneratedModel(folder).load()};
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is written reads back bit by bit, and is in place as a whole or not at all.
+// What is written reads back bit by bit.
 #include <unistd.h>
 
 #include <catch2/catch.hpp>
@@ -8,6 +8,7 @@
 #include <iterator>
 #include <random>
 
+#include "generator/outputs/outputs.h"
 #include "symbolic/model/check_mechanism.h"
 #include "symbolic/model/read_mechanism.h"
 #include "symbolic/model/read_urdf.h"
@@ -157,52 +158,19 @@ TEST_CASE("a model folder is written and read", "[written]") {
   const Scratch scratch;
   const sinew::Mechanism finger = index_finger();
   const fs::path folder = scratch.path() / "models" / "copy";
-  sinew::write_mechanism(finger, folder, "a comment");
+  sinew::Outputs outputs;
+  outputs.into_folder(folder, sinew::mechanism_files(finger, "a comment"));
+  outputs.commit();
   REQUIRE(first_difference(finger, sinew::read_mechanism(folder)) == "");
   REQUIRE(content(folder / "mechanism.toml").starts_with("# a comment\n[mechanism]\n"));
   REQUIRE(entries(folder.parent_path()) == 1);
 }
 
-TEST_CASE("a folder that holds something is replaced only when asked, and keeps its other files",
-          "[written]") {
-  const Scratch scratch;
-  const fs::path folder = scratch.path() / "copy";
-  fs::create_directories(folder);
-  std::ofstream(folder / "identified.toml") << "learnt = 1\n";
-  std::ofstream(folder / "mechanism.toml") << "old";
-  const sinew::Mechanism finger = index_finger();
-  REQUIRE_THROWS_WITH(sinew::write_mechanism(finger, folder, ""), Catch::Contains("is not empty"));
-  REQUIRE(content(folder / "mechanism.toml") == "old");
-  sinew::write_mechanism(finger, folder, "", sinew::Existing::replace);
-  REQUIRE(first_difference(finger, sinew::read_mechanism(folder)) == "");
-  REQUIRE(content(folder / "identified.toml") == "learnt = 1\n");
-  REQUIRE(entries(scratch.path()) == 1);
-}
-
-TEST_CASE("a failure leaves the folder as it was", "[written]") {
-  const Scratch scratch;
-  const fs::path folder = scratch.path() / "copy";
-  fs::create_directories(folder /
-                         "mechanism.toml");  // a folder of that name: writing fails half-way
-  std::ofstream(folder / "mass_properties.csv") << "old";
-  REQUIRE_THROWS_WITH(sinew::write_mechanism(index_finger(), folder, "", sinew::Existing::replace),
-                      Catch::Contains("cannot be written"));
-  REQUIRE(content(folder / "mass_properties.csv") == "old");
-  REQUIRE(entries(scratch.path()) == 1);
-  REQUIRE_THROWS_WITH(sinew::write_mechanism(index_finger(), folder / "mass_properties.csv", "",
-                                             sinew::Existing::replace),
-                      Catch::Contains("is not a folder"));
-}
-
 TEST_CASE("a mechanism that cannot be described is not written", "[written]") {
-  const Scratch scratch;
   sinew::Mechanism finger = index_finger();
   finger.bodies[2].mass = std::nan("");
-  REQUIRE_THROWS_AS(sinew::write_mechanism(finger, scratch.path() / "copy", ""),
-                    std::runtime_error);
+  REQUIRE_THROWS_AS(sinew::mechanism_files(finger, ""), std::runtime_error);
   finger = index_finger();
   finger.joints[1].name = "q 21";
-  REQUIRE_THROWS_AS(sinew::write_mechanism(finger, scratch.path() / "copy", ""),
-                    sinew::DescriptionError);
-  REQUIRE(entries(scratch.path()) == 0);
+  REQUIRE_THROWS_AS(sinew::mechanism_files(finger, ""), sinew::DescriptionError);
 }
