@@ -13,17 +13,18 @@
 #include "cli/learnt_model.h"
 #include "cli/model_folder.h"
 #include "cli/runtime_folder.h"
+#include "cli/terminal/terminal.h"
 #include "generator/write.h"
 #include "identification/adoption/diagnose.h"
-#include "identification/subjects/driven_channels.h"
-#include "identification/report/findings_json.h"
 #include "identification/logs/model_channels.h"
+#include "identification/report/findings_json.h"
 #include "identification/report/report_html.h"
 #include "identification/report/report_text.h"
 #include "identification/report/verdict_text.h"
-#include "symbolic/hand/hand_mechanism.h"
+#include "identification/subjects/driven_channels.h"
 #include "symbolic/extension/identified_mechanism.h"
 #include "symbolic/files/put_files.h"
+#include "symbolic/hand/hand_mechanism.h"
 #include "symbolic/model/read_mechanism.h"
 
 namespace sinew {
@@ -46,10 +47,10 @@ class Progress {
  public:
   explicit Progress(bool wanted) : shown_(wanted && ::isatty(STDERR_FILENO)) {}
   ~Progress() {
-    if (shown_) fmt::print(stderr, "\r\033[K");
+    if (shown_) show_progress("");
   }
   void operator()(const std::string& step, double share) const {
-    if (shown_) fmt::print(stderr, "\r\033[K[{:3.0f} %] {}", 100.0 * share, step);
+    if (shown_) show_progress(fmt::format("[{:3.0f} %] {}", 100.0 * share, step));
   }
 
  private:
@@ -190,10 +191,10 @@ int run(DiagnoseOptions o) {
   }
   write_results(o, diagnosis);
   if (o.json)
-    fmt::print("{}", findings_json(diagnosis.findings));
+    tell("{}", findings_json(diagnosis.findings));
   else
-    fmt::print("{}\nReport: {}\n", report_text(diagnosis.findings),
-               (fs::path(o.out) / "report.html").string());
+    tell("{}\nReport: {}\n", report_text(diagnosis.findings),
+         (fs::path(o.out) / "report.html").string());
   return diagnosis.findings.verdict.nothing_beyond_noise() ? 0 : 1;
 }
 

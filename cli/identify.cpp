@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <memory>
@@ -12,6 +13,8 @@
 
 #include "cli/identify_experiments.h"
 #include "cli/identify_logs.h"
+#include "cli/terminal/terminal.h"
+#include "identification/logs/model_channels.h"
 #include "symbolic/parts/part.h"
 
 namespace sinew {
@@ -25,6 +28,8 @@ struct IdentifyOptions {
   bool repair = false, json = false;
 };
 
+constexpr const char* log_experiments[]{"friction", "inertia", "ripple", "lever"};
+
 std::vector<ChannelSpec> channels_of(const std::string& experiment) {
   if (experiment == "lever") return lever_channels();
   std::vector<ChannelSpec> channels = rotary_drive_channels();
@@ -36,6 +41,27 @@ std::vector<ChannelSpec> channels_of(const std::string& experiment) {
     channels.push_back(controller);
   }
   return channels;
+}
+
+bool names_one_of(const std::vector<ChannelSpec>& channels, const std::string& line) {
+  return std::any_of(channels.begin(), channels.end(), [&](const ChannelSpec& channel) {
+    return line.starts_with(channel.name + "=");
+  });
+}
+
+/// What --map and the model's channels.toml say. That file is of all logs of the model: its lines
+/// about channels that only another experiment has are of no concern here.
+std::vector<std::string> maps_of(const IdentifyOptions& o) {
+  std::vector<std::string> maps = mapped_channels(o.model, o.map);
+  const auto of_others = [&](const std::string& line) {
+    if (names_one_of(channels_of(o.experiment), line)) return false;
+    return std::any_of(std::begin(log_experiments), std::end(log_experiments),
+                       [&](const char* other) { return names_one_of(channels_of(other), line); });
+  };
+  maps.erase(std::remove_if(maps.begin() + static_cast<std::ptrdiff_t>(o.map.size()), maps.end(),
+                            of_others),
+             maps.end());
+  return maps;
 }
 
 const LeverParameters* lever_of(const Part& part) {
@@ -68,7 +94,7 @@ IdentifyReport identify(const IdentifyOptions& o, std::vector<Log>& logs) {
     require(lever != nullptr, o, "a lever");
   else
     require(motor != nullptr, o, "a motor");
-  logs = read_experiment_logs(o.logs, o.map, channels_of(o.experiment), o.repair);
+  logs = read_experiment_logs(o.logs, maps_of(o), channels_of(o.experiment), o.repair);
   if (o.experiment == "lever") return report_lever(logs, *lever, o.emit);
   if (o.experiment == "friction") return report_friction(logs, *motor);
   return o.experiment == "inertia" ? report_inertia(logs, *motor) : report_ripple(logs, *motor);
@@ -102,15 +128,15 @@ Json sources_of(const std::vector<Log>& logs) {
 
 void print_value(const std::string& name, const Json& value) {
   if (value.is_object() && value.contains("standard_error"))
-    fmt::print("{}: {:.6g} +- {:.2g}\n", name, value["value"].get<double>(),
-               value["standard_error"].get<double>());
+    tell("{}: {:.6g} +- {:.2g}\n", name, value["value"].get<double>(),
+         value["standard_error"].get<double>());
   else if (value.is_object())
     for (const auto& [inner, each] : value.items()) print_value(name + "." + inner, each);
   else if (value.is_array() && !value.empty() && value.front().is_object())
     for (std::size_t i = 0; i < value.size(); ++i)
       print_value(fmt::format("{}[{}]", name, i), value[i]);
   else
-    fmt::print("{}: {}\n", name, value.dump());
+    tell("{}: {}\n", name, value.dump(-1, ' ', false, Json::error_handler_t::replace));
 }
 
 int run_identify(const IdentifyOptions& o) {
@@ -119,13 +145,13 @@ int run_identify(const IdentifyOptions& o) {
   const Json whole{
       {"model", o.model},          {"experiment", o.experiment}, {"identified", report.identified},
       {"results", report.results}, {"missing", report.missing},  {"logs", sources_of(logs)}};
-  write_whole(o.out, whole.dump(2) + "\n");
+  write_whole(o.out, json_text(whole));
   if (o.json) {
-    fmt::print("{}\n", whole.dump(2));
+    tell_json(whole);
   } else {
     for (const auto& [name, value] : report.results.items()) print_value(name, value);
-    for (const std::string& text : report.missing) fmt::print("not identified: {}\n", text);
-    fmt::print("written to {}\n", o.out);
+    for (const std::string& text : report.missing) tell("not identified: {}\n", text);
+    tell("written to {}\n", o.out);
   }
   return report.identified ? 0 : 1;
 }

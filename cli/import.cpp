@@ -9,6 +9,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "cli/terminal/terminal.h"
 #include "symbolic/model/read_urdf.h"
 #include "symbolic/model/write_mechanism.h"
 
@@ -25,12 +26,12 @@ struct ImportOptions {
 
 void report_as_text(const Mechanism& mechanism, const ImportOptions& options,
                     const std::vector<std::string>& notes) {
-  for (const std::string& note : notes) fmt::print(stderr, "note: {}\n", note);
-  fmt::print("{}: robot '{}' with {} bodies, {} moving joints:", options.out, mechanism.name,
-             mechanism.bodies.size(), coordinate_count(mechanism));
+  for (const std::string& note : notes) warn("note: {}\n", note);
+  tell("{}: robot '{}' with {} bodies, {} moving joints:", options.out, mechanism.name,
+       mechanism.bodies.size(), coordinate_count(mechanism));
   for (const Joint& joint : mechanism.joints)
-    if (joint.type != JointType::fixed) fmt::print(" {}", joint.name);
-  fmt::print("\nnext: sinew generate {}\n", options.out);
+    if (joint.type != JointType::fixed) tell(" {}", joint.name);
+  tell("\nnext: sinew generate {}\n", options.out);
 }
 
 void report_as_json(const Mechanism& mechanism, const ImportOptions& options,
@@ -42,14 +43,13 @@ void report_as_json(const Mechanism& mechanism, const ImportOptions& options,
   for (const Joint& joint : mechanism.joints)
     if (joint.type != JointType::fixed) report["coordinates"].push_back(joint.name);
   report["notes"] = notes;
-  const auto replace = nlohmann::json::error_handler_t::replace;  // names may be any bytes
-  fmt::print("{}\n", report.dump(2, ' ', false, replace));
+  tell_json(report);
 }
 
 int import_robot(const ImportOptions& options) {
   const Eigen::Vector3d gravity(options.gravity.data());
   if (!gravity.allFinite()) {
-    fmt::print(stderr, "sinew import: --gravity is not finite; expected 3 finite numbers\n");
+    warn("sinew import: --gravity is not finite; expected 3 finite numbers\n");
     return 2;
   }
   try {
@@ -61,7 +61,7 @@ int import_robot(const ImportOptions& options) {
     options.json ? report_as_json(mechanism, options, notes)
                  : report_as_text(mechanism, options, notes);
   } catch (const std::exception& error) {
-    fmt::print(stderr, "{}\n", error.what());
+    warn_of(error);
     return 2;
   }
   return 0;

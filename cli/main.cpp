@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <sstream>
 
 #include "cli/diagnose.h"
 #include "cli/effects.h"
@@ -12,6 +13,9 @@
 #include "cli/import.h"
 #include "cli/inspect.h"
 #include "cli/simulate.h"
+#include "cli/terminal/terminal.h"
+#include "scratch/interruption.h"
+#include "symbolic/files/readable.h"
 
 namespace {
 
@@ -33,6 +37,7 @@ std::string command_names(const CLI::App& app) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  sinew::remove_when_interrupted();
   int exit_status = 0;
   CLI::App app{"sinew: symbolic models of tendon-driven hands, emitted as real-time C"};
   app.require_subcommand(1);
@@ -47,20 +52,26 @@ int main(int argc, char** argv) {
   sinew::add_diagnose_command(app, exit_status);
   sinew::add_effects_command(app, exit_status);
   if (argc > 1 && argv[1][0] != '-' && !has_command(app, argv[1])) {
-    fmt::print(stderr, "sinew: no command is called '{}'; expected one of {}\n", argv[1],
-               command_names(app));
+    sinew::warn("sinew: no command is called '{}'; expected one of {}\n", argv[1],
+                command_names(app));
     return wrong_usage_or_input;
   }
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : wrong_usage_or_input;
+    std::ostringstream out, complaint;
+    const int status = app.exit(error, out, complaint);
+    sinew::tell("{}", out.str());
+    sinew::warn("{}", sinew::message_lines(complaint.str()));
+    if (status != 0) return wrong_usage_or_input;
   } catch (const std::exception& error) {
-    fmt::print(stderr, "sinew: {}\n", error.what());
+    sinew::end_if_interrupted();
+    sinew::warn_of(error);
     return wrong_usage_or_input;
   }
+  sinew::end_if_interrupted();
   if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
-    fmt::print(stderr, "sinew: the output cannot be written\n");
+    sinew::warn("sinew: the output cannot be written\n");
     return wrong_usage_or_input;
   }
   return exit_status;

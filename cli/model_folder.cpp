@@ -10,11 +10,12 @@
 #include "identification/logs/sha256.h"
 #include "symbolic/dynamics/coordinates.h"
 #include "symbolic/extension/driven_model.h"
-#include "symbolic/tendons/functions.h"
 #include "symbolic/extension/identified_mechanism.h"
 #include "symbolic/extension/part_observation.h"
+#include "symbolic/files/readable.h"
 #include "symbolic/hand/read_hand.h"
 #include "symbolic/model/read_mechanism.h"
+#include "symbolic/tendons/functions.h"
 
 namespace sinew {
 namespace {
@@ -106,7 +107,9 @@ ModelFolder open_model_folder(const fs::path& folder) {
     result.identity.notes = joint_notes(mechanism);
     result.model = mechanism;
   }
-  result.identity.description = description.empty() ? "Model " + result.identity.name : description;
+  // One line: it stands in comments of the emitted C and heads the report.
+  result.identity.description =
+      description.empty() ? "Model " + result.identity.name : message_part(description);
   result.identity.hash = hash_of(folder, parts);
   return result;
 }

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/runtime_folder.h"
+#include "cli/terminal/terminal.h"
 #include "simulation/simulate.h"
 #include "simulation/write_rows.h"
 
@@ -25,14 +26,13 @@ class RunProgress {
  public:
   explicit RunProgress(double duration) : duration_(duration), shown_(::isatty(2) != 0) {}
   ~RunProgress() {
-    if (last_ >= 0) fmt::print(stderr, "\r      \r");
+    if (last_ >= 0) show_progress("");
   }
   void operator()(double time) {
     const int percent = static_cast<int>(100.0 * time / duration_);
     if (!shown_ || percent == last_) return;
     last_ = percent;
-    fmt::print(stderr, "\r{:3} %", percent);
-    std::fflush(stderr);
+    show_progress(fmt::format("{:3} %", percent));
   }
 
  private:
@@ -70,17 +70,16 @@ nlohmann::ordered_json json_of(const SimulateOptions& o, double duration,
 }
 
 void print_summary(const SimulateOptions& o, double duration, const SimulationResult& r) {
-  fmt::print("{}: {} rows over {} s written to {}\n", o.model, r.rows, duration, o.out);
-  fmt::print("  {} steps, {} evaluations, {} Jacobians in {:.3f} s: {:.1f} x real time\n",
-             r.count.steps, r.count.evaluations, r.count.jacobians, r.seconds,
-             duration / r.seconds);
-  fmt::print("  energy up to {:.4g} J; books close to {:.2g} J, powers to {:.2g}\n",
-             r.audit.largest_energy, r.audit.energy_residual, r.audit.power_residual);
+  tell("{}: {} rows over {} s written to {}\n", o.model, r.rows, duration, o.out);
+  tell("  {} steps, {} evaluations, {} Jacobians in {:.3f} s: {:.1f} x real time\n", r.count.steps,
+       r.count.evaluations, r.count.jacobians, r.seconds, duration / r.seconds);
+  tell("  energy up to {:.4g} J; books close to {:.2g} J, powers to {:.2g}\n",
+       r.audit.largest_energy, r.audit.energy_residual, r.audit.power_residual);
   for (int i = 0; i < power_count; ++i) {
     const double work = r.audit.work[static_cast<std::size_t>(i)];
-    if (work != 0.0) fmt::print("  work of {}: {:.6g} J\n", name_of_power(i), work);
+    if (work != 0.0) tell("  work of {}: {:.6g} J\n", name_of_power(i), work);
   }
-  for (const auto& [name, count] : r.event_counts) fmt::print("  {}: {} times\n", name, count);
+  for (const auto& [name, count] : r.event_counts) tell("  {}: {} times\n", name, count);
 }
 
 void run_simulate(const SimulateOptions& o) {
@@ -96,7 +95,7 @@ void run_simulate(const SimulateOptions& o) {
   }
   out.finish();
   if (o.json)
-    fmt::print("{}\n", json_of(o, duration, result).dump(2));
+    tell_json(json_of(o, duration, result));
   else
     print_summary(o, duration, result);
 }

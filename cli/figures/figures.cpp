@@ -11,6 +11,7 @@
 #include "cli/figures/lever.h"
 #include "cli/figures/motor.h"
 #include "cli/figures/source_figures.h"
+#include "cli/terminal/terminal.h"
 #include "symbolic/parts/part.h"
 
 namespace sinew {
@@ -80,7 +81,7 @@ void run_figures(const FiguresOptions& o) {
   fs::create_directories(o.out);
   for (const Figure& figure : figures) write_figure(o.out, figure);
   write_index(o.out, figures);
-  fmt::print("{} figures written to {}\n", figures.size(), o.out);
+  tell("{} figures written to {}\n", figures.size(), o.out);
 }
 
 }  // namespace

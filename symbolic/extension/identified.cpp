@@ -130,13 +130,7 @@ Identified read_identified(const std::filesystem::path& folder, const Observatio
   findings.raise_if_any();
   std::map<std::string, std::string> provenance;
   TomlFile file{name, findings, provenance};
-  toml::table root;
-  try {
-    root = toml::parse(text, name);
-  } catch (const toml::parse_error& error) {
-    findings.add(locate(file, error.source()), std::string(error.description()),
-                 "expected TOML 1.0");
-  }
+  const toml::table root = parse_toml(text, file);
   findings.raise_if_any();
   Identified result = IdentifiedReader(observation).read(TomlTable(root, "", file));
   findings.raise_if_any();
@@ -145,7 +139,7 @@ Identified read_identified(const std::filesystem::path& folder, const Observatio
 
 std::string identified_text(const Identified& identified) {
   std::string text =
-      "# SPDX-License-Identifier: GPL-3.0-or-later\n"
+      "# SPDX-License-Identifier: BSD-2-Clause\n"
       "# What measurements taught about this model; read by sinew generate. Delete an [[effect]] "
       "to\n"
       "# take it back.\n";

@@ -10,9 +10,11 @@
 #include <map>
 #include <set>
 
-#include "symbolic/model/check_mechanism.h"
 #include "symbolic/files/identifier.h"
+#include "symbolic/files/model_name.h"
 #include "symbolic/files/read_text.h"
+#include "symbolic/files/readable.h"
+#include "symbolic/model/check_mechanism.h"
 #include "symbolic/model/rotation.h"
 #include "symbolic/model/urdf_outline.h"
 
@@ -47,8 +49,8 @@ class Renaming {
     for (int i = 1; !taken_.insert(name).second; ++i)
       name = fmt::format("{}_{}", start.substr(0, 58), i);
     if (name != original)
-      notes.push_back(
-          fmt::format("{}: {} '{}' is called {}", to_text(where), kind, original, name));
+      notes.push_back(message_part(
+          fmt::format("{}: {} '{}' is called {}", to_text(where), kind, original, name)));
     return name;
   }
 
@@ -92,7 +94,7 @@ class UrdfReader {
 
  private:
   void note(const SourceLocation& where, const std::string& what) {
-    notes_.push_back(fmt::format("{}: {}", to_text(where), what));
+    notes_.push_back(fmt::format("{}: {}", to_text(where), message_part(what)));
   }
 
   void order_joints() {
@@ -121,7 +123,10 @@ class UrdfReader {
   }
 
   void name_mechanism() {
-    mechanism_.name = Renaming({})(outline_.robot, "robot", outline_.robot_where, notes_);
+    mechanism_.name = make_model_name(outline_.robot);
+    if (mechanism_.name != outline_.robot)
+      note(outline_.robot_where,
+           fmt::format("robot '{}' is called {}", outline_.robot, mechanism_.name));
     mechanism_.description =
         fmt::format("Robot '{}', imported from URDF", printable(outline_.robot));
     body_names_[outline_.root] = -1;
