@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <sstream>
 
+#include "cli/clear_message.h"
 #include "cli/diagnose.h"
 #include "cli/effects.h"
 #include "cli/figures/figures.h"
@@ -66,7 +67,10 @@ int main(int argc, char** argv) {
     if (status != 0) return wrong_usage_or_input;
   } catch (const std::exception& error) {
     sinew::end_if_interrupted();
-    sinew::warn_of(error);
+    sinew::warn("sinew: {}\n", sinew::message_lines(sinew::clear_message(error)));
+    return wrong_usage_or_input;
+  } catch (...) {
+    sinew::warn("sinew: something that was not foreseen went wrong; please report it\n");
     return wrong_usage_or_input;
   }
   sinew::end_if_interrupted();

@@ -11,7 +11,6 @@
 #include "symbolic/files/limits.h"
 #include "symbolic/files/model_name.h"
 #include "symbolic/model/rotation.h"
-#include "symbolic/model/singular_mass_matrix.h"
 #include "symbolic/parts/four_bar.h"
 
 namespace sinew {
@@ -25,7 +24,6 @@ class Checker {
       : mechanism_(mechanism), findings_(findings) {}
 
   void check() {
-    const std::size_t before = findings_.count();
     if (const auto why = why_not_model_name(mechanism_.name))
       findings_.add(here(), fmt::format("the name of the mechanism {}", *why),
                     model_name_rule(mechanism_.name));
@@ -48,7 +46,6 @@ class Checker {
     check_tendons();
     check_couplings();
     check_frames();
-    if (findings_.count() == before) check_mass_matrix();
   }
 
  private:
@@ -226,17 +223,6 @@ class Checker {
                       fmt::format("frame '{}' has a pose that is no rigid transform", frame.name),
                       "expected a rotation and finite numbers");
     }
-  }
-
-  void check_mass_matrix() {
-    const auto index = joint_without_inertia(mechanism_);
-    if (!index) return;
-    const Joint& joint = mechanism_.joints[*index];
-    findings_.add(
-        joint.where,
-        fmt::format("the mass matrix is singular: joint '{}' can move without moving any inertia",
-                    joint.name),
-        "expected mass or inertia on the bodies it carries");
   }
 
   const Mechanism& mechanism_;

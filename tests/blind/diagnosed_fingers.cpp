@@ -121,9 +121,14 @@ TEST_CASE("causes hidden in a finger with its tendons are named") {
 TEST_CASE("what a guide takes is named where the tendon slides in it as its motor turns") {
   // Planted defect: without motor_side_guiding 208 gets Coulomb friction at a joint and "none of
   // the known", 210 the friction beside the guide.
-  for (const std::uint64_t seed : {208UL, 210UL}) {
+  struct Guided {
+    std::uint64_t seed;
+    const char* place;
+  };
+  for (const auto& [seed, place] : {Guided{205, "tendon 6"}, Guided{210, "tendon 1"}}) {
     const Outcome o = diagnose_finger({seed, "finger", truth::Family::one, 2.0});
     INFO(seed << " hidden:" << o.hidden() << ", told:" << o.told());
+    REQUIRE(o.hides("guiding_friction", place, 2.0));
     CHECK(o.all_right);
   }
 }
@@ -134,6 +139,7 @@ TEST_CASE("a force sensor that shows too much is named, and its motor believed")
   // motor's error.
   const Outcome o = diagnose_finger({714, "finger", truth::Family::one, 1.0});
   INFO("hidden:" << o.hidden() << ", told:" << o.told());
+  REQUIRE(o.hides("force_scale", "tendon 5", 1.0));
   CHECK(o.all_right);
   CHECK(o.findings.extension.adopted);
   const diagnosis::ChannelFinding& motor = o.findings.channels.at(4 + 4);
@@ -146,6 +152,7 @@ TEST_CASE("a cause is told with the size that the model is extended by") {
   // planted defect, the parameters of the search (explain.cpp) tell a gain of -0.7 +- 0.5.
   const Outcome o = diagnose_finger({217, "finger", truth::Family::one, 2.0});
   INFO("hidden:" << o.hidden() << ", told:" << o.told());
+  REQUIRE(o.hides("torque_constant", "motor 6", 2.0));
   REQUIRE(o.all_right);
   const double hidden = o.seal.hidden.front().value;
   CHECK(o.findings.verdict.causes.front().parameters.front().value ==

@@ -74,9 +74,15 @@ TEST_CASE("a wrist that hides nothing is told to leave nothing over") {
 TEST_CASE("what the library lacks in a wrist is no noise, be it at one motor alone") {
   // A wrist that drags or sags, or one motor with play. Planted defect: with the dependences that
   // all motors share alone (complete() in wrist_subject.cpp) one motor's play is told as noise.
-  for (const std::uint64_t seed : {301U, 307U}) {
+  struct Lacking {
+    std::uint64_t seed;
+    const char *cause, *place;
+  };
+  for (const auto& [seed, cause, place] :
+       {Lacking{301, "drag", "wrist"}, Lacking{307, "loose", "motor 5"}}) {
     const Outcome o = diagnose_wrist({seed, "wrist", truth::Family::outside, 10.0});
     INFO("seed " << seed << " hidden:" << o.hidden() << ", told:" << o.told());
+    REQUIRE(o.hides(cause, place, 10.0));
     CHECK(o.findings.verdict.unexplained.none_of_the_known);
     CHECK(o.false_names == 0);
   }
