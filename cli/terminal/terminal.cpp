@@ -20,10 +20,6 @@ void tell_json(const nlohmann::ordered_json& json) {
   put_readable(stdout, json_text(json));
 }
 
-void warn_of(const std::exception& error) {
-  warn("sinew: {}\n", message_lines(error.what()));
-}
-
 void show_progress(std::string_view text) {
   const std::string line = "\r\033[K" + readable_line(text);
   std::fwrite(line.data(), 1, line.size(), stderr);

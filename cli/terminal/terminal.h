@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include <cstdio>
-#include <exception>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <string_view>
@@ -33,9 +32,6 @@ void tell_json(const nlohmann::ordered_json& json);
 
 /// The same as text, for a file.
 std::string json_text(const nlohmann::ordered_json& json);
-
-/// "sinew: what is wrong" on standard error, of readable length.
-void warn_of(const std::exception& error);
 
 /// Writes over the line of a terminal where progress is shown; "" clears it.
 void show_progress(std::string_view text);
