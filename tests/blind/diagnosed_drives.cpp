@@ -95,7 +95,7 @@ TEST_CASE("study: drives play the motion asked for", "[.study]") {
   blind::settling_study(settle_drive, "drive");
 }
 
-TEST_CASE("causes hidden in drives are named from the logs alone") {
+TEST_CASE("causes hidden in drives are named from the logs alone", "[slow]") {
   // Seeds in a row, one cause each as large as the noise. docs/blind_trials.md has the rates of
   // many more; this is to see that they have not become worse. Planted defect: without
   // look_at_standstills (diagnose.cpp) seed 2005, a sensor's play, is told to hide nothing; with
@@ -112,7 +112,7 @@ TEST_CASE("causes hidden in drives are named from the logs alone") {
   CHECK(rates.all_inside >= 11);
 }
 
-TEST_CASE("causes that were missed once are found") {
+TEST_CASE("causes that were missed once are found", "[slow]") {
   // A load that falls through the gap (90032: without "loaded_backlash" in add_library it is called
   // gear elasticity), and a nuisance fitted to nothing that ruins held-out stretches (400030:
   // without settle_nuisances in select.cpp nothing is said). A sensor's low-pass that logs
@@ -134,7 +134,7 @@ TEST_CASE("causes that were missed once are found") {
   }
 }
 
-TEST_CASE("what one log cannot tell apart the motion asked for does") {
+TEST_CASE("what one log cannot tell apart the motion asked for does", "[slow]") {
   // Pairs that look the same in the logs handed over. 443001 also needs the held-out gain of load
   // friction beside the friction level as adopted: held-out logs under one load show none beside a
   // deviation that is free (seen to fail with gain_on_held_out of the search's model alone).
@@ -159,7 +159,7 @@ TEST_CASE("what one log cannot tell apart the motion asked for does") {
   CHECK(settled == 4);
 }
 
-TEST_CASE("a drive that hides nothing is told to leave nothing over") {
+TEST_CASE("a drive that hides nothing is told to leave nothing over", "[slow]") {
   const blind::Rates rates =
       blind::run(diagnose_drive, {5000, "drive", truth::Family::nothing, 1.0}, 12,
                  [](std::uint64_t seed, const Outcome& o) {
@@ -170,7 +170,7 @@ TEST_CASE("a drive that hides nothing is told to leave nothing over") {
   CHECK(rates.false_names == 0);
 }
 
-TEST_CASE("a cause outside the library is structure without a name") {
+TEST_CASE("a cause outside the library is structure without a name", "[slow]") {
   // Tight spots, soft stops, hums, friction that swings or remembers: nothing the library has.
   // Planted defect: with the flexible families left out of the screening (Scope::nameable in
   // unexplained.cpp) two of these get a wrong name and one is not seen.
@@ -184,7 +184,7 @@ TEST_CASE("a cause outside the library is structure without a name") {
   CHECK(rates.trials_with_false_name <= 1);
 }
 
-TEST_CASE("a cause of which neither size nor form is known is not named") {
+TEST_CASE("a cause of which neither size nor form is known is not named", "[slow]") {
   // A hum. Planted defect: without drop_undetermined (select.cpp) it is a backlash whose gap is
   // known to 4e7 rad.
   const Outcome o = diagnose_drive({310015, "drive", truth::Family::outside, 1.0});

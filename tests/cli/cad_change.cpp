@@ -216,12 +216,13 @@ TEST_CASE("without values from before the summary says so", "[cad]") {
   CHECK(fresh.says("functions are new"));
 }
 
-TEST_CASE("figures follow a wrist's new width", "[cad]") {
+TEST_CASE("figures follow a wrist's new width", "[cad][slow]") {
   if (std::string output; reference::run_program({"gnuplot", "--version"}, output) != 0)
     return sinew::test::skip("gnuplot is not installed (gnuplot-nox)");
   const CadOffice here;
   const auto draw = [&](const std::string& out) {
-    return here.sinew({"figures", "--out", out, "--runtime", source + "/runtime"});
+    return here.sinew({"figures", "--chapter", "5", "--chapter", "6", "--out", out, "--runtime",
+                       source + "/runtime"});
   };
   REQUIRE(draw("before").status == 0);
   here.change("models/wrist/part.toml", "width = { value = 0.042", "width = { value = 0.043");

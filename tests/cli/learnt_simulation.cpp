@@ -122,7 +122,7 @@ std::string value_of(const std::string& kind, const std::string& name, double va
 // In all of them the planted defect is the one that was there: build_plant() without add_drives()
 // and with_identified(). The simulation's error is then the same before and after.
 
-TEST_CASE("a motor's friction that was learnt acts in its simulation") {
+TEST_CASE("a motor's friction that was learnt acts in its simulation", "[learnt]") {
   const Loop loop("motor");
   loop.copy_models();
   loop.hide(entry("coulomb_asymmetry", "motor", value_of("coefficient", "difference", 0.2, "N*m")));
@@ -179,7 +179,8 @@ std::string arm_scenario(double phase, bool elbow) {
 
 }  // namespace
 
-TEST_CASE("an imported arm's payload and friction that were learnt act in its simulation") {
+TEST_CASE("an imported arm's payload and friction that were learnt act in its simulation",
+          "[learnt]") {
   // Its friction has no law over the velocity in the file: a bristle's state is learnt with it.
   const Loop loop("arm");
   fs::remove_all(loop.path("models"));
@@ -204,7 +205,7 @@ TEST_CASE("an imported arm's payload and friction that were learnt act in its si
     CHECK(after[c].at("open_loop").get<double>() < 0.3 * before[c].at("open_loop").get<double>());
 }
 
-TEST_CASE("a joint that does not move stops nothing: it is held, and said") {
+TEST_CASE("a joint that does not move stops nothing: it is held, and said", "[learnt]") {
   // Planted defects: without hold_still_joints() (cli/driven_request.cpp) the log is refused for
   // its constant channel; without Scenario::held the replay drops the lower link.
   const Loop loop("arm");
@@ -266,7 +267,8 @@ force = { value = 0.1, unit = "N" }
 
 }  // namespace
 
-TEST_CASE("a finger's payload and guiding friction that were learnt act in its simulation") {
+TEST_CASE("a finger's payload and guiding friction that were learnt act in its simulation",
+          "[learnt]") {
   // The forces are given, as they were measured, and joints compared over short windows: under
   // given forces a finger does not stay where it is.
   const Loop loop("index");
@@ -339,7 +341,8 @@ class RigLog {
 
 }  // namespace
 
-TEST_CASE("what a lever's and a wrist's calibration taught acts in what their models say") {
+TEST_CASE("what a lever's and a wrist's calibration taught acts in what their models say",
+          "[learnt]") {
   // Planted defect: replayed_rig() without the folder's identified.toml: the same before and after.
   struct Rig {
     const char* model;
