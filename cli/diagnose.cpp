@@ -14,6 +14,7 @@
 #include "cli/driven_request.h"
 #include "cli/model_folder.h"
 #include "cli/runtime_folder.h"
+#include "cli/terminal/terminal.h"
 #include "generator/outputs/unfinished_run.h"
 #include "generator/write.h"
 #include "identification/adoption/diagnose.h"
@@ -47,10 +48,10 @@ class Progress {
  public:
   explicit Progress(bool wanted) : shown_(wanted && ::isatty(STDERR_FILENO)) {}
   ~Progress() {
-    if (shown_) std::fputs("\r\033[K", stderr);
+    if (shown_) show_progress("");
   }
   void operator()(const std::string& step, double share) const {
-    if (shown_) fmt::print(stderr, "\r\033[K[{:3.0f} %] {}", 100.0 * share, step);
+    if (shown_) show_progress(fmt::format("[{:3.0f} %] {}", 100.0 * share, step));
   }
 
  private:
@@ -166,10 +167,10 @@ int run(DiagnoseOptions o) {
   }
   write_results(o, diagnosis);
   if (o.json)
-    fmt::print("{}", findings_json(diagnosis.findings));
+    tell("{}", findings_json(diagnosis.findings));
   else
-    fmt::print("{}\nReport: {}\n", report_text(diagnosis.findings),
-               (fs::path(o.out) / "report.html").string());
+    tell("{}\nReport: {}\n", report_text(diagnosis.findings),
+         (fs::path(o.out) / "report.html").string());
   return diagnosis.findings.verdict.nothing_beyond_noise() ? 0 : 1;
 }
 

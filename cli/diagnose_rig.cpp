@@ -2,7 +2,6 @@
 #include "cli/diagnose_rig.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <stdexcept>
@@ -11,6 +10,7 @@
 #include "identification/logs/csv_rows.h"
 #include "identification/subjects/lever_subject.h"
 #include "identification/subjects/wrist_subject.h"
+#include "symbolic/files/readable.h"
 
 namespace sinew {
 namespace {
@@ -47,7 +47,7 @@ void require_motors(const std::vector<int>& tendons, const std::vector<std::stri
     if (logged_tendons(kMostMotors, {headers[f]}, map).empty())
       throw std::invalid_argument(fmt::format(
           "{}:1: a wrist's log needs {}; the header has: {}. --map theta_1=name says which it is",
-          files[f], wanted, fmt::join(headers[f], ", ")));
+          files[f], wanted, listed(headers[f])));
   throw std::invalid_argument(fmt::format("the logs have no motor in common: all need {}", wanted));
 }
 

@@ -5,11 +5,12 @@
 
 #include <CLI/CLI.hpp>
 
+#include "cli/terminal/terminal.h"
 #include "symbolic/effects/effects.h"
 #include "symbolic/effects/model_effects.h"
 #include "symbolic/extension/lever_effects.h"
-#include "symbolic/notation/print_mathml.h"
 #include "symbolic/extension/wrist_effects.h"
+#include "symbolic/notation/print_mathml.h"
 
 namespace sinew {
 namespace {
@@ -64,38 +65,39 @@ std::string entry(const ObservationEffect& effect) {
 }
 
 void print_efforts() {
-  fmt::print(
+  tell(
       "<!-- SPDX-License-Identifier: GPL-3.0-or-later -->\n# Effects\n\n"
       "What a diagnosis knows, as `symbolic/effects/`, `symbolic/extension/lever_effects.cpp` and "
-      "`symbolic/extension/wrist_effects.cpp`\nhave it. The page is the output of `sinew effects`.\nEfforts "
+      "`symbolic/extension/wrist_effects.cpp`\nhave it. The page is the output of `sinew "
+      "effects`.\nEfforts "
       "count positive where they have to be provided: q, qd, qdd are position, velocity and "
       "acceleration,\nqdddd the acceleration's second derivative, load an external effort against "
       "the motion, direction the\ndirection of friction (-1..1), t the time, step the sampling "
       "period.\n");
-  for (const Effect& effect : effects()) fmt::print("{}", entry(effect));
+  for (const Effect& effect : effects()) tell("{}", entry(effect));
 }
 
 void print_whole_models() {
-  fmt::print(
+  tell(
       "\n# Of the model as a whole\n\n"
       "model is the effort of the model under test, model_rate its derivative by time, model_slope "
       "the one by the\nposition that the sensor shows.\n");
-  for (const ModelEffect& effect : model_effects()) fmt::print("{}", entry(effect));
+  for (const ModelEffect& effect : model_effects()) tell("{}", entry(effect));
 }
 
 void print_rigs() {
-  fmt::print(
+  tell(
       "\n# At a lever and its tendon on their calibration rig\n\n"
       "f is the lever's force, x its elongation, z the side of its loop (-1..1), alpha the bending "
       "angle between\nlever and load cell, direction the side that the guides' friction is on. A "
       "sensor whose steps are coarse is\nfound as well.\n");
-  for (const ObservationEffect& effect : LeverEffects(0.0).all()) fmt::print("{}", entry(effect));
-  fmt::print(
+  for (const ObservationEffect& effect : LeverEffects(0.0).all()) tell("{}", entry(effect));
+  tell(
       "\n# At a wrist\n\n"
       "theta is a motor's angle, h a tendon's length, turned how far the tendon is bent from the "
       "reference pose. A\nsensor whose steps are coarse is found as well; the first motor stands "
       "for all.\n");
-  for (const ObservationEffect& effect : WristEffects(1).all()) fmt::print("{}", entry(effect));
+  for (const ObservationEffect& effect : WristEffects(1).all()) tell("{}", entry(effect));
 }
 
 }  // namespace

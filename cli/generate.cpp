@@ -14,6 +14,7 @@
 #include "cli/model_folder.h"
 #include "cli/model_set.h"
 #include "cli/target_options.h"
+#include "cli/terminal/terminal.h"
 #include "generator/outputs/unfinished_run.h"
 #include "generator/write.h"
 
@@ -140,24 +141,22 @@ nlohmann::ordered_json model_json(const Derived& d, const std::vector<Derived>& 
 }
 
 void tell_remarks(const Derived& d) {
-  for (const std::string& remark : d.remarks)
-    fmt::print(stderr, "note: {}: {}\n", d.model.name, remark);
+  for (const std::string& remark : d.remarks) warn("note: {}: {}\n", d.model.name, remark);
 }
 
 void report_generated(const std::vector<Derived>& run, bool json) {
   if (json) {
     nlohmann::ordered_json models = nlohmann::ordered_json::array();
     for (const Derived& d : run) models.push_back(model_json(d, run));
-    fmt::print("{}\n", run.size() == 1 ? models[0].dump(2)
-                                       : nlohmann::ordered_json{{"models", models}}.dump(2));
+    tell_json(run.size() == 1 ? models[0] : nlohmann::ordered_json{{"models", models}});
     return;
   }
   for (const Derived& d : run) {
     tell_remarks(d);
-    fmt::print("{}: {} functions written to {} in {:.2f} s\n{}", d.model.name,
-               d.model.functions.size(), d.out.string(), d.seconds, summary_text(d.changes));
+    tell("{}: {} functions written to {} in {:.2f} s\n{}", d.model.name, d.model.functions.size(),
+         d.out.string(), d.seconds, summary_text(d.changes));
     for (const std::filesystem::path& folder : left_behind(d, run))
-      fmt::print("  {} has to follow: sinew generate {}\n", folder.string(), word(folder.string()));
+      tell("  {} has to follow: sinew generate {}\n", folder.string(), word(folder.string()));
   }
 }
 
@@ -199,16 +198,15 @@ int run_check(const GenerateOptions& o) {
     if (o.json)
       models.push_back(check_json(d, diff, accept));
     else if (diff.empty())
-      fmt::print("{}: {} is up to date\n", d.model.name, d.out.string());
+      tell("{}: {} is up to date\n", d.model.name, d.out.string());
     else
-      fmt::print("{}\n{}:\n{}", diff, d.model.name, summary_text(d.changes));
+      tell("{}\n{}:\n{}", diff, d.model.name, summary_text(d.changes));
   }
   if (o.json)
-    fmt::print("{}\n", run.size() == 1 ? models[0].dump(2)
-                                       : nlohmann::ordered_json{{"models", models}}.dump(2));
+    tell_json(run.size() == 1 ? models[0] : nlohmann::ordered_json{{"models", models}});
   else if (!differing.empty())
-    fmt::print("{} differs from what the model gives now. To accept the change:\n  {}\n", differing,
-               accept);
+    tell("{} differs from what the model gives now. To accept the change:\n  {}\n", differing,
+         accept);
   return differing.empty() ? 0 : 1;
 }
 

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -11,9 +12,11 @@
 #include "cli/identify_experiments.h"
 #include "cli/identify_logs.h"
 #include "cli/model_folder.h"
-#include "cli/report_stream.h"
+#include "cli/terminal/report_stream.h"
+#include "cli/terminal/terminal.h"
 #include "generator/outputs/unfinished_run.h"
 #include "generator/write.h"
+#include "identification/logs/model_channels.h"
 #include "symbolic/parts/part.h"
 
 namespace sinew {
@@ -27,6 +30,8 @@ struct IdentifyOptions {
   bool repair = false, json = false;
 };
 
+constexpr const char* log_experiments[]{"friction", "inertia", "ripple", "lever"};
+
 std::vector<ChannelSpec> channels_of(const std::string& experiment) {
   if (experiment == "lever") return lever_channels();
   std::vector<ChannelSpec> channels = rotary_drive_channels();
@@ -38,6 +43,27 @@ std::vector<ChannelSpec> channels_of(const std::string& experiment) {
     channels.push_back(controller);
   }
   return channels;
+}
+
+bool names_one_of(const std::vector<ChannelSpec>& channels, const std::string& line) {
+  return std::any_of(channels.begin(), channels.end(), [&](const ChannelSpec& channel) {
+    return line.starts_with(channel.name + "=");
+  });
+}
+
+/// What --map and the model's channels.toml say. That file is of all logs of the model: its lines
+/// about channels that only another experiment has are of no concern here.
+std::vector<std::string> maps_of(const IdentifyOptions& o) {
+  std::vector<std::string> maps = mapped_channels(o.model, o.map);
+  const auto of_others = [&](const std::string& line) {
+    if (names_one_of(channels_of(o.experiment), line)) return false;
+    return std::any_of(std::begin(log_experiments), std::end(log_experiments),
+                       [&](const char* other) { return names_one_of(channels_of(other), line); });
+  };
+  maps.erase(std::remove_if(maps.begin() + static_cast<std::ptrdiff_t>(o.map.size()), maps.end(),
+                            of_others),
+             maps.end());
+  return maps;
 }
 
 const LeverParameters* lever_of(const Part& part) {
@@ -70,7 +96,7 @@ IdentifyReport identify(const IdentifyOptions& o, std::vector<Log>& logs) {
     require(lever != nullptr, o, "a lever");
   else
     require(motor != nullptr, o, "a motor");
-  logs = read_experiment_logs(o.logs, o.map, channels_of(o.experiment), o.repair);
+  logs = read_experiment_logs(o.logs, maps_of(o), channels_of(o.experiment), o.repair);
   if (o.experiment == "lever") return report_lever(logs, *lever, !o.emit.empty());
   if (o.experiment == "friction") return report_friction(logs, *motor);
   return o.experiment == "inertia" ? report_inertia(logs, *motor) : report_ripple(logs, *motor);
@@ -89,15 +115,15 @@ Json sources_of(const std::vector<Log>& logs) {
 
 void print_value(std::FILE* to, const std::string& name, const Json& value) {
   if (value.is_object() && value.contains("standard_error"))
-    fmt::print(to, "{}: {:.6g} +- {:.2g}\n", name, value["value"].get<double>(),
-               value["standard_error"].get<double>());
+    print_to(to, "{}: {:.6g} +- {:.2g}\n", name, value["value"].get<double>(),
+             value["standard_error"].get<double>());
   else if (value.is_object())
     for (const auto& [inner, each] : value.items()) print_value(to, name + "." + inner, each);
   else if (value.is_array() && !value.empty() && value.front().is_object())
     for (std::size_t i = 0; i < value.size(); ++i)
       print_value(to, fmt::format("{}[{}]", name, i), value[i]);
   else
-    fmt::print(to, "{}: {}\n", name, value.dump());
+    print_to(to, "{}: {}\n", name, value.dump(-1, ' ', false, Json::error_handler_t::replace));
 }
 
 /// What the command reads. Throws std::runtime_error where an output cannot be written.
@@ -114,7 +140,7 @@ Inputs inputs_of_experiment(const IdentifyOptions& o) {
 }
 
 void write_identified(const IdentifyOptions& o, Inputs inputs, const IdentifyReport& report,
-                   const std::string& text) {
+                      const std::string& text) {
   Outputs outputs;
   outputs.protect(std::move(inputs));
   outputs.file(o.out, text);
@@ -126,8 +152,8 @@ void write_identified(const IdentifyOptions& o, Inputs inputs, const IdentifyRep
 void print_report(const IdentifyOptions& o, const IdentifyReport& report) {
   std::FILE* to = stream_of_report(o.out);
   for (const auto& [name, value] : report.results.items()) print_value(to, name, value);
-  for (const std::string& text : report.missing) fmt::print(to, "not identified: {}\n", text);
-  fmt::print(to, "written to {}\n", o.out);
+  for (const std::string& text : report.missing) print_to(to, "not identified: {}\n", text);
+  print_to(to, "written to {}\n", o.out);
 }
 
 int run_identify(const IdentifyOptions& o) {
@@ -137,9 +163,9 @@ int run_identify(const IdentifyOptions& o) {
   const Json whole{
       {"model", o.model},          {"experiment", o.experiment}, {"identified", report.identified},
       {"results", report.results}, {"missing", report.missing},  {"logs", sources_of(logs)}};
-  write_identified(o, std::move(inputs), report, whole.dump(2) + "\n");
+  write_identified(o, std::move(inputs), report, json_text(whole));
   if (o.json)
-    fmt::print("{}\n", whole.dump(2));
+    tell_json(whole);
   else
     print_report(o, report);
   return report.identified ? 0 : 1;

@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "cli/terminal/terminal.h"
 #include "generator/outputs/outputs.h"
 #include "generator/outputs/unfinished_run.h"
 #include "symbolic/model/read_urdf.h"
@@ -28,12 +29,12 @@ struct ImportOptions {
 
 void report_as_text(const Mechanism& mechanism, const ImportOptions& options,
                     const std::vector<std::string>& notes) {
-  for (const std::string& note : notes) fmt::print(stderr, "note: {}\n", note);
-  fmt::print("{}: robot '{}' with {} bodies, {} moving joints:", options.out, mechanism.name,
-             mechanism.bodies.size(), coordinate_count(mechanism));
+  for (const std::string& note : notes) warn("note: {}\n", note);
+  tell("{}: robot '{}' with {} bodies, {} moving joints:", options.out, mechanism.name,
+       mechanism.bodies.size(), coordinate_count(mechanism));
   for (const Joint& joint : mechanism.joints)
-    if (joint.type != JointType::fixed) fmt::print(" {}", joint.name);
-  fmt::print("\nnext: sinew generate {}\n", options.out);
+    if (joint.type != JointType::fixed) tell(" {}", joint.name);
+  tell("\nnext: sinew generate {}\n", options.out);
 }
 
 void report_as_json(const Mechanism& mechanism, const ImportOptions& options,
@@ -45,8 +46,7 @@ void report_as_json(const Mechanism& mechanism, const ImportOptions& options,
   for (const Joint& joint : mechanism.joints)
     if (joint.type != JointType::fixed) report["coordinates"].push_back(joint.name);
   report["notes"] = notes;
-  const auto replace = nlohmann::json::error_handler_t::replace;  // names may be any bytes
-  fmt::print("{}\n", report.dump(2, ' ', false, replace));
+  tell_json(report);
 }
 
 /// Ready to take the model's folder. Throws std::runtime_error where that is in use.
@@ -68,7 +68,7 @@ Outputs outputs_for(const ImportOptions& options) {
 int import_robot(const ImportOptions& options) {
   const Eigen::Vector3d gravity(options.gravity.data());
   if (!gravity.allFinite()) {
-    fmt::print(stderr, "sinew import: --gravity is not finite; expected 3 finite numbers\n");
+    warn("sinew import: --gravity is not finite; expected 3 finite numbers\n");
     return 2;
   }
   std::vector<std::string> notes;

@@ -11,6 +11,7 @@
 #include "cli/model_folder.h"
 #include "cli/reduced_models.h"
 #include "cli/target_options.h"
+#include "cli/terminal/terminal.h"
 #include "generator/cost.h"
 #include "generator/dump.h"
 #include "generator/lower.h"
@@ -39,19 +40,18 @@ nlohmann::ordered_json cost_json(const Cost& c, const Target& target) {
 }
 
 void print_cost_heading(const Target& target) {
-  fmt::print("{:<24} {:>7} {:>6} {:>6} {:>6} {:>6} {:>6} {:>7} {:>6}{}{}\n", "function", "mul+add",
-             "mul", "add", "neg", "div", "sqrt", "sincos", "other", target.fused ? "  fused" : "",
-             target.optimise == Optimise::size ? "  copies" : "");
+  tell("{:<24} {:>7} {:>6} {:>6} {:>6} {:>6} {:>6} {:>7} {:>6}{}{}\n", "function", "mul+add", "mul",
+       "add", "neg", "div", "sqrt", "sincos", "other", target.fused ? "  fused" : "",
+       target.optimise == Optimise::size ? "  copies" : "");
 }
 
 void print_cost(const std::string& function, const Graph& graph, const Target& target) {
   const Cost c = count_operations(graph);
-  fmt::print("{:<24} {:>7} {:>6} {:>6} {:>6} {:>6} {:>6} {:>7} {:>6}", function, c.operations(),
-             c.multiply, c.add, c.negate, c.divide, c.square_root, c.sincos, c.other);
-  if (target.fused) fmt::print(" {:>6}", c.fused);
-  if (target.optimise == Optimise::size)
-    fmt::print(" {:>7}", shared_functions(graph, target).size());
-  fmt::print("\n");
+  tell("{:<24} {:>7} {:>6} {:>6} {:>6} {:>6} {:>6} {:>7} {:>6}", function, c.operations(),
+       c.multiply, c.add, c.negate, c.divide, c.square_root, c.sincos, c.other);
+  if (target.fused) tell(" {:>6}", c.fused);
+  if (target.optimise == Optimise::size) tell(" {:>7}", shared_functions(graph, target).size());
+  tell("\n");
 }
 
 void print_costs(const std::vector<Function>& functions, const Target& target, bool json) {
@@ -69,7 +69,7 @@ void print_costs(const std::vector<Function>& functions, const Target& target, b
     row["function"] = function.name;
     report.push_back(row);
   }
-  if (json) fmt::print("{}\n", report.dump(2));
+  if (json) tell_json(report);
 }
 
 /// For every pass: operations of all functions with that pass left out, less those with all. A
@@ -88,8 +88,8 @@ void print_pass_gains(const std::vector<Function>& functions, const Target& targ
   const int all = total({});
   nlohmann::ordered_json report{{"multiply_add", all}, {"gains", nlohmann::ordered_json::array()}};
   if (!json)
-    fmt::print("{:<24} {:>18}\nall passes on: {} multiplications and additions in {} functions\n",
-               "pass left out", "mul+add more", all, functions.size());
+    tell("{:<24} {:>18}\nall passes on: {} multiplications and additions in {} functions\n",
+         "pass left out", "mul+add more", all, functions.size());
   std::set<std::string> seen;
   for (const Pass& pass : pipeline(target)) {
     if (!seen.insert(pass.name).second) continue;
@@ -97,9 +97,9 @@ void print_pass_gains(const std::vector<Function>& functions, const Target& targ
     if (json)
       report["gains"].push_back({{"pass", pass.name}, {"multiply_add", more}});
     else
-      fmt::print("{:<24} {:>18}\n", pass.name, more);
+      tell("{:<24} {:>18}\n", pass.name, more);
   }
-  if (json) fmt::print("{}\n", report.dump(2));
+  if (json) tell_json(report);
 }
 
 const Mechanism& mechanism_of(const ModelFolder& folder) {
@@ -113,8 +113,8 @@ const Mechanism& mechanism_of(const ModelFolder& folder) {
 void print_reduced(const ModelFolder& folder, bool json) {
   nlohmann::ordered_json report = nlohmann::ordered_json::array();
   if (!json)
-    fmt::print("{:<34} {:<17} {:>7} {:>7} {:>9} {:>9}\n", "left out", "function", "mul+add", "left",
-               "rms error", "largest");
+    tell("{:<34} {:<17} {:>7} {:>7} {:>9} {:>9}\n", "left out", "function", "mul+add", "left",
+         "rms error", "largest");
   for (const ReducedModel& r : reduced_models(mechanism_of(folder))) {
     if (json)
       report.push_back({{"left_out", r.left_out},
@@ -124,13 +124,13 @@ void print_reduced(const ModelFolder& folder, bool json) {
                         {"rms_error", r.rms_error},
                         {"largest_error", r.largest_error}});
     else
-      fmt::print("{:<34} {:<17} {:>7} {:>7} {:>7.2f} % {:>7.1f} %\n", r.left_out, r.function,
-                 r.operations, r.reduced_operations, 100.0 * r.rms_error, 100.0 * r.largest_error);
+      tell("{:<34} {:<17} {:>7} {:>7} {:>7.2f} % {:>7.1f} %\n", r.left_out, r.function,
+           r.operations, r.reduced_operations, 100.0 * r.rms_error, 100.0 * r.largest_error);
   }
   if (json)
-    fmt::print("{}\n", report.dump(2));
+    tell_json(report);
   else
-    fmt::print(
+    tell(
         "Errors at the worst joint, of the whole torque's rms there; rates and accelerations up to "
         "a "
         "quarter of the model's largest.\n");
@@ -193,7 +193,7 @@ void run_dump(const InspectOptions& o) {
     names += (names.empty() ? "" : ", ") + function.name;
     if (function.name != o.function) continue;
     const Graph graph = graph_after(function, o.after, target);
-    fmt::print("{}", o.dot ? dump_dot(graph) : dump_text(graph));
+    tell("{}", o.dot ? dump_dot(graph) : dump_text(graph));
     return;
   }
   throw std::invalid_argument(fmt::format("--function {}: expected one of {}", o.function, names));

@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <sstream>
 
 #include "cli/clear_message.h"
 #include "cli/diagnose.h"
@@ -14,6 +15,9 @@
 #include "cli/import.h"
 #include "cli/inspect.h"
 #include "cli/simulate.h"
+#include "cli/terminal/terminal.h"
+#include "generator/outputs/interruption.h"
+#include "symbolic/files/readable.h"
 
 namespace {
 
@@ -32,17 +36,11 @@ std::string command_names(const CLI::App& app) {
   return names;
 }
 
-/// Also where standard error cannot be written: the exit code still tells.
-void complain(const char* what) noexcept {
-  std::fputs("sinew: ", stderr);
-  std::fputs(what, stderr);
-  std::fputs("\n", stderr);
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
   ::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is an error of the write, which is told
+  sinew::remove_when_interrupted();
   int exit_status = 0;
   CLI::App app{"sinew: symbolic models of tendon-driven hands, emitted as real-time C"};
   app.require_subcommand(1);
@@ -57,23 +55,29 @@ int main(int argc, char** argv) {
   sinew::add_diagnose_command(app, exit_status);
   sinew::add_effects_command(app, exit_status);
   if (argc > 1 && argv[1][0] != '-' && !has_command(app, argv[1])) {
-    fmt::print(stderr, "sinew: no command is called '{}'; expected one of {}\n", argv[1],
-               command_names(app));
+    sinew::warn("sinew: no command is called '{}'; expected one of {}\n", argv[1],
+                command_names(app));
     return wrong_usage_or_input;
   }
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : wrong_usage_or_input;
+    std::ostringstream out, complaint;
+    const int status = app.exit(error, out, complaint);
+    sinew::tell("{}", out.str());
+    sinew::warn("{}", sinew::message_lines(complaint.str()));
+    if (status != 0) return wrong_usage_or_input;
   } catch (const std::exception& error) {
-    complain(sinew::clear_message(error).c_str());
+    sinew::end_if_interrupted();
+    sinew::complain(sinew::clear_message(error));
     return wrong_usage_or_input;
   } catch (...) {
-    complain("something that was not foreseen went wrong; please report it");
+    sinew::complain("something that was not foreseen went wrong; please report it");
     return wrong_usage_or_input;
   }
+  sinew::end_if_interrupted();
   if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
-    complain("the output cannot be written");
+    sinew::complain("the output cannot be written");
     return wrong_usage_or_input;
   }
   return exit_status;

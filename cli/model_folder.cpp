@@ -8,13 +8,14 @@
 
 #include "cli/model_set.h"
 #include "generator/outputs/unfinished_run.h"
-#include "simulation/plant/learnt_model.h"
 #include "identification/logs/sha256.h"
+#include "simulation/plant/learnt_model.h"
 #include "symbolic/dynamics/coordinates.h"
 #include "symbolic/extension/driven_model.h"
 #include "symbolic/extension/identified_mechanism.h"
 #include "symbolic/extension/learnt_mass_matrix.h"
 #include "symbolic/extension/part_observation.h"
+#include "symbolic/files/readable.h"
 #include "symbolic/hand/hand_mechanism.h"
 #include "symbolic/hand/read_hand.h"
 #include "symbolic/model/read_mechanism.h"
@@ -170,7 +171,9 @@ ModelFolder open_model_folder(const fs::path& folder) {
     }
     result.model = mechanism;
   }
-  result.identity.description = description.empty() ? "Model " + result.identity.name : description;
+  // One line: it stands in comments of the emitted C and heads the report.
+  result.identity.description =
+      description.empty() ? "Model " + result.identity.name : message_part(description);
   result.identity.hash = hash_of(folder, parts);
   return result;
 }

@@ -10,8 +10,9 @@
 
 #include "cli/model_folder.h"
 #include "cli/replayed_log.h"
-#include "cli/report_stream.h"
 #include "cli/runtime_folder.h"
+#include "cli/terminal/report_stream.h"
+#include "cli/terminal/terminal.h"
 #include "simulation/plant/simulate.h"
 #include "simulation/plant/write_rows.h"
 
@@ -29,14 +30,13 @@ class RunProgress {
  public:
   explicit RunProgress(double duration) : duration_(duration), shown_(::isatty(2) != 0) {}
   ~RunProgress() {
-    if (last_ >= 0) std::fputs("\r      \r", stderr);
+    if (last_ >= 0) show_progress("");
   }
   void operator()(double time) {
     const int percent = static_cast<int>(100.0 * time / duration_);
     if (!shown_ || percent == last_) return;
     last_ = percent;
-    fmt::print(stderr, "\r{:3} %", percent);
-    std::fflush(stderr);
+    show_progress(fmt::format("{:3} %", percent));
   }
 
  private:
@@ -85,23 +85,22 @@ nlohmann::ordered_json json_of(const SimulateOptions& o, double duration, const 
 void print_summary(const SimulateOptions& o, double duration, const SimulationResult& r,
                    const std::vector<diagnosis::ReplayError>& errors) {
   std::FILE* to = stream_of_report(o.out);
-  fmt::print(to, "{}: {} rows over {} s written to {}\n", o.model, r.rows, duration, o.out);
-  fmt::print(to, "  {} steps, {} evaluations, {} Jacobians in {:.3f} s: {:.1f} x real time\n",
-             r.count.steps, r.count.evaluations, r.count.jacobians, r.seconds,
-             duration / r.seconds);
-  fmt::print(to, "  energy up to {:.4g} J; books close to {:.2g} J, powers to {:.2g}\n",
-             r.audit.largest_energy, r.audit.energy_residual, r.audit.power_residual);
+  print_to(to, "{}: {} rows over {} s written to {}\n", o.model, r.rows, duration, o.out);
+  print_to(to, "  {} steps, {} evaluations, {} Jacobians in {:.3f} s: {:.1f} x real time\n",
+           r.count.steps, r.count.evaluations, r.count.jacobians, r.seconds, duration / r.seconds);
+  print_to(to, "  energy up to {:.4g} J; books close to {:.2g} J, powers to {:.2g}\n",
+           r.audit.largest_energy, r.audit.energy_residual, r.audit.power_residual);
   for (int i = 0; i < power_count; ++i) {
     const double work = r.audit.work[static_cast<std::size_t>(i)];
-    if (work != 0.0) fmt::print(to, "  work of {}: {:.6g} J\n", name_of_power(i), work);
+    if (work != 0.0) print_to(to, "  work of {}: {:.6g} J\n", name_of_power(i), work);
   }
-  for (const auto& [name, count] : r.event_counts) fmt::print(to, "  {}: {} times\n", name, count);
+  for (const auto& [name, count] : r.event_counts) print_to(to, "  {}: {} times\n", name, count);
   if (!errors.empty())
-    fmt::print(to, "  off the logged position (rms): in open loop, within {} s\n",
-               diagnosis::prediction_window);
+    print_to(to, "  off the logged position (rms): in open loop, within {} s\n",
+             diagnosis::prediction_window);
   for (const diagnosis::ReplayError& e : errors)
-    fmt::print(to, "    {}: {:.4g} {}, {:.4g} {}\n", e.channel, e.open_loop, e.unit, e.window,
-               e.unit);
+    print_to(to, "    {}: {:.4g} {}, {:.4g} {}\n", e.channel, e.open_loop, e.unit, e.window,
+             e.unit);
 }
 
 /// A lever, a tendon or a wrist: what its model says of its sensors. False for any other model.
@@ -116,19 +115,18 @@ bool replay_rig(const SimulateOptions& o, const Inputs& inputs) {
   for (const auto& e : replay->errors)
     deviations.push_back({{"channel", e.channel}, {"unit", e.unit}, {"sensor", e.rms}});
   if (o.json) {
-    fmt::print("{}\n", nlohmann::ordered_json{{"model", o.model},
-                                              {"log", o.log},
-                                              {"out", o.out},
-                                              {"rows", replay->rows.size()},
-                                              {"deviations", deviations}}
-                           .dump(2));
+    tell_json({{"model", o.model},
+               {"log", o.log},
+               {"out", o.out},
+               {"rows", replay->rows.size()},
+               {"deviations", deviations}});
     return true;
   }
   std::FILE* to = stream_of_report(o.out);
-  fmt::print(to, "{}: {} rows written to {}\n  off the logged sensors (rms):\n", o.model,
-             replay->rows.size(), o.out);
+  print_to(to, "{}: {} rows written to {}\n  off the logged sensors (rms):\n", o.model,
+           replay->rows.size(), o.out);
   for (const auto& e : replay->errors)
-    fmt::print(to, "    {}: {:.4g} {}\n", e.channel, e.rms, e.unit);
+    print_to(to, "    {}: {:.4g} {}\n", e.channel, e.rms, e.unit);
   return true;
 }
 
@@ -172,9 +170,9 @@ void run_simulate(const SimulateOptions& o) {
   if (replayed)
     errors = diagnosis::replay_errors(replayed->replay, replayed->channels, rows, plant);
   if (replayed)
-    for (const std::string& note : replayed->notes) fmt::print(stderr, "{}\n", note);
+    for (const std::string& note : replayed->notes) warn("{}\n", note);
   if (o.json)
-    fmt::print("{}\n", json_of(o, duration, result, errors).dump(2));
+    tell_json(json_of(o, duration, result, errors));
   else
     print_summary(o, duration, result, errors);
 }

@@ -1,4 +1,4 @@
-# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-License-Identifier: BSD-2-Clause
 # The images of one model and the host program that computes what they are compared with.
 
 # sinew_expected_program(<model>): builds <expected_program> with the host's compiler from the same

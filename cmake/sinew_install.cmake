@@ -16,6 +16,7 @@ file(GLOB runtime_headers CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/runtime/*.h)
 install(FILES ${runtime_headers} DESTINATION ${header_folder})
 set_target_properties(sinew_runtime PROPERTIES EXPORT_NAME runtime)
 install(TARGETS sinew_runtime EXPORT sinew)
+list(JOIN SINEW_RUNTIME_OPTIONS " " SINEW_PC_OPTIONS)
 configure_file(${template_folder}/sinew.pc.in ${made_folder}/sinew.pc @ONLY)
 install(FILES ${made_folder}/sinew.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 

@@ -11,6 +11,7 @@
 #include "cli/figures/lever.h"
 #include "cli/figures/motor.h"
 #include "cli/figures/source_figures.h"
+#include "cli/terminal/terminal.h"
 #include "generator/outputs/unfinished_run.h"
 #include "symbolic/parts/part.h"
 
@@ -103,7 +104,7 @@ void run_figures(const FiguresOptions& o) {
   outputs.protect(inputs);
   outputs.into_folder(o.out, files);
   outputs.commit();
-  fmt::print("{} figures written to {}\n", figures.size(), o.out);
+  tell("{} figures written to {}\n", figures.size(), o.out);
 }
 
 }  // namespace

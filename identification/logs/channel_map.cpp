@@ -12,6 +12,7 @@
 
 #include "identification/logs/units.h"
 #include "symbolic/dynamics/coordinates.h"
+#include "symbolic/files/readable.h"
 #include "symbolic/model/channel_name.h"
 
 namespace sinew {
@@ -125,7 +126,7 @@ class Mapper {
           FaultKind::missing_cell, Severity::stop, 0, channel,
           fmt::format("'{}' (--map or channels.toml) does not begin with a channel of this model "
                       "({})",
-                      text, fmt::join(channel_names(), ", ")),
+                      text, listed(channel_names())),
           "write \"channel=column name [unit]\"");
       return;
     }
@@ -205,7 +206,7 @@ class Mapper {
       if (column < 0)
         report(FaultKind::missing_cell, Severity::stop, 0, s.name,
                fmt::format("--map or channels.toml asks for column '{}', the header has: {}",
-                           o->column, fmt::join(column_names(), ", ")),
+                           o->column, listed(column_names())),
                "the log is not used");
       return column;
     }
@@ -224,7 +225,7 @@ class Mapper {
     if (column < 0 && s.required)
       report(FaultKind::missing_cell, Severity::stop, 0, s.name,
              fmt::format("no column for channel '{} [{}]'; the header has: {}", s.name, s.unit,
-                         fmt::join(column_names(), ", ")),
+                         listed(column_names())),
              fmt::format("map it: --map \"{}=column name [unit]\"", s.name));
     return column;
   }
@@ -282,7 +283,7 @@ class Mapper {
     }
     if (!unused.empty())
       report(FaultKind::row_length, Severity::note, first, "",
-             fmt::format("columns that are no channel of this model: {}", fmt::join(unused, ", ")),
+             fmt::format("columns that are no channel of this model: {}", listed(unused)),
              "they stay unused");
   }
 

@@ -8,16 +8,18 @@
 #include <charconv>
 #include <cmath>
 #include <cstring>
+#include <filesystem>
 #include <limits>
 #include <stdexcept>
 
 #include "identification/logs/units.h"
+#include "symbolic/files/limits.h"
+#include "symbolic/files/readable.h"
 
 namespace sinew {
 namespace {
 
 constexpr size_t block_size = size_t{1} << 20;
-constexpr size_t longest_line = size_t{1} << 24;
 constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 
 bool is_missing_word(std::string_view text) {
@@ -89,6 +91,23 @@ int decimals_of(std::string_view cell, char decimal) {
       fmt::format("{}:0:0: cannot be read to its end; expected a readable file", path));
 }
 
+/// A log is read from its beginning more than once, which a pipe or a device does not give; and
+/// opening a pipe that nobody writes to would never return.
+void require_log_file(const std::string& path) {
+  namespace fs = std::filesystem;
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  if (!fs::exists(status)) return;  // told where it is opened
+  if (!fs::is_regular_file(status))
+    throw std::runtime_error(fmt::format(
+        "{}:0:0: is no file but {}; expected a log, written to a file", readable_line(path),
+        fs::is_directory(status) ? "a folder" : "a pipe or a device"));
+  const std::uintmax_t size = fs::file_size(path, error);
+  if (!error && size > limits::log_bytes)
+    throw std::runtime_error(fmt::format("{}:0:0: holds {} bytes; expected at most {}: divide it",
+                                         readable_line(path), size, limits::log_bytes));
+}
+
 }  // namespace
 
 std::vector<std::string> split_cells(std::string_view line, char delimiter) {
@@ -130,9 +149,11 @@ double parse_cell(std::string_view cell, char decimal, CellState& state) {
   return no_number;
 }
 
-CsvReader::CsvReader(const std::string& path) : path_(path), file_(std::fopen(path.c_str(), "rb")) {
+CsvReader::CsvReader(const std::string& path) : path_(path), shown_path_(readable_line(path)) {
+  require_log_file(path);
+  file_.reset(std::fopen(path.c_str(), "rb"));
   if (!file_)
-    throw std::runtime_error(fmt::format("{}:0:0: cannot be opened; expected a log", path));
+    throw std::runtime_error(fmt::format("{}:0:0: cannot be opened; expected a log", shown_path_));
   buffer_.resize(block_size);
   read_header();
   find_decimal_sign();
@@ -163,10 +184,10 @@ bool CsvReader::fill() {
     begin_ = 0;
   }
   if (end_ == buffer_.size()) {
-    if (buffer_.size() >= longest_line)
+    if (buffer_.size() >= limits::log_line_bytes)
       throw std::runtime_error(
-          fmt::format("{}:{}:0: a line longer than {} bytes; expected text with line ends", path_,
-                      line_ + 1, longest_line));
+          fmt::format("{}:{}:0: a line longer than {} bytes; expected text with line ends",
+                      shown_path_, line_ + 1, limits::log_line_bytes));
     buffer_.resize(2 * buffer_.size());
   }
   const size_t got = std::fread(buffer_.data() + end_, 1, buffer_.size() - end_, file_.get());
@@ -215,7 +236,7 @@ void CsvReader::read_header() {
     if (line_ == 1) {
       if (line.starts_with("\xFF\xFE") || line.starts_with("\xFE\xFF"))
         throw std::runtime_error(
-            fmt::format("{}:1:1: the file is UTF-16; expected UTF-8, save it so", path_));
+            fmt::format("{}:1:1: the file is UTF-16; expected UTF-8, save it so", shown_path_));
       if (line.starts_with("\xEF\xBB\xBF")) {
         line.remove_prefix(3);
         dialect_.byte_order_mark = true;
@@ -228,6 +249,10 @@ void CsvReader::read_header() {
     dialect_.delimiter = delimiter_of(line);
     dialect_.header = split_cells(line, dialect_.delimiter);
     dialect_.header_row = line_;
+    if (dialect_.header.size() > limits::log_columns)
+      throw std::runtime_error(
+          fmt::format("{}:{}:1: the header has {} columns; expected at most {}", shown_path_, line_,
+                      dialect_.header.size(), limits::log_columns));
     CellState state = CellState::empty;
     for (const std::string& cell : dialect_.header) {
       parse_cell(cell, '.', state);
@@ -235,12 +260,12 @@ void CsvReader::read_header() {
         throw std::runtime_error(
             fmt::format("{}:{}:1: numbers where the header was expected, '{}'; expected one row of "
                         "'name [unit]' cells before the data",
-                        path_, line_, cell));
+                        shown_path_, line_, message_part(cell)));
     }
     return;
   }
-  throw std::runtime_error(
-      fmt::format("{}:{}:1: no header; expected one row of 'name [unit]' cells", path_, line_));
+  throw std::runtime_error(fmt::format(
+      "{}:{}:1: no header; expected one row of 'name [unit]' cells", shown_path_, line_));
 }
 
 // A decimal comma can only be meant where the comma does not separate cells.

@@ -33,7 +33,8 @@ struct CsvRow {
 };
 
 /// Reads a file once, front to back. Throws std::runtime_error "file:row:column: ..." where the
-/// file cannot be opened, is UTF-16, or has no header row.
+/// file cannot be opened, is no file (a folder, a pipe, a device), is larger than a log may be
+/// (symbolic/files/limits.h), is UTF-16, or has no header row.
 class CsvReader {
  public:
   explicit CsvReader(const std::string& path);
@@ -56,7 +57,7 @@ class CsvReader {
   void find_decimal_sign();
   void parse(std::string_view line, CsvRow& row) const;
 
-  std::string path_;
+  std::string path_, shown_path_;
   std::unique_ptr<std::FILE, Closer> file_;
   std::vector<char> buffer_;
   size_t begin_ = 0, end_ = 0;

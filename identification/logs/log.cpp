@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "symbolic/files/readable.h"
+
 namespace sinew {
 namespace {
 
@@ -100,10 +102,10 @@ std::string severity_name(Severity severity) {
 }
 
 std::string message(const DataFault& fault) {
-  std::string text =
-      fmt::format("{}:{}:{}: {}", fault.file, fault.row, fault.column, fault.meaning);
+  std::string text = fmt::format("{}:{}:{}: {}", readable_line(fault.file), fault.row, fault.column,
+                                 message_part(fault.meaning));
   if (fault.count > 1) text += fmt::format(" ({} times)", fault.count);
-  if (!fault.action.empty()) text += "; " + fault.action;
+  if (!fault.action.empty()) text += "; " + message_part(fault.action);
   return text;
 }
 

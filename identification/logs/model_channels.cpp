@@ -42,13 +42,7 @@ std::vector<std::string> read_channels(const std::string& name) {
   findings.raise_if_any();
   std::map<std::string, std::string> provenance;
   const TomlFile file{name, findings, provenance};
-  std::vector<std::string> lines;
-  try {
-    lines = lines_of(toml::parse(text, name), file);
-  } catch (const toml::parse_error& error) {
-    findings.add(locate(file, error.source()), std::string(error.description()),
-                 "expected TOML 1.0");
-  }
+  std::vector<std::string> lines = lines_of(parse_toml(text, file), file);
   findings.raise_if_any();
   return lines;
 }

@@ -9,10 +9,10 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
-#include <random>
 #include <sstream>
 #include <stdexcept>
 
+#include "generator/outputs/scratch_folder.h"
 #include "identification/report/svg.h"
 #include "identification/report/thinning.h"
 
@@ -103,29 +103,6 @@ std::string script_of(const Plot& plot, const fs::path& output, std::size_t most
          "\nunset output\n";
 }
 
-/// A folder of this process alone, gone in the end.
-class Scratch {
- public:
-  Scratch() {
-    std::random_device random;
-    for (int attempt = 0; attempt < 100 && path_.empty(); ++attempt) {
-      const fs::path candidate =
-          fs::temp_directory_path() / fmt::format("sinew-figures-{:08x}{:08x}", random(), random());
-      if (fs::create_directory(candidate)) path_ = candidate;
-    }
-  }
-  ~Scratch() {
-    std::error_code ignored;
-    if (!path_.empty()) fs::remove_all(path_, ignored);
-  }
-  Scratch(const Scratch&) = delete;
-  Scratch& operator=(const Scratch&) = delete;
-  const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
-
 std::string whole(const fs::path& file) {
   std::ifstream in(file, std::ios::binary);
   std::ostringstream text;
@@ -173,8 +150,8 @@ std::string series_role(const std::string& label, std::size_t position) {
 std::vector<std::string> svg_figures(const std::vector<Plot>& plots,
                                      const std::vector<std::string>& alternatives) {
   std::vector<std::string> figures(plots.size());
-  const Scratch scratch;
-  if (plots.empty() || scratch.path().empty()) return figures;
+  if (plots.empty()) return figures;
+  const ScratchFolder scratch;
   const auto output = [&](std::size_t k) { return scratch.path() / fmt::format("{}.svg", k); };
   std::ofstream script(scratch.path() / "figures.gp", std::ios::binary);
   for (std::size_t k = 0; k < plots.size(); ++k)

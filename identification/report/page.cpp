@@ -7,12 +7,13 @@
 #include <cmath>
 
 #include "identification/report/numbers.h"
+#include "symbolic/files/readable.h"
 
 namespace sinew::diagnosis {
 
 std::string escaped(const std::string& text) {
   std::string result;
-  for (const char c : text) {
+  for (const char c : readable(text)) {
     switch (c) {
       case '<':
         result += "&lt;";

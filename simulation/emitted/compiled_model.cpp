@@ -10,6 +10,7 @@
 #include <fstream>
 #include <stdexcept>
 
+#include "generator/outputs/scratch_folder.h"
 #include "generator/write.h"
 
 namespace sinew {
@@ -31,22 +32,6 @@ int run(const std::vector<std::string>& command) {
   if (child < 0 || ::waitpid(child, &status, 0) != child || !WIFEXITED(status)) return 127;
   return WEXITSTATUS(status);
 }
-
-/// A folder that goes with the object.
-struct Scratch {
-  fs::path path;
-  Scratch() {
-    std::string name = (fs::temp_directory_path() / "sinew_XXXXXX").string();
-    if (!::mkdtemp(name.data())) throw std::runtime_error(name + ": cannot be created");
-    path = name;
-  }
-  Scratch(const Scratch&) = delete;
-  Scratch& operator=(const Scratch&) = delete;
-  ~Scratch() {
-    std::error_code ignored;
-    fs::remove_all(path, ignored);
-  }
-};
 
 void compile(const fs::path& folder, const fs::path& runtime, const fs::path& library,
              const std::vector<std::string>& more) {
@@ -83,25 +68,25 @@ CompiledModel::CompiledModel(const fs::path& folder, const fs::path& runtime)
 
 CompiledModel::CompiledModel(const EmittedModel& model, const fs::path& runtime, bool with_batch)
     : name_(model.name) {
-  const Scratch scratch;
+  const ScratchFolder scratch;
   for (const auto& [file, text] : emit_files(model)) {
-    std::ofstream out(scratch.path / file, std::ios::binary);
+    std::ofstream out(scratch.path() / file, std::ios::binary);
     out << text;
-    if (!out.flush()) throw std::runtime_error((scratch.path / file).string() + ": not written");
+    if (!out.flush()) throw std::runtime_error((scratch.path() / file).string() + ": not written");
   }
-  load(scratch.path, runtime, {"-O3", "-march=native"}, with_batch);
+  load(scratch.path(), runtime, {"-O3", "-march=native"}, with_batch);
 }
 
 void CompiledModel::load(const fs::path& folder, const fs::path& runtime,
                          std::vector<std::string> options, bool with_batch) {
-  const Scratch scratch;
+  const ScratchFolder scratch;
   const std::string stem = (folder / name_).string();
-  const fs::path library = scratch.path / "model.so";
+  const fs::path library = scratch.path() / "model.so";
   options.insert(options.end(), {stem + ".c", stem + "_catalogue.c"});
   compile(folder, runtime, library, options);
   library_ = open_library(library);
   if (with_batch) {
-    const fs::path loops = scratch.path / "batch.so";
+    const fs::path loops = scratch.path() / "batch.so";
     compile(folder, runtime, loops, {"-O3", "-march=native", stem + "_batch.c"});
     batch_ = open_library(loops);
   }

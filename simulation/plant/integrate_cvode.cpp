@@ -15,6 +15,7 @@
 
 #include "simulation/plant/integrate.h"
 #include "simulation/plant/motion_solver.h"
+#include "symbolic/files/limits.h"
 
 namespace sinew {
 namespace {
@@ -125,6 +126,27 @@ double weighted_norm(N_Vector x, N_Vector w) {
 constexpr double power_slack = 100.0;
 
 void quiet(int, const char*, const char*, char*, void*) {}
+
+/// Ends a run that no longer gets on: commands or gains so fast that the steps become ever smaller.
+class ProgressWatch {
+ public:
+  explicit ProgressWatch(const std::string& file) : file_(file) {}
+
+  void step(double time) {
+    if (++steps_ % limits::watched_steps != 0) return;
+    if (time - last_ < limits::watched_progress)
+      throw std::runtime_error(fmt::format(
+          "{}: {} steps of CVODE near {:.6g} s took the run only {:.3g} s further (expected {:g} s "
+          "or more); expected lower gains, frequencies or stiffnesses, or larger tolerances",
+          file_, limits::watched_steps, time, time - last_, limits::watched_progress));
+    last_ = time;
+  }
+
+ private:
+  const std::string& file_;
+  long steps_ = 0;
+  double last_ = 0.0;
+};
 
 /// CVODES with its vectors, matrix and solver.
 class Solver {
@@ -266,9 +288,11 @@ IntegrationCount integrate_by_cvode(Plant& plant, const IntegrationCalls& calls)
   };
   long next = 1;
   const long last = output_count(scenario);
+  ProgressWatch watch(scenario.file);
   for (const double stop : stops) {
     while (solver.time() < stop) {
       const bool at_event = solver.step(stop);
+      watch.step(solver.time());
       if (!at_event) solver.report(calls.step);
       for (; next < last && output_time(scenario, next) <= solver.time(); ++next)
         solver.show(output_time(scenario, next), calls.output);

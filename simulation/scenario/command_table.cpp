@@ -10,7 +10,9 @@
 
 #include "symbolic/files/csv_reader.h"
 #include "symbolic/files/identifier.h"
+#include "symbolic/files/limits.h"
 #include "symbolic/files/read_text.h"
+#include "symbolic/files/readable.h"
 
 namespace sinew {
 namespace {
@@ -66,7 +68,7 @@ Column read_column(const TableCell& cell, const Channels& channels, Findings& fi
     findings.add(cell.where,
                  fmt::format("the model has no command '{}'{}", column.name,
                              did_you_mean(column.name, names)),
-                 fmt::format("expected one of: {}", fmt::join(names, ", ")));
+                 fmt::format("expected one of: {}", listed(names)));
   }
   return column;
 }
@@ -130,7 +132,7 @@ void take_row(const TableRow& row, const std::vector<Column>& columns, Signals& 
 Signals read_command_table(const std::filesystem::path& file, const Channels& channels,
                            Findings& findings) {
   const std::size_t before = findings.count();
-  const std::string text = read_text(file, findings);
+  const std::string text = read_text(file, findings, limits::command_table_bytes);
   if (findings.count() > before) return {};
   const std::vector<TableRow> rows = read_csv(text, file.string(), findings);
   if (rows.size() < 2) {

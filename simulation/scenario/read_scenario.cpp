@@ -6,7 +6,9 @@
 #include "simulation/scenario/command_table.h"
 #include "simulation/scenario/scenario.h"
 #include "symbolic/files/identifier.h"
+#include "symbolic/files/limits.h"
 #include "symbolic/files/read_text.h"
+#include "symbolic/files/readable.h"
 #include "symbolic/files/toml_reader.h"
 
 namespace sinew {
@@ -37,7 +39,7 @@ void report_unknown(TomlTable& table, std::string_view key, const std::string& n
   for (const auto& [each, ignored] : known) names.push_back(each);
   table.report(key,
                fmt::format("the model has no {} '{}'{}", what, name, did_you_mean(name, names)),
-               fmt::format("expected one of: {}", fmt::join(names, ", ")));
+               fmt::format("expected one of: {}", listed(names)));
 }
 
 /// The quantities of a scenario are what its author wants, and need not say where they come from.
@@ -60,14 +62,9 @@ class ScenarioReader {
     scenario_.file = path.string();
     const std::string text = read_text(path, findings);
     findings.raise_if_any();
-    try {
-      root_ = toml::parse(text, path.string());
-      mark_as_chosen(root_);
-    } catch (const toml::parse_error& error) {
-      findings.add(locate(file_, error.source()), std::string(error.description()),
-                   "expected TOML 1.0");
-      findings.raise_if_any();
-    }
+    root_ = parse_toml(text, file_);
+    findings.raise_if_any();
+    mark_as_chosen(root_);
   }
 
   DriveMode drive_mode() {
@@ -123,8 +120,12 @@ class ScenarioReader {
     take(table, "output_rate", Dimension::frequency, scenario_.output_rate, Sign::positive, true);
     if (const auto g = table.quantity("gravity", Shape::vector, Dimension::acceleration, false))
       scenario_.gravity = Eigen::Vector3d(g->values[0], g->values[1], g->values[2]);
-    if (scenario_.duration * scenario_.output_rate > 1e8)
-      table.report("duration", "the output has more than 1e8 rows", "expected fewer");
+    if (scenario_.duration > limits::run_seconds)
+      table.report("duration", fmt::format("the run lasts {} s", scenario_.duration),
+                   fmt::format("expected at most {} s", limits::run_seconds));
+    if (scenario_.duration * scenario_.output_rate > limits::run_rows)
+      table.report("duration", fmt::format("the output has more than {:g} rows", limits::run_rows),
+                   "expected fewer");
     table.finish();
   }
 
@@ -135,6 +136,9 @@ class ScenarioReader {
     take(table, "absolute_tolerance", Dimension::none, scenario_.absolute_tolerance,
          Sign::positive);
     take(table, "step", Dimension::time, scenario_.step, Sign::positive);
+    if (scenario_.duration > limits::run_steps * scenario_.step)
+      table.report("step", fmt::format("the run has more than {:g} steps", limits::run_steps),
+                   "expected a longer step or a shorter duration");
     table.finish();
   }
 
@@ -230,6 +234,11 @@ class ScenarioReader {
     if (wave.shape == WaveShape::sine) {
       take(table, "amplitude", known->second, wave.amplitude, Sign::any, true);
       take(table, "frequency", Dimension::frequency, wave.frequency, Sign::positive, true);
+      if (wave.frequency * scenario_.duration > limits::sine_periods)
+        table.report(
+            "frequency",
+            fmt::format("the sine has more than {:g} periods in the run", limits::sine_periods),
+            "expected a lower frequency or a shorter duration");
       take(table, "phase", Dimension::angle, wave.phase);
     }
     if (wave.to <= wave.from)

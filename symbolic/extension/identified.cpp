@@ -39,7 +39,7 @@ double IdentifiedEffect::coefficient(const std::string& name) const {
 
 std::string identified_text(const Identified& identified) {
   std::string text =
-      "# SPDX-License-Identifier: GPL-3.0-or-later\n"
+      "# SPDX-License-Identifier: BSD-2-Clause\n"
       "# What measurements taught about this model; read by sinew generate. Delete an [[effect]] "
       "to\n"
       "# take it back.\n";

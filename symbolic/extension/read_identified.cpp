@@ -227,13 +227,7 @@ Identified parse_entries(const std::string& text, const std::string& name,
   Findings findings;
   std::map<std::string, std::string> provenance;
   TomlFile file{name, findings, provenance};
-  toml::table root;
-  try {
-    root = toml::parse(text, name);
-  } catch (const toml::parse_error& error) {
-    findings.add(locate(file, error.source()), std::string(error.description()),
-                 "expected TOML 1.0");
-  }
+  const toml::table root = parse_toml(text, file);
   findings.raise_if_any();
   Identified result = IdentifiedReader(observation, places).read(TomlTable(root, "", file));
   findings.raise_if_any();

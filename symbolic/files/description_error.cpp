@@ -4,7 +4,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <tuple>
+
+#include "symbolic/files/limits.h"
+#include "symbolic/files/readable.h"
 
 namespace sinew {
 namespace {
@@ -21,13 +25,18 @@ DescriptionError::DescriptionError(std::vector<std::string> messages)
     : std::runtime_error(joined(messages)), messages_(std::move(messages)) {}
 
 std::string to_text(const SourceLocation& where) {
-  if (where.line == 0) return where.file;
-  return fmt::format("{}:{}:{}", where.file, where.line, where.column);
+  const std::string file = readable_line(where.file);
+  if (where.line == 0) return file;
+  return fmt::format("{}:{}:{}", file, where.line, where.column);
 }
 
 void Findings::add(const SourceLocation& where, std::string_view wrong, std::string_view expected) {
   std::string text = fmt::format("{}: {}; {}", to_text(where), wrong, expected);
-  if (known_.insert(text).second) entries_.push_back({where, std::move(text)});
+  if (!known_.insert(std::hash<std::string>{}(text)).second) return;
+  ++count_;
+  if (entries_.size() == limits::shown_mistakes) return;
+  entries_.push_back({where, fmt::format("{}: {}; {}", to_text(where), message_part(wrong),
+                                         message_part(expected))});
 }
 
 void Findings::raise_if_any() const {
@@ -45,6 +54,9 @@ void Findings::raise_if_any() const {
                    [&](const Entry& a, const Entry& b) { return place(a) < place(b); });
   std::vector<std::string> messages;
   for (Entry& entry : sorted) messages.push_back(std::move(entry.text));
+  if (count_ > messages.size())
+    messages.push_back(fmt::format("{}: and {} more mistakes; mend these first",
+                                   to_text({files.back(), 0, 0}), count_ - messages.size()));
   throw DescriptionError(std::move(messages));
 }
 

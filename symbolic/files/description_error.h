@@ -2,10 +2,10 @@
 // Mistakes found in a description: collected, each with its place, and reported together.
 #pragma once
 
-#include <set>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <unordered_set>
 #include <vector>
 
 #include "symbolic/files/source_location.h"
@@ -23,16 +23,18 @@ class DescriptionError : public std::runtime_error {
   std::vector<std::string> messages_;
 };
 
-/// `file:line:column`, or the file alone where the line is unknown (0).
+/// `file:line:column`, escaped, or the file alone where the line is unknown (0).
 std::string to_text(const SourceLocation& where);
 
 /// Collects mistakes while a description is read, so that one run shows them all.
 class Findings {
  public:
-  /// One mistake; the same mistake at the same place is kept once.
+  /// One mistake; the same mistake at the same place is kept once. What text from outside brings
+  /// with it is escaped and shortened (message_part), and of very many mistakes the first are kept
+  /// (limits::shown_mistakes) and the others counted.
   void add(const SourceLocation& where, std::string_view wrong, std::string_view expected);
   bool any() const { return !entries_.empty(); }
-  std::size_t count() const { return entries_.size(); }
+  std::size_t count() const { return count_; }
   /// Throws DescriptionError with all messages, in the order of the files' lines, if there are any.
   void raise_if_any() const;
 
@@ -42,7 +44,8 @@ class Findings {
     std::string text;
   };
   std::vector<Entry> entries_;
-  std::set<std::string> known_;  ///< texts of the entries
+  std::unordered_set<std::size_t> known_;  ///< hashes of the texts, those not kept as well
+  std::size_t count_ = 0;
 };
 
 }  // namespace sinew

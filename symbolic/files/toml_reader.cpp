@@ -7,7 +7,11 @@
 #include <cmath>
 
 #include "symbolic/files/identifier.h"
+#include "symbolic/files/limits.h"
+#include "symbolic/files/model_name.h"
 #include "symbolic/files/origin.h"
+#include "symbolic/files/readable.h"
+#include "symbolic/files/toml_nesting.h"
 
 namespace sinew {
 namespace {
@@ -138,6 +142,21 @@ SourceLocation locate(const TomlFile& file, const toml::source_region& region) {
   return {file.name, static_cast<int>(region.begin.line), static_cast<int>(region.begin.column)};
 }
 
+toml::table parse_toml(std::string_view text, const TomlFile& file) {
+  if (const auto place = nested_deeper(text, limits::toml_nesting)) {
+    file.findings.add({file.name, place->line, place->column},
+                      fmt::format("nested deeper than {} levels", limits::toml_nesting),
+                      "expected fewer dots in a key, and fewer brackets inside brackets");
+    return {};
+  }
+  try {
+    return toml::parse(text, file.name);
+  } catch (const toml::parse_error& error) {
+    file.findings.add(locate(file, error.source()), error.description(), "expected TOML 1.0");
+    return {};
+  }
+}
+
 TomlTable::TomlTable(const toml::table& table, std::string path, TomlFile& file)
     : table_(&table), path_(std::move(path)), file_(&file) {}
 
@@ -186,6 +205,16 @@ std::optional<std::string> TomlTable::identifier(std::string_view key) {
   return name;
 }
 
+std::optional<std::string> TomlTable::model_name(std::string_view key) {
+  std::optional<std::string> name = text(key, true);
+  if (!name) return std::nullopt;
+  if (const auto why = why_not_model_name(*name)) {
+    report(key, fmt::format("{}.{} '{}' {}", path_, key, *name, *why), model_name_rule(*name));
+    return std::nullopt;
+  }
+  return name;
+}
+
 std::optional<bool> TomlTable::truth(std::string_view key) {
   const toml::node* node = find(key, false, "true or false");
   if (node == nullptr) return std::nullopt;
@@ -207,7 +236,7 @@ std::optional<double> TomlTable::number(std::string_view key) {
 std::optional<std::string> TomlTable::word(std::string_view key,
                                            const std::vector<std::string>& words,
                                            const std::string& otherwise) {
-  const std::string list = fmt::format("one of: {}", fmt::join(words, ", "));
+  const std::string list = fmt::format("one of: {}", listed(words));
   const toml::node* node = find(key, otherwise.empty(), list);
   if (node == nullptr) return otherwise.empty() ? std::nullopt : std::optional(otherwise);
   const std::optional<std::string> given = text(key, true);
@@ -314,6 +343,11 @@ std::vector<TomlTable> TomlTable::tables(std::string_view key) {
     report(key, fmt::format("{} is {}", path, type_name(*node)), expected);
     return {};
   }
+  if (array->size() > limits::entries) {
+    report(key, fmt::format("{} has {} entries", path, array->size()),
+           fmt::format("expected at most {}", limits::entries));
+    return {};
+  }
   std::vector<TomlTable> found;
   for (const toml::node& entry : *array) {
     const std::string name = fmt::format("{}[{}]", path, found.size());
@@ -337,7 +371,7 @@ void TomlTable::finish() {
         locate(*file_, key.source()),
         fmt::format("unknown key '{}'{}{}", name, path_.empty() ? "" : " in " + path_,
                     did_you_mean(name, known_)),
-        fmt::format("expected one of: {}", fmt::join(expected, ", ")));
+        fmt::format("expected one of: {}", listed(expected)));
   }
 }
 

@@ -28,6 +28,10 @@ struct TomlFile {
 
 SourceLocation locate(const TomlFile& file, const toml::source_region& region);
 
+/// The text as a table; empty, with the mistake reported, where it is no TOML 1.0 or is nested too
+/// deep (limits::toml_nesting).
+toml::table parse_toml(std::string_view text, const TomlFile& file);
+
 enum class Shape { scalar, pair, vector, matrix };
 
 /// The numbers of a quantity in SI units, row-major, and where they stand.
@@ -51,6 +55,8 @@ class TomlTable {
 
   std::optional<std::string> text(std::string_view key, bool required);
   std::optional<std::string> identifier(std::string_view key);
+  /// A name whose emitted files hide no header, too (symbolic/files/model_name.h).
+  std::optional<std::string> model_name(std::string_view key);
   std::optional<bool> truth(std::string_view key);
   /// A bare number, finite; required.
   std::optional<double> number(std::string_view key);

@@ -8,6 +8,8 @@
 #include <cmath>
 
 #include "symbolic/files/identifier.h"
+#include "symbolic/files/limits.h"
+#include "symbolic/files/readable.h"
 
 namespace sinew {
 namespace {
@@ -39,29 +41,15 @@ const TiXmlAttribute* attribute_of(const TiXmlElement& element, std::string_view
 
 }  // namespace
 
-int nesting_depth(std::string_view text) {
-  int depth = 0, deepest = 0;
-  for (std::size_t at = text.find('<'); at != std::string_view::npos; at = text.find('<', at + 1)) {
-    const std::string_view rest = text.substr(at);
-    if (rest.starts_with("<!--")) {
-      at = std::min(text.find("-->", at), text.size() - 1);
-    } else if (rest.starts_with("</")) {
-      --depth;
-    } else if (!rest.starts_with("<?") && !rest.starts_with("<!")) {
-      const std::size_t end = rest.find('>');
-      const bool is_empty = end != std::string_view::npos && end > 0 && rest[end - 1] == '/';
-      if (!is_empty) deepest = std::max(deepest, ++depth);
-    }
-  }
-  return deepest;
-}
-
 void XmlChecks::report(const TiXmlBase& node, const std::string& wrong, std::string_view expected) {
   findings_.add(place(node), wrong, expected);
 }
 
 void XmlChecks::note(const TiXmlBase& node, const std::string& what) {
-  notes_.push_back(fmt::format("{}: {}", to_text(place(node)), what));
+  if (notes_.size() < limits::shown_mistakes)
+    notes_.push_back(fmt::format("{}: {}", to_text(place(node)), message_part(what)));
+  else if (notes_.size() == limits::shown_mistakes)
+    notes_.push_back(fmt::format("{}: and more that is ignored or assumed", readable_line(file_)));
 }
 
 void XmlChecks::keep_children(TiXmlElement& parent, const Names& used, const Names& ignored) {

@@ -46,7 +46,4 @@ class XmlChecks {
   std::vector<std::string>& notes_;
 };
 
-/// Depth of nested elements: how deep a recursive reader goes.
-int nesting_depth(std::string_view text);
-
 }  // namespace sinew

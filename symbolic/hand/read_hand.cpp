@@ -6,11 +6,11 @@
 #include <charconv>
 #include <map>
 
-#include "symbolic/parts/part.h"
-#include "symbolic/model/read_mechanism.h"
 #include "symbolic/files/read_text.h"
-#include "symbolic/model/rotation.h"
 #include "symbolic/files/toml_reader.h"
+#include "symbolic/model/read_mechanism.h"
+#include "symbolic/model/rotation.h"
+#include "symbolic/parts/part.h"
 
 namespace sinew {
 namespace {
@@ -62,7 +62,7 @@ class HandReader {
 
  private:
   void read_header(TomlTable& header) {
-    result_.hand.name = header.identifier("name").value_or("");
+    result_.hand.name = header.model_name("name").value_or("");
     result_.hand.description = header.text("description", false).value_or("");
     if (const auto part = part_named(header, "wrist"))
       take<WristParameters>(header, "wrist", *part, result_.hand.wrist);
@@ -185,13 +185,7 @@ HandDescription read_hand(const fs::path& folder) {
   findings.raise_if_any();
   std::map<std::string, std::string> provenance;
   TomlFile file{name, findings, provenance};
-  toml::table root;
-  try {
-    root = toml::parse(text, name);
-  } catch (const toml::parse_error& error) {
-    findings.add(locate(file, error.source()), std::string(error.description()),
-                 "expected TOML 1.0");
-  }
+  const toml::table root = parse_toml(text, file);
   findings.raise_if_any();
   HandDescription result = HandReader(TomlTable(root, "", file), folder).read();
   std::size_t tendons = result.hand.four_bar_channels.size();

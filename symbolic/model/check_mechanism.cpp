@@ -8,6 +8,8 @@
 #include <set>
 
 #include "symbolic/files/identifier.h"
+#include "symbolic/files/limits.h"
+#include "symbolic/files/model_name.h"
 #include "symbolic/model/rotation.h"
 #include "symbolic/parts/four_bar.h"
 
@@ -22,12 +24,20 @@ class Checker {
       : mechanism_(mechanism), findings_(findings) {}
 
   void check() {
-    check_name("mechanism", mechanism_.name, here());
+    if (const auto why = why_not_model_name(mechanism_.name))
+      findings_.add(here(), fmt::format("the name of the mechanism {}", *why),
+                    model_name_rule(mechanism_.name));
     if (!mechanism_.gravity.allFinite())
       findings_.add(here(), "gravity is not finite", "expected 3 finite numbers");
     if (mechanism_.bodies.size() != mechanism_.joints.size()) {
       findings_.add(here(), "the numbers of bodies and joints differ",
                     "expected one joint for each body");
+      return;
+    }
+    if (const int moving = coordinate_count(mechanism_); moving > limits::moving_joints) {
+      findings_.add(here(), fmt::format("the mechanism has {} coordinates", moving),
+                    fmt::format("expected at most {}: fix joints, or divide the mechanism",
+                                limits::moving_joints));
       return;
     }
     if (coordinate_count(mechanism_) == 0)

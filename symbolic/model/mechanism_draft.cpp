@@ -61,7 +61,7 @@ class SectionReader {
 
   void read_header(TomlTable& table) {
     draft_.where = table.where();
-    draft_.mechanism.name = table.identifier("name").value_or("");
+    draft_.mechanism.name = table.model_name("name").value_or("");
     draft_.mechanism.description = table.text("description", false).value_or("");
     if (const auto gravity =
             table.quantity("gravity", Shape::vector, Dimension::acceleration, true))

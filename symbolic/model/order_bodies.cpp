@@ -64,7 +64,7 @@ void report_cycle(const std::string& body, const std::vector<TreeJoint>& joints,
   if (member == path.end()) return;  // ends at an unknown or unconnected body, or is known
   constexpr std::ptrdiff_t longest = 8;
   const bool is_long = path.end() - member > longest;
-  std::string chain =
+  const std::string chain =
       fmt::format("{}", fmt::join(member, is_long ? member + longest : path.end(), " <- "));
   findings.add(joints[carriers.at(at)].where,
                fmt::format("body '{}' is on a cycle: {} <- {}", at, chain, is_long ? "..." : at),

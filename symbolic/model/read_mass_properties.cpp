@@ -12,7 +12,9 @@
 
 #include "symbolic/files/csv_reader.h"
 #include "symbolic/files/identifier.h"
+#include "symbolic/files/limits.h"
 #include "symbolic/files/origin.h"
+#include "symbolic/files/readable.h"
 #include "symbolic/files/units.h"
 
 namespace sinew {
@@ -97,7 +99,7 @@ Column read_column(const TableCell& cell, Findings& findings) {
   if (column.rule == nullptr) {
     findings.add(cell.where,
                  fmt::format("unknown column '{}'{}", name, did_you_mean(name, column_names())),
-                 fmt::format("expected one of: {}", fmt::join(column_names(), ", ")));
+                 fmt::format("expected one of: {}", listed(column_names())));
   } else if (has_unit && !cell.text.ends_with(']')) {
     findings.add(cell.where, fmt::format("the unit of column '{}' does not end with ]", name),
                  fmt::format("expected '{}'", example(*column.rule)));
@@ -227,6 +229,12 @@ std::vector<MassProperties> parse_mass_properties(std::string_view text, const s
   const std::vector<TableRow> rows = read_csv(text, file, findings);
   if (rows.empty()) {
     findings.add({file, 1, 1}, "the table is empty", "expected a header row");
+    return {};
+  }
+  if (rows.size() > limits::entries + 1) {
+    findings.add(rows[limits::entries + 1].where,
+                 fmt::format("the table has {} rows", rows.size() - 1),
+                 fmt::format("expected at most {}", limits::entries));
     return {};
   }
   const std::size_t before_header = findings.count();

@@ -4,31 +4,32 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 
-#include "symbolic/model/check_mechanism.h"
 #include "symbolic/files/identifier.h"
+#include "symbolic/files/read_text.h"
+#include "symbolic/model/check_mechanism.h"
 #include "symbolic/model/mechanism_draft.h"
 #include "symbolic/model/order_bodies.h"
 #include "symbolic/model/read_mass_properties.h"
-#include "symbolic/files/read_text.h"
 
 namespace sinew {
 namespace {
 
-/// A named thing already read: its place, to report a second one of the same name.
+/// Reports every thing that has the name of an earlier one.
 template <typename Entries, typename NameOf>
 void report_duplicates(const Entries& entries, const std::string& kind, NameOf name_of,
                        Findings& findings) {
-  for (auto entry = entries.begin(); entry != entries.end(); ++entry) {
-    const auto& [name, where] = name_of(*entry);
-    for (auto earlier = entries.begin(); earlier != entry; ++earlier) {
-      if (name.empty() || name_of(*earlier).first != name) continue;
+  std::map<std::string, int> lines;
+  for (const auto& entry : entries) {
+    const auto& [name, where] = name_of(entry);
+    if (name.empty()) continue;
+    const auto [first, is_new] = lines.emplace(name, where.line);
+    if (!is_new)
       findings.add(where,
                    fmt::format("{} '{}' is defined a second time, first in line {}", kind, name,
-                               name_of(*earlier).second.line),
+                               first->second),
                    "expected different names");
-      break;
-    }
   }
 }
 
@@ -43,14 +44,9 @@ class MechanismReader {
     const std::vector<MassProperties> masses =
         parse_mass_properties(text_.csv, text_.csv_name, findings_);
     has_whole_table_ = !findings_.any();
-    toml::table root;
-    try {
-      root = toml::parse(text_.toml, text_.toml_name);
-    } catch (const toml::parse_error& error) {
-      findings_.add(locate(file_, error.source()), std::string(error.description()),
-                    "expected TOML 1.0");
-      findings_.raise_if_any();
-    }
+    const std::size_t before = findings_.count();
+    const toml::table root = parse_toml(text_.toml, file_);
+    if (findings_.count() > before) findings_.raise_if_any();
     read_sections(root, file_, draft_);
     report_all_duplicates();
     set_mass_properties(masses);

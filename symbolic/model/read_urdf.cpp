@@ -11,7 +11,9 @@
 #include <set>
 
 #include "symbolic/files/identifier.h"
+#include "symbolic/files/model_name.h"
 #include "symbolic/files/read_text.h"
+#include "symbolic/files/readable.h"
 #include "symbolic/model/check_mechanism.h"
 #include "symbolic/model/rotation.h"
 #include "symbolic/model/singular_mass_matrix.h"
@@ -48,8 +50,8 @@ class Renaming {
     for (int i = 1; !taken_.insert(name).second; ++i)
       name = fmt::format("{}_{}", start.substr(0, 58), i);
     if (name != original)
-      notes.push_back(
-          fmt::format("{}: {} '{}' is called {}", to_text(where), kind, original, name));
+      notes.push_back(message_part(
+          fmt::format("{}: {} '{}' is called {}", to_text(where), kind, original, name)));
     return name;
   }
 
@@ -94,7 +96,7 @@ class UrdfReader {
 
  private:
   void note(const SourceLocation& where, const std::string& what) {
-    notes_.push_back(fmt::format("{}: {}", to_text(where), what));
+    notes_.push_back(fmt::format("{}: {}", to_text(where), message_part(what)));
   }
 
   void note_singular_mass_matrix() {
@@ -128,7 +130,10 @@ class UrdfReader {
   }
 
   void name_mechanism() {
-    mechanism_.name = Renaming({})(outline_.robot, "robot", outline_.robot_where, notes_);
+    mechanism_.name = make_model_name(outline_.robot);
+    if (mechanism_.name != outline_.robot)
+      note(outline_.robot_where,
+           fmt::format("robot '{}' is called {}", outline_.robot, mechanism_.name));
     mechanism_.description =
         fmt::format("Robot '{}', imported from URDF", printable(outline_.robot));
     body_names_[outline_.root] = -1;

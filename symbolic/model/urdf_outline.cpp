@@ -8,12 +8,13 @@
 #include <map>
 
 #include "symbolic/files/identifier.h"
+#include "symbolic/files/limits.h"
+#include "symbolic/files/readable.h"
 #include "symbolic/files/xml_checks.h"
+#include "symbolic/files/xml_nesting.h"
 
 namespace sinew {
 namespace {
-
-constexpr int deepest_nesting = 200;  // the XML reader recurses
 
 using Names = std::vector<std::string>;
 
@@ -28,7 +29,7 @@ class OutlineReader {
     if (robot == nullptr) return outline_;
     outline_.robot = name_of(*robot);
     outline_.robot_where = xml_.place(*robot);
-    read_children(*robot);
+    if (!read_children(*robot)) return outline_;
     if (outline_.links.empty())
       xml_.report(*robot, "the robot has no link", "expected at least one <link>");
     report_duplicates();
@@ -43,10 +44,11 @@ class OutlineReader {
  private:
   bool parse(std::string_view text) {
     const std::size_t zero = text.find('\0');
-    if (zero != std::string_view::npos || nesting_depth(text) > deepest_nesting) {
+    if (zero != std::string_view::npos || nesting_depth(text) > limits::xml_nesting) {
       findings_.add({file_, 1, 1},
-                    zero != std::string_view::npos ? "the file contains a zero byte"
-                                                   : "elements are nested more than 200 deep",
+                    zero != std::string_view::npos
+                        ? std::string("the file contains a zero byte")
+                        : fmt::format("elements are nested more than {} deep", limits::xml_nesting),
                     "expected a URDF file");
       return false;
     }
@@ -110,13 +112,22 @@ class OutlineReader {
     return rpy ? Eigen::Vector3d(rpy->data()) : Eigen::Vector3d::Zero();
   }
 
-  void read_children(TiXmlElement& robot) {
+  /// False where there are more of them than can be meant.
+  bool read_children(TiXmlElement& robot) {
     xml_.keep_children(
         robot, {"link", "joint"},
         {"material", "gazebo", "transmission", "sensor", "ros2_control", "safety_controller"});
+    std::size_t count = 0;
     for (TiXmlElement* each = robot.FirstChildElement(); each != nullptr;
-         each = each->NextSiblingElement())
+         each = each->NextSiblingElement()) {
+      if (++count > 2 * limits::entries) {
+        xml_.report(*each, fmt::format("more than {} links and joints", 2 * limits::entries),
+                    "expected a smaller robot");
+        return false;
+      }
       each->ValueStr() == "link" ? read_link(*each) : read_joint(*each);
+    }
+    return true;
   }
 
   void read_link(TiXmlElement& element) {
@@ -177,7 +188,7 @@ class OutlineReader {
     static const Names moving{"revolute", "continuous", "prismatic", "fixed"};
     const char* given = joint.Attribute("type");
     const std::string type = given == nullptr ? "" : given;
-    const std::string expected = fmt::format("expected one of: {}", fmt::join(moving, ", "));
+    const std::string expected = fmt::format("expected one of: {}", listed(moving));
     if (type == "floating" || type == "planar")
       xml_.report(joint, fmt::format("a {} joint is not supported", type), expected);
     else if (std::find(moving.begin(), moving.end(), type) == moving.end())

@@ -2,8 +2,8 @@
 #include "symbolic/parts/part.h"
 
 #include "symbolic/effects/effect_functions.h"
-#include "symbolic/parts/part_sections.h"
 #include "symbolic/files/read_text.h"
+#include "symbolic/parts/part_sections.h"
 
 namespace sinew {
 namespace {
@@ -15,7 +15,7 @@ class PartReader {
 
   Part read() {
     if (auto header = root_.table("part", true)) {
-      part_.name = header->identifier("name").value_or("");
+      part_.name = header->model_name("name").value_or("");
       part_.description = header->text("description", false).value_or("");
       header->finish();
     }
@@ -90,13 +90,7 @@ Part read_part(const std::filesystem::path& folder) {
   findings.raise_if_any();
   std::map<std::string, std::string> provenance;
   TomlFile file{name, findings, provenance};
-  toml::table root;
-  try {
-    root = toml::parse(text, name);
-  } catch (const toml::parse_error& error) {
-    findings.add(locate(file, error.source()), std::string(error.description()),
-                 "expected TOML 1.0");
-  }
+  const toml::table root = parse_toml(text, file);
   findings.raise_if_any();
   Part part = PartReader(TomlTable(root, "", file), file).read();
   findings.raise_if_any();

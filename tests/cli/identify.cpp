@@ -192,3 +192,33 @@ TEST_CASE("an experiment on another part's model is refused", "[identify]") {
   check_refused(here, identify(here, motor, "guiding", {"log.csv"}),
                 "describes another part; expected a tendon's guiding");
 }
+
+TEST_CASE("identify takes what channels.toml says of the recorder", "[identify]") {
+  const Workplace here;
+  simulate(here, "constant_velocity");
+  fs::copy(motor, here.path("models/motor"), fs::copy_options::recursive);
+  const std::string log = here.text("constant_velocity.csv");
+  REQUIRE(log.starts_with("time [s],theta [rad],omega [rad/s],tau_m [N·m],"));
+  reference::write_text(here.path("recorder.csv"),
+                        with_row(log, 1, "time [s],Pos,Speed [rad/s],M soll,load,x"));
+  const auto channels = [&](const std::string& text) {
+    reference::write_text(here.path("models/motor/channels.toml"), "[channels]\n" + text);
+    return identify(here, "models/motor", "ripple", {"recorder.csv"});
+  };
+  const std::string fine = "theta = \"Pos [rad]\"\nomega = \"#3\"\n";
+  const Ended run = channels(fine + "tau_m = \"M soll [N*m]\"\n");
+  INFO(run.output);
+  CHECK(run.status == 0);
+  const std::string mapped = here.text("out.json");
+  CHECK(identify(here, motor, "ripple", {"constant_velocity.csv"}).status == 0);
+  CHECK(json::parse(mapped)["results"] == results(here));
+  fs::remove(here.path("out.json"));
+  // A channel of another experiment is of no concern, one of none is a mistake.
+  CHECK(channels(fine + "tau_m = \"M soll [N*m]\"\nforce = \"F [N]\"\n").status == 0);
+  fs::remove(here.path("out.json"));
+  check_refused(here, channels(fine + "torque = \"M soll [N*m]\"\n"), "'torque=M soll [N*m]'");
+  // --map goes before the file.
+  channels(fine + "tau_m = \"none [N*m]\"\n");
+  CHECK(identify(here, "models/motor", "ripple", {"recorder.csv"}, {"--map", "tau_m=M soll [N*m]"})
+            .status == 0);
+}

@@ -7,12 +7,19 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "symbolic/files/limits.h"
+#include "symbolic/files/readable.h"
 #include "symbolic/model/check_mechanism.h"
 #include "symbolic/model/read_mechanism.h"
 #include "symbolic/model/write_mechanism.h"
 
-/// Either messages, each with its "; expected" part, or a sound mechanism that reads back as
-/// written. Anything else ends the process.
+/// Of a message: nothing that a terminal would act upon, and a length to be read.
+inline bool is_readable(const std::string& message) {
+  return sinew::readable_line(message) == message && message.size() < 10'000;
+}
+
+/// Either messages, each readable and with its "; expected" part, or a sound mechanism that reads
+/// back as written. Anything else ends the process.
 template <typename Read>
 void require_sound_or_refused(Read read) {
   const auto fail = [](const std::string& what) {
@@ -24,9 +31,12 @@ void require_sound_or_refused(Read read) {
     mechanism = read();
   } catch (const sinew::DescriptionError& error) {
     if (error.messages().empty()) fail("refused without a message");
-    for (const std::string& message : error.messages())
+    if (error.messages().size() > sinew::limits::shown_mistakes + 1) fail("too many messages");
+    for (const std::string& message : error.messages()) {
       if (message.find("; ") == std::string::npos)
         fail("a message without expectation: " + message);
+      if (!is_readable(message)) fail("a message that is raw or endless: " + message);
+    }
     return;
   }
   try {

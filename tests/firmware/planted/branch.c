@@ -1,4 +1,4 @@
-/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-License-Identifier: BSD-2-Clause */
 /* Planted defect: a conditional branch. */
 void planted_branch(const double *in, double *out);
 void planted_branch(const double *in, double *out) {

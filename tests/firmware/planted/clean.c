@@ -1,4 +1,4 @@
-/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-License-Identifier: BSD-2-Clause */
 /* Keeps every rule. */
 static double square(double x) { return x * x; }
 void planted_clean(const double *in, double *out);

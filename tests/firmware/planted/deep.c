@@ -1,4 +1,4 @@
-/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-License-Identifier: BSD-2-Clause */
 /* Planted defect: two frames that are too large only together. The empty assembly statements keep
  * the compiler from leaving the arrays out. */
 __attribute__((noinline)) static void inner(const double *in, double *out) {

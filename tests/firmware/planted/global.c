@@ -1,4 +1,4 @@
-/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-License-Identifier: BSD-2-Clause */
 /* Planted defect: state between calls. */
 static double last;
 void planted_global(const double *in, double *out);

@@ -1,4 +1,4 @@
-/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-License-Identifier: BSD-2-Clause */
 /* Planted defect: memory from the heap. */
 #include <stdlib.h>
 void planted_heap(double **out);

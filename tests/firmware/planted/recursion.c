@@ -1,4 +1,4 @@
-/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-License-Identifier: BSD-2-Clause */
 /* Planted defect: a function that calls itself. */
 double planted_recursion(const double *in, int n);
 double planted_recursion(const double *in, int n) {

@@ -1,4 +1,4 @@
-/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-License-Identifier: BSD-2-Clause */
 /* Planted defect: the C library's sine. */
 #include <math.h>
 void planted_sine(const double *in, double *out);

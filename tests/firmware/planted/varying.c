@@ -1,4 +1,4 @@
-/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-License-Identifier: BSD-2-Clause */
 /* Planted defect: a frame whose size depends on an input. */
 void planted_varying(int size, double *out);
 void planted_varying(int size, double *out) {

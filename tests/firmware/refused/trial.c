@@ -1,4 +1,4 @@
-/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-License-Identifier: BSD-2-Clause */
 /* A model of one function, right as it stands; a macro plants one defect that the comparison of host
  * and board must refuse before it compares anything. */
 #include "sinew_catalogue.h"

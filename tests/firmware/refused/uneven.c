@@ -1,4 +1,4 @@
-/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-License-Identifier: BSD-2-Clause */
 /* Planted defect: a model whose number of instructions depends on its input. */
 #include "sinew_catalogue.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/report_stream.h"
+#include "cli/terminal/report_stream.h"
 
 #include <stdexcept>
 
