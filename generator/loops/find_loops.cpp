@@ -2,7 +2,6 @@
 #include "generator/loops/find_loops.h"
 
 #include <algorithm>
-#include <functional>
 #include <optional>
 #include <set>
 #include <stdexcept>
@@ -79,29 +78,16 @@ class Finder {
     const std::vector<Value>& values = graph_.outputs[static_cast<std::size_t>(port)].values;
     std::vector<std::uint64_t> keys;
     for (Value v : values) keys.push_back(form(v));
-    for (const Run& run : runs_of(keys))
-      keep(smallest_of(run, [&](int start, int count) {
-        std::vector<LoopRoot> roots(static_cast<std::size_t>(run.period));
-        for (int i = 0; i < run.period * count; ++i) {
-          LoopRoot& root = roots[static_cast<std::size_t>(i % run.period)];
-          root.port = port;
-          root.elements.push_back(start + i);
-          root.column.push_back(values[static_cast<std::size_t>(start + i)]);
-        }
-        return roots;
-      }));
-  }
-
-  /// Any of a period's places may come first; that one is taken which leaves the smallest body.
-  std::optional<LoopCandidate> smallest_of(
-      const Run& run, const std::function<std::vector<LoopRoot>(int start, int count)>& roots) {
-    std::optional<LoopCandidate> best;
-    for (int phase = 0; phase < run.period; ++phase) {
-      const int count = phase == 0 ? run.count : (run.count * run.period - phase) / run.period;
-      const std::optional<LoopCandidate> now = candidate(roots(run.start + phase, count));
-      if (now && (!best || now->operations() < best->operations())) best = now;
+    for (const Run& run : runs_of(keys)) {
+      std::vector<LoopRoot> roots(static_cast<std::size_t>(run.period));
+      for (int i = 0; i < run.period * run.count; ++i) {
+        LoopRoot& root = roots[static_cast<std::size_t>(i % run.period)];
+        root.port = port;
+        root.elements.push_back(run.start + i);
+        root.column.push_back(values[static_cast<std::size_t>(run.start + i)]);
+      }
+      keep(candidate(roots));
     }
-    return best;
   }
 
   /// Sums of which no other is a part, with all their terms in the order of addition.
@@ -158,22 +144,29 @@ class Finder {
     return own * 2 + (graph_[sum.partial[i]].op == Op::subtract);
   }
 
-  /// Steps of a sum that repeat.
+  /// Steps of a sum that repeat. Where several make a period any of them may come first; that one
+  /// is taken which leaves the smallest body.
   void find_steps(const Sum& sum) {
     std::vector<std::uint64_t> keys;
     for (std::size_t i = 1; i < sum.terms.size(); ++i) keys.push_back(form_of_step(sum, i));
-    for (const Run& run : runs_of(keys))
-      keep(smallest_of(run, [&](int start, int count) {
+    for (const Run& run : runs_of(keys)) {
+      std::optional<LoopCandidate> best;
+      for (int phase = 0; phase < run.period; ++phase) {
+        const int count = phase == 0 ? run.count : (run.count * run.period - phase) / run.period;
         LoopRoot root;
-        root.first =
-            sum.partial[static_cast<std::size_t>(start)];  // keys[i] leads to partial[i + 1]
+        // keys[i] belongs to the step that ends in partial[i + 1]
+        root.first = sum.partial[static_cast<std::size_t>(run.start + phase)];
         for (int k = 1; k <= count; ++k)
-          root.column.push_back(sum.partial[static_cast<std::size_t>(start + k * run.period)]);
-        return std::vector<LoopRoot>{root};
-      }));
+          root.column.push_back(
+              sum.partial[static_cast<std::size_t>(run.start + phase + k * run.period)]);
+        const std::optional<LoopCandidate> now = candidate({root});
+        if (now && (!best || now->operations() < best->operations())) best = now;
+      }
+      keep(best);
+    }
   }
 
-  /// Loops become one where their bodies have operations in common.
+  /// Loops of as many passes become one where their bodies have operations in common.
   void merge() {
     for (std::size_t i = 0; i < candidates_.size(); ++i)
       for (std::size_t k = i + 1; k < candidates_.size();) {
@@ -187,36 +180,13 @@ class Finder {
       }
   }
 
-  /// Both in one loop; of the longer one a pass or two may be left out at the ends.
   std::optional<LoopCandidate> joined(const LoopCandidate& a, const LoopCandidate& b) const {
-    constexpr int most_left_out = 2;
-    const LoopCandidate& longer = a.loop.count >= b.loop.count ? a : b;
-    const LoopCandidate& shorter = a.loop.count >= b.loop.count ? b : a;
-    const int extra = longer.loop.count - shorter.loop.count;
-    if (extra > most_left_out) return std::nullopt;
-    std::optional<LoopCandidate> best;
-    for (int skipped = 0; skipped <= extra; ++skipped) {
-      std::vector<LoopRoot> roots = shorter.roots;
-      for (const LoopRoot& root : longer.roots)
-        roots.push_back(cut(root, skipped, shorter.loop.count));
-      std::optional<LoopCandidate> now = candidate(roots);
-      if (now && (!best || now->operations() < best->operations())) best = std::move(now);
-    }
-    if (best && best->operations() + extra * longer.operations() < a.operations() + b.operations())
-      return best;
+    if (a.loop.count != b.loop.count) return std::nullopt;
+    std::vector<LoopRoot> roots = a.roots;
+    roots.insert(roots.end(), b.roots.begin(), b.roots.end());
+    std::optional<LoopCandidate> both = candidate(roots);
+    if (both && both->operations() < a.operations() + b.operations()) return both;
     return std::nullopt;
-  }
-
-  /// `count` passes, the first `skipped` left out.
-  static LoopRoot cut(const LoopRoot& root, int skipped, int count) {
-    LoopRoot part = root;
-    part.column.assign(root.column.begin() + skipped, root.column.begin() + skipped + count);
-    if (root.first != no_value && skipped > 0)
-      part.first = root.column[static_cast<std::size_t>(skipped) - 1];
-    if (root.first == no_value)
-      part.elements.assign(root.elements.begin() + skipped,
-                           root.elements.begin() + skipped + count);
-    return part;
   }
 
   /// The loops that save most first; each must save enough beside those taken before it.

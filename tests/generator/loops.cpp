@@ -58,8 +58,23 @@ Graph strands(int count, bool with_sums) {
   return graph;
 }
 
+/// Newton's iteration for the square root: each step is computed from the one before.
+Graph newton(int steps) {
+  Graph graph;
+  graph.name = "newton";
+  graph.inputs = {{"a", 1, 1, "", "", {{1.0, 9.0}}, {}}};
+  Value x = graph.make(Op::multiply, graph.constant(0.5), graph.input(0));
+  for (int i = 0; i < steps; ++i) {
+    const Value gap = graph.make(Op::subtract, graph.make(Op::multiply, x, x), graph.input(0));
+    const Value step = graph.make(Op::divide, gap, graph.make(Op::add, x, x));
+    x = graph.make(Op::subtract, x, step);
+  }
+  graph.outputs = {{"root", 1, 1, "", "", {}, {x}}};
+  return graph;
+}
+
 std::vector<Graph> samples() {
-  return {strands(12, false), strands(12, true)};
+  return {strands(12, false), strands(12, true), newton(9)};
 }
 
 template <class Real>
@@ -141,6 +156,13 @@ TEST_CASE("sums over the same strands are one loop that carries both") {
   for (const Loop& loop : plan.loops) CHECK(loop.results.size() == 2);
 }
 
+TEST_CASE("steps of an iteration are one loop that carries the iterate") {
+  const Plan plan = plan_loops(newton(9), 12);
+  CHECK(passes_of(plan) == std::vector<int>{9});
+  CHECK(operation_count(plan.loops[0].body) == 5);
+  CHECK(plan.loops[0].results.size() == 1);
+}
+
 TEST_CASE("a loop must save enough, and may not compute much twice") {
   CHECK(plan_loops(strands(12, false), 1000).loops.empty());
   const Graph graph = strands(12, false);
@@ -192,11 +214,11 @@ TEST_CASE("C with loops has the interpreter's bits") {
 
 // Planted: the first two rows of a table exchanged in the C. All 100 states differ.
 TEST_CASE("planted: exchanged rows of a table in the C are found") {
-  for (const Graph& graph : samples()) {
+  for (const Graph& graph : {strands(12, false), strands(12, true)}) {
     FileSet files = emit_files(model_of({graph}, Scalar::binary64));
     std::string& text = files.at("sample.c");
     const std::string exchanged = std::regex_replace(
-        text, std::regex(R"((table\d+\[\d+\]\[\d+\] = \{)(\{[^}]*\}), (\{[^}]*\}))"), "$1$3, $2");
+        text, std::regex(R"((table\d+\[\d+\]\[\d+\] = \{)(\{[^}]*\}),\s+(\{[^}]*\}))"), "$1$3, $2");
     REQUIRE(exchanged != text);
     text = exchanged;
     CHECK(differing<double>(graph, files) > 0);
