@@ -53,7 +53,6 @@ class SumFactoring {
     std::map<Value, int> counts;
     for (const Product& term : terms) {
       std::vector<Value> seen;
-      if (term.factors.size() < 2 && terms.size() > 0 && term.factors.empty()) continue;
       for (Value f : term.factors)
         if (std::find(seen.begin(), seen.end(), f) == seen.end()) {
           seen.push_back(f);

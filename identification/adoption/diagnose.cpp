@@ -8,20 +8,20 @@
 #include <map>
 #include <set>
 
-#include "identification/subjects/effort_consistency.h"
-#include "identification/diagnosis/explain.h"
+#include "identification/adoption/discrepancy.h"
 #include "identification/adoption/extend.h"
-#include "identification/adoption/far_off.h"
 #include "identification/adoption/held_out_judgement.h"
-#include "identification/report/log_record.h"
-#include "identification/subjects/lone_consistency.h"
 #include "identification/adoption/measure.h"
 #include "identification/adoption/motion_file.h"
 #include "identification/adoption/prediction.h"
-#include "identification/logs/read_csv.h"
+#include "identification/diagnosis/explain.h"
 #include "identification/diagnosis/sensor_play.h"
-#include "identification/subjects/tendon_consistency.h"
+#include "identification/logs/read_csv.h"
+#include "identification/report/log_record.h"
 #include "identification/report/verdict_text.h"
+#include "identification/subjects/effort_consistency.h"
+#include "identification/subjects/lone_consistency.h"
+#include "identification/subjects/tendon_consistency.h"
 #include "symbolic/effects/effects.h"
 #include "symbolic/notation/print_mathml.h"
 
@@ -53,7 +53,7 @@ class Run {
     Explanation explanation = explain_subject(subject_);
     look_at_standstills(explanation);
     merge_members(explanation.verdict);
-    set_sensor_noise_aside(explanation.verdict);
+    remove_nuisances(explanation.verdict);
     if (!request_.holdout.empty()) confirm_on_held_out(explanation.verdict);
     write_motions(explanation.verdict);
     f.verdict = explanation.verdict;
@@ -61,7 +61,7 @@ class Run {
     extend(explanation);
     describe_terms(explanation.verdict);
     f.headline = headline(f);
-    tell_far_off(far_off_, f);
+    report_discrepancies(discrepant_, f);
     f.next_step = next_step(f);
     f.seconds = std::chrono::duration<double>(Clock::now() - start).count();
     return std::move(result_);
@@ -207,7 +207,7 @@ class Run {
     for (int c = 0; c < subject_.problem().channels; ++c)
       f.channels.push_back(
           channel_finding(subject_, measured, c, noise_floor(explanation.selection, design, c)));
-    far_off_ = far_off_channels(subject_.problem(), measured, columns_, false);
+    discrepant_ = discrepant_channels(subject_.problem(), measured, columns_, false);
     add_predictions(subject_, after, f.channels);
     result_.extended = extended(request_.identified, terms);
     for (const LogRecord& log : f.logs)
@@ -230,7 +230,7 @@ class Run {
   /// a cause where they are no finer than a good encoder's and make a good part of what all other
   /// causes leave over; noise is none. What
   /// it leaves of itself passes for effects of fast motion at its place: they have to be larger.
-  void set_sensor_noise_aside(Verdict& verdict) const {
+  void remove_nuisances(Verdict& verdict) const {
     constexpr double good_part = 0.2, fast_part = 0.08;
     const auto is_noise = [&](const NamedCause& cause) {
       const std::string origin = origin_of(cause.candidate);
@@ -238,7 +238,7 @@ class Run {
     };
     const auto is_always_there = [&](const NamedCause& cause) {
       return cause.candidate >= 0 &&
-             subject_.problem().library[static_cast<std::size_t>(cause.candidate)].aside;
+             subject_.problem().library[static_cast<std::size_t>(cause.candidate)].nuisance;
     };
     const auto is_fast = [&](const NamedCause& cause) {
       const std::string& name = cause.members.front().name;
@@ -248,17 +248,17 @@ class Run {
     std::set<std::string> noisy;
     for (const NamedCause& cause : verdict.causes)
       if (is_noise(cause)) noisy.insert(cause.members.front().place);
-    const auto aside = [&](const NamedCause& cause) {
+    const auto nuisance = [&](const NamedCause& cause) {
       const double share = cause.cross_validated.share;
       if (is_noise(cause)) return share < good_part || is_always_there(cause);
       return is_fast(cause) && share < fast_part && noisy.count(cause.members.front().place) == 1;
     };
     for (const NamedCause& cause : verdict.causes)
-      if (aside(cause))
+      if (nuisance(cause))
         verdict.ruled_out.push_back({cause.members.front().name, cause.members.front().place,
                                      "no more than the position's noise, as in every measurement",
                                      cause.statistic, cause.p_family});
-    std::erase_if(verdict.causes, aside);
+    std::erase_if(verdict.causes, nuisance);
   }
 
   void describe_terms(const Verdict& verdict) {
@@ -276,7 +276,7 @@ class Run {
   std::string origin_of(int candidate) const {
     if (candidate >= 0)
       return subject_.library_origins()[static_cast<std::size_t>(candidate)].effect;
-    return subject_.level_origin(-1 - candidate).effect;
+    return subject_.deviation_origin(-1 - candidate).effect;
   }
 
   static void fill_term(const std::string& id, CauseTerm& term) {
@@ -295,7 +295,7 @@ class Run {
   const DiagnoseRequest& request_;
   DrivenSubject subject_;
   std::map<std::string, std::vector<LoggedColumn>> columns_;  ///< by file
-  std::vector<DataFault> far_off_;
+  std::vector<DataFault> discrepant_;
   Diagnosis result_;
 };
 

@@ -7,13 +7,13 @@
 #include <chrono>
 #include <map>
 
-#include "identification/diagnosis/explain.h"
-#include "identification/adoption/far_off.h"
+#include "identification/adoption/discrepancy.h"
 #include "identification/adoption/held_out_judgement.h"
-#include "identification/report/log_record.h"
 #include "identification/adoption/measure_plots.h"
 #include "identification/adoption/observed_extension.h"
+#include "identification/diagnosis/explain.h"
 #include "identification/logs/read_csv.h"
+#include "identification/report/log_record.h"
 #include "identification/report/verdict_text.h"
 #include "symbolic/notation/print_mathml.h"
 
@@ -49,7 +49,7 @@ class ObservedRun {
     extend(explanation);
     describe_terms();
     f.headline = headline(f);
-    tell_far_off(far_off_, f);
+    report_discrepancies(discrepant_, f);
     f.next_step = next_step(f);
     f.seconds = std::chrono::duration<double>(Clock::now() - start).count();
     return std::move(result_);
@@ -107,7 +107,8 @@ class ObservedRun {
         any ? extended_observation(subject_, design, explanation) : request_.identified;
     const std::vector<MeasuredChannel> measured =
         measure_observation(subject_, design, result_.extended, request_.rig.free_zero);
-    far_off_ = far_off_channels(subject_.problem(), measured, columns_, request_.rig.free_zero);
+    discrepant_ =
+        discrepant_channels(subject_.problem(), measured, columns_, request_.rig.free_zero);
     for (int c = 0; c < subject_.problem().channels; ++c)
       f.channels.push_back(channel(
           measured, c, subject_.units()(c) * noise_floor(explanation.selection, design, c)));
@@ -161,7 +162,7 @@ class ObservedRun {
   const ObservedRequest& request_;
   ObservedSubject subject_;
   std::map<std::string, std::vector<LoggedColumn>> columns_;  ///< by file
-  std::vector<DataFault> far_off_;
+  std::vector<DataFault> discrepant_;
   Diagnosis result_;
 };
 

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "identification/subjects/effect_candidate.h"
 #include "identification/diagnosis/standard_errors.h"
+#include "identification/subjects/effect_candidate.h"
 #include "symbolic/effects/effects.h"
 #include "symbolic/extension/identified_mechanism.h"
 
@@ -132,18 +132,18 @@ void add_to(std::vector<IdentifiedValue>& values, const IdentifiedValue& more) {
 std::vector<ExtensionTerm> extension_terms(const DrivenSubject& subject, const Design& design,
                                            const Explanation& explanation) {
   const Selection& selection =
-      subject.problem().levels.empty() ? explanation.selection : explanation.adopted;
+      subject.problem().deviations.empty() ? explanation.selection : explanation.adopted;
   const auto all = estimates(design, selection.model, selection.noise);
   std::vector<ExtensionTerm> result;
   add_directions(subject, explanation.selection, explanation.estimates, result);
   for (std::size_t t = 0; t < selection.model.terms.size(); ++t) {
     const Term& term = selection.model.terms[t];
     if (term.baseline) continue;
-    const int candidate = term.level >= 0
-                              ? -1 - term.level
+    const int candidate = term.deviation >= 0
+                              ? -1 - term.deviation
                               : static_cast<int>(term.candidate - subject.problem().library.data());
     const CandidateOrigin& origin =
-        candidate < 0 ? subject.level_origin(term.level)
+        candidate < 0 ? subject.deviation_origin(term.deviation)
                       : subject.library_origins()[static_cast<std::size_t>(candidate)];
     if (origin.effect.empty()) continue;
     ExtensionTerm entry;
@@ -158,9 +158,9 @@ std::vector<ExtensionTerm> extension_terms(const DrivenSubject& subject, const D
            term.nonlinear, all[t], entry.entry);
     else if (!fill_special(all[t], entry.entry))
       continue;
-    entry.per_log =
-        term.level < 0 && std::any_of(term.candidate->linear.begin(), term.candidate->linear.end(),
-                                      [](const LinearParameter& p) { return p.per_log; });
+    entry.per_log = term.deviation < 0 &&
+                    std::any_of(term.candidate->linear.begin(), term.candidate->linear.end(),
+                                [](const LinearParameter& p) { return p.per_log; });
     // The model has a delay at each joint; one of all joints is the same at each.
     if (origin.everywhere)
       for (std::size_t j = 1; j < subject.model().joints.size(); ++j) {

@@ -52,7 +52,7 @@ Model best_form(const Design& design, const Weights& weights, const Model& model
   double least = deviance(model, weights);
   for (std::size_t t = 0; t < model.terms.size(); ++t) {
     const Term& own = model.terms[t];
-    if (own.baseline || own.level >= 0 || !has_free_shape(own) || !asked(own)) continue;
+    if (own.baseline || own.deviation >= 0 || !has_free_shape(own) || !asked(own)) continue;
     for (const Candidate& form : library) {
       if (form.name != own.candidate->name || form.place != own.candidate->place) continue;
       for (Model& trial : begun_elsewhere(design, weights, model, t, form)) {

@@ -14,7 +14,7 @@ bool has_free_shape(const Term& term);
 
 /// The model with the shape of a cause begun elsewhere, or in another form of the same cause, where
 /// that explains more and keeps the cause's limits. Only terms that `asked` says are looked at;
-/// levels and the baseline never are.
+/// deviations and the baseline never are.
 Model best_form(const Design& design, const Weights& weights, const Model& model,
                 const std::function<bool(const Term&)>& asked);
 

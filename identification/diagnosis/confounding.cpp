@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "identification/diagnosis/confounding.h"
 
+#include <tbb/parallel_for.h>
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
-#include "identification/regression/baseline.h"
 #include "identification/diagnosis/lag.h"
-#include "identification/logs/parallel_for.h"
+#include "identification/regression/baseline.h"
 #include "identification/regression/refine.h"
 #include "identification/regression/spectrum.h"
 
@@ -68,7 +68,7 @@ RankedCause describe(const Design& design, int candidate) {
     cause.place = c.place;
   };
   if (candidate < 0)
-    tell(design.problem().levels[static_cast<std::size_t>(-1 - candidate)]);
+    tell(design.problem().deviations[static_cast<std::size_t>(-1 - candidate)]);
   else
     tell(design.problem().library[static_cast<std::size_t>(candidate)]);
   return cause;
@@ -76,11 +76,11 @@ RankedCause describe(const Design& design, int candidate) {
 
 /// The other causes were fitted beside the present one: whoever comes near it is compared only
 /// after all parameters were fitted beside it, too.
-void refit_close_ones(const Design& design, const Selection& state, double without, int threads,
+void refit_close_ones(const Design& design, const Selection& state, double without,
                       std::vector<Trial>& trials) {
   double best = trials.front().score;
   for (const Trial& trial : trials) best = std::min(best, trial.score);
-  parallel_for(static_cast<int>(trials.size()), threads, [&](int i) {
+  tbb::parallel_for(0, static_cast<int>(trials.size()), [&](int i) {
     Trial& trial = trials[static_cast<std::size_t>(i)];
     const double close = std::max(3.0 * kByChance, 2.0 * kClose * (without - trial.deviance));
     if (trial.score - best <= close)
@@ -89,17 +89,17 @@ void refit_close_ones(const Design& design, const Selection& state, double witho
   rank_trials(design, state.freedom, state.noise.weights, trials);
 }
 
-/// Levels that are not in the model may take the place of a cause, too.
-void add_levels(const Design& design, const Selection& state, const Model& without,
-                std::vector<Trial>& trials) {
-  for (const Term& level : state.levels) {
+/// Deviations that are not in the model may take the place of a cause, too.
+void add_deviations(const Design& design, const Selection& state, const Model& without,
+                    std::vector<Trial>& trials) {
+  for (const Term& deviation : state.deviations) {
     if (std::any_of(state.model.terms.begin(), state.model.terms.end(),
-                    [&](const Term& t) { return t.level == level.level; }))
+                    [&](const Term& t) { return t.deviation == deviation.deviation; }))
       continue;
     Trial trial;
-    trial.candidate = -1 - level.level;
+    trial.candidate = -1 - deviation.deviation;
     trial.model = without;
-    trial.model.terms.push_back(level);
+    trial.model.terms.push_back(deviation);
     const LinearFit fit = solve(stack(trial.model, state.noise.weights));
     trial.allowed = !violates_limits(design, trial.model, fit, trial.model.terms.size() - 1);
     trials.push_back(std::move(trial));
@@ -109,23 +109,21 @@ void add_levels(const Design& design, const Selection& state, const Model& witho
 bool is_unlikely(const Design& design, const Trial& trial) {
   const Problem& problem = design.problem();
   return trial.candidate < 0
-             ? problem.levels[static_cast<std::size_t>(-1 - trial.candidate)].unlikely
+             ? problem.deviations[static_cast<std::size_t>(-1 - trial.candidate)].unlikely
              : problem.library[static_cast<std::size_t>(trial.candidate)].unlikely;
 }
 
 /// Fitted models with the term replaced by whatever comes near it.
-std::vector<Trial> contenders(const Design& design, const Library& library,
-                              const Settings& settings, const Selection& state, std::size_t term) {
+std::vector<Trial> contenders(const Design& design, const Library& library, const Selection& state,
+                              std::size_t term) {
   const int own = library_index(design, state.model.terms[term]);
   Model without = state.model;
   remove_term(design, term, without);
-  const Screening screening =
-      screen(design, library, without, state.noise.weights, {}, settings.threads);
+  const Screening screening = screen(design, library, without, state.noise.weights, {});
   std::vector<Screened> list = shortlist(design, state.freedom, without, screening, 6);
   std::erase_if(list, [&](const Screened& c) { return c.candidate == own; });
-  std::vector<Trial> trials =
-      try_candidates(design, state.noise.weights, without, list, settings.threads);
-  add_levels(design, state, without, trials);
+  std::vector<Trial> trials = try_candidates(design, state.noise.weights, without, list);
+  add_deviations(design, state, without, trials);
   const std::vector<Candidate>& library_of = design.problem().library;
   std::erase_if(trials, [&](const Trial& t) {
     const bool decoy = t.candidate >= 0 && library_of[static_cast<std::size_t>(t.candidate)].kind ==
@@ -148,7 +146,7 @@ std::vector<Trial> contenders(const Design& design, const Library& library,
   });
   trials.push_back(std::move(present));
   rank_trials(design, state.freedom, state.noise.weights, trials);
-  refit_close_ones(design, state, deviance(without, state.noise.weights), settings.threads, trials);
+  refit_close_ones(design, state, deviance(without, state.noise.weights), trials);
   std::sort(trials.begin(), trials.end(),
             [](const Trial& a, const Trial& b) { return a.score < b.score; });
   // The search's own choice stays first unless another one is better by more than chance.
@@ -166,11 +164,11 @@ std::vector<Trial> contenders(const Design& design, const Library& library,
   return trials;
 }
 
-/// A form stretched to its limit imitates another one there: friction that warms up within moments
-/// is friction, friction that hardly bends is straight. The other one says it with less.
-bool imitates(const Term& term) {
+/// A form stretched to its limit degenerates another one there: friction that warms up within
+/// moments is friction, friction that hardly bends is straight. The other one says it with less.
+bool degenerates(const Term& term) {
   constexpr double kEdge = 0.02;  // of the range
-  if (term.level >= 0) return false;
+  if (term.deviation >= 0) return false;
   const auto& shapes = term.candidate->nonlinear;
   for (std::size_t p = 0; p < shapes.size(); ++p) {
     const NonlinearParameter& shape = shapes[p];
@@ -186,7 +184,7 @@ bool imitates(const Term& term) {
 /// The lag in the delay's place, its term last, where that says nearly as much: its own fit differs
 /// by the noise that a derivative of the position brings along.
 std::optional<Model> with_lag(const Design& design, const Weights& weights, const Model& without,
-                              const LagBehind& lag, double of_delay, int threads) {
+                              const LagBehind& lag, double of_delay) {
   constexpr double kNearly = 0.8;
   const Candidate& candidate = design.problem().library[static_cast<std::size_t>(lag.candidate)];
   std::vector<Screened> list;
@@ -195,7 +193,7 @@ std::optional<Model> with_lag(const Design& design, const Weights& weights, cons
     list.back().candidate = lag.candidate;
     list.back().nonlinear = start;
   }
-  std::vector<Trial> trials = try_candidates(design, weights, without, list, threads);
+  std::vector<Trial> trials = try_candidates(design, weights, without, list);
   const double before = deviance(without, weights);
   std::optional<Model> best;
   double most = kNearly * of_delay;
@@ -237,7 +235,7 @@ double canonical_correlation(const Model& model, const Weights& weights, const B
 
 Rivals find_rivals(const Design& design, const Library& library, const Settings& settings,
                    const Selection& state, std::size_t term) {
-  const std::vector<Trial> trials = contenders(design, library, settings, state, term);
+  const std::vector<Trial> trials = contenders(design, library, state, term);
   Model without = state.model;
   remove_term(design, term, without);
   const double own = deviance(without, state.noise.weights) - trials.front().deviance;
@@ -258,7 +256,7 @@ Rivals find_rivals(const Design& design, const Library& library, const Settings&
       cause.correlation = canonical_correlation(without, state.noise.weights,
                                                 trials.front().model.terms.back().columns,
                                                 trial.model.terms.back().columns);
-      if (cause.correlation < kSameThing || imitates(trial.model.terms.back())) continue;
+      if (cause.correlation < kSameThing || degenerates(trial.model.terms.back())) continue;
     }
     if (cause.behind > kPlainlyBehind && cause.paired_z > kInEveryBlock) {
       rivals.margin = std::min(rivals.margin, cause.behind);
@@ -281,7 +279,7 @@ Rivals find_rivals(const Design& design, const Library& library, const Settings&
         without, state.noise.weights, trials.front().model.terms.back().columns, lag->columns);
     std::optional<Model> in_its_place;
     if (lag->deviance < 0.0)
-      in_its_place = with_lag(design, state.noise.weights, without, *lag, own, settings.threads);
+      in_its_place = with_lag(design, state.noise.weights, without, *lag, own);
     add_lag(std::move(cause), std::move(in_its_place), rivals, sum);
   }
   for (RankedCause& cause : rivals.members) cause.weight /= sum;

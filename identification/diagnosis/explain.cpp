@@ -5,16 +5,16 @@
 #include <cmath>
 #include <limits>
 
-#include "identification/regression/baseline.h"
 #include "identification/diagnosis/confidence.h"
+#include "identification/diagnosis/deviation_terms.h"
+#include "identification/diagnosis/explained_structure.h"
 #include "identification/diagnosis/fewer_causes.h"
-#include "identification/diagnosis/level_structure.h"
-#include "identification/diagnosis/level_terms.h"
-#include "identification/diagnosis/levels.h"
-#include "identification/regression/refine.h"
+#include "identification/diagnosis/parameter_deviations.h"
 #include "identification/diagnosis/separation.h"
 #include "identification/diagnosis/standard_errors.h"
 #include "identification/diagnosis/unexplained.h"
+#include "identification/regression/baseline.h"
+#include "identification/regression/refine.h"
 
 namespace sinew::diagnosis {
 namespace {
@@ -134,73 +134,74 @@ void list_ruled_out(const Design& design, const Selection& selection, Verdict& v
   }
 }
 
-/// Levels whose change is not told from none by its standard error, all parameters free.
-std::vector<int> uncertain_levels(const Design& design, const Selection& state) {
+/// Deviations whose change is not told from none by its standard error, all parameters free.
+std::vector<int> uncertain_deviations(const Design& design, const Selection& state) {
   constexpr double kStandardErrors = 3.0;
   std::vector<int> list;
   const auto all = estimates(design, state.model, state.noise);
   for (std::size_t t = 0; t < all.size(); ++t) {
-    if (state.model.terms[t].level < 0) continue;
+    if (state.model.terms[t].deviation < 0) continue;
     const bool certain = std::any_of(all[t].begin(), all[t].end(), [](const ParameterEstimate& p) {
       return std::abs(p.value) >= kStandardErrors * p.standard_error;
     });
-    if (!certain) list.push_back(state.model.terms[t].level);
+    if (!certain) list.push_back(state.model.terms[t].deviation);
   }
   return list;
 }
 
-/// The levels the model's own values differ in. Those that are not certain, and those that
+/// The deviations the model's own values differ in. Those that are not certain, and those that
 /// structure without a name takes over, are taken back.
-LevelSelection find_levels(const Design& design, const Settings& settings,
-                           const Structure& structure, Explanation& result) {
+DeviationSelection find_deviations(const Design& design, const Settings& settings,
+                                   const Structure& structure, Explanation& result) {
   Unexplained& unexplained = result.verdict.unexplained;
   std::vector<int> taken_back;
   for (;;) {
-    LevelSelection levels = restrict_to_levels(design, settings, result.selection, taken_back);
-    std::vector<int> now = uncertain_levels(design, levels.state);
+    DeviationSelection deviations =
+        select_deviations(design, settings, result.selection, taken_back);
+    std::vector<int> now = uncertain_deviations(design, deviations.state);
     if (now.empty() && !unexplained.depends_on.empty()) {
-      const NamesBeside names =
-          names_beside(design, settings, levels.state, result.selection, structure);
+      const ExplainedStructure names =
+          explained_structure_of(design, settings, deviations.state, result.selection, structure);
       unexplained.named_share = names.named_share;
       unexplained.none_of_the_known = names.named_share < kNamesHold;
-      now = names.stand_in;
-      for (const int level : now)
+      now = names.displaced;
+      for (const int deviation : now)
         unexplained.withdrawn.push_back(
-            design.problem().levels[static_cast<std::size_t>(level)].name);
+            design.problem().deviations[static_cast<std::size_t>(deviation)].name);
     }
-    if (now.empty()) return levels;
+    if (now.empty()) return deviations;
     taken_back.insert(taken_back.end(), now.begin(), now.end());
   }
 }
 
 /// What is left without a name, and the values of the model that differ; causes that one alone may
 /// replace are exchanged for it.
-LevelSelection find_values(const Design& design, const Library& library, const Settings& settings,
-                           Explanation& result) {
+DeviationSelection find_values(const Design& design, const Library& library,
+                               const Settings& settings, Explanation& result) {
   constexpr int most_exchanges = 2;
   Selection& selection = result.selection;
   for (int left = most_exchanges;; --left) {
     const Selection found = selection;
     const Structure structure = find_unexplained(design, library, settings, selection);
     result.verdict.unexplained = structure.said;
-    if (!structure.said.withdrawn.empty())
-      selection.noise = own_noise(design, selection.model, settings.threads);
-    if (design.problem().levels.empty()) return {};
-    LevelSelection levels = find_levels(design, settings, structure, result);
+    if (!structure.said.withdrawn.empty()) selection.noise = own_noise(design, selection.model);
+    if (design.problem().deviations.empty()) return {};
+    DeviationSelection deviations = find_deviations(design, settings, structure, result);
     const auto fewer =
-        left > 0 ? find_fewer_causes(design, library, settings, levels.state) : std::nullopt;
-    if (!fewer) return levels;
+        left > 0 ? find_fewer_causes(design, library, settings, deviations.state) : std::nullopt;
+    if (!fewer) return deviations;
     selection = replace_causes(design, library, settings, found, *fewer);
   }
 }
 
-/// Names the levels the model's own values differ in, and lists the others as ruled out.
-void name_levels(const Design& design, const Library& library, const Settings& settings,
-                 const ExperimentPlanner& planner, LevelSelection levels, Explanation& result) {
-  Selection& state = levels.state;
+/// Names the deviations the model's own values differ in, and lists the others as ruled out.
+void name_deviations(const Design& design, const Library& library, const Settings& settings,
+                     const ExperimentPlanner& planner, DeviationSelection deviations,
+                     Explanation& result) {
+  Selection& state = deviations.state;
   std::vector<std::size_t> named;
   for (std::size_t t = 0; t < state.model.terms.size(); ++t)
-    if (state.model.terms[t].level >= 0) named.push_back(t);
+    if (state.model.terms[t].deviation >= 0) named.push_back(t);
   // Beside values of the model that are free, a cause gains no more than they leave to it: of logs
   // under one load friction by the load would gain nothing. Where it takes most of what the model
   // as adopted leaves over, in which they are not free, that is what it gains; and so it is where
@@ -234,7 +235,7 @@ void name_levels(const Design& design, const Library& library, const Settings& s
       if (result.verdict.causes[i].candidate >= 0 &&
           library_index(design, state.model.terms[t]) == result.verdict.causes[i].candidate)
         result.verdict.causes[i].parameters = all[t];
-  const std::vector<LevelCause>& causes = design.problem().levels;
+  const std::vector<ParameterDeviation>& causes = design.problem().deviations;
   for (std::size_t l = 0; l < causes.size(); ++l) {
     const int index = -1 - static_cast<int>(l);
     const bool is_named = std::any_of(
@@ -244,18 +245,18 @@ void name_levels(const Design& design, const Library& library, const Settings& s
         });
     if (is_named) continue;
     RuledOut out{causes[l].name, causes[l].place, "nothing beyond noise beside the named causes",
-                 levels.statistic[l], levels.p_family[l]};
-    for (const Refusal& refusal : levels.refused)
+                 deviations.statistic[l], deviations.p_family[l]};
+    for (const Refusal& refusal : deviations.refused)
       if (refusal.candidate == index) out.reason = refusal.reason;
     result.verdict.ruled_out.push_back(std::move(out));
   }
-  result.adopted = std::move(levels.state);
+  result.adopted = std::move(deviations.state);
 }
 
 /// The model before any cause: its free coefficients are fitted, its values are its own. `parts`:
 /// the model found, which owns what the result points to.
-Model unexplained_model(const Design& design, const Model& found, const LevelTerms& parts) {
-  Model model = design.problem().levels.empty() ? found : parts.base;
+Model unexplained_model(const Design& design, const Model& found, const DeviationTerms& parts) {
+  Model model = design.problem().deviations.empty() ? found : parts.base;
   for (std::size_t t = model.terms.size(); t-- > 0;)
     if (!model.terms[t].baseline) remove_term(design, t, model);
   return model;
@@ -284,10 +285,10 @@ Disagreement most_excess(const Design& design, const Settings& settings, const S
 /// Errors before and after, and what all causes together gain on held-out logs.
 void measure(const Design& design, const Settings& settings, Explanation& result) {
   Verdict& verdict = result.verdict;
-  const LevelTerms parts = take_apart(design, result.selection.model);
+  const DeviationTerms parts = take_apart(design, result.selection.model);
   const Model before = unexplained_model(design, result.selection.model, parts);
-  const NoiseView noise = own_noise(design, before, settings.threads);
-  const Selection& after = design.problem().levels.empty() ? result.selection : result.adopted;
+  const NoiseView noise = own_noise(design, before);
+  const Selection& after = design.problem().deviations.empty() ? result.selection : result.adopted;
   verdict.relative_error_before = relative_error(design, before, noise.weights);
   verdict.relative_error_after = relative_error(design, after.model, after.noise.weights);
   verdict.held_out = block_bootstrap_gain(
@@ -312,10 +313,10 @@ Explanation explain(const Problem& problem, const Settings& settings,
                     const ExperimentPlanner& planner) {
   Design design(problem, settings);
   if (!problem.shared_noise) design.set_units(left_over(design, baseline_model(design)));
-  const Library library(design, settings.threads);
+  const Library library(design);
   Explanation result;
   result.selection = select_causes(design, library, settings);
-  LevelSelection levels = find_values(design, library, settings, result);
+  DeviationSelection deviations = find_values(design, library, settings, result);
   Selection& selection = result.selection;
   Verdict& verdict = result.verdict;
 
@@ -340,8 +341,8 @@ Explanation explain(const Problem& problem, const Settings& settings,
       for (const ParameterEstimate& estimate : result.estimates[t])
         verdict.baseline.push_back(estimate);
   list_ruled_out(design, selection, verdict);
-  if (!problem.levels.empty())
-    name_levels(design, library, settings, planner, std::move(levels), result);
+  if (!problem.deviations.empty())
+    name_deviations(design, library, settings, planner, std::move(deviations), result);
   std::stable_sort(verdict.causes.begin(), verdict.causes.end(),
                    [](const NamedCause& a, const NamedCause& b) {
                      return a.cross_validated.share > b.cross_validated.share;

@@ -14,8 +14,8 @@ struct Explanation {
   Selection selection;
   /// Parameters of every term of the selection's model.
   std::vector<std::vector<ParameterEstimate>> estimates;
-  /// Where the problem has levels: the model the verdict's errors and gains stand for, with the
-  /// baseline at its nominal values but for the named levels, whose terms come last.
+  /// Where the problem has deviations: the model the verdict's errors and gains stand for, with the
+  /// baseline at its nominal values but for the named deviations, whose terms come last.
   Selection adopted;
 };
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "identification/diagnosis/fewer_causes.h"
 
+#include <tbb/parallel_for.h>
 #include <algorithm>
 #include <functional>
 
-#include "identification/logs/parallel_for.h"
 #include "identification/regression/refine.h"
 
 namespace sinew::diagnosis {
@@ -15,7 +15,7 @@ constexpr double kAnotherName = 4.0;  // deviance that one more name must be wor
 constexpr double kWorthIt = 4.0;      // deviance; less is chance
 
 bool is_cause(const Term& term) {
-  return !term.baseline && (term.level >= 0 || term.candidate->kind == CandidateKind::named);
+  return !term.baseline && (term.deviation >= 0 || term.candidate->kind == CandidateKind::named);
 }
 
 /// The search's fixed surroundings.
@@ -29,7 +29,7 @@ struct Reduction {
   double price(const Term& term) const {
     const int index = library_index(design, term);
     const double freedom =
-        term.level >= 0 ? term.freedom : adopted.freedom[static_cast<std::size_t>(index)];
+        term.deviation >= 0 ? term.freedom : adopted.freedom[static_cast<std::size_t>(index)];
     return freedom * parameter_price(design) +
            (term.candidate->unlikely ? kUnlikely : kAnotherName);
   }
@@ -65,7 +65,7 @@ std::vector<std::size_t> causes_at(const Reduction& s, int channel) {
 }
 
 /// Those that go and are worth their price beside the new one come back.
-void take_back(const Reduction& s, const std::vector<std::size_t>& group, Alternative& trial) {
+void withdraw_group(const Reduction& s, const std::vector<std::size_t>& group, Alternative& trial) {
   std::vector<std::size_t> out = group;
   for (;;) {
     Model best;
@@ -86,17 +86,19 @@ void take_back(const Reduction& s, const std::vector<std::size_t>& group, Altern
     out.erase(out.begin() + static_cast<std::ptrdiff_t>(taken));
   }
   for (const std::size_t t : out) {
-    trial.causes.instead_of.push_back(library_index(s.design, s.adopted.model.terms[t]));
+    trial.causes.replaced.push_back(library_index(s.design, s.adopted.model.terms[t]));
     trial.causes.p_family = std::min(trial.causes.p_family, s.adopted.evidence[t].p_family);
   }
 }
 
 /// It is a value of the model as well, which says more: there all others are the model's own.
 bool is_value(const Problem& problem, const Candidate& candidate) {
-  return std::any_of(problem.levels.begin(), problem.levels.end(), [&](const LevelCause& level) {
-    return level.name == candidate.name && level.place == candidate.place &&
-           level.parameters.size() == candidate.linear.size();
-  });
+  return std::any_of(problem.deviations.begin(), problem.deviations.end(),
+                     [&](const ParameterDeviation& deviation) {
+                       return deviation.name == candidate.name &&
+                              deviation.place == candidate.place &&
+                              deviation.parameters.size() == candidate.linear.size();
+                     });
 }
 
 /// Candidates and values of the model that explain most where the group is missing.
@@ -115,16 +117,15 @@ std::vector<Alternative> alternatives(const Reduction& s, const std::vector<std:
     append(trial.model);
     list.push_back(std::move(trial));
   };
-  const Screening screening =
-      screen(s.design, s.library, without, s.weights(), {}, s.settings.threads);
+  const Screening screening = screen(s.design, s.library, without, s.weights(), {});
   for (const Screened& c : shortlist(s.design, s.adopted.freedom, without, screening, kRefits)) {
     const Candidate& candidate = s.design.problem().library[static_cast<std::size_t>(c.candidate)];
     if (candidate.kind != CandidateKind::named || is_value(s.design.problem(), candidate)) continue;
     add(c.candidate,
         [&](Model& model) { append_term(s.design, s.weights(), candidate, c.nonlinear, model); });
   }
-  for (const Term& level : s.adopted.levels)
-    add(-1 - level.level, [&](Model& model) { model.terms.push_back(level); });
+  for (const Term& deviation : s.adopted.deviations)
+    add(-1 - deviation.deviation, [&](Model& model) { model.terms.push_back(deviation); });
   return list;
 }
 
@@ -132,7 +133,7 @@ std::vector<Alternative> alternatives(const Reduction& s, const std::vector<std:
 std::optional<Alternative> best_instead(const Reduction& s, const std::vector<std::size_t>& group,
                                         double present) {
   std::vector<Alternative> trials = alternatives(s, group);
-  parallel_for(static_cast<int>(trials.size()), s.settings.threads, [&](int i) {
+  tbb::parallel_for(0, static_cast<int>(trials.size()), [&](int i) {
     Alternative& trial = trials[static_cast<std::size_t>(i)];
     refine(s.design, s.weights(), RefineScope::last_term, trial.model);
     const LinearFit fit = solve(stack(trial.model, s.weights()));
@@ -142,8 +143,8 @@ std::optional<Alternative> best_instead(const Reduction& s, const std::vector<st
   std::optional<Alternative> best;
   for (Alternative& trial : trials) {
     if (!trial.allowed) continue;
-    take_back(s, group, trial);
-    if (trial.causes.instead_of.size() < 2 || trial.score > present - kWorthIt) continue;
+    withdraw_group(s, group, trial);
+    if (trial.causes.replaced.size() < 2 || trial.score > present - kWorthIt) continue;
     if (!best || trial.score < best->score) best = std::move(trial);
   }
   return best;
@@ -171,7 +172,7 @@ std::optional<FewerCauses> find_fewer_causes(const Design& design, const Library
 Selection replace_causes(const Design& design, const Library& library, const Settings& settings,
                          const Selection& found, const FewerCauses& fewer) {
   Selection state = found;
-  for (const int index : fewer.instead_of) {
+  for (const int index : fewer.replaced) {
     if (index < 0) continue;
     for (std::size_t t = state.model.terms.size(); t-- > 0;)
       if (!state.model.terms[t].baseline && library_index(design, state.model.terms[t]) == index)
@@ -180,8 +181,7 @@ Selection replace_causes(const Design& design, const Library& library, const Set
   if (fewer.candidate >= 0) {
     const auto index = static_cast<std::size_t>(fewer.candidate);
     const Candidate& candidate = design.problem().library[index];
-    const Screening screening =
-        screen(design, library, state.model, state.noise.weights, {}, settings.threads);
+    const Screening screening = screen(design, library, state.model, state.noise.weights, {});
     append_term(design, state.noise.weights, candidate, screening.candidates[index].nonlinear,
                 state.model);
     refine(design, state.noise.weights, RefineScope::last_term, state.model);
@@ -189,7 +189,7 @@ Selection replace_causes(const Design& design, const Library& library, const Set
     state.exchanged.push_back(fewer.candidate);
   }
   refine(design, state.noise.weights, RefineScope::all_terms, state.model);
-  state.noise = own_noise(design, state.model, settings.threads);
+  state.noise = own_noise(design, state.model);
   conclude(design, library, settings, state);
   return state;
 }

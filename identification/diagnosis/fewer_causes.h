@@ -13,12 +13,12 @@ namespace sinew::diagnosis {
 /// A cause and those that it makes needless, as library_index() counts them.
 struct FewerCauses {
   int candidate = 0;
-  std::vector<int> instead_of;
+  std::vector<int> replaced;
   double p_family = 1.0;  ///< the smallest of theirs
 };
 
 /// The replacement that is worth most, deviance and price of all parameters and names together;
-/// nothing where none is worth it. `adopted`: of restrict_to_levels().
+/// nothing where none is worth it. `adopted`: of select_deviations().
 std::optional<FewerCauses> find_fewer_causes(const Design& design, const Library& library,
                                              const Settings& settings, const Selection& adopted);
 

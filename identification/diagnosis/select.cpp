@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "identification/diagnosis/select.h"
 
+#include <tbb/parallel_for.h>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
 
-#include "identification/regression/baseline.h"
 #include "identification/diagnosis/best_form.h"
-#include "identification/logs/parallel_for.h"
-#include "identification/regression/refine.h"
-#include "identification/diagnosis/shadow.h"
+#include "identification/diagnosis/collinearity.h"
 #include "identification/diagnosis/standard_errors.h"
+#include "identification/regression/baseline.h"
+#include "identification/regression/refine.h"
 
 namespace sinew::diagnosis {
 namespace {
@@ -31,15 +31,15 @@ struct Search {
 };
 
 void renew_noise(const Search& s) {
-  s.state.noise = own_noise(s.design, s.state.model, s.settings.threads);
+  s.state.noise = own_noise(s.design, s.state.model);
 }
 
 /// Candidates worth a fit: the best under the noise the whole library leaves over (which a
 /// strong effect cannot hide in) and under the noise the model leaves over (which does not
 /// mistake the next effect's trace for its own).
 std::vector<Screened> promising(const Search& s, const NoiseView& saturated) {
-  const Screening alone = screen(s.design, s.library, s.state.model, saturated.weights,
-                                 saturated.surrogates, s.settings.threads);
+  const Screening alone =
+      screen(s.design, s.library, s.state.model, saturated.weights, saturated.surrogates);
   if (s.state.freedom.empty()) {
     for (const Screened& c : alone.candidates) s.state.freedom.push_back(c.freedom);
     s.state.first = alone;
@@ -50,8 +50,7 @@ std::vector<Screened> promising(const Search& s, const NoiseView& saturated) {
     return alone.family.p_value(c.surprise) > 10.0 * s.settings.significance;
   });
   if (list.empty()) return list;
-  const Screening own =
-      screen(s.design, s.library, s.state.model, s.state.noise.weights, {}, s.settings.threads);
+  const Screening own = screen(s.design, s.library, s.state.model, s.state.noise.weights, {});
   for (const Screened& c : shortlist(s.design, s.state.freedom, s.state.model, own, kShortlist - 2))
     if (std::none_of(list.begin(), list.end(),
                      [&](const Screened& l) { return l.candidate == c.candidate; }))
@@ -67,10 +66,10 @@ void note_refusals(const std::vector<Trial>& trials, Selection& state) {
 /// Position of the allowed trial with the smallest plain loss on left-out blocks, or -1.
 int smallest_loss(const Search& s, const std::vector<Trial>& trials) {
   std::vector<double> losses(trials.size(), std::numeric_limits<double>::infinity());
-  parallel_for(static_cast<int>(trials.size()), s.settings.threads, [&](int i) {
+  tbb::parallel_for(0, static_cast<int>(trials.size()), [&](int i) {
     const auto k = static_cast<std::size_t>(i);
     if (!trials[k].allowed) return;
-    const NoiseView own = own_noise(s.design, trials[k].model, 1);
+    const NoiseView own = own_noise(s.design, trials[k].model);
     losses[k] =
         cross_validate(s.design, trials[k].model, own.weights, s.settings.blocks).plain.sum();
   });
@@ -84,7 +83,7 @@ int smallest_loss(const Search& s, const std::vector<Trial>& trials) {
 int settle(const Search& s, std::vector<Trial>& trials, NoiseView& view) {
   int best = smallest_loss(s, trials);
   for (int round = 0; round < 3 && best >= 0; ++round) {
-    view = own_noise(s.design, trials[static_cast<std::size_t>(best)].model, s.settings.threads);
+    view = own_noise(s.design, trials[static_cast<std::size_t>(best)].model);
     const int next = rank_trials(s.design, s.state.freedom, view.weights, trials);
     if (next == best) break;
     best = next;
@@ -96,8 +95,7 @@ int settle(const Search& s, std::vector<Trial>& trials, NoiseView& view) {
 /// over being noise.
 double confirm(const Search& s, const Trial& trial, const Model& base, NoiseView& view) {
   draw_surrogates(s.design, s.settings, view);
-  const Screening screening =
-      screen(s.design, s.library, base, view.weights, view.surrogates, s.settings.threads);
+  const Screening screening = screen(s.design, s.library, base, view.weights, view.surrogates);
   const Screened& own = screening.candidates[static_cast<std::size_t>(trial.candidate)];
   const double statistic = deviance(base, view.weights) - trial.deviance;
   return screening.family.p_value(own.null.surprise(statistic));
@@ -105,12 +103,12 @@ double confirm(const Search& s, const Trial& trial, const Model& base, NoiseView
 
 /// Adds the next cause; false where there is none.
 bool add_cause(const Search& s) {
-  NoiseView saturated = saturated_noise(s.design, s.library, s.state.model, s.settings.threads);
+  NoiseView saturated = saturated_noise(s.design, s.library, s.state.model);
   draw_surrogates(s.design, s.settings, saturated);
   std::vector<Screened> list = promising(s, saturated);
   while (!list.empty()) {
     std::vector<Trial> trials =
-        try_candidates(s.design, s.state.noise.weights, s.state.model, list, s.settings.threads);
+        try_candidates(s.design, s.state.noise.weights, s.state.model, list);
     note_refusals(trials, s.state);
     NoiseView view;
     const int best = settle(s, trials, view);
@@ -135,13 +133,11 @@ void swap_causes(const Search& s) {
     const int own = library_index(s.design, state.model.terms[t]);
     Model without = state.model;
     remove_term(s.design, t, without);
-    const Screening screening =
-        screen(s.design, s.library, without, state.noise.weights, {}, s.settings.threads);
+    const Screening screening = screen(s.design, s.library, without, state.noise.weights, {});
     std::vector<Screened> list =
         shortlist(s.design, state.freedom, without, screening, kShortlist - 2);
     std::erase_if(list, [own](const Screened& c) { return c.candidate == own; });
-    std::vector<Trial> trials =
-        try_candidates(s.design, state.noise.weights, without, list, s.settings.threads);
+    std::vector<Trial> trials = try_candidates(s.design, state.noise.weights, without, list);
     Trial present;
     present.candidate = own;
     present.model = state.model;
@@ -170,12 +166,10 @@ void merge_causes(const Search& s) {
       Model without = state.model;
       remove_term(s.design, b, without);
       remove_term(s.design, a, without);
-      const Screening screening =
-          screen(s.design, s.library, without, state.noise.weights, {}, s.settings.threads);
+      const Screening screening = screen(s.design, s.library, without, state.noise.weights, {});
       std::vector<Trial> trials =
           try_candidates(s.design, state.noise.weights, without,
-                         shortlist(s.design, state.freedom, without, screening, kShortlist - 2),
-                         s.settings.threads);
+                         shortlist(s.design, state.freedom, without, screening, kShortlist - 2));
       const int best = rank_trials(s.design, state.freedom, state.noise.weights, trials);
       if (best < 0) continue;
       const double present = deviance(state.model, state.noise.weights) +
@@ -222,9 +216,9 @@ void prune(const Search& s) {
     refine(s.design, state.noise.weights, RefineScope::all_terms, state.model);
     t = static_cast<std::size_t>(-1);
   }
-  while (const std::optional<std::size_t> shadow = find_shadow(
-             s.design, s.settings, state.noise.weights, state.model, ShadowOf::causes)) {
-    const std::size_t t = *shadow;
+  while (const std::optional<std::size_t> collinear = find_collinear_term(
+             s.design, s.settings, state.noise.weights, state.model, CollinearAmong::causes)) {
+    const std::size_t t = *collinear;
     state.refused.push_back({library_index(s.design, state.model.terms[t]),
                              "no more than what the form of a named cause leaves over"});
     remove_term(s.design, t, state.model);
@@ -356,8 +350,7 @@ Selection select_causes(const Design& design, const Library& library, const Sett
 void conclude(const Design& design, const Library& library, const Settings& settings,
               Selection& state) {
   draw_surrogates(design, settings, state.noise);
-  state.last = screen(design, library, state.model, state.noise.weights, state.noise.surrogates,
-                      settings.threads);
+  state.last = screen(design, library, state.model, state.noise.weights, state.noise.surrogates);
   state.evidence.assign(state.model.terms.size(), {});
   for (std::size_t t = 0; t < state.model.terms.size(); ++t)
     if (!state.model.terms[t].baseline) state.evidence[t] = judge(design, settings, state, t);

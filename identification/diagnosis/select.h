@@ -39,7 +39,7 @@ struct Selection {
   std::vector<double> p_family;    ///< per candidate, at the step that took it
   Eigen::VectorXd baseline_loss;   ///< plain cross-validated loss of the baseline, per channel
   std::vector<int> exchanged;      ///< candidates that values of the model were given up for
-  std::vector<Term> levels;        ///< restrict_to_levels(): every level of the problem
+  std::vector<Term> deviations;    ///< select_deviations(): every deviation of the problem
   std::vector<std::shared_ptr<const Candidate>> made;  ///< what those terms point to
 };
 

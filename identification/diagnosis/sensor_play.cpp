@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "identification/diagnosis/sensor_play.h"
 
+#include <tbb/parallel_for.h>
 #include <algorithm>
 #include <atomic>
 
 #include "identification/regression/baseline.h"
-#include "identification/logs/parallel_for.h"
 #include "identification/regression/refine.h"
 #include "identification/regression/screening.h"
 
@@ -52,7 +52,7 @@ bool may_have_play(const Design& design, const Model& found, const std::vector<i
   std::atomic<bool> any = false;
   for (const Model& base : {baseline_model(design), same_terms(design, even, found)}) {
     const VectorXd without = left_over(design, base, even);
-    parallel_for(static_cast<int>(plays.size()), kAllThreads, [&](int i) {
+    tbb::parallel_for(0, static_cast<int>(plays.size()), [&](int i) {
       const auto index = static_cast<std::size_t>(plays[static_cast<std::size_t>(i)]);
       const Candidate& play = design.problem().library[index];
       Model beside = base;

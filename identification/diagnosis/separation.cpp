@@ -5,9 +5,9 @@
 #include <cmath>
 #include <limits>
 
-#include "identification/regression/baseline.h"
 #include "identification/diagnosis/confounding.h"
-#include "identification/diagnosis/level_terms.h"
+#include "identification/diagnosis/deviation_terms.h"
+#include "identification/regression/baseline.h"
 #include "identification/regression/refine.h"
 
 namespace sinew::diagnosis {
@@ -16,8 +16,8 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-constexpr double kTold = 3.0;     // standard errors: less is no proposal
-constexpr double kPlenty = 10.0;  // with as much, the shorter motion is the better one
+constexpr double kSeparated = 3.0;  // standard errors: less is no proposal
+constexpr double kPlenty = 10.0;    // with as much, the shorter motion is the better one
 
 /// The problem with the planned recording in the logs' place.
 Problem planned_problem(const Problem& problem, const Recording& recording) {
@@ -25,7 +25,7 @@ Problem planned_problem(const Problem& problem, const Recording& recording) {
   planned.training = {recording};
   planned.baseline = problem.baseline;
   planned.library = problem.library;
-  planned.levels = problem.levels;
+  planned.deviations = problem.deviations;
   planned.channels = problem.channels;
   planned.shared_noise = problem.shared_noise;
   planned.unlike_channels = problem.unlike_channels;
@@ -54,7 +54,7 @@ NoiseModel expected_noise(const Design& design, const std::vector<NoiseModel>& n
 
 bool is_restricted(const Selection& state) {
   return std::any_of(state.model.terms.begin(), state.model.terms.end(),
-                     [](const Term& t) { return t.level >= 0; });
+                     [](const Term& t) { return t.deviation >= 0; });
 }
 
 /// A planned recording as the fit sees it.
@@ -95,18 +95,18 @@ class PlannedFit {
   /// A term that the planned model has no prediction for yet: a delay takes the rate of what the
   /// nominal model says.
   Term term_of(int candidate, const VectorXd& nonlinear) const {
-    if (candidate < 0) return levels_.levels[static_cast<std::size_t>(-1 - candidate)];
+    if (candidate < 0) return deviations_.deviations[static_cast<std::size_t>(-1 - candidate)];
     const Candidate& named = in_library(candidate);
     if (named.kind != CandidateKind::delay) return make_term(design_, named, nonlinear, false);
     Term delay;
     delay.candidate = &named;
     delay.nonlinear = nonlinear;
-    delay.columns = delay_columns(design_, named.channels, levels_.base.fixed);
+    delay.columns = delay_columns(design_, named.channels, deviations_.base.fixed);
     return delay;
   }
 
   /// What stays free beside the cause in question: the other causes and the baseline, of which only
-  /// what no level covers and the levels named where the model is held at its own values.
+  /// what no deviation covers and the deviations named where the model is held at its own values.
   void set_base(const Design& design, const Selection& found, const Selection& state,
                 std::size_t term) {
     Model whole = baseline_model(design_);
@@ -117,8 +117,8 @@ class PlannedFit {
         whole.terms.push_back(make_term(design_, problem_.baseline[static_cast<std::size_t>(index)],
                                         t.nonlinear, true));
       }
-    levels_ = take_apart(design_, whole);
-    base_ = is_restricted(state) ? levels_.base : whole;
+    deviations_ = take_apart(design_, whole);
+    base_ = is_restricted(state) ? deviations_.base : whole;
     for (std::size_t t = 0; t < state.model.terms.size(); ++t) {
       const Term& other = state.model.terms[t];
       if (!other.baseline && t != term)
@@ -152,12 +152,12 @@ class PlannedFit {
   Design design_;
   Weights weights_;
   Model base_;
-  LevelTerms levels_;
+  DeviationTerms deviations_;
 };
 
 const std::string& isolating_experiment(const Problem& problem, int candidate) {
   return candidate < 0
-             ? problem.levels[static_cast<std::size_t>(-1 - candidate)].isolating_experiment
+             ? problem.deviations[static_cast<std::size_t>(-1 - candidate)].isolating_experiment
              : problem.library[static_cast<std::size_t>(candidate)].isolating_experiment;
 }
 
@@ -179,7 +179,7 @@ bool is_named_alike(const std::vector<RankedCause>& members, std::size_t m) {
 /// `known`: the first one's statistic in these logs, which count again beside the planned one.
 Separation judged(const PlannedFit& fit, const PlannedMotion& motion, double known,
                   const std::vector<RankedCause>& members) {
-  const double enough = std::max(kTold * kTold, kByImperfection * (known + fit.made()));
+  const double enough = std::max(kSeparated * kSeparated, kByImperfection * (known + fit.made()));
   Separation result{motion.name, std::numeric_limits<double>::infinity(), {}, motion, {}};
   for (std::size_t m = 1; m < members.size(); ++m) {
     const double left = fit.left_by(members[m].candidate);

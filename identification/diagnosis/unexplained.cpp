@@ -68,8 +68,7 @@ Dependence describe(const Flexible& flexible) {
 
 /// A decoy that was accepted is structure without a name: it leaves the model, and is listed with
 /// what it explained.
-std::vector<Dependence> take_out_decoys(const Design& design, const Settings& settings,
-                                        Selection& selection) {
+std::vector<Dependence> take_out_decoys(const Design& design, Selection& selection) {
   std::vector<Dependence> list;
   for (std::size_t t = 0; t < selection.model.terms.size();) {
     const Term& term = selection.model.terms[t];
@@ -83,32 +82,32 @@ std::vector<Dependence> take_out_decoys(const Design& design, const Settings& se
     selection.evidence.erase(selection.evidence.begin() + static_cast<std::ptrdiff_t>(t));
   }
   if (list.empty()) return list;
-  selection.noise = own_noise(design, selection.model, settings.threads);
+  selection.noise = own_noise(design, selection.model);
   refine(design, selection.noise.weights, RefineScope::all_terms, selection.model);
-  selection.noise = own_noise(design, selection.model, settings.threads);
+  selection.noise = own_noise(design, selection.model);
   return list;
 }
 
 bool is_name(const Term& term) {
-  return !term.baseline && !term.candidate->aside && !is_unnamed(*term.candidate);
+  return !term.baseline && !term.candidate->nuisance && !is_unnamed(*term.candidate);
 }
 
 /// What the baseline and what is in every measurement leave over.
 double loss_without_names(const Design& design, const Settings& settings,
                           const Selection& selection) {
   if (std::none_of(selection.model.terms.begin(), selection.model.terms.end(),
-                   [](const Term& t) { return !t.baseline && t.candidate->aside; }))
+                   [](const Term& t) { return !t.baseline && t.candidate->nuisance; }))
     return selection.baseline_loss.sum();
   Model model = selection.model;
   for (std::size_t t = model.terms.size(); t-- > 0;)
     if (is_name(model.terms[t])) remove_term(design, t, model);
-  return plain_loss(design, settings, model, own_noise(design, model, settings.threads));
+  return plain_loss(design, settings, model, own_noise(design, model));
 }
 
 /// Names whose part the unnamed terms take over, and names of less than what has no name.
 void withdraw(const Design& design, const Settings& settings, const Model& with_flexible,
               Selection& selection, Unexplained& result) {
-  const NoiseView noise = own_noise(design, with_flexible, settings.threads);
+  const NoiseView noise = own_noise(design, with_flexible);
   const double full = plain_loss(design, settings, with_flexible, noise);
   const double named = plain_loss(design, settings, selection.model, selection.noise);
   std::vector<const Candidate*> gone;
@@ -178,13 +177,13 @@ SpectralLine strongest_line(const Design& design, const Model& model) {
       const double half = std::max(12.0, 0.12 * static_cast<double>(b));
       const double peak = energy.segment(b - 1, 3).maxCoeff();
       // The neighbourhood without the line itself.
-      const double level = std::max(
+      const double deviation = std::max(
           (around(b) * (2.0 * half + 1.0) - energy.segment(b - 2, 5).sum()) / (2.0 * half - 4.0),
           0.05 * around(b));
       const double p =
-          -std::expm1(tests * std::log1p(-std::min(std::exp(-peak / level), 0.999999)));
+          -std::expm1(tests * std::log1p(-std::min(std::exp(-peak / deviation), 0.999999)));
       if (p >= best.p_value) continue;
-      in_line = energy.segment(b - 1, 3).sum() - 3.0 * level;
+      in_line = energy.segment(b - 1, 3).sum() - 3.0 * deviation;
       best = {static_cast<double>(b) * s.rate_hz / static_cast<double>(s.samples), p,
               in_line / energy.sum(), 0.0};
     }
@@ -200,18 +199,18 @@ Structure find_unexplained(const Design& design, const Library& library, const S
   Model& model = structure.beside;
   model = selection.model;
   NoiseView noise = selection.noise;
-  result.depends_on = take_out_decoys(design, settings, selection);
+  result.depends_on = take_out_decoys(design, selection);
   const double named = plain_loss(design, settings, selection.model, selection.noise);
   double last = result.depends_on.empty() ? named : plain_loss(design, settings, model, noise);
   for (int round = 0; round < 3; ++round) {
     draw_surrogates(design, settings, noise);
-    const Screening screening = screen(design, library, model, noise.weights, noise.surrogates,
-                                       settings.threads, Scope::everything);
+    const Screening screening =
+        screen(design, library, model, noise.weights, noise.surrogates, Scope::everything);
     Flexible best = best_flexible(design, settings, model, noise, screening);
     if (best.candidate < 0) break;
     result.depends_on.push_back(describe(best));
     model = std::move(best.model);
-    noise = own_noise(design, model, settings.threads);
+    noise = own_noise(design, model);
     last = best.loss;
   }
   const double base = loss_without_names(design, settings, selection);
@@ -237,10 +236,10 @@ Structure find_unexplained(const Design& design, const Library& library, const S
     withdraw(design, settings, model, selection, result);
   result.none_of_the_known = !any_name || result.named_share < kNamesHold;
   take_out_withdrawn(design, selection.model, model);
-  structure.left = last / (result.withdrawn.empty()
-                               ? named
-                               : plain_loss(design, settings, selection.model,
-                                            own_noise(design, selection.model, settings.threads)));
+  structure.left =
+      last / (result.withdrawn.empty() ? named
+                                       : plain_loss(design, settings, selection.model,
+                                                    own_noise(design, selection.model)));
   return structure;
 }
 

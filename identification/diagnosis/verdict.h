@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "identification/regression/cross_validation.h"
 #include "identification/diagnosis/planned_motion.h"
+#include "identification/regression/cross_validation.h"
 
 namespace sinew::diagnosis {
 
@@ -23,7 +23,7 @@ struct ParameterEstimate {
 
 /// A candidate that may be the cause.
 struct RankedCause {
-  int candidate = 0;  ///< index into the library; level i of the problem is -1 - i
+  int candidate = 0;  ///< index into the library; deviation i of the problem is -1 - i
   std::string name, place;
   double behind = 0.0;       ///< whitened deviance and price above the best: 0 for the best
   double paired_z = 0.0;     ///< mean paired block difference to the best / its standard error

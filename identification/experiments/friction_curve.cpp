@@ -144,18 +144,21 @@ double passive_share(const FrictionCurve& curve, const Eigen::Matrix3d& covarian
   return std::max(0.0, least);
 }
 
-void fit(FrictionCurve& curve) {
+using PointCost = ceres::AutoDiffCostFunction<PointResidual, 1, parameters>;
+
+/// Minimises the weighted errors of all points from a coarse guess in p on; whether it converged.
+bool minimise(const std::vector<FrictionPoint>& points, double* p) {
   double largest = 0.0, fastest = 0.0;
-  for (const FrictionPoint& point : curve.points) {
+  for (const FrictionPoint& point : points) {
     largest = std::max(largest, std::abs(point.torque));
     fastest = std::max(fastest, std::abs(point.velocity));
   }
-  double p[parameters] = {std::log(10.0 / fastest), 0.6 * largest, 0.1 * largest / fastest, 0, 0};
+  const double guess[parameters] = {std::log(10.0 / fastest), 0.6 * largest,
+                                    0.1 * largest / fastest, 0, 0};
+  std::copy(std::begin(guess), std::end(guess), p);
   ceres::Problem problem;
-  for (const FrictionPoint& point : curve.points)
-    problem.AddResidualBlock(
-        new ceres::AutoDiffCostFunction<PointResidual, 1, parameters>(new PointResidual{point}),
-        nullptr, p);
+  for (const FrictionPoint& point : points)
+    problem.AddResidualBlock(new PointCost(new PointResidual{point}), nullptr, p);
   ceres::Solver::Options options;
   options.linear_solver_type = ceres::DENSE_QR;
   options.max_num_iterations = 200;
@@ -164,27 +167,43 @@ void fit(FrictionCurve& curve) {
   options.logging_type = ceres::SILENT;
   ceres::Solver::Summary summary;
   ceres::Solve(options, &problem, &summary);
+  return summary.IsSolutionUsable() && summary.termination_type == ceres::CONVERGENCE;
+}
 
-  const auto rows = static_cast<Eigen::Index>(curve.points.size());
-  Eigen::MatrixXd J(rows, parameters);
+/// Errors at the minimum: (JᵀJ)⁻¹, the sum of weighted squares and that of plain ones.
+struct FitErrors {
+  Eigen::MatrixXd inverse;
   double squares = 0.0, plain = 0.0;
-  for (Eigen::Index i = 0; i < rows; ++i) {
-    const FrictionPoint& point = curve.points[static_cast<std::size_t>(i)];
-    ceres::AutoDiffCostFunction<PointResidual, 1, parameters> cost(new PointResidual{point});
+};
+
+FitErrors errors_at(const std::vector<FrictionPoint>& points, const double* p) {
+  FitErrors errors;
+  Eigen::MatrixXd J(static_cast<Eigen::Index>(points.size()), parameters);
+  for (Eigen::Index i = 0; i < J.rows(); ++i) {
+    const FrictionPoint& point = points[static_cast<std::size_t>(i)];
+    const PointCost cost(new PointResidual{point});
     double residual = 0.0, row[parameters];
     const double* blocks[] = {p};
     double* jacobians[] = {row};
     cost.Evaluate(blocks, &residual, jacobians);
     J.row(i) = Eigen::Map<Eigen::RowVectorXd>(row, parameters);
-    squares += residual * residual;
-    plain += residual * residual * point.deviation * point.deviation;
+    errors.squares += residual * residual;
+    errors.plain += residual * residual * point.deviation * point.deviation;
   }
-  curve.residual = std::sqrt(plain / static_cast<double>(rows));
-  const long freedom = rows - parameters;
-  const Eigen::MatrixXd inverse =
+  errors.inverse =
       (J.transpose() * J).ldlt().solve(Eigen::MatrixXd::Identity(parameters, parameters));
-  const double scale = std::sqrt(squares / static_cast<double>(freedom));
-  const auto error = [&](int k) { return scale * std::sqrt(std::max(0.0, inverse(k, k))); };
+  return errors;
+}
+
+void fit(FrictionCurve& curve) {
+  double p[parameters];
+  curve.identified = minimise(curve.points, p);
+  const FitErrors errors = errors_at(curve.points, p);
+  const auto rows = static_cast<long>(curve.points.size());
+  curve.residual = std::sqrt(errors.plain / static_cast<double>(rows));
+  const long freedom = rows - parameters;
+  const double scale = std::sqrt(errors.squares / static_cast<double>(freedom));
+  const auto error = [&](int k) { return scale * std::sqrt(std::max(0.0, errors.inverse(k, k))); };
   const double gamma1 = std::exp(p[0]);
   const Estimate logarithm = estimate(p[0], error(0), freedom);
   curve.gamma1 = {gamma1, gamma1 * error(0), std::exp(logarithm.low), std::exp(logarithm.high)};
@@ -192,9 +211,8 @@ void fit(FrictionCurve& curve) {
   curve.gamma3 = estimate(p[2], error(2), freedom);
   const double quarter = pi / 2;
   curve.plateau = estimate(p[1] * quarter, error(1) * quarter, freedom);
-  curve.passive_share = passive_share(curve, scale * scale * inverse.topLeftCorner<3, 3>(),
+  curve.passive_share = passive_share(curve, scale * scale * errors.inverse.topLeftCorner<3, 3>(),
                                       (curve.gamma2.high - curve.gamma2.value) / error(1));
-  curve.identified = summary.IsSolutionUsable() && summary.termination_type == ceres::CONVERGENCE;
 }
 
 void judge(FrictionCurve& curve) {

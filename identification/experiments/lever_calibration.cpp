@@ -92,59 +92,89 @@ double stiffness_mismatch(const LeverCalibrationResult& result, const Branch& br
   return largest > 0.0 ? worst / largest : 0.0;
 }
 
+constexpr const char* lever_experiment =
+    "expected the tendon pulled slowly over the whole travel and released again, several times";
+
+/// The samples with the count scaled to [-1, 1], and each branch's means.
+struct ScaledSamples {
+  Eigen::ArrayXd u, force, length;
+  Branch up, down;
+};
+
+ScaledSamples scaled(const Samples& samples, const LeverCalibration& c) {
+  const auto n = static_cast<Eigen::Index>(samples.count.size());
+  ScaledSamples s{Eigen::ArrayXd(n), Eigen::ArrayXd(n), Eigen::ArrayXd(n), {}, {}};
+  for (std::size_t i = 0; i < samples.count.size(); ++i) {
+    const auto k = static_cast<Eigen::Index>(i);
+    s.u(k) = (samples.count[i] - c.centre) / c.half_range;
+    s.force(k) = samples.force[i];
+    s.length(k) = -samples.elongation[i];
+    if (samples.direction[i] > 0) s.up.add(s.u(k), s.force(k), samples.elongation[i]);
+    if (samples.direction[i] < 0) s.down.add(s.u(k), s.force(k), samples.elongation[i]);
+  }
+  return s;
+}
+
+/// Whether at least a twentieth of the samples loads, and as many unload.
+bool has_both_branches(const Samples& samples) {
+  const auto unloading = std::count(samples.direction.begin(), samples.direction.end(), -1),
+             loading = std::count(samples.direction.begin(), samples.direction.end(), 1);
+  return 20 * std::min(loading, unloading) > static_cast<long>(samples.count.size());
+}
+
+void fit_force(const Samples& samples, const ScaledSamples& s, bool both, int highest,
+               LeverCalibrationResult& result) {
+  const double step = 1.5 / result.calibration.half_range;  // the sensor's own
+  result.force = fit_polynomial(
+      s.u, both ? middle_of_loop(s.u, s.force, samples.starts, step, highest).force : s.force,
+      highest);
+  result.calibration.force = result.force.coefficients;
+  measure_loop(result, s.up, s.down);
+  for (Eigen::Index i = 0; i < s.u.size(); ++i)
+    result.largest_force_error =
+        std::max(result.largest_force_error, std::abs(result.force.at(s.u(i)) - s.force(i)));
+  if (!both)
+    result.missing.push_back(
+        std::string("the log loads or unloads only, so that the hysteresis is not seen; ") +
+        lever_experiment);
+}
+
+void fit_length(const ScaledSamples& s, bool both, int highest, LeverCalibrationResult& result) {
+  if (s.length.abs().maxCoeff() == 0.0) {
+    result.missing.push_back(
+        "there is no elongation, so that neither length nor stiffness follow; expected the channel "
+        "elongation [m] beside the force");
+    return;
+  }
+  result.length = fit_polynomial(s.u, s.length, highest);
+  result.calibration.length = result.length.coefficients;
+  result.largest_length_error = result.length.largest_error;
+  result.stiffness_mismatch = std::min(stiffness_mismatch(result, s.up), 1e300);
+  if (turns_round(result.length))
+    result.missing.push_back(
+        std::string("the path length turns round within the sensor's range; ") + lever_experiment);
+  else
+    result.identified = both;
+}
+
 }  // namespace
 
 LeverCalibrationResult calibrate_lever(const std::vector<Log>& logs, int highest) {
   LeverCalibrationResult result;
   const Samples samples = gather(logs);
-  const auto say = [&](const std::string& text) { result.missing.push_back(text); };
   const std::size_t n = samples.count.size();
   const auto [least, most] = std::minmax_element(samples.count.begin(), samples.count.end());
-  const std::string experiment =
-      "expected the tendon pulled slowly over the whole travel and released again, several times";
   if (n < 3 * static_cast<std::size_t>(highest + 1) || *most - *least < 16.0) {
-    say(fmt::format("{} samples over {:.0f} counts; {}", n, n ? *most - *least : 0.0, experiment));
+    result.missing.push_back(fmt::format("{} samples over {:.0f} counts; {}", n,
+                                         n ? *most - *least : 0.0, lever_experiment));
     return result;
   }
-  LeverCalibration& c = result.calibration;
-  c.centre = 0.5 * (*least + *most);
-  c.half_range = 0.5 * (*most - *least);
-  Branch up, down;
-  Eigen::ArrayXd u(n), force(n), length(n);
-  for (std::size_t i = 0; i < n; ++i) {
-    const auto k = static_cast<Eigen::Index>(i);
-    u(k) = (samples.count[i] - c.centre) / c.half_range;
-    force(k) = samples.force[i];
-    length(k) = -samples.elongation[i];
-    if (samples.direction[i] > 0) up.add(u(k), force(k), samples.elongation[i]);
-    if (samples.direction[i] < 0) down.add(u(k), force(k), samples.elongation[i]);
-  }
-  const auto unloading = std::count(samples.direction.begin(), samples.direction.end(), -1),
-             loading = std::count(samples.direction.begin(), samples.direction.end(), 1);
-  const bool both = 20 * std::min(loading, unloading) > static_cast<long>(n);
-  const double step = 1.5 / c.half_range;  // the sensor's own
-  result.force = fit_polynomial(
-      u, both ? middle_of_loop(u, force, samples.starts, step, highest).force : force, highest);
-  c.force = result.force.coefficients;
-  measure_loop(result, up, down);
-  for (Eigen::Index i = 0; i < u.size(); ++i)
-    result.largest_force_error =
-        std::max(result.largest_force_error, std::abs(result.force.at(u(i)) - force(i)));
-  if (!both)
-    say("the log loads or unloads only, so that the hysteresis is not seen; " + experiment);
-  if (length.abs().maxCoeff() == 0.0) {
-    say("there is no elongation, so that neither length nor stiffness follow; expected the channel "
-        "elongation [m] beside the force");
-    return result;
-  }
-  result.length = fit_polynomial(u, length, highest);
-  c.length = result.length.coefficients;
-  result.largest_length_error = result.length.largest_error;
-  result.stiffness_mismatch = std::min(stiffness_mismatch(result, up), 1e300);
-  if (turns_round(result.length))
-    say("the path length turns round within the sensor's range; " + experiment);
-  else
-    result.identified = both;
+  result.calibration.centre = 0.5 * (*least + *most);
+  result.calibration.half_range = 0.5 * (*most - *least);
+  const ScaledSamples s = scaled(samples, result.calibration);
+  const bool both = has_both_branches(samples);
+  fit_force(samples, s, both, highest, result);
+  fit_length(s, both, highest, result);
   return result;
 }
 

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "identification/logs/filter.h"
 
+#include <tbb/parallel_for.h>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
-
-#include "identification/logs/parallel_for.h"
 
 namespace sinew::diagnosis {
 namespace {
@@ -144,7 +143,7 @@ Motion differentiate(const MatrixXd& position, double step, double cutoff_hz) {
                  w2 = kernel(cutoff, half, 0.0, 2, Window::blackman) / (step * step);
   Motion motion{MatrixXd(n, position.cols()), MatrixXd(n, position.cols()),
                 MatrixXd(n, position.cols())};
-  parallel_for(static_cast<int>(position.cols()), kAllThreads, [&](int c) {
+  tbb::parallel_for(0, static_cast<int>(position.cols()), [&](int c) {
     const auto p = position.col(c);
     VectorXd padded(n + 2 * half);
     padded.segment(half, n) = p;

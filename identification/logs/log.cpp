@@ -67,7 +67,7 @@ std::string fault_name(FaultKind kind) {
       return "spike";
     case FaultKind::wrapped_angle:
       return "wrapped angle";
-    case FaultKind::far_off:
+    case FaultKind::discrepancy:
       return "far off the model";
     case FaultKind::out_of_range:
       return "out of range";

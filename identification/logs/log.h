@@ -36,7 +36,7 @@ enum class FaultKind {
   spike,
   wrapped_angle,
   out_of_range,
-  far_off,
+  discrepancy,
   too_short,
   too_long,
 };

@@ -2,6 +2,7 @@
 #include "identification/logs/read_csv.h"
 
 #include <fmt/format.h>
+#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +13,6 @@
 #include "identification/logs/data_faults.h"
 #include "identification/logs/full_turns.h"
 #include "identification/logs/inspect.h"
-#include "identification/logs/parallel_for.h"
 #include "identification/logs/sha256.h"
 #include "identification/logs/uniform_grid.h"
 
@@ -298,7 +298,7 @@ Log read_csv(const std::string& path, const std::vector<ChannelSpec>& specs,
 std::vector<Log> read_csv(const std::vector<LogFile>& files, const ReadOptions& options) {
   std::vector<Log> logs(files.size());
   std::vector<std::exception_ptr> errors(files.size());
-  diagnosis::parallel_for(static_cast<int>(files.size()), diagnosis::kAllThreads, [&](int index) {
+  tbb::parallel_for(0, static_cast<int>(files.size()), [&](int index) {
     const auto i = static_cast<std::size_t>(index);
     try {
       logs[i] = read_csv(files[i].path, files[i].specs, options);

@@ -95,10 +95,10 @@ struct Candidate {
   /// Not proportional to its one coefficient: the columns are a secant to a size of it, which
   /// refine() makes the coefficient itself; without nonlinear parameters, the tangent.
   bool secant = false;
-  bool value = false;     ///< changes a value that the model has, where no level can stand for it
+  bool value = false;  ///< changes a value that the model has, where no deviation can stand for it
   bool unlikely = false;  ///< named only where no other cause explains as much
-  std::string contains;   ///< level at the same place that is a part of it; may be empty
-  bool aside = false;     ///< is in every measurement: fitted, and no name for what is wrong
+  std::string contains;   ///< deviation at the same place that is a part of it; may be empty
+  bool nuisance = false;  ///< is in every measurement: fitted, and no name for what is wrong
   /// false: a fit with these coefficients and nonlinear parameters is not this effect; may be
   /// empty.
   std::function<bool(const Eigen::VectorXd& coefficients, const Eigen::VectorXd& nonlinear)>
@@ -112,10 +112,10 @@ struct Candidate {
   std::string isolating_experiment;  ///< the experiment that shows this effect alone
 };
 
-/// One parameter of a level cause. It moves baseline coefficients, each by `amount` per unit of the
-/// parameter; a coefficient that is simply free has one share of amount 1. Limits are those of the
-/// change, not of the whole value.
-struct LevelParameter {
+/// One parameter of a parameter deviation. It moves baseline coefficients, each by `amount` per
+/// unit of the parameter; a coefficient that is simply free has one share of amount 1. Limits are
+/// those of the change, not of the whole value.
+struct DeviationParameter {
   std::string name, unit;
   double low = -std::numeric_limits<double>::infinity();
   double high = std::numeric_limits<double>::infinity();
@@ -130,11 +130,11 @@ struct LevelParameter {
 
 /// A value of the model itself that differs from its nominal value: "viscous level", "inertia",
 /// "torque constant" (one parameter that scales every nominal value). A baseline coefficient that
-/// some level moves stays at its nominal value unless a level is named; all others are always
-/// free and never named.
-struct LevelCause {
+/// some deviation moves stays at its nominal value unless a deviation is named; all others are
+/// always free and never named.
+struct ParameterDeviation {
   std::string name, place;
-  std::vector<LevelParameter> parameters;
+  std::vector<DeviationParameter> parameters;
   std::string limit_meaning;
   std::string isolating_experiment;
   /// Channels at which its one parameter [s] delays what the nominal model says, against nothing
@@ -155,7 +155,8 @@ struct Problem {
   bool shared_noise = false;
   /// Channels measure different things (a force, an angle): each counts by its own size.
   bool unlike_channels = false;
-  std::vector<LevelCause> levels;  ///< may be empty: then the baseline has no nominal values
+  std::vector<ParameterDeviation>
+      deviations;  ///< may be empty: then the baseline has no nominal values
 };
 
 /// Signal with the model's effort of the logged motion, where the recording is as it was logged: of
@@ -171,9 +172,8 @@ struct Settings {
   double least_of_baseline = 0.01;  ///< the same against what the baseline leaves over
   int surrogates = 200;
   int blocks = 12;
-  int most_causes = 8;  ///< or one a channel, where there are more channels
-  int most_levels = 6;  ///< the same
-  int threads = 0;      ///< 0: as many as the machine has
+  int most_causes = 8;      ///< or one a channel, where there are more channels
+  int most_deviations = 6;  ///< the same
   unsigned seed = 1;
 };
 

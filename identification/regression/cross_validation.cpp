@@ -154,6 +154,41 @@ BlockLosses cross_validate(const Design& design, const Model& model, const Weigh
   return losses;
 }
 
+namespace {
+
+/// Columns of the coefficients the training knows nothing of: nuisances of the held-out logs.
+std::vector<Index> held_out_nuisances(const Design& design, const Model& model) {
+  std::vector<Index> own;
+  Index at = 0;
+  for (const Term& term : model.terms)
+    for (const auto& c : design.coefficients(*term.candidate)) {
+      if (c.recording >= static_cast<int>(design.problem().training.size())) own.push_back(at);
+      ++at;
+    }
+  return own;
+}
+
+/// Errors of one block: its nuisances are fitted to the other blocks (`all`: moments of every
+/// block).
+VectorXd block_error(const LinearFit& fit, const std::vector<PlainErrors>& block,
+                     const std::vector<Index>& nuisances, const MatrixXd& all) {
+  const Index wide = fit.coefficients.size();
+  VectorXd error(wide + 1);
+  error.head(wide) = -fit.coefficients;
+  error(wide) = 1.0;
+  if (nuisances.empty()) return error;
+  for (const Index i : nuisances) error(i) = 0.0;
+  MatrixXd others = all;
+  for (const PlainErrors& part : block) others(part.at, part.at) -= part.gram;
+  const VectorXd fitted =
+      scaled_pseudo_inverse(others(nuisances, nuisances), 1e-9) * (others * error)(nuisances);
+  for (std::size_t i = 0; i < nuisances.size(); ++i)
+    error(nuisances[i]) = -fitted(static_cast<Index>(i));
+  return error;
+}
+
+}  // namespace
+
 BlockLosses held_out(const Design& design, const Model& model, const LinearFit& fit, int blocks) {
   int total = 0;
   const std::vector<Stretch> stretches = cut(design, true, blocks, total);
@@ -175,28 +210,10 @@ BlockLosses held_out(const Design& design, const Model& model, const LinearFit& 
     plain[static_cast<std::size_t>(stretch.block)].push_back(part);
     losses.samples(stretch.block) += static_cast<double>(stretch.count);
   }
-  // Coefficients the training knows nothing of: nuisances of the held-out logs.
-  std::vector<Index> own;
-  Index at = 0;
-  for (const Term& term : model.terms)
-    for (const auto& c : design.coefficients(*term.candidate)) {
-      if (c.recording >= static_cast<int>(design.problem().training.size())) own.push_back(at);
-      ++at;
-    }
-  for (int b = 0; b < total; ++b) {
-    const auto& here = plain[static_cast<std::size_t>(b)];
-    VectorXd error(wide + 1);
-    error.head(wide) = -fit.coefficients;
-    error(wide) = 1.0;
-    for (const Index i : own) error(i) = 0.0;
-    if (!own.empty()) {
-      MatrixXd others = all;
-      for (const PlainErrors& part : here) others(part.at, part.at) -= part.gram;
-      const VectorXd nuisance =
-          scaled_pseudo_inverse(others(own, own), 1e-9) * (others * error)(own);
-      for (std::size_t i = 0; i < own.size(); ++i) error(own[i]) = -nuisance(static_cast<Index>(i));
-    }
-    for (const PlainErrors& part : here) part.add_to(losses, error);
+  const std::vector<Index> nuisances = held_out_nuisances(design, model);
+  for (const std::vector<PlainErrors>& block : plain) {
+    const VectorXd error = block_error(fit, block, nuisances, all);
+    for (const PlainErrors& part : block) part.add_to(losses, error);
   }
   return losses;
 }

@@ -15,8 +15,8 @@ struct Term {
   bool baseline = false;
   Eigen::VectorXd nonlinear;
   BandColumns columns;   ///< unwhitened
-  double freedom = 0.0;  ///< levels only: effective number of parameters
-  int level = -1;        ///< index into the problem's levels
+  double freedom = 0.0;  ///< deviations only: effective number of parameters
+  int deviation = -1;    ///< index into the problem's deviations
 };
 
 /// What a model says with coefficients that are not fitted, per segment in the band.

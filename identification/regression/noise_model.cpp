@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "identification/regression/noise_model.h"
 
+#include <tbb/parallel_for.h>
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
-#include "identification/logs/parallel_for.h"
 #include "identification/regression/spectrum.h"
 
 namespace sinew::diagnosis {
@@ -126,11 +126,10 @@ VectorXd noise_spectrum(const VectorXd& residual, const VectorXd& leverage, doub
 }
 
 std::vector<NoiseModel> estimate_noise(const Design& design, const Model& model,
-                                       const std::vector<const BandColumns*>& saturating,
-                                       int threads) {
+                                       const std::vector<const BandColumns*>& saturating) {
   const std::vector<Segment>& segments = design.segments();
   std::vector<NoiseModel> noise(segments.size());
-  parallel_for(static_cast<int>(segments.size()), threads, [&](int i) {
+  tbb::parallel_for(0, static_cast<int>(segments.size()), [&](int i) {
     const auto s = static_cast<std::size_t>(i);
     if (segments[s].holdout) return;
     noise[s] = estimate_segment(model.target[s], all_columns(model, saturating, s), segments[s],

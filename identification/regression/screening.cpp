@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "identification/regression/screening.h"
 
+#include <tbb/parallel_for.h>
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
-
-#include "identification/logs/parallel_for.h"
 
 namespace sinew::diagnosis {
 namespace {
@@ -34,7 +33,7 @@ struct Projected {
 };
 
 Projected project(const Design& design, const Model& model, const Weights& weights,
-                  const std::vector<MatrixXf>& surrogates, int threads) {
+                  const std::vector<MatrixXf>& surrogates) {
   const Stack stacked = stack(model, weights);
   const LinearFit fit = solve(stacked);
   Projected p;
@@ -59,7 +58,7 @@ Projected project(const Design& design, const Model& model, const Weights& weigh
   }
   if (!with_surrogates) return p;
   const MatrixXf solution = (p.inverse * moments).cast<float>();
-  parallel_for(static_cast<int>(count), threads, [&](int i) {
+  tbb::parallel_for(0, static_cast<int>(count), [&](int i) {
     const auto s = static_cast<std::size_t>(i);
     if (p.columns[s].rows() == 0) return;
     p.surrogates[s] = surrogates[s];
@@ -203,14 +202,14 @@ std::vector<VectorXd> starting_values(const Candidate& candidate) {
   return values;
 }
 
-Library::Library(const Design& design, int threads) {
+Library::Library(const Design& design) {
   const std::vector<Candidate>& library = design.problem().library;
   for (std::size_t c = 0; c < library.size(); ++c) {
     if (library[c].kind == CandidateKind::delay) continue;
     for (const VectorXd& value : starting_values(library[c]))
       slots_.push_back({static_cast<int>(c), value, {}, 1.0});
   }
-  parallel_for(static_cast<int>(slots_.size()), threads, [&](int i) {
+  tbb::parallel_for(0, static_cast<int>(slots_.size()), [&](int i) {
     Slot& slot = slots_[static_cast<std::size_t>(i)];
     slot.columns = design.columns(library[static_cast<std::size_t>(slot.candidate)], slot.nonlinear,
                                   0, &slot.in_band);
@@ -231,11 +230,10 @@ std::vector<const BandColumns*> Library::representatives() const {
 }
 
 Screening screen(const Design& design, const Library& library, const Model& model,
-                 const Weights& weights, const std::vector<MatrixXf>& surrogates, int threads,
-                 Scope scope) {
+                 const Weights& weights, const std::vector<MatrixXf>& surrogates, Scope scope) {
   const std::vector<Candidate>& candidates = design.problem().library;
   const LinearFit fit = solve(stack(model, weights));
-  const Projected projected = project(design, model, weights, surrogates, threads);
+  const Projected projected = project(design, model, weights, surrogates);
   std::vector<Slot> delays;
   std::vector<BandColumns> rates;  // the same for every delay
   for (std::size_t c = 0; c < candidates.size(); ++c)
@@ -250,7 +248,7 @@ Screening screen(const Design& design, const Library& library, const Model& mode
   const auto slot_at = [&](std::size_t i) -> const Slot& {
     return i < fixed ? library.slots()[i] : delays[i - fixed];
   };
-  parallel_for(static_cast<int>(results.size()), threads, [&](int i) {
+  tbb::parallel_for(0, static_cast<int>(results.size()), [&](int i) {
     const Slot& slot = slot_at(static_cast<std::size_t>(i));
     if (scope == Scope::nameable &&
         candidates[static_cast<std::size_t>(slot.candidate)].kind == CandidateKind::flexible)

@@ -21,7 +21,7 @@ struct Slot {
 /// All slots of a library, evaluated once. Delays have no slot: their column follows the model.
 class Library {
  public:
-  Library(const Design& design, int threads);
+  Library(const Design& design);
   const std::vector<Slot>& slots() const { return slots_; }
   /// A few columns of every candidate, for the saturating fit of the noise model.
   std::vector<const BandColumns*> representatives() const;
@@ -64,7 +64,7 @@ enum class Scope { nameable, everything };  ///< nameable: all but the flexible 
 /// outside the scope stay Gate::not_excited.
 Screening screen(const Design& design, const Library& library, const Model& model,
                  const Weights& weights, const std::vector<Eigen::MatrixXf>& surrogates,
-                 int threads, Scope scope = Scope::nameable);
+                 Scope scope = Scope::nameable);
 
 /// Starting values of a candidate: the grid over its nonlinear parameters.
 std::vector<Eigen::VectorXd> starting_values(const Candidate& candidate);

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "identification/regression/surrogates.h"
 
+#include <tbb/parallel_for.h>
 #include <algorithm>
 #include <boost/math/special_functions/gamma.hpp>
 #include <cmath>
 #include <numbers>
 #include <random>
 
-#include "identification/logs/parallel_for.h"
 #include "identification/regression/spectrum.h"
 
 namespace sinew::diagnosis {
@@ -47,11 +47,11 @@ VectorXd one_surrogate(const NoiseModel& noise, const VectorXd& window, std::mt1
 
 std::vector<Eigen::MatrixXf> make_surrogates(const Design& design,
                                              const std::vector<NoiseModel>& noise, int count,
-                                             unsigned seed, int threads) {
+                                             unsigned seed) {
   std::vector<Eigen::MatrixXf> surrogates(noise.size());
   for (std::size_t s = 0; s < noise.size(); ++s)
     if (noise[s].leftover.size() > 0) surrogates[s].resize(2 * noise[s].leftover.size(), count);
-  parallel_for(count, threads, [&](int i) {
+  tbb::parallel_for(0, count, [&](int i) {
     std::mt19937_64 random(seed * 1000003ULL + static_cast<unsigned>(i));
     for (std::size_t s = 0; s < noise.size(); ++s)
       if (surrogates[s].size() > 0)

@@ -13,7 +13,7 @@ namespace sinew::diagnosis {
 /// the residual's spectrum and random phases; whatever is structured in the residual is gone.
 std::vector<Eigen::MatrixXf> make_surrogates(const Design& design,
                                              const std::vector<NoiseModel>& noise, int count,
-                                             unsigned seed, int threads);
+                                             unsigned seed);
 
 /// Null distribution of one statistic: zero with some probability (a violated sign), else gamma.
 class NullDistribution {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "identification/regression/trial.h"
 
+#include <tbb/parallel_for.h>
 #include <algorithm>
 #include <cmath>
 
 #include "identification/regression/body_limits.h"
-#include "identification/logs/parallel_for.h"
 #include "identification/regression/refine.h"
 
 namespace sinew::diagnosis {
@@ -25,7 +25,7 @@ bool taken(const Design& design, const Model& model, int candidate) {
   const Candidate& wanted = candidate_at(design, candidate);
   return std::any_of(model.terms.begin(), model.terms.end(), [&](const Term& term) {
     return library_index(design, term) == candidate ||
-           (!term.baseline && term.level < 0 && wanted.kind == CandidateKind::named &&
+           (!term.baseline && term.deviation < 0 && wanted.kind == CandidateKind::named &&
             term.candidate->name == wanted.name && term.candidate->place == wanted.place);
   });
 }
@@ -51,24 +51,22 @@ Trial try_candidate(const Design& design, const Weights& weights, const Model& b
 
 }  // namespace
 
-NoiseView own_noise(const Design& design, const Model& model, int threads) {
+NoiseView own_noise(const Design& design, const Model& model) {
   NoiseView view;
-  view.noise = estimate_noise(design, model, {}, threads);
+  view.noise = estimate_noise(design, model, {});
   view.weights = whitening(view.noise);
   return view;
 }
 
-NoiseView saturated_noise(const Design& design, const Library& library, const Model& model,
-                          int threads) {
+NoiseView saturated_noise(const Design& design, const Library& library, const Model& model) {
   NoiseView view;
-  view.noise = estimate_noise(design, model, library.representatives(), threads);
+  view.noise = estimate_noise(design, model, library.representatives());
   view.weights = whitening(view.noise);
   return view;
 }
 
 void draw_surrogates(const Design& design, const Settings& settings, NoiseView& view) {
-  view.surrogates =
-      make_surrogates(design, view.noise, settings.surrogates, settings.seed, settings.threads);
+  view.surrogates = make_surrogates(design, view.noise, settings.surrogates, settings.seed);
 }
 
 double parameter_price(const Design& design) {
@@ -80,7 +78,7 @@ double parameter_price(const Design& design) {
 
 int library_index(const Design& design, const Term& term) {
   const std::vector<Candidate>& library = design.problem().library;
-  if (term.level >= 0) return -1 - term.level;
+  if (term.deviation >= 0) return -1 - term.deviation;
   return term.baseline || library.empty() ? -1 : static_cast<int>(term.candidate - library.data());
 }
 
@@ -89,8 +87,8 @@ double model_price(const Design& design, const std::vector<double>& freedom, con
   for (const Term& term : model.terms)
     if (!term.baseline) {
       if (term.candidate->unlikely) unlikely += kUnlikely;
-      sum += term.level >= 0 ? term.freedom
-                             : freedom[static_cast<std::size_t>(library_index(design, term))];
+      sum += term.deviation >= 0 ? term.freedom
+                                 : freedom[static_cast<std::size_t>(library_index(design, term))];
     }
   return sum * parameter_price(design) + unlikely;
 }
@@ -146,13 +144,13 @@ std::vector<Screened> shortlist(const Design& design, const std::vector<double>&
 }
 
 std::vector<Trial> try_candidates(const Design& design, const Weights& weights, const Model& base,
-                                  const std::vector<Screened>& list, int threads) {
+                                  const std::vector<Screened>& list) {
   std::vector<bool> violated;
   const LinearFit fit = solve(stack(base, weights));
   for (std::size_t t = 0; t < base.terms.size(); ++t)
     violated.push_back(violates_limits(design, base, fit, t));
   std::vector<Trial> trials(list.size());
-  parallel_for(static_cast<int>(list.size()), threads, [&](int i) {
+  tbb::parallel_for(0, static_cast<int>(list.size()), [&](int i) {
     const auto k = static_cast<std::size_t>(i);
     trials[k] = try_candidate(design, weights, base, violated, list[k]);
   });

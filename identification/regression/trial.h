@@ -16,11 +16,10 @@ struct NoiseView {
 };
 
 /// Noise left over by a model alone: whatever it does not explain counts as noise.
-NoiseView own_noise(const Design& design, const Model& model, int threads);
+NoiseView own_noise(const Design& design, const Model& model);
 
 /// Noise left over by the model and the whole library together, see estimate_noise().
-NoiseView saturated_noise(const Design& design, const Library& library, const Model& model,
-                          int threads);
+NoiseView saturated_noise(const Design& design, const Library& library, const Model& model);
 
 void draw_surrogates(const Design& design, const Settings& settings, NoiseView& view);
 
@@ -41,7 +40,7 @@ inline constexpr double kUnlikely = 12.0;
 /// independent rows.
 double parameter_price(const Design& design);
 
-/// Index of a term's candidate in the library, -1 for baseline terms and -1 - i for level i.
+/// Index of a term's candidate in the library, -1 for baseline terms and -1 - i for deviation i.
 int library_index(const Design& design, const Term& term);
 
 /// Price of all causes of a model; freedom: effective parameters per candidate.
@@ -60,7 +59,7 @@ std::vector<Screened> shortlist(const Design& design, const std::vector<double>&
 
 /// Fits every candidate of the list on top of `base`.
 std::vector<Trial> try_candidates(const Design& design, const Weights& weights, const Model& base,
-                                  const std::vector<Screened>& list, int threads);
+                                  const std::vector<Screened>& list);
 
 /// Position of the best allowed trial under these weights (fills deviance and score), or -1.
 int rank_trials(const Design& design, const std::vector<double>& freedom, const Weights& weights,

@@ -4,11 +4,11 @@
 
 #include <numbers>
 
+#include "identification/regression/flexible_families.h"
+#include "identification/regression/position_noise.h"
 #include "identification/subjects/driven_subject.h"
 #include "identification/subjects/effect_candidate.h"
-#include "identification/regression/flexible_families.h"
 #include "identification/subjects/model_candidates.h"
-#include "identification/regression/position_noise.h"
 #include "symbolic/effects/effects.h"
 
 namespace sinew::diagnosis {
@@ -194,17 +194,18 @@ void DrivenSubject::add_model_candidates(std::size_t joint) {
   take(sensor_hysteresis_candidate(where, known_, scale(joint)), "sensor_hysteresis");
   if (coarse_sensor(joint)) {
     take(sensor_quantisation_candidate(where, known_, coupled), "sensor_quantisation");
-    problem_.library.back().aside = fine_sensor(joint);
+    problem_.library.back().nuisance = fine_sensor(joint);
   } else if (noise_of_position(training(), static_cast<Index>(joint))) {
     take(sensor_noise_candidate(where, known_, coupled), "sensor_noise");
-    problem_.library.back().aside = true;
+    problem_.library.back().nuisance = true;
   }
   if (tendon_driven(joint))
     take(pulley_radius_candidate(where.axis, where.name), "pulley_radius");
-  else if (!gain_is_only_level(joint))
+  else if (!gain_is_only_deviation(joint))
     take(torque_constant_candidate(where), "torque_constant");
   if (moves_links(joint)) take(sensor_offset_candidate(where, known_, coupled), "sensor_offset");
-  // One joint's scale is a level too (driven_levels.cpp); here it meets what else bends friction.
+  // One joint's scale is a deviation too (driven_deviations.cpp); here it meets what else bends
+  // friction.
   take(sensor_scale_candidate(where, known_, coupled), "sensor_scale");
   const int axis = static_cast<int>(joint);
   for (auto* shapes : {flexible_families, local_decoys})

@@ -5,10 +5,10 @@
 #include <limits>
 
 #include "identification/logs/dequantise.h"
-#include "identification/subjects/driven_subject.h"
 #include "identification/logs/filter.h"
-#include "identification/subjects/model_candidates.h"
 #include "identification/regression/position_noise.h"
+#include "identification/subjects/driven_subject.h"
+#include "identification/subjects/model_candidates.h"
 
 namespace sinew::diagnosis {
 namespace {
@@ -36,7 +36,8 @@ void DrivenSubject::add_smooth_motion(Recording& log) const {
 }
 
 /// What effects that act by the acceleration see of it: where all of it above the motion is noise
-/// of the position, an effect that takes fast accelerations away would be that noise's shadow.
+/// of the position, an effect that takes fast accelerations away would be collinear with that
+/// noise.
 void DrivenSubject::add_derivatives(Recording& log) const {
   const auto add = [&](double cutoff, const std::vector<Index>& joints) {
     const MatrixXd acceleration = differentiate(log.q(Eigen::all, joints), log.step, cutoff).qdd;

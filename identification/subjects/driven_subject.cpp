@@ -6,14 +6,14 @@
 #include <algorithm>
 #include <numbers>
 
-#include "identification/regression/baseline.h"
+#include "identification/diagnosis/select.h"
 #include "identification/logs/dequantise.h"
-#include "identification/subjects/effect_candidate.h"
+#include "identification/regression/baseline.h"
 #include "identification/regression/position_noise.h"
 #include "identification/regression/refine.h"
-#include "identification/diagnosis/select.h"
 #include "identification/regression/standstill.h"
 #include "identification/regression/trial.h"
+#include "identification/subjects/effect_candidate.h"
 #include "symbolic/dynamics/dynamics_functions.h"
 #include "symbolic/effects/effects.h"
 #include "symbolic/extension/identified_mechanism.h"
@@ -32,8 +32,8 @@ MatrixXd columns_of(const sinew::Segment& segment, const std::vector<int>& chann
   return x;
 }
 
-/// Friction whose law over the velocity is not known is fitted as a whole: its level, known, is the
-/// baseline's nominal value.
+/// Friction whose law over the velocity is not known is fitted as a whole: its deviation, known, is
+/// the baseline's nominal value.
 DrivenModel without_open_friction(DrivenModel model) {
   for (DrivenJoint& joint : model.joints)
     if (joint.friction_speed == 0.0) joint.friction = 0.0;
@@ -210,7 +210,7 @@ void DrivenSubject::set_signals(Recording& log) const {
 void DrivenSubject::fit_directions(const Settings& settings) {
   const Design design(problem_, settings);
   Model model = baseline_model(design);
-  refine(design, own_noise(design, model, settings.threads).weights, RefineScope::all_terms, model);
+  refine(design, own_noise(design, model).weights, RefineScope::all_terms, model);
   for (std::size_t t = 0; t < baseline_.size(); ++t)
     if (baseline_[t].effect == "presliding")
       presliding_[baseline_[t].joint] = model.terms[t].nonlinear(0);
@@ -236,8 +236,8 @@ void DrivenSubject::prepare(const Settings& settings) {
   problem_.library.clear();
   baseline_.clear();
   library_.clear();
-  levels_.clear();
-  problem_.levels.clear();
+  deviations_.clear();
+  problem_.deviations.clear();
   for (std::size_t j = 0; j < bristle_.size(); ++j) add_baseline(j);
   if (std::any_of(bristle_.begin(), bristle_.end(), [](bool b) { return b; }))
     fit_directions(settings);
@@ -248,9 +248,9 @@ void DrivenSubject::prepare(const Settings& settings) {
     add_library(j);
     if (!tendon_driven(j)) add_ripples(j);
     add_model_candidates(j);
-    add_levels(j);
+    add_deviations(j);
   }
-  add_mechanism_levels();
+  add_mechanism_deviations();
 }
 
 FlexibleRanges DrivenSubject::ranges(std::size_t joint) const {

@@ -7,13 +7,13 @@
 #include <string>
 #include <vector>
 
+#include "identification/diagnosis/separation.h"
+#include "identification/logs/log.h"
 #include "identification/regression/candidate.h"
+#include "identification/regression/flexible_families.h"
 #include "identification/subjects/effect_candidate.h"
 #include "identification/subjects/effort_model.h"
-#include "identification/regression/flexible_families.h"
-#include "identification/logs/log.h"
 #include "identification/subjects/rigid_candidates.h"
-#include "identification/diagnosis/separation.h"
 #include "identification/subjects/tendon_candidates.h"
 #include "symbolic/extension/driven_model.h"
 
@@ -50,7 +50,7 @@ class DrivenSubject {
   /// Adds a log's segments.
   void add_log(const Log& log, const DrivenColumns& columns, bool held_out);
 
-  /// Baseline, library and levels for the logs added so far. Throws std::invalid_argument where
+  /// Baseline, library and deviations for the logs added so far. Throws std::invalid_argument where
   /// no stretch of a log is long enough.
   void prepare(const Settings& settings);
 
@@ -71,8 +71,8 @@ class DrivenSubject {
   /// Step of a joint's position sensor as logged, rad or m; 0: none seen.
   double position_step(std::size_t joint) const { return quantum_[joint]; }
   const std::vector<CandidateOrigin>& baseline_origins() const { return baseline_; }
-  /// What a level cause changes.
-  const CandidateOrigin& level_origin(int level) const;
+  /// What a parameter deviation changes.
+  const CandidateOrigin& deviation_origin(int deviation) const;
   /// What is known of a joint's friction direction: true where it is a bristle state.
   bool bristle(std::size_t joint) const { return bristle_[joint]; }
 
@@ -81,10 +81,10 @@ class DrivenSubject {
   void add_library(std::size_t joint);
   void add_free_payload(Candidate payload);
   void add_mechanism_candidates();
-  void add_payload_levels();
-  void add_mechanism_levels();
+  void add_payload_deviations();
+  void add_mechanism_deviations();
   /// The candidate's first columns (all: -1) as changes of the model's own values.
-  void add_level(const Candidate& candidate, CandidateOrigin origin, int columns = -1);
+  void add_deviation(const Candidate& candidate, CandidateOrigin origin, int columns = -1);
   std::vector<const Recording*> training() const;
   void learn_steps(const Log& log, int position, std::size_t joint);
   bool coarse_sensor(std::size_t joint) const;
@@ -96,10 +96,11 @@ class DrivenSubject {
   void add_ripples(std::size_t joint);
   void add_ripple_of_any_period(std::size_t joint);
   void add_model_candidates(std::size_t joint);
-  void add_levels(std::size_t joint);
-  void add_common_levels(std::size_t joint);
+  void add_deviations(std::size_t joint);
+  void add_common_deviations(std::size_t joint);
   double most_inertia(std::size_t joint) const;
-  void add_delay_level(const Candidate& delay, CandidateOrigin origin, std::vector<int> channels);
+  void add_delay_deviation(const Candidate& delay, CandidateOrigin origin,
+                           std::vector<int> channels);
   void fit_directions(const Settings& settings);
   void add_smooth_motion(Recording& log) const;
   void add_derivatives(Recording& log) const;
@@ -117,7 +118,7 @@ class DrivenSubject {
   Eigen::MatrixXd effort_of_smooth_load(Recording& log) const;
   bool is_lone_link() const;
   bool moves_links(std::size_t joint) const;
-  bool gain_is_only_level(std::size_t joint) const;
+  bool gain_is_only_deviation(std::size_t joint) const;
   bool tendon_driven(std::size_t joint) const;
   bool carries_links(std::size_t joint) const;
   FlexibleRanges ranges(std::size_t joint) const;
@@ -138,7 +139,7 @@ class DrivenSubject {
   std::vector<bool> rounded_again_;  ///< their logs have a much finer grid than the sensor
   std::vector<double> presliding_;   ///< fitted length, where the direction is a bristle state
   Problem problem_;
-  std::vector<CandidateOrigin> library_, baseline_, levels_;
+  std::vector<CandidateOrigin> library_, baseline_, deviations_;
 };
 
 }  // namespace sinew::diagnosis

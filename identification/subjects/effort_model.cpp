@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "identification/subjects/effort_model.h"
 
+#include <tbb/parallel_for.h>
 #include <algorithm>
 #include <map>
 #include <stdexcept>
 
 #include "generator/assemble.h"
 #include "generator/cost.h"
-#include "identification/logs/parallel_for.h"
 
 namespace sinew::diagnosis {
 namespace {
@@ -148,7 +148,7 @@ MatrixXd EffortModel::run(const std::string& name, const Recording& log, const M
   if (memory)
     for (Index b = 0; b < blocks; ++b) block(b * kBlock, state);
   else
-    parallel_for(static_cast<int>(blocks), kAllThreads, [&](int b) {
+    tbb::parallel_for(0, static_cast<int>(blocks), [&](int b) {
       VectorXd none;
       block(b * kBlock, none);
     });

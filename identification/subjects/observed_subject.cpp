@@ -156,6 +156,25 @@ void ObservedSubject::prepare() {
   for (std::size_t i = 0; i < observation_.effects.size(); ++i) add_effect(i);
 }
 
+std::function<MatrixXd(const Recording&, const VectorXd&)> ObservedSubject::derivative_columns(
+    Index at, Index shape_at, const std::vector<double>& steps) const {
+  const Index channels = static_cast<Index>(channels_.size());
+  return [open = open_, learnt = learnt_, shapes = shapes_, at, shape_at, steps, channels](
+             const Recording& log, const VectorXd& nonlinear) {
+    VectorXd shape = shapes;
+    shape.segment(shape_at, nonlinear.size()) = nonlinear;
+    MatrixXd all(log.time.size(), channels * static_cast<Index>(steps.size()));
+    for (std::size_t p = 0; p < steps.size(); ++p) {
+      VectorXd up = learnt, down = learnt;
+      up(at + static_cast<Index>(p)) += steps[p];
+      down(at + static_cast<Index>(p)) -= steps[p];
+      all.middleCols(channels * static_cast<Index>(p), channels) =
+          (open(log, up, shape) - open(log, down, shape)).leftCols(channels) / (2.0 * steps[p]);
+    }
+    return all;
+  };
+}
+
 void ObservedSubject::add_effect(std::size_t index) {
   const ObservationEffect& effect = observation_.effects[index];
   const Index at = first_deviation_[index], shape_at = first_shape_[index];
@@ -173,21 +192,7 @@ void ObservedSubject::add_effect(std::size_t index) {
   for (const ObservationParameter& p : effect.shapes)
     c.nonlinear.push_back({p.name, p.unit, p.low, p.high, static_cast<int>(p.step), p.low > 0.0});
   const Index channels = static_cast<Index>(channels_.size());
-  // One column block of `channels` for each deviation.
-  auto derivative = [open = open_, learnt = learnt_, shapes = shapes_, at, shape_at, steps,
-                     channels](const Recording& log, const VectorXd& nonlinear) {
-    VectorXd shape = shapes;
-    shape.segment(shape_at, nonlinear.size()) = nonlinear;
-    MatrixXd all(log.time.size(), channels * static_cast<Index>(steps.size()));
-    for (std::size_t p = 0; p < steps.size(); ++p) {
-      VectorXd up = learnt, down = learnt;
-      up(at + static_cast<Index>(p)) += steps[p];
-      down(at + static_cast<Index>(p)) -= steps[p];
-      all.middleCols(channels * static_cast<Index>(p), channels) =
-          (open(log, up, shape) - open(log, down, shape)).leftCols(channels) / (2.0 * steps[p]);
-    }
-    return all;
-  };
+  const auto derivative = derivative_columns(at, shape_at, steps);
   const std::string key = key_of(effect);
   if (effect.shapes.empty())
     for (auto* logs : {&problem_.training, &problem_.holdout})

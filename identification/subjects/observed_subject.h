@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
+#include "identification/logs/log.h"
 #include "identification/regression/candidate.h"
 #include "identification/regression/flexible_families.h"
-#include "identification/logs/log.h"
 #include "simulation/compiled_model.h"
 #include "symbolic/extension/observation.h"
 
@@ -85,6 +85,10 @@ class ObservedSubject {
   void set_units();
   void set_known();
   void add_effect(std::size_t index);
+  /// Derivatives of what the channels should read by an effect's deviations, a block of columns
+  /// (one a channel) for each; at and shape_at: where its deviations and shapes stand among all.
+  std::function<Eigen::MatrixXd(const Recording&, const Eigen::VectorXd&)> derivative_columns(
+      Eigen::Index at, Eigen::Index shape_at, const std::vector<double>& steps) const;
 
   Observation observation_;
   std::vector<ObservedChannel> channels_;

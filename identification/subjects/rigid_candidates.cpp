@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "identification/subjects/rigid_candidates.h"
 
+#include <tbb/parallel_for.h>
 #include <algorithm>
 
 #include "generator/assemble.h"
-#include "identification/logs/parallel_for.h"
 #include "symbolic/dynamics/dynamics_functions.h"
-#include "symbolic/effects/model_effects.h"
 #include "symbolic/dynamics/runtime_parameters.h"
+#include "symbolic/effects/model_effects.h"
 
 namespace sinew::diagnosis {
 namespace {
@@ -249,7 +249,7 @@ MatrixXd RigidColumns::columns_of(const Group& group, const Recording& log) cons
 
 void RigidColumns::add_signals(Recording& log) const {
   std::vector<MatrixXd> all(groups_.size());
-  parallel_for(static_cast<int>(all.size()), kAllThreads, [&](int i) {
+  tbb::parallel_for(0, static_cast<int>(all.size()), [&](int i) {
     const auto g = static_cast<std::size_t>(i);
     all[g] = columns_of(groups_[g], log);
   });

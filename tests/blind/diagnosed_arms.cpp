@@ -114,9 +114,9 @@ TEST_CASE("an arm that hides nothing is told to leave nothing over") {
 }
 
 TEST_CASE("causes hidden in joints in closed loop are named from the logs alone") {
-  // Planted defect: with a pendulum's torque constant only a level (gain_is_only_level without
-  // carries_links) seeds 701 and 706 get a sensor's scale as well, and the second check fails. 704
-  // is wrong as it stands: a spring that passes for inertia and elasticity.
+  // Planted defect: with a pendulum's torque constant only a deviation (gain_is_only_deviation
+  // without carries_links) seeds 701 and 706 get a sensor's scale as well, and the second check
+  // fails. 704 is wrong as it stands: a spring that passes for inertia and elasticity.
   const blind::Rates rates =
       blind::run(diagnose_joint, {700, "joint", truth::Family::one, 3.0}, 8,
                  [](std::uint64_t seed, const Outcome& o) {

@@ -113,7 +113,7 @@ TEST_CASE("causes hidden in drives are named from the logs alone") {
 TEST_CASE("causes that were missed once are found") {
   // A load that falls through the gap (90032: without "loaded_backlash" in add_library it is called
   // gear elasticity), and a nuisance fitted to nothing that ruins held-out stretches (400030:
-  // without drop_unseen_nuisances in select.cpp nothing is said). A sensor's low-pass that logs
+  // without settle_nuisances in select.cpp nothing is said). A sensor's low-pass that logs
   // bend as, told as a delay (450067: without with_lag in confounding.cpp), and a sensor's play
   // beside which half a sample of its own making was told as a delay (460065: side_of_play not
   // centred).
@@ -127,7 +127,7 @@ TEST_CASE("causes that were missed once are found") {
 TEST_CASE("what one log cannot tell apart the motion asked for does") {
   // Pairs that look the same in the logs handed over. 443001 also needs the held-out gain of load
   // friction beside the friction level as adopted: held-out logs under one load show none beside a
-  // level that is free (seen to fail with gain_on_held_out of the search's model alone).
+  // deviation that is free (seen to fail with gain_on_held_out of the search's model alone).
   int settled = 0;
   for (const std::uint64_t seed : {443001U, 444000U, 444001U, 444002U}) {
     const blind::Settled s = settle_drive({seed, "drive", truth::Family::inseparable, 1.0});

@@ -94,7 +94,7 @@ TEST_CASE("canonical correlation is one for stand-ins and small for strangers") 
   const Settings settings = test::below_20_hz();
   const Design design(problem, settings);
   const Model model = baseline_model(design);
-  const Weights weights = own_noise(design, model, 1).weights;
+  const Weights weights = own_noise(design, model).weights;
   const auto columns = [&](int i) {
     return design.columns(problem.library[static_cast<std::size_t>(i)], VectorXd());
   };

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "identification/diagnosis/select.h"
 #include "identification/regression/baseline.h"
 #include "identification/regression/flexible_families.h"
 #include "identification/regression/refine.h"
-#include "identification/diagnosis/select.h"
 
 namespace sinew::test {
 namespace {
@@ -260,7 +260,7 @@ double fitted_presliding(const std::vector<Recording>& logs, const DriveScales& 
   problem.baseline = drive_baseline(scales);
   const Design design(problem, settings);
   Model model = baseline_model(design);
-  refine(design, own_noise(design, model, settings.threads).weights, RefineScope::all_terms, model);
+  refine(design, own_noise(design, model).weights, RefineScope::all_terms, model);
   return model.terms[2].nonlinear(0);
 }
 

@@ -7,7 +7,7 @@
 
 namespace sinew::test {
 
-Explanation diagnose_drive(const SyntheticDrive& drive, unsigned seed, int threads) {
+Explanation diagnose_drive(const SyntheticDrive& drive, unsigned seed) {
   Problem problem;
   problem.training = {drive.log};
   DriveScales scales = drive_scales(problem.training);
@@ -16,7 +16,6 @@ Explanation diagnose_drive(const SyntheticDrive& drive, unsigned seed, int threa
   Settings settings;
   settings.edge_s = 0.2;
   settings.seed = seed;
-  settings.threads = threads;
   problem.baseline = drive_baseline(scales);
   scales.presliding = fitted_presliding(problem.training, scales, settings);
   problem.library = drive_library(scales);

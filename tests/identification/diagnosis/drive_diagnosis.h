@@ -10,8 +10,8 @@
 
 namespace sinew::test {
 
-/// Diagnoses a simulated drive; threads: of the engine.
-Explanation diagnose_drive(const SyntheticDrive& drive, unsigned seed, int threads = 2);
+/// Diagnoses a simulated drive.
+Explanation diagnose_drive(const SyntheticDrive& drive, unsigned seed);
 
 /// True where a cause has a member of that name.
 bool is_member(const NamedCause& cause, const std::string& name);

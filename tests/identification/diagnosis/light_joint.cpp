@@ -4,10 +4,10 @@
 #include <cmath>
 #include <random>
 
-#include "identification/regression/baseline.h"
+#include "identification/diagnosis/collinearity.h"
 #include "identification/diagnosis/explain.h"
+#include "identification/regression/baseline.h"
 #include "identification/regression/refine.h"
-#include "identification/diagnosis/shadow.h"
 #include "tests/identification/diagnosis/two_joints.h"
 
 namespace {
@@ -59,21 +59,21 @@ Problem arm(double hidden, double delay, unsigned seed) {
     log.known.push_back(said);
     problem.baseline.push_back(group("viscous level", {c}, velocity));
     problem.library.push_back(group("ripple", {c}, tripled));
-    LevelCause level;
-    level.name = "viscous level";
-    level.place = "joint " + std::to_string(c);
-    level.parameters.resize(1);
-    level.parameters.front().name = "change";
-    level.parameters.front().shares = {{c, 0, 1.0}};
-    problem.levels.push_back(level);
+    ParameterDeviation deviation;
+    deviation.name = "viscous level";
+    deviation.place = "joint " + std::to_string(c);
+    deviation.parameters.resize(1);
+    deviation.parameters.front().name = "change";
+    deviation.parameters.front().shares = {{c, 0, 1.0}};
+    problem.deviations.push_back(deviation);
   }
-  LevelCause late;
+  ParameterDeviation late;
   late.name = "delay";
   late.place = "all joints";
   late.parameters.resize(1);
   late.parameters.front().name = "delay";
   late.delayed = {0, 1};
-  problem.levels.push_back(late);
+  problem.deviations.push_back(late);
   problem.training.push_back(std::move(log));
   return problem;
 }
@@ -103,8 +103,8 @@ TEST_CASE("one delay of both joints is one cause, not a damping of each") {
     REQUIRE(e.verdict.causes[0].parameters.size() == 1);
     const ParameterEstimate& found = e.verdict.causes[0].parameters[0];
     CHECK(std::abs(found.value - delay) < 5.0 * found.standard_error);
-    // Planted: without the delay among the levels.
-    problem.levels.pop_back();
+    // Planted: without the delay among the deviations.
+    problem.deviations.pop_back();
     CHECK(explain(problem, test::below_20_hz()).verdict.causes.size() == 2);
   }
 }
@@ -129,10 +129,11 @@ TEST_CASE("a small cause that only stands in for a large one is its shadow, and 
   Model model = baseline_model(design);
   for (const int c : {1, 2})
     append_term(design, weights, problem.library[static_cast<std::size_t>(c)], VectorXd(), model);
-  const auto shadow = find_shadow(design, settings, weights, model, ShadowOf::causes);
-  REQUIRE(shadow);
-  CHECK(model.terms[*shadow].candidate->name == "lookalike");
-  // Without a level in the model there is none to ask about; a cause in its place was written to
-  // where no level is.
-  CHECK_FALSE(find_shadow(design, settings, weights, model, ShadowOf::levels));
+  const auto collinear =
+      find_collinear_term(design, settings, weights, model, CollinearAmong::causes);
+  REQUIRE(collinear);
+  CHECK(model.terms[*collinear].candidate->name == "lookalike");
+  // Without a deviation in the model there is none to ask about; a cause in its place was written
+  // to where no deviation is.
+  CHECK_FALSE(find_collinear_term(design, settings, weights, model, CollinearAmong::deviations));
 }

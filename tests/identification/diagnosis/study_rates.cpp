@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The rates the engine is judged by, over many simulated drives. Not part of a usual run:
-//   SINEW_TRIALS=200 SINEW_SIZE=50 SINEW_SEED=1000 identification_tests "[.study]" -c one
+//   SINEW_TRIALS=200 SINEW_SIZE=50 SINEW_SEED=1000 identification_diagnosis_tests "[.study]" -c one
 #include <fmt/core.h>
 
 #include <array>
@@ -88,7 +88,7 @@ void study(const std::string& title, const std::vector<std::string>& effects, in
       truth.insert(effects[random() % effects.size()]);
     const SyntheticDrive drive = simulate_drive(
         {truth.begin(), truth.end()}, std::vector<double>(truth.size(), size), 30.0, seed);
-    const Verdict verdict = diagnose_drive(drive, seed, environment("SINEW_THREADS", 1)).verdict;
+    const Verdict verdict = diagnose_drive(drive, seed).verdict;
     rates.count(nameable ? truth : std::set<std::string>{}, verdict);
     if (environment("SINEW_VERBOSE", 0) && first_names(verdict) != truth)
       fmt::print(
@@ -104,7 +104,7 @@ double size_of_effects() {
 
 }  // namespace
 
-// SINEW_TRIALS, SINEW_SIZE (percent of the noise), SINEW_SEED and SINEW_THREADS choose the run.
+// SINEW_TRIALS, SINEW_SIZE (percent of the noise) and SINEW_SEED choose the run.
 TEST_CASE("study: rates", "[.study]") {
   const double size = size_of_effects();
   SECTION("null") {

@@ -9,7 +9,7 @@
 #include <functional>
 #include <numbers>
 
-#include "identification/adoption/far_off.h"
+#include "identification/adoption/discrepancy.h"
 #include "identification/subjects/tendon_candidates.h"
 #include "identification/subjects/tendon_consistency.h"
 #include "tests/identification/subjects/finger_with_motors.h"
@@ -169,7 +169,7 @@ TEST_CASE("a channel of which the model explains less than half is told") {
   const std::map<std::string, std::vector<LoggedColumn>> columns{{"log.csv", {{"force", 3}}}};
   const auto faults_at = [&](double explained) {
     m.before = m.after = explained * m.measured;
-    return far_off_channels(problem, {m}, columns, false);
+    return discrepant_channels(problem, {m}, columns, false);
   };
   CHECK(faults_at(0.8).empty());
   const std::vector<DataFault> faults = faults_at(0.2);
@@ -181,7 +181,7 @@ TEST_CASE("a channel of which the model explains less than half is told") {
   diagnosis::Findings findings;
   findings.logs.push_back({"log.csv", "", false, 0, 0.0, 0.0, {}});
   REQUIRE(findings.verdict.nothing_beyond_noise());
-  tell_far_off(faults, findings);
+  report_discrepancies(faults, findings);
   CHECK_FALSE(findings.verdict.nothing_beyond_noise());
   CHECK(findings.logs[0].faults.size() == 1);
   CHECK(findings.headline.find("'force'") != std::string::npos);

@@ -14,7 +14,7 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-void DrivenSubject::add_levels(std::size_t joint) {
+void DrivenSubject::add_deviations(std::size_t joint) {
   const auto first = std::find_if(baseline_.begin(), baseline_.end(),
                                   [&](const auto& origin) { return origin.joint == joint; });
   const int base = static_cast<int>(first - baseline_.begin());
@@ -25,25 +25,25 @@ void DrivenSubject::add_levels(std::size_t joint) {
   for (int k = 0; k < 4; ++k) {
     const Effect& effect = find_effect(effects[k]);
     const EffectColumn& column = effect.columns.front();
-    LevelParameter parameter;
+    DeviationParameter parameter;
     parameter.name = column.name;
     parameter.unit = unit_at(column.unit, driven.revolute);
     parameter.low = lowest[k];
     if (k == 0 && tendon_driven(joint)) parameter.high = most_inertia(joint);
     parameter.shares = {{base + k, 0, 1.0}};
     const bool bounded = std::isfinite(parameter.high);
-    problem_.levels.push_back(
+    problem_.deviations.push_back(
         {effect.name,
          place(joint),
          {parameter},
          bounded ? "it would be negative, or far beyond any link's" : "it would be negative",
          effect.experiment,
          {}});
-    levels_.push_back({effects[k], joint, {}, {}});
+    deviations_.push_back({effects[k], joint, {}, {}});
   }
-  add_common_levels(joint);
-  add_delay_level(delay_candidate({static_cast<int>(joint), place(joint), driven.revolute}),
-                  {"delay", joint, {}, {}}, {static_cast<int>(joint)});
+  add_common_deviations(joint);
+  add_delay_deviation(delay_candidate({static_cast<int>(joint), place(joint), driven.revolute}),
+                      {"delay", joint, {}, {}}, {static_cast<int>(joint)});
 }
 
 /// No link is that much heavier than its model: what would be is no inertia. [kg m²]
@@ -58,96 +58,101 @@ double DrivenSubject::most_inertia(std::size_t joint) const {
 
 /// A delay moves inertia into damping and weight into friction: what the model says shows it, its
 /// free values would not.
-void DrivenSubject::add_delay_level(const Candidate& delay, CandidateOrigin origin,
-                                    std::vector<int> channels) {
-  LevelCause level{
+void DrivenSubject::add_delay_deviation(const Candidate& delay, CandidateOrigin origin,
+                                        std::vector<int> channels) {
+  ParameterDeviation deviation{
       delay.name,         delay.place, {}, delay.limit_meaning, delay.isolating_experiment,
       std::move(channels)};
-  LevelParameter parameter;
+  DeviationParameter parameter;
   parameter.name = delay.linear.front().name;
   parameter.unit = delay.linear.front().unit;
   parameter.low = delay.nonlinear.front().low;
   parameter.high = delay.nonlinear.front().high;
-  level.parameters = {std::move(parameter)};
-  problem_.levels.push_back(std::move(level));
-  levels_.push_back(std::move(origin));
+  deviation.parameters = {std::move(parameter)};
+  problem_.deviations.push_back(std::move(deviation));
+  deviations_.push_back(std::move(origin));
 }
 
 /// One parameter that moves several of the model's values at once.
-void DrivenSubject::add_common_levels(std::size_t joint) {
+void DrivenSubject::add_common_deviations(std::size_t joint) {
   const EffectPlace where{static_cast<int>(joint), place(joint), model_.joints[joint].revolute};
   if (tendon_driven(joint))
-    add_level(pulley_radius_candidate(where.axis, where.name), {"pulley_radius", joint, {}, {}});
+    add_deviation(pulley_radius_candidate(where.axis, where.name),
+                  {"pulley_radius", joint, {}, {}});
   // Where tendons give the effort, the noise of their forces would pass for a gain.
-  if (!tendons_) add_level(torque_constant_candidate(where), {"torque_constant", joint, {}, {}});
+  if (!tendons_)
+    add_deviation(torque_constant_candidate(where), {"torque_constant", joint, {}, {}});
   if (model_.joints.size() == 1)
-    add_level(sensor_scale_candidate(where, known_, {where.axis}), {"sensor_scale", joint, {}, {}});
+    add_deviation(sensor_scale_candidate(where, known_, {where.axis}),
+                  {"sensor_scale", joint, {}, {}});
   if (is_lone_link() || (tendon_driven(joint) && moves_links(joint)))
-    add_level(sensor_offset_candidate(where, known_, {where.axis}),
-              {"sensor_offset", joint, {}, {}});
+    add_deviation(sensor_offset_candidate(where, known_, {where.axis}),
+                  {"sensor_offset", joint, {}, {}});
 }
 
-void DrivenSubject::add_level(const Candidate& c, CandidateOrigin origin, int columns) {
-  LevelCause level{c.name, c.place, {}, c.limit_meaning, c.isolating_experiment, {}, false};
+void DrivenSubject::add_deviation(const Candidate& c, CandidateOrigin origin, int columns) {
+  ParameterDeviation deviation{c.name, c.place, {}, c.limit_meaning, c.isolating_experiment,
+                               {},     false};
   const std::size_t count = columns < 0 ? c.linear.size() : static_cast<std::size_t>(columns);
   for (std::size_t k = 0; k < count; ++k) {
     const LinearParameter& p = c.linear[k];
-    LevelParameter parameter{p.name, p.unit, p.low, p.high, {}, {}};
+    DeviationParameter parameter{p.name, p.unit, p.low, p.high, {}, {}};
     parameter.also = [columns_of_all = c.columns, k](const Recording& log, int channel,
                                                      const VectorXd& shape) -> MatrixXd {
       const MatrixXd all = columns_of_all(log, channel, shape);
       if (all.cols() == 0) return all;
       return all.col(static_cast<Index>(k));
     };
-    level.parameters.push_back(std::move(parameter));
+    deviation.parameters.push_back(std::move(parameter));
   }
-  level.unlikely = c.unlikely;
-  level.body_within = c.body_within;
-  problem_.levels.push_back(std::move(level));
-  levels_.push_back(std::move(origin));
+  deviation.unlikely = c.unlikely;
+  deviation.body_within = c.body_within;
+  problem_.deviations.push_back(std::move(deviation));
+  deviations_.push_back(std::move(origin));
 }
 
 /// What acts on several joints looks like changes of their own values.
-void DrivenSubject::add_mechanism_levels() {
+void DrivenSubject::add_mechanism_deviations() {
   if (model_.joints.size() > 1) {
     std::vector<int> all(model_.joints.size());
     std::iota(all.begin(), all.end(), 0);
-    add_delay_level(common_delay_candidate(), {"delay", 0, {}, {}, true}, all);
+    add_delay_deviation(common_delay_candidate(), {"delay", 0, {}, {}, true}, all);
   }
-  if (is_lone_link()) add_payload_levels();
+  if (is_lone_link()) add_payload_deviations();
   constexpr int mass_and_first_moments = 4;
   for (std::size_t i = 0; i < library_.size(); ++i) {
     const CandidateOrigin origin = library_[i];
     const Candidate candidate = problem_.library[i];
     if (origin.effect == "payload" || origin.effect == "inertial_parameters")
-      add_level(candidate, origin, mass_and_first_moments);
+      add_deviation(candidate, origin, mass_and_first_moments);
     else if (origin.effect == "gravity" || !origin.tendon.empty())
-      add_level(candidate, origin);
+      add_deviation(candidate, origin);
   }
 }
 
 /// The free payloads of a lone joint.
-void DrivenSubject::add_payload_levels() {
+void DrivenSubject::add_payload_deviations() {
   for (std::size_t t = 0; t < baseline_.size(); ++t) {
     if (baseline_[t].effect != "payload") continue;
     const Candidate& c = problem_.baseline[t];
-    LevelCause level{c.name, c.place, {}, c.limit_meaning, c.isolating_experiment, {}, false};
+    ParameterDeviation deviation{c.name, c.place, {}, c.limit_meaning, c.isolating_experiment,
+                                 {},     false};
     for (std::size_t k = 0; k < c.linear.size(); ++k) {
-      LevelParameter parameter;
+      DeviationParameter parameter;
       parameter.name = c.linear[k].name;
       parameter.unit = c.linear[k].unit;
       if (parameter.name == "mass") parameter.low = 0.0;
       parameter.shares = {{static_cast<int>(t), static_cast<int>(k), 1.0}};
-      level.parameters.push_back(std::move(parameter));
+      deviation.parameters.push_back(std::move(parameter));
     }
-    problem_.levels.push_back(std::move(level));
-    levels_.push_back(baseline_[t]);
+    problem_.deviations.push_back(std::move(deviation));
+    deviations_.push_back(baseline_[t]);
   }
 }
 
 /// Without a load, a weight and other joints, a wrong gain only scales what the baseline has: it
 /// can be seen against the model's values alone.
-bool DrivenSubject::gain_is_only_level(std::size_t joint) const {
+bool DrivenSubject::gain_is_only_deviation(std::size_t joint) const {
   return model_.joints.size() == 1 && scale(joint).load == 0.0 && !carries_links(joint);
 }
 
@@ -156,8 +161,8 @@ bool DrivenSubject::tendon_driven(std::size_t joint) const {
   return tendons_ && !model_.joints[joint].motor;
 }
 
-const CandidateOrigin& DrivenSubject::level_origin(int level) const {
-  return levels_.at(static_cast<std::size_t>(level));
+const CandidateOrigin& DrivenSubject::deviation_origin(int deviation) const {
+  return deviations_.at(static_cast<std::size_t>(deviation));
 }
 
 }  // namespace sinew::diagnosis

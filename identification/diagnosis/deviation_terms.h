@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A fitted model taken apart: what stays free, what is held at its nominal value, and the columns
-// of every level cause.
+// of every parameter deviation.
 #pragma once
 
 #include <memory>
@@ -11,15 +11,15 @@
 namespace sinew::diagnosis {
 
 /// The pieces. Candidates made on the way are owned here; terms point to them.
-struct LevelTerms {
-  Model base;                ///< free baseline coefficients and causes; the nominal part is fixed
-  std::vector<Term> levels;  ///< one for each level of the problem, in its order
+struct DeviationTerms {
+  Model base;  ///< free baseline coefficients and causes; the nominal part is fixed
+  std::vector<Term> deviations;  ///< one for each deviation of the problem, in its order
   std::vector<std::shared_ptr<const Candidate>> made;
 };
 
 /// Nonlinear parameters of the baseline keep the model's values. Throws std::invalid_argument where
 /// a share points to no baseline coefficient or to one per log.
-LevelTerms take_apart(const Design& design, const Model& model);
+DeviationTerms take_apart(const Design& design, const Model& model);
 
 /// What a delay of what the nominal model says adds to it, per second: its time derivative.
 /// channels: where it acts; empty: everywhere.

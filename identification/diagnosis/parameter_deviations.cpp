@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "identification/diagnosis/levels.h"
+#include "identification/diagnosis/parameter_deviations.h"
 
+#include <tbb/parallel_for.h>
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
 #include "identification/diagnosis/best_form.h"
-#include "identification/diagnosis/level_search.h"
-#include "identification/diagnosis/level_terms.h"
-#include "identification/logs/parallel_for.h"
-#include "identification/regression/refine.h"
-#include "identification/diagnosis/shadow.h"
+#include "identification/diagnosis/collinearity.h"
+#include "identification/diagnosis/deviation_search.h"
+#include "identification/diagnosis/deviation_terms.h"
 #include "identification/diagnosis/verdict.h"
+#include "identification/regression/refine.h"
 
 namespace sinew::diagnosis {
 namespace {
@@ -24,11 +24,11 @@ using Eigen::VectorXd;
 // Deviance that one more wrong value must be worth: one that explains as much as two is likelier.
 constexpr double kAnother = 4.0;
 // A model without friction lacks two values at every joint, and more may be wrong with it.
-constexpr int kManyLevels = 24;
+constexpr int kManyDeviations = 24;
 
 /// What small changes of the causes' nonlinear parameters add, a term each; they have no candidate.
-/// The parameters were fitted with every level free: what they can take up beside a level at its
-/// nominal value is not the level's.
+/// The parameters were fitted with every deviation free: what they can take up beside a deviation
+/// at its nominal value is not the deviation's.
 std::vector<Term> shape_changes(const Design& design, const Model& model, const Weights& weights) {
   std::vector<Term> changes;
   const VectorXd coefficients = solve(stack(model, weights)).coefficients;
@@ -46,18 +46,18 @@ std::vector<Term> shape_changes(const Design& design, const Model& model, const 
   return changes;
 }
 
-LevelMoments moments(const Design& design, const LevelTerms& parts, const std::vector<Term>& shapes,
-                     const NoiseView& noise) {
+DeviationMoments moments(const Design& design, const DeviationTerms& parts,
+                         const std::vector<Term>& shapes, const NoiseView& noise) {
   Model all = parts.base;
   all.terms.insert(all.terms.end(), shapes.begin(), shapes.end());
   const Index own = first_columns(all).back();
-  for (const Term& level : parts.levels) all.terms.push_back(level);
-  // A level without columns in these logs still has its places.
-  LevelMoments m;
+  for (const Term& deviation : parts.deviations) all.terms.push_back(deviation);
+  // A deviation without columns in these logs still has its places.
+  DeviationMoments m;
   m.first.push_back(0);
-  for (const Term& level : parts.levels) {
+  for (const Term& deviation : parts.deviations) {
     Index wide = 0;
-    for (const MatrixXd& x : level.columns) wide = std::max(wide, x.cols());
+    for (const MatrixXd& x : deviation.columns) wide = std::max(wide, x.cols());
     m.first.push_back(m.first.back() + wide);
   }
   const Stack s = stack(all, noise.weights);
@@ -80,16 +80,16 @@ LevelMoments moments(const Design& design, const LevelTerms& parts, const std::v
     const MatrixXf part = x.middleRows(s.first_row[i], draws.rows()).cast<float>();
     m.surrogates += (part.transpose() * draws).cast<double>();
   }
-  for (const LevelCause& level : design.problem().levels) {
-    m.dearer.push_back(level.unlikely ? kUnlikely : kAnother);
-    m.body_within.push_back(level.body_within);
+  for (const ParameterDeviation& deviation : design.problem().deviations) {
+    m.dearer.push_back(deviation.unlikely ? kUnlikely : kAnother);
+    m.body_within.push_back(deviation.body_within);
   }
   m.low = VectorXd::Zero(x.cols());
   m.high = VectorXd::Zero(x.cols());
-  for (std::size_t l = 0; l < parts.levels.size(); ++l)
+  for (std::size_t l = 0; l < parts.deviations.size(); ++l)
     for (Index c = m.first[l]; c < m.first[l + 1]; ++c) {
-      const LevelParameter& p =
-          design.problem().levels[l].parameters[static_cast<std::size_t>(c - m.first[l])];
+      const DeviationParameter& p =
+          design.problem().deviations[l].parameters[static_cast<std::size_t>(c - m.first[l])];
       m.low(c) = p.low;
       m.high(c) = p.high;
     }
@@ -98,21 +98,21 @@ LevelMoments moments(const Design& design, const LevelTerms& parts, const std::v
 
 /// The causes' nonlinear parameters fitted beside the set. Those of the baseline stay: the levels'
 /// columns are made with them.
-Model model_of(const Design& design, const Weights& weights, const LevelTerms& parts,
-               const LevelSearch& search, const LevelSet& set) {
+Model model_of(const Design& design, const Weights& weights, const DeviationTerms& parts,
+               const DeviationSearch& search, const DeviationSet& set) {
   Model model = parts.base;
   bool open = false, held = false;
   for (const Term& term : model.terms) (term.baseline ? held : open) |= has_free_shape(term);
-  for (const int level : set) {
-    model.terms.push_back(parts.levels[static_cast<std::size_t>(level)]);
-    model.terms.back().freedom = search.freedom(level);
+  for (const int deviation : set) {
+    model.terms.push_back(parts.deviations[static_cast<std::size_t>(deviation)]);
+    model.terms.back().freedom = search.freedom(deviation);
   }
   if (open && !held) refine(design, weights, RefineScope::all_terms, model);
   return model;
 }
 
-/// The causes' shapes were fitted with every level free.
-Model beside_levels(const Design& design, const Weights& weights, const Model& model) {
+/// The causes' shapes were fitted with every deviation free.
+Model given_deviations(const Design& design, const Weights& weights, const Model& model) {
   return best_form(design, weights, model, [](const Term&) { return true; });
 }
 
@@ -125,15 +125,15 @@ double held_out_drop(const Design& design, const Settings& settings, const Model
   return a - b;
 }
 
-/// What one named level rests on, and why it does not hold (empty: it does).
+/// What one named deviation rests on, and why it does not hold (empty: it does).
 struct Judged {
   Evidence evidence;
   std::string against;
 };
 
-/// A set of levels, its model and what that loses on left-out blocks.
+/// A set of deviations, its model and what that loses on left-out blocks.
 struct FittedSet {
-  LevelSet set;
+  DeviationSet set;
   Model model;
   BlockLosses losses;
 };
@@ -146,19 +146,21 @@ bool is_worth_naming(const Evidence& evidence, const Settings& settings) {
          (evidence.of_baseline >= settings.least_of_baseline || evidence.gain.low > kMostOfTheRest);
 }
 
-Judged judge_level(const Design& design, const Settings& settings, const LevelTerms& parts,
-                   const LevelMoments& m, const LevelSearch& search, const Weights& weights,
-                   const FittedSet& all, int level, const VectorXd& nominal_loss) {
+Judged judge_deviation(const Design& design, const Settings& settings, const DeviationTerms& parts,
+                       const DeviationMoments& m, const DeviationSearch& search,
+                       const Weights& weights, const FittedSet& all, int deviation,
+                       const VectorXd& nominal_loss) {
   Judged j;
-  const LevelSet others = without(all.set, level);
+  const DeviationSet others = without(all.set, deviation);
   j.evidence.statistic = drop(m, all.set) - std::max(0.0, drop(m, others));
-  j.evidence.freedom = search.freedom(level);
-  j.evidence.p_family = p_value(m, all.set, level, j.evidence.statistic);
+  j.evidence.freedom = search.freedom(deviation);
+  j.evidence.p_family = p_value(m, all.set, deviation, j.evidence.statistic);
   const Model before =
-      beside_levels(design, weights, model_of(design, weights, parts, search, others));
+      given_deviations(design, weights, model_of(design, weights, parts, search, others));
   const BlockLosses b = cross_validate(design, before, weights, settings.blocks);
   j.evidence.validated = b.whitened.sum() - all.losses.whitened.sum();
-  const VectorXd channels = channels_of(design, parts.levels[static_cast<std::size_t>(level)]);
+  const VectorXd channels =
+      channels_of(design, parts.deviations[static_cast<std::size_t>(deviation)]);
   const VectorXd losses_before = b.plain * channels, losses_after = all.losses.plain * channels;
   j.evidence.gain = block_bootstrap_gain(losses_before, losses_after, 0.95, settings.seed);
   j.evidence.of_baseline = (losses_before - losses_after).sum() / nominal_loss.dot(channels);
@@ -177,17 +179,17 @@ Judged judge_level(const Design& design, const Settings& settings, const LevelTe
 }
 
 /// The same cause is in the model already, beside the baseline, or part of one.
-bool is_named(const LevelCause& level, const Model& model) {
+bool is_named(const ParameterDeviation& deviation, const Model& model) {
   return std::any_of(model.terms.begin(), model.terms.end(), [&](const Term& term) {
-    return !term.baseline && term.candidate->place == level.place &&
-           (term.candidate->name == level.name || term.candidate->contains == level.name);
+    return !term.baseline && term.candidate->place == deviation.place &&
+           (term.candidate->name == deviation.name || term.candidate->contains == deviation.name);
   });
 }
 
-/// What the levels outside the set would add to it.
-void judge_others(const LevelMoments& m, const LevelSet& set, LevelSelection& result) {
+/// What the deviations outside the set would add to it.
+void judge_others(const DeviationMoments& m, const DeviationSet& set, DeviationSelection& result) {
   for (int l = 0; l + 1 < static_cast<int>(m.first.size()); ++l) {
-    LevelSet more = set;
+    DeviationSet more = set;
     if (std::count(set.begin(), set.end(), l)) more = without(set, l);
     const double few = drop(m, more);
     more.push_back(l);
@@ -199,23 +201,25 @@ void judge_others(const LevelMoments& m, const LevelSet& set, LevelSelection& re
 
 }  // namespace
 
-LevelSelection restrict_to_levels(const Design& design, const Settings& settings,
-                                  const Selection& selection, const std::vector<int>& withdrawn) {
-  const LevelTerms parts = take_apart(design, selection.model);
-  LevelSelection result{selection, {}, {}, {}};
+DeviationSelection select_deviations(const Design& design, const Settings& settings,
+                                     const Selection& selection,
+                                     const std::vector<int>& withdrawn) {
+  const DeviationTerms parts = take_apart(design, selection.model);
+  DeviationSelection result{selection, {}, {}, {}};
   Selection& state = result.state;
   draw_surrogates(design, settings, state.noise);
   const Weights& weights = state.noise.weights;
   const std::vector<Term> shapes = shape_changes(design, selection.model, weights);
-  const LevelMoments m = moments(design, parts, shapes, state.noise);
+  const DeviationMoments m = moments(design, parts, shapes, state.noise);
   const int channels = design.problem().channels;
-  const int most = std::max({settings.most_levels, channels, std::min(3 * channels, kManyLevels)});
-  const LevelSearch search(m, parameter_price(design), most, settings.threads);
+  const int most =
+      std::max({settings.most_deviations, channels, std::min(3 * channels, kManyDeviations)});
+  const DeviationSearch search(m, parameter_price(design), most);
   const VectorXd nominal_loss = cross_validate(design, parts.base, weights, settings.blocks)
                                     .plain.colwise()
                                     .sum()
                                     .transpose();
-  std::vector<bool> banned(parts.levels.size(), false);
+  std::vector<bool> banned(parts.deviations.size(), false);
   for (std::size_t l = 0; l < banned.size(); ++l) {
     const Index own = m.first[l];
     // A payload at the axis has a first moment alone.
@@ -224,12 +228,13 @@ LevelSelection restrict_to_levels(const Design& design, const Settings& settings
       result.refused.push_back({-1 - static_cast<int>(l), "not excited by these logs"});
   }
   for (std::size_t l = 0; l < banned.size(); ++l)
-    banned[l] = banned[l] || is_named(design.problem().levels[l], selection.model);
-  for (const int level : withdrawn) {
-    banned[static_cast<std::size_t>(level)] = true;
-    result.refused.push_back({-1 - level, "not told from chance or from structure without a name"});
+    banned[l] = banned[l] || is_named(design.problem().deviations[l], selection.model);
+  for (const int deviation : withdrawn) {
+    banned[static_cast<std::size_t>(deviation)] = true;
+    result.refused.push_back(
+        {-1 - deviation, "not told from chance or from structure without a name"});
   }
-  LevelSet set;
+  DeviationSet set;
   std::vector<Evidence> evidence;
   for (bool settled = false; !settled;) {
     set = search.best(banned);
@@ -238,41 +243,42 @@ LevelSelection restrict_to_levels(const Design& design, const Settings& settings
     double weakest = std::numeric_limits<double>::infinity();
     Refusal refusal;
     FittedSet all{
-        set, beside_levels(design, weights, model_of(design, weights, parts, search, set)), {}};
+        set, given_deviations(design, weights, model_of(design, weights, parts, search, set)), {}};
     all.losses = cross_validate(design, all.model, weights, settings.blocks);
     std::vector<Judged> judged(set.size());
-    parallel_for(static_cast<int>(set.size()), settings.threads, [&](int i) {
+    tbb::parallel_for(0, static_cast<int>(set.size()), [&](int i) {
       const auto k = static_cast<std::size_t>(i);
       judged[k] =
-          judge_level(design, settings, parts, m, search, weights, all, set[k], nominal_loss);
+          judge_deviation(design, settings, parts, m, search, weights, all, set[k], nominal_loss);
     });
     for (std::size_t i = 0; i < set.size(); ++i) {
-      const int level = set[i];
+      const int deviation = set[i];
       const Judged& j = judged[i];
       evidence.push_back(j.evidence);
       if (j.against.empty() || j.evidence.statistic >= weakest) continue;
       weakest = j.evidence.statistic;
-      refusal = {-1 - level, j.against};
+      refusal = {-1 - deviation, j.against};
       settled = false;
     }
-    if (const auto level = settled ? cancelled(m, set) : std::nullopt) {
+    if (const auto deviation = settled ? cancelled(m, set) : std::nullopt) {
       settled = false;
-      refusal = {-1 - *level, "it would undo what others of the causes do"};
+      refusal = {-1 - *deviation, "it would undo what others of the causes do"};
     }
     if (settled) {
-      const auto shadow = find_shadow(design, settings, weights, all.model, ShadowOf::levels);
-      if (!shadow) break;
+      const auto collinear =
+          find_collinear_term(design, settings, weights, all.model, CollinearAmong::deviations);
+      if (!collinear) break;
       settled = false;
-      refusal = {-1 - all.model.terms[*shadow].level,
+      refusal = {-1 - all.model.terms[*collinear].deviation,
                  "no more than what the form of a named cause leaves over"};
     }
     banned[static_cast<std::size_t>(-1 - refusal.candidate)] = true;
     result.refused.push_back(refusal);
   }
   judge_others(m, set, result);
-  state.model = beside_levels(design, weights, model_of(design, weights, parts, search, set));
-  state.levels = parts.levels;
-  for (Term& level : state.levels) level.freedom = search.freedom(level.level);
+  state.model = given_deviations(design, weights, model_of(design, weights, parts, search, set));
+  state.deviations = parts.deviations;
+  for (Term& deviation : state.deviations) deviation.freedom = search.freedom(deviation.deviation);
   state.made = parts.made;
   state.evidence.assign(state.model.terms.size() - set.size(), {});
   state.evidence.insert(state.evidence.end(), evidence.begin(), evidence.end());

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "identification/diagnosis/level_search.h"
+#include "identification/diagnosis/deviation_search.h"
 
+#include <tbb/parallel_for.h>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "identification/regression/body_limits.h"
 #include "identification/regression/linear_fit.h"
-#include "identification/logs/parallel_for.h"
 #include "identification/regression/surrogates.h"
 
 namespace sinew::diagnosis {
@@ -19,17 +19,17 @@ using Eigen::VectorXd;
 
 constexpr std::size_t kStarts = 24;  // of the search: twice a finger's channels
 
-std::vector<Index> indices(const LevelMoments& m, const LevelSet& set) {
+std::vector<Index> indices(const DeviationMoments& m, const DeviationSet& set) {
   std::vector<Index> list;
-  for (const int level : set)
-    for (Index c = m.first[static_cast<std::size_t>(level)];
-         c < m.first[static_cast<std::size_t>(level) + 1]; ++c)
+  for (const int deviation : set)
+    for (Index c = m.first[static_cast<std::size_t>(deviation)];
+         c < m.first[static_cast<std::size_t>(deviation) + 1]; ++c)
       list.push_back(c);
   return list;
 }
 
 /// Drop of every surrogate's deviance by a set, without limits.
-VectorXd drops_by_chance(const LevelMoments& m, const LevelSet& set) {
+VectorXd drops_by_chance(const DeviationMoments& m, const DeviationSet& set) {
   const std::vector<Index> at = indices(m, set);
   if (at.empty()) return VectorXd::Zero(m.surrogates.cols());
   const MatrixXd moment = m.surrogates(at, Eigen::all);
@@ -41,7 +41,7 @@ VectorXd drops_by_chance(const LevelMoments& m, const LevelSet& set) {
 
 }  // namespace
 
-double drop(const LevelMoments& m, const LevelSet& set) {
+double drop(const DeviationMoments& m, const DeviationSet& set) {
   const std::vector<Index> at = indices(m, set);
   if (at.empty()) return 0.0;
   const MatrixXd inverse = scaled_pseudo_inverse(m.gram(at, at), 1e-8);
@@ -53,8 +53,8 @@ double drop(const LevelMoments& m, const LevelSet& set) {
   }
   const VectorXd errors = inverse.diagonal().cwiseMax(0.0).cwiseSqrt();
   Index first = 0;
-  for (const int level : set) {
-    const auto l = static_cast<std::size_t>(level);
+  for (const int deviation : set) {
+    const auto l = static_cast<std::size_t>(deviation);
     const Index wide = m.first[l + 1] - m.first[l];
     const bool limited = l < m.body_within.size() && m.body_within[l];
     if (limited &&
@@ -65,13 +65,13 @@ double drop(const LevelMoments& m, const LevelSet& set) {
   return value.dot(VectorXd(m.target(at)));
 }
 
-LevelSet without(LevelSet set, int level) {
-  std::erase(set, level);
+DeviationSet without(DeviationSet set, int deviation) {
+  std::erase(set, deviation);
   return set;
 }
 
-LevelSearch::LevelSearch(const LevelMoments& m, double price, int most, int threads)
-    : m_(m), most_(static_cast<std::size_t>(most)), threads_(threads) {
+DeviationSearch::DeviationSearch(const DeviationMoments& m, double price, int most)
+    : m_(m), most_(static_cast<std::size_t>(most)) {
   for (int l = 0; l + 1 < static_cast<int>(m.first.size()); ++l) {
     const double freedom =
         m.surrogates.size() ? std::max(0.5, drops_by_chance(m, {l}).mean()) : 1.0;
@@ -81,7 +81,7 @@ LevelSearch::LevelSearch(const LevelMoments& m, double price, int most, int thre
 }
 
 // From whatever start, a search meets the same sets again and again.
-double LevelSearch::score(LevelSet set) const {
+double DeviationSearch::score(DeviationSet set) const {
   std::sort(set.begin(), set.end());
   {
     const std::lock_guard<std::mutex> lock(guard_);
@@ -93,12 +93,12 @@ double LevelSearch::score(LevelSet set) const {
   return scores_.emplace(std::move(set), value).first->second;
 }
 
-LevelSet LevelSearch::best(const std::vector<bool>& banned) const {
-  LevelSet found;
+DeviationSet DeviationSearch::best(const std::vector<bool>& banned) const {
+  DeviationSet found;
   double least = score(found);
-  std::vector<LevelSet> sets = starts(banned);
+  std::vector<DeviationSet> sets = starts(banned);
   std::vector<double> scores(sets.size());
-  parallel_for(static_cast<int>(sets.size()), threads_, [&](int i) {
+  tbb::parallel_for(0, static_cast<int>(sets.size()), [&](int i) {
     const auto k = static_cast<std::size_t>(i);
     scores[k] = descend(banned, sets[k]);
   });
@@ -111,38 +111,39 @@ LevelSet LevelSearch::best(const std::vector<bool>& banned) const {
   return found;
 }
 
-/// No level, and the single ones with the best scores.
-std::vector<LevelSet> LevelSearch::starts(const std::vector<bool>& banned) const {
-  std::vector<LevelSet> sets;
+/// No deviation, and the single ones with the best scores.
+std::vector<DeviationSet> DeviationSearch::starts(const std::vector<bool>& banned) const {
+  std::vector<DeviationSet> sets;
   for (int l = 0; l < static_cast<int>(price_.size()); ++l)
     if (!banned[static_cast<std::size_t>(l)]) sets.push_back({l});
-  std::stable_sort(sets.begin(), sets.end(),
-                   [&](const LevelSet& a, const LevelSet& b) { return score(a) < score(b); });
+  std::stable_sort(sets.begin(), sets.end(), [&](const DeviationSet& a, const DeviationSet& b) {
+    return score(a) < score(b);
+  });
   if (sets.size() > kStarts) sets.resize(kStarts);
-  sets.insert(sets.begin(), LevelSet{});
+  sets.insert(sets.begin(), DeviationSet{});
   return sets;
 }
 
-double LevelSearch::descend(const std::vector<bool>& banned, LevelSet& set) const {
+double DeviationSearch::descend(const std::vector<bool>& banned, DeviationSet& set) const {
   double now = score(set);
   for (bool exchanging = false;;) {
-    LevelSet next = set;
+    DeviationSet next = set;
     double least = now - 1e-9;
-    const auto consider = [&](LevelSet trial) {
+    const auto consider = [&](DeviationSet trial) {
       const double value = score(trial);
       if (value >= least) return;
       least = value;
       next = std::move(trial);
     };
-    for (const int level : set) consider(without(set, level));
+    for (const int deviation : set) consider(without(set, deviation));
     for (int l = 0; l < static_cast<int>(price_.size()); ++l) {
       if (banned[static_cast<std::size_t>(l)] || std::count(set.begin(), set.end(), l)) continue;
-      LevelSet more = set;
+      DeviationSet more = set;
       more.push_back(l);
       if (!exchanging && more.size() <= most_) consider(more);
       // Exchanges are many: only where nothing else helps.
       if (exchanging)
-        for (const int level : set) consider(without(more, level));
+        for (const int deviation : set) consider(without(more, deviation));
     }
     if (least >= now - 1e-9) {
       if (exchanging) return now;
@@ -155,22 +156,24 @@ double LevelSearch::descend(const std::vector<bool>& banned, LevelSet& set) cons
   }
 }
 
-double LevelSearch::deviance_and_price(const LevelSet& set) const {
+double DeviationSearch::deviance_and_price(const DeviationSet& set) const {
   const double gained = drop(m_, set);
   if (gained < 0.0) return std::numeric_limits<double>::infinity();
   double sum = m_.base - gained;
-  for (const int level : set) sum += price_[static_cast<std::size_t>(level)];
+  for (const int deviation : set) sum += price_[static_cast<std::size_t>(deviation)];
   return sum;
 }
 
-double p_value(const LevelMoments& m, const LevelSet& set, int level, double statistic) {
+double p_value(const DeviationMoments& m, const DeviationSet& set, int deviation,
+               double statistic) {
   if (m.surrogates.size() == 0) return 1.0;
-  const NullDistribution null(drops_by_chance(m, set) - drops_by_chance(m, without(set, level)));
+  const NullDistribution null(drops_by_chance(m, set) -
+                              drops_by_chance(m, without(set, deviation)));
   const double single = std::exp(-null.surprise(statistic));
   return std::min(1.0, single * static_cast<double>(m.first.size() - 1));
 }
 
-std::optional<int> cancelled(const LevelMoments& m, const LevelSet& set) {
+std::optional<int> cancelled(const DeviationMoments& m, const DeviationSet& set) {
   constexpr double kMost = 25.0;  // times the energy of all together
   const std::vector<Index> at = indices(m, set);
   if (at.empty()) return std::nullopt;
@@ -179,14 +182,14 @@ std::optional<int> cancelled(const LevelMoments& m, const LevelSet& set) {
   double largest = kMost * value.dot(gram * value);
   std::optional<int> found;
   Index first = 0;
-  for (const int level : set) {
-    const Index wide = static_cast<Index>(indices(m, {level}).size());
+  for (const int deviation : set) {
+    const Index wide = static_cast<Index>(indices(m, {deviation}).size());
     const VectorXd own = value.segment(first, wide);
     const double energy = own.dot(gram.block(first, first, wide, wide) * own);
     first += wide;
     if (energy <= largest) continue;
     largest = energy;
-    found = level;
+    found = deviation;
   }
   return found;
 }

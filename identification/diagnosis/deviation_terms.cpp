@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "identification/diagnosis/level_terms.h"
+#include "identification/diagnosis/deviation_terms.h"
 
 #include <algorithm>
 #include <optional>
@@ -16,14 +16,14 @@ using Covered = std::vector<std::vector<bool>>;
 Covered covered_coefficients(const Problem& problem) {
   Covered covered;
   for (const Candidate& c : problem.baseline) covered.emplace_back(c.linear.size(), false);
-  for (const LevelCause& level : problem.levels)
-    for (const LevelParameter& parameter : level.parameters)
-      for (const LevelParameter::Share& share : parameter.shares) {
+  for (const ParameterDeviation& deviation : problem.deviations)
+    for (const DeviationParameter& parameter : deviation.parameters)
+      for (const DeviationParameter::Share& share : parameter.shares) {
         const auto t = static_cast<std::size_t>(share.term);
         const auto c = static_cast<std::size_t>(share.coefficient);
         if (share.term < 0 || t >= covered.size() || share.coefficient < 0 ||
             c >= covered[t].size() || problem.baseline[t].linear[c].per_log)
-          throw std::invalid_argument("level '" + level.name + "': coefficient " +
+          throw std::invalid_argument("level '" + deviation.name + "': coefficient " +
                                       std::to_string(c) + " of baseline term " + std::to_string(t) +
                                       " is not there or belongs to a log");
         covered[t][c] = true;
@@ -39,7 +39,7 @@ Index column_of(const Design& design, const Candidate& candidate, int parameter)
   return -1;
 }
 
-/// The parameters of a baseline candidate that no level covers.
+/// The parameters of a baseline candidate that no deviation covers.
 Term free_part(const Design& design, const Term& term, const std::vector<bool>& covered,
                std::vector<std::shared_ptr<const Candidate>>& made) {
   const Candidate& from = *term.candidate;
@@ -68,19 +68,20 @@ Term free_part(const Design& design, const Term& term, const std::vector<bool>& 
   return part;
 }
 
-/// Columns of a level in the recording's own samples; `terms`: the baseline's nonlinear parameters.
-ColumnFunction level_columns(const Problem& problem, const LevelCause& level,
-                             std::vector<VectorXd> nonlinear) {
-  return [&problem, &level, nonlinear = std::move(nonlinear)](const Recording& log, int channel,
-                                                              const VectorXd&) -> MatrixXd {
+/// Columns of a deviation in the recording's own samples; `terms`: the baseline's nonlinear
+/// parameters.
+ColumnFunction deviation_columns(const Problem& problem, const ParameterDeviation& deviation,
+                                 std::vector<VectorXd> nonlinear) {
+  return [&problem, &deviation, nonlinear = std::move(nonlinear)](const Recording& log, int channel,
+                                                                  const VectorXd&) -> MatrixXd {
     MatrixXd x;
     const auto add = [&](std::size_t p, const VectorXd& column) {
       if (x.cols() == 0)
-        x = MatrixXd::Zero(column.size(), static_cast<Index>(level.parameters.size()));
+        x = MatrixXd::Zero(column.size(), static_cast<Index>(deviation.parameters.size()));
       x.col(static_cast<Index>(p)) += column;
     };
-    for (std::size_t p = 0; p < level.parameters.size(); ++p) {
-      for (const LevelParameter::Share& share : level.parameters[p].shares) {
+    for (std::size_t p = 0; p < deviation.parameters.size(); ++p) {
+      for (const DeviationParameter::Share& share : deviation.parameters[p].shares) {
         const auto t = static_cast<std::size_t>(share.term);
         const Candidate& from = problem.baseline[t];
         if (!from.channels.empty() &&
@@ -89,36 +90,36 @@ ColumnFunction level_columns(const Problem& problem, const LevelCause& level,
         const MatrixXd all = from.columns(log, channel, nonlinear[t]);
         if (all.cols() > 0) add(p, share.amount * all.col(share.coefficient));
       }
-      if (!level.parameters[p].also) continue;
-      const MatrixXd own = level.parameters[p].also(log, channel, VectorXd());
+      if (!deviation.parameters[p].also) continue;
+      const MatrixXd own = deviation.parameters[p].also(log, channel, VectorXd());
       if (own.cols() > 0) add(p, own.col(0));
     }
     return x;
   };
 }
 
-Term level_term(const Design& design, const Model& model, const FixedPart& nominal, int index,
-                std::vector<std::shared_ptr<const Candidate>>& made) {
+Term deviation_term(const Design& design, const Model& model, const FixedPart& nominal, int index,
+                    std::vector<std::shared_ptr<const Candidate>>& made) {
   const Problem& problem = design.problem();
-  const LevelCause& level = problem.levels[static_cast<std::size_t>(index)];
+  const ParameterDeviation& deviation = problem.deviations[static_cast<std::size_t>(index)];
   auto c = std::make_shared<Candidate>();
-  c->name = level.name;
-  c->place = level.place;
-  c->limit_meaning = level.limit_meaning;
-  c->isolating_experiment = level.isolating_experiment;
-  for (const LevelParameter& p : level.parameters)
+  c->name = deviation.name;
+  c->place = deviation.place;
+  c->limit_meaning = deviation.limit_meaning;
+  c->isolating_experiment = deviation.isolating_experiment;
+  for (const DeviationParameter& p : deviation.parameters)
     c->linear.push_back({p.name, p.unit, p.low, p.high, false, {}});
   std::vector<VectorXd> nonlinear(problem.baseline.size());
   for (const Term& term : model.terms)
     if (term.baseline)
       nonlinear[static_cast<std::size_t>(term.candidate - problem.baseline.data())] =
           term.nonlinear;
-  c->columns = level_columns(problem, level, std::move(nonlinear));
+  c->columns = deviation_columns(problem, deviation, std::move(nonlinear));
   Term term;
   term.candidate = c.get();
-  term.level = index;
-  term.columns = level.delayed ? delay_columns(design, *level.delayed, nominal)
-                               : design.columns(*c, VectorXd());
+  term.deviation = index;
+  term.columns = deviation.delayed ? delay_columns(design, *deviation.delayed, nominal)
+                                   : design.columns(*c, VectorXd());
   made.push_back(std::move(c));
   return term;
 }
@@ -166,10 +167,10 @@ FixedPart nominal_part(const Design& design, const Model& model, const Covered& 
   return fixed;
 }
 
-LevelTerms take_apart(const Design& design, const Model& model) {
+DeviationTerms take_apart(const Design& design, const Model& model) {
   const Problem& problem = design.problem();
   const Covered covered = covered_coefficients(problem);
-  LevelTerms parts;
+  DeviationTerms parts;
   parts.base.advance = model.advance;
   parts.base.target = model.target;
   parts.base.fixed = nominal_part(design, model, covered);
@@ -184,8 +185,8 @@ LevelTerms take_apart(const Design& design, const Model& model) {
     if (std::all_of(mine.begin(), mine.end(), [](bool c) { return c; })) continue;
     parts.base.terms.push_back(free_part(design, term, mine, parts.made));
   }
-  for (int i = 0; i < static_cast<int>(problem.levels.size()); ++i)
-    parts.levels.push_back(level_term(design, model, parts.base.fixed, i, parts.made));
+  for (int i = 0; i < static_cast<int>(problem.deviations.size()); ++i)
+    parts.deviations.push_back(deviation_term(design, model, parts.base.fixed, i, parts.made));
   return parts;
 }
 

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "identification/report/findings.h"
-#include "identification/logs/log.h"
 #include "identification/adoption/measure.h"
+#include "identification/logs/log.h"
+#include "identification/report/findings.h"
 
 namespace sinew::diagnosis {
 
@@ -21,11 +21,11 @@ struct LoggedColumn {
 
 /// Doubtful faults, one for each channel and file. `columns`: by file, one for each channel of the
 /// problem. free_zero: of each log a channel's mean is nobody's, only its changes count.
-std::vector<DataFault> far_off_channels(
+std::vector<DataFault> discrepant_channels(
     const Problem& problem, const std::vector<MeasuredChannel>& measured,
     const std::map<std::string, std::vector<LoggedColumn>>& columns, bool free_zero);
 
 /// Says so with the logs and in the headline; where nothing else was found it is the finding.
-void tell_far_off(const std::vector<DataFault>& faults, Findings& findings);
+void report_discrepancies(const std::vector<DataFault>& faults, Findings& findings);
 
 }  // namespace sinew::diagnosis

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "identification/adoption/far_off.h"
+#include "identification/adoption/discrepancy.h"
 
 #include <fmt/format.h>
 
@@ -30,9 +30,9 @@ const std::pair<const std::string, std::vector<LoggedColumn>>* log_of(
   return nullptr;
 }
 
-DataFault far_off(const std::string& file, const LoggedColumn& at, double left, double noise) {
+DataFault discrepancy(const std::string& file, const LoggedColumn& at, double left, double noise) {
   DataFault fault;
-  fault.kind = FaultKind::far_off;
+  fault.kind = FaultKind::discrepancy;
   fault.severity = Severity::doubtful;
   fault.file = file;
   fault.column = at.column;
@@ -46,7 +46,7 @@ DataFault far_off(const std::string& file, const LoggedColumn& at, double left, 
 
 }  // namespace
 
-std::vector<DataFault> far_off_channels(
+std::vector<DataFault> discrepant_channels(
     const Problem& problem, const std::vector<MeasuredChannel>& measured,
     const std::map<std::string, std::vector<LoggedColumn>>& columns, bool free_zero) {
   std::vector<DataFault> faults;
@@ -66,12 +66,12 @@ std::vector<DataFault> far_off_channels(
         share(white_noise_rms(r.target[c].array()), rms(changes(r.target[c], free_zero)));
     if (left < kHalf || noise > kHardlyNoise * left) continue;
     if (told.insert({log->first, m.channel}).second)
-      faults.push_back(far_off(log->first, log->second[c], left, noise));
+      faults.push_back(discrepancy(log->first, log->second[c], left, noise));
   }
   return faults;
 }
 
-void tell_far_off(const std::vector<DataFault>& faults, Findings& findings) {
+void report_discrepancies(const std::vector<DataFault>& faults, Findings& findings) {
   if (faults.empty()) return;
   for (const DataFault& fault : faults)
     for (LogRecord& log : findings.logs)

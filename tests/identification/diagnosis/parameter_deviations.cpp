@@ -16,11 +16,12 @@ using Eigen::VectorXd;
 
 const std::vector<std::string> kValues{"inertia", "viscous level", "Coulomb level", "offset"};
 
-LevelCause level(const std::string& name, std::vector<LevelParameter::Share> shares) {
-  LevelCause cause;
+ParameterDeviation deviation(const std::string& name,
+                             std::vector<DeviationParameter::Share> shares) {
+  ParameterDeviation cause;
   cause.name = name;
   cause.place = "motor";
-  LevelParameter parameter;
+  DeviationParameter parameter;
   parameter.name = "change";
   parameter.shares = std::move(shares);
   cause.parameters.push_back(parameter);
@@ -52,11 +53,11 @@ Case make_case(const std::vector<std::string>& beside, unsigned seed,
     LinearParameter& p = c.problem.baseline[t].linear.front();
     p.low = -std::numeric_limits<double>::infinity();
     if (!in_known) p.nominal = values(static_cast<Index>(t));
-    c.problem.levels.push_back(level(kValues[t], {{static_cast<int>(t), 0, 1.0}}));
+    c.problem.deviations.push_back(deviation(kValues[t], {{static_cast<int>(t), 0, 1.0}}));
   }
-  LevelCause gain = level("torque constant", {});
+  ParameterDeviation gain = deviation("torque constant", {});
   for (int t = 0; t < 4; ++t) gain.parameters[0].shares.push_back({t, 0, values(t)});
-  c.problem.levels.push_back(gain);
+  c.problem.deviations.push_back(gain);
   scales.presliding = 1e-3 * (scales.high - scales.low);
   c.problem.library = drive_library(scales);
   return c;
@@ -143,14 +144,14 @@ TEST_CASE("a level of which these logs feel a part alone is named") {
   Case c = make_case({}, 912, [](const Vector4d& values) -> Vector4d {
     return values.cwiseProduct(Vector4d(1.0, 0.6, 1.0, 1.0));
   });
-  LevelCause both = c.problem.levels[1];
+  ParameterDeviation both = c.problem.deviations[1];
   both.name = "of two parts";
   both.parameters.insert(both.parameters.begin(),
-                         LevelParameter{"unfelt", "kg", -1.0, 1.0, {}, {}});
+                         DeviationParameter{"unfelt", "kg", -1.0, 1.0, {}, {}});
   both.parameters.front().also = [](const Recording& log, int, const VectorXd&) -> MatrixXd {
     return VectorXd::Zero(log.q.rows());
   };
-  c.problem.levels[1] = both;
+  c.problem.deviations[1] = both;
   CHECK(first_names(explain(c.problem, c.settings).verdict) ==
         std::set<std::string>{"of two parts"});
 }
@@ -170,7 +171,7 @@ TEST_CASE("no level is named where the model's values are right") {
   int any = 0;
   for (unsigned seed = 920; seed < 940; ++seed) {
     Case c = make_case({}, seed, [](const Vector4d& values) { return values; });
-    c.problem.library.resize(2);  // levels are what is asked for here
+    c.problem.library.resize(2);  // deviations are what is asked for here
     any += explain(c.problem, c.settings).verdict.causes.empty() ? 0 : 1;
   }
   CHECK(any == 0);
@@ -178,14 +179,14 @@ TEST_CASE("no level is named where the model's values are right") {
 
 TEST_CASE("a change beyond its physical limit is not named") {
   Case c = make_case({}, 911, [](const Vector4d& values) -> Vector4d { return 0.8 * values; });
-  c.problem.levels[4].parameters[0].high = 0.1;
+  c.problem.deviations[4].parameters[0].high = 0.1;
   CHECK_FALSE(named(explain(c.problem, c.settings).verdict, "torque constant"));
 }
 
 TEST_CASE("without the level that is wrong in the list, the verdict does not hold") {
-  // The planted defect: the same logs as in the torque constant's case, its level left out.
+  // The planted defect: the same logs as in the torque constant's case, its deviation left out.
   Case c = make_case({}, 911, [](const Vector4d& values) -> Vector4d { return 0.8 * values; });
-  c.problem.levels.pop_back();
+  c.problem.deviations.pop_back();
   const Verdict verdict = explain(c.problem, c.settings).verdict;
   CHECK(verdict.causes.size() >= 2);
   CHECK_FALSE(named(verdict, "torque constant"));
@@ -194,7 +195,7 @@ TEST_CASE("without the level that is wrong in the list, the verdict does not hol
 TEST_CASE("a level that points nowhere is refused") {
   Case c = make_case({}, 911, [](const Vector4d& values) { return values; });
   c.problem.library.clear();
-  c.problem.levels.push_back(level("nothing", {{7, 0, 1.0}}));
+  c.problem.deviations.push_back(deviation("nothing", {{7, 0, 1.0}}));
   CHECK_THROWS_AS(explain(c.problem, c.settings), std::invalid_argument);
 }
 
@@ -215,19 +216,20 @@ TEST_CASE("a column that never changes lies in the band, whatever rounding makes
 TEST_CASE("large errors that happen to cancel are none") {
   // Two values whose columns are nearly the same; what is left over is their difference, as the
   // noise that a measured regressor shares with the target would leave it. Planted defect: without
-  // cancelled() (levels.cpp) both are named, one undoing a hundred times of what is there.
+  // cancelled() (parameter_deviations.cpp) both are named, one undoing a hundred times of what is
+  // there.
   Case c = make_case({}, 921, [](const Vector4d& values) -> Vector4d { return values; });
   const VectorXd small =
       (3.7 * c.drive.log.time.array()).sin() * (9.1 * c.drive.log.time.array()).cos();
   c.problem.training.front().target.front() += 4.0 * c.drive.noise * small;
   for (const double share : {0.01, -0.01}) {
-    LevelCause cause = level(share > 0.0 ? "one" : "the other", {});
+    ParameterDeviation cause = deviation(share > 0.0 ? "one" : "the other", {});
     cause.parameters.front().also = [=](const Recording& log, int, const VectorXd&) -> MatrixXd {
       return log.qd.col(0).cwiseProduct(log.q.col(0)).normalized() *
                  std::sqrt(double(small.size())) +
              share * small;
     };
-    c.problem.levels.push_back(cause);
+    c.problem.deviations.push_back(cause);
   }
   for (const NamedCause& cause : explain(c.problem, c.settings).verdict.causes) {
     INFO(cause.members.front().name);

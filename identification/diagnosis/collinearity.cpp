@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "identification/diagnosis/shadow.h"
+#include "identification/diagnosis/collinearity.h"
 
 #include <algorithm>
 #include <functional>
@@ -8,8 +8,9 @@
 
 namespace sinew::diagnosis {
 
-std::optional<std::size_t> find_shadow(const Design& design, const Settings& settings,
-                                       const Weights& weights, const Model& model, ShadowOf asked) {
+std::optional<std::size_t> find_collinear_term(const Design& design, const Settings& settings,
+                                               const Weights& weights, const Model& model,
+                                               CollinearAmong asked) {
   constexpr double kSmall = 0.15;   // of the large one's worth
   constexpr double kInvited = 3.0;  // times its own worth, without the large one
   constexpr double kOfImpacts = 0.005;
@@ -20,9 +21,9 @@ std::optional<std::size_t> find_shadow(const Design& design, const Settings& set
     return cross_validate(design, rest, weights, settings.blocks).plain.sum();
   };
   const std::vector<Term>& terms = model.terms;
-  const auto is_cause = [&](std::size_t t) { return !terms[t].baseline && terms[t].level < 0; };
+  const auto is_cause = [&](std::size_t t) { return !terms[t].baseline && terms[t].deviation < 0; };
   const auto is_asked = [&](std::size_t t) {
-    return asked == ShadowOf::levels ? terms[t].level >= 0 : is_cause(t);
+    return asked == CollinearAmong::deviations ? terms[t].deviation >= 0 : is_cause(t);
   };
   const double all = loss_without({});
   std::vector<double> worth(terms.size(), 0.0);
