@@ -11,7 +11,7 @@ inline constexpr int smallest_saving = 24;
 
 /// What loops may cost: operations executed over those of the graph. A value that two passes share
 /// is computed in both.
-inline constexpr double largest_growth = 1.12;
+inline constexpr double largest_growth = 1.11;
 
 /// Finds what repeats in an optimised graph and plans loops for it: results in a row, and steps of
 /// long sums, whose computations have the same form and differ in constants and input elements
