@@ -5,23 +5,23 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <fstream>
 #include <memory>
 #include <sstream>
 
 #include "cli/diagnose_rig.h"
-#include "cli/learnt_model.h"
+#include "cli/driven_request.h"
 #include "cli/model_folder.h"
 #include "cli/runtime_folder.h"
 #include "generator/write.h"
 #include "identification/adoption/diagnose.h"
-#include "identification/subjects/driven_channels.h"
-#include "identification/report/findings_json.h"
 #include "identification/logs/model_channels.h"
+#include "identification/report/findings_json.h"
 #include "identification/report/report_html.h"
 #include "identification/report/report_text.h"
 #include "identification/report/verdict_text.h"
-#include "symbolic/hand/hand_mechanism.h"
+#include "identification/subjects/driven_channels.h"
 #include "symbolic/extension/identified_mechanism.h"
 #include "symbolic/files/put_files.h"
 #include "symbolic/model/read_mechanism.h"
@@ -56,13 +56,6 @@ class Progress {
   bool shown_;
 };
 
-DriveLimits limits_of(const DrivenJoint& joint) {
-  DriveLimits limits;
-  limits.inertia = joint.armature;
-  limits.friction = joint.friction;
-  return limits;
-}
-
 /// What does not depend on the kind of model.
 template <class Request>
 void set_common(const DiagnoseOptions& o, const ModelFolder& folder, Request& request) {
@@ -79,69 +72,24 @@ void set_common(const DiagnoseOptions& o, const ModelFolder& folder, Request& re
   request.settings.seed = o.seed;
 }
 
-/// Joints by their own efforts, or by the forces of their tendons: what the first log has.
-void set_robot(const DiagnoseOptions& o, const Mechanism& mechanism, DiagnoseRequest& request) {
-  using diagnosis::LoggedEfforts;
-  request.mechanism = mechanism;
-  const LoggedEfforts logged = diagnosis::logged_efforts(mechanism, o.logs.front(), o.map);
-  if (logged == LoggedEfforts::at_joints) {
-    request.kind = "robot";
-    request.model = driven_model(mechanism, emitted_cost);
-    request.channels = [mechanism, map = o.map](const std::string& file) {
-      return diagnosis::robot_log_channels(mechanism, file, map);
-    };
-    return;
-  }
-  request.kind = "tendon-driven joints";
-  const std::optional<MotorParameters> motor =
-      logged == LoggedEfforts::tendon_forces_and_motors ? motor_beside(o.folder) : std::nullopt;
-  request.model = tendon_driven_model(mechanism, motor, emitted_cost);
-  request.channels = [mechanism, motors = motor.has_value()](const std::string&) {
-    return diagnosis::tendon_log_channels(mechanism, diagnosis::tendon_numbers(mechanism), motors);
-  };
-}
-
-/// All fingers of a hand by the forces of their tendons, the palm held.
-void set_hand(const Hand& hand, const Identified& identified, DiagnoseRequest& request) {
-  const HeldHand held = held_hand(hand);
-  request.mechanism = with_identified(held.mechanism, identified);
-  request.kind = "hand with a held palm";
-  request.model = tendon_driven_model(*request.mechanism, {}, emitted_cost);
-  std::vector<int> numbers;
-  for (const int channel : held.channels) numbers.push_back(channel + 1);
-  request.channels = [held, numbers](const std::string&) {
-    diagnosis::DrivenChannels channels =
-        diagnosis::tendon_log_channels(held.mechanism, numbers, false);
-    for (std::size_t i = 0; i < held.coordinates.size(); ++i)
-      channels.specs[i].name = channels.positions[i] = held.coordinates[i];
-    return channels;
-  };
-}
-
 DiagnoseRequest request_for(const DiagnoseOptions& o, const ModelFolder& folder) {
   DiagnoseRequest request;
   set_common(o, folder, request);
-  if (const Mechanism* mechanism = std::get_if<Mechanism>(&folder.model)) {
-    set_robot(o, *mechanism, request);
-    return request;
-  }
-  if (const Hand* hand = std::get_if<Hand>(&folder.model)) {
-    set_hand(*hand, folder.identified, request);
-    return request;
-  }
-  const Part* part = std::get_if<Part>(&folder.model);
-  const MotorParameters* motor = part ? std::get_if<MotorParameters>(&part->parameters) : nullptr;
-  if (!motor)
-    throw std::runtime_error(
-        o.folder +
-        ": diagnose works on a mechanism of joints, a hand, a motor, a lever, a tendon or a wrist; "
-        "this model is none of them");
-  request.kind = "rotary drive";
-  request.model = driven_model(*motor, part->name);
-  request.channels = [limits = limits_of(request.model.joints.front())](const std::string&) {
-    return diagnosis::drive_log_channels(true, limits);
-  };
+  set_driven_model(folder, request);
   return request;
+}
+
+/// What was learnt of joints that these logs do not move stays as it was.
+void keep_what_was_left_out(const Identified& known, const Identified& taken,
+                            Identified& extended) {
+  if (known.effects.size() == taken.effects.size()) return;
+  for (const IdentifiedEffect& entry : known.effects) {
+    const auto is_same = [&](const IdentifiedEffect& e) {
+      return e.effect == entry.effect && e.place == entry.place;
+    };
+    if (std::none_of(taken.effects.begin(), taken.effects.end(), is_same))
+      extended.effects.push_back(entry);
+  }
 }
 
 /// The model's folder with what it has learnt, and its C, as they would be.
@@ -187,6 +135,7 @@ int run(DiagnoseOptions o) {
     DiagnoseRequest request = request_for(o, folder);
     request.progress = told;
     diagnosis = diagnose(request);
+    keep_what_was_left_out(folder.identified, request.identified, diagnosis.extended);
   }
   write_results(o, diagnosis);
   if (o.json)

@@ -62,6 +62,7 @@ struct Derived {
   EmittedModel model;
   std::vector<FunctionChange> changes;
   double seconds = 0;
+  std::vector<std::string> remarks{};
 };
 
 /// The folders a command is about; with --dependents also the hands made of them.
@@ -78,7 +79,7 @@ std::vector<std::filesystem::path> folders_of(const GenerateOptions& o) {
 Derived derive(const GenerateOptions& o, const std::filesystem::path& path, bool alone) {
   const auto start = std::chrono::steady_clock::now();
   const ModelFolder folder = open_model_folder(path);
-  Derived derived{path, default_output(folder), emit(o, folder), {}, 0};
+  Derived derived{path, default_output(folder), emit(o, folder), {}, 0, folder.remarks};
   if (!o.out.empty())
     derived.out = alone ? std::filesystem::path(o.out) : o.out / derived.out.filename();
   derived.changes = function_changes(derived.out, derived.model);
@@ -125,16 +126,19 @@ std::vector<std::filesystem::path> left_behind(const Derived& derived,
 }
 
 nlohmann::ordered_json model_json(const Derived& d, const std::vector<Derived>& run) {
-  nlohmann::ordered_json report{{"model", d.model.name},
-                                {"out", d.out.string()},
-                                {"sha256", d.model.hash},
-                                {"functions", d.model.functions.size()},
-                                {"seconds", d.seconds},
-                                {"changes", summary_json(d.changes)},
-                                {"left_behind", nlohmann::ordered_json::array()}};
+  nlohmann::ordered_json report{
+      {"model", d.model.name},  {"out", d.out.string()},
+      {"sha256", d.model.hash}, {"functions", d.model.functions.size()},
+      {"seconds", d.seconds},   {"changes", summary_json(d.changes)},
+      {"notes", d.remarks},     {"left_behind", nlohmann::ordered_json::array()}};
   for (const std::filesystem::path& folder : left_behind(d, run))
     report["left_behind"].push_back(folder.string());
   return report;
+}
+
+void tell_remarks(const Derived& d) {
+  for (const std::string& remark : d.remarks)
+    fmt::print(stderr, "note: {}: {}\n", d.model.name, remark);
 }
 
 void report_generated(const std::vector<Derived>& run, bool json) {
@@ -146,6 +150,7 @@ void report_generated(const std::vector<Derived>& run, bool json) {
     return;
   }
   for (const Derived& d : run) {
+    tell_remarks(d);
     fmt::print("{}: {} functions written to {} in {:.2f} s\n{}", d.model.name,
                d.model.functions.size(), d.out.string(), d.seconds, summary_text(d.changes));
     for (const std::filesystem::path& folder : left_behind(d, run))
@@ -172,11 +177,9 @@ std::string accept_command(const GenerateOptions& o) {
 
 nlohmann::ordered_json check_json(const Derived& d, const std::string& diff,
                                   const std::string& accept) {
-  return {{"model", d.model.name},
-          {"same", diff.empty()},
-          {"diff", diff},
-          {"changes", summary_json(d.changes)},
-          {"accept", accept}};
+  return {{"model", d.model.name}, {"same", diff.empty()},
+          {"diff", diff},          {"changes", summary_json(d.changes)},
+          {"notes", d.remarks},    {"accept", accept}};
 }
 
 int run_check(const GenerateOptions& o) {
@@ -186,6 +189,7 @@ int run_check(const GenerateOptions& o) {
   std::string differing;
   for (const Derived& d : run) {
     const std::string diff = difference(d.out, emit_files(d.model));
+    if (!o.json) tell_remarks(d);
     if (!diff.empty()) differing += (differing.empty() ? "" : ", ") + d.out.string();
     if (o.json)
       models.push_back(check_json(d, diff, accept));

@@ -52,18 +52,13 @@ int import_robot(const ImportOptions& options) {
     fmt::print(stderr, "sinew import: --gravity is not finite; expected 3 finite numbers\n");
     return 2;
   }
-  try {
-    std::vector<std::string> notes;
-    const std::filesystem::path source(options.urdf);
-    const Mechanism mechanism = read_urdf(source, gravity, &notes);
-    write_mechanism(mechanism, options.out, "Imported from URDF with sinew import.",
-                    options.force ? Existing::replace : Existing::refuse);
-    options.json ? report_as_json(mechanism, options, notes)
-                 : report_as_text(mechanism, options, notes);
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "{}\n", error.what());
-    return 2;
-  }
+  std::vector<std::string> notes;
+  const std::filesystem::path source(options.urdf);
+  const Mechanism mechanism = read_urdf(source, gravity, &notes);
+  write_mechanism(mechanism, options.out, "Imported from URDF with sinew import.",
+                  options.force ? Existing::replace : Existing::refuse);
+  options.json ? report_as_json(mechanism, options, notes)
+               : report_as_text(mechanism, options, notes);
   return 0;
 }
 

@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 
+#include "cli/clear_message.h"
 #include "cli/diagnose.h"
 #include "cli/effects.h"
 #include "cli/figures/figures.h"
@@ -56,7 +57,10 @@ int main(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : wrong_usage_or_input;
   } catch (const std::exception& error) {
-    fmt::print(stderr, "sinew: {}\n", error.what());
+    fmt::print(stderr, "sinew: {}\n", sinew::clear_message(error));
+    return wrong_usage_or_input;
+  } catch (...) {
+    fmt::print(stderr, "sinew: something that was not foreseen went wrong; please report it\n");
     return wrong_usage_or_input;
   }
   if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {

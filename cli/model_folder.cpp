@@ -4,17 +4,21 @@
 #include <fmt/format.h>
 
 #include <fstream>
+#include <sstream>
 #include <stdexcept>
 
-#include "cli/learnt_model.h"
+#include "simulation/plant/learnt_model.h"
 #include "identification/logs/sha256.h"
 #include "symbolic/dynamics/coordinates.h"
 #include "symbolic/extension/driven_model.h"
-#include "symbolic/tendons/functions.h"
 #include "symbolic/extension/identified_mechanism.h"
+#include "symbolic/extension/learnt_mass_matrix.h"
 #include "symbolic/extension/part_observation.h"
+#include "symbolic/hand/hand_mechanism.h"
 #include "symbolic/hand/read_hand.h"
 #include "symbolic/model/read_mechanism.h"
+#include "symbolic/model/singular_mass_matrix.h"
+#include "symbolic/tendons/functions.h"
 
 namespace sinew {
 namespace {
@@ -46,6 +50,19 @@ std::string hash_of(const fs::path& folder, const std::vector<fs::path>& parts) 
   return hash.finish();
 }
 
+/// Its words in lines as the header has them.
+std::vector<std::string> in_lines(const std::string& text) {
+  constexpr std::size_t width = 90;
+  std::vector<std::string> lines{""};
+  std::istringstream words(text);
+  for (std::string word; words >> word;) {
+    if (!lines.back().empty() && lines.back().size() + 1 + word.size() > width)
+      lines.emplace_back();
+    lines.back() += (lines.back().empty() ? "" : " ") + word;
+  }
+  return lines;
+}
+
 std::vector<std::string> joint_notes(const Mechanism& mechanism) {
   std::vector<std::string> notes{"Joint order (depth first from the base):"};
   int coordinate = 0;
@@ -75,6 +92,22 @@ std::vector<std::string> coordinate_notes(const Hand& hand) {
   return notes;
 }
 
+void refuse_indefinite(const std::optional<std::string>& why, const fs::path& folder) {
+  if (why)
+    throw DescriptionError(
+        {fmt::format("{}: {}; expected an extension that leaves every joint its inertia",
+                     (folder / "identified.toml").string(), *why)});
+}
+
+/// What was learnt leaves the mechanism one that can be.
+void require_possible(const Mechanism& learnt, const ModelFolder& model) {
+  if (model.identified.empty()) return;
+  const bool motors = speaks_of_motors(model.identified);
+  refuse_indefinite(why_not_definite(learnt, motors ? motor_beside(model.folder) : std::nullopt,
+                                     model.identified),
+                    model.folder);
+}
+
 }  // namespace
 
 ModelFolder open_model_folder(const fs::path& folder) {
@@ -83,8 +116,12 @@ ModelFolder open_model_folder(const fs::path& folder) {
   std::string description;
   std::vector<fs::path> parts;
   if (is_hand_folder(folder)) {
-    result.identified = read_identified(folder);
     HandDescription read = read_hand(folder);
+    if (fs::exists(folder / "identified.toml")) {
+      const Mechanism held = held_hand(read.hand).mechanism;
+      result.identified = read_identified(folder, learnt_places(held, false));
+      require_possible(with_identified(held, result.identified), result);
+    }
     result.identity.name = read.hand.name;
     description = read.hand.description;
     result.identity.notes = coordinate_notes(read.hand);
@@ -93,17 +130,31 @@ ModelFolder open_model_folder(const fs::path& folder) {
   } else if (is_part_folder(folder)) {
     const Part part = read_part(folder);
     const std::optional<Observation> observation = observation_of(part);
-    result.identified = read_identified(folder, observation ? &*observation : nullptr);
+    const auto* motor = std::get_if<MotorParameters>(&part.parameters);
+    result.identified =
+        observation ? read_identified(folder, &*observation)
+                    : read_identified(folder, motor ? learnt_places_of_motor() : LearntPlaces());
+    if (motor && !result.identified.empty())
+      refuse_indefinite(why_not_definite(driven_model(*motor, part.name), result.identified),
+                        folder);
     result.identity.name = part.name;
     description = part.description;
     result.model = part;
   } else {
-    result.identified = read_identified(folder);
-    const Mechanism mechanism = with_identified(read_mechanism(folder), result.identified);
+    const Mechanism described = read_mechanism(folder);
+    result.identified =
+        read_identified(folder, learnt_places(described, is_part_folder(folder_of_motor(folder))));
+    const Mechanism mechanism = with_identified(described, result.identified);
+    require_possible(mechanism, result);
     if (speaks_of_motors(result.identified)) parts.push_back(folder_of_motor(folder));
     result.identity.name = mechanism.name;
     description = mechanism.description;
     result.identity.notes = joint_notes(mechanism);
+    if (const auto note = note_of_singular_mass_matrix(mechanism)) {
+      result.remarks.push_back(*note);
+      for (const std::string& line : in_lines("Note: " + *note))
+        result.identity.notes.push_back(line);
+    }
     result.model = mechanism;
   }
   result.identity.description = description.empty() ? "Model " + result.identity.name : description;

@@ -5,8 +5,8 @@
 #include <variant>
 
 #include "generator/assemble.h"
-#include "symbolic/hand/hand.h"
 #include "symbolic/extension/identified.h"
+#include "symbolic/hand/hand.h"
 #include "symbolic/model/mechanism.h"
 #include "symbolic/parts/part.h"
 
@@ -17,7 +17,8 @@ struct ModelFolder {
   std::variant<Mechanism, Part, Hand> model;
   ModelIdentity identity;
   std::filesystem::path folder;
-  Identified identified;  ///< what logs taught; empty without identified.toml
+  Identified identified;               ///< what logs taught; empty without identified.toml
+  std::vector<std::string> remarks{};  ///< what a user has to know of what is derived
 };
 
 /// Reads and checks a model folder. Throws DescriptionError with every mistake found.

@@ -8,15 +8,17 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "cli/replayed_log.h"
 #include "cli/runtime_folder.h"
-#include "simulation/simulate.h"
-#include "simulation/write_rows.h"
+#include "simulation/plant/simulate.h"
+#include "simulation/plant/write_rows.h"
 
 namespace sinew {
 namespace {
 
 struct SimulateOptions {
-  std::string model, scenario, out, runtime;
+  std::string model, scenario, log, out, runtime;
+  std::vector<std::string> map;
   bool json = false;
 };
 
@@ -41,15 +43,23 @@ class RunProgress {
   int last_ = -1;
 };
 
-nlohmann::ordered_json json_of(const SimulateOptions& o, double duration,
-                               const SimulationResult& r) {
-  nlohmann::ordered_json work, events = nlohmann::ordered_json::array();
+nlohmann::ordered_json json_of(const SimulateOptions& o, double duration, const SimulationResult& r,
+                               const std::vector<diagnosis::ReplayError>& errors) {
+  nlohmann::ordered_json work, deviations = nlohmann::ordered_json::array(),
+                               events = nlohmann::ordered_json::array();
   for (int i = 0; i < power_count; ++i)
     work[name_of_power(i)] = r.audit.work[static_cast<std::size_t>(i)];
   for (const Event& event : r.events)
     events.push_back({{"time_s", event.time}, {"name", event.name}, {"begins", event.begins}});
+  for (const diagnosis::ReplayError& e : errors)
+    deviations.push_back({{"channel", e.channel},
+                          {"unit", e.unit},
+                          {"open_loop", e.open_loop},
+                          {"window", e.window}});
   return {{"model", o.model},
           {"scenario", o.scenario},
+          {"log", o.log},
+          {"deviations", deviations},
           {"out", o.out},
           {"rows", r.rows},
           {"duration_s", duration},
@@ -69,7 +79,8 @@ nlohmann::ordered_json json_of(const SimulateOptions& o, double duration,
           {"events", events}};
 }
 
-void print_summary(const SimulateOptions& o, double duration, const SimulationResult& r) {
+void print_summary(const SimulateOptions& o, double duration, const SimulationResult& r,
+                   const std::vector<diagnosis::ReplayError>& errors) {
   fmt::print("{}: {} rows over {} s written to {}\n", o.model, r.rows, duration, o.out);
   fmt::print("  {} steps, {} evaluations, {} Jacobians in {:.3f} s: {:.1f} x real time\n",
              r.count.steps, r.count.evaluations, r.count.jacobians, r.seconds,
@@ -81,24 +92,70 @@ void print_summary(const SimulateOptions& o, double duration, const SimulationRe
     if (work != 0.0) fmt::print("  work of {}: {:.6g} J\n", name_of_power(i), work);
   }
   for (const auto& [name, count] : r.event_counts) fmt::print("  {}: {} times\n", name, count);
+  if (!errors.empty())
+    fmt::print("  off the logged position (rms): in open loop, within {} s\n",
+               diagnosis::prediction_window);
+  for (const diagnosis::ReplayError& e : errors)
+    fmt::print("    {}: {:.4g} {}, {:.4g} {}\n", e.channel, e.open_loop, e.unit, e.window, e.unit);
+}
+
+/// A lever, a tendon or a wrist: what its model says of its sensors. False for any other model.
+bool replay_rig(const SimulateOptions& o) {
+  const auto replay =
+      o.log.empty() ? std::nullopt : replayed_rig(o.model, o.log, o.map, runtime_folder(o.runtime));
+  if (!replay) return false;
+  RowWriter out(o.out, replay->columns);
+  for (const std::vector<double>& row : replay->rows) out.write(row);
+  out.finish();
+  nlohmann::ordered_json deviations = nlohmann::ordered_json::array();
+  for (const auto& e : replay->errors)
+    deviations.push_back({{"channel", e.channel}, {"unit", e.unit}, {"sensor", e.rms}});
+  if (o.json) {
+    fmt::print("{}\n", nlohmann::ordered_json{{"model", o.model},
+                                              {"log", o.log},
+                                              {"out", o.out},
+                                              {"rows", replay->rows.size()},
+                                              {"deviations", deviations}}
+                           .dump(2));
+    return true;
+  }
+  fmt::print("{}: {} rows written to {}\n  off the logged sensors (rms):\n", o.model,
+             replay->rows.size(), o.out);
+  for (const auto& e : replay->errors) fmt::print("    {}: {:.4g} {}\n", e.channel, e.rms, e.unit);
+  return true;
 }
 
 void run_simulate(const SimulateOptions& o) {
-  Plant plant = build_plant(o.model, o.scenario, runtime_folder(o.runtime));
+  if (replay_rig(o)) return;
+  const auto replayed =
+      o.log.empty() ? std::nullopt : std::optional(replayed_log(o.model, o.log, o.map));
+  const auto runtime = runtime_folder(o.runtime);
+  Plant plant = replayed ? build_plant(o.model, replayed->replay.scenario, runtime)
+                         : build_plant(o.model, o.scenario, runtime);
   const double duration = plant.scenario().duration;
   RowWriter out(o.out, output_columns(plant));
   SimulationResult result;
+  std::vector<std::vector<double>> rows;
   {
     RunProgress progress(duration);
     result = simulate(
-        plant, [&](const std::vector<double>& row) { out.write(row); },
+        plant,
+        [&](const std::vector<double>& row) {
+          out.write(row);
+          if (replayed) rows.push_back(row);
+        },
         [&](double time) { progress(time); });
   }
   out.finish();
+  std::vector<diagnosis::ReplayError> errors;
+  if (replayed)
+    errors = diagnosis::replay_errors(replayed->replay, replayed->channels, rows, plant);
+  if (replayed)
+    for (const std::string& note : replayed->notes) fmt::print(stderr, "{}\n", note);
   if (o.json)
-    fmt::print("{}\n", json_of(o, duration, result).dump(2));
+    fmt::print("{}\n", json_of(o, duration, result, errors).dump(2));
   else
-    print_summary(o, duration, result);
+    print_summary(o, duration, result, errors);
 }
 
 }  // namespace
@@ -108,8 +165,13 @@ void add_simulate_command(CLI::App& app, int&) {
       app.add_subcommand("simulate", "Integrate the emitted C of a motor, a finger or a hand");
   auto options = std::make_shared<SimulateOptions>();
   command->add_option("model", options->model, "Model folder")->required();
-  command->add_option("--scenario", options->scenario, "What happens (docs/simulation.md)")
-      ->required();
+  CLI::Option_group* what = command->add_option_group("what happens");
+  what->add_option("--scenario", options->scenario, "A scenario (docs/simulation.md)");
+  what->add_option("--log", options->log,
+                   "A log: its efforts act from its first state on, and its motion is compared");
+  what->require_option(1);
+  command->add_option("--map", options->map,
+                      "Of a log: channel=column name [unit], or channel=#3 [unit]");
   command->add_option("--out", options->out, "CSV file of the log")->required();
   command->add_option("--runtime", options->runtime, "Folder of the runtime's headers");
   command->add_flag("--json", options->json, "Report for machines");

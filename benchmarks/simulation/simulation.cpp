@@ -14,8 +14,8 @@
 #include <functional>
 #include <vector>
 
-#include "simulation/simulate.h"
-#include "simulation/write_rows.h"
+#include "simulation/plant/simulate.h"
+#include "simulation/plant/write_rows.h"
 
 namespace {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "cli/figures/figure.h"
-#include "simulation/compiled_model.h"
+#include "simulation/emitted/compiled_model.h"
 #include "symbolic/parts/part.h"
 
 namespace sinew {

@@ -9,7 +9,7 @@
 #include <random>
 
 #include "identification/experiments/friction_curve.h"
-#include "simulation/simulate.h"
+#include "simulation/plant/simulate.h"
 #include "symbolic/parts/part.h"
 
 namespace sinew {

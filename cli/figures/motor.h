@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "cli/figures/figure.h"
-#include "simulation/compiled_model.h"
+#include "simulation/emitted/compiled_model.h"
 
 namespace sinew {
 

@@ -2,7 +2,7 @@
 // The source's figures, computed by the emitted C.
 #pragma once
 
-#include "simulation/compiled_model.h"
+#include "simulation/emitted/compiled_model.h"
 #include "cli/figures/figure.h"
 #include "symbolic/parts/wrist.h"
 

@@ -13,6 +13,7 @@
 #include "identification/adoption/held_out_judgement.h"
 #include "identification/adoption/measure.h"
 #include "identification/adoption/motion_file.h"
+#include "identification/adoption/possible_terms.h"
 #include "identification/adoption/prediction.h"
 #include "identification/diagnosis/explain.h"
 #include "identification/diagnosis/sensor_play.h"
@@ -89,6 +90,8 @@ class Run {
     for (std::size_t i = 0; i < logs.size(); ++i)
       take(logs[i], channels[i], i >= request_.logs.size());
     refuse_held_out_twins(result_.findings.logs);
+    LogRecord& first = result_.findings.logs.front();
+    for (const std::string& note : request_.notes) first.faults.push_back(first.file + ": " + note);
   }
 
   void take(const Log& log, const DrivenChannels& channels, bool held_out) {
@@ -198,7 +201,9 @@ class Run {
   void extend(const Explanation& explanation) {
     Findings& f = result_.findings;
     const Design design(subject_.problem(), request_.settings);
-    const std::vector<ExtensionTerm> terms = extension_terms(subject_, design, explanation);
+    const ExtensionTerms fitted = extension_terms(subject_, design, explanation);
+    const PossibleTerms possible = possible_terms(subject_, fitted.terms);
+    const std::vector<ExtensionTerm>& terms = possible.terms;
     const bool any = std::any_of(terms.begin(), terms.end(),
                                  [](const ExtensionTerm& t) { return t.cause >= 0; });
     const std::vector<ExtensionTerm> adding = any ? terms : std::vector<ExtensionTerm>{};
@@ -215,6 +220,7 @@ class Run {
     decide_adoption(any, !request_.holdout.empty(),
                     measured_gain(measured, -1, true, 12, request_.settings.seed),
                     emitted_functions(), f.extension);
+    add_remarks(fitted.changed, possible.refused, any, f.extension);
     f.extension.operations_before = subject_.effort().operations();
     f.extension.operations_after = subject_.effort_with(result_.extended).operations();
   }

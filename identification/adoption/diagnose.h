@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "identification/logs/channel_map.h"
+#include "identification/report/findings.h"
 #include "identification/subjects/driven_channels.h"
 #include "identification/subjects/driven_subject.h"
-#include "identification/report/findings.h"
 
 namespace sinew::diagnosis {
 
@@ -26,6 +26,7 @@ struct DiagnoseRequest {
   std::vector<std::string> map;            ///< texts of --map
   /// The channels to look for in a file, by what its header holds.
   std::function<DrivenChannels(const std::string& file)> channels;
+  std::vector<std::string> notes;  ///< said beside what is found about the first log
   Settings settings;
   /// Told what is going on, 0..1; may be empty.
   std::function<void(const std::string& step, double share)> progress;

@@ -5,12 +5,14 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <map>
 
 #include "identification/adoption/discrepancy.h"
 #include "identification/adoption/held_out_judgement.h"
 #include "identification/adoption/measure_plots.h"
 #include "identification/adoption/observed_extension.h"
+#include "identification/adoption/possible_terms.h"
 #include "identification/diagnosis/explain.h"
 #include "identification/logs/read_csv.h"
 #include "identification/report/log_record.h"
@@ -53,6 +55,32 @@ class ObservedRun {
     f.next_step = next_step(f);
     f.seconds = std::chrono::duration<double>(Clock::now() - start).count();
     return std::move(result_);
+  }
+
+  ObservedReplay replay() {
+    read();
+    prepare();
+    const Design design(subject_.problem(), request_.settings);
+    const std::vector<MeasuredChannel> measured =
+        measure_observation(subject_, design, request_.identified, request_.rig.free_zero);
+    ObservedReplay replay{{"time [s]"}, {}, {}};
+    for (std::size_t c = 0; c < request_.rig.channels.size(); ++c) {
+      const ObservedChannel& named = request_.rig.channels[c];
+      replay.columns.push_back(fmt::format("{} [{}]", named.name, named.unit));
+      ChannelFinding finding;
+      add_error("sensor", measured, static_cast<int>(c), false, finding);
+      replay.errors.push_back({named.name, named.unit, finding.domains.front().before});
+    }
+    std::map<double, std::vector<double>> rows;  // by time: stretches one after the other
+    for (const MeasuredChannel& m : measured)
+      for (Index k = 0; k < m.time.size(); ++k) {
+        std::vector<double>& row = rows[m.time(k)];
+        row.resize(replay.columns.size(), std::nan(""));
+        row[0] = m.time(k);
+        row[static_cast<std::size_t>(m.channel) + 1] = m.before(k);
+      }
+    for (auto& [time, row] : rows) replay.rows.push_back(std::move(row));
+    return replay;
   }
 
  private:
@@ -101,10 +129,16 @@ class ObservedRun {
   void extend(const Explanation& explanation) {
     Findings& f = result_.findings;
     const Design design(subject_.problem(), request_.settings);
-    const bool any = std::any_of(f.verdict.causes.begin(), f.verdict.causes.end(),
-                                 [&](const NamedCause& c) { return effect_of(c) >= 0; });
+    bool any = std::any_of(f.verdict.causes.begin(), f.verdict.causes.end(),
+                           [&](const NamedCause& c) { return effect_of(c) >= 0; });
     result_.extended =
         any ? extended_observation(subject_, design, explanation) : request_.identified;
+    std::vector<std::string> refused;
+    if (const auto why = why_impossible(subject_.observation(), result_.extended)) {
+      refused.push_back("what was fitted cannot be adopted: " + *why);
+      result_.extended = request_.identified;
+      any = false;
+    }
     const std::vector<MeasuredChannel> measured =
         measure_observation(subject_, design, result_.extended, request_.rig.free_zero);
     discrepant_ =
@@ -117,6 +151,7 @@ class ObservedRun {
     decide_adoption(any, !request_.holdout.empty(),
                     measured_gain(measured, -1, true, 12, request_.settings.seed), {"observation"},
                     f.extension);
+    add_remarks({}, refused, any, f.extension);
     f.extension.operations_before = observation_operations(subject_, request_.identified);
     f.extension.operations_after = observation_operations(subject_, result_.extended);
   }
@@ -170,6 +205,10 @@ class ObservedRun {
 
 Diagnosis diagnose_observed(const ObservedRequest& request) {
   return ObservedRun(request)();
+}
+
+ObservedReplay replay_observed(const ObservedRequest& request) {
+  return ObservedRun(request).replay();
 }
 
 }  // namespace sinew::diagnosis

@@ -24,4 +24,18 @@ struct ObservedRequest {
 /// the held-out logs through the regenerated C.
 Diagnosis diagnose_observed(const ObservedRequest& request);
 
+/// What a rig's model, with what it has learnt, says of its sensors in a log.
+struct ObservedReplay {
+  std::vector<std::string> columns;       ///< "time [s]", "force [N]", ...
+  std::vector<std::vector<double>> rows;  ///< in the band that a diagnosis compares
+  struct Error {
+    std::string channel, unit;
+    double rms = 0.0;  ///< of the sensor against what is said of it, as a report's domain "sensor"
+  };
+  std::vector<Error> errors;
+};
+
+/// Of the request's logs, which are one. Throws as diagnose_observed().
+ObservedReplay replay_observed(const ObservedRequest& request);
+
 }  // namespace sinew::diagnosis

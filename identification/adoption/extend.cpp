@@ -3,10 +3,13 @@
 
 #include <algorithm>
 
+#include "identification/adoption/physical_links.h"
 #include "identification/diagnosis/standard_errors.h"
 #include "identification/subjects/effect_candidate.h"
 #include "symbolic/effects/effects.h"
 #include "symbolic/extension/identified_mechanism.h"
+#include "symbolic/extension/learnt_entry.h"
+#include "symbolic/model/pseudo_inertia.h"
 
 namespace sinew::diagnosis {
 namespace {
@@ -36,8 +39,11 @@ void fill(const CandidateOrigin& origin, bool revolute, const Eigen::VectorXd& s
     value.value = (origin.fixed.size() > 0 ? origin.fixed : searched)(static_cast<Eigen::Index>(k));
     entry.shape.push_back(std::move(value));
   }
-  for (const EffectColumn& column : effect.columns)
-    entry.coefficients.push_back(value_of(estimates, column.name));
+  for (const EffectColumn& column : effect.columns) {
+    IdentifiedValue value = value_of(estimates, column.name);
+    value.unit = unit_at(column.unit, revolute);
+    entry.coefficients.push_back(std::move(value));
+  }
 }
 
 /// Entries that are no effect of the catalogue. False where the model has no place for it.
@@ -47,13 +53,8 @@ bool fill_special(const std::vector<ParameterEstimate>& estimates, IdentifiedEff
     return true;
   }
   if (changes_mechanism(entry)) {
-    for (const ParameterEstimate& e : estimates) {
-      // A mass that chance made negative would leave a link that has none of its own impossible.
-      const bool mass = entry.effect == "payload" && e.name == "mass";
-      const double least = std::max(0.1 * e.standard_error, 1e-9);
-      entry.coefficients.push_back(
-          {e.name, mass ? std::max(e.value, least) : e.value, e.standard_error, e.unit});
-    }
+    for (const ParameterEstimate& e : estimates)
+      entry.coefficients.push_back({e.name, e.value, e.standard_error, e.unit});
     return true;
   }
   if (entry.effect == "torque_constant" || entry.effect == "pulley_radius") {
@@ -65,6 +66,16 @@ bool fill_special(const std::vector<ParameterEstimate>& estimates, IdentifiedEff
     return true;
   }
   return false;
+}
+
+/// An estimate may lie beyond its limit by what chance does.
+void keep_within_limits(IdentifiedEffect& entry) {
+  const std::optional<DeclaredEntry> declared = declared_entry(entry.effect);
+  if (!declared) return;
+  for (IdentifiedValue& value : entry.coefficients)
+    for (const DeclaredValue& each : declared->coefficients)
+      if (each.name == value.name)
+        value.value = std::clamp(value.value, each.limits.low, each.limits.high);
 }
 
 bool in_catalogue(const std::string& id) {
@@ -95,6 +106,8 @@ void add_directions(const DrivenSubject& subject, const Selection& selection,
     direction.entry.place = subject.model().joints[origin.joint].name;
     direction.entry.shape = {value_of(all[t], "presliding_length")};
     direction.entry.shape.front().value = term.nonlinear(0);
+    direction.entry.shape.front().unit = unit_at(find_effect("presliding").shapes.front().unit,
+                                                 subject.model().joints[origin.joint].revolute);
     result.push_back(std::move(direction));
   }
 }
@@ -115,6 +128,20 @@ bool same_values(const std::vector<IdentifiedValue>& a, const std::vector<Identi
                     [](const auto& x, const auto& y) { return x.value == y.value; });
 }
 
+/// A point learnt before has moments of inertia, which those of its change are added to.
+void complete_moments(IdentifiedEffect& entry) {
+  if (entry.effect != "payload") return;
+  const Eigen::Matrix3d I = moments_of(pseudo_inertia_of(entry));
+  const std::pair<const char*, double> all[] = {{"moment_xx", I(0, 0)}, {"moment_yy", I(1, 1)},
+                                                {"moment_zz", I(2, 2)}, {"moment_xy", I(0, 1)},
+                                                {"moment_xz", I(0, 2)}, {"moment_yz", I(1, 2)}};
+  for (const auto& [name, value] : all) {
+    const auto named = [&, name = name](const IdentifiedValue& v) { return v.name == name; };
+    if (std::none_of(entry.coefficients.begin(), entry.coefficients.end(), named))
+      entry.coefficients.push_back({name, value, 0.0, "kg*m^2"});
+  }
+}
+
 /// Adds to the value of that name, or to the list.
 void add_to(std::vector<IdentifiedValue>& values, const IdentifiedValue& more) {
   const auto same = std::find_if(values.begin(), values.end(),
@@ -129,12 +156,14 @@ void add_to(std::vector<IdentifiedValue>& values, const IdentifiedValue& more) {
 
 }  // namespace
 
-std::vector<ExtensionTerm> extension_terms(const DrivenSubject& subject, const Design& design,
-                                           const Explanation& explanation) {
+ExtensionTerms extension_terms(const DrivenSubject& subject, const Design& design,
+                               const Explanation& explanation) {
   const Selection& selection =
       subject.problem().deviations.empty() ? explanation.selection : explanation.adopted;
-  const auto all = estimates(design, selection.model, selection.noise);
-  std::vector<ExtensionTerm> result;
+  auto all = estimates(design, selection.model, selection.noise);
+  ExtensionTerms extension;
+  extension.changed = make_links_physical(subject, design, selection, all);
+  std::vector<ExtensionTerm>& result = extension.terms;
   add_directions(subject, explanation.selection, explanation.estimates, result);
   for (std::size_t t = 0; t < selection.model.terms.size(); ++t) {
     const Term& term = selection.model.terms[t];
@@ -142,9 +171,7 @@ std::vector<ExtensionTerm> extension_terms(const DrivenSubject& subject, const D
     const int candidate = term.deviation >= 0
                               ? -1 - term.deviation
                               : static_cast<int>(term.candidate - subject.problem().library.data());
-    const CandidateOrigin& origin =
-        candidate < 0 ? subject.deviation_origin(term.deviation)
-                      : subject.library_origins()[static_cast<std::size_t>(candidate)];
+    const CandidateOrigin& origin = subject.origin_of(term);
     if (origin.effect.empty()) continue;
     ExtensionTerm entry;
     entry.cause = cause_of(explanation.verdict, candidate);
@@ -158,6 +185,7 @@ std::vector<ExtensionTerm> extension_terms(const DrivenSubject& subject, const D
            term.nonlinear, all[t], entry.entry);
     else if (!fill_special(all[t], entry.entry))
       continue;
+    keep_within_limits(entry.entry);
     entry.per_log = term.deviation < 0 &&
                     std::any_of(term.candidate->linear.begin(), term.candidate->linear.end(),
                                 [](const LinearParameter& p) { return p.per_log; });
@@ -169,7 +197,7 @@ std::vector<ExtensionTerm> extension_terms(const DrivenSubject& subject, const D
       }
     result.push_back(std::move(entry));
   }
-  return result;
+  return extension;
 }
 
 Identified extended(const Identified& before, const std::vector<ExtensionTerm>& terms) {
@@ -188,6 +216,7 @@ Identified extended(const Identified& before, const std::vector<ExtensionTerm>& 
       result.effects.push_back(term.entry);
       continue;
     }
+    if (changes_link(term.entry)) complete_moments(*same);
     for (const IdentifiedValue& more : term.entry.coefficients) add_to(same->coefficients, more);
   }
   return result;

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "identification/subjects/driven_subject.h"
 #include "identification/diagnosis/explain.h"
+#include "identification/subjects/driven_subject.h"
 
 namespace sinew::diagnosis {
 
@@ -17,10 +17,15 @@ struct ExtensionTerm {
   bool per_log = false;  ///< has coefficients that differ from log to log
 };
 
+struct ExtensionTerms {
+  std::vector<ExtensionTerm> terms;
+  std::vector<std::string> changed;  ///< a sentence for what is not as it was fitted
+};
+
 /// The entries of all causes that have a term in the model, and the direction of friction that
-/// they were found with.
-std::vector<ExtensionTerm> extension_terms(const DrivenSubject& subject, const Design& design,
-                                           const Explanation& explanation);
+/// they were found with. Links stay bodies (physical_links.h).
+ExtensionTerms extension_terms(const DrivenSubject& subject, const Design& design,
+                               const Explanation& explanation);
 
 /// `before` with the entries added. The same effect at the same place with the same shape adds up.
 Identified extended(const Identified& before, const std::vector<ExtensionTerm>& terms);

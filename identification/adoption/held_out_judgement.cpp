@@ -94,4 +94,13 @@ void decide_adoption(bool any_term, bool held_out, const Gain& gain,
   }
 }
 
+void add_remarks(const std::vector<std::string>& changed, const std::vector<std::string>& refused,
+                 bool any_term, Extension& extension) {
+  std::vector<std::string> remarks = refused;
+  if (extension.adopted) remarks.insert(remarks.end(), changed.begin(), changed.end());
+  if (!any_term && !refused.empty()) extension.reason.clear();
+  for (const std::string& remark : remarks)
+    extension.reason += (extension.reason.empty() ? "" : "; ") + remark;
+}
+
 }  // namespace sinew::diagnosis

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <map>
 
-#include "identification/subjects/effect_candidate.h"
 #include "identification/adoption/measure_plots.h"
+#include "identification/subjects/effect_candidate.h"
 #include "symbolic/effects/effects.h"
 
 namespace sinew::diagnosis {

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "identification/adoption/prediction.h"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <stdexcept>
+#include <string>
 
 #include "identification/regression/cross_validation.h"
+#include "simulation/plant/driven_plant.h"
+#include "simulation/plant/integrate.h"
 
 namespace sinew::diagnosis {
 namespace {
@@ -16,67 +19,103 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kWindow = 0.05;  // s: longer than a delay, shorter than a controller's way back
-constexpr int kWindows = 120, kParts = 12;
+constexpr int kParts = 12;
 
-/// A mechanism under the measured efforts of a log.
-class Prediction {
+VectorXd row_of(const MatrixXd& values, Index sample) {
+  return values.rows() > 0 ? VectorXd(values.row(sample).transpose()) : VectorXd();
+}
+
+/// A plant under the measured efforts of a log, moved by the simulation's fixed steps.
+class Predicted {
  public:
-  Prediction(EffortAtInstant effort, const Recording& log, Index sample)
-      : effort_(std::move(effort)),
-        log_(log),
-        sample_(sample),
-        q_(log.q.row(sample).transpose()),
-        qd_(log.qd.row(sample).transpose()),
-        qdd_(log.qdd.row(sample).transpose()) {}
-
-  /// To the next sample. Friction next to rest is steep: the effort is taken at the new velocity.
-  void advance() {
-    effort_.take(log_, sample_);
-    VectorXd measured(q_.size());
-    for (Index j = 0; j < measured.size(); ++j)
-      measured(j) = log_.target[static_cast<std::size_t>(j)](sample_);
-    constexpr int kIterations = 4;
-    for (int i = 0; i < kIterations; ++i) {
-      const VectorXd off = asked(qdd_) - measured;
-      qdd_ -= slopes(qdd_).partialPivLu().solve(off);
-    }
-    asked(qdd_);
-    effort_.remember();
-    qd_ += log_.step * qdd_;
-    q_ += log_.step * qd_;
-    ++sample_;
+  Predicted(Plant& plant, const Recording& log)
+      : log_(log),
+        time_(log.time.array() - log.started()),
+        drives_(plant.drives()),
+        plant_(plant) {
+    drives_.forget();
+    plant_.set_past(drives_.past());
   }
 
-  /// Squared deviation from the measured position.
-  VectorXd deviation() const {
-    return (q_ - log_.q.row(sample_).transpose()).array().square().matrix();
+  /// What effects remember when the log gets to a sample after the other, along its own motion.
+  void follow(Index sample) {
+    if (!drives_.needs_steps()) return;
+    for (; followed_ < sample; ++followed_) {
+      DrivenInstant now{time_(followed_),
+                        log_.step,
+                        row_of(log_.q, followed_),
+                        row_of(log_.qd, followed_),
+                        {},
+                        row_of(log_.load, followed_),
+                        {}};
+      now.tension = tensions(followed_);
+      drives_.remember(now, row_of(log_.qdd, followed_));
+    }
+    plant_.set_past(drives_.past());
+  }
+
+  /// From the measured state at a sample on: squared deviation from the measured position at each
+  /// later one.
+  void run(Index from, Index steps, const std::function<void(Index, const VectorXd&)>& at) {
+    VectorXd state = plant_.initial_state();
+    state.head(log_.q.cols()) = row_of(log_.q, from);
+    state.segment(state.size() / 2, log_.q.cols()) = row_of(log_.qd, from);
+    Index sample = from;
+    integrate_stretch(plant_, time_(from), state, steps, [&](double, const double* y) {
+      ++sample;
+      const Eigen::Map<const VectorXd> q(y, log_.q.cols());
+      at(sample, (q - row_of(log_.q, sample)).array().square().matrix());
+    });
   }
 
  private:
-  VectorXd asked(const VectorXd& qdd) {
-    const VectorXd qd = qd_ + log_.step * qdd;
-    return effort_(q_ + log_.step * qd, qd, qdd);
+  VectorXd tensions(Index sample) const {
+    const auto found = log_.signals.find("tension");
+    return found == log_.signals.end() ? VectorXd() : row_of(found->second, sample);
   }
 
-  /// Derivative of the effort by the acceleration, all that follows from it included.
-  MatrixXd slopes(const VectorXd& qdd) {
-    MatrixXd result(qdd.size(), qdd.size());
-    for (Index j = 0; j < qdd.size(); ++j) {
-      const double h = 1e-4 * std::max(1.0, std::abs(qdd(j)));
-      VectorXd up = qdd, down = qdd;
-      up(j) += h;
-      down(j) -= h;
-      result.col(j) = (asked(up) - asked(down)) / (2.0 * h);
-    }
-    return result;
-  }
-
-  EffortAtInstant effort_;
   const Recording& log_;
-  Index sample_;
-  VectorXd q_, qd_, qdd_;
+  VectorXd time_;  ///< s, since the log's start
+  Drives drives_;
+  Plant& plant_;
+  Index followed_ = 0;
 };
+
+std::vector<double> listed(const VectorXd& values) {
+  return {values.begin(), values.end()};
+}
+
+/// The log's efforts as commands of a driven_plant().
+Plant plant_of(const EffortModel& model, const Recording& log) {
+  Scenario scenario;
+  scenario.file = log.name;
+  scenario.step = log.step;
+  const std::vector<double> time = listed(log.time.array() - log.started());
+  const auto add = [&](const std::string& channel, const VectorXd& values) {
+    scenario.commands[channel].add(SampledSignal{time, listed(values)});
+  };
+  std::vector<std::string> names;
+  for (Index j = 0; j < log.q.cols(); ++j) {
+    names.push_back(std::to_string(j));
+    add("tau_" + names.back(), log.target[static_cast<std::size_t>(j)]);
+    if (log.load.size() > 0) add("load_" + names.back(), log.load.col(j));
+  }
+  if (const auto found = log.signals.find("tension"); found != log.signals.end())
+    for (Index t = 0; t < found->second.cols(); ++t)
+      add("tension_" + std::to_string(t + 1), found->second.col(t));
+  return driven_plant(model.drives(), names, scenario);
+}
+
+/// A run that leaves all bounds ends.
+void run_or_leave(Predicted& predicted, Index from, Index steps,
+                  const std::function<void(Index, const VectorXd&)>& at,
+                  const std::function<void()>& left) {
+  try {
+    predicted.run(from, steps, at);
+  } catch (const std::runtime_error&) {
+    left();
+  }
+}
 
 /// Infinite where a prediction has left all bounds.
 VectorXd bounded(const VectorXd& squares) {
@@ -115,62 +154,73 @@ void add_domain(const std::string& domain, const Errors& errors, const DrivenSub
 
 }  // namespace
 
-StretchErrors window_errors(const EffortModel& model, const Recording& log, double seconds,
-                            int stretches) {
+StretchErrors window_errors(Plant& plant, const Recording& log, double seconds, int stretches) {
   const auto length = static_cast<Index>(std::lround(seconds / log.step));
   const Index samples = log.q.rows(), joints = log.q.cols();
-  const Index count = std::min<Index>(stretches, (samples - 1) / std::max<Index>(length, 1));
-  StretchErrors errors(std::max<Index>(count, 0), joints);
-  EffortAtInstant measured(model);
-  Index next = 0;
-  for (Index k = 0; k < samples && next < count; ++k) {
-    if (k == next * (samples - 1 - length) / std::max<Index>(count - 1, 1)) {
-      Prediction window(measured, log, k);
-      VectorXd sum = VectorXd::Zero(joints);
-      for (Index i = 0; i < length; ++i) {
-        window.advance();
-        sum += window.deviation();
-      }
-      errors.row(next++) = bounded(sum / static_cast<double>(length)).transpose();
-    }
-    measured.take(log, k);
-    measured(log.q.row(k).transpose(), log.qd.row(k).transpose(), log.qdd.row(k).transpose());
-    measured.remember();
+  const Index count =
+      std::max<Index>(0, std::min<Index>(stretches, (samples - 1) / std::max<Index>(length, 1)));
+  StretchErrors errors(count, joints);
+  if (count == 0) return errors;
+  Predicted predicted(plant, log);
+  for (Index window = 0; window < count; ++window) {
+    const Index from = window * (samples - 1 - length) / std::max<Index>(count - 1, 1);
+    predicted.follow(from);
+    VectorXd sum = VectorXd::Zero(joints);
+    run_or_leave(
+        predicted, from, length, [&](Index, const VectorXd& squares) { sum += squares; },
+        [&] { sum.setConstant(std::numeric_limits<double>::infinity()); });
+    errors.row(window) = bounded(sum / static_cast<double>(length)).transpose();
   }
   return errors;
 }
 
-StretchErrors open_loop_errors(const EffortModel& model, const Recording& log, int stretches) {
+StretchErrors open_loop_errors(Plant& plant, const Recording& log, int stretches) {
   const Index samples = log.q.rows(), joints = log.q.cols();
   StretchErrors errors = StretchErrors::Zero(stretches, joints);
   VectorXd counts = VectorXd::Zero(stretches);
-  Prediction prediction(EffortAtInstant(model), log, 0);
-  for (Index k = 1; k < samples; ++k) {
-    prediction.advance();
-    const Index part = k * stretches / samples;
-    errors.row(part) += prediction.deviation().transpose();
-    counts(part) += 1.0;
-  }
+  Predicted predicted(plant, log);
+  run_or_leave(
+      predicted, 0, samples - 1,
+      [&](Index sample, const VectorXd& squares) {
+        const Index part = sample * stretches / samples;
+        errors.row(part) += squares.transpose();
+        counts(part) += 1.0;
+      },
+      [&] { errors.setConstant(std::numeric_limits<double>::infinity()); });
   for (Index part = 0; part < stretches; ++part)
     errors.row(part) =
         bounded(errors.row(part).transpose() / std::max(counts(part), 1.0)).transpose();
   return errors;
 }
 
+StretchErrors window_errors(const EffortModel& model, const Recording& log, double seconds,
+                            int stretches) {
+  Plant plant = plant_of(model, log);
+  return window_errors(plant, log, seconds, stretches);
+}
+
+StretchErrors open_loop_errors(const EffortModel& model, const Recording& log, int stretches) {
+  Plant plant = plant_of(model, log);
+  return open_loop_errors(plant, log, stretches);
+}
+
 void add_predictions(const DrivenSubject& subject, const EffortModel& after,
                      std::vector<ChannelFinding>& channels) {
   const auto& logs = subject.problem().training;
-  const bool by_efforts = std::all_of(logs.begin(), logs.end(), [&](const Recording& log) {
-    return log.signals.count("tension") == 0 && log.target.size() == channels.size() &&
-           log.q.cols() == static_cast<Index>(channels.size());
-  });
-  if (!by_efforts) return;
+  const auto by_tendons = [](const Recording& log) { return log.signals.count("tension") > 0; };
+  const bool tendons = std::any_of(logs.begin(), logs.end(), by_tendons);
+  if (std::any_of(logs.begin(), logs.end(), [&](const Recording& log) {
+        return log.target.size() != channels.size() ||
+               log.q.cols() != static_cast<Index>(channels.size());
+      }))
+    return;
   add_domain(
       "window",
-      [](const EffortModel& m, const Recording& r) {
-        return window_errors(m, r, kWindow, kWindows);
+      [&](const EffortModel& m, const Recording& r) {
+        return window_errors(m, r, prediction_window, tendons ? tendon_windows : effort_windows);
       },
       subject, after, channels);
+  if (tendons) return;
   add_domain(
       "open loop",
       [](const EffortModel& m, const Recording& r) { return open_loop_errors(m, r, kParts); },

@@ -12,6 +12,7 @@
 
 #include "identification/logs/units.h"
 #include "symbolic/dynamics/coordinates.h"
+#include "symbolic/model/channel_name.h"
 
 namespace sinew {
 namespace {
@@ -53,9 +54,12 @@ std::vector<ChannelSpec> drive_channels(const DriveLimits& limits, const std::st
           spec("i", "A", ChannelRole::current, 0, false)};
 }
 
-ChannelSpec joint_position(const Joint& joint, std::string name, int group) {
+/// Either way of calling it is understood, with "q_" and without.
+ChannelSpec joint_position(const Joint& joint, int group) {
   const bool slides = joint.type == JointType::prismatic;
-  ChannelSpec p = spec(std::move(name), slides ? "m" : "rad", ChannelRole::position, group, true);
+  ChannelSpec p =
+      spec(position_channel(joint.name), slides ? "m" : "rad", ChannelRole::position, group, true);
+  p.also = {p.name == joint.name ? "q_" + joint.name : joint.name};
   p.low = joint.low;
   p.high = joint.high;
   p.max_rate = joint.max_velocity;
@@ -113,9 +117,9 @@ class Mapper {
   void read_override(const std::string& text) {
     const size_t at = text.find('=');
     const std::string channel(trimmed(std::string_view(text).substr(0, at)));
-    const bool known =
-        channel == "time" || std::any_of(specs_.begin(), specs_.end(),
-                                         [&](const ChannelSpec& s) { return s.name == channel; });
+    const bool known = channel == "time" ||
+                       std::any_of(specs_.begin(), specs_.end(),
+                                   [&](const ChannelSpec& s) { return is_called(s, channel); });
     if (at == std::string::npos || !known) {
       report(
           FaultKind::missing_cell, Severity::stop, 0, channel,
@@ -141,10 +145,15 @@ class Mapper {
     return names;
   }
 
-  const Override* override_of(const std::string& channel) const {
+  const Override* override_of(const ChannelSpec& s) const {
     for (const Override& o : overrides_)
-      if (o.channel == channel) return &o;
+      if (is_called(s, o.channel)) return &o;
     return nullptr;
+  }
+
+  /// By its own name, or by another one that is understood.
+  static bool is_called(const ChannelSpec& s, const std::string& name) {
+    return s.name == name || std::find(s.also.begin(), s.also.end(), name) != s.also.end();
   }
 
   // Index of the column called so, -1 if there is none; a second one of the name is a finding.
@@ -191,7 +200,7 @@ class Mapper {
   }
 
   int column_of(const ChannelSpec& s) {
-    if (const Override* o = override_of(s.name)) {
+    if (const Override* o = override_of(s)) {
       const int column = column_of_override(*o);
       if (column < 0)
         report(FaultKind::missing_cell, Severity::stop, 0, s.name,
@@ -202,6 +211,10 @@ class Mapper {
     }
     int column = column_called(s.name, s.name);
     if (column < 0) column = column_with_suffix(s.name);
+    for (const std::string& other : s.also) {
+      if (column < 0) column = column_called(other, s.name);
+      if (column < 0) column = column_with_suffix(other);
+    }
     if (column < 0 && s.name == "time") {
       for (const char* alias : {"t", "timestamp"}) {
         if (column < 0) column = column_called(alias, s.name);
@@ -217,7 +230,7 @@ class Mapper {
   }
 
   std::string unit_of(const ChannelSpec& s, int column) {
-    const Override* o = override_of(s.name);
+    const Override* o = override_of(s);
     if (o != nullptr && !o->unit.empty()) return o->unit;
     const HeaderCell& cell = cells_[static_cast<size_t>(column)];
     if (!cell.unit.empty()) return cell.unit;
@@ -295,13 +308,19 @@ std::vector<ChannelSpec> linear_drive_channels(const DriveLimits& limits) {
 std::vector<ChannelSpec> robot_channels(const Mechanism& mechanism) {
   std::vector<ChannelSpec> specs;
   int group = 0;
-  for (const Joint& joint : mechanism.joints) {
+  const Coordinates coordinates(mechanism);
+  const std::vector<int>& own = coordinates.joints();
+  for (std::size_t i = 0; i < mechanism.joints.size(); ++i) {
+    const Joint& joint = mechanism.joints[i];
     if (joint.type == JointType::fixed) continue;
     const bool slides = joint.type == JointType::prismatic;
-    const ChannelSpec p = joint_position(joint, "q_" + joint.name, group);
+    // What follows another joint need not be logged.
+    const bool needed = std::find(own.begin(), own.end(), static_cast<int>(i)) != own.end();
+    ChannelSpec p = joint_position(joint, group);
+    p.required = needed;
     specs.push_back(p);
     specs.push_back(
-        spec("tau_" + joint.name, slides ? "N" : "N*m", ChannelRole::effort, group, true));
+        spec("tau_" + joint.name, slides ? "N" : "N*m", ChannelRole::effort, group, needed));
     ChannelSpec v = spec("qd_" + joint.name, p.unit + "/s", ChannelRole::velocity, group, false);
     v.low = -joint.max_velocity;
     v.high = joint.max_velocity;
@@ -310,6 +329,7 @@ std::vector<ChannelSpec> robot_channels(const Mechanism& mechanism) {
     r.name = p.name + "_ref";
     r.role = ChannelRole::reference;
     r.required = false;
+    for (std::string& other : r.also) other += "_ref";
     specs.push_back(r);
     ++group;
   }
@@ -330,7 +350,7 @@ std::vector<ChannelSpec> finger_channels(const Mechanism& mechanism,
   const Coordinates coordinates(mechanism);
   for (const int index : coordinates.joints()) {
     const Joint& joint = mechanism.joints[static_cast<size_t>(index)];
-    specs.push_back(joint_position(joint, joint.name, group++));
+    specs.push_back(joint_position(joint, group++));
   }
   for (const int i : numbers)
     if (forces)

@@ -24,6 +24,7 @@ struct ChannelSpec {
   double inertia = 0.0;  ///< effort channels: effort per acceleration of the group, 0 if unknown
   double friction =
       0.0;  ///< effort channels: effort that motion at usual speed takes, 0 if unknown
+  std::vector<std::string> also{};  ///< other names that are understood
 };
 
 /// Limits of a single drive, for the plausibility of its channels. Infinite or 0 where unknown.
@@ -40,9 +41,11 @@ struct DriveLimits {
 std::vector<ChannelSpec> rotary_drive_channels(const DriveLimits& limits = {});
 /// x, f and optional x_ref, v, load, i.
 std::vector<ChannelSpec> linear_drive_channels(const DriveLimits& limits = {});
-/// q_<joint>, tau_<joint> and optional qd_<joint>, q_<joint>_ref for every moving joint.
+/// The position (position_channel()), tau_<joint> and optional qd_<joint>, <position>_ref for every
+/// moving joint; those that follow another one are optional altogether.
 std::vector<ChannelSpec> robot_channels(const Mechanism& mechanism);
-/// q of every moving joint by the joint's name, theta_1..m, tau_1..m of the m tendons' motors.
+/// Position of every coordinate (position_channel()), theta_1..m, tau_1..m of the m tendons'
+/// motors.
 std::vector<ChannelSpec> finger_channels(const Mechanism& mechanism);
 /// The same for tendons of these numbers, of each what is asked for: theta_i and tau_i of its
 /// motor, force_i.

@@ -7,6 +7,7 @@
 
 #include "identification/logs/csv_rows.h"
 #include "symbolic/dynamics/coordinates.h"
+#include "symbolic/model/channel_name.h"
 
 namespace sinew::diagnosis {
 namespace {
@@ -44,13 +45,14 @@ DrivenChannels robot_log_channels(const Mechanism& mechanism, const std::string&
   };
   if (coordinates.count() == 1) {
     const Joint& joint = joint_at(coordinates.joints().front());
-    if (!has_channel(file, map, "q_" + joint.name))
+    // A joint called x or theta is no drive's position where its effort is a joint's.
+    if (!has_channel(file, map, "q_" + joint.name) && !has_channel(file, map, "tau_" + joint.name))
       return drive_log_channels(joint.type == JointType::revolute, limits_of(joint));
   }
   DrivenChannels channels;
   channels.specs = robot_channels(mechanism);
   for (const int index : coordinates.joints()) {
-    channels.positions.push_back("q_" + joint_at(index).name);
+    channels.positions.push_back(position_channel(joint_at(index).name));
     channels.efforts.push_back("tau_" + joint_at(index).name);
   }
   return channels;
@@ -70,7 +72,8 @@ DrivenChannels tendon_log_channels(const Mechanism& mechanism, const std::vector
   channels.specs = finger_channels(mechanism, numbers, motors, true);
   const Coordinates coordinates(mechanism);
   for (const int index : coordinates.joints())
-    channels.positions.push_back(mechanism.joints[static_cast<std::size_t>(index)].name);
+    channels.positions.push_back(
+        position_channel(mechanism.joints[static_cast<std::size_t>(index)].name));
   for (const int i : numbers) {
     channels.forces.push_back(fmt::format("force_{}", i));
     if (!motors) continue;

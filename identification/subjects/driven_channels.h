@@ -22,8 +22,9 @@ struct DrivenChannels {
 /// theta, tau_m, load or x, f, load.
 DrivenChannels drive_log_channels(bool revolute, const DriveLimits& limits);
 
-/// q_<joint>, tau_<joint> of every coordinate. A mechanism of one joint may also be logged as a
-/// drive: it is where neither the file's header nor --map knows q_<joint>.
+/// Position (position_channel()) and tau_<joint> of every coordinate. A mechanism of one joint may
+/// also be logged as a drive: it is where neither the file's header nor --map knows q_<joint> or
+/// tau_<joint>.
 DrivenChannels robot_log_channels(const Mechanism& mechanism, const std::string& file,
                                   const std::vector<std::string>& map);
 
@@ -34,7 +35,8 @@ enum class LoggedEfforts { at_joints, tendon_forces, tendon_forces_and_motors };
 LoggedEfforts logged_efforts(const Mechanism& mechanism, const std::string& file,
                              const std::vector<std::string>& map);
 
-/// <joint> of every coordinate; for the tendon of number i force_i, and with motors theta_i, tau_i.
+/// Position of every coordinate; for the tendon of number i force_i, and with motors theta_i,
+/// tau_i.
 DrivenChannels tendon_log_channels(const Mechanism& mechanism, const std::vector<int>& numbers,
                                    bool motors);
 

@@ -63,19 +63,18 @@ DrivenSubject::DrivenSubject(DrivenModel model, Identified identified,
 
 EffortModel DrivenSubject::effort_with(const Identified& identified) const {
   if (!rigid_) return {model_, identified, runtime_};
-  // What the model had learnt before is in its mechanism already.
-  Identified added = identified;
-  std::erase_if(added.effects, [&](const IdentifiedEffect& e) {
-    return std::any_of(identified_.effects.begin(), identified_.effects.end(),
-                       [&](const IdentifiedEffect& old) {
-                         return old.effect == e.effect && old.place == e.place;
-                       });
-  });
   DrivenModel extended = model_;
-  const Mechanism mechanism = with_identified(rigid_->mechanism(), added);
+  // What the model had learnt before is in its mechanism already.
+  const Mechanism mechanism =
+      with_identified(rigid_->mechanism(), mechanism_changes(identified_, identified));
   extended.rigid = tendons_ ? tendon_driven_model(mechanism, model_.tendons.motor).rigid
                             : inverse_dynamics_function(mechanism);
   return {extended, identified, runtime_};
+}
+
+const CandidateOrigin& DrivenSubject::origin_of(const Term& term) const {
+  if (term.deviation >= 0) return deviation_origin(term.deviation);
+  return library_[static_cast<std::size_t>(term.candidate - problem_.library.data())];
 }
 
 std::string DrivenSubject::place(std::size_t joint) const {

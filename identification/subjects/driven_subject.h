@@ -11,6 +11,7 @@
 #include "identification/logs/log.h"
 #include "identification/regression/candidate.h"
 #include "identification/regression/flexible_families.h"
+#include "identification/regression/linear_fit.h"
 #include "identification/subjects/effect_candidate.h"
 #include "identification/subjects/effort_model.h"
 #include "identification/subjects/rigid_candidates.h"
@@ -59,6 +60,10 @@ class DrivenSubject {
   const Identified& identified() const { return identified_; }
   const std::filesystem::path& runtime() const { return runtime_; }
   const EffortModel& effort() const { return effort_; }
+  /// The mechanism's own columns; nullptr where the model has none.
+  const RigidColumns* rigid() const { return rigid_.get(); }
+  /// Of a term that is not the baseline's.
+  const CandidateOrigin& origin_of(const Term& term) const;
   /// The emitted effort of the model with these entries.
   EffortModel effort_with(const Identified& identified) const;
   const std::vector<CandidateOrigin>& library_origins() const { return library_; }

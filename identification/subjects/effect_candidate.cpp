@@ -77,15 +77,10 @@ LinearParameter linear_parameter(const EffectColumn& column, bool revolute) {
   LinearParameter p;
   p.name = column.name;
   p.unit = unit_at(column.unit, revolute);
-  p.low = column.sign == Sign::positive ? 0.0 : -column.most;
-  p.high = column.sign == Sign::negative ? 0.0 : column.most;
+  p.low = limits_of(column).low;
+  p.high = limits_of(column).high;
   p.per_log = column.per_log;
   return p;
-}
-
-void replace_all(std::string& text, const std::string& from, const std::string& to) {
-  for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at))
-    text.replace(at, from.size(), to);
 }
 
 }  // namespace
@@ -168,21 +163,6 @@ Candidate effect_candidate(const Effect& effect, const EffectPlace& place, const
     return effect_columns(regressor, log, axis, fixed ? *fixed : nonlinear);
   };
   return c;
-}
-
-std::string unit_at(const std::string& pattern, bool revolute) {
-  const std::string length = revolute ? "rad" : "m";
-  std::string unit = pattern;
-  // A quotient by a quotient reads better with the seconds above.
-  replace_all(unit, "/{velocity}^2", "*s^2/" + length + "^2");
-  replace_all(unit, "/{velocity}", "*s/" + length);
-  replace_all(unit, "{effort}/{acceleration}", revolute ? "kg*m^2" : "kg");
-  replace_all(unit, "{acceleration}/{effort}", revolute ? "1/(kg*m^2)" : "1/kg");
-  replace_all(unit, "*s^2/{acceleration}", "*s^4/" + length);
-  replace_all(unit, "{effort}", revolute ? "N*m" : "N");
-  replace_all(unit, "{position}", length);
-  replace_all(unit, "{velocity}", length + "/s");
-  return unit;
 }
 
 }  // namespace sinew::diagnosis

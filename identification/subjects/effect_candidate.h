@@ -49,7 +49,4 @@ Eigen::MatrixXd effect_columns(const Regressor& regressor, const Recording& log,
 Candidate effect_candidate(const Effect& effect, const EffectPlace& place, const LogScale& scale,
                            const std::optional<Eigen::VectorXd>& fixed = {});
 
-/// "{effort}/{velocity}" as "N*m*s/rad" or "N*s/m".
-std::string unit_at(const std::string& pattern, bool revolute);
-
 }  // namespace sinew::diagnosis

@@ -3,8 +3,6 @@
 
 #include <tbb/parallel_for.h>
 #include <algorithm>
-#include <map>
-#include <stdexcept>
 
 #include "generator/assemble.h"
 #include "generator/cost.h"
@@ -17,28 +15,6 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr Index kBlock = 2048;  // samples whose inputs stay in the cache
-
-std::vector<EffortSlot> slots_of(const sinew_function& function) {
-  static const std::map<std::string, EffortInput> inputs{{"q", EffortInput::q},
-                                                         {"qd", EffortInput::qd},
-                                                         {"qdd", EffortInput::qdd},
-                                                         {"load", EffortInput::load},
-                                                         {"tension", EffortInput::tension},
-                                                         {"qddd", EffortInput::jerk},
-                                                         {"qdddd", EffortInput::jounce},
-                                                         {"time", EffortInput::time},
-                                                         {"step", EffortInput::step},
-                                                         {"memory", EffortInput::memory}};
-  std::vector<EffortSlot> slots;
-  Index at = 0;
-  for (int i = 0; i < function.input_count; ++i) {
-    const auto& input = function.inputs[i];
-    const Index count = static_cast<Index>(input.rows) * input.cols;
-    slots.push_back({inputs.at(input.name), at, count});
-    at += count;
-  }
-  return slots;
-}
 
 /// All inputs but the motion and the memory, a column each sample; what is not logged stays.
 void take_logged(const Recording& log, const std::vector<EffortSlot>& slots, Index first,
@@ -97,7 +73,10 @@ const EffortSlot* memory_of(const std::vector<EffortSlot>& slots) {
 
 EffortModel::EffortModel(const DrivenModel& model, const Identified& identified,
                          const std::filesystem::path& runtime)
-    : joints_(static_cast<int>(model.joints.size())) {
+    : model_(model),
+      identified_(identified),
+      runtime_(runtime),
+      joints_(static_cast<int>(model.joints.size())) {
   for (const DrivenJoint& joint : model.joints) motor_.push_back(joint.motor);
   std::vector<Function> functions{effort_function(model, identified)};
   if (std::adjacent_find(motor_.begin(), motor_.end(), std::not_equal_to<>()) != motor_.end())
@@ -126,7 +105,7 @@ VectorXd EffortModel::of_joint(int joint, const Recording& log, const MatrixXd& 
 MatrixXd EffortModel::run(const std::string& name, const Recording& log, const MatrixXd& q,
                           const MatrixXd& qd, const MatrixXd& qdd) const {
   const sinew_function& function = compiled_->find(name);
-  const std::vector<EffortSlot> slots = slots_of(function);
+  const std::vector<EffortSlot> slots = effort_slots(function);
   const EffortSlot* memory = memory_of(slots);
   MatrixXd efforts(q.rows(), joints_);
   const auto block = [&](Index first, VectorXd& state) {
@@ -155,28 +134,8 @@ MatrixXd EffortModel::run(const std::string& name, const Recording& log, const M
   return efforts;
 }
 
-EffortAtInstant::EffortAtInstant(const EffortModel& model)
-    : compiled_(model.compiled_),
-      function_(&compiled_->find("effort")),
-      joints_(model.joints_),
-      slots_(slots_of(*function_)) {
-  in_ = VectorXd::Zero(function_->input_size);
-  out_ = VectorXd::Zero(function_->output_size);
-}
-
-void EffortAtInstant::take(const Recording& log, Index sample) {
-  take_logged(log, slots_, sample, in_);
-}
-
-VectorXd EffortAtInstant::operator()(const VectorXd& q, const VectorXd& qd, const VectorXd& qdd) {
-  take_motion(q, qd, qdd, slots_, in_);
-  function_->call(in_.data(), out_.data());
-  return out_.head(joints_);
-}
-
-void EffortAtInstant::remember() {
-  if (const EffortSlot* memory = memory_of(slots_))
-    in_.segment(memory->at, memory->count) = out_.tail(memory->count);
+Drives EffortModel::drives() const {
+  return {model_, identified_, {.bodies = true, .as_read = true}, runtime_, compiled_};
 }
 
 }  // namespace sinew::diagnosis

@@ -10,19 +10,10 @@
 #include <vector>
 
 #include "identification/regression/candidate.h"
-#include "simulation/compiled_model.h"
+#include "simulation/drives/drives.h"
 #include "symbolic/extension/driven_model.h"
 
 namespace sinew::diagnosis {
-
-/// Where an input of the emitted function comes from.
-enum class EffortInput { q, qd, qdd, load, tension, jerk, jounce, time, step, memory };
-
-/// Its numbers among all inputs.
-struct EffortSlot {
-  EffortInput input;
-  Eigen::Index at = 0, count = 0;
-};
 
 class EffortModel {
  public:
@@ -43,40 +34,23 @@ class EffortModel {
   Eigen::VectorXd of_joint(int joint, const Recording& log, const Eigen::MatrixXd& q,
                            const Eigen::MatrixXd& qd, const Eigen::MatrixXd& qdd) const;
 
+  /// What moves under given efforts, as they are logged. Throws as the constructor does.
+  Drives drives() const;
+
   /// Operations of the emitted function.
   int operations() const { return operations_; }
 
  private:
-  friend class EffortAtInstant;
   Eigen::MatrixXd run(const std::string& function, const Recording& log, const Eigen::MatrixXd& q,
                       const Eigen::MatrixXd& qd, const Eigen::MatrixXd& qdd) const;
 
+  DrivenModel model_;
+  Identified identified_;
+  std::filesystem::path runtime_;
   int joints_;
   int operations_ = 0;
   std::vector<bool> motor_;
   std::shared_ptr<CompiledModel> compiled_;
-};
-
-/// The emitted effort at one instant after the other, for a motion of one's own. A copy goes on by
-/// itself from where the original is.
-class EffortAtInstant {
- public:
-  explicit EffortAtInstant(const EffortModel& model);
-
-  /// Takes all but the motion from a recording's sample.
-  void take(const Recording& log, Eigen::Index sample);
-  /// Effort of each joint for a motion; what effects remember stays as it was.
-  Eigen::VectorXd operator()(const Eigen::VectorXd& q, const Eigen::VectorXd& qd,
-                             const Eigen::VectorXd& qdd);
-  /// Effects remember the last motion given.
-  void remember();
-
- private:
-  std::shared_ptr<CompiledModel> compiled_;
-  const sinew_function* function_;
-  Eigen::Index joints_;
-  std::vector<EffortSlot> slots_;
-  Eigen::VectorXd in_, out_;
 };
 
 }  // namespace sinew::diagnosis

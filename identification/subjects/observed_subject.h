@@ -12,7 +12,7 @@
 #include "identification/logs/log.h"
 #include "identification/regression/candidate.h"
 #include "identification/regression/flexible_families.h"
-#include "simulation/compiled_model.h"
+#include "simulation/emitted/compiled_model.h"
 #include "symbolic/extension/observation.h"
 
 namespace sinew::diagnosis {

@@ -58,15 +58,14 @@ std::vector<MovingBody> moving_bodies(const Mechanism& mechanism) {
   return list;
 }
 
-/// Twice what the links can reach [m].
+}  // namespace
+
 double reach_of(const Mechanism& mechanism) {
   double reach = 0.0, centre = 0.0;
   for (const Joint& joint : mechanism.joints) reach += joint.origin.translation.norm();
   for (const Body& body : mechanism.bodies) centre = std::max(centre, body.centre_of_mass.norm());
   return 2.0 * (reach + centre);
 }
-
-}  // namespace
 
 RigidColumns::RigidColumns(const Mechanism& mechanism, const std::filesystem::path& runtime)
     : mechanism_(mechanism),

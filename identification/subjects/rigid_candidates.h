@@ -10,10 +10,13 @@
 #include <vector>
 
 #include "identification/regression/candidate.h"
-#include "simulation/compiled_model.h"
+#include "simulation/emitted/compiled_model.h"
 #include "symbolic/model/mechanism.h"
 
 namespace sinew::diagnosis {
+
+/// Twice what the links can reach [m]: no mass of theirs is farther from its frame.
+double reach_of(const Mechanism& mechanism);
 
 /// Inverse dynamics that is linear in mass properties and in gravity.
 class RigidColumns {

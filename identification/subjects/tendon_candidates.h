@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "identification/regression/candidate.h"
-#include "simulation/compiled_model.h"
+#include "simulation/emitted/compiled_model.h"
 #include "symbolic/extension/driven_model.h"
 #include "symbolic/effects/effect.h"
 

@@ -4,6 +4,7 @@
 #include <ginac/ginac.h>
 
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "symbolic/expressions/definition_list.h"
@@ -59,7 +60,8 @@ class Coordinates {
 
   int count() const { return static_cast<int>(joints_.size()); }
   /// Index into mechanism.joints of each coordinate's own joint.
-  const std::vector<int>& joints() const { return joints_; }
+  const std::vector<int>& joints() const& { return joints_; }
+  std::vector<int> joints() && { return std::move(joints_); }  // outlives a temporary
   /// Whether J is constant: no four-bar.
   bool linear() const;
 

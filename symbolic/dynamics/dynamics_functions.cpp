@@ -10,6 +10,7 @@
 #include "symbolic/dynamics/recursive_lagrangian.h"
 #include "symbolic/dynamics/runtime_parameters.h"
 #include "symbolic/dynamics/symbols.h"
+#include "symbolic/model/singular_mass_matrix.h"
 
 namespace sinew {
 namespace {
@@ -213,7 +214,7 @@ std::vector<Function> dynamics_functions(const Mechanism& mechanism, const CostO
   functions.push_back(write.gravity_function());
   functions.push_back(write.bias_function());
   functions.push_back(write.mass_matrix_and_bias_function());
-  functions.push_back(write.forward_dynamics_function());
+  if (!joint_without_inertia(mechanism)) functions.push_back(write.forward_dynamics_function());
   functions.push_back(write.inverse_dynamics_function());
   return functions;
 }

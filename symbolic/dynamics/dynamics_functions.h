@@ -10,8 +10,9 @@
 namespace sinew {
 
 /// mass_matrix, coriolis_matrix, gravity, bias, mass_matrix_and_bias, inverse_dynamics and
-/// forward_dynamics, each in the form that is cheapest for itself.
-/// With `runtime_parameters` masses and gravity are an argument (runtime_parameters.h) and
+/// forward_dynamics, each in the form that is cheapest for itself. Where the mass matrix is
+/// singular everywhere there is no forward_dynamics (note_of_singular_mass_matrix). With
+/// `runtime_parameters` masses and gravity are an argument (runtime_parameters.h) and
 /// base_parameters comes first.
 std::vector<Function> dynamics_functions(const Mechanism& mechanism, const CostOf& cost,
                                          bool runtime_parameters = false);

@@ -9,6 +9,7 @@ Effect cable_torque_of(const std::string& id, int highest) {
   Effect e(id, "position-dependent cable torque");
   const EffectSignals& s = effect_signals();
   const GiNaC::ex middle = e.shape("middle", "{position}", Scale::reach, 0.0, 1.0);
+  e.shapes.back().limits = {};  // a place, on either side of zero
   const GiNaC::ex half = e.shape("half_range", "{position}", Scale::reach, 0.0, 1.0);
   const GiNaC::ex x = clamped((s.position - middle) / half, -1, 1);
   // Chebyshev polynomials: columns that stay well conditioned.

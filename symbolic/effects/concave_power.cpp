@@ -9,6 +9,7 @@ Effect concave_power() {
   const EffectSignals& s = effect_signals();
   const GiNaC::ex top = e.shape("top_speed", "{velocity}", Scale::speed, 1.0, 1.0, 1);
   const GiNaC::ex power = e.shape("power", "1", Scale::none, 0.2, 0.8, 3);
+  e.shapes.back().limits = {0.0, 1.0, true};
   // Below a millionth of the highest speed there is no motion to speak of.
   const GiNaC::ex speed = maximum(magnitude(s.velocity) / top, GiNaC::numeric(1, 1000000));
   e.column("at_top_speed", "{effort}", Sign::positive,

@@ -38,6 +38,16 @@ std::vector<GiNaC::symbol> signal_list();
 /// reciprocal of the inertia that the efforts show.
 enum class Scale { none, reach, speed, duration, mobility };
 
+/// What a value of a parameter may be, SI units.
+struct ValueLimits {
+  double low = -std::numeric_limits<double>::infinity();
+  double high = std::numeric_limits<double>::infinity();
+  bool above_low = false;  ///< `low` itself is not among them
+  bool hold(double value) const {
+    return (above_low ? value > low : value >= low) && value <= high;
+  }
+};
+
 /// A parameter that enters nonlinearly. `low` and `high` are in units of the log's own scale.
 struct ShapeParameter {
   GiNaC::symbol symbol;
@@ -47,6 +57,8 @@ struct ShapeParameter {
   int grid = 5;         ///< starting values of a search
   bool inside = false;  ///< a fit that ends at `high` is not this effect
   bool above = false;   ///< nor one that ends at `low`
+  /// What it may be physically; `low` and `high` say where it is looked for.
+  ValueLimits limits{0.0, std::numeric_limits<double>::infinity(), true};
 };
 
 enum class Sign { any, positive, negative };
@@ -60,6 +72,12 @@ struct EffectColumn {
   GiNaC::ex term;
   double most = std::numeric_limits<double>::infinity();  ///< beyond it is not this effect
 };
+
+/// As its sign and `most` say.
+ValueLimits limits_of(const EffectColumn& column);
+
+/// "{effort}/{velocity}" as "N*m*s/rad" or "N*s/m".
+std::string unit_at(const std::string& pattern, bool revolute);
 
 /// An internal state, updated once a sample.
 struct EffectState {

@@ -10,6 +10,7 @@ namespace {
 GiNaC::ex add_gap(const GiNaC::ex& gap, const GiNaC::ex& parting, Effect& e) {
   const EffectSignals& s = effect_signals();
   const GiNaC::ex restitution = e.shape("restitution", "1", Scale::none, 0.0, 0.9, 2);
+  e.shapes.back().limits = {0.0, 1.0};
   const GiNaC::symbol place("place"), rate("rate");
   // In units of the gap: where the motor is between both sides of the load, and how fast.
   const GiNaC::ex faster = rate + parting * s.step / gap;

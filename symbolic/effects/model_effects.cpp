@@ -8,6 +8,9 @@ namespace {
 
 using GiNaC::symbol;
 
+constexpr double longest_delay = 0.05;      // s
+constexpr double strongest_gravity = 20.0;  // m/s^2 of change: upside down
+
 const symbol& model() {
   static const symbol s("model");
   return s;
@@ -29,18 +32,42 @@ std::vector<ModelEffect> of_drives() {
       {"delay", "delay", model() + delay * model_rate(),
        "effort left over in proportion to the model's rate of change", "fast changes of the effort",
        "steps of the command at several speeds, logged at the highest rate",
-       "it would be longer than any bus or filter makes it"},
+       "it would be longer than any bus or filter makes it",
+       {{"delay", "s", {-longest_delay, longest_delay}}}},
       {"torque_constant", "torque constant", model() / (1 + gain),
        "effort left over in proportion to the whole effort",
        "a load that is known apart from the motion",
        "a known external load, for instance a weight held still",
-       "no gain is that wrong: is the unit, is the sign right?"},
+       "no gain is that wrong: is the unit, is the sign right?",
+       {{"gain_change", "1", {-0.6, 1.5}}}},
       {"pulley_radius", "pulley radius", model() / (1 + gain),
        "torque left over in proportion to the tendons' torque",
        "tendon forces that are known apart from the motion",
        "a known weight at the link, the joint held by its tendons alone",
-       "the pulley would be less than half or more than twice as large"},
+       "the pulley would be less than half or more than twice as large",
+       {{"gain_change", "1", {-0.5, 1.0}}}},
   };
+}
+
+/// Mass, first moments and moments of inertia about the link's origin. Those of a point may be left
+/// away.
+std::vector<ModelCoefficient> of_a_body(const ValueLimits& mass) {
+  std::vector<ModelCoefficient> list{{"mass", "kg", mass}};
+  for (const char* axis : {"x", "y", "z"})
+    list.push_back({std::string("first_moment_") + axis, "kg*m", {}, false});
+  for (const char* axes : {"xx", "yy", "zz", "xy", "xz", "yz"})
+    list.push_back({std::string("moment_") + axes, "kg*m^2", {}, false});
+  return list;
+}
+
+std::vector<ModelCoefficient> of_gravity() {
+  std::vector<ModelCoefficient> list;
+  for (const char* axis : {"x", "y", "z"})
+    list.push_back({std::string("gravity_change_") + axis,
+                    "m/s^2",
+                    {-strongest_gravity, strongest_gravity},
+                    false});
+  return list;
 }
 
 std::vector<ModelEffect> of_links() {
@@ -51,14 +78,17 @@ std::vector<ModelEffect> of_links() {
        "effort left over with the link's weight and its acceleration",
        "motion of all joints that the link moves with",
        "the same slow motion with and without what may be attached",
-       "no body near the robot has such a mass and such moments"},
+       "no body near the robot has such a mass and such moments", of_a_body({0.0}),
+       ModelPlace::link},
       {"inertial_parameters", "inertial parameters", model() + regressor * change,
        "effort left over with the link's weight and its acceleration",
        "motion of all joints that the link moves with",
-       "motion of all joints that it moves with, slow and fast", "its mass would be negative"},
+       "motion of all joints that it moves with, slow and fast", "its mass would be negative",
+       of_a_body({}), ModelPlace::link},
       {"gravity", "gravity left out, or its direction", model() + weight * gravity,
        "effort left over with the posture, the same both ways", "several postures",
-       "slow motion over the whole range", "gravity would be stronger than the earth's"},
+       "slow motion over the whole range", "gravity would be stronger than the earth's", of_gravity(),
+       ModelPlace::base},
   };
 }
 

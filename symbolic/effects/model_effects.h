@@ -10,7 +10,19 @@
 #include <string>
 #include <vector>
 
+#include "symbolic/effects/effect.h"
+
 namespace sinew {
+
+/// A number that identified.toml holds of such a cause.
+struct ModelCoefficient {
+  std::string name, unit;
+  ValueLimits limits = {};
+  bool required = true;
+};
+
+/// Where such a cause has its place.
+enum class ModelPlace { joint, link, base };
 
 struct ModelEffect {
   std::string id;    ///< as identified.toml and findings have it
@@ -18,6 +30,9 @@ struct ModelEffect {
   GiNaC::ex effort;
   std::string signature, excitation, experiment;  ///< as in Effect
   std::string limit;                              ///< what a violated limit says; may be empty
+  /// What a model can learn of it; none: it is named, and the model stays as it is.
+  std::vector<ModelCoefficient> coefficients = {};
+  ModelPlace place = ModelPlace::joint;
 };
 
 const std::vector<ModelEffect>& model_effects();

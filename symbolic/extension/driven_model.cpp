@@ -8,10 +8,10 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "symbolic/expressions/argument.h"
 #include "symbolic/dynamics/coordinates.h"
-#include "symbolic/expressions/definition_list.h"
 #include "symbolic/dynamics/dynamics_functions.h"
+#include "symbolic/expressions/argument.h"
+#include "symbolic/expressions/definition_list.h"
 #include "symbolic/expressions/inline_function.h"
 #include "symbolic/tendons/tendon_motion.h"
 
@@ -78,15 +78,20 @@ bool depends_on_position(const Function& rigid) {
 
 }  // namespace
 
+std::vector<DrivenJoint> driven_joints(const Mechanism& mechanism) {
+  std::vector<DrivenJoint> joints;
+  for (const int index : Coordinates(mechanism).joints()) {
+    joints.push_back(driven_joint(mechanism.joints[static_cast<std::size_t>(index)]));
+    add_followers(mechanism, joints.back());
+  }
+  return joints;
+}
+
 DrivenModel driven_model(const Mechanism& mechanism, const CostOf& cost) {
   DrivenModel model;
   model.name = mechanism.name;
   model.rigid = inverse_dynamics_function(mechanism, cost);
-  const Coordinates coordinates(mechanism);
-  for (const int index : coordinates.joints()) {
-    model.joints.push_back(driven_joint(mechanism.joints[static_cast<std::size_t>(index)]));
-    add_followers(mechanism, model.joints.back());
-  }
+  model.joints = driven_joints(mechanism);
   // A lone joint's own inertia is hardly a load to its gear; weight and other links are.
   const bool loaded = model.joints.size() > 1 || depends_on_position(model.rigid);
   for (DrivenJoint& joint : model.joints) joint.carries_links = loaded;
@@ -143,10 +148,6 @@ DrivenModel tendon_driven_model(const Mechanism& mechanism,
   for (std::size_t i = 1; i <= count; ++i)
     model.joints.push_back(driven_motor(*motor, fmt::format("motor {}", i)));
   return model;
-}
-
-std::string tendon_place(const std::string& name) {
-  return "tendon " + name;
 }
 
 double assumed_friction_speed(const DrivenJoint& joint) {

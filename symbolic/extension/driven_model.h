@@ -49,6 +49,9 @@ struct DrivenModel {
   DrivenTendons tendons;  ///< none where the efforts are measured at the joints
 };
 
+/// Those of a mechanism's coordinates, with what their followers leave to them.
+std::vector<DrivenJoint> driven_joints(const Mechanism& mechanism);
+
 /// Efforts measured at the joints.
 DrivenModel driven_model(const Mechanism& mechanism, const CostOf& cost = {});
 DrivenModel driven_model(const MotorParameters& motor, const std::string& name);
@@ -57,9 +60,6 @@ DrivenModel driven_model(const MotorParameters& motor, const std::string& name);
 DrivenModel tendon_driven_model(const Mechanism& mechanism,
                                 const std::optional<MotorParameters>& motor,
                                 const CostOf& cost = {});
-
-/// How identified.toml calls a tendon: "tendon <name>".
-std::string tendon_place(const std::string& name);
 
 /// Speed over which friction turns where it is not known: a thousandth of the joint's highest.
 double assumed_friction_speed(const DrivenJoint& joint);

@@ -6,6 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "symbolic/extension/learnt_places.h"
+#include "symbolic/files/source_location.h"
+
 namespace sinew {
 
 struct IdentifiedValue {
@@ -25,12 +28,15 @@ struct IdentifiedEffect {
   std::string effect;
   std::string place;  ///< joint of a mechanism, "motor" of a motor, "tendon <name>"
   std::vector<IdentifiedValue> shape, coefficients;
+  SourceLocation where{};  ///< in identified.toml, where it was read
 
+  /// Throws std::invalid_argument where there is none of this name.
   double coefficient(const std::string& name) const;
 };
 
 /// Contents of identified.toml. Besides the effects of the catalogue there are
-///   delay      (coefficient delay [s]): the effort acts that much later than it is logged (negative:
+///   delay      (coefficient delay [s]): the effort acts that much later than it is logged
+///   (negative:
 ///              it was measured later);
 ///   direction  (shape presliding_length): the direction of friction is a bristle state, not a
 ///              function of the velocity;
@@ -44,10 +50,19 @@ struct Identified {
 
 struct Observation;
 
-/// Empty where the folder has no identified.toml. `observation`: of a rig, whose effects these are
+/// Empty where the folder has no identified.toml. Names, units and limits are those that the
+/// effects declare; values are converted to SI. `observation`: of a rig, whose effects these are
 /// then; nullptr for what is driven. Throws DescriptionError with all mistakes found.
 Identified read_identified(const std::filesystem::path& folder,
                            const Observation* observation = nullptr);
+/// Of what is driven, at the places that it has.
+Identified read_identified(const std::filesystem::path& folder, const LearntPlaces& places);
+
+/// The same of a text; `name`: of its file, for messages.
+Identified parse_identified(const std::string& text, const std::string& name,
+                            const Observation& observation);
+Identified parse_identified(const std::string& text, const std::string& name,
+                            const LearntPlaces& places);
 
 /// TOML text; the same for the same contents.
 std::string identified_text(const Identified& identified);

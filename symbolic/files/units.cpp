@@ -86,6 +86,10 @@ std::optional<MeasureUnit> find_unit(std::string_view spelling) {
   return std::nullopt;
 }
 
+bool same_spelling(std::string_view a, std::string_view b) {
+  return normalised(a) == normalised(b);
+}
+
 double to_si(double value, const MeasureUnit& unit) {
   return value * unit.times / unit.over;
 }

@@ -42,6 +42,9 @@ struct MeasureUnit {
 /// The unit of that spelling; `kg*m^2`, `kg m^2`, `kg·m²` and `kg.m^2` are the same.
 std::optional<MeasureUnit> find_unit(std::string_view spelling);
 
+/// Whether both spell one unit, known or not: `N*m*s^2/rad^2` and `N m s²/rad²`.
+bool same_spelling(std::string_view a, std::string_view b);
+
 double to_si(double value, const MeasureUnit& unit);
 
 /// For messages: the name of a dimension and the units it may be given in.

@@ -115,6 +115,7 @@ HeldHand held_hand(const Hand& hand) {
   held.mechanism.name = hand.name;
   held.mechanism.description = hand.description;
   const Isometry3d wrist = pose_from(values_of(wrist_pose(hand.wrist), bar_angles(hand.wrist)), 0);
+  held.palm = wrist.linear();
   held.mechanism.gravity = wrist.linear().transpose() * Vector3d(0.0, 0.0, -9.81);
   const std::vector<Isometry3d> base = bases(hand);
   for (std::size_t k = 0; k < hand.fingers.size(); ++k) {

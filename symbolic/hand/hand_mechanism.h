@@ -16,6 +16,7 @@ struct HeldHand {
   Mechanism mechanism;
   std::vector<std::string> coordinates;  ///< as coordinate_names calls them, without the crank
   std::vector<int> channels;             ///< wrist channel of each of its tendons, from 0
+  Eigen::Matrix3d palm;                  ///< of {ABC} in the forearm frame
 };
 
 HeldHand held_hand(const Hand& hand);

@@ -7,10 +7,9 @@
 #include <cmath>
 #include <set>
 
-#include "symbolic/parts/four_bar.h"
 #include "symbolic/files/identifier.h"
 #include "symbolic/model/rotation.h"
-#include "symbolic/model/singular_mass_matrix.h"
+#include "symbolic/parts/four_bar.h"
 
 namespace sinew {
 namespace {
@@ -23,7 +22,6 @@ class Checker {
       : mechanism_(mechanism), findings_(findings) {}
 
   void check() {
-    const std::size_t before = findings_.count();
     check_name("mechanism", mechanism_.name, here());
     if (!mechanism_.gravity.allFinite())
       findings_.add(here(), "gravity is not finite", "expected 3 finite numbers");
@@ -38,7 +36,6 @@ class Checker {
     check_tendons();
     check_couplings();
     check_frames();
-    if (findings_.count() == before) check_mass_matrix();
   }
 
  private:
@@ -216,17 +213,6 @@ class Checker {
                       fmt::format("frame '{}' has a pose that is no rigid transform", frame.name),
                       "expected a rotation and finite numbers");
     }
-  }
-
-  void check_mass_matrix() {
-    const auto index = joint_without_inertia(mechanism_);
-    if (!index) return;
-    const Joint& joint = mechanism_.joints[*index];
-    findings_.add(
-        joint.where,
-        fmt::format("the mass matrix is singular: joint '{}' can move without moving any inertia",
-                    joint.name),
-        "expected mass or inertia on the bodies it carries");
   }
 
   const Mechanism& mechanism_;

@@ -30,7 +30,8 @@ std::optional<InertiaCheck> strictest_check(const Eigen::Matrix3d& inertia);
 std::string to_text(InertiaCheck check);
 
 /// Reports everything that keeps a mechanism from being derived: order of the bodies, names,
-/// references, masses, inertias (as_given), axes, ranges, and a singular mass matrix.
+/// references, masses, inertias (as_given), axes and ranges. A singular mass matrix keeps nothing
+/// but its inverse from being derived (singular_mass_matrix.h).
 void check_mechanism(const Mechanism& mechanism, Findings& findings);
 
 /// Throws DescriptionError where check_mechanism finds anything.

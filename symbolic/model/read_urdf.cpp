@@ -10,10 +10,11 @@
 #include <map>
 #include <set>
 
-#include "symbolic/model/check_mechanism.h"
 #include "symbolic/files/identifier.h"
 #include "symbolic/files/read_text.h"
+#include "symbolic/model/check_mechanism.h"
 #include "symbolic/model/rotation.h"
+#include "symbolic/model/singular_mass_matrix.h"
 #include "symbolic/model/urdf_outline.h"
 
 namespace sinew {
@@ -87,12 +88,18 @@ class UrdfReader {
     findings_.raise_if_any();
     check_mechanism(mechanism_, findings_);
     findings_.raise_if_any();
+    note_singular_mass_matrix();
     return std::move(mechanism_);
   }
 
  private:
   void note(const SourceLocation& where, const std::string& what) {
     notes_.push_back(fmt::format("{}: {}", to_text(where), what));
+  }
+
+  void note_singular_mass_matrix() {
+    const auto joint = joint_without_inertia(mechanism_);
+    if (joint) note(mechanism_.joints[*joint].where, *note_of_singular_mass_matrix(mechanism_));
   }
 
   void order_joints() {

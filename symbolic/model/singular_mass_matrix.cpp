@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "symbolic/model/singular_mass_matrix.h"
 
+#include <fmt/format.h>
+
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <cmath>
@@ -47,11 +49,13 @@ Eigen::MatrixXd body_jacobian(const Mechanism& mechanism, const std::vector<Tran
 }
 
 /// Index of the largest part of the null vector of a singular symmetric matrix; -1 if regular.
-int null_coordinate(const Eigen::MatrixXd& mass) {
+/// `most`: what its diagonal would be if all that each coordinate carries turned about it at its
+/// distance. Less than a rounding error of that is nothing.
+int null_coordinate(const Eigen::MatrixXd& mass, const Eigen::VectorXd& most) {
+  constexpr double rounding_of_sums = 1e-13;
   Eigen::VectorXd scale = mass.diagonal();
-  const double smallest_normal = 1e-300;
   for (int i = 0; i < scale.size(); ++i) {
-    if (scale[i] <= smallest_normal) return i;
+    if (scale[i] <= rounding_of_sums * most[i]) return i;
     scale[i] = 1.0 / std::sqrt(scale[i]);
   }
   const Eigen::MatrixXd unit = scale.asDiagonal() * mass * scale.asDiagonal();
@@ -64,16 +68,50 @@ int null_coordinate(const Eigen::MatrixXd& mass) {
 
 }  // namespace
 
-Eigen::MatrixXd mass_matrix_at(const Mechanism& mechanism, const Eigen::VectorXd& q) {
+namespace {
+
+/// Of every body in the base frame.
+std::vector<Transform> body_poses(const Mechanism& mechanism, const Eigen::VectorXd& q) {
   const std::vector<int> coordinate = coordinate_of_joint(mechanism);
   std::vector<Transform> pose;
-  Eigen::MatrixXd mass = Eigen::MatrixXd::Zero(q.size(), q.size());
   for (std::size_t i = 0; i < mechanism.bodies.size(); ++i) {
     const Joint& joint = mechanism.joints[i];
     const Transform parent =
         joint.parent < 0 ? Transform{} : pose[static_cast<std::size_t>(joint.parent)];
     const double value = coordinate[i] < 0 ? 0.0 : q[coordinate[i]];
     pose.push_back(parent * joint.origin * motion(joint, value));
+  }
+  return pose;
+}
+
+/// An upper bound of the mass matrix's diagonal: whatever axis the joints had.
+Eigen::VectorXd most_inertia(const Mechanism& mechanism, const Eigen::VectorXd& q) {
+  const std::vector<int> coordinate = coordinate_of_joint(mechanism);
+  const std::vector<Transform> pose = body_poses(mechanism, q);
+  Eigen::VectorXd most = Eigen::VectorXd::Zero(q.size());
+  for (std::size_t b = 0; b < mechanism.bodies.size(); ++b) {
+    const Body& body = mechanism.bodies[b];
+    const Eigen::Vector3d centre = pose[b].rotation * body.centre_of_mass + pose[b].translation;
+    for (int i = static_cast<int>(b); i >= 0;
+         i = mechanism.joints[static_cast<std::size_t>(i)].parent) {
+      const auto k = static_cast<std::size_t>(i);
+      if (coordinate[k] < 0) continue;
+      const bool turns = mechanism.joints[k].type == JointType::revolute;
+      most[coordinate[k]] +=
+          turns ? body.inertia.norm() + body.mass * (centre - pose[k].translation).squaredNorm()
+                : body.mass;
+    }
+  }
+  return most;
+}
+
+}  // namespace
+
+Eigen::MatrixXd mass_matrix_at(const Mechanism& mechanism, const Eigen::VectorXd& q) {
+  const std::vector<int> coordinate = coordinate_of_joint(mechanism);
+  const std::vector<Transform> pose = body_poses(mechanism, q);
+  Eigen::MatrixXd mass = Eigen::MatrixXd::Zero(q.size(), q.size());
+  for (std::size_t i = 0; i < mechanism.bodies.size(); ++i) {
     const Body& body = mechanism.bodies[i];
     if (body.mass == 0.0 && body.inertia.isZero(0.0)) continue;
     const Eigen::MatrixXd j = body_jacobian(mechanism, pose, coordinate, i);
@@ -136,10 +174,23 @@ std::optional<std::size_t> joint_without_inertia(const Mechanism& mechanism) {
       const double part = std::fmod(0.31 + 0.618033988749895 * (4 * coordinate[i] + sample), 1.0);
       q[coordinate[i]] = joint.low + part * (joint.high - joint.low);
     }
-    null = null_coordinate(motion.J.transpose() * mass_matrix_at(mechanism, q) * motion.J);
+    null = null_coordinate(motion.J.transpose() * mass_matrix_at(mechanism, q) * motion.J,
+                           motion.J.cwiseAbs2().transpose() * most_inertia(mechanism, q));
     if (null < 0) return std::nullopt;
   }
   return motion.joints[static_cast<std::size_t>(null)];
+}
+
+std::optional<std::string> note_of_singular_mass_matrix(const Mechanism& mechanism) {
+  const auto index = joint_without_inertia(mechanism);
+  if (!index) return std::nullopt;
+  const Joint& joint = mechanism.joints[*index];
+  return fmt::format(
+      "the mass matrix is singular: joint '{}' can move without moving any inertia. "
+      "forward_dynamics, which needs its inverse, is left out; to have it, give the bodies that "
+      "the joint carries {}",
+      joint.name,
+      joint.type == JointType::revolute ? "inertia about its axis, or mass off it" : "mass");
 }
 
 }  // namespace sinew

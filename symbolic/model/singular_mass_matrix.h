@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <optional>
+#include <string>
 
 #include "symbolic/model/mechanism.h"
 
@@ -13,8 +14,12 @@ namespace sinew {
 Eigen::MatrixXd mass_matrix_at(const Mechanism& mechanism, const Eigen::VectorXd& q);
 
 /// The joint that most takes part in a motion without inertia, if the mass matrix is singular
-/// (smallest eigenvalue of its unit-diagonal form below 1e-13) at every one of a few points spread
-/// over the joints' ranges. Singular at single points only, as a spherical pendulum is: nothing.
+/// (an entry of the diagonal or an eigenvalue of the unit-diagonal form is a rounding error) at
+/// every one of a few points spread over the joints' ranges. Singular at single points only, as a
+/// spherical pendulum is: nothing.
 std::optional<std::size_t> joint_without_inertia(const Mechanism& mechanism);
+
+/// What a user is told of that: the joint, what is left out, and what to add.
+std::optional<std::string> note_of_singular_mass_matrix(const Mechanism& mechanism);
 
 }  // namespace sinew

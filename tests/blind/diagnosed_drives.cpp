@@ -95,7 +95,7 @@ TEST_CASE("study: drives play the motion asked for", "[.study]") {
   blind::settling_study(settle_drive, "drive");
 }
 
-TEST_CASE("causes hidden in drives are named from the logs alone") {
+TEST_CASE("causes hidden in drives are named from the logs alone", "[slow]") {
   // Seeds in a row, one cause each as large as the noise. docs/blind_trials.md has the rates of
   // many more; this is to see that they have not become worse. Planted defect: without
   // look_at_standstills (diagnose.cpp) seed 2005, a sensor's play, is told to hide nothing; with
@@ -104,34 +104,53 @@ TEST_CASE("causes hidden in drives are named from the logs alone") {
       blind::run(diagnose_drive, {2000, "drive", truth::Family::one, 1.0}, 12,
                  [](std::uint64_t seed, const Outcome& o) {
                    WARN(seed << " hidden:" << o.hidden() << ", told:" << o.told());
+                   if (seed == 2005) CHECK(o.hides("sensor_hysteresis", "sensor", 1.0));
+                   if (seed == 2006) CHECK(o.hides("sensor_quantisation", "sensor", 1.0));
                  });
   INFO(rates.text());
   CHECK(rates.detected == 12);
   CHECK(rates.all_inside >= 11);
 }
 
-TEST_CASE("causes that were missed once are found") {
+TEST_CASE("causes that were missed once are found", "[slow]") {
   // A load that falls through the gap (90032: without "loaded_backlash" in add_library it is called
   // gear elasticity), and a nuisance fitted to nothing that ruins held-out stretches (400030:
   // without settle_nuisances in select.cpp nothing is said). A sensor's low-pass that logs
   // bend as, told as a delay (450067: without with_lag in confounding.cpp), and a sensor's play
   // beside which half a sample of its own making was told as a delay (460065: side_of_play not
   // centred).
-  for (const std::uint64_t seed : {90032U, 400030U, 450067U, 460065U}) {
+  struct Missed {
+    std::uint64_t seed;
+    const char *cause, *place;
+  };
+  for (const auto& [seed, cause, place] :
+       {Missed{90032, "backlash", "motor"}, Missed{400030, "viscous_level", "motor"},
+        Missed{450067, "sensor_low_pass", "sensor"},
+        Missed{460065, "sensor_hysteresis", "sensor"}}) {
     const Outcome o = diagnose_drive({seed, "drive", truth::Family::one, 1.0});
     INFO("seed " << seed << " hidden:" << o.hidden() << ", told:" << o.told());
+    REQUIRE(o.hides(cause, place, 1.0));
     CHECK(o.all_right);
   }
 }
 
-TEST_CASE("what one log cannot tell apart the motion asked for does") {
+TEST_CASE("what one log cannot tell apart the motion asked for does", "[slow]") {
   // Pairs that look the same in the logs handed over. 443001 also needs the held-out gain of load
   // friction beside the friction level as adopted: held-out logs under one load show none beside a
   // deviation that is free (seen to fail with gain_on_held_out of the search's model alone).
   int settled = 0;
-  for (const std::uint64_t seed : {443001U, 444000U, 444001U, 444002U}) {
+  struct Pair {
+    std::uint64_t seed;
+    const char *cause, *rival;
+  };
+  for (const auto& [seed, cause, rival] : {Pair{443001, "load_friction", "coulomb_level"},
+                                           Pair{444000, "load_friction", "coulomb_level"},
+                                           Pair{444001, "viscous_level", "coulomb_level"},
+                                           Pair{444002, "load_friction", "coulomb_level"}}) {
     const blind::Settled s = settle_drive({seed, "drive", truth::Family::inseparable, 1.0});
     INFO("seed " << seed << " hidden:" << s.before.hidden() << ", told:" << s.before.told());
+    REQUIRE(s.before.hides(cause, "motor", 1.0));
+    REQUIRE_THAT(s.before.seal.admissible, Catch::VectorContains(std::string(rival)));
     CHECK(s.before.members > 1);
     REQUIRE(s.after);
     INFO("then told:" << s.after->told());
@@ -140,7 +159,7 @@ TEST_CASE("what one log cannot tell apart the motion asked for does") {
   CHECK(settled == 4);
 }
 
-TEST_CASE("a drive that hides nothing is told to leave nothing over") {
+TEST_CASE("a drive that hides nothing is told to leave nothing over", "[slow]") {
   const blind::Rates rates =
       blind::run(diagnose_drive, {5000, "drive", truth::Family::nothing, 1.0}, 12,
                  [](std::uint64_t seed, const Outcome& o) {
@@ -151,7 +170,7 @@ TEST_CASE("a drive that hides nothing is told to leave nothing over") {
   CHECK(rates.false_names == 0);
 }
 
-TEST_CASE("a cause outside the library is structure without a name") {
+TEST_CASE("a cause outside the library is structure without a name", "[slow]") {
   // Tight spots, soft stops, hums, friction that swings or remembers: nothing the library has.
   // Planted defect: with the flexible families left out of the screening (Scope::nameable in
   // unexplained.cpp) two of these get a wrong name and one is not seen.
@@ -165,11 +184,12 @@ TEST_CASE("a cause outside the library is structure without a name") {
   CHECK(rates.trials_with_false_name <= 1);
 }
 
-TEST_CASE("a cause of which neither size nor form is known is not named") {
+TEST_CASE("a cause of which neither size nor form is known is not named", "[slow]") {
   // A hum. Planted defect: without drop_undetermined (select.cpp) it is a backlash whose gap is
   // known to 4e7 rad.
   const Outcome o = diagnose_drive({310015, "drive", truth::Family::outside, 1.0});
-  INFO("told:" << o.told());
+  INFO("hidden:" << o.hidden() << ", told:" << o.told());
+  REQUIRE(o.hides("hum", "motor", 1.0));
   CHECK(o.findings.verdict.causes.empty());
   CHECK(o.findings.verdict.unexplained.none_of_the_known);
 }

@@ -60,7 +60,7 @@ TEST_CASE("study: sealed lever calibrations", "[.study]") {
   blind::study(diagnose_lever, "lever");
 }
 
-TEST_CASE("causes hidden in a lever's calibration are named") {
+TEST_CASE("causes hidden in a lever's calibration are named", "[slow]") {
   const blind::Rates rates =
       blind::run(diagnose_lever, {100, "lever", truth::Family::one, 1.0}, 6,
                  [](std::uint64_t seed, const Outcome& o) {
@@ -70,18 +70,24 @@ TEST_CASE("causes hidden in a lever's calibration are named") {
   CHECK(rates.all_inside >= 5);
 }
 
-TEST_CASE("what friction and a coarse sensor do stays as it is while the lever rests") {
+TEST_CASE("what friction and a coarse sensor do stays as it is while the lever rests", "[slow]") {
   // The calibration stops on its way every few seconds. Planted defects: with the direction of
   // guides from the velocity alone, which is zero at rest, 1004 gets lever hysteresis; with rests
   // joined by straight lines (kRest in dequantise.cpp without end) 1008 is told as nothing.
-  for (const std::uint64_t seed : {1004U, 1008U}) {
+  struct Resting {
+    std::uint64_t seed;
+    const char *cause, *place;
+  };
+  for (const auto& [seed, cause, place] : {Resting{1004, "guiding_friction", "tendon"},
+                                           Resting{1008, "sensor_quantisation", "sensor"}}) {
     const Outcome o = diagnose_lever({seed, "lever", truth::Family::one, 1.0});
     INFO(seed << " hidden:" << o.hidden() << ", told:" << o.told());
+    REQUIRE(o.hides(cause, place, 1.0));
     CHECK(o.all_right);
   }
 }
 
-TEST_CASE("a lever that hides nothing is told to leave nothing over") {
+TEST_CASE("a lever that hides nothing is told to leave nothing over", "[slow]") {
   const blind::Rates rates =
       blind::run(diagnose_lever, {100, "lever", truth::Family::nothing, 1.0}, 6);
   INFO(rates.text());

@@ -4,10 +4,12 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <set>
+#include <stdexcept>
 
 #include "tests/blind/study_record.h"
 #include "tests/reference/temporary_folder.h"
@@ -73,6 +75,12 @@ Words by_table(std::map<std::string, std::string> table) {
     const auto found = table.find(name);
     return found == table.end() ? name : found->second;
   };
+}
+
+bool Outcome::hides(const std::string& name, const std::string& place, double size) const {
+  if (seal.hidden.size() != 1) return false;
+  const truth::HiddenCause& cause = seal.hidden.front();
+  return cause.name == name && cause.place == place && std::abs(cause.size / size - 1.0) <= 0.2;
 }
 
 std::string Outcome::told() const {
@@ -206,6 +214,10 @@ Rates run(const Trials& diagnose, truth::TrialRequest request, int count,
   Rates rates;
   for (int i = 0; i < count; ++i, ++request.seed) {
     const Outcome outcome = diagnose(request);
+    if (outcome.seal.hidden.size() != truth::wanted_causes(request.family))
+      throw std::runtime_error(fmt::format("seed {} of {} ({}) hides {} causes", request.seed,
+                                           request.plant, truth::family_name(request.family),
+                                           outcome.seal.hidden.size()));
     rates.add(outcome);
     if (each) each(request.seed, outcome);
   }

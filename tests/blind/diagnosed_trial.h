@@ -27,6 +27,9 @@ struct Outcome {
   int members = 0;          ///< of all sets together
   bool all_inside = false;  ///< each hidden cause is in a set, no set is false
   bool all_right = false;   ///< and is named first there
+  /// Whether this one cause is hidden, within a fifth of the size: a seed's trial changes with the
+  /// simulators, so a test of one seed says first what it takes the seed to hide.
+  bool hides(const std::string& name, const std::string& place, double size) const;
   bool is_settled() const;  ///< each hidden cause alone in its set, and nothing else
   std::string told() const;
   std::string hidden() const;
@@ -67,7 +70,8 @@ struct Rates {
   std::string text() const;
 };
 
-/// Trials with the seeds first, first + 1, ...
+/// Trials with the seeds first, first + 1, ... Throws std::runtime_error where a seal does not hold
+/// as many causes as its family says.
 Rates run(const Trials& diagnose, truth::TrialRequest request, int count,
           const std::function<void(std::uint64_t seed, const Outcome&)>& each = {});
 

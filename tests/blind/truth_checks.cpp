@@ -9,6 +9,7 @@
 #include "tests/blind/truth/finger_body.h"
 #include "tests/blind/truth/sealed_trial.h"
 #include "tests/blind/truth/signals.h"
+#include "tests/skip.h"
 
 using namespace sinew::truth;
 
@@ -78,10 +79,8 @@ TEST_CASE("with nothing hidden the model leaves next to nothing over") {
 }
 
 TEST_CASE("MuJoCo's drive and ours leave the same over") {
-  if (!draw_mujoco_drive(Draw(1))) {
-    WARN("no MuJoCo in this build: skipped");
-    return;
-  }
+  if (!draw_mujoco_drive(Draw(1)))
+    return sinew::test::skip("MuJoCo is not installed (libmujoco-dev)");
   for (std::uint64_t seed = 1; seed <= 3; ++seed) {
     const auto plant = draw_mujoco_drive(Draw(seed));
     CAPTURE(seed, plant->nominal());

@@ -136,7 +136,7 @@ TEST_CASE("a dry run leaves the model as it is") {
   CHECK(fs::exists(bench.path("found/generated/slide/slide.c")));
 }
 
-TEST_CASE("a payload on a finger is found in the forces of its tendons") {
+TEST_CASE("a payload on a finger is found in the forces of its tendons", "[slow]") {
   // The log comes from a copy whose distal link is heavier.
   const Workplace bench;
   for (const char* part : {"motor", "lever", "tendon", "guiding", "capstan"})

@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "tests/cli/program.h"
+#include "tests/skip.h"
 
 using namespace sinew;
 
@@ -43,7 +44,7 @@ std::map<std::string, Curve> curves(const Workplace& here, const std::string& fi
 
 bool draws(const Workplace& here, const std::string& chapter) {
   if (here.shell("gnuplot --version").status != 0) {
-    WARN("gnuplot not found: left out");
+    test::skip("gnuplot is not installed (gnuplot-nox)");
     return false;
   }
   const Ended run = here.sinew({"figures", "--chapter", chapter, "--out", "figures", "--models",

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/cli/program.h"
+#include "tests/skip.h"
 
 using namespace sinew;
 using nlohmann::json;
@@ -25,10 +26,8 @@ Ended identify(const Workplace& here, const std::string& table,
 
 TEST_CASE("designers' tables from the shipped example", "[identify]") {
   const Workplace here;
-  if (here.shell("gnuplot --version").status != 0) {
-    WARN("gnuplot not found: left out");
-    return;
-  }
+  if (here.shell("gnuplot --version").status != 0)
+    return sinew::test::skip("gnuplot is not installed (gnuplot-nox)");
   const Ended run = identify(here, model + "/assumed_measurements.csv", {"--tables", "tables"});
   INFO(run.output);
   REQUIRE(run.status == 0);

@@ -98,7 +98,7 @@ int differing(const Graph& graph, const Library& library) {
 
 }  // namespace
 
-TEST_CASE("the batch form of every function has the bits of the single function") {
+TEST_CASE("the batch form of every function has the bits of the single function", "[slow]") {
   const EmittedModel model = model_without({});
   const Library library(model);
   for (const Graph& graph : model.functions) {

@@ -7,9 +7,10 @@
 
 #include "generator/assemble.h"
 #include "generator/write.h"
-#include "symbolic/tendons/functions.h"
 #include "symbolic/model/read_mechanism.h"
+#include "symbolic/tendons/functions.h"
 #include "tests/reference/emitted_model.h"
+#include "tests/skip.h"
 
 using namespace sinew;
 using reference::run_program;
@@ -38,7 +39,7 @@ std::vector<Compiler> compilers() {
   for (const Compiler& compiler : all) try {
       if (run_program({compiler.program, "--version"}, output) == 0) here.push_back(compiler);
     } catch (const std::runtime_error&) {
-      WARN(compiler.program << " is not installed");
+      test::skip(compiler.program + " is not installed");
     }
   return here;
 }

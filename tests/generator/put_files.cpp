@@ -7,6 +7,7 @@
 
 #include "tests/generator/traced_writing.h"
 #include "tests/reference/temporary_folder.h"
+#include "tests/skip.h"
 
 using namespace sinew;
 using reference::TemporaryFolder;
@@ -27,10 +28,7 @@ void check_only(const fs::path& folder, const FileSet& files) {
 }  // namespace
 
 TEST_CASE("files are put beside what is there, and without an exchange of folders too") {
-  if (!strace_works()) {
-    WARN("strace cannot trace here");
-    return;
-  }
+  if (!strace_works()) return sinew::test::skip("strace cannot trace here");
   const TemporaryFolder place;
   const fs::path folder = place.path() / "output";
   const FileSet before = with_thesis(lettered_files('o')), after = with_thesis(lettered_files('n'));
@@ -52,10 +50,7 @@ TEST_CASE("files are put beside what is there, and without an exchange of folder
 }
 
 TEST_CASE("whatever call of putting files fails, the old folder stands") {
-  if (!strace_works() || !writes_may_fail()) {
-    WARN("strace cannot trace here");
-    return;
-  }
+  if (!strace_works() || !writes_may_fail()) return sinew::test::skip("strace cannot trace here");
   const TemporaryFolder place;
   const fs::path folder = place.path() / "output";
   const FileSet before = with_thesis(lettered_files('o'));

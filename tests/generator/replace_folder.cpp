@@ -16,6 +16,7 @@
 #include "tests/generator/traced_writing.h"
 #include "tests/reference/random_numbers.h"
 #include "tests/reference/temporary_folder.h"
+#include "tests/skip.h"
 
 using namespace sinew;
 using reference::TemporaryFolder;
@@ -113,10 +114,8 @@ TEST_CASE("planted: writing in place is seen to leave a mixture") {
 }
 
 TEST_CASE("killed at every system call of the writing, the old or the new output stands whole") {
-  if (!strace_works()) {
-    WARN("strace cannot trace here: only random moments are tested");
-    return;
-  }
+  if (!strace_works())
+    return sinew::test::skip("strace cannot trace here: only random moments are tested");
   const TemporaryFolder place;
   const fs::path folder = place.path() / "output";
   int killed = 0, old = 0, replaced = 0;
@@ -138,10 +137,7 @@ TEST_CASE("killed at every system call of the writing, the old or the new output
 }
 
 TEST_CASE("every system call that fails leaves the old output and says so") {
-  if (!strace_works() || !writes_may_fail()) {
-    WARN("strace cannot trace here");
-    return;
-  }
+  if (!strace_works() || !writes_may_fail()) return sinew::test::skip("strace cannot trace here");
   const TemporaryFolder place;
   const fs::path folder = place.path() / "output";
   for (const auto& [call, error] : std::vector<std::pair<std::string, std::string>>{
@@ -162,10 +158,7 @@ TEST_CASE("every system call that fails leaves the old output and says so") {
 TEST_CASE(
     "without an exchange of folders two renames do it, and the old output survives an end "
     "between") {
-  if (!strace_works()) {
-    WARN("strace cannot trace here");
-    return;
-  }
+  if (!strace_works()) return sinew::test::skip("strace cannot trace here");
   const TemporaryFolder place;
   const fs::path folder = place.path() / "output";
   const std::string no_exchange = "inject=renameat2:error=EINVAL";
@@ -216,10 +209,8 @@ TEST_CASE("a file that may not grow leaves the old output") {
 
 TEST_CASE("a full file system leaves the old output") {
   const TemporaryFolder place;
-  if (::mount("tmpfs", place.path().c_str(), "tmpfs", 0, "size=450k") != 0) {
-    WARN("a small file system cannot be mounted here");
-    return;
-  }
+  if (::mount("tmpfs", place.path().c_str(), "tmpfs", 0, "size=450k") != 0)
+    return sinew::test::skip("a small file system cannot be mounted here");
   const fs::path folder = place.path() / "output";
   replace_folder(folder, lettered_files('o'));  // fits once, not twice
   const std::string error = error_of(folder, lettered_files('n'));

@@ -15,11 +15,12 @@
 #include "generator/lower.h"
 #include "generator/passes/passes.h"
 #include "generator/write.h"
-#include "symbolic/tendons/functions.h"
 #include "symbolic/model/read_mechanism.h"
+#include "symbolic/tendons/functions.h"
 #include "tests/generator/every_operation.h"
 #include "tests/generator/pass_check.h"
 #include "tests/reference/emitted_model.h"
+#include "tests/skip.h"
 
 using namespace sinew;
 using reference::run_program;
@@ -86,10 +87,7 @@ int code_size(const Target& target, const std::string& level) {
 }  // namespace
 
 TEST_CASE("fused code has the interpreter's bits, in double and in float") {
-  if (!machine_fuses()) {
-    WARN("skipped: this machine has no fused multiply-add");
-    return;
-  }
+  if (!machine_fuses()) return sinew::test::skip("this machine has no fused multiply-add");
   for (const Scalar scalar : {Scalar::binary64, Scalar::binary32}) {
     const EmittedModel model = model_for({.scalar = scalar, .fused = true});
     const reference::TemporaryFolder place;

@@ -8,8 +8,8 @@
 #include <random>
 
 #include "generator/assemble.h"
-#include "simulation/finger_bases.h"
-#include "simulation/finger_dynamics.h"
+#include "simulation/bodies/finger_bases.h"
+#include "simulation/bodies/finger_dynamics.h"
 #include "symbolic/dynamics/coordinates.h"
 #include "symbolic/hand/read_hand.h"
 #include "symbolic/model/read_mechanism.h"

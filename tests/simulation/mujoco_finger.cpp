@@ -148,4 +148,10 @@ absolute_tolerance = { value = 1e-12, unit = "1" }
   // Ten per cent more damping in MuJoCo would be seen.
   CHECK(largest_difference(our_rows, mujoco_run(index, curve, q0, 1e-4, 1.1 * damping)) > 1e-4);
 }
+#else
+#include "tests/skip.h"
+
+TEST_CASE("a finger on its tendons moves as in MuJoCo all along the run", "[mujoco]") {
+  sinew::test::skip("MuJoCo is not installed (libmujoco-dev)");
+}
 #endif

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "simulation/simulate.h"
+#include "simulation/plant/simulate.h"
 #include "tests/reference/temporary_folder.h"
 
 namespace sinew_tests {

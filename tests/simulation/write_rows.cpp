@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The log's file: whole or not there, and its numbers those that were given.
-#include "simulation/write_rows.h"
+#include "simulation/plant/write_rows.h"
 
 #include <sys/resource.h>
 

@@ -58,10 +58,13 @@ double size_between(const std::vector<std::vector<double>>& with,
   return largest;
 }
 
+}  // namespace
+
 size_t wanted_causes(Family family) {
   switch (family) {
     case Family::one:
     case Family::outside:
+    case Family::inseparable:
       return 1;
     case Family::two:
       return 2;
@@ -71,8 +74,6 @@ size_t wanted_causes(Family family) {
       return 0;
   }
 }
-
-}  // namespace
 
 SealedTrial::SealedTrial(const TrialRequest& request) : draw_(request.seed) {
   static constexpr std::array<double, 5> sizes = {0.1, 0.2, 0.3, 0.5, 1.0};

@@ -80,5 +80,7 @@ class SealedTrial {
 void write_trial(const SealedTrial& trial, const std::string& folder, const std::string& seal_file);
 std::string seal_text(const Seal& seal);
 std::string family_name(Family family);
+/// How many causes a trial of the family hides.
+std::size_t wanted_causes(Family family);
 
 }  // namespace sinew::truth

@@ -6,6 +6,7 @@
 #include "identification/diagnosis/explain.h"
 #include "tests/identification/diagnosis/drive_candidates.h"
 #include "tests/identification/diagnosis/drive_logs.h"
+#include "tests/skip.h"
 
 namespace {
 
@@ -27,10 +28,7 @@ bool ruled_out(const Verdict& verdict, const std::string& name) {
 
 TEST_CASE("the positioning drive's causes are named without help") {
   const std::optional<Recording> log = read_positioning_drive();
-  if (!log) {
-    WARN("skipped: ../shared/data/emps is absent");
-    return;
-  }
+  if (!log) return sinew::test::skip("../shared/data/emps is absent");
   Problem problem;
   problem.training = {*log};
   DriveScales scales = drive_scales(problem.training);
@@ -55,10 +53,7 @@ TEST_CASE("the positioning drive's causes are named without help") {
 
 TEST_CASE("the cable's torque is found in the master arm's joint") {
   const std::optional<Recording> log = read_cable_joint();
-  if (!log) {
-    WARN("skipped: ../shared/data/dvrk_mtm is absent");
-    return;
-  }
+  if (!log) return sinew::test::skip("../shared/data/dvrk_mtm is absent");
   Problem problem;
   problem.training = {*log};
   DriveScales scales = drive_scales(problem.training);

@@ -12,6 +12,7 @@
 #include "identification/logs/uniform_grid.h"
 #include "tests/identification/logs/planted_log.h"
 #include "tests/reference/temporary_folder.h"
+#include "tests/skip.h"
 
 using namespace sinew;
 using sinew::test::write_file;
@@ -90,8 +91,8 @@ TEST_CASE("of a log that is too long stretches from its beginning to its end are
   ReadOptions options;
   options.max_rate = 500.0;
   options.max_values = 2 * 6000;
-  const Log log =
-      read_csv(write_file("far.csv", sines(60000, 1.0e-3, 180.0)), rotary_drive_channels(), options);
+  const Log log = read_csv(write_file("far.csv", sines(60000, 1.0e-3, 180.0)),
+                           rotary_drive_channels(), options);
   CHECK(log.decimation == 2);  // for the rate alone: what fast effects need stays
   REQUIRE(log.segments.size() == 2);
   CHECK(log.sample_count() == 6000);
@@ -191,10 +192,8 @@ TEST_CASE("uneven sampling is put on an even grid") {
 
 TEST_CASE("measured logs read without a false alarm") {
   const std::string folder = std::string(SINEW_SOURCE_DIR) + "/../shared/data/";
-  if (!std::filesystem::exists(folder + "emps/data_emps.csv")) {
-    WARN("no measured logs beside the source: skipped");
-    return;
-  }
+  if (!std::filesystem::exists(folder + "emps/data_emps.csv"))
+    return sinew::test::skip("../shared/data/emps is absent");
   ReadOptions options;
   options.map = {"x=q_meas_m", "x_ref=q_ref_m", "f=force_N"};
   const Log emps = read_csv(folder + "emps/data_emps.csv", linear_drive_channels(), options);

@@ -8,6 +8,7 @@
 #include "identification/report/report_svg.h"
 #include "identification/report/report_thinning.h"
 #include "report_example_plots.h"
+#include "tests/skip.h"
 
 using namespace sinew::diagnosis;
 
@@ -15,7 +16,7 @@ namespace {
 
 bool no_gnuplot() {
   if (std::system("gnuplot --version > /dev/null 2>&1") == 0) return false;
-  WARN("skipped: no gnuplot (Debian: gnuplot-nox)");
+  sinew::test::skip("gnuplot is not installed (gnuplot-nox)");
   return true;
 }
 

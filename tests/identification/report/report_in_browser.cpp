@@ -4,6 +4,7 @@
 #include "browser.h"
 #include "identification/report/report_html.h"
 #include "report_example.h"
+#include "tests/skip.h"
 
 using namespace sinew;
 using namespace sinew::diagnosis;
@@ -13,7 +14,7 @@ namespace {
 
 bool no_browser() {
   if (!browser().empty()) return false;
-  WARN("skipped: no browser is installed (Debian: chromium)");
+  test::skip("no browser is installed (chromium)");
   return true;
 }
 

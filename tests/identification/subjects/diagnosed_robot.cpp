@@ -27,6 +27,11 @@ Mechanism slide(double mass, double damping, double friction) {
 
 diagnosis::Findings diagnosed(const Mechanism& nominal, const std::string& train,
                               const std::string& holdout) {
+  return whole_diagnosis(nominal, train, holdout).findings;
+}
+
+diagnosis::Diagnosis whole_diagnosis(const Mechanism& nominal, const std::string& train,
+                                     const std::string& holdout) {
   const reference::TemporaryFolder folder;
   const auto file = [&](const char* name, const std::string& text) {
     reference::write_text(folder.path() / name, text);
@@ -44,7 +49,7 @@ diagnosis::Findings diagnosed(const Mechanism& nominal, const std::string& train
   };
   request.settings.edge_s = diagnosis::driven_edge;
   request.settings.band_hz = diagnosis::driven_band;
-  return diagnosis::diagnose(request).findings;
+  return diagnosis::diagnose(request);
 }
 
 }  // namespace sinew::test

@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "identification/adoption/diagnose.h"
 #include "identification/report/findings.h"
 #include "symbolic/model/mechanism.h"
 
@@ -13,6 +14,8 @@ namespace sinew::test {
 Mechanism slide(double mass, double damping, double friction);
 
 /// `train`, `holdout`: CSV text with q_<joint>, tau_<joint>.
+diagnosis::Diagnosis whole_diagnosis(const Mechanism& nominal, const std::string& train,
+                                     const std::string& holdout);
 diagnosis::Findings diagnosed(const Mechanism& nominal, const std::string& train,
                               const std::string& holdout);
 

@@ -6,6 +6,7 @@
 #include "tests/reference/newton_euler.h"
 #include "tests/reference/random_mechanism.h"
 #include "tests/reference/sampling.h"
+#include "tests/skip.h"
 
 namespace sinew::reference {
 namespace {
@@ -35,10 +36,7 @@ double disagreement(MujocoTruth& truth, const Mechanism& mechanism, int states) 
 }
 
 TEST_CASE("MuJoCo agrees with the reference") {
-  if (!mujoco_available()) {
-    WARN("MuJoCo is not installed (libmujoco-dev); nothing compared");
-    return;
-  }
+  if (!mujoco_available()) return test::skip("MuJoCo is not installed (libmujoco-dev)");
   for (std::uint64_t seed = 1; seed <= 8; ++seed) {
     RandomMechanismOptions options;
     options.joints = 2 + static_cast<int>(seed);

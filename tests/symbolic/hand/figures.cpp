@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include "tests/reference/temporary_folder.h"
+#include "tests/skip.h"
 
 using sinew::reference::run_program;
 using sinew::reference::TemporaryFolder;
@@ -31,10 +32,8 @@ std::string content(const fs::path& path) {
 
 TEST_CASE("every figure is there as SVG and CSV, with the source's number in the index",
           "[figures]") {
-  if (std::string output; run_program({"gnuplot", "--version"}, output) != 0) {
-    WARN("gnuplot not found: left out");
-    return;
-  }
+  if (std::string output; run_program({"gnuplot", "--version"}, output) != 0)
+    return sinew::test::skip("gnuplot is not installed (gnuplot-nox)");
   const TemporaryFolder folder;
   std::string output;
   CAPTURE(output);

@@ -9,6 +9,7 @@
 
 #include "index_catalogue.h"
 #include "ring_catalogue.h"
+#include "tests/skip.h"
 #include "tests/symbolic/hand/model_values.h"
 #include "tests/symbolic/hand/palm_pose.h"
 #include "thumb_catalogue.h"
@@ -149,6 +150,8 @@ TEST_CASE("the reference pose has both bar angles away from zero", "[errata]") {
   if (is_wrist_of_the_source()) {
     CHECK(q[0] / degree == Approx(35.75).margin(0.005));
     CHECK(q[1] / degree == Approx(55.72).margin(0.005));
+  } else {
+    sinew::test::skip("the model is not the source's wrist, whose angles these are");
   }
   CHECK(call(wrist_catalogue, "status", {q[0], 0.0})[0] == 1.0);  // q73 = 0 is singular
 }

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 
+#include "tests/skip.h"
 #include "tests/symbolic/hand/model_values.h"
 #include "tests/symbolic/hand/palm_pose.h"
 
@@ -83,8 +84,7 @@ TEST_CASE("flexion moves the tendons by less than 0.75 mm, abduction linearly", 
     CHECK(flexion_coupling <= 0.75e-3);
     CHECK(flexion_coupling > 0.7e-3);
   } else {
-    WARN("not the source's wrist: flexion moves the tendons by " << flexion_coupling * 1e3
-                                                                 << " mm");
+    sinew::test::skip("the model is not the source's wrist, whose bound this is");
   }
   for (const double abduction : {-20.0, -10.0, 10.0, 20.0})
     for (const auto& [height, tendons] : layers()) {

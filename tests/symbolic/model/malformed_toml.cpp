@@ -339,10 +339,6 @@ const std::vector<Case>& toml_cases() {
        "[[body]]", "body 'spare' has no row in csv"},
       {"[[body]]\nname = \"slide\"\n", "", "\"slide\"", "unknown child 'slide'"},
       {"massless = true", "", "[[body]]\nname = \"plate\"", "body 'plate' has no row in csv"},
-      {"type = \"fixed\"",
-       "type = \"revolute\"\naxis = [0, 0, 1]\nrange = { value = [0, 1], unit = \"rad\", from = "
-       "\"cad\" }",
-       "[[joint]]\nname = \"mount\"", "joint 'mount' can move without moving any inertia"},
       // references
       {"body = \"plate\"", "body = \"plat\"", "\"plat\"",
        "frame.tip.body names the unknown body 'plat' (did you mean 'plate'?)"},

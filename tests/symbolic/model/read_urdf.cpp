@@ -162,9 +162,12 @@ TEST_CASE("massless links: frames may be, moving ends may not", "[urdf]") {
   REQUIRE_NOTHROW(
       read(robot(link_xml("base", "") + joint_xml("a", "base", "b") + link_xml("b", "") +
                  joint_xml("c", "b", "d", "revolute", "<axis xyz='0 1 0'/>") + link_xml("d"))));
-  REQUIRE_THROWS_WITH(
-      read(robot(start + joint_xml("f", "b", "flange") + link_xml("flange", ""))),
-      Catch::Contains("test.urdf:6:1: the mass matrix is singular: joint 'f' can move"));
+  // One that moves nothing is taken; its inverse dynamics can be derived.
+  std::vector<std::string> notes;
+  read(robot(start + joint_xml("f", "b", "flange") + link_xml("flange", "")), &notes);
+  REQUIRE(notes.size() == 1);
+  REQUIRE_THAT(notes.front(),
+               Catch::Contains("test.urdf:6:1: the mass matrix is singular: joint 'f' can move"));
   const std::string zero =
       "<mass value='0'/><inertia ixx='0' ixy='0' ixz='0' iyy='0' iyz='0' izz='0'/>";
   REQUIRE_NOTHROW(
@@ -242,11 +245,7 @@ TEST_CASE("files that cannot be read", "[urdf]") {
 }
 
 TEST_CASE("the robots of the benchmarks", "[urdf]") {
-  const std::filesystem::path folder = std::string(SINEW_SOURCE_DIR) + "/../shared/bench";
-  if (!std::filesystem::exists(folder / "panda.urdf")) {
-    WARN("the benchmark robots are not there; skipped");
-    return;
-  }
+  const std::filesystem::path folder = std::string(SINEW_SOURCE_DIR) + "/benchmarks/robots";
   const Mechanism panda = read_urdf(folder / "panda.urdf", down);
   REQUIRE(coordinate_count(panda) == 7);
   REQUIRE(panda.bodies[6].mass == 0.735522);

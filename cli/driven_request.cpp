@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/driven_request.h"
+
+#include <stdexcept>
+
+#include "generator/assemble.h"
+#include "identification/subjects/driven_channels.h"
+#include "identification/subjects/still_joints.h"
+#include "simulation/plant/learnt_model.h"
+#include "symbolic/extension/identified_mechanism.h"
+#include "symbolic/hand/hand_mechanism.h"
+
+namespace sinew {
+namespace {
+
+using diagnosis::DiagnoseRequest;
+
+DriveLimits limits_of(const DrivenJoint& joint) {
+  DriveLimits limits;
+  limits.inertia = joint.armature;
+  limits.friction = joint.friction;
+  return limits;
+}
+
+/// Joints by their own efforts, or by the forces of their tendons: what the first log has.
+void set_robot(const std::filesystem::path& folder, const Mechanism& mechanism,
+               DiagnoseRequest& request) {
+  using diagnosis::LoggedEfforts;
+  request.mechanism = mechanism;
+  const LoggedEfforts logged =
+      diagnosis::logged_efforts(mechanism, request.logs.front(), request.map);
+  if (logged == LoggedEfforts::at_joints) {
+    request.kind = "robot";
+    request.model = driven_model(mechanism, emitted_cost);
+    request.channels = [mechanism, map = request.map](const std::string& file) {
+      return diagnosis::robot_log_channels(mechanism, file, map);
+    };
+    return;
+  }
+  request.kind = "tendon-driven joints";
+  const std::optional<MotorParameters> motor =
+      logged == LoggedEfforts::tendon_forces_and_motors ? motor_beside(folder) : std::nullopt;
+  request.model = tendon_driven_model(mechanism, motor, emitted_cost);
+  request.channels = [mechanism, motors = motor.has_value()](const std::string&) {
+    return diagnosis::tendon_log_channels(mechanism, diagnosis::tendon_numbers(mechanism), motors);
+  };
+}
+
+/// The mechanism as the logs move it.
+std::vector<HeldJoint> hold_still_joints(Mechanism& mechanism, DiagnoseRequest& request) {
+  std::vector<std::string> files = request.logs;
+  files.insert(files.end(), request.holdout.begin(), request.holdout.end());
+  const std::vector<HeldJoint> held = diagnosis::still_joints(mechanism, files, request.map);
+  for (const HeldJoint& each : held) {
+    request.notes.push_back(diagnosis::said_of(each, mechanism));
+    std::erase_if(request.identified.effects,
+                  [&](const IdentifiedEffect& entry) { return entry.place == each.name; });
+  }
+  if (!held.empty()) mechanism = with_held(std::move(mechanism), held);
+  return held;
+}
+
+/// All fingers of a hand by the forces of their tendons, the palm held.
+void set_hand(const Hand& hand, const Identified& identified, DiagnoseRequest& request) {
+  const HeldHand held = held_hand(hand);
+  request.mechanism = with_identified(held.mechanism, identified);
+  request.kind = "hand with a held palm";
+  request.model = tendon_driven_model(*request.mechanism, {}, emitted_cost);
+  std::vector<int> numbers;
+  for (const int channel : held.channels) numbers.push_back(channel + 1);
+  request.channels = [held, numbers](const std::string&) {
+    diagnosis::DrivenChannels channels =
+        diagnosis::tendon_log_channels(held.mechanism, numbers, false);
+    for (std::size_t i = 0; i < held.coordinates.size(); ++i)
+      channels.specs[i].name = channels.positions[i] = held.coordinates[i];
+    return channels;
+  };
+}
+
+}  // namespace
+
+std::vector<HeldJoint> set_driven_model(const ModelFolder& folder, DiagnoseRequest& request) {
+  if (const Mechanism* mechanism = std::get_if<Mechanism>(&folder.model)) {
+    Mechanism moving = *mechanism;
+    std::vector<HeldJoint> held = hold_still_joints(moving, request);
+    set_robot(folder.folder, moving, request);
+    return held;
+  }
+  if (const Hand* hand = std::get_if<Hand>(&folder.model)) {
+    set_hand(*hand, folder.identified, request);
+    return {};
+  }
+  const Part* part = std::get_if<Part>(&folder.model);
+  const MotorParameters* motor = part ? std::get_if<MotorParameters>(&part->parameters) : nullptr;
+  if (!motor)
+    throw std::runtime_error(
+        folder.folder.string() +
+        ": diagnose works on a mechanism of joints, a hand, a motor, a lever, a tendon or a wrist; "
+        "this model is none of them");
+  request.kind = "rotary drive";
+  request.model = driven_model(*motor, part->name);
+  request.channels = [limits = limits_of(request.model.joints.front())](const std::string&) {
+    return diagnosis::drive_log_channels(true, limits);
+  };
+  return {};
+}
+
+}  // namespace sinew

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "identification/adoption/physical_links.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "identification/regression/nearest_bodies.h"
+#include "symbolic/effects/model_effects.h"
+#include "symbolic/extension/identified_mechanism.h"
+#include "symbolic/model/pseudo_inertia.h"
+
+namespace sinew::diagnosis {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+using Estimates = std::vector<std::vector<ParameterEstimate>>;
+
+constexpr double least_reach = 0.05;  // m: what hangs on a link of no length
+constexpr double worth_saying = 0.1;  // standard errors: less is what no log says anything about
+
+/// Which of a body's ten numbers is called so; -1: none.
+int number_of(const std::string& name) {
+  const auto& names = find_model_effect("payload")->coefficients;
+  for (std::size_t k = 0; k < names.size(); ++k)
+    if (names[k].name == name) return static_cast<int>(k);
+  return -1;
+}
+
+/// A term of the model that is about a link.
+struct LinkTerm {
+  std::size_t term = 0;
+  std::string effect, place;
+  EstimatedBody body;
+};
+
+/// What the estimates of a term are added to: of a payload what was learnt of it before, of a link
+/// itself all of it.
+BodyParameters before_of(const DrivenSubject& subject, const std::string& effect,
+                         const std::string& place) {
+  Eigen::Matrix4d J = Eigen::Matrix4d::Zero();
+  if (effect == "payload") {
+    for (const IdentifiedEffect& entry : subject.identified().effects)
+      if (entry.effect == effect && entry.place == place) J += pseudo_inertia_of(entry);
+  } else {
+    for (const Body& body : subject.rigid()->mechanism().bodies)
+      if ("link " + body.name == place) J += body_pseudo_inertia(body);
+  }
+  return body_parameters(J);
+}
+
+std::vector<LinkTerm> link_terms(const DrivenSubject& subject, const Model& model,
+                                 const Estimates& estimates) {
+  std::vector<LinkTerm> links;
+  for (std::size_t t = 0; t < model.terms.size(); ++t) {
+    const Term& term = model.terms[t];
+    if (term.baseline) continue;
+    const std::string& effect = subject.origin_of(term).effect;
+    if (effect != "payload" && effect != "inertial_parameters") continue;
+    LinkTerm link{t, effect, term.candidate->place, {}};
+    for (const ParameterEstimate& e : estimates[t])
+      link.body.estimated.push_back(number_of(e.name));
+    link.body.before = before_of(subject, effect, link.place);
+    link.body.reach = std::max(least_reach, reach_of(subject.rigid()->mechanism()));
+    links.push_back(std::move(link));
+  }
+  return links;
+}
+
+/// Columns of the links' coefficients, and of all others that follow them.
+struct Split {
+  std::vector<Index> links, others;
+};
+
+Split split_columns(const Model& model, const std::vector<LinkTerm>& links) {
+  const std::vector<Index> first = first_columns(model);
+  Split split;
+  std::vector<bool> of_link(static_cast<std::size_t>(first.back()), false);
+  for (const LinkTerm& link : links)
+    for (std::size_t k = 0; k < link.body.estimated.size(); ++k) {
+      split.links.push_back(first[link.term] + static_cast<Index>(k));
+      of_link[static_cast<std::size_t>(split.links.back())] = true;
+    }
+  for (Index c = 0; c < first.back(); ++c)
+    if (!of_link[static_cast<std::size_t>(c)]) split.others.push_back(c);
+  return split;
+}
+
+/// Adds the change of every coefficient to its estimate; a delay's is no coefficient.
+void follow(const Design& design, const Model& model, const Split& split, const VectorXd& change,
+            Estimates& estimates) {
+  VectorXd all = VectorXd::Zero(first_columns(model).back());
+  all(split.others) = change;
+  const std::vector<Index> first = first_columns(model);
+  for (std::size_t t = 0; t < model.terms.size(); ++t) {
+    const Term& term = model.terms[t];
+    if (term.candidate->kind == CandidateKind::delay) continue;
+    const auto layout = design.coefficients(*term.candidate);
+    std::size_t at = 0;
+    for (Index c = 0; c < first[t + 1] - first[t]; ++c) {
+      const auto training = static_cast<int>(design.problem().training.size());
+      if (layout[static_cast<std::size_t>(c)].recording >= training) continue;
+      estimates[t][at++].value += all(first[t] + c);
+    }
+  }
+}
+
+/// The term's numbers as they have to be; moments that no log told of join them.
+void take(const LinkTerm& link, const BodyParameters& change,
+          std::vector<ParameterEstimate>& estimates) {
+  const auto& declared = find_model_effect("payload")->coefficients;
+  for (int k = 0; k < 10; ++k) {
+    const auto at = std::find(link.body.estimated.begin(), link.body.estimated.end(), k);
+    if (at != link.body.estimated.end())
+      estimates[static_cast<std::size_t>(at - link.body.estimated.begin())].value = change(k);
+    else if (link.body.has_moments())
+      estimates.push_back({declared[static_cast<std::size_t>(k)].name,
+                           declared[static_cast<std::size_t>(k)].unit,
+                           change(k),
+                           0.0,
+                           {}});
+  }
+}
+
+std::string sentence_of(const std::vector<LinkTerm>& links, double misfit) {
+  std::string names;
+  for (const LinkTerm& link : links)
+    names += fmt::format("{}{} ({})", names.empty() ? "" : ", ",
+                         find_model_effect(link.effect)->name, link.place);
+  return fmt::format(
+      "the mass properties fitted for {} are none that a body has; the nearest that one has, "
+      "{:.2g} "
+      "standard errors away, were taken",
+      names, std::sqrt(misfit));
+}
+
+}  // namespace
+
+std::vector<std::string> make_links_physical(const DrivenSubject& subject, const Design& design,
+                                             const Selection& selection, Estimates& estimates) {
+  const Model& model = selection.model;
+  const std::vector<LinkTerm> links = link_terms(subject, model, estimates);
+  if (links.empty()) return {};
+  std::vector<EstimatedBody> bodies;
+  std::vector<double> list;
+  for (const LinkTerm& link : links) {
+    bodies.push_back(link.body);
+    for (const ParameterEstimate& e : estimates[link.term]) list.push_back(e.value);
+  }
+  const VectorXd values = VectorXd::Map(list.data(), static_cast<Index>(list.size()));
+  if (are_bodies(bodies, values)) return {};
+  const Split split = split_columns(model, links);
+  const MatrixXd gram = stack(model, selection.noise.weights).gram();
+  const MatrixXd across = gram(split.others, split.links);
+  const MatrixXd follows = scaled_pseudo_inverse(gram(split.others, split.others)) * across;
+  const MatrixXd information = gram(split.links, split.links) - across.transpose() * follows;
+  const NearestBodies nearest = nearest_bodies(bodies, values, information);
+  VectorXd moved(values.size());
+  Index at = 0;
+  for (std::size_t b = 0; b < links.size(); ++b)
+    for (const int k : bodies[b].estimated) {
+      moved(at) = nearest.changes[b](k) - values(at);
+      ++at;
+    }
+  follow(design, model, split, -follows * moved, estimates);
+  for (std::size_t b = 0; b < links.size(); ++b)
+    take(links[b], nearest.changes[b], estimates[links[b].term]);
+  if (nearest.misfit < worth_saying * worth_saying) return {};
+  return {sentence_of(links, nearest.misfit)};
+}
+
+}  // namespace sinew::diagnosis
