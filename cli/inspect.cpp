@@ -50,7 +50,7 @@ void print_cost(const std::string& function, const Graph& graph, const Target& t
   tell("{:<24} {:>7} {:>6} {:>6} {:>6} {:>6} {:>6} {:>7} {:>6}", function, c.operations(),
        c.multiply, c.add, c.negate, c.divide, c.square_root, c.sincos, c.other);
   if (target.fused) tell(" {:>6}", c.fused);
-  if (target.optimise == Optimise::size) tell(" {:>7}", shared_functions(graph, target).size());
+  if (target.optimise == Optimise::size) tell(" {:>7}", shared_functions({graph}, target).size());
   tell("\n");
 }
 
@@ -65,7 +65,7 @@ void print_costs(const std::vector<Function>& functions, const Target& target, b
     }
     const Cost cost = count_operations(graph);
     nlohmann::ordered_json row = cost_json(cost, target);
-    if (target.optimise == Optimise::size) row["copies"] = shared_functions(graph, target).size();
+    if (target.optimise == Optimise::size) row["copies"] = shared_functions({graph}, target).size();
     row["function"] = function.name;
     report.push_back(row);
   }

@@ -34,7 +34,7 @@ std::string batch_function(const EmittedModel& model, const Graph& graph) {
   for (const Port& port : graph.inputs)
     if (!reads_port(graph, port.name)) text += fmt::format("    (void){};\n", port.name);
   text += "    SINEW_STATES_ARE_INDEPENDENT\n    for (size_t state = 0; state < n; ++state) {\n";
-  for (const std::string& line : statements(graph, model.target, names))
+  for (const std::string& line : statements(graph, straight_plan(graph), model.target, names))
     text += "        " + line + "\n";
   return text + "    }\n}\n";
 }

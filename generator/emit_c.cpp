@@ -3,9 +3,8 @@
 
 #include <fmt/format.h>
 
-#include <map>
-
 #include "generator/cost.h"
+#include "generator/loops/find_loops.h"
 #include "generator/statements.h"
 
 namespace sinew {
@@ -31,17 +30,14 @@ std::string options_text(const Target& target) {
          (target.optimise == Optimise::size ? " --optimise size" : "");
 }
 
-/// One copy of each long runtime function, where room for code is short.
+/// One copy of each long runtime function that is called more than once.
 std::string shared_definitions(const EmittedModel& model) {
-  std::map<std::string, std::string> definitions;
-  for (const Graph& graph : model.functions)
-    for (const SharedFunction& each : shared_functions(graph, model.target))
-      definitions[each.name] = each.definition;
-  if (definitions.empty()) return "";
+  const std::vector<SharedFunction> shared = shared_functions(model.functions, model.target);
+  if (shared.empty()) return "";
   std::string text =
       "\n#ifdef __GNUC__\n#define SINEW_NOT_INLINE __attribute__((noinline))\n#else\n"
       "#define SINEW_NOT_INLINE\n#endif\n";
-  for (const auto& [name, definition] : definitions) text += "\n" + definition;
+  for (const SharedFunction& each : shared) text += "\n" + each.definition;
   return text;
 }
 
@@ -84,14 +80,13 @@ std::string signature(const EmittedModel& model, const Graph& graph) {
 
 std::string emit_function(const EmittedModel& model, const Graph& graph) {
   ArrayNames names = array_names(graph);
-  if (model.target.optimise == Optimise::size) {
-    names.side_by_side = false;
-    names.calls_shared = true;
-  }
+  if (model.target.optimise == Optimise::size) names.side_by_side = false;
+  for (const SharedFunction& each : shared_functions(model.functions, model.target))
+    names.shared.insert(each.name);
   std::string text = signature(model, graph) + "\n{\n";
   for (const Port& port : graph.inputs)
     if (!reads_port(graph, port.name)) text += fmt::format("    (void){};\n", port.name);
-  for (const std::string& line : statements(graph, model.target, names))
+  for (const std::string& line : statements(graph, plan_loops(graph), model.target, names))
     text += "    " + line + "\n";
   return text + "}\n";
 }

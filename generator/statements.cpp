@@ -9,6 +9,7 @@
 #include <set>
 
 #include "generator/literal.h"
+#include "generator/loops/loop_text.h"
 
 namespace sinew {
 namespace {
@@ -70,41 +71,61 @@ bool is_large(Op op) {
          op == Op::hyperbolic_tangent;
 }
 
-/// "sinew_atan" -> "sinew_one_atan".
-std::string shared_name(const std::string& function) {
-  return "sinew_one_" + function.substr(std::string("sinew_").size());
+/// "sinew_one_atan": what a shared copy of an operation's function is called; empty where it is
+/// short.
+std::string shared_name(Op op, const Target& target) {
+  if (op == Op::sine || op == Op::cosine) return fmt::format("sinew_one_sincos{}", target.suffix());
+  if (!is_large(op)) return "";
+  return "sinew_one_" + std::string(runtime_function(op)).substr(std::string("sinew_").size()) +
+         target.suffix();
+}
+
+/// The names of one function, loops' bodies included.
+struct TakenNames {
+  std::set<std::string> taken;
+  int numbered = 0;
+};
+
+TakenNames reserved_names(const Graph& graph, const Target& target) {
+  std::set<std::string> taken(c_words.begin(), c_words.end());
+  for (const Port& port : graph.inputs) taken.insert(port.name);
+  for (const Port& port : graph.outputs) taken.insert(port.name);
+  taken.insert({"count", "state"});
+  for (int op = 0; op <= static_cast<int>(Op::choose); ++op)
+    if (const char* function = runtime_function(static_cast<Op>(op)))
+      taken.insert(function + std::string(target.suffix()));
+  for (const char* angles : {"", "2", "4"})
+    taken.insert(fmt::format("sinew_sincos{}{}", angles, target.suffix()));
+  taken.insert(fmt::format("sinew_fma{}", target.suffix()));
+  for (const Node& node : graph.nodes())
+    if (const std::string name = shared_name(node.op, target); !name.empty()) taken.insert(name);
+  return {taken, 0};
 }
 
 class Writer {
  public:
-  Writer(const Graph& graph, const Target& target, const ArrayNames& names)
+  Writer(const Graph& graph, const Plan& plan, const Target& target, const ArrayNames& names,
+         TakenNames& taken)
       : graph_(graph),
+        plan_(plan),
         target_(target),
         names_(names),
-        uses_(use_counts(graph)),
-        texts_(static_cast<std::size_t>(graph.size())) {
-    for (const Port& port : graph.inputs) taken_.insert(port.name);
-    for (const Port& port : graph.outputs) taken_.insert(port.name);
-    for (const char* word :
-         {"double", "float", "int", "const", "if", "for", "do", "void", "return", "count", "state"})
-      taken_.insert(word);
-    taken_.insert(c_words.begin(), c_words.end());
-    for (int op = 0; op <= static_cast<int>(Op::choose); ++op)
-      if (const char* function = runtime_function(static_cast<Op>(op)))
-        taken_.insert(function + std::string(target.suffix()));
-    for (const char* angles : {"", "2", "4"})
-      taken_.insert(fmt::format("sinew_sincos{}{}", angles, target.suffix()));
-    taken_.insert(fmt::format("sinew_fma{}", target.suffix()));
-    for (const SharedFunction& each : shared_functions(graph, target)) taken_.insert(each.name);
-  }
+        texts_(static_cast<std::size_t>(graph.size())),
+        taken_(taken) {}
 
   std::vector<std::string> run() {
-    const bool early = names_.side_by_side && stores_early(graph_);
-    const std::vector<std::vector<Element>> stores = early ? stores_by_value() : all_stores_last();
-    for (Value v = 0; v < graph_.size(); ++v) {
-      write(v);
-      for (const Element& element : stores[static_cast<std::size_t>(v)]) store(element);
+    const bool early = names_.side_by_side && !names_.stores_last && stores_early(graph_);
+    Stores stores = early ? stores_by_value() : Stores{};
+    for (at_ = 0; at_ < plan_.steps.size(); ++at_) {
+      const Step& step = plan_.steps[at_];
+      if (step.loop >= 0) {
+        write_loop(plan_.loops[static_cast<std::size_t>(step.loop)]);
+        continue;
+      }
+      write(step.value);
+      for (const Element& element : stores.after[step.value]) store(element);
     }
+    for (const Element& element : early ? stores.last : elements()) store(element);
     return std::move(lines_);
   }
 
@@ -116,42 +137,43 @@ class Writer {
     Value value() const { return port->values[static_cast<std::size_t>(index)]; }
   };
 
+  /// Those that no loop stores.
   std::vector<Element> elements() const {
     std::vector<Element> all;
-    for (const Port& port : graph_.outputs)
-      for (int i = 0; i < port.size(); ++i) all.push_back({&port, i});
+    for (std::size_t p = 0; p < graph_.outputs.size(); ++p)
+      for (int i = 0; i < graph_.outputs[p].size(); ++i)
+        if (!plan_.stored[p][static_cast<std::size_t>(i)]) all.push_back({&graph_.outputs[p], i});
     return all;
   }
 
-  std::vector<std::vector<Element>> all_stores_last() const {
-    std::vector<std::vector<Element>> stores(static_cast<std::size_t>(graph_.size()));
-    if (!stores.empty()) stores.back() = elements();
-    return stores;
-  }
+  /// Which results are stored when.
+  struct Stores {
+    std::map<Value, std::vector<Element>> after;  ///< after the statement of a value
+    std::vector<Element> last;
+  };
 
   /// Elements that need no computation follow the one before them: compilers make a loop of too
   /// many zeros in a row.
-  std::vector<std::vector<Element>> stores_by_value() const {
-    std::vector<std::vector<Element>> stores(static_cast<std::size_t>(graph_.size()));
-    std::vector<Element> waiting;
+  Stores stores_by_value() const {
+    Stores stores;
     Value before = no_value;
     for (const Element& element : elements()) {
       const Node& node = graph_[element.value()];
       const bool is_computed = node.op != Op::input && node.op != Op::constant;
       if (is_computed) {
         before = element.value();
-        stores[static_cast<std::size_t>(before)].push_back(element);
+        stores.after[before].push_back(element);
       } else if (before != no_value) {
-        stores[static_cast<std::size_t>(std::max(before, element.value()))].push_back(element);
+        stores.after[std::max(before, element.value())].push_back(element);
       } else {
-        waiting.push_back(element);
+        stores.last.push_back(element);
       }
     }
-    if (!stores.empty()) stores.back().insert(stores.back().end(), waiting.begin(), waiting.end());
     return stores;
   }
 
   void store(const Element& element) {
+    write(element.value());  // a constant may stand later
     lines_.push_back(fmt::format("{} = {};", names_.element(*element.port, element.index),
                                  text(element.value()).text));
   }
@@ -159,8 +181,9 @@ class Writer {
   Text& text(Value v) { return texts_[static_cast<std::size_t>(v)]; }
 
   void write(Value v) {
+    if (!text(v).text.empty()) return;
     const Node& node = graph_[v];
-    if (is_sincos(node)) return write_sincos(v);
+    if (is_sincos(node)) return write_sincos();
     Text expression = form(node);
     if (node.op != Op::input && node.op != Op::constant && deserves_name(v, expression)) {
       const std::string name = fresh_name(v, "t");
@@ -171,18 +194,20 @@ class Writer {
   }
 
   bool deserves_name(Value v, const Text& expression) const {
-    const int uses = uses_[static_cast<std::size_t>(v)];
+    const int uses = plan_.uses[static_cast<std::size_t>(v)];
     return uses > 1 || !graph_.label(v).empty() || expression.text.size() > longest_expression;
   }
 
-  /// The first of a group of neighbouring sines and cosines writes the call for all of them: the
-  /// runtime evaluates four or two angles side by side, with the bits of as many single calls.
-  void write_sincos(Value v) {
-    if (!text(v).text.empty()) return;
+  /// The first of a group of neighbouring sines and cosines, the step being written, writes the
+  /// call for all of them: the runtime evaluates four or two angles side by side, with the bits of
+  /// as many single calls.
+  void write_sincos() {
     std::vector<Value> angles;
-    for (Value w = v; w < graph_.size() && is_sincos(graph_[w]); ++w) {
+    for (std::size_t i = at_; i < plan_.steps.size(); ++i) {
+      const Value w = plan_.steps[i].value;
+      if (w == no_value || !is_sincos(graph_[w])) break;
       const Value angle = graph_[w].a;
-      if (angle >= v) break;  // sin(sin(x)): this angle is one of the group's own results
+      if (text(angle).text.empty()) break;  // sin(sin(x)): one of the group's own results
       if (text(w).text.empty() && std::find(angles.begin(), angles.end(), angle) == angles.end())
         angles.push_back(angle);
     }
@@ -224,14 +249,15 @@ class Writer {
 
   bool is_used(Value angle, Op op) const {
     for (Value w = angle + 1; w < graph_.size(); ++w)
-      if (graph_[w].a == angle && graph_[w].op == op) return true;
+      if (graph_[w].a == angle && graph_[w].op == op && plan_.uses[static_cast<std::size_t>(w)] > 0)
+        return true;
     return false;
   }
 
   void write_one_sincos(Value angle) {
     const Pair pair = name_pair(angle);
     lines_.push_back(fmt::format("{} {}, {};", target_.type(), pair.s, pair.c));
-    lines_.push_back(fmt::format("{}({}, &{}, &{});", function_name("sinew_sincos"),
+    lines_.push_back(fmt::format("{}({}, &{}, &{});", function_name(Op::sine, "sinew_sincos"),
                                  text(angle).text, pair.s, pair.c));
   }
 
@@ -259,14 +285,14 @@ class Writer {
     const std::string& label = graph_.label(v);
     if (label.empty()) return fresh_name(prefix);
     std::string name = label;
-    for (int i = 2; !taken_.insert(name).second; ++i) name = fmt::format("{}_{}", label, i);
+    for (int i = 2; !taken_.taken.insert(name).second; ++i) name = fmt::format("{}_{}", label, i);
     return name;
   }
 
   std::string fresh_name(const std::string& prefix) {
     std::string name;
-    do name = fmt::format("{}{}", prefix, ++numbered_);
-    while (!taken_.insert(name).second);
+    do name = fmt::format("{}{}", prefix, ++taken_.numbered);
+    while (!taken_.taken.insert(name).second);
     return name;
   }
 
@@ -322,19 +348,17 @@ class Writer {
         binds_atom};
   }
 
-  /// The runtime's function, or the one copy of it that a small model shares.
-  std::string function_name(const std::string& function) const {
-    return (names_.calls_shared ? shared_name(function) : function) + target_.suffix();
+  /// The runtime's function, or the one copy of it in the file.
+  std::string function_name(Op op, const std::string& function) const {
+    const std::string shared = shared_name(op, target_);
+    return names_.shared.count(shared) ? shared : function + target_.suffix();
   }
 
   Text call(const Node& node) {
     std::string arguments;
     for (int i = 0; i < arity(node.op); ++i)
       arguments += (i > 0 ? ", " : "") + text(node.operand(i)).text;
-    const std::string function = runtime_function(node.op);
-    const bool shared = is_large(node.op);
-    return {fmt::format("{}({})", shared ? function_name(function) : function + target_.suffix(),
-                        arguments),
+    return {fmt::format("{}({})", function_name(node.op, runtime_function(node.op)), arguments),
             binds_atom};
   }
 
@@ -351,14 +375,45 @@ class Writer {
     return "?";
   }
 
+  /// A block of its own. What is carried is read before anything is assigned.
+  void write_loop(const Loop& loop) {
+    const LoopText text = loop_text(
+        loop, graph_, target_, [this](const std::string& prefix) { return fresh_name(prefix); });
+    for (const std::string& line : text.tables) lines_.push_back(line);
+    for (std::size_t k = 0; k < loop.results.size(); ++k) {
+      const LoopResult& result = loop.results[k];
+      if (!result.is_carried()) continue;
+      lines_.push_back(fmt::format("{} {} = {};", target_.type(), text.results[k],
+                                   this->text(result.first).text));
+      this->text(result.last) = {text.results[k], binds_atom};
+    }
+    lines_.push_back(text.head);
+    for (const std::string& line : text.copies) lines_.push_back("    " + line);
+    for (const std::string& line : body_of(loop, text)) lines_.push_back("    " + line);
+    lines_.push_back("}");
+  }
+
+  std::vector<std::string> body_of(const Loop& loop, const LoopText& text) {
+    ArrayNames names = names_;
+    names.stores_last = true;
+    names.element = [&](const Port& port, int k) {
+      const auto i = static_cast<std::size_t>(k);
+      if (port.name == "result") return text.results[i];
+      const LoopLeaf& leaf = loop.leaves[i];
+      return leaf.kind == LoopLeaf::Kind::shared ? this->text(leaf.value).text : text.leaves[i];
+    };
+    const Plan plan = straight_plan(loop.body);
+    return Writer(loop.body, plan, target_, names, taken_).run();
+  }
+
   const Graph& graph_;
+  const Plan& plan_;
   const Target& target_;
   const ArrayNames& names_;
-  std::vector<int> uses_;
   std::vector<Text> texts_;
-  std::set<std::string> taken_;
+  TakenNames& taken_;
   std::vector<std::string> lines_;
-  int numbered_ = 0;
+  std::size_t at_ = 0;  ///< the step being written
 };
 
 }  // namespace
@@ -387,32 +442,38 @@ bool reads_port(const Graph& graph, const std::string& name) {
   return false;
 }
 
-std::vector<SharedFunction> shared_functions(const Graph& graph, const Target& target) {
-  if (target.optimise != Optimise::size) return {};
+std::vector<SharedFunction> shared_functions(const std::vector<Graph>& graphs,
+                                             const Target& target) {
   const std::string real = target.type(), suffix = target.suffix();
   std::map<std::string, SharedFunction> found;
-  for (const Node& node : graph.nodes()) {
-    const bool angle = node.op == Op::sine || node.op == Op::cosine;
-    if (!angle && !is_large(node.op)) continue;
-    const std::string function = angle ? "sinew_sincos" : runtime_function(node.op);
-    const std::string name = shared_name(function) + suffix;
-    const std::string parameters = angle                 ? "{0} x, {0} *s, {0} *c"
-                                   : arity(node.op) == 2 ? "{0} y, {0} x"
-                                                         : "{0} x";
-    const std::string arguments = angle ? "x, s, c" : arity(node.op) == 2 ? "y, x" : "x";
-    found[name] = {
-        name, fmt::format("SINEW_NOT_INLINE static {} {}({})\n{{\n    {}{}{}({});\n}}\n",
-                          angle ? "void" : real, name, fmt::format(fmt::runtime(parameters), real),
-                          angle ? "" : "return ", function, suffix, arguments)};
-  }
+  std::map<std::string, int> calls;
+  for (const Graph& graph : graphs)
+    for (const Node& node : graph.nodes()) {
+      const std::string name = shared_name(node.op, target);
+      const bool angle = node.op == Op::sine || node.op == Op::cosine;
+      if (name.empty() || (angle && target.optimise != Optimise::size)) continue;
+      const std::string function = angle ? "sinew_sincos" : runtime_function(node.op);
+      const std::string parameters = angle                 ? "{0} x, {0} *s, {0} *c"
+                                     : arity(node.op) == 2 ? "{0} y, {0} x"
+                                                           : "{0} x";
+      const std::string arguments = angle ? "x, s, c" : arity(node.op) == 2 ? "y, x" : "x";
+      ++calls[name];
+      found[name] = {
+          name,
+          fmt::format("SINEW_NOT_INLINE static {} {}({})\n{{\n    {}{}{}({});\n}}\n",
+                      angle ? "void" : real, name, fmt::format(fmt::runtime(parameters), real),
+                      angle ? "" : "return ", function, suffix, arguments)};
+    }
   std::vector<SharedFunction> all;
-  for (const auto& [name, function] : found) all.push_back(function);
+  for (const auto& [name, function] : found)
+    if (calls[name] > 1 || target.optimise == Optimise::size) all.push_back(function);
   return all;
 }
 
-std::vector<std::string> statements(const Graph& graph, const Target& target,
+std::vector<std::string> statements(const Graph& graph, const Plan& plan, const Target& target,
                                     const ArrayNames& names) {
-  return Writer(graph, target, names).run();
+  TakenNames taken = reserved_names(graph, target);
+  return Writer(graph, plan, target, names, taken).run();
 }
 
 }  // namespace sinew

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <functional>
+#include <set>
 #include <string>
 #include <vector>
 
 #include "generator/graph.h"
+#include "generator/loops/plan.h"
 #include "generator/target.h"
 
 namespace sinew {
@@ -13,9 +15,11 @@ namespace sinew {
 /// How array elements are written: element k of an input or output.
 struct ArrayNames {
   std::function<std::string(const Port& port, int element)> element;
-  bool side_by_side = true;   ///< evaluate several angles by one call; off inside a loop over
-                              ///< states, where all results are stored at the end, too
-  bool calls_shared = false;  ///< calls shared_functions instead of the inline ones
+  bool side_by_side = true;  ///< evaluate several angles by one call; off inside a loop over
+                             ///< states, where all results are stored at the end, too
+  bool stores_last = false;  ///< all results are stored at the end
+  std::set<std::string> shared = {};  ///< names of the shared_functions that are called instead
+                                      ///< of the inline ones
 };
 
 /// q[2]: plain arrays.
@@ -27,8 +31,10 @@ struct SharedFunction {
   std::string definition;  ///< C text
 };
 
-/// The ones that a graph calls where the target is short of room; none otherwise.
-std::vector<SharedFunction> shared_functions(const Graph& graph, const Target& target);
+/// The ones that a model calls: every long function that its graphs need more than once, sines and
+/// cosines among them where the target is short of room. A call costs few of their instructions.
+std::vector<SharedFunction> shared_functions(const std::vector<Graph>& graphs,
+                                             const Target& target);
 
 /// Whether any element of the named input is used.
 bool reads_port(const Graph& graph, const std::string& name);
@@ -38,10 +44,10 @@ bool reads_port(const Graph& graph, const std::string& name);
 /// inputs again, since it might have changed them.
 bool stores_early(const Graph& graph);
 
-/// The body of a function: declarations in the graph's order, and the stores of the results.
-/// A value gets a name where the derivation named it, where it is used more than once or where the
-/// line would grow too long; the rest is written in place.
-std::vector<std::string> statements(const Graph& graph, const Target& target,
+/// The body of a function: declarations and loops in the plan's order, and the stores of the
+/// results. A value gets a name where the derivation named it, where it is used more than once or
+/// where the line would grow too long; the rest is written in place.
+std::vector<std::string> statements(const Graph& graph, const Plan& plan, const Target& target,
                                     const ArrayNames& names);
 
 }  // namespace sinew

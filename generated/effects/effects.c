@@ -10,6 +10,17 @@
 
 #include "sinew_math.h"
 
+#ifdef __GNUC__
+#define SINEW_NOT_INLINE __attribute__((noinline))
+#else
+#define SINEW_NOT_INLINE
+#endif
+
+SINEW_NOT_INLINE static double sinew_one_exp(double x)
+{
+    return sinew_exp(x);
+}
+
 void effects_inertia(const double signals[SINEW_AT_LEAST(11)], double columns[SINEW_AT_LEAST(1)])
 {
     columns[0] = signals[2];
@@ -43,7 +54,7 @@ void effects_coulomb_asymmetry(const double signals[SINEW_AT_LEAST(11)], double 
 
 void effects_stribeck(const double signals[SINEW_AT_LEAST(11)], const double shape[SINEW_AT_LEAST(1)], double columns[SINEW_AT_LEAST(1)])
 {
-    const double t1 = signals[6] * sinew_exp(-(signals[1] * signals[1] / (shape[0] * shape[0])));
+    const double t1 = signals[6] * sinew_one_exp(-(signals[1] * signals[1] / (shape[0] * shape[0])));
     columns[0] = t1;
 }
 
@@ -55,7 +66,7 @@ void effects_concave_friction(const double signals[SINEW_AT_LEAST(11)], const do
 void effects_concave_power(const double signals[SINEW_AT_LEAST(11)], const double shape[SINEW_AT_LEAST(2)], double columns[SINEW_AT_LEAST(1)])
 {
     const double t1 = sinew_log(sinew_max(sinew_max(signals[1], -signals[1]) / shape[0], 1e-06));
-    columns[0] = signals[6] * sinew_exp(shape[1] * t1);
+    columns[0] = signals[6] * sinew_one_exp(shape[1] * t1);
 }
 
 void effects_quadratic_friction(const double signals[SINEW_AT_LEAST(11)], double columns[SINEW_AT_LEAST(1)])
@@ -70,7 +81,7 @@ void effects_load_friction(const double signals[SINEW_AT_LEAST(11)], double colu
 
 void effects_friction_drift(const double signals[SINEW_AT_LEAST(11)], const double shape[SINEW_AT_LEAST(1)], double columns[SINEW_AT_LEAST(1)])
 {
-    columns[0] = signals[6] * (1.0 - sinew_exp(-(signals[5] / shape[0])));
+    columns[0] = signals[6] * (1.0 - sinew_one_exp(-(signals[5] / shape[0])));
 }
 
 void effects_position_friction(const double signals[SINEW_AT_LEAST(11)], double columns[SINEW_AT_LEAST(1)])
@@ -237,7 +248,7 @@ void effects_force_sensor_offset(const double signals[SINEW_AT_LEAST(11)], doubl
 void effects_presliding(const double signals[SINEW_AT_LEAST(11)], const double shape[SINEW_AT_LEAST(1)], const double memory[SINEW_AT_LEAST(1)], double columns[SINEW_AT_LEAST(1)], double next[SINEW_AT_LEAST(1)])
 {
     const double t1 = signals[1] * signals[7] / shape[0];
-    const double t2 = sinew_exp(-sinew_max(t1, -t1));
+    const double t2 = sinew_one_exp(-sinew_max(t1, -t1));
     const double t3 = sinew_choose(t1, 1.0 - (1.0 - memory[0]) * t2, -(1.0 - (1.0 + memory[0]) * t2));
     columns[0] = t3;
     next[0] = t3;
@@ -251,7 +262,7 @@ void effects_soft_reversal(const double signals[SINEW_AT_LEAST(11)], const doubl
 void effects_late_reversal(const double signals[SINEW_AT_LEAST(11)], const double shape[SINEW_AT_LEAST(1)], const double memory[SINEW_AT_LEAST(1)], double columns[SINEW_AT_LEAST(1)], double next[SINEW_AT_LEAST(1)])
 {
     const double t1 = signals[1] * signals[7] / shape[0];
-    const double t2 = sinew_exp(-sinew_max(t1, -t1));
+    const double t2 = sinew_one_exp(-sinew_max(t1, -t1));
     const double t3 = sinew_choose(t1, 1.0 - (1.0 - memory[0]) * t2, -(1.0 - (1.0 + memory[0]) * t2));
     const double t4 = (sinew_choose(signals[1], 1.0, -1.0) - t3) * sinew_max(signals[6], -signals[6]);
     columns[0] = -t4;

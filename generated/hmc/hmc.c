@@ -10,6 +10,17 @@
 
 #include "sinew_math.h"
 
+#ifdef __GNUC__
+#define SINEW_NOT_INLINE __attribute__((noinline))
+#else
+#define SINEW_NOT_INLINE
+#endif
+
+SINEW_NOT_INLINE static double sinew_one_atan2(double y, double x)
+{
+    return sinew_atan2(y, x);
+}
+
 void hmc_four_bar(const double theta2[SINEW_AT_LEAST(1)], double out[SINEW_AT_LEAST(4)])
 {
     double sin2, cos2;
@@ -32,8 +43,8 @@ void hmc_four_bar(const double theta2[SINEW_AT_LEAST(1)], double out[SINEW_AT_LE
     const double cos3 = along * t2;
     const double sin3 = across * t2;
     const double t3 = 1.0 / root;
-    out[0] = sinew_atan2(-sin3, cos3);
-    out[1] = sinew_atan2(sin4, cos4);
+    out[0] = sinew_one_atan2(-sin3, cos3);
+    out[1] = sinew_one_atan2(sin4, cos4);
     out[2] = -(0.8333333333333334 * (cos2 * sin4 - sin2 * cos4) * t3);
     out[3] = 0.9090909090909091 * (cos2 * sin3 + sin2 * cos3) * t3;
 }
@@ -50,7 +61,7 @@ void hmc_locking(const double theta2[SINEW_AT_LEAST(1)], double distance[SINEW_A
     const double cos_34 = 0.9166666666666666 - 0.8333333333333334 * limited;
     const double slack = 0.6944444444444444 * (C + reach) * (C - reach);
     const double sine = sinew_sqrt(sinew_max(-slack, 0.0));
-    distance[0] = sinew_atan2(sine, sinew_max(cos_34, -cos_34));
+    distance[0] = sinew_one_atan2(sine, sinew_max(cos_34, -cos_34));
     status[0] = sinew_choose(-(1e-12 + slack), 0.0, 1.0);
 }
 

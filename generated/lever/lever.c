@@ -10,6 +10,17 @@
 
 #include "sinew_math.h"
 
+#ifdef __GNUC__
+#define SINEW_NOT_INLINE __attribute__((noinline))
+#else
+#define SINEW_NOT_INLINE
+#endif
+
+SINEW_NOT_INLINE static double sinew_one_atan2(double y, double x)
+{
+    return sinew_atan2(y, x);
+}
+
 void lever_state(const double theta[SINEW_AT_LEAST(1)], double out[SINEW_AT_LEAST(4)])
 {
     double sin_theta, cos_theta;
@@ -75,8 +86,8 @@ void lever_state(const double theta[SINEW_AT_LEAST(1)], double out[SINEW_AT_LEAS
     const double spring_moment_by_theta = 0.012 * spring_y - 0.02 * spring_x;
     const double energy_slope_by_theta = t13 * spring_moment_by_theta + 6400.0 * spring_moment * spring_strain_by_theta;
     const double force_by_theta = (energy_slope_by_theta + force * dL_safe_slope_by_theta) * t11;
-    const double s23_angle = sinew_atan2(-s23_v, s23_u);
-    const double s12_angle = sinew_atan2(s12_v, s12_u);
+    const double s23_angle = sinew_one_atan2(-s23_v, s23_u);
+    const double s12_angle = sinew_one_atan2(s12_v, s12_u);
     const double dL = s12_length + s23_length - 0.008 * s23_angle + 0.009 * s12_angle;
     out[0] = dL;
     out[1] = 0.04541547683053999 - dL;
@@ -151,10 +162,10 @@ void lever_angle(const double elongation[SINEW_AT_LEAST(1)], const double theta[
     const double s12_along_x = s12_u * t5;
     const double dL_slope = t1 * (s12_along_y + s23_along_y) - t2 * (s12_along_x - s23_along_x);
     const double dL_safe_slope = sinew_choose(dL_slope, sinew_max(dL_slope, 1.4e-08), sinew_min(dL_slope, -1.4e-08));
-    const double s23_angle = sinew_atan2(-s23_v, s23_u);
+    const double s23_angle = sinew_one_atan2(-s23_v, s23_u);
     const double limited_elongation = sinew_min(sinew_max(elongation[0], -1.0), 1.0);
     const double dL_target = 0.04541547683053999 - limited_elongation;
-    const double s12_angle = sinew_atan2(s12_v, s12_u);
+    const double s12_angle = sinew_one_atan2(s12_v, s12_u);
     const double t6 = dL_target - s12_length - s23_length + 0.008 * s23_angle - 0.009 * s12_angle;
     const double theta_next = theta_start + t6 / dL_safe_slope;
     const double theta_limited = sinew_min(sinew_max(theta_next, 0.09548248781986068), 0.8377580409572781);
@@ -184,8 +195,8 @@ void lever_angle(const double elongation[SINEW_AT_LEAST(1)], const double theta[
     const double s12_along_x_2 = s12_u_2 * t11;
     const double dL_slope_2 = t7 * (s12_along_y_2 + s23_along_y_2) - t8 * (s12_along_x_2 - s23_along_x_2);
     const double dL_safe_slope_2 = sinew_choose(dL_slope_2, sinew_max(dL_slope_2, 1.4e-08), sinew_min(dL_slope_2, -1.4e-08));
-    const double s23_angle_2 = sinew_atan2(-s23_v_2, s23_u_2);
-    const double s12_angle_2 = sinew_atan2(s12_v_2, s12_u_2);
+    const double s23_angle_2 = sinew_one_atan2(-s23_v_2, s23_u_2);
+    const double s12_angle_2 = sinew_one_atan2(s12_v_2, s12_u_2);
     const double t12 = dL_target - s12_length_2 - s23_length_2 + 0.008 * s23_angle_2 - 0.009 * s12_angle_2;
     const double theta_next_2 = theta_limited + t12 / dL_safe_slope_2;
     const double theta_limited_2 = sinew_min(sinew_max(theta_next_2, 0.09548248781986068), 0.8377580409572781);
@@ -205,10 +216,10 @@ void lever_angle(const double elongation[SINEW_AT_LEAST(1)], const double theta[
     const double s23_length_4 = sinew_sqrt(sinew_max(-s23_margin_4, 1e-10));
     const double s23_v_4 = 0.008 * s23_x_4 - C2_y_4 * s23_length_4;
     const double s23_u_4 = 0.008 * C2_y_4 + s23_x_4 * s23_length_4;
-    const double s23_angle_4 = sinew_atan2(-s23_v_4, s23_u_4);
+    const double s23_angle_4 = sinew_one_atan2(-s23_v_4, s23_u_4);
     const double s12_v_4 = 0.009 * C2_x_4 - C2_y_4 * s12_length_4;
     const double s12_u_4 = 0.009 * C2_y_4 + C2_x_4 * s12_length_4;
-    const double s12_angle_4 = sinew_atan2(s12_v_4, s12_u_4);
+    const double s12_angle_4 = sinew_one_atan2(s12_v_4, s12_u_4);
     const double t16 = dL_target - s12_length_4 - s23_length_4 + 0.008 * s23_angle_4 - 0.009 * s12_angle_4;
     const double t17 = 1.0 / s12_distance_squared_4;
     const double s12_along_y_4 = s12_v_4 * t17;
@@ -236,10 +247,10 @@ void lever_angle(const double elongation[SINEW_AT_LEAST(1)], const double theta[
     const double s23_length_6 = sinew_sqrt(sinew_max(-s23_margin_6, 1e-10));
     const double s23_v_6 = 0.008 * s23_x_6 - C2_y_6 * s23_length_6;
     const double s23_u_6 = 0.008 * C2_y_6 + s23_x_6 * s23_length_6;
-    const double s23_angle_6 = sinew_atan2(-s23_v_6, s23_u_6);
+    const double s23_angle_6 = sinew_one_atan2(-s23_v_6, s23_u_6);
     const double s12_v_6 = 0.009 * C2_x_6 - C2_y_6 * s12_length_6;
     const double s12_u_6 = 0.009 * C2_y_6 + C2_x_6 * s12_length_6;
-    const double s12_angle_6 = sinew_atan2(s12_v_6, s12_u_6);
+    const double s12_angle_6 = sinew_one_atan2(s12_v_6, s12_u_6);
     const double t22 = dL_target - s12_length_6 - s23_length_6 + 0.008 * s23_angle_6 - 0.009 * s12_angle_6;
     const double t23 = 1.0 / s12_distance_squared_6;
     const double s12_along_y_6 = s12_v_6 * t23;
@@ -267,10 +278,10 @@ void lever_angle(const double elongation[SINEW_AT_LEAST(1)], const double theta[
     const double s23_length_8 = sinew_sqrt(sinew_max(-s23_margin_8, 1e-10));
     const double s23_v_8 = 0.008 * s23_x_8 - C2_y_8 * s23_length_8;
     const double s23_u_8 = 0.008 * C2_y_8 + s23_x_8 * s23_length_8;
-    const double s23_angle_8 = sinew_atan2(-s23_v_8, s23_u_8);
+    const double s23_angle_8 = sinew_one_atan2(-s23_v_8, s23_u_8);
     const double s12_v_8 = 0.009 * C2_x_8 - C2_y_8 * s12_length_8;
     const double s12_u_8 = 0.009 * C2_y_8 + C2_x_8 * s12_length_8;
-    const double s12_angle_8 = sinew_atan2(s12_v_8, s12_u_8);
+    const double s12_angle_8 = sinew_one_atan2(s12_v_8, s12_u_8);
     const double t28 = dL_target - s12_length_8 - s23_length_8 + 0.008 * s23_angle_8 - 0.009 * s12_angle_8;
     const double t29 = 1.0 / s12_distance_squared_8;
     const double s12_along_y_8 = s12_v_8 * t29;
@@ -296,10 +307,10 @@ void lever_angle(const double elongation[SINEW_AT_LEAST(1)], const double theta[
     const double s23_length_10 = sinew_sqrt(sinew_max(-s23_margin_10, 1e-10));
     const double s23_v_10 = 0.008 * s23_x_10 - C2_y_10 * s23_length_10;
     const double s23_u_10 = 0.008 * C2_y_10 + s23_x_10 * s23_length_10;
-    const double s23_angle_10 = sinew_atan2(-s23_v_10, s23_u_10);
+    const double s23_angle_10 = sinew_one_atan2(-s23_v_10, s23_u_10);
     const double s12_v_10 = 0.009 * C2_x_10 - C2_y_10 * s12_length_10;
     const double s12_u_10 = 0.009 * C2_y_10 + C2_x_10 * s12_length_10;
-    const double s12_angle_10 = sinew_atan2(s12_v_10, s12_u_10);
+    const double s12_angle_10 = sinew_one_atan2(s12_v_10, s12_u_10);
     const double t32 = dL_target - s12_length_10 - s23_length_10 + 0.008 * s23_angle_10 - 0.009 * s12_angle_10;
     theta_lever[0] = theta_limited_8;
     residual[0] = t32;

@@ -10,9 +10,20 @@
 
 #include "sinew_math.h"
 
+#ifdef __GNUC__
+#define SINEW_NOT_INLINE __attribute__((noinline))
+#else
+#define SINEW_NOT_INLINE
+#endif
+
+SINEW_NOT_INLINE static double sinew_one_atan(double x)
+{
+    return sinew_atan(x);
+}
+
 void motor_friction_torque(const double qd[SINEW_AT_LEAST(1)], double tau[SINEW_AT_LEAST(1)])
 {
-    const double friction = 0.0356 * qd[0] + 0.5586 * sinew_atan(10.0 * qd[0]);
+    const double friction = 0.0356 * qd[0] + 0.5586 * sinew_one_atan(10.0 * qd[0]);
     tau[0] = -friction;
 }
 
@@ -35,7 +46,7 @@ void motor_acceleration(const double theta[SINEW_AT_LEAST(1)], const double qd[S
     const double s4 = sine2[0];
     const double s6 = sine2[1];
     const double ripple = 0.02 * s4 + 0.04 * s6;
-    const double friction = 0.0356 * qd[0] + 0.5586 * sinew_atan(10.0 * qd[0]);
+    const double friction = 0.0356 * qd[0] + 0.5586 * sinew_one_atan(10.0 * qd[0]);
     const double acceleration = 487.8048780487805 * (friction - tau_m[0] + ripple) + 2.4390243902439024 * f[0];
     qdd[0] = -acceleration;
 }
@@ -48,7 +59,7 @@ void motor_compensation_torque(const double theta[SINEW_AT_LEAST(1)], const doub
     const double s4 = sine2[0];
     const double s6 = sine2[1];
     const double ripple = 0.02 * s4 + 0.04 * s6;
-    const double friction = 0.0356 * qd[0] + 0.5586 * sinew_atan(10.0 * qd[0]);
+    const double friction = 0.0356 * qd[0] + 0.5586 * sinew_one_atan(10.0 * qd[0]);
     tau[0] = 0.9 * (friction + ripple);
     margin[0] = 0.1 * qd[0] * friction;
 }
@@ -60,7 +71,7 @@ void motor_power_balance(const double theta[SINEW_AT_LEAST(1)], const double qd[
     sinew_sincos2(angle1, sine2, cosine3);
     const double s4 = sine2[0];
     const double s6 = sine2[1];
-    const double friction = 0.0356 * qd[0] + 0.5586 * sinew_atan(10.0 * qd[0]);
+    const double friction = 0.0356 * qd[0] + 0.5586 * sinew_one_atan(10.0 * qd[0]);
     const double ripple = 0.02 * s4 + 0.04 * s6;
     const double acceleration = 487.8048780487805 * (friction - tau_m[0] + ripple) + 2.4390243902439024 * f[0];
     power[0] = qd[0] * tau_m[0];

@@ -10,6 +10,17 @@
 
 #include "sinew_math.h"
 
+#ifdef __GNUC__
+#define SINEW_NOT_INLINE __attribute__((noinline))
+#else
+#define SINEW_NOT_INLINE
+#endif
+
+SINEW_NOT_INLINE static double sinew_one_atan2(double y, double x)
+{
+    return sinew_atan2(y, x);
+}
+
 void tendon_series_stiffness(const double k_lever[SINEW_AT_LEAST(1)], double k[SINEW_AT_LEAST(1)])
 {
     const double t1 = sinew_min(sinew_max(k_lever[0], 0.0), 1e+12);
@@ -83,10 +94,10 @@ void tendon_force(const double elongation[SINEW_AT_LEAST(1)], const double theta
     const double energy_slope_by_theta = t13 * spring_moment_by_theta + 6400.0 * spring_moment * spring_strain_by_theta;
     const double force_by_theta = (energy_slope_by_theta + force * dL_safe_slope_by_theta) * t11;
     const double elongation_slope = dL_safe_slope + 5e-05 * force_by_theta;
-    const double s23_angle = sinew_atan2(-s23_v, s23_u);
+    const double s23_angle = sinew_one_atan2(-s23_v, s23_u);
     const double limited_elongation = sinew_min(sinew_max(elongation[0], -1.0), 1.0);
     const double t14 = limited_elongation - 0.04541547683053999;
-    const double s12_angle = sinew_atan2(s12_v, s12_u);
+    const double s12_angle = sinew_one_atan2(s12_v, s12_u);
     const double t15 = t14 + s12_length + s23_length - 0.008 * s23_angle + 0.009 * s12_angle - 5e-05 * force;
     const double theta_next = theta_start - t15 / elongation_slope;
     const double theta_limited = sinew_min(sinew_max(theta_next, 0.09548248781986068), 0.8377580409572781);
@@ -131,8 +142,8 @@ void tendon_force(const double elongation[SINEW_AT_LEAST(1)], const double theta
     const double spring_moment_2 = 0.012 * spring_x_2 + 0.02 * spring_y_2;
     const double energy_slope_2 = t25 * spring_moment_2;
     const double force_2 = energy_slope_2 * t23;
-    const double s23_angle_2 = sinew_atan2(-s23_v_2, s23_u_2);
-    const double s12_angle_2 = sinew_atan2(s12_v_2, s12_u_2);
+    const double s23_angle_2 = sinew_one_atan2(-s23_v_2, s23_u_2);
+    const double s12_angle_2 = sinew_one_atan2(s12_v_2, s12_u_2);
     const double t26 = t14 + s12_length_2 + s23_length_2 - 0.008 * s23_angle_2 + 0.009 * s12_angle_2;
     const double t27 = (C2_y_2 + C2_y_2) * C2_y_2_by_theta;
     const double s23_distance_squared_2_by_theta = sinew_choose(-(1e-10 - t17 - t16), -(t27 - (s23_x_2 + s23_x_2) * C2_x_2_by_theta), 0.0);
@@ -179,10 +190,10 @@ void tendon_force(const double elongation[SINEW_AT_LEAST(1)], const double theta
     const double s23_length_4 = sinew_sqrt(sinew_max(-s23_margin_4, 1e-10));
     const double s23_v_4 = 0.008 * s23_x_4 - C2_y_4 * s23_length_4;
     const double s23_u_4 = 0.008 * C2_y_4 + s23_x_4 * s23_length_4;
-    const double s23_angle_4 = sinew_atan2(-s23_v_4, s23_u_4);
+    const double s23_angle_4 = sinew_one_atan2(-s23_v_4, s23_u_4);
     const double s12_v_4 = 0.009 * C2_x_4 - C2_y_4 * s12_length_4;
     const double s12_u_4 = 0.009 * C2_y_4 + C2_x_4 * s12_length_4;
-    const double s12_angle_4 = sinew_atan2(s12_v_4, s12_u_4);
+    const double s12_angle_4 = sinew_one_atan2(s12_v_4, s12_u_4);
     const double t35 = t14 + s12_length_4 + s23_length_4 - 0.008 * s23_angle_4 + 0.009 * s12_angle_4;
     const double spring_y_4 = 0.00964181414529809 * sin_theta_4 + 0.01149066664678467 * cos_theta_4;
     const double spring_x_4 = 0.00964181414529809 * cos_theta_4 - 0.01149066664678467 * sin_theta_4;
@@ -250,10 +261,10 @@ void tendon_force(const double elongation[SINEW_AT_LEAST(1)], const double theta
     const double s23_length_6 = sinew_sqrt(sinew_max(-s23_margin_6, 1e-10));
     const double s23_v_6 = 0.008 * s23_x_6 - C2_y_6 * s23_length_6;
     const double s23_u_6 = 0.008 * C2_y_6 + s23_x_6 * s23_length_6;
-    const double s23_angle_6 = sinew_atan2(-s23_v_6, s23_u_6);
+    const double s23_angle_6 = sinew_one_atan2(-s23_v_6, s23_u_6);
     const double s12_v_6 = 0.009 * C2_x_6 - C2_y_6 * s12_length_6;
     const double s12_u_6 = 0.009 * C2_y_6 + C2_x_6 * s12_length_6;
-    const double s12_angle_6 = sinew_atan2(s12_v_6, s12_u_6);
+    const double s12_angle_6 = sinew_one_atan2(s12_v_6, s12_u_6);
     const double t51 = t14 + s12_length_6 + s23_length_6 - 0.008 * s23_angle_6 + 0.009 * s12_angle_6;
     const double spring_y_6 = 0.00964181414529809 * sin_theta_6 + 0.01149066664678467 * cos_theta_6;
     const double spring_x_6 = 0.00964181414529809 * cos_theta_6 - 0.01149066664678467 * sin_theta_6;
@@ -321,10 +332,10 @@ void tendon_force(const double elongation[SINEW_AT_LEAST(1)], const double theta
     const double s23_length_8 = sinew_sqrt(sinew_max(-s23_margin_8, 1e-10));
     const double s23_v_8 = 0.008 * s23_x_8 - C2_y_8 * s23_length_8;
     const double s23_u_8 = 0.008 * C2_y_8 + s23_x_8 * s23_length_8;
-    const double s23_angle_8 = sinew_atan2(-s23_v_8, s23_u_8);
+    const double s23_angle_8 = sinew_one_atan2(-s23_v_8, s23_u_8);
     const double s12_v_8 = 0.009 * C2_x_8 - C2_y_8 * s12_length_8;
     const double s12_u_8 = 0.009 * C2_y_8 + C2_x_8 * s12_length_8;
-    const double s12_angle_8 = sinew_atan2(s12_v_8, s12_u_8);
+    const double s12_angle_8 = sinew_one_atan2(s12_v_8, s12_u_8);
     const double t67 = t14 + s12_length_8 + s23_length_8 - 0.008 * s23_angle_8 + 0.009 * s12_angle_8;
     const double spring_y_8 = 0.00964181414529809 * sin_theta_8 + 0.01149066664678467 * cos_theta_8;
     const double spring_x_8 = 0.00964181414529809 * cos_theta_8 - 0.01149066664678467 * sin_theta_8;
@@ -392,10 +403,10 @@ void tendon_force(const double elongation[SINEW_AT_LEAST(1)], const double theta
     const double s23_length_10 = sinew_sqrt(sinew_max(-s23_margin_10, 1e-10));
     const double s23_v_10 = 0.008 * s23_x_10 - C2_y_10 * s23_length_10;
     const double s23_u_10 = 0.008 * C2_y_10 + s23_x_10 * s23_length_10;
-    const double s23_angle_10 = sinew_atan2(-s23_v_10, s23_u_10);
+    const double s23_angle_10 = sinew_one_atan2(-s23_v_10, s23_u_10);
     const double s12_v_10 = 0.009 * C2_x_10 - C2_y_10 * s12_length_10;
     const double s12_u_10 = 0.009 * C2_y_10 + C2_x_10 * s12_length_10;
-    const double s12_angle_10 = sinew_atan2(s12_v_10, s12_u_10);
+    const double s12_angle_10 = sinew_one_atan2(s12_v_10, s12_u_10);
     const double t83 = t14 + s12_length_10 + s23_length_10 - 0.008 * s23_angle_10 + 0.009 * s12_angle_10;
     const double spring_y_10 = 0.00964181414529809 * sin_theta_10 + 0.01149066664678467 * cos_theta_10;
     const double spring_x_10 = 0.00964181414529809 * cos_theta_10 - 0.01149066664678467 * sin_theta_10;

@@ -10,6 +10,17 @@
 
 #include "sinew_math.h"
 
+#ifdef __GNUC__
+#define SINEW_NOT_INLINE __attribute__((noinline))
+#else
+#define SINEW_NOT_INLINE
+#endif
+
+SINEW_NOT_INLINE static double sinew_one_atan2(double y, double x)
+{
+    return sinew_atan2(y, x);
+}
+
 void thumb_forward_kinematics(const double q[SINEW_AT_LEAST(4)], double T[SINEW_AT_LEAST(16)])
 {
     const double phi3 = q[1] + q[2];
@@ -2228,7 +2239,7 @@ void thumb_bending_angles(const double q[SINEW_AT_LEAST(4)], double angles[SINEW
     const double t16 = A_stretch_end_asidex * A_stretch_end_asidex + A_stretch_end_asidey * A_stretch_end_asidey;
     const double A_stretch_end_asidez = 0.024 * A_stretch_end_dx - 0.045 * A_stretch_end_dy;
     const double t17 = 0.02 * A_stretch_end_dz + 0.024 * A_stretch_end_dy + 0.045 * A_stretch_end_dx;
-    const double t18 = sinew_atan2(sinew_sqrt(t16 + A_stretch_end_asidez * A_stretch_end_asidez), t17);
+    const double t18 = sinew_one_atan2(sinew_sqrt(t16 + A_stretch_end_asidez * A_stretch_end_asidez), t17);
     const double t19 = 0.024 * A_stretch_dz;
     const double A_stretch_start_asidex = 0.02 * A_stretch_dy - t19;
     const double t20 = 0.045 * A_stretch_dz;
@@ -2236,7 +2247,7 @@ void thumb_bending_angles(const double q[SINEW_AT_LEAST(4)], double angles[SINEW
     const double t21 = A_stretch_start_asidex * A_stretch_start_asidex + A_stretch_start_asidey * A_stretch_start_asidey;
     const double A_stretch_start_asidez = 0.024 * A_stretch_dx + 0.045 * A_stretch_dy;
     const double t22 = 0.02 * A_stretch_dz;
-    const double t23 = sinew_atan2(sinew_sqrt(t21 + A_stretch_start_asidez * A_stretch_start_asidez), t22 + 0.024 * A_stretch_dy - 0.045 * A_stretch_dx);
+    const double t23 = sinew_one_atan2(sinew_sqrt(t21 + A_stretch_start_asidez * A_stretch_start_asidez), t22 + 0.024 * A_stretch_dy - 0.045 * A_stretch_dx);
     const double t24 = t4 + t5;
     const double B_stretch_dx = 0.002 + t24 - t7;
     const double B_stretch_dz = t8 - t9;
@@ -2252,7 +2263,7 @@ void thumb_bending_angles(const double q[SINEW_AT_LEAST(4)], double angles[SINEW
     const double t28 = B_stretch_end_asidex * B_stretch_end_asidex + B_stretch_end_asidey * B_stretch_end_asidey;
     const double B_stretch_end_asidez = 0.024 * B_stretch_end_dx + 0.045 * B_stretch_end_dy;
     const double t29 = 0.02 * B_stretch_end_dz + 0.024 * B_stretch_end_dy - 0.045 * B_stretch_end_dx;
-    const double t30 = sinew_atan2(sinew_sqrt(t28 + B_stretch_end_asidez * B_stretch_end_asidez), t29);
+    const double t30 = sinew_one_atan2(sinew_sqrt(t28 + B_stretch_end_asidez * B_stretch_end_asidez), t29);
     const double t31 = 0.024 * B_stretch_dz;
     const double B_stretch_start_asidex = 0.02 * B_stretch_dy - t31;
     const double t32 = 0.045 * B_stretch_dz;
@@ -2260,7 +2271,7 @@ void thumb_bending_angles(const double q[SINEW_AT_LEAST(4)], double angles[SINEW
     const double t33 = B_stretch_start_asidex * B_stretch_start_asidex + B_stretch_start_asidey * B_stretch_start_asidey;
     const double B_stretch_start_asidez = 0.024 * B_stretch_dx + 0.045 * B_stretch_dy;
     const double t34 = 0.02 * B_stretch_dz;
-    const double t35 = sinew_atan2(sinew_sqrt(t33 + B_stretch_start_asidez * B_stretch_start_asidez), t34 + 0.024 * B_stretch_dy - 0.045 * B_stretch_dx);
+    const double t35 = sinew_one_atan2(sinew_sqrt(t33 + B_stretch_start_asidez * B_stretch_start_asidez), t34 + 0.024 * B_stretch_dy - 0.045 * B_stretch_dx);
     const double C_stretch_dx = 0.002 - t24 - t7;
     const double C_stretch_dy = t26 + t14;
     const double C_stretch_end_dx = t10 - R21x * C_stretch_dx + R22x * C_stretch_dy;
@@ -2271,12 +2282,12 @@ void thumb_bending_angles(const double q[SINEW_AT_LEAST(4)], double angles[SINEW
     const double t36 = C_stretch_end_asidex * C_stretch_end_asidex + C_stretch_end_asidey * C_stretch_end_asidey;
     const double C_stretch_end_asidez = 0.024 * C_stretch_end_dx - 0.045 * C_stretch_end_dy;
     const double t37 = 0.02 * C_stretch_end_dz + 0.024 * C_stretch_end_dy + 0.045 * C_stretch_end_dx;
-    const double t38 = sinew_atan2(sinew_sqrt(t36 + C_stretch_end_asidez * C_stretch_end_asidez), t37);
+    const double t38 = sinew_one_atan2(sinew_sqrt(t36 + C_stretch_end_asidez * C_stretch_end_asidez), t37);
     const double C_stretch_start_asidex = 0.02 * C_stretch_dy - t19;
     const double C_stretch_start_asidey = 0.02 * C_stretch_dx + t20;
     const double t39 = C_stretch_start_asidex * C_stretch_start_asidex + C_stretch_start_asidey * C_stretch_start_asidey;
     const double C_stretch_start_asidez = 0.024 * C_stretch_dx + 0.045 * C_stretch_dy;
-    const double t40 = sinew_atan2(sinew_sqrt(t39 + C_stretch_start_asidez * C_stretch_start_asidez), t22 + 0.024 * C_stretch_dy - 0.045 * C_stretch_dx);
+    const double t40 = sinew_one_atan2(sinew_sqrt(t39 + C_stretch_start_asidez * C_stretch_start_asidez), t22 + 0.024 * C_stretch_dy - 0.045 * C_stretch_dx);
     const double D_stretch_dx = 0.002 + t6 - t7;
     const double D_stretch_dy = t13 + t14;
     const double D_stretch_end_dx = t25 + R21x * D_stretch_dx - R22x * D_stretch_dy;
@@ -2287,12 +2298,12 @@ void thumb_bending_angles(const double q[SINEW_AT_LEAST(4)], double angles[SINEW
     const double t41 = D_stretch_end_asidex * D_stretch_end_asidex + D_stretch_end_asidey * D_stretch_end_asidey;
     const double D_stretch_end_asidez = 0.024 * D_stretch_end_dx + 0.045 * D_stretch_end_dy;
     const double t42 = 0.02 * D_stretch_end_dz + 0.024 * D_stretch_end_dy - 0.045 * D_stretch_end_dx;
-    const double t43 = sinew_atan2(sinew_sqrt(t41 + D_stretch_end_asidez * D_stretch_end_asidez), t42);
+    const double t43 = sinew_one_atan2(sinew_sqrt(t41 + D_stretch_end_asidez * D_stretch_end_asidez), t42);
     const double D_stretch_start_asidex = 0.02 * D_stretch_dy - t31;
     const double D_stretch_start_asidey = 0.02 * D_stretch_dx + t32;
     const double t44 = D_stretch_start_asidex * D_stretch_start_asidex + D_stretch_start_asidey * D_stretch_start_asidey;
     const double D_stretch_start_asidez = 0.024 * D_stretch_dx + 0.045 * D_stretch_dy;
-    const double t45 = sinew_atan2(sinew_sqrt(t44 + D_stretch_start_asidez * D_stretch_start_asidez), t34 + 0.024 * D_stretch_dy - 0.045 * D_stretch_dx);
+    const double t45 = sinew_one_atan2(sinew_sqrt(t44 + D_stretch_start_asidez * D_stretch_start_asidez), t34 + 0.024 * D_stretch_dy - 0.045 * D_stretch_dx);
     const double t46 = sinew_max(q[2], -q[2]);
     const double t47 = t46 + sinew_max(q[3], -q[3]);
     angles[0] = t23 + t18;

@@ -10,6 +10,17 @@
 
 #include "sinew_math.h"
 
+#ifdef __GNUC__
+#define SINEW_NOT_INLINE __attribute__((noinline))
+#else
+#define SINEW_NOT_INLINE
+#endif
+
+SINEW_NOT_INLINE static double sinew_one_atan2(double y, double x)
+{
+    return sinew_atan2(y, x);
+}
+
 void thumb_table_5_2_forward_kinematics(const double q[SINEW_AT_LEAST(4)], double T[SINEW_AT_LEAST(16)])
 {
     const double phi3 = q[1] + q[2];
@@ -2229,7 +2240,7 @@ void thumb_table_5_2_bending_angles(const double q[SINEW_AT_LEAST(4)], double an
     const double A_stretch_start_asidez = 0.045 * A_stretch_dy;
     const double A_stretch_start_asidey = 0.045 * A_stretch_dz;
     const double t17 = A_stretch_start_asidey * A_stretch_start_asidey;
-    const double t18 = sinew_atan2(sinew_sqrt(t17 + A_stretch_start_asidez * A_stretch_start_asidez), -(0.045 * A_stretch_dx));
+    const double t18 = sinew_one_atan2(sinew_sqrt(t17 + A_stretch_start_asidez * A_stretch_start_asidez), -(0.045 * A_stretch_dx));
     const double t19 = t4 + t5;
     const double B_stretch_dx = 0.002 + t19 - t7;
     const double B_stretch_dz = t8 - t9;
@@ -2246,7 +2257,7 @@ void thumb_table_5_2_bending_angles(const double q[SINEW_AT_LEAST(4)], double an
     const double B_stretch_start_asidez = 0.045 * B_stretch_dy;
     const double B_stretch_start_asidey = 0.045 * B_stretch_dz;
     const double t24 = B_stretch_start_asidey * B_stretch_start_asidey;
-    const double t25 = sinew_atan2(sinew_sqrt(t24 + B_stretch_start_asidez * B_stretch_start_asidez), -(0.045 * B_stretch_dx));
+    const double t25 = sinew_one_atan2(sinew_sqrt(t24 + B_stretch_start_asidez * B_stretch_start_asidez), -(0.045 * B_stretch_dx));
     const double C_stretch_dx = 0.002 - t19 - t7;
     const double C_stretch_dy = t21 + t14;
     const double C_stretch_end_dz = t10 + R21y * C_stretch_dx - R22y * C_stretch_dy;
@@ -2256,7 +2267,7 @@ void thumb_table_5_2_bending_angles(const double q[SINEW_AT_LEAST(4)], double an
     const double t26 = C_stretch_end_asidey * C_stretch_end_asidey + C_stretch_end_asidez * C_stretch_end_asidez;
     const double C_stretch_end_dx = t16 - R21x * C_stretch_dx + R22x * C_stretch_dy;
     const double C_stretch_start_asidez = 0.045 * C_stretch_dy;
-    const double t27 = sinew_atan2(sinew_sqrt(t17 + C_stretch_start_asidez * C_stretch_start_asidez), -(0.045 * C_stretch_dx));
+    const double t27 = sinew_one_atan2(sinew_sqrt(t17 + C_stretch_start_asidez * C_stretch_start_asidez), -(0.045 * C_stretch_dx));
     const double D_stretch_dx = 0.002 + t6 - t7;
     const double D_stretch_dy = t13 + t14;
     const double D_stretch_end_dz = t20 - R21y * D_stretch_dx + R22y * D_stretch_dy;
@@ -2266,13 +2277,13 @@ void thumb_table_5_2_bending_angles(const double q[SINEW_AT_LEAST(4)], double an
     const double t28 = D_stretch_end_asidey * D_stretch_end_asidey + D_stretch_end_asidez * D_stretch_end_asidez;
     const double D_stretch_end_dx = t23 + R21x * D_stretch_dx - R22x * D_stretch_dy;
     const double D_stretch_start_asidez = 0.045 * D_stretch_dy;
-    const double t29 = sinew_atan2(sinew_sqrt(t24 + D_stretch_start_asidez * D_stretch_start_asidez), -(0.045 * D_stretch_dx));
+    const double t29 = sinew_one_atan2(sinew_sqrt(t24 + D_stretch_start_asidez * D_stretch_start_asidez), -(0.045 * D_stretch_dx));
     const double t30 = sinew_max(q[2], -q[2]);
     const double t31 = t30 + sinew_max(q[3], -q[3]);
-    angles[0] = t18 + sinew_atan2(sinew_sqrt(t15), 0.045 * A_stretch_end_dx);
-    angles[1] = t25 + sinew_atan2(sinew_sqrt(t22), -(0.045 * B_stretch_end_dx));
-    angles[2] = t27 + sinew_atan2(sinew_sqrt(t26), 0.045 * C_stretch_end_dx);
-    angles[3] = t29 + sinew_atan2(sinew_sqrt(t28), -(0.045 * D_stretch_end_dx));
+    angles[0] = t18 + sinew_one_atan2(sinew_sqrt(t15), 0.045 * A_stretch_end_dx);
+    angles[1] = t25 + sinew_one_atan2(sinew_sqrt(t22), -(0.045 * B_stretch_end_dx));
+    angles[2] = t27 + sinew_one_atan2(sinew_sqrt(t26), 0.045 * C_stretch_end_dx);
+    angles[3] = t29 + sinew_one_atan2(sinew_sqrt(t28), -(0.045 * D_stretch_end_dx));
     angles[4] = t30;
     angles[5] = t30;
     angles[6] = t31;

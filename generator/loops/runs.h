@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Repetitions in a sequence.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+namespace sinew {
+
+/// `count` times the same `period` keys, from `start`.
+struct Run {
+  int start = 0;
+  int period = 0;
+  int count = 0;
+};
+
+/// The longest run from each place on that is in no run before it; at least three times.
+std::vector<Run> runs_of(const std::vector<std::uint64_t>& keys);
+
+}  // namespace sinew

@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What repeats is written as a loop: what is found, that its C has the interpreter's bits, and that
+// an exchanged table entry is seen.
+#include <catch2/catch.hpp>
+
+#include <bit>
+#include <regex>
+
+#include "generator/emit_c.h"
+#include "generator/evaluate.h"
+#include "generator/loops/find_loops.h"
+#include "generator/loops/runs.h"
+#include "generator/write.h"
+#include "tests/generator/evaluate_plan.h"
+#include "tests/generator/every_operation.h"
+#include "tests/reference/emitted_model.h"
+
+using namespace sinew;
+
+namespace {
+
+/// |p_i(q) + load_i|: lengths of strands to points that differ; and the moments of the loads.
+/// Strand 4 has one term less, as one in the middle of a hand has.
+Graph strands(int count, bool with_sums) {
+  Graph graph;
+  graph.name = "strands";
+  graph.inputs = {{"q", 2, 1, "", "", std::vector<Range>(2, {-1.0, 1.0}), {}},
+                  {"f",
+                   count,
+                   1,
+                   "",
+                   "",
+                   std::vector<Range>(static_cast<std::size_t>(count), {-3.0, 3.0}),
+                   {}}};
+  const Value x = graph.make(Op::sine, graph.input(0)), y = graph.make(Op::cosine, graph.input(0));
+  Value sum = no_value, sum_of_squares = no_value;
+  std::vector<Value> lengths;
+  for (int i = 0; i < count; ++i) {
+    const Value scaled = i == 4 ? x : graph.make(Op::multiply, graph.constant(0.1 * (i + 1)), x);
+    const Value a = graph.make(Op::add, y, scaled);
+    const Value b = graph.make(Op::subtract, graph.constant(2.0 - 0.3 * i), graph.input(1));
+    const Value length = graph.make(
+        Op::square_root,
+        graph.make(Op::add, graph.make(Op::multiply, a, a), graph.make(Op::multiply, b, b)));
+    graph.set_label(length, "length_" + std::to_string(i));
+    lengths.push_back(length);
+    if (!with_sums) continue;
+    const Value term = graph.make(Op::multiply, graph.input(2 + i), length);
+    sum = i == 0 ? term : graph.make(Op::add, sum, term);
+    const Value square = graph.make(Op::multiply, term, length);
+    sum_of_squares = i == 0 ? square : graph.make(Op::subtract, sum_of_squares, square);
+  }
+  if (with_sums) {
+    graph.outputs = {{"moment", 2, 1, "", "", {}, {sum, sum_of_squares}}};
+  } else {
+    graph.outputs = {{"lengths", count, 1, "", "", {}, lengths}};
+  }
+  return graph;
+}
+
+/// Newton's iteration for the square root: each step is computed from the one before.
+Graph newton(int steps) {
+  Graph graph;
+  graph.name = "newton";
+  graph.inputs = {{"a", 1, 1, "", "", {{1.0, 9.0}}, {}}};
+  Value x = graph.make(Op::multiply, graph.constant(0.5), graph.input(0));
+  for (int i = 0; i < steps; ++i) {
+    const Value gap = graph.make(Op::subtract, graph.make(Op::multiply, x, x), graph.input(0));
+    const Value step = graph.make(Op::divide, gap, graph.make(Op::add, x, x));
+    x = graph.make(Op::subtract, x, step);
+  }
+  graph.outputs = {{"root", 1, 1, "", "", {}, {x}}};
+  return graph;
+}
+
+std::vector<Graph> samples() {
+  return {strands(12, false), strands(12, true), newton(9)};
+}
+
+template <class Real>
+std::vector<std::uint64_t> bits_of(const std::vector<Real>& values) {
+  std::vector<std::uint64_t> bits;
+  for (Real value : values)
+    bits.push_back(std::bit_cast<std::uint64_t>(static_cast<double>(value)));
+  return bits;
+}
+
+EmittedModel model_of(const std::vector<Graph>& graphs, Scalar scalar) {
+  EmittedModel model{"sample", "A sample.", std::string(64, '0'), {}, graphs, {scalar}};
+  return model;
+}
+
+/// States at which the compiled C has not the interpreter's bits.
+template <class Real>
+int differing(const Graph& graph, const FileSet& files) {
+  const reference::TemporaryFolder place;
+  replace_folder(place.path() / "sample", files);
+  const reference::EmittedModel compiled(place.path() / "sample");
+  int count = 0;
+  for (const std::vector<double>& state : states_of(graph, 100, 3)) {
+    const std::vector<Real> inputs(state.begin(), state.end());
+    count += bits_of(evaluate<Real>(graph, inputs)) != bits_of(compiled.call(graph.name, state));
+  }
+  return count;
+}
+
+/// States at which the plan has not the graph's bits.
+int differing(const Graph& graph, const Plan& plan) {
+  int count = 0;
+  for (const std::vector<double>& state : states_of(graph, 20, 4))
+    count += bits_of(evaluate(graph, state)) != bits_of(evaluate_plan(graph, plan, state));
+  return count;
+}
+
+std::vector<int> passes_of(const Plan& plan) {
+  std::vector<int> passes;
+  for (const Loop& loop : plan.loops) passes.push_back(loop.count);
+  return passes;
+}
+
+}  // namespace
+
+TEST_CASE("runs are the longest repetitions from each place on") {
+  const auto text = [](const std::vector<std::uint64_t>& keys) {
+    std::string all;
+    for (const Run& run : runs_of(keys))
+      all += std::to_string(run.start) + "+" + std::to_string(run.count) + "x" +
+             std::to_string(run.period) + " ";
+    return all;
+  };
+  CHECK(text({}) == "");
+  CHECK(text({7, 7}) == "");
+  CHECK(text({7, 7, 7}) == "0+3x1 ");
+  CHECK(text({1, 2, 1, 2, 1, 2, 1, 5}) == "0+3x2 ");
+  CHECK(text({9, 1, 2, 2, 1, 2, 2, 1, 2, 2, 4, 3, 3, 3, 3}) == "1+3x3 11+4x1 ");
+}
+
+TEST_CASE("strands of one form are one loop, the odd one stands alone") {
+  const Plan plan = plan_loops(strands(12, false), 12);
+  CHECK(passes_of(plan) == std::vector<int>{7, 4});
+  CHECK(plan.loops[0].body.label(plan.loops[0].body.outputs[0].values[0]) == "length");
+  // Two tables of constants; y, x and q[1] are the same in all passes.
+  int constants = 0, shared = 0;
+  for (const LoopLeaf& leaf : plan.loops[0].leaves) {
+    constants += leaf.kind == LoopLeaf::Kind::constant;
+    shared += leaf.kind == LoopLeaf::Kind::shared;
+  }
+  CHECK(constants == 2);
+  CHECK(shared == 3);
+}
+
+TEST_CASE("sums over the same strands are one loop that carries both") {
+  const Plan plan = plan_loops(strands(12, true), 12);
+  // The first strand starts the sums.
+  CHECK(passes_of(plan) == std::vector<int>{7, 3});
+  for (const Loop& loop : plan.loops) CHECK(loop.results.size() == 2);
+}
+
+TEST_CASE("steps of an iteration are one loop that carries the iterate") {
+  const Plan plan = plan_loops(newton(9), 12);
+  CHECK(passes_of(plan) == std::vector<int>{9});
+  CHECK(operation_count(plan.loops[0].body) == 5);
+  CHECK(plan.loops[0].results.size() == 1);
+}
+
+TEST_CASE("a loop must save enough, and may not compute much twice") {
+  CHECK(plan_loops(strands(12, false), 1000).loops.empty());
+  const Graph graph = strands(12, false);
+  const PlanSize straight = size_of(graph, straight_plan(graph));
+  const PlanSize planned = size_of(graph, plan_loops(graph, 12));
+  CHECK(straight.written == operation_count(graph));
+  CHECK(straight.executed == straight.written);
+  CHECK(planned.written < straight.written / 2);
+  CHECK(planned.executed <= largest_growth * straight.executed);
+}
+
+TEST_CASE("a plan has the graph's bits") {
+  for (const Graph& graph : samples()) {
+    const Plan plan = plan_loops(graph, 12);
+    REQUIRE(!plan.loops.empty());
+    CHECK(differing(graph, plan) == 0);
+  }
+}
+
+// Planted: entries 0 and 1 of one table exchanged. All 20 states differ.
+TEST_CASE("planted: exchanged entries of a loop's table are found") {
+  for (const Graph& graph : samples()) {
+    Plan plan = plan_loops(graph, 12);
+    for (LoopLeaf& leaf : plan.loops[0].leaves) {
+      if (leaf.kind != LoopLeaf::Kind::constant) continue;
+      std::swap(leaf.constants[0], leaf.constants[1]);
+      CHECK(differing(graph, plan) > 0);
+      std::swap(leaf.constants[0], leaf.constants[1]);
+    }
+    for (LoopResult& result : plan.loops[0].results) {
+      if (result.is_carried()) continue;
+      std::swap(result.elements[0], result.elements[1]);
+      CHECK(differing(graph, plan) > 0);
+      std::swap(result.elements[0], result.elements[1]);
+    }
+    CHECK(differing(graph, plan) == 0);
+  }
+}
+
+TEST_CASE("C with loops has the interpreter's bits") {
+  for (const Graph& graph : samples()) {
+    INFO(graph.outputs[0].name);
+    const FileSet files = emit_files(model_of({graph}, Scalar::binary64));
+    CHECK(files.at("sample.c").find("for (int ") != std::string::npos);
+    CHECK(differing<double>(graph, files) == 0);
+    CHECK(differing<float>(graph, emit_files(model_of({graph}, Scalar::binary32))) == 0);
+  }
+}
+
+// Planted: the first two rows of a table exchanged in the C. All 100 states differ.
+TEST_CASE("planted: exchanged rows of a table in the C are found") {
+  for (const Graph& graph : {strands(12, false), strands(12, true)}) {
+    FileSet files = emit_files(model_of({graph}, Scalar::binary64));
+    std::string& text = files.at("sample.c");
+    const std::string exchanged = std::regex_replace(
+        text, std::regex(R"((table\d+\[\d+\]\[\d+\] = \{)(\{[^}]*\}),\s+(\{[^}]*\}))"), "$1$3, $2");
+    REQUIRE(exchanged != text);
+    text = exchanged;
+    CHECK(differing<double>(graph, files) > 0);
+  }
+}
