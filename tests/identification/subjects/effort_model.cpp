@@ -4,6 +4,7 @@
 #include <random>
 
 #include "identification/subjects/effort_model.h"
+#include "simulation/emitted/driven_effort.h"
 #include "tests/identification/subjects/finger_with_motors.h"
 
 namespace {
@@ -16,14 +17,13 @@ using Eigen::MatrixXd;
 constexpr Index kSamples = 5000;  // more than a block of inputs
 
 /// One of the finger's motors has friction that remembers.
-EffortModel effort_with_memory() {
-  const DrivenModel model = test::finger_with_motors();
+Identified friction_with_memory(const DrivenModel& model) {
   Identified identified;
   identified.effects.push_back({"presliding",
                                 model.joints.back().name,
                                 {{"presliding_length", 1e-3, 0.0, "rad"}},
                                 {{"level", 0.1, 0.0, "N m"}}});
-  return {model, identified, SINEW_SOURCE_DIR "/runtime"};
+  return identified;
 }
 
 Recording wandering(Index joints, Index tendons) {
@@ -50,12 +50,17 @@ Recording wandering(Index joints, Index tendons) {
 TEST_CASE("a log's effort has the bits of one instant after the other, one joint's alone too") {
   // Planted defects: a state that begins anew with every block of inputs; the load of one block
   // for all; a motor's effort from the function of its neighbour.
-  const EffortModel model = effort_with_memory();
+  const DrivenModel driven = test::finger_with_motors();
+  const Identified identified = friction_with_memory(driven);
+  const EffortModel model(driven, identified, SINEW_SOURCE_DIR "/runtime");
   const Recording log = wandering(12, 8);
   const MatrixXd all = model(log);
-  EffortAtInstant instant(model);
+  DrivenEffort instant(driven, identified, SINEW_SOURCE_DIR "/runtime");
+  instant.set_step(log.step);
   for (Index k = 0; k < kSamples; ++k) {
-    instant.take(log, k);
+    instant.set_time(log.time(k));
+    instant.set_load(log.load.row(k).transpose());
+    instant.set_tension(log.signals.at("tension").row(k).transpose());
     const Eigen::VectorXd now =
         instant(log.q.row(k).transpose(), log.qd.row(k).transpose(), log.qdd.row(k).transpose());
     instant.remember();

@@ -179,7 +179,7 @@ TEST_CASE("a channel of which the model explains less than half is told") {
   CHECK(faults[0].column == 3);
 
   diagnosis::Findings findings;
-  findings.logs.push_back({"log.csv", "", false, 0, 0.0, 0.0, {}});
+  findings.logs.push_back({"log.csv", "", false, 0, 0.0, 0.0, {}, {}});
   REQUIRE(findings.verdict.nothing_beyond_noise());
   report_discrepancies(faults, findings);
   CHECK_FALSE(findings.verdict.nothing_beyond_noise());
