@@ -9,7 +9,7 @@ namespace sinew {
 namespace {
 
 constexpr double most_deviation = 0.5;  // of a logged velocity from the position's derivative
-constexpr double times_noise = 20.0;           // times its noise: a position that moves
+constexpr double times_noise = 20.0;    // times its noise: a position that moves
 
 bool is_repair(const DataFault& fault) {
   switch (fault.kind) {
@@ -29,7 +29,7 @@ bool is_repair(const DataFault& fault) {
 void refuse_repairs(const Log& log) {
   std::vector<DataFault> refused;
   for (const DataFault& fault : log.faults) {
-    if (!is_repair(fault)) continue;
+    if (!is_repair(fault) || fault.severity == Severity::note) continue;
     refused.push_back(fault);
     refused.back().severity = Severity::stop;
     refused.back().action = "repeat the experiment; --repair takes the log as docs/logs.md says";

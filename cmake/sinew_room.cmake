@@ -20,15 +20,19 @@ function(sinew_add_room room)
   add_library(${target} STATIC ${sources})
   sinew_room_headers(${target} ${room})
   target_include_directories(${target} PRIVATE ${PROJECT_BINARY_DIR}/rooms/${target})
-  target_link_libraries(${target} PUBLIC ${arg_LINKS} PRIVATE ${arg_PRIVATE} sinew_warnings)
+  target_link_libraries(${target} PUBLIC ${arg_LINKS}
+                        PRIVATE ${arg_PRIVATE} sinew_room_libraries sinew_warnings)
   target_precompile_headers(${target} REUSE_FROM sinew_room_precompiled)
 endfunction()
 
-# What the rooms' sources read most, precompiled once for all of them.
+# What the rooms' sources read most, precompiled once for all of them; g++ takes it only where these
+# libraries' definitions hold.
 file(WRITE ${PROJECT_BINARY_DIR}/rooms/precompiled.cpp "")
+add_library(sinew_room_libraries INTERFACE)
+target_link_libraries(sinew_room_libraries INTERFACE PkgConfig::ginac Eigen3::Eigen fmt::fmt
+                      nlohmann_json::nlohmann_json Boost::headers)
 add_library(sinew_room_precompiled OBJECT ${PROJECT_BINARY_DIR}/rooms/precompiled.cpp)
-target_link_libraries(sinew_room_precompiled PRIVATE PkgConfig::ginac Eigen3::Eigen fmt::fmt
-                      nlohmann_json::nlohmann_json Boost::headers sinew_warnings)
+target_link_libraries(sinew_room_precompiled PRIVATE sinew_room_libraries sinew_warnings)
 sinew_precompile(sinew_room_precompiled <ginac/ginac.h> <Eigen/Dense> <fmt/format.h> <nlohmann/json.hpp>
                  <boost/multiprecision/cpp_bin_float.hpp> <boost/multiprecision/eigen.hpp>)
 

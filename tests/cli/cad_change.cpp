@@ -151,7 +151,7 @@ TEST_CASE("a new pulley radius: the summary names what changes, and by how much"
   CHECK(again.says("models/hand has to follow: sinew generate models/hand"));
 }
 
-TEST_CASE("a new wrist width: the hand follows in the same run, and the figures", "[cad]") {
+TEST_CASE("a new wrist width: the hand follows in the same run, and the figures", "[cad][slow]") {
   const CadOffice here;
   const std::string wrist = here.text("generated/wrist/wrist.c"),
                     hand = here.text("generated/hand/hand.c"),

@@ -156,7 +156,7 @@ TEST_CASE("a payload on a finger is found in the forces of its tendons", "[slow]
                                    "test.csv", "--out", "found"});
   INFO(ended.output);
   CHECK(ended.status == 1);
-  CHECK(ended.says("payload, link distal"));
+  CHECK(ended.says("payload (link distal)"));
   const auto findings = nlohmann::json::parse(bench.text("found/findings.json"));
   CHECK(findings.at("extension").at("adopted") == true);
   CHECK(bench.text("found/generated/index/index.c").find("void index_effort(") !=

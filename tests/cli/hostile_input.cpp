@@ -40,7 +40,8 @@ std::string joints(int count) {
   for (int i = 0; i < count; ++i)
     text += fmt::format(
         "[[body]]\nname = \"b{}\"\nmassless = true\n[[joint]]\nname = \"q{}\"\ntype = "
-        "\"revolute\"\nparent = \"{}\"\nchild = \"b{}\"\naxis = [0, 0, 1]\n",
+        "\"revolute\"\nparent = \"{}\"\nchild = \"b{}\"\naxis = [0, 0, 1]\n"
+        "range = {{ value = [-1, 1], unit = \"rad\", from = \"assumed\" }}\n",
         i, i, i == 0 ? "base" : fmt::format("b{}", i - 1), i);
   return text;
 }
@@ -113,6 +114,8 @@ TEST_CASE("descriptions without measure are refused with the limit", "[hostile]"
   };
   refuse(repeated("a.", 100000) + "a = 1\n" + original, "nested deeper than 32 levels");
   refuse("a = " + repeated("[", 100000) + "\n" + original, "nested deeper than 32 levels");
+  const std::string table = here.text(masses);
+  reference::write_text(here.path(masses), table.substr(0, table.find("\nknuckle") + 1));
   refuse(joints(5000), "expected at most 1000");
   refuse(joints(500), "the mechanism has 500 coordinates; expected at most 100");
   refuse(original + std::string(5'000'000, '#'), "expected at most 4194304");
@@ -137,7 +140,7 @@ TEST_CASE("URDF without measure is refused with the limit", "[hostile]") {
   refuse("<robot name=\"r\">" + repeated("<a>", 100000), deep);
   refuse("<robot name=\"r\">" + repeated("<a x=\"/>\">", 100000), deep);
   refuse("<robot name=\"r\">" + repeated("<a><!-- </a> -->", 100000), deep);
-  refuse("<robot name=\"r\">" + repeated("<link name=\"l\"/>", 100000),
+  refuse("<robot name=\"r\">" + repeated("<link name=\"l\"/>", 100000) + "</robot>",
          "more than 2000 links and joints");
   refuse("<robot name=\"r\">" + repeated("<mystery/>", 100000) + "</robot>", "no link");
 }
@@ -162,7 +165,7 @@ TEST_CASE("a log that is no file, or has no end, is refused", "[hostile]") {
   check_refused(here, identify + "wide.csv", "20001 columns; expected at most 10000");
 }
 
-TEST_CASE("a run that would not end is refused, or given up", "[hostile]") {
+TEST_CASE("a run that would not end is refused, or given up", "[hostile][slow]") {
   const Workplace here;
   const auto refuse = [&](const std::string& text, const std::string& words) {
     reference::write_text(here.path("run.toml"), scenario(text));
@@ -176,10 +179,10 @@ TEST_CASE("a run that would not end is refused, or given up", "[hostile]") {
          "more than 1e+09 steps");
   refuse(
       "[drive]\nmode = \"servo\"\ngain = { value = 1e12, unit = \"N*m\" }\n"
-      "rate_gain = { value = 1e12, unit = \"N*m*s/rad\" }\n"
+      "rate_gain = { value = 0, unit = \"N*m*s/rad\" }\n"
       "[[command]]\nchannel = \"theta_ref\"\nshape = \"sine\"\n"
-      "amplitude = { value = 1, unit = \"rad\" }\nfrequency = { value = 1e5, unit = \"Hz\" }\n",
-      "expected");
+      "amplitude = { value = 1, unit = \"rad\" }\nfrequency = { value = 1, unit = \"Hz\" }\n",
+      "took the run only");
   reference::write_text(here.path("run.toml"),
                         "[scenario]\nduration = { value = 1e12, unit = \"s\" }\n"
                         "output_rate = { value = 1e-6, unit = \"Hz\" }\n");

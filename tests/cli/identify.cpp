@@ -200,7 +200,7 @@ TEST_CASE("identify takes what channels.toml says of the recorder", "[identify]"
   const std::string log = here.text("constant_velocity.csv");
   REQUIRE(log.starts_with("time [s],theta [rad],omega [rad/s],tau_m [N·m],"));
   reference::write_text(here.path("recorder.csv"),
-                        with_row(log, 1, "time [s],Pos,Speed [rad/s],M soll,load,x"));
+                        with_row(log, 1, "time [s],Pos,Speed [rad/s],M soll,load [N*m],x"));
   const auto channels = [&](const std::string& text) {
     reference::write_text(here.path("models/motor/channels.toml"), "[channels]\n" + text);
     return identify(here, "models/motor", "ripple", {"recorder.csv"});

@@ -180,7 +180,7 @@ std::string arm_scenario(double phase, bool elbow) {
 }  // namespace
 
 TEST_CASE("an imported arm's payload and friction that were learnt act in its simulation",
-          "[learnt]") {
+          "[learnt][slow]") {
   // Its friction has no law over the velocity in the file: a bristle's state is learnt with it.
   const Loop loop("arm");
   fs::remove_all(loop.path("models"));
@@ -268,7 +268,7 @@ force = { value = 0.1, unit = "N" }
 }  // namespace
 
 TEST_CASE("a finger's payload and guiding friction that were learnt act in its simulation",
-          "[learnt]") {
+          "[learnt][slow]") {
   // The forces are given, as they were measured, and joints compared over short windows: under
   // given forces a finger does not stay where it is.
   const Loop loop("index");
@@ -342,7 +342,7 @@ class RigLog {
 }  // namespace
 
 TEST_CASE("what a lever's and a wrist's calibration taught acts in what their models say",
-          "[learnt]") {
+          "[learnt][slow]") {
   // Planted defect: replayed_rig() without the folder's identified.toml: the same before and after.
   struct Rig {
     const char* model;

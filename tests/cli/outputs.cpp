@@ -28,8 +28,9 @@ struct Bench : Workplace {
     reference::write_text(path("short.toml"),
                           "[scenario]\nduration = { value = 0.05, unit = \"s\" }\n"
                           "output_rate = { value = 1000, unit = \"Hz\" }\n"
-                          "[[command]]\nchannel = \"tau_m\"\nshape = \"constant\"\n"
-                          "value = { value = 0.5, unit = \"N*m\" }\n");
+                          "[[command]]\nchannel = \"tau_m\"\nshape = \"sine\"\n"
+                          "amplitude = { value = 0.5, unit = \"N*m\" }\n"
+                          "frequency = { value = 30, unit = \"Hz\" }\n");
   }
 };
 

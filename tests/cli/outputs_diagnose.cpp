@@ -36,6 +36,7 @@ struct Bench {
   }
   bool is_new() const {
     return fs::exists(here.path("lever/identified.toml")) &&
+           fs::exists(here.path("d/identified.toml")) &&
            here.text("lever/identified.toml") == here.text("d/identified.toml") &&
            fs::exists(here.path("d/generated/lever/lever.c")) &&
            here.text("d/report.html") != "old" && here.text("d/findings.json") != "old" &&
@@ -68,7 +69,7 @@ bool can_trace(const Workplace& here) {
 
 }  // namespace
 
-TEST_CASE("a diagnosis killed while it writes leaves all old or all new", "[outputs]") {
+TEST_CASE("a diagnosis killed while it writes leaves all old or all new", "[outputs][slow]") {
   // Planted defect: Outputs::commit() without a journal: "rename 1" to "rename 3" left the model
   // extended beside the old report.
   const Bench bench;
@@ -93,7 +94,7 @@ TEST_CASE("a diagnosis killed while it writes leaves all old or all new", "[outp
   CHECK(bench.is_new());
 }
 
-TEST_CASE("a diagnosis that cannot write leaves the model and the report", "[outputs]") {
+TEST_CASE("a diagnosis that cannot write leaves the model and the report", "[outputs][slow]") {
   const Bench bench;
   if (!can_trace(bench.here)) return;
   int failed = 0;
@@ -112,7 +113,7 @@ TEST_CASE("a diagnosis that cannot write leaves the model and the report", "[out
   CHECK(failed >= 3);
 }
 
-TEST_CASE("a full disk under a report keeps the model from being extended", "[outputs]") {
+TEST_CASE("a full disk under a report keeps the model from being extended", "[outputs][slow]") {
   // Before outputs were one step: exit 2, the model extended.
   const Bench bench;
   if (::mount("tmpfs", bench.here.path("d").c_str(), "tmpfs", 0, "size=100k") != 0) {

@@ -153,7 +153,8 @@ bool has_tools(const Workplace& here, const Command& command) {
 
 }  // namespace
 
-TEST_CASE("every command, killed at each step of its writing: all old or all new", "[outputs]") {
+TEST_CASE("every command, killed at each step of its writing: all old or all new",
+          "[outputs][slow]") {
   // Planted defect: Outputs::commit() without a journal: generate, import, identify and figures
   // were a mixture after "rename 2" and "renameat2 2".
   for (const Command& command : commands()) {
@@ -182,7 +183,7 @@ TEST_CASE("every command, killed at each step of its writing: all old or all new
 }
 
 TEST_CASE("every command tells what of its writing fails, and leaves the old outputs",
-          "[outputs]") {
+          "[outputs][slow]") {
   for (const Command& command : commands()) {
     const Workplace tools;
     if (!can_trace(tools)) return;

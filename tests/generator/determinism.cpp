@@ -66,7 +66,7 @@ std::size_t different(const std::vector<Run>& runs) {
 
 }  // namespace
 
-TEST_CASE("30 generations in two locales and two folders give one output") {
+TEST_CASE("30 generations in two locales and two folders give one output", "[slow]") {
   if (read_text("/proc/sys/kernel/randomize_va_space")[0] == '0')
     sinew::test::skip("this kernel does not randomise addresses");
   const TemporaryFolder here, there, locales;

@@ -138,7 +138,7 @@ TEST_CASE("literals read back to the same bits") {
   check_literals();
 }
 
-TEST_CASE("literals read back to the same bits where the comma separates decimals") {
+TEST_CASE("literals read back to the same bits where the comma separates decimals", "[slow]") {
   const reference::TemporaryFolder place;
   std::string output;
   if (!std::setlocale(LC_ALL, "de_DE.UTF-8")) {
@@ -198,7 +198,7 @@ TEST_CASE("planted: a double in float code is found") {
                         "planted.c") != "");
 }
 
-TEST_CASE("headers and code compile without a warning as C11, headers as C++17") {
+TEST_CASE("headers and code compile without a warning as C11, headers as C++17", "[slow]") {
   for (Scalar scalar : {Scalar::binary64, Scalar::binary32}) {
     const FileSet files = emit_files(model_of(scalar));
     const reference::TemporaryFolder place;

@@ -105,7 +105,7 @@ FileSet with_double_constant(FileSet files) {
 
 }  // namespace
 
-TEST_CASE("compiled float models hold no operation on doubles") {
+TEST_CASE("compiled float models hold no operation on doubles", "[slow]") {
   const FileSet fast = files_of({.scalar = Scalar::binary32});
   const FileSet small = files_of({.scalar = Scalar::binary32, .optimise = Optimise::size});
   for (const Compiler& compiler : compilers()) {

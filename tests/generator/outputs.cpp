@@ -96,7 +96,8 @@ void kill_at_every(const std::string& call, const std::vector<std::string>& more
 
 }  // namespace
 
-TEST_CASE("killed at any system call, all outputs are old or new when the next run has looked") {
+TEST_CASE("killed at any system call, all outputs are old or new when the next run has looked",
+          "[slow]") {
   if (!strace_works()) {
     sinew::test::skip("strace cannot trace here");
     return;

@@ -11,8 +11,8 @@
 #include "generator/lower.h"
 #include "generator/passes/passes.h"
 #include "generator/rewrite.h"
-#include "symbolic/tendons/functions.h"
 #include "symbolic/model/read_mechanism.h"
+#include "symbolic/tendons/functions.h"
 #include "tests/generator/error_bound.h"
 #include "tests/generator/every_operation.h"
 #include "tests/generator/pass_check.h"
@@ -121,11 +121,11 @@ TEST_CASE("compiled C has the interpreter's bits after every pass: every operati
   check_bits({lower(every_operation())}, 1000);
 }
 
-TEST_CASE("compiled C has the interpreter's bits after every pass: index finger") {
+TEST_CASE("compiled C has the interpreter's bits after every pass: index finger", "[slow]") {
   check_bits(index_finger(), 60);
 }
 
-TEST_CASE("compiled C has the interpreter's bits after every pass: random chain") {
+TEST_CASE("compiled C has the interpreter's bits after every pass: random chain", "[slow]") {
   check_bits(random_chain(), 60);
 }
 

@@ -113,7 +113,7 @@ TEST_CASE("an imported robot simulates, and is not asked for what it lacks", "[c
                    "value = { value = 0.5, unit = \"N\" }\n") == 0);
   const std::string log = read_text(folder.path() / "out.csv");
   CHECK(log.substr(0, log.find('\n')) ==
-        "time [s],swing [rad],reach [m],qd_swing [rad/s],qd_reach [m/s],tau_swing [N·m],"
+        "time [s],q_swing [rad],q_reach [m],qd_swing [rad/s],qd_reach [m/s],tau_swing [N·m],"
         "tau_reach [N]");
   // 0.5 N on 0.5 kg for 0.5 s.
   std::string last = log.substr(log.rfind('\n', log.size() - 2) + 1);

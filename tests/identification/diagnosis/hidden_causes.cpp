@@ -6,7 +6,7 @@
 
 using namespace sinew::test;
 
-TEST_CASE("an effect as large as the noise is named, and nothing else") {
+TEST_CASE("an effect as large as the noise is named, and nothing else", "[slow]") {
   for (const std::string name : {"viscous asymmetry", "ripple, input order 2", "spring"}) {
     INFO(name);
     const Verdict verdict = diagnose_drive(simulate_drive({name}, {1.0}, 30.0, 41), 1).verdict;
@@ -17,7 +17,7 @@ TEST_CASE("an effect as large as the noise is named, and nothing else") {
   }
 }
 
-TEST_CASE("where nothing is hidden nothing is named") {
+TEST_CASE("where nothing is hidden nothing is named", "[slow]") {
   for (const unsigned seed : {301u, 302u, 303u, 304u}) {
     const Verdict verdict = diagnose_drive(simulate_drive({}, {}, 30.0, seed), seed).verdict;
     CHECK(verdict.nothing_beyond_noise());

@@ -26,7 +26,7 @@ bool ruled_out(const Verdict& verdict, const std::string& name) {
 
 }  // namespace
 
-TEST_CASE("the positioning drive's causes are named without help") {
+TEST_CASE("the positioning drive's causes are named without help", "[slow]") {
   const std::optional<Recording> log = read_positioning_drive();
   if (!log) return sinew::test::skip("../shared/data/emps is absent");
   Problem problem;

@@ -167,7 +167,7 @@ TEST_CASE("nominal values may stand in the baseline instead of in what is known"
         std::set<std::string>{"Coulomb level"});
 }
 
-TEST_CASE("no level is named where the model's values are right") {
+TEST_CASE("no level is named where the model's values are right", "[slow]") {
   int any = 0;
   for (unsigned seed = 920; seed < 940; ++seed) {
     Case c = make_case({}, seed, [](const Vector4d& values) { return values; });
@@ -231,9 +231,9 @@ TEST_CASE("large errors that happen to cancel are none") {
     };
     c.problem.deviations.push_back(cause);
   }
-  for (const NamedCause& cause : explain(c.problem, c.settings).verdict.causes) {
-    INFO(cause.members.front().name);
-    CHECK(cause.members.front().name != "one");
-    CHECK(cause.members.front().name != "the other");
-  }
+  std::vector<std::string> named;
+  for (const NamedCause& cause : explain(c.problem, c.settings).verdict.causes)
+    named.push_back(cause.members.front().name);
+  CHECK(std::count(named.begin(), named.end(), "one") == 0);
+  CHECK(std::count(named.begin(), named.end(), "the other") == 0);
 }

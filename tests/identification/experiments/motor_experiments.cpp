@@ -136,7 +136,7 @@ void check_coverage(int covered) {
 
 }  // namespace
 
-TEST_CASE("friction's intervals cover the truth in 95 % of the trials", "[identify]") {
+TEST_CASE("friction's intervals cover the truth in 95 % of the trials", "[identify][slow]") {
   const Simulated log = constant_velocities();
   std::mt19937 random(1);
   int covered[3] = {};
@@ -240,7 +240,7 @@ TEST_CASE("without noise ripple and inertia are exact", "[identify]") {
         Approx(pushed.inertia()).epsilon(1e-3));
 }
 
-TEST_CASE("ripple is found in the position domain", "[identify]") {
+TEST_CASE("ripple is found in the position domain", "[identify][slow]") {
   Simulated log;
   for (const double v : {0.7, -0.5}) log.servo(v, 10.0);
   std::mt19937 random(3);

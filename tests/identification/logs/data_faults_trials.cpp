@@ -40,7 +40,7 @@ int trials_each() {
 
 }  // namespace
 
-TEST_CASE("planted faults are found, with row and column") {
+TEST_CASE("planted faults are found, with row and column", "[slow]") {
   int planted_total = 0, found_total = 0;
   std::string table;
   for (int fault = 0; fault < planted_kinds; ++fault) {
@@ -74,7 +74,7 @@ TEST_CASE("planted faults are found, with row and column") {
   CHECK(found_total >= 0.95 * planted_total);
 }
 
-TEST_CASE("clean logs are not suspected") {
+TEST_CASE("clean logs are not suspected", "[slow]") {
   int clean = 0, suspected = 0;
   for (int kind = 0; kind < clean_kinds; ++kind)
     for (int trial = 0; trial < 5 * trials_each(); ++trial) {

@@ -85,7 +85,7 @@ TEST_CASE("the page is well formed, whatever was found") {
   CHECK(unbalanced("<p><b>x</b>") == "p");
 }
 
-TEST_CASE("the page asks for nothing and runs nothing") {
+TEST_CASE("the page asks for nothing and runs nothing", "[slow]") {
   for (const Findings& findings : all()) {
     const std::string html = report_html(findings);
     for (const char* unwanted : {"<script", "<link", "<img", "@import", "src=\"", "url(",
@@ -99,7 +99,7 @@ TEST_CASE("the page asks for nothing and runs nothing") {
   }
 }
 
-TEST_CASE("a whole hand's pictures stay below 2 MB") {
+TEST_CASE("a whole hand's pictures stay below 2 MB", "[slow]") {
   Findings findings = example::large_finger();
   for (int copies = 0; copies < 3; ++copies) {
     const std::vector<ChannelFinding> once(findings.channels.begin(),

@@ -60,7 +60,8 @@ void check_quiet(const Visit& visited) {
 
 }  // namespace
 
-TEST_CASE("a desktop shows every report without a complaint, a request or sideways scrolling") {
+TEST_CASE("a desktop shows every report without a complaint, a request or sideways scrolling",
+          "[slow]") {
   if (no_browser()) return;
   const Visit visited = visit(all_at(1280, 900));
   check_quiet(visited);
@@ -75,7 +76,8 @@ TEST_CASE("a desktop shows every report without a complaint, a request or sidewa
   CHECK(rich.next_step <= 900);
 }
 
-TEST_CASE("a phone shows every report without sideways scrolling, with legible pictures") {
+TEST_CASE("a phone shows every report without sideways scrolling, with legible pictures",
+          "[slow]") {
   if (no_browser()) return;
   const Visit visited = visit(all_at(390, 844));
   check_quiet(visited);
@@ -89,7 +91,7 @@ TEST_CASE("the report opened as a file is silent") {
   CHECK(complaints_of_file(report_html(example::rich_drive())).empty());
 }
 
-TEST_CASE("what would spoil a report is seen") {
+TEST_CASE("what would spoil a report is seen", "[slow]") {
   if (no_browser()) return;
   const std::string html = report_html(example::inseparable_pair());
   const std::string picture = "<main>\n<img alt=\"\" src=\"http://127.0.0.1:9/planted.png\">";

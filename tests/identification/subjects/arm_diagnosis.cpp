@@ -19,7 +19,7 @@ using diagnosis::Findings;
 
 }  // namespace
 
-TEST_CASE("friction that a model lacks at every joint is named at every joint") {
+TEST_CASE("friction that a model lacks at every joint is named at every joint", "[slow]") {
   // Planted defects, each seen to fail: six deviations at most (select_deviations), a hundredth of
   // the baseline asked of every deviation (is_worth_naming), degenerates() in confounding.cpp never
   // true.
@@ -48,7 +48,7 @@ TEST_CASE("friction that a model lacks at every joint is named at every joint") 
   CHECK(found.extension.adopted);
 }
 
-TEST_CASE("logs of thousands of rows a second are diagnosed like slower ones") {
+TEST_CASE("logs of thousands of rows a second are diagnosed like slower ones", "[slow]") {
   // Planted defects: with 400 samples worth diagnosing at any rate, the stretch before the gap is
   // shorter than the smoother; without ReadOptions::max_rate the second log keeps all its rows.
   const Mechanism arm = arm_of_five();
@@ -74,7 +74,7 @@ TEST_CASE("logs of thousands of rows a second are diagnosed like slower ones") {
   CHECK(cause.parameters.front().value == Approx(0.3 * arm.bodies.back().mass).epsilon(0.1));
 }
 
-TEST_CASE("a link that is heavier than its drawing is named, and the model takes it") {
+TEST_CASE("a link that is heavier than its drawing is named, and the model takes it", "[slow]") {
   // Planted defect: without add_inertial (rigid_candidates.cpp) the joints get torque constants,
   // cable torques and what has no name.
   const Mechanism arm = arm_of_five();
@@ -146,11 +146,11 @@ TEST_CASE("a position's noise is no elasticity of a gear") {
     return csv(rough);
   };
   const Findings found = diagnosed(arm, log(1), log(2));
-  for (const auto& cause : found.verdict.causes)
-    FAIL_CHECK(cause.members.front().name << ", " << cause.members.front().place);
+  INFO(found.headline);
+  CHECK(found.verdict.causes.empty());
 }
 
-TEST_CASE("logs of twenty rows a second are diagnosed") {
+TEST_CASE("logs of twenty rows a second are diagnosed", "[slow]") {
   // Planted defects: with the second derivative scaled to be exact on parabolas (filter.cpp) all
   // accelerations are 0.6 % off and a torque constant is named; with a pulse as long as the
   // smoothers of faster logs need (pulse_for() without 250) it is shorter than this log's.
@@ -177,7 +177,7 @@ TEST_CASE("a held-out log that is learnt from is refused") {
   CHECK_THROWS_AS(diagnosed(arm, log, log), std::invalid_argument);
 }
 
-TEST_CASE("logs that disagree are a finding, and no noise") {
+TEST_CASE("logs that disagree are a finding, and no noise", "[slow]") {
   // Planted defects: with is_plain() (verdict.h) never true the first pair leaves "nothing over but
   // noise", with kExcess (held_out_judgement.cpp) out of reach the second.
   const Mechanism arm = arm_of_five();

@@ -148,7 +148,7 @@ void check_emitted(const Findings& f) {
 // Planted defects, each seen to fail: the links part as a bare inertia does (without their weight);
 // the first joint does not feel it; the search begins at the fitted gap alone; what
 // impacts leave over is told; the emitted term acts at its own joint alone.
-TEST_CASE("a gap behind a motor's sensor is found with the links' own motion in it") {
+TEST_CASE("a gap behind a motor's sensor is found with the links' own motion in it", "[slow]") {
   const double gap = 3e-3;
   const Findings f = diagnosed({gap, 9000.0, 10.0}, true);
   INFO(f.headline);
@@ -164,7 +164,7 @@ TEST_CASE("a gap behind a motor's sensor is found with the links' own motion in 
   check_emitted(f);
 }
 
-TEST_CASE("a spring behind a motor's sensor is told at its joint and at no other") {
+TEST_CASE("a spring behind a motor's sensor is told at its joint and at no other", "[slow]") {
   const double frequency = 2.0 * std::numbers::pi * 12.0, inertia = 0.043;
   const Findings f =
       diagnosed({0.0, inertia * frequency * frequency, 0.1 * inertia * frequency}, false);

@@ -79,7 +79,7 @@ std::string log_of(double step, std::uint64_t seed, double seconds) {
 
 }  // namespace
 
-TEST_CASE("friction that sticks in slow logs is no elasticity, delay or backlash") {
+TEST_CASE("friction that sticks in slow logs is no elasticity, delay or backlash", "[slow]") {
   // Planted defect: with everything compared up to 60 Hz, where the smoothed motion ends at 25 or
   // at 10 (set_bands()), all nine get gear elasticity or backlash.
   for (const double step : {0.004, 0.008, 0.01})

@@ -107,7 +107,7 @@ class TendonFinger {
 
 }  // namespace
 
-TEST_CASE("a wrong column of a tendon-driven finger is found by the model and named") {
+TEST_CASE("a wrong column of a tendon-driven finger is found by the model and named", "[slow]") {
   // Seen to fail where judge_tendons() looks at nothing: none of twelve is found.
   struct Planted {
     const char *channel, *other;

@@ -31,7 +31,7 @@ std::string content(const fs::path& path) {
 }  // namespace
 
 TEST_CASE("every figure is there as SVG and CSV, with the source's number in the index",
-          "[figures]") {
+          "[figures][slow]") {
   if (std::string output; run_program({"gnuplot", "--version"}, output) != 0)
     return sinew::test::skip("gnuplot is not installed (gnuplot-nox)");
   const TemporaryFolder folder;
