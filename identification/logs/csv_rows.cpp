@@ -170,7 +170,8 @@ void CsvReader::on_bytes(std::function<void(const char*, size_t)> listener) {
   for (long left = already; left > 0;) {
     const size_t got =
         std::fread(block.data(), 1, std::min(block.size(), static_cast<size_t>(left)), again);
-    if (got == 0) fail_reading(path_);  // a digest of less than the file would be another file's
+    // A digest of less than the file would be another file's.
+    if (got == 0 || std::ferror(again) != 0) fail_reading(path_);
     listener_(block.data(), got);
     left -= static_cast<long>(got);
   }
@@ -191,8 +192,8 @@ bool CsvReader::fill() {
     buffer_.resize(2 * buffer_.size());
   }
   const size_t got = std::fread(buffer_.data() + end_, 1, buffer_.size() - end_, file_.get());
+  if (std::ferror(file_.get()) != 0) fail_reading(path_);
   if (got == 0) {
-    if (std::ferror(file_.get()) != 0) fail_reading(path_);
     at_end_ = true;
     return false;
   }

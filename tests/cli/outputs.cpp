@@ -26,7 +26,7 @@ struct Bench : Workplace {
       fs::copy(source + "/models/" + model, path("models/") / model, fs::copy_options::recursive);
     fs::copy_file(table, path("table.csv"));
     reference::write_text(path("short.toml"),
-                          "[scenario]\nduration = { value = 0.05, unit = \"s\" }\n"
+                          "[scenario]\nduration = { value = 0.3, unit = \"s\" }\n"
                           "output_rate = { value = 1000, unit = \"Hz\" }\n"
                           "[[command]]\nchannel = \"tau_m\"\nshape = \"sine\"\n"
                           "amplitude = { value = 0.5, unit = \"N*m\" }\n"

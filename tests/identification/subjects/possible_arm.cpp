@@ -73,10 +73,13 @@ TEST_CASE("a term that would make the model impossible is left out with the reas
   CHECK_THAT(possible.refused[0], Catch::Contains("inertia (j2) cannot be adopted") &&
                                       Catch::Contains("not be positive definite at j1 = "));
   CHECK_THAT(possible.refused[1], Catch::Contains("it would push away"));
-  // What a heavy hand makes possible: links are looked at first.
-  ExtensionTerm hand = term("inertial_parameters", "link l2", "mass", 2.0, "kg");
-  hand.entry.coefficients.push_back({"first_moment_x", 0.6, 0.01, "kg*m"});
-  const PossibleTerms heavier =
-      possible_terms(subject, {term("inertia", "j2", "inertia_change", -0.04, "kg*m^2"), hand});
-  CHECK(heavier.refused == std::vector<std::string>{});
+  // What a longer hand makes possible: links are looked at first. Less than the arm has about the
+  // elbow now (1.6 kg at 0.13 m, and its own), and not less than with 2 kg m more beyond it.
+  ExtensionTerm hand = term("inertial_parameters", "link l2", "mass", 8.0, "kg");
+  hand.entry.coefficients.push_back({"first_moment_z", 2.0, 0.01, "kg*m"});
+  for (const char* moment : {"moment_xx", "moment_yy"})
+    hand.entry.coefficients.push_back({moment, 0.6, 0.01, "kg*m^2"});
+  const ExtensionTerm lighter = term("inertia", "j2", "inertia_change", -0.06, "kg*m^2");
+  CHECK(possible_terms(subject, {lighter}).refused.size() == 1);
+  CHECK(possible_terms(subject, {lighter, hand}).refused == std::vector<std::string>{});
 }
