@@ -109,7 +109,7 @@ TEST_CASE("an identified.toml that makes a link impossible is refused with its p
 }
 
 TEST_CASE("what a library throws is told in words of the program") {
-  // Defect to plant: clear_message() giving what() back.
+  // Planted defect: clear_message() giving what() back: all but the last three are red.
   using Catch::Contains;
   CHECK_THAT(told([] { GiNaC::pow(GiNaC::ex(0), -1); }),
              Contains("divides by zero") && Contains("[power::eval(): division by zero]"));

@@ -46,7 +46,8 @@ bool is_result(const std::string& text) {
 }  // namespace
 
 TEST_CASE("a device is written into, never replaced, and what it refuses is told", "[outputs]") {
-  // Planted defect: place_of() that takes every place for a file: /dev/full became a CSV file.
+  // Defect to plant: output_place() that takes every place for a file: /dev/full becomes a CSV
+  // file.
   const Bench here;
   for (const std::string& command : both) {
     INFO(command);
@@ -154,7 +155,7 @@ TEST_CASE("a folder's place is no standard output", "[outputs]") {
 }
 
 TEST_CASE("an input is never the output, however it is spelled", "[outputs]") {
-  // Planted defect: Inputs::refuse() that compares paths: "a hard link" and the link were replaced.
+  // Planted defect: Inputs::refuse() that refuses nothing: every case is red.
   const Bench here;
   fs::create_symlink("table.csv", here.path("link.csv"));
   fs::create_hard_link(here.path("table.csv"), here.path("second.csv"));
@@ -227,8 +228,8 @@ TEST_CASE("a log that cannot be read to its end gives no result", "[outputs]") {
     sinew::test::skip("strace cannot trace here");
     return;
   }
-  // Planted defect: CsvReader::on_bytes() that stops where nothing more can be read: at the reads
-  // for the digest it ended with 1, and wrote the digest of less than the file.
+  // Planted defect: CsvReader::on_bytes() that does not ask for std::ferror(): the fourth read
+  // fails, the next one does not, and the command ends with 1 and a result.
   REQUIRE(here.shell(simulate + " --out run.csv").status == 0);
   const std::string command =
       "identify models/motor --experiment friction --log run.csv --out o.json";
@@ -255,7 +256,7 @@ TEST_CASE("a model's digest is that of what was read, or there is none", "[outpu
     sinew::test::skip("strace cannot trace here");
     return;
   }
-  // Planted defect: the model's files read by an ifstream whose state nobody looks at: exit 0 with
+  // Defect to plant: the model's files read by an ifstream whose state nobody looks at: exit 0 with
   // the digest of an empty file at the read that follows the parser's.
   int failed = 0;
   for (int count = 1; count <= 20; ++count) {

@@ -70,8 +70,8 @@ bool can_trace(const Workplace& here) {
 }  // namespace
 
 TEST_CASE("a diagnosis killed while it writes leaves all old or all new", "[outputs][slow]") {
-  // Planted defect: Outputs::commit() without a journal: "rename 1" to "rename 3" left the model
-  // extended beside the old report.
+  // Planted defect: recover_interrupted() that settles nothing: the model stays extended beside the
+  // old report, and drafts stay.
   const Bench bench;
   if (!can_trace(bench.here)) return;
   int mixed = 0, old = 0, replaced = 0;

@@ -155,8 +155,8 @@ bool has_tools(const Workplace& here, const Command& command) {
 
 TEST_CASE("every command, killed at each step of its writing: all old or all new",
           "[outputs][slow]") {
-  // Planted defect: Outputs::commit() without a journal: generate, import, identify and figures
-  // were a mixture after "rename 2" and "renameat2 2".
+  // Defect to plant: Outputs::commit() without a journal: generate, import, identify and figures
+  // are a mixture after "rename 2" and "renameat2 2".
   for (const Command& command : commands()) {
     const Workplace tools;
     if (!can_trace(tools)) return;

@@ -81,7 +81,7 @@ TEST_CASE("what is unexplained is a share, and of a small error nothing") {
 }
 
 TEST_CASE("a verdict takes errors and gains from what was measured") {
-  // Must fail: without the last line of tell_measured() the lone cause keeps the search's
+  // Planted defect: without the last line of tell_measured() the lone cause keeps the search's
   // gain.
   const std::vector<MeasuredChannel> one = {channel(0, 30.0, 10.0, 7)};
   diagnosis::Verdict verdict;

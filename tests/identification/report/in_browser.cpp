@@ -51,7 +51,7 @@ void check_quiet(const Visit& visited) {
     CHECK(seen.requests == 0);
     CHECK(seen.content_width <= seen.width);
     CHECK(seen.widest_element <= seen.width);
-    // Must fail: with the drawing's own 460 x 300 for every plot (with_labels() left away in
+    // Planted defect: with the drawing's own 460 x 300 for every plot (with_labels() left away in
     // svg.cpp) labels of "awkward" are cut.
     CHECK(seen.cut_labels == 0);
     CHECK((seen.labels > 0) == (seen.pictures > 0));

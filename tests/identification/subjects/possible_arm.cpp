@@ -48,7 +48,7 @@ TEST_CASE("a small load in noisy logs is adopted as a body", "[slow]") {
 }
 
 TEST_CASE("a term that would make the model impossible is left out with the reason") {
-  // Defect to plant: possible_terms() taking every term: three stay.
+  // Planted defect: possible_terms() taking every term: three stay.
   using namespace sinew::diagnosis;
   const Mechanism arm = upper_and_lower_arm();
   const std::filesystem::path runtime = SINEW_SOURCE_DIR "/runtime";

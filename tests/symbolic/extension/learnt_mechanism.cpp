@@ -109,8 +109,8 @@ TEST_CASE("a link that is no body is refused") {
 
 TEST_CASE("what a drive learns leaves the mass matrix positive at every corner") {
   // The more the elbow is stretched, the less inertia has a shoulder whose elbow gives way: the
-  // mass matrix is indefinite in a part of the range only. Defect to plant: the centre of the
-  // ranges alone: read.
+  // mass matrix is indefinite in a part of the range only. Planted defect: the centre of the
+  // ranges alone: it is read, nothing is said.
   const Mechanism arm = two_links();
   const auto change = [](double inertia) {
     return entry("inertia", "q1", {{"inertia_change", inertia}});
