@@ -44,7 +44,7 @@ std::string told(Act act) {
 }  // namespace
 
 TEST_CASE("a joint that moves no inertia is told, and all but the inverse is generated") {
-  // Defect to plant: forward_dynamics not left out (dynamics_functions.cpp): generate ended with
+  // Planted defect: forward_dynamics not left out (dynamics_functions.cpp): generate ends with
   // "power::eval(): division by zero".
   const Workplace here;
   reference::write_text(here.path("rod.urdf"), robot_with_a_rod);

@@ -158,7 +158,7 @@ TEST_CASE("structure without a name, and noise") {
 }
 
 TEST_CASE("where an error is not worth explaining the report says so") {
-  // Must fail: with nothing_to_explain() never true 102 % relative error are "104 %
+  // Planted defect: with nothing_to_explain() never true 102 % relative error are "104 %
   // unexplained", of an error that is 0.03 % of what is measured.
   const std::string html = report_html(example::awkward_numbers());
   CHECK(contains(html, "nothing to explain"));

@@ -101,7 +101,7 @@ TEST_CASE("a worse error is called worse") {
 }
 
 TEST_CASE("a change of a gain is told in percent of what it is a gain of") {
-  // Must fail: without parameter_label() and shown_parameter() it says "gain_change -0.3526".
+  // Planted defect: without parameter_label() and shown_parameter() it says "gain_change -0.3526".
   const std::string text = plain(report_text(example::lone_cause()));
   CHECK(contains(text, "pulley radius −35.26 ± 0.41 %"));
   CHECK_FALSE(contains(text, "gain_change"));
