@@ -16,7 +16,7 @@
 #include "generator/dump.h"
 #include "generator/lower.h"
 #include "generator/passes/pipeline.h"
-#include "generator/statements.h"
+#include "generator/runtime_calls.h"
 #include "symbolic/dynamics/dynamics_functions.h"
 #include "symbolic/dynamics/lagrangian.h"
 

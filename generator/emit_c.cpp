@@ -5,6 +5,7 @@
 
 #include "generator/cost.h"
 #include "generator/loops/find_loops.h"
+#include "generator/runtime_calls.h"
 #include "generator/statements.h"
 
 namespace sinew {

@@ -25,17 +25,6 @@ struct ArrayNames {
 /// q[2]: plain arrays.
 ArrayNames array_names(const Graph& graph);
 
-/// A function of the runtime that is not inlined: one copy for a whole file of emitted C.
-struct SharedFunction {
-  std::string name;
-  std::string definition;  ///< C text
-};
-
-/// The ones that a model calls: every long function that its graphs need more than once, sines and
-/// cosines among them where the target is short of room. A call costs few of their instructions.
-std::vector<SharedFunction> shared_functions(const std::vector<Graph>& graphs,
-                                             const Target& target);
-
 /// Whether any element of the named input is used.
 bool reads_port(const Graph& graph, const std::string& name);
 

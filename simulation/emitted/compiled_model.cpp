@@ -18,39 +18,68 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Exit status of a program, its output where ours goes; 127 where it cannot be started.
-int run(const std::vector<std::string>& command) {
+constexpr int kNotStarted = 127;
+
+/// Exit status of a program started in `folder`, its output where ours goes; kNotStarted where it
+/// cannot be started.
+int run(const std::vector<std::string>& command, const fs::path& folder) {
   std::vector<char*> words;
   for (const std::string& word : command) words.push_back(const_cast<char*>(word.c_str()));
   words.push_back(nullptr);
   const pid_t child = ::fork();
   if (child == 0) {
-    ::execvp(words[0], words.data());
-    ::_exit(127);
+    if (::chdir(folder.c_str()) == 0) ::execvp(words[0], words.data());
+    ::_exit(kNotStarted);
   }
   int status = 0;
-  if (child < 0 || ::waitpid(child, &status, 0) != child || !WIFEXITED(status)) return 127;
+  if (child < 0 || ::waitpid(child, &status, 0) != child || !WIFEXITED(status)) return kNotStarted;
   return WEXITSTATUS(status);
 }
 
-void compile(const fs::path& folder, const fs::path& runtime, const fs::path& library,
-             const std::vector<std::string>& more) {
-  const char* compiler = std::getenv("CC");
+bool has_ccache() {
+  static const bool found = run({"sh", "-c", "command -v ccache >/dev/null"}, "/") == 0;
+  return found;
+}
+
+std::string compiler() {
+  const char* chosen = std::getenv("CC");
+  return chosen && *chosen ? chosen : "cc";
+}
+
+void require(int status, const fs::path& folder) {
+  if (status == kNotStarted)
+    throw std::runtime_error("no C compiler: '" + compiler() +
+                             "' cannot be started; install gcc or clang, or name yours in CC");
+  if (status != 0) throw std::runtime_error(folder.string() + ": the emitted C does not compile");
+}
+
+/// One source of `folder`, by its name alone: what is compiled is then the same wherever the folder
+/// lies, and ccache, where it is installed, finds what was compiled before.
+void compile(const fs::path& folder, const fs::path& runtime, const std::string& source,
+             const fs::path& object, const std::vector<std::string>& optimisation) {
   // The rules of the package (runtime/CMakeLists.txt), so that the bits are those of the boards.
-  std::vector<std::string> command{compiler ? compiler : "cc",
+  std::vector<std::string> command{compiler(),
                                    "-std=c11",
                                    "-ffp-contract=off",
                                    "-fno-math-errno",
                                    "-fno-tree-slp-vectorize",
-                                   "-shared",
                                    "-fPIC",
-                                   "-I" + runtime.string(),
-                                   "-I" + folder.string(),
+                                   "-I" + fs::absolute(runtime).string(),
+                                   "-c",
+                                   source,
                                    "-o",
-                                   library.string()};
-  command.insert(command.end(), more.begin(), more.end());
-  if (run(command) != 0)
-    throw std::runtime_error(folder.string() + ": the emitted C does not compile");
+                                   object.string()};
+  command.insert(command.end(), optimisation.begin(), optimisation.end());
+  std::vector<std::string> cached{"env", "CCACHE_NOHASHDIR=1", "ccache"};
+  cached.insert(cached.end(), command.begin(), command.end());
+  if (has_ccache() && run(cached, folder) == 0) return;
+  require(run(command, folder), folder);
+}
+
+void link(const std::vector<fs::path>& objects, const fs::path& library) {
+  std::vector<std::string> command{compiler(), "-shared", "-o", library.string()};
+  for (const fs::path& object : objects) command.push_back(object.string());
+  require(run(command, library.parent_path()), library.parent_path());
 }
 
 std::shared_ptr<void> open_library(const fs::path& library) {
@@ -78,16 +107,19 @@ CompiledModel::CompiledModel(const EmittedModel& model, const fs::path& runtime,
 }
 
 void CompiledModel::load(const fs::path& folder, const fs::path& runtime,
-                         std::vector<std::string> options, bool with_batch) {
+                         const std::vector<std::string>& optimisation, bool with_batch) {
   const ScratchFolder scratch;
-  const std::string stem = (folder / name_).string();
+  const auto compiled = [&](const std::string& part) {
+    const fs::path object = scratch.path() / (part + ".o");
+    compile(folder, runtime, name_ + part + ".c", object, optimisation);
+    return object;
+  };
   const fs::path library = scratch.path() / "model.so";
-  options.insert(options.end(), {stem + ".c", stem + "_catalogue.c"});
-  compile(folder, runtime, library, options);
+  link({compiled(""), compiled("_catalogue")}, library);
   library_ = open_library(library);
   if (with_batch) {
     const fs::path loops = scratch.path() / "batch.so";
-    compile(folder, runtime, loops, {"-O3", "-march=native", stem + "_batch.c"});
+    link({compiled("_batch")}, loops);
     batch_ = open_library(loops);
   }
   catalogue_ =

@@ -45,7 +45,7 @@ class CompiledModel {
 
  private:
   void load(const std::filesystem::path& folder, const std::filesystem::path& runtime,
-            std::vector<std::string> options, bool with_batch);
+            const std::vector<std::string>& optimisation, bool with_batch);
   void* find_batch(const std::string& name) const;
   const sinew_function* search(const std::string& name) const;
 
