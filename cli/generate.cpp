@@ -13,6 +13,7 @@
 #include "cli/change_summary.h"
 #include "cli/model_folder.h"
 #include "cli/model_set.h"
+#include "cli/plausibility.h"
 #include "cli/target_options.h"
 #include "cli/terminal/terminal.h"
 #include "generator/outputs/unfinished_run.h"
@@ -28,6 +29,7 @@ struct GenerateOptions {
   bool json = false;
   bool runtime_parameters = false;
   bool dependents = false;
+  bool strict = false;
 };
 
 void add_common_options(CLI::App& command, GenerateOptions& o) {
@@ -41,6 +43,8 @@ void add_common_options(CLI::App& command, GenerateOptions& o) {
   command.add_option("--without", o.without, "Optimisation passes to leave out");
   command.add_flag("--runtime-parameters", o.runtime_parameters,
                    "Masses and gravity stay arguments of the dynamics");
+  command.add_flag("--strict", o.strict,
+                   "What is possible but not plausible (units, signs, routing) is a mistake");
   command.add_flag("--json", o.json, "Report for machines");
 }
 
@@ -64,7 +68,7 @@ struct Derived {
   EmittedModel model;
   std::vector<FunctionChange> changes;
   double seconds = 0;
-  std::vector<std::string> remarks{};
+  std::vector<std::string> remarks{}, warnings{};
 };
 
 /// The folders a command is about; with --dependents also the hands made of them.
@@ -81,7 +85,9 @@ std::vector<std::filesystem::path> folders_of(const GenerateOptions& o) {
 Derived derive(const GenerateOptions& o, const std::filesystem::path& path, bool alone) {
   const auto start = std::chrono::steady_clock::now();
   const ModelFolder folder = open_model_folder(path);
-  Derived derived{path, default_output(folder), emit(o, folder), {}, 0, folder.remarks};
+  const std::vector<std::string> warnings = plausibility_warnings(folder);
+  refuse_if_strict(warnings, o.strict);
+  Derived derived{path, default_output(folder), emit(o, folder), {}, 0, folder.remarks, warnings};
   if (!o.out.empty())
     derived.out = alone ? std::filesystem::path(o.out) : o.out / derived.out.filename();
   recover_interrupted(output_folder(derived.out).parent_path());
@@ -130,11 +136,15 @@ std::vector<std::filesystem::path> left_behind(const Derived& derived,
 }
 
 nlohmann::ordered_json model_json(const Derived& d, const std::vector<Derived>& run) {
-  nlohmann::ordered_json report{
-      {"model", d.model.name},  {"out", d.out.string()},
-      {"sha256", d.model.hash}, {"functions", d.model.functions.size()},
-      {"seconds", d.seconds},   {"changes", summary_json(d.changes)},
-      {"notes", d.remarks},     {"left_behind", nlohmann::ordered_json::array()}};
+  nlohmann::ordered_json report{{"model", d.model.name},
+                                {"out", d.out.string()},
+                                {"sha256", d.model.hash},
+                                {"functions", d.model.functions.size()},
+                                {"seconds", d.seconds},
+                                {"changes", summary_json(d.changes)},
+                                {"notes", d.remarks},
+                                {"warnings", d.warnings},
+                                {"left_behind", nlohmann::ordered_json::array()}};
   for (const std::filesystem::path& folder : left_behind(d, run))
     report["left_behind"].push_back(folder.string());
   return report;
@@ -142,6 +152,7 @@ nlohmann::ordered_json model_json(const Derived& d, const std::vector<Derived>& 
 
 void tell_remarks(const Derived& d) {
   for (const std::string& remark : d.remarks) warn("note: {}: {}\n", d.model.name, remark);
+  for (const std::string& warning : d.warnings) warn("warning: {}\n", warning);
 }
 
 void report_generated(const std::vector<Derived>& run, bool json) {
@@ -183,7 +194,8 @@ nlohmann::ordered_json check_json(const Derived& d, const std::string& diff,
                                   const std::string& accept) {
   return {{"model", d.model.name}, {"same", diff.empty()},
           {"diff", diff},          {"changes", summary_json(d.changes)},
-          {"notes", d.remarks},    {"accept", accept}};
+          {"notes", d.remarks},    {"warnings", d.warnings},
+          {"accept", accept}};
 }
 
 int run_check(const GenerateOptions& o) {

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "cli/equations.h"
 #include "cli/model_folder.h"
 #include "cli/reduced_models.h"
 #include "cli/target_options.h"
@@ -27,7 +28,8 @@ struct InspectOptions {
   std::string folder, function, after;
   TargetOptions target;
   bool passes = false, methods = false, reduced = false, runtime_parameters = false;
-  bool dot = false, json = false;
+  bool dot = false, json = false, equations = false;
+  std::string format = "latex";
 };
 
 nlohmann::ordered_json cost_json(const Cost& c, const Target& target) {
@@ -186,8 +188,9 @@ Graph graph_after(const Function& function, const std::string& after, const Targ
 
 void run_dump(const InspectOptions& o) {
   const Target target = o.target.target();
-  const std::vector<Function> functions =
-      derive_functions(open_model_folder(o.folder), o.runtime_parameters);
+  const ModelFolder folder = open_model_folder(o.folder);
+  if (o.equations) return tell("{}", equations_of(folder, o.format));
+  const std::vector<Function> functions = derive_functions(folder, o.runtime_parameters);
   std::string names;
   for (const Function& function : functions) {
     names += (names.empty() ? "" : ", ") + function.name;
@@ -196,7 +199,10 @@ void run_dump(const InspectOptions& o) {
     tell("{}", o.dot ? dump_dot(graph) : dump_text(graph));
     return;
   }
-  throw std::invalid_argument(fmt::format("--function {}: expected one of {}", o.function, names));
+  const Mechanism* mechanism = std::get_if<Mechanism>(&folder.model);
+  throw std::invalid_argument(
+      fmt::format("--function {}: expected one of {}{}", o.function, names,
+                  mechanism && is_massless(*mechanism) ? "; " + why_no_dynamics(*mechanism) : ""));
 }
 
 }  // namespace
@@ -222,10 +228,16 @@ void add_dump_command(CLI::App& app, int&) {
   CLI::App* command = app.add_subcommand("dump", "Print an intermediate form of a function");
   auto options = std::make_shared<InspectOptions>();
   command->add_option("model", options->folder, "Model folder")->required();
-  command
-      ->add_option("--function", options->function,
-                   "Function without the model's prefix, for instance bias")
-      ->required();
+  CLI::Option_group* what = command->add_option_group("what is printed");
+  what->add_option("--function", options->function,
+                   "Function without the model's prefix, for instance bias");
+  CLI::Option* equations = what->add_flag(
+      "--equations", options->equations,
+      "The model's equations for people: symbols kept, with the source's numbers and a table");
+  what->require_option(1);
+  command->add_option("--format", options->format, "Of the equations: latex, mathml or text")
+      ->capture_default_str()
+      ->needs(equations);
   command->add_option("--after", options->after,
                       "Last pass to run, or 'lower' (default: all passes)");
   add_target_options(*command, options->target);

@@ -3,37 +3,53 @@
 #include <signal.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <sstream>
 
 #include "cli/clear_message.h"
 #include "cli/diagnose.h"
 #include "cli/effects.h"
+#include "cli/error_report.h"
 #include "cli/figures/figures.h"
 #include "cli/generate.h"
 #include "cli/identify.h"
 #include "cli/import.h"
 #include "cli/inspect.h"
+#include "cli/manual.h"
 #include "cli/simulate.h"
 #include "cli/terminal/terminal.h"
 #include "generator/outputs/interruption.h"
+#include "symbolic/files/identifier.h"
 #include "symbolic/files/readable.h"
 
 namespace {
 
 constexpr int wrong_usage_or_input = 2;
 
-bool has_command(const CLI::App& app, const std::string& name) {
-  for (const CLI::App* command : app.get_subcommands({}))
-    if (command->get_name() == name) return true;
-  return false;
+std::vector<std::string> command_names(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
+  return names;
 }
 
-std::string command_names(const CLI::App& app) {
-  std::string names;
-  for (const CLI::App* command : app.get_subcommands({}))
-    names += (names.empty() ? "" : ", ") + command->get_name();
-  return names;
+/// Options of the command that was given, for what a misspelt one may mean.
+std::string help_of(const CLI::App& app) {
+  std::string help = app.help();
+  for (const CLI::App* command : app.get_subcommands()) help += command->help();
+  return help;
+}
+
+/// What CLI11 adds to an error.
+std::string after_first_line(const std::string& text) {
+  const std::size_t end = text.find('\n');
+  return end == std::string::npos ? "" : text.substr(end + 1);
+}
+
+/// To people on standard error, or to a machine.
+int refuse(const std::string& what, bool json) {
+  json ? sinew::tell_errors(what) : sinew::complain(what);
+  return wrong_usage_or_input;
 }
 
 }  // namespace
@@ -54,26 +70,36 @@ int main(int argc, char** argv) {
   sinew::add_identify_command(app, exit_status);
   sinew::add_diagnose_command(app, exit_status);
   sinew::add_effects_command(app, exit_status);
-  if (argc > 1 && argv[1][0] != '-' && !has_command(app, argv[1])) {
-    sinew::warn("sinew: no command is called '{}'; expected one of {}\n", argv[1],
-                command_names(app));
-    return wrong_usage_or_input;
-  }
+  sinew::add_manual_command(app, exit_status);
+  const bool json = sinew::wants_json(argc, argv);
+  const std::vector<std::string> commands = command_names(app);
+  if (argc > 1 && argv[1][0] != '-' &&
+      std::find(commands.begin(), commands.end(), argv[1]) == commands.end())
+    return refuse(
+        fmt::format("no command is called '{}'{}; expected one of {}", sinew::message_part(argv[1]),
+                    sinew::did_you_mean(argv[1], commands), sinew::listed(commands)),
+        json);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     std::ostringstream out, complaint;
     const int status = app.exit(error, out, complaint);
-    sinew::tell("{}", out.str());
-    sinew::warn("{}", sinew::message_lines(complaint.str()));
-    if (status != 0) return wrong_usage_or_input;
+    if (status == 0) {
+      sinew::tell("{}", out.str());
+    } else {
+      const std::string meant = sinew::meant_option(error.what(), help_of(app));
+      if (json)
+        sinew::tell_errors(error.what() + meant);
+      else
+        sinew::warn("{}", sinew::message_lines(fmt::format("{}{}\n{}", error.what(), meant,
+                                                           after_first_line(complaint.str()))));
+      return wrong_usage_or_input;
+    }
   } catch (const std::exception& error) {
     sinew::end_if_interrupted();
-    sinew::complain(sinew::clear_message(error));
-    return wrong_usage_or_input;
+    return refuse(sinew::clear_message(error), json);
   } catch (...) {
-    sinew::complain("something that was not foreseen went wrong; please report it");
-    return wrong_usage_or_input;
+    return refuse("something that was not foreseen went wrong; please report it", json);
   }
   sinew::end_if_interrupted();
   if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <sstream>
 #include <stdexcept>
 
@@ -28,8 +29,8 @@ namespace fs = std::filesystem;
 
 std::string described_files(const fs::path& folder) {
   std::string all;
-  for (const char* name :
-       {"hand.toml", "identified.toml", "mass_properties.csv", "mechanism.toml", "part.toml"}) {
+  for (const char* name : {"hand.toml", "identified.toml", "mass_properties.csv", "mechanism.toml",
+                           "names.toml", "part.toml"}) {
     if (!fs::exists(folder / name)) continue;
     const std::string text = read_whole(folder / name);
     all += fmt::format("{} {}\n{}", name, text.size(), text);
@@ -66,12 +67,20 @@ std::vector<std::string> joint_notes(const Mechanism& mechanism) {
   for (const int index : coordinates.joints()) {
     const Joint& joint = mechanism.joints[static_cast<std::size_t>(index)];
     notes.push_back(
-        fmt::format("  q[{}] {} ({})", coordinate++, joint.name,
-                    joint.type == JointType::revolute ? "revolute, rad" : "prismatic, m"));
+        fmt::format("  q[{}] {} ({}){}", coordinate++, joint.name,
+                    joint.type == JointType::revolute ? "revolute, rad" : "prismatic, m",
+                    joint.source_name.empty()
+                        ? ""
+                        : message_part(fmt::format(", '{}' in the source", joint.source_name))));
   }
   for (const JointCoupling& coupling : mechanism.couplings)
-    notes.push_back(fmt::format("  {} = {} {} follows", coupling.dependent, coupling.ratio,
-                                coupling.independent));
+    notes.push_back(coupling.offset == 0.0
+                        ? fmt::format("  {} = {} {} follows", coupling.dependent, coupling.ratio,
+                                      coupling.independent)
+                        : fmt::format("  {} = {} {} {} {} follows", coupling.dependent,
+                                      coupling.ratio, coupling.independent,
+                                      coupling.offset < 0.0 ? '-' : '+',
+                                      std::abs(coupling.offset)));
   for (const FourBarCoupling& bars : mechanism.four_bars)
     notes.push_back(fmt::format("  {} follows {} by a four-bar", bars.dependent, bars.independent));
   const Eigen::Vector3d& g = mechanism.gravity;
@@ -102,7 +111,7 @@ void add_model(Inputs& inputs, const fs::path& folder) {
   models.push_back(folder_of_motor(folder));
   for (const fs::path& model : models)
     for (const char* name : {"channels.toml", "hand.toml", "identified.toml", "mass_properties.csv",
-                             "mechanism.toml", "part.toml"})
+                             "mechanism.toml", "names.toml", "part.toml"})
       inputs.add(model / name);
 }
 
@@ -138,7 +147,9 @@ ModelFolder open_model_folder(const fs::path& folder) {
     result.identity.name = mechanism.name;
     description = mechanism.description;
     result.identity.notes = joint_notes(mechanism);
-    if (const auto note = note_of_singular_mass_matrix(mechanism)) {
+    const auto note = is_massless(mechanism) ? std::optional(why_no_dynamics(mechanism))
+                                             : note_of_singular_mass_matrix(mechanism);
+    if (note) {
       result.remarks.push_back(*note);
       for (const std::string& line : in_lines("Note: " + *note))
         result.identity.notes.push_back(line);

@@ -55,12 +55,15 @@ std::vector<ChannelSpec> drive_channels(const DriveLimits& limits, const std::st
           spec("i", "A", ChannelRole::current, 0, false)};
 }
 
-/// Either way of calling it is understood, with "q_" and without.
+/// Either way of calling it is understood, with "q_" and without, and so is the joint's name in the
+/// file that the model was imported from.
 ChannelSpec joint_position(const Joint& joint, int group) {
   const bool slides = joint.type == JointType::prismatic;
   ChannelSpec p =
       spec(position_channel(joint.name), slides ? "m" : "rad", ChannelRole::position, group, true);
   p.also = {p.name == joint.name ? "q_" + joint.name : joint.name};
+  if (!joint.source_name.empty())
+    p.also.insert(p.also.end(), {joint.source_name, "q_" + joint.source_name});
   p.low = joint.low;
   p.high = joint.high;
   p.max_rate = joint.max_velocity;
@@ -320,9 +323,15 @@ std::vector<ChannelSpec> robot_channels(const Mechanism& mechanism) {
     ChannelSpec p = joint_position(joint, group);
     p.required = needed;
     specs.push_back(p);
+    const auto also = [&](const char* prefix) {
+      return joint.source_name.empty() ? std::vector<std::string>{}
+                                       : std::vector{prefix + joint.source_name};
+    };
     specs.push_back(
         spec("tau_" + joint.name, slides ? "N" : "N*m", ChannelRole::effort, group, needed));
+    specs.back().also = also("tau_");
     ChannelSpec v = spec("qd_" + joint.name, p.unit + "/s", ChannelRole::velocity, group, false);
+    v.also = also("qd_");
     v.low = -joint.max_velocity;
     v.high = joint.max_velocity;
     specs.push_back(v);

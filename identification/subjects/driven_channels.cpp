@@ -46,7 +46,11 @@ DrivenChannels robot_log_channels(const Mechanism& mechanism, const std::string&
   if (coordinates.count() == 1) {
     const Joint& joint = joint_at(coordinates.joints().front());
     // A joint called x or theta is no drive's position where its effort is a joint's.
-    if (!has_channel(file, map, "q_" + joint.name) && !has_channel(file, map, "tau_" + joint.name))
+    const auto names_joint = [&](const std::string& name) {
+      return !name.empty() &&
+             (has_channel(file, map, "q_" + name) || has_channel(file, map, "tau_" + name));
+    };
+    if (!names_joint(joint.name) && !names_joint(joint.source_name))
       return drive_log_channels(joint.type == JointType::revolute, limits_of(joint));
   }
   DrivenChannels channels;

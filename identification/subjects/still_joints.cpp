@@ -58,8 +58,10 @@ std::vector<HeldJoint> still_joints(const Mechanism& mechanism,
   const std::vector<ChannelSpec> specs = positions_of(mechanism);
   for (const std::string& text : map) {
     const std::string name = text.substr(0, text.find('='));
-    if (std::any_of(specs.begin(), specs.end(),
-                    [&](const ChannelSpec& spec) { return spec.name == name; }))
+    if (std::any_of(specs.begin(), specs.end(), [&](const ChannelSpec& spec) {
+          return spec.name == name ||
+                 std::find(spec.also.begin(), spec.also.end(), name) != spec.also.end();
+        }))
       options.map.push_back(text);
   }
   options.check_consistency = false;

@@ -42,6 +42,7 @@ Function moving_joints(const Mechanism& mechanism) {
 
 CompiledModel compiled(const Mechanism& mechanism, bool moving_base,
                        const std::filesystem::path& runtime) {
+  if (is_massless(mechanism)) throw std::invalid_argument(why_no_dynamics(mechanism));
   if (const auto joint = joint_without_inertia(mechanism))
     throw std::invalid_argument(
         mechanism.name + " cannot be simulated: its joint '" + mechanism.joints[*joint].name +

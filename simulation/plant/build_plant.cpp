@@ -113,8 +113,8 @@ Plant hand_plant(const fs::path& model, const Happening& what, const fs::path& r
   const int channels = static_cast<int>(hand.wrist.forearm_points.size());
   const bool free = what.wrist() == WristMode::dynamic;
   std::vector<JointChannel> joints;
-  for (const std::string& name : coordinate_names(hand)) joints.push_back({name, false});
-  if (free) joints.insert(joints.end(), {{"q71", false}, {"q73", false}});
+  for (const std::string& name : coordinate_names(hand)) joints.push_back({name, false, ""});
+  if (free) joints.insert(joints.end(), {{"q71", false, ""}, {"q73", false, ""}});
   Scenario scenario = what.scenario(channels_of(
       what.mode(), joints, channels, free ? TopOfModel::nothing : TopOfModel::commanded_wrist));
   if (free && (scenario.wrist_feedforward || scenario.weight_feedforward))
@@ -148,7 +148,7 @@ Plant finger_plant(const fs::path& model, const Happening& what, const fs::path&
   const Coordinates coordinates(mechanism);
   for (const int index : coordinates.joints()) {
     const Joint& joint = mechanism.joints[static_cast<std::size_t>(index)];
-    joints.push_back({joint.name, joint.type == JointType::prismatic});
+    joints.push_back({joint.name, joint.type == JointType::prismatic, joint.source_name});
   }
   const int tendons = static_cast<int>(mechanism.tendons.size());
   if (tendons == 0 && what.mode() != DriveMode::joint_torques)

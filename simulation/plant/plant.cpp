@@ -48,6 +48,22 @@ const char* name_of_power(int power) {
   return names[power];
 }
 
+namespace {
+
+/// A joint's channels by its name in the file that the model was imported from.
+void add_source_name(ScenarioChannels& channels, const std::string& name,
+                     const std::string& source) {
+  for (const std::string prefix : {"tau_", "qd_", ""}) {
+    auto& known = prefix == "tau_" ? channels.commands : channels.initial;
+    known.emplace(prefix + source, known.at(prefix + name));
+    channels.own_names[prefix + source] = prefix + name;
+  }
+  channels.initial.emplace("q_" + source, channels.initial.at(name));
+  channels.own_names["q_" + source] = name;
+}
+
+}  // namespace
+
 ScenarioChannels channels_of(DriveMode mode, const std::vector<JointChannel>& joints, int tendons,
                              TopOfModel top) {
   ScenarioChannels channels;
@@ -61,11 +77,12 @@ ScenarioChannels channels_of(DriveMode mode, const std::vector<JointChannel>& jo
     channels.initial[drive_only ? "theta" : "theta_" + number] = Dimension::angle;
     channels.initial[drive_only ? "omega" : "omega_" + number] = Dimension::angular_velocity;
   }
-  for (const auto& [name, slides] : joints) {
+  for (const auto& [name, slides, source] : joints) {
     channels.commands["tau_" + name] = slides ? Dimension::force : Dimension::torque;
     for (const std::string& position : {name, position_channel(name)})
       channels.initial[position] = slides ? Dimension::length : Dimension::angle;
     channels.initial["qd_" + name] = slides ? Dimension::velocity : Dimension::angular_velocity;
+    if (!source.empty()) add_source_name(channels, name, source);
   }
   if (top == TopOfModel::commanded_wrist)
     for (const char* name : {"flexion", "abduction"}) channels.commands[name] = Dimension::angle;

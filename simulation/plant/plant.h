@@ -12,12 +12,12 @@
 #include <string>
 #include <vector>
 
+#include "simulation/bodies/joints.h"
 #include "simulation/drives/drive_train.h"
 #include "simulation/drives/drives.h"
 #include "simulation/drives/effort_history.h"
-#include "simulation/bodies/joints.h"
-#include "simulation/plant/weight_feedforward.h"
 #include "simulation/drives/wrist_drive.h"
+#include "simulation/plant/weight_feedforward.h"
 
 namespace sinew {
 
@@ -222,7 +222,8 @@ enum class TopOfModel { nothing, fingertip, commanded_wrist };
 /// A coordinate as scenarios name it.
 struct JointChannel {
   std::string name;
-  bool slides = false;  ///< m and N instead of rad and N·m
+  bool slides = false;        ///< m and N instead of rad and N·m
+  std::string source_name{};  ///< in the file that the model was imported from; "" for the same
 };
 
 /// The channels that a scenario may command and set for a model of these parts.

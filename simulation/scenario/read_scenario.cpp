@@ -184,7 +184,7 @@ class ScenarioReader {
   void read_initial(TomlTable& table) {
     for (const auto& [name, dimension] : channels_->initial)
       if (const auto quantity = table.quantity(name, Shape::scalar, dimension, false))
-        scenario_.initial[name] = quantity->values.front();
+        scenario_.initial[channels_->own_name(name)] = quantity->values.front();
     table.finish();
   }
 
@@ -206,7 +206,7 @@ class ScenarioReader {
       scenario_.tables.push_back(path.string());
       for (const auto& [channel, samples] :
            read_command_table(path, channels_->commands, findings_)) {
-        scenario_.commands[channel].add(samples);
+        scenario_.commands[channels_->own_name(channel)].add(samples);
         for (std::size_t i = 1; i < samples.time.size(); ++i) {
           const double period = samples.time[i] - samples.time[i - 1];
           if (scenario_.longest_step == 0.0 || period < scenario_.longest_step)
@@ -244,7 +244,7 @@ class ScenarioReader {
     if (wave.to <= wave.from)
       table.report("to", "the command ends before it begins", "expected to > from");
     table.finish();
-    scenario_.commands[*channel].add(wave);
+    scenario_.commands[channels_->own_name(*channel)].add(wave);
   }
 
   /// A ramp's rise over its time; the rate of a torque or force has no unit of its own.

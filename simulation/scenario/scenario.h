@@ -96,6 +96,12 @@ struct Scenario {
 struct ScenarioChannels {
   std::map<std::string, Dimension> commands;
   std::map<std::string, Dimension> initial;
+  std::map<std::string, std::string> own_names{};  ///< of what has another name besides
+
+  const std::string& own_name(const std::string& channel) const {
+    const auto found = own_names.find(channel);
+    return found == own_names.end() ? channel : found->second;
+  }
 };
 
 /// The drive mode alone, which decides what the channels are. Throws DescriptionError.

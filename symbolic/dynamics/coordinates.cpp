@@ -7,8 +7,8 @@
 #include <stdexcept>
 
 #include "symbolic/expressions/exact_number.h"
-#include "symbolic/parts/four_bar.h"
 #include "symbolic/expressions/inline_function.h"
+#include "symbolic/parts/four_bar.h"
 
 namespace sinew {
 namespace {
@@ -123,13 +123,13 @@ Coordinates::Coordinates(const Mechanism& mechanism) {
     if (joint.type == JointType::fixed) continue;
     if (const auto* loop = coupling_of(mechanism.couplings, joint.name))
       moving_.push_back({coordinate_of(mechanism, coordinate, loop->dependent, loop->independent),
-                         exact_number(loop->ratio), nullptr, 0});
+                         exact_number(loop->ratio), exact_number(loop->offset), nullptr, 0});
     else if (const auto* bars = coupling_of(mechanism.four_bars, joint.name))
       moving_.push_back({coordinate_of(mechanism, coordinate, bars->dependent, bars->independent),
-                         0, std::make_shared<const Function>(linkage_of(*bars)),
+                         0, 0, std::make_shared<const Function>(linkage_of(*bars)),
                          exact_number(bars->crank_angle)});
     else
-      moving_.push_back({coordinate[i], ex(1), nullptr, 0});
+      moving_.push_back({coordinate[i], ex(1), ex(0), nullptr, 0});
   }
 }
 
@@ -151,7 +151,7 @@ JointMap Coordinates::at(DefinitionList& list, const std::vector<ex>& q) const {
   for (const Follows& joint : moving_) {
     const ex& own = q[static_cast<std::size_t>(joint.coordinate)];
     if (!joint.linkage) {
-      joints.push_back({joint.coordinate, joint.ratio * own, joint.ratio, 0});
+      joints.push_back({joint.coordinate, joint.ratio * own + joint.offset, joint.ratio, ex(0)});
       continue;
     }
     const ex theta2 = list.define("theta2", own + joint.crank_angle);
@@ -160,15 +160,6 @@ JointMap Coordinates::at(DefinitionList& list, const std::vector<ex>& q) const {
                       list.define("linkage_curvature", values[2][0])});
   }
   return {std::move(joints), joints_.size()};
-}
-
-std::vector<ex> Coordinates::of_moving_joints(const std::vector<ex>& coordinates) const {
-  if (!linear())
-    throw std::invalid_argument("a four-bar's joint is no multiple of the coordinates");
-  std::vector<ex> values;
-  for (const Follows& joint : moving_)
-    values.push_back(joint.ratio * coordinates[static_cast<std::size_t>(joint.coordinate)]);
-  return values;
 }
 
 }  // namespace sinew

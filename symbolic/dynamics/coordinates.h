@@ -51,8 +51,8 @@ class JointMap {
 };
 
 /// Generalised coordinates of a mechanism whose joints may be coupled: a dependent joint follows an
-/// independent one, q_dependent = ratio * q_independent (5.16) or as a four-bar linkage makes it
-/// (5.5), and has no coordinate of its own.
+/// independent one, q_dependent = ratio * q_independent + offset (5.16) or as a four-bar linkage
+/// makes it (5.5), and has no coordinate of its own.
 class Coordinates {
  public:
   /// Throws std::invalid_argument where a coupling names no joint or a joint depends on itself.
@@ -68,14 +68,10 @@ class Coordinates {
   /// The joints at coordinates `q`; what four-bars need is appended to `list`.
   JointMap at(DefinitionList& list, const std::vector<GiNaC::ex>& q) const;
 
-  /// J x: values of all moving joints from values of the coordinates.
-  /// Throws std::invalid_argument unless linear().
-  std::vector<GiNaC::ex> of_moving_joints(const std::vector<GiNaC::ex>& coordinates) const;
-
  private:
   struct Follows {
     int coordinate;
-    GiNaC::ex ratio;                          ///< of a linear coupling
+    GiNaC::ex ratio, offset;                  ///< of a linear coupling
     std::shared_ptr<const Function> linkage;  ///< of a four-bar, from the crank's angle
     GiNaC::ex crank_angle;                    ///< at coordinate zero
   };

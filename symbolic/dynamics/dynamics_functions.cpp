@@ -2,6 +2,7 @@
 #include "symbolic/dynamics/dynamics_functions.h"
 
 #include <optional>
+#include <stdexcept>
 
 #include "symbolic/dynamics/coordinates.h"
 #include "symbolic/dynamics/coriolis.h"
@@ -205,6 +206,7 @@ class DynamicsFunctions {
 
 std::vector<Function> dynamics_functions(const Mechanism& mechanism, const CostOf& cost,
                                          bool runtime_parameters) {
+  if (is_massless(mechanism)) return {};
   DynamicsFunctions write(mechanism, cost, runtime_parameters);
   // written out: the order of the searches is part of the result
   std::vector<Function> functions;
@@ -221,6 +223,7 @@ std::vector<Function> dynamics_functions(const Mechanism& mechanism, const CostO
 
 Function inverse_dynamics_function(const Mechanism& mechanism, const CostOf& cost,
                                    bool runtime_parameters) {
+  if (is_massless(mechanism)) throw std::invalid_argument(why_no_dynamics(mechanism));
   return DynamicsFunctions(mechanism, cost, runtime_parameters).inverse_dynamics_function();
 }
 

@@ -10,14 +10,16 @@
 namespace sinew {
 
 /// mass_matrix, coriolis_matrix, gravity, bias, mass_matrix_and_bias, inverse_dynamics and
-/// forward_dynamics, each in the form that is cheapest for itself. Where the mass matrix is
+/// forward_dynamics, each in the form that is cheapest for itself; none where no body has a mass
+/// (is_massless). Where the mass matrix is
 /// singular everywhere there is no forward_dynamics (note_of_singular_mass_matrix). With
 /// `runtime_parameters` masses and gravity are an argument (runtime_parameters.h) and
 /// base_parameters comes first.
 std::vector<Function> dynamics_functions(const Mechanism& mechanism, const CostOf& cost,
                                          bool runtime_parameters = false);
 
-/// inverse_dynamics alone, the same as above.
+/// inverse_dynamics alone, the same as above. Throws std::invalid_argument where no body has a
+/// mass.
 Function inverse_dynamics_function(const Mechanism& mechanism, const CostOf& cost = {},
                                    bool runtime_parameters = false);
 

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "symbolic/dynamics/lagrangian.h"
 
+#include <fmt/format.h>
+
 #include "symbolic/dynamics/coordinates.h"
+#include "symbolic/dynamics/spatial.h"
+#include "symbolic/dynamics/symbols.h"
 #include "symbolic/expressions/differentiate.h"
 #include "symbolic/expressions/exact_number.h"
 #include "symbolic/expressions/inline_function.h"
-#include "symbolic/dynamics/spatial.h"
-#include "symbolic/dynamics/symbols.h"
 
 namespace sinew {
 namespace {
@@ -50,76 +52,113 @@ Matrix3ex turned_about(const Vector3& a, const ex& c, const ex& s) {
   return R;
 }
 
-/// Motion of a body's frame: pose in the base frame, velocities in body axes.
-struct LinkState {
-  Matrix3ex R;
-  Vector3 p, velocity, spin;
-};
-
-LinkState base_state() {
-  LinkState base;
+/// The base, which does not move.
+LinkPose resting_base() {
+  LinkPose base;
   base.R = exact_matrix(Eigen::Matrix3d::Identity());
-  base.p = base.velocity = base.spin = zero_vector();
+  base.p = zero_vector();
   return base;
 }
 
-/// The next link outwards, its joint at `q` with the rate `qd`.
-LinkState next(DefinitionList& list, const Joint& joint, const LinkState& parent, const ex& q,
-               const ex& qd) {
-  const Vector3 axis = exact_vector(joint.axis), at = exact_vector(joint.origin.translation);
-  const bool turns = joint.type == JointType::revolute, slides = joint.type == JointType::prismatic;
-  Matrix3ex to_parent = exact_matrix(joint.origin.rotation);
-  const Vector3 offset = slides ? at + times(to_parent, q * axis) : at;
-  if (turns)
-    to_parent = product(to_parent, turned_about(axis, list.define(joint.name + "_cos", cos(q)),
-                                                list.define(joint.name + "_sin", sin(q))));
-  const Matrix3ex back = transposed(to_parent);
-  LinkState link;
-  link.R = product(parent.R, to_parent);
-  for (Vector3ex& row : link.R) row = define(list, joint.name + "_R", row);
-  link.p = define(list, joint.name + "_p", parent.p + times(parent.R, offset));
-  link.spin = times(back, parent.spin);
-  link.velocity = times(back, parent.velocity + cross(parent.spin, offset));
-  if (turns) link.spin = link.spin + qd * axis;
-  if (slides) link.velocity = link.velocity + qd * axis;
-  link.spin = define(list, joint.name + "_w", link.spin);
-  link.velocity = define(list, joint.name + "_v", link.velocity);
-  return link;
+/// The joint's pose in its parent's frame, at position `q`.
+void place(DefinitionList& list, const Joint& joint, const MechanismValues::OfJoint& values,
+           const ex& q, LinkPose& link) {
+  link.to_parent = values.rotation;
+  link.offset = values.translation;
+  if (joint.type == JointType::prismatic)
+    link.offset = link.offset + times(link.to_parent, q * values.axis);
+  if (joint.type == JointType::revolute)
+    link.to_parent =
+        product(link.to_parent, turned_about(values.axis, list.define(joint.name + "_cos", cos(q)),
+                                             list.define(joint.name + "_sin", sin(q))));
 }
 
 /// Kinetic minus potential energy of one body.
-ex energy(DefinitionList& list, const Body& body, const LinkState& link, const Vector3& gravity) {
-  const Vector3 centre = exact_vector(body.centre_of_mass);
-  const Vector3 v = define(list, body.name + "_vc", link.velocity + cross(link.spin, centre));
-  const ex m = exact_number(body.mass);
-  const ex kinetic =
-      (m * dot(v, v) + dot(link.spin, times(exact_matrix(body.inertia), link.spin))) / 2;
-  const ex potential = -m * dot(gravity, link.p + times(link.R, centre));
-  return list.define(body.name + "_L", kinetic - potential);
+ex energy(DefinitionList& list, const std::string& name, const MechanismValues::OfBody& body,
+          const LinkPose& pose, const LinkVelocity& link, const Vector3& gravity) {
+  const Vector3 v = define(list, name + "_vc", link.velocity + cross(link.spin, body.centre));
+  const ex kinetic = (body.mass * dot(v, v) + dot(link.spin, times(body.inertia, link.spin))) / 2;
+  const ex potential = -body.mass * dot(gravity, pose.p + times(pose.R, body.centre));
+  return list.define(name + "_L", kinetic - potential);
 }
 
 }  // namespace
 
-ex lagrangian(DefinitionList& list, const Mechanism& mechanism, const std::vector<GiNaC::symbol>& q,
-              const std::vector<GiNaC::symbol>& qd) {
-  const Coordinates coordinates(mechanism);
-  const JointMap joints = coordinates.at(list, {q.begin(), q.end()});
-  const std::vector<ex> position = joints.positions(),
-                        rate = joints.velocities({qd.begin(), qd.end()});
+MechanismValues exact_values(const Mechanism& mechanism) {
+  MechanismValues values;
+  for (const Joint& joint : mechanism.joints)
+    values.joints.push_back({exact_matrix(joint.origin.rotation),
+                             exact_vector(joint.origin.translation), exact_vector(joint.axis)});
+  for (const Body& body : mechanism.bodies)
+    values.bodies.push_back(
+        {exact_number(body.mass), exact_vector(body.centre_of_mass), exact_matrix(body.inertia)});
+  values.gravity = exact_vector(mechanism.gravity);
+  return values;
+}
+
+std::vector<LinkPose> link_poses(DefinitionList& list, const Mechanism& mechanism,
+                                 const MechanismValues& values, const std::vector<ex>& position) {
   const std::vector<int> moving = coordinate_of_joint(mechanism);
-  const Vector3 gravity = exact_vector(mechanism.gravity);
-  std::vector<LinkState> links;
-  ex L = 0;
+  std::vector<LinkPose> links;
   for (std::size_t i = 0; i < mechanism.joints.size(); ++i) {
     const Joint& joint = mechanism.joints[i];
-    const LinkState parent =
-        joint.parent < 0 ? base_state() : links[static_cast<std::size_t>(joint.parent)];
-    const auto k = static_cast<std::size_t>(moving[i]);
-    links.push_back(moving[i] < 0 ? next(list, joint, parent, 0, 0)
-                                  : next(list, joint, parent, position[k], rate[k]));
-    L += energy(list, mechanism.bodies[i], links.back(), gravity);
+    const LinkPose parent =
+        joint.parent < 0 ? resting_base() : links[static_cast<std::size_t>(joint.parent)];
+    LinkPose link;
+    place(list, joint, values.joints[i],
+          moving[i] < 0 ? ex(0) : position[static_cast<std::size_t>(moving[i])], link);
+    link.R = product(parent.R, link.to_parent);
+    const char* axes[] = {"x", "y", "z"};
+    for (std::size_t k = 0; k < 3; ++k)
+      link.R[k] = define(list, fmt::format("{}_R_{}", joint.name, axes[k]), link.R[k]);
+    link.p = define(list, joint.name + "_p", parent.p + times(parent.R, link.offset));
+    links.push_back(std::move(link));
   }
+  return links;
+}
+
+std::vector<LinkVelocity> link_velocities(DefinitionList& list, const Mechanism& mechanism,
+                                          const MechanismValues& values,
+                                          const std::vector<LinkPose>& poses,
+                                          const std::vector<ex>& rate, const std::string& suffix) {
+  const std::vector<int> moving = coordinate_of_joint(mechanism);
+  std::vector<LinkVelocity> links;
+  for (std::size_t i = 0; i < mechanism.joints.size(); ++i) {
+    const Joint& joint = mechanism.joints[i];
+    const LinkVelocity parent = joint.parent < 0 ? LinkVelocity{zero_vector(), zero_vector()}
+                                                 : links[static_cast<std::size_t>(joint.parent)];
+    const Matrix3ex back = transposed(poses[i].to_parent);
+    LinkVelocity link{times(back, parent.spin),
+                      times(back, parent.velocity + cross(parent.spin, poses[i].offset))};
+    if (moving[i] >= 0) {
+      const ex& qd = rate[static_cast<std::size_t>(moving[i])];
+      Vector3& moved = joint.type == JointType::revolute ? link.spin : link.velocity;
+      moved = moved + qd * values.joints[i].axis;
+    }
+    link.spin = define(list, joint.name + "_w" + suffix, link.spin);
+    link.velocity = define(list, joint.name + "_v" + suffix, link.velocity);
+    links.push_back(std::move(link));
+  }
+  return links;
+}
+
+ex lagrangian(DefinitionList& list, const Mechanism& mechanism, const MechanismValues& values,
+              const std::vector<LinkPose>& poses, const std::vector<LinkVelocity>& velocities) {
+  ex L = 0;
+  for (std::size_t i = 0; i < mechanism.joints.size(); ++i)
+    L += energy(list, mechanism.bodies[i].name, values.bodies[i], poses[i], velocities[i],
+                values.gravity);
   return list.define("L", L);
+}
+
+ex lagrangian(DefinitionList& list, const Mechanism& mechanism, const std::vector<GiNaC::symbol>& q,
+              const std::vector<GiNaC::symbol>& qd) {
+  const JointMap joints = Coordinates(mechanism).at(list, {q.begin(), q.end()});
+  const MechanismValues values = exact_values(mechanism);
+  const std::vector<LinkPose> poses = link_poses(list, mechanism, values, joints.positions());
+  return lagrangian(
+      list, mechanism, values, poses,
+      link_velocities(list, mechanism, values, poses, joints.velocities({qd.begin(), qd.end()})));
 }
 
 Function textbook_inverse_dynamics(const Mechanism& mechanism) {

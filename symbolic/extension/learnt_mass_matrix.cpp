@@ -7,6 +7,7 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "symbolic/dynamics/coordinates.h"
 #include "symbolic/effects/effects.h"
@@ -73,7 +74,7 @@ class RigidMass {
                list.items(),
                {{"positions", m, 1, map.positions(), "", ""},
                 {"slopes", m, static_cast<int>(n_), map.projected_columns(identity), "", ""}}};
-    if (coordinates.linear()) linear_ = joints_at(VectorXd::Zero(n_)).second;
+    if (coordinates.linear()) std::tie(zero_, linear_) = joints_at(VectorXd::Zero(n_));
   }
 
   MatrixXd operator()(const VectorXd& q) const {
@@ -84,7 +85,7 @@ class RigidMass {
  private:
   /// Positions of all moving joints, and their derivatives by the coordinates.
   std::pair<VectorXd, MatrixXd> joints_at(const VectorXd& q) const {
-    if (linear_.size() > 0) return {linear_ * q, linear_};
+    if (linear_.size() > 0) return {linear_ * q + zero_, linear_};
     const std::vector<double> values = evaluate(joints_, {q.begin(), q.end()});
     const auto m = static_cast<Index>(joints_.outputs.front().rows);
     const Eigen::Map<const MatrixXd> transposed(values.data() + m, n_, m);
@@ -95,6 +96,7 @@ class RigidMass {
   Index n_ = 0;
   Function joints_;
   MatrixXd linear_;  ///< those derivatives, where they are the same everywhere
+  VectorXd zero_;    ///< and the positions at coordinates zero
 };
 
 /// What an entry adds to its joint's effort per unit of acceleration, all else at rest; 0 for

@@ -142,6 +142,19 @@ SourceLocation locate(const TomlFile& file, const toml::source_region& region) {
   return {file.name, static_cast<int>(region.begin.line), static_cast<int>(region.begin.column)};
 }
 
+std::string toml_string(std::string_view text) {
+  std::string out = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\')
+      out += fmt::format("\\{}", c);
+    else if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f)
+      out += fmt::format("\\u{:04x}", static_cast<unsigned>(c));
+    else
+      out += c;
+  }
+  return out + '"';
+}
+
 toml::table parse_toml(std::string_view text, const TomlFile& file) {
   if (const auto place = nested_deeper(text, limits::toml_nesting)) {
     file.findings.add({file.name, place->line, place->column},

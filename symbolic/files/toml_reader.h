@@ -28,6 +28,9 @@ struct TomlFile {
 
 SourceLocation locate(const TomlFile& file, const toml::source_region& region);
 
+/// A text as TOML writes it, quotation marks and escapes included.
+std::string toml_string(std::string_view text);
+
 /// The text as a table; empty, with the mistake reported, where it is no TOML 1.0 or is nested too
 /// deep (limits::toml_nesting).
 toml::table parse_toml(std::string_view text, const TomlFile& file);

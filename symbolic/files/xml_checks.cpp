@@ -69,10 +69,7 @@ void XmlChecks::drop(const TiXmlNode& child, const TiXmlElement& parent, const N
                      const Names& ignored) {
   const std::string& name = child.ValueStr();
   if (std::find(ignored.begin(), ignored.end(), name) != ignored.end()) return;
-  if (name.starts_with("xacro:"))
-    report(child, fmt::format("<{}> is a xacro macro", name),
-           "expected a URDF file: run xacro first");
-  else if (const std::string nearby = nearest(name, used); !nearby.empty())
+  if (const std::string nearby = nearest(name, used); !nearby.empty())
     report(child, fmt::format("unknown element <{}> in <{}>", name, parent.ValueStr()),
            fmt::format("expected <{}>", nearby));
   else

@@ -25,7 +25,7 @@ class XmlChecks {
   void note(const TiXmlBase& node, const std::string& what);
 
   /// Removes all children but elements with a name in `used`: silently those in `ignored`, with a
-  /// note others; a name nearly one of `used` is a mistake, as are text and xacro macros.
+  /// note others; a name nearly one of `used` is a mistake, as is text.
   void keep_children(TiXmlElement& parent, const std::vector<std::string>& used,
                      const std::vector<std::string>& ignored);
   /// The child of that name, or null; reports a missing required one and a second one.

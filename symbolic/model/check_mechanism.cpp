@@ -146,12 +146,13 @@ class Checker {
     for (const JointCoupling& coupling : mechanism_.couplings)
       if (!moves(coupling.dependent) || !moves(coupling.independent) ||
           dependent.contains(coupling.independent) || coupling.ratio == 0.0 ||
-          !std::isfinite(coupling.ratio))
+          !std::isfinite(coupling.ratio) || !std::isfinite(coupling.offset))
         findings_.add(
             coupling.where,
             fmt::format("the coupling of '{}' to '{}' by {} is not possible", coupling.dependent,
                         coupling.independent, coupling.ratio),
-            "expected two moving joints, the second independent, and a ratio other than 0");
+            "expected two moving joints, the second independent, a ratio other than 0 and a finite "
+            "offset");
     for (const FourBarCoupling& bars : mechanism_.four_bars) check_four_bar(bars, dependent);
   }
 
@@ -238,8 +239,7 @@ std::optional<std::string> wrong_inertia(const Eigen::Matrix3d& inertia, Inertia
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(inertia, Eigen::EigenvaluesOnly);
   const Eigen::Vector3d moment = solver.eigenvalues();
   const double largest = moment.cwiseAbs().maxCoeff();
-  const std::string moments = fmt::format("principal moments {:.4g}, {:.4g}, {:.4g} kg*m^2",
-                                          moment[0], moment[1], moment[2]);
+  const std::string moments = principal_moments_text(inertia);
   if (moment[0] < -rounding * largest)
     return fmt::format("the inertia is not positive definite: {}", moments);
   if (check == InertiaCheck::physical && moment[0] <= rounding * largest)
@@ -259,6 +259,29 @@ std::optional<InertiaCheck> strictest_check(const Eigen::Matrix3d& inertia) {
 std::string to_text(InertiaCheck check) {
   if (check == InertiaCheck::physical) return "physical";
   return check == InertiaCheck::idealised ? "idealised" : "as_given";
+}
+
+std::string principal_moments_text(const Eigen::Matrix3d& inertia) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(inertia, Eigen::EigenvaluesOnly);
+  const Eigen::Vector3d moment = solver.eigenvalues();
+  return fmt::format("principal moments {:.4g}, {:.4g}, {:.4g} kg*m^2", moment[0], moment[1],
+                     moment[2]);
+}
+
+std::optional<Eigen::Matrix3d> without_negative_rounding(const Eigen::Matrix3d& inertia,
+                                                         double mass) {
+  constexpr double smallest_radius = 1e-9;  // m, of gyration
+  if (!inertia.allFinite() || inertia != inertia.transpose()) return std::nullopt;
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(inertia);
+  const Eigen::Vector3d moment = solver.eigenvalues();
+  const double tiny =
+      std::max(rounding * moment.cwiseAbs().maxCoeff(), mass * smallest_radius * smallest_radius);
+  if (moment[0] >= 0.0 || moment[0] < -tiny) return std::nullopt;
+  const Eigen::Matrix3d axes = solver.eigenvectors();
+  const Eigen::Matrix3d cleaned = inertia.isDiagonal(0.0)
+                                      ? Eigen::Matrix3d(inertia.cwiseMax(0.0))
+                                      : axes * moment.cwiseMax(0.0).asDiagonal() * axes.transpose();
+  return 0.5 * (cleaned + cleaned.transpose());
 }
 
 void check_mechanism(const Mechanism& mechanism, Findings& findings) {

@@ -29,6 +29,15 @@ std::optional<InertiaCheck> strictest_check(const Eigen::Matrix3d& inertia);
 
 std::string to_text(InertiaCheck check);
 
+/// "principal moments 1, 2, 3 kg*m^2", for messages.
+std::string principal_moments_text(const Eigen::Matrix3d& inertia);
+
+/// The inertia with principal moments that rounding made negative (as -2.4e-35 kg m^2 of a body of
+/// 10 g) set to zero; nothing where there are none. Rounding: below 1e-12 of the largest moment, or
+/// of a radius of gyration below 1 nm, which no body has.
+std::optional<Eigen::Matrix3d> without_negative_rounding(const Eigen::Matrix3d& inertia,
+                                                         double mass);
+
 /// Reports everything that keeps a mechanism from being derived: order of the bodies, names,
 /// references, masses, inertias (as_given), axes and ranges. A singular mass matrix keeps nothing
 /// but its inverse from being derived (singular_mass_matrix.h).

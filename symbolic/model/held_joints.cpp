@@ -8,15 +8,6 @@
 namespace sinew {
 namespace {
 
-void fix(Joint& joint, double position) {
-  if (joint.type == JointType::revolute)
-    joint.origin.rotation =
-        joint.origin.rotation * Eigen::AngleAxisd(position, joint.axis).toRotationMatrix();
-  else
-    joint.origin.translation += joint.origin.rotation * joint.axis * position;
-  joint.type = JointType::fixed;
-}
-
 void hold(Mechanism& mechanism, const HeldJoint& held) {
   for (const FourBarCoupling& bars : mechanism.four_bars)
     if (bars.independent == held.name || bars.dependent == held.name)
@@ -26,11 +17,12 @@ void hold(Mechanism& mechanism, const HeldJoint& held) {
   for (const JointCoupling& coupling : mechanism.couplings)
     if (coupling.independent == held.name)
       for (Joint& joint : mechanism.joints)
-        if (joint.name == coupling.dependent) fix(joint, coupling.ratio * held.position);
+        if (joint.name == coupling.dependent)
+          fix_at(joint, coupling.ratio * held.position + coupling.offset);
   std::erase_if(mechanism.couplings,
                 [&](const JointCoupling& c) { return c.independent == held.name; });
   for (Joint& joint : mechanism.joints)
-    if (joint.name == held.name) fix(joint, held.position);
+    if (joint.name == held.name) fix_at(joint, held.position);
   // What a pulley takes up at a joint that rests does not change.
   for (Tendon& tendon : mechanism.tendons)
     std::erase_if(tendon.pulleys,
@@ -38,6 +30,15 @@ void hold(Mechanism& mechanism, const HeldJoint& held) {
 }
 
 }  // namespace
+
+void fix_at(Joint& joint, double position) {
+  if (joint.type == JointType::revolute)
+    joint.origin.rotation =
+        joint.origin.rotation * Eigen::AngleAxisd(position, joint.axis).toRotationMatrix();
+  else
+    joint.origin.translation += joint.origin.rotation * joint.axis * position;
+  joint.type = JointType::fixed;
+}
 
 Mechanism with_held(Mechanism mechanism, const std::vector<HeldJoint>& held) {
   if (held.empty()) return mechanism;

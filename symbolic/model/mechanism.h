@@ -23,7 +23,8 @@ enum class JointType { revolute, prismatic, fixed };
 /// A rigid body; its frame is the frame of the joint that carries it (after the joint's motion).
 struct Body {
   std::string name;
-  double mass = 0.0;                                         ///< kg
+  std::string source_name;  ///< in the file that it was imported from; "" where that is the same
+  double mass = 0.0;        ///< kg
   Eigen::Vector3d centre_of_mass = Eigen::Vector3d::Zero();  ///< m, body frame
   Eigen::Matrix3d inertia =
       Eigen::Matrix3d::Zero();  ///< kg m^2, about the centre of mass, body axes
@@ -33,6 +34,7 @@ struct Body {
 /// Joint i carries body i: T_parent_child(q) = origin * motion(axis, q).
 struct Joint {
   std::string name;
+  std::string source_name;  ///< in the file that it was imported from; "" where that is the same
   JointType type = JointType::revolute;
   int parent = -1;  ///< body index; -1 is the base
   Transform origin;
@@ -74,11 +76,13 @@ struct Tendon {
   SourceLocation where;
 };
 
-/// q_dependent = ratio * q_independent, for instance a tendon loop between PIP and DIP (5.16).
+/// q_dependent = ratio * q_independent + offset, for instance a tendon loop between PIP and DIP
+/// (5.16), or a joint that mimics another one.
 struct JointCoupling {
   std::string dependent;
   std::string independent;
   double ratio = 1.0;
+  double offset = 0.0;  ///< rad or m, as the dependent joint moves
   SourceLocation where;
 };
 
@@ -128,5 +132,12 @@ std::vector<int> coordinate_of_joint(const Mechanism& mechanism);
 
 /// Number of moving joints.
 int coordinate_count(const Mechanism& mechanism);
+
+/// Whether no body has mass: a description of kinematics alone, as a robot of links without
+/// <inertial> is. Nothing that needs a mass can be said of it.
+bool is_massless(const Mechanism& mechanism);
+
+/// Why dynamics are refused for such a mechanism, and what to add.
+std::string why_no_dynamics(const Mechanism& mechanism);
 
 }  // namespace sinew

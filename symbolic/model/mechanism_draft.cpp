@@ -284,6 +284,10 @@ class SectionReader {
       if (coupling.ratio == 0.0)
         findings_.add(ratio->where, table.path() + ".ratio is zero", "expected another number");
     }
+    if (const auto offset = table.quantity(
+            "offset", Shape::scalar,
+            slides(coupling.dependent) ? Dimension::length : Dimension::angle, false))
+      coupling.offset = offset->values[0];
     table.finish();
     draft_.mechanism.couplings.push_back(std::move(coupling));
   }
@@ -351,6 +355,12 @@ class SectionReader {
     }
     read_positive(table, "max_force", Dimension::force, draft_.mechanism.tendon_force_high);
     table.finish();
+  }
+
+  bool slides(const std::string& name) const {
+    for (const JointEntry& entry : draft_.joints)
+      if (entry.joint.name == name) return entry.joint.type == JointType::prismatic;
+    return false;
   }
 
   void require_moving_joint(TomlTable& table, std::string_view key, const std::string& name) {

@@ -12,6 +12,7 @@
 #include "symbolic/model/mechanism_draft.h"
 #include "symbolic/model/order_bodies.h"
 #include "symbolic/model/read_mass_properties.h"
+#include "symbolic/model/source_names.h"
 
 namespace sinew {
 namespace {
@@ -56,6 +57,7 @@ class MechanismReader {
       findings_.add(draft_.where, "the mechanism has no moving joint", "expected at least one");
     findings_.raise_if_any();
     check_mechanism(draft_.mechanism, findings_);
+    set_source_names(text_.names, text_.names_name, draft_.mechanism, findings_);
     findings_.raise_if_any();
     return std::move(draft_.mechanism);
   }
@@ -171,8 +173,12 @@ Mechanism read_mechanism(const std::filesystem::path& model_folder) {
   Findings findings;
   const std::string toml_text = read_text(toml, findings);
   const std::string csv_text = read_text(csv, findings);
+  const std::filesystem::path names = model_folder / "names.toml";
+  const std::string names_text =
+      std::filesystem::exists(names) ? read_text(names, findings) : std::string();
   findings.raise_if_any();
-  return parse_mechanism({toml_text, csv_text, toml.string(), csv.string()});
+  return parse_mechanism(
+      {toml_text, csv_text, toml.string(), csv.string(), names_text, names.string()});
 }
 
 }  // namespace sinew

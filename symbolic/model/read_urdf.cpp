@@ -15,6 +15,7 @@
 #include "symbolic/files/read_text.h"
 #include "symbolic/files/readable.h"
 #include "symbolic/model/check_mechanism.h"
+#include "symbolic/model/held_joints.h"
 #include "symbolic/model/rotation.h"
 #include "symbolic/model/singular_mass_matrix.h"
 #include "symbolic/model/urdf_outline.h"
@@ -38,26 +39,38 @@ class CollectedMessages : public console_bridge::OutputHandler {
   std::string text_;
 };
 
-/// C identifiers made from the names of a file, different from each other.
+/// C identifiers made from the names of a file, different from each other. What is an identifier in
+/// the file keeps its name, so that no name stands for two things.
 class Renaming {
  public:
   explicit Renaming(std::set<std::string> taken) : taken_(std::move(taken)) {}
 
+  void keep(const std::string& original) {
+    if (make_identifier(original) == original && !taken_.contains(original)) kept_.insert(original);
+  }
+
   std::string operator()(const std::string& original, std::string_view kind,
                          const SourceLocation& where, std::vector<std::string>& notes) {
-    const std::string start = make_identifier(original);
+    if (kept_.contains(original)) return original;
+    const std::string made = make_identifier(original);
+    const bool says_nothing = made == make_identifier("") && made != original;
+    const std::string start = says_nothing ? std::string(kind) : made;
     std::string name = start;
-    for (int i = 1; !taken_.insert(name).second; ++i)
+    for (int i = 1; kept_.contains(name) || !taken_.insert(name).second; ++i)
       name = fmt::format("{}_{}", start.substr(0, 58), i);
-    if (name != original)
-      notes.push_back(message_part(
-          fmt::format("{}: {} '{}' is called {}", to_text(where), kind, original, name)));
+    notes.push_back(message_part(
+        fmt::format("{}: {} '{}' is called {}", to_text(where), kind, original, name)));
     return name;
   }
 
  private:
-  std::set<std::string> taken_;
+  std::set<std::string> taken_, kept_;
 };
+
+/// A name that another file may quote: readable text.
+std::string source_name_of(const std::string& original, const std::string& name) {
+  return original == name || readable_line(original) != original ? "" : original;
+}
 
 /// Text fit for any file: bytes outside printable ASCII become question marks.
 std::string printable(std::string text) {
@@ -72,11 +85,11 @@ Eigen::Vector3d to_vector(const urdf::Vector3& v) {
 
 class UrdfReader {
  public:
-  UrdfReader(const std::string& file, Findings& findings, std::vector<std::string>& notes)
-      : file_(file), findings_(findings), notes_(notes) {}
+  UrdfReader(const std::string& file, Findings& findings, const UrdfRemarks& remarks)
+      : file_(file), findings_(findings), remarks_(remarks), notes_(remarks.notes) {}
 
   Mechanism read(std::string_view text, const Eigen::Vector3d& gravity) {
-    outline_ = outline_urdf(text, file_, findings_, notes_);
+    outline_ = outline_urdf(text, file_, findings_, remarks_);
     findings_.raise_if_any();
     order_joints();
     read_model();
@@ -90,7 +103,7 @@ class UrdfReader {
     findings_.raise_if_any();
     check_mechanism(mechanism_, findings_);
     findings_.raise_if_any();
-    note_singular_mass_matrix();
+    note_masses();
     return std::move(mechanism_);
   }
 
@@ -99,7 +112,15 @@ class UrdfReader {
     notes_.push_back(fmt::format("{}: {}", to_text(where), message_part(what)));
   }
 
-  void note_singular_mass_matrix() {
+  void note_masses() {
+    if (is_massless(mechanism_)) return note(outline_.robot_where, why_no_dynamics(mechanism_));
+    for (std::size_t i = 0; i < mechanism_.bodies.size(); ++i) {
+      const UrdfLink& link = *links_.at(outline_.joints[order_[i]].ends.child);
+      if (link.has_shape && !link.has_inertial)
+        note(link.where,
+             fmt::format("link '{}' has a shape and no <inertial>: it is taken as massless",
+                         link.name));
+    }
     const auto joint = joint_without_inertia(mechanism_);
     if (joint) note(mechanism_.joints[*joint].where, *note_of_singular_mass_matrix(mechanism_));
   }
@@ -111,10 +132,16 @@ class UrdfReader {
       links_[link.name] = &link;
       if (link.name != outline_.root) bodies.push_back({link.name, link.where});
     }
-    for (const UrdfJoint& joint : outline_.joints) joints.push_back(joint.ends);
+    for (const UrdfJoint& joint : outline_.joints) {
+      joints.push_back(joint.ends);
+      rename_joint_.keep(joint.name);
+      rename_body_.keep(joint.ends.child);
+    }
     order_ = order_depth_first(outline_.root, bodies, joints, findings_);
     findings_.raise_if_any();
-    const auto moves = [&](std::size_t at) { return outline_.joints[at].type != "fixed"; };
+    const auto moves = [&](std::size_t at) {
+      return outline_.joints[at].type != "fixed" && !outline_.joints[at].held;
+    };
     if (std::none_of(order_.begin(), order_.end(), moves))
       findings_.add(outline_.robot_where, "the robot has no moving joint",
                     "expected at least one <joint> that is not fixed");
@@ -148,12 +175,14 @@ class UrdfReader {
     Joint joint;
     joint.where = outline.ends.where;
     joint.name = rename_joint_(outline.name, "joint", outline.ends.where, notes_);
+    joint.source_name = source_name_of(outline.name, joint.name);
     joint.parent = body_names_.at(outline.ends.parent);
     joint.origin.rotation = rotation_from_rpy(outline.rpy);
     joint.origin.translation = to_vector(source.parent_to_joint_origin_transform.position);
-    set_origin_provenance("joint." + joint.name + ".origin", joint.origin);
-    if (outline.type != "fixed") set_motion(outline, source, joint);
     if (outline.type == "fixed") joint.type = JointType::fixed;
+    if (outline.held) hold(outline, source, joint);
+    set_origin_provenance("joint." + joint.name + ".origin", joint.origin);
+    if (joint.type != JointType::fixed) set_motion(outline, source, joint);
     joint_names_[outline.name] = joint.name;
     body_names_[outline.ends.child] = static_cast<int>(mechanism_.bodies.size());
     mechanism_.joints.push_back(std::move(joint));
@@ -168,13 +197,25 @@ class UrdfReader {
       set_from(path + (exact_rpy(origin.rotation) ? ".rpy" : ".rotation"));
   }
 
+  static JointType moving_type(const UrdfJoint& outline) {
+    return outline.type == "prismatic" ? JointType::prismatic : JointType::revolute;
+  }
+
+  static void hold(const UrdfJoint& outline, const urdf::Joint& source, Joint& joint) {
+    joint.type = moving_type(outline);
+    joint.axis = unit_axis(to_vector(source.axis));
+    fix_at(joint, *outline.held);
+    joint.origin.rotation = snapped(joint.origin.rotation);
+    joint.axis = Eigen::Vector3d::UnitZ();  // says nothing
+  }
+
   void set_motion(const UrdfJoint& outline, const urdf::Joint& source, Joint& joint) {
     const std::string path = "joint." + joint.name;
-    joint.type = outline.type == "prismatic" ? JointType::prismatic : JointType::revolute;
+    joint.type = moving_type(outline);
     joint.axis = unit_axis(to_vector(source.axis));
     if (outline.has_range) {
-      joint.low = source.limits->lower;
-      joint.high = source.limits->upper;
+      joint.low = outline.low;
+      joint.high = outline.high;
     } else if (outline.type == "prismatic") {
       joint.low = -1.0;
       joint.high = 1.0;
@@ -199,6 +240,7 @@ class UrdfReader {
     Body body;
     body.where = outline.where;
     body.name = rename_body_(outline.name, "link", outline.where, notes_);
+    body.source_name = source_name_of(outline.name, body.name);
     const auto inertial = model_->getLink(outline.name)->inertial;
     if (inertial) set_mass(outline, *inertial, body);
     mechanism_.bodies.push_back(std::move(body));
@@ -229,6 +271,12 @@ class UrdfReader {
                     fmt::format("link '{}' has inertia but no mass", outline.name),
                     "expected a mass > 0, or no <inertial>");
     if (body.mass == 0.0) body.centre_of_mass.setZero();  // says nothing
+    if (const auto cleaned = without_negative_rounding(body.inertia, body.mass)) {
+      note(outline.inertia_where,
+           fmt::format("link '{}': {}; what is negative by rounding is taken as zero", outline.name,
+                       principal_moments_text(body.inertia)));
+      body.inertia = *cleaned;
+    }
     const auto strictest = strictest_check(body.inertia);
     if (!strictest)
       findings_.add(outline.inertia_where,
@@ -243,23 +291,10 @@ class UrdfReader {
 
   void add_coupling(const UrdfJoint& outline) {
     if (outline.mimics.empty()) return;
-    const auto other =
-        std::find_if(outline_.joints.begin(), outline_.joints.end(),
-                     [&](const UrdfJoint& each) { return each.name == outline.mimics; });
-    const auto wrong = [&](const std::string& what) {
-      findings_.add(outline.mimic_where, fmt::format("joint '{}' mimics {}", outline.name, what),
-                    "expected another moving joint that mimics none");
-    };
-    if (other == outline_.joints.end())
-      return wrong(fmt::format("the unknown joint '{}'", outline.mimics));
-    if (other->name == outline.name) return wrong("itself");
-    if (other->type == "fixed") return wrong(fmt::format("the fixed joint '{}'", other->name));
-    if (!other->mimics.empty())
-      return wrong(fmt::format("'{}', which mimics '{}'", other->name, other->mimics));
-    const double ratio = model_->getJoint(outline.name)->mimic->multiplier;
     const std::string& name = joint_names_.at(outline.name);
-    mechanism_.couplings.push_back(
-        {name, joint_names_.at(other->name), ratio, outline.mimic_where});
+    mechanism_.couplings.push_back({name, joint_names_.at(outline.mimics), outline.multiplier,
+                                    outline.offset, outline.mimic_where});
+    if (outline.offset != 0.0) set_from("coupling." + name + ".offset");
     set_from("coupling." + name + ".ratio");
   }
 
@@ -278,6 +313,7 @@ class UrdfReader {
 
   const std::string& file_;
   Findings& findings_;
+  const UrdfRemarks& remarks_;
   std::vector<std::string>& notes_;
   UrdfOutline outline_;
   std::map<std::string, const UrdfLink*> links_;
@@ -293,18 +329,20 @@ class UrdfReader {
 }  // namespace
 
 Mechanism parse_urdf(std::string_view text, const std::string& name, const Eigen::Vector3d& gravity,
-                     std::vector<std::string>* notes) {
+                     std::vector<std::string>* notes, std::vector<std::string>* warnings) {
   Findings findings;
   std::vector<std::string> ignored;
-  return UrdfReader(name, findings, notes == nullptr ? ignored : *notes).read(text, gravity);
+  std::vector<std::string>& told = notes == nullptr ? ignored : *notes;
+  const UrdfRemarks remarks{told, warnings == nullptr ? told : *warnings};
+  return UrdfReader(name, findings, remarks).read(text, gravity);
 }
 
 Mechanism read_urdf(const std::filesystem::path& file, const Eigen::Vector3d& gravity,
-                    std::vector<std::string>* notes) {
+                    std::vector<std::string>* notes, std::vector<std::string>* warnings) {
   Findings findings;
   const std::string text = read_text(file, findings);
   findings.raise_if_any();
-  return parse_urdf(text, file.string(), gravity, notes);
+  return parse_urdf(text, file.string(), gravity, notes, warnings);
 }
 
 }  // namespace sinew

@@ -12,6 +12,8 @@
 #include "symbolic/files/readable.h"
 #include "symbolic/files/xml_checks.h"
 #include "symbolic/files/xml_nesting.h"
+#include "symbolic/model/unexpanded_xacro.h"
+#include "symbolic/model/urdf_mimics.h"
 
 namespace sinew {
 namespace {
@@ -20,13 +22,17 @@ using Names = std::vector<std::string>;
 
 class OutlineReader {
  public:
-  OutlineReader(const std::string& file, Findings& findings, Names& notes)
-      : file_(file), findings_(findings), xml_(file, findings, notes) {}
+  OutlineReader(const std::string& file, Findings& findings, const UrdfRemarks& remarks)
+      : file_(file), findings_(findings), remarks_(remarks), xml_(file, findings, remarks.notes) {}
 
   UrdfOutline read(std::string_view text) {
     if (!parse(text)) return outline_;
     TiXmlElement* robot = robot_element();
     if (robot == nullptr) return outline_;
+    if (const TiXmlBase* macro = unexpanded_xacro(*robot)) {
+      xml_.report(*macro, "this is a xacro file, which is not expanded", how_to_expand(file_));
+      return outline_;
+    }
     outline_.robot = name_of(*robot);
     outline_.robot_where = xml_.place(*robot);
     if (!read_children(*robot)) return outline_;
@@ -34,6 +40,8 @@ class OutlineReader {
       xml_.report(*robot, "the robot has no link", "expected at least one <link>");
     report_duplicates();
     find_root();
+    if (findings_.any()) return outline_;
+    resolve_mimics(outline_, findings_);
     if (findings_.any()) return outline_;
     TiXmlPrinter printer;
     document_.Accept(&printer);
@@ -134,6 +142,7 @@ class OutlineReader {
     UrdfLink link;
     link.name = name_of(element);
     link.where = link.mass_where = link.inertia_where = xml_.place(element);
+    link.has_shape = element.FirstChildElement("visual") || element.FirstChildElement("collision");
     xml_.keep_children(element, {"inertial"},
                        {"visual", "collision", "contact", "sensor", "self_collision_checking"});
     if (TiXmlElement* inertial = xml_.only_child(element, "inertial", false))
@@ -153,9 +162,16 @@ class OutlineReader {
     if (TiXmlElement* inertia = xml_.only_child(inertial, "inertia", true)) {
       link.inertia_where = xml_.place(*inertia);
       xml_.check_attributes(*inertia, {"ixx", "ixy", "ixz", "iyy", "iyz", "izz"});
-      for (const char* name : {"ixx", "ixy", "ixz", "iyy", "iyz", "izz"})
-        xml_.numbers(*inertia, name, 1, true);
+      for (const char* name : {"ixx", "iyy", "izz"}) xml_.numbers(*inertia, name, 1, true);
+      for (const char* name : {"ixy", "ixz", "iyz"}) read_product(*inertia, name);
     }
+  }
+
+  void read_product(TiXmlElement& inertia, const char* name) {
+    xml_.numbers(inertia, name, 1, false);
+    if (inertia.Attribute(name) != nullptr) return;
+    xml_.note(inertia, fmt::format("<inertia> has no {}: 0 is assumed", name));
+    inertia.SetAttribute(name, "0");
   }
 
   std::string end_of(TiXmlElement& joint, const char* name, SourceLocation& where) {
@@ -184,14 +200,29 @@ class OutlineReader {
     outline_.joints.push_back(std::move(joint));
   }
 
-  std::string type_of(const TiXmlElement& joint) {
+  /// Joints with several degrees of freedom are bases that move (a ship, a cart): here the base
+  /// rests, and what they carry is a mechanism all the same.
+  std::string held_type(TiXmlElement& joint, const std::string& type) {
+    const char* name = joint.Attribute("name");
+    remarks_.warnings.push_back(fmt::format(
+        "{}: {}", to_text(xml_.place(joint)),
+        message_part(fmt::format(
+            "the {} joint '{}' is held where its origin puts it: a mechanism "
+            "here has joints with one degree of freedom. To let it move, "
+            "write it as {} joints in a row",
+            type, name == nullptr ? "" : name,
+            type == "planar" ? "2 prismatic and 1 continuous" : "3 prismatic and 3 revolute"))));
+    joint.SetAttribute("type", "fixed");
+    return "fixed";
+  }
+
+  std::string type_of(TiXmlElement& joint) {
     static const Names moving{"revolute", "continuous", "prismatic", "fixed"};
     const char* given = joint.Attribute("type");
     const std::string type = given == nullptr ? "" : given;
     const std::string expected = fmt::format("expected one of: {}", listed(moving));
-    if (type == "floating" || type == "planar")
-      xml_.report(joint, fmt::format("a {} joint is not supported", type), expected);
-    else if (std::find(moving.begin(), moving.end(), type) == moving.end())
+    if (type == "floating" || type == "planar") return held_type(joint, type);
+    if (std::find(moving.begin(), moving.end(), type) == moving.end())
       xml_.report(joint,
                   given == nullptr
                       ? "the joint has no type"
@@ -228,14 +259,35 @@ class OutlineReader {
     const auto upper = xml_.numbers(*limit, "upper", 1, false);
     const auto velocity = xml_.numbers(*limit, "velocity", 1, false);
     xml_.numbers(*limit, "effort", 1, false);
-    joint.has_range = joint.type != "continuous" && (lower || upper);
     joint.has_velocity = velocity && (*velocity)[0] > 0.0;
-    if (joint.has_range &&
-        !(lower.value_or(std::vector{0.0})[0] < upper.value_or(std::vector{0.0})[0]))
-      xml_.report(*limit, fmt::format("the range of joint '{}' is empty", joint.name),
-                  "expected lower < upper");
+    set_range(lower ? lower->front() : 0.0, upper ? upper->front() : 0.0, *limit, joint);
     for (const char* name : {"effort", "velocity"})
       if (limit->Attribute(name) == nullptr) limit->SetAttribute(name, "0");
+  }
+
+  /// 0 to 0 is the format's default and what exporters write where no limit was set, and a range
+  /// beyond all use is no limit either. Any other single value is where the joint stands.
+  void set_range(double lower, double upper, TiXmlElement& limit, UrdfJoint& joint) {
+    constexpr double no_limit = 1e4;  // rad or m
+    if (joint.type == "continuous" || (lower == 0.0 && upper == 0.0)) return;
+    if (upper - lower > no_limit) {
+      xml_.note(limit, fmt::format("the range of joint '{}', {} to {}, is taken as none",
+                                   joint.name, lower, upper));
+      return;
+    }
+    if (lower == upper) {
+      joint.held = lower;
+      xml_.note(limit,
+                fmt::format("the range of joint '{}' is one value: the joint stands at {} {}",
+                            joint.name, lower, joint.type == "prismatic" ? "m" : "rad"));
+      return;
+    }
+    if (lower > upper)
+      xml_.note(limit, fmt::format("the limits of joint '{}' are swapped: {} to {} is taken",
+                                   joint.name, upper, lower));
+    joint.has_range = true;
+    joint.low = std::min(lower, upper);
+    joint.high = std::max(lower, upper);
   }
 
   void read_dynamics(TiXmlElement& dynamics) {
@@ -260,12 +312,8 @@ class OutlineReader {
       joint.mimics = other;
     const auto multiplier = xml_.numbers(mimic, "multiplier", 1, false);
     const auto offset = xml_.numbers(mimic, "offset", 1, false);
-    if (multiplier && (*multiplier)[0] == 0.0)
-      xml_.report(mimic, "the multiplier of <mimic> is zero",
-                  "expected another number, or a fixed joint");
-    if (offset && (*offset)[0] != 0.0)
-      xml_.report(mimic, "<mimic> has an offset",
-                  "expected offset 0: put it into the joint's origin");
+    if (multiplier) joint.multiplier = multiplier->front();
+    if (offset) joint.offset = offset->front();
   }
 
   void report_duplicates() {
@@ -285,19 +333,24 @@ class OutlineReader {
     std::map<std::string, int> carriers;
     for (const UrdfLink& link : outline_.links) carriers[link.name] = 0;
     bool is_plain = !findings_.any();  // every child is a link, and of one joint only
+    Names roots;
+    SourceLocation second;
     for (const UrdfJoint& joint : outline_.joints) {
       const auto child = carriers.find(joint.ends.child);
       is_plain = is_plain && child != carriers.end() && ++child->second == 1;
     }
     for (const UrdfLink& link : outline_.links) {
       if (carriers.at(link.name) > 0 || link.name.empty()) continue;
-      if (outline_.root.empty())
-        outline_.root = link.name;
-      else if (is_plain)
-        findings_.add(link.where,
-                      fmt::format("two root links: '{}' and '{}'", outline_.root, link.name),
-                      "expected one link that is no joint's child");
+      if (outline_.root.empty()) outline_.root = link.name;
+      if (roots.size() == 1) second = link.where;
+      roots.push_back(link.name);
     }
+    if (roots.size() > 1 && is_plain)
+      findings_.add(
+          second,
+          fmt::format("{} root links: {}", roots.size() == 2 ? "two" : "several", listed(roots)),
+          "expected one link that is no joint's child: add a link, and a fixed joint "
+          "from it to each of these that says where it stands");
     if (outline_.root.empty() && !outline_.links.empty() && !findings_.any())
       findings_.add(outline_.links[0].where,
                     "no root link: every link is some joint's child, so there is a cycle",
@@ -306,6 +359,7 @@ class OutlineReader {
 
   const std::string& file_;
   Findings& findings_;
+  const UrdfRemarks& remarks_;
   XmlChecks xml_;
   TiXmlDocument document_;
   UrdfOutline outline_;
@@ -314,8 +368,8 @@ class OutlineReader {
 }  // namespace
 
 UrdfOutline outline_urdf(std::string_view text, const std::string& file, Findings& findings,
-                         std::vector<std::string>& notes) {
-  return OutlineReader(file, findings, notes).read(text);
+                         const UrdfRemarks& remarks) {
+  return OutlineReader(file, findings, remarks).read(text);
 }
 
 }  // namespace sinew

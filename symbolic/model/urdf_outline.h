@@ -20,6 +20,7 @@ struct UrdfLink {
   SourceLocation mass_where;
   SourceLocation inertia_where;
   bool has_inertial = false;
+  bool has_shape = false;  ///< a <visual> or <collision>: something that would have mass
   Eigen::Vector3d inertial_rpy = Eigen::Vector3d::Zero();  ///< rad; urdfdom keeps a quaternion only
 };
 
@@ -28,10 +29,15 @@ struct UrdfJoint {
   std::string type;
   TreeJoint ends;
   Eigen::Vector3d rpy = Eigen::Vector3d::Zero();  ///< rad
-  bool has_range = false;                         ///< lower and upper limits are given
+  bool has_range = false;                         ///< limits with more than one value are given
+  double low = 0.0, high = 0.0;                   ///< rad or m, where has_range
+  std::optional<double> held;                     ///< rad or m: the joint stands still there
   bool has_velocity = false;                      ///< a velocity limit above zero is given
   SourceLocation limit_where;
-  std::string mimics;  ///< name of the joint it follows, or ""
+  std::string
+      mimics;  ///< name of the joint it follows, or ""; position = multiplier * that one's + offset
+  double multiplier = 1.0;
+  double offset = 0.0;  ///< rad or m
   SourceLocation mimic_where;
 };
 
@@ -44,9 +50,15 @@ struct UrdfOutline {
   std::string essence;  ///< the document reduced to what urdfdom has to read
 };
 
-/// Reads a URDF document. Mistakes go to `findings` (then the outline is incomplete), what is
-/// ignored or assumed to `notes`.
+/// What is told of a description besides mistakes.
+struct UrdfRemarks {
+  std::vector<std::string>& notes;     ///< ignored, assumed, renamed
+  std::vector<std::string>& warnings;  ///< the mechanism is another one than the file's
+};
+
+/// Reads a URDF document. Mistakes go to `findings` (then the outline is incomplete). Joints that
+/// follow others do so in one step (urdf_mimics.h).
 UrdfOutline outline_urdf(std::string_view text, const std::string& file, Findings& findings,
-                         std::vector<std::string>& notes);
+                         const UrdfRemarks& remarks);
 
 }  // namespace sinew

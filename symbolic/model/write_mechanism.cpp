@@ -6,26 +6,15 @@
 #include <stdexcept>
 
 #include "symbolic/files/origin.h"
+#include "symbolic/files/toml_reader.h"
 #include "symbolic/files/units.h"
 #include "symbolic/model/check_mechanism.h"
 #include "symbolic/model/read_mechanism.h"
 #include "symbolic/model/rotation.h"
+#include "symbolic/model/source_names.h"
 
 namespace sinew {
 namespace {
-
-std::string quoted(const std::string& text) {
-  std::string out = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\')
-      out += fmt::format("\\{}", c);
-    else if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f)
-      out += fmt::format("\\u{:04x}", static_cast<unsigned>(c));
-    else
-      out += c;
-  }
-  return out + '"';
-}
 
 std::string csv_cell(const std::string& text) {
   if (text.find_first_of(",\"\t\r\n#") == std::string::npos && !text.starts_with(' ') &&
@@ -90,7 +79,7 @@ class Describer {
         split_provenance(found == mechanism_.provenance.end() ? "assumed" : found->second);
     const std::string unit =
         dimension == Dimension::none ? "" : fmt::format(", unit = \"{}\"", si_unit(dimension));
-    const std::string reference = ref.empty() ? "" : ", ref = " + quoted(ref);
+    const std::string reference = ref.empty() ? "" : ", ref = " + toml_string(ref);
     return fmt::format("{{ value = {}{}, from = \"{}\"{} }}", value, unit, from, reference);
   }
 
@@ -105,16 +94,17 @@ class Describer {
 
   void header() {
     text_ += "[mechanism]\n";
-    line("name", quoted(mechanism_.name));
-    if (!mechanism_.description.empty()) line("description", quoted(mechanism_.description));
+    line("name", toml_string(mechanism_.name));
+    if (!mechanism_.description.empty()) line("description", toml_string(mechanism_.description));
     line("gravity", "mechanism.gravity", list(mechanism_.gravity), Dimension::acceleration);
   }
 
   void body(const Body& body) {
-    text_ += fmt::format("\n[[body]]\nname = {}\n", quoted(body.name));
+    text_ += fmt::format("\n[[body]]\nname = {}\n", toml_string(body.name));
     if (body.mass == 0.0) return line("massless", "true");
     const auto check = strictest_check(body.inertia);
-    if (check && check != InertiaCheck::physical) line("inertia_check", quoted(to_text(*check)));
+    if (check && check != InertiaCheck::physical)
+      line("inertia_check", toml_string(to_text(*check)));
   }
 
   void pose(const std::string& key, const std::string& path, const Transform& pose) {
@@ -137,12 +127,13 @@ class Describer {
     static constexpr const char* types[] = {"revolute", "prismatic", "fixed"};
     const Joint& joint = mechanism_.joints[index];
     const std::string path = "joint." + joint.name;
-    text_ += fmt::format("\n[[joint]]\nname = {}\ntype = \"{}\"\n", quoted(joint.name),
+    text_ += fmt::format("\n[[joint]]\nname = {}\ntype = \"{}\"\n", toml_string(joint.name),
                          types[static_cast<int>(joint.type)]);
     line("parent",
-         quoted(joint.parent < 0 ? "base"
-                                 : mechanism_.bodies[static_cast<std::size_t>(joint.parent)].name));
-    line("child", quoted(mechanism_.bodies[index].name));
+         toml_string(joint.parent < 0
+                         ? "base"
+                         : mechanism_.bodies[static_cast<std::size_t>(joint.parent)].name));
+    line("child", toml_string(mechanism_.bodies[index].name));
     pose("origin", path + ".origin", joint.origin);
     if (joint.type == JointType::fixed) return;
     const bool turns = joint.type == JointType::revolute;
@@ -177,14 +168,14 @@ class Describer {
   }
 
   void frame(const Frame& frame) {
-    text_ +=
-        fmt::format("\n[[frame]]\nname = {}\nbody = {}\n", quoted(frame.name), quoted(frame.body));
+    text_ += fmt::format("\n[[frame]]\nname = {}\nbody = {}\n", toml_string(frame.name),
+                         toml_string(frame.body));
     pose("pose", "frame." + frame.name + ".pose", frame.pose);
   }
 
   void tendon(const Tendon& tendon) {
     const std::string path = "tendon." + tendon.name;
-    text_ += fmt::format("\n[[tendon]]\nname = {}\n", quoted(tendon.name));
+    text_ += fmt::format("\n[[tendon]]\nname = {}\n", toml_string(tendon.name));
     if (tendon.h0 != 0.0 || is_known(path + ".h0"))
       line("h0", path + ".h0", number(tendon.h0), Dimension::length);
     if (!tendon.pulleys.empty()) pulleys(tendon, path);
@@ -195,7 +186,7 @@ class Describer {
     text_ += "pulleys = [\n";
     for (std::size_t i = 0; i < tendon.pulleys.size(); ++i) {
       const PulleyRouting& pulley = tendon.pulleys[i];
-      text_ += fmt::format("  {{ joint = {}, radius = {} }},\n", quoted(pulley.joint),
+      text_ += fmt::format("  {{ joint = {}, radius = {} }},\n", toml_string(pulley.joint),
                            quantity(fmt::format("{}.pulleys[{}].radius", path, i),
                                     number(pulley.radius), Dimension::length));
     }
@@ -209,9 +200,9 @@ class Describer {
       const std::string own = fmt::format("{}.straights[{}]", path, i);
       text_ +=
           fmt::format("  {{ from_body = {}, from_point = {}, to_body = {}, to_point = {} }},\n",
-                      quoted(straight.from_body),
+                      toml_string(straight.from_body),
                       quantity(own + ".from_point", list(straight.from), Dimension::length),
-                      quoted(straight.to_body),
+                      toml_string(straight.to_body),
                       quantity(own + ".to_point", list(straight.to), Dimension::length));
     }
     text_ += "]\n";
@@ -219,22 +210,32 @@ class Describer {
 
   void coupling(const JointCoupling& coupling) {
     text_ += fmt::format("\n[[coupling]]\ndependent = {}\nindependent = {}\n",
-                         quoted(coupling.dependent), quoted(coupling.independent));
+                         toml_string(coupling.dependent), toml_string(coupling.independent));
     line("ratio", fmt::format("coupling.{}.ratio", coupling.dependent), number(coupling.ratio),
          Dimension::none);
+    const std::string path = fmt::format("coupling.{}.offset", coupling.dependent);
+    if (coupling.offset != 0.0 || is_known(path))
+      line("offset", path, number(coupling.offset),
+           slides(coupling.dependent) ? Dimension::length : Dimension::angle);
+  }
+
+  bool slides(const std::string& name) const {
+    for (const Joint& each : mechanism_.joints)
+      if (each.name == name) return each.type == JointType::prismatic;
+    return false;
   }
 
   void four_bar(const FourBarCoupling& bars) {
     const std::string path = "four_bar." + bars.dependent;
     text_ += fmt::format("\n[[four_bar]]\ndependent = {}\nindependent = {}\n",
-                         quoted(bars.dependent), quoted(bars.independent));
+                         toml_string(bars.dependent), toml_string(bars.independent));
     line("ground", path + ".ground", number(bars.ground), Dimension::length);
     line("crank", path + ".crank", number(bars.crank), Dimension::length);
     line("coupler", path + ".coupler", number(bars.coupler), Dimension::length);
     line("rocker", path + ".rocker", number(bars.rocker), Dimension::length);
-    line("branch", quoted(bars.branch < 0 ? "open" : "crossed"));
+    line("branch", toml_string(bars.branch < 0 ? "open" : "crossed"));
     line("follows",
-         quoted(bars.follows == FourBarCoupling::Follows::rocker ? "rocker" : "coupler"));
+         toml_string(bars.follows == FourBarCoupling::Follows::rocker ? "rocker" : "coupler"));
     line("crank_angle", path + ".crank_angle", number(bars.crank_angle), Dimension::angle);
   }
 
@@ -276,11 +277,11 @@ std::string csv_table(const Mechanism& mechanism) {
 
 /// What is written must say exactly what was to be written; else nothing is.
 void require_round_trip(const Mechanism& mechanism, const ModelText& text) {
-  const Mechanism again =
-      parse_mechanism({text.toml, text.csv, "mechanism.toml", "mass_properties.csv"});
+  const Mechanism again = parse_mechanism(
+      {text.toml, text.csv, "mechanism.toml", "mass_properties.csv", text.names, "names.toml"});
   const ModelText second = describe_mechanism(again, "");
   const ModelText first = describe_mechanism(mechanism, "");
-  if (first.toml != second.toml || first.csv != second.csv)
+  if (first.toml != second.toml || first.csv != second.csv || first.names != second.names)
     throw std::runtime_error(
         "the mechanism does not read back as it was written; expected the same values");
 }
@@ -289,14 +290,19 @@ void require_round_trip(const Mechanism& mechanism, const ModelText& text) {
 
 ModelText describe_mechanism(const Mechanism& mechanism, const std::string& comment) {
   const std::string head = comment.empty() ? "" : fmt::format("# {}\n", comment);
-  return {head + Describer(mechanism).toml(), head + csv_table(mechanism)};
+  const std::string names = source_names_text(mechanism);
+  return {head + Describer(mechanism).toml(), head + csv_table(mechanism),
+          names.empty() ? names : head + names};
 }
 
 std::map<std::string, std::string> mechanism_files(const Mechanism& mechanism,
                                                    const std::string& comment) {
   const ModelText text = describe_mechanism(mechanism, comment);
   require_round_trip(mechanism, text);
-  return {{"mechanism.toml", text.toml}, {"mass_properties.csv", text.csv}};
+  std::map<std::string, std::string> files{{"mechanism.toml", text.toml},
+                                           {"mass_properties.csv", text.csv}};
+  if (!text.names.empty()) files["names.toml"] = text.names;
+  return files;
 }
 
 }  // namespace sinew

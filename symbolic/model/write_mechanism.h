@@ -9,12 +9,14 @@
 
 namespace sinew {
 
-/// The texts of mechanism.toml and mass_properties.csv. Numbers are the shortest that read back as
+/// The texts of mechanism.toml, mass_properties.csv and names.toml ("" where every name is the
+/// source's own). Numbers are the shortest that read back as
 /// the same double; rotations are given as roll, pitch, yaw where these reproduce the matrix
-/// exactly, else as the matrix. `comment` becomes the first line of both.
+/// exactly, else as the matrix. `comment` becomes the first line of each.
 struct ModelText {
   std::string toml;
   std::string csv;
+  std::string names;
 };
 ModelText describe_mechanism(const Mechanism& mechanism, const std::string& comment);
 

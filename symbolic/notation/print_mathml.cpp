@@ -106,6 +106,22 @@ std::string rows_of(const Equation& equation, const MathNames& names) {
   return text;
 }
 
+/// left &= right; a long sum goes on in further rows.
+std::string latex_rows(const Equation& equation, const MathNames& names) {
+  constexpr std::size_t kLongRow = 60;  // characters of plain text
+  std::string rows = latex_name(equation.left) + " &= ";
+  std::size_t length = 0;
+  const std::vector<SignedTerm> terms = terms_of(equation.right, names);
+  for (std::size_t i = 0; i < terms.size(); ++i) {
+    const auto& [term, negative] = terms[i];
+    const bool breaks = length > 0 && length + term.text.size() > kLongRow;
+    if (breaks) rows += " \\\\\n&\\quad ";
+    rows += (i == 0 ? (negative ? "-" : "") : negative ? " - " : " + ") + term.latex;
+    length = (breaks ? 0 : length) + term.text.size();
+  }
+  return rows;
+}
+
 }  // namespace
 
 std::string mathml(const ex& expression, const MathNames& names) {
@@ -116,6 +132,17 @@ std::string mathml_equation(const std::string& left, const ex& right, const Math
   std::string rows;
   for (const Equation& equation : arranged(left, right, names)) rows += rows_of(equation, names);
   return "<math display=\"block\"><mtable displaystyle=\"true\">" + rows + "</mtable></math>";
+}
+
+std::string latex(const ex& expression, const MathNames& names) {
+  return typeset(expression, names).latex;
+}
+
+std::string latex_equation(const std::string& left, const ex& right, const MathNames& names) {
+  std::string text;
+  for (const Equation& equation : arranged(left, right, names))
+    text += (text.empty() ? "" : " \\\\\n") + latex_rows(equation, names);
+  return text;
 }
 
 std::string plain_text(const ex& expression, const MathNames& names) {

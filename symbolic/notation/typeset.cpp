@@ -43,15 +43,22 @@ std::string decimal(const numeric& number) {
   return {buffer, end.ptr};
 }
 
+/// 1.5e-06 as people write it.
+std::string latex_number(const std::string& text) {
+  const std::size_t e = text.find('e');
+  if (e == std::string::npos) return text;
+  return text.substr(0, e) + " \\cdot 10^{" + std::to_string(std::stoi(text.substr(e + 1))) + "}";
+}
+
 /// A number that is not negative.
 Typeset typeset_number(const numeric& number) {
   if (number.is_integer() || !number.is_rational()) {
     const std::string text = decimal(number);
-    return {"<mn>" + text + "</mn>", text, Binding::atom, false};
+    return {"<mn>" + text + "</mn>", text, Binding::atom, false, latex_number(text)};
   }
   const std::string top = decimal(number.numer()), bottom = decimal(number.denom());
   return {"<mfrac><mn>" + top + "</mn><mn>" + bottom + "</mn></mfrac>", top + "/" + bottom,
-          Binding::product, false};
+          Binding::product, false, "\\frac{" + top + "}{" + bottom + "}"};
 }
 
 /// Highest power of anything in a term, to write polynomials downwards.
@@ -176,12 +183,18 @@ std::vector<Typeset> ordered(const std::vector<ex>& factors, const MathNames& na
   return result;
 }
 
+bool starts_with_digit(const std::string& text) {
+  return !text.empty() && text.front() >= '0' && text.front() <= '9';
+}
+
 Typeset product_of(std::vector<Typeset> pieces) {
   Typeset result = pieces.front();
   for (std::size_t i = 1; i < pieces.size(); ++i) {
     const bool dot = result.word || pieces[i].word;
     result.math += (dot ? "<mo>⋅</mo>" : "<mo>&#x2062;</mo>") + pieces[i].math;
     result.text += "*" + pieces[i].text;
+    result.latex +=
+        (dot || starts_with_digit(pieces[i].latex) ? " \\cdot " : " ") + pieces[i].latex;
     result.word = pieces[i].word;
     result.binding = Binding::product;
   }
@@ -192,7 +205,7 @@ Typeset product_of(std::vector<Typeset> pieces) {
 Typeset typeset_fraction(const Typeset& above, const Typeset& below) {
   return {"<mfrac>" + above.math + below.math + "</mfrac>",
           bracketed(above, Binding::product).text + "/" + bracketed(below, Binding::power).text,
-          Binding::product, false};
+          Binding::product, false, "\\frac{" + above.latex + "}{" + below.latex + "}"};
 }
 
 /// Without its sign.
@@ -224,12 +237,14 @@ Typeset typeset_power(const ex& e, const MathNames& names) {
     return typeset_factors(factors_of(e, names), names);
   if (exponent.is_equal(numeric(1, 2))) {
     const Typeset inner = typeset(e.op(0), names);
-    return {"<msqrt>" + inner.math + "</msqrt>", "sqrt(" + inner.text + ")", Binding::atom, false};
+    return {"<msqrt>" + inner.math + "</msqrt>", "sqrt(" + inner.text + ")", Binding::atom, false,
+            "\\sqrt{" + inner.latex + "}"};
   }
   const Typeset base = bracketed(typeset(e.op(0), names), Binding::atom);
   const Typeset above = typeset(exponent, names);
   return {"<msup>" + base.math + above.math + "</msup>",
-          base.text + "^" + bracketed(above, Binding::atom).text, Binding::power, base.word};
+          base.text + "^" + bracketed(above, Binding::atom).text, Binding::power, base.word,
+          "{" + base.latex + "}^{" + above.latex + "}"};
 }
 
 Typeset typeset_sum(const ex& e, const MathNames& names) {
@@ -243,6 +258,7 @@ Typeset typeset_sum(const ex& e, const MathNames& names) {
     const Typeset& term = terms[i].term;
     result.math += term.math;
     result.text += term.text;
+    result.latex += (i == 0 ? (minus ? "-" : "") : minus ? " - " : " + ") + term.latex;
   }
   result.math = "<mrow>" + result.math + "</mrow>";
   return result;
@@ -283,7 +299,7 @@ std::vector<SignedTerm> terms_of(const ex& expression, const MathNames& names) {
 Typeset bracketed(Typeset piece, Binding needed) {
   if (piece.binding >= needed) return piece;
   return {"<mrow><mo>(</mo>" + piece.math + "<mo>)</mo></mrow>", "(" + piece.text + ")",
-          Binding::atom, false};
+          Binding::atom, false, "\\left(" + piece.latex + "\\right)"};
 }
 
 Typeset typeset(const ex& expression, const MathNames& names) {
@@ -292,7 +308,7 @@ Typeset typeset(const ex& expression, const MathNames& names) {
     if (!shown.negative) return shown.term;
     const Typeset inner = bracketed(shown.term, Binding::product);
     return {"<mrow><mo form=\"prefix\">−</mo>" + inner.math + "</mrow>", "-" + inner.text,
-            Binding::sum, false};
+            Binding::sum, false, "-" + inner.latex};
   }
   if (is_a<GiNaC::symbol>(expression))
     return typeset_symbol(ex_to<GiNaC::symbol>(expression).get_name(), names);
@@ -300,8 +316,8 @@ Typeset typeset(const ex& expression, const MathNames& names) {
   if (is_a<GiNaC::power>(expression)) return typeset_power(expression, names);
   if (is_a<GiNaC::function>(expression))
     return typeset_function(ex_to<GiNaC::function>(expression), names);
-  if (expression.is_equal(GiNaC::Pi)) return {"<mi>π</mi>", "pi", Binding::atom, false};
-  return {"<mtext>?</mtext>", "?", Binding::atom, false};
+  if (expression.is_equal(GiNaC::Pi)) return {"<mi>π</mi>", "pi", Binding::atom, false, "\\pi"};
+  return {"<mtext>?</mtext>", "?", Binding::atom, false, "\\text{?}"};
 }
 
 }  // namespace sinew

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One walk through an expression that writes MathML and plain text side by side.
+// One walk through an expression that writes MathML, plain text and LaTeX side by side.
 #pragma once
 
 #include <string>
@@ -16,6 +16,7 @@ struct Typeset {
   std::string math, text;
   Binding binding = Binding::atom;
   bool word = false;  ///< begins or ends with a word: products need a visible dot
+  std::string latex{};
 };
 
 /// A term of a sum without its sign.

@@ -11,28 +11,30 @@ using GiNaC::is_a;
 using GiNaC::numeric;
 
 Typeset call(const std::string& name, const std::vector<ex>& arguments, const MathNames& names) {
-  std::string math, text;
+  std::string math, text, latex;
   for (const ex& argument : arguments) {
     const Typeset piece = typeset(argument, names);
     math += (math.empty() ? "" : "<mo>,</mo>") + piece.math;
     text += (text.empty() ? "" : ", ") + piece.text;
+    latex += (latex.empty() ? "" : ", ") + piece.latex;
   }
   return {"<mrow><mi>" + name + "</mi><mo>&#x2061;</mo><mrow><mo>(</mo>" + math +
               "<mo>)</mo></mrow></mrow>",
-          name + "(" + text + ")", Binding::atom, name.size() > 1};
+          name + "(" + text + ")", Binding::atom, name.size() > 1,
+          "\\operatorname{" + name + "}\\left(" + latex + "\\right)"};
 }
 
 Typeset absolute(const ex& argument, const MathNames& names) {
   const Typeset inner = typeset(argument, names);
   return {"<mrow><mo form=\"prefix\" stretchy=\"true\">|</mo>" + inner.math +
               "<mo form=\"postfix\" stretchy=\"true\">|</mo></mrow>",
-          "|" + inner.text + "|", Binding::atom, false};
+          "|" + inner.text + "|", Binding::atom, false, "\\left|" + inner.latex + "\\right|"};
 }
 
 Typeset exponential(const ex& argument, const MathNames& names) {
   const Typeset above = typeset(argument, names);
   return {"<msup><mi>e</mi>" + above.math + "</msup>", "exp(" + above.text + ")", Binding::power,
-          false};
+          false, "e^{" + above.latex + "}"};
 }
 
 /// condition >= 0 with what is negative or constant brought to the other side.
@@ -52,7 +54,8 @@ Typeset typeset_condition(const ex& condition, const MathNames& names) {
   }
   const Typeset left = typeset(rest, names), right = typeset(constant, names);
   return {left.math + (at_most ? "<mo>≤</mo>" : "<mo>≥</mo>") + right.math,
-          left.text + (at_most ? " <= " : " >= ") + right.text, Binding::sum, false};
+          left.text + (at_most ? " <= " : " >= ") + right.text, Binding::sum, false,
+          left.latex + (at_most ? " \\le " : " \\ge ") + right.latex};
 }
 
 std::string case_row(const std::string& value, const std::string& when) {
@@ -68,7 +71,9 @@ Typeset cases(const ex& condition, const ex& a, const ex& b, const MathNames& na
               case_row(yes.math, "<mtext>if&#xa0;</mtext>" + when.math) +
               case_row(no.math, "<mtext>otherwise</mtext>") + "</mtable></mrow>",
           "(" + yes.text + " if " + when.text + ", otherwise " + no.text + ")", Binding::atom,
-          false};
+          false,
+          "\\begin{cases}" + yes.latex + " & \\text{if } " + when.latex + " \\\\ " + no.latex +
+              " & \\text{otherwise}\\end{cases}"};
 }
 
 std::string shown_name(const std::string& name) {

@@ -82,7 +82,39 @@ std::string typeset_parts(const Parts& parts) {
          "</msub>";
 }
 
+/// Letters of LaTeX's text mode; underscores become blanks.
+std::string latex_text(std::string_view text) {
+  std::string result;
+  for (const char c : text) {
+    if (c == '_')
+      result += "\\ ";
+    else if (std::string_view("#$%&{}").find(c) != std::string_view::npos)
+      result += std::string("\\") + c;
+    else if (c != '\\' && c != '^' && c != '~')
+      result += c;
+  }
+  return result;
+}
+
+/// A Greek letter's command, a letter, or a word set upright.
+std::string latex_word(std::string_view word) {
+  if (!greek(word).empty()) return "\\" + std::string(word);
+  return word.size() == 1 || is_number(word) ? latex_text(word)
+                                             : "\\mathrm{" + latex_text(word) + "}";
+}
+
+std::string latex_parts(const Parts& parts) {
+  static constexpr std::array<const char*, 5> dots = {"", "\\dot", "\\ddot", "\\dddot", "\\ddddot"};
+  std::string text = latex_word(parts.head);
+  if (parts.dots) text = std::string(dots[parts.dots]) + "{" + text + "}";
+  return parts.below.empty() ? text : text + "_{" + latex_word(parts.below) + "}";
+}
+
 }  // namespace
+
+std::string latex_name(const std::string& name) {
+  return latex_parts(parts_of(name));
+}
 
 std::string mathml_name(const std::string& name) {
   return typeset_parts(parts_of(name));
@@ -92,7 +124,7 @@ Typeset typeset_symbol(const std::string& name, const MathNames& names) {
   const auto other = names.find(name);
   const std::string& shown = other == names.end() ? name : other->second;
   const Parts parts = parts_of(shown);
-  return {typeset_parts(parts), shown, Binding::atom, is_word(parts)};
+  return {typeset_parts(parts), shown, Binding::atom, is_word(parts), latex_parts(parts)};
 }
 
 }  // namespace sinew

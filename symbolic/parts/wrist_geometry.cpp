@@ -28,7 +28,7 @@ WristLinks::WristLinks(const WristParameters& parameters)
   r = rational_root(r_squared);
 }
 
-WristPose wrist_pose(DefinitionList& list, const WristLinks& links, const BarAngles& q) {
+WristPose wrist_pose(DefinitionList& list, const WristLengths& links, const BarAngles& q) {
   const auto& [a, b, c, r, r_squared, margin] = links;
   // (6.1), (6.4): the crossed loop in the bar plane needs no angle t_C: C is the inversion of B in
   // a circle about C0 and defined in the flat pose, too.
@@ -90,7 +90,7 @@ WristStart::WristStart(const WristParameters& parameters) : links(parameters) {
   q.sin_q71 = list.define("sin_q71", GiNaC::sin(q71()));
   q.cos_q73 = list.define("cos_q73", GiNaC::cos(q73()));
   q.sin_q73 = list.define("sin_q73", GiNaC::sin(q73()));
-  pose = wrist_pose(list, links, q);
+  pose = wrist_pose(list, links.lengths(), q);
 }
 
 Function WristStart::finish(const std::string& name, const std::string& equation,

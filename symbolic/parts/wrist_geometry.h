@@ -9,6 +9,14 @@
 
 namespace sinew {
 
+/// Link lengths as expressions: numbers, or symbols.
+struct WristLengths {
+  GiNaC::ex a, b, c;
+  GiNaC::ex r;          ///< |B0B| = |C0C|
+  GiNaC::ex r_squared;  ///< a² + b² + c²
+  GiNaC::ex margin;
+};
+
 /// Link lengths as exact numbers.
 struct WristLinks {
   explicit WristLinks(const WristParameters& parameters);
@@ -16,6 +24,7 @@ struct WristLinks {
   GiNaC::numeric r;          ///< |B0B| = |C0C|
   GiNaC::numeric r_squared;  ///< a² + b² + c²
   GiNaC::numeric margin;
+  WristLengths lengths() const { return {a, b, c, r, r_squared, margin}; }
 };
 
 /// Everything in {0}.
@@ -34,7 +43,7 @@ struct BarAngles {
   GiNaC::ex cos_q71, sin_q71, cos_q73, sin_q73;
 };
 
-WristPose wrist_pose(DefinitionList& list, const WristLinks& links, const BarAngles& angles);
+WristPose wrist_pose(DefinitionList& list, const WristLengths& links, const BarAngles& angles);
 
 /// Inputs q71 and q73 with their ranges, and the pose defined on them: how most functions begin.
 struct WristStart {

@@ -113,7 +113,7 @@ Function wrist_bar_angles(const WristParameters& parameters) {
   for (int i = 0; i < parameters.newton_iterations; ++i)
     q71 = list.define("q71", q71 + newton_step(list, links, d, GiNaC::ex_to<GiNaC::symbol>(q71)));
   const Bars bars = bars_at(list, links, d, q71);
-  const WristPose pose = wrist_pose(list, links, bars.angles);
+  const WristPose pose = wrist_pose(list, links.lengths(), bars.angles);
   const ex residual = list.define("residual", direction_error(list, d.v, pose.x));
   const ex outside =
       magnitude(d.flexion - flexion.symbols[0]) + magnitude(d.abduction - abduction.symbols[0]);

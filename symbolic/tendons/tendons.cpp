@@ -4,9 +4,9 @@
 #include <Eigen/LU>
 
 #include "symbolic/dynamics/coordinates.h"
+#include "symbolic/dynamics/kinematics.h"
 #include "symbolic/expressions/differentiate.h"
 #include "symbolic/expressions/exact_number.h"
-#include "symbolic/dynamics/kinematics.h"
 
 namespace sinew {
 namespace {
@@ -102,6 +102,20 @@ std::vector<ex> joint_stiffness(DefinitionList& list, const std::vector<ex>& len
   return K;
 }
 
+namespace {
+
+/// At coordinates zero, where a joint that follows another one may not be at zero.
+ex length_at_zero(const Mechanism& mechanism, const Tendon& tendon) {
+  ex length = exact_number(tendon.h0);
+  for (const PulleyRouting& pulley : tendon.pulleys)
+    for (const JointCoupling& coupling : mechanism.couplings)
+      if (coupling.dependent == pulley.joint)
+        length += exact_number(pulley.radius) * exact_number(coupling.offset);
+  return length;
+}
+
+}  // namespace
+
 std::optional<std::vector<ex>> link_position(const Mechanism& mechanism, const std::vector<ex>& P,
                                              const std::vector<GiNaC::symbol>& h) {
   const auto m = static_cast<Eigen::Index>(h.size());
@@ -123,8 +137,9 @@ std::optional<std::vector<ex>> link_position(const Mechanism& mechanism, const s
     for (Eigen::Index i = 0; i < m; ++i) {
       Number weight = inverse(j, i);
       if (abs(weight) < Number("1e-30") * inverse.cwiseAbs().maxCoeff()) continue;
-      const ex displacement = h[static_cast<std::size_t>(i)] -
-                              exact_number(mechanism.tendons[static_cast<std::size_t>(i)].h0);
+      const ex displacement =
+          h[static_cast<std::size_t>(i)] -
+          length_at_zero(mechanism, mechanism.tendons[static_cast<std::size_t>(i)]);
       q[static_cast<std::size_t>(j)] += to_expression(weight) * displacement;
     }
   return q;

@@ -42,9 +42,9 @@ void require_sound_or_refused(Read read) {
   try {
     sinew::require_sound(mechanism);
     const sinew::ModelText first = sinew::describe_mechanism(mechanism, "");
-    const sinew::ModelText second =
-        sinew::describe_mechanism(sinew::parse_mechanism({first.toml, first.csv}), "");
-    if (first.toml != second.toml || first.csv != second.csv)
+    const sinew::ModelText second = sinew::describe_mechanism(
+        sinew::parse_mechanism({first.toml, first.csv, "toml", "csv", first.names, "names"}), "");
+    if (first.toml != second.toml || first.csv != second.csv || first.names != second.names)
       fail("does not read back:\n" + first.toml + second.toml);
   } catch (const std::exception& error) {
     fail(std::string("was read, but: ") + error.what());

@@ -9,9 +9,9 @@
 
 #include "generator/assemble.h"
 #include "generator/evaluate.h"
-#include "symbolic/tendons/functions.h"
 #include "symbolic/dynamics/lagrangian.h"
 #include "symbolic/model/read_mechanism.h"
+#include "symbolic/tendons/functions.h"
 #include "tests/symbolic/hand/coupled_check.h"
 
 using namespace sinew;
@@ -114,6 +114,9 @@ TEST_CASE("planted: a link a thousandth longer, the other branch, a loop the oth
   Mechanism turned = claw;
   turned.couplings[0].ratio *= -1;
   CHECK(worst(turned) > 1e-2);
+  Mechanism straight = claw;
+  straight.couplings[0].offset = 0.0;
+  CHECK(worst(straight) > 1e-2);
   Mechanism routed = claw;
   routed.tendons[0].pulleys[0].radius *= -1;
   CHECK(worst(routed) > 1e-2);

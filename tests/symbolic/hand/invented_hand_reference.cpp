@@ -2,9 +2,9 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "tests/symbolic/hand/invented_hand.h"
 #include "tests/reference/newton_euler.h"
 #include "tests/reference/tendon_paths.h"
+#include "tests/symbolic/hand/invented_hand.h"
 
 namespace sinew_tests {
 
@@ -81,7 +81,7 @@ Vector CoupledReference::joints(const Vector& q) const {
     return all[Eigen::Index(moving_index(whole_, joint))];
   };
   for (const JointCoupling& loop : whole_.couplings)
-    at(loop.dependent) = Real(loop.ratio) * at(loop.independent);
+    at(loop.dependent) = Real(loop.ratio) * at(loop.independent) + Real(loop.offset);
   for (const FourBarCoupling& bars : whole_.four_bars)
     at(bars.dependent) = linked(bars, at(bars.independent));
   return all;

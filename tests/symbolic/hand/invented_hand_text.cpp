@@ -116,6 +116,7 @@ dependent = "q6"
 independent = "q5"
 independent_radius = "r5"
 dependent_radius = "-r6"
+offset = {{ value = -14, unit = "deg", from = "assumed" }}
 
 [[four_bar]]
 dependent = "q4"

@@ -58,14 +58,17 @@ TEST_CASE("a robot is imported with gravity as given", "[import]") {
   const sinew::Mechanism read = sinew::read_mechanism(here.path() / "models/arm");
   const sinew::Mechanism source = sinew::read_urdf(here.path() / "arm.urdf", {1.7, -3.1, -9.1});
   REQUIRE(first_difference(source, read) == "");
-  REQUIRE_THAT(here.get("out"), Catch::Contains("2 moving joints: shoulder elbow"));
+  REQUIRE_THAT(here.get("out"),
+               Catch::Contains("2 moving joints: shoulder; and following them: elbow"));
 }
 
 TEST_CASE("the report of an import as JSON", "[import]") {
   const Workshop here;
   REQUIRE(here.import("arm.urdf --out arm --json") == 0);
-  REQUIRE_THAT(here.get("out"),
-               Catch::Contains("\"coordinates\": [\n    \"shoulder\",\n    \"elbow\"\n  ]"));
+  REQUIRE_THAT(
+      here.get("out"),
+      Catch::Contains("\"coordinates\": [\n    \"shoulder\"\n  ],\n  \"followers\": [\n    "
+                      "\"elbow\"\n  ]"));
 }
 
 TEST_CASE("a folder that holds something needs --force", "[import]") {

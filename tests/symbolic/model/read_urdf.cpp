@@ -10,6 +10,7 @@
 
 #include "symbolic/model/read_mechanism.h"
 #include "symbolic/model/singular_mass_matrix.h"
+#include "symbolic/model/write_mechanism.h"
 #include "tests/symbolic/model/malformed_case.h"
 #include "tests/symbolic/model/same_mechanism.h"
 
@@ -206,9 +207,11 @@ TEST_CASE("names become identifiers, and that is said", "[urdf]") {
   REQUIRE(arm.name == "my_robot_2");
   REQUIRE(has_note(notes, "test.urdf:2:1: robot 'my-robot 2' is called my_robot_2"));
   REQUIRE(joint_names(arm) == std::vector<std::string>{"joint_1", "joint_1_1", "double_1"});
+  REQUIRE(arm.joints[0].source_name == "joint-1");
   REQUIRE(arm.bodies[0].name == "base_1");
-  REQUIRE(arm.bodies[1].name == "link_1");
-  REQUIRE(arm.bodies[2].name == "link_1_1");
+  REQUIRE(arm.bodies[1].name == "link_1_1");
+  REQUIRE(arm.bodies[2].name == "link_1");  // an identifier stays what it is
+  REQUIRE(arm.bodies[2].source_name == "");
   REQUIRE(has_note(notes, "the mass of the root link 'world' is ignored"));
 }
 
@@ -218,6 +221,139 @@ TEST_CASE("mimic joints become couplings", "[urdf]") {
   REQUIRE(arm.couplings[0].dependent == "elbow");
   REQUIRE(arm.couplings[0].independent == "shoulder");
   REQUIRE(arm.couplings[0].ratio == 0.1);
+}
+
+TEST_CASE("chains of mimics become one step, with their offsets", "[urdf]") {
+  const auto mimic = [](const std::string& joint, double multiplier, double offset) {
+    return fmt::format(
+        "<limit lower='-1' upper='1' effort='0' velocity='0'/><mimic joint='{}' multiplier='{}' "
+        "offset='{}'/>",
+        joint, multiplier, offset);
+  };
+  const std::string chain =
+      link_xml("base", "") + joint_xml("a", "base", "b") + link_xml("b") +
+      joint_xml("c", "b", "d", "revolute", mimic("a", 2, 0.5)) + link_xml("d") +
+      joint_xml("e", "d", "f", "revolute", mimic("c", -3, 0.25)) + link_xml("f");
+  const Mechanism arm = read(robot(chain));
+  REQUIRE(arm.couplings.size() == 2);
+  REQUIRE(arm.couplings[0].ratio == 2);
+  REQUIRE(arm.couplings[0].offset == 0.5);
+  REQUIRE(arm.couplings[1].independent == "a");
+  REQUIRE(arm.couplings[1].ratio == -6);
+  REQUIRE(arm.couplings[1].offset == -1.25);  // -3 * 0.5 + 0.25
+  // What follows something that stands still stands still, and so on.
+  const auto fixed = [&](const std::string& from, const std::string& to) {
+    std::string changed = chain;
+    changed.replace(changed.find(from), from.size(), to);
+    return read(robot(changed + joint_xml("g", "f", "h") + link_xml("h")));
+  };
+  const Mechanism zero = fixed("multiplier='2'", "multiplier='0'");
+  REQUIRE(zero.couplings.empty());
+  REQUIRE(zero.joints[1].type == JointType::fixed);
+  const Eigen::AngleAxisd half(0.5, Eigen::Vector3d::UnitX());
+  REQUIRE(zero.joints[1].origin.rotation.isApprox(half.toRotationMatrix(), 1e-15));
+  const Eigen::AngleAxisd followed(-3 * 0.5 + 0.25, Eigen::Vector3d::UnitX());
+  REQUIRE(zero.joints[2].origin.rotation.isApprox(followed.toRotationMatrix(), 1e-15));
+  const Mechanism still = fixed("lower='-1' upper='1'", "lower='0.3' upper='0.3'");
+  REQUIRE(coordinate_count(still) == 1);
+}
+
+TEST_CASE("ranges of one value, none, swapped and without end", "[urdf]") {
+  std::vector<std::string> notes;
+  const auto limited = [&](const std::string& limits) {
+    notes.clear();
+    return read(robot(link_xml("base", "") +
+                      joint_xml("a", "base", "b", "prismatic",
+                                "<limit " + limits + " effort='0' velocity='0'/>") +
+                      link_xml("b") + joint_xml("c", "b", "d") + link_xml("d")),
+                &notes);
+  };
+  const Mechanism none = limited("lower='0' upper='0'");  // what exporters write
+  CHECK(none.joints[0].low == -1.0);
+  CHECK(has_note(notes, "joint 'a' has no range"));
+  const Mechanism one = limited("lower='0.25' upper='0.25'");
+  CHECK(one.joints[0].type == JointType::fixed);
+  CHECK(one.joints[0].origin.translation == Eigen::Vector3d(0.25, 0, 0));
+  CHECK(has_note(notes, "the joint stands at 0.25 m"));
+  const Mechanism swapped = limited("lower='0.5' upper='-0.25'");
+  CHECK(swapped.joints[0].low == -0.25);
+  CHECK(swapped.joints[0].high == 0.5);
+  CHECK(has_note(notes, "swapped"));
+  const Mechanism endless = limited("lower='-1e16' upper='1e16'");
+  CHECK(endless.joints[0].high == 1.0);
+}
+
+TEST_CASE("floating and planar joints are held, which is a warning", "[urdf]") {
+  for (const std::string type : {"floating", "planar"}) {
+    std::vector<std::string> notes, warnings;
+    const Mechanism arm =
+        parse_urdf(robot(link_xml("world", "") + joint_xml("free", "world", "base", type, "") +
+                         link_xml("base") + joint_xml("a", "base", "b") + link_xml("b")),
+                   "test.urdf", down, &notes, &warnings);
+    CHECK(coordinate_count(arm) == 1);
+    CHECK(arm.joints[0].type == JointType::fixed);
+    CHECK(has_note(warnings, "the " + type + " joint 'free' is held"));
+  }
+}
+
+TEST_CASE("moments negative by rounding are zero, others are mistakes", "[urdf]") {
+  const auto moments = [](const std::string& xx, const std::string& others) {
+    return "<mass value='0.01'/><inertia ixx='" + xx + "' ixy='0' ixz='0' iyy='" + others +
+           "' iyz='0' izz='" + others + "'/>";
+  };
+  std::vector<std::string> notes;
+  const auto body = [&](const std::string& inertial) {
+    return read(robot(link_xml("base", "") + joint_xml("a", "base", "b") +
+                      link_xml("b", inertial + "<origin xyz='0.01 0.01 0'/>")),
+                &notes)
+        .bodies[0];
+  };
+  CHECK(body(moments("-2.4e-35", "0")).inertia.isZero(0.0));
+  CHECK(has_note(notes, "negative by rounding"));
+  CHECK(body(moments("-1e-21", "1e-6")).inertia(0, 0) == 0.0);
+  // Planted: a moment of -1e-9 kg m^2 of 10 g is no rounding (a radius of gyration of 0.3 mm).
+  CHECK_THROWS_WITH(body(moments("-1e-9", "1e-6")), Catch::Contains("not positive definite"));
+}
+
+TEST_CASE("a robot without masses is one of kinematics alone", "[urdf]") {
+  std::vector<std::string> notes;
+  const Mechanism arm =
+      read(robot(link_xml("base", "") + joint_xml("a", "base", "b") + link_xml("b", "") +
+                 joint_xml("c", "b", "d") + link_xml("d", "")),
+           &notes);
+  REQUIRE(is_massless(arm));
+  REQUIRE(notes.size() == 1);
+  REQUIRE(has_note(notes, "a description of kinematics alone"));
+  notes.clear();
+  read(robot(link_xml("base", "") + joint_xml("a", "base", "b") + link_xml("b") +
+             joint_xml("f", "b", "c", "fixed", "") + "<link name='c'><visual/></link>\n"),
+       &notes);
+  CHECK(has_note(notes, "link 'c' has a shape and no <inertial>"));
+}
+
+TEST_CASE("names.toml holds the source's names and reads back", "[urdf]") {
+  const Mechanism hand =
+      read(robot(link_xml("palm", "") + joint_xml("0", "palm", "a-b") + link_xml("a-b") +
+                 joint_xml("j/1", "a-b", "\u6307") + link_xml("\u6307") +
+                 joint_xml("\u95a2\u7bc0", "\u6307", "q") + link_xml("q")));
+  CHECK(joint_names(hand) == std::vector<std::string>{"n0", "j_1", "joint"});
+  CHECK(hand.joints[2].source_name == "\u95a2\u7bc0");
+  const auto files = mechanism_files(hand, "");
+  const std::string& names = files.at("names.toml");
+  CHECK(names.find("n0 = \"0\"") != std::string::npos);
+  const auto again = [&](const std::string& text) {
+    return parse_mechanism({files.at("mechanism.toml"), files.at("mass_properties.csv"),
+                            "mechanism.toml", "mass_properties.csv", text, "names.toml"});
+  };
+  CHECK(first_difference(hand, again(names)) == "");
+  // Planted: a joint that the model does not have, a name given twice, one that is no text.
+  CHECK_THROWS_WITH(
+      again("[joint]\nn1 = \"0\"\n"),
+      Catch::Contains("names.toml:2:6: the model has no joint 'n1' (did you mean 'n0'?)"));
+  CHECK_THROWS_WITH(again("[joint]\nn0 = \"x\"\nj_1 = \"x\"\n"),
+                    Catch::Contains("two joints are called 'x'"));
+  CHECK_THROWS_WITH(again("[joint]\nn0 = 3\n"), Catch::Contains("joint.n0 is no text"));
+  CHECK_THROWS_WITH(again("[joints]\n"), Catch::Contains("'joints' is unknown"));
 }
 
 TEST_CASE("what does not concern the mechanism is left out", "[urdf]") {

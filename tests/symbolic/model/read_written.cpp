@@ -53,7 +53,8 @@ sinew::Mechanism index_finger() {
 
 sinew::Mechanism again(const sinew::Mechanism& mechanism) {
   const sinew::ModelText text = sinew::describe_mechanism(mechanism, "a comment");
-  return sinew::parse_mechanism({text.toml, text.csv});
+  return sinew::parse_mechanism(
+      {text.toml, text.csv, "mechanism.toml", "mass_properties.csv", text.names, "names.toml"});
 }
 
 Eigen::Vector3d vector(std::mt19937_64& random, double scale) {
@@ -97,7 +98,7 @@ sinew::Mechanism random_tree(unsigned seed) {
   }
   tree.frames.push_back(
       {"tip", "b5", {rotation_from_rpy(vector(random, 3.0)), vector(random, 0.1)}, {}});
-  tree.couplings.push_back({"j3", "j1", 5.5 / 4.5, {}});
+  tree.couplings.push_back({"j3", "j1", 5.5 / 4.5, -0.1 / 3.0, {}});
   tree.provenance["body.b3.mass_properties"] = "measured: scale, \"pendulum\" # twice";
   tree.provenance["joint.j1.origin.xyz"] = "text: Table \"5.1\"";
   return tree;

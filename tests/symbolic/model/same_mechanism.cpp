@@ -10,17 +10,17 @@ bool same(const Transform& a, const Transform& b) {
 }
 
 bool same(const Body& a, const Body& b) {
-  return a.name == b.name && a.mass == b.mass && a.centre_of_mass == b.centre_of_mass &&
-         a.inertia == b.inertia;
+  return a.name == b.name && a.source_name == b.source_name && a.mass == b.mass &&
+         a.centre_of_mass == b.centre_of_mass && a.inertia == b.inertia;
 }
 
 bool same(const Joint& a, const Joint& b) {
-  return a.name == b.name && a.type == b.type && a.parent == b.parent && same(a.origin, b.origin) &&
-         a.axis == b.axis && a.low == b.low && a.high == b.high &&
-         a.max_velocity == b.max_velocity && a.max_acceleration == b.max_acceleration &&
-         a.damping == b.damping && a.friction == b.friction &&
-         a.friction_speed == b.friction_speed && a.armature == b.armature &&
-         a.motor_turn == b.motor_turn;
+  return a.name == b.name && a.source_name == b.source_name && a.type == b.type &&
+         a.parent == b.parent && same(a.origin, b.origin) && a.axis == b.axis && a.low == b.low &&
+         a.high == b.high && a.max_velocity == b.max_velocity &&
+         a.max_acceleration == b.max_acceleration && a.damping == b.damping &&
+         a.friction == b.friction && a.friction_speed == b.friction_speed &&
+         a.armature == b.armature && a.motor_turn == b.motor_turn;
 }
 
 bool same(const PulleyRouting& a, const PulleyRouting& b) {
@@ -32,7 +32,8 @@ bool same(const StraightRouting& a, const StraightRouting& b) {
 }
 
 bool same(const JointCoupling& a, const JointCoupling& b) {
-  return a.dependent == b.dependent && a.independent == b.independent && a.ratio == b.ratio;
+  return a.dependent == b.dependent && a.independent == b.independent && a.ratio == b.ratio &&
+         a.offset == b.offset;
 }
 
 bool same(const Frame& a, const Frame& b) {
