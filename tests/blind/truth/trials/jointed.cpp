@@ -101,7 +101,8 @@ MatrixXd needed_efforts(const Jointed& jointed, const Course& course,
     const Index first = k * course.inner;
     const Index before = std::max<Index>(first - 1, 0);
     const VectorXd q = course.q.row(first), v = course.v.row(first);
-    VectorXd a = 0.5 * (course.a.row(first) + course.a.row(before));
+    const VectorXd motor = 0.5 * (course.a.row(first) + course.a.row(before));
+    VectorXd a = motor;
     const double known = course.load.size() > 0 ? course.load(first) : 0.0;
     double pull = 0.0, carried = 0.0;
     if (behind) {
@@ -121,7 +122,6 @@ MatrixXd needed_efforts(const Jointed& jointed, const Course& course,
     for (Index j = 0; j < n; ++j) {
       const Link& link = chain.links[static_cast<std::size_t>(j)];
       Axis& axis = axes[static_cast<std::size_t>(j)];
-      const double own = course.a(first, j);
       const double load = (jointed.carries ? rigid(j) : 0.0) + known;
       for (int s = 0; s < course.inner; ++s) {
         const Index i = first + s;
@@ -129,7 +129,7 @@ MatrixXd needed_efforts(const Jointed& jointed, const Course& course,
             axis.resist({step * static_cast<double>(i), course.q(i, j), course.v(i, j),
                          0.5 * (course.a(i, j) + course.a(std::max<Index>(i - 1, 0), j)), load},
                         step);
-        if (s == 0) efforts(k, j) = rigid(j) + known + link.armature * own + r;
+        if (s == 0) efforts(k, j) = rigid(j) + known + link.armature * motor(j) + r;
       }
     }
   }
@@ -153,8 +153,11 @@ Course commanded(const Jointed& jointed, const Rhythm& rhythm, truth::Draw draw)
       const truth::Reference& r = table[static_cast<std::size_t>(k)];
       course.q(k, j) = jointed.middle[static_cast<std::size_t>(j)] + r.position;
       course.v(k, j) = r.velocity;
-      course.a(k, j) = r.acceleration;
     }
+    // As an integrator leaves it: between one step and the next. Rows take the mean of both sides.
+    for (Index k = 0; k < steps; ++k)
+      course.a(k, j) = k + 1 < steps ? (course.v(k + 1, j) - course.v(k, j)) / course.step
+                                     : table.back().acceleration;
   }
   return course;
 }

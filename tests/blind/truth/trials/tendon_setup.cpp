@@ -134,8 +134,20 @@ void write_tendon_model(const TendonSetup& s, const std::filesystem::path& folde
     channel += count;
     tendons += count;
   }
+  // The four-bar of the palm's edge is held, as the wrist is.
+  text += fmt::format(
+      "\n[four_bar]\nmodel = \"../bar\"\nbase.xyz = {{ value = [0.015, -0.027, -0.01], unit = "
+      "\"m\", from = "
+      "\"assumed\" }}\nchannels = \"{}-{}\"\n",
+      channel, channel + 1);
   write_file(folder / "model" / "hand.toml", text);
-  write_file(folder / "wrist" / "part.toml", wrist_part(WristShape{}, tendons));
+  write_file(folder / "wrist" / "part.toml", wrist_part(WristShape{}, tendons + 2));
+  write_file(folder / "bar" / "part.toml",
+             "[part]\nname = \"bar\"\n\n[four_bar]\nground = " + value(0.012, "m") +
+                 "crank = " + value(0.010, "m") + "coupler = " + value(0.012, "m") + "rocker = " +
+                 value(0.011, "m") + "branch = \"open\"\npulley_radius = " + value(0.005, "m") +
+                 "reference_theta2 = " + value(90.0, "deg") +
+                 "theta2 = { value = [60, 120], unit = \"deg\", from = \"assumed\" }\n");
 }
 
 std::unique_ptr<TrialPlant> draw_finger(Draw draw, Mechanics mechanics) {
