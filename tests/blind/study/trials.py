@@ -38,25 +38,25 @@ def engine_hash(root):
 def rows(file, times):
     with open(file, encoding="utf-8") as lines:
         table = list(csv.DictReader(line for line in lines if not line.startswith("#")))
-    return [(r["plant"], r["family"], float(r["size"]), int(r["trials"]) * times) for r in table]
+    return [(r["plant"], r["family"], float(r["size"]), int(r["trials"]) * times, r["cause"]) for r in table]
 
 
-def seed_of(digest, plant, family, size, number):
-    text = f"{digest}/{plant}/{family}/{size:g}/{number}"
+def seed_of(digest, plant, family, size, number, cause=""):
+    text = f"{digest}/{plant}/{family}/{size:g}/{number}/{cause}"
     return FIRST_SEED + int(hashlib.sha256(text.encode()).hexdigest()[:12], 16)
 
 
 def listed(digest, table):
     """All trials, mixed so that a study that is stopped has some of every row."""
-    trials = [(number / count, plant, family, size, number)
-              for plant, family, size, count in table for number in range(count)]
+    trials = [(number / count, plant, family, size, number, cause)
+              for plant, family, size, count, cause in table for number in range(count)]
     trials.sort()
-    return [{"plant": p, "family": f, "size": s, "number": n, "seed": seed_of(digest, p, f, s, n)}
-            for _, p, f, s, n in trials]
+    return [{"plant": p, "family": f, "size": s, "number": n, "cause": c, "seed": seed_of(digest, p, f, s, n, c)}
+            for _, p, f, s, n, c in trials]
 
 
 def name_of(trial):
-    return f"{trial['plant']}/{trial['family']}/{trial['size']:g}/{trial['number']}"
+    return f"{trial['plant']}/{trial['family']}/{trial['size']:g}/{trial['cause'] or 'drawn'}/{trial['number']}"
 
 
 def check_sealed(folder, seal):
@@ -82,7 +82,7 @@ def check_sealed(folder, seal):
 def drawn(drawer, trial, folder):
     done = subprocess.run(
         [drawer, "draw", "--plant", trial["plant"], "--family", trial["family"], "--size",
-         str(trial["size"]), "--seed", str(trial["seed"]), "--folder", folder],
+         str(trial["size"]), "--seed", str(trial["seed"]), "--folder", folder, "--cause", trial["cause"]],
         capture_output=True, text=True, check=False)
     if done.returncode != 0:
         raise RuntimeError(f"{name_of(trial)} cannot be drawn: {done.stderr.strip()}")

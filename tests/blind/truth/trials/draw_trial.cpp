@@ -158,7 +158,9 @@ std::unique_ptr<TrialPlant> draw_plant(const TrialRequest& request, Draw draw) {
   if (kind == "drive") return draw_drive(draw, mechanics);
   if (kind == "arm") return draw_arm(draw, mechanics);
   if (kind == "finger") return draw_finger(draw, mechanics);
-  if (plant == "joint") return draw_joint(draw, request.heavier);
+  if (plant == "joint") return draw_joint(draw);
+  // The same joints with twenty times the inertia and all that goes with it.
+  if (plant == "heavy_joint") return draw_joint(draw, 20.0);
   if (plant == "hand") return draw_hand(draw);
   if (plant == "lever") return draw_lever(draw);
   if (plant == "wrist") return draw_wrist(draw);

@@ -180,16 +180,20 @@ Course in_closed_loop(const Jointed& jointed, const std::vector<Hidden>& hidden,
   double resisting = 0.0, extra = 0.0;
   for (const Hidden& h : hidden)
     if (h.cause == "inertia") extra = h.dose;
+  // One link: what it carries is the same everywhere, and its weight is all that its place changes.
+  const double carried = chain.carried(q, 0), rotor = chain.links.front().armature;
+  const double nominal = jointed.chain.carried(q, 0) + rotor;
+  const auto weight_of = [&zero](const Chain& c, const VectorXd& at) {
+    return c.gravity.isZero() ? 0.0 : c.torque(at, zero, zero)(0);
+  };
   for (Index k = 0; k < course.q.rows(); ++k) {
     const double known = load.size() > 0 ? load(k) : 0.0;
-    const double asked = chain.torque(q, zero, zero)(0) + known;
-    const double carried = chain.carried(q, 0), rotor = chain.links.front().armature;
-    const double nominal = jointed.chain.carried(q, 0) + rotor;
+    const double asked = weight_of(chain, q) + known;
     const double turning = model.turning > 0.0 ? model.turning : 0.02 * model.top_speed;
     const double command =
         nominal * (bandwidth * bandwidth * (wanted.q(k, 0) - q(0)) +
                    2.0 * damping * bandwidth * (wanted.v(k, 0) - v(0)) + wanted.a(k, 0)) +
-        jointed.chain.torque(q, zero, zero)(0) + known +
+        weight_of(jointed.chain, q) + known +
         help * (model.level * std::tanh(wanted.v(k, 0) / turning) + model.viscous * wanted.v(k, 0));
     double inertia = carried + rotor, against = asked;
     if (behind.there()) {

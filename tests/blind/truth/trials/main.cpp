@@ -19,7 +19,7 @@ using namespace sinew::trials;
 constexpr const char* usage =
     "usage: sinew_trials draw --plant <plant> --family <family> --size <noise's> --seed <n> "
     "--folder "
-    "<folder>\n"
+    "<folder> [--cause <cause>]\n"
     "           writes model, channels and logs into the folder, the seal to standard output\n"
     "       sinew_trials offers --plant <plant> --seed <n>\n"
     "       sinew_trials limits\n";
@@ -53,7 +53,6 @@ int run(int count, char** words) {
   request.cause = take("--cause", "");
   request.size = std::stod(take("--size", "1"));
   request.seed = std::stoull(take("--seed", "1"));
-  request.heavier = std::stod(take("--heavier", "1"));
   const std::string folder = take("--folder", "");
   if (!option.empty()) throw std::invalid_argument("no option is called " + option.begin()->first);
   if (command == "limits") {
