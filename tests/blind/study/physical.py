@@ -259,6 +259,9 @@ def judged(tools, folder, findings):
                 extra[k] += sum(e["coefficient"][0]["value"] for e in effects
                                 if e["effect"] == "inertia" and e["place"] == joint["name"])
             result["mass_matrix"] = mass_matrix_is_possible(c, extra)
+        # A ripple's phase is an incremental encoder's, and another one in every log.
+        if any("ripple" in effect["effect"] for effect in effects):
+            return {**result, "phase_of_a_log": True}
         if "effort" in c.functions:
             result["gain"] = gain(tools, folder, findings, c)
         was, now = simulated(tools, folder, before), simulated(tools, folder, model)

@@ -124,6 +124,10 @@ class Leaks(unittest.TestCase):
     def test_a_clean_folder_is_let_through(self):
         trials.check_sealed(self.folder({}), seal(("stribeck", "motor", 0)))
 
+    def test_a_key_of_the_model_is_no_leak(self):
+        trials.check_sealed(self.folder({"model/mechanism.toml": "[mechanism]\ngravity = 9.81\n"}),
+                            seal(("gravity", "base", 0)))
+
     def test_a_seal_in_the_folder_is_a_leak(self):
         with self.assertRaisesRegex(trials.Leak, "no part of a model"):
             trials.check_sealed(self.folder({"seal.json": "{}"}), seal(("stribeck", "motor", 0)))

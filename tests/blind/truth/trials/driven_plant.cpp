@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "tests/blind/truth/trials/compared.h"
-#include "tests/blind/truth/trials/jointed.h"
+#include "tests/blind/truth/trials/driven_setup.h"
 #include "tests/blind/truth/trials/signal_path.h"
 
 namespace sinew::trials {
@@ -14,21 +14,9 @@ namespace {
 
 using truth::Draw;
 
-enum class Kind { motor, slide, joint, arm };
-
-struct Setup {
-  Kind kind = Kind::joint;
-  Mechanics mechanics = Mechanics::own;
-  Jointed jointed;
-  Rhythm rhythm;
-  std::vector<double> encoder;  ///< step of each position sensor
-  bool loaded = false, resolved = false;
-  double load_mean = 0.0, load_swing = 0.0;
-};
-
 class DrivenPlant : public TrialPlant {
  public:
-  DrivenPlant(Setup setup, Draw draw) : setup_(std::move(setup)) {
+  DrivenPlant(DrivenSetup setup, Draw draw) : setup_(std::move(setup)) {
     for (auto& s : streams_) s = draw.bits();
     rate_ = 2.0 * pi * draw.uniform(0.15, 0.6);
     learn_scales(setup_.jointed, course({}, 0));
@@ -79,7 +67,7 @@ class DrivenPlant : public TrialPlant {
     if (load) {
       for (Index k = 0; k < rows; ++k) result.columns(k, 2 * n) = course.load(k * course.inner);
       result.names.push_back("load");
-      result.units.push_back(setup_.kind == Kind::slide ? "N" : "N*m");
+      result.units.push_back(setup_.kind == DrivenKind::slide ? "N" : "N*m");
     }
     order_names(result);
     return result;
@@ -185,7 +173,7 @@ class DrivenPlant : public TrialPlant {
 
   void name(Log& log, std::size_t j) const {
     const Link& link = setup_.jointed.chain.links[j];
-    const bool motor = setup_.kind == Kind::motor, slide = setup_.kind == Kind::slide;
+    const bool motor = setup_.kind == DrivenKind::motor, slide = setup_.kind == DrivenKind::slide;
     log.names.push_back(motor ? "theta" : slide ? "x" : "q_" + link.joint);
     log.units.push_back(link.slides ? "m" : "rad");
   }
@@ -196,9 +184,9 @@ class DrivenPlant : public TrialPlant {
                                    log.units.begin() + static_cast<long>(axes()));
     for (std::size_t j = 0; j < axes(); ++j) {
       const Link& link = setup_.jointed.chain.links[j];
-      names.push_back(setup_.kind == Kind::motor   ? "tau_m"
-                      : setup_.kind == Kind::slide ? "f"
-                                                   : "tau_" + link.joint);
+      names.push_back(setup_.kind == DrivenKind::motor   ? "tau_m"
+                      : setup_.kind == DrivenKind::slide ? "f"
+                                                         : "tau_" + link.joint);
       units.push_back(link.slides ? "N" : "N*m");
     }
     names.insert(names.end(), log.names.begin() + static_cast<long>(axes()), log.names.end());
@@ -211,7 +199,7 @@ class DrivenPlant : public TrialPlant {
     const Jointed& jointed = setup_.jointed;
     for (std::size_t j = 0; j < axes(); ++j) {
       const std::string place =
-          setup_.kind == Kind::motor ? "motor" : "joint " + jointed.chain.links[j].joint;
+          setup_.kind == DrivenKind::motor ? "motor" : "joint " + jointed.chain.links[j].joint;
       offer_axis(jointed, j, place, true, setup_.loaded || jointed.carries, offers_);
     }
     if (jointed.carries) offer_links(jointed, offers_);
@@ -226,7 +214,7 @@ class DrivenPlant : public TrialPlant {
       });
   }
 
-  Setup setup_;
+  DrivenSetup setup_;
   std::uint64_t streams_[4] = {};
   double rate_ = 1.0;
   std::vector<double> noise_, peak_;
@@ -234,7 +222,8 @@ class DrivenPlant : public TrialPlant {
 };
 
 void DrivenPlant::write_model(const std::filesystem::path& folder) const {
-  if (setup_.kind != Kind::motor) return write_mechanism(setup_.jointed.chain, folder / "model");
+  if (setup_.kind != DrivenKind::motor)
+    return write_mechanism(setup_.jointed.chain, folder / "model");
   const AxisModel& m = setup_.jointed.axes.front();
   const double gear = m.motor_turn / (2.0 * pi);
   const double inertia = setup_.jointed.chain.links.front().inertia(2, 2);
@@ -255,172 +244,10 @@ void DrivenPlant::write_model(const std::filesystem::path& folder) const {
   write_file(folder / "model" / "part.toml", text);
 }
 
-/// Half of all axes slide for 5 to 50 encoder steps before friction is full, the others below one.
-void draw_bristles(Setup& s, Draw& draw) {
-  s.resolved = draw.chance(0.5);
-  for (const double step : s.encoder)
-    s.jointed.bristles.push_back(
-        {step * (s.resolved ? draw.log_uniform(5.0, 50.0) : draw.log_uniform(0.05, 0.9)),
-         draw.below(3)});
-}
-
-Link plain_link(bool slides, double inertia) {
-  Link link;
-  link.name = "l1";
-  link.joint = "j1";
-  link.slides = slides;
-  link.axis = slides ? Vector3d(1, 0, 0) : Vector3d(0, 0, 1);
-  link.mass = slides ? inertia : 1.0;
-  link.inertia = Eigen::Matrix3d::Identity() * (slides ? 1.0 : inertia);
-  return link;
-}
-
-void set_link(Link& link, const AxisModel& m) {
-  link.damping = m.viscous;
-  link.friction = m.level;
-  link.friction_speed = m.turning;
-  link.motor_turn = m.motor_turn;
-}
-
 }  // namespace
 
-std::unique_ptr<TrialPlant> draw_drive(Draw draw, Mechanics mechanics) {
-  Setup s;
-  s.mechanics = mechanics;
-  s.kind = draw.chance(0.25) ? Kind::slide : Kind::motor;
-  s.loaded = draw.chance(0.6);
-  AxisModel m;
-  if (s.kind == Kind::slide) {
-    m.inertia = draw.log_uniform(20.0, 150.0);
-    m.level = m.inertia * draw.uniform(0.15, 0.4);
-    m.viscous = m.inertia * draw.uniform(1.0, 3.0);
-    m.range = draw.uniform(0.1, 0.25);
-    m.top_speed = m.range * draw.uniform(1.8, 2.6);
-    m.turning = m.top_speed / draw.uniform(60.0, 150.0);
-    m.motor_turn = draw.uniform(0.0025, 0.01);
-    s.encoder = {std::ldexp(1.0, -(17 + draw.below(4)))};
-  } else {
-    m.inertia = 2.05e-3 * draw.log_uniform(0.5, 4.0);
-    m.level = 0.877 * draw.log_uniform(0.15, 1.0);
-    m.viscous = 0.0356 * draw.log_uniform(0.6, 2.0);
-    m.range = draw.uniform(3.5, 6.5);
-    m.top_speed = draw.uniform(3.0, 5.0);
-    m.turning = 1.0 / draw.uniform(10.0, 40.0);
-    m.motor_turn = 2.0 * pi / (draw.chance(0.7) ? 100.0 : 50.0);
-    m.output_turn = 2.0 * pi;
-    s.encoder = {2.0 * pi * std::ldexp(1.0, -(18 + draw.below(4)))};
-  }
-  Link link = plain_link(s.kind == Kind::slide, m.inertia);
-  link.low = -4.0 * m.range;
-  link.high = 4.0 * m.range;
-  set_link(link, m);
-  s.jointed.chain = {"drive", Vector3d::Zero(), {link}, {}, 0.0, Vector3d::Zero()};
-  s.jointed.axes = {m};
-  s.jointed.middle = {0.0};
-  s.rhythm.seconds = 20.0;
-  s.rhythm.period = draw.chance(0.5) ? 1.0e-3 : 2.0e-3;
-  s.rhythm.inner = s.rhythm.period < 1.5e-3 ? 4 : 8;
-  if (s.loaded) {
-    const double usual = m.level * draw.uniform(0.8, 2.0);
-    s.load_mean = usual * draw.uniform(0.5, 1.0);
-    s.load_swing = usual * draw.uniform(0.4, 0.8);
-  }
-  draw_bristles(s, draw);
-  return std::make_unique<DrivenPlant>(std::move(s), draw);
-}
-
-std::unique_ptr<TrialPlant> draw_joint(Draw draw, double heavier) {
-  Setup s;
-  s.kind = Kind::joint;
-  const int kind = draw.below(3);  // pendulum, flywheel, slide
-  const bool slides = kind == 2;
-  AxisModel m;
-  m.inertia = heavier * draw.log_uniform(0.5, 2.0) * (slides ? 60.0 : kind == 0 ? 0.05 : 0.02);
-  m.range = slides ? draw.uniform(0.08, 0.2) : draw.uniform(0.7, 1.4);
-  m.top_speed = m.range * draw.uniform(1.5, 2.5);
-  const double usual = m.inertia * m.top_speed * 6.0;
-  m.level = usual * draw.uniform(0.3, 1.2);
-  m.viscous = usual * draw.uniform(0.3, 1.0) / m.top_speed;
-  m.turning = draw.chance(0.5) ? m.top_speed / draw.uniform(40.0, 150.0) : 0.0;
-  m.motor_turn = m.range / draw.uniform(4.0, 16.0);
-  if (!slides) m.output_turn = 2.0 * pi;
-  Link link = plain_link(slides, m.inertia);
-  Vector3d gravity = Vector3d::Zero();
-  if (kind == 0) {
-    const double arm = 0.18;
-    link.mass = 0.5 * m.inertia / (arm * arm);
-    link.com = Vector3d(arm, 0, 0);
-    link.axis = Vector3d(0, -1, 0);
-    link.inertia = Eigen::Matrix3d::Identity() * (m.inertia - link.mass * arm * arm);
-    gravity = Vector3d(0, 0, -9.81);
-  }
-  link.low = -3.0 * m.range;
-  link.high = 3.0 * m.range;
-  set_link(link, m);
-  s.jointed.chain = {"joint", gravity, {link}, {}, 0.0, Vector3d(0.3, 0, 0)};
-  s.jointed.axes = {m};
-  s.jointed.middle = {kind == 0 ? draw.uniform(-0.4, 0.4) : 0.0};
-  s.jointed.carries = kind == 0;
-  s.encoder = {(slides ? 1.28 : 2.0 * pi) * std::ldexp(1.0, -(17 + draw.below(4)))};
-  const double rates[] = {250.0, 500.0, 1000.0};
-  s.rhythm.seconds = 16.0;
-  s.rhythm.period = 1.0 / rates[draw.below(3)];
-  s.rhythm.inner = static_cast<int>(std::lround(s.rhythm.period / 2.5e-4));
-  s.rhythm.kind = draw.chance(0.4) ? truth::Course::strokes : truth::Course::mixed;
-  draw_bristles(s, draw);
-  return std::make_unique<DrivenPlant>(std::move(s), draw);
-}
-
-std::unique_ptr<TrialPlant> draw_arm(Draw draw, Mechanics mechanics) {
-  static const Vector3d long_axes[] = {{0, 0, 1},  {0, -1, 0}, {0, -1, 0}, {1, 0, 0},
-                                       {0, -1, 0}, {1, 0, 0},  {0, -1, 0}};
-  Setup s;
-  s.kind = Kind::arm;
-  s.mechanics = mechanics;
-  // Short arms are as common as long ones: two or three joints, or four to seven.
-  const int joints = draw.chance(0.6) ? 2 + draw.below(2) : 4 + draw.below(4);
-  const bool upright = joints >= 3 || draw.chance(0.5);
-  double length = 0.0, mass = draw.uniform(1.5, 4.0);
-  s.jointed.chain.name = "arm";
-  for (int i = 0; i < joints; ++i) {
-    Link link;
-    link.name = fmt::format("l{}", i + 1);
-    link.joint = fmt::format("j{}", i + 1);
-    link.parent = i - 1;
-    link.axis = joints > 3         ? long_axes[i]
-                : upright && i > 0 ? Vector3d(0, -1, 0)
-                                   : Vector3d(0, 0, 1);
-    link.xyz = Vector3d(length, 0, i == 0 ? 0.3 : 0.0);
-    length = draw.uniform(0.15, 0.4);
-    const double thick = 0.05, across = mass * (length * length + thick * thick) / 12.0;
-    link.mass = mass;
-    link.com = Vector3d(draw.uniform(0.3, 0.6) * length, 0,
-                        joints > 3 ? draw.uniform(0.05, 0.2) * length : 0.0);
-    link.inertia = Vector3d(mass * thick * thick / 6.0, across, across).asDiagonal();
-    link.armature = draw.chance(0.5) ? draw.uniform(0.2, 2.0) * across : 0.0;
-    AxisModel m;
-    m.level = draw.uniform(0.15, 0.4) * mass;
-    m.viscous = draw.uniform(0.05, 0.2) * mass;
-    m.turning = draw.chance(0.5) ? draw.log_uniform(0.005, 0.03) : 0.0;
-    m.range = draw.uniform(0.6, 1.1);
-    m.top_speed = draw.uniform(1.2, 2.2);
-    m.motor_turn = 2.0 * pi / (draw.chance(0.5) ? 100.0 : 50.0);
-    m.output_turn = 2.0 * pi;
-    set_link(link, m);
-    s.jointed.axes.push_back(m);
-    s.jointed.middle.push_back(draw.uniform(-0.4, 0.4));
-    s.encoder.push_back(2.0 * pi * std::ldexp(1.0, -(18 + draw.below(4))));
-    s.jointed.chain.links.push_back(link);
-    mass *= draw.uniform(0.45, 0.75);
-  }
-  s.jointed.chain.tip = Vector3d(length, 0, 0);
-  s.jointed.carries = true;
-  s.rhythm.seconds = 14.0;
-  s.rhythm.period = draw.chance(0.5) ? 0.004 : 0.002;
-  s.rhythm.inner = s.rhythm.period > 0.003 ? 8 : 4;
-  s.rhythm.kind = draw.chance(0.5) ? truth::Course::sines : truth::Course::mixed;
-  draw_bristles(s, draw);
-  return std::make_unique<DrivenPlant>(std::move(s), draw);
+std::unique_ptr<TrialPlant> driven_plant(DrivenSetup setup, Draw draw) {
+  return std::make_unique<DrivenPlant>(std::move(setup), draw);
 }
 
 }  // namespace sinew::trials

@@ -107,18 +107,21 @@ MatrixXd needed_efforts(const Jointed& jointed, const Course& course,
     double pull = 0.0, carried = 0.0;
     if (behind) {
       carried = chain.carried(q, soft);
+      const double behind_gear = (1.0 - jointed.motor_share) * carried;
       VectorXd held = a;
       held(soft) = 0.0;
       const double asked = chain.torque(q, v, held)(soft) + known;
       if (k == 0) behind->start(q(soft), v(soft));
       for (int s = 0; s < course.inner; ++s) {
         const Index i = first + s;
-        pull +=
-            behind->pull(course.q(i, soft), course.v(i, soft), carried, asked, step) / course.inner;
+        pull += behind->pull(course.q(i, soft), course.v(i, soft), behind_gear, asked, step) /
+                course.inner;
       }
-      a(soft) = (pull - asked) / carried;
+      a(soft) = (pull - asked) / behind_gear;
     }
-    const VectorXd rigid = chain.torque(q, v, a);
+    VectorXd rigid = chain.torque(q, v, a);
+    // What turns with the motor does not lag behind.
+    if (behind) rigid(soft) += jointed.motor_share * carried * (motor(soft) - a(soft));
     for (Index j = 0; j < n; ++j) {
       const Link& link = chain.links[static_cast<std::size_t>(j)];
       Axis& axis = axes[static_cast<std::size_t>(j)];
@@ -197,8 +200,8 @@ Course in_closed_loop(const Jointed& jointed, const std::vector<Hidden>& hidden,
         help * (model.level * std::tanh(wanted.v(k, 0) / turning) + model.viscous * wanted.v(k, 0));
     double inertia = carried + rotor, against = asked;
     if (behind.there()) {
-      against = behind.pull(q(0), v(0), carried, asked, step);
-      inertia = std::max(rotor, 0.05 * carried);
+      against = behind.pull(q(0), v(0), (1.0 - jointed.motor_share) * carried, asked, step);
+      inertia = rotor + jointed.motor_share * carried;
     }
     const double a = (command - resisting - against) /
                      (inertia + std::max(extra, -0.8 * inertia) + step * axis.slope(v(0), step));

@@ -16,6 +16,7 @@ struct Jointed {
   std::vector<Bristle> bristles;
   std::vector<double> middle;  ///< about which each axis moves
   bool carries = false;        ///< friction's load is what the links ask for
+  double motor_share = 0.0;    ///< of what an axis carries, on the motor's side of a soft gear
 };
 
 /// The chain with what is hidden in its bodies.

@@ -66,6 +66,7 @@ const std::vector<Limit>& limits() {
       {"saturation", 0.0, 0.98, "1", "the amplifier's knee at the peak effort"},
       {"heat", 0.0, 0.5, "1", "half of the torque is lost at the limit of the winding"},
       {"outer_force", 0.0, 1.0, "effort", "somebody leans on it"},
+      {"loose_motor", 0.0, 1.5, "rad", "a grub screw on a flat of its shaft"},
   };
   return table;
 }

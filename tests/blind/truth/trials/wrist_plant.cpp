@@ -43,7 +43,7 @@ class Disturbed {
       if (h.cause == "other_stage" && h.at == i)
         theta += h.dose * std::sin(0.5857 * 20.0 * theta + h.phase) *
                  (1.0 + 0.5 * std::sin(0.1716 * 20.0 * theta));
-      if (h.cause == "contact" && h.at == i && h.dose > 0.0) {
+      if (h.cause == "loose_motor" && h.at == i && h.dose > 0.0) {
         played_(i) = std::clamp(played_(i), theta - 0.5 * h.dose, theta + 0.5 * h.dose);
         theta = played_(i);
       }
@@ -213,8 +213,8 @@ class WristPlant : public TrialPlant {
     for (int i = 0; i < motors_; ++i) {
       const std::string place = fmt::format("motor {}", i + 1);
       offer("tendon_radius", place, i, 1.0, false, "change");
-      for (const char* cause : {"outer_force", "other_stage", "contact"})
-        offer(cause, place, i, cause == std::string("contact") ? 0.05 : 1.0, true);
+      for (const char* cause : {"outer_force", "other_stage", "loose_motor"})
+        offer(cause, place, i, 1.0, true);
     }
     for (const char* cause : {"heat", "filling", "latch", "speed_memory", "tight_under_load"})
       offer(cause, "wrist", 0, cause == std::string("filling") ? 10.0 : 1.0, true);
