@@ -10,7 +10,7 @@ import tomllib
 
 from emitted import Emitted
 
-BAND, MASKED = 60.0, 0.006  # Hz, s: as `sinew diagnose` documents
+BAND, MASKED = 60.0, 0.006  # Hz, s to each side of a reversal at that band, as `sinew diagnose` documents
 
 
 def read_log(file):
@@ -78,7 +78,7 @@ class Judge:
 
     def moving(self, j):
         v = self.v[j]
-        slow, reach = 0.01 * max(abs(x) for x in v), math.ceil(MASKED / self.step)
+        slow, reach = 0.01 * max(abs(x) for x in v), math.ceil(MASKED * BAND / self.band / self.step)
         moves = [True] * len(v)
         for k in range(len(v)):
             if abs(v[k]) <= slow or (k and v[k] * v[k - 1] <= 0):

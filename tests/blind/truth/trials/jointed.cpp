@@ -235,7 +235,8 @@ MatrixXd fitted_at(const AxisModel& model, const VectorXd& v, const VectorXd& a,
 VectorXd in_motion(const VectorXd& v, double step) {
   VectorXd moving = VectorXd::Ones(v.size());
   const double slow = 0.01 * v.cwiseAbs().maxCoeff();
-  const auto reach = static_cast<Index>(std::ceil(0.006 / step));
+  const double spread = 0.006 * 60.0 / documented_band(step);
+  const auto reach = static_cast<Index>(std::ceil(spread / step));
   for (Index k = 0; k < v.size(); ++k) {
     const bool turns = k > 0 && v(k) * v(k - 1) <= 0.0;
     if (!turns && std::abs(v(k)) > slow) continue;

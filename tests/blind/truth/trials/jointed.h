@@ -49,7 +49,7 @@ void offer_links(const Jointed& jointed, std::vector<Offer>& offers);
 
 /// Columns that are fitted with every model at an axis, along a smoothed motion.
 MatrixXd fitted_at(const AxisModel& model, const VectorXd& v, const VectorXd& a, unsigned which);
-/// 1 where the axis moves: above a hundredth of its top speed, and 6 ms off every reversal.
+/// 1 where the axis moves: above a hundredth of its top speed, and 6 ms off every reversal, at 60 Hz.
 VectorXd in_motion(const VectorXd& v, double step);
 /// 18 Hz where what is left of the acceleration above is the noise of the position, else `band`.
 double band_of(const VectorXd& perfect, const VectorXd& measured, double step, double band);
