@@ -168,19 +168,32 @@ def physical(lines):
                   "channels no worse", "bodies possible", "mass matrix", "95 % intervals that hold the truth", "not judged"], rows)
 
 
-def written(lines, facts, limits):
-    took = sum(x.get("took", 0.0) for x in lines)
+def inertias(lines):
+    """One cause at one size in light and in heavy joints: the same rate within its interval."""
+    rows = []
+    for plant, name in (("joint", "light joints"), ("heavy_joint", "the same joints, twenty times as heavy")):
+        for cause, some in by([x for x in of(lines, plant=plant) if x["cause"]], lambda x: x["cause"]).items():
+            n = counted(some)
+            rows.append([name, cause, f"{some[0]['size']:g}", rate(n, said("detected")), rate(n, said("right")),
+                         status(some, "unreachable")])
+    return table(["", "cause", "size", "detected", "right", "unreachable"], rows)
+
+
+def written(everything, facts, limits):
+    lines = [x for x in everything if not x["cause"]]
+    took = sum(x.get("took", 0.0) for x in everything)
     parts = [
         "<!-- SPDX-License-Identifier: GPL-3.0-or-later -->\n# Blind trials\n",
         "What a trial is, how large a cause is, and what counts as right stand in [blind_trials.md](blind_trials.md). "
         "This page is written by the study; nothing on it is edited.\n",
         f"Engine: SHA-256 of its sources `{facts['engine']}`; program `{facts['program']}`; {facts['date']}; "
-        f"{len(lines)} trials of {facts['wanted']}, {took / 3600:.1f} hours of the program's time; command:\n",
+        f"{len(everything)} trials of {facts['wanted']}, {took / 3600:.1f} hours of the program's time; command:\n",
         f"    {facts['command']}\n",
         "## Goals\n", goals(lines), "## One cause\n", "![rates over the size of a cause](blind_rates.svg)\n", singles(lines),
         "## Nothing, several, outside the library, faults\n", families(lines),
         "## Each cause\n", causes(lines), "## Outside the library\n", outside(lines),
         "## Friction that the log resolves\n", presliding(lines), "## Confidence\n", confidence(lines),
+        "## The same size in light and in heavy joints\n", inertias(everything),
         "## Adopted models\n", physical(lines), "## Physical limits\n",
         "A dose beyond these is not drawn; a size that needs one makes the trial unreachable.\n", limits]
     return "\n".join(parts)
@@ -189,8 +202,9 @@ def written(lines, facts, limits):
 COLOURS = ["#1b6ca8", "#c0392b", "#2e8b57", "#8e44ad", "#d68910", "#34495e", "#16a085"]
 
 
-def picture(lines):
+def picture(everything):
     """Share of right verdicts over the size, a panel a plant, with 95 % intervals."""
+    lines = [x for x in everything if not x["cause"]]
     width, height, margin = 210, 150, 34
     shown = [p for p in GOALS if of(lines, plant=p, family="one")]
     per_row = 4

@@ -36,7 +36,7 @@ class TendonPlant : public TrialPlant {
       phase_.push_back(draw.uniform(0.0, 2.0 * pi));
       guide_.push_back(draw.log_uniform(5e-6, 5e-4));
     }
-    force_noise_ = draw.uniform(0.01, 0.03);
+    force_noise_ = draw.uniform(0.003, 0.01);
     motor_noise_ = draw.uniform(0.005, 0.015);
     learn_scales(s_.jointed, course({}, 0));
     list_offers();

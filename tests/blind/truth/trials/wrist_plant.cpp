@@ -75,7 +75,7 @@ class WristPlant : public TrialPlant {
     shape_.b *= draw.uniform(0.9, 1.1);
     shape_.c *= draw.uniform(0.9, 1.1);
     motors_ = 4 + draw.below(5);
-    noise_ = draw.uniform(2.0e-3, 1.0e-2);
+    noise_ = draw.uniform(4.0e-4, 2.0e-3);
     zero71_ = reference_71(shape_);
     zero73_ = reference_73(shape_);
     list_offers();
