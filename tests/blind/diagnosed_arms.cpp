@@ -64,18 +64,6 @@ Outcome diagnose_joint(const truth::TrialRequest& wanted) {
 
 }  // namespace
 
-TEST_CASE("study: sealed joints in closed loop", "[.study]") {
-  blind::study(diagnose_joint, "joint");
-}
-
-TEST_CASE("study: sealed arms", "[.study]") {
-  blind::study(diagnose_arm, "arm");
-}
-
-TEST_CASE("study: sealed long arms", "[.study]") {
-  blind::study(diagnose_arm, "long_arm");
-}
-
 TEST_CASE("causes hidden in arms of five and six joints are named from the logs alone", "[slow]") {
   // Planted defect: with the errors of all joints added in N·m (Problem::shared_noise) what is
   // hidden at the light joint of 102 is not told.

@@ -11,7 +11,6 @@
 #include <set>
 #include <stdexcept>
 
-#include "tests/blind/study_record.h"
 #include "tests/reference/temporary_folder.h"
 
 namespace sinew::blind {
@@ -37,11 +36,6 @@ void judge(Outcome& o) {
   }
   o.all_inside = o.false_names == 0 && covered.size() == hidden.size() && !hidden.empty();
   o.all_right = o.all_inside && first.size() == hidden.size();
-}
-
-int environment(const char* name, int otherwise) {
-  const char* value = std::getenv(name);
-  return value ? std::atoi(value) : otherwise;
 }
 
 /// The trial's logs as files, as long as it lives.
@@ -222,70 +216,6 @@ Rates run(const Trials& diagnose, truth::TrialRequest request, int count,
     if (each) each(request.seed, outcome);
   }
   return rates;
-}
-
-namespace {
-
-truth::TrialRequest wanted_by_environment(const std::string& plant, truth::Family family) {
-  truth::TrialRequest request;
-  const char* other = std::getenv("SINEW_PLANT");
-  request.plant = other ? other : plant;
-  request.seed = static_cast<std::uint64_t>(environment("SINEW_SEED", 1));
-  request.size = environment("SINEW_SIZE", 100) / 100.0;
-  request.family =
-      static_cast<truth::Family>(environment("SINEW_FAMILY", static_cast<int>(family)));
-  return request;
-}
-
-}  // namespace
-
-void settling_study(const std::function<Settled(const truth::TrialRequest&)>& settle,
-                    const std::string& plant) {
-  truth::TrialRequest request = wanted_by_environment(plant, truth::Family::inseparable);
-  int sets = 0, asked = 0, settled = 0, inside = 0, alone = 0;
-  const int trials = environment("SINEW_TRIALS", 20);
-  for (int i = 0; i < trials; ++i, ++request.seed) {
-    const Settled outcome = settle(request);
-    const bool is_set = outcome.before.members > 1;
-    const Outcome* after = outcome.after ? &*outcome.after : nullptr;
-    sets += is_set;
-    inside += outcome.before.all_inside;
-    asked += after != nullptr;
-    settled += after && after->is_settled();
-    alone += after && after->is_settled() && after->members == 1;
-    fmt::print("{:5d} {} hidden:{} | told:{}\n", request.seed,
-               !is_set               ? "no set "
-               : !after              ? "not asked"
-               : after->is_settled() ? "settled"
-                                     : "open   ",
-               outcome.before.hidden(), outcome.before.told());
-    record(request, outcome.before, after);
-    if (after) {
-      const auto& separation = outcome.before.findings.verdict.causes.front().separation;
-      fmt::print("      {} ({:.1f}) told:{}\n", separation.experiment, separation.expected,
-                 after->told());
-    }
-    std::fflush(stdout);
-  }
-  fmt::print(
-      "trials {}: told as a set {}, with the hidden one {}, a motion asked for {}, settled {}, "
-      "alone {}\n",
-      trials, sets, inside, asked, settled, alone);
-}
-
-void study(const Trials& diagnose, const std::string& plant) {
-  const truth::TrialRequest request = wanted_by_environment(plant, truth::Family::one);
-  const auto line = [trial = request](std::uint64_t seed, const Outcome& o) mutable {
-    trial.seed = seed;
-    record(trial, o);
-    const char* how = o.all_right ? "ok " : o.all_inside ? "in " : "-- ";
-    fmt::print("{:5d} {} hidden:{} | told:{} | {:.1f} s\n", seed, how, o.hidden(), o.told(),
-               o.findings.seconds);
-    if (!o.all_inside) fmt::print("{}", o.missed());
-    std::fflush(stdout);
-  };
-  const Rates rates = run(diagnose, request, environment("SINEW_TRIALS", 20), line);
-  fmt::print("size {}, {}: {}\n", request.size, truth::family_name(request.family), rates.text());
 }
 
 }  // namespace sinew::blind

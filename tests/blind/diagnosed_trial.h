@@ -75,12 +75,4 @@ struct Rates {
 Rates run(const Trials& diagnose, truth::TrialRequest request, int count,
           const std::function<void(std::uint64_t seed, const Outcome&)>& each = {});
 
-/// Like study() for trials of inseparable pairs, with the motion asked for played.
-void settling_study(const std::function<Settled(const truth::TrialRequest&)>& settle,
-                    const std::string& plant);
-
-/// SINEW_TRIALS, SINEW_SIZE (percent of the noise), SINEW_SEED, SINEW_FAMILY, SINEW_PLANT choose
-/// the run; a line for each trial and the rates at the end.
-void study(const Trials& diagnose, const std::string& plant);
-
 }  // namespace sinew::blind

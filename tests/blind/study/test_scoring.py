@@ -1,0 +1,204 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Each rule of scoring with the defect that it is there for. Seen to fail: matched() by name alone (without
+place) lets a wrong place and a repeated name pass; right without len(told) lets a surplus set pass;
+check_seal() without its first rule lets a dropped cause pass; check_sealed() without its list of files
+lets a seal in the folder pass."""
+import copy
+import pathlib
+import sys
+import tempfile
+import unittest
+
+sys.path.insert(0, str(pathlib.Path(__file__).parent))
+import emitted  # noqa: E402,F401
+import physical  # noqa: E402
+import results  # noqa: E402
+import score  # noqa: E402
+import trials  # noqa: E402
+
+
+def seal(*hidden, family="one", size=1.0):
+    return {"family": family, "size": size, "reachable": True,
+            "hidden": [{"cause": c, "place": p, "excess": size, **({"order": o} if o else {})}
+                       for c, p, o in hidden]}
+
+
+def findings(*sets, none=False):
+    causes = [{"members": [{"name": n, "place": p} for n, p in s], "confidence": 0.9, "parameters": []}
+              for s in sets]
+    return {"verdict": {"causes": causes, "outcome": "causes named" if causes else "nothing beyond noise",
+                        "unexplained": {"none_of_the_known": none}},
+            "extension": {"adopted": False}, "seconds": 1.0, "logs": []}
+
+
+STRIBECK = ("Stribeck friction", "joint j2")
+COULOMB = ("Coulomb friction level", "joint j1")
+
+
+class Names(unittest.TestCase):
+    def test_the_right_name_at_the_right_place_is_right(self):
+        s = score.score(seal(("stribeck", "joint j2", 0)), findings([STRIBECK]))
+        self.assertTrue(s["right"] and s["inside"])
+        self.assertEqual(s["false_names"], 0)
+
+    def test_a_wrong_place_is_wrong(self):
+        s = score.score(seal(("stribeck", "joint j1", 0)), findings([STRIBECK]))
+        self.assertFalse(s["right"] or s["inside"])
+        self.assertEqual(s["false_names"], 1)
+
+    def test_a_repeated_name_elsewhere_is_a_false_name(self):
+        s = score.score(seal(("stribeck", "joint j2", 0)), findings([STRIBECK], [("Stribeck friction", "joint j3")]))
+        self.assertFalse(s["right"] or s["inside"])
+        self.assertEqual(s["false_names"], 1)
+
+    def test_one_set_told_twice_counts_once(self):
+        s = score.score(seal(("stribeck", "joint j2", 0)), findings([STRIBECK], [STRIBECK]))
+        self.assertFalse(s["right"])
+        self.assertEqual(s["false_names"], 1)
+
+    def test_a_later_member_is_in_the_set_and_not_right(self):
+        s = score.score(seal(("stribeck", "joint j2", 0)), findings([COULOMB, STRIBECK]))
+        self.assertFalse(s["right"])
+        self.assertTrue(s["inside"])
+
+    def test_one_set_does_not_serve_two_causes(self):
+        both = seal(("stribeck", "joint j2", 0), ("coulomb_level", "joint j1", 0), family="two")
+        self.assertFalse(score.score(both, findings([STRIBECK, COULOMB]))["inside"])
+        self.assertTrue(score.score(both, findings([COULOMB], [STRIBECK]))["right"])
+
+    def test_a_dropped_cause_of_two_is_not_right(self):
+        both = seal(("stribeck", "joint j2", 0), ("coulomb_level", "joint j1", 0), family="two")
+        s = score.score(both, findings([STRIBECK]))
+        self.assertFalse(s["right"] or s["inside"])
+        self.assertEqual(s["false_names"], 0)
+
+    def test_a_ripple_needs_its_order(self):
+        hidden = seal(("input_ripple", "motor", 2))
+        self.assertTrue(score.score(hidden, findings([("ripple 2 times per motor turn", "motor")]))["right"])
+        self.assertFalse(score.score(hidden, findings([("ripple once per motor turn", "motor")]))["right"])
+
+    def test_an_unknown_name_is_false(self):
+        self.assertEqual(score.score(seal(family="null"), findings([("gremlins", "motor")]))["false_names"], 1)
+
+    def test_outside_every_name_is_wrong(self):
+        s = score.score(seal(("latch", "joint j2", 0), family="outside"), findings([STRIBECK], none=True))
+        self.assertEqual(s["false_names"], 1)
+        self.assertTrue(s["none_of_the_known"])
+
+
+class Seals(unittest.TestCase):
+    def test_a_dropped_cause_is_no_trial(self):
+        two = seal(("stribeck", "joint j2", 0), ("offset", "joint j1", 0), family="two")
+        score.check_seal(two, "two", 1.0)
+        dropped = copy.deepcopy(two)
+        dropped["hidden"].pop()
+        with self.assertRaisesRegex(score.BrokenTrial, "hides 1 causes"):
+            score.check_seal(dropped, "two", 1.0)
+
+    def test_an_easier_size_is_no_trial(self):
+        easier = seal(("stribeck", "joint j2", 0), size=2.0)
+        with self.assertRaisesRegex(score.BrokenTrial, "has the size"):
+            score.check_seal(easier, "one", 1.0)
+
+    def test_unreachable_is_said(self):
+        silent = seal(("backlash", "motor", 0))
+        silent["reachable"] = False
+        with self.assertRaisesRegex(score.BrokenTrial, "not said"):
+            score.check_seal(silent, "one", 1.0)
+
+    def test_one_cause_twice_is_no_pair(self):
+        twice = seal(("offset", "motor", 0), ("offset", "motor", 0), family="two")
+        with self.assertRaisesRegex(score.BrokenTrial, "twice"):
+            score.check_seal(twice, "two", 1.0)
+
+
+class Leaks(unittest.TestCase):
+    def folder(self, files):
+        place = pathlib.Path(self.enterContext(tempfile.TemporaryDirectory())) / "000007"
+        for name, text in {"model/mechanism.toml": "[mechanism]\n", "train.csv": "time [s]\n",
+                           "holdout.csv": "time [s]\n", **files}.items():
+            (place / name).parent.mkdir(parents=True, exist_ok=True)
+            (place / name).write_text(text, encoding="utf-8")
+        return place
+
+    def test_a_clean_folder_is_let_through(self):
+        trials.check_sealed(self.folder({}), seal(("stribeck", "motor", 0)))
+
+    def test_a_key_of_the_model_is_no_leak(self):
+        trials.check_sealed(self.folder({"model/mechanism.toml": "[mechanism]\ngravity = 9.81\n"}),
+                            seal(("gravity", "base", 0)))
+
+    def test_a_seal_in_the_folder_is_a_leak(self):
+        with self.assertRaisesRegex(trials.Leak, "no part of a model"):
+            trials.check_sealed(self.folder({"seal.json": "{}"}), seal(("stribeck", "motor", 0)))
+
+    def test_a_model_that_says_the_cause_is_a_leak(self):
+        with self.assertRaisesRegex(trials.Leak, "says 'stribeck'"):
+            trials.check_sealed(self.folder({"model/mechanism.toml": "# stribeck\n"}),
+                                seal(("stribeck", "motor", 0)))
+
+    def test_a_column_that_says_the_cause_is_a_leak(self):
+        with self.assertRaisesRegex(trials.Leak, "says 'backlash'"):
+            trials.check_sealed(self.folder({"train.csv": "time [s],backlash [1]\n"}),
+                                seal(("backlash", "motor", 0)))
+
+    def test_a_folder_that_says_the_cause_is_a_leak(self):
+        place = self.folder({})
+        named = place.rename(place.with_name("stribeck_7"))
+        with self.assertRaisesRegex(trials.Leak, "name tells"):
+            trials.check_sealed(named, seal(("stribeck", "motor", 0)))
+
+
+class Counts(unittest.TestCase):
+    def test_seeds_are_the_hash_s_and_not_development_s(self):
+        one = trials.seed_of("ab", "drive", "one", 1.0, 0)
+        self.assertGreaterEqual(one, trials.FIRST_SEED)
+        self.assertNotEqual(one, trials.seed_of("ac", "drive", "one", 1.0, 0))
+        self.assertEqual(one, trials.seed_of("ab", "drive", "one", 1.0, 0))
+
+    def test_the_engine_s_hash_follows_its_sources(self):
+        root = pathlib.Path(self.enterContext(tempfile.TemporaryDirectory()))
+        (root / "identification").mkdir()
+        source = root / "identification" / "a.cpp"
+        source.write_text("int a;", encoding="utf-8")
+        before = trials.engine_hash(root)
+        source.write_text("int b;", encoding="utf-8")
+        self.assertNotEqual(before, trials.engine_hash(root))
+
+    def test_unreachable_trials_are_not_misses_and_refused_ones_are(self):
+        lines = [{"status": "unreachable"}, {"status": "refused"}, {"status": "ran", "right": True}]
+        r = results.rate(results.counted(lines), results.said("right"))
+        self.assertEqual((r.hits, r.trials), (1, 2))
+
+    def test_wilson_s_interval(self):
+        low, high = results.wilson(9, 10)
+        self.assertAlmostEqual(low, 0.596, 3)
+        self.assertAlmostEqual(high, 0.982, 3)
+
+    def test_a_fault_counts_where_its_channel_is_named(self):
+        fault = {**seal(family="fault"), "fault": {"fault": "unit", "channel": "q_j1", "factor": 57.3}}
+        self.assertTrue(score.fault_found(fault, None, "log.csv:1:2: 'q_j1' is in degrees\n", {}))
+        self.assertTrue(score.fault_found(fault, None, "log.csv:1:2: 'ch01' is in degrees\n", {"q_j1": "ch01"}))
+        self.assertFalse(score.fault_found(fault, None, "log.csv:1:2: 'q_j2' is in degrees\n", {}))
+
+
+class Physics(unittest.TestCase):
+    def test_a_negative_mass_is_no_body(self):
+        self.assertTrue(physical.positive_definite(physical.pseudo_inertia(1, [0, 0, 0], [1, 1, 1, 0, 0, 0]), 4))
+        self.assertFalse(physical.positive_definite(physical.pseudo_inertia(-1, [0, 0, 0], [1, 1, 1, 0, 0, 0]), 4))
+
+    def test_moments_that_break_the_triangle_are_no_body(self):
+        self.assertFalse(physical.positive_definite(physical.pseudo_inertia(1, [0, 0, 0], [3, 1, 1, 0, 0, 0]), 4))
+
+    def test_an_interval_that_misses_is_counted(self):
+        hidden = seal(("viscous_level", "joint j1", 0))
+        hidden["hidden"][0]["parameter"] = {"name": "viscous_change", "value": 1.0}
+        told = findings([("viscous friction level", "joint j1")])
+        told["verdict"]["causes"][0]["parameters"] = [{"name": "viscous_change", "value": 1.3, "standard_error": 0.1}]
+        self.assertFalse(score.in_interval(hidden, told)[0]["holds"])
+        told["verdict"]["causes"][0]["parameters"][0]["value"] = 1.1
+        self.assertTrue(score.in_interval(hidden, told)[0]["holds"])
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A seed draws a plant, a cause, its place and its dose; the folder gets the model and the logs,
+// and the seal comes back as text, to be kept where the program cannot see it.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "tests/blind/truth/trials/trial_plant.h"
+
+namespace sinew::trials {
+
+struct TrialRequest {
+  std::uint64_t seed = 1;
+  std::string plant = "drive";  ///< or joint, arm, finger, hand, lever, wrist, mujoco_drive, ...
+  std::string family = "one";   ///< or null, two, outside, fault
+  double size = 1.0;            ///< in units of the noise
+  std::string cause;            ///< for development and gates: this one instead of a drawn one
+  double heavier = 1.0;         ///< the lone joint's inertia, for the gate that compares two plants
+};
+
+/// Writes model, channels and logs into the folder; of an unreachable trial nothing. Returns the
+/// seal, JSON. Throws std::invalid_argument for an unknown plant or family, std::runtime_error
+/// where a file cannot be written or this build has no MuJoCo.
+std::string draw_trial(const TrialRequest& request, const std::filesystem::path& folder);
+
+std::unique_ptr<TrialPlant> draw_plant(const TrialRequest& request, truth::Draw draw);
+
+}  // namespace sinew::trials
