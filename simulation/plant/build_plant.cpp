@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "simulation/plant/add_drives.h"
+#include "simulation/plant/checked_extension.h"
 #include "simulation/plant/simulate.h"
 #include "symbolic/dynamics/coordinates.h"
 #include "symbolic/extension/identified_mechanism.h"
@@ -87,8 +88,8 @@ Plant motor_plant(const fs::path& model, const Happening& what, const fs::path& 
         "{}: weight_feedforward needs tendons, which a motor alone has none of", what.name()));
   PlantParts parts;
   parts.motor.emplace(*motor, scenario, runtime);
-  add_drives(with_losses(*motor, scenario), part.name, read_identified(model), scenario, runtime,
-             parts);
+  add_drives(with_losses(*motor, scenario), part.name, checked_extension(model, *motor), scenario,
+             runtime, parts);
   return Plant(scenario, std::move(parts));
 }
 
@@ -98,8 +99,9 @@ Eigen::Vector3d learnt_gravity(const HeldHand& held, const Identified& identifie
 }
 
 Plant hand_plant(const fs::path& model, const Happening& what, const fs::path& runtime) {
-  const Identified identified = read_identified(model);
-  const Hand hand = with_identified(read_hand(model).hand, identified);
+  const Hand described = read_hand(model).hand;
+  const Identified identified = checked_extension(model, described);
+  const Hand hand = with_identified(described, identified);
   const int channels = static_cast<int>(hand.wrist.forearm_points.size());
   const bool free = what.wrist() == WristMode::dynamic;
   std::vector<JointChannel> joints;
@@ -113,9 +115,8 @@ Plant hand_plant(const fs::path& model, const Happening& what, const fs::path& r
         scenario.wrist_feedforward ? "wrist_feedforward" : "weight_feedforward"));
   PlantParts parts;
   // Taken exactly, which takes a while.
-  const std::optional<HeldHand> held = identified.empty() && !scenario.as_logged
-                                           ? std::nullopt
-                                           : std::optional(held_hand(hand));
+  const std::optional<HeldHand> held =
+      identified.empty() && !scenario.as_logged ? std::nullopt : std::optional(held_hand(hand));
   Eigen::Vector3d own_gravity = hand.fingers.front().mechanism.gravity;
   if (held) own_gravity += learnt_gravity(*held, identified);
   parts.joints = hand_joints(
@@ -128,8 +129,9 @@ Plant hand_plant(const fs::path& model, const Happening& what, const fs::path& r
 }
 
 Plant finger_plant(const fs::path& model, const Happening& what, const fs::path& runtime) {
-  Identified identified = read_identified(model);
-  Mechanism mechanism = with_held(with_identified(read_mechanism(model), identified), what.held());
+  const Mechanism described = read_mechanism(model);
+  Identified identified = checked_extension(model, described);
+  Mechanism mechanism = with_held(with_identified(described, identified), what.held());
   for (const HeldJoint& each : what.held())
     std::erase_if(identified.effects,
                   [&](const IdentifiedEffect& entry) { return entry.place == each.name; });
