@@ -247,10 +247,6 @@ Rivals find_rivals(const Design& design, const Library& library, const Settings&
   for (const Trial& trial : trials) {
     RankedCause cause = describe(design, trial.candidate);
     const bool first = &trial == &trials.front();
-    // Another form of the first is no rival of it.
-    if (!first && !rivals.members.empty() && cause.name == rivals.members.front().name &&
-        cause.place == rivals.members.front().place)
-      continue;
     cause.behind = std::max(0.0, trial.score - trials.front().score);
     cause.weight = std::exp(-0.5 * cause.behind);
     if (!first) {

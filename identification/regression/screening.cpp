@@ -5,7 +5,6 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 namespace sinew::diagnosis {
 namespace {
@@ -212,16 +211,8 @@ Library::Library(const Design& design) {
   }
   tbb::parallel_for(0, static_cast<int>(slots_.size()), [&](int i) {
     Slot& slot = slots_[static_cast<std::size_t>(i)];
-    try {
-      slot.columns = design.columns(library[static_cast<std::size_t>(slot.candidate)],
-                                    slot.nonlinear, 0, &slot.in_band);
-    } catch (const std::invalid_argument&) {
-      // One candidate that a log drives out of all numbers is no reason to look for no other.
-      slot.columns.assign(design.segments().size(), {});
-    }
-    // A candidate is looked for in the training logs; all slots together are most of the memory.
-    for (std::size_t s = 0; s < slot.columns.size(); ++s)
-      if (design.segments()[s].holdout) slot.columns[s] = MatrixXd();
+    slot.columns = design.columns(library[static_cast<std::size_t>(slot.candidate)], slot.nonlinear,
+                                  0, &slot.in_band);
   });
 }
 
