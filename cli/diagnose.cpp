@@ -18,6 +18,8 @@
 #include "generator/outputs/unfinished_run.h"
 #include "generator/write.h"
 #include "identification/adoption/diagnose.h"
+#include "identification/adoption/ended_early.h"
+#include "identification/adoption/held_out_judgement.h"
 #include "identification/logs/model_channels.h"
 #include "identification/report/findings_json.h"
 #include "identification/report/html.h"
@@ -37,7 +39,7 @@ using diagnosis::Diagnosis;
 
 struct DiagnoseOptions {
   std::string folder, out, runtime;
-  std::vector<std::string> logs, holdout, map;
+  std::vector<std::string> logs, holdout, map, constants;
   double band = 0.0;
   unsigned seed = 1;
   bool dry_run = false, json = false;
@@ -77,6 +79,7 @@ void set_common(const DiagnoseOptions& o, const ModelFolder& folder, Request& re
 DiagnoseRequest request_for(const DiagnoseOptions& o, const ModelFolder& folder) {
   DiagnoseRequest request;
   set_common(o, folder, request);
+  request.torque_constants = torque_constants(o.folder, o.constants);
   set_driven_model(folder, request);
   return request;
 }
@@ -92,15 +95,6 @@ void keep_what_was_left_out(const Identified& known, const Identified& taken,
     if (std::none_of(taken.effects.begin(), taken.effects.end(), is_same))
       extended.effects.push_back(entry);
   }
-}
-
-/// The model's folder with what it has learnt, and its C, as they would be.
-FileSet extended_c(const DiagnoseOptions& o, const Diagnosis& diagnosis) {
-  ModelFolder folder = open_model_folder(o.folder);
-  folder.identified = diagnosis.extended;
-  if (Mechanism* mechanism = std::get_if<Mechanism>(&folder.model))
-    *mechanism = with_identified(read_mechanism(o.folder), diagnosis.extended);
-  return emit_files(assemble(folder.identity, derive_functions(folder), Target{}));
 }
 
 Inputs inputs_of(const DiagnoseOptions& o) {
@@ -125,12 +119,31 @@ void check_outputs(const DiagnoseOptions& o) {
     inputs.refuse(out / name);
 }
 
+/// The C of the model with what it has learnt. What cannot be generated is not adopted, and the
+/// report says why.
+FileSet generated_c(const DiagnoseOptions& o, Diagnosis& diagnosis) {
+  FileSet files;
+  if (!diagnosis.findings.extension.adopted) return files;
+  ModelFolder folder = open_model_folder(o.folder);
+  folder.identified = diagnosis.extended;
+  Mechanism* mechanism = std::get_if<Mechanism>(&folder.model);
+  if (mechanism) *mechanism = read_mechanism(o.folder);
+  const std::string failed = diagnosis::why_ended([&] {
+    if (mechanism) *mechanism = with_identified(*mechanism, diagnosis.extended);
+    files = emit_files(assemble(folder.identity, derive_functions(folder), Target{}));
+  });
+  if (!failed.empty())
+    diagnosis::withhold("the extended model cannot be generated: " + failed,
+                        diagnosis.findings.extension);
+  return files;
+}
+
 void write_results(const DiagnoseOptions& o, Diagnosis& diagnosis) {
   auto& extension = diagnosis.findings.extension;
   extension.dry_run = o.dry_run;
-  diagnosis.findings.next_step = diagnosis::next_step(diagnosis.findings);
   std::map<std::string, std::string> files = diagnosis.experiments;
-  const FileSet generated = extension.adopted ? extended_c(o, diagnosis) : FileSet{};
+  const FileSet generated = generated_c(o, diagnosis);
+  diagnosis.findings.next_step = diagnosis::next_step(diagnosis.findings);
   Outputs outputs;  // the model first: its folder keeps the journal
   if (extension.adopted) {
     files["identified.toml"] = identified_text(diagnosis.extended);
@@ -185,6 +198,8 @@ void add_diagnose_command(CLI::App& app, int& exit_status) {
   command->add_option("--holdout", o->holdout, "Logs to judge on, not learnt from");
   command->add_option("--out", o->out, "Folder for report.html and findings.json")->required();
   command->add_option("--map", o->map, "channel=column name [unit], or channel=#3 [unit]");
+  command->add_option("--torque-constant", o->constants,
+                      "joint=VALUE: effort of 1 A at the joint [N*m/A, N/A], of logged currents");
   command->add_option("--band", o->band, "Highest frequency looked at [Hz]")
       ->check([](const std::string& text) {
         double hertz = 0.0;

@@ -46,6 +46,23 @@ void set_robot(const std::filesystem::path& folder, const Mechanism& mechanism,
   };
 }
 
+/// An entry for no joint is a slip of the pen.
+void check_constants(const DiagnoseRequest& request) {
+  const diagnosis::DrivenChannels channels = request.channels(request.logs.front());
+  for (const auto& [name, value] : request.torque_constants) {
+    std::string joints;
+    bool known = false;
+    for (const std::string& effort : channels.efforts) {
+      const std::string joint = diagnosis::joint_of_effort(effort);
+      known = known || effort == name || joint == name;
+      joints += (joints.empty() ? "" : ", ") + joint;
+    }
+    if (!known)
+      throw std::invalid_argument("the torque constant of '" + name +
+                                  "': there is no such joint; expected one of " + joints);
+  }
+}
+
 /// The mechanism as the logs move it.
 std::vector<HeldJoint> hold_still_joints(Mechanism& mechanism, DiagnoseRequest& request) {
   std::vector<std::string> files = request.logs;
@@ -84,6 +101,8 @@ std::vector<HeldJoint> set_driven_model(const ModelFolder& folder, DiagnoseReque
     Mechanism moving = *mechanism;
     std::vector<HeldJoint> held = hold_still_joints(moving, request);
     set_robot(folder.folder, moving, request);
+    for (const HeldJoint& each : held) request.torque_constants.erase(each.name);
+    check_constants(request);
     return held;
   }
   if (const Hand* hand = std::get_if<Hand>(&folder.model)) {

@@ -18,8 +18,12 @@ ReplayedLog replayed_log(const std::filesystem::path& model, const std::string& 
   request.map = options.map;
   const ModelFolder folder = open_model_folder(model);
   request.identified = folder.identified;
+  request.torque_constants = torque_constants(model, {});
   std::vector<HeldJoint> held = set_driven_model(folder, request);
   ReplayedLog result{request.channels(log), {}, request.notes};
+  diagnosis::set_torque_constants(request.torque_constants, result.channels);
+  // What no constant is known of cannot drive the model.
+  for (ChannelSpec& spec : result.channels.specs) spec.keep_ampere = false;
   options.max_rate = result.channels.forces.empty() ? kDiagnosisRate : kTendonRate;
   result.replay = diagnosis::replay_of(read_csv(log, result.channels.specs, options),
                                        result.channels, request.model);

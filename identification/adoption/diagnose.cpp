@@ -6,20 +6,26 @@
 #include <algorithm>
 #include <chrono>
 #include <map>
+#include <optional>
 #include <set>
 
+#include "identification/adoption/adopted_fit.h"
 #include "identification/adoption/discrepancy.h"
+#include "identification/adoption/ended_early.h"
 #include "identification/adoption/extend.h"
 #include "identification/adoption/held_out_judgement.h"
 #include "identification/adoption/measure.h"
 #include "identification/adoption/motion_file.h"
 #include "identification/adoption/possible_terms.h"
 #include "identification/adoption/prediction.h"
+#include "identification/adoption/read_motion.h"
+#include "identification/adoption/unquiet_channels.h"
 #include "identification/diagnosis/explain.h"
 #include "identification/diagnosis/sensor_play.h"
-#include "identification/logs/read_csv.h"
 #include "identification/report/log_record.h"
 #include "identification/report/verdict_text.h"
+#include "identification/report/wording.h"
+#include "identification/subjects/common_factors.h"
 #include "identification/subjects/effort_consistency.h"
 #include "identification/subjects/lone_consistency.h"
 #include "identification/subjects/tendon_consistency.h"
@@ -51,18 +57,17 @@ class Run {
     tell("comparing with the model", 0.2);
     subject_.prepare(request_.settings);
     tell("searching for causes", 0.3);
-    Explanation explanation = explain_subject(subject_);
-    look_at_standstills(explanation);
-    merge_members(explanation.verdict);
-    remove_nuisances(explanation.verdict);
-    if (!request_.holdout.empty()) confirm_on_held_out(explanation.verdict);
-    write_motions(explanation.verdict);
+    Explanation explanation;
+    const std::string ended = why_ended([&] { explanation = search(); });
+    if (!ended.empty()) explanation = {};
     f.verdict = explanation.verdict;
     tell("extending and measuring", 0.9);
-    extend(explanation);
+    extend_or_measure(explanation);
     describe_terms(f.verdict);
     f.headline = headline(f);
     report_discrepancies(discrepant_, f);
+    tell_unquiet_channels(f);
+    if (!ended.empty()) tell_ended_search(ended, f);
     f.next_step = next_step(f);
     f.seconds = std::chrono::duration<double>(Clock::now() - start).count();
     return std::move(result_);
@@ -75,34 +80,23 @@ class Run {
 
   void read() {
     tell("reading the logs", 0.0);
-    std::vector<LogFile> files;
-    std::vector<DrivenChannels> channels;
-    ReadOptions options;
-    options.map = request_.map;
-    options.max_values = diagnosis_values(request_.logs.size() + request_.holdout.size());
-    for (const std::vector<std::string>& group : {request_.logs, request_.holdout})
-      for (const std::string& file : group) {
-        channels.push_back(request_.channels(file));
-        files.push_back({file, channels.back().specs});
-        options.max_rate = channels.back().forces.empty() ? kDiagnosisRate : kTendonRate;
-      }
-    const std::vector<Log> logs = read_csv(files, options);
-    for (std::size_t i = 0; i < logs.size(); ++i)
-      take(logs[i], channels[i], i >= request_.logs.size());
+    std::map<std::string, double> constants = request_.torque_constants;
+    LoggedMotion logged = read_logs(request_, constants);
+    std::vector<std::string> notes = request_.notes;
+    if (const std::vector<std::string> open = open_currents(logged); !open.empty()) {
+      for (std::string& note : fit_constants(logged, open, subject_, constants))
+        notes.push_back(std::move(note));
+      logged = read_logs(request_, constants);
+    }
+    for (std::size_t i = 0; i < logged.logs.size(); ++i)
+      take(logged.logs[i], logged.channels[i], i >= request_.logs.size());
     refuse_held_out_twins(result_.findings.logs);
     LogRecord& first = result_.findings.logs.front();
-    for (const std::string& note : request_.notes) first.faults.push_back(first.file + ": " + note);
+    for (const std::string& note : notes) first.faults.push_back(first.file + ": " + note);
   }
 
   void take(const Log& log, const DrivenChannels& channels, bool held_out) {
-    const auto found = [&](const std::vector<std::string>& names) {
-      std::vector<int> columns;
-      for (const std::string& name : names) columns.push_back(log.channel(name));
-      return columns;
-    };
-    const DrivenColumns columns{found(channels.positions), found(channels.efforts),
-                                found(channels.forces),
-                                channels.load.empty() ? -1 : log.channel(channels.load)};
+    const DrivenColumns columns = columns_in(log, channels);
     subject_.add_log(log, columns, held_out);
     columns_[log.file] = judged_columns(log, columns);
     result_.findings.logs.push_back(log_record(log, held_out));
@@ -142,10 +136,21 @@ class Run {
       judge_tendons(log, columns, *longest, model, subject_.effort(), request_.runtime, faults);
     } else {
       judge_efforts(log, columns, *longest, subject_.effort(), faults);
+      if (!faults.stops()) judge_common_factors(log, columns, *longest, subject_.effort(), faults);
       judge_lone_effort(log, columns, *longest, subject_.effort(), model.joints.front(), faults);
     }
     if (faults.stops()) throw LogError(faults.all());
     return faults.all();
+  }
+
+  Explanation search() {
+    Explanation explanation = explain_subject(subject_);
+    look_at_standstills(explanation);
+    merge_members(explanation.verdict);
+    remove_nuisances(explanation.verdict);
+    if (!request_.holdout.empty()) confirm_on_held_out(explanation.verdict);
+    write_motions(explanation.verdict);
+    return explanation;
   }
 
   Explanation explain_subject(const DrivenSubject& subject) const {
@@ -198,18 +203,88 @@ class Run {
     explanation = std::move(other);
   }
 
-  /// Adopted where the measured gain on held-out logs is positive with its interval.
+  /// What was read is reported whatever becomes of the extension.
+  void extend_or_measure(const Explanation& explanation) {
+    Findings& f = result_.findings;
+    const std::string failed = why_ended([&] { extend(explanation); });
+    if (failed.empty()) return;
+    f.channels.clear();
+    f.extension = {};
+    f.extension.reason = "the extended model could not be made and measured: " + failed;
+    result_.extended = request_.identified;
+    const Design design(subject_.problem(), request_.settings);
+    tell_errors(explanation, design, measure(subject_, design, {}, subject_.effort()), false);
+  }
+
+  /// What the model is extended by, and how well it does.
+  struct Extended {
+    ExtensionTerms fitted;
+    PossibleTerms possible;
+    bool any = false;  ///< some cause has a term
+    EffortModel effort;
+    std::vector<MeasuredChannel> measured;
+  };
+
+  Extended extended_by(const Explanation& explanation, const Design& design,
+                       const Selection& fit) const {
+    ExtensionTerms fitted;
+    if (!fit.model.terms.empty()) fitted = extension_terms(subject_, design, explanation, fit);
+    PossibleTerms possible = possible_terms(subject_, fitted.terms);
+    const bool any = std::any_of(possible.terms.begin(), possible.terms.end(),
+                                 [](const ExtensionTerm& t) { return t.cause >= 0; });
+    if (!any) possible.terms.clear();
+    EffortModel effort = any ? extended_effort(subject_, possible.terms) : subject_.effort();
+    auto measured = measure(subject_, design, possible.terms, effort);
+    return {std::move(fitted), std::move(possible), any, std::move(effort), std::move(measured)};
+  }
+
+  /// A channel of the held-out logs of which the extended model leaves surely more over.
+  std::optional<int> harmed(const std::vector<MeasuredChannel>& measured) const {
+    if (!judged_on_held_out(measured)) return std::nullopt;
+    for (int c = 0; c < subject_.problem().channels; ++c)
+      if (measured_gain(measured, c, request_.settings.seed).high < 0.0) return c;
+    return std::nullopt;
+  }
+
+  /// Adopted where the measured gain on held-out logs is positive with its interval, and no joint
+  /// is worse for it.
   void extend(const Explanation& explanation) {
     Findings& f = result_.findings;
     const Design design(subject_.problem(), request_.settings);
-    const ExtensionTerms fitted = extension_terms(subject_, design, explanation);
-    const PossibleTerms possible = possible_terms(subject_, fitted.terms);
-    const std::vector<ExtensionTerm>& terms = possible.terms;
-    const bool any = std::any_of(terms.begin(), terms.end(),
-                                 [](const ExtensionTerm& t) { return t.cause >= 0; });
-    const std::vector<ExtensionTerm> adding = any ? terms : std::vector<ExtensionTerm>{};
-    const EffortModel after = extended_effort(subject_, adding);
-    const std::vector<MeasuredChannel> measured = measure(subject_, design, adding, after);
+    AdoptedFit fit = possible_fit(design, explanation);
+    Extended e = extended_by(explanation, design, fit.selection);
+    std::optional<int> worse = harmed(e.measured);
+    while (worse && leave_out_harmful(design, request_.settings, *worse,
+                                      channel_name(subject_, *worse), fit)) {
+      e = extended_by(explanation, design, fit.selection);
+      worse = harmed(e.measured);
+    }
+    tell_errors(explanation, design, e.measured, e.any);
+    add_predictions(subject_, e.effort, f.channels);
+    result_.extended = extended(request_.identified, e.possible.terms);
+    for (const LogRecord& log : f.logs)
+      if (!log.held_out) result_.extended.logs.push_back({log.file, log.sha256});
+    decide_adoption(e.any, !request_.holdout.empty(), f.verdict.held_out, emitted_functions(),
+                    f.extension);
+    if (worse)
+      withhold(fmt::format("the held-out error of '{}' would grow", channel_name(subject_, *worse)),
+               f.extension);
+    if (!discrepant_.empty())
+      withhold(fmt::format("more than half of '{}' is left over, which no part of this model "
+                           "explains: its unit, its sign and its column come first",
+                           discrepant_.front().channel),
+               f.extension);
+    std::vector<std::string> refused = std::move(fit.refused);
+    refused.insert(refused.end(), e.possible.refused.begin(), e.possible.refused.end());
+    add_remarks(e.fitted.changed, refused, e.any, f.extension);
+    f.extension.operations_before = subject_.effort().operations();
+    f.extension.operations_after = subject_.effort_with(result_.extended).operations();
+  }
+
+  /// Errors of every channel, by the emitted C.
+  void tell_errors(const Explanation& explanation, const Design& design,
+                   const std::vector<MeasuredChannel>& measured, bool any) {
+    Findings& f = result_.findings;
     for (int c = 0; c < subject_.problem().channels; ++c)
       f.channels.push_back(channel_finding(subject_, measured, c,
                                            noise_floor(explanation.selection, design, c),
@@ -217,15 +292,23 @@ class Run {
     tell_measured(measured, subject_.problem().unlike_channels, any, request_.settings.seed,
                   f.verdict);
     discrepant_ = discrepant_channels(subject_.problem(), measured, columns_, false);
-    add_predictions(subject_, after, f.channels);
-    result_.extended = extended(request_.identified, terms);
-    for (const LogRecord& log : f.logs)
-      if (!log.held_out) result_.extended.logs.push_back({log.file, log.sha256});
-    decide_adoption(any, !request_.holdout.empty(), f.verdict.held_out, emitted_functions(),
-                    f.extension);
-    add_remarks(fitted.changed, possible.refused, any, f.extension);
-    f.extension.operations_before = subject_.effort().operations();
-    f.extension.operations_after = subject_.effort_with(result_.extended).operations();
+    unquiet_ = unquiet_channels(subject_.problem(), measured);
+  }
+
+  /// No known cause was found where noise is not all that is left.
+  void tell_unquiet_channels(Findings& f) const {
+    std::vector<std::string> names;
+    for (const UnquietChannel& u : unquiet_)
+      names.push_back(fmt::format("{:.0f} times the sensor's noise at '{}'", u.times_noise,
+                                  f.channels[static_cast<std::size_t>(u.channel)].name));
+    if (names.empty()) return;
+    const std::string what = joined(names, "and") + ", in bursts that no known cause explains";
+    if (f.verdict.nothing_beyond_noise()) {
+      f.verdict.unexplained.none_of_the_known = true;
+      f.headline = "The model leaves " + what + ".";
+    } else {
+      f.headline += " It leaves " + what + ".";
+    }
   }
 
   std::vector<std::string> emitted_functions() const {
@@ -319,6 +402,7 @@ class Run {
   DrivenSubject subject_;
   std::map<std::string, std::vector<LoggedColumn>> columns_;  ///< by file
   std::vector<DataFault> discrepant_;
+  std::vector<UnquietChannel> unquiet_;
   Diagnosis result_;
 };
 

@@ -27,6 +27,9 @@ struct DiagnoseRequest {
   /// The channels to look for in a file, by what its header holds.
   std::function<DrivenChannels(const std::string& file)> channels;
   std::vector<std::string> notes;  ///< said beside what is found about the first log
+  /// By joint or effort channel: the effort of 1 A [N·m/A, N/A], where efforts are logged as
+  /// currents. Those that are not here are fitted.
+  std::map<std::string, double> torque_constants;
   Settings settings;
   /// Told what is going on, 0..1; may be empty.
   std::function<void(const std::string& step, double share)> progress;

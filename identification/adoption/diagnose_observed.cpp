@@ -9,6 +9,7 @@
 #include <map>
 
 #include "identification/adoption/discrepancy.h"
+#include "identification/adoption/ended_early.h"
 #include "identification/adoption/held_out_judgement.h"
 #include "identification/adoption/measure_plots.h"
 #include "identification/adoption/observed_extension.h"
@@ -43,15 +44,20 @@ class ObservedRun {
     tell("comparing with the model", 0.2);
     prepare();
     tell("searching for causes", 0.3);
-    Explanation explanation = explain(subject_.problem(), request_.settings);
-    merge_members(explanation.verdict);
-    if (!request_.holdout.empty()) confirm_on_held_out(explanation.verdict);
+    Explanation explanation;
+    const std::string ended = why_ended([&] {
+      explanation = explain(subject_.problem(), request_.settings);
+      merge_members(explanation.verdict);
+      if (!request_.holdout.empty()) confirm_on_held_out(explanation.verdict);
+    });
+    if (!ended.empty()) explanation = {};
     f.verdict = explanation.verdict;
     tell("extending and measuring", 0.9);
     extend(explanation);
     describe_terms();
     f.headline = headline(f);
     report_discrepancies(discrepant_, f);
+    if (!ended.empty()) tell_ended_search(ended, f);
     f.next_step = next_step(f);
     f.seconds = std::chrono::duration<double>(Clock::now() - start).count();
     return std::move(result_);
@@ -152,6 +158,11 @@ class ObservedRun {
       if (!log.held_out && any) result_.extended.logs.push_back({log.file, log.sha256});
     decide_adoption(any, !request_.holdout.empty(), f.verdict.held_out, {"observation"},
                     f.extension);
+    if (!discrepant_.empty())
+      withhold(fmt::format("more than half of '{}' is left over: its unit, its sign and its column "
+                           "come first",
+                           discrepant_.front().channel),
+               f.extension);
     add_remarks({}, refused, any, f.extension);
     f.extension.operations_before = observation_operations(subject_, request_.identified);
     f.extension.operations_after = observation_operations(subject_, result_.extended);

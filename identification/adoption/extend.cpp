@@ -83,6 +83,14 @@ bool in_catalogue(const std::string& id) {
                      [&](const Effect& effect) { return effect.id == id; });
 }
 
+/// What was learnt of how a joint's friction turns stays: these logs alone do not speak against it.
+bool is_learnt(const DrivenSubject& subject, const ExtensionTerm& term) {
+  const std::vector<IdentifiedEffect>& known = subject.identified().effects;
+  return std::any_of(known.begin(), known.end(), [&](const IdentifiedEffect& e) {
+    return e.effect == term.entry.effect && e.place == term.entry.place;
+  });
+}
+
 /// The direction of friction where its law over the velocity is a bristle's.
 void add_directions(const DrivenSubject& subject, const Selection& selection,
                     const std::vector<std::vector<ParameterEstimate>>& all,
@@ -98,7 +106,7 @@ void add_directions(const DrivenSubject& subject, const Selection& selection,
       soft.entry.place = subject.model().joints[origin.joint].name;
       fill(origin, subject.model().joints[origin.joint].revolute, term.nonlinear, all[t],
            soft.entry);
-      result.push_back(std::move(soft));
+      if (!is_learnt(subject, soft)) result.push_back(std::move(soft));
     }
     if (origin.effect != "presliding") continue;
     ExtensionTerm direction;
@@ -108,7 +116,7 @@ void add_directions(const DrivenSubject& subject, const Selection& selection,
     direction.entry.shape.front().value = term.nonlinear(0);
     direction.entry.shape.front().unit = unit_at(find_effect("presliding").shapes.front().unit,
                                                  subject.model().joints[origin.joint].revolute);
-    result.push_back(std::move(direction));
+    if (!is_learnt(subject, direction)) result.push_back(std::move(direction));
   }
 }
 
@@ -157,9 +165,7 @@ void add_to(std::vector<IdentifiedValue>& values, const IdentifiedValue& more) {
 }  // namespace
 
 ExtensionTerms extension_terms(const DrivenSubject& subject, const Design& design,
-                               const Explanation& explanation) {
-  const Selection& selection =
-      subject.problem().deviations.empty() ? explanation.selection : explanation.adopted;
+                               const Explanation& explanation, const Selection& selection) {
   auto all = estimates(design, selection.model, selection.noise);
   ExtensionTerms extension;
   extension.changed = make_links_physical(subject, design, selection, all);

@@ -23,9 +23,10 @@ struct ExtensionTerms {
 };
 
 /// The entries of all causes that have a term in the model, and the direction of friction that
-/// they were found with. Links stay bodies (physical_links.h).
+/// they were found with. Links stay bodies (physical_links.h). `fitted`: the explanation's own fit,
+/// or one with fewer causes (adopted_fit.h).
 ExtensionTerms extension_terms(const DrivenSubject& subject, const Design& design,
-                               const Explanation& explanation);
+                               const Explanation& explanation, const Selection& fitted);
 
 /// `before` with the entries added. The same effect at the same place with the same shape adds up.
 Identified extended(const Identified& before, const std::vector<ExtensionTerm>& terms);

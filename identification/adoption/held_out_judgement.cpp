@@ -91,6 +91,13 @@ void decide_adoption(bool any_term, bool held_out, const Gain& gain,
   }
 }
 
+void withhold(const std::string& because, Extension& extension) {
+  if (!extension.adopted) return;
+  extension.adopted = false;
+  extension.functions.clear();
+  extension.reason = because;
+}
+
 void add_remarks(const std::vector<std::string>& changed, const std::vector<std::string>& refused,
                  bool any_term, Extension& extension) {
   std::vector<std::string> remarks = refused;

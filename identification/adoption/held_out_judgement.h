@@ -24,6 +24,9 @@ void confirm_on_held_out(Verdict& verdict);
 void decide_adoption(bool any_term, bool held_out, const Gain& gain,
                      std::vector<std::string> functions, Extension& extension);
 
+/// Takes an adoption back. `because` follows "is left as it is: ".
+void withhold(const std::string& because, Extension& extension);
+
 /// What was changed and what was left out so that the model stays one that there can be: said
 /// behind the reason; with no term left to adopt it is the reason.
 void add_remarks(const std::vector<std::string>& changed, const std::vector<std::string>& refused,

@@ -220,13 +220,18 @@ void add_error(const std::string& domain, const std::vector<MeasuredChannel>& me
   finding.unexplained_after = unexplained(sums.after);
 }
 
+std::string channel_name(const DrivenSubject& subject, int channel) {
+  const std::string& name = subject.model().joints[static_cast<std::size_t>(channel)].name;
+  return name == "motor" ? "tau_m" : "effort of " + name;
+}
+
 ChannelFinding channel_finding(const DrivenSubject& subject,
                                const std::vector<MeasuredChannel>& measured, int channel,
                                double noise_floor, double quantum, unsigned seed) {
   const DrivenJoint& joint = subject.model().joints[static_cast<std::size_t>(channel)];
   ChannelFinding finding;
   finding.unit = joint.revolute ? "N*m" : "N";
-  finding.name = joint.name == "motor" ? "tau_m" : "effort of " + joint.name;
+  finding.name = channel_name(subject, channel);
   finding.noise_floor = noise_floor;
   finding.quantum = quantum;
   add_error("force", measured, channel, seed, finding);

@@ -53,6 +53,9 @@ double noise_floor(const Selection& selection, const Design& design, int channel
 void add_error(const std::string& domain, const std::vector<MeasuredChannel>& measured, int channel,
                unsigned seed, ChannelFinding& finding);
 
+/// "tau_m" of a lone drive, else "effort of <joint>".
+std::string channel_name(const DrivenSubject& subject, int channel);
+
 /// The error in the force domain and the plots of one channel, which the logs write in steps of
 /// `quantum`.
 ChannelFinding channel_finding(const DrivenSubject& subject,

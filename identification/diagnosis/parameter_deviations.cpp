@@ -138,12 +138,12 @@ struct FittedSet {
   BlockLosses losses;
 };
 
-/// Much of what the model's own values leave over, or most of what is left beside all others: large
-/// friction must not hide a part of it that is plain once the rest is known.
+/// Much of what the model's own values leave over, or plainly much of what is left beside all
+/// others: large friction must not hide a rotor that is plain once the friction is known.
 bool is_worth_naming(const Evidence& evidence, const Settings& settings) {
-  constexpr double kMostOfTheRest = 0.5;
+  constexpr double kMuchOfTheRest = 0.1;
   return evidence.validated > 0.0 && evidence.gain.share >= settings.least_share &&
-         (evidence.of_baseline >= settings.least_of_baseline || evidence.gain.low > kMostOfTheRest);
+         (evidence.of_baseline >= settings.least_of_baseline || evidence.gain.low > kMuchOfTheRest);
 }
 
 Judged judge_deviation(const Design& design, const Settings& settings, const DeviationTerms& parts,

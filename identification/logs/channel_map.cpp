@@ -47,6 +47,7 @@ std::vector<ChannelSpec> drive_channels(const DriveLimits& limits, const std::st
   e.high = limits.max_effort;
   e.inertia = limits.inertia;
   e.friction = limits.friction;
+  e.also = {"i"};
   return {p,
           e,
           r,
@@ -264,6 +265,8 @@ class Mapper {
     }
     const std::optional<Unit> given = parse_unit(text);
     const std::optional<Unit> wanted = parse_unit(s.unit);
+    if (given && s.role == ChannelRole::effort && convertible(*given, *parse_unit("A")))
+      return current(s, column, given->factor);
     if (!given || !convertible(*given, *wanted)) {
       report(FaultKind::wrong_unit, Severity::stop, column + 1, s.name,
              given ? fmt::format("'{}' cannot be a unit of channel '{}', which is in {}", text,
@@ -274,6 +277,24 @@ class Mapper {
       return std::nullopt;
     }
     return MappedColumn{column + 1, given->factor / wanted->factor, s};
+  }
+
+  /// An effort that is logged as the current of its motor.
+  std::optional<MappedColumn> current(const ChannelSpec& s, int column, double ampere) {
+    const std::string& whole = cells_[static_cast<size_t>(column)].whole;
+    if (s.per_ampere > 0.0) {
+      report(FaultKind::missing_unit, Severity::note, column + 1, s.name,
+             fmt::format("'{}' is a current", whole),
+             fmt::format("'{}' is {:.6g} {}/A of it", s.name, s.per_ampere, s.unit));
+      return MappedColumn{column + 1, ampere * s.per_ampere, s, true};
+    }
+    if (s.keep_ampere) return MappedColumn{column + 1, ampere, s, true};
+    report(FaultKind::wrong_unit, Severity::stop, column + 1, s.name,
+           fmt::format("'{}' is a current, channel '{}' is in {}", whole, s.name, s.unit),
+           fmt::format("say how much of it 1 A makes: --torque-constant \"{}=VALUE\" in {}/A, or "
+                       "in channels.toml",
+                       s.name.starts_with("tau_") ? s.name.substr(4) : s.name, s.unit));
+    return std::nullopt;
   }
 
   void note_unused() {
@@ -329,7 +350,9 @@ std::vector<ChannelSpec> robot_channels(const Mechanism& mechanism) {
     };
     specs.push_back(
         spec("tau_" + joint.name, slides ? "N" : "N*m", ChannelRole::effort, group, needed));
-    specs.back().also = also("tau_");
+    specs.back().also = {"i_" + joint.name, "current_" + joint.name};
+    for (const char* prefix : {"tau_", "i_", "current_"})
+      if (!joint.source_name.empty()) specs.back().also.push_back(prefix + joint.source_name);
     ChannelSpec v = spec("qd_" + joint.name, p.unit + "/s", ChannelRole::velocity, group, false);
     v.also = also("qd_");
     v.low = -joint.max_velocity;

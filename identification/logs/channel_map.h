@@ -25,6 +25,10 @@ struct ChannelSpec {
   double friction =
       0.0;  ///< effort channels: effort that motion at usual speed takes, 0 if unknown
   std::vector<std::string> also{};  ///< other names that are understood
+  /// Effort channels: the torque constant, N·m/A or N/A at the joint, with which a column in A is
+  /// read; 0: not known, such a column is refused.
+  double per_ampere = 0.0;
+  bool keep_ampere = false;  ///< a column in A without a known constant is read as it is, in A
 };
 
 /// Limits of a single drive, for the plausibility of its channels. Infinite or 0 where unknown.
@@ -61,6 +65,7 @@ struct MappedColumn {
   int column = 0;  ///< from 1
   double factor = 1.0;
   ChannelSpec spec;
+  bool is_current = false;  ///< an effort that is logged as a current
 };
 
 struct ColumnMap {

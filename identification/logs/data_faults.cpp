@@ -80,6 +80,7 @@ struct Judge {
   bool is_stuck(const ChannelInspector& channel, const ChannelSpec& spec,
                 const RunCandidate& run) const {
     if (spec.role == ChannelRole::reference || run.at_start || run.at_end) return false;
+    if (spec.role == ChannelRole::position && is_rest(channel, run)) return false;
     if (is_noisy(channel)) return is_unlikely(channel, run.length);
     if (spec.role == ChannelRole::current || spec.role == ChannelRole::other) return false;
     // A commanded effort may rest; it gets there slowly, or by a step as large as the others.
@@ -88,6 +89,13 @@ struct Judge {
     if (spec.role == ChannelRole::effort && (!at_speed || channel.runs().size() > 8)) return false;
     const double largest_usual = std::max(channel.step(0.995), 2.5 * channel.quantum());
     return run.length >= 8 && std::abs(run.jump) > 2.5 * largest_usual;
+  }
+
+  // A joint at rest leaves its reading by one step of its sensor, which may be coarser than the
+  // file's digits. A reading that was stuck has the motion meanwhile to make up for.
+  static bool is_rest(const ChannelInspector& channel, const RunCandidate& run) {
+    const double sensor_step = std::max(channel.quantum(), channel.step(0.02));
+    return std::abs(run.jump) < 1.5 * sensor_step;
   }
 
   // A source that is slower than the log repeats its values all the time, in short runs.

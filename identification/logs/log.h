@@ -89,6 +89,7 @@ struct Channel {
   double quantum = 0.0;      ///< step of a quantised signal; 0 where none is seen
   double last_digit = 0.0;   ///< what its values were rounded to on their way into the file
   double noise_floor = 0.0;  ///< rms of the part that no smooth signal explains (kept samples)
+  bool is_current = false;   ///< an effort that the file has as a current
 };
 
 /// What a diagnosis reads: its band and the turns of friction need no more [Hz].

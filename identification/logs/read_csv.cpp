@@ -259,6 +259,7 @@ class Reading {
       channel.unit = m.spec.unit;
       channel.role = m.spec.role;
       channel.column = m.column;
+      channel.is_current = m.is_current;
       channel.quantum = inspection_.channels[c].quantum();
       channel.last_digit = inspection_.channels[c].last_digit();
       bool any = false;

@@ -39,15 +39,11 @@ Table domain_table(const Findings& findings) {
   return table;
 }
 
-double relative(double error, const ChannelFinding& channel) {
-  return channel.standard_deviation > 0.0 ? error / channel.standard_deviation : std::nan("");
-}
-
 double worst_relative_error(const Findings& findings) {
   double worst = 1e-12;
   for (const ChannelFinding& c : findings.channels)
     for (const DomainError& first : c.domains) {
-      for (const double error : {relative(first.before, c), relative(first.after, c)})
+      for (const double error : {c.relative(first.before), c.relative(first.after)})
         if (std::isfinite(error)) worst = std::max(worst, error);
       break;
     }
@@ -86,8 +82,8 @@ Table variance_table(const Findings& findings) {
     std::vector<std::string> cells = {escaped_name(c.name),
                                       escaped(shown_quantity(c.standard_deviation, c.unit)),
                                       escaped(shown_quantity(c.noise_floor, c.unit)),
-                                      cell(relative(c.domains.front().before, c), "before")};
-    if (changed) cells.push_back(cell(relative(c.domains.front().after, c), "after"));
+                                      cell(c.relative(c.domains.front().before), "before")};
+    if (changed) cells.push_back(cell(c.relative(c.domains.front().after), "after"));
     cells.push_back(unexplained_of(c, changed));
     table.row(cells);
   }

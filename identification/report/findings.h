@@ -4,6 +4,7 @@
 #pragma once
 
 #include <algorithm>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -63,6 +64,12 @@ struct ChannelFinding {
   double unexplained_after = 0.0;
   std::vector<DomainError> domains;
 
+  /// An rms error of the channel in units of its standard deviation; not a number where it has
+  /// none.
+  double relative(double error) const {
+    return standard_deviation > 0.0 ? error / standard_deviation
+                                    : std::numeric_limits<double>::quiet_NaN();
+  }
   /// The rms error that is worth explaining: a thousandth of the rms measured, or the quantum.
   double material_error() const { return std::max(kMaterialShare * measured_rms, quantum); }
   bool nothing_to_explain() const {

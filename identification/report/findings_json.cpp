@@ -90,6 +90,12 @@ Json json(const DomainError& error) {
           {"gain", json(error.gain)}};
 }
 
+/// The error of the first domain in standard deviations.
+Json relative(const ChannelFinding& channel, double DomainError::*error) {
+  if (channel.domains.empty()) return nullptr;
+  return number(channel.relative(channel.domains.front().*error));
+}
+
 Json json(const ChannelFinding& channel) {
   return {{"name", channel.name},
           {"unit", channel.unit},
@@ -99,6 +105,8 @@ Json json(const ChannelFinding& channel) {
           {"noise_floor", number(channel.noise_floor)},
           {"material_error", number(channel.material_error())},
           {"nothing_to_explain", channel.nothing_to_explain()},
+          {"relative_error_before", relative(channel, &DomainError::before)},
+          {"relative_error_after", relative(channel, &DomainError::after)},
           {"unexplained_before", number(channel.unexplained_before)},
           {"unexplained_after", number(channel.unexplained_after)},
           {"domains", list(channel.domains, [](const auto& x) { return json(x); })},

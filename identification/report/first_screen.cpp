@@ -45,6 +45,23 @@ std::string gain_sentence(const Findings& findings) {
       shown_interval(v.held_out));
 }
 
+/// Every channel's own error, where there are several.
+std::string channel_table(const Findings& findings) {
+  const std::vector<ChannelErrors> all = channel_errors(findings);
+  if (all.empty()) return "";
+  const bool changed = !all.front().after.empty();
+  std::vector<std::string> headings{"Channel", changed ? "#Before" : "#Relative error"};
+  if (changed) headings.push_back("#After");
+  Table table(headings, "", true);
+  for (const ChannelErrors& c : all) {
+    std::vector<std::string> cells{escaped_name(c.channel),
+                                   "<span class=\"before\">" + c.before + "</span>"};
+    if (changed) cells.push_back("<span class=\"after\">" + c.after + "</span>");
+    table.row(cells);
+  }
+  return table.html();
+}
+
 std::string error_card(const Findings& findings) {
   const Verdict& v = findings.verdict;
   if (!std::isfinite(v.relative_error_before) || findings.logs.empty()) return "";
@@ -69,7 +86,7 @@ std::string error_card(const Findings& findings) {
     text +=
         "<p class=\"small soft\"><span class=\"before\">Orange</span>: the model as it was. "
         "<span class=\"after\">Blue</span>: extended by the causes below.</p>\n";
-  return text + gain_sentence(findings) + "</div>\n";
+  return text + gain_sentence(findings) + channel_table(findings) + "</div>\n";
 }
 
 std::string next_card(const Findings& findings) {

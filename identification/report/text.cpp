@@ -88,6 +88,18 @@ std::string error_of(const Findings& findings) {
          shown_interval(v.held_out) + ")";
 }
 
+/// Each channel's, where there are several: a robot is as good as its worst joint.
+std::string errors_of_channels(const Findings& findings) {
+  std::string text;
+  for (const ChannelErrors& c : channel_errors(findings)) {
+    const std::string effort = "effort of ";
+    const bool joint = c.channel.starts_with(effort);
+    text += (text.empty() ? "" : ", ") + (joint ? c.channel.substr(effort.size()) : c.channel) +
+            " " + c.before + (c.after.empty() ? "" : " → " + c.after);
+  }
+  return text;
+}
+
 std::string parameters_of(const NamedCause& cause) {
   std::string text;
   for (const ParameterEstimate& p : cause.parameters) {
@@ -139,6 +151,8 @@ std::string page_of(const Findings& findings, std::size_t most) {
                logs_of(findings),
            1);
   page.add("Error", error_of(findings), 2);
+  if (const std::string each = errors_of_channels(findings); !each.empty())
+    page.add("Each", each, 4);
   add_causes(page, findings, most);
   if (!verdict.ruled_out.empty()) page.add("Ruled out", ruled_out_of(verdict), 2);
   page.add("Residual", leftover_of(verdict), 2);

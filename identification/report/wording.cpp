@@ -73,6 +73,18 @@ bool nothing_to_explain(const Findings& findings) {
                      [](const ChannelFinding& c) { return c.nothing_to_explain(); });
 }
 
+std::vector<ChannelErrors> channel_errors(const Findings& findings) {
+  std::vector<ChannelErrors> list;
+  if (findings.channels.size() < 2) return list;
+  for (const ChannelFinding& c : findings.channels) {
+    if (c.domains.empty()) continue;
+    const DomainError& first = c.domains.front();
+    list.push_back({c.name, shown_percent(c.relative(first.before)),
+                    findings.verdict.causes.empty() ? "" : shown_percent(c.relative(first.after))});
+  }
+  return list;
+}
+
 bool has_held_out(const Findings& findings) {
   return std::any_of(findings.logs.begin(), findings.logs.end(),
                      [](const LogRecord& log) { return log.held_out; });

@@ -36,6 +36,14 @@ std::string extension_gain_name(const Findings& findings);
 /// Whether no channel's error is worth explaining.
 bool nothing_to_explain(const Findings& findings);
 
+/// Channel by channel its relative error before and, where a cause was named, after; empty of a
+/// lone channel.
+struct ChannelErrors {
+  std::string channel;
+  std::string before, after;  ///< "12.3 %"; after: empty without a cause
+};
+std::vector<ChannelErrors> channel_errors(const Findings& findings);
+
 /// Whether a log was held out.
 bool has_held_out(const Findings& findings);
 

@@ -62,6 +62,21 @@ DrivenChannels robot_log_channels(const Mechanism& mechanism, const std::string&
   return channels;
 }
 
+std::string joint_of_effort(const std::string& channel) {
+  return channel.starts_with("tau_") ? channel.substr(4) : channel;
+}
+
+void set_torque_constants(const std::map<std::string, double>& constants,
+                          DrivenChannels& channels) {
+  for (ChannelSpec& spec : channels.specs) {
+    if (spec.role != ChannelRole::effort) continue;
+    for (const std::string& name : {spec.name, joint_of_effort(spec.name)})
+      if (const auto found = constants.find(name); found != constants.end())
+        spec.per_ampere = found->second;
+    spec.keep_ampere = spec.per_ampere == 0.0;
+  }
+}
+
 LoggedEfforts logged_efforts(const Mechanism& mechanism, const std::string& file,
                              const std::vector<std::string>& map) {
   const auto has = [&](const std::string& name) { return has_channel(file, map, name); };

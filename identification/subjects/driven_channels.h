@@ -2,6 +2,7 @@
 // Which channels a log of driven joints has.
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,13 @@ DrivenChannels drive_log_channels(bool revolute, const DriveLimits& limits);
 /// tau_<joint>.
 DrivenChannels robot_log_channels(const Mechanism& mechanism, const std::string& file,
                                   const std::vector<std::string>& map);
+
+/// The joint that an effort channel belongs to: "tau_elbow" is of "elbow".
+std::string joint_of_effort(const std::string& channel);
+
+/// Sets what 1 A makes of each effort, by joint or by channel; efforts without an entry are read in
+/// A where the file has them as a current.
+void set_torque_constants(const std::map<std::string, double>& constants, DrivenChannels& channels);
 
 /// What a log of a mechanism has of its efforts.
 enum class LoggedEfforts { at_joints, tendon_forces, tendon_forces_and_motors };

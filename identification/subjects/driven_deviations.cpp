@@ -119,12 +119,12 @@ void DrivenSubject::add_mechanism_deviations() {
     add_delay_deviation(common_delay_candidate(), {"delay", 0, {}, {}, true}, all);
   }
   if (is_lone_link()) add_payload_deviations();
-  constexpr int mass_and_first_moments = 4;
   for (std::size_t i = 0; i < library_.size(); ++i) {
     const CandidateOrigin origin = library_[i];
     const Candidate candidate = problem_.library[i];
-    if (origin.effect == "payload" || origin.effect == "inertial_parameters")
-      add_deviation(candidate, origin, mass_and_first_moments);
+    const bool has_moments = candidate.linear.size() > kMassAndFirstMoments;
+    if (origin.effect == "payload" || (origin.effect == "inertial_parameters" && has_moments))
+      add_deviation(candidate, origin, kMassAndFirstMoments);
     else if (origin.effect == "gravity" || !origin.tendon.empty())
       add_deviation(candidate, origin);
   }

@@ -145,7 +145,7 @@ void RigidColumns::add_inertial(const Mechanism& mechanism, std::size_t body, bo
   group.parameters.front().low = -carrier.mass;
   if (leaf) group.parameters.front().high = 0.0;
   if (leaf) group.limit = "it would carry something";
-  group.unlikely = true;
+  group.unlikely = group.is_link = true;
   groups_.push_back(std::move(group));
 }
 
@@ -271,6 +271,14 @@ std::vector<Candidate> RigidColumns::candidates() const {
                                                                 const VectorXd&) -> MatrixXd {
       if (channel >= n) return MatrixXd(log.q.rows(), 0);  // a motor
       return log.signals.at(signal).middleCols(channel * wide, wide);
+    };
+    list.push_back(c);
+    if (!group.is_link) continue;
+    // The same cause without moments of its own, which rotors at the joints take the place of.
+    c.linear.resize(kMassAndFirstMoments);
+    c.columns = [all = c.columns](const Recording& log, int channel, const VectorXd& shape) {
+      MatrixXd x = all(log, channel, shape);
+      return x.cols() == 0 ? x : MatrixXd(x.leftCols(kMassAndFirstMoments));
     };
     list.push_back(std::move(c));
   }

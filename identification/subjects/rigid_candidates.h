@@ -19,6 +19,9 @@ namespace sinew::diagnosis {
 double reach_of(const Mechanism& mechanism);
 
 /// Inverse dynamics that is linear in mass properties and in gravity.
+/// Of a body's ten parameters, those without moments of inertia.
+inline constexpr int kMassAndFirstMoments = 4;
+
 class RigidColumns {
  public:
   /// `runtime`: folder of the runtime's headers.
@@ -51,6 +54,7 @@ class RigidColumns {
     std::vector<LinearParameter> parameters;
     std::vector<Column> columns;
     bool unlikely = false;
+    bool is_link = false;  ///< a link's own parameters
     std::optional<double> body_within;
   };
   Eigen::VectorXd parameters(const Eigen::VectorXd& mass, const Eigen::MatrixXd& com,

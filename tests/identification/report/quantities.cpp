@@ -71,6 +71,10 @@ class Quantities {
     add("share of structure named", shown_share(v.unexplained.named_share));
     add("loss remaining", shown_share(v.unexplained.remaining));
     for (const Dependence& d : v.unexplained.depends_on) add_gain("gain over " + d.on, d.gain);
+    for (const ChannelErrors& c : channel_errors(f)) {
+      add("relative error before of " + c.channel, c.before);
+      if (!c.after.empty()) add("relative error after of " + c.channel, c.after);
+    }
     for (const ChannelFinding& c : f.channels) {
       add("unexplained before", shown_share(c.unexplained_before));
       add("unexplained after", shown_share(c.unexplained_after));

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "identification/subjects/common_factors.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "identification/subjects/block_regression.h"
+
+namespace sinew::diagnosis {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+
+constexpr double kKnownWithin = 0.05;  // standard error of a joint that tells, as a share
+constexpr double kAlike = 0.08;        // two joints' factors
+constexpr double kSlip = 1.4;          // no robot is off by that much everywhere alike
+
+/// Of the joints that tell it; nothing where fewer than two do or they do not agree.
+std::optional<double> common(const std::vector<Share>& shares) {
+  double low = 0.0, high = 0.0, sum = 0.0;
+  int count = 0;
+  for (const Share& s : shares) {
+    if (!(s.value > 0.0) || !(s.standard_error < kKnownWithin * s.value)) continue;
+    low = count == 0 ? s.value : std::min(low, s.value);
+    high = std::max(high, s.value);
+    sum += std::log(s.value);
+    ++count;
+  }
+  if (count < 2 || high > (1.0 + kAlike) * low) return std::nullopt;
+  return std::exp(sum / count);
+}
+
+bool is_slip(double factor) {
+  return std::max(factor, 1.0 / factor) > kSlip;
+}
+
+}  // namespace
+
+void judge_common_factors(const Log& log, const DrivenColumns& columns, const Recording& recording,
+                          const EffortModel& model, FaultList& faults) {
+  if (columns.efforts.size() < 2 || !columns.forces.empty()) return;
+  const SmoothEfforts efforts = smooth_efforts(recording, model);
+  std::vector<Share> of_weight, of_inertia;
+  for (Index j = 0; j < efforts.qd.cols(); ++j) {
+    BlockRegression regression(2);
+    MatrixXd parts(efforts.qd.rows(), 2);
+    parts << efforts.at_rest.col(j), efforts.said.col(j) - efforts.at_rest.col(j);
+    regression.add(efforts, j, parts);
+    const std::vector<Share> shares = regression.shares();
+    of_weight.push_back(shares.front());
+    of_inertia.push_back(shares.back());
+  }
+  const std::optional<double> weight = common(of_weight), inertia = common(of_inertia);
+  if (!weight) return;
+  const long row = log.segments.front().first_row;
+  const Channel& first = log.channels[static_cast<std::size_t>(columns.efforts.front())];
+  if (is_slip(*weight)) {
+    faults.add(FaultKind::unit_slip, Severity::stop, row, row, first.column, first.name,
+               fmt::format("all efforts are {:.3g} times what the weights of the model ask for: "
+                           "their unit, the model's masses or its gravity",
+                           *weight),
+               "units are converted only when told: --map \"channel=column [unit]\"");
+  } else if (inertia && is_slip(*inertia / *weight)) {
+    const double factor = std::sqrt(*inertia / *weight);
+    faults.add(FaultKind::time_unit, Severity::stop, row, row, 1, "time",
+               fmt::format("all joints' inertia is {:.3g} times the model's and their weight is "
+                           "the model's own: the time runs {:.3g} times {}",
+                           *inertia / *weight, std::max(factor, 1.0 / factor),
+                           factor > 1.0 ? "too slow" : "too fast"),
+               "units are converted only when told: --map \"time=column [unit]\"");
+  }
+}
+
+}  // namespace sinew::diagnosis
