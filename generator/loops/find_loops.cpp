@@ -78,7 +78,7 @@ class Finder {
     const std::vector<Value>& values = graph_.outputs[static_cast<std::size_t>(port)].values;
     std::vector<std::uint64_t> keys;
     for (Value v : values) keys.push_back(form(v));
-    for (const Run& run : runs_of(keys)) {
+    for (const Repetition& run : runs_of(keys)) {
       std::vector<LoopRoot> roots(static_cast<std::size_t>(run.period));
       for (int i = 0; i < run.period * run.count; ++i) {
         LoopRoot& root = roots[static_cast<std::size_t>(i % run.period)];
@@ -149,7 +149,7 @@ class Finder {
   void find_steps(const Sum& sum) {
     std::vector<std::uint64_t> keys;
     for (std::size_t i = 1; i < sum.terms.size(); ++i) keys.push_back(form_of_step(sum, i));
-    for (const Run& run : runs_of(keys)) {
+    for (const Repetition& run : runs_of(keys)) {
       std::optional<LoopCandidate> best;
       for (int phase = 0; phase < run.period; ++phase) {
         const int count = phase == 0 ? run.count : (run.count * run.period - phase) / run.period;

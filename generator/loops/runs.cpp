@@ -16,8 +16,8 @@ int times(const std::vector<std::uint64_t>& keys, int start, int period) {
   return length / period;
 }
 
-Run longest_run(const std::vector<std::uint64_t>& keys, int start) {
-  Run best{start, 0, 0};
+Repetition longest_run(const std::vector<std::uint64_t>& keys, int start) {
+  Repetition best{start, 0, 0};
   const int left = static_cast<int>(keys.size()) - start;
   for (int period = 1; period <= longest_period && fewest_times * period <= left; ++period) {
     const int count = times(keys, start, period);
@@ -29,10 +29,10 @@ Run longest_run(const std::vector<std::uint64_t>& keys, int start) {
 
 }  // namespace
 
-std::vector<Run> runs_of(const std::vector<std::uint64_t>& keys) {
-  std::vector<Run> runs;
+std::vector<Repetition> runs_of(const std::vector<std::uint64_t>& keys) {
+  std::vector<Repetition> runs;
   for (int start = 0; start < static_cast<int>(keys.size());) {
-    const Run run = longest_run(keys, start);
+    const Repetition run = longest_run(keys, start);
     if (run.count > 0) runs.push_back(run);
     start += run.count > 0 ? run.count * run.period : 1;
   }

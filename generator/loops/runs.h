@@ -8,13 +8,13 @@
 namespace sinew {
 
 /// `count` times the same `period` keys, from `start`.
-struct Run {
+struct Repetition {
   int start = 0;
   int period = 0;
   int count = 0;
 };
 
 /// The longest run from each place on that is in no run before it; at least three times.
-std::vector<Run> runs_of(const std::vector<std::uint64_t>& keys);
+std::vector<Repetition> runs_of(const std::vector<std::uint64_t>& keys);
 
 }  // namespace sinew

@@ -68,7 +68,7 @@ Observation wrist_observation(const WristParameters& parameters, const std::stri
   const BarAngles angles{
       list.define("cos_q71", GiNaC::cos(q71)), list.define("sin_q71", GiNaC::sin(q71)),
       list.define("cos_q73", GiNaC::cos(q73)), list.define("sin_q73", GiNaC::sin(q73))};
-  const WristPose pose = wrist_pose(list, links, angles);
+  const WristPose pose = wrist_pose(list, links.lengths(), angles);
   Output measured{"measured", static_cast<int>(parameters.palm_points.size()), 1, {}, "rad", ""};
   measured.doc = "motor angles, 0 in the reference pose";
   measured.values = motor_angles(parameters, links, pose, effects, list);

@@ -123,7 +123,7 @@ std::vector<int> passes_of(const Plan& plan) {
 TEST_CASE("runs are the longest repetitions from each place on") {
   const auto text = [](const std::vector<std::uint64_t>& keys) {
     std::string all;
-    for (const Run& run : runs_of(keys))
+    for (const Repetition& run : runs_of(keys))
       all += std::to_string(run.start) + "+" + std::to_string(run.count) + "x" +
              std::to_string(run.period) + " ";
     return all;
