@@ -80,8 +80,7 @@ TEST_CASE("a joint at rest that flickers by one step of its sensor is not stuck"
   for (long k = 0; k < 4000; ++k) {
     const double t = 0.0107 * (double(k) + 6.0 * noise(k)), s = std::fmod(t, 8.0);
     const double moving = s < 4.0 ? s : 4.0;
-    const double q =
-        0.4 * (1.0 - std::cos(0.5 * pi * moving)) + (k / 23 % 2 == 0 ? 0.0 : 1.0e-4);
+    const double q = 0.4 * (1.0 - std::cos(0.5 * pi * moving)) + (k / 23 % 2 == 0 ? 0.0 : 1.0e-4);
     text += fmt::format("{:.4f},{:.4f},{:.6f}\n", t, q, -0.1 * q + noise(k));
   }
   const Log log = read_csv(test::write_file("rest.csv", text), rotary_drive_channels());
