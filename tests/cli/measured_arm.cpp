@@ -54,7 +54,7 @@ TEST_CASE("a measured arm tells its rotors and its friction from currents", "[sl
   REQUIRE(here.sinew({"import", data + "ur10e.urdf", "--out", "arm"}).status == 0);
   const json found = diagnosed(here, data + "harmonics_unloaded.csv",
                                data + "point_to_point_unloaded.csv", "found");
-  CHECK(found["extension"]["adopted"] == true);
+  CHECK(found["extension"]["adopted"].get<bool>());
   for (const json& channel : found["channels"]) {
     INFO(channel["name"].get<std::string>());
     CHECK(channel["relative_error_after"].get<double>() < 0.085);
