@@ -26,6 +26,8 @@ bool all_finite(const std::vector<ParameterEstimate>& estimates) {
 std::string why_not(const Design& design, const Model& model, const LinearFit& fit,
                     std::size_t term, const std::vector<ParameterEstimate>& estimates) {
   if (!all_finite(estimates)) return "these logs leave its size open";
+  // What is no body as it was fitted becomes the nearest one (physical_links.h).
+  if (model.terms[term].candidate->body_within) return {};
   if (!violates_limits(design, model, fit, term)) return {};
   const std::string& limit = model.terms[term].candidate->limit_meaning;
   return limit.empty() ? "beside the other causes it is beyond its limits" : limit;

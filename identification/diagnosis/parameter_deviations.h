@@ -22,10 +22,10 @@ struct DeviationSelection {
 /// minimises whitened deviance + price * effective parameters over sets of at most
 /// Settings::most_deviations deviations (or three a channel, up to 24, or one) whose changes lie
 /// within their limits. Each deviation must beat surrogates (Bonferroni over all deviations), gain
-/// Settings::least_of_baseline of the nominal residual's energy on left-out blocks or plainly a tenth of what
-/// all others leave over, gain on held-out logs (or be plain in the training logs: verdict.h), and
-/// not be undone by others of its set. Throws std::invalid_argument where a share points to no
-/// baseline coefficient or to one per log. Deviations in `withdrawn` are not taken.
+/// Settings::least_of_baseline of the nominal residual's energy on left-out blocks or plainly a
+/// tenth of what all others leave over, gain on held-out logs (or be plain in the training logs:
+/// verdict.h), and not be undone by others of its set. Throws std::invalid_argument where a share
+/// points to no baseline coefficient or to one per log. Deviations in `withdrawn` are not taken.
 DeviationSelection select_deviations(const Design& design, const Settings& settings,
                                      const Selection& selection,
                                      const std::vector<int>& withdrawn = {});

@@ -91,11 +91,11 @@ struct Judge {
     return run.length >= 8 && std::abs(run.jump) > 2.5 * largest_usual;
   }
 
-  // A joint at rest leaves its reading by one step of its sensor, which may be coarser than the
-  // file's digits. A reading that was stuck has the motion meanwhile to make up for.
+  // A joint at rest leaves its reading by a step or two of its sensor, which may be coarser than
+  // the file's digits. A reading that was stuck has the motion meanwhile to make up for.
   static bool is_rest(const ChannelInspector& channel, const RunCandidate& run) {
     const double sensor_step = std::max(channel.quantum(), channel.step(0.02));
-    return std::abs(run.jump) < 1.5 * sensor_step;
+    return std::abs(run.jump) < 2.5 * sensor_step;
   }
 
   // A source that is slower than the log repeats its values all the time, in short runs.

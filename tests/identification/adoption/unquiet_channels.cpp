@@ -35,7 +35,7 @@ struct Bench {
 }  // namespace
 
 TEST_CASE("contacts are no noise, however little they depend on the motion") {
-  // Planted defect: kBursts 1e9 in unquiet_channels.cpp says nothing of them.
+  // Planted defect, seen to fail: kBursts 1e9 in unquiet_channels.cpp says nothing of them.
   VectorXd pulses = VectorXd::Zero(20000);
   for (Eigen::Index k = 900; k < 20000; k += 2113) pulses.segment(k, 60).setConstant(0.6);
   const Bench bench(pulses);

@@ -37,7 +37,7 @@ const MappedColumn& mapped_effort(const ColumnMap& map) {
 }  // namespace
 
 TEST_CASE("a current becomes an effort by the joint's torque constant") {
-  // Planted defect: without Mapper::current() the column is no unit of the channel.
+  // Planted defect, seen to fail: without Mapper::current() "'mA' cannot be a unit of channel".
   std::vector<ChannelSpec> specs = elbow();
   effort_of(specs).per_ampere = 11.13;
   const ColumnMap map = map_columns(header, specs, {}, "arm.csv", 1);

@@ -73,22 +73,6 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("a joint at rest that flickers by one step of its sensor is not stuck") {
-  // Seen to fail without is_rest() in data_faults.cpp: at 94 Hz and uneven stamps the motion's own
-  // third differences pass for noise, and every rest on one step for a sensor that hangs.
-  std::string text = "time [s],theta [rad],tau_m [N*m]\n";
-  for (long k = 0; k < 4000; ++k) {
-    const double t = 0.0107 * (double(k) + 6.0 * noise(k)), s = std::fmod(t, 8.0);
-    const double moving = s < 4.0 ? s : 4.0;
-    const double q = 0.3 * std::floor(t / 8.0) * (1.0 - moving / 4.0) * 0.2 +
-                     0.4 * std::sin(0.5 * pi * moving) + (k / 23 % 2 == 0 ? 0.0 : 1.0e-4);
-    text += fmt::format("{:.4f},{:.4f},{:.6f}\n", t, q, -0.1 * q + noise(k));
-  }
-  const Log log = read_csv(test::write_file("rest.csv", text), rotary_drive_channels());
-  CHECK(count_of(log, FaultKind::stuck) == 0);
-  CHECK(log.segments.size() == 1);
-}
-
 TEST_CASE("single precision and few digits are no second sensor") {
   // Seen to fail with the digits alone in last_digit(): the fourth kind, a float written in full,
   // looks like a sensor that was rounded again. Around 3 rad, since a float's own grid must be felt
