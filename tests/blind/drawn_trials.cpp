@@ -43,13 +43,15 @@ std::set<std::string> files_in(const fs::path& folder) {
 TEST_CASE("every plant offers eight causes outside the library, and every cause has its limits") {
   for (const char* name : plants) {
     std::set<std::string> outside;
-    for (std::uint64_t seed = 1; seed < 4; ++seed)
-      for (const Offer& offer : plant_of(name, seed)->offers()) {
+    for (std::uint64_t seed = 1; seed < 4; ++seed) {
+      const std::unique_ptr<TrialPlant> plant = plant_of(name, seed);
+      for (const Offer& offer : plant->offers()) {
         INFO(name << ", " << offer.cause << " at " << offer.place);
         CHECK_NOTHROW(limit_of(offer.cause));
         CHECK(offer.scale > 0.0);
         if (offer.outside) outside.insert(offer.cause);
       }
+    }
     INFO(name);
     CHECK(outside.size() >= 8);
   }
