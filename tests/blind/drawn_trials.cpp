@@ -90,7 +90,8 @@ TEST_CASE(
 TEST_CASE(
     "a size that a cause cannot reach makes an unreachable trial, and no other cause takes its "
     "place") {
-  // Planted defect: with another cause drawn instead, as trials once did, `reachable` stays true.
+  // Planted defect: where a cause that is not reached is passed over for another draw, as trials
+  // once did, this one never ends.
   const sinew::reference::TemporaryFolder folder;
   TrialRequest request;
   request.plant = "joint";
@@ -106,7 +107,6 @@ TEST_CASE(
 }
 
 TEST_CASE("the same size is the same share of the motion's effort, however heavy the joint") {
-  // Planted defect: with a size in N·m the heavy joint's dose is the light one's.
   const sinew::reference::TemporaryFolder folder;
   TrialRequest request;
   request.cause = "viscous_asymmetry";
