@@ -294,9 +294,9 @@ std::vector<VectorXd> TendonPlant::moving(const Log& log) const {
 void TendonPlant::list_offers() {
   const Jointed& jointed = s_.jointed;
   const auto offer = [&](const char* cause, const std::string& place, Index at, double scale,
-                         const char* parameter = "") {
+                         const char* parameter = "", double factor = 1.0) {
     offers_.push_back(
-        {cause, place, static_cast<int>(at), scale, false, fits_all, parameter, 1.0, 0});
+        {cause, place, static_cast<int>(at), scale, false, fits_all, parameter, factor, 0});
   };
   for (Index j = 0; j < joints(); ++j) {
     const std::string place = "joint " + jointed.chain.links[static_cast<std::size_t>(j)].joint;
@@ -308,8 +308,10 @@ void TendonPlant::list_offers() {
   for (Index i = 0; i < tendons(); ++i) {
     const std::string place = "tendon " + tendon(i).name;
     offer("guiding_friction", place, i, 1.0);
-    offer("force_sensor_scale", place, i, 1.0, "force_excess");
-    offer("force_sensor_offset", place, i, s_.pretension, "force_offset");
+    // What the findings call an excess is an effort to be provided: a sensor that shows more has
+    // less.
+    offer("force_sensor_scale", place, i, 1.0, "force_excess", -1.0);
+    offer("force_sensor_offset", place, i, s_.pretension, "force_offset", -1.0);
     offer("tendon_radius", place, i, 1.0);
     // Its force cell warms up, saturates, sags with its supply or has coarse steps.
     for (const char* cause : {"heat", "saturation", "supply_sag", "coarse_command"})
