@@ -43,13 +43,15 @@ std::set<std::string> files_in(const fs::path& folder) {
 TEST_CASE("every plant offers eight causes outside the library, and every cause has its limits") {
   for (const char* name : plants) {
     std::set<std::string> outside;
-    for (std::uint64_t seed = 1; seed < 4; ++seed)
-      for (const Offer& offer : plant_of(name, seed)->offers()) {
+    for (std::uint64_t seed = 1; seed < 4; ++seed) {
+      const std::unique_ptr<TrialPlant> plant = plant_of(name, seed);
+      for (const Offer& offer : plant->offers()) {
         INFO(name << ", " << offer.cause << " at " << offer.place);
         CHECK_NOTHROW(limit_of(offer.cause));
         CHECK(offer.scale > 0.0);
         if (offer.outside) outside.insert(offer.cause);
       }
+    }
     INFO(name);
     CHECK(outside.size() >= 8);
   }
@@ -88,7 +90,8 @@ TEST_CASE(
 TEST_CASE(
     "a size that a cause cannot reach makes an unreachable trial, and no other cause takes its "
     "place") {
-  // Planted defect: with another cause drawn instead, as trials once did, `reachable` stays true.
+  // Planted defect: where a cause that is not reached is passed over for another draw, as trials
+  // once did, this one never ends.
   const sinew::reference::TemporaryFolder folder;
   TrialRequest request;
   request.plant = "joint";
@@ -104,7 +107,6 @@ TEST_CASE(
 }
 
 TEST_CASE("the same size is the same share of the motion's effort, however heavy the joint") {
-  // Planted defect: with a size in N·m the heavy joint's dose is the light one's.
   const sinew::reference::TemporaryFolder folder;
   TrialRequest request;
   request.cause = "viscous_asymmetry";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a test measured, for the tables that scripts/study writes.
+// What a test measured, kept where somebody asks for it.
 #pragma once
 
 #include <string>

@@ -138,6 +138,8 @@ def gain(tools, folder, findings, c):
     """The held-out gain by the runner's own means, and the one that is told."""
     log = read_log(folder / "holdout.csv")
     before = folder.with_name(folder.name + "_before")
+    if (before / "hand.toml").exists():
+        return None
     columns = {}
     names_file = before / "channels.toml"
     if names_file.exists():

@@ -95,5 +95,6 @@ def in_interval(seal, findings):
                 if p["name"] != hidden["parameter"]["name"] or not p["standard_error"]:
                     continue
                 off = (p["value"] - hidden["parameter"]["value"]) / p["standard_error"]
-                result.append({"cause": hidden["cause"], "off": off, "holds": abs(off) <= 1.96})
+                result.append({"cause": hidden["cause"], "told": p["value"], "hidden": hidden["parameter"]["value"],
+                               "off": off, "holds": abs(off) <= 1.96})
     return result

@@ -110,9 +110,8 @@ class Sizer {
 
 /// What the finding's parameter should hold.
 double parameter_of(const Offer& offer, const Hidden& h) {
-  const double dose = offer.factor * h.dose;
-  return offer.parameter == "scale_error" || offer.parameter == "force_excess" ? dose / (1.0 + dose)
-                                                                               : dose;
+  const bool of_scale = offer.parameter == "scale_error" || offer.parameter == "force_excess";
+  return offer.factor * (of_scale ? h.dose / (1.0 + h.dose) : h.dose);
 }
 
 json text_of(const Offer& offer, const Sized& sized) {

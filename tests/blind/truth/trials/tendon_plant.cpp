@@ -86,6 +86,7 @@ class TendonPlant : public TrialPlant {
   /// Force column of tendon i; theta and tau columns where the motors are logged.
   Index force_column(Index i) const { return joints() + (s_.motors ? 2 * tendons() : 0) + i; }
   int motor_axis(Index i) const { return static_cast<int>(joints() + i); }
+  int force_cell(Index i) const { return static_cast<int>(joints() + tendons() + i); }
 
   std::vector<Hidden> at_joints(const std::vector<Hidden>& hidden) const {
     std::vector<Hidden> some;
@@ -176,7 +177,8 @@ Log TendonPlant::replay(const Course& course, const std::vector<Hidden>& hidden,
       if (h.cause == "force_sensor_scale") shown *= 1.0 + h.dose;
       if (h.cause == "force_sensor_offset") shown.array() += h.dose;
     }
-    result.columns.col(force_column(i)) = shown;
+    result.columns.col(force_column(i)) =
+        logged_effort(shown, only_at(hidden, force_cell(i)), result.step, 2.0 * s_.pretension);
     result.names.push_back(fmt::format("force_{}", i + 1));
     result.units.push_back("N");
   }
@@ -292,9 +294,9 @@ std::vector<VectorXd> TendonPlant::moving(const Log& log) const {
 void TendonPlant::list_offers() {
   const Jointed& jointed = s_.jointed;
   const auto offer = [&](const char* cause, const std::string& place, Index at, double scale,
-                         const char* parameter = "") {
+                         const char* parameter = "", double factor = 1.0) {
     offers_.push_back(
-        {cause, place, static_cast<int>(at), scale, false, fits_all, parameter, 1.0, 0});
+        {cause, place, static_cast<int>(at), scale, false, fits_all, parameter, factor, 0});
   };
   for (Index j = 0; j < joints(); ++j) {
     const std::string place = "joint " + jointed.chain.links[static_cast<std::size_t>(j)].joint;
@@ -306,9 +308,16 @@ void TendonPlant::list_offers() {
   for (Index i = 0; i < tendons(); ++i) {
     const std::string place = "tendon " + tendon(i).name;
     offer("guiding_friction", place, i, 1.0);
-    offer("force_sensor_scale", place, i, 1.0, "force_excess");
-    offer("force_sensor_offset", place, i, s_.pretension, "force_offset");
+    // What the findings call an excess is an effort to be provided: a sensor that shows more has
+    // less.
+    offer("force_sensor_scale", place, i, 1.0, "force_excess", -1.0);
+    offer("force_sensor_offset", place, i, s_.pretension, "force_offset", -1.0);
     offer("tendon_radius", place, i, 1.0);
+    // Its force cell warms up, saturates, sags with its supply or has coarse steps.
+    for (const char* cause : {"heat", "saturation", "supply_sag", "coarse_command"})
+      offers_.push_back({cause, place, force_cell(i),
+                         cause == std::string("coarse_command") ? s_.pretension : 1.0, true,
+                         fits_all, "", 1.0, 0});
     offer("routing_offset", place, i, 0.5 * radii_.row(i).cwiseAbs().maxCoeff());
   }
   if (!s_.motors) return;

@@ -106,7 +106,7 @@ class WristPlant : public TrialPlant {
     return c;
   }
 
-  Log replay(const Course& course, const std::vector<Hidden>& hidden, int) const override {
+  Log replay(const Course& course, const std::vector<Hidden>& hidden, int number) const override {
     Log log;
     log.step = course.step;
     const Index rows = course.q.rows(), m = motors_;
@@ -128,6 +128,10 @@ class WristPlant : public TrialPlant {
       if (h.cause == "sensor_quantisation") coarse[at] = h.dose;
     }
     const double reference[] = {zero71_, zero73_};
+    // Where each motor counts from: it is fitted in any case, and no noise.
+    Draw counted(streams_[number] ^ 0x2545f491u);
+    VectorXd from(m);
+    for (double& x : from) x = counted.uniform(-1.0, 1.0);
     // The reference pose, from which a tendon's bend at its guides counts.
     const PalmPose rest = palm_pose(shape_, zero71_, zero73_);
     for (Index k = 0; k < rows; ++k) {
@@ -152,8 +156,9 @@ class WristPlant : public TrialPlant {
           if (h.cause == "tendon_radius" && h.at == i) radius *= 1.0 + h.dose;
         const Vector3d where(course.q(k, 0) - zero71_, course.q(k, 1) - zero73_, 0.0);
         const Vector3d speed(course.v(k, 0), course.v(k, 1), 0.0);
-        log.columns(k, 2 + i) = disturbed.of(i, -length / radius, where, speed,
-                                             course.step * static_cast<double>(k), course.step);
+        log.columns(k, 2 + i) =
+            from(i) + disturbed.of(i, -length / radius, where, speed,
+                                   course.step * static_cast<double>(k), course.step);
       }
     }
     return log;
@@ -163,8 +168,7 @@ class WristPlant : public TrialPlant {
     Draw draw(streams_[number] ^ 0x5bd1e995u);
     for (Index i = 0; i < motors_; ++i) {
       truth::Noise noise(draw.fork());
-      const double zero = draw.uniform(-1.0, 1.0);
-      for (double& x : log.columns.col(2 + i)) x += zero + noise_ * noise.next();
+      for (double& x : log.columns.col(2 + i)) x += noise_ * noise.next();
     }
     for (Index j = 0; j < 2; ++j)
       for (double& x : log.columns.col(j)) x += 2.0e-5 * draw.normal();
