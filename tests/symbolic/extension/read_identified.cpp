@@ -143,9 +143,9 @@ TEST_CASE("the same effect at the same place in another shape is another entry")
 }
 
 TEST_CASE("every effect reads back as it is written, in its own units, for turning and sliding") {
-  // A new effect needs nothing but its declaration. Planted defect: a coefficient's unit left "1" as
-  // the writer once had it for what was not estimated: "'inertia_change' has the unit '1'; expected
-  // kg*m^2".
+  // A new effect needs nothing but its declaration. Planted defect: a coefficient's unit left "1"
+  // as the writer once had it for what was not estimated: "'inertia_change' has the unit '1';
+  // expected kg*m^2".
   for (const std::string& id : declared_effects())
     for (const LearntPlace& place : places) {
       const DeclaredEntry declared = *declared_entry(id, place.revolute);
