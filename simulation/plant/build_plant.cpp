@@ -98,6 +98,14 @@ Eigen::Vector3d learnt_gravity(const HeldHand& held, const Identified& identifie
   return held.palm * (with_identified(held.mechanism, identified).gravity - held.mechanism.gravity);
 }
 
+/// A log is played on the hand that a diagnosis looks at: the palm held, its crank where
+/// held_hand() has it. No tendon moves so much inertia.
+void hold_palm(const Hand& hand, Scenario& scenario) {
+  scenario.crank_inertia = 1e9;
+  scenario.initial[coordinate_names(hand).back()] =
+      0.5 * (hand.four_bar.theta2.low + hand.four_bar.theta2.high);
+}
+
 Plant hand_plant(const fs::path& model, const Happening& what, const fs::path& runtime) {
   const Hand described = read_hand(model).hand;
   const Identified identified = checked_extension(model, described);
@@ -107,12 +115,13 @@ Plant hand_plant(const fs::path& model, const Happening& what, const fs::path& r
   std::vector<JointChannel> joints;
   for (const std::string& name : coordinate_names(hand)) joints.push_back({name, false});
   if (free) joints.insert(joints.end(), {{"q71", false}, {"q73", false}});
-  const Scenario scenario = what.scenario(channels_of(
+  Scenario scenario = what.scenario(channels_of(
       what.mode(), joints, channels, free ? TopOfModel::nothing : TopOfModel::commanded_wrist));
   if (free && (scenario.wrist_feedforward || scenario.weight_feedforward))
     throw std::runtime_error(fmt::format(
         "{}: {} needs to know the wrist's motion; expected the wrist mode prescribed", what.name(),
         scenario.wrist_feedforward ? "wrist_feedforward" : "weight_feedforward"));
+  if (scenario.as_logged) hold_palm(hand, scenario);
   PlantParts parts;
   // Taken exactly, which takes a while.
   const std::optional<HeldHand> held =

@@ -133,7 +133,7 @@ TEST_CASE("a joint in closed loop that hides nothing is told to leave nothing ov
   // every band as it is three get names (a sensor's steps, elasticity), and one model is extended.
   int cut = 0;
   const blind::Rates rates = blind::run(diagnose_joint, {800, "joint", truth::Family::nothing, 1.0},
-                                        12, [&cut](std::uint64_t seed, const Outcome& o) {
+                                        6, [&cut](std::uint64_t seed, const Outcome& o) {
                                           INFO("seed " << seed << ", told:" << o.told());
                                           CHECK_FALSE(o.findings.extension.adopted);
                                           cut += o.findings.verdict.compared_below_hz > 0.0 ? 1 : 0;
