@@ -8,6 +8,7 @@
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <tuple>
 
 #include "cli/clear_message.h"
 #include "symbolic/files/description_error.h"
@@ -88,8 +89,9 @@ TEST_CASE("an identified.toml that makes a link impossible is refused with its p
       "[[effect.coefficient]]\nname = \"mass\"\nvalue = 0.01\nunit = \"kg\"\n";
   const std::string moment =
       "[[effect.coefficient]]\nname = \"moment_xx\"\nvalue = -1\nunit = \"kg*m^2\"\n";
-  // Defects to plant: without is_physical() status 0 and a mass matrix with M[0][0] < 0; a Stribeck
-  // velocity that is not checked: "power::eval(): division by zero".
+  // Planted defects: without is_physical() the mass matrix alone is to blame, without place or
+  // link, and without a look at that one, too, the status is 0; values held to no limits: the
+  // Stribeck velocity ends in "power::eval(): division by zero".
   const Ended impossible = learnt(payload + moment);
   INFO(impossible.output);
   CHECK(impossible.status == 2);
@@ -108,33 +110,64 @@ TEST_CASE("an identified.toml that makes a link impossible is refused with its p
   CHECK(fine.status == 0);
 }
 
-TEST_CASE("the simulation refuses what was learnt and cannot be, as the generator does") {
-  // Planted defect: the extension read without its model's places and without a look at the mass
-  // matrix (checked_extension.cpp): both are simulated, the joint with less than no inertia too.
+namespace {
+
+std::string learnt(const std::string& effect, const std::string& place,
+                   const std::vector<std::tuple<const char*, const char*, const char*>>& values) {
+  std::string text = "[[effect]]\neffect = \"" + effect + "\"\nplace = \"" + place + "\"\n";
+  for (const auto& [name, value, unit] : values)
+    text += std::string("[[effect.coefficient]]\nname = \"") + name + "\"\nvalue = " + value +
+            "\nunit = \"" + unit + "\"\n";
+  return text;
+}
+
+}  // namespace
+
+TEST_CASE("every command refuses what was learnt and leaves a joint without inertia somewhere") {
+  // Joints have inertia of a load, a link, the drive at the joint or the motor of a tendon. Without
+  // what is refused here a torque accelerates the finger the wrong way in a part of its range: in
+  // 28 % of it with the second one, of q20. Planted defects: the extension read without its model's
+  // places and without a look at the mass matrix (checked_extension.cpp): for q20 and the motor
+  // generate and simulate end with 0, and diagnose goes on to the log; without is_physical()
+  // (identified_mechanism.cpp) nothing says which link's body cannot be.
   const Workplace here;
-  const auto inertia = [&](const char* place, const char* change) {
-    reference::write_text(here.path("models/index/identified.toml"),
-                          std::string("[[effect]]\neffect = \"inertia\"\nplace = \"") + place +
-                              "\"\n[[effect.coefficient]]\nname = \"inertia_change\"\nvalue = " +
-                              change + "\nunit = \"kg*m^2\"\n");
-  };
-  const auto refused = [&](const char* expected) {
-    for (const std::vector<std::string>& command :
-         {std::vector<std::string>{"generate", "models/index"},
-          {"simulate", "models/index", "--scenario", "models/index/scenarios/energy.toml", "--out",
-           "run.csv"}}) {
-      const Ended ended = here.sinew(command);
-      INFO(ended.output);
+  for (const std::string part : {"models/motor", "models/tendon"})
+    fs::copy(SINEW_SOURCE_DIR "/" + part, here.path(part), fs::copy_options::recursive);
+  reference::write_text(here.path("log.csv"), "time [s],q_q20 [rad],tau_q20 [N*m]\n0,0,0\n");
+  reference::write_text(here.path("short.toml"),
+                        "[scenario]\nduration = { value = 0.02, unit = \"s\" }\n"
+                        "output_rate = { value = 1000, unit = \"Hz\" }\n"
+                        "[drive]\nmode = \"prescribed\"\n"
+                        "pretension = { value = 20, unit = \"N\" }\n");
+  const char* kg = "kg";
+  const char* moment = "kg*m^2";
+  const std::pair<std::string, const char*> all[] = {
+      {learnt("inertia", "q99", {{"inertia_change", "1e-6", moment}}), "q99"},
+      {learnt("inertia", "q20", {{"inertia_change", "-6.4e-6", moment}}),
+       "would not be positive definite at q20 = "},
+      {learnt("payload", "link distal", {{"mass", "1e-6", kg}, {"moment_zz", "-2.6e-7", moment}}),
+       "link 'distal'"},
+      {learnt("inertial_parameters", "link distal",
+              {{"mass", "1e-6", kg}, {"moment_zz", "-2.6e-7", moment}}),
+       "link 'distal'"},
+      {learnt("inertia", "motor 3", {{"inertia_change", "-1", moment}}),
+       "the inertia of 'motor 3' would be -"}};
+  for (const auto& [text, expected] : all) {
+    reference::write_text(here.path("models/index/identified.toml"), text);
+    for (const char* command :
+         {"generate models/index",
+          "simulate models/index --scenario short.toml --out run.csv --runtime " SINEW_SOURCE_DIR
+          "/runtime",
+          "diagnose models/index --log log.csv --out found"}) {
+      const Ended ended = here.shell(std::string("sinew ") + command);
+      INFO(text << command << ": " << ended.output);
       CHECK(ended.status == 2);
       CHECK(ended.says("identified.toml"));
       CHECK(ended.says(expected));
     }
-  };
-  inertia("q99", "1e-6");
-  refused("q99");
-  inertia("q20", "-1");
-  refused("would not be positive definite at ");
-  CHECK_FALSE(fs::exists(here.path("run.csv")));
+  }
+  for (const char* output : {"generated", "run.csv", "found"})
+    CHECK_FALSE(fs::exists(here.path(output)));
 }
 
 TEST_CASE("what a library throws is told in words of the program") {

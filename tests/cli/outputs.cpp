@@ -46,8 +46,8 @@ bool is_result(const std::string& text) {
 }  // namespace
 
 TEST_CASE("a device is written into, never replaced, and what it refuses is told", "[outputs]") {
-  // Defect to plant: output_place() that takes every place for a file: /dev/full becomes a CSV
-  // file.
+  // Planted defect, with devices of its own mounted over /dev: output_place() that takes every
+  // place for a file: both commands end with 0, /dev/full and /dev/null are regular files.
   const Bench here;
   for (const std::string& command : both) {
     INFO(command);
@@ -256,8 +256,8 @@ TEST_CASE("a model's digest is that of what was read, or there is none", "[outpu
     sinew::test::skip("strace cannot trace here");
     return;
   }
-  // Defect to plant: the model's files read by an ifstream whose state nobody looks at: exit 0 with
-  // the digest of an empty file at the read that follows the parser's.
+  // Planted defect: the model's files read by an ifstream whose state nobody looks at: status 0
+  // with the digest of an empty file at the third read, which follows the parser's.
   int failed = 0;
   for (int count = 1; count <= 20; ++count) {
     const Ended ended = here.shell(

@@ -155,8 +155,9 @@ bool has_tools(const Workplace& here, const Command& command) {
 
 TEST_CASE("every command, killed at each step of its writing: all old or all new",
           "[outputs][slow]") {
-  // Defect to plant: Outputs::commit() without a journal: generate, import, identify and figures
-  // are a mixture after "rename 2" and "renameat2 2".
+  // Planted defect: Outputs::commit() without a journal: neither old nor new are the outputs of
+  // generate after "renameat2 2", those of identify after "rename 2" to "rename 7". import writes
+  // one folder and simulate one file, which need none.
   for (const Command& command : commands()) {
     const Workplace tools;
     if (!can_trace(tools)) return;

@@ -51,8 +51,8 @@ int ended_by(const fs::path& folder, const std::function<void()>& write) {
 
 }  // namespace
 
-// Planted defect: enter() that registers nothing (unfinished_run.cpp): drafts and notes stay, both
-// tests are red.
+// Planted defect: enter() that registers nothing (unfinished_run.cpp): drafts and notes stay, 3
+// entries instead of 1 in the first test, 2 instead of none in the second.
 TEST_CASE("outputs that are interrupted while they are drafted leave nothing") {
   const TemporaryFolder place;
   const fs::path pipe = place.path() / "pipe";
@@ -82,7 +82,8 @@ TEST_CASE("a long output that is interrupted leaves nothing") {
 }
 
 TEST_CASE("an interruption waits for what is left whole only together") {
-  // Planted defect: a NotInterrupted that locks nothing: the second file is not there.
+  // Planted defect: a NotInterrupted that locks nothing: the process ends before the second file is
+  // there.
   const TemporaryFolder place;
   const int signal = ended_by(place.path(), [&] {
     RemovedIfInterrupted draft([&] {

@@ -97,8 +97,9 @@ TEST_CASE("a link's change leaves the whole link a body") {
 
 TEST_CASE("what logs tell nothing about is whatever makes a body") {
   // Mass, first moment and one moment are known well, as of a link that turns about one axis; the
-  // other numbers came out 0. Defect to plant: information in place of its Schur complement does
-  // not matter here, a unit matrix does: the known ones move by more than their errors.
+  // other numbers came out 0. Planted defect: a unit matrix in place of the information: what is
+  // known moves by more than its error, the moment to 0.0044; the misfit of the test above is
+  // 0.0000005 instead of 19.
   VectorXd estimate = VectorXd::Zero(10);
   estimate(0) = 0.1, estimate(1) = 0.02, estimate(6) = 5e-3;
   VectorXd known = VectorXd::Zero(10);

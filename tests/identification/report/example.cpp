@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "example_plots.h"
+#include "identification/adoption/held_out_judgement.h"
 #include "symbolic/expressions/piecewise.h"
 #include "symbolic/notation/print_mathml.h"
 
@@ -143,13 +144,11 @@ Findings rich_drive() {
   f.verdict.relative_error_after = 0.0191;
   f.verdict.held_out = f.channels[0].domains[0].gain;
   f.terms = drive_terms();
-  f.extension = {true,
-                 false,
-                 "the whole interval of the held-out gain lies above zero",
-                 "models/emps_extended",
-                 {"emps_inverse_dynamics", "emps_friction_compensation"},
-                 41,
-                 58};
+  f.extension.model_folder = "models/emps_extended";
+  f.extension.operations_before = 41;
+  f.extension.operations_after = 58;
+  decide_adoption(true, true, f.verdict.held_out,
+                  {"emps_inverse_dynamics", "emps_friction_compensation"}, f.extension);
   f.headline =
       "The drive's friction flattens out at speed and differs between the two directions; a motor "
       "ripple and a delay of 0.8 ms add to it.";

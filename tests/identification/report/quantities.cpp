@@ -120,8 +120,9 @@ void check_owners(const Findings& findings, const std::string& text) {
 }  // namespace
 
 TEST_CASE("every number in percent is one quantity's, every quantity has one number") {
-  // Must fail with: a reason of the extension with "falls by 78.1 %"; the
-  // relative error as shown_share ("4.1 %" beside "4.08 %"); "84 %" in confidence_meaning().
+  // Planted defects, each of which was told as a number without a quantity: decide_adoption() with
+  // "falls by 78.0 %" for a reason; the relative error as shown_share() ("4.1 %" beside "4.08 %");
+  // "84 %" in confidence_meaning().
   for (const Findings& f : {example::rich_drive(), example::lone_cause()}) {
     check_owners(f, read_text_of(report_html(f)));
     check_owners(f, read_text_of(report_text(f)));

@@ -108,8 +108,8 @@ TEST_CASE("a change of a gain is told in percent of what it is a gain of") {
 }
 
 TEST_CASE("what became of the model is told once, and never in two ways") {
-  // Must fail: with `adopted` asked for before `dry_run` a dry run says "extended" beside
-  // "left as it is"; with the extension always told a refusal stands twice.
+  // Planted defects: `adopted` asked for before `dry_run`: text and page say "The model was
+  // extended" of a dry run; the extension always told: "includes zero" stands twice.
   Findings f = example::rich_drive();
   f.extension.dry_run = true;
   f.next_step = next_step(f);
@@ -123,7 +123,8 @@ TEST_CASE("what became of the model is told once, and never in two ways") {
 }
 
 TEST_CASE("a column that no channel needs is no fault") {
-  // Must fail: with notes put among the faults the text counts three and names the column.
+  // Planted defect: notes put among the faults: the text does not count two, and says
+  // "temperature".
   const std::string text = plain(report_text(example::rich_drive()));
   CHECK(contains(text, "Log faults 2, the first: sweep.csv:1042:3"));
   CHECK_FALSE(contains(text, "temperature"));

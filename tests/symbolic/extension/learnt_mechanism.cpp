@@ -129,6 +129,35 @@ TEST_CASE("what a drive learns leaves the mass matrix positive at every corner")
   CHECK(why.find("'inertia' at 'q1'") != std::string::npos);
 }
 
+TEST_CASE("a finger that a torque would accelerate the wrong way in a quarter of its range") {
+  // Bent fingers have little inertia about the joint that spreads them. What takes away more than
+  // they have then, and less than a straight one has, leaves the centre of the ranges as it should
+  // be. Planted defects: without is_physical() in change_body() the mass matrix alone is to blame
+  // for load and link; without a look at the mass matrix, too, nothing is said of any of the three.
+  using Catch::Contains;
+  const Mechanism finger = read_mechanism(SINEW_SOURCE_DIR "/models/index");
+  constexpr double change = -6.4e-6;  // kg*m^2
+  std::vector<Range> ranges;
+  for (const Joint& joint : finger.joints) ranges.push_back({joint.low, joint.high});
+  const std::vector<Eigen::VectorXd> samples = workspace_samples(ranges);
+  const auto acceleration = [&](const Eigen::VectorXd& q) {  // of q20, by a torque of 1 N*m there
+    Eigen::MatrixXd M = mass_matrix_at(finger, q);
+    M(0, 0) += change;
+    return Eigen::MatrixXd(M.inverse())(0, 0);
+  };
+  std::size_t wrong = 0;
+  for (const Eigen::VectorXd& q : samples) wrong += acceleration(q) < 0.0;
+  CHECK(wrong > samples.size() / 4);
+  CHECK(acceleration(samples.front()) > 0.0);
+  CHECK_THAT(refusal(finger, entry("inertia", "q20", {{"inertia_change", change}})),
+             Contains("not be positive definite at q20 = "));
+  // The same by a load or a link whose moments are no body's: in 30 % of the range.
+  for (const char* effect : {"payload", "inertial_parameters"})
+    CHECK_THAT(
+        refusal(finger, entry(effect, "link distal", {{"mass", 1e-6}, {"moment_zz", -2.6e-7}})),
+        Contains("link 'distal'"));
+}
+
 TEST_CASE("a motor keeps an inertia") {
   MotorParameters motor;
   motor.gear_ratio = 0.01;

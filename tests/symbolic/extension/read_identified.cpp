@@ -143,8 +143,9 @@ TEST_CASE("the same effect at the same place in another shape is another entry")
 }
 
 TEST_CASE("every effect reads back as it is written, in its own units, for turning and sliding") {
-  // A new effect needs nothing but its declaration. Defect to plant: a coefficient's unit left "1"
-  // as the writer once had it for what was not estimated: refused.
+  // A new effect needs nothing but its declaration. Planted defect: a coefficient's unit left "1"
+  // as the writer once had it for what was not estimated: "'inertia_change' has the unit '1';
+  // expected kg*m^2".
   for (const std::string& id : declared_effects())
     for (const LearntPlace& place : places) {
       const DeclaredEntry declared = *declared_entry(id, place.revolute);
@@ -171,6 +172,6 @@ TEST_CASE("every effect reads back as it is written, in its own units, for turni
 TEST_CASE("a log's name may hold any character") {
   Identified learnt;
   learnt.logs.push_back({"a \"b\"\\c\nd.csv", std::string(64, 'a')});
-  // Defect to plant: the name between quotes as it is: "expected TOML 1.0".
+  // Planted defect: the name between quotes as it is: "expected a comment or whitespace, saw 'b'".
   CHECK(read(identified_text(learnt)).logs.front().file == learnt.logs.front().file);
 }
