@@ -18,14 +18,17 @@ const char* runtime_function(Op op);
 /// short.
 std::string shared_name(Op op, const Target& target);
 
-/// A function of the runtime that is not inlined: one copy for a whole file of emitted C.
+/// "sinew_one_sincos4": the same for the sines and cosines of 1, 2 or 4 angles side by side.
+std::string shared_sincos_name(std::size_t angles, const Target& target);
+
+/// One copy of a function of the runtime for a whole file of emitted C.
 struct SharedFunction {
   std::string name;
-  std::string definition;  ///< C text
+  std::string definition;  ///< C text, from "static" on
 };
 
-/// The ones that a model calls: every long function that its graphs need more than once, sines and
-/// cosines among them where the target is short of room. A call costs few of their instructions.
+/// Copies of the long functions that these graphs call; those of sines and cosines for every number
+/// of angles that the target has side by side.
 std::vector<SharedFunction> shared_functions(const std::vector<Graph>& graphs,
                                              const Target& target);
 

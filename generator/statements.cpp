@@ -49,7 +49,8 @@ TakenNames reserved_names(const Graph& graph, const Target& target) {
     if (const char* function = runtime_function(static_cast<Op>(op)))
       taken.insert(function + std::string(target.suffix()));
   for (const char* angles : {"", "2", "4"})
-    taken.insert(fmt::format("sinew_sincos{}{}", angles, target.suffix()));
+    for (const char* stem : {"sinew_sincos", "sinew_one_sincos"})
+      taken.insert(fmt::format("{}{}{}", stem, angles, target.suffix()));
   taken.insert(fmt::format("sinew_fma{}", target.suffix()));
   for (const Node& node : graph.nodes())
     if (const std::string name = shared_name(node.op, target); !name.empty()) taken.insert(name);
@@ -223,8 +224,10 @@ class Writer {
     const std::size_t n = angles.size();
     lines_.push_back(fmt::format("const {} {}[{}] = {{{}}};", target_.type(), in, n, list));
     lines_.push_back(fmt::format("{} {}[{}], {}[{}];", target_.type(), sine, n, cosine, n));
-    lines_.push_back(
-        fmt::format("sinew_sincos{}{}({}, {}, {});", n, target_.suffix(), in, sine, cosine));
+    const std::string function = names_.shared
+                                     ? shared_sincos_name(n, target_)
+                                     : fmt::format("sinew_sincos{}{}", n, target_.suffix());
+    lines_.push_back(fmt::format("{}({}, {}, {});", function, in, sine, cosine));
     for (std::size_t i = 0; i < n; ++i) {
       const bool s = is_used(angles[i], Op::sine), c = is_used(angles[i], Op::cosine);
       const Pair pair = name_pair(angles[i]);
@@ -305,7 +308,7 @@ class Writer {
   /// The runtime's function, or the one copy of it in the file.
   std::string function_name(Op op, const std::string& function) const {
     const std::string shared = shared_name(op, target_);
-    return names_.shared.count(shared) ? shared : function + target_.suffix();
+    return names_.shared && !shared.empty() ? shared : function + target_.suffix();
   }
 
   Text call(const Node& node) {

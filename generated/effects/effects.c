@@ -16,9 +16,29 @@
 #define SINEW_NOT_INLINE
 #endif
 
+static double sinew_one_atan(double x)
+{
+    return sinew_atan(x);
+}
+
 SINEW_NOT_INLINE static double sinew_one_exp(double x)
 {
     return sinew_exp(x);
+}
+
+static double sinew_one_log(double x)
+{
+    return sinew_log(x);
+}
+
+SINEW_NOT_INLINE static void sinew_one_sincos(double x, double *s, double *c)
+{
+    sinew_sincos(x, s, c);
+}
+
+static double sinew_one_tanh(double x)
+{
+    return sinew_tanh(x);
 }
 
 void effects_inertia(const double signals[SINEW_AT_LEAST(11)], double columns[SINEW_AT_LEAST(1)])
@@ -60,12 +80,12 @@ void effects_stribeck(const double signals[SINEW_AT_LEAST(11)], const double sha
 
 void effects_concave_friction(const double signals[SINEW_AT_LEAST(11)], const double shape[SINEW_AT_LEAST(1)], double columns[SINEW_AT_LEAST(1)])
 {
-    columns[0] = sinew_atan(signals[1] / shape[0]);
+    columns[0] = sinew_one_atan(signals[1] / shape[0]);
 }
 
 void effects_concave_power(const double signals[SINEW_AT_LEAST(11)], const double shape[SINEW_AT_LEAST(2)], double columns[SINEW_AT_LEAST(1)])
 {
-    const double t1 = sinew_log(sinew_max(sinew_max(signals[1], -signals[1]) / shape[0], 1e-06));
+    const double t1 = sinew_one_log(sinew_max(sinew_max(signals[1], -signals[1]) / shape[0], 1e-06));
     columns[0] = signals[6] * sinew_one_exp(shape[1] * t1);
 }
 
@@ -93,7 +113,7 @@ void effects_ripple(const double signals[SINEW_AT_LEAST(11)], const double shape
 {
     const double t1 = signals[0] * shape[0];
     double s2, c3;
-    sinew_sincos(t1, &s2, &c3);
+    sinew_one_sincos(t1, &s2, &c3);
     columns[0] = s2;
     columns[1] = c3;
 }
@@ -102,7 +122,7 @@ void effects_load_ripple(const double signals[SINEW_AT_LEAST(11)], const double 
 {
     const double t1 = signals[0] * shape[0];
     double s2, c3;
-    sinew_sincos(t1, &s2, &c3);
+    sinew_one_sincos(t1, &s2, &c3);
     columns[0] = signals[4] * s2;
     columns[1] = signals[4] * c3;
 }
@@ -256,7 +276,8 @@ void effects_presliding(const double signals[SINEW_AT_LEAST(11)], const double s
 
 void effects_soft_reversal(const double signals[SINEW_AT_LEAST(11)], const double shape[SINEW_AT_LEAST(1)], double columns[SINEW_AT_LEAST(1)])
 {
-    columns[0] = sinew_tanh(signals[1] / shape[0]) - sinew_choose(signals[1], 1.0, -1.0);
+    const double t1 = sinew_one_tanh(signals[1] / shape[0]) - sinew_choose(signals[1], 1.0, -1.0);
+    columns[0] = t1;
 }
 
 void effects_late_reversal(const double signals[SINEW_AT_LEAST(11)], const double shape[SINEW_AT_LEAST(1)], const double memory[SINEW_AT_LEAST(1)], double columns[SINEW_AT_LEAST(1)], double next[SINEW_AT_LEAST(1)])

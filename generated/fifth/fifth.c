@@ -10,13 +10,34 @@
 
 #include "sinew_math.h"
 
+#ifdef __GNUC__
+#define SINEW_NOT_INLINE __attribute__((noinline))
+#else
+#define SINEW_NOT_INLINE
+#endif
+
+SINEW_NOT_INLINE static void sinew_one_sincos(double x, double *s, double *c)
+{
+    sinew_sincos(x, s, c);
+}
+
+SINEW_NOT_INLINE static void sinew_one_sincos2(const double x[2], double s[2], double c[2])
+{
+    sinew_sincos2(x, s, c);
+}
+
+SINEW_NOT_INLINE static void sinew_one_sincos4(const double x[4], double s[4], double c[4])
+{
+    sinew_sincos4(x, s, c);
+}
+
 void fifth_forward_kinematics(const double q[SINEW_AT_LEAST(3)], double T[SINEW_AT_LEAST(16)])
 {
     const double phi3 = q[1] + q[2];
     const double phi4 = phi3 + 1.2222222222222223 * q[2];
     const double angle1[4] = {q[0], phi4, q[1], phi3};
     double sine2[4], cosine3[4];
-    sinew_sincos4(angle1, sine2, cosine3);
+    sinew_one_sincos4(angle1, sine2, cosine3);
     const double s1 = sine2[0];
     const double c1 = cosine3[0];
     const double s4 = sine2[1];
@@ -63,7 +84,7 @@ void fifth_tip_jacobian(const double q[SINEW_AT_LEAST(3)], double J[SINEW_AT_LEA
     const double phi4 = phi3 + 1.2222222222222223 * q[2];
     const double angle1[4] = {q[0], q[1], phi3, phi4};
     double sine2[4], cosine3[4];
-    sinew_sincos4(angle1, sine2, cosine3);
+    sinew_one_sincos4(angle1, sine2, cosine3);
     const double s1 = sine2[0];
     const double c1 = cosine3[0];
     const double s2 = sine2[1];
@@ -123,13 +144,13 @@ void fifth_mass_matrix(const double q[SINEW_AT_LEAST(3)], double M[SINEW_AT_LEAS
     const double phi4 = phi3 + 1.2222222222222223 * q[2];
     const double angle1[2] = {q[1], phi3};
     double sine2[2], cosine3[2];
-    sinew_sincos2(angle1, sine2, cosine3);
+    sinew_one_sincos2(angle1, sine2, cosine3);
     const double s2 = sine2[0];
     const double c2 = cosine3[0];
     const double s3 = sine2[1];
     const double c3 = cosine3[1];
     double s4, c4;
-    sinew_sincos(phi4, &s4, &c4);
+    sinew_one_sincos(phi4, &s4, &c4);
     const double j3u = 1.427316736e-06 * c3;
     const double j2u = 6.37008946786e-06 * c2;
     const double j4u = 1.185619968e-07 * c4;
@@ -181,13 +202,13 @@ void fifth_coriolis_matrix(const double q[SINEW_AT_LEAST(3)], const double qd[SI
     const double phi4 = phi3 + 1.2222222222222223 * q[2];
     const double angle1[2] = {q[1], phi3};
     double sine2[2], cosine3[2];
-    sinew_sincos2(angle1, sine2, cosine3);
+    sinew_one_sincos2(angle1, sine2, cosine3);
     const double s2 = sine2[0];
     const double c2 = cosine3[0];
     const double s3 = sine2[1];
     const double c3 = cosine3[1];
     double s4, c4;
-    sinew_sincos(phi4, &s4, &c4);
+    sinew_one_sincos(phi4, &s4, &c4);
     const double l4x = 0.02384 * c3;
     const double l3x = 0.032304 * c2;
     const double o4x = l3x + l4x;
@@ -264,11 +285,11 @@ void fifth_gravity(const double q[SINEW_AT_LEAST(3)], double g[SINEW_AT_LEAST(3)
     const double phi4 = phi3 + 1.2222222222222223 * q[2];
     const double angle1[2] = {phi4, phi3};
     double sine2[2], cosine3[2];
-    sinew_sincos2(angle1, sine2, cosine3);
+    sinew_one_sincos2(angle1, sine2, cosine3);
     const double c4 = cosine3[0];
     const double c3 = cosine3[1];
     double s6, c2;
-    sinew_sincos(q[1], &s6, &c2);
+    sinew_one_sincos(q[1], &s6, &c2);
     const double n4 = 0.00012114800640000001 * c4;
     const double n3 = n4 + 0.0007184498688000002 * c3;
     const double n2 = n3 + 0.00219042828288 * c2;
@@ -283,13 +304,13 @@ void fifth_bias(const double q[SINEW_AT_LEAST(3)], const double qd[SINEW_AT_LEAS
     const double phi4 = phi3 + 1.2222222222222223 * q[2];
     const double angle1[2] = {phi4, phi3};
     double sine2[2], cosine3[2];
-    sinew_sincos2(angle1, sine2, cosine3);
+    sinew_one_sincos2(angle1, sine2, cosine3);
     const double s4 = sine2[0];
     const double c4 = cosine3[0];
     const double s3 = sine2[1];
     const double c3 = cosine3[1];
     double s2, c2;
-    sinew_sincos(q[1], &s2, &c2);
+    sinew_one_sincos(q[1], &s2, &c2);
     const double l3x = 0.032304 * c2;
     const double o3x = 0.0048 + l3x;
     const double l4x = 0.02384 * c3;
@@ -337,13 +358,13 @@ void fifth_mass_matrix_and_bias(const double q[SINEW_AT_LEAST(3)], const double 
     const double phi4 = phi3 + 1.2222222222222223 * q[2];
     const double angle1[2] = {q[1], phi3};
     double sine2[2], cosine3[2];
-    sinew_sincos2(angle1, sine2, cosine3);
+    sinew_one_sincos2(angle1, sine2, cosine3);
     const double s2 = sine2[0];
     const double c2 = cosine3[0];
     const double s3 = sine2[1];
     const double c3 = cosine3[1];
     double s4, c4;
-    sinew_sincos(phi4, &s4, &c4);
+    sinew_one_sincos(phi4, &s4, &c4);
     const double j3u = 1.427316736e-06 * c3;
     const double j2u = 6.37008946786e-06 * c2;
     const double j4u = 1.185619968e-07 * c4;
@@ -425,13 +446,13 @@ void fifth_forward_dynamics(const double q[SINEW_AT_LEAST(3)], const double qd[S
     const double phi4 = phi3 + 1.2222222222222223 * q[2];
     const double angle1[2] = {phi4, phi3};
     double sine2[2], cosine3[2];
-    sinew_sincos2(angle1, sine2, cosine3);
+    sinew_one_sincos2(angle1, sine2, cosine3);
     const double s4 = sine2[0];
     const double c4 = cosine3[0];
     const double s3 = sine2[1];
     const double c3 = cosine3[1];
     double s2, c2;
-    sinew_sincos(q[1], &s2, &c2);
+    sinew_one_sincos(q[1], &s2, &c2);
     const double j2x1 = 0.000223285248 * c2;
     const double j3x1 = 7.323648000000001e-05 * c3;
     const double j4x1 = 1.234944e-05 * c4;
@@ -517,13 +538,13 @@ void fifth_inverse_dynamics(const double q[SINEW_AT_LEAST(3)], const double qd[S
     const double phi4 = phi3 + 1.2222222222222223 * q[2];
     const double angle1[2] = {phi4, phi3};
     double sine2[2], cosine3[2];
-    sinew_sincos2(angle1, sine2, cosine3);
+    sinew_one_sincos2(angle1, sine2, cosine3);
     const double s4 = sine2[0];
     const double c4 = cosine3[0];
     const double s3 = sine2[1];
     const double c3 = cosine3[1];
     double s2, c2;
-    sinew_sincos(q[1], &s2, &c2);
+    sinew_one_sincos(q[1], &s2, &c2);
     const double w3z = qd[1] + qd[2];
     const double w3zz = w3z * w3z;
     const double al3z = qdd[1] + qdd[2];

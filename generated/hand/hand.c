@@ -10,6 +10,27 @@
 
 #include "sinew_math.h"
 
+#ifdef __GNUC__
+#define SINEW_NOT_INLINE __attribute__((noinline))
+#else
+#define SINEW_NOT_INLINE
+#endif
+
+SINEW_NOT_INLINE static void sinew_one_sincos(double x, double *s, double *c)
+{
+    sinew_sincos(x, s, c);
+}
+
+SINEW_NOT_INLINE static void sinew_one_sincos2(const double x[2], double s[2], double c[2])
+{
+    sinew_sincos2(x, s, c);
+}
+
+SINEW_NOT_INLINE static void sinew_one_sincos4(const double x[4], double s[4], double c[4])
+{
+    sinew_sincos4(x, s, c);
+}
+
 void hand_fingertips(const double q[SINEW_AT_LEAST(19)], const double q_wrist[SINEW_AT_LEAST(2)], double in_palm[SINEW_AT_LEAST(80)], double in_forearm[SINEW_AT_LEAST(80)])
 {
     const double phi3 = q[1] + q[2];
@@ -24,7 +45,7 @@ void hand_fingertips(const double q[SINEW_AT_LEAST(19)], const double q_wrist[SI
     const double phi4_8 = phi3_8 + 1.2222222222222223 * q[17];
     const double angle1[4] = {q[0], phi4, q[1], phi3};
     double sine2[4], cosine3[4];
-    sinew_sincos4(angle1, sine2, cosine3);
+    sinew_one_sincos4(angle1, sine2, cosine3);
     const double s1 = sine2[0];
     const double c1 = cosine3[0];
     const double s4 = sine2[1];
@@ -35,7 +56,7 @@ void hand_fingertips(const double q[SINEW_AT_LEAST(19)], const double q_wrist[SI
     const double c3 = cosine3[3];
     const double angle4[4] = {q[4], phi4_2, q[5], phi3_2};
     double sine5[4], cosine6[4];
-    sinew_sincos4(angle4, sine5, cosine6);
+    sinew_one_sincos4(angle4, sine5, cosine6);
     const double s1_2 = sine5[0];
     const double c1_2 = cosine6[0];
     const double s4_2 = sine5[1];
@@ -46,7 +67,7 @@ void hand_fingertips(const double q[SINEW_AT_LEAST(19)], const double q_wrist[SI
     const double c3_2 = cosine6[3];
     const double angle7[4] = {q[8], phi4_4, q[9], phi3_4};
     double sine8[4], cosine9[4];
-    sinew_sincos4(angle7, sine8, cosine9);
+    sinew_one_sincos4(angle7, sine8, cosine9);
     const double s1_4 = sine8[0];
     const double c1_4 = cosine9[0];
     const double s4_4 = sine8[1];
@@ -57,7 +78,7 @@ void hand_fingertips(const double q[SINEW_AT_LEAST(19)], const double q_wrist[SI
     const double c3_4 = cosine9[3];
     const double angle10[4] = {q[12], phi4_6, q[13], phi3_6};
     double sine11[4], cosine12[4];
-    sinew_sincos4(angle10, sine11, cosine12);
+    sinew_one_sincos4(angle10, sine11, cosine12);
     const double s1_6 = sine11[0];
     const double c1_6 = cosine12[0];
     const double s4_6 = sine11[1];
@@ -68,7 +89,7 @@ void hand_fingertips(const double q[SINEW_AT_LEAST(19)], const double q_wrist[SI
     const double c3_6 = cosine12[3];
     const double angle13[4] = {q[15], phi4_8, q[16], phi3_8};
     double sine14[4], cosine15[4];
-    sinew_sincos4(angle13, sine14, cosine15);
+    sinew_one_sincos4(angle13, sine14, cosine15);
     const double s1_8 = sine14[0];
     const double c1_8 = cosine15[0];
     const double s4_8 = sine14[1];
@@ -79,13 +100,13 @@ void hand_fingertips(const double q[SINEW_AT_LEAST(19)], const double q_wrist[SI
     const double c3_8 = cosine15[3];
     const double angle16[2] = {q[18], q_wrist[0]};
     double sine17[2], cosine18[2];
-    sinew_sincos2(angle16, sine17, cosine18);
+    sinew_one_sincos2(angle16, sine17, cosine18);
     const double sin2 = sine17[0];
     const double cos2 = cosine18[0];
     const double sin_q71 = sine17[1];
     const double cos_q71 = cosine18[1];
     double sin_q73, cos_q73;
-    sinew_sincos(q_wrist[1], &sin_q73, &cos_q73);
+    sinew_one_sincos(q_wrist[1], &sin_q73, &cos_q73);
     in_palm[18] = s1_2;
     in_palm[25] = c4_2;
     in_palm[24] = s4_2;
@@ -462,13 +483,13 @@ void hand_finger_gravity(const double q[SINEW_AT_LEAST(19)], const double q_wris
 {
     const double angle1[2] = {q_wrist[0], q_wrist[1]};
     double sine2[2], cosine3[2];
-    sinew_sincos2(angle1, sine2, cosine3);
+    sinew_one_sincos2(angle1, sine2, cosine3);
     const double sin_q71 = sine2[0];
     const double cos_q71 = cosine3[0];
     const double sin_q73 = sine2[1];
     const double cos_q73 = cosine3[1];
     double sin2, cos2;
-    sinew_sincos(q[18], &sin2, &cos2);
+    sinew_one_sincos(q[18], &sin2, &cos2);
     const double B_y = 0.074565407529229 * cos_q73;
     const double B_to_C0_squared = 0.007324 - 0.084 * B_y;
     const double ratio = 0.003796 / B_to_C0_squared;
@@ -544,7 +565,7 @@ void hand_tendon_lengths(const double q[SINEW_AT_LEAST(19)], const double q_wris
 {
     const double angle1[4] = {q[0], q[1], q_wrist[0], q_wrist[1]};
     double sine2[4], cosine3[4];
-    sinew_sincos4(angle1, sine2, cosine3);
+    sinew_one_sincos4(angle1, sine2, cosine3);
     const double s1 = sine2[0];
     const double c1 = cosine3[0];
     const double s2 = sine2[1];
@@ -910,7 +931,7 @@ void hand_coupling_matrix(const double q[SINEW_AT_LEAST(19)], const double q_wri
 {
     const double angle1[4] = {q[0], q[1], q_wrist[0], q_wrist[1]};
     double sine2[4], cosine3[4];
-    sinew_sincos4(angle1, sine2, cosine3);
+    sinew_one_sincos4(angle1, sine2, cosine3);
     const double s1 = sine2[0];
     const double c1 = cosine3[0];
     const double s2 = sine2[1];
@@ -1516,7 +1537,7 @@ void hand_joint_torque(const double q[SINEW_AT_LEAST(19)], const double q_wrist[
 {
     const double angle1[4] = {q[0], q[1], q_wrist[0], q_wrist[1]};
     double sine2[4], cosine3[4];
-    sinew_sincos4(angle1, sine2, cosine3);
+    sinew_one_sincos4(angle1, sine2, cosine3);
     const double s1 = sine2[0];
     const double c1 = cosine3[0];
     const double s2 = sine2[1];
@@ -1943,7 +1964,7 @@ void hand_joint_stiffness(const double q[SINEW_AT_LEAST(19)], const double q_wri
 {
     const double angle1[4] = {q[0], q[1], q_wrist[0], q_wrist[1]};
     double sine2[4], cosine3[4];
-    sinew_sincos4(angle1, sine2, cosine3);
+    sinew_one_sincos4(angle1, sine2, cosine3);
     const double s1 = sine2[0];
     const double c1 = cosine3[0];
     const double s2 = sine2[1];
@@ -4304,7 +4325,7 @@ void hand_feedforward(const double q_wrist[SINEW_AT_LEAST(2)], double delta_thet
 {
     const double angle1[2] = {q_wrist[0], q_wrist[1]};
     double sine2[2], cosine3[2];
-    sinew_sincos2(angle1, sine2, cosine3);
+    sinew_one_sincos2(angle1, sine2, cosine3);
     const double sin_q71 = sine2[0];
     const double cos_q71 = cosine3[0];
     const double sin_q73 = sine2[1];
@@ -4528,7 +4549,7 @@ void hand_feedforward_rate(const double q_wrist[SINEW_AT_LEAST(2)], const double
 {
     const double angle1[2] = {q_wrist[0], q_wrist[1]};
     double sine2[2], cosine3[2];
-    sinew_sincos2(angle1, sine2, cosine3);
+    sinew_one_sincos2(angle1, sine2, cosine3);
     const double sin_q71 = sine2[0];
     const double cos_q71 = cosine3[0];
     const double sin_q73 = sine2[1];

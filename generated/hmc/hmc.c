@@ -21,10 +21,15 @@ SINEW_NOT_INLINE static double sinew_one_atan2(double y, double x)
     return sinew_atan2(y, x);
 }
 
+SINEW_NOT_INLINE static void sinew_one_sincos(double x, double *s, double *c)
+{
+    sinew_sincos(x, s, c);
+}
+
 void hmc_four_bar(const double theta2[SINEW_AT_LEAST(1)], double out[SINEW_AT_LEAST(4)])
 {
     double sin2, cos2;
-    sinew_sincos(theta2[0], &sin2, &cos2);
+    sinew_one_sincos(theta2[0], &sin2, &cos2);
     const double A = 1.2 - cos2;
     const double reach_squared = sinew_max(sin2 * sin2 + A * A, 1e-12);
     const double reach = sinew_sqrt(reach_squared);
@@ -52,7 +57,7 @@ void hmc_four_bar(const double theta2[SINEW_AT_LEAST(1)], double out[SINEW_AT_LE
 void hmc_locking(const double theta2[SINEW_AT_LEAST(1)], double distance[SINEW_AT_LEAST(1)], double status[SINEW_AT_LEAST(1)])
 {
     double sin2, cos2;
-    sinew_sincos(theta2[0], &sin2, &cos2);
+    sinew_one_sincos(theta2[0], &sin2, &cos2);
     const double A = 1.2 - cos2;
     const double reach_squared = sinew_max(sin2 * sin2 + A * A, 1e-12);
     const double reach = sinew_sqrt(reach_squared);
@@ -68,7 +73,7 @@ void hmc_locking(const double theta2[SINEW_AT_LEAST(1)], double distance[SINEW_A
 void hmc_coupler_pose(const double theta2[SINEW_AT_LEAST(1)], double T[SINEW_AT_LEAST(16)])
 {
     double sin2, cos2;
-    sinew_sincos(theta2[0], &sin2, &cos2);
+    sinew_one_sincos(theta2[0], &sin2, &cos2);
     const double A = 1.2 - cos2;
     const double reach_squared = sinew_max(sin2 * sin2 + A * A, 1e-12);
     const double reach = sinew_sqrt(reach_squared);

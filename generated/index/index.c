@@ -10,13 +10,34 @@
 
 #include "sinew_math.h"
 
+#ifdef __GNUC__
+#define SINEW_NOT_INLINE __attribute__((noinline))
+#else
+#define SINEW_NOT_INLINE
+#endif
+
+SINEW_NOT_INLINE static void sinew_one_sincos(double x, double *s, double *c)
+{
+    sinew_sincos(x, s, c);
+}
+
+SINEW_NOT_INLINE static void sinew_one_sincos2(const double x[2], double s[2], double c[2])
+{
+    sinew_sincos2(x, s, c);
+}
+
+SINEW_NOT_INLINE static void sinew_one_sincos4(const double x[4], double s[4], double c[4])
+{
+    sinew_sincos4(x, s, c);
+}
+
 void index_forward_kinematics(const double q[SINEW_AT_LEAST(4)], double T[SINEW_AT_LEAST(16)])
 {
     const double phi3 = q[1] + q[2];
     const double phi4 = q[3] + phi3;
     const double angle1[4] = {q[0], phi4, q[1], phi3};
     double sine2[4], cosine3[4];
-    sinew_sincos4(angle1, sine2, cosine3);
+    sinew_one_sincos4(angle1, sine2, cosine3);
     const double s1 = sine2[0];
     const double c1 = cosine3[0];
     const double s4 = sine2[1];
@@ -63,7 +84,7 @@ void index_tip_jacobian(const double q[SINEW_AT_LEAST(4)], double J[SINEW_AT_LEA
     const double phi4 = q[3] + phi3;
     const double angle1[4] = {q[0], q[1], phi3, phi4};
     double sine2[4], cosine3[4];
-    sinew_sincos4(angle1, sine2, cosine3);
+    sinew_one_sincos4(angle1, sine2, cosine3);
     const double s1 = sine2[0];
     const double c1 = cosine3[0];
     const double s2 = sine2[1];
@@ -128,13 +149,13 @@ void index_mass_matrix(const double q[SINEW_AT_LEAST(4)], double M[SINEW_AT_LEAS
     const double phi4 = q[3] + phi3;
     const double angle1[2] = {q[1], phi3};
     double sine2[2], cosine3[2];
-    sinew_sincos2(angle1, sine2, cosine3);
+    sinew_one_sincos2(angle1, sine2, cosine3);
     const double s2 = sine2[0];
     const double c2 = cosine3[0];
     const double s3 = sine2[1];
     const double c3 = cosine3[1];
     double s4, c4;
-    sinew_sincos(phi4, &s4, &c4);
+    sinew_one_sincos(phi4, &s4, &c4);
     const double j3u = 4.3862e-06 * c3;
     const double j2u = 1.94855328e-05 * c2;
     const double j4u = 3.7701e-07 * c4;
@@ -191,13 +212,13 @@ void index_coriolis_matrix(const double q[SINEW_AT_LEAST(4)], const double qd[SI
     const double phi4 = q[3] + phi3;
     const double angle1[2] = {q[1], phi3};
     double sine2[2], cosine3[2];
-    sinew_sincos2(angle1, sine2, cosine3);
+    sinew_one_sincos2(angle1, sine2, cosine3);
     const double s2 = sine2[0];
     const double c2 = cosine3[0];
     const double s3 = sine2[1];
     const double c3 = cosine3[1];
     double s4, c4;
-    sinew_sincos(phi4, &s4, &c4);
+    sinew_one_sincos(phi4, &s4, &c4);
     const double l4x = 0.0298 * c3;
     const double l3x = 0.04038 * c2;
     const double o4x = l3x + l4x;
@@ -281,11 +302,11 @@ void index_gravity(const double q[SINEW_AT_LEAST(4)], double g[SINEW_AT_LEAST(4)
     const double phi4 = q[3] + phi3;
     const double angle1[2] = {phi4, phi3};
     double sine2[2], cosine3[2];
-    sinew_sincos2(angle1, sine2, cosine3);
+    sinew_one_sincos2(angle1, sine2, cosine3);
     const double c4 = cosine3[0];
     const double c3 = cosine3[1];
     double s6, c2;
-    sinew_sincos(q[1], &s6, &c2);
+    sinew_one_sincos(q[1], &s6, &c2);
     const double n4 = 0.0002957715 * c4;
     const double n3 = n4 + 0.0017540280000000001 * c3;
     const double n2 = n3 + 0.005347725300000001 * c2;
@@ -301,13 +322,13 @@ void index_bias(const double q[SINEW_AT_LEAST(4)], const double qd[SINEW_AT_LEAS
     const double phi4 = q[3] + phi3;
     const double angle1[2] = {phi4, phi3};
     double sine2[2], cosine3[2];
-    sinew_sincos2(angle1, sine2, cosine3);
+    sinew_one_sincos2(angle1, sine2, cosine3);
     const double s4 = sine2[0];
     const double c4 = cosine3[0];
     const double s3 = sine2[1];
     const double c3 = cosine3[1];
     double s2, c2;
-    sinew_sincos(q[1], &s2, &c2);
+    sinew_one_sincos(q[1], &s2, &c2);
     const double l3x = 0.04038 * c2;
     const double o3x = 0.006 + l3x;
     const double l4x = 0.0298 * c3;
@@ -355,13 +376,13 @@ void index_mass_matrix_and_bias(const double q[SINEW_AT_LEAST(4)], const double 
     const double phi4 = q[3] + phi3;
     const double angle1[2] = {q[1], phi3};
     double sine2[2], cosine3[2];
-    sinew_sincos2(angle1, sine2, cosine3);
+    sinew_one_sincos2(angle1, sine2, cosine3);
     const double s2 = sine2[0];
     const double c2 = cosine3[0];
     const double s3 = sine2[1];
     const double c3 = cosine3[1];
     double s4, c4;
-    sinew_sincos(phi4, &s4, &c4);
+    sinew_one_sincos(phi4, &s4, &c4);
     const double j3u = 4.3862e-06 * c3;
     const double j2u = 1.94855328e-05 * c2;
     const double j4u = 3.7701e-07 * c4;
@@ -448,13 +469,13 @@ void index_forward_dynamics(const double q[SINEW_AT_LEAST(4)], const double qd[S
     const double phi4 = q[3] + phi3;
     const double angle1[2] = {phi4, phi3};
     double sine2[2], cosine3[2];
-    sinew_sincos2(angle1, sine2, cosine3);
+    sinew_one_sincos2(angle1, sine2, cosine3);
     const double s4 = sine2[0];
     const double c4 = cosine3[0];
     const double s3 = sine2[1];
     const double c3 = cosine3[1];
     double s2, c2;
-    sinew_sincos(q[1], &s2, &c2);
+    sinew_one_sincos(q[1], &s2, &c2);
     const double j4yz = 1.613025e-07 * s4;
     const double L4_1 = 2320131.783485302 * j4yz;
     const double j2x1 = 0.00054513 * c2;
@@ -545,13 +566,13 @@ void index_inverse_dynamics(const double q[SINEW_AT_LEAST(4)], const double qd[S
     const double phi4 = q[3] + phi3;
     const double angle1[2] = {phi4, phi3};
     double sine2[2], cosine3[2];
-    sinew_sincos2(angle1, sine2, cosine3);
+    sinew_one_sincos2(angle1, sine2, cosine3);
     const double s4 = sine2[0];
     const double c4 = cosine3[0];
     const double s3 = sine2[1];
     const double c3 = cosine3[1];
     double s2, c2;
-    sinew_sincos(q[1], &s2, &c2);
+    sinew_one_sincos(q[1], &s2, &c2);
     const double w3z = qd[1] + qd[2];
     const double w3zz = w3z * w3z;
     const double al3z = qdd[1] + qdd[2];

@@ -21,10 +21,15 @@ SINEW_NOT_INLINE static double sinew_one_atan2(double y, double x)
     return sinew_atan2(y, x);
 }
 
+SINEW_NOT_INLINE static void sinew_one_sincos(double x, double *s, double *c)
+{
+    sinew_sincos(x, s, c);
+}
+
 void lever_state(const double theta[SINEW_AT_LEAST(1)], double out[SINEW_AT_LEAST(4)])
 {
     double sin_theta, cos_theta;
-    sinew_sincos(theta[0], &sin_theta, &cos_theta);
+    sinew_one_sincos(theta[0], &sin_theta, &cos_theta);
     const double C2_y_by_theta = 0.014 * cos_theta;
     const double C2_x = 0.005 + C2_y_by_theta;
     const double s23_x = 0.034 - C2_x;
@@ -98,7 +103,7 @@ void lever_state(const double theta[SINEW_AT_LEAST(1)], double out[SINEW_AT_LEAS
 void lever_slope(const double theta[SINEW_AT_LEAST(1)], double out[SINEW_AT_LEAST(2)])
 {
     double sin_theta, cos_theta;
-    sinew_sincos(theta[0], &sin_theta, &cos_theta);
+    sinew_one_sincos(theta[0], &sin_theta, &cos_theta);
     const double t1 = 0.014 * cos_theta;
     const double C2_x = 0.005 + t1;
     const double s23_x = 0.034 - C2_x;
@@ -137,7 +142,7 @@ void lever_angle(const double elongation[SINEW_AT_LEAST(1)], const double theta[
 {
     const double theta_start = sinew_min(sinew_max(theta[0], 0.09548248781986068), 0.8377580409572781);
     double sin_theta, cos_theta;
-    sinew_sincos(theta_start, &sin_theta, &cos_theta);
+    sinew_one_sincos(theta_start, &sin_theta, &cos_theta);
     const double t1 = 0.014 * cos_theta;
     const double C2_x = 0.005 + t1;
     const double s23_x = 0.034 - C2_x;
@@ -170,7 +175,7 @@ void lever_angle(const double elongation[SINEW_AT_LEAST(1)], const double theta[
     const double theta_next = theta_start + t6 / dL_safe_slope;
     const double theta_limited = sinew_min(sinew_max(theta_next, 0.09548248781986068), 0.8377580409572781);
     double sin_theta_2, cos_theta_2;
-    sinew_sincos(theta_limited, &sin_theta_2, &cos_theta_2);
+    sinew_one_sincos(theta_limited, &sin_theta_2, &cos_theta_2);
     const double t7 = 0.014 * cos_theta_2;
     const double C2_x_2 = 0.005 + t7;
     const double s23_x_2 = 0.034 - C2_x_2;
@@ -201,7 +206,7 @@ void lever_angle(const double elongation[SINEW_AT_LEAST(1)], const double theta[
     const double theta_next_2 = theta_limited + t12 / dL_safe_slope_2;
     const double theta_limited_2 = sinew_min(sinew_max(theta_next_2, 0.09548248781986068), 0.8377580409572781);
     double sin_theta_4, cos_theta_4;
-    sinew_sincos(theta_limited_2, &sin_theta_4, &cos_theta_4);
+    sinew_one_sincos(theta_limited_2, &sin_theta_4, &cos_theta_4);
     const double t13 = 0.014 * cos_theta_4;
     const double C2_x_4 = 0.005 + t13;
     const double t14 = 0.014 * sin_theta_4;
@@ -232,7 +237,7 @@ void lever_angle(const double elongation[SINEW_AT_LEAST(1)], const double theta[
     const double theta_next_4 = theta_limited_2 + t16 / dL_safe_slope_4;
     const double theta_limited_4 = sinew_min(sinew_max(theta_next_4, 0.09548248781986068), 0.8377580409572781);
     double sin_theta_6, cos_theta_6;
-    sinew_sincos(theta_limited_4, &sin_theta_6, &cos_theta_6);
+    sinew_one_sincos(theta_limited_4, &sin_theta_6, &cos_theta_6);
     const double t19 = 0.014 * cos_theta_6;
     const double C2_x_6 = 0.005 + t19;
     const double t20 = 0.014 * sin_theta_6;
@@ -263,7 +268,7 @@ void lever_angle(const double elongation[SINEW_AT_LEAST(1)], const double theta[
     const double theta_next_6 = theta_limited_4 + t22 / dL_safe_slope_6;
     const double theta_limited_6 = sinew_min(sinew_max(theta_next_6, 0.09548248781986068), 0.8377580409572781);
     double sin_theta_8, cos_theta_8;
-    sinew_sincos(theta_limited_6, &sin_theta_8, &cos_theta_8);
+    sinew_one_sincos(theta_limited_6, &sin_theta_8, &cos_theta_8);
     const double t25 = 0.014 * cos_theta_8;
     const double C2_x_8 = 0.005 + t25;
     const double t26 = 0.014 * sin_theta_8;
@@ -294,7 +299,7 @@ void lever_angle(const double elongation[SINEW_AT_LEAST(1)], const double theta[
     const double theta_next_8 = theta_limited_6 + t28 / dL_safe_slope_8;
     const double theta_limited_8 = sinew_min(sinew_max(theta_next_8, 0.09548248781986068), 0.8377580409572781);
     double sin_theta_10, cos_theta_10;
-    sinew_sincos(theta_limited_8, &sin_theta_10, &cos_theta_10);
+    sinew_one_sincos(theta_limited_8, &sin_theta_10, &cos_theta_10);
     const double C2_x_10 = 0.005 + 0.014 * cos_theta_10;
     const double C2_y_10 = 0.005 - 0.014 * sin_theta_10;
     const double t31 = C2_y_10 * C2_y_10;
@@ -319,7 +324,7 @@ void lever_angle(const double elongation[SINEW_AT_LEAST(1)], const double theta[
 void lever_status(const double theta[SINEW_AT_LEAST(1)], double status[SINEW_AT_LEAST(1)])
 {
     double sin_theta, cos_theta;
-    sinew_sincos(theta[0], &sin_theta, &cos_theta);
+    sinew_one_sincos(theta[0], &sin_theta, &cos_theta);
     const double t1 = 0.014 * cos_theta;
     const double C2_x = 0.005 + t1;
     const double s23_x = 0.034 - C2_x;

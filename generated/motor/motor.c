@@ -21,6 +21,11 @@ SINEW_NOT_INLINE static double sinew_one_atan(double x)
     return sinew_atan(x);
 }
 
+SINEW_NOT_INLINE static void sinew_one_sincos2(const double x[2], double s[2], double c[2])
+{
+    sinew_sincos2(x, s, c);
+}
+
 void motor_friction_torque(const double qd[SINEW_AT_LEAST(1)], double tau[SINEW_AT_LEAST(1)])
 {
     const double friction = 0.0356 * qd[0] + 0.5586 * sinew_one_atan(10.0 * qd[0]);
@@ -31,7 +36,7 @@ void motor_ripple_torque(const double theta[SINEW_AT_LEAST(1)], double tau[SINEW
 {
     const double angle1[2] = {0.3 + theta[0], 1.1 + 100.0 * theta[0]};
     double sine2[2], cosine3[2];
-    sinew_sincos2(angle1, sine2, cosine3);
+    sinew_one_sincos2(angle1, sine2, cosine3);
     const double s4 = sine2[0];
     const double s6 = sine2[1];
     const double ripple = 0.02 * s4 + 0.04 * s6;
@@ -42,7 +47,7 @@ void motor_acceleration(const double theta[SINEW_AT_LEAST(1)], const double qd[S
 {
     const double angle1[2] = {0.3 + theta[0], 1.1 + 100.0 * theta[0]};
     double sine2[2], cosine3[2];
-    sinew_sincos2(angle1, sine2, cosine3);
+    sinew_one_sincos2(angle1, sine2, cosine3);
     const double s4 = sine2[0];
     const double s6 = sine2[1];
     const double ripple = 0.02 * s4 + 0.04 * s6;
@@ -55,7 +60,7 @@ void motor_compensation_torque(const double theta[SINEW_AT_LEAST(1)], const doub
 {
     const double angle1[2] = {0.3 + theta[0], 1.1 + 100.0 * theta[0]};
     double sine2[2], cosine3[2];
-    sinew_sincos2(angle1, sine2, cosine3);
+    sinew_one_sincos2(angle1, sine2, cosine3);
     const double s4 = sine2[0];
     const double s6 = sine2[1];
     const double ripple = 0.02 * s4 + 0.04 * s6;
@@ -68,7 +73,7 @@ void motor_power_balance(const double theta[SINEW_AT_LEAST(1)], const double qd[
 {
     const double angle1[2] = {0.3 + theta[0], 1.1 + 100.0 * theta[0]};
     double sine2[2], cosine3[2];
-    sinew_sincos2(angle1, sine2, cosine3);
+    sinew_one_sincos2(angle1, sine2, cosine3);
     const double s4 = sine2[0];
     const double s6 = sine2[1];
     const double friction = 0.0356 * qd[0] + 0.5586 * sinew_one_atan(10.0 * qd[0]);

@@ -21,6 +21,11 @@ SINEW_NOT_INLINE static double sinew_one_atan2(double y, double x)
     return sinew_atan2(y, x);
 }
 
+SINEW_NOT_INLINE static void sinew_one_sincos(double x, double *s, double *c)
+{
+    sinew_sincos(x, s, c);
+}
+
 void tendon_series_stiffness(const double k_lever[SINEW_AT_LEAST(1)], double k[SINEW_AT_LEAST(1)])
 {
     const double t1 = sinew_min(sinew_max(k_lever[0], 0.0), 1e+12);
@@ -31,7 +36,7 @@ void tendon_force(const double elongation[SINEW_AT_LEAST(1)], const double theta
 {
     const double theta_start = sinew_min(sinew_max(theta[0], 0.09548248781986068), 0.8377580409572781);
     double sin_theta, cos_theta;
-    sinew_sincos(theta_start, &sin_theta, &cos_theta);
+    sinew_one_sincos(theta_start, &sin_theta, &cos_theta);
     const double C2_y_by_theta = 0.014 * cos_theta;
     const double C2_x = 0.005 + C2_y_by_theta;
     const double s23_x = 0.034 - C2_x;
@@ -102,7 +107,7 @@ void tendon_force(const double elongation[SINEW_AT_LEAST(1)], const double theta
     const double theta_next = theta_start - t15 / elongation_slope;
     const double theta_limited = sinew_min(sinew_max(theta_next, 0.09548248781986068), 0.8377580409572781);
     double sin_theta_2, cos_theta_2;
-    sinew_sincos(theta_limited, &sin_theta_2, &cos_theta_2);
+    sinew_one_sincos(theta_limited, &sin_theta_2, &cos_theta_2);
     const double C2_y_2_by_theta = 0.014 * cos_theta_2;
     const double C2_x_2 = 0.005 + C2_y_2_by_theta;
     const double s23_x_2 = 0.034 - C2_x_2;
@@ -173,7 +178,7 @@ void tendon_force(const double elongation[SINEW_AT_LEAST(1)], const double theta
     const double theta_next_2 = theta_limited - (t26 - 5e-05 * force_2) / elongation_slope_2;
     const double theta_limited_2 = sinew_min(sinew_max(theta_next_2, 0.09548248781986068), 0.8377580409572781);
     double sin_theta_4, cos_theta_4;
-    sinew_sincos(theta_limited_2, &sin_theta_4, &cos_theta_4);
+    sinew_one_sincos(theta_limited_2, &sin_theta_4, &cos_theta_4);
     const double C2_y_4_by_theta = 0.014 * cos_theta_4;
     const double C2_x_4 = 0.005 + C2_y_4_by_theta;
     const double t32 = C2_x_4 * C2_x_4;
@@ -244,7 +249,7 @@ void tendon_force(const double elongation[SINEW_AT_LEAST(1)], const double theta
     const double theta_next_4 = theta_limited_2 - (t35 - 5e-05 * force_4) / elongation_slope_4;
     const double theta_limited_4 = sinew_min(sinew_max(theta_next_4, 0.09548248781986068), 0.8377580409572781);
     double sin_theta_6, cos_theta_6;
-    sinew_sincos(theta_limited_4, &sin_theta_6, &cos_theta_6);
+    sinew_one_sincos(theta_limited_4, &sin_theta_6, &cos_theta_6);
     const double C2_y_6_by_theta = 0.014 * cos_theta_6;
     const double C2_x_6 = 0.005 + C2_y_6_by_theta;
     const double t48 = C2_x_6 * C2_x_6;
@@ -315,7 +320,7 @@ void tendon_force(const double elongation[SINEW_AT_LEAST(1)], const double theta
     const double theta_next_6 = theta_limited_4 - (t51 - 5e-05 * force_6) / elongation_slope_6;
     const double theta_limited_6 = sinew_min(sinew_max(theta_next_6, 0.09548248781986068), 0.8377580409572781);
     double sin_theta_8, cos_theta_8;
-    sinew_sincos(theta_limited_6, &sin_theta_8, &cos_theta_8);
+    sinew_one_sincos(theta_limited_6, &sin_theta_8, &cos_theta_8);
     const double C2_y_8_by_theta = 0.014 * cos_theta_8;
     const double C2_x_8 = 0.005 + C2_y_8_by_theta;
     const double t64 = C2_x_8 * C2_x_8;
@@ -386,7 +391,7 @@ void tendon_force(const double elongation[SINEW_AT_LEAST(1)], const double theta
     const double theta_next_8 = theta_limited_6 - (t67 - 5e-05 * force_8) / elongation_slope_8;
     const double theta_limited_8 = sinew_min(sinew_max(theta_next_8, 0.09548248781986068), 0.8377580409572781);
     double sin_theta_10, cos_theta_10;
-    sinew_sincos(theta_limited_8, &sin_theta_10, &cos_theta_10);
+    sinew_one_sincos(theta_limited_8, &sin_theta_10, &cos_theta_10);
     const double C2_y_10_by_theta = 0.014 * cos_theta_10;
     const double C2_x_10 = 0.005 + C2_y_10_by_theta;
     const double t80 = C2_x_10 * C2_x_10;

@@ -21,13 +21,28 @@ SINEW_NOT_INLINE static double sinew_one_atan2(double y, double x)
     return sinew_atan2(y, x);
 }
 
+SINEW_NOT_INLINE static void sinew_one_sincos(double x, double *s, double *c)
+{
+    sinew_sincos(x, s, c);
+}
+
+SINEW_NOT_INLINE static void sinew_one_sincos2(const double x[2], double s[2], double c[2])
+{
+    sinew_sincos2(x, s, c);
+}
+
+SINEW_NOT_INLINE static void sinew_one_sincos4(const double x[4], double s[4], double c[4])
+{
+    sinew_sincos4(x, s, c);
+}
+
 void thumb_table_5_2_forward_kinematics(const double q[SINEW_AT_LEAST(4)], double T[SINEW_AT_LEAST(16)])
 {
     const double phi3 = q[1] + q[2];
     const double phi4 = q[3] + phi3;
     const double angle1[4] = {q[0], phi4, q[1], phi3};
     double sine2[4], cosine3[4];
-    sinew_sincos4(angle1, sine2, cosine3);
+    sinew_one_sincos4(angle1, sine2, cosine3);
     const double s1 = sine2[0];
     const double c1 = cosine3[0];
     const double s4 = sine2[1];
@@ -75,7 +90,7 @@ void thumb_table_5_2_tip_jacobian(const double q[SINEW_AT_LEAST(4)], double J[SI
     const double phi4 = q[3] + phi3;
     const double angle1[4] = {q[0], q[1], phi3, phi4};
     double sine2[4], cosine3[4];
-    sinew_sincos4(angle1, sine2, cosine3);
+    sinew_one_sincos4(angle1, sine2, cosine3);
     const double s1 = sine2[0];
     const double c1 = cosine3[0];
     const double s2 = sine2[1];
@@ -136,13 +151,13 @@ void thumb_table_5_2_mass_matrix(const double q[SINEW_AT_LEAST(4)], double M[SIN
     const double phi4 = q[3] + phi3;
     const double angle1[2] = {q[1], phi3};
     double sine2[2], cosine3[2];
-    sinew_sincos2(angle1, sine2, cosine3);
+    sinew_one_sincos2(angle1, sine2, cosine3);
     const double s2 = sine2[0];
     const double c2 = cosine3[0];
     const double s3 = sine2[1];
     const double c3 = cosine3[1];
     double s4, c4;
-    sinew_sincos(phi4, &s4, &c4);
+    sinew_one_sincos(phi4, &s4, &c4);
     const double j3u = 4.3862e-06 * c3;
     const double j2u = 2.4218999999999996e-05 * c2;
     const double j4u = 3.7701e-07 * s4;
@@ -191,13 +206,13 @@ void thumb_table_5_2_coriolis_matrix(const double q[SINEW_AT_LEAST(4)], const do
     const double phi4 = q[3] + phi3;
     const double angle1[2] = {q[1], phi3};
     double sine2[2], cosine3[2];
-    sinew_sincos2(angle1, sine2, cosine3);
+    sinew_one_sincos2(angle1, sine2, cosine3);
     const double s2 = sine2[0];
     const double c2 = cosine3[0];
     const double s3 = sine2[1];
     const double c3 = cosine3[1];
     double s4, c4;
-    sinew_sincos(phi4, &s4, &c4);
+    sinew_one_sincos(phi4, &s4, &c4);
     const double l4x = 0.0298 * c3;
     const double l3x = 0.045 * c2;
     const double o4x = l3x + l4x;
@@ -261,11 +276,11 @@ void thumb_table_5_2_gravity(const double q[SINEW_AT_LEAST(4)], double g[SINEW_A
     const double phi4 = q[3] + phi3;
     const double angle1[2] = {phi4, phi3};
     double sine2[2], cosine3[2];
-    sinew_sincos2(angle1, sine2, cosine3);
+    sinew_one_sincos2(angle1, sine2, cosine3);
     const double c4 = cosine3[0];
     const double c3 = cosine3[1];
     double s6, c2;
-    sinew_sincos(q[1], &s6, &c2);
+    sinew_one_sincos(q[1], &s6, &c2);
     const double n4 = 0.0002957715 * c4;
     const double n3 = n4 + 0.0017540280000000001 * c3;
     const double n2 = n3 + 0.005959575 * c2;
@@ -281,13 +296,13 @@ void thumb_table_5_2_bias(const double q[SINEW_AT_LEAST(4)], const double qd[SIN
     const double phi4 = q[3] + phi3;
     const double angle1[2] = {q[1], phi3};
     double sine2[2], cosine3[2];
-    sinew_sincos2(angle1, sine2, cosine3);
+    sinew_one_sincos2(angle1, sine2, cosine3);
     const double s2 = sine2[0];
     const double c2 = cosine3[0];
     const double s3 = sine2[1];
     const double c3 = cosine3[1];
     double s4, c4;
-    sinew_sincos(phi4, &s4, &c4);
+    sinew_one_sincos(phi4, &s4, &c4);
     const double l4x = 0.0298 * c3;
     const double l3x = 0.045 * c2;
     const double o4x = l3x + l4x;
@@ -333,13 +348,13 @@ void thumb_table_5_2_mass_matrix_and_bias(const double q[SINEW_AT_LEAST(4)], con
     const double phi4 = q[3] + phi3;
     const double angle1[2] = {q[1], phi3};
     double sine2[2], cosine3[2];
-    sinew_sincos2(angle1, sine2, cosine3);
+    sinew_one_sincos2(angle1, sine2, cosine3);
     const double s2 = sine2[0];
     const double c2 = cosine3[0];
     const double s3 = sine2[1];
     const double c3 = cosine3[1];
     double s4, c4;
-    sinew_sincos(phi4, &s4, &c4);
+    sinew_one_sincos(phi4, &s4, &c4);
     const double j3u = 4.3862e-06 * c3;
     const double j2u = 2.4218999999999996e-05 * c2;
     const double j4u = 3.7701e-07 * s4;
@@ -418,13 +433,13 @@ void thumb_table_5_2_forward_dynamics(const double q[SINEW_AT_LEAST(4)], const d
     const double phi4 = q[3] + phi3;
     const double angle1[2] = {q[1], phi3};
     double sine2[2], cosine3[2];
-    sinew_sincos2(angle1, sine2, cosine3);
+    sinew_one_sincos2(angle1, sine2, cosine3);
     const double s2 = sine2[0];
     const double c2 = cosine3[0];
     const double s3 = sine2[1];
     const double c3 = cosine3[1];
     double s4, c4;
-    sinew_sincos(phi4, &s4, &c4);
+    sinew_one_sincos(phi4, &s4, &c4);
     const double l4x = 0.0298 * c3;
     const double l3x = 0.045 * c2;
     const double o4x = l3x + l4x;
@@ -502,13 +517,13 @@ void thumb_table_5_2_inverse_dynamics(const double q[SINEW_AT_LEAST(4)], const d
     const double phi4 = q[3] + phi3;
     const double angle1[2] = {q[1], phi3};
     double sine2[2], cosine3[2];
-    sinew_sincos2(angle1, sine2, cosine3);
+    sinew_one_sincos2(angle1, sine2, cosine3);
     const double s2 = sine2[0];
     const double c2 = cosine3[0];
     const double s3 = sine2[1];
     const double c3 = cosine3[1];
     double s4, c4;
-    sinew_sincos(phi4, &s4, &c4);
+    sinew_one_sincos(phi4, &s4, &c4);
     const double l4x = 0.0298 * c3;
     const double l3x = 0.045 * c2;
     const double o4x = l3x + l4x;
@@ -569,7 +584,7 @@ void thumb_table_5_2_tendon_lengths(const double q[SINEW_AT_LEAST(4)], double h[
 {
     const double angle1[2] = {q[0], q[1]};
     double sine2[2], cosine3[2];
-    sinew_sincos2(angle1, sine2, cosine3);
+    sinew_one_sincos2(angle1, sine2, cosine3);
     const double s1 = sine2[0];
     const double c1 = cosine3[0];
     const double s2 = sine2[1];
@@ -622,7 +637,7 @@ void thumb_table_5_2_coupling_matrix(const double q[SINEW_AT_LEAST(4)], double P
 {
     const double angle1[2] = {q[0], q[1]};
     double sine2[2], cosine3[2];
-    sinew_sincos2(angle1, sine2, cosine3);
+    sinew_one_sincos2(angle1, sine2, cosine3);
     const double s1 = sine2[0];
     const double c1 = cosine3[0];
     const double s2 = sine2[1];
@@ -735,7 +750,7 @@ void thumb_table_5_2_joint_torque(const double q[SINEW_AT_LEAST(4)], const doubl
 {
     const double angle1[2] = {q[0], q[1]};
     double sine2[2], cosine3[2];
-    sinew_sincos2(angle1, sine2, cosine3);
+    sinew_one_sincos2(angle1, sine2, cosine3);
     const double s1 = sine2[0];
     const double c1 = cosine3[0];
     const double s2 = sine2[1];
@@ -822,7 +837,7 @@ void thumb_table_5_2_joint_stiffness(const double q[SINEW_AT_LEAST(4)], const do
 {
     const double angle1[2] = {q[0], q[1]};
     double sine2[2], cosine3[2];
-    sinew_sincos2(angle1, sine2, cosine3);
+    sinew_one_sincos2(angle1, sine2, cosine3);
     const double s1 = sine2[0];
     const double c1 = cosine3[0];
     const double s2 = sine2[1];
@@ -989,7 +1004,7 @@ void thumb_table_5_2_tendon_hessian(const double q[SINEW_AT_LEAST(4)], double H[
 {
     const double angle1[2] = {q[0], q[1]};
     double sine2[2], cosine3[2];
-    sinew_sincos2(angle1, sine2, cosine3);
+    sinew_one_sincos2(angle1, sine2, cosine3);
     const double s1 = sine2[0];
     const double c1 = cosine3[0];
     const double s2 = sine2[1];
@@ -1246,7 +1261,7 @@ void thumb_table_5_2_link_position(const double h[SINEW_AT_LEAST(4)], const doub
     const double start_q11 = sinew_min(sinew_max(q_start[1], -1.5), 1.5);
     const double angle1[2] = {start_q10, start_q11};
     double sine2[2], cosine3[2];
-    sinew_sincos2(angle1, sine2, cosine3);
+    sinew_one_sincos2(angle1, sine2, cosine3);
     const double sin_q10 = sine2[0];
     const double cos_q10 = cosine3[0];
     const double sin_q11 = sine2[1];
@@ -1333,13 +1348,13 @@ void thumb_table_5_2_link_position(const double h[SINEW_AT_LEAST(4)], const doub
     const double step = sinew_min(sinew_max(-((H_01 * gradient_1 - gradient_0 * d) * t31), -0.5), 0.5);
     const double q10 = start_q10 + step;
     double sin_q10_2, cos_q10_2;
-    sinew_sincos(q10, &sin_q10_2, &cos_q10_2);
+    sinew_one_sincos(q10, &sin_q10_2, &cos_q10_2);
     const double t32 = 0.03 * cos_q10_2;
     const double t33 = 0.03 - t32;
     const double step_2 = sinew_min(sinew_max(-((H_01 * gradient_0 - gradient_1 * a) * t31), -0.5), 0.5);
     const double q11 = start_q11 + step_2;
     double sin_q11_2, cos_q11_2;
-    sinew_sincos(q11, &sin_q11_2, &cos_q11_2);
+    sinew_one_sincos(q11, &sin_q11_2, &cos_q11_2);
     const double t34 = 0.025 * sin_q11_2;
     const double t35 = 0.047 * cos_q11_2;
     const double along_10 = t34 - t35;
@@ -1430,14 +1445,14 @@ void thumb_table_5_2_link_position(const double h[SINEW_AT_LEAST(4)], const doub
     const double step_4 = sinew_min(sinew_max(-((kept_4 * d_2 - kept_6 * kept_12) * t60), -0.5), 0.5);
     const double q10_2 = kept + step_4;
     double sin_q10_4, cos_q10_4;
-    sinew_sincos(q10_2, &sin_q10_4, &cos_q10_4);
+    sinew_one_sincos(q10_2, &sin_q10_4, &cos_q10_4);
     const double t61 = 0.03 * sin_q10_4;
     const double t62 = 0.002 + t61;
     const double kept_2 = sinew_choose(better, q11, start_q11);
     const double step_6 = sinew_min(sinew_max((kept_4 * kept_12 - kept_6 * a_2) * t60, -0.5), 0.5);
     const double q11_2 = kept_2 + step_6;
     double sin_q11_4, cos_q11_4;
-    sinew_sincos(q11_2, &sin_q11_4, &cos_q11_4);
+    sinew_one_sincos(q11_2, &sin_q11_4, &cos_q11_4);
     const double t63 = 0.025 * sin_q11_4;
     const double t64 = 0.047 * cos_q11_4;
     const double along_16 = t63 + t64;
@@ -1528,14 +1543,14 @@ void thumb_table_5_2_link_position(const double h[SINEW_AT_LEAST(4)], const doub
     const double step_8 = sinew_min(sinew_max(-((kept_22 * d_4 - kept_24 * kept_30) * t89), -0.5), 0.5);
     const double q10_4 = kept_18 + step_8;
     double sin_q10_6, cos_q10_6;
-    sinew_sincos(q10_4, &sin_q10_6, &cos_q10_6);
+    sinew_one_sincos(q10_4, &sin_q10_6, &cos_q10_6);
     const double t90 = 0.03 * sin_q10_6;
     const double t91 = 0.002 + t90;
     const double kept_20 = sinew_choose(better_2, q11_2, kept_2);
     const double step_10 = sinew_min(sinew_max((kept_22 * kept_30 - kept_24 * a_4) * t89, -0.5), 0.5);
     const double q11_4 = kept_20 + step_10;
     double sin_q11_6, cos_q11_6;
-    sinew_sincos(q11_4, &sin_q11_6, &cos_q11_6);
+    sinew_one_sincos(q11_4, &sin_q11_6, &cos_q11_6);
     const double t92 = 0.025 * sin_q11_6;
     const double t93 = 0.047 * cos_q11_6;
     const double along_24 = t92 + t93;
@@ -1626,14 +1641,14 @@ void thumb_table_5_2_link_position(const double h[SINEW_AT_LEAST(4)], const doub
     const double step_12 = sinew_min(sinew_max(-((kept_40 * d_6 - kept_42 * kept_48) * t118), -0.5), 0.5);
     const double q10_6 = kept_36 + step_12;
     double sin_q10_8, cos_q10_8;
-    sinew_sincos(q10_6, &sin_q10_8, &cos_q10_8);
+    sinew_one_sincos(q10_6, &sin_q10_8, &cos_q10_8);
     const double t119 = 0.03 * sin_q10_8;
     const double t120 = 0.002 + t119;
     const double kept_38 = sinew_choose(better_4, q11_4, kept_20);
     const double step_14 = sinew_min(sinew_max((kept_40 * kept_48 - kept_42 * a_6) * t118, -0.5), 0.5);
     const double q11_6 = kept_38 + step_14;
     double sin_q11_8, cos_q11_8;
-    sinew_sincos(q11_6, &sin_q11_8, &cos_q11_8);
+    sinew_one_sincos(q11_6, &sin_q11_8, &cos_q11_8);
     const double t121 = 0.025 * sin_q11_8;
     const double t122 = 0.047 * cos_q11_8;
     const double along_32 = t121 + t122;
@@ -1731,7 +1746,7 @@ void thumb_table_5_2_link_position_warm(const double h[SINEW_AT_LEAST(4)], const
     const double start_q11 = sinew_min(sinew_max(q_start[1], -1.5), 1.5);
     const double angle1[2] = {start_q10, start_q11};
     double sine2[2], cosine3[2];
-    sinew_sincos2(angle1, sine2, cosine3);
+    sinew_one_sincos2(angle1, sine2, cosine3);
     const double sin_q10 = sine2[0];
     const double cos_q10 = cosine3[0];
     const double sin_q11 = sine2[1];
@@ -1816,14 +1831,14 @@ void thumb_table_5_2_link_position_warm(const double h[SINEW_AT_LEAST(4)], const
     const double step_2 = sinew_min(sinew_max(-((H_01 * gradient_0 - gradient_1 * a) * t28), -0.5), 0.5);
     const double q11 = start_q11 + step_2;
     double sin_q11_2, cos_q11_2;
-    sinew_sincos(q11, &sin_q11_2, &cos_q11_2);
+    sinew_one_sincos(q11, &sin_q11_2, &cos_q11_2);
     const double t31 = 0.025 * sin_q11_2;
     const double t32 = 0.047 * cos_q11_2;
     const double along_8 = t31 + t32;
     const double step = sinew_min(sinew_max(-((H_01 * gradient_1 - gradient_0 * d) * t28), -0.5), 0.5);
     const double q10 = start_q10 + step;
     double sin_q10_2, cos_q10_2;
-    sinew_sincos(q10, &sin_q10_2, &cos_q10_2);
+    sinew_one_sincos(q10, &sin_q10_2, &cos_q10_2);
     const double t33 = cos_q10_2 * along_8;
     const double t34 = 0.03 * sin_q10_2;
     const double t35 = 0.002 + t34;
@@ -1925,7 +1940,7 @@ void thumb_table_5_2_link_position_gradient_step(const double h[SINEW_AT_LEAST(4
     const double q11 = start_q11 + step_2;
     const double angle1[2] = {q10, q11};
     double sine2[2], cosine3[2];
-    sinew_sincos2(angle1, sine2, cosine3);
+    sinew_one_sincos2(angle1, sine2, cosine3);
     const double sin_q10 = sine2[0];
     const double cos_q10 = cosine3[0];
     const double sin_q11 = sine2[1];
@@ -2020,7 +2035,7 @@ void thumb_table_5_2_link_position_status(const double h[SINEW_AT_LEAST(4)], con
     const double start_q11 = sinew_min(sinew_max(q[1], -1.5), 1.5);
     const double angle1[2] = {start_q10, start_q11};
     double sine2[2], cosine3[2];
-    sinew_sincos2(angle1, sine2, cosine3);
+    sinew_one_sincos2(angle1, sine2, cosine3);
     const double sin_q10 = sine2[0];
     const double cos_q10 = cosine3[0];
     const double sin_q11 = sine2[1];
@@ -2113,7 +2128,7 @@ void thumb_table_5_2_link_position_covariance(const double q[SINEW_AT_LEAST(2)],
 {
     const double angle1[2] = {q[1], q[0]};
     double sine2[2], cosine3[2];
-    sinew_sincos2(angle1, sine2, cosine3);
+    sinew_one_sincos2(angle1, sine2, cosine3);
     const double sin_q11 = sine2[0];
     const double cos_q11 = cosine3[0];
     const double sin_q10 = sine2[1];
@@ -2207,7 +2222,7 @@ void thumb_table_5_2_bending_angles(const double q[SINEW_AT_LEAST(4)], double an
 {
     const double angle1[2] = {q[1], q[0]};
     double sine2[2], cosine3[2];
-    sinew_sincos2(angle1, sine2, cosine3);
+    sinew_one_sincos2(angle1, sine2, cosine3);
     const double s2 = sine2[0];
     const double c2 = cosine3[0];
     const double s1 = sine2[1];

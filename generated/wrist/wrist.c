@@ -26,11 +26,21 @@ SINEW_NOT_INLINE static double sinew_one_atan2(double y, double x)
     return sinew_atan2(y, x);
 }
 
+SINEW_NOT_INLINE static void sinew_one_sincos(double x, double *s, double *c)
+{
+    sinew_sincos(x, s, c);
+}
+
+SINEW_NOT_INLINE static void sinew_one_sincos2(const double x[2], double s[2], double c[2])
+{
+    sinew_sincos2(x, s, c);
+}
+
 void wrist_pose(const double q71[SINEW_AT_LEAST(1)], const double q73[SINEW_AT_LEAST(1)], double T[SINEW_AT_LEAST(16)])
 {
     const double angle1[2] = {q71[0], q73[0]};
     double sine2[2], cosine3[2];
-    sinew_sincos2(angle1, sine2, cosine3);
+    sinew_one_sincos2(angle1, sine2, cosine3);
     const double sin_q71 = sine2[0];
     const double cos_q71 = cosine3[0];
     const double sin_q73 = sine2[1];
@@ -96,7 +106,7 @@ void wrist_points(const double q71[SINEW_AT_LEAST(1)], const double q73[SINEW_AT
 {
     const double angle1[2] = {q71[0], q73[0]};
     double sine2[2], cosine3[2];
-    sinew_sincos2(angle1, sine2, cosine3);
+    sinew_one_sincos2(angle1, sine2, cosine3);
     const double sin_q71 = sine2[0];
     const double cos_q71 = cosine3[0];
     const double sin_q73 = sine2[1];
@@ -149,7 +159,7 @@ void wrist_palm_angles(const double q71[SINEW_AT_LEAST(1)], const double q73[SIN
 {
     const double angle1[2] = {q71[0], q73[0]};
     double sine2[2], cosine3[2];
-    sinew_sincos2(angle1, sine2, cosine3);
+    sinew_one_sincos2(angle1, sine2, cosine3);
     const double sin_q71 = sine2[0];
     const double cos_q71 = cosine3[0];
     const double sin_q73 = sine2[1];
@@ -191,12 +201,12 @@ void wrist_bar_angles(const double flexion[SINEW_AT_LEAST(1)], const double abdu
     const double limited_abduction = sinew_min(sinew_max(abduction[0], -1.5), 1.5);
     const double angle2[2] = {t1, limited_abduction};
     double sine3[2], cosine4[2];
-    sinew_sincos2(angle2, sine3, cosine4);
+    sinew_one_sincos2(angle2, sine3, cosine4);
     const double c6 = cosine4[0];
     const double v_y = sine3[1];
     const double level = cosine4[1];
     double s7, c8;
-    sinew_sincos(limited_flexion, &s7, &c8);
+    sinew_one_sincos(limited_flexion, &s7, &c8);
     const double q71_start = t1 + sinew_one_asin(0.584304725845076 * c6);
     const double v_x = level * c8;
     const double v_z = level * s7;
@@ -205,7 +215,7 @@ void wrist_bar_angles(const double flexion[SINEW_AT_LEAST(1)], const double abdu
     double sum12 = q71_start;
     for (int i11 = 0; i11 < 4; ++i11) {
         double s13, c14;
-        sinew_sincos(sum12, &s13, &c14);
+        sinew_one_sincos(sum12, &s13, &c14);
         const double t15 = v_x * c14 + v_z * s13;
         const double t16 = t15 * t15;
         const double t17 = 1.0 / sinew_sqrt(sinew_max(t9 + t16, 1e-12));
@@ -246,7 +256,7 @@ void wrist_bar_angles(const double flexion[SINEW_AT_LEAST(1)], const double abdu
         sum12 = sum12 + sinew_min(sinew_max(t51, -0.2), 0.2);
     }
     double sin_q71_8, cos_q71_8;
-    sinew_sincos(sum12, &sin_q71_8, &cos_q71_8);
+    sinew_one_sincos(sum12, &sin_q71_8, &cos_q71_8);
     const double v_e_8 = v_x * cos_q71_8 + v_z * sin_q71_8;
     const double v_length_8 = sinew_sqrt(sinew_max(t9 + v_e_8 * v_e_8, 1e-12));
     const double t52 = 1.0 / v_length_8;
@@ -302,7 +312,7 @@ void wrist_singularity(const double q71[SINEW_AT_LEAST(1)], const double q73[SIN
 {
     const double angle1[2] = {q73[0], q71[0]};
     double sine2[2], cosine3[2];
-    sinew_sincos2(angle1, sine2, cosine3);
+    sinew_one_sincos2(angle1, sine2, cosine3);
     const double sin_q73 = sine2[0];
     const double cos_q73 = cosine3[0];
     const double sin_q71 = sine2[1];
@@ -333,7 +343,7 @@ void wrist_status(const double q71[SINEW_AT_LEAST(1)], const double q73[SINEW_AT
 {
     const double angle1[2] = {q73[0], q71[0]};
     double sine2[2], cosine3[2];
-    sinew_sincos2(angle1, sine2, cosine3);
+    sinew_one_sincos2(angle1, sine2, cosine3);
     const double sin_q73 = sine2[0];
     const double cos_q73 = cosine3[0];
     const double sin_q71 = sine2[1];
@@ -362,7 +372,7 @@ void wrist_tendon_lengths(const double q71[SINEW_AT_LEAST(1)], const double q73[
 {
     const double angle1[2] = {q71[0], q73[0]};
     double sine2[2], cosine3[2];
-    sinew_sincos2(angle1, sine2, cosine3);
+    sinew_one_sincos2(angle1, sine2, cosine3);
     const double sin_q71 = sine2[0];
     const double cos_q71 = cosine3[0];
     const double sin_q73 = sine2[1];
@@ -561,7 +571,7 @@ void wrist_tendon_jacobian(const double q71[SINEW_AT_LEAST(1)], const double q73
 {
     const double angle1[2] = {q71[0], q73[0]};
     double sine2[2], cosine3[2];
-    sinew_sincos2(angle1, sine2, cosine3);
+    sinew_one_sincos2(angle1, sine2, cosine3);
     const double sin_q71 = sine2[0];
     const double cos_q71 = cosine3[0];
     const double sin_q73 = sine2[1];
@@ -846,7 +856,7 @@ void wrist_tendon_hessian(const double q71[SINEW_AT_LEAST(1)], const double q73[
 {
     const double angle1[2] = {q71[0], q73[0]};
     double sine2[2], cosine3[2];
-    sinew_sincos2(angle1, sine2, cosine3);
+    sinew_one_sincos2(angle1, sine2, cosine3);
     const double sin_q71 = sine2[0];
     const double cos_q71 = cosine3[0];
     const double sin_q73 = sine2[1];
@@ -1773,7 +1783,7 @@ void wrist_bending_angles(const double q71[SINEW_AT_LEAST(1)], const double q73[
 {
     const double angle1[2] = {q73[0], q71[0]};
     double sine2[2], cosine3[2];
-    sinew_sincos2(angle1, sine2, cosine3);
+    sinew_one_sincos2(angle1, sine2, cosine3);
     const double sin_q73 = sine2[0];
     const double cos_q73 = cosine3[0];
     const double sin_q71 = sine2[1];
@@ -1906,7 +1916,7 @@ void wrist_feedforward(const double q71[SINEW_AT_LEAST(1)], const double q73[SIN
 {
     const double angle1[2] = {q71[0], q73[0]};
     double sine2[2], cosine3[2];
-    sinew_sincos2(angle1, sine2, cosine3);
+    sinew_one_sincos2(angle1, sine2, cosine3);
     const double sin_q71 = sine2[0];
     const double cos_q71 = cosine3[0];
     const double sin_q73 = sine2[1];
@@ -2130,7 +2140,7 @@ void wrist_feedforward_rate(const double q71[SINEW_AT_LEAST(1)], const double q7
 {
     const double angle1[2] = {q71[0], q73[0]};
     double sine2[2], cosine3[2];
-    sinew_sincos2(angle1, sine2, cosine3);
+    sinew_one_sincos2(angle1, sine2, cosine3);
     const double sin_q71 = sine2[0];
     const double cos_q71 = cosine3[0];
     const double sin_q73 = sine2[1];
@@ -2411,7 +2421,7 @@ void wrist_joint_torque(const double q71[SINEW_AT_LEAST(1)], const double q73[SI
 {
     const double angle1[2] = {q71[0], q73[0]};
     double sine2[2], cosine3[2];
-    sinew_sincos2(angle1, sine2, cosine3);
+    sinew_one_sincos2(angle1, sine2, cosine3);
     const double sin_q71 = sine2[0];
     const double cos_q71 = cosine3[0];
     const double sin_q73 = sine2[1];
@@ -2727,7 +2737,7 @@ void wrist_joint_stiffness(const double q71[SINEW_AT_LEAST(1)], const double q73
 {
     const double angle1[2] = {q71[0], q73[0]};
     double sine2[2], cosine3[2];
-    sinew_sincos2(angle1, sine2, cosine3);
+    sinew_one_sincos2(angle1, sine2, cosine3);
     const double sin_q71 = sine2[0];
     const double cos_q71 = cosine3[0];
     const double sin_q73 = sine2[1];
