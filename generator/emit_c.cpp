@@ -7,6 +7,7 @@
 #include "generator/loops/find_loops.h"
 #include "generator/runtime_calls.h"
 #include "generator/statements.h"
+#include "generator/wrap_lines.h"
 
 namespace sinew {
 namespace {
@@ -46,6 +47,7 @@ std::string shared_definitions(const EmittedModel& model, const std::string& fun
   for (const SharedFunction& each : shared_functions(model.functions, model.target)) {
     const int calls = count_of(functions, each.name + "(");
     not_inline = not_inline || calls > 1;
+    if (calls > 0 && !each.type.empty()) text += "\n" + each.type;
     if (calls > 0) text += (calls > 1 ? "\nSINEW_NOT_INLINE " : "\n") + each.definition;
   }
   const std::string macro =
@@ -98,16 +100,18 @@ std::string emit_function(const EmittedModel& model, const Graph& graph) {
   std::string text = signature(model, graph) + "\n{\n";
   for (const Port& port : graph.inputs)
     if (!reads_port(graph, port.name)) text += fmt::format("    (void){};\n", port.name);
-  for (const std::string& line : statements(graph, plan_loops(graph), model.target, names))
+  for (const std::string& line :
+       statements(graph, plan_loops(graph, loop_limits(model.target)), model.target, names))
     text += "    " + line + "\n";
-  return text + "}\n";
+  return wrap_lines(text + "}\n");
 }
 
 std::string emit_c(const EmittedModel& model) {
   std::string functions;
   for (const Graph& graph : model.functions) functions += "\n" + emit_function(model, graph);
-  return file_comment(model, model.description) + fmt::format("#include \"{}.h\"\n\n", model.name) +
-         runtime_includes(model.target) + shared_definitions(model, functions) + functions;
+  return wrap_lines(
+      file_comment(model, model.description) + fmt::format("#include \"{}.h\"\n\n", model.name) +
+      runtime_includes(model.target) + shared_definitions(model, functions) + functions);
 }
 
 }  // namespace sinew

@@ -19,20 +19,25 @@ SharedFunction shared_copy(Op op, const Target& target) {
   const std::string name = shared_name(op, target);
   const std::string parameters =
       fmt::format(fmt::runtime(arity(op) == 2 ? "{0} y, {0} x" : "{0} x"), target.type());
-  return {name, fmt::format("static {} {}({})\n{{\n    return {}{}({});\n}}\n", target.type(), name,
-                            parameters, runtime_function(op), target.suffix(),
-                            arity(op) == 2 ? "y, x" : "x")};
+  return {
+      name,
+      fmt::format("static {} {}({})\n{{\n    return {}{}({});\n}}\n", target.type(), name,
+                  parameters, runtime_function(op), target.suffix(), arity(op) == 2 ? "y, x" : "x"),
+      ""};
 }
 
+/// By value: where the machine passes small structures in registers nothing is stored.
 SharedFunction shared_sincos(std::size_t angles, const Target& target) {
-  const std::string name = shared_sincos_name(angles, target);
-  const std::string of = angles == 1 ? "" : std::to_string(angles);
-  const std::string array = angles == 1 ? "" : fmt::format("[{}]", angles);
-  const std::string out = angles == 1 ? "*" : "";
-  return {name, fmt::format("static void {0}({1}{2} x{3}, {2} {4}s{3}, {2} {4}c{3})\n{{\n"
-                            "    sinew_sincos{5}{6}(x, s, c);\n}}\n",
-                            name, angles == 1 ? "" : "const ", target.type(), array, out, of,
-                            target.suffix())};
+  const std::string name = shared_sincos_name(angles, target), type = shared_sincos_type(angles);
+  const std::string parameters = angles == 1 ? "{0} x" : "{0} x0, {0} x1";
+  const std::string call =
+      angles == 1 ? fmt::format("sinew_sincos{}(x, y.s, y.c);", target.suffix())
+                  : fmt::format("const {} x[2] = {{x0, x1}};\n    sinew_sincos2{}(x, y.s, y.c);",
+                                target.type(), target.suffix());
+  return {name,
+          fmt::format("static {} {}({})\n{{\n    {} y;\n    {}\n    return y;\n}}\n", type, name,
+                      fmt::format(fmt::runtime(parameters), target.type()), type, call),
+          fmt::format("{} {{\n    {} s[{}], c[{}];\n}};\n", type, target.type(), angles, angles)};
 }
 
 }  // namespace
@@ -80,6 +85,10 @@ std::string shared_sincos_name(std::size_t angles, const Target& target) {
                      target.suffix());
 }
 
+std::string shared_sincos_type(std::size_t angles) {
+  return fmt::format("struct sinew_sines{}", angles == 1 ? "" : std::to_string(angles));
+}
+
 std::vector<SharedFunction> shared_functions(const std::vector<Graph>& graphs,
                                              const Target& target) {
   std::map<std::string, SharedFunction> found;
@@ -89,7 +98,7 @@ std::vector<SharedFunction> shared_functions(const std::vector<Graph>& graphs,
       if (node.op != Op::sine && node.op != Op::cosine)
         found[shared_name(node.op, target)] = shared_copy(node.op, target);
       else
-        for (std::size_t angles : {1u, 2u, 4u})
+        for (std::size_t angles : {1u, 2u})
           if (angles == 1 || target.optimise == Optimise::speed)
             found[shared_sincos_name(angles, target)] = shared_sincos(angles, target);
     }
