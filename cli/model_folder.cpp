@@ -9,14 +9,13 @@
 #include "cli/model_set.h"
 #include "generator/outputs/unfinished_run.h"
 #include "identification/logs/sha256.h"
+#include "simulation/plant/checked_extension.h"
 #include "simulation/plant/learnt_model.h"
 #include "symbolic/dynamics/coordinates.h"
 #include "symbolic/extension/driven_model.h"
 #include "symbolic/extension/identified_mechanism.h"
-#include "symbolic/extension/learnt_mass_matrix.h"
 #include "symbolic/extension/part_observation.h"
 #include "symbolic/files/readable.h"
-#include "symbolic/hand/hand_mechanism.h"
 #include "symbolic/hand/read_hand.h"
 #include "symbolic/model/read_mechanism.h"
 #include "symbolic/model/singular_mass_matrix.h"
@@ -89,22 +88,6 @@ std::vector<std::string> coordinate_notes(const Hand& hand) {
   return notes;
 }
 
-void refuse_indefinite(const std::optional<std::string>& why, const fs::path& folder) {
-  if (why)
-    throw DescriptionError(
-        {fmt::format("{}: {}; expected an extension that leaves every joint its inertia",
-                     (folder / "identified.toml").string(), *why)});
-}
-
-/// What was learnt leaves the mechanism one that can be.
-void require_possible(const Mechanism& learnt, const ModelFolder& model) {
-  if (model.identified.empty()) return;
-  const bool motors = speaks_of_motors(model.identified);
-  refuse_indefinite(why_not_definite(learnt, motors ? motor_beside(model.folder) : std::nullopt,
-                                     model.identified),
-                    model.folder);
-}
-
 }  // namespace
 
 void recover_model(const fs::path& folder) {
@@ -131,11 +114,7 @@ ModelFolder open_model_folder(const fs::path& folder) {
   std::vector<fs::path> parts;
   if (is_hand_folder(folder)) {
     HandDescription read = read_hand(folder);
-    if (fs::exists(folder / "identified.toml")) {
-      const Mechanism held = held_hand(read.hand).mechanism;
-      result.identified = read_identified(folder, learnt_places(held, false));
-      require_possible(with_identified(held, result.identified), result);
-    }
+    result.identified = checked_extension(folder, read.hand);
     result.identity.name = read.hand.name;
     description = read.hand.description;
     result.identity.notes = coordinate_notes(read.hand);
@@ -145,21 +124,16 @@ ModelFolder open_model_folder(const fs::path& folder) {
     const Part part = read_part(folder);
     const std::optional<Observation> observation = observation_of(part);
     const auto* motor = std::get_if<MotorParameters>(&part.parameters);
-    result.identified =
-        observation ? read_identified(folder, &*observation)
-                    : read_identified(folder, motor ? learnt_places_of_motor() : LearntPlaces());
-    if (motor && !result.identified.empty())
-      refuse_indefinite(why_not_definite(driven_model(*motor, part.name), result.identified),
-                        folder);
+    result.identified = motor         ? checked_extension(folder, *motor)
+                        : observation ? read_identified(folder, &*observation)
+                                      : read_identified(folder, LearntPlaces());
     result.identity.name = part.name;
     description = part.description;
     result.model = part;
   } else {
     const Mechanism described = read_mechanism(folder);
-    result.identified =
-        read_identified(folder, learnt_places(described, is_part_folder(folder_of_motor(folder))));
+    result.identified = checked_extension(folder, described);
     const Mechanism mechanism = with_identified(described, result.identified);
-    require_possible(mechanism, result);
     if (speaks_of_motors(result.identified)) parts.push_back(folder_of_motor(folder));
     result.identity.name = mechanism.name;
     description = mechanism.description;

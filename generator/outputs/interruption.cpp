@@ -80,6 +80,14 @@ RemovedIfInterrupted::~RemovedIfInterrupted() {
   registry().paths.erase(registry().paths.find(path_));
 }
 
+NotInterrupted::NotInterrupted() {
+  registry().mutex.lock();
+}
+
+NotInterrupted::~NotInterrupted() {
+  registry().mutex.unlock();
+}
+
 void end_if_interrupted() {
   while (has_come != 0) ::pause();
 }

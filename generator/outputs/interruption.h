@@ -23,6 +23,16 @@ class RemovedIfInterrupted {
   std::filesystem::path path_;
 };
 
+/// While it lives an interruption waits: for steps that are short and leave things whole only
+/// together. No RemovedIfInterrupted may begin or end meanwhile in the same thread.
+class NotInterrupted {
+ public:
+  NotInterrupted();
+  ~NotInterrupted();
+  NotInterrupted(const NotInterrupted&) = delete;
+  NotInterrupted& operator=(const NotInterrupted&) = delete;
+};
+
 /// From here on SIGINT, SIGTERM and SIGHUP remove what is registered, with all below it, before
 /// they end the process as they always do. A signal that the process was started to ignore stays
 /// so. For a program's main(), once; a library leaves signals alone.

@@ -16,7 +16,7 @@ OutputFile::OutputFile(const fs::path& target, const Inputs& inputs)
   inputs.refuse(place_.real);
   recover_interrupted(place_.real.parent_path());
   run_ = std::make_unique<UnfinishedRun>();
-  run_->enter(place_.real.parent_path());
+  run_->enter(place_.real);
   draft_ = new_draft(beside(place_.real, run_->name(), Beside::draft), place_.real);
 }
 
@@ -30,6 +30,8 @@ void OutputFile::commit() {
   if (place_.real.empty()) return place_.stream.close(place_.shown);
   if (::fsync(draft_.number()) != 0) fail_with_errno(place_.shown, "cannot be written");
   draft_.close(place_.shown);
+  run_->end_drafts();
+  const NotInterrupted together;
   put_in_place(beside(place_.real, run_->name(), Beside::draft), place_.real, false, run_->name());
   flush_folder(place_.real.parent_path());
   run_.reset();

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "generator/outputs/draft.h"
+#include "generator/outputs/interruption.h"
 #include "generator/outputs/unfinished_run.h"
 
 namespace sinew {
@@ -102,20 +103,18 @@ void Outputs::put_all_in_place(UnfinishedRun& run) const {
   for (const Entry& entry : entries_) flush_folder(entry.path.parent_path());
 }
 
-void Outputs::commit() {
-  for (const Entry& entry : entries_) recover_interrupted(entry.path.parent_path());
-  UnfinishedRun run;
-  std::vector<RunTarget> targets;
-  for (const Entry& entry : entries_) {
-    run.enter(entry.path.parent_path());
-    targets.push_back({entry.path, entry.is_folder, entry.replaces});
-  }
-  const bool several = entries_.size() > 1;
-  write_drafts(run, several);
+void Outputs::write_streams() {
   for (Stream& stream : streams_) {
     write_all(stream.place.stream, stream.text, stream.place.shown);
     stream.place.stream.close(stream.place.shown);
   }
+}
+
+void Outputs::put_all_in_place_or_none(UnfinishedRun& run) const {
+  const bool several = entries_.size() > 1;
+  std::vector<RunTarget> targets;
+  for (const Entry& entry : entries_)
+    targets.push_back({entry.path, entry.is_folder, entry.replaces});
   if (several) run.begin_journal(targets);
   try {
     put_all_in_place(run);
@@ -127,6 +126,18 @@ void Outputs::commit() {
     }
     throw;
   }
+}
+
+void Outputs::commit() {
+  for (const Entry& entry : entries_) recover_interrupted(entry.path.parent_path());
+  UnfinishedRun run;
+  for (const Entry& entry : entries_) run.enter(entry.path);
+  write_drafts(run, entries_.size() > 1);
+  write_streams();
+  run.end_drafts();
+  const NotInterrupted together;
+  put_all_in_place_or_none(run);
+  run.clear();
 }
 
 void write_output(const fs::path& target, std::string text) {

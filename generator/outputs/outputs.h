@@ -55,7 +55,9 @@ class Outputs {
   void new_folder(const std::filesystem::path& folder, const FileSet& files);
   void add(Entry entry);
   void write_drafts(UnfinishedRun& run, bool with_ways_back) const;
+  void write_streams();
   void put_all_in_place(UnfinishedRun& run) const;
+  void put_all_in_place_or_none(UnfinishedRun& run) const;
 
   Inputs inputs_;
   std::vector<Entry> entries_;

@@ -97,7 +97,11 @@ UnfinishedRun::~UnfinishedRun() {
   }
 }
 
-void UnfinishedRun::enter(const fs::path& folder) {
+void UnfinishedRun::enter(const fs::path& target) {
+  const fs::path folder = target.parent_path();
+  for (const fs::path& path : {beside(target, name_, Beside::draft),
+                               beside(target, name_, Beside::old), note_path(folder, name_)})
+    interruptible_.emplace_back([&] { return path; });
   for (const Note& note : notes_)
     if (note.folder == folder) return;
   notes_.push_back({folder, new_note(folder, name_)});

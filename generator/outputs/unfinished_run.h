@@ -13,10 +13,12 @@
 #pragma once
 
 #include <filesystem>
+#include <list>
 #include <string>
 #include <vector>
 
 #include "generator/outputs/descriptor.h"
+#include "generator/outputs/interruption.h"
 
 namespace sinew {
 
@@ -59,8 +61,11 @@ class UnfinishedRun {
   UnfinishedRun& operator=(const UnfinishedRun&) = delete;
 
   const std::string& name() const { return name_; }
-  /// Leaves a locked note there. Throws std::runtime_error where nothing can be written.
-  void enter(const std::filesystem::path& folder);
+  /// Leaves a locked note in the target's folder. An interruption removes it, and what is beside
+  /// the target. Throws std::runtime_error where nothing can be written.
+  void enter(const std::filesystem::path& target);
+  /// From here on an interruption removes nothing: the outputs take their places.
+  void end_drafts() { interruptible_.clear(); }
   void begin_journal(const std::vector<RunTarget>& targets);
   /// From now on the outputs count.
   void end_journal();
@@ -72,6 +77,7 @@ class UnfinishedRun {
     Descriptor file;
   };
   std::string name_;
+  std::list<RemovedIfInterrupted> interruptible_;
   std::vector<Note> notes_;  ///< the first may become the journal
   bool is_journal_ = false;
 };

@@ -2,6 +2,7 @@
 #include "simulation/emitted/compiled_model.h"
 
 #include <dlfcn.h>
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -20,14 +21,17 @@ namespace fs = std::filesystem;
 
 constexpr int kNotStarted = 127;
 
-/// Exit status of a program started in `folder`, its output where ours goes; kNotStarted where it
-/// cannot be started.
-int run(const std::vector<std::string>& command, const fs::path& folder) {
+/// Exit status of a program started in `folder`, its output where ours goes or, `quiet`, nowhere;
+/// kNotStarted where it cannot be started.
+int run(const std::vector<std::string>& command, const fs::path& folder, bool quiet = false) {
   std::vector<char*> words;
   for (const std::string& word : command) words.push_back(const_cast<char*>(word.c_str()));
   words.push_back(nullptr);
   const pid_t child = ::fork();
   if (child == 0) {
+    const int nowhere = quiet ? ::open("/dev/null", O_WRONLY) : -1;
+    for (const int stream : {1, 2})
+      if (nowhere >= 0) ::dup2(nowhere, stream);
     if (::chdir(folder.c_str()) == 0) ::execvp(words[0], words.data());
     ::_exit(kNotStarted);
   }
@@ -37,7 +41,7 @@ int run(const std::vector<std::string>& command, const fs::path& folder) {
 }
 
 bool has_ccache() {
-  static const bool found = run({"sh", "-c", "command -v ccache >/dev/null"}, "/") == 0;
+  static const bool found = run({"sh", "-c", "command -v ccache"}, "/", true) == 0;
   return found;
 }
 
@@ -72,7 +76,8 @@ void compile(const fs::path& folder, const fs::path& runtime, const std::string&
   command.insert(command.end(), optimisation.begin(), optimisation.end());
   std::vector<std::string> cached{"env", "CCACHE_NOHASHDIR=1", "ccache"};
   cached.insert(cached.end(), command.begin(), command.end());
-  if (has_ccache() && run(cached, folder) == 0) return;
+  // Where it fails, whatever the reason, the compiler itself says why.
+  if (has_ccache() && run(cached, folder, true) == 0) return;
   require(run(command, folder), folder);
 }
 

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "simulation/plant/add_drives.h"
+#include "simulation/plant/checked_extension.h"
 #include "simulation/plant/simulate.h"
 #include "symbolic/dynamics/coordinates.h"
 #include "symbolic/extension/identified_mechanism.h"
@@ -87,8 +88,8 @@ Plant motor_plant(const fs::path& model, const Happening& what, const fs::path& 
         "{}: weight_feedforward needs tendons, which a motor alone has none of", what.name()));
   PlantParts parts;
   parts.motor.emplace(*motor, scenario, runtime);
-  add_drives(with_losses(*motor, scenario), part.name, read_identified(model), scenario, runtime,
-             parts);
+  add_drives(with_losses(*motor, scenario), part.name, checked_extension(model, *motor), scenario,
+             runtime, parts);
   return Plant(scenario, std::move(parts));
 }
 
@@ -97,25 +98,34 @@ Eigen::Vector3d learnt_gravity(const HeldHand& held, const Identified& identifie
   return held.palm * (with_identified(held.mechanism, identified).gravity - held.mechanism.gravity);
 }
 
+/// A log is played on the hand that a diagnosis looks at: the palm held, its crank where
+/// held_hand() has it. No tendon moves so much inertia.
+void hold_palm(const Hand& hand, Scenario& scenario) {
+  scenario.crank_inertia = 1e9;
+  scenario.initial[coordinate_names(hand).back()] =
+      0.5 * (hand.four_bar.theta2.low + hand.four_bar.theta2.high);
+}
+
 Plant hand_plant(const fs::path& model, const Happening& what, const fs::path& runtime) {
-  const Identified identified = read_identified(model);
-  const Hand hand = with_identified(read_hand(model).hand, identified);
+  const Hand described = read_hand(model).hand;
+  const Identified identified = checked_extension(model, described);
+  const Hand hand = with_identified(described, identified);
   const int channels = static_cast<int>(hand.wrist.forearm_points.size());
   const bool free = what.wrist() == WristMode::dynamic;
   std::vector<JointChannel> joints;
   for (const std::string& name : coordinate_names(hand)) joints.push_back({name, false});
   if (free) joints.insert(joints.end(), {{"q71", false}, {"q73", false}});
-  const Scenario scenario = what.scenario(channels_of(
+  Scenario scenario = what.scenario(channels_of(
       what.mode(), joints, channels, free ? TopOfModel::nothing : TopOfModel::commanded_wrist));
   if (free && (scenario.wrist_feedforward || scenario.weight_feedforward))
     throw std::runtime_error(fmt::format(
         "{}: {} needs to know the wrist's motion; expected the wrist mode prescribed", what.name(),
         scenario.wrist_feedforward ? "wrist_feedforward" : "weight_feedforward"));
+  if (scenario.as_logged) hold_palm(hand, scenario);
   PlantParts parts;
   // Taken exactly, which takes a while.
-  const std::optional<HeldHand> held = identified.empty() && !scenario.as_logged
-                                           ? std::nullopt
-                                           : std::optional(held_hand(hand));
+  const std::optional<HeldHand> held =
+      identified.empty() && !scenario.as_logged ? std::nullopt : std::optional(held_hand(hand));
   Eigen::Vector3d own_gravity = hand.fingers.front().mechanism.gravity;
   if (held) own_gravity += learnt_gravity(*held, identified);
   parts.joints = hand_joints(
@@ -128,8 +138,9 @@ Plant hand_plant(const fs::path& model, const Happening& what, const fs::path& r
 }
 
 Plant finger_plant(const fs::path& model, const Happening& what, const fs::path& runtime) {
-  Identified identified = read_identified(model);
-  Mechanism mechanism = with_held(with_identified(read_mechanism(model), identified), what.held());
+  const Mechanism described = read_mechanism(model);
+  Identified identified = checked_extension(model, described);
+  Mechanism mechanism = with_held(with_identified(described, identified), what.held());
   for (const HeldJoint& each : what.held())
     std::erase_if(identified.effects,
                   [&](const IdentifiedEffect& entry) { return entry.place == each.name; });

@@ -22,7 +22,8 @@ struct Interrupted {
 Interrupted interrupt(const std::string& signal, const std::string& how = "--default-signal") {
   const Workplace here;
   fs::create_directory(here.path("tmp"));
-  reference::write_text(here.path("slow_cc"), "#!/bin/sh\ntouch started\nexec sleep 3\n");
+  reference::write_text(here.path("slow_cc"), fmt::format("#!/bin/sh\ntouch {}\nexec sleep 3\n",
+                                                          here.path("started").string()));
   fs::permissions(here.path("slow_cc"), fs::perms::owner_all);
   const Ended ended = here.shell(fmt::format(
       "CC=$PWD/slow_cc TMPDIR=$PWD/tmp env {} " SINEW_PROGRAM

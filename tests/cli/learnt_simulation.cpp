@@ -286,6 +286,63 @@ TEST_CASE("a finger's payload and guiding friction that were learnt act in its s
 
 namespace {
 
+/// Every motor of the hand to and fro, each at its own frequency.
+std::string hand_scenario(double phase) {
+  std::string text = times(2.5, 400) + R"([integrator]
+relative_tolerance = { value = 1e-6, unit = "1" }
+absolute_tolerance = { value = 1e-8, unit = "1" }
+[drive]
+mode = "servo"
+gain = { value = 60, unit = "N*m" }
+rate_gain = { value = 2, unit = "N*m*s/rad" }
+compensation = true
+pretension = { value = 15, unit = "N" }
+[initial]
+"hmc.theta2" = { value = 90, unit = "deg" }
+[noise]
+q = { value = 1e-5, unit = "rad" }
+force = { value = 0.1, unit = "N" }
+)";
+  for (int i = 1; i <= 38; ++i)
+    text += text_of({fmt::format("theta_{}_ref", i), "rad", 0.25 + 0.01 * (i % 5),
+                     0.5 + std::fmod(0.037 * i, 0.8), phase + i});
+  return text;
+}
+
+/// Without the thumb: its four straight tendons have no fixed moment arms, and under given forces
+/// its base falls away from where it was within a window (docs/simulation.md).
+json without_thumb(const json& channels, const char* name) {
+  json rest = json::array();
+  for (const json& channel : channels)
+    if (channel.at(name).get<std::string>().find("thumb") == std::string::npos)
+      rest.push_back(channel);
+  return rest;
+}
+
+}  // namespace
+
+TEST_CASE("a payload that was learnt at a hand's finger acts in the hand's simulation",
+          "[learnt][slow]") {
+  // Planted defect: hold_palm() left out (build_plant.cpp): the crank falls, and the fifth finger's
+  // window is 0.093 rad where the report says 0.0088.
+  const Loop loop("hand");
+  loop.copy_models();
+  loop.hide(entry("payload", "link index_distal",
+                  value_of("coefficient", "mass", 0.03, "kg") +
+                      value_of("coefficient", "first_moment_x", 3e-4, "kg*m")));
+  for (const auto& [name, phase] : {std::pair{"train", 0.3}, {"test", 1.9}})
+    loop.log(name, hand_scenario(phase));
+  const json before = without_thumb(loop.replayed(), "channel");
+  json findings = loop.diagnosed();
+  findings.at("channels") = without_thumb(findings.at("channels"), "name");
+  const json after = without_thumb(loop.replayed(), "channel");
+  REQUIRE(before.size() == 14);
+  CHECK(after[0].at("window").get<double>() < 0.1 * before[0].at("window").get<double>());
+  compare(findings, before, after, "window", "window", 0.05);
+}
+
+namespace {
+
 /// Logs of a rig whose sensors its model predicts, with one value that the model has not.
 class RigLog {
  public:

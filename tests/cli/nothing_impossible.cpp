@@ -108,6 +108,35 @@ TEST_CASE("an identified.toml that makes a link impossible is refused with its p
   CHECK(fine.status == 0);
 }
 
+TEST_CASE("the simulation refuses what was learnt and cannot be, as the generator does") {
+  // Planted defect: the extension read without its model's places and without a look at the mass
+  // matrix (checked_extension.cpp): both are simulated, the joint with less than no inertia too.
+  const Workplace here;
+  const auto inertia = [&](const char* place, const char* change) {
+    reference::write_text(here.path("models/index/identified.toml"),
+                          std::string("[[effect]]\neffect = \"inertia\"\nplace = \"") + place +
+                              "\"\n[[effect.coefficient]]\nname = \"inertia_change\"\nvalue = " +
+                              change + "\nunit = \"kg*m^2\"\n");
+  };
+  const auto refused = [&](const char* expected) {
+    for (const std::vector<std::string>& command :
+         {std::vector<std::string>{"generate", "models/index"},
+          {"simulate", "models/index", "--scenario", "models/index/scenarios/energy.toml", "--out",
+           "run.csv"}}) {
+      const Ended ended = here.sinew(command);
+      INFO(ended.output);
+      CHECK(ended.status == 2);
+      CHECK(ended.says("identified.toml"));
+      CHECK(ended.says(expected));
+    }
+  };
+  inertia("q99", "1e-6");
+  refused("q99");
+  inertia("q20", "-1");
+  refused("would not be positive definite at ");
+  CHECK_FALSE(fs::exists(here.path("run.csv")));
+}
+
 TEST_CASE("what a library throws is told in words of the program") {
   // Planted defect: clear_message() giving what() back: all but the last three are red.
   using Catch::Contains;

@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "tests/simulation/hand_runs.h"
+#include "tests/simulation/plant/hand_runs.h"
 
 using namespace sinew_tests;
 

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "symbolic/hand/read_hand.h"
-#include "tests/simulation/hand_runs.h"
+#include "tests/simulation/plant/hand_runs.h"
 
 using namespace sinew_tests;
 using Eigen::VectorXd;
