@@ -1124,694 +1124,718 @@ void wrist_tendon_hessian(const double q71[SINEW_AT_LEAST(1)], const double q73[
     const double strand_0_z_by_q71 = layer_0_z_by_q71 - t55;
     const double t83 = strand_0_x * strand_0_x_by_q71 - strand_0_y * layer_0_y_by_q71 - strand_0_z
         * strand_0_z_by_q71;
-    const double layer_1_x = t56 + t57;
+    const double t84 = strand_0_x * strand_0_x + strand_0_y * strand_0_y + strand_0_z * strand_0_z;
+    const double length_0 = sinew_sqrt(t84);
+    const double t85 = 1.0 / length_0;
+    const double length_0_by_q71 = t83 * t85;
+    const double t86 = t77 + t80 + strand_0_z_by_q71 * strand_0_z_by_q71 - length_0_by_q71
+        * length_0_by_q71;
+    const double length_0_by_q71_by_q71 = t86 * t85;
+    H[0] = length_0_by_q71_by_q71;
     const double B_to_C0_squared_by_q73 = 0.084 * B_e;
     const double ratio_by_q73 = ratio * B_to_C0_squared_by_q73 * t2;
-    const double t84 = ratio * B_to_C0_squared_by_q73_by_q73 - (B_to_C0_squared_by_q73
-        + B_to_C0_squared_by_q73) * ratio_by_q73;
-    const double ratio_by_q73_by_q73 = t84 * t2;
-    const double C_e_by_q73_by_q73 = C_e + B_e * ratio_by_q73_by_q73 + (B_y + B_y) * ratio_by_q73;
-    const double M_e_by_q73_by_q73 = t5 + 0.5 * C_e_by_q73_by_q73;
-    const double M_x_by_q73_by_q73 = cos_q71 * M_e_by_q73_by_q73;
     const double C_y_by_q73 = C_e - 0.002 * ratio_by_q73 * t3;
     const double M_y_by_q73 = t5 + 0.5 * C_y_by_q73;
-    const double t85 = B_y * ratio;
-    const double C_e_by_q73 = B_e * ratio_by_q73 - t85;
+    const double t87 = B_y * ratio;
+    const double C_e_by_q73 = B_e * ratio_by_q73 - t87;
     const double M_e_by_q73 = t6 - 0.5 * C_e_by_q73;
     const double u_y_by_q73 = t7 - 23.80952380952381 * C_y_by_q73;
     const double u_e_by_q73 = t4 + 23.80952380952381 * C_e_by_q73;
     const double p_y_by_q73 = u_e * M_y_by_q73 + u_y * M_e_by_q73 - s_e * u_y_by_q73 + s_y
         * u_e_by_q73;
-    const double t86 = p_y_by_q73 + p_y_by_q73;
-    const double C_y_by_q73_by_q73 = t85 - 0.002 * ratio_by_q73_by_q73 * t3 - (B_e + B_e)
-        * ratio_by_q73;
-    const double M_y_by_q73_by_q73 = t6 + 0.5 * C_y_by_q73_by_q73;
-    const double u_y_by_q73_by_q73 = t4 - 23.80952380952381 * C_y_by_q73_by_q73;
-    const double t87 = u_e * M_y_by_q73_by_q73 - u_y * M_e_by_q73_by_q73 - s_e * u_y_by_q73_by_q73;
-    const double u_e_by_q73_by_q73 = t7 - 23.80952380952381 * C_e_by_q73_by_q73;
-    const double t88 = u_e_by_q73 + u_e_by_q73;
-    const double t89 = u_y_by_q73 + u_y_by_q73;
-    const double p_y_by_q73_by_q73 = t87 - s_y * u_e_by_q73_by_q73 + t88 * M_y_by_q73 - t89
-        * M_e_by_q73;
-    const double reach_squared_by_q73_by_q73 = sinew_choose(t12, t86 * p_y_by_q73 + t8
-        * p_y_by_q73_by_q73, 0.0);
     const double reach_squared_by_q73 = sinew_choose(t12, t8 * p_y_by_q73, 0.0);
-    const double reach_by_q73 = 0.5 * reach_squared_by_q73 * t13;
-    const double t90 = reach_by_q73 * reach_by_q73;
-    const double t91 = t90 + t90;
-    const double reach_by_q73_by_q73 = 0.5 * (reach_squared_by_q73_by_q73 - t91) * t13;
     const double p_x_by_q73 = u_e * M_e_by_q73 - u_y * M_y_by_q73 + s_e * u_e_by_q73 + s_y
         * u_y_by_q73;
-    const double t92 = 13.88888888888889 * reach_squared_by_q73_by_q73 + 27.77777777777778
-        * p_x_by_q73 * p_x_by_q73;
-    const double t93 = u_e * M_e_by_q73_by_q73 + u_y * M_y_by_q73_by_q73 + s_e * u_e_by_q73_by_q73;
-    const double p_x_by_q73_by_q73 = t93 - s_y * u_y_by_q73_by_q73 - t88 * M_e_by_q73 - t89
-        * M_y_by_q73;
-    const double projection_by_q73_by_q73 = t92 - t17 * p_x_by_q73_by_q73;
-    const double limited_by_q73_by_q73 = sinew_choose(t19, -(reach_by_q73_by_q73 * t15
-        - projection_by_q73_by_q73 * t16), reach_by_q73_by_q73);
     const double projection_by_q73 = 13.88888888888889 * reach_squared_by_q73 + t17 * p_x_by_q73;
+    const double reach_by_q73 = 0.5 * reach_squared_by_q73 * t13;
     const double limited_by_q73 = sinew_choose(t19, -(reach_by_q73 * t15 - projection_by_q73 * t16),
         reach_by_q73);
-    const double t94 = t91 - (limited_by_q73 + limited_by_q73) * limited_by_q73 + t21
-        * reach_by_q73_by_q73;
-    const double clearance_by_q73_by_q73 = sinew_choose(t24, t94 - t20 * limited_by_q73_by_q73,
-        1e-12 * reach_squared_by_q73_by_q73);
     const double clearance_by_q73 = sinew_choose(t24, t21 * reach_by_q73 - t20 * limited_by_q73,
         1e-12 * reach_squared_by_q73);
     const double root_by_q73 = 0.5 * clearance_by_q73 * t25;
-    const double t95 = 0.5 * (clearance_by_q73_by_q73 - (root_by_q73 + root_by_q73) * root_by_q73);
-    const double root_by_q73_by_q73 = t95 * t25;
-    const double t96 = p_y * limited_by_q73_by_q73 + p_z * root_by_q73_by_q73 + limited
-        * p_y_by_q73_by_q73;
-    const double t97 = reach_squared_by_q73 + reach_squared_by_q73;
-    const double t98 = p_y * limited_by_q73 + p_z * root_by_q73 + limited * p_y_by_q73 - cos_A
-        * reach_squared_by_q73;
-    const double cos_A_by_q73 = t98 * t35;
-    const double t99 = t96 - cos_A * reach_squared_by_q73_by_q73 + t86 * limited_by_q73 - t97
-        * cos_A_by_q73;
-    const double cos_A_by_q73_by_q73 = t99 * t35;
-    const double z_plane_x_by_q73_by_q73 = u_y * cos_A_by_q73_by_q73 - cos_A * u_y_by_q73_by_q73
-        - t89 * cos_A_by_q73;
-    const double t100 = p_y * root_by_q73_by_q73 - p_z * limited_by_q73_by_q73 + root
-        * p_y_by_q73_by_q73;
-    const double t101 = p_y * root_by_q73 - p_z * limited_by_q73 + root * p_y_by_q73 - sin_A
-        * reach_squared_by_q73;
-    const double sin_A_by_q73 = t101 * t35;
-    const double t102 = t100 - sin_A * reach_squared_by_q73_by_q73 + t86 * root_by_q73 - t97
-        * sin_A_by_q73;
-    const double sin_A_by_q73_by_q73 = t102 * t35;
-    const double z_x_by_q73_by_q73 = cos_q71 * z_plane_x_by_q73_by_q73 - sin_q71
-        * sin_A_by_q73_by_q73;
-    const double origin_x_by_q73_by_q73 = M_x_by_q73_by_q73 + 0.018 * z_x_by_q73_by_q73;
-    const double x_plane_x_by_q73_by_q73 = u_y * sin_A_by_q73_by_q73 - sin_A * u_y_by_q73_by_q73
-        - t89 * sin_A_by_q73;
-    const double x_x_by_q73_by_q73 = cos_q71 * x_plane_x_by_q73_by_q73 + sin_q71
-        * cos_A_by_q73_by_q73;
-    const double t103 = origin_x_by_q73_by_q73 + 0.004 * x_x_by_q73_by_q73;
-    const double t104 = 0.01 * z_x_by_q73_by_q73;
-    const double layer_0_x_by_q73_by_q73 = t103 - t104;
-    const double layer_1_x_by_q73_by_q73 = t103 + t104;
-    const double y_x_by_q73_by_q73 = cos_q71 * u_e_by_q73_by_q73;
-    const double layer_1_y = t61 + t62;
-    const double z_plane_y_by_q73_by_q73 = u_e * cos_A_by_q73_by_q73 - cos_A * u_e_by_q73_by_q73
-        + t88 * cos_A_by_q73;
-    const double origin_y_by_q73_by_q73 = M_y_by_q73_by_q73 - 0.018 * z_plane_y_by_q73_by_q73;
-    const double x_plane_y_by_q73_by_q73 = u_e * sin_A_by_q73_by_q73 - sin_A * u_e_by_q73_by_q73
-        + t88 * sin_A_by_q73;
-    const double t105 = origin_y_by_q73_by_q73 - 0.004 * x_plane_y_by_q73_by_q73;
-    const double t106 = 0.01 * z_plane_y_by_q73_by_q73;
-    const double layer_0_y_by_q73_by_q73 = t105 + t106;
-    const double layer_1_y_by_q73_by_q73 = t105 - t106;
-    const double layer_1_z = 0.028 - origin_z - t73 + t74;
-    const double M_z_by_q73_by_q73 = sin_q71 * M_e_by_q73_by_q73;
-    const double z_z_by_q73_by_q73 = cos_q71 * sin_A_by_q73_by_q73 + sin_q71
-        * z_plane_x_by_q73_by_q73;
-    const double origin_z_by_q73_by_q73 = M_z_by_q73_by_q73 + 0.018 * z_z_by_q73_by_q73;
-    const double x_z_by_q73_by_q73 = cos_q71 * cos_A_by_q73_by_q73 - sin_q71
-        * x_plane_x_by_q73_by_q73;
-    const double t107 = origin_z_by_q73_by_q73 - 0.004 * x_z_by_q73_by_q73;
-    const double t108 = 0.01 * z_z_by_q73_by_q73;
-    const double layer_0_z_by_q73_by_q73 = t107 - t108;
-    const double layer_1_z_by_q73_by_q73 = t107 + t108;
-    const double y_z_by_q73_by_q73 = sin_q71 * u_e_by_q73_by_q73;
-    const double M_x_by_q73 = cos_q71 * M_e_by_q73;
-    const double z_plane_x_by_q73 = u_y * cos_A_by_q73 - cos_A * u_y_by_q73;
-    const double t109 = cos_q71 * z_plane_x_by_q73;
-    const double t110 = sin_q71 * sin_A_by_q73;
-    const double z_x_by_q73 = t109 - t110;
-    const double origin_x_by_q73 = M_x_by_q73 - 0.018 * z_x_by_q73;
-    const double x_plane_x_by_q73 = u_y * sin_A_by_q73 - sin_A * u_y_by_q73;
-    const double t111 = cos_q71 * x_plane_x_by_q73;
-    const double t112 = sin_q71 * cos_A_by_q73;
-    const double x_x_by_q73 = t111 + t112;
-    const double t113 = origin_x_by_q73 - 0.004 * x_x_by_q73;
-    const double t114 = 0.01 * z_x_by_q73;
-    const double layer_0_x_by_q73 = t113 + t114;
-    const double layer_1_x_by_q73 = t113 - t114;
-    const double y_x_by_q73 = cos_q71 * u_e_by_q73;
-    const double z_plane_y_by_q73 = u_e * cos_A_by_q73 + cos_A * u_e_by_q73;
-    const double origin_y_by_q73 = M_y_by_q73 - 0.018 * z_plane_y_by_q73;
-    const double x_plane_y_by_q73 = u_e * sin_A_by_q73 + sin_A * u_e_by_q73;
-    const double t115 = origin_y_by_q73 - 0.004 * x_plane_y_by_q73;
-    const double t116 = 0.01 * z_plane_y_by_q73;
-    const double layer_0_y_by_q73 = t115 + t116;
-    const double layer_1_y_by_q73 = t115 - t116;
-    const double M_z_by_q73 = sin_q71 * M_e_by_q73;
-    const double t117 = cos_q71 * sin_A_by_q73;
-    const double t118 = sin_q71 * z_plane_x_by_q73;
-    const double z_z_by_q73 = t117 + t118;
-    const double origin_z_by_q73 = M_z_by_q73 - 0.018 * z_z_by_q73;
-    const double t119 = cos_q71 * cos_A_by_q73;
-    const double t120 = sin_q71 * x_plane_x_by_q73;
-    const double x_z_by_q73 = t119 - t120;
-    const double t121 = origin_z_by_q73 + 0.004 * x_z_by_q73;
-    const double t122 = 0.01 * z_z_by_q73;
-    const double layer_0_z_by_q73 = t121 + t122;
-    const double layer_1_z_by_q73 = t121 - t122;
-    const double y_z_by_q73 = sin_q71 * u_e_by_q73;
-    static const unsigned short element124[4] = {3, 27, 79, 107};
-    static const double table127[4][2] = {{0.011, 0.007}, {0.002, 0.016}, {0.013, 0.006},
-        {0.002, 0.017}};
-    const double choice128[2] = {layer_0_x, layer_1_x};
-    static const unsigned short element129[4] = {0, 0, 1, 1};
-    const double choice130[2] = {layer_0_x_by_q73_by_q73, layer_1_x_by_q73_by_q73};
-    const double choice131[2] = {layer_0_y, layer_1_y};
-    const double choice132[2] = {layer_0_y_by_q73_by_q73, layer_1_y_by_q73_by_q73};
-    const double choice133[2] = {layer_0_z, layer_1_z};
-    const double choice134[2] = {layer_0_z_by_q73_by_q73, layer_1_z_by_q73_by_q73};
-    const double choice135[2] = {layer_0_x_by_q73, layer_1_x_by_q73};
-    const double choice136[2] = {layer_0_y_by_q73, layer_1_y_by_q73};
-    const double choice137[2] = {layer_0_z_by_q73, layer_1_z_by_q73};
-    double kept125[4];
-    double kept126[4];
-    for (int i123 = 0; i123 < 4; ++i123) {
-        const double strand_x = choice128[element129[i123]] + table127[i123][0] * y_x;
-        const double strand_x_by_q73_by_q73 = choice130[element129[i123]] - table127[i123][0]
-            * y_x_by_q73_by_q73;
-        const double strand_y = table127[i123][1] - choice131[element129[i123]] + table127[i123][0]
-            * u_y;
-        const double strand_y_by_q73_by_q73 = choice132[element129[i123]] - table127[i123][0]
-            * u_y_by_q73_by_q73;
-        const double strand_z = choice133[element129[i123]] + table127[i123][0] * y_z;
-        const double strand_z_by_q73_by_q73 = choice134[element129[i123]] - table127[i123][0]
-            * y_z_by_q73_by_q73;
-        const double t138 = strand_x * strand_x_by_q73_by_q73 + strand_y * strand_y_by_q73_by_q73
-            + strand_z * strand_z_by_q73_by_q73;
-        const double strand_x_by_q73 = choice135[element129[i123]] - table127[i123][0] * y_x_by_q73;
-        const double strand_y_by_q73 = choice136[element129[i123]] - table127[i123][0] * u_y_by_q73;
-        const double t139 = t138 + strand_x_by_q73 * strand_x_by_q73 + strand_y_by_q73
-            * strand_y_by_q73;
-        const double strand_z_by_q73 = choice137[element129[i123]] - table127[i123][0] * y_z_by_q73;
-        const double t140 = strand_x * strand_x_by_q73 - strand_y * strand_y_by_q73 + strand_z
-            * strand_z_by_q73;
-        const double length = sinew_sqrt(strand_x * strand_x + strand_y * strand_y + strand_z
-            * strand_z);
-        const double t141 = 1.0 / length;
-        const double length_by_q73 = t140 * t141;
-        const double length_by_q73_by_q73 = (t139 + strand_z_by_q73 * strand_z_by_q73
-            - length_by_q73 * length_by_q73) * t141;
-        H[element124[i123]] = length_by_q73_by_q73;
-        kept125[i123] = t141;
-        kept126[i123] = length_by_q73;
-    }
-    const double length_0_by_q71 = t83 * kept125[0];
-    const double t142 = t77 + t80 + strand_0_z_by_q71 * strand_0_z_by_q71 - length_0_by_q71
-        * length_0_by_q71;
-    const double length_0_by_q71_by_q71 = t142 * kept125[0];
-    H[0] = length_0_by_q71_by_q71;
-    const double t143 = (reach_by_q71 + reach_by_q71) * reach_by_q73;
+    const double t88 = (reach_by_q71 + reach_by_q71) * reach_by_q73;
     const double p_y_by_q71_by_q73 = p_z * u_y_by_q73;
     const double reach_squared_by_q71_by_q73 = sinew_choose(t12, t8 * p_y_by_q71_by_q73 - t36
         * p_y_by_q73, 0.0);
-    const double reach_by_q71_by_q73 = 0.5 * (reach_squared_by_q71_by_q73 - t143) * t13;
+    const double reach_by_q71_by_q73 = 0.5 * (reach_squared_by_q71_by_q73 - t88) * t13;
     const double projection_by_q71_by_q73 = 13.88888888888889 * reach_squared_by_q71_by_q73 - t17
         * p_z * u_e_by_q73 - t31 * p_x_by_q73;
     const double limited_by_q71_by_q73 = sinew_choose(t19, -(reach_by_q71_by_q73 * t15
         - projection_by_q71_by_q73 * t16), reach_by_q71_by_q73);
-    const double t144 = t21 * reach_by_q71_by_q73 - t20 * limited_by_q71_by_q73 + t143 - t27
+    const double t89 = t21 * reach_by_q71_by_q73 - t20 * limited_by_q71_by_q73 + t88 - t27
         * limited_by_q73;
-    const double clearance_by_q71_by_q73 = sinew_choose(t24, t144, 1e-12
+    const double clearance_by_q71_by_q73 = sinew_choose(t24, t89, 1e-12
         * reach_squared_by_q71_by_q73);
     const double root_by_q71_by_q73 = 0.5 * (clearance_by_q71_by_q73 - t26 * root_by_q73) * t25;
-    const double t145 = p_y * limited_by_q71_by_q73 + p_z * root_by_q71_by_q73 + limited
+    const double t90 = p_y * limited_by_q71_by_q73 + p_z * root_by_q71_by_q73 + limited
         * p_y_by_q71_by_q73;
-    const double t146 = t145 - cos_A * reach_squared_by_q71_by_q73 - p_y_by_q71 * limited_by_q73
+    const double t91 = t90 - cos_A * reach_squared_by_q71_by_q73 - p_y_by_q71 * limited_by_q73
         - p_z_by_q71 * root_by_q73;
-    const double t147 = t146 - reach_squared_by_q71 * cos_A_by_q73 + limited_by_q71 * p_y_by_q73
+    const double t92 = p_y * limited_by_q73 + p_z * root_by_q73 + limited * p_y_by_q73 - cos_A
+        * reach_squared_by_q73;
+    const double cos_A_by_q73 = t92 * t35;
+    const double t93 = t91 - reach_squared_by_q71 * cos_A_by_q73 + limited_by_q71 * p_y_by_q73
         - cos_A_by_q71 * reach_squared_by_q73;
-    const double cos_A_by_q71_by_q73 = t147 * t35;
+    const double cos_A_by_q71_by_q73 = t93 * t35;
     const double z_plane_x_by_q71_by_q73 = u_y * cos_A_by_q71_by_q73 - cos_A_by_q71 * u_y_by_q73;
-    const double t148 = p_y * root_by_q71_by_q73 - p_z * limited_by_q71_by_q73 + root
+    const double t94 = p_y * root_by_q73 - p_z * limited_by_q73 + root * p_y_by_q73 - sin_A
+        * reach_squared_by_q73;
+    const double sin_A_by_q73 = t94 * t35;
+    const double t95 = cos_q71 * sin_A_by_q73;
+    const double z_plane_x_by_q73 = u_y * cos_A_by_q73 - cos_A * u_y_by_q73;
+    const double t96 = sin_q71 * z_plane_x_by_q73;
+    const double t97 = p_y * root_by_q71_by_q73 - p_z * limited_by_q71_by_q73 + root
         * p_y_by_q71_by_q73;
-    const double t149 = t148 - sin_A * reach_squared_by_q71_by_q73 - p_y_by_q71 * root_by_q73
+    const double t98 = t97 - sin_A * reach_squared_by_q71_by_q73 - p_y_by_q71 * root_by_q73
         + p_z_by_q71 * limited_by_q73;
-    const double t150 = t149 - reach_squared_by_q71 * sin_A_by_q73 + root_by_q71 * p_y_by_q73
+    const double t99 = t98 - reach_squared_by_q71 * sin_A_by_q73 + root_by_q71 * p_y_by_q73
         - sin_A_by_q71 * reach_squared_by_q73;
-    const double sin_A_by_q71_by_q73 = t150 * t35;
-    const double z_x_by_q71_by_q73 = t117 - cos_q71 * z_plane_x_by_q71_by_q73 + t118 + sin_q71
+    const double sin_A_by_q71_by_q73 = t99 * t35;
+    const double z_x_by_q71_by_q73 = t95 - cos_q71 * z_plane_x_by_q71_by_q73 + t96 + sin_q71
         * sin_A_by_q71_by_q73;
+    const double M_z_by_q73 = sin_q71 * M_e_by_q73;
     const double origin_x_by_q71_by_q73 = M_z_by_q73 - 0.018 * z_x_by_q71_by_q73;
     const double x_plane_x_by_q71_by_q73 = u_y * sin_A_by_q71_by_q73 - sin_A_by_q71 * u_y_by_q73;
-    const double x_x_by_q71_by_q73 = t119 + cos_q71 * x_plane_x_by_q71_by_q73 - t120 + sin_q71
+    const double t100 = cos_q71 * cos_A_by_q73;
+    const double x_plane_x_by_q73 = u_y * sin_A_by_q73 - sin_A * u_y_by_q73;
+    const double t101 = sin_q71 * x_plane_x_by_q73;
+    const double x_x_by_q71_by_q73 = t100 + cos_q71 * x_plane_x_by_q71_by_q73 - t101 + sin_q71
         * cos_A_by_q71_by_q73;
-    const double t151 = origin_x_by_q71_by_q73 + 0.004 * x_x_by_q71_by_q73;
-    const double t152 = 0.01 * z_x_by_q71_by_q73;
-    const double layer_0_x_by_q71_by_q73 = t151 + t152;
-    const double t153 = 0.011 * y_z_by_q73;
-    const double strand_0_x_by_q71_by_q73 = layer_0_x_by_q71_by_q73 - t153;
+    const double t102 = origin_x_by_q71_by_q73 + 0.004 * x_x_by_q71_by_q73;
+    const double t103 = 0.01 * z_x_by_q71_by_q73;
+    const double layer_0_x_by_q71_by_q73 = t102 + t103;
+    const double y_z_by_q73 = sin_q71 * u_e_by_q73;
+    const double t104 = 0.011 * y_z_by_q73;
+    const double strand_0_x_by_q71_by_q73 = layer_0_x_by_q71_by_q73 - t104;
     const double x_plane_y_by_q71_by_q73 = u_e * sin_A_by_q71_by_q73 + sin_A_by_q71 * u_e_by_q73;
     const double z_plane_y_by_q71_by_q73 = u_e * cos_A_by_q71_by_q73 + cos_A_by_q71 * u_e_by_q73;
     const double origin_y_by_q71_by_q73 = 0.018 * z_plane_y_by_q71_by_q73;
-    const double t154 = origin_y_by_q71_by_q73 + 0.004 * x_plane_y_by_q71_by_q73;
-    const double t155 = 0.01 * z_plane_y_by_q71_by_q73;
-    const double layer_0_y_by_q71_by_q73 = t154 - t155;
-    const double t156 = strand_0_x * strand_0_x_by_q71_by_q73 - strand_0_y
+    const double t105 = origin_y_by_q71_by_q73 + 0.004 * x_plane_y_by_q71_by_q73;
+    const double t106 = 0.01 * z_plane_y_by_q71_by_q73;
+    const double layer_0_y_by_q71_by_q73 = t105 - t106;
+    const double t107 = strand_0_x * strand_0_x_by_q71_by_q73 - strand_0_y
         * layer_0_y_by_q71_by_q73;
-    const double z_z_by_q71_by_q73 = t109 + cos_q71 * sin_A_by_q71_by_q73 - t110 + sin_q71
+    const double t108 = cos_q71 * z_plane_x_by_q73;
+    const double t109 = sin_q71 * sin_A_by_q73;
+    const double z_z_by_q71_by_q73 = t108 + cos_q71 * sin_A_by_q71_by_q73 - t109 + sin_q71
         * z_plane_x_by_q71_by_q73;
+    const double M_x_by_q73 = cos_q71 * M_e_by_q73;
     const double origin_z_by_q71_by_q73 = M_x_by_q73 - 0.018 * z_z_by_q71_by_q73;
-    const double x_z_by_q71_by_q73 = t111 - cos_q71 * cos_A_by_q71_by_q73 + t112 + sin_q71
+    const double t110 = cos_q71 * x_plane_x_by_q73;
+    const double t111 = sin_q71 * cos_A_by_q73;
+    const double x_z_by_q71_by_q73 = t110 - cos_q71 * cos_A_by_q71_by_q73 + t111 + sin_q71
         * x_plane_x_by_q71_by_q73;
-    const double t157 = origin_z_by_q71_by_q73 - 0.004 * x_z_by_q71_by_q73;
-    const double t158 = 0.01 * z_z_by_q71_by_q73;
-    const double layer_0_z_by_q71_by_q73 = t157 + t158;
-    const double t159 = 0.011 * y_x_by_q73;
-    const double strand_0_z_by_q71_by_q73 = layer_0_z_by_q71_by_q73 - t159;
-    const double strand_0_x_by_q73 = layer_0_x_by_q73 - t159;
-    const double t160 = t156 - strand_0_z * strand_0_z_by_q71_by_q73 - strand_0_x_by_q71
+    const double t112 = origin_z_by_q71_by_q73 - 0.004 * x_z_by_q71_by_q73;
+    const double t113 = 0.01 * z_z_by_q71_by_q73;
+    const double layer_0_z_by_q71_by_q73 = t112 + t113;
+    const double y_x_by_q73 = cos_q71 * u_e_by_q73;
+    const double t114 = 0.011 * y_x_by_q73;
+    const double strand_0_z_by_q71_by_q73 = layer_0_z_by_q71_by_q73 - t114;
+    const double z_x_by_q73 = t108 - t109;
+    const double origin_x_by_q73 = M_x_by_q73 - 0.018 * z_x_by_q73;
+    const double x_x_by_q73 = t110 + t111;
+    const double t115 = origin_x_by_q73 - 0.004 * x_x_by_q73;
+    const double t116 = 0.01 * z_x_by_q73;
+    const double layer_0_x_by_q73 = t115 + t116;
+    const double strand_0_x_by_q73 = layer_0_x_by_q73 - t114;
+    const double t117 = t107 - strand_0_z * strand_0_z_by_q71_by_q73 - strand_0_x_by_q71
         * strand_0_x_by_q73;
+    const double x_plane_y_by_q73 = u_e * sin_A_by_q73 + sin_A * u_e_by_q73;
+    const double z_plane_y_by_q73 = u_e * cos_A_by_q73 + cos_A * u_e_by_q73;
+    const double origin_y_by_q73 = M_y_by_q73 - 0.018 * z_plane_y_by_q73;
+    const double t118 = origin_y_by_q73 - 0.004 * x_plane_y_by_q73;
+    const double t119 = 0.01 * z_plane_y_by_q73;
+    const double layer_0_y_by_q73 = t118 + t119;
     const double strand_0_y_by_q73 = layer_0_y_by_q73 - 0.011 * u_y_by_q73;
-    const double strand_0_z_by_q73 = layer_0_z_by_q73 - t153;
-    const double t161 = t160 - layer_0_y_by_q71 * strand_0_y_by_q73 + strand_0_z_by_q71
+    const double z_z_by_q73 = t95 + t96;
+    const double origin_z_by_q73 = M_z_by_q73 - 0.018 * z_z_by_q73;
+    const double x_z_by_q73 = t100 - t101;
+    const double t120 = origin_z_by_q73 + 0.004 * x_z_by_q73;
+    const double t121 = 0.01 * z_z_by_q73;
+    const double layer_0_z_by_q73 = t120 + t121;
+    const double strand_0_z_by_q73 = layer_0_z_by_q73 - t104;
+    const double t122 = t117 - layer_0_y_by_q71 * strand_0_y_by_q73 + strand_0_z_by_q71
         * strand_0_z_by_q73;
-    const double length_0_by_q71_by_q73 = (t161 + length_0_by_q71 * kept126[0]) * kept125[0];
+    const double t123 = strand_0_x * strand_0_x_by_q73 - strand_0_y * strand_0_y_by_q73 + strand_0_z
+        * strand_0_z_by_q73;
+    const double length_0_by_q73 = t123 * t85;
+    const double length_0_by_q71_by_q73 = (t122 + length_0_by_q71 * length_0_by_q73) * t85;
     H[1] = length_0_by_q71_by_q73;
     H[2] = length_0_by_q71_by_q73;
-    const double t162 = 0.002 * y_x;
-    const double strand_6_x_by_q71_by_q71 = layer_0_x_by_q71_by_q71 - t162;
-    const double strand_6_x = layer_0_x + t162;
-    const double t163 = 0.002 * u_y;
-    const double strand_6_y = 0.016 - layer_0_y + t163;
-    const double t164 = strand_6_x * strand_6_x_by_q71_by_q71 - strand_6_y
+    const double t124 = reach_by_q73 * reach_by_q73;
+    const double t125 = t124 + t124;
+    const double t126 = ratio * B_to_C0_squared_by_q73_by_q73 - (B_to_C0_squared_by_q73
+        + B_to_C0_squared_by_q73) * ratio_by_q73;
+    const double ratio_by_q73_by_q73 = t126 * t2;
+    const double C_y_by_q73_by_q73 = t87 - 0.002 * ratio_by_q73_by_q73 * t3 - (B_e + B_e)
+        * ratio_by_q73;
+    const double M_y_by_q73_by_q73 = t6 + 0.5 * C_y_by_q73_by_q73;
+    const double C_e_by_q73_by_q73 = C_e + B_e * ratio_by_q73_by_q73 + (B_y + B_y) * ratio_by_q73;
+    const double M_e_by_q73_by_q73 = t5 + 0.5 * C_e_by_q73_by_q73;
+    const double u_y_by_q73_by_q73 = t4 - 23.80952380952381 * C_y_by_q73_by_q73;
+    const double t127 = u_e * M_y_by_q73_by_q73 - u_y * M_e_by_q73_by_q73 - s_e * u_y_by_q73_by_q73;
+    const double u_e_by_q73_by_q73 = t7 - 23.80952380952381 * C_e_by_q73_by_q73;
+    const double t128 = u_e_by_q73 + u_e_by_q73;
+    const double t129 = u_y_by_q73 + u_y_by_q73;
+    const double p_y_by_q73_by_q73 = t127 - s_y * u_e_by_q73_by_q73 + t128 * M_y_by_q73 - t129
+        * M_e_by_q73;
+    const double t130 = p_y_by_q73 + p_y_by_q73;
+    const double reach_squared_by_q73_by_q73 = sinew_choose(t12, t130 * p_y_by_q73 + t8
+        * p_y_by_q73_by_q73, 0.0);
+    const double reach_by_q73_by_q73 = 0.5 * (reach_squared_by_q73_by_q73 - t125) * t13;
+    const double t131 = t125 - (limited_by_q73 + limited_by_q73) * limited_by_q73 + t21
+        * reach_by_q73_by_q73;
+    const double t132 = 13.88888888888889 * reach_squared_by_q73_by_q73 + 27.77777777777778
+        * p_x_by_q73 * p_x_by_q73;
+    const double t133 = u_e * M_e_by_q73_by_q73 + u_y * M_y_by_q73_by_q73 + s_e * u_e_by_q73_by_q73;
+    const double p_x_by_q73_by_q73 = t133 - s_y * u_y_by_q73_by_q73 - t128 * M_e_by_q73 - t129
+        * M_y_by_q73;
+    const double projection_by_q73_by_q73 = t132 - t17 * p_x_by_q73_by_q73;
+    const double limited_by_q73_by_q73 = sinew_choose(t19, -(reach_by_q73_by_q73 * t15
+        - projection_by_q73_by_q73 * t16), reach_by_q73_by_q73);
+    const double clearance_by_q73_by_q73 = sinew_choose(t24, t131 - t20 * limited_by_q73_by_q73,
+        1e-12 * reach_squared_by_q73_by_q73);
+    const double t134 = 0.5 * (clearance_by_q73_by_q73 - (root_by_q73 + root_by_q73) * root_by_q73);
+    const double root_by_q73_by_q73 = t134 * t25;
+    const double t135 = p_y * root_by_q73_by_q73 - p_z * limited_by_q73_by_q73 + root
+        * p_y_by_q73_by_q73;
+    const double t136 = reach_squared_by_q73 + reach_squared_by_q73;
+    const double t137 = t135 - sin_A * reach_squared_by_q73_by_q73 + t130 * root_by_q73 - t136
+        * sin_A_by_q73;
+    const double sin_A_by_q73_by_q73 = t137 * t35;
+    const double x_plane_x_by_q73_by_q73 = u_y * sin_A_by_q73_by_q73 - sin_A * u_y_by_q73_by_q73
+        - t129 * sin_A_by_q73;
+    const double t138 = p_y * limited_by_q73_by_q73 + p_z * root_by_q73_by_q73 + limited
+        * p_y_by_q73_by_q73;
+    const double t139 = t138 - cos_A * reach_squared_by_q73_by_q73 + t130 * limited_by_q73 - t136
+        * cos_A_by_q73;
+    const double cos_A_by_q73_by_q73 = t139 * t35;
+    const double x_x_by_q73_by_q73 = cos_q71 * x_plane_x_by_q73_by_q73 + sin_q71
+        * cos_A_by_q73_by_q73;
+    const double z_plane_x_by_q73_by_q73 = u_y * cos_A_by_q73_by_q73 - cos_A * u_y_by_q73_by_q73
+        - t129 * cos_A_by_q73;
+    const double z_x_by_q73_by_q73 = cos_q71 * z_plane_x_by_q73_by_q73 - sin_q71
+        * sin_A_by_q73_by_q73;
+    const double M_x_by_q73_by_q73 = cos_q71 * M_e_by_q73_by_q73;
+    const double origin_x_by_q73_by_q73 = M_x_by_q73_by_q73 + 0.018 * z_x_by_q73_by_q73;
+    const double t140 = origin_x_by_q73_by_q73 + 0.004 * x_x_by_q73_by_q73;
+    const double t141 = 0.01 * z_x_by_q73_by_q73;
+    const double layer_0_x_by_q73_by_q73 = t140 - t141;
+    const double y_x_by_q73_by_q73 = cos_q71 * u_e_by_q73_by_q73;
+    const double strand_0_x_by_q73_by_q73 = layer_0_x_by_q73_by_q73 - 0.011 * y_x_by_q73_by_q73;
+    const double x_plane_y_by_q73_by_q73 = u_e * sin_A_by_q73_by_q73 - sin_A * u_e_by_q73_by_q73
+        + t128 * sin_A_by_q73;
+    const double z_plane_y_by_q73_by_q73 = u_e * cos_A_by_q73_by_q73 - cos_A * u_e_by_q73_by_q73
+        + t128 * cos_A_by_q73;
+    const double origin_y_by_q73_by_q73 = M_y_by_q73_by_q73 - 0.018 * z_plane_y_by_q73_by_q73;
+    const double t142 = origin_y_by_q73_by_q73 - 0.004 * x_plane_y_by_q73_by_q73;
+    const double t143 = 0.01 * z_plane_y_by_q73_by_q73;
+    const double layer_0_y_by_q73_by_q73 = t142 + t143;
+    const double strand_0_y_by_q73_by_q73 = layer_0_y_by_q73_by_q73 - 0.011 * u_y_by_q73_by_q73;
+    const double t144 = strand_0_x * strand_0_x_by_q73_by_q73 + strand_0_y
+        * strand_0_y_by_q73_by_q73;
+    const double x_z_by_q73_by_q73 = cos_q71 * cos_A_by_q73_by_q73 - sin_q71
+        * x_plane_x_by_q73_by_q73;
+    const double z_z_by_q73_by_q73 = cos_q71 * sin_A_by_q73_by_q73 + sin_q71
+        * z_plane_x_by_q73_by_q73;
+    const double M_z_by_q73_by_q73 = sin_q71 * M_e_by_q73_by_q73;
+    const double origin_z_by_q73_by_q73 = M_z_by_q73_by_q73 + 0.018 * z_z_by_q73_by_q73;
+    const double t145 = origin_z_by_q73_by_q73 - 0.004 * x_z_by_q73_by_q73;
+    const double t146 = 0.01 * z_z_by_q73_by_q73;
+    const double layer_0_z_by_q73_by_q73 = t145 - t146;
+    const double y_z_by_q73_by_q73 = sin_q71 * u_e_by_q73_by_q73;
+    const double strand_0_z_by_q73_by_q73 = layer_0_z_by_q73_by_q73 - 0.011 * y_z_by_q73_by_q73;
+    const double t147 = t144 + strand_0_z * strand_0_z_by_q73_by_q73 + strand_0_x_by_q73
+        * strand_0_x_by_q73;
+    const double t148 = t147 + strand_0_y_by_q73 * strand_0_y_by_q73 + strand_0_z_by_q73
+        * strand_0_z_by_q73;
+    const double length_0_by_q73_by_q73 = (t148 - length_0_by_q73 * length_0_by_q73) * t85;
+    H[3] = length_0_by_q73_by_q73;
+    const double t149 = 0.002 * y_x;
+    const double strand_6_x_by_q71_by_q71 = layer_0_x_by_q71_by_q71 - t149;
+    const double strand_6_x = layer_0_x + t149;
+    const double t150 = 0.002 * u_y;
+    const double strand_6_y = 0.016 - layer_0_y + t150;
+    const double t151 = strand_6_x * strand_6_x_by_q71_by_q71 - strand_6_y
         * layer_0_y_by_q71_by_q71;
-    const double t165 = 0.002 * y_z;
-    const double strand_6_z_by_q71_by_q71 = layer_0_z_by_q71_by_q71 - t165;
-    const double strand_6_z = layer_0_z + t165;
-    const double strand_6_x_by_q71 = layer_0_x_by_q71 - t165;
-    const double t166 = t164 + strand_6_z * strand_6_z_by_q71_by_q71 + t80 + strand_6_x_by_q71
+    const double t152 = 0.002 * y_z;
+    const double strand_6_z_by_q71_by_q71 = layer_0_z_by_q71_by_q71 - t152;
+    const double strand_6_z = layer_0_z + t152;
+    const double strand_6_x_by_q71 = layer_0_x_by_q71 - t152;
+    const double t153 = t151 + strand_6_z * strand_6_z_by_q71_by_q71 + t80 + strand_6_x_by_q71
         * strand_6_x_by_q71;
-    const double strand_6_z_by_q71 = layer_0_z_by_q71 - t162;
-    const double t167 = strand_6_x * strand_6_x_by_q71 - strand_6_y * layer_0_y_by_q71 - strand_6_z
+    const double strand_6_z_by_q71 = layer_0_z_by_q71 - t149;
+    const double t154 = strand_6_x * strand_6_x_by_q71 - strand_6_y * layer_0_y_by_q71 - strand_6_z
         * strand_6_z_by_q71;
-    const double length_6_by_q71 = t167 * kept125[1];
-    const double t168 = t166 + strand_6_z_by_q71 * strand_6_z_by_q71 - length_6_by_q71
+    const double t155 = strand_6_x * strand_6_x + strand_6_y * strand_6_y + strand_6_z * strand_6_z;
+    const double length_6 = sinew_sqrt(t155);
+    const double t156 = 1.0 / length_6;
+    const double length_6_by_q71 = t154 * t156;
+    const double t157 = t153 + strand_6_z_by_q71 * strand_6_z_by_q71 - length_6_by_q71
         * length_6_by_q71;
-    const double length_6_by_q71_by_q71 = t168 * kept125[1];
+    const double length_6_by_q71_by_q71 = t157 * t156;
     H[24] = length_6_by_q71_by_q71;
-    const double t169 = 0.002 * y_z_by_q73;
-    const double strand_6_x_by_q71_by_q73 = layer_0_x_by_q71_by_q73 - t169;
-    const double t170 = strand_6_x * strand_6_x_by_q71_by_q73 - strand_6_y
+    const double t158 = 0.002 * y_z_by_q73;
+    const double strand_6_x_by_q71_by_q73 = layer_0_x_by_q71_by_q73 - t158;
+    const double t159 = strand_6_x * strand_6_x_by_q71_by_q73 - strand_6_y
         * layer_0_y_by_q71_by_q73;
-    const double t171 = 0.002 * y_x_by_q73;
-    const double strand_6_z_by_q71_by_q73 = layer_0_z_by_q71_by_q73 - t171;
-    const double t172 = 0.002 * u_y_by_q73;
-    const double strand_6_y_by_q73 = layer_0_y_by_q73 - t172;
-    const double t173 = t170 - strand_6_z * strand_6_z_by_q71_by_q73 - layer_0_y_by_q71
+    const double t160 = 0.002 * y_x_by_q73;
+    const double strand_6_z_by_q71_by_q73 = layer_0_z_by_q71_by_q73 - t160;
+    const double t161 = 0.002 * u_y_by_q73;
+    const double strand_6_y_by_q73 = layer_0_y_by_q73 - t161;
+    const double t162 = t159 - strand_6_z * strand_6_z_by_q71_by_q73 - layer_0_y_by_q71
         * strand_6_y_by_q73;
-    const double strand_6_x_by_q73 = layer_0_x_by_q73 - t171;
-    const double strand_6_z_by_q73 = layer_0_z_by_q73 - t169;
-    const double t174 = t173 - strand_6_x_by_q71 * strand_6_x_by_q73 + strand_6_z_by_q71
+    const double strand_6_x_by_q73 = layer_0_x_by_q73 - t160;
+    const double strand_6_z_by_q73 = layer_0_z_by_q73 - t158;
+    const double t163 = t162 - strand_6_x_by_q71 * strand_6_x_by_q73 + strand_6_z_by_q71
         * strand_6_z_by_q73;
-    const double length_6_by_q71_by_q73 = (t174 + length_6_by_q71 * kept126[1]) * kept125[1];
+    const double t164 = strand_6_x * strand_6_x_by_q73 - strand_6_y * strand_6_y_by_q73 + strand_6_z
+        * strand_6_z_by_q73;
+    const double length_6_by_q73 = t164 * t156;
+    const double length_6_by_q71_by_q73 = (t163 + length_6_by_q71 * length_6_by_q73) * t156;
     H[25] = length_6_by_q71_by_q73;
     H[26] = length_6_by_q71_by_q73;
-    const double t175 = layer_0_x * layer_0_x_by_q71_by_q71 + layer_0_z * layer_0_z_by_q71_by_q71;
+    const double t165 = 0.002 * y_x_by_q73_by_q73;
+    const double strand_6_x_by_q73_by_q73 = layer_0_x_by_q73_by_q73 - t165;
+    const double t166 = 0.002 * u_y_by_q73_by_q73;
+    const double strand_6_y_by_q73_by_q73 = layer_0_y_by_q73_by_q73 - t166;
+    const double t167 = strand_6_x * strand_6_x_by_q73_by_q73 + strand_6_y
+        * strand_6_y_by_q73_by_q73;
+    const double t168 = 0.002 * y_z_by_q73_by_q73;
+    const double strand_6_z_by_q73_by_q73 = layer_0_z_by_q73_by_q73 - t168;
+    const double t169 = t167 + strand_6_z * strand_6_z_by_q73_by_q73 + strand_6_x_by_q73
+        * strand_6_x_by_q73;
+    const double t170 = t169 + strand_6_y_by_q73 * strand_6_y_by_q73 + strand_6_z_by_q73
+        * strand_6_z_by_q73;
+    const double length_6_by_q73_by_q73 = (t170 - length_6_by_q73 * length_6_by_q73) * t156;
+    H[27] = length_6_by_q73_by_q73;
+    const double t171 = layer_0_x * layer_0_x_by_q71_by_q71 + layer_0_z * layer_0_z_by_q71_by_q71;
     const double strand_7_y = 0.018 - layer_0_y;
-    const double t176 = t175 - strand_7_y * layer_0_y_by_q71_by_q71 + layer_0_x_by_q71
+    const double t172 = t171 - strand_7_y * layer_0_y_by_q71_by_q71 + layer_0_x_by_q71
         * layer_0_x_by_q71;
-    const double t177 = layer_0_x * layer_0_x_by_q71 - layer_0_z * layer_0_z_by_q71 - strand_7_y
+    const double t173 = layer_0_x * layer_0_x_by_q71 - layer_0_z * layer_0_z_by_q71 - strand_7_y
         * layer_0_y_by_q71;
     const double length_7 = sinew_sqrt(layer_0_x * layer_0_x + layer_0_z * layer_0_z + strand_7_y
         * strand_7_y);
-    const double t178 = 1.0 / length_7;
-    const double length_7_by_q71 = t177 * t178;
-    const double t179 = t176 + t80 + layer_0_z_by_q71 * layer_0_z_by_q71 - length_7_by_q71
+    const double t174 = 1.0 / length_7;
+    const double length_7_by_q71 = t173 * t174;
+    const double t175 = t172 + t80 + layer_0_z_by_q71 * layer_0_z_by_q71 - length_7_by_q71
         * length_7_by_q71;
-    const double length_7_by_q71_by_q71 = t179 * t178;
+    const double length_7_by_q71_by_q71 = t175 * t174;
     H[28] = length_7_by_q71_by_q71;
-    const double t180 = layer_0_x * layer_0_x_by_q71_by_q73 - layer_0_z * layer_0_z_by_q71_by_q73;
-    const double t181 = t180 - strand_7_y * layer_0_y_by_q71_by_q73 - layer_0_x_by_q71
+    const double t176 = layer_0_x * layer_0_x_by_q71_by_q73 - layer_0_z * layer_0_z_by_q71_by_q73;
+    const double t177 = t176 - strand_7_y * layer_0_y_by_q71_by_q73 - layer_0_x_by_q71
         * layer_0_x_by_q73;
-    const double t182 = t181 - layer_0_y_by_q71 * layer_0_y_by_q73 + layer_0_z_by_q71
+    const double t178 = t177 - layer_0_y_by_q71 * layer_0_y_by_q73 + layer_0_z_by_q71
         * layer_0_z_by_q73;
-    const double t183 = layer_0_x * layer_0_x_by_q73 + layer_0_z * layer_0_z_by_q73 - strand_7_y
+    const double t179 = layer_0_x * layer_0_x_by_q73 + layer_0_z * layer_0_z_by_q73 - strand_7_y
         * layer_0_y_by_q73;
-    const double length_7_by_q73 = t183 * t178;
-    const double length_7_by_q71_by_q73 = (t182 + length_7_by_q71 * length_7_by_q73) * t178;
+    const double length_7_by_q73 = t179 * t174;
+    const double length_7_by_q71_by_q73 = (t178 + length_7_by_q71 * length_7_by_q73) * t174;
     H[29] = length_7_by_q71_by_q73;
     H[30] = length_7_by_q71_by_q73;
-    const double t184 = layer_0_x * layer_0_x_by_q73_by_q73 + layer_0_z * layer_0_z_by_q73_by_q73;
-    const double t185 = t184 + strand_7_y * layer_0_y_by_q73_by_q73 + layer_0_x_by_q73
+    const double t180 = layer_0_x * layer_0_x_by_q73_by_q73 + layer_0_z * layer_0_z_by_q73_by_q73;
+    const double t181 = t180 + strand_7_y * layer_0_y_by_q73_by_q73 + layer_0_x_by_q73
         * layer_0_x_by_q73;
-    const double t186 = t185 + layer_0_y_by_q73 * layer_0_y_by_q73 + layer_0_z_by_q73
+    const double t182 = t181 + layer_0_y_by_q73 * layer_0_y_by_q73 + layer_0_z_by_q73
         * layer_0_z_by_q73;
-    const double length_7_by_q73_by_q73 = (t186 - length_7_by_q73 * length_7_by_q73) * t178;
+    const double length_7_by_q73_by_q73 = (t182 - length_7_by_q73 * length_7_by_q73) * t174;
     H[31] = length_7_by_q73_by_q73;
-    const double t187 = 0.013 * y_x;
-    const double t188 = 0.013 * y_z;
-    const double t189 = 0.013 * y_z_by_q73;
-    const double t190 = 0.013 * y_x_by_q73;
+    const double t183 = 0.013 * y_x;
+    const double t184 = 0.013 * y_z;
+    const double t185 = 0.013 * y_z_by_q73;
+    const double t186 = 0.013 * y_x_by_q73;
     const double layer_1_x_by_q71_by_q71 = t53 - t54;
-    const double strand_19_x_by_q71_by_q71 = layer_1_x_by_q71_by_q71 - t187;
-    const double strand_19_x = layer_1_x + t187;
+    const double strand_19_x_by_q71_by_q71 = layer_1_x_by_q71_by_q71 - t183;
+    const double layer_1_x = t56 + t57;
+    const double strand_19_x = layer_1_x + t183;
     const double layer_1_y_by_q71_by_q71 = t59 + t60;
+    const double layer_1_y = t61 + t62;
     const double strand_19_y = 0.006 - layer_1_y + 0.013 * u_y;
-    const double t191 = strand_19_x * strand_19_x_by_q71_by_q71 - strand_19_y
+    const double t187 = strand_19_x * strand_19_x_by_q71_by_q71 - strand_19_y
         * layer_1_y_by_q71_by_q71;
     const double layer_1_z_by_q71_by_q71 = t70 - t71;
-    const double strand_19_z_by_q71_by_q71 = layer_1_z_by_q71_by_q71 - t188;
-    const double strand_19_z = layer_1_z + t188;
+    const double strand_19_z_by_q71_by_q71 = layer_1_z_by_q71_by_q71 - t184;
+    const double layer_1_z = 0.028 - origin_z - t73 + t74;
+    const double strand_19_z = layer_1_z + t184;
     const double layer_1_x_by_q71 = t75 - t76;
-    const double strand_19_x_by_q71 = layer_1_x_by_q71 - t188;
-    const double t192 = t191 + strand_19_z * strand_19_z_by_q71_by_q71 + strand_19_x_by_q71
+    const double strand_19_x_by_q71 = layer_1_x_by_q71 - t184;
+    const double t188 = t187 + strand_19_z * strand_19_z_by_q71_by_q71 + strand_19_x_by_q71
         * strand_19_x_by_q71;
     const double layer_1_y_by_q71 = t78 + t79;
-    const double t193 = layer_1_y_by_q71 * layer_1_y_by_q71;
+    const double t189 = layer_1_y_by_q71 * layer_1_y_by_q71;
     const double layer_1_z_by_q71 = t81 - t82;
-    const double strand_19_z_by_q71 = layer_1_z_by_q71 - t187;
-    const double t194 = strand_19_x * strand_19_x_by_q71 - strand_19_y * layer_1_y_by_q71
+    const double strand_19_z_by_q71 = layer_1_z_by_q71 - t183;
+    const double t190 = strand_19_x * strand_19_x_by_q71 - strand_19_y * layer_1_y_by_q71
         - strand_19_z * strand_19_z_by_q71;
-    const double length_19_by_q71 = t194 * kept125[2];
-    const double t195 = t192 + t193 + strand_19_z_by_q71 * strand_19_z_by_q71 - length_19_by_q71
+    const double t191 = strand_19_x * strand_19_x + strand_19_y * strand_19_y + strand_19_z
+        * strand_19_z;
+    const double length_19 = sinew_sqrt(t191);
+    const double t192 = 1.0 / length_19;
+    const double length_19_by_q71 = t190 * t192;
+    const double t193 = t188 + t189 + strand_19_z_by_q71 * strand_19_z_by_q71 - length_19_by_q71
         * length_19_by_q71;
-    const double length_19_by_q71_by_q71 = t195 * kept125[2];
+    const double length_19_by_q71_by_q71 = t193 * t192;
     H[76] = length_19_by_q71_by_q71;
-    const double layer_1_x_by_q71_by_q73 = t151 - t152;
-    const double strand_19_x_by_q71_by_q73 = layer_1_x_by_q71_by_q73 - t189;
-    const double layer_1_y_by_q71_by_q73 = t154 + t155;
-    const double t196 = strand_19_x * strand_19_x_by_q71_by_q73 - strand_19_y
+    const double layer_1_x_by_q71_by_q73 = t102 - t103;
+    const double strand_19_x_by_q71_by_q73 = layer_1_x_by_q71_by_q73 - t185;
+    const double layer_1_y_by_q71_by_q73 = t105 + t106;
+    const double t194 = strand_19_x * strand_19_x_by_q71_by_q73 - strand_19_y
         * layer_1_y_by_q71_by_q73;
-    const double layer_1_z_by_q71_by_q73 = t157 - t158;
-    const double strand_19_z_by_q71_by_q73 = layer_1_z_by_q71_by_q73 - t190;
-    const double strand_19_x_by_q73 = layer_1_x_by_q73 - t190;
-    const double t197 = t196 - strand_19_z * strand_19_z_by_q71_by_q73 - strand_19_x_by_q71
+    const double layer_1_z_by_q71_by_q73 = t112 - t113;
+    const double strand_19_z_by_q71_by_q73 = layer_1_z_by_q71_by_q73 - t186;
+    const double layer_1_x_by_q73 = t115 - t116;
+    const double strand_19_x_by_q73 = layer_1_x_by_q73 - t186;
+    const double t195 = t194 - strand_19_z * strand_19_z_by_q71_by_q73 - strand_19_x_by_q71
         * strand_19_x_by_q73;
+    const double layer_1_y_by_q73 = t118 - t119;
     const double strand_19_y_by_q73 = layer_1_y_by_q73 - 0.013 * u_y_by_q73;
-    const double strand_19_z_by_q73 = layer_1_z_by_q73 - t189;
-    const double t198 = t197 - layer_1_y_by_q71 * strand_19_y_by_q73 + strand_19_z_by_q71
+    const double layer_1_z_by_q73 = t120 - t121;
+    const double strand_19_z_by_q73 = layer_1_z_by_q73 - t185;
+    const double t196 = t195 - layer_1_y_by_q71 * strand_19_y_by_q73 + strand_19_z_by_q71
         * strand_19_z_by_q73;
-    const double length_19_by_q71_by_q73 = (t198 + length_19_by_q71 * kept126[2]) * kept125[2];
+    const double t197 = strand_19_x * strand_19_x_by_q73 - strand_19_y * strand_19_y_by_q73
+        + strand_19_z * strand_19_z_by_q73;
+    const double length_19_by_q73 = t197 * t192;
+    const double length_19_by_q71_by_q73 = (t196 + length_19_by_q71 * length_19_by_q73) * t192;
     H[77] = length_19_by_q71_by_q73;
     H[78] = length_19_by_q71_by_q73;
-    const double strand_26_x_by_q71_by_q71 = layer_1_x_by_q71_by_q71 - t162;
-    const double strand_26_x = layer_1_x + t162;
-    const double strand_26_y = 0.017 - layer_1_y + t163;
-    const double t199 = strand_26_x * strand_26_x_by_q71_by_q71 - strand_26_y
+    const double layer_1_x_by_q73_by_q73 = t140 + t141;
+    const double strand_19_x_by_q73_by_q73 = layer_1_x_by_q73_by_q73 - 0.013 * y_x_by_q73_by_q73;
+    const double layer_1_y_by_q73_by_q73 = t142 - t143;
+    const double strand_19_y_by_q73_by_q73 = layer_1_y_by_q73_by_q73 - 0.013 * u_y_by_q73_by_q73;
+    const double t198 = strand_19_x * strand_19_x_by_q73_by_q73 + strand_19_y
+        * strand_19_y_by_q73_by_q73;
+    const double layer_1_z_by_q73_by_q73 = t145 + t146;
+    const double strand_19_z_by_q73_by_q73 = layer_1_z_by_q73_by_q73 - 0.013 * y_z_by_q73_by_q73;
+    const double t199 = t198 + strand_19_z * strand_19_z_by_q73_by_q73 + strand_19_x_by_q73
+        * strand_19_x_by_q73;
+    const double t200 = t199 + strand_19_y_by_q73 * strand_19_y_by_q73 + strand_19_z_by_q73
+        * strand_19_z_by_q73;
+    const double length_19_by_q73_by_q73 = (t200 - length_19_by_q73 * length_19_by_q73) * t192;
+    H[79] = length_19_by_q73_by_q73;
+    const double strand_26_x_by_q71_by_q71 = layer_1_x_by_q71_by_q71 - t149;
+    const double strand_26_x = layer_1_x + t149;
+    const double strand_26_y = 0.017 - layer_1_y + t150;
+    const double t201 = strand_26_x * strand_26_x_by_q71_by_q71 - strand_26_y
         * layer_1_y_by_q71_by_q71;
-    const double strand_26_z_by_q71_by_q71 = layer_1_z_by_q71_by_q71 - t165;
-    const double strand_26_z = layer_1_z + t165;
-    const double strand_26_x_by_q71 = layer_1_x_by_q71 - t165;
-    const double t200 = t199 + strand_26_z * strand_26_z_by_q71_by_q71 + t193 + strand_26_x_by_q71
+    const double strand_26_z_by_q71_by_q71 = layer_1_z_by_q71_by_q71 - t152;
+    const double strand_26_z = layer_1_z + t152;
+    const double strand_26_x_by_q71 = layer_1_x_by_q71 - t152;
+    const double t202 = t201 + strand_26_z * strand_26_z_by_q71_by_q71 + t189 + strand_26_x_by_q71
         * strand_26_x_by_q71;
-    const double strand_26_z_by_q71 = layer_1_z_by_q71 - t162;
-    const double t201 = strand_26_x * strand_26_x_by_q71 - strand_26_y * layer_1_y_by_q71
+    const double strand_26_z_by_q71 = layer_1_z_by_q71 - t149;
+    const double t203 = strand_26_x * strand_26_x_by_q71 - strand_26_y * layer_1_y_by_q71
         - strand_26_z * strand_26_z_by_q71;
-    const double length_26_by_q71 = t201 * kept125[3];
-    const double t202 = t200 + strand_26_z_by_q71 * strand_26_z_by_q71 - length_26_by_q71
+    const double t204 = strand_26_x * strand_26_x + strand_26_y * strand_26_y + strand_26_z
+        * strand_26_z;
+    const double length_26 = sinew_sqrt(t204);
+    const double t205 = 1.0 / length_26;
+    const double length_26_by_q71 = t203 * t205;
+    const double t206 = t202 + strand_26_z_by_q71 * strand_26_z_by_q71 - length_26_by_q71
         * length_26_by_q71;
-    const double length_26_by_q71_by_q71 = t202 * kept125[3];
+    const double length_26_by_q71_by_q71 = t206 * t205;
     H[104] = length_26_by_q71_by_q71;
-    const double strand_26_x_by_q71_by_q73 = layer_1_x_by_q71_by_q73 - t169;
-    const double t203 = strand_26_x * strand_26_x_by_q71_by_q73 - strand_26_y
+    const double strand_26_x_by_q71_by_q73 = layer_1_x_by_q71_by_q73 - t158;
+    const double t207 = strand_26_x * strand_26_x_by_q71_by_q73 - strand_26_y
         * layer_1_y_by_q71_by_q73;
-    const double strand_26_z_by_q71_by_q73 = layer_1_z_by_q71_by_q73 - t171;
-    const double strand_26_y_by_q73 = layer_1_y_by_q73 - t172;
-    const double t204 = t203 - strand_26_z * strand_26_z_by_q71_by_q73 - layer_1_y_by_q71
+    const double strand_26_z_by_q71_by_q73 = layer_1_z_by_q71_by_q73 - t160;
+    const double strand_26_y_by_q73 = layer_1_y_by_q73 - t161;
+    const double t208 = t207 - strand_26_z * strand_26_z_by_q71_by_q73 - layer_1_y_by_q71
         * strand_26_y_by_q73;
-    const double strand_26_x_by_q73 = layer_1_x_by_q73 - t171;
-    const double strand_26_z_by_q73 = layer_1_z_by_q73 - t169;
-    const double t205 = t204 - strand_26_x_by_q71 * strand_26_x_by_q73 + strand_26_z_by_q71
+    const double strand_26_x_by_q73 = layer_1_x_by_q73 - t160;
+    const double strand_26_z_by_q73 = layer_1_z_by_q73 - t158;
+    const double t209 = t208 - strand_26_x_by_q71 * strand_26_x_by_q73 + strand_26_z_by_q71
         * strand_26_z_by_q73;
-    const double length_26_by_q71_by_q73 = (t205 + length_26_by_q71 * kept126[3]) * kept125[3];
+    const double t210 = strand_26_x * strand_26_x_by_q73 - strand_26_y * strand_26_y_by_q73
+        + strand_26_z * strand_26_z_by_q73;
+    const double length_26_by_q73 = t210 * t205;
+    const double length_26_by_q71_by_q73 = (t209 + length_26_by_q71 * length_26_by_q73) * t205;
     H[105] = length_26_by_q71_by_q73;
     H[106] = length_26_by_q71_by_q73;
-    const double t206 = layer_1_x * layer_1_x_by_q71_by_q71 + layer_1_z * layer_1_z_by_q71_by_q71;
+    const double strand_26_x_by_q73_by_q73 = layer_1_x_by_q73_by_q73 - t165;
+    const double strand_26_y_by_q73_by_q73 = layer_1_y_by_q73_by_q73 - t166;
+    const double t211 = strand_26_x * strand_26_x_by_q73_by_q73 + strand_26_y
+        * strand_26_y_by_q73_by_q73;
+    const double strand_26_z_by_q73_by_q73 = layer_1_z_by_q73_by_q73 - t168;
+    const double t212 = t211 + strand_26_z * strand_26_z_by_q73_by_q73 + strand_26_x_by_q73
+        * strand_26_x_by_q73;
+    const double t213 = t212 + strand_26_y_by_q73 * strand_26_y_by_q73 + strand_26_z_by_q73
+        * strand_26_z_by_q73;
+    const double length_26_by_q73_by_q73 = (t213 - length_26_by_q73 * length_26_by_q73) * t205;
+    H[107] = length_26_by_q73_by_q73;
+    const double t214 = layer_1_x * layer_1_x_by_q71_by_q71 + layer_1_z * layer_1_z_by_q71_by_q71;
     const double strand_27_y = 0.019 - layer_1_y;
-    const double t207 = t206 - strand_27_y * layer_1_y_by_q71_by_q71 + layer_1_x_by_q71
+    const double t215 = t214 - strand_27_y * layer_1_y_by_q71_by_q71 + layer_1_x_by_q71
         * layer_1_x_by_q71;
-    const double t208 = layer_1_x * layer_1_x_by_q71 - layer_1_z * layer_1_z_by_q71 - strand_27_y
+    const double t216 = layer_1_x * layer_1_x_by_q71 - layer_1_z * layer_1_z_by_q71 - strand_27_y
         * layer_1_y_by_q71;
-    const double t209 = layer_1_x * layer_1_x + layer_1_z * layer_1_z + strand_27_y * strand_27_y;
-    const double length_27 = sinew_sqrt(t209);
-    const double t210 = 1.0 / length_27;
-    const double length_27_by_q71 = t208 * t210;
-    const double t211 = t207 + t193 + layer_1_z_by_q71 * layer_1_z_by_q71 - length_27_by_q71
+    const double t217 = layer_1_x * layer_1_x + layer_1_z * layer_1_z + strand_27_y * strand_27_y;
+    const double length_27 = sinew_sqrt(t217);
+    const double t218 = 1.0 / length_27;
+    const double length_27_by_q71 = t216 * t218;
+    const double t219 = t215 + t189 + layer_1_z_by_q71 * layer_1_z_by_q71 - length_27_by_q71
         * length_27_by_q71;
-    const double length_27_by_q71_by_q71 = t211 * t210;
+    const double length_27_by_q71_by_q71 = t219 * t218;
     H[108] = length_27_by_q71_by_q71;
-    const double t212 = layer_1_x * layer_1_x_by_q71_by_q73 - layer_1_z * layer_1_z_by_q71_by_q73;
-    const double t213 = t212 - strand_27_y * layer_1_y_by_q71_by_q73 - layer_1_x_by_q71
+    const double t220 = layer_1_x * layer_1_x_by_q71_by_q73 - layer_1_z * layer_1_z_by_q71_by_q73;
+    const double t221 = t220 - strand_27_y * layer_1_y_by_q71_by_q73 - layer_1_x_by_q71
         * layer_1_x_by_q73;
-    const double t214 = t213 - layer_1_y_by_q71 * layer_1_y_by_q73 + layer_1_z_by_q71
+    const double t222 = t221 - layer_1_y_by_q71 * layer_1_y_by_q73 + layer_1_z_by_q71
         * layer_1_z_by_q73;
-    const double t215 = layer_1_x * layer_1_x_by_q73 + layer_1_z * layer_1_z_by_q73 - strand_27_y
+    const double t223 = layer_1_x * layer_1_x_by_q73 + layer_1_z * layer_1_z_by_q73 - strand_27_y
         * layer_1_y_by_q73;
-    const double length_27_by_q73 = t215 * t210;
-    const double length_27_by_q71_by_q73 = (t214 + length_27_by_q71 * length_27_by_q73) * t210;
+    const double length_27_by_q73 = t223 * t218;
+    const double length_27_by_q71_by_q73 = (t222 + length_27_by_q71 * length_27_by_q73) * t218;
     H[109] = length_27_by_q71_by_q73;
     H[110] = length_27_by_q71_by_q73;
-    const double t216 = layer_1_x * layer_1_x_by_q73_by_q73 + layer_1_z * layer_1_z_by_q73_by_q73;
-    const double t217 = t216 + strand_27_y * layer_1_y_by_q73_by_q73 + layer_1_x_by_q73
+    const double t224 = layer_1_x * layer_1_x_by_q73_by_q73 + layer_1_z * layer_1_z_by_q73_by_q73;
+    const double t225 = t224 + strand_27_y * layer_1_y_by_q73_by_q73 + layer_1_x_by_q73
         * layer_1_x_by_q73;
-    const double t218 = t217 + layer_1_y_by_q73 * layer_1_y_by_q73 + layer_1_z_by_q73
+    const double t226 = t225 + layer_1_y_by_q73 * layer_1_y_by_q73 + layer_1_z_by_q73
         * layer_1_z_by_q73;
-    const double length_27_by_q73_by_q73 = (t218 - length_27_by_q73 * length_27_by_q73) * t210;
+    const double length_27_by_q73_by_q73 = (t226 - length_27_by_q73 * length_27_by_q73) * t218;
     H[111] = length_27_by_q73_by_q73;
-    static const double table220[11][2] = {{0.002, 0.019}, {0.003, 0.021}, {0.005, 0.023},
+    static const double table228[11][2] = {{0.002, 0.019}, {0.003, 0.021}, {0.005, 0.023},
         {0.006, 0.024}, {0.008, 0.026}, {0.01, 0.027}, {0.011, 0.029}, {0.013, 0.031},
         {0.014, 0.032}, {0.016, 0.034}, {0.018, 0.035}};
-    for (int i219 = 0; i219 < 11; ++i219) {
-        const double t221 = table220[i219][0] * y_x;
-        const double strand_x_2 = layer_0_x - t221;
-        const double strand_x_by_q71_by_q71 = layer_0_x_by_q71_by_q71 + t221;
-        const double strand_y_2 = table220[i219][1] - layer_0_y - table220[i219][0] * u_y;
-        const double t222 = strand_x_2 * strand_x_by_q71_by_q71 - strand_y_2
-            * layer_0_y_by_q71_by_q71;
-        const double t223 = table220[i219][0] * y_z;
-        const double strand_z_2 = layer_0_z - t223;
-        const double strand_z_by_q71_by_q71 = layer_0_z_by_q71_by_q71 + t223;
-        const double strand_x_by_q71 = layer_0_x_by_q71 + t223;
-        const double t224 = t222 + strand_z_2 * strand_z_by_q71_by_q71 + t80 + strand_x_by_q71
-            * strand_x_by_q71;
-        const double strand_z_by_q71 = layer_0_z_by_q71 + t221;
-        const double t225 = strand_x_2 * strand_x_by_q71 - strand_y_2 * layer_0_y_by_q71
-            - strand_z_2 * strand_z_by_q71;
-        const double t226 = strand_x_2 * strand_x_2 + strand_y_2 * strand_y_2 + strand_z_2
-            * strand_z_2;
-        const double length_2 = sinew_sqrt(t226);
-        const double t227 = 1.0 / length_2;
-        const double length_by_q71 = t225 * t227;
-        const double length_by_q71_by_q71 = (t224 + strand_z_by_q71 * strand_z_by_q71
-            - length_by_q71 * length_by_q71) * t227;
-        const double t228 = table220[i219][0] * y_z_by_q73;
-        const double strand_x_by_q71_by_q73 = layer_0_x_by_q71_by_q73 + t228;
-        const double t229 = strand_x_2 * strand_x_by_q71_by_q73 - strand_y_2
-            * layer_0_y_by_q71_by_q73;
-        const double t230 = table220[i219][0] * y_x_by_q73;
-        const double strand_z_by_q71_by_q73 = layer_0_z_by_q71_by_q73 + t230;
-        const double strand_y_by_q73_2 = layer_0_y_by_q73 + table220[i219][0] * u_y_by_q73;
-        const double t231 = t229 - strand_z_2 * strand_z_by_q71_by_q73 - layer_0_y_by_q71
-            * strand_y_by_q73_2;
-        const double strand_x_by_q73_2 = layer_0_x_by_q73 + t230;
-        const double strand_z_by_q73_2 = layer_0_z_by_q73 + t228;
-        const double t232 = t231 - strand_x_by_q71 * strand_x_by_q73_2 + strand_z_by_q71
-            * strand_z_by_q73_2;
-        const double t233 = strand_x_2 * strand_x_by_q73_2 - strand_y_2 * strand_y_by_q73_2
-            + strand_z_2 * strand_z_by_q73_2;
-        const double length_by_q73_2 = t233 * t227;
-        const double length_by_q71_by_q73 = (t232 + length_by_q71 * length_by_q73_2) * t227;
-        const double strand_x_by_q73_by_q73_2 = layer_0_x_by_q73_by_q73 + table220[i219][0]
+    for (int i227 = 0; i227 < 11; ++i227) {
+        const double t229 = table228[i227][0] * y_x;
+        const double strand_x = layer_0_x - t229;
+        const double strand_x_by_q71_by_q71 = layer_0_x_by_q71_by_q71 + t229;
+        const double strand_y = table228[i227][1] - layer_0_y - table228[i227][0] * u_y;
+        const double t230 = table228[i227][0] * y_z;
+        const double strand_z = layer_0_z - t230;
+        const double strand_z_by_q71_by_q71 = layer_0_z_by_q71_by_q71 + t230;
+        const double t231 = strand_x * strand_x_by_q71_by_q71 - strand_y * layer_0_y_by_q71_by_q71
+            + strand_z * strand_z_by_q71_by_q71;
+        const double strand_x_by_q71 = layer_0_x_by_q71 + t230;
+        const double strand_z_by_q71 = layer_0_z_by_q71 + t229;
+        const double t232 = t231 + t80 + strand_x_by_q71 * strand_x_by_q71 + strand_z_by_q71
+            * strand_z_by_q71;
+        const double t233 = strand_x * strand_x_by_q71 - strand_y * layer_0_y_by_q71 - strand_z
+            * strand_z_by_q71;
+        const double length = sinew_sqrt(strand_x * strand_x + strand_y * strand_y + strand_z
+            * strand_z);
+        const double t234 = 1.0 / length;
+        const double length_by_q71 = t233 * t234;
+        const double length_by_q71_by_q71 = (t232 - length_by_q71 * length_by_q71) * t234;
+        const double t235 = table228[i227][0] * y_z_by_q73;
+        const double strand_x_by_q71_by_q73 = layer_0_x_by_q71_by_q73 + t235;
+        const double t236 = table228[i227][0] * y_x_by_q73;
+        const double strand_z_by_q71_by_q73 = layer_0_z_by_q71_by_q73 + t236;
+        const double t237 = strand_x * strand_x_by_q71_by_q73 - strand_y * layer_0_y_by_q71_by_q73
+            - strand_z * strand_z_by_q71_by_q73;
+        const double strand_y_by_q73 = layer_0_y_by_q73 + table228[i227][0] * u_y_by_q73;
+        const double strand_x_by_q73 = layer_0_x_by_q73 + t236;
+        const double t238 = t237 - layer_0_y_by_q71 * strand_y_by_q73 - strand_x_by_q71
+            * strand_x_by_q73;
+        const double strand_z_by_q73 = layer_0_z_by_q73 + t235;
+        const double t239 = strand_x * strand_x_by_q73 - strand_y * strand_y_by_q73 + strand_z
+            * strand_z_by_q73;
+        const double length_by_q73 = t239 * t234;
+        const double length_by_q71_by_q73 = (t238 + strand_z_by_q71 * strand_z_by_q73
+            + length_by_q71 * length_by_q73) * t234;
+        const double strand_x_by_q73_by_q73 = layer_0_x_by_q73_by_q73 + table228[i227][0]
             * y_x_by_q73_by_q73;
-        const double strand_y_by_q73_by_q73_2 = layer_0_y_by_q73_by_q73 + table220[i219][0]
+        const double strand_y_by_q73_by_q73 = layer_0_y_by_q73_by_q73 + table228[i227][0]
             * u_y_by_q73_by_q73;
-        const double t234 = strand_x_2 * strand_x_by_q73_by_q73_2 + strand_y_2
-            * strand_y_by_q73_by_q73_2;
-        const double strand_z_by_q73_by_q73_2 = layer_0_z_by_q73_by_q73 + table220[i219][0]
+        const double strand_z_by_q73_by_q73 = layer_0_z_by_q73_by_q73 + table228[i227][0]
             * y_z_by_q73_by_q73;
-        const double t235 = t234 + strand_z_2 * strand_z_by_q73_by_q73_2 + strand_x_by_q73_2
-            * strand_x_by_q73_2;
-        const double t236 = t235 + strand_y_by_q73_2 * strand_y_by_q73_2 + strand_z_by_q73_2
-            * strand_z_by_q73_2;
-        const double length_by_q73_by_q73_2 = (t236 - length_by_q73_2 * length_by_q73_2) * t227;
-        H[32 + 4 * i219] = length_by_q71_by_q71;
-        H[33 + 4 * i219] = length_by_q71_by_q73;
-        H[34 + 4 * i219] = length_by_q71_by_q73;
-        H[35 + 4 * i219] = length_by_q73_by_q73_2;
+        const double t240 = strand_x * strand_x_by_q73_by_q73 + strand_y * strand_y_by_q73_by_q73
+            + strand_z * strand_z_by_q73_by_q73;
+        const double t241 = t240 + strand_x_by_q73 * strand_x_by_q73 + strand_y_by_q73
+            * strand_y_by_q73;
+        const double length_by_q73_by_q73 = (t241 + strand_z_by_q73 * strand_z_by_q73
+            - length_by_q73 * length_by_q73) * t234;
+        H[32 + 4 * i227] = length_by_q71_by_q71;
+        H[33 + 4 * i227] = length_by_q71_by_q73;
+        H[34 + 4 * i227] = length_by_q71_by_q73;
+        H[35 + 4 * i227] = length_by_q73_by_q73;
     }
-    static const double table238[10][2] = {{0.002, 0.02}, {0.003, 0.022}, {0.005, 0.023},
+    static const double table243[10][2] = {{0.002, 0.02}, {0.003, 0.022}, {0.005, 0.023},
         {0.006, 0.025}, {0.008, 0.027}, {0.01, 0.028}, {0.011, 0.03}, {0.013, 0.031},
         {0.014, 0.033}, {0.016, 0.035}};
-    for (int i237 = 0; i237 < 10; ++i237) {
-        const double t239 = table238[i237][0] * y_x;
-        const double strand_x_3 = layer_1_x - t239;
-        const double strand_x_by_q71_by_q71_2 = layer_1_x_by_q71_by_q71 + t239;
-        const double strand_y_3 = table238[i237][1] - layer_1_y - table238[i237][0] * u_y;
-        const double t240 = strand_x_3 * strand_x_by_q71_by_q71_2 - strand_y_3
+    for (int i242 = 0; i242 < 10; ++i242) {
+        const double t244 = table243[i242][0] * y_x;
+        const double strand_x_2 = layer_1_x - t244;
+        const double strand_x_by_q71_by_q71_2 = layer_1_x_by_q71_by_q71 + t244;
+        const double strand_y_2 = table243[i242][1] - layer_1_y - table243[i242][0] * u_y;
+        const double t245 = strand_x_2 * strand_x_by_q71_by_q71_2 - strand_y_2
             * layer_1_y_by_q71_by_q71;
-        const double t241 = table238[i237][0] * y_z;
-        const double strand_z_3 = layer_1_z - t241;
-        const double strand_z_by_q71_by_q71_2 = layer_1_z_by_q71_by_q71 + t241;
-        const double strand_x_by_q71_2 = layer_1_x_by_q71 + t241;
-        const double t242 = t240 + strand_z_3 * strand_z_by_q71_by_q71_2 + t193 + strand_x_by_q71_2
+        const double t246 = table243[i242][0] * y_z;
+        const double strand_z_2 = layer_1_z - t246;
+        const double strand_z_by_q71_by_q71_2 = layer_1_z_by_q71_by_q71 + t246;
+        const double strand_x_by_q71_2 = layer_1_x_by_q71 + t246;
+        const double t247 = t245 + strand_z_2 * strand_z_by_q71_by_q71_2 + t189 + strand_x_by_q71_2
             * strand_x_by_q71_2;
-        const double strand_z_by_q71_2 = layer_1_z_by_q71 + t239;
-        const double t243 = strand_x_3 * strand_x_by_q71_2 - strand_y_3 * layer_1_y_by_q71
-            - strand_z_3 * strand_z_by_q71_2;
-        const double t244 = strand_x_3 * strand_x_3 + strand_y_3 * strand_y_3 + strand_z_3
-            * strand_z_3;
-        const double length_3 = sinew_sqrt(t244);
-        const double t245 = 1.0 / length_3;
-        const double length_by_q71_2 = t243 * t245;
-        const double t246 = t242 + strand_z_by_q71_2 * strand_z_by_q71_2 - length_by_q71_2
+        const double strand_z_by_q71_2 = layer_1_z_by_q71 + t244;
+        const double t248 = strand_x_2 * strand_x_by_q71_2 - strand_y_2 * layer_1_y_by_q71
+            - strand_z_2 * strand_z_by_q71_2;
+        const double t249 = strand_x_2 * strand_x_2 + strand_y_2 * strand_y_2 + strand_z_2
+            * strand_z_2;
+        const double length_2 = sinew_sqrt(t249);
+        const double t250 = 1.0 / length_2;
+        const double length_by_q71_2 = t248 * t250;
+        const double t251 = t247 + strand_z_by_q71_2 * strand_z_by_q71_2 - length_by_q71_2
             * length_by_q71_2;
-        const double length_by_q71_by_q71_2 = t246 * t245;
-        const double t247 = table238[i237][0] * y_z_by_q73;
-        const double strand_x_by_q71_by_q73_2 = layer_1_x_by_q71_by_q73 + t247;
-        const double t248 = strand_x_3 * strand_x_by_q71_by_q73_2 - strand_y_3
+        const double length_by_q71_by_q71_2 = t251 * t250;
+        const double t252 = table243[i242][0] * y_z_by_q73;
+        const double strand_x_by_q71_by_q73_2 = layer_1_x_by_q71_by_q73 + t252;
+        const double t253 = strand_x_2 * strand_x_by_q71_by_q73_2 - strand_y_2
             * layer_1_y_by_q71_by_q73;
-        const double t249 = table238[i237][0] * y_x_by_q73;
-        const double strand_z_by_q71_by_q73_2 = layer_1_z_by_q71_by_q73 + t249;
-        const double strand_y_by_q73_3 = layer_1_y_by_q73 + table238[i237][0] * u_y_by_q73;
-        const double t250 = t248 - strand_z_3 * strand_z_by_q71_by_q73_2 - layer_1_y_by_q71
-            * strand_y_by_q73_3;
-        const double strand_x_by_q73_3 = layer_1_x_by_q73 + t249;
-        const double strand_z_by_q73_3 = layer_1_z_by_q73 + t247;
-        const double t251 = t250 - strand_x_by_q71_2 * strand_x_by_q73_3 + strand_z_by_q71_2
-            * strand_z_by_q73_3;
-        const double t252 = strand_x_3 * strand_x_by_q73_3 - strand_y_3 * strand_y_by_q73_3
-            + strand_z_3 * strand_z_by_q73_3;
-        const double length_by_q73_3 = t252 * t245;
-        const double length_by_q71_by_q73_2 = (t251 + length_by_q71_2 * length_by_q73_3) * t245;
-        const double strand_x_by_q73_by_q73_3 = layer_1_x_by_q73_by_q73 + table238[i237][0]
+        const double t254 = table243[i242][0] * y_x_by_q73;
+        const double strand_z_by_q71_by_q73_2 = layer_1_z_by_q71_by_q73 + t254;
+        const double strand_y_by_q73_2 = layer_1_y_by_q73 + table243[i242][0] * u_y_by_q73;
+        const double t255 = t253 - strand_z_2 * strand_z_by_q71_by_q73_2 - layer_1_y_by_q71
+            * strand_y_by_q73_2;
+        const double strand_x_by_q73_2 = layer_1_x_by_q73 + t254;
+        const double strand_z_by_q73_2 = layer_1_z_by_q73 + t252;
+        const double t256 = t255 - strand_x_by_q71_2 * strand_x_by_q73_2 + strand_z_by_q71_2
+            * strand_z_by_q73_2;
+        const double t257 = strand_x_2 * strand_x_by_q73_2 - strand_y_2 * strand_y_by_q73_2
+            + strand_z_2 * strand_z_by_q73_2;
+        const double length_by_q73_2 = t257 * t250;
+        const double length_by_q71_by_q73_2 = (t256 + length_by_q71_2 * length_by_q73_2) * t250;
+        const double strand_x_by_q73_by_q73_2 = layer_1_x_by_q73_by_q73 + table243[i242][0]
             * y_x_by_q73_by_q73;
-        const double strand_y_by_q73_by_q73_3 = layer_1_y_by_q73_by_q73 + table238[i237][0]
+        const double strand_y_by_q73_by_q73_2 = layer_1_y_by_q73_by_q73 + table243[i242][0]
             * u_y_by_q73_by_q73;
-        const double t253 = strand_x_3 * strand_x_by_q73_by_q73_3 + strand_y_3
-            * strand_y_by_q73_by_q73_3;
-        const double strand_z_by_q73_by_q73_3 = layer_1_z_by_q73_by_q73 + table238[i237][0]
+        const double t258 = strand_x_2 * strand_x_by_q73_by_q73_2 + strand_y_2
+            * strand_y_by_q73_by_q73_2;
+        const double strand_z_by_q73_by_q73_2 = layer_1_z_by_q73_by_q73 + table243[i242][0]
             * y_z_by_q73_by_q73;
-        const double t254 = t253 + strand_z_3 * strand_z_by_q73_by_q73_3 + strand_x_by_q73_3
-            * strand_x_by_q73_3;
-        const double t255 = t254 + strand_y_by_q73_3 * strand_y_by_q73_3 + strand_z_by_q73_3
-            * strand_z_by_q73_3;
-        const double length_by_q73_by_q73_3 = (t255 - length_by_q73_3 * length_by_q73_3) * t245;
-        H[112 + 4 * i237] = length_by_q71_by_q71_2;
-        H[113 + 4 * i237] = length_by_q71_by_q73_2;
-        H[114 + 4 * i237] = length_by_q71_by_q73_2;
-        H[115 + 4 * i237] = length_by_q73_by_q73_3;
+        const double t259 = t258 + strand_z_2 * strand_z_by_q73_by_q73_2 + strand_x_by_q73_2
+            * strand_x_by_q73_2;
+        const double t260 = t259 + strand_y_by_q73_2 * strand_y_by_q73_2 + strand_z_by_q73_2
+            * strand_z_by_q73_2;
+        const double length_by_q73_by_q73_2 = (t260 - length_by_q73_2 * length_by_q73_2) * t250;
+        H[112 + 4 * i242] = length_by_q71_by_q71_2;
+        H[113 + 4 * i242] = length_by_q71_by_q73_2;
+        H[114 + 4 * i242] = length_by_q71_by_q73_2;
+        H[115 + 4 * i242] = length_by_q73_by_q73_2;
     }
-    static const double table257[6][2] = {{0.011, 0.007}, {0.01, 0.009}, {0.008, 0.011},
+    static const double table262[6][2] = {{0.011, 0.007}, {0.01, 0.009}, {0.008, 0.011},
         {0.006, 0.012}, {0.005, 0.014}, {0.003, 0.015}};
-    for (int i256 = 0; i256 < 6; ++i256) {
-        const double t258 = table257[i256][0] * y_x;
-        const double strand_x_4 = layer_1_x + t258;
-        const double strand_x_by_q71_by_q71_3 = layer_1_x_by_q71_by_q71 - t258;
-        const double strand_y_4 = table257[i256][1] - layer_1_y + table257[i256][0] * u_y;
-        const double t259 = strand_x_4 * strand_x_by_q71_by_q71_3 - strand_y_4
+    for (int i261 = 0; i261 < 6; ++i261) {
+        const double t263 = table262[i261][0] * y_x;
+        const double strand_x_3 = layer_1_x + t263;
+        const double strand_x_by_q71_by_q71_3 = layer_1_x_by_q71_by_q71 - t263;
+        const double strand_y_3 = table262[i261][1] - layer_1_y + table262[i261][0] * u_y;
+        const double t264 = strand_x_3 * strand_x_by_q71_by_q71_3 - strand_y_3
             * layer_1_y_by_q71_by_q71;
-        const double t260 = table257[i256][0] * y_z;
-        const double strand_z_4 = layer_1_z + t260;
-        const double strand_z_by_q71_by_q71_3 = layer_1_z_by_q71_by_q71 - t260;
-        const double strand_x_by_q71_3 = layer_1_x_by_q71 - t260;
-        const double t261 = t259 + strand_z_4 * strand_z_by_q71_by_q71_3 + t193 + strand_x_by_q71_3
+        const double t265 = table262[i261][0] * y_z;
+        const double strand_z_3 = layer_1_z + t265;
+        const double strand_z_by_q71_by_q71_3 = layer_1_z_by_q71_by_q71 - t265;
+        const double strand_x_by_q71_3 = layer_1_x_by_q71 - t265;
+        const double t266 = t264 + strand_z_3 * strand_z_by_q71_by_q71_3 + t189 + strand_x_by_q71_3
             * strand_x_by_q71_3;
-        const double strand_z_by_q71_3 = layer_1_z_by_q71 - t258;
-        const double t262 = strand_x_4 * strand_x_by_q71_3 - strand_y_4 * layer_1_y_by_q71
-            - strand_z_4 * strand_z_by_q71_3;
-        const double t263 = strand_x_4 * strand_x_4 + strand_y_4 * strand_y_4 + strand_z_4
-            * strand_z_4;
-        const double length_4 = sinew_sqrt(t263);
-        const double t264 = 1.0 / length_4;
-        const double length_by_q71_3 = t262 * t264;
-        const double t265 = t261 + strand_z_by_q71_3 * strand_z_by_q71_3 - length_by_q71_3
+        const double strand_z_by_q71_3 = layer_1_z_by_q71 - t263;
+        const double t267 = strand_x_3 * strand_x_by_q71_3 - strand_y_3 * layer_1_y_by_q71
+            - strand_z_3 * strand_z_by_q71_3;
+        const double t268 = strand_x_3 * strand_x_3 + strand_y_3 * strand_y_3 + strand_z_3
+            * strand_z_3;
+        const double length_3 = sinew_sqrt(t268);
+        const double t269 = 1.0 / length_3;
+        const double length_by_q71_3 = t267 * t269;
+        const double t270 = t266 + strand_z_by_q71_3 * strand_z_by_q71_3 - length_by_q71_3
             * length_by_q71_3;
-        const double length_by_q71_by_q71_3 = t265 * t264;
-        const double t266 = table257[i256][0] * y_z_by_q73;
-        const double strand_x_by_q71_by_q73_3 = layer_1_x_by_q71_by_q73 - t266;
-        const double t267 = strand_x_4 * strand_x_by_q71_by_q73_3 - strand_y_4
+        const double length_by_q71_by_q71_3 = t270 * t269;
+        const double t271 = table262[i261][0] * y_z_by_q73;
+        const double strand_x_by_q71_by_q73_3 = layer_1_x_by_q71_by_q73 - t271;
+        const double t272 = strand_x_3 * strand_x_by_q71_by_q73_3 - strand_y_3
             * layer_1_y_by_q71_by_q73;
-        const double t268 = table257[i256][0] * y_x_by_q73;
-        const double strand_z_by_q71_by_q73_3 = layer_1_z_by_q71_by_q73 - t268;
-        const double strand_y_by_q73_4 = layer_1_y_by_q73 - table257[i256][0] * u_y_by_q73;
-        const double t269 = t267 - strand_z_4 * strand_z_by_q71_by_q73_3 - layer_1_y_by_q71
-            * strand_y_by_q73_4;
-        const double strand_x_by_q73_4 = layer_1_x_by_q73 - t268;
-        const double strand_z_by_q73_4 = layer_1_z_by_q73 - t266;
-        const double t270 = t269 - strand_x_by_q71_3 * strand_x_by_q73_4 + strand_z_by_q71_3
-            * strand_z_by_q73_4;
-        const double t271 = strand_x_4 * strand_x_by_q73_4 - strand_y_4 * strand_y_by_q73_4
-            + strand_z_4 * strand_z_by_q73_4;
-        const double length_by_q73_4 = t271 * t264;
-        const double length_by_q71_by_q73_3 = (t270 + length_by_q71_3 * length_by_q73_4) * t264;
-        const double strand_x_by_q73_by_q73_4 = layer_1_x_by_q73_by_q73 - table257[i256][0]
+        const double t273 = table262[i261][0] * y_x_by_q73;
+        const double strand_z_by_q71_by_q73_3 = layer_1_z_by_q71_by_q73 - t273;
+        const double strand_y_by_q73_3 = layer_1_y_by_q73 - table262[i261][0] * u_y_by_q73;
+        const double t274 = t272 - strand_z_3 * strand_z_by_q71_by_q73_3 - layer_1_y_by_q71
+            * strand_y_by_q73_3;
+        const double strand_x_by_q73_3 = layer_1_x_by_q73 - t273;
+        const double strand_z_by_q73_3 = layer_1_z_by_q73 - t271;
+        const double t275 = t274 - strand_x_by_q71_3 * strand_x_by_q73_3 + strand_z_by_q71_3
+            * strand_z_by_q73_3;
+        const double t276 = strand_x_3 * strand_x_by_q73_3 - strand_y_3 * strand_y_by_q73_3
+            + strand_z_3 * strand_z_by_q73_3;
+        const double length_by_q73_3 = t276 * t269;
+        const double length_by_q71_by_q73_3 = (t275 + length_by_q71_3 * length_by_q73_3) * t269;
+        const double strand_x_by_q73_by_q73_3 = layer_1_x_by_q73_by_q73 - table262[i261][0]
             * y_x_by_q73_by_q73;
-        const double strand_y_by_q73_by_q73_4 = layer_1_y_by_q73_by_q73 - table257[i256][0]
+        const double strand_y_by_q73_by_q73_3 = layer_1_y_by_q73_by_q73 - table262[i261][0]
             * u_y_by_q73_by_q73;
-        const double t272 = strand_x_4 * strand_x_by_q73_by_q73_4 + strand_y_4
-            * strand_y_by_q73_by_q73_4;
-        const double strand_z_by_q73_by_q73_4 = layer_1_z_by_q73_by_q73 - table257[i256][0]
+        const double t277 = strand_x_3 * strand_x_by_q73_by_q73_3 + strand_y_3
+            * strand_y_by_q73_by_q73_3;
+        const double strand_z_by_q73_by_q73_3 = layer_1_z_by_q73_by_q73 - table262[i261][0]
             * y_z_by_q73_by_q73;
-        const double t273 = t272 + strand_z_4 * strand_z_by_q73_by_q73_4 + strand_x_by_q73_4
-            * strand_x_by_q73_4;
-        const double t274 = t273 + strand_y_by_q73_4 * strand_y_by_q73_4 + strand_z_by_q73_4
-            * strand_z_by_q73_4;
-        const double length_by_q73_by_q73_4 = (t274 - length_by_q73_4 * length_by_q73_4) * t264;
-        H[80 + 4 * i256] = length_by_q71_by_q71_3;
-        H[81 + 4 * i256] = length_by_q71_by_q73_3;
-        H[82 + 4 * i256] = length_by_q71_by_q73_3;
-        H[83 + 4 * i256] = length_by_q73_by_q73_4;
+        const double t278 = t277 + strand_z_3 * strand_z_by_q73_by_q73_3 + strand_x_by_q73_3
+            * strand_x_by_q73_3;
+        const double t279 = t278 + strand_y_by_q73_3 * strand_y_by_q73_3 + strand_z_by_q73_3
+            * strand_z_by_q73_3;
+        const double length_by_q73_by_q73_3 = (t279 - length_by_q73_3 * length_by_q73_3) * t269;
+        H[80 + 4 * i261] = length_by_q71_by_q71_3;
+        H[81 + 4 * i261] = length_by_q71_by_q73_3;
+        H[82 + 4 * i261] = length_by_q71_by_q73_3;
+        H[83 + 4 * i261] = length_by_q73_by_q73_3;
     }
-    static const double table276[5][2] = {{0.01, 0.008}, {0.008, 0.01}, {0.006, 0.011},
+    static const double table281[5][2] = {{0.01, 0.008}, {0.008, 0.01}, {0.006, 0.011},
         {0.005, 0.013}, {0.003, 0.015}};
-    for (int i275 = 0; i275 < 5; ++i275) {
-        const double t277 = table276[i275][0] * y_x;
-        const double strand_x_5 = layer_0_x + t277;
-        const double strand_x_by_q71_by_q71_4 = layer_0_x_by_q71_by_q71 - t277;
-        const double strand_y_5 = table276[i275][1] - layer_0_y + table276[i275][0] * u_y;
-        const double t278 = strand_x_5 * strand_x_by_q71_by_q71_4 - strand_y_5
+    for (int i280 = 0; i280 < 5; ++i280) {
+        const double t282 = table281[i280][0] * y_x;
+        const double strand_x_4 = layer_0_x + t282;
+        const double strand_x_by_q71_by_q71_4 = layer_0_x_by_q71_by_q71 - t282;
+        const double strand_y_4 = table281[i280][1] - layer_0_y + table281[i280][0] * u_y;
+        const double t283 = strand_x_4 * strand_x_by_q71_by_q71_4 - strand_y_4
             * layer_0_y_by_q71_by_q71;
-        const double t279 = table276[i275][0] * y_z;
-        const double strand_z_5 = layer_0_z + t279;
-        const double strand_z_by_q71_by_q71_4 = layer_0_z_by_q71_by_q71 - t279;
-        const double strand_x_by_q71_4 = layer_0_x_by_q71 - t279;
-        const double t280 = t278 + strand_z_5 * strand_z_by_q71_by_q71_4 + t80 + strand_x_by_q71_4
+        const double t284 = table281[i280][0] * y_z;
+        const double strand_z_4 = layer_0_z + t284;
+        const double strand_z_by_q71_by_q71_4 = layer_0_z_by_q71_by_q71 - t284;
+        const double strand_x_by_q71_4 = layer_0_x_by_q71 - t284;
+        const double t285 = t283 + strand_z_4 * strand_z_by_q71_by_q71_4 + t80 + strand_x_by_q71_4
             * strand_x_by_q71_4;
-        const double strand_z_by_q71_4 = layer_0_z_by_q71 - t277;
-        const double t281 = strand_x_5 * strand_x_by_q71_4 - strand_y_5 * layer_0_y_by_q71
-            - strand_z_5 * strand_z_by_q71_4;
-        const double t282 = strand_x_5 * strand_x_5 + strand_y_5 * strand_y_5 + strand_z_5
-            * strand_z_5;
-        const double length_5 = sinew_sqrt(t282);
-        const double t283 = 1.0 / length_5;
-        const double length_by_q71_4 = t281 * t283;
-        const double t284 = t280 + strand_z_by_q71_4 * strand_z_by_q71_4 - length_by_q71_4
+        const double strand_z_by_q71_4 = layer_0_z_by_q71 - t282;
+        const double t286 = strand_x_4 * strand_x_by_q71_4 - strand_y_4 * layer_0_y_by_q71
+            - strand_z_4 * strand_z_by_q71_4;
+        const double t287 = strand_x_4 * strand_x_4 + strand_y_4 * strand_y_4 + strand_z_4
+            * strand_z_4;
+        const double length_4 = sinew_sqrt(t287);
+        const double t288 = 1.0 / length_4;
+        const double length_by_q71_4 = t286 * t288;
+        const double t289 = t285 + strand_z_by_q71_4 * strand_z_by_q71_4 - length_by_q71_4
             * length_by_q71_4;
-        const double length_by_q71_by_q71_4 = t284 * t283;
-        const double t285 = table276[i275][0] * y_z_by_q73;
-        const double strand_x_by_q71_by_q73_4 = layer_0_x_by_q71_by_q73 - t285;
-        const double t286 = strand_x_5 * strand_x_by_q71_by_q73_4 - strand_y_5
+        const double length_by_q71_by_q71_4 = t289 * t288;
+        const double t290 = table281[i280][0] * y_z_by_q73;
+        const double strand_x_by_q71_by_q73_4 = layer_0_x_by_q71_by_q73 - t290;
+        const double t291 = strand_x_4 * strand_x_by_q71_by_q73_4 - strand_y_4
             * layer_0_y_by_q71_by_q73;
-        const double t287 = table276[i275][0] * y_x_by_q73;
-        const double strand_z_by_q71_by_q73_4 = layer_0_z_by_q71_by_q73 - t287;
-        const double strand_y_by_q73_5 = layer_0_y_by_q73 - table276[i275][0] * u_y_by_q73;
-        const double t288 = t286 - strand_z_5 * strand_z_by_q71_by_q73_4 - layer_0_y_by_q71
-            * strand_y_by_q73_5;
-        const double strand_x_by_q73_5 = layer_0_x_by_q73 - t287;
-        const double strand_z_by_q73_5 = layer_0_z_by_q73 - t285;
-        const double t289 = t288 - strand_x_by_q71_4 * strand_x_by_q73_5 + strand_z_by_q71_4
-            * strand_z_by_q73_5;
-        const double t290 = strand_x_5 * strand_x_by_q73_5 - strand_y_5 * strand_y_by_q73_5
-            + strand_z_5 * strand_z_by_q73_5;
-        const double length_by_q73_5 = t290 * t283;
-        const double length_by_q71_by_q73_4 = (t289 + length_by_q71_4 * length_by_q73_5) * t283;
-        const double strand_x_by_q73_by_q73_5 = layer_0_x_by_q73_by_q73 - table276[i275][0]
+        const double t292 = table281[i280][0] * y_x_by_q73;
+        const double strand_z_by_q71_by_q73_4 = layer_0_z_by_q71_by_q73 - t292;
+        const double strand_y_by_q73_4 = layer_0_y_by_q73 - table281[i280][0] * u_y_by_q73;
+        const double t293 = t291 - strand_z_4 * strand_z_by_q71_by_q73_4 - layer_0_y_by_q71
+            * strand_y_by_q73_4;
+        const double strand_x_by_q73_4 = layer_0_x_by_q73 - t292;
+        const double strand_z_by_q73_4 = layer_0_z_by_q73 - t290;
+        const double t294 = t293 - strand_x_by_q71_4 * strand_x_by_q73_4 + strand_z_by_q71_4
+            * strand_z_by_q73_4;
+        const double t295 = strand_x_4 * strand_x_by_q73_4 - strand_y_4 * strand_y_by_q73_4
+            + strand_z_4 * strand_z_by_q73_4;
+        const double length_by_q73_4 = t295 * t288;
+        const double length_by_q71_by_q73_4 = (t294 + length_by_q71_4 * length_by_q73_4) * t288;
+        const double strand_x_by_q73_by_q73_4 = layer_0_x_by_q73_by_q73 - table281[i280][0]
             * y_x_by_q73_by_q73;
-        const double strand_y_by_q73_by_q73_5 = layer_0_y_by_q73_by_q73 - table276[i275][0]
+        const double strand_y_by_q73_by_q73_4 = layer_0_y_by_q73_by_q73 - table281[i280][0]
             * u_y_by_q73_by_q73;
-        const double t291 = strand_x_5 * strand_x_by_q73_by_q73_5 + strand_y_5
-            * strand_y_by_q73_by_q73_5;
-        const double strand_z_by_q73_by_q73_5 = layer_0_z_by_q73_by_q73 - table276[i275][0]
+        const double t296 = strand_x_4 * strand_x_by_q73_by_q73_4 + strand_y_4
+            * strand_y_by_q73_by_q73_4;
+        const double strand_z_by_q73_by_q73_4 = layer_0_z_by_q73_by_q73 - table281[i280][0]
             * y_z_by_q73_by_q73;
-        const double t292 = t291 + strand_z_5 * strand_z_by_q73_by_q73_5 + strand_x_by_q73_5
-            * strand_x_by_q73_5;
-        const double t293 = t292 + strand_y_by_q73_5 * strand_y_by_q73_5 + strand_z_by_q73_5
-            * strand_z_by_q73_5;
-        const double length_by_q73_by_q73_5 = (t293 - length_by_q73_5 * length_by_q73_5) * t283;
-        H[4 + 4 * i275] = length_by_q71_by_q71_4;
-        H[5 + 4 * i275] = length_by_q71_by_q73_4;
-        H[6 + 4 * i275] = length_by_q71_by_q73_4;
-        H[7 + 4 * i275] = length_by_q73_by_q73_5;
+        const double t297 = t296 + strand_z_4 * strand_z_by_q73_by_q73_4 + strand_x_by_q73_4
+            * strand_x_by_q73_4;
+        const double t298 = t297 + strand_y_by_q73_4 * strand_y_by_q73_4 + strand_z_by_q73_4
+            * strand_z_by_q73_4;
+        const double length_by_q73_by_q73_4 = (t298 - length_by_q73_4 * length_by_q73_4) * t288;
+        H[4 + 4 * i280] = length_by_q71_by_q71_4;
+        H[5 + 4 * i280] = length_by_q71_by_q73_4;
+        H[6 + 4 * i280] = length_by_q71_by_q73_4;
+        H[7 + 4 * i280] = length_by_q73_by_q73_4;
     }
 }
 

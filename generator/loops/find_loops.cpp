@@ -33,8 +33,10 @@ struct LoopCandidate {
   int saving() const { return (count - 1) * operations; }
 };
 
-/// Two passes cost more instructions than they save.
+/// Two passes cost more instructions than they save. Where passes choose, a compiler knows what the
+/// first few choose and may leave the loop in its middle, which is no counted loop any more.
 constexpr int fewest_passes = 3;
+constexpr int fewest_passes_with_choice = 8;
 
 /// Among loops that make a function longer in execution, what one saves is compared with what it
 /// costs and this part of the whole.
@@ -114,6 +116,7 @@ class Finder {
                         size_of(builder->loop).written};
     for (const LoopLeaf& leaf : builder->loop.leaves)
       if (leaf.kind == LoopLeaf::Kind::chosen) found.places.push_back(leaf.places);
+    if (!found.places.empty() && found.count < fewest_passes_with_choice) return std::nullopt;
     return found;
   }
 

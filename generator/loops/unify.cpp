@@ -353,14 +353,15 @@ Value LoopBuilder::unify_operands(const Column& column) {
                                                                                          : 1.0);
     }
   }
-  const Value value = is_addition(model) ? make_sum(unify_term(operands[0], signs[0]),
-                                                    unify_term(operands[1], signs[1]))
-                                         : make_node(model, operands);
+  const Value value = is_addition(model) ? make_sum(operands, signs) : make_node(model, operands);
   if (value != no_value) set_label(value, column);
   return value;
 }
 
-Value LoopBuilder::make_sum(const Term& a, const Term& b) {
+Value LoopBuilder::make_sum(const std::array<Column, 3>& operands,
+                            const std::array<Scales, 3>& signs) {
+  const Term a = unify_term(operands[0], signs[0]);  // first, whatever compiler it is
+  const Term b = unify_term(operands[1], signs[1]);
   if (a.value == no_value || b.value == no_value) return no_value;
   if (a.negative && b.negative) {
     const Value minus_a = loop.body.make(Op::negate, a.value);

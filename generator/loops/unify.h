@@ -76,7 +76,7 @@ class LoopBuilder {
   Value unify_operands(const Column& column);
   Term unify_term(const Column& column, const Scales& signs);
   Term signed_value(const Column& column, Scales signs);
-  Value make_sum(const Term& a, const Term& b);
+  Value make_sum(const std::array<Column, 3>& operands, const std::array<Scales, 3>& signs);
   Value make_node(const Node& model, const std::array<Column, 3>& operands);
   bool is_kept(const Column& column) const;
   bool is_choice(const Column& column) const;
