@@ -417,7 +417,7 @@ class Finder {
 
 LoopLimits loop_limits(const Target& target) {
   LoopLimits limits;
-  if (target.optimise == Optimise::size) limits.growth = 1.5;
+  if (target.optimise == Optimise::size) limits.growth = 2.0;
   return limits;
 }
 
