@@ -221,7 +221,8 @@ TEST_CASE("a plan has the graph's bits") {
   }
 }
 
-// Planted: entries 0 and 1 of one table exchanged. All 20 states differ.
+// Planted: entries 0 and 1 of one table of constants, places or elements exchanged. All 20 states
+// differ.
 TEST_CASE("planted: exchanged entries of a loop's table are found") {
   for (const Graph& graph : samples()) {
     Plan plan = plan_loops(graph, generous);
@@ -231,8 +232,14 @@ TEST_CASE("planted: exchanged entries of a loop's table are found") {
       CHECK(differing(graph, plan) > 0);
       std::swap(leaf.constants[0], leaf.constants[1]);
     }
+    for (LoopLeaf& leaf : plan.loops[0].leaves) {
+      if (leaf.kind != LoopLeaf::Kind::chosen) continue;
+      std::swap(leaf.places[0], leaf.places[1]);
+      CHECK(differing(graph, plan) > 0);
+      std::swap(leaf.places[0], leaf.places[1]);
+    }
     for (LoopResult& result : plan.loops[0].results) {
-      if (result.is_carried()) continue;
+      if (result.elements.empty()) continue;
       std::swap(result.elements[0], result.elements[1]);
       CHECK(differing(graph, plan) > 0);
       std::swap(result.elements[0], result.elements[1]);
