@@ -113,6 +113,9 @@ CompiledModel::CompiledModel(const EmittedModel& model, const fs::path& runtime,
 
 void CompiledModel::load(const fs::path& folder, const fs::path& runtime,
                          const std::vector<std::string>& optimisation, bool with_batch) {
+  const fs::path first = folder / (name_ + ".c");
+  if (!fs::exists(first))
+    throw std::runtime_error(first.string() + ": not found; expected the emitted C of a model");
   const ScratchFolder scratch;
   const auto compiled = [&](const std::string& part) {
     const fs::path object = scratch.path() / (part + ".o");

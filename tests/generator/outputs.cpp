@@ -156,13 +156,13 @@ TEST_CASE("whatever call fails while outputs are put in place, all are old and i
 TEST_CASE("a run that lives keeps its drafts, one that ended does not, and nobody else's go") {
   const TemporaryFolder place;
   UnfinishedRun alive;
-  alive.enter(place.path());
+  alive.enter(place.path() / "a.csv");
   const fs::path draft = beside(place.path() / "a.csv", alive.name(), Beside::draft);
   reference::write_text(draft, "half");
   const pid_t child = ::fork();
   if (child == 0) {
     UnfinishedRun dead;
-    dead.enter(place.path());
+    dead.enter(place.path() / "a.csv");
     reference::write_text(beside(place.path() / "a.csv", dead.name(), Beside::draft), "half");
     ::_exit(0);
   }

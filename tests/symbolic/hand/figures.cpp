@@ -56,6 +56,6 @@ TEST_CASE("figures without emitted C: a message and status 2", "[figures]") {
   const TemporaryFolder folder;
   std::string output;
   CHECK(figures(folder.path() / "out", (folder.path() / "none").string(), output) == 2);
-  CHECK(output.find("does not compile") != std::string::npos);
+  CHECK(output.find("not found; expected the emitted C of a model") != std::string::npos);
   CHECK(!fs::exists(folder.path() / "out"));
 }
