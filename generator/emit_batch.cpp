@@ -6,6 +6,7 @@
 #include "generator/cost.h"
 #include "generator/emit_c.h"
 #include "generator/statements.h"
+#include "generator/wrap_lines.h"
 
 namespace sinew {
 namespace {
@@ -57,7 +58,7 @@ std::string emit_batch_header(const EmittedModel& model) {
       model.name);
   for (const Graph& graph : model.functions)
     if (has_batch_form(graph)) text += batch_signature(model, graph) + ";\n";
-  return text + "\n#ifdef __cplusplus\n}\n#endif\n#endif\n";
+  return wrap_lines(text + "\n#ifdef __cplusplus\n}\n#endif\n#endif\n");
 }
 
 std::string emit_batch(const EmittedModel& model) {
@@ -70,7 +71,7 @@ std::string emit_batch(const EmittedModel& model) {
       model.name, runtime_includes(model.target));
   for (const Graph& graph : model.functions)
     if (has_batch_form(graph)) text += "\n" + batch_function(model, graph);
-  return text;
+  return wrap_lines(text);
 }
 
 }  // namespace sinew

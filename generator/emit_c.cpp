@@ -7,6 +7,7 @@
 #include "generator/loops/find_loops.h"
 #include "generator/runtime_calls.h"
 #include "generator/statements.h"
+#include "generator/wrap_lines.h"
 
 namespace sinew {
 namespace {
@@ -31,15 +32,28 @@ std::string options_text(const Target& target) {
          (target.optimise == Optimise::size ? " --optimise size" : "");
 }
 
-/// One copy of each long runtime function that is called more than once.
-std::string shared_definitions(const EmittedModel& model) {
-  const std::vector<SharedFunction> shared = shared_functions(model.functions, model.target);
-  if (shared.empty()) return "";
-  std::string text =
+int count_of(const std::string& text, const std::string& word) {
+  int count = 0;
+  for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1))
+    ++count;
+  return count;
+}
+
+/// The copies of long runtime functions that `functions` calls. One that is called once may become
+/// part of its caller.
+std::string shared_definitions(const EmittedModel& model, const std::string& functions) {
+  std::string text;
+  bool not_inline = false;
+  for (const SharedFunction& each : shared_functions(model.functions, model.target)) {
+    const int calls = count_of(functions, each.name + "(");
+    not_inline = not_inline || calls > 1;
+    if (calls > 0 && !each.type.empty()) text += "\n" + each.type;
+    if (calls > 0) text += (calls > 1 ? "\nSINEW_NOT_INLINE " : "\n") + each.definition;
+  }
+  const std::string macro =
       "\n#ifdef __GNUC__\n#define SINEW_NOT_INLINE __attribute__((noinline))\n#else\n"
       "#define SINEW_NOT_INLINE\n#endif\n";
-  for (const SharedFunction& each : shared) text += "\n" + each.definition;
-  return text;
+  return (not_inline ? macro : "") + text;
 }
 
 }  // namespace
@@ -82,22 +96,22 @@ std::string signature(const EmittedModel& model, const Graph& graph) {
 std::string emit_function(const EmittedModel& model, const Graph& graph) {
   ArrayNames names = array_names(graph);
   if (model.target.optimise == Optimise::size) names.side_by_side = false;
-  for (const SharedFunction& each : shared_functions(model.functions, model.target))
-    names.shared.insert(each.name);
+  names.shared = true;
   std::string text = signature(model, graph) + "\n{\n";
   for (const Port& port : graph.inputs)
     if (!reads_port(graph, port.name)) text += fmt::format("    (void){};\n", port.name);
-  for (const std::string& line : statements(graph, plan_loops(graph), model.target, names))
+  for (const std::string& line :
+       statements(graph, plan_loops(graph, loop_limits(model.target)), model.target, names))
     text += "    " + line + "\n";
-  return text + "}\n";
+  return wrap_lines(text + "}\n");
 }
 
 std::string emit_c(const EmittedModel& model) {
-  std::string text = file_comment(model, model.description);
-  text += fmt::format("#include \"{}.h\"\n\n", model.name) + runtime_includes(model.target) +
-          shared_definitions(model);
-  for (const Graph& graph : model.functions) text += "\n" + emit_function(model, graph);
-  return text;
+  std::string functions;
+  for (const Graph& graph : model.functions) functions += "\n" + emit_function(model, graph);
+  return wrap_lines(
+      file_comment(model, model.description) + fmt::format("#include \"{}.h\"\n\n", model.name) +
+      runtime_includes(model.target) + shared_definitions(model, functions) + functions);
 }
 
 }  // namespace sinew

@@ -5,6 +5,7 @@
 
 #include "generator/emit_c.h"
 #include "generator/literal.h"
+#include "generator/wrap_lines.h"
 
 namespace sinew {
 namespace {
@@ -75,7 +76,7 @@ std::string emit_catalogue_header(const EmittedModel& model) {
       "{0}_catalogue;\n\n"
       "#ifdef __cplusplus\n}}\n#endif\n#endif\n",
       model.name);
-  return text;
+  return wrap_lines(text);
 }
 
 std::string emit_catalogue(const EmittedModel& model) {
@@ -97,7 +98,7 @@ std::string emit_catalogue(const EmittedModel& model) {
   text += fmt::format(
       "\nconst sinew_catalogue {0}_catalogue = {{\"{0}\", \"{1}\", {2}, {3}, functions}};\n",
       model.name, model.hash, model.target.bytes(), model.functions.size());
-  return text;
+  return wrap_lines(text);
 }
 
 }  // namespace sinew

@@ -8,6 +8,7 @@
 
 #include "generator/cost.h"
 #include "generator/emit_c.h"
+#include "generator/wrap_lines.h"
 
 namespace sinew {
 namespace {
@@ -64,7 +65,11 @@ std::string emit_header(const EmittedModel& model) {
   const std::string guard = fmt::format("SINEW_{}_H", upper(model.name));
   std::string text = file_comment(model, model.description);
   text += fmt::format("#ifndef {0}\n#define {0}\n\n", guard);
-  text += "/* SI units; matrices row-major. Results are finite for every finite input. */\n";
+  const bool numbered = std::any_of(model.functions.begin(), model.functions.end(),
+                                    [](const Graph& graph) { return !graph.equation.empty(); });
+  text += "/* SI units; matrices row-major. Results are finite for every finite input.";
+  if (numbered) text += "\n * Numbers such as (5.2) are those of equations in the model's source.";
+  text += " */\n";
   if (!model.notes.empty()) {
     text += "\n/*";
     for (const std::string& note : model.notes) text += " " + note + "\n *";
@@ -76,7 +81,7 @@ std::string emit_header(const EmittedModel& model) {
       "\n#ifdef __cplusplus\nextern \"C\" {\n#endif\n";
   for (const Graph& graph : model.functions) text += prototype(model, graph);
   text += "\n#ifdef __cplusplus\n}\n#endif\n#endif\n";
-  return text;
+  return wrap_lines(text);
 }
 
 }  // namespace sinew

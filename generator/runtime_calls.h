@@ -18,14 +18,20 @@ const char* runtime_function(Op op);
 /// short.
 std::string shared_name(Op op, const Target& target);
 
-/// A function of the runtime that is not inlined: one copy for a whole file of emitted C.
+/// "sinew_one_sincos2": the same for the sines and cosines of one angle, or of two side by side.
+std::string shared_sincos_name(std::size_t angles, const Target& target);
+/// What it gives: "struct sinew_sines2", with the arrays s and c.
+std::string shared_sincos_type(std::size_t angles);
+
+/// One copy of a function of the runtime for a whole file of emitted C.
 struct SharedFunction {
   std::string name;
-  std::string definition;  ///< C text
+  std::string definition;  ///< C text, from "static" on
+  std::string type;        ///< C text of the type that it gives, where it is one of its own
 };
 
-/// The ones that a model calls: every long function that its graphs need more than once, sines and
-/// cosines among them where the target is short of room. A call costs few of their instructions.
+/// Copies of the long functions that these graphs call; those of sines and cosines for one angle
+/// and, where the target has them side by side, for two.
 std::vector<SharedFunction> shared_functions(const std::vector<Graph>& graphs,
                                              const Target& target);
 

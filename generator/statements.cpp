@@ -49,7 +49,8 @@ TakenNames reserved_names(const Graph& graph, const Target& target) {
     if (const char* function = runtime_function(static_cast<Op>(op)))
       taken.insert(function + std::string(target.suffix()));
   for (const char* angles : {"", "2", "4"})
-    taken.insert(fmt::format("sinew_sincos{}{}", angles, target.suffix()));
+    for (const char* stem : {"sinew_sincos", "sinew_one_sincos"})
+      taken.insert(fmt::format("{}{}{}", stem, angles, target.suffix()));
   taken.insert(fmt::format("sinew_fma{}", target.suffix()));
   for (const Node& node : graph.nodes())
     if (const std::string name = shared_name(node.op, target); !name.empty()) taken.insert(name);
@@ -166,13 +167,15 @@ class Writer {
         angles.push_back(angle);
     }
     while (!angles.empty()) {
-      const std::size_t count = !names_.side_by_side ? 1
-                                : angles.size() >= 4 ? 4
-                                : angles.size() >= 2 ? 2
-                                                     : 1;
+      const std::size_t count = !names_.side_by_side                   ? 1
+                                : angles.size() >= 4 && !names_.shared ? 4
+                                : angles.size() >= 2                   ? 2
+                                                                       : 1;
       const std::vector<Value> group(angles.begin(),
                                      angles.begin() + static_cast<std::ptrdiff_t>(count));
-      if (count == 1)
+      if (names_.shared)
+        write_shared_sincos(group);
+      else if (count == 1)
         write_one_sincos(group[0]);
       else
         write_sincos_group(group);
@@ -225,7 +228,12 @@ class Writer {
     lines_.push_back(fmt::format("{} {}[{}], {}[{}];", target_.type(), sine, n, cosine, n));
     lines_.push_back(
         fmt::format("sinew_sincos{}{}({}, {}, {});", n, target_.suffix(), in, sine, cosine));
-    for (std::size_t i = 0; i < n; ++i) {
+    name_results(angles, sine, cosine);
+  }
+
+  void name_results(const std::vector<Value>& angles, const std::string& sine,
+                    const std::string& cosine) {
+    for (std::size_t i = 0; i < angles.size(); ++i) {
       const bool s = is_used(angles[i], Op::sine), c = is_used(angles[i], Op::cosine);
       const Pair pair = name_pair(angles[i]);
       if (s)
@@ -233,6 +241,15 @@ class Writer {
       if (c)
         lines_.push_back(fmt::format("const {} {} = {}[{}];", target_.type(), pair.c, cosine, i));
     }
+  }
+
+  void write_shared_sincos(const std::vector<Value>& angles) {
+    std::string list;
+    for (Value angle : angles) list += (list.empty() ? "" : ", ") + text(angle).text;
+    const std::string sines = fresh_name("sines");
+    lines_.push_back(fmt::format("const {} {} = {}({});", shared_sincos_type(angles.size()), sines,
+                                 shared_sincos_name(angles.size(), target_), list));
+    name_results(angles, sines + ".s", sines + ".c");
   }
 
   std::string fresh_name(Value v, const std::string& prefix) {
@@ -305,7 +322,7 @@ class Writer {
   /// The runtime's function, or the one copy of it in the file.
   std::string function_name(Op op, const std::string& function) const {
     const std::string shared = shared_name(op, target_);
-    return names_.shared.count(shared) ? shared : function + target_.suffix();
+    return names_.shared && !shared.empty() ? shared : function + target_.suffix();
   }
 
   Text call(const Node& node) {
@@ -332,10 +349,13 @@ class Writer {
   /// A block of its own. What is carried is read before anything is assigned.
   void write_loop(const Loop& loop) {
     const LoopText text = loop_text(
-        loop, graph_, target_, [this](const std::string& prefix) { return fresh_name(prefix); });
+        loop, graph_, target_,
+        {[this](const std::string& prefix) { return fresh_name(prefix); },
+         [this](Value v) { return this->text(v).text; }, [this](Value v) { return kept_[v]; }});
     for (const std::string& line : text.tables) lines_.push_back(line);
     for (std::size_t k = 0; k < loop.results.size(); ++k) {
       const LoopResult& result = loop.results[k];
+      if (result.is_kept()) keep(result.kept, text.arrays[k]);
       if (!result.is_carried()) continue;
       lines_.push_back(fmt::format("{} {} = {};", target_.type(), text.results[k],
                                    this->text(result.first).text));
@@ -345,6 +365,14 @@ class Writer {
     for (const std::string& line : text.copies) lines_.push_back("    " + line);
     for (const std::string& line : body_of(loop, text)) lines_.push_back("    " + line);
     lines_.push_back("}");
+  }
+
+  void keep(const std::vector<Value>& values, const std::string& array) {
+    lines_.push_back(fmt::format("{} {}[{}];", target_.type(), array, values.size()));
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      text(values[i]) = {fmt::format("{}[{}]", array, i), binds_atom};
+      kept_[values[i]] = {array, static_cast<int>(i)};
+    }
   }
 
   std::vector<std::string> body_of(const Loop& loop, const LoopText& text) {
@@ -367,7 +395,8 @@ class Writer {
   std::vector<Text> texts_;
   TakenNames& taken_;
   std::vector<std::string> lines_;
-  std::size_t at_ = 0;  ///< the step being written
+  std::map<Value, std::pair<std::string, int>> kept_;  ///< by loops: array and place
+  std::size_t at_ = 0;                                 ///< the step being written
 };
 
 }  // namespace

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <functional>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -18,8 +17,7 @@ struct ArrayNames {
   bool side_by_side = true;  ///< evaluate several angles by one call; off inside a loop over
                              ///< states, where all results are stored at the end, too
   bool stores_last = false;  ///< all results are stored at the end
-  std::set<std::string> shared = {};  ///< names of the shared_functions that are called instead
-                                      ///< of the inline ones
+  bool shared = false;       ///< the file's copies of long functions are called (runtime_calls.h)
 };
 
 /// q[2]: plain arrays.

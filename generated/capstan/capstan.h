@@ -9,7 +9,8 @@
 #ifndef SINEW_CAPSTAN_H
 #define SINEW_CAPSTAN_H
 
-/* SI units; matrices row-major. Results are finite for every finite input. */
+/* SI units; matrices row-major. Results are finite for every finite input.
+ * Numbers such as (5.2) are those of equations in the model's source. */
 
 #ifndef SINEW_AT_LEAST
 #ifdef __cplusplus
@@ -29,7 +30,9 @@ extern "C" {
  *   in  velocity      1 [m/s] tendon velocity, towards the motor; made for -0.1..0.1
  *   out force         1 [N] on the tendon
  * 4 multiplications, 2 additions, 1 divisions, 1 square roots, 6 other functions. */
-void capstan_friction_force(const double tension[SINEW_AT_LEAST(1)], const double bending[SINEW_AT_LEAST(1)], const double velocity[SINEW_AT_LEAST(1)], double force[SINEW_AT_LEAST(1)]);
+void capstan_friction_force(const double tension[SINEW_AT_LEAST(1)],
+    const double bending[SINEW_AT_LEAST(1)], const double velocity[SINEW_AT_LEAST(1)],
+    double force[SINEW_AT_LEAST(1)]);
 
 /* Tension at the finger when the motor's side is known. (4.1)
  *   in  tension       1 [N] tendon force; made for 0..100
@@ -37,7 +40,9 @@ void capstan_friction_force(const double tension[SINEW_AT_LEAST(1)], const doubl
  *   in  velocity      1 [m/s] tendon velocity, towards the motor; made for -0.1..0.1
  *   out force         1 [N] on the finger's side
  * 4 multiplications, 1 additions, 1 divisions, 1 square roots, 6 other functions. */
-void capstan_transmitted_force(const double tension[SINEW_AT_LEAST(1)], const double bending[SINEW_AT_LEAST(1)], const double velocity[SINEW_AT_LEAST(1)], double force[SINEW_AT_LEAST(1)]);
+void capstan_transmitted_force(const double tension[SINEW_AT_LEAST(1)],
+    const double bending[SINEW_AT_LEAST(1)], const double velocity[SINEW_AT_LEAST(1)],
+    double force[SINEW_AT_LEAST(1)]);
 
 #ifdef __cplusplus
 }

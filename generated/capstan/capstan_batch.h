@@ -21,8 +21,12 @@
 extern "C" {
 #endif
 
-void capstan_friction_force_batch(int count, const double *SINEW_RESTRICT tension, const double *SINEW_RESTRICT bending, const double *SINEW_RESTRICT velocity, double *SINEW_RESTRICT force);
-void capstan_transmitted_force_batch(int count, const double *SINEW_RESTRICT tension, const double *SINEW_RESTRICT bending, const double *SINEW_RESTRICT velocity, double *SINEW_RESTRICT force);
+void capstan_friction_force_batch(int count, const double *SINEW_RESTRICT tension,
+    const double *SINEW_RESTRICT bending, const double *SINEW_RESTRICT velocity,
+    double *SINEW_RESTRICT force);
+void capstan_transmitted_force_batch(int count, const double *SINEW_RESTRICT tension,
+    const double *SINEW_RESTRICT bending, const double *SINEW_RESTRICT velocity,
+    double *SINEW_RESTRICT force);
 
 #ifdef __cplusplus
 }

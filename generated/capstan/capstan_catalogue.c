@@ -53,8 +53,11 @@ static const sinew_argument transmitted_force_outputs[] = {
 };
 
 static const sinew_function functions[] = {
-    {"capstan_friction_force", 3, 1, 3, 1, friction_force_inputs, friction_force_outputs, call_friction_force},
-    {"capstan_transmitted_force", 3, 1, 3, 1, transmitted_force_inputs, transmitted_force_outputs, call_transmitted_force},
+    {"capstan_friction_force", 3, 1, 3, 1, friction_force_inputs, friction_force_outputs,
+        call_friction_force},
+    {"capstan_transmitted_force", 3, 1, 3, 1, transmitted_force_inputs, transmitted_force_outputs,
+        call_transmitted_force},
 };
 
-const sinew_catalogue capstan_catalogue = {"capstan", "9937a616cfcfa046d6bebb92e5b90c960f3b39b95c0b66932a954a91e45aa2ea", 8, 2, functions};
+const sinew_catalogue capstan_catalogue = {"capstan",
+    "9937a616cfcfa046d6bebb92e5b90c960f3b39b95c0b66932a954a91e45aa2ea", 8, 2, functions};

@@ -16,9 +16,35 @@
 #define SINEW_NOT_INLINE
 #endif
 
+static double sinew_one_atan(double x)
+{
+    return sinew_atan(x);
+}
+
 SINEW_NOT_INLINE static double sinew_one_exp(double x)
 {
     return sinew_exp(x);
+}
+
+static double sinew_one_log(double x)
+{
+    return sinew_log(x);
+}
+
+struct sinew_sines {
+    double s[1], c[1];
+};
+
+SINEW_NOT_INLINE static struct sinew_sines sinew_one_sincos(double x)
+{
+    struct sinew_sines y;
+    sinew_sincos(x, y.s, y.c);
+    return y;
+}
+
+static double sinew_one_tanh(double x)
+{
+    return sinew_tanh(x);
 }
 
 void effects_inertia(const double signals[SINEW_AT_LEAST(11)], double columns[SINEW_AT_LEAST(1)])
@@ -26,12 +52,14 @@ void effects_inertia(const double signals[SINEW_AT_LEAST(11)], double columns[SI
     columns[0] = signals[2];
 }
 
-void effects_viscous_level(const double signals[SINEW_AT_LEAST(11)], double columns[SINEW_AT_LEAST(1)])
+void effects_viscous_level(const double signals[SINEW_AT_LEAST(11)],
+    double columns[SINEW_AT_LEAST(1)])
 {
     columns[0] = signals[1];
 }
 
-void effects_coulomb_level(const double signals[SINEW_AT_LEAST(11)], double columns[SINEW_AT_LEAST(1)])
+void effects_coulomb_level(const double signals[SINEW_AT_LEAST(11)],
+    double columns[SINEW_AT_LEAST(1)])
 {
     columns[0] = signals[6];
 }
@@ -42,82 +70,101 @@ void effects_offset(const double signals[SINEW_AT_LEAST(11)], double columns[SIN
     columns[0] = 1.0;
 }
 
-void effects_viscous_asymmetry(const double signals[SINEW_AT_LEAST(11)], double columns[SINEW_AT_LEAST(1)])
+void effects_viscous_asymmetry(const double signals[SINEW_AT_LEAST(11)],
+    double columns[SINEW_AT_LEAST(1)])
 {
     columns[0] = sinew_max(signals[1], -signals[1]);
 }
 
-void effects_coulomb_asymmetry(const double signals[SINEW_AT_LEAST(11)], double columns[SINEW_AT_LEAST(1)])
+void effects_coulomb_asymmetry(const double signals[SINEW_AT_LEAST(11)],
+    double columns[SINEW_AT_LEAST(1)])
 {
     columns[0] = sinew_max(signals[6], -signals[6]);
 }
 
-void effects_stribeck(const double signals[SINEW_AT_LEAST(11)], const double shape[SINEW_AT_LEAST(1)], double columns[SINEW_AT_LEAST(1)])
+void effects_stribeck(const double signals[SINEW_AT_LEAST(11)],
+    const double shape[SINEW_AT_LEAST(1)], double columns[SINEW_AT_LEAST(1)])
 {
-    const double t1 = signals[6] * sinew_one_exp(-(signals[1] * signals[1] / (shape[0] * shape[0])));
+    const double t1 = signals[6] * sinew_one_exp(-(signals[1] * signals[1] / (shape[0]
+        * shape[0])));
     columns[0] = t1;
 }
 
-void effects_concave_friction(const double signals[SINEW_AT_LEAST(11)], const double shape[SINEW_AT_LEAST(1)], double columns[SINEW_AT_LEAST(1)])
+void effects_concave_friction(const double signals[SINEW_AT_LEAST(11)],
+    const double shape[SINEW_AT_LEAST(1)], double columns[SINEW_AT_LEAST(1)])
 {
-    columns[0] = sinew_atan(signals[1] / shape[0]);
+    columns[0] = sinew_one_atan(signals[1] / shape[0]);
 }
 
-void effects_concave_power(const double signals[SINEW_AT_LEAST(11)], const double shape[SINEW_AT_LEAST(2)], double columns[SINEW_AT_LEAST(1)])
+void effects_concave_power(const double signals[SINEW_AT_LEAST(11)],
+    const double shape[SINEW_AT_LEAST(2)], double columns[SINEW_AT_LEAST(1)])
 {
-    const double t1 = sinew_log(sinew_max(sinew_max(signals[1], -signals[1]) / shape[0], 1e-06));
+    const double t1 = sinew_one_log(sinew_max(sinew_max(signals[1], -signals[1]) / shape[0],
+        1e-06));
     columns[0] = signals[6] * sinew_one_exp(shape[1] * t1);
 }
 
-void effects_quadratic_friction(const double signals[SINEW_AT_LEAST(11)], double columns[SINEW_AT_LEAST(1)])
+void effects_quadratic_friction(const double signals[SINEW_AT_LEAST(11)],
+    double columns[SINEW_AT_LEAST(1)])
 {
     columns[0] = signals[1] * sinew_max(signals[1], -signals[1]);
 }
 
-void effects_load_friction(const double signals[SINEW_AT_LEAST(11)], double columns[SINEW_AT_LEAST(1)])
+void effects_load_friction(const double signals[SINEW_AT_LEAST(11)],
+    double columns[SINEW_AT_LEAST(1)])
 {
     columns[0] = signals[6] * sinew_max(signals[4], -signals[4]);
 }
 
-void effects_friction_drift(const double signals[SINEW_AT_LEAST(11)], const double shape[SINEW_AT_LEAST(1)], double columns[SINEW_AT_LEAST(1)])
+void effects_friction_drift(const double signals[SINEW_AT_LEAST(11)],
+    const double shape[SINEW_AT_LEAST(1)], double columns[SINEW_AT_LEAST(1)])
 {
     columns[0] = signals[6] * (1.0 - sinew_one_exp(-(signals[5] / shape[0])));
 }
 
-void effects_position_friction(const double signals[SINEW_AT_LEAST(11)], double columns[SINEW_AT_LEAST(1)])
+void effects_position_friction(const double signals[SINEW_AT_LEAST(11)],
+    double columns[SINEW_AT_LEAST(1)])
 {
     columns[0] = signals[0] * signals[6];
 }
 
-void effects_ripple(const double signals[SINEW_AT_LEAST(11)], const double shape[SINEW_AT_LEAST(1)], double columns[SINEW_AT_LEAST(2)])
+void effects_ripple(const double signals[SINEW_AT_LEAST(11)], const double shape[SINEW_AT_LEAST(1)],
+    double columns[SINEW_AT_LEAST(2)])
 {
     const double t1 = signals[0] * shape[0];
-    double s2, c3;
-    sinew_sincos(t1, &s2, &c3);
-    columns[0] = s2;
-    columns[1] = c3;
+    const struct sinew_sines sines2 = sinew_one_sincos(t1);
+    const double s3 = sines2.s[0];
+    const double c4 = sines2.c[0];
+    columns[0] = s3;
+    columns[1] = c4;
 }
 
-void effects_load_ripple(const double signals[SINEW_AT_LEAST(11)], const double shape[SINEW_AT_LEAST(1)], double columns[SINEW_AT_LEAST(2)])
+void effects_load_ripple(const double signals[SINEW_AT_LEAST(11)],
+    const double shape[SINEW_AT_LEAST(1)], double columns[SINEW_AT_LEAST(2)])
 {
     const double t1 = signals[0] * shape[0];
-    double s2, c3;
-    sinew_sincos(t1, &s2, &c3);
-    columns[0] = signals[4] * s2;
-    columns[1] = signals[4] * c3;
+    const struct sinew_sines sines2 = sinew_one_sincos(t1);
+    const double s3 = sines2.s[0];
+    const double c4 = sines2.c[0];
+    columns[0] = signals[4] * s3;
+    columns[1] = signals[4] * c4;
 }
 
-void effects_gear_elasticity(const double signals[SINEW_AT_LEAST(11)], double columns[SINEW_AT_LEAST(1)])
+void effects_gear_elasticity(const double signals[SINEW_AT_LEAST(11)],
+    double columns[SINEW_AT_LEAST(1)])
 {
     columns[0] = signals[3];
 }
 
-void effects_gear_resonance(const double signals[SINEW_AT_LEAST(11)], const double shape[SINEW_AT_LEAST(2)], const double memory[SINEW_AT_LEAST(3)], double columns[SINEW_AT_LEAST(1)], double next[SINEW_AT_LEAST(3)])
+void effects_gear_resonance(const double signals[SINEW_AT_LEAST(11)],
+    const double shape[SINEW_AT_LEAST(2)], const double memory[SINEW_AT_LEAST(3)],
+    double columns[SINEW_AT_LEAST(1)], double next[SINEW_AT_LEAST(3)])
 {
     const double t1 = signals[7] * memory[2];
     const double t2 = 4.0 * memory[1] + t1;
     const double t3 = shape[0] * shape[0];
-    const double t4 = 4.0 * (signals[2] + shape[0] * shape[1] * (memory[1] + memory[1] + t1)) + (4.0 * memory[0] + signals[7] * t2) * t3;
+    const double t4 = 4.0 * (signals[2] + shape[0] * shape[1] * (memory[1] + memory[1] + t1)) + (4.0
+        * memory[0] + signals[7] * t2) * t3;
     const double t5 = signals[7] * signals[7];
     const double t6 = 1.0 / (4.0 * (1.0 + signals[7] * shape[0] * shape[1]) + t5 * t3);
     const double t7 = -(t4 * t6);
@@ -128,17 +175,20 @@ void effects_gear_resonance(const double signals[SINEW_AT_LEAST(11)], const doub
     next[2] = t7;
 }
 
-void effects_torsion_spring(const double signals[SINEW_AT_LEAST(11)], double columns[SINEW_AT_LEAST(1)])
+void effects_torsion_spring(const double signals[SINEW_AT_LEAST(11)],
+    double columns[SINEW_AT_LEAST(1)])
 {
     columns[0] = signals[0];
 }
 
-void effects_offset_drift(const double signals[SINEW_AT_LEAST(11)], double columns[SINEW_AT_LEAST(1)])
+void effects_offset_drift(const double signals[SINEW_AT_LEAST(11)],
+    double columns[SINEW_AT_LEAST(1)])
 {
     columns[0] = signals[5];
 }
 
-void effects_cable_torque(const double signals[SINEW_AT_LEAST(11)], const double shape[SINEW_AT_LEAST(2)], double columns[SINEW_AT_LEAST(8)])
+void effects_cable_torque(const double signals[SINEW_AT_LEAST(11)],
+    const double shape[SINEW_AT_LEAST(2)], double columns[SINEW_AT_LEAST(8)])
 {
     const double t1 = sinew_min(sinew_max((signals[0] - shape[0]) / shape[1], -1.0), 1.0);
     const double t2 = 1.0 - (t1 + t1) * t1;
@@ -159,7 +209,8 @@ void effects_cable_torque(const double signals[SINEW_AT_LEAST(11)], const double
     columns[7] = -(t1 * (t9 + t9 + 1.0) + t7);
 }
 
-void effects_cable_torque_cubic(const double signals[SINEW_AT_LEAST(11)], const double shape[SINEW_AT_LEAST(2)], double columns[SINEW_AT_LEAST(4)])
+void effects_cable_torque_cubic(const double signals[SINEW_AT_LEAST(11)],
+    const double shape[SINEW_AT_LEAST(2)], double columns[SINEW_AT_LEAST(4)])
 {
     const double t1 = sinew_min(sinew_max((signals[0] - shape[0]) / shape[1], -1.0), 1.0);
     const double t2 = 1.0 - (t1 + t1) * t1;
@@ -169,7 +220,9 @@ void effects_cable_torque_cubic(const double signals[SINEW_AT_LEAST(11)], const 
     columns[3] = -(t1 * (t2 + t2 + 1.0));
 }
 
-void effects_inertial_backlash(const double signals[SINEW_AT_LEAST(11)], const double shape[SINEW_AT_LEAST(2)], const double memory[SINEW_AT_LEAST(2)], double columns[SINEW_AT_LEAST(1)], double next[SINEW_AT_LEAST(2)])
+void effects_inertial_backlash(const double signals[SINEW_AT_LEAST(11)],
+    const double shape[SINEW_AT_LEAST(2)], const double memory[SINEW_AT_LEAST(2)],
+    double columns[SINEW_AT_LEAST(1)], double next[SINEW_AT_LEAST(2)])
 {
     const double t1 = memory[1] + signals[2] * signals[7] / shape[0];
     const double t2 = sinew_min(sinew_max(memory[0] + signals[7] * t1, 0.0), 1.0);
@@ -180,7 +233,9 @@ void effects_inertial_backlash(const double signals[SINEW_AT_LEAST(11)], const d
     next[1] = t4;
 }
 
-void effects_loaded_backlash(const double signals[SINEW_AT_LEAST(11)], const double shape[SINEW_AT_LEAST(3)], const double memory[SINEW_AT_LEAST(2)], double columns[SINEW_AT_LEAST(1)], double next[SINEW_AT_LEAST(2)])
+void effects_loaded_backlash(const double signals[SINEW_AT_LEAST(11)],
+    const double shape[SINEW_AT_LEAST(3)], const double memory[SINEW_AT_LEAST(2)],
+    double columns[SINEW_AT_LEAST(1)], double next[SINEW_AT_LEAST(2)])
 {
     const double t1 = memory[1] + signals[7] * (signals[2] + signals[4] * shape[1]) / shape[0];
     const double t2 = sinew_min(sinew_max(memory[0] + signals[7] * t1, 0.0), 1.0);
@@ -191,17 +246,21 @@ void effects_loaded_backlash(const double signals[SINEW_AT_LEAST(11)], const dou
     next[1] = t4;
 }
 
-void effects_link_elasticity(const double signals[SINEW_AT_LEAST(11)], double columns[SINEW_AT_LEAST(1)])
+void effects_link_elasticity(const double signals[SINEW_AT_LEAST(11)],
+    double columns[SINEW_AT_LEAST(1)])
 {
     columns[0] = signals[9] * signals[10];
 }
 
-void effects_link_resonance(const double signals[SINEW_AT_LEAST(11)], const double shape[SINEW_AT_LEAST(2)], const double memory[SINEW_AT_LEAST(3)], double columns[SINEW_AT_LEAST(1)], double next[SINEW_AT_LEAST(3)])
+void effects_link_resonance(const double signals[SINEW_AT_LEAST(11)],
+    const double shape[SINEW_AT_LEAST(2)], const double memory[SINEW_AT_LEAST(3)],
+    double columns[SINEW_AT_LEAST(1)], double next[SINEW_AT_LEAST(3)])
 {
     const double t1 = signals[7] * memory[2];
     const double t2 = 4.0 * memory[1] + t1;
     const double t3 = shape[0] * shape[0];
-    const double t4 = 4.0 * (signals[8] + shape[0] * shape[1] * (memory[1] + memory[1] + t1)) + (4.0 * memory[0] + signals[7] * t2) * t3;
+    const double t4 = 4.0 * (signals[8] + shape[0] * shape[1] * (memory[1] + memory[1] + t1)) + (4.0
+        * memory[0] + signals[7] * t2) * t3;
     const double t5 = signals[7] * signals[7];
     const double t6 = 1.0 / (4.0 * (1.0 + signals[7] * shape[0] * shape[1]) + t5 * t3);
     const double t7 = 0.5 * signals[7];
@@ -211,7 +270,9 @@ void effects_link_resonance(const double signals[SINEW_AT_LEAST(11)], const doub
     next[2] = -(t4 * t6);
 }
 
-void effects_link_backlash(const double signals[SINEW_AT_LEAST(11)], const double shape[SINEW_AT_LEAST(2)], const double memory[SINEW_AT_LEAST(2)], double columns[SINEW_AT_LEAST(1)], double next[SINEW_AT_LEAST(2)])
+void effects_link_backlash(const double signals[SINEW_AT_LEAST(11)],
+    const double shape[SINEW_AT_LEAST(2)], const double memory[SINEW_AT_LEAST(2)],
+    double columns[SINEW_AT_LEAST(1)], double next[SINEW_AT_LEAST(2)])
 {
     const double t1 = memory[1] + signals[7] * signals[8] / shape[0];
     const double t2 = sinew_min(sinew_max(memory[0] + signals[7] * t1, 0.0), 1.0);
@@ -222,49 +283,62 @@ void effects_link_backlash(const double signals[SINEW_AT_LEAST(11)], const doubl
     next[1] = t4;
 }
 
-void effects_guiding_friction(const double signals[SINEW_AT_LEAST(11)], double columns[SINEW_AT_LEAST(2)])
+void effects_guiding_friction(const double signals[SINEW_AT_LEAST(11)],
+    double columns[SINEW_AT_LEAST(2)])
 {
     columns[0] = signals[4] * signals[6];
     columns[1] = signals[0] * signals[4] * signals[6];
 }
 
-void effects_motor_side_guiding(const double signals[SINEW_AT_LEAST(11)], double columns[SINEW_AT_LEAST(2)])
+void effects_motor_side_guiding(const double signals[SINEW_AT_LEAST(11)],
+    double columns[SINEW_AT_LEAST(2)])
 {
     columns[0] = signals[4] * signals[6];
     columns[1] = signals[0] * signals[4] * signals[6];
 }
 
-void effects_force_sensor_scale(const double signals[SINEW_AT_LEAST(11)], double columns[SINEW_AT_LEAST(1)])
+void effects_force_sensor_scale(const double signals[SINEW_AT_LEAST(11)],
+    double columns[SINEW_AT_LEAST(1)])
 {
     columns[0] = signals[4];
 }
 
-void effects_force_sensor_offset(const double signals[SINEW_AT_LEAST(11)], double columns[SINEW_AT_LEAST(1)])
+void effects_force_sensor_offset(const double signals[SINEW_AT_LEAST(11)],
+    double columns[SINEW_AT_LEAST(1)])
 {
     (void)signals;
     columns[0] = 1.0;
 }
 
-void effects_presliding(const double signals[SINEW_AT_LEAST(11)], const double shape[SINEW_AT_LEAST(1)], const double memory[SINEW_AT_LEAST(1)], double columns[SINEW_AT_LEAST(1)], double next[SINEW_AT_LEAST(1)])
+void effects_presliding(const double signals[SINEW_AT_LEAST(11)],
+    const double shape[SINEW_AT_LEAST(1)], const double memory[SINEW_AT_LEAST(1)],
+    double columns[SINEW_AT_LEAST(1)], double next[SINEW_AT_LEAST(1)])
 {
     const double t1 = signals[1] * signals[7] / shape[0];
     const double t2 = sinew_one_exp(-sinew_max(t1, -t1));
-    const double t3 = sinew_choose(t1, 1.0 - (1.0 - memory[0]) * t2, -(1.0 - (1.0 + memory[0]) * t2));
+    const double t3 = sinew_choose(t1, 1.0 - (1.0 - memory[0]) * t2, -(1.0 - (1.0 + memory[0])
+        * t2));
     columns[0] = t3;
     next[0] = t3;
 }
 
-void effects_soft_reversal(const double signals[SINEW_AT_LEAST(11)], const double shape[SINEW_AT_LEAST(1)], double columns[SINEW_AT_LEAST(1)])
+void effects_soft_reversal(const double signals[SINEW_AT_LEAST(11)],
+    const double shape[SINEW_AT_LEAST(1)], double columns[SINEW_AT_LEAST(1)])
 {
-    columns[0] = sinew_tanh(signals[1] / shape[0]) - sinew_choose(signals[1], 1.0, -1.0);
+    const double t1 = sinew_one_tanh(signals[1] / shape[0]) - sinew_choose(signals[1], 1.0, -1.0);
+    columns[0] = t1;
 }
 
-void effects_late_reversal(const double signals[SINEW_AT_LEAST(11)], const double shape[SINEW_AT_LEAST(1)], const double memory[SINEW_AT_LEAST(1)], double columns[SINEW_AT_LEAST(1)], double next[SINEW_AT_LEAST(1)])
+void effects_late_reversal(const double signals[SINEW_AT_LEAST(11)],
+    const double shape[SINEW_AT_LEAST(1)], const double memory[SINEW_AT_LEAST(1)],
+    double columns[SINEW_AT_LEAST(1)], double next[SINEW_AT_LEAST(1)])
 {
     const double t1 = signals[1] * signals[7] / shape[0];
     const double t2 = sinew_one_exp(-sinew_max(t1, -t1));
-    const double t3 = sinew_choose(t1, 1.0 - (1.0 - memory[0]) * t2, -(1.0 - (1.0 + memory[0]) * t2));
-    const double t4 = (sinew_choose(signals[1], 1.0, -1.0) - t3) * sinew_max(signals[6], -signals[6]);
+    const double t3 = sinew_choose(t1, 1.0 - (1.0 - memory[0]) * t2, -(1.0 - (1.0 + memory[0])
+        * t2));
+    const double t4 = (sinew_choose(signals[1], 1.0, -1.0) - t3) * sinew_max(signals[6],
+        -signals[6]);
     columns[0] = -t4;
     next[0] = t3;
 }

@@ -18,7 +18,8 @@
 #define SINEW_STATES_ARE_INDEPENDENT
 #endif
 
-void effects_inertia_batch(int count, const double *SINEW_RESTRICT signals, double *SINEW_RESTRICT columns)
+void effects_inertia_batch(int count, const double *SINEW_RESTRICT signals,
+    double *SINEW_RESTRICT columns)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
@@ -27,7 +28,8 @@ void effects_inertia_batch(int count, const double *SINEW_RESTRICT signals, doub
     }
 }
 
-void effects_viscous_level_batch(int count, const double *SINEW_RESTRICT signals, double *SINEW_RESTRICT columns)
+void effects_viscous_level_batch(int count, const double *SINEW_RESTRICT signals,
+    double *SINEW_RESTRICT columns)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
@@ -36,7 +38,8 @@ void effects_viscous_level_batch(int count, const double *SINEW_RESTRICT signals
     }
 }
 
-void effects_coulomb_level_batch(int count, const double *SINEW_RESTRICT signals, double *SINEW_RESTRICT columns)
+void effects_coulomb_level_batch(int count, const double *SINEW_RESTRICT signals,
+    double *SINEW_RESTRICT columns)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
@@ -45,7 +48,8 @@ void effects_coulomb_level_batch(int count, const double *SINEW_RESTRICT signals
     }
 }
 
-void effects_offset_batch(int count, const double *SINEW_RESTRICT signals, double *SINEW_RESTRICT columns)
+void effects_offset_batch(int count, const double *SINEW_RESTRICT signals,
+    double *SINEW_RESTRICT columns)
 {
     const size_t n = (size_t)count;
     (void)signals;
@@ -55,7 +59,8 @@ void effects_offset_batch(int count, const double *SINEW_RESTRICT signals, doubl
     }
 }
 
-void effects_viscous_asymmetry_batch(int count, const double *SINEW_RESTRICT signals, double *SINEW_RESTRICT columns)
+void effects_viscous_asymmetry_batch(int count, const double *SINEW_RESTRICT signals,
+    double *SINEW_RESTRICT columns)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
@@ -64,7 +69,8 @@ void effects_viscous_asymmetry_batch(int count, const double *SINEW_RESTRICT sig
     }
 }
 
-void effects_coulomb_asymmetry_batch(int count, const double *SINEW_RESTRICT signals, double *SINEW_RESTRICT columns)
+void effects_coulomb_asymmetry_batch(int count, const double *SINEW_RESTRICT signals,
+    double *SINEW_RESTRICT columns)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
@@ -73,17 +79,20 @@ void effects_coulomb_asymmetry_batch(int count, const double *SINEW_RESTRICT sig
     }
 }
 
-void effects_stribeck_batch(int count, const double *SINEW_RESTRICT signals, const double *SINEW_RESTRICT shape, double *SINEW_RESTRICT columns)
+void effects_stribeck_batch(int count, const double *SINEW_RESTRICT signals,
+    const double *SINEW_RESTRICT shape, double *SINEW_RESTRICT columns)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
     for (size_t state = 0; state < n; ++state) {
-        const double t1 = signals[1 * n + state] * signals[1 * n + state] / (shape[state] * shape[state]);
+        const double t1 = signals[1 * n + state] * signals[1 * n + state] / (shape[state]
+            * shape[state]);
         columns[state] = signals[6 * n + state] * sinew_exp(-t1);
     }
 }
 
-void effects_concave_friction_batch(int count, const double *SINEW_RESTRICT signals, const double *SINEW_RESTRICT shape, double *SINEW_RESTRICT columns)
+void effects_concave_friction_batch(int count, const double *SINEW_RESTRICT signals,
+    const double *SINEW_RESTRICT shape, double *SINEW_RESTRICT columns)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
@@ -92,48 +101,57 @@ void effects_concave_friction_batch(int count, const double *SINEW_RESTRICT sign
     }
 }
 
-void effects_concave_power_batch(int count, const double *SINEW_RESTRICT signals, const double *SINEW_RESTRICT shape, double *SINEW_RESTRICT columns)
+void effects_concave_power_batch(int count, const double *SINEW_RESTRICT signals,
+    const double *SINEW_RESTRICT shape, double *SINEW_RESTRICT columns)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
     for (size_t state = 0; state < n; ++state) {
         const double t1 = sinew_max(signals[1 * n + state], -signals[1 * n + state]) / shape[state];
-        const double t2 = signals[6 * n + state] * sinew_exp(shape[1 * n + state] * sinew_log(sinew_max(t1, 1e-06)));
+        const double t2 = signals[6 * n + state] * sinew_exp(shape[1 * n + state]
+            * sinew_log(sinew_max(t1, 1e-06)));
         columns[state] = t2;
     }
 }
 
-void effects_quadratic_friction_batch(int count, const double *SINEW_RESTRICT signals, double *SINEW_RESTRICT columns)
+void effects_quadratic_friction_batch(int count, const double *SINEW_RESTRICT signals,
+    double *SINEW_RESTRICT columns)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
     for (size_t state = 0; state < n; ++state) {
-        const double t1 = signals[1 * n + state] * sinew_max(signals[1 * n + state], -signals[1 * n + state]);
+        const double t1 = signals[1 * n + state] * sinew_max(signals[1 * n + state], -signals[1 * n
+            + state]);
         columns[state] = t1;
     }
 }
 
-void effects_load_friction_batch(int count, const double *SINEW_RESTRICT signals, double *SINEW_RESTRICT columns)
+void effects_load_friction_batch(int count, const double *SINEW_RESTRICT signals,
+    double *SINEW_RESTRICT columns)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
     for (size_t state = 0; state < n; ++state) {
-        const double t1 = signals[6 * n + state] * sinew_max(signals[4 * n + state], -signals[4 * n + state]);
+        const double t1 = signals[6 * n + state] * sinew_max(signals[4 * n + state], -signals[4 * n
+            + state]);
         columns[state] = t1;
     }
 }
 
-void effects_friction_drift_batch(int count, const double *SINEW_RESTRICT signals, const double *SINEW_RESTRICT shape, double *SINEW_RESTRICT columns)
+void effects_friction_drift_batch(int count, const double *SINEW_RESTRICT signals,
+    const double *SINEW_RESTRICT shape, double *SINEW_RESTRICT columns)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
     for (size_t state = 0; state < n; ++state) {
-        const double t1 = signals[6 * n + state] * (1.0 - sinew_exp(-(signals[5 * n + state] / shape[state])));
+        const double t1 = signals[6 * n + state] * (1.0 - sinew_exp(-(signals[5 * n + state]
+            / shape[state])));
         columns[state] = t1;
     }
 }
 
-void effects_position_friction_batch(int count, const double *SINEW_RESTRICT signals, double *SINEW_RESTRICT columns)
+void effects_position_friction_batch(int count, const double *SINEW_RESTRICT signals,
+    double *SINEW_RESTRICT columns)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
@@ -142,7 +160,8 @@ void effects_position_friction_batch(int count, const double *SINEW_RESTRICT sig
     }
 }
 
-void effects_ripple_batch(int count, const double *SINEW_RESTRICT signals, const double *SINEW_RESTRICT shape, double *SINEW_RESTRICT columns)
+void effects_ripple_batch(int count, const double *SINEW_RESTRICT signals,
+    const double *SINEW_RESTRICT shape, double *SINEW_RESTRICT columns)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
@@ -155,7 +174,8 @@ void effects_ripple_batch(int count, const double *SINEW_RESTRICT signals, const
     }
 }
 
-void effects_load_ripple_batch(int count, const double *SINEW_RESTRICT signals, const double *SINEW_RESTRICT shape, double *SINEW_RESTRICT columns)
+void effects_load_ripple_batch(int count, const double *SINEW_RESTRICT signals,
+    const double *SINEW_RESTRICT shape, double *SINEW_RESTRICT columns)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
@@ -168,7 +188,8 @@ void effects_load_ripple_batch(int count, const double *SINEW_RESTRICT signals, 
     }
 }
 
-void effects_gear_elasticity_batch(int count, const double *SINEW_RESTRICT signals, double *SINEW_RESTRICT columns)
+void effects_gear_elasticity_batch(int count, const double *SINEW_RESTRICT signals,
+    double *SINEW_RESTRICT columns)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
@@ -177,7 +198,9 @@ void effects_gear_elasticity_batch(int count, const double *SINEW_RESTRICT signa
     }
 }
 
-void effects_gear_resonance_batch(int count, const double *SINEW_RESTRICT signals, const double *SINEW_RESTRICT shape, const double *SINEW_RESTRICT memory, double *SINEW_RESTRICT columns, double *SINEW_RESTRICT next)
+void effects_gear_resonance_batch(int count, const double *SINEW_RESTRICT signals,
+    const double *SINEW_RESTRICT shape, const double *SINEW_RESTRICT memory,
+    double *SINEW_RESTRICT columns, double *SINEW_RESTRICT next)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
@@ -185,9 +208,12 @@ void effects_gear_resonance_batch(int count, const double *SINEW_RESTRICT signal
         const double t1 = signals[7 * n + state] * memory[2 * n + state];
         const double t2 = 4.0 * memory[1 * n + state] + t1;
         const double t3 = shape[state] * shape[state];
-        const double t4 = shape[state] * shape[1 * n + state] * (memory[1 * n + state] + memory[1 * n + state] + t1);
-        const double t5 = 4.0 * (signals[2 * n + state] + t4) + (4.0 * memory[state] + signals[7 * n + state] * t2) * t3;
-        const double t6 = 4.0 * (1.0 + signals[7 * n + state] * shape[state] * shape[1 * n + state]);
+        const double t4 = shape[state] * shape[1 * n + state] * (memory[1 * n + state] + memory[1
+            * n + state] + t1);
+        const double t5 = 4.0 * (signals[2 * n + state] + t4) + (4.0 * memory[state] + signals[7 * n
+            + state] * t2) * t3;
+        const double t6 = 4.0 * (1.0 + signals[7 * n + state] * shape[state] * shape[1 * n
+            + state]);
         const double t7 = signals[7 * n + state] * signals[7 * n + state];
         const double t8 = 1.0 / (t6 + t7 * t3);
         const double t9 = -(t5 * t8);
@@ -199,7 +225,8 @@ void effects_gear_resonance_batch(int count, const double *SINEW_RESTRICT signal
     }
 }
 
-void effects_torsion_spring_batch(int count, const double *SINEW_RESTRICT signals, double *SINEW_RESTRICT columns)
+void effects_torsion_spring_batch(int count, const double *SINEW_RESTRICT signals,
+    double *SINEW_RESTRICT columns)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
@@ -208,7 +235,8 @@ void effects_torsion_spring_batch(int count, const double *SINEW_RESTRICT signal
     }
 }
 
-void effects_offset_drift_batch(int count, const double *SINEW_RESTRICT signals, double *SINEW_RESTRICT columns)
+void effects_offset_drift_batch(int count, const double *SINEW_RESTRICT signals,
+    double *SINEW_RESTRICT columns)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
@@ -217,12 +245,14 @@ void effects_offset_drift_batch(int count, const double *SINEW_RESTRICT signals,
     }
 }
 
-void effects_cable_torque_batch(int count, const double *SINEW_RESTRICT signals, const double *SINEW_RESTRICT shape, double *SINEW_RESTRICT columns)
+void effects_cable_torque_batch(int count, const double *SINEW_RESTRICT signals,
+    const double *SINEW_RESTRICT shape, double *SINEW_RESTRICT columns)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
     for (size_t state = 0; state < n; ++state) {
-        const double t1 = sinew_min(sinew_max((signals[state] - shape[state]) / shape[1 * n + state], -1.0), 1.0);
+        const double t1 = sinew_min(sinew_max((signals[state] - shape[state]) / shape[1 * n
+            + state], -1.0), 1.0);
         const double t2 = 1.0 - (t1 + t1) * t1;
         const double t3 = (t2 + t2) * t1;
         const double t4 = t3 + t1;
@@ -242,12 +272,14 @@ void effects_cable_torque_batch(int count, const double *SINEW_RESTRICT signals,
     }
 }
 
-void effects_cable_torque_cubic_batch(int count, const double *SINEW_RESTRICT signals, const double *SINEW_RESTRICT shape, double *SINEW_RESTRICT columns)
+void effects_cable_torque_cubic_batch(int count, const double *SINEW_RESTRICT signals,
+    const double *SINEW_RESTRICT shape, double *SINEW_RESTRICT columns)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
     for (size_t state = 0; state < n; ++state) {
-        const double t1 = sinew_min(sinew_max((signals[state] - shape[state]) / shape[1 * n + state], -1.0), 1.0);
+        const double t1 = sinew_min(sinew_max((signals[state] - shape[state]) / shape[1 * n
+            + state], -1.0), 1.0);
         const double t2 = 1.0 - (t1 + t1) * t1;
         columns[state] = 1.0;
         columns[1 * n + state] = t1;
@@ -256,13 +288,17 @@ void effects_cable_torque_cubic_batch(int count, const double *SINEW_RESTRICT si
     }
 }
 
-void effects_inertial_backlash_batch(int count, const double *SINEW_RESTRICT signals, const double *SINEW_RESTRICT shape, const double *SINEW_RESTRICT memory, double *SINEW_RESTRICT columns, double *SINEW_RESTRICT next)
+void effects_inertial_backlash_batch(int count, const double *SINEW_RESTRICT signals,
+    const double *SINEW_RESTRICT shape, const double *SINEW_RESTRICT memory,
+    double *SINEW_RESTRICT columns, double *SINEW_RESTRICT next)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
     for (size_t state = 0; state < n; ++state) {
-        const double t1 = memory[1 * n + state] + signals[2 * n + state] * signals[7 * n + state] / shape[state];
-        const double t2 = sinew_min(sinew_max(memory[state] + signals[7 * n + state] * t1, 0.0), 1.0);
+        const double t1 = memory[1 * n + state] + signals[2 * n + state] * signals[7 * n + state]
+            / shape[state];
+        const double t2 = sinew_min(sinew_max(memory[state] + signals[7 * n + state] * t1, 0.0),
+            1.0);
         const double t3 = -(shape[1 * n + state] * t1);
         const double t4 = sinew_choose(-t2, t3, sinew_choose(-(1.0 - t2), t3, t1));
         columns[state] = -(shape[state] * (memory[1 * n + state] - t4) / signals[7 * n + state]);
@@ -271,14 +307,18 @@ void effects_inertial_backlash_batch(int count, const double *SINEW_RESTRICT sig
     }
 }
 
-void effects_loaded_backlash_batch(int count, const double *SINEW_RESTRICT signals, const double *SINEW_RESTRICT shape, const double *SINEW_RESTRICT memory, double *SINEW_RESTRICT columns, double *SINEW_RESTRICT next)
+void effects_loaded_backlash_batch(int count, const double *SINEW_RESTRICT signals,
+    const double *SINEW_RESTRICT shape, const double *SINEW_RESTRICT memory,
+    double *SINEW_RESTRICT columns, double *SINEW_RESTRICT next)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
     for (size_t state = 0; state < n; ++state) {
-        const double t1 = signals[7 * n + state] * (signals[2 * n + state] + signals[4 * n + state] * shape[1 * n + state]);
+        const double t1 = signals[7 * n + state] * (signals[2 * n + state] + signals[4 * n + state]
+            * shape[1 * n + state]);
         const double t2 = memory[1 * n + state] + t1 / shape[state];
-        const double t3 = sinew_min(sinew_max(memory[state] + signals[7 * n + state] * t2, 0.0), 1.0);
+        const double t3 = sinew_min(sinew_max(memory[state] + signals[7 * n + state] * t2, 0.0),
+            1.0);
         const double t4 = -(shape[2 * n + state] * t2);
         const double t5 = sinew_choose(-t3, t4, sinew_choose(-(1.0 - t3), t4, t2));
         columns[state] = -(shape[state] * (memory[1 * n + state] - t5) / signals[7 * n + state]);
@@ -287,7 +327,8 @@ void effects_loaded_backlash_batch(int count, const double *SINEW_RESTRICT signa
     }
 }
 
-void effects_link_elasticity_batch(int count, const double *SINEW_RESTRICT signals, double *SINEW_RESTRICT columns)
+void effects_link_elasticity_batch(int count, const double *SINEW_RESTRICT signals,
+    double *SINEW_RESTRICT columns)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
@@ -296,7 +337,9 @@ void effects_link_elasticity_batch(int count, const double *SINEW_RESTRICT signa
     }
 }
 
-void effects_link_resonance_batch(int count, const double *SINEW_RESTRICT signals, const double *SINEW_RESTRICT shape, const double *SINEW_RESTRICT memory, double *SINEW_RESTRICT columns, double *SINEW_RESTRICT next)
+void effects_link_resonance_batch(int count, const double *SINEW_RESTRICT signals,
+    const double *SINEW_RESTRICT shape, const double *SINEW_RESTRICT memory,
+    double *SINEW_RESTRICT columns, double *SINEW_RESTRICT next)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
@@ -304,9 +347,12 @@ void effects_link_resonance_batch(int count, const double *SINEW_RESTRICT signal
         const double t1 = signals[7 * n + state] * memory[2 * n + state];
         const double t2 = 4.0 * memory[1 * n + state] + t1;
         const double t3 = shape[state] * shape[state];
-        const double t4 = shape[state] * shape[1 * n + state] * (memory[1 * n + state] + memory[1 * n + state] + t1);
-        const double t5 = 4.0 * (signals[8 * n + state] + t4) + (4.0 * memory[state] + signals[7 * n + state] * t2) * t3;
-        const double t6 = 4.0 * (1.0 + signals[7 * n + state] * shape[state] * shape[1 * n + state]);
+        const double t4 = shape[state] * shape[1 * n + state] * (memory[1 * n + state] + memory[1
+            * n + state] + t1);
+        const double t5 = 4.0 * (signals[8 * n + state] + t4) + (4.0 * memory[state] + signals[7 * n
+            + state] * t2) * t3;
+        const double t6 = 4.0 * (1.0 + signals[7 * n + state] * shape[state] * shape[1 * n
+            + state]);
         const double t7 = signals[7 * n + state] * signals[7 * n + state];
         const double t8 = 1.0 / (t6 + t7 * t3);
         const double t9 = 0.5 * signals[7 * n + state];
@@ -317,23 +363,29 @@ void effects_link_resonance_batch(int count, const double *SINEW_RESTRICT signal
     }
 }
 
-void effects_link_backlash_batch(int count, const double *SINEW_RESTRICT signals, const double *SINEW_RESTRICT shape, const double *SINEW_RESTRICT memory, double *SINEW_RESTRICT columns, double *SINEW_RESTRICT next)
+void effects_link_backlash_batch(int count, const double *SINEW_RESTRICT signals,
+    const double *SINEW_RESTRICT shape, const double *SINEW_RESTRICT memory,
+    double *SINEW_RESTRICT columns, double *SINEW_RESTRICT next)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
     for (size_t state = 0; state < n; ++state) {
-        const double t1 = memory[1 * n + state] + signals[7 * n + state] * signals[8 * n + state] / shape[state];
-        const double t2 = sinew_min(sinew_max(memory[state] + signals[7 * n + state] * t1, 0.0), 1.0);
+        const double t1 = memory[1 * n + state] + signals[7 * n + state] * signals[8 * n + state]
+            / shape[state];
+        const double t2 = sinew_min(sinew_max(memory[state] + signals[7 * n + state] * t1, 0.0),
+            1.0);
         const double t3 = -(shape[1 * n + state] * t1);
         const double t4 = sinew_choose(-t2, t3, sinew_choose(-(1.0 - t2), t3, t1));
-        const double t5 = signals[9 * n + state] * shape[state] * (memory[1 * n + state] - t4) / signals[7 * n + state];
+        const double t5 = signals[9 * n + state] * shape[state] * (memory[1 * n + state] - t4)
+            / signals[7 * n + state];
         columns[state] = -t5;
         next[state] = t2;
         next[1 * n + state] = t4;
     }
 }
 
-void effects_guiding_friction_batch(int count, const double *SINEW_RESTRICT signals, double *SINEW_RESTRICT columns)
+void effects_guiding_friction_batch(int count, const double *SINEW_RESTRICT signals,
+    double *SINEW_RESTRICT columns)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
@@ -343,7 +395,8 @@ void effects_guiding_friction_batch(int count, const double *SINEW_RESTRICT sign
     }
 }
 
-void effects_motor_side_guiding_batch(int count, const double *SINEW_RESTRICT signals, double *SINEW_RESTRICT columns)
+void effects_motor_side_guiding_batch(int count, const double *SINEW_RESTRICT signals,
+    double *SINEW_RESTRICT columns)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
@@ -353,7 +406,8 @@ void effects_motor_side_guiding_batch(int count, const double *SINEW_RESTRICT si
     }
 }
 
-void effects_force_sensor_scale_batch(int count, const double *SINEW_RESTRICT signals, double *SINEW_RESTRICT columns)
+void effects_force_sensor_scale_batch(int count, const double *SINEW_RESTRICT signals,
+    double *SINEW_RESTRICT columns)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
@@ -362,7 +416,8 @@ void effects_force_sensor_scale_batch(int count, const double *SINEW_RESTRICT si
     }
 }
 
-void effects_force_sensor_offset_batch(int count, const double *SINEW_RESTRICT signals, double *SINEW_RESTRICT columns)
+void effects_force_sensor_offset_batch(int count, const double *SINEW_RESTRICT signals,
+    double *SINEW_RESTRICT columns)
 {
     const size_t n = (size_t)count;
     (void)signals;
@@ -372,38 +427,47 @@ void effects_force_sensor_offset_batch(int count, const double *SINEW_RESTRICT s
     }
 }
 
-void effects_presliding_batch(int count, const double *SINEW_RESTRICT signals, const double *SINEW_RESTRICT shape, const double *SINEW_RESTRICT memory, double *SINEW_RESTRICT columns, double *SINEW_RESTRICT next)
+void effects_presliding_batch(int count, const double *SINEW_RESTRICT signals,
+    const double *SINEW_RESTRICT shape, const double *SINEW_RESTRICT memory,
+    double *SINEW_RESTRICT columns, double *SINEW_RESTRICT next)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
     for (size_t state = 0; state < n; ++state) {
         const double t1 = signals[1 * n + state] * signals[7 * n + state] / shape[state];
         const double t2 = sinew_exp(-sinew_max(t1, -t1));
-        const double t3 = sinew_choose(t1, 1.0 - (1.0 - memory[state]) * t2, -(1.0 - (1.0 + memory[state]) * t2));
+        const double t3 = sinew_choose(t1, 1.0 - (1.0 - memory[state]) * t2, -(1.0 - (1.0
+            + memory[state]) * t2));
         columns[state] = t3;
         next[state] = t3;
     }
 }
 
-void effects_soft_reversal_batch(int count, const double *SINEW_RESTRICT signals, const double *SINEW_RESTRICT shape, double *SINEW_RESTRICT columns)
+void effects_soft_reversal_batch(int count, const double *SINEW_RESTRICT signals,
+    const double *SINEW_RESTRICT shape, double *SINEW_RESTRICT columns)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
     for (size_t state = 0; state < n; ++state) {
-        const double t1 = sinew_tanh(signals[1 * n + state] / shape[state]) - sinew_choose(signals[1 * n + state], 1.0, -1.0);
+        const double t1 = sinew_tanh(signals[1 * n + state] / shape[state]) - sinew_choose(signals[1
+            * n + state], 1.0, -1.0);
         columns[state] = t1;
     }
 }
 
-void effects_late_reversal_batch(int count, const double *SINEW_RESTRICT signals, const double *SINEW_RESTRICT shape, const double *SINEW_RESTRICT memory, double *SINEW_RESTRICT columns, double *SINEW_RESTRICT next)
+void effects_late_reversal_batch(int count, const double *SINEW_RESTRICT signals,
+    const double *SINEW_RESTRICT shape, const double *SINEW_RESTRICT memory,
+    double *SINEW_RESTRICT columns, double *SINEW_RESTRICT next)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
     for (size_t state = 0; state < n; ++state) {
         const double t1 = signals[1 * n + state] * signals[7 * n + state] / shape[state];
         const double t2 = sinew_exp(-sinew_max(t1, -t1));
-        const double t3 = sinew_choose(t1, 1.0 - (1.0 - memory[state]) * t2, -(1.0 - (1.0 + memory[state]) * t2));
-        const double t4 = (sinew_choose(signals[1 * n + state], 1.0, -1.0) - t3) * sinew_max(signals[6 * n + state], -signals[6 * n + state]);
+        const double t3 = sinew_choose(t1, 1.0 - (1.0 - memory[state]) * t2, -(1.0 - (1.0
+            + memory[state]) * t2));
+        const double t4 = (sinew_choose(signals[1 * n + state], 1.0, -1.0) - t3)
+            * sinew_max(signals[6 * n + state], -signals[6 * n + state]);
         columns[state] = -t4;
         next[state] = t3;
     }

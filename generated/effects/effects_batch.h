@@ -21,39 +21,79 @@
 extern "C" {
 #endif
 
-void effects_inertia_batch(int count, const double *SINEW_RESTRICT signals, double *SINEW_RESTRICT columns);
-void effects_viscous_level_batch(int count, const double *SINEW_RESTRICT signals, double *SINEW_RESTRICT columns);
-void effects_coulomb_level_batch(int count, const double *SINEW_RESTRICT signals, double *SINEW_RESTRICT columns);
-void effects_offset_batch(int count, const double *SINEW_RESTRICT signals, double *SINEW_RESTRICT columns);
-void effects_viscous_asymmetry_batch(int count, const double *SINEW_RESTRICT signals, double *SINEW_RESTRICT columns);
-void effects_coulomb_asymmetry_batch(int count, const double *SINEW_RESTRICT signals, double *SINEW_RESTRICT columns);
-void effects_stribeck_batch(int count, const double *SINEW_RESTRICT signals, const double *SINEW_RESTRICT shape, double *SINEW_RESTRICT columns);
-void effects_concave_friction_batch(int count, const double *SINEW_RESTRICT signals, const double *SINEW_RESTRICT shape, double *SINEW_RESTRICT columns);
-void effects_concave_power_batch(int count, const double *SINEW_RESTRICT signals, const double *SINEW_RESTRICT shape, double *SINEW_RESTRICT columns);
-void effects_quadratic_friction_batch(int count, const double *SINEW_RESTRICT signals, double *SINEW_RESTRICT columns);
-void effects_load_friction_batch(int count, const double *SINEW_RESTRICT signals, double *SINEW_RESTRICT columns);
-void effects_friction_drift_batch(int count, const double *SINEW_RESTRICT signals, const double *SINEW_RESTRICT shape, double *SINEW_RESTRICT columns);
-void effects_position_friction_batch(int count, const double *SINEW_RESTRICT signals, double *SINEW_RESTRICT columns);
-void effects_ripple_batch(int count, const double *SINEW_RESTRICT signals, const double *SINEW_RESTRICT shape, double *SINEW_RESTRICT columns);
-void effects_load_ripple_batch(int count, const double *SINEW_RESTRICT signals, const double *SINEW_RESTRICT shape, double *SINEW_RESTRICT columns);
-void effects_gear_elasticity_batch(int count, const double *SINEW_RESTRICT signals, double *SINEW_RESTRICT columns);
-void effects_gear_resonance_batch(int count, const double *SINEW_RESTRICT signals, const double *SINEW_RESTRICT shape, const double *SINEW_RESTRICT memory, double *SINEW_RESTRICT columns, double *SINEW_RESTRICT next);
-void effects_torsion_spring_batch(int count, const double *SINEW_RESTRICT signals, double *SINEW_RESTRICT columns);
-void effects_offset_drift_batch(int count, const double *SINEW_RESTRICT signals, double *SINEW_RESTRICT columns);
-void effects_cable_torque_batch(int count, const double *SINEW_RESTRICT signals, const double *SINEW_RESTRICT shape, double *SINEW_RESTRICT columns);
-void effects_cable_torque_cubic_batch(int count, const double *SINEW_RESTRICT signals, const double *SINEW_RESTRICT shape, double *SINEW_RESTRICT columns);
-void effects_inertial_backlash_batch(int count, const double *SINEW_RESTRICT signals, const double *SINEW_RESTRICT shape, const double *SINEW_RESTRICT memory, double *SINEW_RESTRICT columns, double *SINEW_RESTRICT next);
-void effects_loaded_backlash_batch(int count, const double *SINEW_RESTRICT signals, const double *SINEW_RESTRICT shape, const double *SINEW_RESTRICT memory, double *SINEW_RESTRICT columns, double *SINEW_RESTRICT next);
-void effects_link_elasticity_batch(int count, const double *SINEW_RESTRICT signals, double *SINEW_RESTRICT columns);
-void effects_link_resonance_batch(int count, const double *SINEW_RESTRICT signals, const double *SINEW_RESTRICT shape, const double *SINEW_RESTRICT memory, double *SINEW_RESTRICT columns, double *SINEW_RESTRICT next);
-void effects_link_backlash_batch(int count, const double *SINEW_RESTRICT signals, const double *SINEW_RESTRICT shape, const double *SINEW_RESTRICT memory, double *SINEW_RESTRICT columns, double *SINEW_RESTRICT next);
-void effects_guiding_friction_batch(int count, const double *SINEW_RESTRICT signals, double *SINEW_RESTRICT columns);
-void effects_motor_side_guiding_batch(int count, const double *SINEW_RESTRICT signals, double *SINEW_RESTRICT columns);
-void effects_force_sensor_scale_batch(int count, const double *SINEW_RESTRICT signals, double *SINEW_RESTRICT columns);
-void effects_force_sensor_offset_batch(int count, const double *SINEW_RESTRICT signals, double *SINEW_RESTRICT columns);
-void effects_presliding_batch(int count, const double *SINEW_RESTRICT signals, const double *SINEW_RESTRICT shape, const double *SINEW_RESTRICT memory, double *SINEW_RESTRICT columns, double *SINEW_RESTRICT next);
-void effects_soft_reversal_batch(int count, const double *SINEW_RESTRICT signals, const double *SINEW_RESTRICT shape, double *SINEW_RESTRICT columns);
-void effects_late_reversal_batch(int count, const double *SINEW_RESTRICT signals, const double *SINEW_RESTRICT shape, const double *SINEW_RESTRICT memory, double *SINEW_RESTRICT columns, double *SINEW_RESTRICT next);
+void effects_inertia_batch(int count, const double *SINEW_RESTRICT signals,
+    double *SINEW_RESTRICT columns);
+void effects_viscous_level_batch(int count, const double *SINEW_RESTRICT signals,
+    double *SINEW_RESTRICT columns);
+void effects_coulomb_level_batch(int count, const double *SINEW_RESTRICT signals,
+    double *SINEW_RESTRICT columns);
+void effects_offset_batch(int count, const double *SINEW_RESTRICT signals,
+    double *SINEW_RESTRICT columns);
+void effects_viscous_asymmetry_batch(int count, const double *SINEW_RESTRICT signals,
+    double *SINEW_RESTRICT columns);
+void effects_coulomb_asymmetry_batch(int count, const double *SINEW_RESTRICT signals,
+    double *SINEW_RESTRICT columns);
+void effects_stribeck_batch(int count, const double *SINEW_RESTRICT signals,
+    const double *SINEW_RESTRICT shape, double *SINEW_RESTRICT columns);
+void effects_concave_friction_batch(int count, const double *SINEW_RESTRICT signals,
+    const double *SINEW_RESTRICT shape, double *SINEW_RESTRICT columns);
+void effects_concave_power_batch(int count, const double *SINEW_RESTRICT signals,
+    const double *SINEW_RESTRICT shape, double *SINEW_RESTRICT columns);
+void effects_quadratic_friction_batch(int count, const double *SINEW_RESTRICT signals,
+    double *SINEW_RESTRICT columns);
+void effects_load_friction_batch(int count, const double *SINEW_RESTRICT signals,
+    double *SINEW_RESTRICT columns);
+void effects_friction_drift_batch(int count, const double *SINEW_RESTRICT signals,
+    const double *SINEW_RESTRICT shape, double *SINEW_RESTRICT columns);
+void effects_position_friction_batch(int count, const double *SINEW_RESTRICT signals,
+    double *SINEW_RESTRICT columns);
+void effects_ripple_batch(int count, const double *SINEW_RESTRICT signals,
+    const double *SINEW_RESTRICT shape, double *SINEW_RESTRICT columns);
+void effects_load_ripple_batch(int count, const double *SINEW_RESTRICT signals,
+    const double *SINEW_RESTRICT shape, double *SINEW_RESTRICT columns);
+void effects_gear_elasticity_batch(int count, const double *SINEW_RESTRICT signals,
+    double *SINEW_RESTRICT columns);
+void effects_gear_resonance_batch(int count, const double *SINEW_RESTRICT signals,
+    const double *SINEW_RESTRICT shape, const double *SINEW_RESTRICT memory,
+    double *SINEW_RESTRICT columns, double *SINEW_RESTRICT next);
+void effects_torsion_spring_batch(int count, const double *SINEW_RESTRICT signals,
+    double *SINEW_RESTRICT columns);
+void effects_offset_drift_batch(int count, const double *SINEW_RESTRICT signals,
+    double *SINEW_RESTRICT columns);
+void effects_cable_torque_batch(int count, const double *SINEW_RESTRICT signals,
+    const double *SINEW_RESTRICT shape, double *SINEW_RESTRICT columns);
+void effects_cable_torque_cubic_batch(int count, const double *SINEW_RESTRICT signals,
+    const double *SINEW_RESTRICT shape, double *SINEW_RESTRICT columns);
+void effects_inertial_backlash_batch(int count, const double *SINEW_RESTRICT signals,
+    const double *SINEW_RESTRICT shape, const double *SINEW_RESTRICT memory,
+    double *SINEW_RESTRICT columns, double *SINEW_RESTRICT next);
+void effects_loaded_backlash_batch(int count, const double *SINEW_RESTRICT signals,
+    const double *SINEW_RESTRICT shape, const double *SINEW_RESTRICT memory,
+    double *SINEW_RESTRICT columns, double *SINEW_RESTRICT next);
+void effects_link_elasticity_batch(int count, const double *SINEW_RESTRICT signals,
+    double *SINEW_RESTRICT columns);
+void effects_link_resonance_batch(int count, const double *SINEW_RESTRICT signals,
+    const double *SINEW_RESTRICT shape, const double *SINEW_RESTRICT memory,
+    double *SINEW_RESTRICT columns, double *SINEW_RESTRICT next);
+void effects_link_backlash_batch(int count, const double *SINEW_RESTRICT signals,
+    const double *SINEW_RESTRICT shape, const double *SINEW_RESTRICT memory,
+    double *SINEW_RESTRICT columns, double *SINEW_RESTRICT next);
+void effects_guiding_friction_batch(int count, const double *SINEW_RESTRICT signals,
+    double *SINEW_RESTRICT columns);
+void effects_motor_side_guiding_batch(int count, const double *SINEW_RESTRICT signals,
+    double *SINEW_RESTRICT columns);
+void effects_force_sensor_scale_batch(int count, const double *SINEW_RESTRICT signals,
+    double *SINEW_RESTRICT columns);
+void effects_force_sensor_offset_batch(int count, const double *SINEW_RESTRICT signals,
+    double *SINEW_RESTRICT columns);
+void effects_presliding_batch(int count, const double *SINEW_RESTRICT signals,
+    const double *SINEW_RESTRICT shape, const double *SINEW_RESTRICT memory,
+    double *SINEW_RESTRICT columns, double *SINEW_RESTRICT next);
+void effects_soft_reversal_batch(int count, const double *SINEW_RESTRICT signals,
+    const double *SINEW_RESTRICT shape, double *SINEW_RESTRICT columns);
+void effects_late_reversal_batch(int count, const double *SINEW_RESTRICT signals,
+    const double *SINEW_RESTRICT shape, const double *SINEW_RESTRICT memory,
+    double *SINEW_RESTRICT columns, double *SINEW_RESTRICT next);
 
 #ifdef __cplusplus
 }

@@ -16,8 +16,10 @@ static void call_inertia(const void *in, void *out)
     double *y = (double *)out;
     effects_inertia(x + 0, y + 0);
 }
-static const double inertia_signals_low[] = {-3.0, -5.0, -50.0, -10000.0, -10.0, 0.0, -1.0, 1e-04, -50.0, 0.001, -10000.0};
-static const double inertia_signals_high[] = {3.0, 5.0, 50.0, 10000.0, 10.0, 100.0, 1.0, 0.01, 50.0, 10.0, 10000.0};
+static const double inertia_signals_low[] = {-3.0, -5.0, -50.0, -10000.0, -10.0, 0.0, -1.0, 1e-04,
+    -50.0, 0.001, -10000.0};
+static const double inertia_signals_high[] = {3.0, 5.0, 50.0, 10000.0, 10.0, 100.0, 1.0, 0.01, 50.0,
+    10.0, 10000.0};
 static const sinew_argument inertia_inputs[] = {
     {"signals", "SI", 11, 1, inertia_signals_low, inertia_signals_high},
 };
@@ -31,8 +33,10 @@ static void call_viscous_level(const void *in, void *out)
     double *y = (double *)out;
     effects_viscous_level(x + 0, y + 0);
 }
-static const double viscous_level_signals_low[] = {-3.0, -5.0, -50.0, -10000.0, -10.0, 0.0, -1.0, 1e-04, -50.0, 0.001, -10000.0};
-static const double viscous_level_signals_high[] = {3.0, 5.0, 50.0, 10000.0, 10.0, 100.0, 1.0, 0.01, 50.0, 10.0, 10000.0};
+static const double viscous_level_signals_low[] = {-3.0, -5.0, -50.0, -10000.0, -10.0, 0.0, -1.0,
+    1e-04, -50.0, 0.001, -10000.0};
+static const double viscous_level_signals_high[] = {3.0, 5.0, 50.0, 10000.0, 10.0, 100.0, 1.0, 0.01,
+    50.0, 10.0, 10000.0};
 static const sinew_argument viscous_level_inputs[] = {
     {"signals", "SI", 11, 1, viscous_level_signals_low, viscous_level_signals_high},
 };
@@ -46,8 +50,10 @@ static void call_coulomb_level(const void *in, void *out)
     double *y = (double *)out;
     effects_coulomb_level(x + 0, y + 0);
 }
-static const double coulomb_level_signals_low[] = {-3.0, -5.0, -50.0, -10000.0, -10.0, 0.0, -1.0, 1e-04, -50.0, 0.001, -10000.0};
-static const double coulomb_level_signals_high[] = {3.0, 5.0, 50.0, 10000.0, 10.0, 100.0, 1.0, 0.01, 50.0, 10.0, 10000.0};
+static const double coulomb_level_signals_low[] = {-3.0, -5.0, -50.0, -10000.0, -10.0, 0.0, -1.0,
+    1e-04, -50.0, 0.001, -10000.0};
+static const double coulomb_level_signals_high[] = {3.0, 5.0, 50.0, 10000.0, 10.0, 100.0, 1.0, 0.01,
+    50.0, 10.0, 10000.0};
 static const sinew_argument coulomb_level_inputs[] = {
     {"signals", "SI", 11, 1, coulomb_level_signals_low, coulomb_level_signals_high},
 };
@@ -61,8 +67,10 @@ static void call_offset(const void *in, void *out)
     double *y = (double *)out;
     effects_offset(x + 0, y + 0);
 }
-static const double offset_signals_low[] = {-3.0, -5.0, -50.0, -10000.0, -10.0, 0.0, -1.0, 1e-04, -50.0, 0.001, -10000.0};
-static const double offset_signals_high[] = {3.0, 5.0, 50.0, 10000.0, 10.0, 100.0, 1.0, 0.01, 50.0, 10.0, 10000.0};
+static const double offset_signals_low[] = {-3.0, -5.0, -50.0, -10000.0, -10.0, 0.0, -1.0, 1e-04,
+    -50.0, 0.001, -10000.0};
+static const double offset_signals_high[] = {3.0, 5.0, 50.0, 10000.0, 10.0, 100.0, 1.0, 0.01, 50.0,
+    10.0, 10000.0};
 static const sinew_argument offset_inputs[] = {
     {"signals", "SI", 11, 1, offset_signals_low, offset_signals_high},
 };
@@ -76,8 +84,10 @@ static void call_viscous_asymmetry(const void *in, void *out)
     double *y = (double *)out;
     effects_viscous_asymmetry(x + 0, y + 0);
 }
-static const double viscous_asymmetry_signals_low[] = {-3.0, -5.0, -50.0, -10000.0, -10.0, 0.0, -1.0, 1e-04, -50.0, 0.001, -10000.0};
-static const double viscous_asymmetry_signals_high[] = {3.0, 5.0, 50.0, 10000.0, 10.0, 100.0, 1.0, 0.01, 50.0, 10.0, 10000.0};
+static const double viscous_asymmetry_signals_low[] = {-3.0, -5.0, -50.0, -10000.0, -10.0, 0.0,
+    -1.0, 1e-04, -50.0, 0.001, -10000.0};
+static const double viscous_asymmetry_signals_high[] = {3.0, 5.0, 50.0, 10000.0, 10.0, 100.0, 1.0,
+    0.01, 50.0, 10.0, 10000.0};
 static const sinew_argument viscous_asymmetry_inputs[] = {
     {"signals", "SI", 11, 1, viscous_asymmetry_signals_low, viscous_asymmetry_signals_high},
 };
@@ -91,8 +101,10 @@ static void call_coulomb_asymmetry(const void *in, void *out)
     double *y = (double *)out;
     effects_coulomb_asymmetry(x + 0, y + 0);
 }
-static const double coulomb_asymmetry_signals_low[] = {-3.0, -5.0, -50.0, -10000.0, -10.0, 0.0, -1.0, 1e-04, -50.0, 0.001, -10000.0};
-static const double coulomb_asymmetry_signals_high[] = {3.0, 5.0, 50.0, 10000.0, 10.0, 100.0, 1.0, 0.01, 50.0, 10.0, 10000.0};
+static const double coulomb_asymmetry_signals_low[] = {-3.0, -5.0, -50.0, -10000.0, -10.0, 0.0,
+    -1.0, 1e-04, -50.0, 0.001, -10000.0};
+static const double coulomb_asymmetry_signals_high[] = {3.0, 5.0, 50.0, 10000.0, 10.0, 100.0, 1.0,
+    0.01, 50.0, 10.0, 10000.0};
 static const sinew_argument coulomb_asymmetry_inputs[] = {
     {"signals", "SI", 11, 1, coulomb_asymmetry_signals_low, coulomb_asymmetry_signals_high},
 };
@@ -106,8 +118,10 @@ static void call_stribeck(const void *in, void *out)
     double *y = (double *)out;
     effects_stribeck(x + 0, x + 11, y + 0);
 }
-static const double stribeck_signals_low[] = {-3.0, -5.0, -50.0, -10000.0, -10.0, 0.0, -1.0, 1e-04, -50.0, 0.001, -10000.0};
-static const double stribeck_signals_high[] = {3.0, 5.0, 50.0, 10000.0, 10.0, 100.0, 1.0, 0.01, 50.0, 10.0, 10000.0};
+static const double stribeck_signals_low[] = {-3.0, -5.0, -50.0, -10000.0, -10.0, 0.0, -1.0, 1e-04,
+    -50.0, 0.001, -10000.0};
+static const double stribeck_signals_high[] = {3.0, 5.0, 50.0, 10000.0, 10.0, 100.0, 1.0, 0.01,
+    50.0, 10.0, 10000.0};
 static const double stribeck_shape_low[] = {0.01};
 static const double stribeck_shape_high[] = {0.3};
 static const sinew_argument stribeck_inputs[] = {
@@ -124,8 +138,10 @@ static void call_concave_friction(const void *in, void *out)
     double *y = (double *)out;
     effects_concave_friction(x + 0, x + 11, y + 0);
 }
-static const double concave_friction_signals_low[] = {-3.0, -5.0, -50.0, -10000.0, -10.0, 0.0, -1.0, 1e-04, -50.0, 0.001, -10000.0};
-static const double concave_friction_signals_high[] = {3.0, 5.0, 50.0, 10000.0, 10.0, 100.0, 1.0, 0.01, 50.0, 10.0, 10000.0};
+static const double concave_friction_signals_low[] = {-3.0, -5.0, -50.0, -10000.0, -10.0, 0.0, -1.0,
+    1e-04, -50.0, 0.001, -10000.0};
+static const double concave_friction_signals_high[] = {3.0, 5.0, 50.0, 10000.0, 10.0, 100.0, 1.0,
+    0.01, 50.0, 10.0, 10000.0};
 static const double concave_friction_shape_low[] = {0.03};
 static const double concave_friction_shape_high[] = {0.4};
 static const sinew_argument concave_friction_inputs[] = {
@@ -142,8 +158,10 @@ static void call_concave_power(const void *in, void *out)
     double *y = (double *)out;
     effects_concave_power(x + 0, x + 11, y + 0);
 }
-static const double concave_power_signals_low[] = {-3.0, -5.0, -50.0, -10000.0, -10.0, 0.0, -1.0, 1e-04, -50.0, 0.001, -10000.0};
-static const double concave_power_signals_high[] = {3.0, 5.0, 50.0, 10000.0, 10.0, 100.0, 1.0, 0.01, 50.0, 10.0, 10000.0};
+static const double concave_power_signals_low[] = {-3.0, -5.0, -50.0, -10000.0, -10.0, 0.0, -1.0,
+    1e-04, -50.0, 0.001, -10000.0};
+static const double concave_power_signals_high[] = {3.0, 5.0, 50.0, 10000.0, 10.0, 100.0, 1.0, 0.01,
+    50.0, 10.0, 10000.0};
 static const double concave_power_shape_low[] = {1.0, 0.2};
 static const double concave_power_shape_high[] = {1.0, 0.8};
 static const sinew_argument concave_power_inputs[] = {
@@ -160,8 +178,10 @@ static void call_quadratic_friction(const void *in, void *out)
     double *y = (double *)out;
     effects_quadratic_friction(x + 0, y + 0);
 }
-static const double quadratic_friction_signals_low[] = {-3.0, -5.0, -50.0, -10000.0, -10.0, 0.0, -1.0, 1e-04, -50.0, 0.001, -10000.0};
-static const double quadratic_friction_signals_high[] = {3.0, 5.0, 50.0, 10000.0, 10.0, 100.0, 1.0, 0.01, 50.0, 10.0, 10000.0};
+static const double quadratic_friction_signals_low[] = {-3.0, -5.0, -50.0, -10000.0, -10.0, 0.0,
+    -1.0, 1e-04, -50.0, 0.001, -10000.0};
+static const double quadratic_friction_signals_high[] = {3.0, 5.0, 50.0, 10000.0, 10.0, 100.0, 1.0,
+    0.01, 50.0, 10.0, 10000.0};
 static const sinew_argument quadratic_friction_inputs[] = {
     {"signals", "SI", 11, 1, quadratic_friction_signals_low, quadratic_friction_signals_high},
 };
@@ -175,8 +195,10 @@ static void call_load_friction(const void *in, void *out)
     double *y = (double *)out;
     effects_load_friction(x + 0, y + 0);
 }
-static const double load_friction_signals_low[] = {-3.0, -5.0, -50.0, -10000.0, -10.0, 0.0, -1.0, 1e-04, -50.0, 0.001, -10000.0};
-static const double load_friction_signals_high[] = {3.0, 5.0, 50.0, 10000.0, 10.0, 100.0, 1.0, 0.01, 50.0, 10.0, 10000.0};
+static const double load_friction_signals_low[] = {-3.0, -5.0, -50.0, -10000.0, -10.0, 0.0, -1.0,
+    1e-04, -50.0, 0.001, -10000.0};
+static const double load_friction_signals_high[] = {3.0, 5.0, 50.0, 10000.0, 10.0, 100.0, 1.0, 0.01,
+    50.0, 10.0, 10000.0};
 static const sinew_argument load_friction_inputs[] = {
     {"signals", "SI", 11, 1, load_friction_signals_low, load_friction_signals_high},
 };
@@ -190,8 +212,10 @@ static void call_friction_drift(const void *in, void *out)
     double *y = (double *)out;
     effects_friction_drift(x + 0, x + 11, y + 0);
 }
-static const double friction_drift_signals_low[] = {-3.0, -5.0, -50.0, -10000.0, -10.0, 0.0, -1.0, 1e-04, -50.0, 0.001, -10000.0};
-static const double friction_drift_signals_high[] = {3.0, 5.0, 50.0, 10000.0, 10.0, 100.0, 1.0, 0.01, 50.0, 10.0, 10000.0};
+static const double friction_drift_signals_low[] = {-3.0, -5.0, -50.0, -10000.0, -10.0, 0.0, -1.0,
+    1e-04, -50.0, 0.001, -10000.0};
+static const double friction_drift_signals_high[] = {3.0, 5.0, 50.0, 10000.0, 10.0, 100.0, 1.0,
+    0.01, 50.0, 10.0, 10000.0};
 static const double friction_drift_shape_low[] = {0.05};
 static const double friction_drift_shape_high[] = {2.0};
 static const sinew_argument friction_drift_inputs[] = {
@@ -208,8 +232,10 @@ static void call_position_friction(const void *in, void *out)
     double *y = (double *)out;
     effects_position_friction(x + 0, y + 0);
 }
-static const double position_friction_signals_low[] = {-3.0, -5.0, -50.0, -10000.0, -10.0, 0.0, -1.0, 1e-04, -50.0, 0.001, -10000.0};
-static const double position_friction_signals_high[] = {3.0, 5.0, 50.0, 10000.0, 10.0, 100.0, 1.0, 0.01, 50.0, 10.0, 10000.0};
+static const double position_friction_signals_low[] = {-3.0, -5.0, -50.0, -10000.0, -10.0, 0.0,
+    -1.0, 1e-04, -50.0, 0.001, -10000.0};
+static const double position_friction_signals_high[] = {3.0, 5.0, 50.0, 10000.0, 10.0, 100.0, 1.0,
+    0.01, 50.0, 10.0, 10000.0};
 static const sinew_argument position_friction_inputs[] = {
     {"signals", "SI", 11, 1, position_friction_signals_low, position_friction_signals_high},
 };
@@ -223,8 +249,10 @@ static void call_ripple(const void *in, void *out)
     double *y = (double *)out;
     effects_ripple(x + 0, x + 11, y + 0);
 }
-static const double ripple_signals_low[] = {-3.0, -5.0, -50.0, -10000.0, -10.0, 0.0, -1.0, 1e-04, -50.0, 0.001, -10000.0};
-static const double ripple_signals_high[] = {3.0, 5.0, 50.0, 10000.0, 10.0, 100.0, 1.0, 0.01, 50.0, 10.0, 10000.0};
+static const double ripple_signals_low[] = {-3.0, -5.0, -50.0, -10000.0, -10.0, 0.0, -1.0, 1e-04,
+    -50.0, 0.001, -10000.0};
+static const double ripple_signals_high[] = {3.0, 5.0, 50.0, 10000.0, 10.0, 100.0, 1.0, 0.01, 50.0,
+    10.0, 10000.0};
 static const double ripple_shape_low[] = {1.0};
 static const double ripple_shape_high[] = {1000.0};
 static const sinew_argument ripple_inputs[] = {
@@ -241,8 +269,10 @@ static void call_load_ripple(const void *in, void *out)
     double *y = (double *)out;
     effects_load_ripple(x + 0, x + 11, y + 0);
 }
-static const double load_ripple_signals_low[] = {-3.0, -5.0, -50.0, -10000.0, -10.0, 0.0, -1.0, 1e-04, -50.0, 0.001, -10000.0};
-static const double load_ripple_signals_high[] = {3.0, 5.0, 50.0, 10000.0, 10.0, 100.0, 1.0, 0.01, 50.0, 10.0, 10000.0};
+static const double load_ripple_signals_low[] = {-3.0, -5.0, -50.0, -10000.0, -10.0, 0.0, -1.0,
+    1e-04, -50.0, 0.001, -10000.0};
+static const double load_ripple_signals_high[] = {3.0, 5.0, 50.0, 10000.0, 10.0, 100.0, 1.0, 0.01,
+    50.0, 10.0, 10000.0};
 static const double load_ripple_shape_low[] = {1.0};
 static const double load_ripple_shape_high[] = {1000.0};
 static const sinew_argument load_ripple_inputs[] = {
@@ -259,8 +289,10 @@ static void call_gear_elasticity(const void *in, void *out)
     double *y = (double *)out;
     effects_gear_elasticity(x + 0, y + 0);
 }
-static const double gear_elasticity_signals_low[] = {-3.0, -5.0, -50.0, -10000.0, -10.0, 0.0, -1.0, 1e-04, -50.0, 0.001, -10000.0};
-static const double gear_elasticity_signals_high[] = {3.0, 5.0, 50.0, 10000.0, 10.0, 100.0, 1.0, 0.01, 50.0, 10.0, 10000.0};
+static const double gear_elasticity_signals_low[] = {-3.0, -5.0, -50.0, -10000.0, -10.0, 0.0, -1.0,
+    1e-04, -50.0, 0.001, -10000.0};
+static const double gear_elasticity_signals_high[] = {3.0, 5.0, 50.0, 10000.0, 10.0, 100.0, 1.0,
+    0.01, 50.0, 10.0, 10000.0};
 static const sinew_argument gear_elasticity_inputs[] = {
     {"signals", "SI", 11, 1, gear_elasticity_signals_low, gear_elasticity_signals_high},
 };
@@ -274,8 +306,10 @@ static void call_gear_resonance(const void *in, void *out)
     double *y = (double *)out;
     effects_gear_resonance(x + 0, x + 11, x + 13, y + 0, y + 1);
 }
-static const double gear_resonance_signals_low[] = {-3.0, -5.0, -50.0, -10000.0, -10.0, 0.0, -1.0, 1e-04, -50.0, 0.001, -10000.0};
-static const double gear_resonance_signals_high[] = {3.0, 5.0, 50.0, 10000.0, 10.0, 100.0, 1.0, 0.01, 50.0, 10.0, 10000.0};
+static const double gear_resonance_signals_low[] = {-3.0, -5.0, -50.0, -10000.0, -10.0, 0.0, -1.0,
+    1e-04, -50.0, 0.001, -10000.0};
+static const double gear_resonance_signals_high[] = {3.0, 5.0, 50.0, 10000.0, 10.0, 100.0, 1.0,
+    0.01, 50.0, 10.0, 10000.0};
 static const double gear_resonance_shape_low[] = {10.0, 0.01};
 static const double gear_resonance_shape_high[] = {400.0, 0.4};
 static const double gear_resonance_memory_low[] = {-1.0, -1.0, -1.0};
@@ -296,8 +330,10 @@ static void call_torsion_spring(const void *in, void *out)
     double *y = (double *)out;
     effects_torsion_spring(x + 0, y + 0);
 }
-static const double torsion_spring_signals_low[] = {-3.0, -5.0, -50.0, -10000.0, -10.0, 0.0, -1.0, 1e-04, -50.0, 0.001, -10000.0};
-static const double torsion_spring_signals_high[] = {3.0, 5.0, 50.0, 10000.0, 10.0, 100.0, 1.0, 0.01, 50.0, 10.0, 10000.0};
+static const double torsion_spring_signals_low[] = {-3.0, -5.0, -50.0, -10000.0, -10.0, 0.0, -1.0,
+    1e-04, -50.0, 0.001, -10000.0};
+static const double torsion_spring_signals_high[] = {3.0, 5.0, 50.0, 10000.0, 10.0, 100.0, 1.0,
+    0.01, 50.0, 10.0, 10000.0};
 static const sinew_argument torsion_spring_inputs[] = {
     {"signals", "SI", 11, 1, torsion_spring_signals_low, torsion_spring_signals_high},
 };
@@ -311,8 +347,10 @@ static void call_offset_drift(const void *in, void *out)
     double *y = (double *)out;
     effects_offset_drift(x + 0, y + 0);
 }
-static const double offset_drift_signals_low[] = {-3.0, -5.0, -50.0, -10000.0, -10.0, 0.0, -1.0, 1e-04, -50.0, 0.001, -10000.0};
-static const double offset_drift_signals_high[] = {3.0, 5.0, 50.0, 10000.0, 10.0, 100.0, 1.0, 0.01, 50.0, 10.0, 10000.0};
+static const double offset_drift_signals_low[] = {-3.0, -5.0, -50.0, -10000.0, -10.0, 0.0, -1.0,
+    1e-04, -50.0, 0.001, -10000.0};
+static const double offset_drift_signals_high[] = {3.0, 5.0, 50.0, 10000.0, 10.0, 100.0, 1.0, 0.01,
+    50.0, 10.0, 10000.0};
 static const sinew_argument offset_drift_inputs[] = {
     {"signals", "SI", 11, 1, offset_drift_signals_low, offset_drift_signals_high},
 };
@@ -326,8 +364,10 @@ static void call_cable_torque(const void *in, void *out)
     double *y = (double *)out;
     effects_cable_torque(x + 0, x + 11, y + 0);
 }
-static const double cable_torque_signals_low[] = {-3.0, -5.0, -50.0, -10000.0, -10.0, 0.0, -1.0, 1e-04, -50.0, 0.001, -10000.0};
-static const double cable_torque_signals_high[] = {3.0, 5.0, 50.0, 10000.0, 10.0, 100.0, 1.0, 0.01, 50.0, 10.0, 10000.0};
+static const double cable_torque_signals_low[] = {-3.0, -5.0, -50.0, -10000.0, -10.0, 0.0, -1.0,
+    1e-04, -50.0, 0.001, -10000.0};
+static const double cable_torque_signals_high[] = {3.0, 5.0, 50.0, 10000.0, 10.0, 100.0, 1.0, 0.01,
+    50.0, 10.0, 10000.0};
 static const double cable_torque_shape_low[] = {0.1, 0.1};
 static const double cable_torque_shape_high[] = {1.0, 1.0};
 static const sinew_argument cable_torque_inputs[] = {
@@ -344,8 +384,10 @@ static void call_cable_torque_cubic(const void *in, void *out)
     double *y = (double *)out;
     effects_cable_torque_cubic(x + 0, x + 11, y + 0);
 }
-static const double cable_torque_cubic_signals_low[] = {-3.0, -5.0, -50.0, -10000.0, -10.0, 0.0, -1.0, 1e-04, -50.0, 0.001, -10000.0};
-static const double cable_torque_cubic_signals_high[] = {3.0, 5.0, 50.0, 10000.0, 10.0, 100.0, 1.0, 0.01, 50.0, 10.0, 10000.0};
+static const double cable_torque_cubic_signals_low[] = {-3.0, -5.0, -50.0, -10000.0, -10.0, 0.0,
+    -1.0, 1e-04, -50.0, 0.001, -10000.0};
+static const double cable_torque_cubic_signals_high[] = {3.0, 5.0, 50.0, 10000.0, 10.0, 100.0, 1.0,
+    0.01, 50.0, 10.0, 10000.0};
 static const double cable_torque_cubic_shape_low[] = {0.1, 0.1};
 static const double cable_torque_cubic_shape_high[] = {1.0, 1.0};
 static const sinew_argument cable_torque_cubic_inputs[] = {
@@ -362,8 +404,10 @@ static void call_inertial_backlash(const void *in, void *out)
     double *y = (double *)out;
     effects_inertial_backlash(x + 0, x + 11, x + 13, y + 0, y + 1);
 }
-static const double inertial_backlash_signals_low[] = {-3.0, -5.0, -50.0, -10000.0, -10.0, 0.0, -1.0, 1e-04, -50.0, 0.001, -10000.0};
-static const double inertial_backlash_signals_high[] = {3.0, 5.0, 50.0, 10000.0, 10.0, 100.0, 1.0, 0.01, 50.0, 10.0, 10000.0};
+static const double inertial_backlash_signals_low[] = {-3.0, -5.0, -50.0, -10000.0, -10.0, 0.0,
+    -1.0, 1e-04, -50.0, 0.001, -10000.0};
+static const double inertial_backlash_signals_high[] = {3.0, 5.0, 50.0, 10000.0, 10.0, 100.0, 1.0,
+    0.01, 50.0, 10.0, 10000.0};
 static const double inertial_backlash_shape_low[] = {1e-04, 0.1};
 static const double inertial_backlash_shape_high[] = {0.03, 0.9};
 static const double inertial_backlash_memory_low[] = {-1.0, -1.0};
@@ -384,8 +428,10 @@ static void call_loaded_backlash(const void *in, void *out)
     double *y = (double *)out;
     effects_loaded_backlash(x + 0, x + 11, x + 14, y + 0, y + 1);
 }
-static const double loaded_backlash_signals_low[] = {-3.0, -5.0, -50.0, -10000.0, -10.0, 0.0, -1.0, 1e-04, -50.0, 0.001, -10000.0};
-static const double loaded_backlash_signals_high[] = {3.0, 5.0, 50.0, 10000.0, 10.0, 100.0, 1.0, 0.01, 50.0, 10.0, 10000.0};
+static const double loaded_backlash_signals_low[] = {-3.0, -5.0, -50.0, -10000.0, -10.0, 0.0, -1.0,
+    1e-04, -50.0, 0.001, -10000.0};
+static const double loaded_backlash_signals_high[] = {3.0, 5.0, 50.0, 10000.0, 10.0, 100.0, 1.0,
+    0.01, 50.0, 10.0, 10000.0};
 static const double loaded_backlash_shape_low[] = {1e-04, 1.1, 0.1};
 static const double loaded_backlash_shape_high[] = {0.03, 5.0, 0.9};
 static const double loaded_backlash_memory_low[] = {-1.0, -1.0};
@@ -406,8 +452,10 @@ static void call_link_elasticity(const void *in, void *out)
     double *y = (double *)out;
     effects_link_elasticity(x + 0, y + 0);
 }
-static const double link_elasticity_signals_low[] = {-3.0, -5.0, -50.0, -10000.0, -10.0, 0.0, -1.0, 1e-04, -50.0, 0.001, -10000.0};
-static const double link_elasticity_signals_high[] = {3.0, 5.0, 50.0, 10000.0, 10.0, 100.0, 1.0, 0.01, 50.0, 10.0, 10000.0};
+static const double link_elasticity_signals_low[] = {-3.0, -5.0, -50.0, -10000.0, -10.0, 0.0, -1.0,
+    1e-04, -50.0, 0.001, -10000.0};
+static const double link_elasticity_signals_high[] = {3.0, 5.0, 50.0, 10000.0, 10.0, 100.0, 1.0,
+    0.01, 50.0, 10.0, 10000.0};
 static const sinew_argument link_elasticity_inputs[] = {
     {"signals", "SI", 11, 1, link_elasticity_signals_low, link_elasticity_signals_high},
 };
@@ -421,8 +469,10 @@ static void call_link_resonance(const void *in, void *out)
     double *y = (double *)out;
     effects_link_resonance(x + 0, x + 11, x + 13, y + 0, y + 1);
 }
-static const double link_resonance_signals_low[] = {-3.0, -5.0, -50.0, -10000.0, -10.0, 0.0, -1.0, 1e-04, -50.0, 0.001, -10000.0};
-static const double link_resonance_signals_high[] = {3.0, 5.0, 50.0, 10000.0, 10.0, 100.0, 1.0, 0.01, 50.0, 10.0, 10000.0};
+static const double link_resonance_signals_low[] = {-3.0, -5.0, -50.0, -10000.0, -10.0, 0.0, -1.0,
+    1e-04, -50.0, 0.001, -10000.0};
+static const double link_resonance_signals_high[] = {3.0, 5.0, 50.0, 10000.0, 10.0, 100.0, 1.0,
+    0.01, 50.0, 10.0, 10000.0};
 static const double link_resonance_shape_low[] = {10.0, 0.01};
 static const double link_resonance_shape_high[] = {400.0, 0.4};
 static const double link_resonance_memory_low[] = {-1.0, -1.0, -1.0};
@@ -443,8 +493,10 @@ static void call_link_backlash(const void *in, void *out)
     double *y = (double *)out;
     effects_link_backlash(x + 0, x + 11, x + 13, y + 0, y + 1);
 }
-static const double link_backlash_signals_low[] = {-3.0, -5.0, -50.0, -10000.0, -10.0, 0.0, -1.0, 1e-04, -50.0, 0.001, -10000.0};
-static const double link_backlash_signals_high[] = {3.0, 5.0, 50.0, 10000.0, 10.0, 100.0, 1.0, 0.01, 50.0, 10.0, 10000.0};
+static const double link_backlash_signals_low[] = {-3.0, -5.0, -50.0, -10000.0, -10.0, 0.0, -1.0,
+    1e-04, -50.0, 0.001, -10000.0};
+static const double link_backlash_signals_high[] = {3.0, 5.0, 50.0, 10000.0, 10.0, 100.0, 1.0, 0.01,
+    50.0, 10.0, 10000.0};
 static const double link_backlash_shape_low[] = {1e-04, 0.1};
 static const double link_backlash_shape_high[] = {0.03, 0.9};
 static const double link_backlash_memory_low[] = {-1.0, -1.0};
@@ -465,8 +517,10 @@ static void call_guiding_friction(const void *in, void *out)
     double *y = (double *)out;
     effects_guiding_friction(x + 0, y + 0);
 }
-static const double guiding_friction_signals_low[] = {-3.0, -5.0, -50.0, -10000.0, -10.0, 0.0, -1.0, 1e-04, -50.0, 0.001, -10000.0};
-static const double guiding_friction_signals_high[] = {3.0, 5.0, 50.0, 10000.0, 10.0, 100.0, 1.0, 0.01, 50.0, 10.0, 10000.0};
+static const double guiding_friction_signals_low[] = {-3.0, -5.0, -50.0, -10000.0, -10.0, 0.0, -1.0,
+    1e-04, -50.0, 0.001, -10000.0};
+static const double guiding_friction_signals_high[] = {3.0, 5.0, 50.0, 10000.0, 10.0, 100.0, 1.0,
+    0.01, 50.0, 10.0, 10000.0};
 static const sinew_argument guiding_friction_inputs[] = {
     {"signals", "SI", 11, 1, guiding_friction_signals_low, guiding_friction_signals_high},
 };
@@ -480,8 +534,10 @@ static void call_motor_side_guiding(const void *in, void *out)
     double *y = (double *)out;
     effects_motor_side_guiding(x + 0, y + 0);
 }
-static const double motor_side_guiding_signals_low[] = {-3.0, -5.0, -50.0, -10000.0, -10.0, 0.0, -1.0, 1e-04, -50.0, 0.001, -10000.0};
-static const double motor_side_guiding_signals_high[] = {3.0, 5.0, 50.0, 10000.0, 10.0, 100.0, 1.0, 0.01, 50.0, 10.0, 10000.0};
+static const double motor_side_guiding_signals_low[] = {-3.0, -5.0, -50.0, -10000.0, -10.0, 0.0,
+    -1.0, 1e-04, -50.0, 0.001, -10000.0};
+static const double motor_side_guiding_signals_high[] = {3.0, 5.0, 50.0, 10000.0, 10.0, 100.0, 1.0,
+    0.01, 50.0, 10.0, 10000.0};
 static const sinew_argument motor_side_guiding_inputs[] = {
     {"signals", "SI", 11, 1, motor_side_guiding_signals_low, motor_side_guiding_signals_high},
 };
@@ -495,8 +551,10 @@ static void call_force_sensor_scale(const void *in, void *out)
     double *y = (double *)out;
     effects_force_sensor_scale(x + 0, y + 0);
 }
-static const double force_sensor_scale_signals_low[] = {-3.0, -5.0, -50.0, -10000.0, -10.0, 0.0, -1.0, 1e-04, -50.0, 0.001, -10000.0};
-static const double force_sensor_scale_signals_high[] = {3.0, 5.0, 50.0, 10000.0, 10.0, 100.0, 1.0, 0.01, 50.0, 10.0, 10000.0};
+static const double force_sensor_scale_signals_low[] = {-3.0, -5.0, -50.0, -10000.0, -10.0, 0.0,
+    -1.0, 1e-04, -50.0, 0.001, -10000.0};
+static const double force_sensor_scale_signals_high[] = {3.0, 5.0, 50.0, 10000.0, 10.0, 100.0, 1.0,
+    0.01, 50.0, 10.0, 10000.0};
 static const sinew_argument force_sensor_scale_inputs[] = {
     {"signals", "SI", 11, 1, force_sensor_scale_signals_low, force_sensor_scale_signals_high},
 };
@@ -510,8 +568,10 @@ static void call_force_sensor_offset(const void *in, void *out)
     double *y = (double *)out;
     effects_force_sensor_offset(x + 0, y + 0);
 }
-static const double force_sensor_offset_signals_low[] = {-3.0, -5.0, -50.0, -10000.0, -10.0, 0.0, -1.0, 1e-04, -50.0, 0.001, -10000.0};
-static const double force_sensor_offset_signals_high[] = {3.0, 5.0, 50.0, 10000.0, 10.0, 100.0, 1.0, 0.01, 50.0, 10.0, 10000.0};
+static const double force_sensor_offset_signals_low[] = {-3.0, -5.0, -50.0, -10000.0, -10.0, 0.0,
+    -1.0, 1e-04, -50.0, 0.001, -10000.0};
+static const double force_sensor_offset_signals_high[] = {3.0, 5.0, 50.0, 10000.0, 10.0, 100.0, 1.0,
+    0.01, 50.0, 10.0, 10000.0};
 static const sinew_argument force_sensor_offset_inputs[] = {
     {"signals", "SI", 11, 1, force_sensor_offset_signals_low, force_sensor_offset_signals_high},
 };
@@ -525,8 +585,10 @@ static void call_presliding(const void *in, void *out)
     double *y = (double *)out;
     effects_presliding(x + 0, x + 11, x + 12, y + 0, y + 1);
 }
-static const double presliding_signals_low[] = {-3.0, -5.0, -50.0, -10000.0, -10.0, 0.0, -1.0, 1e-04, -50.0, 0.001, -10000.0};
-static const double presliding_signals_high[] = {3.0, 5.0, 50.0, 10000.0, 10.0, 100.0, 1.0, 0.01, 50.0, 10.0, 10000.0};
+static const double presliding_signals_low[] = {-3.0, -5.0, -50.0, -10000.0, -10.0, 0.0, -1.0,
+    1e-04, -50.0, 0.001, -10000.0};
+static const double presliding_signals_high[] = {3.0, 5.0, 50.0, 10000.0, 10.0, 100.0, 1.0, 0.01,
+    50.0, 10.0, 10000.0};
 static const double presliding_shape_low[] = {1e-08};
 static const double presliding_shape_high[] = {0.01};
 static const double presliding_memory_low[] = {-1.0};
@@ -547,8 +609,10 @@ static void call_soft_reversal(const void *in, void *out)
     double *y = (double *)out;
     effects_soft_reversal(x + 0, x + 11, y + 0);
 }
-static const double soft_reversal_signals_low[] = {-3.0, -5.0, -50.0, -10000.0, -10.0, 0.0, -1.0, 1e-04, -50.0, 0.001, -10000.0};
-static const double soft_reversal_signals_high[] = {3.0, 5.0, 50.0, 10000.0, 10.0, 100.0, 1.0, 0.01, 50.0, 10.0, 10000.0};
+static const double soft_reversal_signals_low[] = {-3.0, -5.0, -50.0, -10000.0, -10.0, 0.0, -1.0,
+    1e-04, -50.0, 0.001, -10000.0};
+static const double soft_reversal_signals_high[] = {3.0, 5.0, 50.0, 10000.0, 10.0, 100.0, 1.0, 0.01,
+    50.0, 10.0, 10000.0};
 static const double soft_reversal_shape_low[] = {3e-04};
 static const double soft_reversal_shape_high[] = {0.02};
 static const sinew_argument soft_reversal_inputs[] = {
@@ -565,8 +629,10 @@ static void call_late_reversal(const void *in, void *out)
     double *y = (double *)out;
     effects_late_reversal(x + 0, x + 11, x + 12, y + 0, y + 1);
 }
-static const double late_reversal_signals_low[] = {-3.0, -5.0, -50.0, -10000.0, -10.0, 0.0, -1.0, 1e-04, -50.0, 0.001, -10000.0};
-static const double late_reversal_signals_high[] = {3.0, 5.0, 50.0, 10000.0, 10.0, 100.0, 1.0, 0.01, 50.0, 10.0, 10000.0};
+static const double late_reversal_signals_low[] = {-3.0, -5.0, -50.0, -10000.0, -10.0, 0.0, -1.0,
+    1e-04, -50.0, 0.001, -10000.0};
+static const double late_reversal_signals_high[] = {3.0, 5.0, 50.0, 10000.0, 10.0, 100.0, 1.0, 0.01,
+    50.0, 10.0, 10000.0};
 static const double late_reversal_shape_low[] = {1e-07};
 static const double late_reversal_shape_high[] = {0.003};
 static const double late_reversal_memory_low[] = {-1.0};
@@ -583,38 +649,66 @@ static const sinew_argument late_reversal_outputs[] = {
 
 static const sinew_function functions[] = {
     {"effects_inertia", 1, 1, 11, 1, inertia_inputs, inertia_outputs, call_inertia},
-    {"effects_viscous_level", 1, 1, 11, 1, viscous_level_inputs, viscous_level_outputs, call_viscous_level},
-    {"effects_coulomb_level", 1, 1, 11, 1, coulomb_level_inputs, coulomb_level_outputs, call_coulomb_level},
+    {"effects_viscous_level", 1, 1, 11, 1, viscous_level_inputs, viscous_level_outputs,
+        call_viscous_level},
+    {"effects_coulomb_level", 1, 1, 11, 1, coulomb_level_inputs, coulomb_level_outputs,
+        call_coulomb_level},
     {"effects_offset", 1, 1, 11, 1, offset_inputs, offset_outputs, call_offset},
-    {"effects_viscous_asymmetry", 1, 1, 11, 1, viscous_asymmetry_inputs, viscous_asymmetry_outputs, call_viscous_asymmetry},
-    {"effects_coulomb_asymmetry", 1, 1, 11, 1, coulomb_asymmetry_inputs, coulomb_asymmetry_outputs, call_coulomb_asymmetry},
+    {"effects_viscous_asymmetry", 1, 1, 11, 1, viscous_asymmetry_inputs, viscous_asymmetry_outputs,
+        call_viscous_asymmetry},
+    {"effects_coulomb_asymmetry", 1, 1, 11, 1, coulomb_asymmetry_inputs, coulomb_asymmetry_outputs,
+        call_coulomb_asymmetry},
     {"effects_stribeck", 2, 1, 12, 1, stribeck_inputs, stribeck_outputs, call_stribeck},
-    {"effects_concave_friction", 2, 1, 12, 1, concave_friction_inputs, concave_friction_outputs, call_concave_friction},
-    {"effects_concave_power", 2, 1, 13, 1, concave_power_inputs, concave_power_outputs, call_concave_power},
-    {"effects_quadratic_friction", 1, 1, 11, 1, quadratic_friction_inputs, quadratic_friction_outputs, call_quadratic_friction},
-    {"effects_load_friction", 1, 1, 11, 1, load_friction_inputs, load_friction_outputs, call_load_friction},
-    {"effects_friction_drift", 2, 1, 12, 1, friction_drift_inputs, friction_drift_outputs, call_friction_drift},
-    {"effects_position_friction", 1, 1, 11, 1, position_friction_inputs, position_friction_outputs, call_position_friction},
+    {"effects_concave_friction", 2, 1, 12, 1, concave_friction_inputs, concave_friction_outputs,
+        call_concave_friction},
+    {"effects_concave_power", 2, 1, 13, 1, concave_power_inputs, concave_power_outputs,
+        call_concave_power},
+    {"effects_quadratic_friction", 1, 1, 11, 1, quadratic_friction_inputs,
+        quadratic_friction_outputs, call_quadratic_friction},
+    {"effects_load_friction", 1, 1, 11, 1, load_friction_inputs, load_friction_outputs,
+        call_load_friction},
+    {"effects_friction_drift", 2, 1, 12, 1, friction_drift_inputs, friction_drift_outputs,
+        call_friction_drift},
+    {"effects_position_friction", 1, 1, 11, 1, position_friction_inputs, position_friction_outputs,
+        call_position_friction},
     {"effects_ripple", 2, 1, 12, 2, ripple_inputs, ripple_outputs, call_ripple},
     {"effects_load_ripple", 2, 1, 12, 2, load_ripple_inputs, load_ripple_outputs, call_load_ripple},
-    {"effects_gear_elasticity", 1, 1, 11, 1, gear_elasticity_inputs, gear_elasticity_outputs, call_gear_elasticity},
-    {"effects_gear_resonance", 3, 2, 16, 4, gear_resonance_inputs, gear_resonance_outputs, call_gear_resonance},
-    {"effects_torsion_spring", 1, 1, 11, 1, torsion_spring_inputs, torsion_spring_outputs, call_torsion_spring},
-    {"effects_offset_drift", 1, 1, 11, 1, offset_drift_inputs, offset_drift_outputs, call_offset_drift},
-    {"effects_cable_torque", 2, 1, 13, 8, cable_torque_inputs, cable_torque_outputs, call_cable_torque},
-    {"effects_cable_torque_cubic", 2, 1, 13, 4, cable_torque_cubic_inputs, cable_torque_cubic_outputs, call_cable_torque_cubic},
-    {"effects_inertial_backlash", 3, 2, 15, 3, inertial_backlash_inputs, inertial_backlash_outputs, call_inertial_backlash},
-    {"effects_loaded_backlash", 3, 2, 16, 3, loaded_backlash_inputs, loaded_backlash_outputs, call_loaded_backlash},
-    {"effects_link_elasticity", 1, 1, 11, 1, link_elasticity_inputs, link_elasticity_outputs, call_link_elasticity},
-    {"effects_link_resonance", 3, 2, 16, 4, link_resonance_inputs, link_resonance_outputs, call_link_resonance},
-    {"effects_link_backlash", 3, 2, 15, 3, link_backlash_inputs, link_backlash_outputs, call_link_backlash},
-    {"effects_guiding_friction", 1, 1, 11, 2, guiding_friction_inputs, guiding_friction_outputs, call_guiding_friction},
-    {"effects_motor_side_guiding", 1, 1, 11, 2, motor_side_guiding_inputs, motor_side_guiding_outputs, call_motor_side_guiding},
-    {"effects_force_sensor_scale", 1, 1, 11, 1, force_sensor_scale_inputs, force_sensor_scale_outputs, call_force_sensor_scale},
-    {"effects_force_sensor_offset", 1, 1, 11, 1, force_sensor_offset_inputs, force_sensor_offset_outputs, call_force_sensor_offset},
+    {"effects_gear_elasticity", 1, 1, 11, 1, gear_elasticity_inputs, gear_elasticity_outputs,
+        call_gear_elasticity},
+    {"effects_gear_resonance", 3, 2, 16, 4, gear_resonance_inputs, gear_resonance_outputs,
+        call_gear_resonance},
+    {"effects_torsion_spring", 1, 1, 11, 1, torsion_spring_inputs, torsion_spring_outputs,
+        call_torsion_spring},
+    {"effects_offset_drift", 1, 1, 11, 1, offset_drift_inputs, offset_drift_outputs,
+        call_offset_drift},
+    {"effects_cable_torque", 2, 1, 13, 8, cable_torque_inputs, cable_torque_outputs,
+        call_cable_torque},
+    {"effects_cable_torque_cubic", 2, 1, 13, 4, cable_torque_cubic_inputs,
+        cable_torque_cubic_outputs, call_cable_torque_cubic},
+    {"effects_inertial_backlash", 3, 2, 15, 3, inertial_backlash_inputs, inertial_backlash_outputs,
+        call_inertial_backlash},
+    {"effects_loaded_backlash", 3, 2, 16, 3, loaded_backlash_inputs, loaded_backlash_outputs,
+        call_loaded_backlash},
+    {"effects_link_elasticity", 1, 1, 11, 1, link_elasticity_inputs, link_elasticity_outputs,
+        call_link_elasticity},
+    {"effects_link_resonance", 3, 2, 16, 4, link_resonance_inputs, link_resonance_outputs,
+        call_link_resonance},
+    {"effects_link_backlash", 3, 2, 15, 3, link_backlash_inputs, link_backlash_outputs,
+        call_link_backlash},
+    {"effects_guiding_friction", 1, 1, 11, 2, guiding_friction_inputs, guiding_friction_outputs,
+        call_guiding_friction},
+    {"effects_motor_side_guiding", 1, 1, 11, 2, motor_side_guiding_inputs,
+        motor_side_guiding_outputs, call_motor_side_guiding},
+    {"effects_force_sensor_scale", 1, 1, 11, 1, force_sensor_scale_inputs,
+        force_sensor_scale_outputs, call_force_sensor_scale},
+    {"effects_force_sensor_offset", 1, 1, 11, 1, force_sensor_offset_inputs,
+        force_sensor_offset_outputs, call_force_sensor_offset},
     {"effects_presliding", 3, 2, 13, 2, presliding_inputs, presliding_outputs, call_presliding},
-    {"effects_soft_reversal", 2, 1, 12, 1, soft_reversal_inputs, soft_reversal_outputs, call_soft_reversal},
-    {"effects_late_reversal", 3, 2, 13, 2, late_reversal_inputs, late_reversal_outputs, call_late_reversal},
+    {"effects_soft_reversal", 2, 1, 12, 1, soft_reversal_inputs, soft_reversal_outputs,
+        call_soft_reversal},
+    {"effects_late_reversal", 3, 2, 13, 2, late_reversal_inputs, late_reversal_outputs,
+        call_late_reversal},
 };
 
-const sinew_catalogue effects_catalogue = {"effects", "69c538edcbf3bf2f45779b1c8a2551790ff791915ec1f60e5b93999b2315532f", 8, 33, functions};
+const sinew_catalogue effects_catalogue = {"effects",
+    "69c538edcbf3bf2f45779b1c8a2551790ff791915ec1f60e5b93999b2315532f", 8, 33, functions};

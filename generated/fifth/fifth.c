@@ -10,31 +10,59 @@
 
 #include "sinew_math.h"
 
+#ifdef __GNUC__
+#define SINEW_NOT_INLINE __attribute__((noinline))
+#else
+#define SINEW_NOT_INLINE
+#endif
+
+struct sinew_sines {
+    double s[1], c[1];
+};
+
+SINEW_NOT_INLINE static struct sinew_sines sinew_one_sincos(double x)
+{
+    struct sinew_sines y;
+    sinew_sincos(x, y.s, y.c);
+    return y;
+}
+
+struct sinew_sines2 {
+    double s[2], c[2];
+};
+
+SINEW_NOT_INLINE static struct sinew_sines2 sinew_one_sincos2(double x0, double x1)
+{
+    struct sinew_sines2 y;
+    const double x[2] = {x0, x1};
+    sinew_sincos2(x, y.s, y.c);
+    return y;
+}
+
 void fifth_forward_kinematics(const double q[SINEW_AT_LEAST(3)], double T[SINEW_AT_LEAST(16)])
 {
     const double phi3 = q[1] + q[2];
     const double phi4 = phi3 + 1.2222222222222223 * q[2];
-    const double angle1[4] = {q[0], phi4, q[1], phi3};
-    double sine2[4], cosine3[4];
-    sinew_sincos4(angle1, sine2, cosine3);
-    const double s1 = sine2[0];
-    const double c1 = cosine3[0];
-    const double s4 = sine2[1];
-    const double c4 = cosine3[1];
-    const double s2 = sine2[2];
-    const double c2 = cosine3[2];
-    const double s3 = sine2[3];
-    const double c3 = cosine3[3];
+    const struct sinew_sines2 sines1 = sinew_one_sincos2(q[0], phi4);
+    const double s1 = sines1.s[0];
+    const double c1 = sines1.c[0];
+    const double s4 = sines1.s[1];
+    const double c4 = sines1.c[1];
+    const struct sinew_sines2 sines2 = sinew_one_sincos2(q[1], phi3);
+    const double s2 = sines2.s[0];
+    const double c2 = sines2.c[0];
+    const double s3 = sines2.s[1];
+    const double c3 = sines2.c[1];
     const double R41x = c1 * c4;
     const double R41y = c1 * s4;
     const double l4x = 0.02384 * c3;
     const double l3x = 0.032304 * c2;
     const double o4x = l3x + l4x;
-    const double t4 = 0.0048 + o4x;
-    const double ptipx = c1 * t4 - 0.00456 * s1 + 0.01608 * R41x;
+    const double t3 = 0.0048 + o4x;
+    const double ptipx = c1 * t3 - 0.00456 * s1 + 0.01608 * R41x;
     const double R42x = s1 * c4;
     const double R42y = s1 * s4;
-    const double ptipy = s1 * t4 + 0.00456 * c1 + 0.01608 * R42x;
+    const double ptipy = s1 * t3 + 0.00456 * c1 + 0.01608 * R42x;
     const double l4y = 0.02384 * s3;
     const double l3y = 0.032304 * s2;
     const double o4y = l3y + l4y;
@@ -61,17 +89,16 @@ void fifth_tip_jacobian(const double q[SINEW_AT_LEAST(3)], double J[SINEW_AT_LEA
 {
     const double phi3 = q[1] + q[2];
     const double phi4 = phi3 + 1.2222222222222223 * q[2];
-    const double angle1[4] = {q[0], q[1], phi3, phi4};
-    double sine2[4], cosine3[4];
-    sinew_sincos4(angle1, sine2, cosine3);
-    const double s1 = sine2[0];
-    const double c1 = cosine3[0];
-    const double s2 = sine2[1];
-    const double c2 = cosine3[1];
-    const double s3 = sine2[2];
-    const double c3 = cosine3[2];
-    const double s4 = sine2[3];
-    const double c4 = cosine3[3];
+    const struct sinew_sines2 sines1 = sinew_one_sincos2(q[0], q[1]);
+    const double s1 = sines1.s[0];
+    const double c1 = sines1.c[0];
+    const double s2 = sines1.s[1];
+    const double c2 = sines1.c[1];
+    const struct sinew_sines2 sines2 = sinew_one_sincos2(phi3, phi4);
+    const double s3 = sines2.s[0];
+    const double c3 = sines2.c[0];
+    const double s4 = sines2.s[1];
+    const double c4 = sines2.c[1];
     J[10] = s1;
     const double p2y = 0.0048 * s1;
     const double l3x = 0.032304 * c2;
@@ -86,16 +113,16 @@ void fifth_tip_jacobian(const double q[SINEW_AT_LEAST(3)], double J[SINEW_AT_LEA
     const double ptipz = o4y + 0.01608 * s4;
     J[1] = -(c1 * ptipz);
     const double arm3_4 = l3y - ptipz;
-    const double t4 = 1.2222222222222223 * c1;
+    const double t3 = 1.2222222222222223 * c1;
     const double arm4_4 = o4y - ptipz;
-    J[2] = c1 * arm3_4 + t4 * arm4_4;
+    J[2] = c1 * arm3_4 + t3 * arm4_4;
     const double p2x = 0.0048 * c1;
     const double p4x = p2x + c1 * o4x;
     const double ptipx = p4x - 0.00456 * s1 + 0.01608 * c1 * c4;
     J[3] = ptipx;
     J[4] = -(s1 * ptipz);
-    const double t5 = 1.2222222222222223 * s1;
-    J[5] = s1 * arm3_4 + t5 * arm4_4;
+    const double t4 = 1.2222222222222223 * s1;
+    J[5] = s1 * arm3_4 + t4 * arm4_4;
     J[6] = 0.0;
     const double arm2 = p2x - ptipx;
     const double arm2_2 = p2y - ptipy;
@@ -106,7 +133,7 @@ void fifth_tip_jacobian(const double q[SINEW_AT_LEAST(3)], double J[SINEW_AT_LEA
     const double arm3 = p3x - ptipx;
     const double p3y = p2y + s1 * l3x;
     const double arm3_2 = p3y - ptipy;
-    J[8] = -(c1 * arm3 + s1 * arm3_2 + t4 * arm4 + t5 * arm4_2);
+    J[8] = -(c1 * arm3 + s1 * arm3_2 + t3 * arm4 + t4 * arm4_2);
     J[9] = 0.0;
     J[11] = 2.2222222222222223 * s1;
     J[12] = 0.0;
@@ -121,15 +148,14 @@ void fifth_mass_matrix(const double q[SINEW_AT_LEAST(3)], double M[SINEW_AT_LEAS
 {
     const double phi3 = q[1] + q[2];
     const double phi4 = phi3 + 1.2222222222222223 * q[2];
-    const double angle1[2] = {q[1], phi3};
-    double sine2[2], cosine3[2];
-    sinew_sincos2(angle1, sine2, cosine3);
-    const double s2 = sine2[0];
-    const double c2 = cosine3[0];
-    const double s3 = sine2[1];
-    const double c3 = cosine3[1];
-    double s4, c4;
-    sinew_sincos(phi4, &s4, &c4);
+    const struct sinew_sines2 sines1 = sinew_one_sincos2(q[1], phi3);
+    const double s2 = sines1.s[0];
+    const double c2 = sines1.c[0];
+    const double s3 = sines1.s[1];
+    const double c3 = sines1.c[1];
+    const struct sinew_sines sines2 = sinew_one_sincos(phi4);
+    const double s4 = sines2.s[0];
+    const double c4 = sines2.c[0];
     const double j3u = 1.427316736e-06 * c3;
     const double j2u = 6.37008946786e-06 * c2;
     const double j4u = 1.185619968e-07 * c4;
@@ -138,56 +164,57 @@ void fifth_mass_matrix(const double q[SINEW_AT_LEAST(3)], double M[SINEW_AT_LEAS
     const double o4x = l3x + l4x;
     const double j4x1 = 1.234944e-05 * c4;
     const double j3x1 = 7.323648000000001e-05 * c3;
-    const double t4 = l4x * j4x1;
+    const double t3 = l4x * j4x1;
     const double S3x = j3x1 + j4x1;
-    const double t5 = l3x * S3x;
+    const double t4 = l3x * S3x;
     const double j2x1 = 0.000223285248 * c2;
     const double S2x = j2x1 + S3x;
-    const double t6 = c2 * j2u + c3 * j3u + c4 * j4u + o4x * j4x1 + l3x * j3x1 + t4 + t5 + 0.0096 * S2x;
-    const double Z1 = t6 + 4.357300224e-07;
+    const double t5 = c2 * j2u + c3 * j3u + c4 * j4u + o4x * j4x1 + l3x * j3x1 + t3 + t4 + 0.0096
+        * S2x;
+    const double Z1 = t5 + 4.357300224e-07;
     const double j4yz = 5.2855603200000006e-08 * s4;
     const double j3yz = 2.2996254720000002e-07 * s3;
     const double K3yz = j3yz + j4yz;
     const double j2yz = 4.1084485632e-07 * s2;
     const double K2yz = j2yz + K3yz;
-    const double t7 = K3yz + 1.2222222222222223 * j4yz;
+    const double t6 = K3yz + 1.2222222222222223 * j4yz;
     const double j4y1 = 1.234944e-05 * s4;
     const double j3y1 = 7.323648000000001e-05 * s3;
     const double S3y = j3y1 + j4y1;
     const double l3y = 0.032304 * s2;
-    const double lS3 = t5 + l3y * S3y;
+    const double lS3 = t4 + l3y * S3y;
     const double l4y = 0.02384 * s3;
-    const double lS4 = t4 + l4y * j4y1;
+    const double lS4 = t3 + l4y * j4y1;
     const double Z3 = 1.6288227328e-06 + (lS4 + lS4);
     const double Z2 = 6.45303346786e-06 + Z3 + (lS3 + lS3);
     const double M_4 = Z3 + lS3;
     const double M_2 = 1.462099968e-07 + lS4;
     const double M_2_2 = M_2 + l3x * j4x1 + l3y * j4y1;
-    const double t8 = M_4 + 1.2222222222222223 * M_2_2;
+    const double t7 = M_4 + 1.2222222222222223 * M_2_2;
     M[0] = Z1;
     M[1] = K2yz;
-    M[2] = t7;
+    M[2] = t6;
     M[3] = K2yz;
     M[4] = Z2;
-    M[5] = t8;
-    M[6] = t7;
-    M[7] = t8;
+    M[5] = t7;
+    M[6] = t6;
+    M[7] = t7;
     M[8] = 2.1841246435555558e-07 + Z3 + 2.4444444444444446 * M_2;
 }
 
-void fifth_coriolis_matrix(const double q[SINEW_AT_LEAST(3)], const double qd[SINEW_AT_LEAST(3)], double C[SINEW_AT_LEAST(9)])
+void fifth_coriolis_matrix(const double q[SINEW_AT_LEAST(3)], const double qd[SINEW_AT_LEAST(3)],
+    double C[SINEW_AT_LEAST(9)])
 {
     const double phi3 = q[1] + q[2];
     const double phi4 = phi3 + 1.2222222222222223 * q[2];
-    const double angle1[2] = {q[1], phi3};
-    double sine2[2], cosine3[2];
-    sinew_sincos2(angle1, sine2, cosine3);
-    const double s2 = sine2[0];
-    const double c2 = cosine3[0];
-    const double s3 = sine2[1];
-    const double c3 = cosine3[1];
-    double s4, c4;
-    sinew_sincos(phi4, &s4, &c4);
+    const struct sinew_sines2 sines1 = sinew_one_sincos2(q[1], phi3);
+    const double s2 = sines1.s[0];
+    const double c2 = sines1.c[0];
+    const double s3 = sines1.s[1];
+    const double c3 = sines1.c[1];
+    const struct sinew_sines sines2 = sinew_one_sincos(phi4);
+    const double s4 = sines2.s[0];
+    const double c4 = sines2.c[0];
     const double l4x = 0.02384 * c3;
     const double l3x = 0.032304 * c2;
     const double o4x = l3x + l4x;
@@ -196,60 +223,60 @@ void fifth_coriolis_matrix(const double q[SINEW_AT_LEAST(3)], const double qd[SI
     const double j3y1 = 7.323648000000001e-05 * s3;
     const double j4x1 = 1.234944e-05 * c4;
     const double l4y = 0.02384 * s3;
-    const double t4 = l4y * j4x1;
-    const double K3yx = s3 * 1.427316736e-06 * c3 + K4yx + l3x * j3y1 + t4;
+    const double t3 = l4y * j4x1;
+    const double K3yx = s3 * 1.427316736e-06 * c3 + K4yx + l3x * j3y1 + t3;
     const double j3x1 = 7.323648000000001e-05 * c3;
     const double S3x = j3x1 + j4x1;
     const double l3y = 0.032304 * s2;
-    const double t5 = l3y * S3x;
-    const double K2yx = s2 * 6.37008946786e-06 * c2 + K3yx + t5;
-    const double t6 = 1.2222222222222223 * qd[2];
-    const double E2wQxx = qd[1] * K2yx + qd[2] * K3yx + t6 * K4yx;
+    const double t4 = l3y * S3x;
+    const double K2yx = s2 * 6.37008946786e-06 * c2 + K3yx + t4;
+    const double t5 = 1.2222222222222223 * qd[2];
+    const double E2wQxx = qd[1] * K2yx + qd[2] * K3yx + t5 * K4yx;
     const double S3y = j3y1 + j4y1;
     const double j2y1 = 0.000223285248 * s2;
     const double S2y = j2y1 + S3y;
-    const double E2wpx = qd[1] * S2y + qd[2] * S3y + t6 * j4y1;
+    const double E2wpx = qd[1] * S2y + qd[2] * S3y + t5 * j4y1;
     const double E2sQxx = E2wQxx + 0.0048 * E2wpx;
     const double cD2y = qd[0] * K2yx;
     const double j4xz = 5.2855603200000006e-08 * c4;
     const double w3z = qd[1] + qd[2];
-    const double w4z = w3z + t6;
+    const double w4z = w3z + t5;
     const double T4y = j4xz * w4z;
     const double j3xz = 2.2996254720000002e-07 * c3;
     const double T3y = T4y + j3xz * w3z;
     const double do2y = 0.0048 * qd[0];
-    const double t7 = do2y * S2y;
-    const double cH2z = T3y + qd[1] * 4.1084485632e-07 * c2 - cD2y - t7;
+    const double t6 = do2y * S2y;
+    const double cH2z = T3y + qd[1] * 4.1084485632e-07 * c2 - cD2y - t6;
     const double cD3y = qd[0] * K3yx;
     const double cH3y = T3y - cD3y;
-    const double t8 = do2y * S3y;
+    const double t7 = do2y * S3y;
     const double cD4y = qd[0] * K4yx;
     const double cH4y = T4y - cD4y;
-    const double t9 = do2y * j4y1;
-    const double cH4z_2 = cH4y - t9;
-    const double cD2z_2 = cD2y + t7;
+    const double t8 = do2y * j4y1;
+    const double cH4z_2 = cH4y - t8;
+    const double cD2z_2 = cD2y + t6;
     const double G4y = j4y1 * w4z;
     const double G4x = j4x1 * w4z;
     const double C_2 = l4x * G4y - l4y * G4x;
-    const double X4 = l4x * j4y1 - t4;
+    const double X4 = l4x * j4y1 - t3;
     const double C_3 = w3z * X4;
     const double Y3 = C_2 - C_3;
-    const double X3 = l3x * S3y - t5;
+    const double X3 = l3x * S3y - t4;
     const double C_8 = Y3 - qd[1] * X3;
     const double G3y = G4y + j3y1 * w3z;
-    const double t10 = l3x * G3y;
+    const double t9 = l3x * G3y;
     const double G3x = G4x + j3x1 * w3z;
-    const double t11 = l3y * G3x;
-    const double Y2 = C_8 + t10 - t11;
-    const double C_10 = Y3 + t10 - t11;
+    const double t10 = l3y * G3x;
+    const double Y2 = C_8 + t9 - t10;
+    const double C_10 = Y3 + t9 - t10;
     const double C_6 = C_2 + l3x * G4y - l3y * G4x;
-    const double cD3z_2 = cD3y + t8;
-    const double cD4z_2 = cD4y + t9;
+    const double cD3z_2 = cD3y + t7;
+    const double cD4z_2 = cD4y + t8;
     const double X3_2 = l3x * j4y1 - l3y * j4x1;
     const double C_4 = C_3 + qd[1] * X3_2;
     C[0] = -E2sQxx;
     C[1] = cH2z;
-    C[2] = cH3y - t8 + 1.2222222222222223 * cH4z_2;
+    C[2] = cH3y - t7 + 1.2222222222222223 * cH4z_2;
     C[3] = cD2z_2;
     C[4] = -Y2;
     C[5] = -(C_10 + 1.2222222222222223 * C_6);
@@ -262,13 +289,11 @@ void fifth_gravity(const double q[SINEW_AT_LEAST(3)], double g[SINEW_AT_LEAST(3)
 {
     const double phi3 = q[1] + q[2];
     const double phi4 = phi3 + 1.2222222222222223 * q[2];
-    const double angle1[2] = {phi4, phi3};
-    double sine2[2], cosine3[2];
-    sinew_sincos2(angle1, sine2, cosine3);
-    const double c4 = cosine3[0];
-    const double c3 = cosine3[1];
-    double s6, c2;
-    sinew_sincos(q[1], &s6, &c2);
+    const struct sinew_sines2 sines1 = sinew_one_sincos2(phi4, phi3);
+    const double c4 = sines1.c[0];
+    const double c3 = sines1.c[1];
+    const struct sinew_sines sines4 = sinew_one_sincos(q[1]);
+    const double c2 = sines4.c[0];
     const double n4 = 0.00012114800640000001 * c4;
     const double n3 = n4 + 0.0007184498688000002 * c3;
     const double n2 = n3 + 0.00219042828288 * c2;
@@ -277,19 +302,19 @@ void fifth_gravity(const double q[SINEW_AT_LEAST(3)], double g[SINEW_AT_LEAST(3)
     g[2] = n3 + 1.2222222222222223 * n4;
 }
 
-void fifth_bias(const double q[SINEW_AT_LEAST(3)], const double qd[SINEW_AT_LEAST(3)], double h[SINEW_AT_LEAST(3)])
+void fifth_bias(const double q[SINEW_AT_LEAST(3)], const double qd[SINEW_AT_LEAST(3)],
+    double h[SINEW_AT_LEAST(3)])
 {
     const double phi3 = q[1] + q[2];
     const double phi4 = phi3 + 1.2222222222222223 * q[2];
-    const double angle1[2] = {phi4, phi3};
-    double sine2[2], cosine3[2];
-    sinew_sincos2(angle1, sine2, cosine3);
-    const double s4 = sine2[0];
-    const double c4 = cosine3[0];
-    const double s3 = sine2[1];
-    const double c3 = cosine3[1];
-    double s2, c2;
-    sinew_sincos(q[1], &s2, &c2);
+    const struct sinew_sines2 sines1 = sinew_one_sincos2(phi4, phi3);
+    const double s4 = sines1.s[0];
+    const double c4 = sines1.c[0];
+    const double s3 = sines1.s[1];
+    const double c3 = sines1.c[1];
+    const struct sinew_sines sines2 = sinew_one_sincos(q[1]);
+    const double s2 = sines2.s[0];
+    const double c2 = sines2.c[0];
     const double l3x = 0.032304 * c2;
     const double o3x = 0.0048 + l3x;
     const double l4x = 0.02384 * c3;
@@ -299,51 +324,52 @@ void fifth_bias(const double q[SINEW_AT_LEAST(3)], const double qd[SINEW_AT_LEAS
     const double j3y1 = 7.323648000000001e-05 * s3;
     const double j4x1 = 1.234944e-05 * c4;
     const double l4y = 0.02384 * s3;
-    const double t4 = l4y * j4x1;
-    const double K3yx = s3 * 1.427316736e-06 * c3 + K4yx + o3x * j3y1 + t4;
+    const double t3 = l4y * j4x1;
+    const double K3yx = s3 * 1.427316736e-06 * c3 + K4yx + o3x * j3y1 + t3;
     const double j2u = 6.37008946786e-06 * c2;
     const double j3x1 = 7.323648000000001e-05 * c3;
     const double S3x = j3x1 + j4x1;
     const double l3y = 0.032304 * s2;
     const double K2yx = s2 * (j2u + 1.0717691904e-06) + K3yx + l3y * S3x;
-    const double t5 = 1.2222222222222223 * qd[2];
-    const double R2yx = qd[1] * K2yx + qd[2] * K3yx + t5 * K4yx;
+    const double t4 = 1.2222222222222223 * qd[2];
+    const double R2yx = qd[1] * K2yx + qd[2] * K3yx + t4 * K4yx;
     const double w_2y = qd[0] + qd[0];
     const double w3z = qd[1] + qd[2];
-    const double w4z = w3z + t5;
+    const double w4z = w3z + t4;
     const double w4zz = w4z * w4z;
     const double w3zz = w3z * w3z;
     const double w2zz = qd[1] * qd[1];
-    const double t6 = 5.2855603200000006e-08 * c4 * w4zz + 2.2996254720000002e-07 * c3 * w3zz + 4.1084485632e-07 * c2 * w2zz;
-    const double Q2y = t6 - w_2y * R2yx;
+    const double t5 = 5.2855603200000006e-08 * c4 * w4zz + 2.2996254720000002e-07 * c3 * w3zz
+        + 4.1084485632e-07 * c2 * w2zz;
+    const double Q2y = t5 - w_2y * R2yx;
     const double X2_4 = l3x * j4y1 - l3y * j4x1;
-    const double X3_4 = l4x * j4y1 - t4;
+    const double X3_4 = l4x * j4y1 - t3;
     const double n4 = 9.81 * j4x1 + w2zz * X2_4 + w3zz * X3_4;
     const double X2_3 = l3x * j3y1 - l3y * j3x1;
     const double n3 = n4 + 9.81 * j3x1 + w2zz * X2_3 - w4zz * X3_4;
     const double n2 = n3 + 0.00219042828288 * c2 - w3zz * X2_3 - w4zz * X2_4;
     const double w1zz = qd[0] * qd[0];
     const double t2 = n2 + w1zz * K2yx;
-    const double t3 = n3 + w1zz * K3yx;
+    const double t3_2 = n3 + w1zz * K3yx;
     const double t4_2 = n4 + w1zz * K4yx;
     h[0] = Q2y;
     h[1] = t2;
-    h[2] = t3 + 1.2222222222222223 * t4_2;
+    h[2] = t3_2 + 1.2222222222222223 * t4_2;
 }
 
-void fifth_mass_matrix_and_bias(const double q[SINEW_AT_LEAST(3)], const double qd[SINEW_AT_LEAST(3)], double M[SINEW_AT_LEAST(9)], double h[SINEW_AT_LEAST(3)])
+void fifth_mass_matrix_and_bias(const double q[SINEW_AT_LEAST(3)],
+    const double qd[SINEW_AT_LEAST(3)], double M[SINEW_AT_LEAST(9)], double h[SINEW_AT_LEAST(3)])
 {
     const double phi3 = q[1] + q[2];
     const double phi4 = phi3 + 1.2222222222222223 * q[2];
-    const double angle1[2] = {q[1], phi3};
-    double sine2[2], cosine3[2];
-    sinew_sincos2(angle1, sine2, cosine3);
-    const double s2 = sine2[0];
-    const double c2 = cosine3[0];
-    const double s3 = sine2[1];
-    const double c3 = cosine3[1];
-    double s4, c4;
-    sinew_sincos(phi4, &s4, &c4);
+    const struct sinew_sines2 sines1 = sinew_one_sincos2(q[1], phi3);
+    const double s2 = sines1.s[0];
+    const double c2 = sines1.c[0];
+    const double s3 = sines1.s[1];
+    const double c3 = sines1.c[1];
+    const struct sinew_sines sines2 = sinew_one_sincos(phi4);
+    const double s4 = sines2.s[0];
+    const double c4 = sines2.c[0];
     const double j3u = 1.427316736e-06 * c3;
     const double j2u = 6.37008946786e-06 * c2;
     const double j4u = 1.185619968e-07 * c4;
@@ -353,156 +379,160 @@ void fifth_mass_matrix_and_bias(const double q[SINEW_AT_LEAST(3)], const double 
     const double o4x = o3x + l4x;
     const double j4x1 = 1.234944e-05 * c4;
     const double j3x1 = 7.323648000000001e-05 * c3;
-    const double t4 = l4x * j4x1;
+    const double t3 = l4x * j4x1;
     const double j2x1 = 0.000223285248 * c2;
-    const double t5 = c2 * j2u + c3 * j3u + c4 * j4u + o4x * j4x1 + o3x * j3x1 + t4 + 0.0048 * j2x1;
+    const double t4 = c2 * j2u + c3 * j3u + c4 * j4u + o4x * j4x1 + o3x * j3x1 + t3 + 0.0048 * j2x1;
     const double S3x = j3x1 + j4x1;
-    const double t6 = l3x * S3x;
+    const double t5 = l3x * S3x;
     const double S2x = j2x1 + S3x;
-    const double Z1 = t5 + t6 + 0.0048 * S2x + 4.357300224e-07;
+    const double Z1 = t4 + t5 + 0.0048 * S2x + 4.357300224e-07;
     const double j4yz = 5.2855603200000006e-08 * s4;
     const double j3yz = 2.2996254720000002e-07 * s3;
     const double K3yz = j3yz + j4yz;
     const double j2yz = 4.1084485632e-07 * s2;
     const double K2yz = j2yz + K3yz;
-    const double t7 = K3yz + 1.2222222222222223 * j4yz;
+    const double t6 = K3yz + 1.2222222222222223 * j4yz;
     const double j4y1 = 1.234944e-05 * s4;
     const double j3y1 = 7.323648000000001e-05 * s3;
     const double S3y = j3y1 + j4y1;
     const double l3y = 0.032304 * s2;
-    const double lS3 = t6 + l3y * S3y;
+    const double lS3 = t5 + l3y * S3y;
     const double l4y = 0.02384 * s3;
-    const double lS4 = t4 + l4y * j4y1;
+    const double lS4 = t3 + l4y * j4y1;
     const double Z3 = 1.6288227328e-06 + (lS4 + lS4);
     const double Z2 = 6.45303346786e-06 + Z3 + (lS3 + lS3);
     const double M_4 = Z3 + lS3;
     const double M_2 = 1.462099968e-07 + lS4;
     const double M_2_2 = M_2 + l3x * j4x1 + l3y * j4y1;
-    const double t8 = M_4 + 1.2222222222222223 * M_2_2;
+    const double t7 = M_4 + 1.2222222222222223 * M_2_2;
     const double j4xy = s4 * j4u;
     const double K4yx = j4xy + o4x * j4y1;
     const double j3xy = s3 * j3u;
-    const double t9 = l4y * j4x1;
-    const double K3yx = j3xy + K4yx + o3x * j3y1 + t9;
+    const double t8 = l4y * j4x1;
+    const double K3yx = j3xy + K4yx + o3x * j3y1 + t8;
     const double K2yx = s2 * (j2u + 1.0717691904e-06) + K3yx + l3y * S3x;
-    const double t10 = 1.2222222222222223 * qd[2];
-    const double R2yx = qd[1] * K2yx + qd[2] * K3yx + t10 * K4yx;
+    const double t9 = 1.2222222222222223 * qd[2];
+    const double R2yx = qd[1] * K2yx + qd[2] * K3yx + t9 * K4yx;
     const double w_2y = qd[0] + qd[0];
     const double w3z = qd[1] + qd[2];
-    const double w4z = w3z + t10;
+    const double w4z = w3z + t9;
     const double w4zz = w4z * w4z;
     const double w3zz = w3z * w3z;
     const double w2zz = qd[1] * qd[1];
-    const double t11 = 5.2855603200000006e-08 * c4 * w4zz + 2.2996254720000002e-07 * c3 * w3zz + 4.1084485632e-07 * c2 * w2zz;
-    const double Q2y = t11 - w_2y * R2yx;
+    const double t10 = 5.2855603200000006e-08 * c4 * w4zz + 2.2996254720000002e-07 * c3 * w3zz
+        + 4.1084485632e-07 * c2 * w2zz;
+    const double Q2y = t10 - w_2y * R2yx;
     const double X2_4 = l3x * j4y1 - l3y * j4x1;
-    const double X3_4 = l4x * j4y1 - t9;
+    const double X3_4 = l4x * j4y1 - t8;
     const double n4 = 9.81 * j4x1 + w2zz * X2_4 + w3zz * X3_4;
     const double X2_3 = l3x * j3y1 - l3y * j3x1;
     const double n3 = n4 + 9.81 * j3x1 + w2zz * X2_3 - w4zz * X3_4;
     const double n2 = n3 + 9.81 * j2x1 - w3zz * X2_3 - w4zz * X2_4;
     const double w1zz = qd[0] * qd[0];
     const double t2 = n2 + K2yx * w1zz;
-    const double t3 = n3 + K3yx * w1zz;
+    const double t3_2 = n3 + K3yx * w1zz;
     const double t4_2 = n4 + K4yx * w1zz;
     M[0] = Z1;
     M[1] = K2yz;
-    M[2] = t7;
+    M[2] = t6;
     M[3] = K2yz;
     M[4] = Z2;
-    M[5] = t8;
-    M[6] = t7;
-    M[7] = t8;
+    M[5] = t7;
+    M[6] = t6;
+    M[7] = t7;
     M[8] = 2.1841246435555558e-07 + Z3 + 2.4444444444444446 * M_2;
     h[0] = Q2y;
     h[1] = t2;
-    h[2] = t3 + 1.2222222222222223 * t4_2;
+    h[2] = t3_2 + 1.2222222222222223 * t4_2;
 }
 
-void fifth_forward_dynamics(const double q[SINEW_AT_LEAST(3)], const double qd[SINEW_AT_LEAST(3)], const double tau[SINEW_AT_LEAST(3)], double qdd[SINEW_AT_LEAST(3)])
+void fifth_forward_dynamics(const double q[SINEW_AT_LEAST(3)], const double qd[SINEW_AT_LEAST(3)],
+    const double tau[SINEW_AT_LEAST(3)], double qdd[SINEW_AT_LEAST(3)])
 {
     const double phi3 = q[1] + q[2];
     const double phi4 = phi3 + 1.2222222222222223 * q[2];
-    const double angle1[2] = {phi4, phi3};
-    double sine2[2], cosine3[2];
-    sinew_sincos2(angle1, sine2, cosine3);
-    const double s4 = sine2[0];
-    const double c4 = cosine3[0];
-    const double s3 = sine2[1];
-    const double c3 = cosine3[1];
-    double s2, c2;
-    sinew_sincos(q[1], &s2, &c2);
+    const struct sinew_sines2 sines1 = sinew_one_sincos2(phi4, phi3);
+    const double s4 = sines1.s[0];
+    const double c4 = sines1.c[0];
+    const double s3 = sines1.s[1];
+    const double c3 = sines1.c[1];
+    const struct sinew_sines sines2 = sinew_one_sincos(q[1]);
+    const double s2 = sines2.s[0];
+    const double c2 = sines2.c[0];
     const double j2x1 = 0.000223285248 * c2;
     const double j3x1 = 7.323648000000001e-05 * c3;
     const double j4x1 = 1.234944e-05 * c4;
     const double S3x = j3x1 + j4x1;
     const double S2x = j2x1 + S3x;
     const double l3x = 0.032304 * c2;
-    const double t4 = l3x * S3x;
+    const double t3 = l3x * S3x;
     const double l4x = 0.02384 * c3;
-    const double t5 = l4x * j4x1;
+    const double t4 = l4x * j4x1;
     const double o3x = 0.0048 + l3x;
     const double o4x = o3x + l4x;
     const double j2u = 6.37008946786e-06 * c2;
     const double j3u = 1.427316736e-06 * c3;
     const double j4u = 1.185619968e-07 * c4;
-    const double t6 = c2 * j2u + c3 * j3u + c4 * j4u + o4x * j4x1 + o3x * j3x1 + t5 + 0.0048 * j2x1;
+    const double t5 = c2 * j2u + c3 * j3u + c4 * j4u + o4x * j4x1 + o3x * j3x1 + t4 + 0.0048 * j2x1;
     const double j4yz = 5.2855603200000006e-08 * s4;
     const double j3yz = 2.2996254720000002e-07 * s3;
     const double K3yz = j3yz + j4yz;
-    const double t7 = 1e+16 * K3yz + 12222222222222224.0 * j4yz;
+    const double t6 = 1e+16 * K3yz + 12222222222222224.0 * j4yz;
     const double l4y = 0.02384 * s3;
     const double j4y1 = 1.234944e-05 * s4;
-    const double lS4 = t5 + l4y * j4y1;
+    const double lS4 = t4 + l4y * j4y1;
     const double M = 1.462099968e-07 + lS4;
     const double Z3 = 1.6288227328e-06 + (lS4 + lS4);
-    const double t8 = 2.6661677777777783e+37 + 1.220703125e+44 * Z3 + 2.9839409722222224e+44 * M;
-    const double r3 = 1.220703125e+44 / t8;
-    const double t9 = 1e-16 * r3;
-    const double L3_1 = t9 * t7;
+    const double t7 = 2.6661677777777783e+37 + 1.220703125e+44 * Z3 + 2.9839409722222224e+44 * M;
+    const double r3 = 1.220703125e+44 / t7;
+    const double t8 = 1e-16 * r3;
+    const double L3_1 = t8 * t6;
     const double j2yz = 4.1084485632e-07 * s2;
     const double K2yz = j2yz + K3yz;
     const double l3y = 0.032304 * s2;
     const double M_2 = M + l3x * j4x1 + l3y * j4y1;
     const double j3y1 = 7.323648000000001e-05 * s3;
     const double S3y = j3y1 + j4y1;
-    const double lS3 = t4 + l3y * S3y;
+    const double lS3 = t3 + l3y * S3y;
     const double M_4 = Z3 + lS3;
-    const double t10 = 1e+16 * M_4 + 12222222222222224.0 * M_2;
-    const double L3_2 = t9 * t10;
-    const double t11 = 1e-16 * L3_2;
-    const double A2_1 = K2yz - t11 * t7;
+    const double t9 = 1e+16 * M_4 + 12222222222222224.0 * M_2;
+    const double L3_2 = t8 * t9;
+    const double t10 = 1e-16 * L3_2;
+    const double A2_1 = K2yz - t10 * t6;
     const double Z2 = 6.45303346786e-06 + Z3 + (lS3 + lS3);
-    const double A2_2 = Z2 - t11 * t10;
+    const double A2_2 = Z2 - t10 * t9;
     const double r2 = 1.0 / A2_2;
     const double L2_1 = A2_1 * r2;
-    const double A1_1_2 = t6 + t4 + 0.0048 * S2x - 1e-16 * L3_1 * t7 - A2_1 * L2_1 + 4.357300224e-07;
+    const double A1_1_2 = t5 + t3 + 0.0048 * S2x - 1e-16 * L3_1 * t6 - A2_1 * L2_1
+        + 4.357300224e-07;
     const double r1 = 1.0 / A1_1_2;
     const double w2zz = qd[1] * qd[1];
     const double w3z = qd[1] + qd[2];
     const double w3zz = w3z * w3z;
-    const double t12 = 1.2222222222222223 * qd[2];
-    const double w4z = w3z + t12;
+    const double t11 = 1.2222222222222223 * qd[2];
+    const double w4z = w3z + t11;
     const double w4zz = w4z * w4z;
-    const double t13 = tau[0] - 5.2855603200000006e-08 * c4 * w4zz - 2.2996254720000002e-07 * c3 * w3zz;
+    const double t12 = tau[0] - 5.2855603200000006e-08 * c4 * w4zz - 2.2996254720000002e-07 * c3
+        * w3zz;
     const double w_2y = qd[0] + qd[0];
     const double j4xy = s4 * j4u;
     const double K4yx = j4xy + o4x * j4y1;
-    const double t14 = l4y * j4x1;
+    const double t13 = l4y * j4x1;
     const double j3xy = s3 * j3u;
-    const double K3yx = j3xy + K4yx + o3x * j3y1 + t14;
+    const double K3yx = j3xy + K4yx + o3x * j3y1 + t13;
     const double K2yx = s2 * (j2u + 1.0717691904e-06) + K3yx + l3y * S3x;
-    const double R2yx = qd[1] * K2yx + qd[2] * K3yx + t12 * K4yx;
+    const double R2yx = qd[1] * K2yx + qd[2] * K3yx + t11 * K4yx;
     const double w1zz = qd[0] * qd[0];
-    const double X3_4 = l4x * j4y1 - t14;
+    const double X3_4 = l4x * j4y1 - t13;
     const double X2_4 = l3x * j4y1 - l3y * j4x1;
     const double n4 = 9.81 * j4x1 + w2zz * X2_4 + w3zz * X3_4;
     const double t4_2 = n4 + K4yx * w1zz;
     const double X2_3 = l3x * j3y1 - l3y * j3x1;
     const double n3 = n4 + 9.81 * j3x1 + w2zz * X2_3 - w4zz * X3_4;
     const double y3 = tau[2] - n3 - K3yx * w1zz - 1.2222222222222223 * t4_2;
-    const double b2 = tau[1] - n3 - 9.81 * j2x1 + w3zz * X2_3 + w4zz * X2_4 - K2yx * w1zz - y3 * L3_2;
-    const double b1_2 = t13 - 4.1084485632e-07 * c2 * w2zz + w_2y * R2yx - y3 * L3_1 - b2 * L2_1;
+    const double b2 = tau[1] - n3 - 9.81 * j2x1 + w3zz * X2_3 + w4zz * X2_4 - K2yx * w1zz - y3
+        * L3_2;
+    const double b1_2 = t12 - 4.1084485632e-07 * c2 * w2zz + w_2y * R2yx - y3 * L3_1 - b2 * L2_1;
     const double x1 = b1_2 * r1;
     const double x2 = b2 * r2 - L2_1 * x1;
     const double x3 = y3 * r3 - L3_2 * x2 - L3_1 * x1;
@@ -511,19 +541,19 @@ void fifth_forward_dynamics(const double q[SINEW_AT_LEAST(3)], const double qd[S
     qdd[2] = x3;
 }
 
-void fifth_inverse_dynamics(const double q[SINEW_AT_LEAST(3)], const double qd[SINEW_AT_LEAST(3)], const double qdd[SINEW_AT_LEAST(3)], double tau[SINEW_AT_LEAST(3)])
+void fifth_inverse_dynamics(const double q[SINEW_AT_LEAST(3)], const double qd[SINEW_AT_LEAST(3)],
+    const double qdd[SINEW_AT_LEAST(3)], double tau[SINEW_AT_LEAST(3)])
 {
     const double phi3 = q[1] + q[2];
     const double phi4 = phi3 + 1.2222222222222223 * q[2];
-    const double angle1[2] = {phi4, phi3};
-    double sine2[2], cosine3[2];
-    sinew_sincos2(angle1, sine2, cosine3);
-    const double s4 = sine2[0];
-    const double c4 = cosine3[0];
-    const double s3 = sine2[1];
-    const double c3 = cosine3[1];
-    double s2, c2;
-    sinew_sincos(q[1], &s2, &c2);
+    const struct sinew_sines2 sines1 = sinew_one_sincos2(phi4, phi3);
+    const double s4 = sines1.s[0];
+    const double c4 = sines1.c[0];
+    const double s3 = sines1.s[1];
+    const double c3 = sines1.c[1];
+    const struct sinew_sines sines2 = sinew_one_sincos(q[1]);
+    const double s2 = sines2.s[0];
+    const double c2 = sines2.c[0];
     const double w3z = qd[1] + qd[2];
     const double w3zz = w3z * w3z;
     const double al3z = qdd[1] + qdd[2];
@@ -542,8 +572,8 @@ void fifth_inverse_dynamics(const double q[SINEW_AT_LEAST(3)], const double qd[S
     const double n4 = 1.462099968e-07 * al4z + j4x1 * a4y + j4y1 * a4x;
     const double j3x1 = 7.323648000000001e-05 * c3;
     const double j3y1 = 7.323648000000001e-05 * s3;
-    const double t4 = 1.2222222222222223 * qd[2];
-    const double w4z = w3z + t4;
+    const double t3 = 1.2222222222222223 * qd[2];
+    const double w4z = w3z + t3;
     const double w4zz = w4z * w4z;
     const double e4y = c4 * al4z - s4 * w4zz;
     const double F4y = 1.234944e-05 * e4y;
@@ -565,8 +595,8 @@ void fifth_inverse_dynamics(const double q[SINEW_AT_LEAST(3)], const double qd[S
     const double j3xy = s3 * j3u;
     const double K3yx = j3xy + K4yx + o3x * j3y1 + l4y * j4x1;
     const double w1zz = qd[0] * qd[0];
-    const double t3 = n3 + qdd[0] * K3yz + w1zz * K3yx;
-    const double t4_2 = n4 + qdd[0] * j4yz + w1zz * K4yx;
+    const double t3_2 = n3 + qdd[0] * K3yz + w1zz * K3yx;
+    const double t4 = n4 + qdd[0] * j4yz + w1zz * K4yx;
     const double j2x1 = 0.000223285248 * c2;
     const double F3y = F4y + 7.323648000000001e-05 * e3y;
     const double F3x = F4x + 7.323648000000001e-05 * e3x;
@@ -578,15 +608,17 @@ void fifth_inverse_dynamics(const double q[SINEW_AT_LEAST(3)], const double qd[S
     const double S3x = j3x1 + j4x1;
     const double K2yx = s2 * (j2u + 1.0717691904e-06) + K3yx + l3y * S3x;
     const double t2 = n2 + qdd[0] * K2yz + w1zz * K2yx;
-    const double R2yx = qd[1] * K2yx + qd[2] * K3yx + t4 * K4yx;
+    const double R2yx = qd[1] * K2yx + qd[2] * K3yx + t3 * K4yx;
     const double w_2y = qd[0] + qd[0];
-    const double t5 = c2 * j2u + c3 * j3u + c4 * j4u + o4x * j4x1 + o3x * j3x1 + l4x * j4x1 + 0.0048 * j2x1;
+    const double t5 = c2 * j2u + c3 * j3u + c4 * j4u + o4x * j4x1 + o3x * j3x1 + l4x * j4x1 + 0.0048
+        * j2x1;
     const double S2x = j2x1 + S3x;
-    const double t6 = qdd[0] * (t5 + l3x * S3x + 0.0048 * S2x + 4.3573002239999995e-07) + 5.2855603200000006e-08 * e4x;
+    const double t6 = qdd[0] * (t5 + l3x * S3x + 0.0048 * S2x + 4.3573002239999995e-07)
+        + 5.2855603200000006e-08 * e4x;
     const double N1z = t6 + 2.2996254720000002e-07 * e3x + 4.1084485632e-07 * e2x - w_2y * R2yx;
     tau[0] = N1z;
     tau[1] = t2;
-    tau[2] = t3 + 1.2222222222222223 * t4_2;
+    tau[2] = t3_2 + 1.2222222222222223 * t4;
 }
 
 void fifth_tendon_lengths(const double q[SINEW_AT_LEAST(3)], double h[SINEW_AT_LEAST(6)])
@@ -627,7 +659,8 @@ void fifth_coupling_matrix(const double q[SINEW_AT_LEAST(3)], double P[SINEW_AT_
     P[17] = -0.0088;
 }
 
-void fifth_joint_torque(const double q[SINEW_AT_LEAST(3)], const double f[SINEW_AT_LEAST(6)], double tau[SINEW_AT_LEAST(3)])
+void fifth_joint_torque(const double q[SINEW_AT_LEAST(3)], const double f[SINEW_AT_LEAST(6)],
+    double tau[SINEW_AT_LEAST(3)])
 {
     (void)q;
     const double t1 = 0.0052 * f[0];
@@ -639,7 +672,8 @@ void fifth_joint_torque(const double q[SINEW_AT_LEAST(3)], const double f[SINEW_
     tau[2] = -(0.0088 * (f[4] - f[5]));
 }
 
-void fifth_joint_stiffness(const double q[SINEW_AT_LEAST(3)], const double f[SINEW_AT_LEAST(6)], const double kt[SINEW_AT_LEAST(6)], double K[SINEW_AT_LEAST(9)])
+void fifth_joint_stiffness(const double q[SINEW_AT_LEAST(3)], const double f[SINEW_AT_LEAST(6)],
+    const double kt[SINEW_AT_LEAST(6)], double K[SINEW_AT_LEAST(9)])
 {
     (void)q;
     (void)f;
@@ -731,7 +765,8 @@ void fifth_link_position(const double h[SINEW_AT_LEAST(6)], double q[SINEW_AT_LE
     q[2] = 56.81818181818181 * (h[4] - h[5]);
 }
 
-void fifth_link_position_covariance(const double sigma[SINEW_AT_LEAST(1)], double covariance[SINEW_AT_LEAST(9)])
+void fifth_link_position_covariance(const double sigma[SINEW_AT_LEAST(1)],
+    double covariance[SINEW_AT_LEAST(9)])
 {
     const double variance = sigma[0] * sigma[0];
     const double t1 = 9245.562130177515 * variance;

@@ -18,7 +18,8 @@
 #define SINEW_STATES_ARE_INDEPENDENT
 #endif
 
-void fifth_forward_kinematics_batch(int count, const double *SINEW_RESTRICT q, double *SINEW_RESTRICT T)
+void fifth_forward_kinematics_batch(int count, const double *SINEW_RESTRICT q,
+    double *SINEW_RESTRICT T)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
@@ -153,7 +154,8 @@ void fifth_mass_matrix_batch(int count, const double *SINEW_RESTRICT q, double *
         const double t2 = l3x * S3x;
         const double j2x1 = 0.000223285248 * c2;
         const double S2x = j2x1 + S3x;
-        const double t3 = c2 * j2u + c3 * j3u + c4 * j4u + o4x * j4x1 + l3x * j3x1 + t1 + t2 + 0.0096 * S2x;
+        const double t3 = c2 * j2u + c3 * j3u + c4 * j4u + o4x * j4x1 + l3x * j3x1 + t1 + t2
+            + 0.0096 * S2x;
         const double Z1 = t3 + 4.357300224e-07;
         const double j4yz = 5.2855603200000006e-08 * s4;
         const double j3yz = 2.2996254720000002e-07 * s3;
@@ -186,7 +188,8 @@ void fifth_mass_matrix_batch(int count, const double *SINEW_RESTRICT q, double *
     }
 }
 
-void fifth_coriolis_matrix_batch(int count, const double *SINEW_RESTRICT q, const double *SINEW_RESTRICT qd, double *SINEW_RESTRICT C)
+void fifth_coriolis_matrix_batch(int count, const double *SINEW_RESTRICT q,
+    const double *SINEW_RESTRICT qd, double *SINEW_RESTRICT C)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
@@ -292,7 +295,8 @@ void fifth_gravity_batch(int count, const double *SINEW_RESTRICT q, double *SINE
     }
 }
 
-void fifth_bias_batch(int count, const double *SINEW_RESTRICT q, const double *SINEW_RESTRICT qd, double *SINEW_RESTRICT h)
+void fifth_bias_batch(int count, const double *SINEW_RESTRICT q, const double *SINEW_RESTRICT qd,
+    double *SINEW_RESTRICT h)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
@@ -329,7 +333,8 @@ void fifth_bias_batch(int count, const double *SINEW_RESTRICT q, const double *S
         const double w4zz = w4z * w4z;
         const double w3zz = w3z * w3z;
         const double w2zz = qd[1 * n + state] * qd[1 * n + state];
-        const double t3 = 5.2855603200000006e-08 * c4 * w4zz + 2.2996254720000002e-07 * c3 * w3zz + 4.1084485632e-07 * c2 * w2zz;
+        const double t3 = 5.2855603200000006e-08 * c4 * w4zz + 2.2996254720000002e-07 * c3 * w3zz
+            + 4.1084485632e-07 * c2 * w2zz;
         const double Q2y = t3 - w_2y * R2yx;
         const double X2_4 = l3x * j4y1 - l3y * j4x1;
         const double X3_4 = l4x * j4y1 - t1;
@@ -347,7 +352,8 @@ void fifth_bias_batch(int count, const double *SINEW_RESTRICT q, const double *S
     }
 }
 
-void fifth_mass_matrix_and_bias_batch(int count, const double *SINEW_RESTRICT q, const double *SINEW_RESTRICT qd, double *SINEW_RESTRICT M, double *SINEW_RESTRICT h)
+void fifth_mass_matrix_and_bias_batch(int count, const double *SINEW_RESTRICT q,
+    const double *SINEW_RESTRICT qd, double *SINEW_RESTRICT M, double *SINEW_RESTRICT h)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
@@ -371,7 +377,8 @@ void fifth_mass_matrix_and_bias_batch(int count, const double *SINEW_RESTRICT q,
         const double j3x1 = 7.323648000000001e-05 * c3;
         const double t1 = l4x * j4x1;
         const double j2x1 = 0.000223285248 * c2;
-        const double t2 = c2 * j2u + c3 * j3u + c4 * j4u + o4x * j4x1 + o3x * j3x1 + t1 + 0.0048 * j2x1;
+        const double t2 = c2 * j2u + c3 * j3u + c4 * j4u + o4x * j4x1 + o3x * j3x1 + t1 + 0.0048
+            * j2x1;
         const double S3x = j3x1 + j4x1;
         const double t3 = l3x * S3x;
         const double S2x = j2x1 + S3x;
@@ -409,7 +416,8 @@ void fifth_mass_matrix_and_bias_batch(int count, const double *SINEW_RESTRICT q,
         const double w4zz = w4z * w4z;
         const double w3zz = w3z * w3z;
         const double w2zz = qd[1 * n + state] * qd[1 * n + state];
-        const double t8 = 5.2855603200000006e-08 * c4 * w4zz + 2.2996254720000002e-07 * c3 * w3zz + 4.1084485632e-07 * c2 * w2zz;
+        const double t8 = 5.2855603200000006e-08 * c4 * w4zz + 2.2996254720000002e-07 * c3 * w3zz
+            + 4.1084485632e-07 * c2 * w2zz;
         const double Q2y = t8 - w_2y * R2yx;
         const double X2_4 = l3x * j4y1 - l3y * j4x1;
         const double X3_4 = l4x * j4y1 - t6;
@@ -436,7 +444,8 @@ void fifth_mass_matrix_and_bias_batch(int count, const double *SINEW_RESTRICT q,
     }
 }
 
-void fifth_forward_dynamics_batch(int count, const double *SINEW_RESTRICT q, const double *SINEW_RESTRICT qd, const double *SINEW_RESTRICT tau, double *SINEW_RESTRICT qdd)
+void fifth_forward_dynamics_batch(int count, const double *SINEW_RESTRICT q,
+    const double *SINEW_RESTRICT qd, const double *SINEW_RESTRICT tau, double *SINEW_RESTRICT qdd)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
@@ -463,7 +472,8 @@ void fifth_forward_dynamics_batch(int count, const double *SINEW_RESTRICT q, con
         const double j2u = 6.37008946786e-06 * c2;
         const double j3u = 1.427316736e-06 * c3;
         const double j4u = 1.185619968e-07 * c4;
-        const double t3 = c2 * j2u + c3 * j3u + c4 * j4u + o4x * j4x1 + o3x * j3x1 + t2 + 0.0048 * j2x1;
+        const double t3 = c2 * j2u + c3 * j3u + c4 * j4u + o4x * j4x1 + o3x * j3x1 + t2 + 0.0048
+            * j2x1;
         const double j4yz = 5.2855603200000006e-08 * s4;
         const double j3yz = 2.2996254720000002e-07 * s3;
         const double K3yz = j3yz + j4yz;
@@ -473,7 +483,8 @@ void fifth_forward_dynamics_batch(int count, const double *SINEW_RESTRICT q, con
         const double lS4 = t2 + l4y * j4y1;
         const double M = 1.462099968e-07 + lS4;
         const double Z3 = 1.6288227328e-06 + (lS4 + lS4);
-        const double t5 = 2.6661677777777783e+37 + 1.220703125e+44 * Z3 + 2.9839409722222224e+44 * M;
+        const double t5 = 2.6661677777777783e+37 + 1.220703125e+44 * Z3 + 2.9839409722222224e+44
+            * M;
         const double r3 = 1.220703125e+44 / t5;
         const double t6 = 1e-16 * r3;
         const double L3_1 = t6 * t4;
@@ -493,7 +504,8 @@ void fifth_forward_dynamics_batch(int count, const double *SINEW_RESTRICT q, con
         const double A2_2 = Z2 - t8 * t7;
         const double r2 = 1.0 / A2_2;
         const double L2_1 = A2_1 * r2;
-        const double A1_1_2 = t3 + t1 + 0.0048 * S2x - 1e-16 * L3_1 * t4 - A2_1 * L2_1 + 4.357300224e-07;
+        const double A1_1_2 = t3 + t1 + 0.0048 * S2x - 1e-16 * L3_1 * t4 - A2_1 * L2_1
+            + 4.357300224e-07;
         const double r1 = 1.0 / A1_1_2;
         const double w2zz = qd[1 * n + state] * qd[1 * n + state];
         const double w3z = qd[1 * n + state] + qd[2 * n + state];
@@ -501,7 +513,8 @@ void fifth_forward_dynamics_batch(int count, const double *SINEW_RESTRICT q, con
         const double t9 = 1.2222222222222223 * qd[2 * n + state];
         const double w4z = w3z + t9;
         const double w4zz = w4z * w4z;
-        const double t10 = tau[state] - 5.2855603200000006e-08 * c4 * w4zz - 2.2996254720000002e-07 * c3 * w3zz;
+        const double t10 = tau[state] - 5.2855603200000006e-08 * c4 * w4zz - 2.2996254720000002e-07
+            * c3 * w3zz;
         const double w_2y = qd[state] + qd[state];
         const double j4xy = s4 * j4u;
         const double K4yx = j4xy + o4x * j4y1;
@@ -518,9 +531,11 @@ void fifth_forward_dynamics_batch(int count, const double *SINEW_RESTRICT q, con
         const double X2_3 = l3x * j3y1 - l3y * j3x1;
         const double n3 = n4 + 9.81 * j3x1 + w2zz * X2_3 - w4zz * X3_4;
         const double y3 = tau[2 * n + state] - n3 - K3yx * w1zz - 1.2222222222222223 * t4_2;
-        const double t12 = tau[1 * n + state] - n3 - 9.81 * j2x1 + w3zz * X2_3 + w4zz * X2_4 - K2yx * w1zz;
+        const double t12 = tau[1 * n + state] - n3 - 9.81 * j2x1 + w3zz * X2_3 + w4zz * X2_4 - K2yx
+            * w1zz;
         const double b2 = t12 - y3 * L3_2;
-        const double b1_2 = t10 - 4.1084485632e-07 * c2 * w2zz + w_2y * R2yx - y3 * L3_1 - b2 * L2_1;
+        const double b1_2 = t10 - 4.1084485632e-07 * c2 * w2zz + w_2y * R2yx - y3 * L3_1 - b2
+            * L2_1;
         const double x1 = b1_2 * r1;
         const double x2 = b2 * r2 - L2_1 * x1;
         const double x3 = y3 * r3 - L3_2 * x2 - L3_1 * x1;
@@ -530,7 +545,8 @@ void fifth_forward_dynamics_batch(int count, const double *SINEW_RESTRICT q, con
     }
 }
 
-void fifth_inverse_dynamics_batch(int count, const double *SINEW_RESTRICT q, const double *SINEW_RESTRICT qd, const double *SINEW_RESTRICT qdd, double *SINEW_RESTRICT tau)
+void fifth_inverse_dynamics_batch(int count, const double *SINEW_RESTRICT q,
+    const double *SINEW_RESTRICT qd, const double *SINEW_RESTRICT qdd, double *SINEW_RESTRICT tau)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
@@ -570,7 +586,8 @@ void fifth_inverse_dynamics_batch(int count, const double *SINEW_RESTRICT q, con
         const double e4x = c4 * w4zz + s4 * al4z;
         const double F4x = 1.234944e-05 * e4x;
         const double l4y = 0.02384 * s3;
-        const double n3 = n4 + 1.482612736e-06 * al3z + j3x1 * a3y + j3y1 * a3x + l4x * F4y + l4y * F4x;
+        const double n3 = n4 + 1.482612736e-06 * al3z + j3x1 * a3y + j3y1 * a3x + l4x * F4y + l4y
+            * F4x;
         const double j4yz = 5.2855603200000006e-08 * s4;
         const double j3yz = 2.2996254720000002e-07 * s3;
         const double K3yz = j3yz + j4yz;
@@ -590,7 +607,8 @@ void fifth_inverse_dynamics_batch(int count, const double *SINEW_RESTRICT q, con
         const double F3y = F4y + 7.323648000000001e-05 * e3y;
         const double F3x = F4x + 7.323648000000001e-05 * e3x;
         const double l3y = 0.032304 * s2;
-        const double n2 = n3 + 6.45303346786e-06 * qdd[1 * n + state] + 9.81 * j2x1 + l3x * F3y + l3y * F3x;
+        const double n2 = n3 + 6.45303346786e-06 * qdd[1 * n + state] + 9.81 * j2x1 + l3x * F3y
+            + l3y * F3x;
         const double j2yz = 4.1084485632e-07 * s2;
         const double K2yz = j2yz + K3yz;
         const double j2u = 6.37008946786e-06 * c2;
@@ -599,9 +617,11 @@ void fifth_inverse_dynamics_batch(int count, const double *SINEW_RESTRICT q, con
         const double t2 = n2 + qdd[state] * K2yz + w1zz * K2yx;
         const double R2yx = qd[1 * n + state] * K2yx + qd[2 * n + state] * K3yx + t1 * K4yx;
         const double w_2y = qd[state] + qd[state];
-        const double t5 = c2 * j2u + c3 * j3u + c4 * j4u + o4x * j4x1 + o3x * j3x1 + l4x * j4x1 + 0.0048 * j2x1;
+        const double t5 = c2 * j2u + c3 * j3u + c4 * j4u + o4x * j4x1 + o3x * j3x1 + l4x * j4x1
+            + 0.0048 * j2x1;
         const double S2x = j2x1 + S3x;
-        const double t6 = qdd[state] * (t5 + l3x * S3x + 0.0048 * S2x + 4.3573002239999995e-07) + 5.2855603200000006e-08 * e4x;
+        const double t6 = qdd[state] * (t5 + l3x * S3x + 0.0048 * S2x + 4.3573002239999995e-07)
+            + 5.2855603200000006e-08 * e4x;
         const double N1z = t6 + 2.2996254720000002e-07 * e3x + 4.1084485632e-07 * e2x - w_2y * R2yx;
         tau[state] = N1z;
         tau[1 * n + state] = t2;
@@ -628,7 +648,8 @@ void fifth_tendon_lengths_batch(int count, const double *SINEW_RESTRICT q, doubl
     }
 }
 
-void fifth_coupling_matrix_batch(int count, const double *SINEW_RESTRICT q, double *SINEW_RESTRICT P)
+void fifth_coupling_matrix_batch(int count, const double *SINEW_RESTRICT q,
+    double *SINEW_RESTRICT P)
 {
     const size_t n = (size_t)count;
     (void)q;
@@ -655,7 +676,8 @@ void fifth_coupling_matrix_batch(int count, const double *SINEW_RESTRICT q, doub
     }
 }
 
-void fifth_joint_torque_batch(int count, const double *SINEW_RESTRICT q, const double *SINEW_RESTRICT f, double *SINEW_RESTRICT tau)
+void fifth_joint_torque_batch(int count, const double *SINEW_RESTRICT q,
+    const double *SINEW_RESTRICT f, double *SINEW_RESTRICT tau)
 {
     const size_t n = (size_t)count;
     (void)q;
@@ -671,7 +693,8 @@ void fifth_joint_torque_batch(int count, const double *SINEW_RESTRICT q, const d
     }
 }
 
-void fifth_joint_stiffness_batch(int count, const double *SINEW_RESTRICT q, const double *SINEW_RESTRICT f, const double *SINEW_RESTRICT kt, double *SINEW_RESTRICT K)
+void fifth_joint_stiffness_batch(int count, const double *SINEW_RESTRICT q,
+    const double *SINEW_RESTRICT f, const double *SINEW_RESTRICT kt, double *SINEW_RESTRICT K)
 {
     const size_t n = (size_t)count;
     (void)q;
@@ -775,7 +798,8 @@ void fifth_link_position_batch(int count, const double *SINEW_RESTRICT h, double
     }
 }
 
-void fifth_link_position_covariance_batch(int count, const double *SINEW_RESTRICT sigma, double *SINEW_RESTRICT covariance)
+void fifth_link_position_covariance_batch(int count, const double *SINEW_RESTRICT sigma,
+    double *SINEW_RESTRICT covariance)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
@@ -794,12 +818,14 @@ void fifth_link_position_covariance_batch(int count, const double *SINEW_RESTRIC
     }
 }
 
-void fifth_bending_angles_batch(int count, const double *SINEW_RESTRICT q, double *SINEW_RESTRICT angles)
+void fifth_bending_angles_batch(int count, const double *SINEW_RESTRICT q,
+    double *SINEW_RESTRICT angles)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
     for (size_t state = 0; state < n; ++state) {
-        const double t1 = sinew_max(q[state], -q[state]) + sinew_max(q[1 * n + state], -q[1 * n + state]);
+        const double t1 = sinew_max(q[state], -q[state]) + sinew_max(q[1 * n + state], -q[1 * n
+            + state]);
         const double t2 = 1.2222222222222223 * q[2 * n + state];
         const double t3 = sinew_max(q[2 * n + state], -q[2 * n + state]) + sinew_max(t2, -t2);
         angles[state] = t1;

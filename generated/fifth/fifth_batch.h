@@ -21,23 +21,36 @@
 extern "C" {
 #endif
 
-void fifth_forward_kinematics_batch(int count, const double *SINEW_RESTRICT q, double *SINEW_RESTRICT T);
+void fifth_forward_kinematics_batch(int count, const double *SINEW_RESTRICT q,
+    double *SINEW_RESTRICT T);
 void fifth_tip_jacobian_batch(int count, const double *SINEW_RESTRICT q, double *SINEW_RESTRICT J);
 void fifth_mass_matrix_batch(int count, const double *SINEW_RESTRICT q, double *SINEW_RESTRICT M);
-void fifth_coriolis_matrix_batch(int count, const double *SINEW_RESTRICT q, const double *SINEW_RESTRICT qd, double *SINEW_RESTRICT C);
+void fifth_coriolis_matrix_batch(int count, const double *SINEW_RESTRICT q,
+    const double *SINEW_RESTRICT qd, double *SINEW_RESTRICT C);
 void fifth_gravity_batch(int count, const double *SINEW_RESTRICT q, double *SINEW_RESTRICT g);
-void fifth_bias_batch(int count, const double *SINEW_RESTRICT q, const double *SINEW_RESTRICT qd, double *SINEW_RESTRICT h);
-void fifth_mass_matrix_and_bias_batch(int count, const double *SINEW_RESTRICT q, const double *SINEW_RESTRICT qd, double *SINEW_RESTRICT M, double *SINEW_RESTRICT h);
-void fifth_forward_dynamics_batch(int count, const double *SINEW_RESTRICT q, const double *SINEW_RESTRICT qd, const double *SINEW_RESTRICT tau, double *SINEW_RESTRICT qdd);
-void fifth_inverse_dynamics_batch(int count, const double *SINEW_RESTRICT q, const double *SINEW_RESTRICT qd, const double *SINEW_RESTRICT qdd, double *SINEW_RESTRICT tau);
-void fifth_tendon_lengths_batch(int count, const double *SINEW_RESTRICT q, double *SINEW_RESTRICT h);
-void fifth_coupling_matrix_batch(int count, const double *SINEW_RESTRICT q, double *SINEW_RESTRICT P);
-void fifth_joint_torque_batch(int count, const double *SINEW_RESTRICT q, const double *SINEW_RESTRICT f, double *SINEW_RESTRICT tau);
-void fifth_joint_stiffness_batch(int count, const double *SINEW_RESTRICT q, const double *SINEW_RESTRICT f, const double *SINEW_RESTRICT kt, double *SINEW_RESTRICT K);
-void fifth_tendon_hessian_batch(int count, const double *SINEW_RESTRICT q, double *SINEW_RESTRICT H);
+void fifth_bias_batch(int count, const double *SINEW_RESTRICT q, const double *SINEW_RESTRICT qd,
+    double *SINEW_RESTRICT h);
+void fifth_mass_matrix_and_bias_batch(int count, const double *SINEW_RESTRICT q,
+    const double *SINEW_RESTRICT qd, double *SINEW_RESTRICT M, double *SINEW_RESTRICT h);
+void fifth_forward_dynamics_batch(int count, const double *SINEW_RESTRICT q,
+    const double *SINEW_RESTRICT qd, const double *SINEW_RESTRICT tau, double *SINEW_RESTRICT qdd);
+void fifth_inverse_dynamics_batch(int count, const double *SINEW_RESTRICT q,
+    const double *SINEW_RESTRICT qd, const double *SINEW_RESTRICT qdd, double *SINEW_RESTRICT tau);
+void fifth_tendon_lengths_batch(int count, const double *SINEW_RESTRICT q,
+    double *SINEW_RESTRICT h);
+void fifth_coupling_matrix_batch(int count, const double *SINEW_RESTRICT q,
+    double *SINEW_RESTRICT P);
+void fifth_joint_torque_batch(int count, const double *SINEW_RESTRICT q,
+    const double *SINEW_RESTRICT f, double *SINEW_RESTRICT tau);
+void fifth_joint_stiffness_batch(int count, const double *SINEW_RESTRICT q,
+    const double *SINEW_RESTRICT f, const double *SINEW_RESTRICT kt, double *SINEW_RESTRICT K);
+void fifth_tendon_hessian_batch(int count, const double *SINEW_RESTRICT q,
+    double *SINEW_RESTRICT H);
 void fifth_link_position_batch(int count, const double *SINEW_RESTRICT h, double *SINEW_RESTRICT q);
-void fifth_link_position_covariance_batch(int count, const double *SINEW_RESTRICT sigma, double *SINEW_RESTRICT covariance);
-void fifth_bending_angles_batch(int count, const double *SINEW_RESTRICT q, double *SINEW_RESTRICT angles);
+void fifth_link_position_covariance_batch(int count, const double *SINEW_RESTRICT sigma,
+    double *SINEW_RESTRICT covariance);
+void fifth_bending_angles_batch(int count, const double *SINEW_RESTRICT q,
+    double *SINEW_RESTRICT angles);
 
 #ifdef __cplusplus
 }

@@ -9,7 +9,8 @@
 #ifndef SINEW_GUIDING_H
 #define SINEW_GUIDING_H
 
-/* SI units; matrices row-major. Results are finite for every finite input. */
+/* SI units; matrices row-major. Results are finite for every finite input.
+ * Numbers such as (5.2) are those of equations in the model's source. */
 
 #ifndef SINEW_AT_LEAST
 #ifdef __cplusplus
@@ -28,7 +29,8 @@ extern "C" {
  *   in  velocity      1 [m/s] tendon velocity, towards the motor; made for -0.1..0.1
  *   out force         1 [N] on the tendon
  * 4 multiplications, 2 additions, 1 divisions, 1 square roots, 5 other functions. */
-void guiding_friction_force(const double bending[SINEW_AT_LEAST(1)], const double velocity[SINEW_AT_LEAST(1)], double force[SINEW_AT_LEAST(1)]);
+void guiding_friction_force(const double bending[SINEW_AT_LEAST(1)],
+    const double velocity[SINEW_AT_LEAST(1)], double force[SINEW_AT_LEAST(1)]);
 
 #ifdef __cplusplus
 }

@@ -21,7 +21,8 @@
 extern "C" {
 #endif
 
-void guiding_friction_force_batch(int count, const double *SINEW_RESTRICT bending, const double *SINEW_RESTRICT velocity, double *SINEW_RESTRICT force);
+void guiding_friction_force_batch(int count, const double *SINEW_RESTRICT bending,
+    const double *SINEW_RESTRICT velocity, double *SINEW_RESTRICT force);
 
 #ifdef __cplusplus
 }

@@ -29,7 +29,9 @@ static const sinew_argument friction_force_outputs[] = {
 };
 
 static const sinew_function functions[] = {
-    {"guiding_friction_force", 2, 1, 2, 1, friction_force_inputs, friction_force_outputs, call_friction_force},
+    {"guiding_friction_force", 2, 1, 2, 1, friction_force_inputs, friction_force_outputs,
+        call_friction_force},
 };
 
-const sinew_catalogue guiding_catalogue = {"guiding", "46008d1ec7c51e1a1f40582caaef4c99f74a4a0435168858e8014640103ff18b", 8, 1, functions};
+const sinew_catalogue guiding_catalogue = {"guiding",
+    "46008d1ec7c51e1a1f40582caaef4c99f74a4a0435168858e8014640103ff18b", 8, 1, functions};

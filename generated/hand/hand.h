@@ -9,7 +9,8 @@
 #ifndef SINEW_HAND_H
 #define SINEW_HAND_H
 
-/* SI units; matrices row-major. Results are finite for every finite input. */
+/* SI units; matrices row-major. Results are finite for every finite input.
+ * Numbers such as (5.2) are those of equations in the model's source. */
 
 /* Coordinates:
  *   q[0] thumb.q10 (rad)
@@ -47,64 +48,84 @@ extern "C" {
 #endif
 
 /* Poses of the fingertips, homogeneous, one below the other in the order of the fingers.
- *   in  q            19 [rad] coordinates of the fingers, crank angle; made for -0.6981..0.6981, -0.6981..0.6981, -0.2..1.6, -0.2..1.6, -0.35..0.35, -0.2..1.6, -0.2..1.6, -0.2..1.6, ...
+ *   in  q            19 [rad] coordinates of the fingers, crank angle; made for -0.6981..0.6981,
+ *     -0.6981..0.6981, -0.2..1.6, -0.2..1.6, -0.35..0.35, -0.2..1.6, -0.2..1.6, -0.2..1.6, ...
  *   in  q_wrist       2 [rad] bar angles q71, q73; made for 0.337..0.88, 0.725..1.269
  *   out in_palm    20x4 [1 and m] map the tips' frames to {ABC}
  *   out in_forearm   20x4 [1 and m] map the tips' frames to {0}
  * 357 multiplications, 246 additions, 4 divisions, 5 square roots, 23 sincos, 9 other functions. */
-void hand_fingertips(const double q[SINEW_AT_LEAST(19)], const double q_wrist[SINEW_AT_LEAST(2)], double in_palm[SINEW_AT_LEAST(80)], double in_forearm[SINEW_AT_LEAST(80)]);
+void hand_fingertips(const double q[SINEW_AT_LEAST(19)], const double q_wrist[SINEW_AT_LEAST(2)],
+    double in_palm[SINEW_AT_LEAST(80)], double in_forearm[SINEW_AT_LEAST(80)]);
 
 /* Gravity in the base frame of each finger.
- *   in  q            19 [rad] coordinates of the fingers, crank angle; made for -0.6981..0.6981, -0.6981..0.6981, -0.2..1.6, -0.2..1.6, -0.35..0.35, -0.2..1.6, -0.2..1.6, -0.2..1.6, ...
+ *   in  q            19 [rad] coordinates of the fingers, crank angle; made for -0.6981..0.6981,
+ *     -0.6981..0.6981, -0.2..1.6, -0.2..1.6, -0.35..0.35, -0.2..1.6, -0.2..1.6, -0.2..1.6, ...
  *   in  q_wrist       2 [rad] bar angles q71, q73; made for 0.337..0.88, 0.725..1.269
  *   in  gravity       3 [m/s^2] in the forearm frame {0}; made for -9.81..9.81
  *   out g           5x3 [m/s^2] one row a finger, in their order
  * 82 multiplications, 45 additions, 4 divisions, 5 square roots, 3 sincos, 9 other functions. */
-void hand_finger_gravity(const double q[SINEW_AT_LEAST(19)], const double q_wrist[SINEW_AT_LEAST(2)], const double gravity[SINEW_AT_LEAST(3)], double g[SINEW_AT_LEAST(15)]);
+void hand_finger_gravity(const double q[SINEW_AT_LEAST(19)],
+    const double q_wrist[SINEW_AT_LEAST(2)], const double gravity[SINEW_AT_LEAST(3)],
+    double g[SINEW_AT_LEAST(15)]);
 
 /* Path lengths of all tendons, wrist and finger together. (5.1)
- *   in  q            19 [rad] coordinates of the fingers, crank angle; made for -0.6981..0.6981, -0.6981..0.6981, -0.2..1.6, -0.2..1.6, -0.35..0.35, -0.2..1.6, -0.2..1.6, -0.2..1.6, ...
+ *   in  q            19 [rad] coordinates of the fingers, crank angle; made for -0.6981..0.6981,
+ *     -0.6981..0.6981, -0.2..1.6, -0.2..1.6, -0.35..0.35, -0.2..1.6, -0.2..1.6, -0.2..1.6, ...
  *   in  q_wrist       2 [rad] bar angles q71, q73; made for 0.337..0.88, 0.725..1.269
  *   out h            38 [m] by wrist channel
  * 240 multiplications, 349 additions, 2 divisions, 44 square roots, 4 sincos, 4 other functions. */
-void hand_tendon_lengths(const double q[SINEW_AT_LEAST(19)], const double q_wrist[SINEW_AT_LEAST(2)], double h[SINEW_AT_LEAST(38)]);
+void hand_tendon_lengths(const double q[SINEW_AT_LEAST(19)],
+    const double q_wrist[SINEW_AT_LEAST(2)], double h[SINEW_AT_LEAST(38)]);
 
 /* Coupling matrix P = dh/d(q, q_wrist) of the whole hand.
- *   in  q            19 [rad] coordinates of the fingers, crank angle; made for -0.6981..0.6981, -0.6981..0.6981, -0.2..1.6, -0.2..1.6, -0.35..0.35, -0.2..1.6, -0.2..1.6, -0.2..1.6, ...
+ *   in  q            19 [rad] coordinates of the fingers, crank angle; made for -0.6981..0.6981,
+ *     -0.6981..0.6981, -0.2..1.6, -0.2..1.6, -0.35..0.35, -0.2..1.6, -0.2..1.6, -0.2..1.6, ...
  *   in  q_wrist       2 [rad] bar angles q71, q73; made for 0.337..0.88, 0.725..1.269
  *   out P         38x21 [m/rad] rows by wrist channel; the last two columns are q71, q73
- * 715 multiplications, 725 additions, 46 divisions, 44 square roots, 4 sincos, 12 other functions. */
-void hand_coupling_matrix(const double q[SINEW_AT_LEAST(19)], const double q_wrist[SINEW_AT_LEAST(2)], double P[SINEW_AT_LEAST(798)]);
+ * 715 multiplications, 725 additions, 46 divisions, 44 square roots, 4 sincos, 12 other
+ *     functions. */
+void hand_coupling_matrix(const double q[SINEW_AT_LEAST(19)],
+    const double q_wrist[SINEW_AT_LEAST(2)], double P[SINEW_AT_LEAST(798)]);
 
 /* Torques on all joints from the tendon forces: tau = -P^T f. (5.8)
- *   in  q            19 [rad] coordinates of the fingers, crank angle; made for -0.6981..0.6981, -0.6981..0.6981, -0.2..1.6, -0.2..1.6, -0.35..0.35, -0.2..1.6, -0.2..1.6, -0.2..1.6, ...
+ *   in  q            19 [rad] coordinates of the fingers, crank angle; made for -0.6981..0.6981,
+ *     -0.6981..0.6981, -0.2..1.6, -0.2..1.6, -0.35..0.35, -0.2..1.6, -0.2..1.6, -0.2..1.6, ...
  *   in  q_wrist       2 [rad] bar angles q71, q73; made for 0.337..0.88, 0.725..1.269
  *   in  f            38 [N] tendon forces, pulling; made for 0..100
  *   out tau          21 [N m] fingers, crank, q71, q73
- * 824 multiplications, 844 additions, 46 divisions, 44 square roots, 4 sincos, 12 other functions. */
-void hand_joint_torque(const double q[SINEW_AT_LEAST(19)], const double q_wrist[SINEW_AT_LEAST(2)], const double f[SINEW_AT_LEAST(38)], double tau[SINEW_AT_LEAST(21)]);
+ * 824 multiplications, 844 additions, 46 divisions, 44 square roots, 4 sincos, 12 other
+ *     functions. */
+void hand_joint_torque(const double q[SINEW_AT_LEAST(19)], const double q_wrist[SINEW_AT_LEAST(2)],
+    const double f[SINEW_AT_LEAST(38)], double tau[SINEW_AT_LEAST(21)]);
 
 /* Stiffness of all joints with the motors held; wrist and fingers are coupled. (5.12)
- *   in  q            19 [rad] coordinates of the fingers, crank angle; made for -0.6981..0.6981, -0.6981..0.6981, -0.2..1.6, -0.2..1.6, -0.35..0.35, -0.2..1.6, -0.2..1.6, -0.2..1.6, ...
+ *   in  q            19 [rad] coordinates of the fingers, crank angle; made for -0.6981..0.6981,
+ *     -0.6981..0.6981, -0.2..1.6, -0.2..1.6, -0.35..0.35, -0.2..1.6, -0.2..1.6, -0.2..1.6, ...
  *   in  q_wrist       2 [rad] bar angles q71, q73; made for 0.337..0.88, 0.725..1.269
  *   in  f            38 [N] tendon forces, pulling; made for 0..100
  *   in  kt           38 [N/m] tendon stiffnesses; made for 1000..5e+04
  *   out K         21x21 [N m/rad] symmetric; fingers, crank, q71, q73
- * 2361 multiplications, 2282 additions, 46 divisions, 44 square roots, 4 sincos, 21 other functions. */
-void hand_joint_stiffness(const double q[SINEW_AT_LEAST(19)], const double q_wrist[SINEW_AT_LEAST(2)], const double f[SINEW_AT_LEAST(38)], const double kt[SINEW_AT_LEAST(38)], double K[SINEW_AT_LEAST(441)]);
+ * 2361 multiplications, 2282 additions, 46 divisions, 44 square roots, 4 sincos, 21 other
+ *     functions. */
+void hand_joint_stiffness(const double q[SINEW_AT_LEAST(19)],
+    const double q_wrist[SINEW_AT_LEAST(2)], const double f[SINEW_AT_LEAST(38)],
+    const double kt[SINEW_AT_LEAST(38)], double K[SINEW_AT_LEAST(441)]);
 
 /* Motor angles that hold the fingers still while the wrist moves.
  *   in  q_wrist       2 [rad] bar angles q71, q73; made for 0.337..0.88, 0.725..1.269
  *   out delta_theta     38 [rad] 0 in the reference pose
  * 239 multiplications, 297 additions, 2 divisions, 40 square roots, 2 sincos, 4 other functions. */
-void hand_feedforward(const double q_wrist[SINEW_AT_LEAST(2)], double delta_theta[SINEW_AT_LEAST(38)]);
+void hand_feedforward(const double q_wrist[SINEW_AT_LEAST(2)],
+    double delta_theta[SINEW_AT_LEAST(38)]);
 
 /* Rates of the motor angles of hand_feedforward.
  *   in  q_wrist       2 [rad] bar angles q71, q73; made for 0.337..0.88, 0.725..1.269
  *   in  qd_wrist      2 [rad/s] rates of the bar angles; made for -3..3
  *   out delta_theta_rate     38 [rad/s] 
- * 739 multiplications, 714 additions, 42 divisions, 40 square roots, 2 sincos, 12 other functions. */
-void hand_feedforward_rate(const double q_wrist[SINEW_AT_LEAST(2)], const double qd_wrist[SINEW_AT_LEAST(2)], double delta_theta_rate[SINEW_AT_LEAST(38)]);
+ * 739 multiplications, 714 additions, 42 divisions, 40 square roots, 2 sincos, 12 other
+ *     functions. */
+void hand_feedforward_rate(const double q_wrist[SINEW_AT_LEAST(2)],
+    const double qd_wrist[SINEW_AT_LEAST(2)], double delta_theta_rate[SINEW_AT_LEAST(38)]);
 
 #ifdef __cplusplus
 }

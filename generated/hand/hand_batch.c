@@ -18,7 +18,9 @@
 #define SINEW_STATES_ARE_INDEPENDENT
 #endif
 
-void hand_fingertips_batch(int count, const double *SINEW_RESTRICT q, const double *SINEW_RESTRICT q_wrist, double *SINEW_RESTRICT in_palm, double *SINEW_RESTRICT in_forearm)
+void hand_fingertips_batch(int count, const double *SINEW_RESTRICT q,
+    const double *SINEW_RESTRICT q_wrist, double *SINEW_RESTRICT in_palm,
+    double *SINEW_RESTRICT in_forearm)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
@@ -128,9 +130,11 @@ void hand_fingertips_batch(int count, const double *SINEW_RESTRICT q, const doub
         const double t7 = 1.0 / reach_squared;
         const double reach = sinew_sqrt(reach_squared);
         const double p_x = u_e * s_e - u_y * s_y;
-        const double projection = 0.034722222222222224 - 13.88888888888889 * (reach_squared + p_x * p_x);
+        const double projection = 0.034722222222222224 - 13.88888888888889 * (reach_squared + p_x
+            * p_x);
         const double limited = sinew_min(sinew_max(-projection, -reach), reach);
-        const double clearance = sinew_max((reach + limited) * (reach - limited), 1e-12 * reach_squared);
+        const double clearance = sinew_max((reach + limited) * (reach - limited), 1e-12
+            * reach_squared);
         const double root = sinew_sqrt(clearance);
         const double sin_A = (p_y * root - p_z * limited) * t7;
         const double cos_A = (p_y * limited + p_z * root) * t7;
@@ -159,7 +163,8 @@ void hand_fingertips_batch(int count, const double *SINEW_RESTRICT q, const doub
         const double z_plane_y = u_e * cos_A;
         const double x_plane_y = u_e * sin_A;
         const double origin_y = M_y + 0.018 * z_plane_y;
-        const double seen_110 = origin_y - u_y * placed_50 - x_plane_y * placed_42 + z_plane_y * placed_58;
+        const double seen_110 = origin_y - u_y * placed_50 - x_plane_y * placed_42 + z_plane_y
+            * placed_58;
         const double seen_108 = u_y * placed_48 + x_plane_y * s1_8 + z_plane_y * placed_56;
         const double seen_106 = u_y * placed_46 - x_plane_y * R41y_8 + z_plane_y * placed_54;
         const double seen_104 = u_y * placed_44 - x_plane_y * R41x_8 - z_plane_y * placed_52;
@@ -190,7 +195,8 @@ void hand_fingertips_batch(int count, const double *SINEW_RESTRICT q, const doub
         const double R41y_6 = c1_6 * s4_6;
         const double seen_90 = x_z * R41y_6 - y_z * R42y_6 + z_z * c4_6;
         const double seen_88 = x_z * R41x_6 - y_z * R42x_6 - z_z * s4_6;
-        const double seen_86 = origin_y - u_y * placed_40 - x_plane_y * placed_36 - z_plane_y * ptipz_6;
+        const double seen_86 = origin_y - u_y * placed_40 - x_plane_y * placed_36 - z_plane_y
+            * ptipz_6;
         const double seen_84 = u_y * c1_6 + x_plane_y * s1_6;
         const double seen_82 = u_y * R42y_6 - x_plane_y * R41y_6 + z_plane_y * c4_6;
         const double seen_80 = u_y * R42x_6 - x_plane_y * R41x_6 - z_plane_y * s4_6;
@@ -216,7 +222,8 @@ void hand_fingertips_batch(int count, const double *SINEW_RESTRICT q, const doub
         const double R41y_4 = c1_4 * s4_4;
         const double seen_66 = x_z * R41y_4 - y_z * R42y_4 + z_z * c4_4;
         const double seen_64 = x_z * R41x_4 - y_z * R42x_4 - z_z * s4_4;
-        const double seen_62 = origin_y + u_y * placed_34 - x_plane_y * placed_30 - z_plane_y * ptipz_4;
+        const double seen_62 = origin_y + u_y * placed_34 - x_plane_y * placed_30 - z_plane_y
+            * ptipz_4;
         const double seen_60 = u_y * c1_4 + x_plane_y * s1_4;
         const double seen_58 = u_y * R42y_4 - x_plane_y * R41y_4 + z_plane_y * c4_4;
         const double seen_56 = u_y * R42x_4 - x_plane_y * R41x_4 - z_plane_y * s4_4;
@@ -242,7 +249,8 @@ void hand_fingertips_batch(int count, const double *SINEW_RESTRICT q, const doub
         const double R41y_2 = c1_2 * s4_2;
         const double seen_42 = x_z * R41y_2 - y_z * R42y_2 + z_z * c4_2;
         const double seen_40 = x_z * R41x_2 - y_z * R42x_2 - z_z * s4_2;
-        const double seen_38 = origin_y + u_y * placed_28 - x_plane_y * placed_24 - z_plane_y * ptipz_2;
+        const double seen_38 = origin_y + u_y * placed_28 - x_plane_y * placed_24 - z_plane_y
+            * ptipz_2;
         const double seen_36 = u_y * c1_2 + x_plane_y * s1_2;
         const double seen_34 = u_y * R42y_2 - x_plane_y * R41y_2 + z_plane_y * c4_2;
         const double seen_32 = u_y * R42x_2 - x_plane_y * R41x_2 - z_plane_y * s4_2;
@@ -264,24 +272,31 @@ void hand_fingertips_batch(int count, const double *SINEW_RESTRICT q, const doub
         const double R41y = c1 * c4;
         const double p4x = c1 * o4x;
         const double ptipx = p4x + 0.0201 * R41y;
-        const double placed_14 = 0.03 + 0.3830222215594891 * ptipy + 0.6427876096865393 * ptipx + 0.6634139481689384 * ptipz;
-        const double placed_6 = 0.01 - 0.32139380484326974 * ptipy - 0.5566703992264193 * ptipz + 0.766044443118978 * ptipx;
+        const double placed_14 = 0.03 + 0.3830222215594891 * ptipy + 0.6427876096865393 * ptipx
+            + 0.6634139481689384 * ptipz;
+        const double placed_6 = 0.01 - 0.32139380484326974 * ptipy - 0.5566703992264193 * ptipz
+            + 0.766044443118978 * ptipx;
         const double seen_22 = origin_z - x_z * placed_6 + y_z * placed_14 - z_z * placed_22;
         const double R42x = s1 * s4;
         const double placed_20 = 0.5000000000000001 * c4 + 0.8660254037844386 * R42x;
         const double R41x = c1 * s4;
-        const double placed_12 = 0.3830222215594891 * R42x + 0.6427876096865393 * R41x - 0.6634139481689384 * c4;
-        const double placed_4 = 0.32139380484326974 * R42x - 0.5566703992264193 * c4 - 0.766044443118978 * R41x;
+        const double placed_12 = 0.3830222215594891 * R42x + 0.6427876096865393 * R41x
+            - 0.6634139481689384 * c4;
+        const double placed_4 = 0.32139380484326974 * R42x - 0.5566703992264193 * c4
+            - 0.766044443118978 * R41x;
         const double seen_20 = x_z * placed_4 + y_z * placed_12 - z_z * placed_20;
         const double placed_18 = 0.8660254037844386 * c1;
         const double placed_10 = 0.3830222215594891 * c1 - 0.6427876096865393 * s1;
         const double placed_2 = 0.32139380484326974 * c1 + 0.766044443118978 * s1;
         const double seen_18 = x_z * placed_2 + y_z * placed_10 - z_z * placed_18;
         const double placed_16 = 0.5000000000000001 * s4 - 0.8660254037844386 * R42y;
-        const double placed_8 = 0.3830222215594891 * R42y + 0.6427876096865393 * R41y + 0.6634139481689384 * s4;
-        const double placed = 0.32139380484326974 * R42y + 0.5566703992264193 * s4 - 0.766044443118978 * R41y;
+        const double placed_8 = 0.3830222215594891 * R42y + 0.6427876096865393 * R41y
+            + 0.6634139481689384 * s4;
+        const double placed = 0.32139380484326974 * R42y + 0.5566703992264193 * s4
+            - 0.766044443118978 * R41y;
         const double seen_16 = x_z * placed + y_z * placed_8 + z_z * placed_16;
-        const double seen_14 = origin_y + u_y * placed_14 - x_plane_y * placed_6 + z_plane_y * placed_22;
+        const double seen_14 = origin_y + u_y * placed_14 - x_plane_y * placed_6 + z_plane_y
+            * placed_22;
         const double seen_12 = u_y * placed_12 + x_plane_y * placed_4 + z_plane_y * placed_20;
         const double seen_10 = u_y * placed_10 + x_plane_y * placed_2 + z_plane_y * placed_18;
         const double seen_8 = u_y * placed_8 + x_plane_y * placed - z_plane_y * placed_16;
@@ -452,7 +467,9 @@ void hand_fingertips_batch(int count, const double *SINEW_RESTRICT q, const doub
     }
 }
 
-void hand_finger_gravity_batch(int count, const double *SINEW_RESTRICT q, const double *SINEW_RESTRICT q_wrist, const double *SINEW_RESTRICT gravity, double *SINEW_RESTRICT g)
+void hand_finger_gravity_batch(int count, const double *SINEW_RESTRICT q,
+    const double *SINEW_RESTRICT q_wrist, const double *SINEW_RESTRICT gravity,
+    double *SINEW_RESTRICT g)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
@@ -477,10 +494,12 @@ void hand_finger_gravity_batch(int count, const double *SINEW_RESTRICT q, const 
         const double p_z = 0.036 * cos_q71;
         const double reach_squared = sinew_max(p_y * p_y + p_z * p_z, 1.296e-15);
         const double p_x = u_e * s_e - u_y * s_y;
-        const double projection = 0.034722222222222224 - 13.88888888888889 * (reach_squared + p_x * p_x);
+        const double projection = 0.034722222222222224 - 13.88888888888889 * (reach_squared + p_x
+            * p_x);
         const double reach = sinew_sqrt(reach_squared);
         const double limited = sinew_min(sinew_max(-projection, -reach), reach);
-        const double clearance = sinew_max((reach + limited) * (reach - limited), 1e-12 * reach_squared);
+        const double clearance = sinew_max((reach + limited) * (reach - limited), 1e-12
+            * reach_squared);
         const double root = sinew_sqrt(clearance);
         const double t1 = 1.0 / reach_squared;
         const double sin_A = (p_y * root - p_z * limited) * t1;
@@ -490,14 +509,17 @@ void hand_finger_gravity_batch(int count, const double *SINEW_RESTRICT q, const 
         const double t2 = gravity[1 * n + state] * u_e;
         const double x_z = cos_q71 * cos_A - sin_q71 * x_plane_x;
         const double turned = gravity[state] * x_x - t2 * sin_A - gravity[2 * n + state] * x_z;
-        const double turned_2 = u_e * (gravity[state] * cos_q71 + gravity[2 * n + state] * sin_q71) + gravity[1 * n + state] * u_y;
+        const double turned_2 = u_e * (gravity[state] * cos_q71 + gravity[2 * n + state] * sin_q71)
+            + gravity[1 * n + state] * u_y;
         const double turned_6 = 0.6427876096865393 * turned_2 + 0.766044443118978 * turned;
         const double z_plane_x = u_y * cos_A;
         const double z_x = cos_q71 * z_plane_x - sin_q71 * sin_A;
         const double z_z = cos_q71 * sin_A + sin_q71 * z_plane_x;
         const double turned_4 = gravity[state] * z_x - t2 * cos_A + gravity[2 * n + state] * z_z;
-        const double turned_8 = 0.32139380484326974 * turned - 0.3830222215594891 * turned_2 + 0.8660254037844386 * turned_4;
-        const double turned_10 = 0.5000000000000001 * turned_4 - 0.5566703992264193 * turned + 0.6634139481689384 * turned_2;
+        const double turned_8 = 0.32139380484326974 * turned - 0.3830222215594891 * turned_2
+            + 0.8660254037844386 * turned_4;
+        const double turned_10 = 0.5000000000000001 * turned_4 - 0.5566703992264193 * turned
+            + 0.6634139481689384 * turned_2;
         const double A = 1.2 - cos2;
         const double reach_squared_2 = sinew_max(sin2 * sin2 + A * A, 1e-12);
         const double reach_2 = sinew_sqrt(reach_squared_2);
@@ -535,7 +557,8 @@ void hand_finger_gravity_batch(int count, const double *SINEW_RESTRICT q, const 
     }
 }
 
-void hand_tendon_lengths_batch(int count, const double *SINEW_RESTRICT q, const double *SINEW_RESTRICT q_wrist, double *SINEW_RESTRICT h)
+void hand_tendon_lengths_batch(int count, const double *SINEW_RESTRICT q,
+    const double *SINEW_RESTRICT q_wrist, double *SINEW_RESTRICT h)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
@@ -564,10 +587,12 @@ void hand_tendon_lengths_batch(int count, const double *SINEW_RESTRICT q, const 
         const double p_z = 0.036 * cos_q71;
         const double reach_squared = sinew_max(p_y * p_y + p_z * p_z, 1.296e-15);
         const double p_x = u_e * s_e - u_y * s_y;
-        const double projection = 0.034722222222222224 - 13.88888888888889 * (reach_squared + p_x * p_x);
+        const double projection = 0.034722222222222224 - 13.88888888888889 * (reach_squared + p_x
+            * p_x);
         const double reach = sinew_sqrt(reach_squared);
         const double limited = sinew_min(sinew_max(-projection, -reach), reach);
-        const double clearance = sinew_max((reach + limited) * (reach - limited), 1e-12 * reach_squared);
+        const double clearance = sinew_max((reach + limited) * (reach - limited), 1e-12
+            * reach_squared);
         const double root = sinew_sqrt(clearance);
         const double t1 = 1.0 / reach_squared;
         const double sin_A = (p_y * root - p_z * limited) * t1;
@@ -600,7 +625,8 @@ void hand_tendon_lengths_batch(int count, const double *SINEW_RESTRICT q, const 
         const double y_z = sin_q71 * u_e;
         const double t10 = 0.011 * y_z;
         const double strand_0_z = layer_0_z + t10;
-        const double t11 = strand_0_x * strand_0_x + strand_0_y * strand_0_y + strand_0_z * strand_0_z;
+        const double t11 = strand_0_x * strand_0_x + strand_0_y * strand_0_y + strand_0_z
+            * strand_0_z;
         const double length_0 = sinew_sqrt(t11);
         const double R21y = c1 * s2;
         const double t12 = 0.005 * R21y;
@@ -627,7 +653,8 @@ void hand_tendon_lengths_batch(int count, const double *SINEW_RESTRICT q, const 
         const double strand_1_y = 0.008 - layer_0_y + t24;
         const double t25 = 0.01 * y_z;
         const double strand_1_z = layer_0_z + t25;
-        const double t26 = strand_1_x * strand_1_x + strand_1_y * strand_1_y + strand_1_z * strand_1_z;
+        const double t26 = strand_1_x * strand_1_x + strand_1_y * strand_1_y + strand_1_z
+            * strand_1_z;
         const double length_1 = sinew_sqrt(t26);
         const double t27 = t12 + t13;
         const double B_lengthdx = 0.002 + t27 - t15;
@@ -642,7 +669,8 @@ void hand_tendon_lengths_batch(int count, const double *SINEW_RESTRICT q, const 
         const double strand_2_y = 0.01 - layer_0_y + t31;
         const double t32 = 0.008 * y_z;
         const double strand_2_z = layer_0_z + t32;
-        const double t33 = strand_2_x * strand_2_x + strand_2_y * strand_2_y + strand_2_z * strand_2_z;
+        const double t33 = strand_2_x * strand_2_x + strand_2_y * strand_2_y + strand_2_z
+            * strand_2_z;
         const double length_2 = sinew_sqrt(t33);
         const double C_lengthdx = 0.002 - t27 - t15;
         const double C_lengthdy = t28 + t19;
@@ -653,7 +681,8 @@ void hand_tendon_lengths_batch(int count, const double *SINEW_RESTRICT q, const 
         const double strand_3_y = 0.011 - layer_0_y + t35;
         const double t36 = 0.006 * y_z;
         const double strand_3_z = layer_0_z + t36;
-        const double t37 = strand_3_x * strand_3_x + strand_3_y * strand_3_y + strand_3_z * strand_3_z;
+        const double t37 = strand_3_x * strand_3_x + strand_3_y * strand_3_y + strand_3_z
+            * strand_3_z;
         const double length_3 = sinew_sqrt(t37);
         const double D_lengthdx = 0.002 + t14 - t15;
         const double D_lengthdy = t18 + t19;
@@ -664,7 +693,8 @@ void hand_tendon_lengths_batch(int count, const double *SINEW_RESTRICT q, const 
         const double strand_4_y = 0.013 - layer_0_y + t39;
         const double t40 = 0.005 * y_z;
         const double strand_4_z = layer_0_z + t40;
-        const double t41 = strand_4_x * strand_4_x + strand_4_y * strand_4_y + strand_4_z * strand_4_z;
+        const double t41 = strand_4_x * strand_4_x + strand_4_y * strand_4_y + strand_4_z
+            * strand_4_z;
         const double length_4 = sinew_sqrt(t41);
         const double t42 = 0.0065 * q[2 * n + state];
         const double t43 = 0.003 * y_x;
@@ -673,7 +703,8 @@ void hand_tendon_lengths_batch(int count, const double *SINEW_RESTRICT q, const 
         const double strand_5_y = 0.015 - layer_0_y + t44;
         const double t45 = 0.003 * y_z;
         const double strand_5_z = layer_0_z + t45;
-        const double t46 = strand_5_x * strand_5_x + strand_5_y * strand_5_y + strand_5_z * strand_5_z;
+        const double t46 = strand_5_x * strand_5_x + strand_5_y * strand_5_y + strand_5_z
+            * strand_5_z;
         const double length_5 = sinew_sqrt(t46);
         const double t47 = 0.002 * y_x;
         const double strand_6_x = layer_0_x + t47;
@@ -681,48 +712,57 @@ void hand_tendon_lengths_batch(int count, const double *SINEW_RESTRICT q, const 
         const double strand_6_y = 0.016 - layer_0_y + t48;
         const double t49 = 0.002 * y_z;
         const double strand_6_z = layer_0_z + t49;
-        const double t50 = strand_6_x * strand_6_x + strand_6_y * strand_6_y + strand_6_z * strand_6_z;
+        const double t50 = strand_6_x * strand_6_x + strand_6_y * strand_6_y + strand_6_z
+            * strand_6_z;
         const double length_6 = sinew_sqrt(t50);
         const double t51 = 0.0055 * q[3 * n + state];
         const double strand_7_y = 0.018 - layer_0_y;
-        const double length_7 = sinew_sqrt(layer_0_x * layer_0_x + layer_0_z * layer_0_z + strand_7_y * strand_7_y);
+        const double length_7 = sinew_sqrt(layer_0_x * layer_0_x + layer_0_z * layer_0_z
+            + strand_7_y * strand_7_y);
         const double strand_8_x = layer_0_x - t47;
         const double strand_8_y = 0.019 - layer_0_y - t48;
         const double strand_8_z = layer_0_z - t49;
-        const double t52 = strand_8_x * strand_8_x + strand_8_y * strand_8_y + strand_8_z * strand_8_z;
+        const double t52 = strand_8_x * strand_8_x + strand_8_y * strand_8_y + strand_8_z
+            * strand_8_z;
         const double length_8 = sinew_sqrt(t52);
         const double t53 = 0.0065 * q[4 * n + state];
         const double t54 = 0.0065 * q[5 * n + state];
         const double strand_9_x = layer_0_x - t43;
         const double strand_9_y = 0.021 - layer_0_y - t44;
         const double strand_9_z = layer_0_z - t45;
-        const double t55 = strand_9_x * strand_9_x + strand_9_y * strand_9_y + strand_9_z * strand_9_z;
+        const double t55 = strand_9_x * strand_9_x + strand_9_y * strand_9_y + strand_9_z
+            * strand_9_z;
         const double length_9 = sinew_sqrt(t55);
         const double strand_10_x = layer_0_x - t38;
         const double strand_10_y = 0.023 - layer_0_y - t39;
         const double strand_10_z = layer_0_z - t40;
-        const double t56 = strand_10_x * strand_10_x + strand_10_y * strand_10_y + strand_10_z * strand_10_z;
+        const double t56 = strand_10_x * strand_10_x + strand_10_y * strand_10_y + strand_10_z
+            * strand_10_z;
         const double length_10 = sinew_sqrt(t56);
         const double strand_11_x = layer_0_x - t34;
         const double strand_11_y = 0.024 - layer_0_y - t35;
         const double strand_11_z = layer_0_z - t36;
-        const double t57 = strand_11_x * strand_11_x + strand_11_y * strand_11_y + strand_11_z * strand_11_z;
+        const double t57 = strand_11_x * strand_11_x + strand_11_y * strand_11_y + strand_11_z
+            * strand_11_z;
         const double length_11 = sinew_sqrt(t57);
         const double strand_12_x = layer_0_x - t30;
         const double strand_12_y = 0.026 - layer_0_y - t31;
         const double strand_12_z = layer_0_z - t32;
-        const double t58 = strand_12_x * strand_12_x + strand_12_y * strand_12_y + strand_12_z * strand_12_z;
+        const double t58 = strand_12_x * strand_12_x + strand_12_y * strand_12_y + strand_12_z
+            * strand_12_z;
         const double length_12 = sinew_sqrt(t58);
         const double t59 = 0.0055 * q[6 * n + state];
         const double strand_13_x = layer_0_x - t23;
         const double strand_13_y = 0.027 - layer_0_y - t24;
         const double strand_13_z = layer_0_z - t25;
-        const double t60 = strand_13_x * strand_13_x + strand_13_y * strand_13_y + strand_13_z * strand_13_z;
+        const double t60 = strand_13_x * strand_13_x + strand_13_y * strand_13_y + strand_13_z
+            * strand_13_z;
         const double length_13 = sinew_sqrt(t60);
         const double strand_14_x = layer_0_x - t4;
         const double strand_14_y = 0.029 - layer_0_y - t7;
         const double strand_14_z = layer_0_z - t10;
-        const double t61 = strand_14_x * strand_14_x + strand_14_y * strand_14_y + strand_14_z * strand_14_z;
+        const double t61 = strand_14_x * strand_14_x + strand_14_y * strand_14_y + strand_14_z
+            * strand_14_z;
         const double length_14 = sinew_sqrt(t61);
         const double t62 = 0.0045 * q[7 * n + state];
         const double t63 = 0.013 * y_x;
@@ -731,7 +771,8 @@ void hand_tendon_lengths_batch(int count, const double *SINEW_RESTRICT q, const 
         const double strand_15_y = 0.031 - layer_0_y - t64;
         const double t65 = 0.013 * y_z;
         const double strand_15_z = layer_0_z - t65;
-        const double t66 = strand_15_x * strand_15_x + strand_15_y * strand_15_y + strand_15_z * strand_15_z;
+        const double t66 = strand_15_x * strand_15_x + strand_15_y * strand_15_y + strand_15_z
+            * strand_15_z;
         const double length_15 = sinew_sqrt(t66);
         const double t67 = 0.014 * y_x;
         const double strand_16_x = layer_0_x - t67;
@@ -739,7 +780,8 @@ void hand_tendon_lengths_batch(int count, const double *SINEW_RESTRICT q, const 
         const double strand_16_y = 0.032 - layer_0_y - t68;
         const double t69 = 0.014 * y_z;
         const double strand_16_z = layer_0_z - t69;
-        const double t70 = strand_16_x * strand_16_x + strand_16_y * strand_16_y + strand_16_z * strand_16_z;
+        const double t70 = strand_16_x * strand_16_x + strand_16_y * strand_16_y + strand_16_z
+            * strand_16_z;
         const double length_16 = sinew_sqrt(t70);
         const double t71 = 0.0065 * q[8 * n + state];
         const double t72 = 0.0065 * q[9 * n + state];
@@ -749,12 +791,14 @@ void hand_tendon_lengths_batch(int count, const double *SINEW_RESTRICT q, const 
         const double strand_17_y = 0.034 - layer_0_y - t74;
         const double t75 = 0.016 * y_z;
         const double strand_17_z = layer_0_z - t75;
-        const double t76 = strand_17_x * strand_17_x + strand_17_y * strand_17_y + strand_17_z * strand_17_z;
+        const double t76 = strand_17_x * strand_17_x + strand_17_y * strand_17_y + strand_17_z
+            * strand_17_z;
         const double length_17 = sinew_sqrt(t76);
         const double strand_18_x = layer_0_x - 0.018 * y_x;
         const double strand_18_y = 0.035 - layer_0_y - 0.018 * u_y;
         const double strand_18_z = layer_0_z - 0.018 * y_z;
-        const double t77 = strand_18_x * strand_18_x + strand_18_y * strand_18_y + strand_18_z * strand_18_z;
+        const double t77 = strand_18_x * strand_18_x + strand_18_y * strand_18_y + strand_18_z
+            * strand_18_z;
         const double length_18 = sinew_sqrt(t77);
         const double layer_1_x = t2 + t3;
         const double strand_19_x = layer_1_x + t63;
@@ -762,104 +806,123 @@ void hand_tendon_lengths_batch(int count, const double *SINEW_RESTRICT q, const 
         const double strand_19_y = 0.006 - layer_1_y + t64;
         const double layer_1_z = 0.028 - origin_z - t8 + t9;
         const double strand_19_z = layer_1_z + t65;
-        const double t78 = strand_19_x * strand_19_x + strand_19_y * strand_19_y + strand_19_z * strand_19_z;
+        const double t78 = strand_19_x * strand_19_x + strand_19_y * strand_19_y + strand_19_z
+            * strand_19_z;
         const double length_19 = sinew_sqrt(t78);
         const double strand_20_x = layer_1_x + t4;
         const double strand_20_y = 0.007 - layer_1_y + t7;
         const double strand_20_z = layer_1_z + t10;
-        const double t79 = strand_20_x * strand_20_x + strand_20_y * strand_20_y + strand_20_z * strand_20_z;
+        const double t79 = strand_20_x * strand_20_x + strand_20_y * strand_20_y + strand_20_z
+            * strand_20_z;
         const double length_20 = sinew_sqrt(t79);
         const double t80 = 0.0055 * q[10 * n + state];
         const double strand_21_x = layer_1_x + t23;
         const double strand_21_y = 0.009 - layer_1_y + t24;
         const double strand_21_z = layer_1_z + t25;
-        const double t81 = strand_21_x * strand_21_x + strand_21_y * strand_21_y + strand_21_z * strand_21_z;
+        const double t81 = strand_21_x * strand_21_x + strand_21_y * strand_21_y + strand_21_z
+            * strand_21_z;
         const double length_21 = sinew_sqrt(t81);
         const double strand_22_x = layer_1_x + t30;
         const double strand_22_y = 0.011 - layer_1_y + t31;
         const double strand_22_z = layer_1_z + t32;
-        const double t82 = strand_22_x * strand_22_x + strand_22_y * strand_22_y + strand_22_z * strand_22_z;
+        const double t82 = strand_22_x * strand_22_x + strand_22_y * strand_22_y + strand_22_z
+            * strand_22_z;
         const double length_22 = sinew_sqrt(t82);
         const double t83 = 0.0045 * q[11 * n + state];
         const double strand_23_x = layer_1_x + t34;
         const double strand_23_y = 0.012 - layer_1_y + t35;
         const double strand_23_z = layer_1_z + t36;
-        const double t84 = strand_23_x * strand_23_x + strand_23_y * strand_23_y + strand_23_z * strand_23_z;
+        const double t84 = strand_23_x * strand_23_x + strand_23_y * strand_23_y + strand_23_z
+            * strand_23_z;
         const double length_23 = sinew_sqrt(t84);
         const double strand_24_x = layer_1_x + t38;
         const double strand_24_y = 0.014 - layer_1_y + t39;
         const double strand_24_z = layer_1_z + t40;
-        const double t85 = strand_24_x * strand_24_x + strand_24_y * strand_24_y + strand_24_z * strand_24_z;
+        const double t85 = strand_24_x * strand_24_x + strand_24_y * strand_24_y + strand_24_z
+            * strand_24_z;
         const double length_24 = sinew_sqrt(t85);
         const double t86 = 0.0065 * q[12 * n + state];
         const double t87 = 0.0065 * q[13 * n + state];
         const double strand_25_x = layer_1_x + t43;
         const double strand_25_y = 0.015 - layer_1_y + t44;
         const double strand_25_z = layer_1_z + t45;
-        const double t88 = strand_25_x * strand_25_x + strand_25_y * strand_25_y + strand_25_z * strand_25_z;
+        const double t88 = strand_25_x * strand_25_x + strand_25_y * strand_25_y + strand_25_z
+            * strand_25_z;
         const double length_25 = sinew_sqrt(t88);
         const double strand_26_x = layer_1_x + t47;
         const double strand_26_y = 0.017 - layer_1_y + t48;
         const double strand_26_z = layer_1_z + t49;
-        const double t89 = strand_26_x * strand_26_x + strand_26_y * strand_26_y + strand_26_z * strand_26_z;
+        const double t89 = strand_26_x * strand_26_x + strand_26_y * strand_26_y + strand_26_z
+            * strand_26_z;
         const double length_26 = sinew_sqrt(t89);
         const double strand_27_y = 0.019 - layer_1_y;
-        const double t90 = layer_1_x * layer_1_x + layer_1_z * layer_1_z + strand_27_y * strand_27_y;
+        const double t90 = layer_1_x * layer_1_x + layer_1_z * layer_1_z + strand_27_y
+            * strand_27_y;
         const double length_27 = sinew_sqrt(t90);
         const double strand_28_x = layer_1_x - t47;
         const double strand_28_y = 0.02 - layer_1_y - t48;
         const double strand_28_z = layer_1_z - t49;
-        const double t91 = strand_28_x * strand_28_x + strand_28_y * strand_28_y + strand_28_z * strand_28_z;
+        const double t91 = strand_28_x * strand_28_x + strand_28_y * strand_28_y + strand_28_z
+            * strand_28_z;
         const double length_28 = sinew_sqrt(t91);
         const double t92 = 0.011000000000000001 * q[14 * n + state];
         const double strand_29_x = layer_1_x - t43;
         const double strand_29_y = 0.022 - layer_1_y - t44;
         const double strand_29_z = layer_1_z - t45;
-        const double t93 = strand_29_x * strand_29_x + strand_29_y * strand_29_y + strand_29_z * strand_29_z;
+        const double t93 = strand_29_x * strand_29_x + strand_29_y * strand_29_y + strand_29_z
+            * strand_29_z;
         const double length_29 = sinew_sqrt(t93);
         const double strand_30_x = layer_1_x - t38;
         const double strand_30_y = 0.023 - layer_1_y - t39;
         const double strand_30_z = layer_1_z - t40;
-        const double t94 = strand_30_x * strand_30_x + strand_30_y * strand_30_y + strand_30_z * strand_30_z;
+        const double t94 = strand_30_x * strand_30_x + strand_30_y * strand_30_y + strand_30_z
+            * strand_30_z;
         const double length_30 = sinew_sqrt(t94);
         const double t95 = 0.0052 * q[15 * n + state];
         const double t96 = 0.0052 * q[16 * n + state];
         const double strand_31_x = layer_1_x - t34;
         const double strand_31_y = 0.025 - layer_1_y - t35;
         const double strand_31_z = layer_1_z - t36;
-        const double t97 = strand_31_x * strand_31_x + strand_31_y * strand_31_y + strand_31_z * strand_31_z;
+        const double t97 = strand_31_x * strand_31_x + strand_31_y * strand_31_y + strand_31_z
+            * strand_31_z;
         const double length_31 = sinew_sqrt(t97);
         const double strand_32_x = layer_1_x - t30;
         const double strand_32_y = 0.027 - layer_1_y - t31;
         const double strand_32_z = layer_1_z - t32;
-        const double t98 = strand_32_x * strand_32_x + strand_32_y * strand_32_y + strand_32_z * strand_32_z;
+        const double t98 = strand_32_x * strand_32_x + strand_32_y * strand_32_y + strand_32_z
+            * strand_32_z;
         const double length_32 = sinew_sqrt(t98);
         const double strand_33_x = layer_1_x - t23;
         const double strand_33_y = 0.028 - layer_1_y - t24;
         const double strand_33_z = layer_1_z - t25;
-        const double t99 = strand_33_x * strand_33_x + strand_33_y * strand_33_y + strand_33_z * strand_33_z;
+        const double t99 = strand_33_x * strand_33_x + strand_33_y * strand_33_y + strand_33_z
+            * strand_33_z;
         const double length_33 = sinew_sqrt(t99);
         const double strand_34_x = layer_1_x - t4;
         const double strand_34_y = 0.03 - layer_1_y - t7;
         const double strand_34_z = layer_1_z - t10;
-        const double t100 = strand_34_x * strand_34_x + strand_34_y * strand_34_y + strand_34_z * strand_34_z;
+        const double t100 = strand_34_x * strand_34_x + strand_34_y * strand_34_y + strand_34_z
+            * strand_34_z;
         const double length_34 = sinew_sqrt(t100);
         const double t101 = 0.0088 * q[17 * n + state];
         const double strand_35_x = layer_1_x - t63;
         const double strand_35_y = 0.031 - layer_1_y - t64;
         const double strand_35_z = layer_1_z - t65;
-        const double t102 = strand_35_x * strand_35_x + strand_35_y * strand_35_y + strand_35_z * strand_35_z;
+        const double t102 = strand_35_x * strand_35_x + strand_35_y * strand_35_y + strand_35_z
+            * strand_35_z;
         const double length_35 = sinew_sqrt(t102);
         const double strand_36_x = layer_1_x - t67;
         const double strand_36_y = 0.033 - layer_1_y - t68;
         const double strand_36_z = layer_1_z - t69;
-        const double t103 = strand_36_x * strand_36_x + strand_36_y * strand_36_y + strand_36_z * strand_36_z;
+        const double t103 = strand_36_x * strand_36_x + strand_36_y * strand_36_y + strand_36_z
+            * strand_36_z;
         const double length_36 = sinew_sqrt(t103);
         const double length = 0.007853981633974483 - 0.005 * q[18 * n + state];
         const double strand_37_x = layer_1_x - t73;
         const double strand_37_y = 0.035 - layer_1_y - t74;
         const double strand_37_z = layer_1_z - t75;
-        const double t104 = strand_37_x * strand_37_x + strand_37_y * strand_37_y + strand_37_z * strand_37_z;
+        const double t104 = strand_37_x * strand_37_x + strand_37_y * strand_37_y + strand_37_z
+            * strand_37_z;
         const double length_37 = sinew_sqrt(t104);
         h[state] = A_length + length_0;
         h[1 * n + state] = B_length + length_1;
@@ -902,7 +965,8 @@ void hand_tendon_lengths_batch(int count, const double *SINEW_RESTRICT q, const 
     }
 }
 
-void hand_coupling_matrix_batch(int count, const double *SINEW_RESTRICT q, const double *SINEW_RESTRICT q_wrist, double *SINEW_RESTRICT P)
+void hand_coupling_matrix_batch(int count, const double *SINEW_RESTRICT q,
+    const double *SINEW_RESTRICT q_wrist, double *SINEW_RESTRICT P)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
@@ -942,7 +1006,8 @@ void hand_coupling_matrix_batch(int count, const double *SINEW_RESTRICT q, const
         const double u_e_by_q73 = t6 + 23.80952380952381 * C_e_by_q73;
         const double M_y = t5 - 0.5 * C_y;
         const double s_y = 0.021 - M_y;
-        const double p_y_by_q73 = u_e * M_y_by_q73 + u_y * M_e_by_q73 - s_e * u_y_by_q73 + s_y * u_e_by_q73;
+        const double p_y_by_q73 = u_e * M_y_by_q73 + u_y * M_e_by_q73 - s_e * u_y_by_q73 + s_y
+            * u_e_by_q73;
         const double p_y = u_e * s_y + u_y * s_e;
         const double t7 = p_y + p_y;
         const double t8 = p_y * p_y;
@@ -950,12 +1015,15 @@ void hand_coupling_matrix_batch(int count, const double *SINEW_RESTRICT q, const
         const double t9 = p_z * p_z;
         const double t10 = -(1.296e-15 - t8 - t9);
         const double reach_squared_by_q73 = sinew_choose(t10, t7 * p_y_by_q73, 0.0);
-        const double p_x_by_q73 = u_e * M_e_by_q73 - u_y * M_y_by_q73 + s_e * u_e_by_q73 + s_y * u_y_by_q73;
+        const double p_x_by_q73 = u_e * M_e_by_q73 - u_y * M_y_by_q73 + s_e * u_e_by_q73 + s_y
+            * u_y_by_q73;
         const double p_x = u_e * s_e - u_y * s_y;
         const double t11 = 27.77777777777778 * p_x;
-        const double projection_by_q73 = 13.88888888888889 * reach_squared_by_q73 + t11 * p_x_by_q73;
+        const double projection_by_q73 = 13.88888888888889 * reach_squared_by_q73 + t11
+            * p_x_by_q73;
         const double reach_squared = sinew_max(t8 + t9, 1.296e-15);
-        const double projection = 0.034722222222222224 - 13.88888888888889 * (reach_squared + p_x * p_x);
+        const double projection = 0.034722222222222224 - 13.88888888888889 * (reach_squared + p_x
+            * p_x);
         const double reach = sinew_sqrt(reach_squared);
         const double t12 = reach - projection;
         const double t13 = sinew_choose(t12, 1.0, 0.0);
@@ -964,25 +1032,29 @@ void hand_coupling_matrix_batch(int count, const double *SINEW_RESTRICT q, const
         const double t15 = sinew_choose(t12, 0.0, 1.0);
         const double t16 = sinew_max(-projection, -reach);
         const double t17 = reach - t16;
-        const double limited_by_q73 = sinew_choose(t17, -(reach_by_q73 * t15 - projection_by_q73 * t13), reach_by_q73);
+        const double limited_by_q73 = sinew_choose(t17, -(reach_by_q73 * t15 - projection_by_q73
+            * t13), reach_by_q73);
         const double limited = sinew_min(t16, reach);
         const double t18 = limited + limited;
         const double t19 = reach + reach;
         const double t20 = (reach + limited) * (reach - limited);
         const double t21 = 1e-12 * reach_squared;
         const double t22 = -(t21 - t20);
-        const double clearance_by_q73 = sinew_choose(t22, t19 * reach_by_q73 - t18 * limited_by_q73, 1e-12 * reach_squared_by_q73);
+        const double clearance_by_q73 = sinew_choose(t22, t19 * reach_by_q73 - t18 * limited_by_q73,
+            1e-12 * reach_squared_by_q73);
         const double clearance = sinew_max(t20, t21);
         const double root = sinew_sqrt(clearance);
         const double t23 = 1.0 / root;
         const double root_by_q73 = 0.5 * clearance_by_q73 * t23;
         const double t24 = 1.0 / reach_squared;
         const double cos_A = (p_y * limited + p_z * root) * t24;
-        const double t25 = p_y * limited_by_q73 + p_z * root_by_q73 + limited * p_y_by_q73 - cos_A * reach_squared_by_q73;
+        const double t25 = p_y * limited_by_q73 + p_z * root_by_q73 + limited * p_y_by_q73 - cos_A
+            * reach_squared_by_q73;
         const double cos_A_by_q73 = t25 * t24;
         const double z_plane_x_by_q73 = u_y * cos_A_by_q73 - cos_A * u_y_by_q73;
         const double sin_A = (p_y * root - p_z * limited) * t24;
-        const double t26 = p_y * root_by_q73 - p_z * limited_by_q73 + root * p_y_by_q73 - sin_A * reach_squared_by_q73;
+        const double t26 = p_y * root_by_q73 - p_z * limited_by_q73 + root * p_y_by_q73 - sin_A
+            * reach_squared_by_q73;
         const double sin_A_by_q73 = t26 * t24;
         const double z_x_by_q73 = cos_q71 * z_plane_x_by_q73 - sin_q71 * sin_A_by_q73;
         const double M_x_by_q73 = cos_q71 * M_e_by_q73;
@@ -1050,22 +1122,29 @@ void hand_coupling_matrix_batch(int count, const double *SINEW_RESTRICT q, const
         const double y_z = sin_q71 * u_e;
         const double t53 = 0.016 * y_z;
         const double strand_37_z = layer_1_z - t53;
-        const double t54 = strand_37_x * strand_37_x_by_q73 - strand_37_y * strand_37_y_by_q73 + strand_37_z * strand_37_z_by_q73;
-        const double t55 = strand_37_x * strand_37_x + strand_37_y * strand_37_y + strand_37_z * strand_37_z;
+        const double t54 = strand_37_x * strand_37_x_by_q73 - strand_37_y * strand_37_y_by_q73
+            + strand_37_z * strand_37_z_by_q73;
+        const double t55 = strand_37_x * strand_37_x + strand_37_y * strand_37_y + strand_37_z
+            * strand_37_z;
         const double length_37 = sinew_sqrt(t55);
         const double t56 = 1.0 / length_37;
         const double length_37_by_q73 = t54 * t56;
         const double p_y_by_q71 = u_y * p_z;
-        const double reach_squared_by_q71 = sinew_choose(t10, -(t7 * p_y_by_q71 + (p_z + p_z) * p_z_by_q71), 0.0);
+        const double reach_squared_by_q71 = sinew_choose(t10, -(t7 * p_y_by_q71 + (p_z + p_z)
+            * p_z_by_q71), 0.0);
         const double reach_by_q71 = 0.5 * reach_squared_by_q71 * t14;
         const double projection_by_q71 = 13.88888888888889 * reach_squared_by_q71 - t11 * u_e * p_z;
-        const double limited_by_q71 = sinew_choose(t17, -(reach_by_q71 * t15 - projection_by_q71 * t13), reach_by_q71);
-        const double clearance_by_q71 = sinew_choose(t22, t19 * reach_by_q71 - t18 * limited_by_q71, 1e-12 * reach_squared_by_q71);
+        const double limited_by_q71 = sinew_choose(t17, -(reach_by_q71 * t15 - projection_by_q71
+            * t13), reach_by_q71);
+        const double clearance_by_q71 = sinew_choose(t22, t19 * reach_by_q71 - t18 * limited_by_q71,
+            1e-12 * reach_squared_by_q71);
         const double root_by_q71 = 0.5 * clearance_by_q71 * t23;
-        const double t57 = p_y * limited_by_q71 + p_z * root_by_q71 - limited * p_y_by_q71 - root * p_z_by_q71;
+        const double t57 = p_y * limited_by_q71 + p_z * root_by_q71 - limited * p_y_by_q71 - root
+            * p_z_by_q71;
         const double cos_A_by_q71 = (t57 - cos_A * reach_squared_by_q71) * t24;
         const double z_plane_x_by_q71 = u_y * cos_A_by_q71;
-        const double t58 = p_y * root_by_q71 - p_z * limited_by_q71 + limited * p_z_by_q71 - root * p_y_by_q71;
+        const double t58 = p_y * root_by_q71 - p_z * limited_by_q71 + limited * p_z_by_q71 - root
+            * p_y_by_q71;
         const double sin_A_by_q71 = (t58 - sin_A * reach_squared_by_q71) * t24;
         const double z_x_by_q71 = t48 - cos_q71 * z_plane_x_by_q71 + t47 + sin_q71 * sin_A_by_q71;
         const double origin_x_by_q71 = M_z - 0.018 * z_x_by_q71;
@@ -1087,7 +1166,8 @@ void hand_coupling_matrix_batch(int count, const double *SINEW_RESTRICT q, const
         const double t64 = 0.01 * z_z_by_q71;
         const double layer_1_z_by_q71 = t63 - t64;
         const double strand_37_z_by_q71 = layer_1_z_by_q71 + t36;
-        const double t65 = strand_37_x * strand_37_x_by_q71 - strand_37_y * layer_1_y_by_q71 - strand_37_z * strand_37_z_by_q71;
+        const double t65 = strand_37_x * strand_37_x_by_q71 - strand_37_y * layer_1_y_by_q71
+            - strand_37_z * strand_37_z_by_q71;
         const double length_37_by_q71 = t65 * t56;
         const double t66 = 0.014 * y_x_by_q73;
         const double strand_36_x_by_q73 = layer_1_x_by_q73 + t66;
@@ -1101,14 +1181,17 @@ void hand_coupling_matrix_batch(int count, const double *SINEW_RESTRICT q, const
         const double strand_36_z_by_q73 = layer_1_z_by_q73 + t70;
         const double t71 = 0.014 * y_z;
         const double strand_36_z = layer_1_z - t71;
-        const double t72 = strand_36_x * strand_36_x_by_q73 - strand_36_y * strand_36_y_by_q73 + strand_36_z * strand_36_z_by_q73;
-        const double t73 = strand_36_x * strand_36_x + strand_36_y * strand_36_y + strand_36_z * strand_36_z;
+        const double t72 = strand_36_x * strand_36_x_by_q73 - strand_36_y * strand_36_y_by_q73
+            + strand_36_z * strand_36_z_by_q73;
+        const double t73 = strand_36_x * strand_36_x + strand_36_y * strand_36_y + strand_36_z
+            * strand_36_z;
         const double length_36 = sinew_sqrt(t73);
         const double t74 = 1.0 / length_36;
         const double length_36_by_q73 = t72 * t74;
         const double strand_36_x_by_q71 = layer_1_x_by_q71 + t71;
         const double strand_36_z_by_q71 = layer_1_z_by_q71 + t67;
-        const double t75 = strand_36_x * strand_36_x_by_q71 - strand_36_y * layer_1_y_by_q71 - strand_36_z * strand_36_z_by_q71;
+        const double t75 = strand_36_x * strand_36_x_by_q71 - strand_36_y * layer_1_y_by_q71
+            - strand_36_z * strand_36_z_by_q71;
         const double length_36_by_q71 = t75 * t74;
         const double t76 = 0.013 * y_x_by_q73;
         const double strand_35_x_by_q73 = layer_1_x_by_q73 + t76;
@@ -1122,14 +1205,17 @@ void hand_coupling_matrix_batch(int count, const double *SINEW_RESTRICT q, const
         const double strand_35_z_by_q73 = layer_1_z_by_q73 + t80;
         const double t81 = 0.013 * y_z;
         const double strand_35_z = layer_1_z - t81;
-        const double t82 = strand_35_x * strand_35_x_by_q73 - strand_35_y * strand_35_y_by_q73 + strand_35_z * strand_35_z_by_q73;
-        const double t83 = strand_35_x * strand_35_x + strand_35_y * strand_35_y + strand_35_z * strand_35_z;
+        const double t82 = strand_35_x * strand_35_x_by_q73 - strand_35_y * strand_35_y_by_q73
+            + strand_35_z * strand_35_z_by_q73;
+        const double t83 = strand_35_x * strand_35_x + strand_35_y * strand_35_y + strand_35_z
+            * strand_35_z;
         const double length_35 = sinew_sqrt(t83);
         const double t84 = 1.0 / length_35;
         const double length_35_by_q73 = t82 * t84;
         const double strand_35_x_by_q71 = layer_1_x_by_q71 + t81;
         const double strand_35_z_by_q71 = layer_1_z_by_q71 + t77;
-        const double t85 = strand_35_x * strand_35_x_by_q71 - strand_35_y * layer_1_y_by_q71 - strand_35_z * strand_35_z_by_q71;
+        const double t85 = strand_35_x * strand_35_x_by_q71 - strand_35_y * layer_1_y_by_q71
+            - strand_35_z * strand_35_z_by_q71;
         const double length_35_by_q71 = t85 * t84;
         const double t86 = 0.011 * y_x_by_q73;
         const double strand_34_x_by_q73 = layer_1_x_by_q73 + t86;
@@ -1143,14 +1229,17 @@ void hand_coupling_matrix_batch(int count, const double *SINEW_RESTRICT q, const
         const double strand_34_z_by_q73 = layer_1_z_by_q73 + t90;
         const double t91 = 0.011 * y_z;
         const double strand_34_z = layer_1_z - t91;
-        const double t92 = strand_34_x * strand_34_x_by_q73 - strand_34_y * strand_34_y_by_q73 + strand_34_z * strand_34_z_by_q73;
-        const double t93 = strand_34_x * strand_34_x + strand_34_y * strand_34_y + strand_34_z * strand_34_z;
+        const double t92 = strand_34_x * strand_34_x_by_q73 - strand_34_y * strand_34_y_by_q73
+            + strand_34_z * strand_34_z_by_q73;
+        const double t93 = strand_34_x * strand_34_x + strand_34_y * strand_34_y + strand_34_z
+            * strand_34_z;
         const double length_34 = sinew_sqrt(t93);
         const double t94 = 1.0 / length_34;
         const double length_34_by_q73 = t92 * t94;
         const double strand_34_x_by_q71 = layer_1_x_by_q71 + t91;
         const double strand_34_z_by_q71 = layer_1_z_by_q71 + t87;
-        const double t95 = strand_34_x * strand_34_x_by_q71 - strand_34_y * layer_1_y_by_q71 - strand_34_z * strand_34_z_by_q71;
+        const double t95 = strand_34_x * strand_34_x_by_q71 - strand_34_y * layer_1_y_by_q71
+            - strand_34_z * strand_34_z_by_q71;
         const double length_34_by_q71 = t95 * t94;
         const double t96 = 0.01 * y_x_by_q73;
         const double strand_33_x_by_q73 = layer_1_x_by_q73 + t96;
@@ -1164,14 +1253,17 @@ void hand_coupling_matrix_batch(int count, const double *SINEW_RESTRICT q, const
         const double strand_33_z_by_q73 = layer_1_z_by_q73 + t100;
         const double t101 = 0.01 * y_z;
         const double strand_33_z = layer_1_z - t101;
-        const double t102 = strand_33_x * strand_33_x_by_q73 - strand_33_y * strand_33_y_by_q73 + strand_33_z * strand_33_z_by_q73;
-        const double t103 = strand_33_x * strand_33_x + strand_33_y * strand_33_y + strand_33_z * strand_33_z;
+        const double t102 = strand_33_x * strand_33_x_by_q73 - strand_33_y * strand_33_y_by_q73
+            + strand_33_z * strand_33_z_by_q73;
+        const double t103 = strand_33_x * strand_33_x + strand_33_y * strand_33_y + strand_33_z
+            * strand_33_z;
         const double length_33 = sinew_sqrt(t103);
         const double t104 = 1.0 / length_33;
         const double length_33_by_q73 = t102 * t104;
         const double strand_33_x_by_q71 = layer_1_x_by_q71 + t101;
         const double strand_33_z_by_q71 = layer_1_z_by_q71 + t97;
-        const double t105 = strand_33_x * strand_33_x_by_q71 - strand_33_y * layer_1_y_by_q71 - strand_33_z * strand_33_z_by_q71;
+        const double t105 = strand_33_x * strand_33_x_by_q71 - strand_33_y * layer_1_y_by_q71
+            - strand_33_z * strand_33_z_by_q71;
         const double length_33_by_q71 = t105 * t104;
         const double t106 = 0.008 * y_x_by_q73;
         const double strand_32_x_by_q73 = layer_1_x_by_q73 + t106;
@@ -1185,14 +1277,17 @@ void hand_coupling_matrix_batch(int count, const double *SINEW_RESTRICT q, const
         const double strand_32_z_by_q73 = layer_1_z_by_q73 + t110;
         const double t111 = 0.008 * y_z;
         const double strand_32_z = layer_1_z - t111;
-        const double t112 = strand_32_x * strand_32_x_by_q73 - strand_32_y * strand_32_y_by_q73 + strand_32_z * strand_32_z_by_q73;
-        const double t113 = strand_32_x * strand_32_x + strand_32_y * strand_32_y + strand_32_z * strand_32_z;
+        const double t112 = strand_32_x * strand_32_x_by_q73 - strand_32_y * strand_32_y_by_q73
+            + strand_32_z * strand_32_z_by_q73;
+        const double t113 = strand_32_x * strand_32_x + strand_32_y * strand_32_y + strand_32_z
+            * strand_32_z;
         const double length_32 = sinew_sqrt(t113);
         const double t114 = 1.0 / length_32;
         const double length_32_by_q73 = t112 * t114;
         const double strand_32_x_by_q71 = layer_1_x_by_q71 + t111;
         const double strand_32_z_by_q71 = layer_1_z_by_q71 + t107;
-        const double t115 = strand_32_x * strand_32_x_by_q71 - strand_32_y * layer_1_y_by_q71 - strand_32_z * strand_32_z_by_q71;
+        const double t115 = strand_32_x * strand_32_x_by_q71 - strand_32_y * layer_1_y_by_q71
+            - strand_32_z * strand_32_z_by_q71;
         const double length_32_by_q71 = t115 * t114;
         const double t116 = 0.006 * y_x_by_q73;
         const double strand_31_x_by_q73 = layer_1_x_by_q73 + t116;
@@ -1206,14 +1301,17 @@ void hand_coupling_matrix_batch(int count, const double *SINEW_RESTRICT q, const
         const double strand_31_z_by_q73 = layer_1_z_by_q73 + t120;
         const double t121 = 0.006 * y_z;
         const double strand_31_z = layer_1_z - t121;
-        const double t122 = strand_31_x * strand_31_x_by_q73 - strand_31_y * strand_31_y_by_q73 + strand_31_z * strand_31_z_by_q73;
-        const double t123 = strand_31_x * strand_31_x + strand_31_y * strand_31_y + strand_31_z * strand_31_z;
+        const double t122 = strand_31_x * strand_31_x_by_q73 - strand_31_y * strand_31_y_by_q73
+            + strand_31_z * strand_31_z_by_q73;
+        const double t123 = strand_31_x * strand_31_x + strand_31_y * strand_31_y + strand_31_z
+            * strand_31_z;
         const double length_31 = sinew_sqrt(t123);
         const double t124 = 1.0 / length_31;
         const double length_31_by_q73 = t122 * t124;
         const double strand_31_x_by_q71 = layer_1_x_by_q71 + t121;
         const double strand_31_z_by_q71 = layer_1_z_by_q71 + t117;
-        const double t125 = strand_31_x * strand_31_x_by_q71 - strand_31_y * layer_1_y_by_q71 - strand_31_z * strand_31_z_by_q71;
+        const double t125 = strand_31_x * strand_31_x_by_q71 - strand_31_y * layer_1_y_by_q71
+            - strand_31_z * strand_31_z_by_q71;
         const double length_31_by_q71 = t125 * t124;
         const double t126 = 0.005 * y_x_by_q73;
         const double strand_30_x_by_q73 = layer_1_x_by_q73 + t126;
@@ -1227,14 +1325,17 @@ void hand_coupling_matrix_batch(int count, const double *SINEW_RESTRICT q, const
         const double strand_30_z_by_q73 = layer_1_z_by_q73 + t130;
         const double t131 = 0.005 * y_z;
         const double strand_30_z = layer_1_z - t131;
-        const double t132 = strand_30_x * strand_30_x_by_q73 - strand_30_y * strand_30_y_by_q73 + strand_30_z * strand_30_z_by_q73;
-        const double t133 = strand_30_x * strand_30_x + strand_30_y * strand_30_y + strand_30_z * strand_30_z;
+        const double t132 = strand_30_x * strand_30_x_by_q73 - strand_30_y * strand_30_y_by_q73
+            + strand_30_z * strand_30_z_by_q73;
+        const double t133 = strand_30_x * strand_30_x + strand_30_y * strand_30_y + strand_30_z
+            * strand_30_z;
         const double length_30 = sinew_sqrt(t133);
         const double t134 = 1.0 / length_30;
         const double length_30_by_q73 = t132 * t134;
         const double strand_30_x_by_q71 = layer_1_x_by_q71 + t131;
         const double strand_30_z_by_q71 = layer_1_z_by_q71 + t127;
-        const double t135 = strand_30_x * strand_30_x_by_q71 - strand_30_y * layer_1_y_by_q71 - strand_30_z * strand_30_z_by_q71;
+        const double t135 = strand_30_x * strand_30_x_by_q71 - strand_30_y * layer_1_y_by_q71
+            - strand_30_z * strand_30_z_by_q71;
         const double length_30_by_q71 = t135 * t134;
         const double t136 = 0.003 * y_x_by_q73;
         const double strand_29_x_by_q73 = layer_1_x_by_q73 + t136;
@@ -1248,14 +1349,17 @@ void hand_coupling_matrix_batch(int count, const double *SINEW_RESTRICT q, const
         const double strand_29_z_by_q73 = layer_1_z_by_q73 + t140;
         const double t141 = 0.003 * y_z;
         const double strand_29_z = layer_1_z - t141;
-        const double t142 = strand_29_x * strand_29_x_by_q73 - strand_29_y * strand_29_y_by_q73 + strand_29_z * strand_29_z_by_q73;
-        const double t143 = strand_29_x * strand_29_x + strand_29_y * strand_29_y + strand_29_z * strand_29_z;
+        const double t142 = strand_29_x * strand_29_x_by_q73 - strand_29_y * strand_29_y_by_q73
+            + strand_29_z * strand_29_z_by_q73;
+        const double t143 = strand_29_x * strand_29_x + strand_29_y * strand_29_y + strand_29_z
+            * strand_29_z;
         const double length_29 = sinew_sqrt(t143);
         const double t144 = 1.0 / length_29;
         const double length_29_by_q73 = t142 * t144;
         const double strand_29_x_by_q71 = layer_1_x_by_q71 + t141;
         const double strand_29_z_by_q71 = layer_1_z_by_q71 + t137;
-        const double t145 = strand_29_x * strand_29_x_by_q71 - strand_29_y * layer_1_y_by_q71 - strand_29_z * strand_29_z_by_q71;
+        const double t145 = strand_29_x * strand_29_x_by_q71 - strand_29_y * layer_1_y_by_q71
+            - strand_29_z * strand_29_z_by_q71;
         const double length_29_by_q71 = t145 * t144;
         const double t146 = 0.002 * y_x_by_q73;
         const double strand_28_x_by_q73 = layer_1_x_by_q73 + t146;
@@ -1269,22 +1373,28 @@ void hand_coupling_matrix_batch(int count, const double *SINEW_RESTRICT q, const
         const double strand_28_z_by_q73 = layer_1_z_by_q73 + t150;
         const double t151 = 0.002 * y_z;
         const double strand_28_z = layer_1_z - t151;
-        const double t152 = strand_28_x * strand_28_x_by_q73 - strand_28_y * strand_28_y_by_q73 + strand_28_z * strand_28_z_by_q73;
-        const double t153 = strand_28_x * strand_28_x + strand_28_y * strand_28_y + strand_28_z * strand_28_z;
+        const double t152 = strand_28_x * strand_28_x_by_q73 - strand_28_y * strand_28_y_by_q73
+            + strand_28_z * strand_28_z_by_q73;
+        const double t153 = strand_28_x * strand_28_x + strand_28_y * strand_28_y + strand_28_z
+            * strand_28_z;
         const double length_28 = sinew_sqrt(t153);
         const double t154 = 1.0 / length_28;
         const double length_28_by_q73 = t152 * t154;
         const double strand_28_x_by_q71 = layer_1_x_by_q71 + t151;
         const double strand_28_z_by_q71 = layer_1_z_by_q71 + t147;
-        const double t155 = strand_28_x * strand_28_x_by_q71 - strand_28_y * layer_1_y_by_q71 - strand_28_z * strand_28_z_by_q71;
+        const double t155 = strand_28_x * strand_28_x_by_q71 - strand_28_y * layer_1_y_by_q71
+            - strand_28_z * strand_28_z_by_q71;
         const double length_28_by_q71 = t155 * t154;
         const double strand_27_y = 0.019 - layer_1_y;
-        const double t156 = layer_1_x * layer_1_x_by_q73 + layer_1_z * layer_1_z_by_q73 - strand_27_y * layer_1_y_by_q73;
-        const double t157 = layer_1_x * layer_1_x + layer_1_z * layer_1_z + strand_27_y * strand_27_y;
+        const double t156 = layer_1_x * layer_1_x_by_q73 + layer_1_z * layer_1_z_by_q73
+            - strand_27_y * layer_1_y_by_q73;
+        const double t157 = layer_1_x * layer_1_x + layer_1_z * layer_1_z + strand_27_y
+            * strand_27_y;
         const double length_27 = sinew_sqrt(t157);
         const double t158 = 1.0 / length_27;
         const double length_27_by_q73 = t156 * t158;
-        const double t159 = layer_1_x * layer_1_x_by_q71 - layer_1_z * layer_1_z_by_q71 - strand_27_y * layer_1_y_by_q71;
+        const double t159 = layer_1_x * layer_1_x_by_q71 - layer_1_z * layer_1_z_by_q71
+            - strand_27_y * layer_1_y_by_q71;
         const double length_27_by_q71 = t159 * t158;
         const double strand_26_x_by_q73 = layer_1_x_by_q73 - t146;
         const double strand_26_x = layer_1_x + t147;
@@ -1292,14 +1402,17 @@ void hand_coupling_matrix_batch(int count, const double *SINEW_RESTRICT q, const
         const double strand_26_y = 0.017 - layer_1_y + t149;
         const double strand_26_z_by_q73 = layer_1_z_by_q73 - t150;
         const double strand_26_z = layer_1_z + t151;
-        const double t160 = strand_26_x * strand_26_x_by_q73 - strand_26_y * strand_26_y_by_q73 + strand_26_z * strand_26_z_by_q73;
-        const double t161 = strand_26_x * strand_26_x + strand_26_y * strand_26_y + strand_26_z * strand_26_z;
+        const double t160 = strand_26_x * strand_26_x_by_q73 - strand_26_y * strand_26_y_by_q73
+            + strand_26_z * strand_26_z_by_q73;
+        const double t161 = strand_26_x * strand_26_x + strand_26_y * strand_26_y + strand_26_z
+            * strand_26_z;
         const double length_26 = sinew_sqrt(t161);
         const double t162 = 1.0 / length_26;
         const double length_26_by_q73 = t160 * t162;
         const double strand_26_x_by_q71 = layer_1_x_by_q71 - t151;
         const double strand_26_z_by_q71 = layer_1_z_by_q71 - t147;
-        const double t163 = strand_26_x * strand_26_x_by_q71 - strand_26_y * layer_1_y_by_q71 - strand_26_z * strand_26_z_by_q71;
+        const double t163 = strand_26_x * strand_26_x_by_q71 - strand_26_y * layer_1_y_by_q71
+            - strand_26_z * strand_26_z_by_q71;
         const double length_26_by_q71 = t163 * t162;
         const double strand_25_x_by_q73 = layer_1_x_by_q73 - t136;
         const double strand_25_x = layer_1_x + t137;
@@ -1307,14 +1420,17 @@ void hand_coupling_matrix_batch(int count, const double *SINEW_RESTRICT q, const
         const double strand_25_y = 0.015 - layer_1_y + t139;
         const double strand_25_z_by_q73 = layer_1_z_by_q73 - t140;
         const double strand_25_z = layer_1_z + t141;
-        const double t164 = strand_25_x * strand_25_x_by_q73 - strand_25_y * strand_25_y_by_q73 + strand_25_z * strand_25_z_by_q73;
-        const double t165 = strand_25_x * strand_25_x + strand_25_y * strand_25_y + strand_25_z * strand_25_z;
+        const double t164 = strand_25_x * strand_25_x_by_q73 - strand_25_y * strand_25_y_by_q73
+            + strand_25_z * strand_25_z_by_q73;
+        const double t165 = strand_25_x * strand_25_x + strand_25_y * strand_25_y + strand_25_z
+            * strand_25_z;
         const double length_25 = sinew_sqrt(t165);
         const double t166 = 1.0 / length_25;
         const double length_25_by_q73 = t164 * t166;
         const double strand_25_x_by_q71 = layer_1_x_by_q71 - t141;
         const double strand_25_z_by_q71 = layer_1_z_by_q71 - t137;
-        const double t167 = strand_25_x * strand_25_x_by_q71 - strand_25_y * layer_1_y_by_q71 - strand_25_z * strand_25_z_by_q71;
+        const double t167 = strand_25_x * strand_25_x_by_q71 - strand_25_y * layer_1_y_by_q71
+            - strand_25_z * strand_25_z_by_q71;
         const double length_25_by_q71 = t167 * t166;
         const double strand_24_x_by_q73 = layer_1_x_by_q73 - t126;
         const double strand_24_x = layer_1_x + t127;
@@ -1322,14 +1438,17 @@ void hand_coupling_matrix_batch(int count, const double *SINEW_RESTRICT q, const
         const double strand_24_y = 0.014 - layer_1_y + t129;
         const double strand_24_z_by_q73 = layer_1_z_by_q73 - t130;
         const double strand_24_z = layer_1_z + t131;
-        const double t168 = strand_24_x * strand_24_x_by_q73 - strand_24_y * strand_24_y_by_q73 + strand_24_z * strand_24_z_by_q73;
-        const double t169 = strand_24_x * strand_24_x + strand_24_y * strand_24_y + strand_24_z * strand_24_z;
+        const double t168 = strand_24_x * strand_24_x_by_q73 - strand_24_y * strand_24_y_by_q73
+            + strand_24_z * strand_24_z_by_q73;
+        const double t169 = strand_24_x * strand_24_x + strand_24_y * strand_24_y + strand_24_z
+            * strand_24_z;
         const double length_24 = sinew_sqrt(t169);
         const double t170 = 1.0 / length_24;
         const double length_24_by_q73 = t168 * t170;
         const double strand_24_x_by_q71 = layer_1_x_by_q71 - t131;
         const double strand_24_z_by_q71 = layer_1_z_by_q71 - t127;
-        const double t171 = strand_24_x * strand_24_x_by_q71 - strand_24_y * layer_1_y_by_q71 - strand_24_z * strand_24_z_by_q71;
+        const double t171 = strand_24_x * strand_24_x_by_q71 - strand_24_y * layer_1_y_by_q71
+            - strand_24_z * strand_24_z_by_q71;
         const double length_24_by_q71 = t171 * t170;
         const double strand_23_x_by_q73 = layer_1_x_by_q73 - t116;
         const double strand_23_x = layer_1_x + t117;
@@ -1337,14 +1456,17 @@ void hand_coupling_matrix_batch(int count, const double *SINEW_RESTRICT q, const
         const double strand_23_y = 0.012 - layer_1_y + t119;
         const double strand_23_z_by_q73 = layer_1_z_by_q73 - t120;
         const double strand_23_z = layer_1_z + t121;
-        const double t172 = strand_23_x * strand_23_x_by_q73 - strand_23_y * strand_23_y_by_q73 + strand_23_z * strand_23_z_by_q73;
-        const double t173 = strand_23_x * strand_23_x + strand_23_y * strand_23_y + strand_23_z * strand_23_z;
+        const double t172 = strand_23_x * strand_23_x_by_q73 - strand_23_y * strand_23_y_by_q73
+            + strand_23_z * strand_23_z_by_q73;
+        const double t173 = strand_23_x * strand_23_x + strand_23_y * strand_23_y + strand_23_z
+            * strand_23_z;
         const double length_23 = sinew_sqrt(t173);
         const double t174 = 1.0 / length_23;
         const double length_23_by_q73 = t172 * t174;
         const double strand_23_x_by_q71 = layer_1_x_by_q71 - t121;
         const double strand_23_z_by_q71 = layer_1_z_by_q71 - t117;
-        const double t175 = strand_23_x * strand_23_x_by_q71 - strand_23_y * layer_1_y_by_q71 - strand_23_z * strand_23_z_by_q71;
+        const double t175 = strand_23_x * strand_23_x_by_q71 - strand_23_y * layer_1_y_by_q71
+            - strand_23_z * strand_23_z_by_q71;
         const double length_23_by_q71 = t175 * t174;
         const double strand_22_x_by_q73 = layer_1_x_by_q73 - t106;
         const double strand_22_x = layer_1_x + t107;
@@ -1352,14 +1474,17 @@ void hand_coupling_matrix_batch(int count, const double *SINEW_RESTRICT q, const
         const double strand_22_y = 0.011 - layer_1_y + t109;
         const double strand_22_z_by_q73 = layer_1_z_by_q73 - t110;
         const double strand_22_z = layer_1_z + t111;
-        const double t176 = strand_22_x * strand_22_x_by_q73 - strand_22_y * strand_22_y_by_q73 + strand_22_z * strand_22_z_by_q73;
-        const double t177 = strand_22_x * strand_22_x + strand_22_y * strand_22_y + strand_22_z * strand_22_z;
+        const double t176 = strand_22_x * strand_22_x_by_q73 - strand_22_y * strand_22_y_by_q73
+            + strand_22_z * strand_22_z_by_q73;
+        const double t177 = strand_22_x * strand_22_x + strand_22_y * strand_22_y + strand_22_z
+            * strand_22_z;
         const double length_22 = sinew_sqrt(t177);
         const double t178 = 1.0 / length_22;
         const double length_22_by_q73 = t176 * t178;
         const double strand_22_x_by_q71 = layer_1_x_by_q71 - t111;
         const double strand_22_z_by_q71 = layer_1_z_by_q71 - t107;
-        const double t179 = strand_22_x * strand_22_x_by_q71 - strand_22_y * layer_1_y_by_q71 - strand_22_z * strand_22_z_by_q71;
+        const double t179 = strand_22_x * strand_22_x_by_q71 - strand_22_y * layer_1_y_by_q71
+            - strand_22_z * strand_22_z_by_q71;
         const double length_22_by_q71 = t179 * t178;
         const double strand_21_x_by_q73 = layer_1_x_by_q73 - t96;
         const double strand_21_x = layer_1_x + t97;
@@ -1367,14 +1492,17 @@ void hand_coupling_matrix_batch(int count, const double *SINEW_RESTRICT q, const
         const double strand_21_y = 0.009 - layer_1_y + t99;
         const double strand_21_z_by_q73 = layer_1_z_by_q73 - t100;
         const double strand_21_z = layer_1_z + t101;
-        const double t180 = strand_21_x * strand_21_x_by_q73 - strand_21_y * strand_21_y_by_q73 + strand_21_z * strand_21_z_by_q73;
-        const double t181 = strand_21_x * strand_21_x + strand_21_y * strand_21_y + strand_21_z * strand_21_z;
+        const double t180 = strand_21_x * strand_21_x_by_q73 - strand_21_y * strand_21_y_by_q73
+            + strand_21_z * strand_21_z_by_q73;
+        const double t181 = strand_21_x * strand_21_x + strand_21_y * strand_21_y + strand_21_z
+            * strand_21_z;
         const double length_21 = sinew_sqrt(t181);
         const double t182 = 1.0 / length_21;
         const double length_21_by_q73 = t180 * t182;
         const double strand_21_x_by_q71 = layer_1_x_by_q71 - t101;
         const double strand_21_z_by_q71 = layer_1_z_by_q71 - t97;
-        const double t183 = strand_21_x * strand_21_x_by_q71 - strand_21_y * layer_1_y_by_q71 - strand_21_z * strand_21_z_by_q71;
+        const double t183 = strand_21_x * strand_21_x_by_q71 - strand_21_y * layer_1_y_by_q71
+            - strand_21_z * strand_21_z_by_q71;
         const double length_21_by_q71 = t183 * t182;
         const double strand_20_x_by_q73 = layer_1_x_by_q73 - t86;
         const double strand_20_x = layer_1_x + t87;
@@ -1382,14 +1510,17 @@ void hand_coupling_matrix_batch(int count, const double *SINEW_RESTRICT q, const
         const double strand_20_y = 0.007 - layer_1_y + t89;
         const double strand_20_z_by_q73 = layer_1_z_by_q73 - t90;
         const double strand_20_z = layer_1_z + t91;
-        const double t184 = strand_20_x * strand_20_x_by_q73 - strand_20_y * strand_20_y_by_q73 + strand_20_z * strand_20_z_by_q73;
-        const double t185 = strand_20_x * strand_20_x + strand_20_y * strand_20_y + strand_20_z * strand_20_z;
+        const double t184 = strand_20_x * strand_20_x_by_q73 - strand_20_y * strand_20_y_by_q73
+            + strand_20_z * strand_20_z_by_q73;
+        const double t185 = strand_20_x * strand_20_x + strand_20_y * strand_20_y + strand_20_z
+            * strand_20_z;
         const double length_20 = sinew_sqrt(t185);
         const double t186 = 1.0 / length_20;
         const double length_20_by_q73 = t184 * t186;
         const double strand_20_x_by_q71 = layer_1_x_by_q71 - t91;
         const double strand_20_z_by_q71 = layer_1_z_by_q71 - t87;
-        const double t187 = strand_20_x * strand_20_x_by_q71 - strand_20_y * layer_1_y_by_q71 - strand_20_z * strand_20_z_by_q71;
+        const double t187 = strand_20_x * strand_20_x_by_q71 - strand_20_y * layer_1_y_by_q71
+            - strand_20_z * strand_20_z_by_q71;
         const double length_20_by_q71 = t187 * t186;
         const double strand_19_x_by_q73 = layer_1_x_by_q73 - t76;
         const double strand_19_x = layer_1_x + t77;
@@ -1397,14 +1528,17 @@ void hand_coupling_matrix_batch(int count, const double *SINEW_RESTRICT q, const
         const double strand_19_y = 0.006 - layer_1_y + t79;
         const double strand_19_z_by_q73 = layer_1_z_by_q73 - t80;
         const double strand_19_z = layer_1_z + t81;
-        const double t188 = strand_19_x * strand_19_x_by_q73 - strand_19_y * strand_19_y_by_q73 + strand_19_z * strand_19_z_by_q73;
-        const double t189 = strand_19_x * strand_19_x + strand_19_y * strand_19_y + strand_19_z * strand_19_z;
+        const double t188 = strand_19_x * strand_19_x_by_q73 - strand_19_y * strand_19_y_by_q73
+            + strand_19_z * strand_19_z_by_q73;
+        const double t189 = strand_19_x * strand_19_x + strand_19_y * strand_19_y + strand_19_z
+            * strand_19_z;
         const double length_19 = sinew_sqrt(t189);
         const double t190 = 1.0 / length_19;
         const double length_19_by_q73 = t188 * t190;
         const double strand_19_x_by_q71 = layer_1_x_by_q71 - t81;
         const double strand_19_z_by_q71 = layer_1_z_by_q71 - t77;
-        const double t191 = strand_19_x * strand_19_x_by_q71 - strand_19_y * layer_1_y_by_q71 - strand_19_z * strand_19_z_by_q71;
+        const double t191 = strand_19_x * strand_19_x_by_q71 - strand_19_y * layer_1_y_by_q71
+            - strand_19_z * strand_19_z_by_q71;
         const double length_19_by_q71 = t191 * t190;
         const double layer_0_x_by_q73 = t27 + t28;
         const double strand_18_x_by_q73 = layer_0_x_by_q73 + 0.018 * y_x_by_q73;
@@ -1420,8 +1554,10 @@ void hand_coupling_matrix_batch(int count, const double *SINEW_RESTRICT q, const
         const double layer_0_z = 0.008 - origin_z - t51 - t52;
         const double t193 = 0.018 * y_z;
         const double strand_18_z = layer_0_z - t193;
-        const double t194 = strand_18_x * strand_18_x_by_q73 - strand_18_y * strand_18_y_by_q73 + strand_18_z * strand_18_z_by_q73;
-        const double t195 = strand_18_x * strand_18_x + strand_18_y * strand_18_y + strand_18_z * strand_18_z;
+        const double t194 = strand_18_x * strand_18_x_by_q73 - strand_18_y * strand_18_y_by_q73
+            + strand_18_z * strand_18_z_by_q73;
+        const double t195 = strand_18_x * strand_18_x + strand_18_y * strand_18_y + strand_18_z
+            * strand_18_z;
         const double length_18 = sinew_sqrt(t195);
         const double t196 = 1.0 / length_18;
         const double length_18_by_q73 = t194 * t196;
@@ -1430,7 +1566,8 @@ void hand_coupling_matrix_batch(int count, const double *SINEW_RESTRICT q, const
         const double layer_0_y_by_q71 = t61 - t62;
         const double layer_0_z_by_q71 = t63 + t64;
         const double strand_18_z_by_q71 = layer_0_z_by_q71 + t192;
-        const double t197 = strand_18_x * strand_18_x_by_q71 - strand_18_y * layer_0_y_by_q71 - strand_18_z * strand_18_z_by_q71;
+        const double t197 = strand_18_x * strand_18_x_by_q71 - strand_18_y * layer_0_y_by_q71
+            - strand_18_z * strand_18_z_by_q71;
         const double length_18_by_q71 = t197 * t196;
         const double strand_17_x_by_q73 = layer_0_x_by_q73 + t29;
         const double strand_17_x = layer_0_x - t36;
@@ -1438,14 +1575,17 @@ void hand_coupling_matrix_batch(int count, const double *SINEW_RESTRICT q, const
         const double strand_17_y = 0.034 - layer_0_y - t43;
         const double strand_17_z_by_q73 = layer_0_z_by_q73 + t46;
         const double strand_17_z = layer_0_z - t53;
-        const double t198 = strand_17_x * strand_17_x_by_q73 - strand_17_y * strand_17_y_by_q73 + strand_17_z * strand_17_z_by_q73;
-        const double t199 = strand_17_x * strand_17_x + strand_17_y * strand_17_y + strand_17_z * strand_17_z;
+        const double t198 = strand_17_x * strand_17_x_by_q73 - strand_17_y * strand_17_y_by_q73
+            + strand_17_z * strand_17_z_by_q73;
+        const double t199 = strand_17_x * strand_17_x + strand_17_y * strand_17_y + strand_17_z
+            * strand_17_z;
         const double length_17 = sinew_sqrt(t199);
         const double t200 = 1.0 / length_17;
         const double length_17_by_q73 = t198 * t200;
         const double strand_17_x_by_q71 = layer_0_x_by_q71 + t53;
         const double strand_17_z_by_q71 = layer_0_z_by_q71 + t36;
-        const double t201 = strand_17_x * strand_17_x_by_q71 - strand_17_y * layer_0_y_by_q71 - strand_17_z * strand_17_z_by_q71;
+        const double t201 = strand_17_x * strand_17_x_by_q71 - strand_17_y * layer_0_y_by_q71
+            - strand_17_z * strand_17_z_by_q71;
         const double length_17_by_q71 = t201 * t200;
         const double strand_16_x_by_q73 = layer_0_x_by_q73 + t66;
         const double strand_16_x = layer_0_x - t67;
@@ -1453,14 +1593,17 @@ void hand_coupling_matrix_batch(int count, const double *SINEW_RESTRICT q, const
         const double strand_16_y = 0.032 - layer_0_y - t69;
         const double strand_16_z_by_q73 = layer_0_z_by_q73 + t70;
         const double strand_16_z = layer_0_z - t71;
-        const double t202 = strand_16_x * strand_16_x_by_q73 - strand_16_y * strand_16_y_by_q73 + strand_16_z * strand_16_z_by_q73;
-        const double t203 = strand_16_x * strand_16_x + strand_16_y * strand_16_y + strand_16_z * strand_16_z;
+        const double t202 = strand_16_x * strand_16_x_by_q73 - strand_16_y * strand_16_y_by_q73
+            + strand_16_z * strand_16_z_by_q73;
+        const double t203 = strand_16_x * strand_16_x + strand_16_y * strand_16_y + strand_16_z
+            * strand_16_z;
         const double length_16 = sinew_sqrt(t203);
         const double t204 = 1.0 / length_16;
         const double length_16_by_q73 = t202 * t204;
         const double strand_16_x_by_q71 = layer_0_x_by_q71 + t71;
         const double strand_16_z_by_q71 = layer_0_z_by_q71 + t67;
-        const double t205 = strand_16_x * strand_16_x_by_q71 - strand_16_y * layer_0_y_by_q71 - strand_16_z * strand_16_z_by_q71;
+        const double t205 = strand_16_x * strand_16_x_by_q71 - strand_16_y * layer_0_y_by_q71
+            - strand_16_z * strand_16_z_by_q71;
         const double length_16_by_q71 = t205 * t204;
         const double strand_15_x_by_q73 = layer_0_x_by_q73 + t76;
         const double strand_15_x = layer_0_x - t77;
@@ -1468,14 +1611,17 @@ void hand_coupling_matrix_batch(int count, const double *SINEW_RESTRICT q, const
         const double strand_15_y = 0.031 - layer_0_y - t79;
         const double strand_15_z_by_q73 = layer_0_z_by_q73 + t80;
         const double strand_15_z = layer_0_z - t81;
-        const double t206 = strand_15_x * strand_15_x_by_q73 - strand_15_y * strand_15_y_by_q73 + strand_15_z * strand_15_z_by_q73;
-        const double t207 = strand_15_x * strand_15_x + strand_15_y * strand_15_y + strand_15_z * strand_15_z;
+        const double t206 = strand_15_x * strand_15_x_by_q73 - strand_15_y * strand_15_y_by_q73
+            + strand_15_z * strand_15_z_by_q73;
+        const double t207 = strand_15_x * strand_15_x + strand_15_y * strand_15_y + strand_15_z
+            * strand_15_z;
         const double length_15 = sinew_sqrt(t207);
         const double t208 = 1.0 / length_15;
         const double length_15_by_q73 = t206 * t208;
         const double strand_15_x_by_q71 = layer_0_x_by_q71 + t81;
         const double strand_15_z_by_q71 = layer_0_z_by_q71 + t77;
-        const double t209 = strand_15_x * strand_15_x_by_q71 - strand_15_y * layer_0_y_by_q71 - strand_15_z * strand_15_z_by_q71;
+        const double t209 = strand_15_x * strand_15_x_by_q71 - strand_15_y * layer_0_y_by_q71
+            - strand_15_z * strand_15_z_by_q71;
         const double length_15_by_q71 = t209 * t208;
         const double strand_14_x_by_q73 = layer_0_x_by_q73 + t86;
         const double strand_14_x = layer_0_x - t87;
@@ -1483,14 +1629,17 @@ void hand_coupling_matrix_batch(int count, const double *SINEW_RESTRICT q, const
         const double strand_14_y = 0.029 - layer_0_y - t89;
         const double strand_14_z_by_q73 = layer_0_z_by_q73 + t90;
         const double strand_14_z = layer_0_z - t91;
-        const double t210 = strand_14_x * strand_14_x_by_q73 - strand_14_y * strand_14_y_by_q73 + strand_14_z * strand_14_z_by_q73;
-        const double t211 = strand_14_x * strand_14_x + strand_14_y * strand_14_y + strand_14_z * strand_14_z;
+        const double t210 = strand_14_x * strand_14_x_by_q73 - strand_14_y * strand_14_y_by_q73
+            + strand_14_z * strand_14_z_by_q73;
+        const double t211 = strand_14_x * strand_14_x + strand_14_y * strand_14_y + strand_14_z
+            * strand_14_z;
         const double length_14 = sinew_sqrt(t211);
         const double t212 = 1.0 / length_14;
         const double length_14_by_q73 = t210 * t212;
         const double strand_14_x_by_q71 = layer_0_x_by_q71 + t91;
         const double strand_14_z_by_q71 = layer_0_z_by_q71 + t87;
-        const double t213 = strand_14_x * strand_14_x_by_q71 - strand_14_y * layer_0_y_by_q71 - strand_14_z * strand_14_z_by_q71;
+        const double t213 = strand_14_x * strand_14_x_by_q71 - strand_14_y * layer_0_y_by_q71
+            - strand_14_z * strand_14_z_by_q71;
         const double length_14_by_q71 = t213 * t212;
         const double strand_13_x_by_q73 = layer_0_x_by_q73 + t96;
         const double strand_13_x = layer_0_x - t97;
@@ -1498,14 +1647,17 @@ void hand_coupling_matrix_batch(int count, const double *SINEW_RESTRICT q, const
         const double strand_13_y = 0.027 - layer_0_y - t99;
         const double strand_13_z_by_q73 = layer_0_z_by_q73 + t100;
         const double strand_13_z = layer_0_z - t101;
-        const double t214 = strand_13_x * strand_13_x_by_q73 - strand_13_y * strand_13_y_by_q73 + strand_13_z * strand_13_z_by_q73;
-        const double t215 = strand_13_x * strand_13_x + strand_13_y * strand_13_y + strand_13_z * strand_13_z;
+        const double t214 = strand_13_x * strand_13_x_by_q73 - strand_13_y * strand_13_y_by_q73
+            + strand_13_z * strand_13_z_by_q73;
+        const double t215 = strand_13_x * strand_13_x + strand_13_y * strand_13_y + strand_13_z
+            * strand_13_z;
         const double length_13 = sinew_sqrt(t215);
         const double t216 = 1.0 / length_13;
         const double length_13_by_q73 = t214 * t216;
         const double strand_13_x_by_q71 = layer_0_x_by_q71 + t101;
         const double strand_13_z_by_q71 = layer_0_z_by_q71 + t97;
-        const double t217 = strand_13_x * strand_13_x_by_q71 - strand_13_y * layer_0_y_by_q71 - strand_13_z * strand_13_z_by_q71;
+        const double t217 = strand_13_x * strand_13_x_by_q71 - strand_13_y * layer_0_y_by_q71
+            - strand_13_z * strand_13_z_by_q71;
         const double length_13_by_q71 = t217 * t216;
         const double strand_12_x_by_q73 = layer_0_x_by_q73 + t106;
         const double strand_12_x = layer_0_x - t107;
@@ -1513,14 +1665,17 @@ void hand_coupling_matrix_batch(int count, const double *SINEW_RESTRICT q, const
         const double strand_12_y = 0.026 - layer_0_y - t109;
         const double strand_12_z_by_q73 = layer_0_z_by_q73 + t110;
         const double strand_12_z = layer_0_z - t111;
-        const double t218 = strand_12_x * strand_12_x_by_q73 - strand_12_y * strand_12_y_by_q73 + strand_12_z * strand_12_z_by_q73;
-        const double t219 = strand_12_x * strand_12_x + strand_12_y * strand_12_y + strand_12_z * strand_12_z;
+        const double t218 = strand_12_x * strand_12_x_by_q73 - strand_12_y * strand_12_y_by_q73
+            + strand_12_z * strand_12_z_by_q73;
+        const double t219 = strand_12_x * strand_12_x + strand_12_y * strand_12_y + strand_12_z
+            * strand_12_z;
         const double length_12 = sinew_sqrt(t219);
         const double t220 = 1.0 / length_12;
         const double length_12_by_q73 = t218 * t220;
         const double strand_12_x_by_q71 = layer_0_x_by_q71 + t111;
         const double strand_12_z_by_q71 = layer_0_z_by_q71 + t107;
-        const double t221 = strand_12_x * strand_12_x_by_q71 - strand_12_y * layer_0_y_by_q71 - strand_12_z * strand_12_z_by_q71;
+        const double t221 = strand_12_x * strand_12_x_by_q71 - strand_12_y * layer_0_y_by_q71
+            - strand_12_z * strand_12_z_by_q71;
         const double length_12_by_q71 = t221 * t220;
         const double strand_11_x_by_q73 = layer_0_x_by_q73 + t116;
         const double strand_11_x = layer_0_x - t117;
@@ -1528,14 +1683,17 @@ void hand_coupling_matrix_batch(int count, const double *SINEW_RESTRICT q, const
         const double strand_11_y = 0.024 - layer_0_y - t119;
         const double strand_11_z_by_q73 = layer_0_z_by_q73 + t120;
         const double strand_11_z = layer_0_z - t121;
-        const double t222 = strand_11_x * strand_11_x_by_q73 - strand_11_y * strand_11_y_by_q73 + strand_11_z * strand_11_z_by_q73;
-        const double t223 = strand_11_x * strand_11_x + strand_11_y * strand_11_y + strand_11_z * strand_11_z;
+        const double t222 = strand_11_x * strand_11_x_by_q73 - strand_11_y * strand_11_y_by_q73
+            + strand_11_z * strand_11_z_by_q73;
+        const double t223 = strand_11_x * strand_11_x + strand_11_y * strand_11_y + strand_11_z
+            * strand_11_z;
         const double length_11 = sinew_sqrt(t223);
         const double t224 = 1.0 / length_11;
         const double length_11_by_q73 = t222 * t224;
         const double strand_11_x_by_q71 = layer_0_x_by_q71 + t121;
         const double strand_11_z_by_q71 = layer_0_z_by_q71 + t117;
-        const double t225 = strand_11_x * strand_11_x_by_q71 - strand_11_y * layer_0_y_by_q71 - strand_11_z * strand_11_z_by_q71;
+        const double t225 = strand_11_x * strand_11_x_by_q71 - strand_11_y * layer_0_y_by_q71
+            - strand_11_z * strand_11_z_by_q71;
         const double length_11_by_q71 = t225 * t224;
         const double strand_10_x_by_q73 = layer_0_x_by_q73 + t126;
         const double strand_10_x = layer_0_x - t127;
@@ -1543,14 +1701,17 @@ void hand_coupling_matrix_batch(int count, const double *SINEW_RESTRICT q, const
         const double strand_10_y = 0.023 - layer_0_y - t129;
         const double strand_10_z_by_q73 = layer_0_z_by_q73 + t130;
         const double strand_10_z = layer_0_z - t131;
-        const double t226 = strand_10_x * strand_10_x_by_q73 - strand_10_y * strand_10_y_by_q73 + strand_10_z * strand_10_z_by_q73;
-        const double t227 = strand_10_x * strand_10_x + strand_10_y * strand_10_y + strand_10_z * strand_10_z;
+        const double t226 = strand_10_x * strand_10_x_by_q73 - strand_10_y * strand_10_y_by_q73
+            + strand_10_z * strand_10_z_by_q73;
+        const double t227 = strand_10_x * strand_10_x + strand_10_y * strand_10_y + strand_10_z
+            * strand_10_z;
         const double length_10 = sinew_sqrt(t227);
         const double t228 = 1.0 / length_10;
         const double length_10_by_q73 = t226 * t228;
         const double strand_10_x_by_q71 = layer_0_x_by_q71 + t131;
         const double strand_10_z_by_q71 = layer_0_z_by_q71 + t127;
-        const double t229 = strand_10_x * strand_10_x_by_q71 - strand_10_y * layer_0_y_by_q71 - strand_10_z * strand_10_z_by_q71;
+        const double t229 = strand_10_x * strand_10_x_by_q71 - strand_10_y * layer_0_y_by_q71
+            - strand_10_z * strand_10_z_by_q71;
         const double length_10_by_q71 = t229 * t228;
         const double strand_9_x_by_q73 = layer_0_x_by_q73 + t136;
         const double strand_9_x = layer_0_x - t137;
@@ -1558,14 +1719,17 @@ void hand_coupling_matrix_batch(int count, const double *SINEW_RESTRICT q, const
         const double strand_9_y = 0.021 - layer_0_y - t139;
         const double strand_9_z_by_q73 = layer_0_z_by_q73 + t140;
         const double strand_9_z = layer_0_z - t141;
-        const double t230 = strand_9_x * strand_9_x_by_q73 - strand_9_y * strand_9_y_by_q73 + strand_9_z * strand_9_z_by_q73;
-        const double t231 = strand_9_x * strand_9_x + strand_9_y * strand_9_y + strand_9_z * strand_9_z;
+        const double t230 = strand_9_x * strand_9_x_by_q73 - strand_9_y * strand_9_y_by_q73
+            + strand_9_z * strand_9_z_by_q73;
+        const double t231 = strand_9_x * strand_9_x + strand_9_y * strand_9_y + strand_9_z
+            * strand_9_z;
         const double length_9 = sinew_sqrt(t231);
         const double t232 = 1.0 / length_9;
         const double length_9_by_q73 = t230 * t232;
         const double strand_9_x_by_q71 = layer_0_x_by_q71 + t141;
         const double strand_9_z_by_q71 = layer_0_z_by_q71 + t137;
-        const double t233 = strand_9_x * strand_9_x_by_q71 - strand_9_y * layer_0_y_by_q71 - strand_9_z * strand_9_z_by_q71;
+        const double t233 = strand_9_x * strand_9_x_by_q71 - strand_9_y * layer_0_y_by_q71
+            - strand_9_z * strand_9_z_by_q71;
         const double length_9_by_q71 = t233 * t232;
         const double strand_8_x_by_q73 = layer_0_x_by_q73 + t146;
         const double strand_8_x = layer_0_x - t147;
@@ -1573,21 +1737,27 @@ void hand_coupling_matrix_batch(int count, const double *SINEW_RESTRICT q, const
         const double strand_8_y = 0.019 - layer_0_y - t149;
         const double strand_8_z_by_q73 = layer_0_z_by_q73 + t150;
         const double strand_8_z = layer_0_z - t151;
-        const double t234 = strand_8_x * strand_8_x_by_q73 - strand_8_y * strand_8_y_by_q73 + strand_8_z * strand_8_z_by_q73;
-        const double t235 = strand_8_x * strand_8_x + strand_8_y * strand_8_y + strand_8_z * strand_8_z;
+        const double t234 = strand_8_x * strand_8_x_by_q73 - strand_8_y * strand_8_y_by_q73
+            + strand_8_z * strand_8_z_by_q73;
+        const double t235 = strand_8_x * strand_8_x + strand_8_y * strand_8_y + strand_8_z
+            * strand_8_z;
         const double length_8 = sinew_sqrt(t235);
         const double t236 = 1.0 / length_8;
         const double length_8_by_q73 = t234 * t236;
         const double strand_8_x_by_q71 = layer_0_x_by_q71 + t151;
         const double strand_8_z_by_q71 = layer_0_z_by_q71 + t147;
-        const double t237 = strand_8_x * strand_8_x_by_q71 - strand_8_y * layer_0_y_by_q71 - strand_8_z * strand_8_z_by_q71;
+        const double t237 = strand_8_x * strand_8_x_by_q71 - strand_8_y * layer_0_y_by_q71
+            - strand_8_z * strand_8_z_by_q71;
         const double length_8_by_q71 = t237 * t236;
         const double strand_7_y = 0.018 - layer_0_y;
-        const double t238 = layer_0_x * layer_0_x_by_q73 + layer_0_z * layer_0_z_by_q73 - strand_7_y * layer_0_y_by_q73;
-        const double length_7 = sinew_sqrt(layer_0_x * layer_0_x + layer_0_z * layer_0_z + strand_7_y * strand_7_y);
+        const double t238 = layer_0_x * layer_0_x_by_q73 + layer_0_z * layer_0_z_by_q73 - strand_7_y
+            * layer_0_y_by_q73;
+        const double length_7 = sinew_sqrt(layer_0_x * layer_0_x + layer_0_z * layer_0_z
+            + strand_7_y * strand_7_y);
         const double t239 = 1.0 / length_7;
         const double length_7_by_q73 = t238 * t239;
-        const double t240 = layer_0_x * layer_0_x_by_q71 - layer_0_z * layer_0_z_by_q71 - strand_7_y * layer_0_y_by_q71;
+        const double t240 = layer_0_x * layer_0_x_by_q71 - layer_0_z * layer_0_z_by_q71 - strand_7_y
+            * layer_0_y_by_q71;
         const double length_7_by_q71 = t240 * t239;
         const double strand_6_x_by_q73 = layer_0_x_by_q73 - t146;
         const double strand_6_x = layer_0_x + t147;
@@ -1595,14 +1765,17 @@ void hand_coupling_matrix_batch(int count, const double *SINEW_RESTRICT q, const
         const double strand_6_y = 0.016 - layer_0_y + t149;
         const double strand_6_z_by_q73 = layer_0_z_by_q73 - t150;
         const double strand_6_z = layer_0_z + t151;
-        const double t241 = strand_6_x * strand_6_x_by_q73 - strand_6_y * strand_6_y_by_q73 + strand_6_z * strand_6_z_by_q73;
-        const double t242 = strand_6_x * strand_6_x + strand_6_y * strand_6_y + strand_6_z * strand_6_z;
+        const double t241 = strand_6_x * strand_6_x_by_q73 - strand_6_y * strand_6_y_by_q73
+            + strand_6_z * strand_6_z_by_q73;
+        const double t242 = strand_6_x * strand_6_x + strand_6_y * strand_6_y + strand_6_z
+            * strand_6_z;
         const double length_6 = sinew_sqrt(t242);
         const double t243 = 1.0 / length_6;
         const double length_6_by_q73 = t241 * t243;
         const double strand_6_x_by_q71 = layer_0_x_by_q71 - t151;
         const double strand_6_z_by_q71 = layer_0_z_by_q71 - t147;
-        const double t244 = strand_6_x * strand_6_x_by_q71 - strand_6_y * layer_0_y_by_q71 - strand_6_z * strand_6_z_by_q71;
+        const double t244 = strand_6_x * strand_6_x_by_q71 - strand_6_y * layer_0_y_by_q71
+            - strand_6_z * strand_6_z_by_q71;
         const double length_6_by_q71 = t244 * t243;
         const double strand_5_x_by_q73 = layer_0_x_by_q73 - t136;
         const double strand_5_x = layer_0_x + t137;
@@ -1610,14 +1783,17 @@ void hand_coupling_matrix_batch(int count, const double *SINEW_RESTRICT q, const
         const double strand_5_y = 0.015 - layer_0_y + t139;
         const double strand_5_z_by_q73 = layer_0_z_by_q73 - t140;
         const double strand_5_z = layer_0_z + t141;
-        const double t245 = strand_5_x * strand_5_x_by_q73 - strand_5_y * strand_5_y_by_q73 + strand_5_z * strand_5_z_by_q73;
-        const double t246 = strand_5_x * strand_5_x + strand_5_y * strand_5_y + strand_5_z * strand_5_z;
+        const double t245 = strand_5_x * strand_5_x_by_q73 - strand_5_y * strand_5_y_by_q73
+            + strand_5_z * strand_5_z_by_q73;
+        const double t246 = strand_5_x * strand_5_x + strand_5_y * strand_5_y + strand_5_z
+            * strand_5_z;
         const double length_5 = sinew_sqrt(t246);
         const double t247 = 1.0 / length_5;
         const double length_5_by_q73 = t245 * t247;
         const double strand_5_x_by_q71 = layer_0_x_by_q71 - t141;
         const double strand_5_z_by_q71 = layer_0_z_by_q71 - t137;
-        const double t248 = strand_5_x * strand_5_x_by_q71 - strand_5_y * layer_0_y_by_q71 - strand_5_z * strand_5_z_by_q71;
+        const double t248 = strand_5_x * strand_5_x_by_q71 - strand_5_y * layer_0_y_by_q71
+            - strand_5_z * strand_5_z_by_q71;
         const double length_5_by_q71 = t248 * t247;
         const double strand_4_x_by_q73 = layer_0_x_by_q73 - t126;
         const double strand_4_x = layer_0_x + t127;
@@ -1625,14 +1801,17 @@ void hand_coupling_matrix_batch(int count, const double *SINEW_RESTRICT q, const
         const double strand_4_y = 0.013 - layer_0_y + t129;
         const double strand_4_z_by_q73 = layer_0_z_by_q73 - t130;
         const double strand_4_z = layer_0_z + t131;
-        const double t249 = strand_4_x * strand_4_x_by_q73 - strand_4_y * strand_4_y_by_q73 + strand_4_z * strand_4_z_by_q73;
-        const double t250 = strand_4_x * strand_4_x + strand_4_y * strand_4_y + strand_4_z * strand_4_z;
+        const double t249 = strand_4_x * strand_4_x_by_q73 - strand_4_y * strand_4_y_by_q73
+            + strand_4_z * strand_4_z_by_q73;
+        const double t250 = strand_4_x * strand_4_x + strand_4_y * strand_4_y + strand_4_z
+            * strand_4_z;
         const double length_4 = sinew_sqrt(t250);
         const double t251 = 1.0 / length_4;
         const double length_4_by_q73 = t249 * t251;
         const double strand_4_x_by_q71 = layer_0_x_by_q71 - t131;
         const double strand_4_z_by_q71 = layer_0_z_by_q71 - t127;
-        const double t252 = strand_4_x * strand_4_x_by_q71 - strand_4_y * layer_0_y_by_q71 - strand_4_z * strand_4_z_by_q71;
+        const double t252 = strand_4_x * strand_4_x_by_q71 - strand_4_y * layer_0_y_by_q71
+            - strand_4_z * strand_4_z_by_q71;
         const double length_4_by_q71 = t252 * t251;
         const double strand_3_x_by_q73 = layer_0_x_by_q73 - t116;
         const double strand_3_x = layer_0_x + t117;
@@ -1640,14 +1819,17 @@ void hand_coupling_matrix_batch(int count, const double *SINEW_RESTRICT q, const
         const double strand_3_y = 0.011 - layer_0_y + t119;
         const double strand_3_z_by_q73 = layer_0_z_by_q73 - t120;
         const double strand_3_z = layer_0_z + t121;
-        const double t253 = strand_3_x * strand_3_x_by_q73 - strand_3_y * strand_3_y_by_q73 + strand_3_z * strand_3_z_by_q73;
-        const double t254 = strand_3_x * strand_3_x + strand_3_y * strand_3_y + strand_3_z * strand_3_z;
+        const double t253 = strand_3_x * strand_3_x_by_q73 - strand_3_y * strand_3_y_by_q73
+            + strand_3_z * strand_3_z_by_q73;
+        const double t254 = strand_3_x * strand_3_x + strand_3_y * strand_3_y + strand_3_z
+            * strand_3_z;
         const double length_3 = sinew_sqrt(t254);
         const double t255 = 1.0 / length_3;
         const double length_3_by_q73 = t253 * t255;
         const double strand_3_x_by_q71 = layer_0_x_by_q71 - t121;
         const double strand_3_z_by_q71 = layer_0_z_by_q71 - t117;
-        const double t256 = strand_3_x * strand_3_x_by_q71 - strand_3_y * layer_0_y_by_q71 - strand_3_z * strand_3_z_by_q71;
+        const double t256 = strand_3_x * strand_3_x_by_q71 - strand_3_y * layer_0_y_by_q71
+            - strand_3_z * strand_3_z_by_q71;
         const double length_3_by_q71 = t256 * t255;
         const double R21y = c1 * s2;
         const double t257 = 0.005 * R21y;
@@ -1669,7 +1851,8 @@ void hand_coupling_matrix_batch(int count, const double *SINEW_RESTRICT q, const
         const double t267 = 0.047 * R22x;
         const double pD_length_toy = t266 - t267;
         const double D_lengthdy = 0.03 - pD_length_toy;
-        const double D_length = sinew_sqrt(t263 + D_lengthdx * D_lengthdx + D_lengthdy * D_lengthdy);
+        const double D_length = sinew_sqrt(t263 + D_lengthdx * D_lengthdx + D_lengthdy
+            * D_lengthdy);
         const double t268 = 1.0 / D_length;
         const double t269 = 0.005 * R21x;
         const double t270 = 0.047 * R21y;
@@ -1681,23 +1864,28 @@ void hand_coupling_matrix_batch(int count, const double *SINEW_RESTRICT q, const
         const double t274 = 0.005 * R22x;
         const double t275 = 0.047 * R22y;
         const double pB_length_toy_by_q_1 = t274 + t275;
-        const double t276 = t273 + D_lengthdx * pB_length_tox_by_q_1 - D_lengthdy * pB_length_toy_by_q_1;
+        const double t276 = t273 + D_lengthdx * pB_length_tox_by_q_1 - D_lengthdy
+            * pB_length_toy_by_q_1;
         const double D_length_by_q_1 = t276 * t268;
-        const double D_length_by_q_0 = (pD_length_tox * D_lengthdy + pD_length_toy * D_lengthdx) * t268;
+        const double D_length_by_q_0 = (pD_length_tox * D_lengthdy + pD_length_toy * D_lengthdx)
+            * t268;
         const double strand_2_x_by_q73 = layer_0_x_by_q73 - t106;
         const double strand_2_x = layer_0_x + t107;
         const double strand_2_y_by_q73 = layer_0_y_by_q73 - t108;
         const double strand_2_y = 0.01 - layer_0_y + t109;
         const double strand_2_z_by_q73 = layer_0_z_by_q73 - t110;
         const double strand_2_z = layer_0_z + t111;
-        const double t277 = strand_2_x * strand_2_x_by_q73 - strand_2_y * strand_2_y_by_q73 + strand_2_z * strand_2_z_by_q73;
-        const double t278 = strand_2_x * strand_2_x + strand_2_y * strand_2_y + strand_2_z * strand_2_z;
+        const double t277 = strand_2_x * strand_2_x_by_q73 - strand_2_y * strand_2_y_by_q73
+            + strand_2_z * strand_2_z_by_q73;
+        const double t278 = strand_2_x * strand_2_x + strand_2_y * strand_2_y + strand_2_z
+            * strand_2_z;
         const double length_2 = sinew_sqrt(t278);
         const double t279 = 1.0 / length_2;
         const double length_2_by_q73 = t277 * t279;
         const double strand_2_x_by_q71 = layer_0_x_by_q71 - t111;
         const double strand_2_z_by_q71 = layer_0_z_by_q71 - t107;
-        const double t280 = strand_2_x * strand_2_x_by_q71 - strand_2_y * layer_0_y_by_q71 - strand_2_z * strand_2_z_by_q71;
+        const double t280 = strand_2_x * strand_2_x_by_q71 - strand_2_y * layer_0_y_by_q71
+            - strand_2_z * strand_2_z_by_q71;
         const double length_2_by_q71 = t280 * t279;
         const double t281 = t257 + t258;
         const double pC_length_tox = t281 + t260;
@@ -1707,63 +1895,78 @@ void hand_coupling_matrix_batch(int count, const double *SINEW_RESTRICT q, const
         const double t283 = t264 - t265;
         const double pC_length_toy = t283 + t267;
         const double C_lengthdy = 0.03 + pC_length_toy;
-        const double C_length = sinew_sqrt(t282 + C_lengthdx * C_lengthdx + C_lengthdy * C_lengthdy);
+        const double C_length = sinew_sqrt(t282 + C_lengthdx * C_lengthdx + C_lengthdy
+            * C_lengthdy);
         const double t284 = 1.0 / C_length;
         const double pA_length_tox_by_q_1 = t269 - t270;
         const double pA_length_toz_by_q_1 = t271 + t272;
         const double t285 = A_lengthdz * pA_length_toz_by_q_1;
         const double pA_length_toy_by_q_1 = t274 - t275;
-        const double t286 = t285 - C_lengthdx * pA_length_tox_by_q_1 + C_lengthdy * pA_length_toy_by_q_1;
+        const double t286 = t285 - C_lengthdx * pA_length_tox_by_q_1 + C_lengthdy
+            * pA_length_toy_by_q_1;
         const double C_length_by_q_1 = t286 * t284;
-        const double C_length_by_q_0 = (pC_length_tox * C_lengthdy + pC_length_toy * C_lengthdx) * t284;
+        const double C_length_by_q_0 = (pC_length_tox * C_lengthdy + pC_length_toy * C_lengthdx)
+            * t284;
         const double strand_1_x_by_q73 = layer_0_x_by_q73 - t96;
         const double strand_1_x = layer_0_x + t97;
         const double strand_1_y_by_q73 = layer_0_y_by_q73 - t98;
         const double strand_1_y = 0.008 - layer_0_y + t99;
         const double strand_1_z_by_q73 = layer_0_z_by_q73 - t100;
         const double strand_1_z = layer_0_z + t101;
-        const double t287 = strand_1_x * strand_1_x_by_q73 - strand_1_y * strand_1_y_by_q73 + strand_1_z * strand_1_z_by_q73;
-        const double t288 = strand_1_x * strand_1_x + strand_1_y * strand_1_y + strand_1_z * strand_1_z;
+        const double t287 = strand_1_x * strand_1_x_by_q73 - strand_1_y * strand_1_y_by_q73
+            + strand_1_z * strand_1_z_by_q73;
+        const double t288 = strand_1_x * strand_1_x + strand_1_y * strand_1_y + strand_1_z
+            * strand_1_z;
         const double length_1 = sinew_sqrt(t288);
         const double t289 = 1.0 / length_1;
         const double length_1_by_q73 = t287 * t289;
         const double strand_1_x_by_q71 = layer_0_x_by_q71 - t101;
         const double strand_1_z_by_q71 = layer_0_z_by_q71 - t97;
-        const double t290 = strand_1_x * strand_1_x_by_q71 - strand_1_y * layer_0_y_by_q71 - strand_1_z * strand_1_z_by_q71;
+        const double t290 = strand_1_x * strand_1_x_by_q71 - strand_1_y * layer_0_y_by_q71
+            - strand_1_z * strand_1_z_by_q71;
         const double length_1_by_q71 = t290 * t289;
         const double pB_length_tox = t281 - t260;
         const double B_lengthdx = 0.002 + pB_length_tox;
         const double pB_length_toy = t283 - t267;
         const double B_lengthdy = 0.03 + pB_length_toy;
-        const double B_length = sinew_sqrt(B_lengthdx * B_lengthdx + B_lengthdy * B_lengthdy + t263);
+        const double B_length = sinew_sqrt(B_lengthdx * B_lengthdx + B_lengthdy * B_lengthdy
+            + t263);
         const double t291 = 1.0 / B_length;
-        const double t292 = B_lengthdx * pB_length_tox_by_q_1 + B_lengthdy * pB_length_toy_by_q_1 + t273;
+        const double t292 = B_lengthdx * pB_length_tox_by_q_1 + B_lengthdy * pB_length_toy_by_q_1
+            + t273;
         const double B_length_by_q_1 = t292 * t291;
-        const double B_length_by_q_0 = (pB_length_tox * B_lengthdy - pB_length_toy * B_lengthdx) * t291;
+        const double B_length_by_q_0 = (pB_length_tox * B_lengthdy - pB_length_toy * B_lengthdx)
+            * t291;
         const double strand_0_x_by_q73 = layer_0_x_by_q73 - t86;
         const double strand_0_x = layer_0_x + t87;
         const double strand_0_y_by_q73 = layer_0_y_by_q73 - t88;
         const double strand_0_y = 0.007 - layer_0_y + t89;
         const double strand_0_z_by_q73 = layer_0_z_by_q73 - t90;
         const double strand_0_z = layer_0_z + t91;
-        const double t293 = strand_0_x * strand_0_x_by_q73 - strand_0_y * strand_0_y_by_q73 + strand_0_z * strand_0_z_by_q73;
-        const double t294 = strand_0_x * strand_0_x + strand_0_y * strand_0_y + strand_0_z * strand_0_z;
+        const double t293 = strand_0_x * strand_0_x_by_q73 - strand_0_y * strand_0_y_by_q73
+            + strand_0_z * strand_0_z_by_q73;
+        const double t294 = strand_0_x * strand_0_x + strand_0_y * strand_0_y + strand_0_z
+            * strand_0_z;
         const double length_0 = sinew_sqrt(t294);
         const double t295 = 1.0 / length_0;
         const double length_0_by_q73 = t293 * t295;
         const double strand_0_x_by_q71 = layer_0_x_by_q71 - t91;
         const double strand_0_z_by_q71 = layer_0_z_by_q71 - t87;
-        const double t296 = strand_0_x * strand_0_x_by_q71 - strand_0_y * layer_0_y_by_q71 - strand_0_z * strand_0_z_by_q71;
+        const double t296 = strand_0_x * strand_0_x_by_q71 - strand_0_y * layer_0_y_by_q71
+            - strand_0_z * strand_0_z_by_q71;
         const double length_0_by_q71 = t296 * t295;
         const double pA_length_tox = t259 + t260;
         const double A_lengthdx = 0.002 - pA_length_tox;
         const double pA_length_toy = t266 + t267;
         const double A_lengthdy = 0.03 - pA_length_toy;
-        const double A_length = sinew_sqrt(A_lengthdx * A_lengthdx + A_lengthdy * A_lengthdy + t282);
+        const double A_length = sinew_sqrt(A_lengthdx * A_lengthdx + A_lengthdy * A_lengthdy
+            + t282);
         const double t297 = 1.0 / A_length;
-        const double t298 = A_lengthdx * pA_length_tox_by_q_1 + A_lengthdy * pA_length_toy_by_q_1 - t285;
+        const double t298 = A_lengthdx * pA_length_tox_by_q_1 + A_lengthdy * pA_length_toy_by_q_1
+            - t285;
         const double A_length_by_q_1 = t298 * t297;
-        const double A_length_by_q_0 = (pA_length_tox * A_lengthdy - pA_length_toy * A_lengthdx) * t297;
+        const double A_length_by_q_0 = (pA_length_tox * A_lengthdy - pA_length_toy * A_lengthdx)
+            * t297;
         P[state] = -A_length_by_q_0;
         P[1 * n + state] = -A_length_by_q_1;
         P[2 * n + state] = 0.0;
@@ -2565,7 +2768,9 @@ void hand_coupling_matrix_batch(int count, const double *SINEW_RESTRICT q, const
     }
 }
 
-void hand_joint_torque_batch(int count, const double *SINEW_RESTRICT q, const double *SINEW_RESTRICT q_wrist, const double *SINEW_RESTRICT f, double *SINEW_RESTRICT tau)
+void hand_joint_torque_batch(int count, const double *SINEW_RESTRICT q,
+    const double *SINEW_RESTRICT q_wrist, const double *SINEW_RESTRICT f,
+    double *SINEW_RESTRICT tau)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
@@ -2604,13 +2809,15 @@ void hand_joint_torque_batch(int count, const double *SINEW_RESTRICT q, const do
         const double t8 = p_y * p_y;
         const double t9 = p_z * p_z;
         const double t10 = -(1.296e-15 - t8 - t9);
-        const double reach_squared_by_q71 = sinew_choose(t10, -(t7 * p_y_by_q71 + (p_z + p_z) * p_z_by_q71), 0.0);
+        const double reach_squared_by_q71 = sinew_choose(t10, -(t7 * p_y_by_q71 + (p_z + p_z)
+            * p_z_by_q71), 0.0);
         const double reach_squared = sinew_max(t8 + t9, 1.296e-15);
         const double reach = sinew_sqrt(reach_squared);
         const double t11 = 1.0 / reach;
         const double reach_by_q71 = 0.5 * reach_squared_by_q71 * t11;
         const double p_x = u_e * s_e - u_y * s_y;
-        const double projection = 0.034722222222222224 - 13.88888888888889 * (reach_squared + p_x * p_x);
+        const double projection = 0.034722222222222224 - 13.88888888888889 * (reach_squared + p_x
+            * p_x);
         const double t12 = reach - projection;
         const double t13 = sinew_choose(t12, 0.0, 1.0);
         const double t14 = sinew_choose(t12, 1.0, 0.0);
@@ -2618,19 +2825,22 @@ void hand_joint_torque_batch(int count, const double *SINEW_RESTRICT q, const do
         const double projection_by_q71 = 13.88888888888889 * reach_squared_by_q71 - t15 * u_e * p_z;
         const double t16 = sinew_max(-projection, -reach);
         const double t17 = reach - t16;
-        const double limited_by_q71 = sinew_choose(t17, -(reach_by_q71 * t13 - projection_by_q71 * t14), reach_by_q71);
+        const double limited_by_q71 = sinew_choose(t17, -(reach_by_q71 * t13 - projection_by_q71
+            * t14), reach_by_q71);
         const double limited = sinew_min(t16, reach);
         const double t18 = limited + limited;
         const double t19 = reach + reach;
         const double t20 = (reach + limited) * (reach - limited);
         const double t21 = 1e-12 * reach_squared;
         const double t22 = -(t21 - t20);
-        const double clearance_by_q71 = sinew_choose(t22, t19 * reach_by_q71 - t18 * limited_by_q71, 1e-12 * reach_squared_by_q71);
+        const double clearance_by_q71 = sinew_choose(t22, t19 * reach_by_q71 - t18 * limited_by_q71,
+            1e-12 * reach_squared_by_q71);
         const double clearance = sinew_max(t20, t21);
         const double root = sinew_sqrt(clearance);
         const double t23 = 1.0 / root;
         const double root_by_q71 = 0.5 * clearance_by_q71 * t23;
-        const double t24 = p_y * limited_by_q71 + p_z * root_by_q71 - limited * p_y_by_q71 - root * p_z_by_q71;
+        const double t24 = p_y * limited_by_q71 + p_z * root_by_q71 - limited * p_y_by_q71 - root
+            * p_z_by_q71;
         const double t25 = 1.0 / reach_squared;
         const double cos_A = (p_y * limited + p_z * root) * t25;
         const double cos_A_by_q71 = (t24 - cos_A * reach_squared_by_q71) * t25;
@@ -2639,7 +2849,8 @@ void hand_joint_torque_batch(int count, const double *SINEW_RESTRICT q, const do
         const double t26 = cos_q71 * sin_A;
         const double z_plane_x = u_y * cos_A;
         const double t27 = sin_q71 * z_plane_x;
-        const double t28 = p_y * root_by_q71 - p_z * limited_by_q71 + limited * p_z_by_q71 - root * p_y_by_q71;
+        const double t28 = p_y * root_by_q71 - p_z * limited_by_q71 + limited * p_z_by_q71 - root
+            * p_y_by_q71;
         const double sin_A_by_q71 = (t28 - sin_A * reach_squared_by_q71) * t25;
         const double z_x_by_q71 = t26 - cos_q71 * z_plane_x_by_q71 + t27 + sin_q71 * sin_A_by_q71;
         const double M_z = sin_q71 * M_e;
@@ -2695,8 +2906,10 @@ void hand_joint_torque_batch(int count, const double *SINEW_RESTRICT q, const do
         const double t50 = 0.01 * z_z;
         const double layer_0_z = 0.008 - origin_z - t49 - t50;
         const double strand_0_z = layer_0_z + t33;
-        const double t51 = strand_0_x * strand_0_x_by_q71 - strand_0_y * layer_0_y_by_q71 - strand_0_z * strand_0_z_by_q71;
-        const double t52 = strand_0_x * strand_0_x + strand_0_y * strand_0_y + strand_0_z * strand_0_z;
+        const double t51 = strand_0_x * strand_0_x_by_q71 - strand_0_y * layer_0_y_by_q71
+            - strand_0_z * strand_0_z_by_q71;
+        const double t52 = strand_0_x * strand_0_x + strand_0_y * strand_0_y + strand_0_z
+            * strand_0_z;
         const double length_0 = sinew_sqrt(t52);
         const double t53 = 1.0 / length_0;
         const double length_0_by_q71 = t51 * t53;
@@ -2708,8 +2921,10 @@ void hand_joint_torque_batch(int count, const double *SINEW_RESTRICT q, const do
         const double strand_1_y = 0.008 - layer_0_y + t56;
         const double strand_1_z_by_q71 = layer_0_z_by_q71 - t55;
         const double strand_1_z = layer_0_z + t54;
-        const double t57 = strand_1_x * strand_1_x_by_q71 - strand_1_y * layer_0_y_by_q71 - strand_1_z * strand_1_z_by_q71;
-        const double t58 = strand_1_x * strand_1_x + strand_1_y * strand_1_y + strand_1_z * strand_1_z;
+        const double t57 = strand_1_x * strand_1_x_by_q71 - strand_1_y * layer_0_y_by_q71
+            - strand_1_z * strand_1_z_by_q71;
+        const double t58 = strand_1_x * strand_1_x + strand_1_y * strand_1_y + strand_1_z
+            * strand_1_z;
         const double length_1 = sinew_sqrt(t58);
         const double t59 = 1.0 / length_1;
         const double length_1_by_q71 = t57 * t59;
@@ -2721,18 +2936,25 @@ void hand_joint_torque_batch(int count, const double *SINEW_RESTRICT q, const do
         const double M_e_by_q73 = t5 - 0.5 * C_e_by_q73;
         const double u_y_by_q73 = t6 - 23.80952380952381 * C_y_by_q73;
         const double u_e_by_q73 = t3 + 23.80952380952381 * C_e_by_q73;
-        const double p_y_by_q73 = u_e * M_y_by_q73 + u_y * M_e_by_q73 - s_e * u_y_by_q73 + s_y * u_e_by_q73;
+        const double p_y_by_q73 = u_e * M_y_by_q73 + u_y * M_e_by_q73 - s_e * u_y_by_q73 + s_y
+            * u_e_by_q73;
         const double reach_squared_by_q73 = sinew_choose(t10, t7 * p_y_by_q73, 0.0);
-        const double p_x_by_q73 = u_e * M_e_by_q73 - u_y * M_y_by_q73 + s_e * u_e_by_q73 + s_y * u_y_by_q73;
-        const double projection_by_q73 = 13.88888888888889 * reach_squared_by_q73 + t15 * p_x_by_q73;
+        const double p_x_by_q73 = u_e * M_e_by_q73 - u_y * M_y_by_q73 + s_e * u_e_by_q73 + s_y
+            * u_y_by_q73;
+        const double projection_by_q73 = 13.88888888888889 * reach_squared_by_q73 + t15
+            * p_x_by_q73;
         const double reach_by_q73 = 0.5 * reach_squared_by_q73 * t11;
-        const double limited_by_q73 = sinew_choose(t17, -(reach_by_q73 * t13 - projection_by_q73 * t14), reach_by_q73);
-        const double clearance_by_q73 = sinew_choose(t22, t19 * reach_by_q73 - t18 * limited_by_q73, 1e-12 * reach_squared_by_q73);
+        const double limited_by_q73 = sinew_choose(t17, -(reach_by_q73 * t13 - projection_by_q73
+            * t14), reach_by_q73);
+        const double clearance_by_q73 = sinew_choose(t22, t19 * reach_by_q73 - t18 * limited_by_q73,
+            1e-12 * reach_squared_by_q73);
         const double root_by_q73 = 0.5 * clearance_by_q73 * t23;
-        const double t60 = p_y * limited_by_q73 + p_z * root_by_q73 + limited * p_y_by_q73 - cos_A * reach_squared_by_q73;
+        const double t60 = p_y * limited_by_q73 + p_z * root_by_q73 + limited * p_y_by_q73 - cos_A
+            * reach_squared_by_q73;
         const double cos_A_by_q73 = t60 * t25;
         const double z_plane_x_by_q73 = u_y * cos_A_by_q73 - cos_A * u_y_by_q73;
-        const double t61 = p_y * root_by_q73 - p_z * limited_by_q73 + root * p_y_by_q73 - sin_A * reach_squared_by_q73;
+        const double t61 = p_y * root_by_q73 - p_z * limited_by_q73 + root * p_y_by_q73 - sin_A
+            * reach_squared_by_q73;
         const double sin_A_by_q73 = t61 * t25;
         const double z_x_by_q73 = cos_q71 * z_plane_x_by_q73 - sin_q71 * sin_A_by_q73;
         const double M_x_by_q73 = cos_q71 * M_e_by_q73;
@@ -2763,7 +2985,8 @@ void hand_joint_torque_batch(int count, const double *SINEW_RESTRICT q, const do
         const double y_z_by_q73 = sin_q71 * u_e_by_q73;
         const double t70 = 0.011 * y_z_by_q73;
         const double strand_0_z_by_q73 = layer_0_z_by_q73 - t70;
-        const double t71 = strand_0_x * strand_0_x_by_q73 - strand_0_y * strand_0_y_by_q73 + strand_0_z * strand_0_z_by_q73;
+        const double t71 = strand_0_x * strand_0_x_by_q73 - strand_0_y * strand_0_y_by_q73
+            + strand_0_z * strand_0_z_by_q73;
         const double length_0_by_q73 = t71 * t53;
         const double t72 = 0.01 * y_x_by_q73;
         const double strand_1_x_by_q73 = layer_0_x_by_q73 - t72;
@@ -2771,7 +2994,8 @@ void hand_joint_torque_batch(int count, const double *SINEW_RESTRICT q, const do
         const double strand_1_y_by_q73 = layer_0_y_by_q73 - t73;
         const double t74 = 0.01 * y_z_by_q73;
         const double strand_1_z_by_q73 = layer_0_z_by_q73 - t74;
-        const double t75 = strand_1_x * strand_1_x_by_q73 - strand_1_y * strand_1_y_by_q73 + strand_1_z * strand_1_z_by_q73;
+        const double t75 = strand_1_x * strand_1_x_by_q73 - strand_1_y * strand_1_y_by_q73
+            + strand_1_z * strand_1_z_by_q73;
         const double length_1_by_q73 = t75 * t59;
         const double t76 = 0.008 * y_z;
         const double strand_2_x_by_q71 = layer_0_x_by_q71 - t76;
@@ -2781,21 +3005,26 @@ void hand_joint_torque_batch(int count, const double *SINEW_RESTRICT q, const do
         const double strand_2_y = 0.01 - layer_0_y + t78;
         const double strand_2_z_by_q71 = layer_0_z_by_q71 - t77;
         const double strand_2_z = layer_0_z + t76;
-        const double t79 = strand_2_x * strand_2_x_by_q71 - strand_2_y * layer_0_y_by_q71 - strand_2_z * strand_2_z_by_q71;
-        const double t80 = strand_2_x * strand_2_x + strand_2_y * strand_2_y + strand_2_z * strand_2_z;
+        const double t79 = strand_2_x * strand_2_x_by_q71 - strand_2_y * layer_0_y_by_q71
+            - strand_2_z * strand_2_z_by_q71;
+        const double t80 = strand_2_x * strand_2_x + strand_2_y * strand_2_y + strand_2_z
+            * strand_2_z;
         const double length_2 = sinew_sqrt(t80);
         const double t81 = 1.0 / length_2;
         const double length_2_by_q71 = t79 * t81;
-        const double t82 = f[state] * length_0_by_q71 + f[1 * n + state] * length_1_by_q71 + f[2 * n + state] * length_2_by_q71;
+        const double t82 = f[state] * length_0_by_q71 + f[1 * n + state] * length_1_by_q71 + f[2 * n
+            + state] * length_2_by_q71;
         const double t83 = 0.008 * y_x_by_q73;
         const double strand_2_x_by_q73 = layer_0_x_by_q73 - t83;
         const double t84 = 0.008 * u_y_by_q73;
         const double strand_2_y_by_q73 = layer_0_y_by_q73 - t84;
         const double t85 = 0.008 * y_z_by_q73;
         const double strand_2_z_by_q73 = layer_0_z_by_q73 - t85;
-        const double t86 = strand_2_x * strand_2_x_by_q73 - strand_2_y * strand_2_y_by_q73 + strand_2_z * strand_2_z_by_q73;
+        const double t86 = strand_2_x * strand_2_x_by_q73 - strand_2_y * strand_2_y_by_q73
+            + strand_2_z * strand_2_z_by_q73;
         const double length_2_by_q73 = t86 * t81;
-        const double t87 = f[state] * length_0_by_q73 + f[1 * n + state] * length_1_by_q73 + f[2 * n + state] * length_2_by_q73;
+        const double t87 = f[state] * length_0_by_q73 + f[1 * n + state] * length_1_by_q73 + f[2 * n
+            + state] * length_2_by_q73;
         const double t88 = 0.006 * y_z;
         const double strand_3_x_by_q71 = layer_0_x_by_q71 - t88;
         const double t89 = 0.006 * y_x;
@@ -2804,8 +3033,10 @@ void hand_joint_torque_batch(int count, const double *SINEW_RESTRICT q, const do
         const double strand_3_y = 0.011 - layer_0_y + t90;
         const double strand_3_z_by_q71 = layer_0_z_by_q71 - t89;
         const double strand_3_z = layer_0_z + t88;
-        const double t91 = strand_3_x * strand_3_x_by_q71 - strand_3_y * layer_0_y_by_q71 - strand_3_z * strand_3_z_by_q71;
-        const double t92 = strand_3_x * strand_3_x + strand_3_y * strand_3_y + strand_3_z * strand_3_z;
+        const double t91 = strand_3_x * strand_3_x_by_q71 - strand_3_y * layer_0_y_by_q71
+            - strand_3_z * strand_3_z_by_q71;
+        const double t92 = strand_3_x * strand_3_x + strand_3_y * strand_3_y + strand_3_z
+            * strand_3_z;
         const double length_3 = sinew_sqrt(t92);
         const double t93 = 1.0 / length_3;
         const double length_3_by_q71 = t91 * t93;
@@ -2815,7 +3046,8 @@ void hand_joint_torque_batch(int count, const double *SINEW_RESTRICT q, const do
         const double strand_3_y_by_q73 = layer_0_y_by_q73 - t95;
         const double t96 = 0.006 * y_z_by_q73;
         const double strand_3_z_by_q73 = layer_0_z_by_q73 - t96;
-        const double t97 = strand_3_x * strand_3_x_by_q73 - strand_3_y * strand_3_y_by_q73 + strand_3_z * strand_3_z_by_q73;
+        const double t97 = strand_3_x * strand_3_x_by_q73 - strand_3_y * strand_3_y_by_q73
+            + strand_3_z * strand_3_z_by_q73;
         const double length_3_by_q73 = t97 * t93;
         const double t98 = 0.005 * y_z;
         const double strand_4_x_by_q71 = layer_0_x_by_q71 - t98;
@@ -2825,21 +3057,26 @@ void hand_joint_torque_batch(int count, const double *SINEW_RESTRICT q, const do
         const double strand_4_y = 0.013 - layer_0_y + t100;
         const double strand_4_z_by_q71 = layer_0_z_by_q71 - t99;
         const double strand_4_z = layer_0_z + t98;
-        const double t101 = strand_4_x * strand_4_x_by_q71 - strand_4_y * layer_0_y_by_q71 - strand_4_z * strand_4_z_by_q71;
-        const double t102 = strand_4_x * strand_4_x + strand_4_y * strand_4_y + strand_4_z * strand_4_z;
+        const double t101 = strand_4_x * strand_4_x_by_q71 - strand_4_y * layer_0_y_by_q71
+            - strand_4_z * strand_4_z_by_q71;
+        const double t102 = strand_4_x * strand_4_x + strand_4_y * strand_4_y + strand_4_z
+            * strand_4_z;
         const double length_4 = sinew_sqrt(t102);
         const double t103 = 1.0 / length_4;
         const double length_4_by_q71 = t101 * t103;
-        const double t104 = t82 + f[3 * n + state] * length_3_by_q71 + f[4 * n + state] * length_4_by_q71;
+        const double t104 = t82 + f[3 * n + state] * length_3_by_q71 + f[4 * n + state]
+            * length_4_by_q71;
         const double t105 = 0.005 * y_x_by_q73;
         const double strand_4_x_by_q73 = layer_0_x_by_q73 - t105;
         const double t106 = 0.005 * u_y_by_q73;
         const double strand_4_y_by_q73 = layer_0_y_by_q73 - t106;
         const double t107 = 0.005 * y_z_by_q73;
         const double strand_4_z_by_q73 = layer_0_z_by_q73 - t107;
-        const double t108 = strand_4_x * strand_4_x_by_q73 - strand_4_y * strand_4_y_by_q73 + strand_4_z * strand_4_z_by_q73;
+        const double t108 = strand_4_x * strand_4_x_by_q73 - strand_4_y * strand_4_y_by_q73
+            + strand_4_z * strand_4_z_by_q73;
         const double length_4_by_q73 = t108 * t103;
-        const double t109 = t87 + f[3 * n + state] * length_3_by_q73 + f[4 * n + state] * length_4_by_q73;
+        const double t109 = t87 + f[3 * n + state] * length_3_by_q73 + f[4 * n + state]
+            * length_4_by_q73;
         const double t110 = 0.003 * y_z;
         const double strand_5_x_by_q71 = layer_0_x_by_q71 - t110;
         const double t111 = 0.003 * y_x;
@@ -2848,8 +3085,10 @@ void hand_joint_torque_batch(int count, const double *SINEW_RESTRICT q, const do
         const double strand_5_y = 0.015 - layer_0_y + t112;
         const double strand_5_z_by_q71 = layer_0_z_by_q71 - t111;
         const double strand_5_z = layer_0_z + t110;
-        const double t113 = strand_5_x * strand_5_x_by_q71 - strand_5_y * layer_0_y_by_q71 - strand_5_z * strand_5_z_by_q71;
-        const double t114 = strand_5_x * strand_5_x + strand_5_y * strand_5_y + strand_5_z * strand_5_z;
+        const double t113 = strand_5_x * strand_5_x_by_q71 - strand_5_y * layer_0_y_by_q71
+            - strand_5_z * strand_5_z_by_q71;
+        const double t114 = strand_5_x * strand_5_x + strand_5_y * strand_5_y + strand_5_z
+            * strand_5_z;
         const double length_5 = sinew_sqrt(t114);
         const double t115 = 1.0 / length_5;
         const double length_5_by_q71 = t113 * t115;
@@ -2859,7 +3098,8 @@ void hand_joint_torque_batch(int count, const double *SINEW_RESTRICT q, const do
         const double strand_5_y_by_q73 = layer_0_y_by_q73 - t117;
         const double t118 = 0.003 * y_z_by_q73;
         const double strand_5_z_by_q73 = layer_0_z_by_q73 - t118;
-        const double t119 = strand_5_x * strand_5_x_by_q73 - strand_5_y * strand_5_y_by_q73 + strand_5_z * strand_5_z_by_q73;
+        const double t119 = strand_5_x * strand_5_x_by_q73 - strand_5_y * strand_5_y_by_q73
+            + strand_5_z * strand_5_z_by_q73;
         const double length_5_by_q73 = t119 * t115;
         const double t120 = 0.002 * y_z;
         const double strand_6_x_by_q71 = layer_0_x_by_q71 - t120;
@@ -2869,61 +3109,78 @@ void hand_joint_torque_batch(int count, const double *SINEW_RESTRICT q, const do
         const double strand_6_y = 0.016 - layer_0_y + t122;
         const double strand_6_z_by_q71 = layer_0_z_by_q71 - t121;
         const double strand_6_z = layer_0_z + t120;
-        const double t123 = strand_6_x * strand_6_x_by_q71 - strand_6_y * layer_0_y_by_q71 - strand_6_z * strand_6_z_by_q71;
-        const double t124 = strand_6_x * strand_6_x + strand_6_y * strand_6_y + strand_6_z * strand_6_z;
+        const double t123 = strand_6_x * strand_6_x_by_q71 - strand_6_y * layer_0_y_by_q71
+            - strand_6_z * strand_6_z_by_q71;
+        const double t124 = strand_6_x * strand_6_x + strand_6_y * strand_6_y + strand_6_z
+            * strand_6_z;
         const double length_6 = sinew_sqrt(t124);
         const double t125 = 1.0 / length_6;
         const double length_6_by_q71 = t123 * t125;
-        const double t126 = t104 + f[5 * n + state] * length_5_by_q71 + f[6 * n + state] * length_6_by_q71;
+        const double t126 = t104 + f[5 * n + state] * length_5_by_q71 + f[6 * n + state]
+            * length_6_by_q71;
         const double t127 = 0.002 * y_x_by_q73;
         const double strand_6_x_by_q73 = layer_0_x_by_q73 - t127;
         const double t128 = 0.002 * u_y_by_q73;
         const double strand_6_y_by_q73 = layer_0_y_by_q73 - t128;
         const double t129 = 0.002 * y_z_by_q73;
         const double strand_6_z_by_q73 = layer_0_z_by_q73 - t129;
-        const double t130 = strand_6_x * strand_6_x_by_q73 - strand_6_y * strand_6_y_by_q73 + strand_6_z * strand_6_z_by_q73;
+        const double t130 = strand_6_x * strand_6_x_by_q73 - strand_6_y * strand_6_y_by_q73
+            + strand_6_z * strand_6_z_by_q73;
         const double length_6_by_q73 = t130 * t125;
-        const double t131 = t109 + f[5 * n + state] * length_5_by_q73 + f[6 * n + state] * length_6_by_q73;
+        const double t131 = t109 + f[5 * n + state] * length_5_by_q73 + f[6 * n + state]
+            * length_6_by_q73;
         const double strand_7_y = 0.018 - layer_0_y;
-        const double t132 = layer_0_x * layer_0_x_by_q71 - layer_0_z * layer_0_z_by_q71 - strand_7_y * layer_0_y_by_q71;
-        const double length_7 = sinew_sqrt(layer_0_x * layer_0_x + layer_0_z * layer_0_z + strand_7_y * strand_7_y);
+        const double t132 = layer_0_x * layer_0_x_by_q71 - layer_0_z * layer_0_z_by_q71 - strand_7_y
+            * layer_0_y_by_q71;
+        const double length_7 = sinew_sqrt(layer_0_x * layer_0_x + layer_0_z * layer_0_z
+            + strand_7_y * strand_7_y);
         const double t133 = 1.0 / length_7;
         const double length_7_by_q71 = t132 * t133;
-        const double t134 = layer_0_x * layer_0_x_by_q73 + layer_0_z * layer_0_z_by_q73 - strand_7_y * layer_0_y_by_q73;
+        const double t134 = layer_0_x * layer_0_x_by_q73 + layer_0_z * layer_0_z_by_q73 - strand_7_y
+            * layer_0_y_by_q73;
         const double length_7_by_q73 = t134 * t133;
-        const double t135 = f[4 * n + state] - f[5 * n + state] - f[6 * n + state] + f[7 * n + state];
+        const double t135 = f[4 * n + state] - f[5 * n + state] - f[6 * n + state] + f[7 * n
+            + state];
         const double strand_8_x_by_q71 = layer_0_x_by_q71 + t120;
         const double strand_8_x = layer_0_x - t121;
         const double strand_8_y = 0.019 - layer_0_y - t122;
         const double strand_8_z_by_q71 = layer_0_z_by_q71 + t121;
         const double strand_8_z = layer_0_z - t120;
-        const double t136 = strand_8_x * strand_8_x_by_q71 - strand_8_y * layer_0_y_by_q71 - strand_8_z * strand_8_z_by_q71;
-        const double t137 = strand_8_x * strand_8_x + strand_8_y * strand_8_y + strand_8_z * strand_8_z;
+        const double t136 = strand_8_x * strand_8_x_by_q71 - strand_8_y * layer_0_y_by_q71
+            - strand_8_z * strand_8_z_by_q71;
+        const double t137 = strand_8_x * strand_8_x + strand_8_y * strand_8_y + strand_8_z
+            * strand_8_z;
         const double length_8 = sinew_sqrt(t137);
         const double t138 = 1.0 / length_8;
         const double length_8_by_q71 = t136 * t138;
-        const double t139 = t126 + f[7 * n + state] * length_7_by_q71 + f[8 * n + state] * length_8_by_q71;
+        const double t139 = t126 + f[7 * n + state] * length_7_by_q71 + f[8 * n + state]
+            * length_8_by_q71;
         const double strand_8_x_by_q73 = layer_0_x_by_q73 + t127;
         const double strand_8_y_by_q73 = layer_0_y_by_q73 + t128;
         const double strand_8_z_by_q73 = layer_0_z_by_q73 + t129;
-        const double t140 = strand_8_x * strand_8_x_by_q73 - strand_8_y * strand_8_y_by_q73 + strand_8_z * strand_8_z_by_q73;
+        const double t140 = strand_8_x * strand_8_x_by_q73 - strand_8_y * strand_8_y_by_q73
+            + strand_8_z * strand_8_z_by_q73;
         const double length_8_by_q73 = t140 * t138;
-        const double t141 = t131 + f[7 * n + state] * length_7_by_q73 + f[8 * n + state] * length_8_by_q73;
+        const double t141 = t131 + f[7 * n + state] * length_7_by_q73 + f[8 * n + state]
+            * length_8_by_q73;
         const double t142 = 0.0065 * f[8 * n + state];
         const double strand_9_x_by_q71 = layer_0_x_by_q71 + t110;
         const double strand_9_x = layer_0_x - t111;
         const double strand_9_y = 0.021 - layer_0_y - t112;
         const double strand_9_z_by_q71 = layer_0_z_by_q71 + t111;
         const double strand_9_z = layer_0_z - t110;
-        const double t143 = strand_9_x * strand_9_x_by_q71 - strand_9_y * layer_0_y_by_q71 - strand_9_z * strand_9_z_by_q71;
-        const double t144 = strand_9_x * strand_9_x + strand_9_y * strand_9_y + strand_9_z * strand_9_z;
+        const double t143 = strand_9_x * strand_9_x_by_q71 - strand_9_y * layer_0_y_by_q71
+            - strand_9_z * strand_9_z_by_q71;
+        const double t144 = strand_9_x * strand_9_x + strand_9_y * strand_9_y + strand_9_z
+            * strand_9_z;
         const double length_9 = sinew_sqrt(t144);
         const double t145 = 1.0 / length_9;
         const double length_9_by_q71 = t143 * t145;
         const double strand_9_x_by_q73 = layer_0_x_by_q73 + t116;
         const double strand_9_y_by_q73 = layer_0_y_by_q73 + t117;
         const double strand_9_z_by_q73 = layer_0_z_by_q73 + t118;
-        const double t146 = strand_9_x * strand_9_x_by_q73 - strand_9_y * strand_9_y_by_q73 + strand_9_z * strand_9_z_by_q73;
+        const double t146 = strand_9_x * strand_9_x_by_q73 - strand_9_y * strand_9_y_by_q73
+            + strand_9_z * strand_9_z_by_q73;
         const double length_9_by_q73 = t146 * t145;
         const double t147 = 0.0065 * f[9 * n + state];
         const double strand_10_x_by_q71 = layer_0_x_by_q71 + t98;
@@ -2931,33 +3188,41 @@ void hand_joint_torque_batch(int count, const double *SINEW_RESTRICT q, const do
         const double strand_10_y = 0.023 - layer_0_y - t100;
         const double strand_10_z_by_q71 = layer_0_z_by_q71 + t99;
         const double strand_10_z = layer_0_z - t98;
-        const double t148 = strand_10_x * strand_10_x_by_q71 - strand_10_y * layer_0_y_by_q71 - strand_10_z * strand_10_z_by_q71;
-        const double t149 = strand_10_x * strand_10_x + strand_10_y * strand_10_y + strand_10_z * strand_10_z;
+        const double t148 = strand_10_x * strand_10_x_by_q71 - strand_10_y * layer_0_y_by_q71
+            - strand_10_z * strand_10_z_by_q71;
+        const double t149 = strand_10_x * strand_10_x + strand_10_y * strand_10_y + strand_10_z
+            * strand_10_z;
         const double length_10 = sinew_sqrt(t149);
         const double t150 = 1.0 / length_10;
         const double length_10_by_q71 = t148 * t150;
-        const double t151 = t139 + f[9 * n + state] * length_9_by_q71 + f[10 * n + state] * length_10_by_q71;
+        const double t151 = t139 + f[9 * n + state] * length_9_by_q71 + f[10 * n + state]
+            * length_10_by_q71;
         const double strand_10_x_by_q73 = layer_0_x_by_q73 + t105;
         const double strand_10_y_by_q73 = layer_0_y_by_q73 + t106;
         const double strand_10_z_by_q73 = layer_0_z_by_q73 + t107;
-        const double t152 = strand_10_x * strand_10_x_by_q73 - strand_10_y * strand_10_y_by_q73 + strand_10_z * strand_10_z_by_q73;
+        const double t152 = strand_10_x * strand_10_x_by_q73 - strand_10_y * strand_10_y_by_q73
+            + strand_10_z * strand_10_z_by_q73;
         const double length_10_by_q73 = t152 * t150;
-        const double t153 = t141 + f[9 * n + state] * length_9_by_q73 + f[10 * n + state] * length_10_by_q73;
+        const double t153 = t141 + f[9 * n + state] * length_9_by_q73 + f[10 * n + state]
+            * length_10_by_q73;
         const double t154 = 0.0065 * f[10 * n + state];
         const double strand_11_x_by_q71 = layer_0_x_by_q71 + t88;
         const double strand_11_x = layer_0_x - t89;
         const double strand_11_y = 0.024 - layer_0_y - t90;
         const double strand_11_z_by_q71 = layer_0_z_by_q71 + t89;
         const double strand_11_z = layer_0_z - t88;
-        const double t155 = strand_11_x * strand_11_x_by_q71 - strand_11_y * layer_0_y_by_q71 - strand_11_z * strand_11_z_by_q71;
-        const double t156 = strand_11_x * strand_11_x + strand_11_y * strand_11_y + strand_11_z * strand_11_z;
+        const double t155 = strand_11_x * strand_11_x_by_q71 - strand_11_y * layer_0_y_by_q71
+            - strand_11_z * strand_11_z_by_q71;
+        const double t156 = strand_11_x * strand_11_x + strand_11_y * strand_11_y + strand_11_z
+            * strand_11_z;
         const double length_11 = sinew_sqrt(t156);
         const double t157 = 1.0 / length_11;
         const double length_11_by_q71 = t155 * t157;
         const double strand_11_x_by_q73 = layer_0_x_by_q73 + t94;
         const double strand_11_y_by_q73 = layer_0_y_by_q73 + t95;
         const double strand_11_z_by_q73 = layer_0_z_by_q73 + t96;
-        const double t158 = strand_11_x * strand_11_x_by_q73 - strand_11_y * strand_11_y_by_q73 + strand_11_z * strand_11_z_by_q73;
+        const double t158 = strand_11_x * strand_11_x_by_q73 - strand_11_y * strand_11_y_by_q73
+            + strand_11_z * strand_11_z_by_q73;
         const double length_11_by_q73 = t158 * t157;
         const double t159 = 0.0065 * f[11 * n + state];
         const double strand_12_x_by_q71 = layer_0_x_by_q71 + t76;
@@ -2965,50 +3230,63 @@ void hand_joint_torque_batch(int count, const double *SINEW_RESTRICT q, const do
         const double strand_12_y = 0.026 - layer_0_y - t78;
         const double strand_12_z_by_q71 = layer_0_z_by_q71 + t77;
         const double strand_12_z = layer_0_z - t76;
-        const double t160 = strand_12_x * strand_12_x_by_q71 - strand_12_y * layer_0_y_by_q71 - strand_12_z * strand_12_z_by_q71;
-        const double t161 = strand_12_x * strand_12_x + strand_12_y * strand_12_y + strand_12_z * strand_12_z;
+        const double t160 = strand_12_x * strand_12_x_by_q71 - strand_12_y * layer_0_y_by_q71
+            - strand_12_z * strand_12_z_by_q71;
+        const double t161 = strand_12_x * strand_12_x + strand_12_y * strand_12_y + strand_12_z
+            * strand_12_z;
         const double length_12 = sinew_sqrt(t161);
         const double t162 = 1.0 / length_12;
         const double length_12_by_q71 = t160 * t162;
-        const double t163 = t151 + f[11 * n + state] * length_11_by_q71 + f[12 * n + state] * length_12_by_q71;
+        const double t163 = t151 + f[11 * n + state] * length_11_by_q71 + f[12 * n + state]
+            * length_12_by_q71;
         const double strand_12_x_by_q73 = layer_0_x_by_q73 + t83;
         const double strand_12_y_by_q73 = layer_0_y_by_q73 + t84;
         const double strand_12_z_by_q73 = layer_0_z_by_q73 + t85;
-        const double t164 = strand_12_x * strand_12_x_by_q73 - strand_12_y * strand_12_y_by_q73 + strand_12_z * strand_12_z_by_q73;
+        const double t164 = strand_12_x * strand_12_x_by_q73 - strand_12_y * strand_12_y_by_q73
+            + strand_12_z * strand_12_z_by_q73;
         const double length_12_by_q73 = t164 * t162;
-        const double t165 = t153 + f[11 * n + state] * length_11_by_q73 + f[12 * n + state] * length_12_by_q73;
+        const double t165 = t153 + f[11 * n + state] * length_11_by_q73 + f[12 * n + state]
+            * length_12_by_q73;
         const double strand_13_x_by_q71 = layer_0_x_by_q71 + t54;
         const double strand_13_x = layer_0_x - t55;
         const double strand_13_y = 0.027 - layer_0_y - t56;
         const double strand_13_z_by_q71 = layer_0_z_by_q71 + t55;
         const double strand_13_z = layer_0_z - t54;
-        const double t166 = strand_13_x * strand_13_x_by_q71 - strand_13_y * layer_0_y_by_q71 - strand_13_z * strand_13_z_by_q71;
-        const double t167 = strand_13_x * strand_13_x + strand_13_y * strand_13_y + strand_13_z * strand_13_z;
+        const double t166 = strand_13_x * strand_13_x_by_q71 - strand_13_y * layer_0_y_by_q71
+            - strand_13_z * strand_13_z_by_q71;
+        const double t167 = strand_13_x * strand_13_x + strand_13_y * strand_13_y + strand_13_z
+            * strand_13_z;
         const double length_13 = sinew_sqrt(t167);
         const double t168 = 1.0 / length_13;
         const double length_13_by_q71 = t166 * t168;
         const double strand_13_x_by_q73 = layer_0_x_by_q73 + t72;
         const double strand_13_y_by_q73 = layer_0_y_by_q73 + t73;
         const double strand_13_z_by_q73 = layer_0_z_by_q73 + t74;
-        const double t169 = strand_13_x * strand_13_x_by_q73 - strand_13_y * strand_13_y_by_q73 + strand_13_z * strand_13_z_by_q73;
+        const double t169 = strand_13_x * strand_13_x_by_q73 - strand_13_y * strand_13_y_by_q73
+            + strand_13_z * strand_13_z_by_q73;
         const double length_13_by_q73 = t169 * t168;
         const double strand_14_x_by_q71 = layer_0_x_by_q71 + t33;
         const double strand_14_x = layer_0_x - t40;
         const double strand_14_y = 0.029 - layer_0_y - t46;
         const double strand_14_z_by_q71 = layer_0_z_by_q71 + t40;
         const double strand_14_z = layer_0_z - t33;
-        const double t170 = strand_14_x * strand_14_x_by_q71 - strand_14_y * layer_0_y_by_q71 - strand_14_z * strand_14_z_by_q71;
-        const double t171 = strand_14_x * strand_14_x + strand_14_y * strand_14_y + strand_14_z * strand_14_z;
+        const double t170 = strand_14_x * strand_14_x_by_q71 - strand_14_y * layer_0_y_by_q71
+            - strand_14_z * strand_14_z_by_q71;
+        const double t171 = strand_14_x * strand_14_x + strand_14_y * strand_14_y + strand_14_z
+            * strand_14_z;
         const double length_14 = sinew_sqrt(t171);
         const double t172 = 1.0 / length_14;
         const double length_14_by_q71 = t170 * t172;
-        const double t173 = t163 + f[13 * n + state] * length_13_by_q71 + f[14 * n + state] * length_14_by_q71;
+        const double t173 = t163 + f[13 * n + state] * length_13_by_q71 + f[14 * n + state]
+            * length_14_by_q71;
         const double strand_14_x_by_q73 = layer_0_x_by_q73 + t64;
         const double strand_14_y_by_q73 = layer_0_y_by_q73 + t67;
         const double strand_14_z_by_q73 = layer_0_z_by_q73 + t70;
-        const double t174 = strand_14_x * strand_14_x_by_q73 - strand_14_y * strand_14_y_by_q73 + strand_14_z * strand_14_z_by_q73;
+        const double t174 = strand_14_x * strand_14_x_by_q73 - strand_14_y * strand_14_y_by_q73
+            + strand_14_z * strand_14_z_by_q73;
         const double length_14_by_q73 = t174 * t172;
-        const double t175 = t165 + f[13 * n + state] * length_13_by_q73 + f[14 * n + state] * length_14_by_q73;
+        const double t175 = t165 + f[13 * n + state] * length_13_by_q73 + f[14 * n + state]
+            * length_14_by_q73;
         const double t176 = 0.013 * y_z;
         const double strand_15_x_by_q71 = layer_0_x_by_q71 + t176;
         const double t177 = 0.013 * y_x;
@@ -3017,8 +3295,10 @@ void hand_joint_torque_batch(int count, const double *SINEW_RESTRICT q, const do
         const double strand_15_y = 0.031 - layer_0_y - t178;
         const double strand_15_z_by_q71 = layer_0_z_by_q71 + t177;
         const double strand_15_z = layer_0_z - t176;
-        const double t179 = strand_15_x * strand_15_x_by_q71 - strand_15_y * layer_0_y_by_q71 - strand_15_z * strand_15_z_by_q71;
-        const double t180 = strand_15_x * strand_15_x + strand_15_y * strand_15_y + strand_15_z * strand_15_z;
+        const double t179 = strand_15_x * strand_15_x_by_q71 - strand_15_y * layer_0_y_by_q71
+            - strand_15_z * strand_15_z_by_q71;
+        const double t180 = strand_15_x * strand_15_x + strand_15_y * strand_15_y + strand_15_z
+            * strand_15_z;
         const double length_15 = sinew_sqrt(t180);
         const double t181 = 1.0 / length_15;
         const double length_15_by_q71 = t179 * t181;
@@ -3028,9 +3308,11 @@ void hand_joint_torque_batch(int count, const double *SINEW_RESTRICT q, const do
         const double strand_15_y_by_q73 = layer_0_y_by_q73 + t183;
         const double t184 = 0.013 * y_z_by_q73;
         const double strand_15_z_by_q73 = layer_0_z_by_q73 + t184;
-        const double t185 = strand_15_x * strand_15_x_by_q73 - strand_15_y * strand_15_y_by_q73 + strand_15_z * strand_15_z_by_q73;
+        const double t185 = strand_15_x * strand_15_x_by_q73 - strand_15_y * strand_15_y_by_q73
+            + strand_15_z * strand_15_z_by_q73;
         const double length_15_by_q73 = t185 * t181;
-        const double t186 = f[12 * n + state] - f[13 * n + state] + f[14 * n + state] - f[15 * n + state];
+        const double t186 = f[12 * n + state] - f[13 * n + state] + f[14 * n + state] - f[15 * n
+            + state];
         const double t187 = 0.014 * y_z;
         const double strand_16_x_by_q71 = layer_0_x_by_q71 + t187;
         const double t188 = 0.014 * y_x;
@@ -3039,21 +3321,26 @@ void hand_joint_torque_batch(int count, const double *SINEW_RESTRICT q, const do
         const double strand_16_y = 0.032 - layer_0_y - t189;
         const double strand_16_z_by_q71 = layer_0_z_by_q71 + t188;
         const double strand_16_z = layer_0_z - t187;
-        const double t190 = strand_16_x * strand_16_x_by_q71 - strand_16_y * layer_0_y_by_q71 - strand_16_z * strand_16_z_by_q71;
-        const double t191 = strand_16_x * strand_16_x + strand_16_y * strand_16_y + strand_16_z * strand_16_z;
+        const double t190 = strand_16_x * strand_16_x_by_q71 - strand_16_y * layer_0_y_by_q71
+            - strand_16_z * strand_16_z_by_q71;
+        const double t191 = strand_16_x * strand_16_x + strand_16_y * strand_16_y + strand_16_z
+            * strand_16_z;
         const double length_16 = sinew_sqrt(t191);
         const double t192 = 1.0 / length_16;
         const double length_16_by_q71 = t190 * t192;
-        const double t193 = t173 + f[15 * n + state] * length_15_by_q71 + f[16 * n + state] * length_16_by_q71;
+        const double t193 = t173 + f[15 * n + state] * length_15_by_q71 + f[16 * n + state]
+            * length_16_by_q71;
         const double t194 = 0.014 * y_x_by_q73;
         const double strand_16_x_by_q73 = layer_0_x_by_q73 + t194;
         const double t195 = 0.014 * u_y_by_q73;
         const double strand_16_y_by_q73 = layer_0_y_by_q73 + t195;
         const double t196 = 0.014 * y_z_by_q73;
         const double strand_16_z_by_q73 = layer_0_z_by_q73 + t196;
-        const double t197 = strand_16_x * strand_16_x_by_q73 - strand_16_y * strand_16_y_by_q73 + strand_16_z * strand_16_z_by_q73;
+        const double t197 = strand_16_x * strand_16_x_by_q73 - strand_16_y * strand_16_y_by_q73
+            + strand_16_z * strand_16_z_by_q73;
         const double length_16_by_q73 = t197 * t192;
-        const double t198 = t175 + f[15 * n + state] * length_15_by_q73 + f[16 * n + state] * length_16_by_q73;
+        const double t198 = t175 + f[15 * n + state] * length_15_by_q73 + f[16 * n + state]
+            * length_16_by_q73;
         const double t199 = 0.0065 * f[16 * n + state];
         const double t200 = 0.016 * y_z;
         const double strand_17_x_by_q71 = layer_0_x_by_q71 + t200;
@@ -3063,8 +3350,10 @@ void hand_joint_torque_batch(int count, const double *SINEW_RESTRICT q, const do
         const double strand_17_y = 0.034 - layer_0_y - t202;
         const double strand_17_z_by_q71 = layer_0_z_by_q71 + t201;
         const double strand_17_z = layer_0_z - t200;
-        const double t203 = strand_17_x * strand_17_x_by_q71 - strand_17_y * layer_0_y_by_q71 - strand_17_z * strand_17_z_by_q71;
-        const double t204 = strand_17_x * strand_17_x + strand_17_y * strand_17_y + strand_17_z * strand_17_z;
+        const double t203 = strand_17_x * strand_17_x_by_q71 - strand_17_y * layer_0_y_by_q71
+            - strand_17_z * strand_17_z_by_q71;
+        const double t204 = strand_17_x * strand_17_x + strand_17_y * strand_17_y + strand_17_z
+            * strand_17_z;
         const double length_17 = sinew_sqrt(t204);
         const double t205 = 1.0 / length_17;
         const double length_17_by_q71 = t203 * t205;
@@ -3074,7 +3363,8 @@ void hand_joint_torque_batch(int count, const double *SINEW_RESTRICT q, const do
         const double strand_17_y_by_q73 = layer_0_y_by_q73 + t207;
         const double t208 = 0.016 * y_z_by_q73;
         const double strand_17_z_by_q73 = layer_0_z_by_q73 + t208;
-        const double t209 = strand_17_x * strand_17_x_by_q73 - strand_17_y * strand_17_y_by_q73 + strand_17_z * strand_17_z_by_q73;
+        const double t209 = strand_17_x * strand_17_x_by_q73 - strand_17_y * strand_17_y_by_q73
+            + strand_17_z * strand_17_z_by_q73;
         const double length_17_by_q73 = t209 * t205;
         const double t210 = 0.0065 * f[17 * n + state];
         const double t211 = 0.018 * y_z;
@@ -3084,18 +3374,23 @@ void hand_joint_torque_batch(int count, const double *SINEW_RESTRICT q, const do
         const double strand_18_y = 0.035 - layer_0_y - 0.018 * u_y;
         const double strand_18_z_by_q71 = layer_0_z_by_q71 + t212;
         const double strand_18_z = layer_0_z - t211;
-        const double t213 = strand_18_x * strand_18_x_by_q71 - strand_18_y * layer_0_y_by_q71 - strand_18_z * strand_18_z_by_q71;
-        const double t214 = strand_18_x * strand_18_x + strand_18_y * strand_18_y + strand_18_z * strand_18_z;
+        const double t213 = strand_18_x * strand_18_x_by_q71 - strand_18_y * layer_0_y_by_q71
+            - strand_18_z * strand_18_z_by_q71;
+        const double t214 = strand_18_x * strand_18_x + strand_18_y * strand_18_y + strand_18_z
+            * strand_18_z;
         const double length_18 = sinew_sqrt(t214);
         const double t215 = 1.0 / length_18;
         const double length_18_by_q71 = t213 * t215;
-        const double t216 = t193 + f[17 * n + state] * length_17_by_q71 + f[18 * n + state] * length_18_by_q71;
+        const double t216 = t193 + f[17 * n + state] * length_17_by_q71 + f[18 * n + state]
+            * length_18_by_q71;
         const double strand_18_x_by_q73 = layer_0_x_by_q73 + 0.018 * y_x_by_q73;
         const double strand_18_y_by_q73 = layer_0_y_by_q73 + 0.018 * u_y_by_q73;
         const double strand_18_z_by_q73 = layer_0_z_by_q73 + 0.018 * y_z_by_q73;
-        const double t217 = strand_18_x * strand_18_x_by_q73 - strand_18_y * strand_18_y_by_q73 + strand_18_z * strand_18_z_by_q73;
+        const double t217 = strand_18_x * strand_18_x_by_q73 - strand_18_y * strand_18_y_by_q73
+            + strand_18_z * strand_18_z_by_q73;
         const double length_18_by_q73 = t217 * t215;
-        const double t218 = t198 + f[17 * n + state] * length_17_by_q73 + f[18 * n + state] * length_18_by_q73;
+        const double t218 = t198 + f[17 * n + state] * length_17_by_q73 + f[18 * n + state]
+            * length_18_by_q73;
         const double t219 = 0.0065 * f[18 * n + state];
         const double layer_1_x_by_q71 = t31 - t32;
         const double strand_19_x_by_q71 = layer_1_x_by_q71 - t176;
@@ -3108,8 +3403,10 @@ void hand_joint_torque_batch(int count, const double *SINEW_RESTRICT q, const do
         const double strand_19_z_by_q71 = layer_1_z_by_q71 - t177;
         const double layer_1_z = 0.028 - origin_z - t49 + t50;
         const double strand_19_z = layer_1_z + t176;
-        const double t220 = strand_19_x * strand_19_x_by_q71 - strand_19_y * layer_1_y_by_q71 - strand_19_z * strand_19_z_by_q71;
-        const double t221 = strand_19_x * strand_19_x + strand_19_y * strand_19_y + strand_19_z * strand_19_z;
+        const double t220 = strand_19_x * strand_19_x_by_q71 - strand_19_y * layer_1_y_by_q71
+            - strand_19_z * strand_19_z_by_q71;
+        const double t221 = strand_19_x * strand_19_x + strand_19_y * strand_19_y + strand_19_z
+            * strand_19_z;
         const double length_19 = sinew_sqrt(t221);
         const double t222 = 1.0 / length_19;
         const double length_19_by_q71 = t220 * t222;
@@ -3119,7 +3416,8 @@ void hand_joint_torque_batch(int count, const double *SINEW_RESTRICT q, const do
         const double strand_19_y_by_q73 = layer_1_y_by_q73 - t183;
         const double layer_1_z_by_q73 = t68 - t69;
         const double strand_19_z_by_q73 = layer_1_z_by_q73 - t184;
-        const double t223 = strand_19_x * strand_19_x_by_q73 - strand_19_y * strand_19_y_by_q73 + strand_19_z * strand_19_z_by_q73;
+        const double t223 = strand_19_x * strand_19_x_by_q73 - strand_19_y * strand_19_y_by_q73
+            + strand_19_z * strand_19_z_by_q73;
         const double length_19_by_q73 = t223 * t222;
         const double t224 = 0.0065 * f[19 * n + state];
         const double strand_20_x_by_q71 = layer_1_x_by_q71 - t33;
@@ -3127,98 +3425,123 @@ void hand_joint_torque_batch(int count, const double *SINEW_RESTRICT q, const do
         const double strand_20_y = 0.007 - layer_1_y + t46;
         const double strand_20_z_by_q71 = layer_1_z_by_q71 - t40;
         const double strand_20_z = layer_1_z + t33;
-        const double t225 = strand_20_x * strand_20_x_by_q71 - strand_20_y * layer_1_y_by_q71 - strand_20_z * strand_20_z_by_q71;
-        const double t226 = strand_20_x * strand_20_x + strand_20_y * strand_20_y + strand_20_z * strand_20_z;
+        const double t225 = strand_20_x * strand_20_x_by_q71 - strand_20_y * layer_1_y_by_q71
+            - strand_20_z * strand_20_z_by_q71;
+        const double t226 = strand_20_x * strand_20_x + strand_20_y * strand_20_y + strand_20_z
+            * strand_20_z;
         const double length_20 = sinew_sqrt(t226);
         const double t227 = 1.0 / length_20;
         const double length_20_by_q71 = t225 * t227;
-        const double t228 = t216 + f[19 * n + state] * length_19_by_q71 + f[20 * n + state] * length_20_by_q71;
+        const double t228 = t216 + f[19 * n + state] * length_19_by_q71 + f[20 * n + state]
+            * length_20_by_q71;
         const double strand_20_x_by_q73 = layer_1_x_by_q73 - t64;
         const double strand_20_y_by_q73 = layer_1_y_by_q73 - t67;
         const double strand_20_z_by_q73 = layer_1_z_by_q73 - t70;
-        const double t229 = strand_20_x * strand_20_x_by_q73 - strand_20_y * strand_20_y_by_q73 + strand_20_z * strand_20_z_by_q73;
+        const double t229 = strand_20_x * strand_20_x_by_q73 - strand_20_y * strand_20_y_by_q73
+            + strand_20_z * strand_20_z_by_q73;
         const double length_20_by_q73 = t229 * t227;
-        const double t230 = t218 + f[19 * n + state] * length_19_by_q73 + f[20 * n + state] * length_20_by_q73;
+        const double t230 = t218 + f[19 * n + state] * length_19_by_q73 + f[20 * n + state]
+            * length_20_by_q73;
         const double strand_21_x_by_q71 = layer_1_x_by_q71 - t54;
         const double strand_21_x = layer_1_x + t55;
         const double strand_21_y = 0.009 - layer_1_y + t56;
         const double strand_21_z_by_q71 = layer_1_z_by_q71 - t55;
         const double strand_21_z = layer_1_z + t54;
-        const double t231 = strand_21_x * strand_21_x_by_q71 - strand_21_y * layer_1_y_by_q71 - strand_21_z * strand_21_z_by_q71;
-        const double t232 = strand_21_x * strand_21_x + strand_21_y * strand_21_y + strand_21_z * strand_21_z;
+        const double t231 = strand_21_x * strand_21_x_by_q71 - strand_21_y * layer_1_y_by_q71
+            - strand_21_z * strand_21_z_by_q71;
+        const double t232 = strand_21_x * strand_21_x + strand_21_y * strand_21_y + strand_21_z
+            * strand_21_z;
         const double length_21 = sinew_sqrt(t232);
         const double t233 = 1.0 / length_21;
         const double length_21_by_q71 = t231 * t233;
         const double strand_21_x_by_q73 = layer_1_x_by_q73 - t72;
         const double strand_21_y_by_q73 = layer_1_y_by_q73 - t73;
         const double strand_21_z_by_q73 = layer_1_z_by_q73 - t74;
-        const double t234 = strand_21_x * strand_21_x_by_q73 - strand_21_y * strand_21_y_by_q73 + strand_21_z * strand_21_z_by_q73;
+        const double t234 = strand_21_x * strand_21_x_by_q73 - strand_21_y * strand_21_y_by_q73
+            + strand_21_z * strand_21_z_by_q73;
         const double length_21_by_q73 = t234 * t233;
         const double strand_22_x_by_q71 = layer_1_x_by_q71 - t76;
         const double strand_22_x = layer_1_x + t77;
         const double strand_22_y = 0.011 - layer_1_y + t78;
         const double strand_22_z_by_q71 = layer_1_z_by_q71 - t77;
         const double strand_22_z = layer_1_z + t76;
-        const double t235 = strand_22_x * strand_22_x_by_q71 - strand_22_y * layer_1_y_by_q71 - strand_22_z * strand_22_z_by_q71;
-        const double t236 = strand_22_x * strand_22_x + strand_22_y * strand_22_y + strand_22_z * strand_22_z;
+        const double t235 = strand_22_x * strand_22_x_by_q71 - strand_22_y * layer_1_y_by_q71
+            - strand_22_z * strand_22_z_by_q71;
+        const double t236 = strand_22_x * strand_22_x + strand_22_y * strand_22_y + strand_22_z
+            * strand_22_z;
         const double length_22 = sinew_sqrt(t236);
         const double t237 = 1.0 / length_22;
         const double length_22_by_q71 = t235 * t237;
-        const double t238 = t228 + f[21 * n + state] * length_21_by_q71 + f[22 * n + state] * length_22_by_q71;
+        const double t238 = t228 + f[21 * n + state] * length_21_by_q71 + f[22 * n + state]
+            * length_22_by_q71;
         const double strand_22_x_by_q73 = layer_1_x_by_q73 - t83;
         const double strand_22_y_by_q73 = layer_1_y_by_q73 - t84;
         const double strand_22_z_by_q73 = layer_1_z_by_q73 - t85;
-        const double t239 = strand_22_x * strand_22_x_by_q73 - strand_22_y * strand_22_y_by_q73 + strand_22_z * strand_22_z_by_q73;
+        const double t239 = strand_22_x * strand_22_x_by_q73 - strand_22_y * strand_22_y_by_q73
+            + strand_22_z * strand_22_z_by_q73;
         const double length_22_by_q73 = t239 * t237;
-        const double t240 = t230 + f[21 * n + state] * length_21_by_q73 + f[22 * n + state] * length_22_by_q73;
+        const double t240 = t230 + f[21 * n + state] * length_21_by_q73 + f[22 * n + state]
+            * length_22_by_q73;
         const double strand_23_x_by_q71 = layer_1_x_by_q71 - t88;
         const double strand_23_x = layer_1_x + t89;
         const double strand_23_y = 0.012 - layer_1_y + t90;
         const double strand_23_z_by_q71 = layer_1_z_by_q71 - t89;
         const double strand_23_z = layer_1_z + t88;
-        const double t241 = strand_23_x * strand_23_x_by_q71 - strand_23_y * layer_1_y_by_q71 - strand_23_z * strand_23_z_by_q71;
-        const double t242 = strand_23_x * strand_23_x + strand_23_y * strand_23_y + strand_23_z * strand_23_z;
+        const double t241 = strand_23_x * strand_23_x_by_q71 - strand_23_y * layer_1_y_by_q71
+            - strand_23_z * strand_23_z_by_q71;
+        const double t242 = strand_23_x * strand_23_x + strand_23_y * strand_23_y + strand_23_z
+            * strand_23_z;
         const double length_23 = sinew_sqrt(t242);
         const double t243 = 1.0 / length_23;
         const double length_23_by_q71 = t241 * t243;
         const double strand_23_x_by_q73 = layer_1_x_by_q73 - t94;
         const double strand_23_y_by_q73 = layer_1_y_by_q73 - t95;
         const double strand_23_z_by_q73 = layer_1_z_by_q73 - t96;
-        const double t244 = strand_23_x * strand_23_x_by_q73 - strand_23_y * strand_23_y_by_q73 + strand_23_z * strand_23_z_by_q73;
+        const double t244 = strand_23_x * strand_23_x_by_q73 - strand_23_y * strand_23_y_by_q73
+            + strand_23_z * strand_23_z_by_q73;
         const double length_23_by_q73 = t244 * t243;
-        const double t245 = f[20 * n + state] - f[21 * n + state] + f[22 * n + state] - f[23 * n + state];
+        const double t245 = f[20 * n + state] - f[21 * n + state] + f[22 * n + state] - f[23 * n
+            + state];
         const double strand_24_x_by_q71 = layer_1_x_by_q71 - t98;
         const double strand_24_x = layer_1_x + t99;
         const double strand_24_y = 0.014 - layer_1_y + t100;
         const double strand_24_z_by_q71 = layer_1_z_by_q71 - t99;
         const double strand_24_z = layer_1_z + t98;
-        const double t246 = strand_24_x * strand_24_x_by_q71 - strand_24_y * layer_1_y_by_q71 - strand_24_z * strand_24_z_by_q71;
-        const double t247 = strand_24_x * strand_24_x + strand_24_y * strand_24_y + strand_24_z * strand_24_z;
+        const double t246 = strand_24_x * strand_24_x_by_q71 - strand_24_y * layer_1_y_by_q71
+            - strand_24_z * strand_24_z_by_q71;
+        const double t247 = strand_24_x * strand_24_x + strand_24_y * strand_24_y + strand_24_z
+            * strand_24_z;
         const double length_24 = sinew_sqrt(t247);
         const double t248 = 1.0 / length_24;
         const double length_24_by_q71 = t246 * t248;
-        const double t249 = t238 + f[23 * n + state] * length_23_by_q71 + f[24 * n + state] * length_24_by_q71;
+        const double t249 = t238 + f[23 * n + state] * length_23_by_q71 + f[24 * n + state]
+            * length_24_by_q71;
         const double strand_24_x_by_q73 = layer_1_x_by_q73 - t105;
         const double strand_24_y_by_q73 = layer_1_y_by_q73 - t106;
         const double strand_24_z_by_q73 = layer_1_z_by_q73 - t107;
-        const double t250 = strand_24_x * strand_24_x_by_q73 - strand_24_y * strand_24_y_by_q73 + strand_24_z * strand_24_z_by_q73;
+        const double t250 = strand_24_x * strand_24_x_by_q73 - strand_24_y * strand_24_y_by_q73
+            + strand_24_z * strand_24_z_by_q73;
         const double length_24_by_q73 = t250 * t248;
-        const double t251 = t240 + f[23 * n + state] * length_23_by_q73 + f[24 * n + state] * length_24_by_q73;
+        const double t251 = t240 + f[23 * n + state] * length_23_by_q73 + f[24 * n + state]
+            * length_24_by_q73;
         const double t252 = 0.0065 * f[24 * n + state];
         const double strand_25_x_by_q71 = layer_1_x_by_q71 - t110;
         const double strand_25_x = layer_1_x + t111;
         const double strand_25_y = 0.015 - layer_1_y + t112;
         const double strand_25_z_by_q71 = layer_1_z_by_q71 - t111;
         const double strand_25_z = layer_1_z + t110;
-        const double t253 = strand_25_x * strand_25_x_by_q71 - strand_25_y * layer_1_y_by_q71 - strand_25_z * strand_25_z_by_q71;
-        const double t254 = strand_25_x * strand_25_x + strand_25_y * strand_25_y + strand_25_z * strand_25_z;
+        const double t253 = strand_25_x * strand_25_x_by_q71 - strand_25_y * layer_1_y_by_q71
+            - strand_25_z * strand_25_z_by_q71;
+        const double t254 = strand_25_x * strand_25_x + strand_25_y * strand_25_y + strand_25_z
+            * strand_25_z;
         const double length_25 = sinew_sqrt(t254);
         const double t255 = 1.0 / length_25;
         const double length_25_by_q71 = t253 * t255;
         const double strand_25_x_by_q73 = layer_1_x_by_q73 - t116;
         const double strand_25_y_by_q73 = layer_1_y_by_q73 - t117;
         const double strand_25_z_by_q73 = layer_1_z_by_q73 - t118;
-        const double t256 = strand_25_x * strand_25_x_by_q73 - strand_25_y * strand_25_y_by_q73 + strand_25_z * strand_25_z_by_q73;
+        const double t256 = strand_25_x * strand_25_x_by_q73 - strand_25_y * strand_25_y_by_q73
+            + strand_25_z * strand_25_z_by_q73;
         const double length_25_by_q73 = t256 * t255;
         const double t257 = 0.0065 * f[25 * n + state];
         const double strand_26_x_by_q71 = layer_1_x_by_q71 - t120;
@@ -3226,26 +3549,34 @@ void hand_joint_torque_batch(int count, const double *SINEW_RESTRICT q, const do
         const double strand_26_y = 0.017 - layer_1_y + t122;
         const double strand_26_z_by_q71 = layer_1_z_by_q71 - t121;
         const double strand_26_z = layer_1_z + t120;
-        const double t258 = strand_26_x * strand_26_x_by_q71 - strand_26_y * layer_1_y_by_q71 - strand_26_z * strand_26_z_by_q71;
-        const double t259 = strand_26_x * strand_26_x + strand_26_y * strand_26_y + strand_26_z * strand_26_z;
+        const double t258 = strand_26_x * strand_26_x_by_q71 - strand_26_y * layer_1_y_by_q71
+            - strand_26_z * strand_26_z_by_q71;
+        const double t259 = strand_26_x * strand_26_x + strand_26_y * strand_26_y + strand_26_z
+            * strand_26_z;
         const double length_26 = sinew_sqrt(t259);
         const double t260 = 1.0 / length_26;
         const double length_26_by_q71 = t258 * t260;
-        const double t261 = t249 + f[25 * n + state] * length_25_by_q71 + f[26 * n + state] * length_26_by_q71;
+        const double t261 = t249 + f[25 * n + state] * length_25_by_q71 + f[26 * n + state]
+            * length_26_by_q71;
         const double strand_26_x_by_q73 = layer_1_x_by_q73 - t127;
         const double strand_26_y_by_q73 = layer_1_y_by_q73 - t128;
         const double strand_26_z_by_q73 = layer_1_z_by_q73 - t129;
-        const double t262 = strand_26_x * strand_26_x_by_q73 - strand_26_y * strand_26_y_by_q73 + strand_26_z * strand_26_z_by_q73;
+        const double t262 = strand_26_x * strand_26_x_by_q73 - strand_26_y * strand_26_y_by_q73
+            + strand_26_z * strand_26_z_by_q73;
         const double length_26_by_q73 = t262 * t260;
-        const double t263 = t251 + f[25 * n + state] * length_25_by_q73 + f[26 * n + state] * length_26_by_q73;
+        const double t263 = t251 + f[25 * n + state] * length_25_by_q73 + f[26 * n + state]
+            * length_26_by_q73;
         const double t264 = 0.0065 * f[26 * n + state];
         const double strand_27_y = 0.019 - layer_1_y;
-        const double t265 = layer_1_x * layer_1_x_by_q71 - layer_1_z * layer_1_z_by_q71 - strand_27_y * layer_1_y_by_q71;
-        const double t266 = layer_1_x * layer_1_x + layer_1_z * layer_1_z + strand_27_y * strand_27_y;
+        const double t265 = layer_1_x * layer_1_x_by_q71 - layer_1_z * layer_1_z_by_q71
+            - strand_27_y * layer_1_y_by_q71;
+        const double t266 = layer_1_x * layer_1_x + layer_1_z * layer_1_z + strand_27_y
+            * strand_27_y;
         const double length_27 = sinew_sqrt(t266);
         const double t267 = 1.0 / length_27;
         const double length_27_by_q71 = t265 * t267;
-        const double t268 = layer_1_x * layer_1_x_by_q73 + layer_1_z * layer_1_z_by_q73 - strand_27_y * layer_1_y_by_q73;
+        const double t268 = layer_1_x * layer_1_x_by_q73 + layer_1_z * layer_1_z_by_q73
+            - strand_27_y * layer_1_y_by_q73;
         const double length_27_by_q73 = t268 * t267;
         const double t269 = 0.0065 * f[27 * n + state];
         const double strand_28_x_by_q71 = layer_1_x_by_q71 + t120;
@@ -3253,65 +3584,81 @@ void hand_joint_torque_batch(int count, const double *SINEW_RESTRICT q, const do
         const double strand_28_y = 0.02 - layer_1_y - t122;
         const double strand_28_z_by_q71 = layer_1_z_by_q71 + t121;
         const double strand_28_z = layer_1_z - t120;
-        const double t270 = strand_28_x * strand_28_x_by_q71 - strand_28_y * layer_1_y_by_q71 - strand_28_z * strand_28_z_by_q71;
-        const double t271 = strand_28_x * strand_28_x + strand_28_y * strand_28_y + strand_28_z * strand_28_z;
+        const double t270 = strand_28_x * strand_28_x_by_q71 - strand_28_y * layer_1_y_by_q71
+            - strand_28_z * strand_28_z_by_q71;
+        const double t271 = strand_28_x * strand_28_x + strand_28_y * strand_28_y + strand_28_z
+            * strand_28_z;
         const double length_28 = sinew_sqrt(t271);
         const double t272 = 1.0 / length_28;
         const double length_28_by_q71 = t270 * t272;
-        const double t273 = t261 + f[27 * n + state] * length_27_by_q71 + f[28 * n + state] * length_28_by_q71;
+        const double t273 = t261 + f[27 * n + state] * length_27_by_q71 + f[28 * n + state]
+            * length_28_by_q71;
         const double strand_28_x_by_q73 = layer_1_x_by_q73 + t127;
         const double strand_28_y_by_q73 = layer_1_y_by_q73 + t128;
         const double strand_28_z_by_q73 = layer_1_z_by_q73 + t129;
-        const double t274 = strand_28_x * strand_28_x_by_q73 - strand_28_y * strand_28_y_by_q73 + strand_28_z * strand_28_z_by_q73;
+        const double t274 = strand_28_x * strand_28_x_by_q73 - strand_28_y * strand_28_y_by_q73
+            + strand_28_z * strand_28_z_by_q73;
         const double length_28_by_q73 = t274 * t272;
-        const double t275 = t263 + f[27 * n + state] * length_27_by_q73 + f[28 * n + state] * length_28_by_q73;
+        const double t275 = t263 + f[27 * n + state] * length_27_by_q73 + f[28 * n + state]
+            * length_28_by_q73;
         const double strand_29_x_by_q71 = layer_1_x_by_q71 + t110;
         const double strand_29_x = layer_1_x - t111;
         const double strand_29_y = 0.022 - layer_1_y - t112;
         const double strand_29_z_by_q71 = layer_1_z_by_q71 + t111;
         const double strand_29_z = layer_1_z - t110;
-        const double t276 = strand_29_x * strand_29_x_by_q71 - strand_29_y * layer_1_y_by_q71 - strand_29_z * strand_29_z_by_q71;
-        const double t277 = strand_29_x * strand_29_x + strand_29_y * strand_29_y + strand_29_z * strand_29_z;
+        const double t276 = strand_29_x * strand_29_x_by_q71 - strand_29_y * layer_1_y_by_q71
+            - strand_29_z * strand_29_z_by_q71;
+        const double t277 = strand_29_x * strand_29_x + strand_29_y * strand_29_y + strand_29_z
+            * strand_29_z;
         const double length_29 = sinew_sqrt(t277);
         const double t278 = 1.0 / length_29;
         const double length_29_by_q71 = t276 * t278;
         const double strand_29_x_by_q73 = layer_1_x_by_q73 + t116;
         const double strand_29_y_by_q73 = layer_1_y_by_q73 + t117;
         const double strand_29_z_by_q73 = layer_1_z_by_q73 + t118;
-        const double t279 = strand_29_x * strand_29_x_by_q73 - strand_29_y * strand_29_y_by_q73 + strand_29_z * strand_29_z_by_q73;
+        const double t279 = strand_29_x * strand_29_x_by_q73 - strand_29_y * strand_29_y_by_q73
+            + strand_29_z * strand_29_z_by_q73;
         const double length_29_by_q73 = t279 * t278;
         const double strand_30_x_by_q71 = layer_1_x_by_q71 + t98;
         const double strand_30_x = layer_1_x - t99;
         const double strand_30_y = 0.023 - layer_1_y - t100;
         const double strand_30_z_by_q71 = layer_1_z_by_q71 + t99;
         const double strand_30_z = layer_1_z - t98;
-        const double t280 = strand_30_x * strand_30_x_by_q71 - strand_30_y * layer_1_y_by_q71 - strand_30_z * strand_30_z_by_q71;
-        const double t281 = strand_30_x * strand_30_x + strand_30_y * strand_30_y + strand_30_z * strand_30_z;
+        const double t280 = strand_30_x * strand_30_x_by_q71 - strand_30_y * layer_1_y_by_q71
+            - strand_30_z * strand_30_z_by_q71;
+        const double t281 = strand_30_x * strand_30_x + strand_30_y * strand_30_y + strand_30_z
+            * strand_30_z;
         const double length_30 = sinew_sqrt(t281);
         const double t282 = 1.0 / length_30;
         const double length_30_by_q71 = t280 * t282;
-        const double t283 = t273 + f[29 * n + state] * length_29_by_q71 + f[30 * n + state] * length_30_by_q71;
+        const double t283 = t273 + f[29 * n + state] * length_29_by_q71 + f[30 * n + state]
+            * length_30_by_q71;
         const double strand_30_x_by_q73 = layer_1_x_by_q73 + t105;
         const double strand_30_y_by_q73 = layer_1_y_by_q73 + t106;
         const double strand_30_z_by_q73 = layer_1_z_by_q73 + t107;
-        const double t284 = strand_30_x * strand_30_x_by_q73 - strand_30_y * strand_30_y_by_q73 + strand_30_z * strand_30_z_by_q73;
+        const double t284 = strand_30_x * strand_30_x_by_q73 - strand_30_y * strand_30_y_by_q73
+            + strand_30_z * strand_30_z_by_q73;
         const double length_30_by_q73 = t284 * t282;
-        const double t285 = t275 + f[29 * n + state] * length_29_by_q73 + f[30 * n + state] * length_30_by_q73;
+        const double t285 = t275 + f[29 * n + state] * length_29_by_q73 + f[30 * n + state]
+            * length_30_by_q73;
         const double t286 = 0.0052 * f[30 * n + state];
         const double strand_31_x_by_q71 = layer_1_x_by_q71 + t88;
         const double strand_31_x = layer_1_x - t89;
         const double strand_31_y = 0.025 - layer_1_y - t90;
         const double strand_31_z_by_q71 = layer_1_z_by_q71 + t89;
         const double strand_31_z = layer_1_z - t88;
-        const double t287 = strand_31_x * strand_31_x_by_q71 - strand_31_y * layer_1_y_by_q71 - strand_31_z * strand_31_z_by_q71;
-        const double t288 = strand_31_x * strand_31_x + strand_31_y * strand_31_y + strand_31_z * strand_31_z;
+        const double t287 = strand_31_x * strand_31_x_by_q71 - strand_31_y * layer_1_y_by_q71
+            - strand_31_z * strand_31_z_by_q71;
+        const double t288 = strand_31_x * strand_31_x + strand_31_y * strand_31_y + strand_31_z
+            * strand_31_z;
         const double length_31 = sinew_sqrt(t288);
         const double t289 = 1.0 / length_31;
         const double length_31_by_q71 = t287 * t289;
         const double strand_31_x_by_q73 = layer_1_x_by_q73 + t94;
         const double strand_31_y_by_q73 = layer_1_y_by_q73 + t95;
         const double strand_31_z_by_q73 = layer_1_z_by_q73 + t96;
-        const double t290 = strand_31_x * strand_31_x_by_q73 - strand_31_y * strand_31_y_by_q73 + strand_31_z * strand_31_z_by_q73;
+        const double t290 = strand_31_x * strand_31_x_by_q73 - strand_31_y * strand_31_y_by_q73
+            + strand_31_z * strand_31_z_by_q73;
         const double length_31_by_q73 = t290 * t289;
         const double t291 = 0.0052 * f[31 * n + state];
         const double strand_32_x_by_q71 = layer_1_x_by_q71 + t76;
@@ -3319,33 +3666,41 @@ void hand_joint_torque_batch(int count, const double *SINEW_RESTRICT q, const do
         const double strand_32_y = 0.027 - layer_1_y - t78;
         const double strand_32_z_by_q71 = layer_1_z_by_q71 + t77;
         const double strand_32_z = layer_1_z - t76;
-        const double t292 = strand_32_x * strand_32_x_by_q71 - strand_32_y * layer_1_y_by_q71 - strand_32_z * strand_32_z_by_q71;
-        const double t293 = strand_32_x * strand_32_x + strand_32_y * strand_32_y + strand_32_z * strand_32_z;
+        const double t292 = strand_32_x * strand_32_x_by_q71 - strand_32_y * layer_1_y_by_q71
+            - strand_32_z * strand_32_z_by_q71;
+        const double t293 = strand_32_x * strand_32_x + strand_32_y * strand_32_y + strand_32_z
+            * strand_32_z;
         const double length_32 = sinew_sqrt(t293);
         const double t294 = 1.0 / length_32;
         const double length_32_by_q71 = t292 * t294;
-        const double t295 = t283 + f[31 * n + state] * length_31_by_q71 + f[32 * n + state] * length_32_by_q71;
+        const double t295 = t283 + f[31 * n + state] * length_31_by_q71 + f[32 * n + state]
+            * length_32_by_q71;
         const double strand_32_x_by_q73 = layer_1_x_by_q73 + t83;
         const double strand_32_y_by_q73 = layer_1_y_by_q73 + t84;
         const double strand_32_z_by_q73 = layer_1_z_by_q73 + t85;
-        const double t296 = strand_32_x * strand_32_x_by_q73 - strand_32_y * strand_32_y_by_q73 + strand_32_z * strand_32_z_by_q73;
+        const double t296 = strand_32_x * strand_32_x_by_q73 - strand_32_y * strand_32_y_by_q73
+            + strand_32_z * strand_32_z_by_q73;
         const double length_32_by_q73 = t296 * t294;
-        const double t297 = t285 + f[31 * n + state] * length_31_by_q73 + f[32 * n + state] * length_32_by_q73;
+        const double t297 = t285 + f[31 * n + state] * length_31_by_q73 + f[32 * n + state]
+            * length_32_by_q73;
         const double t298 = 0.0052 * f[32 * n + state];
         const double strand_33_x_by_q71 = layer_1_x_by_q71 + t54;
         const double strand_33_x = layer_1_x - t55;
         const double strand_33_y = 0.028 - layer_1_y - t56;
         const double strand_33_z_by_q71 = layer_1_z_by_q71 + t55;
         const double strand_33_z = layer_1_z - t54;
-        const double t299 = strand_33_x * strand_33_x_by_q71 - strand_33_y * layer_1_y_by_q71 - strand_33_z * strand_33_z_by_q71;
-        const double t300 = strand_33_x * strand_33_x + strand_33_y * strand_33_y + strand_33_z * strand_33_z;
+        const double t299 = strand_33_x * strand_33_x_by_q71 - strand_33_y * layer_1_y_by_q71
+            - strand_33_z * strand_33_z_by_q71;
+        const double t300 = strand_33_x * strand_33_x + strand_33_y * strand_33_y + strand_33_z
+            * strand_33_z;
         const double length_33 = sinew_sqrt(t300);
         const double t301 = 1.0 / length_33;
         const double length_33_by_q71 = t299 * t301;
         const double strand_33_x_by_q73 = layer_1_x_by_q73 + t72;
         const double strand_33_y_by_q73 = layer_1_y_by_q73 + t73;
         const double strand_33_z_by_q73 = layer_1_z_by_q73 + t74;
-        const double t302 = strand_33_x * strand_33_x_by_q73 - strand_33_y * strand_33_y_by_q73 + strand_33_z * strand_33_z_by_q73;
+        const double t302 = strand_33_x * strand_33_x_by_q73 - strand_33_y * strand_33_y_by_q73
+            + strand_33_z * strand_33_z_by_q73;
         const double length_33_by_q73 = t302 * t301;
         const double t303 = 0.0052 * f[33 * n + state];
         const double strand_34_x_by_q71 = layer_1_x_by_q71 + t33;
@@ -3353,18 +3708,23 @@ void hand_joint_torque_batch(int count, const double *SINEW_RESTRICT q, const do
         const double strand_34_y = 0.03 - layer_1_y - t46;
         const double strand_34_z_by_q71 = layer_1_z_by_q71 + t40;
         const double strand_34_z = layer_1_z - t33;
-        const double t304 = strand_34_x * strand_34_x_by_q71 - strand_34_y * layer_1_y_by_q71 - strand_34_z * strand_34_z_by_q71;
-        const double t305 = strand_34_x * strand_34_x + strand_34_y * strand_34_y + strand_34_z * strand_34_z;
+        const double t304 = strand_34_x * strand_34_x_by_q71 - strand_34_y * layer_1_y_by_q71
+            - strand_34_z * strand_34_z_by_q71;
+        const double t305 = strand_34_x * strand_34_x + strand_34_y * strand_34_y + strand_34_z
+            * strand_34_z;
         const double length_34 = sinew_sqrt(t305);
         const double t306 = 1.0 / length_34;
         const double length_34_by_q71 = t304 * t306;
-        const double t307 = t295 + f[33 * n + state] * length_33_by_q71 + f[34 * n + state] * length_34_by_q71;
+        const double t307 = t295 + f[33 * n + state] * length_33_by_q71 + f[34 * n + state]
+            * length_34_by_q71;
         const double strand_34_x_by_q73 = layer_1_x_by_q73 + t64;
         const double strand_34_y_by_q73 = layer_1_y_by_q73 + t67;
         const double strand_34_z_by_q73 = layer_1_z_by_q73 + t70;
-        const double t308 = strand_34_x * strand_34_x_by_q73 - strand_34_y * strand_34_y_by_q73 + strand_34_z * strand_34_z_by_q73;
+        const double t308 = strand_34_x * strand_34_x_by_q73 - strand_34_y * strand_34_y_by_q73
+            + strand_34_z * strand_34_z_by_q73;
         const double length_34_by_q73 = t308 * t306;
-        const double t309 = t297 + f[33 * n + state] * length_33_by_q73 + f[34 * n + state] * length_34_by_q73;
+        const double t309 = t297 + f[33 * n + state] * length_33_by_q73 + f[34 * n + state]
+            * length_34_by_q73;
         const double R21y = c1 * s2;
         const double t310 = 0.005 * R21y;
         const double t311 = 0.006 * s1;
@@ -3385,7 +3745,8 @@ void hand_joint_torque_batch(int count, const double *SINEW_RESTRICT q, const do
         const double t319 = 0.047 * s2;
         const double A_lengthdz = t318 + t319;
         const double t320 = A_lengthdz * A_lengthdz;
-        const double A_length = sinew_sqrt(A_lengthdx * A_lengthdx + A_lengthdy * A_lengthdy + t320);
+        const double A_length = sinew_sqrt(A_lengthdx * A_lengthdx + A_lengthdy * A_lengthdy
+            + t320);
         const double t321 = 1.0 / A_length;
         const double t322 = 0.005 * R21x;
         const double t323 = 0.047 * R21y;
@@ -3397,7 +3758,8 @@ void hand_joint_torque_batch(int count, const double *SINEW_RESTRICT q, const do
         const double t327 = 0.047 * c2;
         const double pA_length_toz_by_q_1 = t326 + t327;
         const double t328 = A_lengthdz * pA_length_toz_by_q_1;
-        const double t329 = A_lengthdx * pA_length_tox_by_q_1 + A_lengthdy * pA_length_toy_by_q_1 - t328;
+        const double t329 = A_lengthdx * pA_length_tox_by_q_1 + A_lengthdy * pA_length_toy_by_q_1
+            - t328;
         const double A_length_by_q_1 = t329 * t321;
         const double t330 = t310 + t311;
         const double pB_length_tox = t330 - t313;
@@ -3407,82 +3769,105 @@ void hand_joint_torque_batch(int count, const double *SINEW_RESTRICT q, const do
         const double B_lengthdy = 0.03 + pB_length_toy;
         const double B_lengthdz = t318 - t319;
         const double t332 = B_lengthdz * B_lengthdz;
-        const double B_length = sinew_sqrt(B_lengthdx * B_lengthdx + B_lengthdy * B_lengthdy + t332);
+        const double B_length = sinew_sqrt(B_lengthdx * B_lengthdx + B_lengthdy * B_lengthdy
+            + t332);
         const double t333 = 1.0 / B_length;
         const double pB_length_tox_by_q_1 = t322 + t323;
         const double pB_length_toy_by_q_1 = t324 + t325;
         const double pB_length_toz_by_q_1 = t326 - t327;
         const double t334 = B_lengthdz * pB_length_toz_by_q_1;
-        const double t335 = B_lengthdx * pB_length_tox_by_q_1 + B_lengthdy * pB_length_toy_by_q_1 + t334;
+        const double t335 = B_lengthdx * pB_length_tox_by_q_1 + B_lengthdy * pB_length_toy_by_q_1
+            + t334;
         const double B_length_by_q_1 = t335 * t333;
         const double pC_length_tox = t330 + t313;
         const double C_lengthdx = 0.002 - pC_length_tox;
         const double pC_length_toy = t331 + t317;
         const double C_lengthdy = 0.03 + pC_length_toy;
-        const double C_length = sinew_sqrt(t320 + C_lengthdx * C_lengthdx + C_lengthdy * C_lengthdy);
+        const double C_length = sinew_sqrt(t320 + C_lengthdx * C_lengthdx + C_lengthdy
+            * C_lengthdy);
         const double t336 = 1.0 / C_length;
-        const double t337 = t328 - C_lengthdx * pA_length_tox_by_q_1 + C_lengthdy * pA_length_toy_by_q_1;
+        const double t337 = t328 - C_lengthdx * pA_length_tox_by_q_1 + C_lengthdy
+            * pA_length_toy_by_q_1;
         const double C_length_by_q_1 = t337 * t336;
-        const double t338 = f[state] * A_length_by_q_1 - f[1 * n + state] * B_length_by_q_1 - f[2 * n + state] * C_length_by_q_1;
+        const double t338 = f[state] * A_length_by_q_1 - f[1 * n + state] * B_length_by_q_1 - f[2
+            * n + state] * C_length_by_q_1;
         const double pD_length_tox = t312 - t313;
         const double D_lengthdx = 0.002 + pD_length_tox;
         const double pD_length_toy = t316 - t317;
         const double D_lengthdy = 0.03 - pD_length_toy;
-        const double D_length = sinew_sqrt(t332 + D_lengthdx * D_lengthdx + D_lengthdy * D_lengthdy);
+        const double D_length = sinew_sqrt(t332 + D_lengthdx * D_lengthdx + D_lengthdy
+            * D_lengthdy);
         const double t339 = 1.0 / D_length;
-        const double t340 = t334 + D_lengthdx * pB_length_tox_by_q_1 - D_lengthdy * pB_length_toy_by_q_1;
+        const double t340 = t334 + D_lengthdx * pB_length_tox_by_q_1 - D_lengthdy
+            * pB_length_toy_by_q_1;
         const double D_length_by_q_1 = t340 * t339;
-        const double A_length_by_q_0 = (pA_length_tox * A_lengthdy - pA_length_toy * A_lengthdx) * t321;
-        const double B_length_by_q_0 = (pB_length_tox * B_lengthdy - pB_length_toy * B_lengthdx) * t333;
-        const double C_length_by_q_0 = (pC_length_tox * C_lengthdy + pC_length_toy * C_lengthdx) * t336;
-        const double t341 = f[state] * A_length_by_q_0 - f[1 * n + state] * B_length_by_q_0 - f[2 * n + state] * C_length_by_q_0;
-        const double D_length_by_q_0 = (pD_length_tox * D_lengthdy + pD_length_toy * D_lengthdx) * t339;
+        const double A_length_by_q_0 = (pA_length_tox * A_lengthdy - pA_length_toy * A_lengthdx)
+            * t321;
+        const double B_length_by_q_0 = (pB_length_tox * B_lengthdy - pB_length_toy * B_lengthdx)
+            * t333;
+        const double C_length_by_q_0 = (pC_length_tox * C_lengthdy + pC_length_toy * C_lengthdx)
+            * t336;
+        const double t341 = f[state] * A_length_by_q_0 - f[1 * n + state] * B_length_by_q_0 - f[2
+            * n + state] * C_length_by_q_0;
+        const double D_length_by_q_0 = (pD_length_tox * D_lengthdy + pD_length_toy * D_lengthdx)
+            * t339;
         const double strand_35_x_by_q71 = layer_1_x_by_q71 + t176;
         const double strand_35_x = layer_1_x - t177;
         const double strand_35_y = 0.031 - layer_1_y - t178;
         const double strand_35_z_by_q71 = layer_1_z_by_q71 + t177;
         const double strand_35_z = layer_1_z - t176;
-        const double t342 = strand_35_x * strand_35_x_by_q71 - strand_35_y * layer_1_y_by_q71 - strand_35_z * strand_35_z_by_q71;
-        const double t343 = strand_35_x * strand_35_x + strand_35_y * strand_35_y + strand_35_z * strand_35_z;
+        const double t342 = strand_35_x * strand_35_x_by_q71 - strand_35_y * layer_1_y_by_q71
+            - strand_35_z * strand_35_z_by_q71;
+        const double t343 = strand_35_x * strand_35_x + strand_35_y * strand_35_y + strand_35_z
+            * strand_35_z;
         const double length_35 = sinew_sqrt(t343);
         const double t344 = 1.0 / length_35;
         const double length_35_by_q71 = t342 * t344;
         const double strand_35_x_by_q73 = layer_1_x_by_q73 + t182;
         const double strand_35_y_by_q73 = layer_1_y_by_q73 + t183;
         const double strand_35_z_by_q73 = layer_1_z_by_q73 + t184;
-        const double t345 = strand_35_x * strand_35_x_by_q73 - strand_35_y * strand_35_y_by_q73 + strand_35_z * strand_35_z_by_q73;
+        const double t345 = strand_35_x * strand_35_x_by_q73 - strand_35_y * strand_35_y_by_q73
+            + strand_35_z * strand_35_z_by_q73;
         const double length_35_by_q73 = t345 * t344;
         const double strand_36_x_by_q71 = layer_1_x_by_q71 + t187;
         const double strand_36_x = layer_1_x - t188;
         const double strand_36_y = 0.033 - layer_1_y - t189;
         const double strand_36_z_by_q71 = layer_1_z_by_q71 + t188;
         const double strand_36_z = layer_1_z - t187;
-        const double t346 = strand_36_x * strand_36_x_by_q71 - strand_36_y * layer_1_y_by_q71 - strand_36_z * strand_36_z_by_q71;
-        const double t347 = strand_36_x * strand_36_x + strand_36_y * strand_36_y + strand_36_z * strand_36_z;
+        const double t346 = strand_36_x * strand_36_x_by_q71 - strand_36_y * layer_1_y_by_q71
+            - strand_36_z * strand_36_z_by_q71;
+        const double t347 = strand_36_x * strand_36_x + strand_36_y * strand_36_y + strand_36_z
+            * strand_36_z;
         const double length_36 = sinew_sqrt(t347);
         const double t348 = 1.0 / length_36;
         const double length_36_by_q71 = t346 * t348;
-        const double t349 = t307 + f[35 * n + state] * length_35_by_q71 + f[36 * n + state] * length_36_by_q71;
+        const double t349 = t307 + f[35 * n + state] * length_35_by_q71 + f[36 * n + state]
+            * length_36_by_q71;
         const double strand_36_x_by_q73 = layer_1_x_by_q73 + t194;
         const double strand_36_y_by_q73 = layer_1_y_by_q73 + t195;
         const double strand_36_z_by_q73 = layer_1_z_by_q73 + t196;
-        const double t350 = strand_36_x * strand_36_x_by_q73 - strand_36_y * strand_36_y_by_q73 + strand_36_z * strand_36_z_by_q73;
+        const double t350 = strand_36_x * strand_36_x_by_q73 - strand_36_y * strand_36_y_by_q73
+            + strand_36_z * strand_36_z_by_q73;
         const double length_36_by_q73 = t350 * t348;
-        const double t351 = t309 + f[35 * n + state] * length_35_by_q73 + f[36 * n + state] * length_36_by_q73;
+        const double t351 = t309 + f[35 * n + state] * length_35_by_q73 + f[36 * n + state]
+            * length_36_by_q73;
         const double strand_37_x_by_q71 = layer_1_x_by_q71 + t200;
         const double strand_37_x = layer_1_x - t201;
         const double strand_37_y = 0.035 - layer_1_y - t202;
         const double strand_37_z_by_q71 = layer_1_z_by_q71 + t201;
         const double strand_37_z = layer_1_z - t200;
-        const double t352 = strand_37_x * strand_37_x_by_q71 - strand_37_y * layer_1_y_by_q71 - strand_37_z * strand_37_z_by_q71;
-        const double t353 = strand_37_x * strand_37_x + strand_37_y * strand_37_y + strand_37_z * strand_37_z;
+        const double t352 = strand_37_x * strand_37_x_by_q71 - strand_37_y * layer_1_y_by_q71
+            - strand_37_z * strand_37_z_by_q71;
+        const double t353 = strand_37_x * strand_37_x + strand_37_y * strand_37_y + strand_37_z
+            * strand_37_z;
         const double length_37 = sinew_sqrt(t353);
         const double t354 = 1.0 / length_37;
         const double length_37_by_q71 = t352 * t354;
         const double strand_37_x_by_q73 = layer_1_x_by_q73 + t206;
         const double strand_37_y_by_q73 = layer_1_y_by_q73 + t207;
         const double strand_37_z_by_q73 = layer_1_z_by_q73 + t208;
-        const double t355 = strand_37_x * strand_37_x_by_q73 - strand_37_y * strand_37_y_by_q73 + strand_37_z * strand_37_z_by_q73;
+        const double t355 = strand_37_x * strand_37_x_by_q73 - strand_37_y * strand_37_y_by_q73
+            + strand_37_z * strand_37_z_by_q73;
         const double length_37_by_q73 = t355 * t354;
         tau[state] = t341 + f[3 * n + state] * D_length_by_q_0;
         tau[1 * n + state] = t338 - f[3 * n + state] * D_length_by_q_1;
@@ -3508,7 +3893,8 @@ void hand_joint_torque_batch(int count, const double *SINEW_RESTRICT q, const do
     }
 }
 
-void hand_feedforward_batch(int count, const double *SINEW_RESTRICT q_wrist, double *SINEW_RESTRICT delta_theta)
+void hand_feedforward_batch(int count, const double *SINEW_RESTRICT q_wrist,
+    double *SINEW_RESTRICT delta_theta)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
@@ -3533,10 +3919,12 @@ void hand_feedforward_batch(int count, const double *SINEW_RESTRICT q_wrist, dou
         const double p_z = 0.036 * cos_q71;
         const double reach_squared = sinew_max(p_y * p_y + p_z * p_z, 1.296e-15);
         const double p_x = u_e * s_e - u_y * s_y;
-        const double projection = 0.034722222222222224 - 13.88888888888889 * (reach_squared + p_x * p_x);
+        const double projection = 0.034722222222222224 - 13.88888888888889 * (reach_squared + p_x
+            * p_x);
         const double reach = sinew_sqrt(reach_squared);
         const double limited = sinew_min(sinew_max(-projection, -reach), reach);
-        const double clearance = sinew_max((reach + limited) * (reach - limited), 1e-12 * reach_squared);
+        const double clearance = sinew_max((reach + limited) * (reach - limited), 1e-12
+            * reach_squared);
         const double root = sinew_sqrt(clearance);
         const double t1 = 1.0 / reach_squared;
         const double sin_A = (p_y * root - p_z * limited) * t1;
@@ -3569,7 +3957,8 @@ void hand_feedforward_batch(int count, const double *SINEW_RESTRICT q_wrist, dou
         const double y_z = sin_q71 * u_e;
         const double t10 = 0.011 * y_z;
         const double strand_0_z = layer_0_z + t10;
-        const double t11 = strand_0_x * strand_0_x + strand_0_y * strand_0_y + strand_0_z * strand_0_z;
+        const double t11 = strand_0_x * strand_0_x + strand_0_y * strand_0_y + strand_0_z
+            * strand_0_z;
         const double length_0 = sinew_sqrt(t11);
         const double change_0 = 0.04661544808322666 - length_0;
         const double t12 = 0.01 * y_x;
@@ -3578,7 +3967,8 @@ void hand_feedforward_batch(int count, const double *SINEW_RESTRICT q_wrist, dou
         const double strand_1_y = 0.008 - layer_0_y + t13;
         const double t14 = 0.01 * y_z;
         const double strand_1_z = layer_0_z + t14;
-        const double t15 = strand_1_x * strand_1_x + strand_1_y * strand_1_y + strand_1_z * strand_1_z;
+        const double t15 = strand_1_x * strand_1_x + strand_1_y * strand_1_y + strand_1_z
+            * strand_1_z;
         const double length_1 = sinew_sqrt(t15);
         const double change_1 = 0.04661544808322666 - length_1;
         const double t16 = 0.008 * y_x;
@@ -3587,7 +3977,8 @@ void hand_feedforward_batch(int count, const double *SINEW_RESTRICT q_wrist, dou
         const double strand_2_y = 0.01 - layer_0_y + t17;
         const double t18 = 0.008 * y_z;
         const double strand_2_z = layer_0_z + t18;
-        const double t19 = strand_2_x * strand_2_x + strand_2_y * strand_2_y + strand_2_z * strand_2_z;
+        const double t19 = strand_2_x * strand_2_x + strand_2_y * strand_2_y + strand_2_z
+            * strand_2_z;
         const double length_2 = sinew_sqrt(t19);
         const double change_2 = 0.04661544808322666 - length_2;
         const double t20 = 0.006 * y_x;
@@ -3596,7 +3987,8 @@ void hand_feedforward_batch(int count, const double *SINEW_RESTRICT q_wrist, dou
         const double strand_3_y = 0.011 - layer_0_y + t21;
         const double t22 = 0.006 * y_z;
         const double strand_3_z = layer_0_z + t22;
-        const double t23 = strand_3_x * strand_3_x + strand_3_y * strand_3_y + strand_3_z * strand_3_z;
+        const double t23 = strand_3_x * strand_3_x + strand_3_y * strand_3_y + strand_3_z
+            * strand_3_z;
         const double length_3 = sinew_sqrt(t23);
         const double change_3 = 0.04669047011971501 - length_3;
         const double t24 = 0.005 * y_x;
@@ -3605,7 +3997,8 @@ void hand_feedforward_batch(int count, const double *SINEW_RESTRICT q_wrist, dou
         const double strand_4_y = 0.013 - layer_0_y + t25;
         const double t26 = 0.005 * y_z;
         const double strand_4_z = layer_0_z + t26;
-        const double t27 = strand_4_x * strand_4_x + strand_4_y * strand_4_y + strand_4_z * strand_4_z;
+        const double t27 = strand_4_x * strand_4_x + strand_4_y * strand_4_y + strand_4_z
+            * strand_4_z;
         const double length_4 = sinew_sqrt(t27);
         const double change_4 = 0.04661544808322666 - length_4;
         const double t28 = 0.003 * y_x;
@@ -3614,7 +4007,8 @@ void hand_feedforward_batch(int count, const double *SINEW_RESTRICT q_wrist, dou
         const double strand_5_y = 0.015 - layer_0_y + t29;
         const double t30 = 0.003 * y_z;
         const double strand_5_z = layer_0_z + t30;
-        const double t31 = strand_5_x * strand_5_x + strand_5_y * strand_5_y + strand_5_z * strand_5_z;
+        const double t31 = strand_5_x * strand_5_x + strand_5_y * strand_5_y + strand_5_z
+            * strand_5_z;
         const double length_5 = sinew_sqrt(t31);
         const double change_5 = 0.04661544808322666 - length_5;
         const double t32 = 0.002 * y_x;
@@ -3623,52 +4017,61 @@ void hand_feedforward_batch(int count, const double *SINEW_RESTRICT q_wrist, dou
         const double strand_6_y = 0.016 - layer_0_y + t33;
         const double t34 = 0.002 * y_z;
         const double strand_6_z = layer_0_z + t34;
-        const double t35 = strand_6_x * strand_6_x + strand_6_y * strand_6_y + strand_6_z * strand_6_z;
+        const double t35 = strand_6_x * strand_6_x + strand_6_y * strand_6_y + strand_6_z
+            * strand_6_z;
         const double length_6 = sinew_sqrt(t35);
         const double change_6 = 0.04661544808322666 - length_6;
         const double strand_7_y = 0.018 - layer_0_y;
-        const double length_7 = sinew_sqrt(layer_0_x * layer_0_x + layer_0_z * layer_0_z + strand_7_y * strand_7_y);
+        const double length_7 = sinew_sqrt(layer_0_x * layer_0_x + layer_0_z * layer_0_z
+            + strand_7_y * strand_7_y);
         const double change_7 = 0.04661544808322666 - length_7;
         const double strand_8_x = layer_0_x - t32;
         const double strand_8_y = 0.019 - layer_0_y - t33;
         const double strand_8_z = layer_0_z - t34;
-        const double t36 = strand_8_x * strand_8_x + strand_8_y * strand_8_y + strand_8_z * strand_8_z;
+        const double t36 = strand_8_x * strand_8_x + strand_8_y * strand_8_y + strand_8_z
+            * strand_8_z;
         const double length_8 = sinew_sqrt(t36);
         const double change_8 = 0.04669047011971501 - length_8;
         const double strand_9_x = layer_0_x - t28;
         const double strand_9_y = 0.021 - layer_0_y - t29;
         const double strand_9_z = layer_0_z - t30;
-        const double t37 = strand_9_x * strand_9_x + strand_9_y * strand_9_y + strand_9_z * strand_9_z;
+        const double t37 = strand_9_x * strand_9_x + strand_9_y * strand_9_y + strand_9_z
+            * strand_9_z;
         const double length_9 = sinew_sqrt(t37);
         const double change_9 = 0.04661544808322666 - length_9;
         const double strand_10_x = layer_0_x - t24;
         const double strand_10_y = 0.023 - layer_0_y - t25;
         const double strand_10_z = layer_0_z - t26;
-        const double t38 = strand_10_x * strand_10_x + strand_10_y * strand_10_y + strand_10_z * strand_10_z;
+        const double t38 = strand_10_x * strand_10_x + strand_10_y * strand_10_y + strand_10_z
+            * strand_10_z;
         const double length_10 = sinew_sqrt(t38);
         const double change_10 = 0.04661544808322666 - length_10;
         const double strand_11_x = layer_0_x - t20;
         const double strand_11_y = 0.024 - layer_0_y - t21;
         const double strand_11_z = layer_0_z - t22;
-        const double t39 = strand_11_x * strand_11_x + strand_11_y * strand_11_y + strand_11_z * strand_11_z;
+        const double t39 = strand_11_x * strand_11_x + strand_11_y * strand_11_y + strand_11_z
+            * strand_11_z;
         const double length_11 = sinew_sqrt(t39);
         const double change_11 = 0.04661544808322666 - length_11;
         const double strand_12_x = layer_0_x - t16;
         const double strand_12_y = 0.026 - layer_0_y - t17;
         const double strand_12_z = layer_0_z - t18;
-        const double t40 = strand_12_x * strand_12_x + strand_12_y * strand_12_y + strand_12_z * strand_12_z;
+        const double t40 = strand_12_x * strand_12_x + strand_12_y * strand_12_y + strand_12_z
+            * strand_12_z;
         const double length_12 = sinew_sqrt(t40);
         const double change_12 = 0.04661544808322666 - length_12;
         const double strand_13_x = layer_0_x - t12;
         const double strand_13_y = 0.027 - layer_0_y - t13;
         const double strand_13_z = layer_0_z - t14;
-        const double t41 = strand_13_x * strand_13_x + strand_13_y * strand_13_y + strand_13_z * strand_13_z;
+        const double t41 = strand_13_x * strand_13_x + strand_13_y * strand_13_y + strand_13_z
+            * strand_13_z;
         const double length_13 = sinew_sqrt(t41);
         const double change_13 = 0.04669047011971501 - length_13;
         const double strand_14_x = layer_0_x - t4;
         const double strand_14_y = 0.029 - layer_0_y - t7;
         const double strand_14_z = layer_0_z - t10;
-        const double t42 = strand_14_x * strand_14_x + strand_14_y * strand_14_y + strand_14_z * strand_14_z;
+        const double t42 = strand_14_x * strand_14_x + strand_14_y * strand_14_y + strand_14_z
+            * strand_14_z;
         const double length_14 = sinew_sqrt(t42);
         const double change_14 = 0.04661544808322666 - length_14;
         const double t43 = 0.013 * y_x;
@@ -3677,7 +4080,8 @@ void hand_feedforward_batch(int count, const double *SINEW_RESTRICT q_wrist, dou
         const double strand_15_y = 0.031 - layer_0_y - t44;
         const double t45 = 0.013 * y_z;
         const double strand_15_z = layer_0_z - t45;
-        const double t46 = strand_15_x * strand_15_x + strand_15_y * strand_15_y + strand_15_z * strand_15_z;
+        const double t46 = strand_15_x * strand_15_x + strand_15_y * strand_15_y + strand_15_z
+            * strand_15_z;
         const double length_15 = sinew_sqrt(t46);
         const double change_15 = 0.04661544808322666 - length_15;
         const double t47 = 0.014 * y_x;
@@ -3686,7 +4090,8 @@ void hand_feedforward_batch(int count, const double *SINEW_RESTRICT q_wrist, dou
         const double strand_16_y = 0.032 - layer_0_y - t48;
         const double t49 = 0.014 * y_z;
         const double strand_16_z = layer_0_z - t49;
-        const double t50 = strand_16_x * strand_16_x + strand_16_y * strand_16_y + strand_16_z * strand_16_z;
+        const double t50 = strand_16_x * strand_16_x + strand_16_y * strand_16_y + strand_16_z
+            * strand_16_z;
         const double length_16 = sinew_sqrt(t50);
         const double change_16 = 0.04661544808322666 - length_16;
         const double t51 = 0.016 * y_x;
@@ -3695,13 +4100,15 @@ void hand_feedforward_batch(int count, const double *SINEW_RESTRICT q_wrist, dou
         const double strand_17_y = 0.034 - layer_0_y - t52;
         const double t53 = 0.016 * y_z;
         const double strand_17_z = layer_0_z - t53;
-        const double t54 = strand_17_x * strand_17_x + strand_17_y * strand_17_y + strand_17_z * strand_17_z;
+        const double t54 = strand_17_x * strand_17_x + strand_17_y * strand_17_y + strand_17_z
+            * strand_17_z;
         const double length_17 = sinew_sqrt(t54);
         const double change_17 = 0.04661544808322666 - length_17;
         const double strand_18_x = layer_0_x - 0.018 * y_x;
         const double strand_18_y = 0.035 - layer_0_y - 0.018 * u_y;
         const double strand_18_z = layer_0_z - 0.018 * y_z;
-        const double t55 = strand_18_x * strand_18_x + strand_18_y * strand_18_y + strand_18_z * strand_18_z;
+        const double t55 = strand_18_x * strand_18_x + strand_18_y * strand_18_y + strand_18_z
+            * strand_18_z;
         const double length_18 = sinew_sqrt(t55);
         const double change_18 = 0.04669047011971501 - length_18;
         const double layer_1_x = t2 + t3;
@@ -3710,113 +4117,132 @@ void hand_feedforward_batch(int count, const double *SINEW_RESTRICT q_wrist, dou
         const double strand_19_y = 0.006 - layer_1_y + t44;
         const double layer_1_z = 0.028 - origin_z - t8 + t9;
         const double strand_19_z = layer_1_z + t45;
-        const double t56 = strand_19_x * strand_19_x + strand_19_y * strand_19_y + strand_19_z * strand_19_z;
+        const double t56 = strand_19_x * strand_19_x + strand_19_y * strand_19_y + strand_19_z
+            * strand_19_z;
         const double length_19 = sinew_sqrt(t56);
         const double change_19 = 0.046561786907291264 - length_19;
         const double strand_20_x = layer_1_x + t4;
         const double strand_20_y = 0.007 - layer_1_y + t7;
         const double strand_20_z = layer_1_z + t10;
-        const double t57 = strand_20_x * strand_20_x + strand_20_y * strand_20_y + strand_20_z * strand_20_z;
+        const double t57 = strand_20_x * strand_20_x + strand_20_y * strand_20_y + strand_20_z
+            * strand_20_z;
         const double length_20 = sinew_sqrt(t57);
         const double change_20 = 0.04661544808322666 - length_20;
         const double strand_21_x = layer_1_x + t12;
         const double strand_21_y = 0.009 - layer_1_y + t13;
         const double strand_21_z = layer_1_z + t14;
-        const double t58 = strand_21_x * strand_21_x + strand_21_y * strand_21_y + strand_21_z * strand_21_z;
+        const double t58 = strand_21_x * strand_21_x + strand_21_y * strand_21_y + strand_21_z
+            * strand_21_z;
         const double length_21 = sinew_sqrt(t58);
         const double change_21 = 0.046561786907291264 - length_21;
         const double strand_22_x = layer_1_x + t16;
         const double strand_22_y = 0.011 - layer_1_y + t17;
         const double strand_22_z = layer_1_z + t18;
-        const double t59 = strand_22_x * strand_22_x + strand_22_y * strand_22_y + strand_22_z * strand_22_z;
+        const double t59 = strand_22_x * strand_22_x + strand_22_y * strand_22_y + strand_22_z
+            * strand_22_z;
         const double length_22 = sinew_sqrt(t59);
         const double change_22 = 0.046561786907291264 - length_22;
         const double strand_23_x = layer_1_x + t20;
         const double strand_23_y = 0.012 - layer_1_y + t21;
         const double strand_23_z = layer_1_z + t22;
-        const double t60 = strand_23_x * strand_23_x + strand_23_y * strand_23_y + strand_23_z * strand_23_z;
+        const double t60 = strand_23_x * strand_23_x + strand_23_y * strand_23_y + strand_23_z
+            * strand_23_z;
         const double length_23 = sinew_sqrt(t60);
         const double change_23 = 0.04661544808322666 - length_23;
         const double strand_24_x = layer_1_x + t24;
         const double strand_24_y = 0.014 - layer_1_y + t25;
         const double strand_24_z = layer_1_z + t26;
-        const double t61 = strand_24_x * strand_24_x + strand_24_y * strand_24_y + strand_24_z * strand_24_z;
+        const double t61 = strand_24_x * strand_24_x + strand_24_y * strand_24_y + strand_24_z
+            * strand_24_z;
         const double length_24 = sinew_sqrt(t61);
         const double change_24 = 0.046561786907291264 - length_24;
         const double strand_25_x = layer_1_x + t28;
         const double strand_25_y = 0.015 - layer_1_y + t29;
         const double strand_25_z = layer_1_z + t30;
-        const double t62 = strand_25_x * strand_25_x + strand_25_y * strand_25_y + strand_25_z * strand_25_z;
+        const double t62 = strand_25_x * strand_25_x + strand_25_y * strand_25_y + strand_25_z
+            * strand_25_z;
         const double length_25 = sinew_sqrt(t62);
         const double change_25 = 0.04661544808322666 - length_25;
         const double strand_26_x = layer_1_x + t32;
         const double strand_26_y = 0.017 - layer_1_y + t33;
         const double strand_26_z = layer_1_z + t34;
-        const double t63 = strand_26_x * strand_26_x + strand_26_y * strand_26_y + strand_26_z * strand_26_z;
+        const double t63 = strand_26_x * strand_26_x + strand_26_y * strand_26_y + strand_26_z
+            * strand_26_z;
         const double length_26 = sinew_sqrt(t63);
         const double change_26 = 0.046561786907291264 - length_26;
         const double strand_27_y = 0.019 - layer_1_y;
-        const double t64 = layer_1_x * layer_1_x + layer_1_z * layer_1_z + strand_27_y * strand_27_y;
+        const double t64 = layer_1_x * layer_1_x + layer_1_z * layer_1_z + strand_27_y
+            * strand_27_y;
         const double length_27 = sinew_sqrt(t64);
         const double change_27 = 0.046561786907291264 - length_27;
         const double strand_28_x = layer_1_x - t32;
         const double strand_28_y = 0.02 - layer_1_y - t33;
         const double strand_28_z = layer_1_z - t34;
-        const double t65 = strand_28_x * strand_28_x + strand_28_y * strand_28_y + strand_28_z * strand_28_z;
+        const double t65 = strand_28_x * strand_28_x + strand_28_y * strand_28_y + strand_28_z
+            * strand_28_z;
         const double length_28 = sinew_sqrt(t65);
         const double change_28 = 0.04661544808322666 - length_28;
         const double strand_29_x = layer_1_x - t28;
         const double strand_29_y = 0.022 - layer_1_y - t29;
         const double strand_29_z = layer_1_z - t30;
-        const double t66 = strand_29_x * strand_29_x + strand_29_y * strand_29_y + strand_29_z * strand_29_z;
+        const double t66 = strand_29_x * strand_29_x + strand_29_y * strand_29_y + strand_29_z
+            * strand_29_z;
         const double length_29 = sinew_sqrt(t66);
         const double change_29 = 0.046561786907291264 - length_29;
         const double strand_30_x = layer_1_x - t24;
         const double strand_30_y = 0.023 - layer_1_y - t25;
         const double strand_30_z = layer_1_z - t26;
-        const double t67 = strand_30_x * strand_30_x + strand_30_y * strand_30_y + strand_30_z * strand_30_z;
+        const double t67 = strand_30_x * strand_30_x + strand_30_y * strand_30_y + strand_30_z
+            * strand_30_z;
         const double length_30 = sinew_sqrt(t67);
         const double change_30 = 0.04661544808322666 - length_30;
         const double strand_31_x = layer_1_x - t20;
         const double strand_31_y = 0.025 - layer_1_y - t21;
         const double strand_31_z = layer_1_z - t22;
-        const double t68 = strand_31_x * strand_31_x + strand_31_y * strand_31_y + strand_31_z * strand_31_z;
+        const double t68 = strand_31_x * strand_31_x + strand_31_y * strand_31_y + strand_31_z
+            * strand_31_z;
         const double length_31 = sinew_sqrt(t68);
         const double change_31 = 0.046561786907291264 - length_31;
         const double strand_32_x = layer_1_x - t16;
         const double strand_32_y = 0.027 - layer_1_y - t17;
         const double strand_32_z = layer_1_z - t18;
-        const double t69 = strand_32_x * strand_32_x + strand_32_y * strand_32_y + strand_32_z * strand_32_z;
+        const double t69 = strand_32_x * strand_32_x + strand_32_y * strand_32_y + strand_32_z
+            * strand_32_z;
         const double length_32 = sinew_sqrt(t69);
         const double change_32 = 0.046561786907291264 - length_32;
         const double strand_33_x = layer_1_x - t12;
         const double strand_33_y = 0.028 - layer_1_y - t13;
         const double strand_33_z = layer_1_z - t14;
-        const double t70 = strand_33_x * strand_33_x + strand_33_y * strand_33_y + strand_33_z * strand_33_z;
+        const double t70 = strand_33_x * strand_33_x + strand_33_y * strand_33_y + strand_33_z
+            * strand_33_z;
         const double length_33 = sinew_sqrt(t70);
         const double change_33 = 0.04661544808322666 - length_33;
         const double strand_34_x = layer_1_x - t4;
         const double strand_34_y = 0.03 - layer_1_y - t7;
         const double strand_34_z = layer_1_z - t10;
-        const double t71 = strand_34_x * strand_34_x + strand_34_y * strand_34_y + strand_34_z * strand_34_z;
+        const double t71 = strand_34_x * strand_34_x + strand_34_y * strand_34_y + strand_34_z
+            * strand_34_z;
         const double length_34 = sinew_sqrt(t71);
         const double change_34 = 0.046561786907291264 - length_34;
         const double strand_35_x = layer_1_x - t43;
         const double strand_35_y = 0.031 - layer_1_y - t44;
         const double strand_35_z = layer_1_z - t45;
-        const double t72 = strand_35_x * strand_35_x + strand_35_y * strand_35_y + strand_35_z * strand_35_z;
+        const double t72 = strand_35_x * strand_35_x + strand_35_y * strand_35_y + strand_35_z
+            * strand_35_z;
         const double length_35 = sinew_sqrt(t72);
         const double change_35 = 0.04661544808322666 - length_35;
         const double strand_36_x = layer_1_x - t47;
         const double strand_36_y = 0.033 - layer_1_y - t48;
         const double strand_36_z = layer_1_z - t49;
-        const double t73 = strand_36_x * strand_36_x + strand_36_y * strand_36_y + strand_36_z * strand_36_z;
+        const double t73 = strand_36_x * strand_36_x + strand_36_y * strand_36_y + strand_36_z
+            * strand_36_z;
         const double length_36 = sinew_sqrt(t73);
         const double change_36 = 0.046561786907291264 - length_36;
         const double strand_37_x = layer_1_x - t51;
         const double strand_37_y = 0.035 - layer_1_y - t52;
         const double strand_37_z = layer_1_z - t53;
-        const double t74 = strand_37_x * strand_37_x + strand_37_y * strand_37_y + strand_37_z * strand_37_z;
+        const double t74 = strand_37_x * strand_37_x + strand_37_y * strand_37_y + strand_37_z
+            * strand_37_z;
         const double length_37 = sinew_sqrt(t74);
         const double change_37 = 0.046561786907291264 - length_37;
         delta_theta[state] = 200.0 * change_0;
@@ -3860,7 +4286,8 @@ void hand_feedforward_batch(int count, const double *SINEW_RESTRICT q_wrist, dou
     }
 }
 
-void hand_feedforward_rate_batch(int count, const double *SINEW_RESTRICT q_wrist, const double *SINEW_RESTRICT qd_wrist, double *SINEW_RESTRICT delta_theta_rate)
+void hand_feedforward_rate_batch(int count, const double *SINEW_RESTRICT q_wrist,
+    const double *SINEW_RESTRICT qd_wrist, double *SINEW_RESTRICT delta_theta_rate)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
@@ -3896,7 +4323,8 @@ void hand_feedforward_rate_batch(int count, const double *SINEW_RESTRICT q_wrist
         const double u_e_by_q73 = t6 + 23.80952380952381 * C_e_by_q73;
         const double M_y = t5 - 0.5 * C_y;
         const double s_y = 0.021 - M_y;
-        const double p_y_by_q73 = u_e * M_y_by_q73 + u_y * M_e_by_q73 - s_e * u_y_by_q73 + s_y * u_e_by_q73;
+        const double p_y_by_q73 = u_e * M_y_by_q73 + u_y * M_e_by_q73 - s_e * u_y_by_q73 + s_y
+            * u_e_by_q73;
         const double p_y = u_e * s_y + u_y * s_e;
         const double t7 = p_y + p_y;
         const double t8 = p_y * p_y;
@@ -3904,12 +4332,15 @@ void hand_feedforward_rate_batch(int count, const double *SINEW_RESTRICT q_wrist
         const double t9 = p_z * p_z;
         const double t10 = -(1.296e-15 - t8 - t9);
         const double reach_squared_by_q73 = sinew_choose(t10, t7 * p_y_by_q73, 0.0);
-        const double p_x_by_q73 = u_e * M_e_by_q73 - u_y * M_y_by_q73 + s_e * u_e_by_q73 + s_y * u_y_by_q73;
+        const double p_x_by_q73 = u_e * M_e_by_q73 - u_y * M_y_by_q73 + s_e * u_e_by_q73 + s_y
+            * u_y_by_q73;
         const double p_x = u_e * s_e - u_y * s_y;
         const double t11 = 27.77777777777778 * p_x;
-        const double projection_by_q73 = 13.88888888888889 * reach_squared_by_q73 + t11 * p_x_by_q73;
+        const double projection_by_q73 = 13.88888888888889 * reach_squared_by_q73 + t11
+            * p_x_by_q73;
         const double reach_squared = sinew_max(t8 + t9, 1.296e-15);
-        const double projection = 0.034722222222222224 - 13.88888888888889 * (reach_squared + p_x * p_x);
+        const double projection = 0.034722222222222224 - 13.88888888888889 * (reach_squared + p_x
+            * p_x);
         const double reach = sinew_sqrt(reach_squared);
         const double t12 = reach - projection;
         const double t13 = sinew_choose(t12, 1.0, 0.0);
@@ -3918,25 +4349,29 @@ void hand_feedforward_rate_batch(int count, const double *SINEW_RESTRICT q_wrist
         const double t15 = sinew_choose(t12, 0.0, 1.0);
         const double t16 = sinew_max(-projection, -reach);
         const double t17 = reach - t16;
-        const double limited_by_q73 = sinew_choose(t17, -(reach_by_q73 * t15 - projection_by_q73 * t13), reach_by_q73);
+        const double limited_by_q73 = sinew_choose(t17, -(reach_by_q73 * t15 - projection_by_q73
+            * t13), reach_by_q73);
         const double limited = sinew_min(t16, reach);
         const double t18 = limited + limited;
         const double t19 = reach + reach;
         const double t20 = (reach + limited) * (reach - limited);
         const double t21 = 1e-12 * reach_squared;
         const double t22 = -(t21 - t20);
-        const double clearance_by_q73 = sinew_choose(t22, t19 * reach_by_q73 - t18 * limited_by_q73, 1e-12 * reach_squared_by_q73);
+        const double clearance_by_q73 = sinew_choose(t22, t19 * reach_by_q73 - t18 * limited_by_q73,
+            1e-12 * reach_squared_by_q73);
         const double clearance = sinew_max(t20, t21);
         const double root = sinew_sqrt(clearance);
         const double t23 = 1.0 / root;
         const double root_by_q73 = 0.5 * clearance_by_q73 * t23;
         const double t24 = 1.0 / reach_squared;
         const double cos_A = (p_y * limited + p_z * root) * t24;
-        const double t25 = p_y * limited_by_q73 + p_z * root_by_q73 + limited * p_y_by_q73 - cos_A * reach_squared_by_q73;
+        const double t25 = p_y * limited_by_q73 + p_z * root_by_q73 + limited * p_y_by_q73 - cos_A
+            * reach_squared_by_q73;
         const double cos_A_by_q73 = t25 * t24;
         const double z_plane_x_by_q73 = u_y * cos_A_by_q73 - cos_A * u_y_by_q73;
         const double sin_A = (p_y * root - p_z * limited) * t24;
-        const double t26 = p_y * root_by_q73 - p_z * limited_by_q73 + root * p_y_by_q73 - sin_A * reach_squared_by_q73;
+        const double t26 = p_y * root_by_q73 - p_z * limited_by_q73 + root * p_y_by_q73 - sin_A
+            * reach_squared_by_q73;
         const double sin_A_by_q73 = t26 * t24;
         const double z_x_by_q73 = cos_q71 * z_plane_x_by_q73 - sin_q71 * sin_A_by_q73;
         const double M_x_by_q73 = cos_q71 * M_e_by_q73;
@@ -4004,23 +4439,30 @@ void hand_feedforward_rate_batch(int count, const double *SINEW_RESTRICT q_wrist
         const double y_z = sin_q71 * u_e;
         const double t53 = 0.011 * y_z;
         const double strand_0_z = layer_0_z + t53;
-        const double t54 = strand_0_x * strand_0_x_by_q73 - strand_0_y * strand_0_y_by_q73 + strand_0_z * strand_0_z_by_q73;
-        const double t55 = strand_0_x * strand_0_x + strand_0_y * strand_0_y + strand_0_z * strand_0_z;
+        const double t54 = strand_0_x * strand_0_x_by_q73 - strand_0_y * strand_0_y_by_q73
+            + strand_0_z * strand_0_z_by_q73;
+        const double t55 = strand_0_x * strand_0_x + strand_0_y * strand_0_y + strand_0_z
+            * strand_0_z;
         const double length_0 = sinew_sqrt(t55);
         const double t56 = 1.0 / length_0;
         const double length_0_by_q73 = t54 * t56;
         const double t57 = 200.0 * qd_wrist[1 * n + state];
         const double p_y_by_q71 = u_y * p_z;
-        const double reach_squared_by_q71 = sinew_choose(t10, -(t7 * p_y_by_q71 + (p_z + p_z) * p_z_by_q71), 0.0);
+        const double reach_squared_by_q71 = sinew_choose(t10, -(t7 * p_y_by_q71 + (p_z + p_z)
+            * p_z_by_q71), 0.0);
         const double reach_by_q71 = 0.5 * reach_squared_by_q71 * t14;
         const double projection_by_q71 = 13.88888888888889 * reach_squared_by_q71 - t11 * u_e * p_z;
-        const double limited_by_q71 = sinew_choose(t17, -(reach_by_q71 * t15 - projection_by_q71 * t13), reach_by_q71);
-        const double clearance_by_q71 = sinew_choose(t22, t19 * reach_by_q71 - t18 * limited_by_q71, 1e-12 * reach_squared_by_q71);
+        const double limited_by_q71 = sinew_choose(t17, -(reach_by_q71 * t15 - projection_by_q71
+            * t13), reach_by_q71);
+        const double clearance_by_q71 = sinew_choose(t22, t19 * reach_by_q71 - t18 * limited_by_q71,
+            1e-12 * reach_squared_by_q71);
         const double root_by_q71 = 0.5 * clearance_by_q71 * t23;
-        const double t58 = p_y * limited_by_q71 + p_z * root_by_q71 - limited * p_y_by_q71 - root * p_z_by_q71;
+        const double t58 = p_y * limited_by_q71 + p_z * root_by_q71 - limited * p_y_by_q71 - root
+            * p_z_by_q71;
         const double cos_A_by_q71 = (t58 - cos_A * reach_squared_by_q71) * t24;
         const double z_plane_x_by_q71 = u_y * cos_A_by_q71;
-        const double t59 = p_y * root_by_q71 - p_z * limited_by_q71 + limited * p_z_by_q71 - root * p_y_by_q71;
+        const double t59 = p_y * root_by_q71 - p_z * limited_by_q71 + limited * p_z_by_q71 - root
+            * p_y_by_q71;
         const double sin_A_by_q71 = (t59 - sin_A * reach_squared_by_q71) * t24;
         const double z_x_by_q71 = t48 - cos_q71 * z_plane_x_by_q71 + t47 + sin_q71 * sin_A_by_q71;
         const double origin_x_by_q71 = M_z - 0.018 * z_x_by_q71;
@@ -4042,7 +4484,8 @@ void hand_feedforward_rate_batch(int count, const double *SINEW_RESTRICT q_wrist
         const double t65 = 0.01 * z_z_by_q71;
         const double layer_0_z_by_q71 = t64 + t65;
         const double strand_0_z_by_q71 = layer_0_z_by_q71 - t36;
-        const double t66 = strand_0_x * strand_0_x_by_q71 - strand_0_y * layer_0_y_by_q71 - strand_0_z * strand_0_z_by_q71;
+        const double t66 = strand_0_x * strand_0_x_by_q71 - strand_0_y * layer_0_y_by_q71
+            - strand_0_z * strand_0_z_by_q71;
         const double length_0_by_q71 = t66 * t56;
         const double t67 = 200.0 * qd_wrist[state];
         const double t68 = 0.01 * y_x_by_q73;
@@ -4057,14 +4500,17 @@ void hand_feedforward_rate_batch(int count, const double *SINEW_RESTRICT q_wrist
         const double strand_1_z_by_q73 = layer_0_z_by_q73 - t72;
         const double t73 = 0.01 * y_z;
         const double strand_1_z = layer_0_z + t73;
-        const double t74 = strand_1_x * strand_1_x_by_q73 - strand_1_y * strand_1_y_by_q73 + strand_1_z * strand_1_z_by_q73;
-        const double t75 = strand_1_x * strand_1_x + strand_1_y * strand_1_y + strand_1_z * strand_1_z;
+        const double t74 = strand_1_x * strand_1_x_by_q73 - strand_1_y * strand_1_y_by_q73
+            + strand_1_z * strand_1_z_by_q73;
+        const double t75 = strand_1_x * strand_1_x + strand_1_y * strand_1_y + strand_1_z
+            * strand_1_z;
         const double length_1 = sinew_sqrt(t75);
         const double t76 = 1.0 / length_1;
         const double length_1_by_q73 = t74 * t76;
         const double strand_1_x_by_q71 = layer_0_x_by_q71 - t73;
         const double strand_1_z_by_q71 = layer_0_z_by_q71 - t69;
-        const double t77 = strand_1_x * strand_1_x_by_q71 - strand_1_y * layer_0_y_by_q71 - strand_1_z * strand_1_z_by_q71;
+        const double t77 = strand_1_x * strand_1_x_by_q71 - strand_1_y * layer_0_y_by_q71
+            - strand_1_z * strand_1_z_by_q71;
         const double length_1_by_q71 = t77 * t76;
         const double t78 = 0.008 * y_x_by_q73;
         const double strand_2_x_by_q73 = layer_0_x_by_q73 - t78;
@@ -4078,14 +4524,17 @@ void hand_feedforward_rate_batch(int count, const double *SINEW_RESTRICT q_wrist
         const double strand_2_z_by_q73 = layer_0_z_by_q73 - t82;
         const double t83 = 0.008 * y_z;
         const double strand_2_z = layer_0_z + t83;
-        const double t84 = strand_2_x * strand_2_x_by_q73 - strand_2_y * strand_2_y_by_q73 + strand_2_z * strand_2_z_by_q73;
-        const double t85 = strand_2_x * strand_2_x + strand_2_y * strand_2_y + strand_2_z * strand_2_z;
+        const double t84 = strand_2_x * strand_2_x_by_q73 - strand_2_y * strand_2_y_by_q73
+            + strand_2_z * strand_2_z_by_q73;
+        const double t85 = strand_2_x * strand_2_x + strand_2_y * strand_2_y + strand_2_z
+            * strand_2_z;
         const double length_2 = sinew_sqrt(t85);
         const double t86 = 1.0 / length_2;
         const double length_2_by_q73 = t84 * t86;
         const double strand_2_x_by_q71 = layer_0_x_by_q71 - t83;
         const double strand_2_z_by_q71 = layer_0_z_by_q71 - t79;
-        const double t87 = strand_2_x * strand_2_x_by_q71 - strand_2_y * layer_0_y_by_q71 - strand_2_z * strand_2_z_by_q71;
+        const double t87 = strand_2_x * strand_2_x_by_q71 - strand_2_y * layer_0_y_by_q71
+            - strand_2_z * strand_2_z_by_q71;
         const double length_2_by_q71 = t87 * t86;
         const double t88 = 0.006 * y_x_by_q73;
         const double strand_3_x_by_q73 = layer_0_x_by_q73 - t88;
@@ -4099,14 +4548,17 @@ void hand_feedforward_rate_batch(int count, const double *SINEW_RESTRICT q_wrist
         const double strand_3_z_by_q73 = layer_0_z_by_q73 - t92;
         const double t93 = 0.006 * y_z;
         const double strand_3_z = layer_0_z + t93;
-        const double t94 = strand_3_x * strand_3_x_by_q73 - strand_3_y * strand_3_y_by_q73 + strand_3_z * strand_3_z_by_q73;
-        const double t95 = strand_3_x * strand_3_x + strand_3_y * strand_3_y + strand_3_z * strand_3_z;
+        const double t94 = strand_3_x * strand_3_x_by_q73 - strand_3_y * strand_3_y_by_q73
+            + strand_3_z * strand_3_z_by_q73;
+        const double t95 = strand_3_x * strand_3_x + strand_3_y * strand_3_y + strand_3_z
+            * strand_3_z;
         const double length_3 = sinew_sqrt(t95);
         const double t96 = 1.0 / length_3;
         const double length_3_by_q73 = t94 * t96;
         const double strand_3_x_by_q71 = layer_0_x_by_q71 - t93;
         const double strand_3_z_by_q71 = layer_0_z_by_q71 - t89;
-        const double t97 = strand_3_x * strand_3_x_by_q71 - strand_3_y * layer_0_y_by_q71 - strand_3_z * strand_3_z_by_q71;
+        const double t97 = strand_3_x * strand_3_x_by_q71 - strand_3_y * layer_0_y_by_q71
+            - strand_3_z * strand_3_z_by_q71;
         const double length_3_by_q71 = t97 * t96;
         const double t98 = 0.005 * y_x_by_q73;
         const double strand_4_x_by_q73 = layer_0_x_by_q73 - t98;
@@ -4120,14 +4572,17 @@ void hand_feedforward_rate_batch(int count, const double *SINEW_RESTRICT q_wrist
         const double strand_4_z_by_q73 = layer_0_z_by_q73 - t102;
         const double t103 = 0.005 * y_z;
         const double strand_4_z = layer_0_z + t103;
-        const double t104 = strand_4_x * strand_4_x_by_q73 - strand_4_y * strand_4_y_by_q73 + strand_4_z * strand_4_z_by_q73;
-        const double t105 = strand_4_x * strand_4_x + strand_4_y * strand_4_y + strand_4_z * strand_4_z;
+        const double t104 = strand_4_x * strand_4_x_by_q73 - strand_4_y * strand_4_y_by_q73
+            + strand_4_z * strand_4_z_by_q73;
+        const double t105 = strand_4_x * strand_4_x + strand_4_y * strand_4_y + strand_4_z
+            * strand_4_z;
         const double length_4 = sinew_sqrt(t105);
         const double t106 = 1.0 / length_4;
         const double length_4_by_q73 = t104 * t106;
         const double strand_4_x_by_q71 = layer_0_x_by_q71 - t103;
         const double strand_4_z_by_q71 = layer_0_z_by_q71 - t99;
-        const double t107 = strand_4_x * strand_4_x_by_q71 - strand_4_y * layer_0_y_by_q71 - strand_4_z * strand_4_z_by_q71;
+        const double t107 = strand_4_x * strand_4_x_by_q71 - strand_4_y * layer_0_y_by_q71
+            - strand_4_z * strand_4_z_by_q71;
         const double length_4_by_q71 = t107 * t106;
         const double t108 = 0.003 * y_x_by_q73;
         const double strand_5_x_by_q73 = layer_0_x_by_q73 - t108;
@@ -4141,14 +4596,17 @@ void hand_feedforward_rate_batch(int count, const double *SINEW_RESTRICT q_wrist
         const double strand_5_z_by_q73 = layer_0_z_by_q73 - t112;
         const double t113 = 0.003 * y_z;
         const double strand_5_z = layer_0_z + t113;
-        const double t114 = strand_5_x * strand_5_x_by_q73 - strand_5_y * strand_5_y_by_q73 + strand_5_z * strand_5_z_by_q73;
-        const double t115 = strand_5_x * strand_5_x + strand_5_y * strand_5_y + strand_5_z * strand_5_z;
+        const double t114 = strand_5_x * strand_5_x_by_q73 - strand_5_y * strand_5_y_by_q73
+            + strand_5_z * strand_5_z_by_q73;
+        const double t115 = strand_5_x * strand_5_x + strand_5_y * strand_5_y + strand_5_z
+            * strand_5_z;
         const double length_5 = sinew_sqrt(t115);
         const double t116 = 1.0 / length_5;
         const double length_5_by_q73 = t114 * t116;
         const double strand_5_x_by_q71 = layer_0_x_by_q71 - t113;
         const double strand_5_z_by_q71 = layer_0_z_by_q71 - t109;
-        const double t117 = strand_5_x * strand_5_x_by_q71 - strand_5_y * layer_0_y_by_q71 - strand_5_z * strand_5_z_by_q71;
+        const double t117 = strand_5_x * strand_5_x_by_q71 - strand_5_y * layer_0_y_by_q71
+            - strand_5_z * strand_5_z_by_q71;
         const double length_5_by_q71 = t117 * t116;
         const double t118 = 0.002 * y_x_by_q73;
         const double strand_6_x_by_q73 = layer_0_x_by_q73 - t118;
@@ -4162,21 +4620,27 @@ void hand_feedforward_rate_batch(int count, const double *SINEW_RESTRICT q_wrist
         const double strand_6_z_by_q73 = layer_0_z_by_q73 - t122;
         const double t123 = 0.002 * y_z;
         const double strand_6_z = layer_0_z + t123;
-        const double t124 = strand_6_x * strand_6_x_by_q73 - strand_6_y * strand_6_y_by_q73 + strand_6_z * strand_6_z_by_q73;
-        const double t125 = strand_6_x * strand_6_x + strand_6_y * strand_6_y + strand_6_z * strand_6_z;
+        const double t124 = strand_6_x * strand_6_x_by_q73 - strand_6_y * strand_6_y_by_q73
+            + strand_6_z * strand_6_z_by_q73;
+        const double t125 = strand_6_x * strand_6_x + strand_6_y * strand_6_y + strand_6_z
+            * strand_6_z;
         const double length_6 = sinew_sqrt(t125);
         const double t126 = 1.0 / length_6;
         const double length_6_by_q73 = t124 * t126;
         const double strand_6_x_by_q71 = layer_0_x_by_q71 - t123;
         const double strand_6_z_by_q71 = layer_0_z_by_q71 - t119;
-        const double t127 = strand_6_x * strand_6_x_by_q71 - strand_6_y * layer_0_y_by_q71 - strand_6_z * strand_6_z_by_q71;
+        const double t127 = strand_6_x * strand_6_x_by_q71 - strand_6_y * layer_0_y_by_q71
+            - strand_6_z * strand_6_z_by_q71;
         const double length_6_by_q71 = t127 * t126;
         const double strand_7_y = 0.018 - layer_0_y;
-        const double t128 = layer_0_x * layer_0_x_by_q73 + layer_0_z * layer_0_z_by_q73 - strand_7_y * layer_0_y_by_q73;
-        const double length_7 = sinew_sqrt(layer_0_x * layer_0_x + layer_0_z * layer_0_z + strand_7_y * strand_7_y);
+        const double t128 = layer_0_x * layer_0_x_by_q73 + layer_0_z * layer_0_z_by_q73 - strand_7_y
+            * layer_0_y_by_q73;
+        const double length_7 = sinew_sqrt(layer_0_x * layer_0_x + layer_0_z * layer_0_z
+            + strand_7_y * strand_7_y);
         const double t129 = 1.0 / length_7;
         const double length_7_by_q73 = t128 * t129;
-        const double t130 = layer_0_x * layer_0_x_by_q71 - layer_0_z * layer_0_z_by_q71 - strand_7_y * layer_0_y_by_q71;
+        const double t130 = layer_0_x * layer_0_x_by_q71 - layer_0_z * layer_0_z_by_q71 - strand_7_y
+            * layer_0_y_by_q71;
         const double length_7_by_q71 = t130 * t129;
         const double strand_8_x_by_q73 = layer_0_x_by_q73 + t118;
         const double strand_8_x = layer_0_x - t119;
@@ -4184,14 +4648,17 @@ void hand_feedforward_rate_batch(int count, const double *SINEW_RESTRICT q_wrist
         const double strand_8_y = 0.019 - layer_0_y - t121;
         const double strand_8_z_by_q73 = layer_0_z_by_q73 + t122;
         const double strand_8_z = layer_0_z - t123;
-        const double t131 = strand_8_x * strand_8_x_by_q73 - strand_8_y * strand_8_y_by_q73 + strand_8_z * strand_8_z_by_q73;
-        const double t132 = strand_8_x * strand_8_x + strand_8_y * strand_8_y + strand_8_z * strand_8_z;
+        const double t131 = strand_8_x * strand_8_x_by_q73 - strand_8_y * strand_8_y_by_q73
+            + strand_8_z * strand_8_z_by_q73;
+        const double t132 = strand_8_x * strand_8_x + strand_8_y * strand_8_y + strand_8_z
+            * strand_8_z;
         const double length_8 = sinew_sqrt(t132);
         const double t133 = 1.0 / length_8;
         const double length_8_by_q73 = t131 * t133;
         const double strand_8_x_by_q71 = layer_0_x_by_q71 + t123;
         const double strand_8_z_by_q71 = layer_0_z_by_q71 + t119;
-        const double t134 = strand_8_x * strand_8_x_by_q71 - strand_8_y * layer_0_y_by_q71 - strand_8_z * strand_8_z_by_q71;
+        const double t134 = strand_8_x * strand_8_x_by_q71 - strand_8_y * layer_0_y_by_q71
+            - strand_8_z * strand_8_z_by_q71;
         const double length_8_by_q71 = t134 * t133;
         const double strand_9_x_by_q73 = layer_0_x_by_q73 + t108;
         const double strand_9_x = layer_0_x - t109;
@@ -4199,14 +4666,17 @@ void hand_feedforward_rate_batch(int count, const double *SINEW_RESTRICT q_wrist
         const double strand_9_y = 0.021 - layer_0_y - t111;
         const double strand_9_z_by_q73 = layer_0_z_by_q73 + t112;
         const double strand_9_z = layer_0_z - t113;
-        const double t135 = strand_9_x * strand_9_x_by_q73 - strand_9_y * strand_9_y_by_q73 + strand_9_z * strand_9_z_by_q73;
-        const double t136 = strand_9_x * strand_9_x + strand_9_y * strand_9_y + strand_9_z * strand_9_z;
+        const double t135 = strand_9_x * strand_9_x_by_q73 - strand_9_y * strand_9_y_by_q73
+            + strand_9_z * strand_9_z_by_q73;
+        const double t136 = strand_9_x * strand_9_x + strand_9_y * strand_9_y + strand_9_z
+            * strand_9_z;
         const double length_9 = sinew_sqrt(t136);
         const double t137 = 1.0 / length_9;
         const double length_9_by_q73 = t135 * t137;
         const double strand_9_x_by_q71 = layer_0_x_by_q71 + t113;
         const double strand_9_z_by_q71 = layer_0_z_by_q71 + t109;
-        const double t138 = strand_9_x * strand_9_x_by_q71 - strand_9_y * layer_0_y_by_q71 - strand_9_z * strand_9_z_by_q71;
+        const double t138 = strand_9_x * strand_9_x_by_q71 - strand_9_y * layer_0_y_by_q71
+            - strand_9_z * strand_9_z_by_q71;
         const double length_9_by_q71 = t138 * t137;
         const double strand_10_x_by_q73 = layer_0_x_by_q73 + t98;
         const double strand_10_x = layer_0_x - t99;
@@ -4214,14 +4684,17 @@ void hand_feedforward_rate_batch(int count, const double *SINEW_RESTRICT q_wrist
         const double strand_10_y = 0.023 - layer_0_y - t101;
         const double strand_10_z_by_q73 = layer_0_z_by_q73 + t102;
         const double strand_10_z = layer_0_z - t103;
-        const double t139 = strand_10_x * strand_10_x_by_q73 - strand_10_y * strand_10_y_by_q73 + strand_10_z * strand_10_z_by_q73;
-        const double t140 = strand_10_x * strand_10_x + strand_10_y * strand_10_y + strand_10_z * strand_10_z;
+        const double t139 = strand_10_x * strand_10_x_by_q73 - strand_10_y * strand_10_y_by_q73
+            + strand_10_z * strand_10_z_by_q73;
+        const double t140 = strand_10_x * strand_10_x + strand_10_y * strand_10_y + strand_10_z
+            * strand_10_z;
         const double length_10 = sinew_sqrt(t140);
         const double t141 = 1.0 / length_10;
         const double length_10_by_q73 = t139 * t141;
         const double strand_10_x_by_q71 = layer_0_x_by_q71 + t103;
         const double strand_10_z_by_q71 = layer_0_z_by_q71 + t99;
-        const double t142 = strand_10_x * strand_10_x_by_q71 - strand_10_y * layer_0_y_by_q71 - strand_10_z * strand_10_z_by_q71;
+        const double t142 = strand_10_x * strand_10_x_by_q71 - strand_10_y * layer_0_y_by_q71
+            - strand_10_z * strand_10_z_by_q71;
         const double length_10_by_q71 = t142 * t141;
         const double strand_11_x_by_q73 = layer_0_x_by_q73 + t88;
         const double strand_11_x = layer_0_x - t89;
@@ -4229,14 +4702,17 @@ void hand_feedforward_rate_batch(int count, const double *SINEW_RESTRICT q_wrist
         const double strand_11_y = 0.024 - layer_0_y - t91;
         const double strand_11_z_by_q73 = layer_0_z_by_q73 + t92;
         const double strand_11_z = layer_0_z - t93;
-        const double t143 = strand_11_x * strand_11_x_by_q73 - strand_11_y * strand_11_y_by_q73 + strand_11_z * strand_11_z_by_q73;
-        const double t144 = strand_11_x * strand_11_x + strand_11_y * strand_11_y + strand_11_z * strand_11_z;
+        const double t143 = strand_11_x * strand_11_x_by_q73 - strand_11_y * strand_11_y_by_q73
+            + strand_11_z * strand_11_z_by_q73;
+        const double t144 = strand_11_x * strand_11_x + strand_11_y * strand_11_y + strand_11_z
+            * strand_11_z;
         const double length_11 = sinew_sqrt(t144);
         const double t145 = 1.0 / length_11;
         const double length_11_by_q73 = t143 * t145;
         const double strand_11_x_by_q71 = layer_0_x_by_q71 + t93;
         const double strand_11_z_by_q71 = layer_0_z_by_q71 + t89;
-        const double t146 = strand_11_x * strand_11_x_by_q71 - strand_11_y * layer_0_y_by_q71 - strand_11_z * strand_11_z_by_q71;
+        const double t146 = strand_11_x * strand_11_x_by_q71 - strand_11_y * layer_0_y_by_q71
+            - strand_11_z * strand_11_z_by_q71;
         const double length_11_by_q71 = t146 * t145;
         const double strand_12_x_by_q73 = layer_0_x_by_q73 + t78;
         const double strand_12_x = layer_0_x - t79;
@@ -4244,14 +4720,17 @@ void hand_feedforward_rate_batch(int count, const double *SINEW_RESTRICT q_wrist
         const double strand_12_y = 0.026 - layer_0_y - t81;
         const double strand_12_z_by_q73 = layer_0_z_by_q73 + t82;
         const double strand_12_z = layer_0_z - t83;
-        const double t147 = strand_12_x * strand_12_x_by_q73 - strand_12_y * strand_12_y_by_q73 + strand_12_z * strand_12_z_by_q73;
-        const double t148 = strand_12_x * strand_12_x + strand_12_y * strand_12_y + strand_12_z * strand_12_z;
+        const double t147 = strand_12_x * strand_12_x_by_q73 - strand_12_y * strand_12_y_by_q73
+            + strand_12_z * strand_12_z_by_q73;
+        const double t148 = strand_12_x * strand_12_x + strand_12_y * strand_12_y + strand_12_z
+            * strand_12_z;
         const double length_12 = sinew_sqrt(t148);
         const double t149 = 1.0 / length_12;
         const double length_12_by_q73 = t147 * t149;
         const double strand_12_x_by_q71 = layer_0_x_by_q71 + t83;
         const double strand_12_z_by_q71 = layer_0_z_by_q71 + t79;
-        const double t150 = strand_12_x * strand_12_x_by_q71 - strand_12_y * layer_0_y_by_q71 - strand_12_z * strand_12_z_by_q71;
+        const double t150 = strand_12_x * strand_12_x_by_q71 - strand_12_y * layer_0_y_by_q71
+            - strand_12_z * strand_12_z_by_q71;
         const double length_12_by_q71 = t150 * t149;
         const double strand_13_x_by_q73 = layer_0_x_by_q73 + t68;
         const double strand_13_x = layer_0_x - t69;
@@ -4259,14 +4738,17 @@ void hand_feedforward_rate_batch(int count, const double *SINEW_RESTRICT q_wrist
         const double strand_13_y = 0.027 - layer_0_y - t71;
         const double strand_13_z_by_q73 = layer_0_z_by_q73 + t72;
         const double strand_13_z = layer_0_z - t73;
-        const double t151 = strand_13_x * strand_13_x_by_q73 - strand_13_y * strand_13_y_by_q73 + strand_13_z * strand_13_z_by_q73;
-        const double t152 = strand_13_x * strand_13_x + strand_13_y * strand_13_y + strand_13_z * strand_13_z;
+        const double t151 = strand_13_x * strand_13_x_by_q73 - strand_13_y * strand_13_y_by_q73
+            + strand_13_z * strand_13_z_by_q73;
+        const double t152 = strand_13_x * strand_13_x + strand_13_y * strand_13_y + strand_13_z
+            * strand_13_z;
         const double length_13 = sinew_sqrt(t152);
         const double t153 = 1.0 / length_13;
         const double length_13_by_q73 = t151 * t153;
         const double strand_13_x_by_q71 = layer_0_x_by_q71 + t73;
         const double strand_13_z_by_q71 = layer_0_z_by_q71 + t69;
-        const double t154 = strand_13_x * strand_13_x_by_q71 - strand_13_y * layer_0_y_by_q71 - strand_13_z * strand_13_z_by_q71;
+        const double t154 = strand_13_x * strand_13_x_by_q71 - strand_13_y * layer_0_y_by_q71
+            - strand_13_z * strand_13_z_by_q71;
         const double length_13_by_q71 = t154 * t153;
         const double strand_14_x_by_q73 = layer_0_x_by_q73 + t29;
         const double strand_14_x = layer_0_x - t36;
@@ -4274,14 +4756,17 @@ void hand_feedforward_rate_batch(int count, const double *SINEW_RESTRICT q_wrist
         const double strand_14_y = 0.029 - layer_0_y - t43;
         const double strand_14_z_by_q73 = layer_0_z_by_q73 + t46;
         const double strand_14_z = layer_0_z - t53;
-        const double t155 = strand_14_x * strand_14_x_by_q73 - strand_14_y * strand_14_y_by_q73 + strand_14_z * strand_14_z_by_q73;
-        const double t156 = strand_14_x * strand_14_x + strand_14_y * strand_14_y + strand_14_z * strand_14_z;
+        const double t155 = strand_14_x * strand_14_x_by_q73 - strand_14_y * strand_14_y_by_q73
+            + strand_14_z * strand_14_z_by_q73;
+        const double t156 = strand_14_x * strand_14_x + strand_14_y * strand_14_y + strand_14_z
+            * strand_14_z;
         const double length_14 = sinew_sqrt(t156);
         const double t157 = 1.0 / length_14;
         const double length_14_by_q73 = t155 * t157;
         const double strand_14_x_by_q71 = layer_0_x_by_q71 + t53;
         const double strand_14_z_by_q71 = layer_0_z_by_q71 + t36;
-        const double t158 = strand_14_x * strand_14_x_by_q71 - strand_14_y * layer_0_y_by_q71 - strand_14_z * strand_14_z_by_q71;
+        const double t158 = strand_14_x * strand_14_x_by_q71 - strand_14_y * layer_0_y_by_q71
+            - strand_14_z * strand_14_z_by_q71;
         const double length_14_by_q71 = t158 * t157;
         const double t159 = 0.013 * y_x_by_q73;
         const double strand_15_x_by_q73 = layer_0_x_by_q73 + t159;
@@ -4295,14 +4780,17 @@ void hand_feedforward_rate_batch(int count, const double *SINEW_RESTRICT q_wrist
         const double strand_15_z_by_q73 = layer_0_z_by_q73 + t163;
         const double t164 = 0.013 * y_z;
         const double strand_15_z = layer_0_z - t164;
-        const double t165 = strand_15_x * strand_15_x_by_q73 - strand_15_y * strand_15_y_by_q73 + strand_15_z * strand_15_z_by_q73;
-        const double t166 = strand_15_x * strand_15_x + strand_15_y * strand_15_y + strand_15_z * strand_15_z;
+        const double t165 = strand_15_x * strand_15_x_by_q73 - strand_15_y * strand_15_y_by_q73
+            + strand_15_z * strand_15_z_by_q73;
+        const double t166 = strand_15_x * strand_15_x + strand_15_y * strand_15_y + strand_15_z
+            * strand_15_z;
         const double length_15 = sinew_sqrt(t166);
         const double t167 = 1.0 / length_15;
         const double length_15_by_q73 = t165 * t167;
         const double strand_15_x_by_q71 = layer_0_x_by_q71 + t164;
         const double strand_15_z_by_q71 = layer_0_z_by_q71 + t160;
-        const double t168 = strand_15_x * strand_15_x_by_q71 - strand_15_y * layer_0_y_by_q71 - strand_15_z * strand_15_z_by_q71;
+        const double t168 = strand_15_x * strand_15_x_by_q71 - strand_15_y * layer_0_y_by_q71
+            - strand_15_z * strand_15_z_by_q71;
         const double length_15_by_q71 = t168 * t167;
         const double t169 = 0.014 * y_x_by_q73;
         const double strand_16_x_by_q73 = layer_0_x_by_q73 + t169;
@@ -4316,14 +4804,17 @@ void hand_feedforward_rate_batch(int count, const double *SINEW_RESTRICT q_wrist
         const double strand_16_z_by_q73 = layer_0_z_by_q73 + t173;
         const double t174 = 0.014 * y_z;
         const double strand_16_z = layer_0_z - t174;
-        const double t175 = strand_16_x * strand_16_x_by_q73 - strand_16_y * strand_16_y_by_q73 + strand_16_z * strand_16_z_by_q73;
-        const double t176 = strand_16_x * strand_16_x + strand_16_y * strand_16_y + strand_16_z * strand_16_z;
+        const double t175 = strand_16_x * strand_16_x_by_q73 - strand_16_y * strand_16_y_by_q73
+            + strand_16_z * strand_16_z_by_q73;
+        const double t176 = strand_16_x * strand_16_x + strand_16_y * strand_16_y + strand_16_z
+            * strand_16_z;
         const double length_16 = sinew_sqrt(t176);
         const double t177 = 1.0 / length_16;
         const double length_16_by_q73 = t175 * t177;
         const double strand_16_x_by_q71 = layer_0_x_by_q71 + t174;
         const double strand_16_z_by_q71 = layer_0_z_by_q71 + t170;
-        const double t178 = strand_16_x * strand_16_x_by_q71 - strand_16_y * layer_0_y_by_q71 - strand_16_z * strand_16_z_by_q71;
+        const double t178 = strand_16_x * strand_16_x_by_q71 - strand_16_y * layer_0_y_by_q71
+            - strand_16_z * strand_16_z_by_q71;
         const double length_16_by_q71 = t178 * t177;
         const double t179 = 0.016 * y_x_by_q73;
         const double strand_17_x_by_q73 = layer_0_x_by_q73 + t179;
@@ -4337,14 +4828,17 @@ void hand_feedforward_rate_batch(int count, const double *SINEW_RESTRICT q_wrist
         const double strand_17_z_by_q73 = layer_0_z_by_q73 + t183;
         const double t184 = 0.016 * y_z;
         const double strand_17_z = layer_0_z - t184;
-        const double t185 = strand_17_x * strand_17_x_by_q73 - strand_17_y * strand_17_y_by_q73 + strand_17_z * strand_17_z_by_q73;
-        const double t186 = strand_17_x * strand_17_x + strand_17_y * strand_17_y + strand_17_z * strand_17_z;
+        const double t185 = strand_17_x * strand_17_x_by_q73 - strand_17_y * strand_17_y_by_q73
+            + strand_17_z * strand_17_z_by_q73;
+        const double t186 = strand_17_x * strand_17_x + strand_17_y * strand_17_y + strand_17_z
+            * strand_17_z;
         const double length_17 = sinew_sqrt(t186);
         const double t187 = 1.0 / length_17;
         const double length_17_by_q73 = t185 * t187;
         const double strand_17_x_by_q71 = layer_0_x_by_q71 + t184;
         const double strand_17_z_by_q71 = layer_0_z_by_q71 + t180;
-        const double t188 = strand_17_x * strand_17_x_by_q71 - strand_17_y * layer_0_y_by_q71 - strand_17_z * strand_17_z_by_q71;
+        const double t188 = strand_17_x * strand_17_x_by_q71 - strand_17_y * layer_0_y_by_q71
+            - strand_17_z * strand_17_z_by_q71;
         const double length_17_by_q71 = t188 * t187;
         const double strand_18_x_by_q73 = layer_0_x_by_q73 + 0.018 * y_x_by_q73;
         const double t189 = 0.018 * y_x;
@@ -4354,14 +4848,17 @@ void hand_feedforward_rate_batch(int count, const double *SINEW_RESTRICT q_wrist
         const double strand_18_z_by_q73 = layer_0_z_by_q73 + 0.018 * y_z_by_q73;
         const double t190 = 0.018 * y_z;
         const double strand_18_z = layer_0_z - t190;
-        const double t191 = strand_18_x * strand_18_x_by_q73 - strand_18_y * strand_18_y_by_q73 + strand_18_z * strand_18_z_by_q73;
-        const double t192 = strand_18_x * strand_18_x + strand_18_y * strand_18_y + strand_18_z * strand_18_z;
+        const double t191 = strand_18_x * strand_18_x_by_q73 - strand_18_y * strand_18_y_by_q73
+            + strand_18_z * strand_18_z_by_q73;
+        const double t192 = strand_18_x * strand_18_x + strand_18_y * strand_18_y + strand_18_z
+            * strand_18_z;
         const double length_18 = sinew_sqrt(t192);
         const double t193 = 1.0 / length_18;
         const double length_18_by_q73 = t191 * t193;
         const double strand_18_x_by_q71 = layer_0_x_by_q71 + t190;
         const double strand_18_z_by_q71 = layer_0_z_by_q71 + t189;
-        const double t194 = strand_18_x * strand_18_x_by_q71 - strand_18_y * layer_0_y_by_q71 - strand_18_z * strand_18_z_by_q71;
+        const double t194 = strand_18_x * strand_18_x_by_q71 - strand_18_y * layer_0_y_by_q71
+            - strand_18_z * strand_18_z_by_q71;
         const double length_18_by_q71 = t194 * t193;
         const double layer_1_x_by_q73 = t27 - t28;
         const double strand_19_x_by_q73 = layer_1_x_by_q73 - t159;
@@ -4375,8 +4872,10 @@ void hand_feedforward_rate_batch(int count, const double *SINEW_RESTRICT q_wrist
         const double strand_19_z_by_q73 = layer_1_z_by_q73 - t163;
         const double layer_1_z = 0.028 - origin_z - t51 + t52;
         const double strand_19_z = layer_1_z + t164;
-        const double t195 = strand_19_x * strand_19_x_by_q73 - strand_19_y * strand_19_y_by_q73 + strand_19_z * strand_19_z_by_q73;
-        const double t196 = strand_19_x * strand_19_x + strand_19_y * strand_19_y + strand_19_z * strand_19_z;
+        const double t195 = strand_19_x * strand_19_x_by_q73 - strand_19_y * strand_19_y_by_q73
+            + strand_19_z * strand_19_z_by_q73;
+        const double t196 = strand_19_x * strand_19_x + strand_19_y * strand_19_y + strand_19_z
+            * strand_19_z;
         const double length_19 = sinew_sqrt(t196);
         const double t197 = 1.0 / length_19;
         const double length_19_by_q73 = t195 * t197;
@@ -4385,7 +4884,8 @@ void hand_feedforward_rate_batch(int count, const double *SINEW_RESTRICT q_wrist
         const double layer_1_y_by_q71 = t62 + t63;
         const double layer_1_z_by_q71 = t64 - t65;
         const double strand_19_z_by_q71 = layer_1_z_by_q71 - t160;
-        const double t198 = strand_19_x * strand_19_x_by_q71 - strand_19_y * layer_1_y_by_q71 - strand_19_z * strand_19_z_by_q71;
+        const double t198 = strand_19_x * strand_19_x_by_q71 - strand_19_y * layer_1_y_by_q71
+            - strand_19_z * strand_19_z_by_q71;
         const double length_19_by_q71 = t198 * t197;
         const double strand_20_x_by_q73 = layer_1_x_by_q73 - t29;
         const double strand_20_x = layer_1_x + t36;
@@ -4393,14 +4893,17 @@ void hand_feedforward_rate_batch(int count, const double *SINEW_RESTRICT q_wrist
         const double strand_20_y = 0.007 - layer_1_y + t43;
         const double strand_20_z_by_q73 = layer_1_z_by_q73 - t46;
         const double strand_20_z = layer_1_z + t53;
-        const double t199 = strand_20_x * strand_20_x_by_q73 - strand_20_y * strand_20_y_by_q73 + strand_20_z * strand_20_z_by_q73;
-        const double t200 = strand_20_x * strand_20_x + strand_20_y * strand_20_y + strand_20_z * strand_20_z;
+        const double t199 = strand_20_x * strand_20_x_by_q73 - strand_20_y * strand_20_y_by_q73
+            + strand_20_z * strand_20_z_by_q73;
+        const double t200 = strand_20_x * strand_20_x + strand_20_y * strand_20_y + strand_20_z
+            * strand_20_z;
         const double length_20 = sinew_sqrt(t200);
         const double t201 = 1.0 / length_20;
         const double length_20_by_q73 = t199 * t201;
         const double strand_20_x_by_q71 = layer_1_x_by_q71 - t53;
         const double strand_20_z_by_q71 = layer_1_z_by_q71 - t36;
-        const double t202 = strand_20_x * strand_20_x_by_q71 - strand_20_y * layer_1_y_by_q71 - strand_20_z * strand_20_z_by_q71;
+        const double t202 = strand_20_x * strand_20_x_by_q71 - strand_20_y * layer_1_y_by_q71
+            - strand_20_z * strand_20_z_by_q71;
         const double length_20_by_q71 = t202 * t201;
         const double strand_21_x_by_q73 = layer_1_x_by_q73 - t68;
         const double strand_21_x = layer_1_x + t69;
@@ -4408,14 +4911,17 @@ void hand_feedforward_rate_batch(int count, const double *SINEW_RESTRICT q_wrist
         const double strand_21_y = 0.009 - layer_1_y + t71;
         const double strand_21_z_by_q73 = layer_1_z_by_q73 - t72;
         const double strand_21_z = layer_1_z + t73;
-        const double t203 = strand_21_x * strand_21_x_by_q73 - strand_21_y * strand_21_y_by_q73 + strand_21_z * strand_21_z_by_q73;
-        const double t204 = strand_21_x * strand_21_x + strand_21_y * strand_21_y + strand_21_z * strand_21_z;
+        const double t203 = strand_21_x * strand_21_x_by_q73 - strand_21_y * strand_21_y_by_q73
+            + strand_21_z * strand_21_z_by_q73;
+        const double t204 = strand_21_x * strand_21_x + strand_21_y * strand_21_y + strand_21_z
+            * strand_21_z;
         const double length_21 = sinew_sqrt(t204);
         const double t205 = 1.0 / length_21;
         const double length_21_by_q73 = t203 * t205;
         const double strand_21_x_by_q71 = layer_1_x_by_q71 - t73;
         const double strand_21_z_by_q71 = layer_1_z_by_q71 - t69;
-        const double t206 = strand_21_x * strand_21_x_by_q71 - strand_21_y * layer_1_y_by_q71 - strand_21_z * strand_21_z_by_q71;
+        const double t206 = strand_21_x * strand_21_x_by_q71 - strand_21_y * layer_1_y_by_q71
+            - strand_21_z * strand_21_z_by_q71;
         const double length_21_by_q71 = t206 * t205;
         const double strand_22_x_by_q73 = layer_1_x_by_q73 - t78;
         const double strand_22_x = layer_1_x + t79;
@@ -4423,14 +4929,17 @@ void hand_feedforward_rate_batch(int count, const double *SINEW_RESTRICT q_wrist
         const double strand_22_y = 0.011 - layer_1_y + t81;
         const double strand_22_z_by_q73 = layer_1_z_by_q73 - t82;
         const double strand_22_z = layer_1_z + t83;
-        const double t207 = strand_22_x * strand_22_x_by_q73 - strand_22_y * strand_22_y_by_q73 + strand_22_z * strand_22_z_by_q73;
-        const double t208 = strand_22_x * strand_22_x + strand_22_y * strand_22_y + strand_22_z * strand_22_z;
+        const double t207 = strand_22_x * strand_22_x_by_q73 - strand_22_y * strand_22_y_by_q73
+            + strand_22_z * strand_22_z_by_q73;
+        const double t208 = strand_22_x * strand_22_x + strand_22_y * strand_22_y + strand_22_z
+            * strand_22_z;
         const double length_22 = sinew_sqrt(t208);
         const double t209 = 1.0 / length_22;
         const double length_22_by_q73 = t207 * t209;
         const double strand_22_x_by_q71 = layer_1_x_by_q71 - t83;
         const double strand_22_z_by_q71 = layer_1_z_by_q71 - t79;
-        const double t210 = strand_22_x * strand_22_x_by_q71 - strand_22_y * layer_1_y_by_q71 - strand_22_z * strand_22_z_by_q71;
+        const double t210 = strand_22_x * strand_22_x_by_q71 - strand_22_y * layer_1_y_by_q71
+            - strand_22_z * strand_22_z_by_q71;
         const double length_22_by_q71 = t210 * t209;
         const double strand_23_x_by_q73 = layer_1_x_by_q73 - t88;
         const double strand_23_x = layer_1_x + t89;
@@ -4438,14 +4947,17 @@ void hand_feedforward_rate_batch(int count, const double *SINEW_RESTRICT q_wrist
         const double strand_23_y = 0.012 - layer_1_y + t91;
         const double strand_23_z_by_q73 = layer_1_z_by_q73 - t92;
         const double strand_23_z = layer_1_z + t93;
-        const double t211 = strand_23_x * strand_23_x_by_q73 - strand_23_y * strand_23_y_by_q73 + strand_23_z * strand_23_z_by_q73;
-        const double t212 = strand_23_x * strand_23_x + strand_23_y * strand_23_y + strand_23_z * strand_23_z;
+        const double t211 = strand_23_x * strand_23_x_by_q73 - strand_23_y * strand_23_y_by_q73
+            + strand_23_z * strand_23_z_by_q73;
+        const double t212 = strand_23_x * strand_23_x + strand_23_y * strand_23_y + strand_23_z
+            * strand_23_z;
         const double length_23 = sinew_sqrt(t212);
         const double t213 = 1.0 / length_23;
         const double length_23_by_q73 = t211 * t213;
         const double strand_23_x_by_q71 = layer_1_x_by_q71 - t93;
         const double strand_23_z_by_q71 = layer_1_z_by_q71 - t89;
-        const double t214 = strand_23_x * strand_23_x_by_q71 - strand_23_y * layer_1_y_by_q71 - strand_23_z * strand_23_z_by_q71;
+        const double t214 = strand_23_x * strand_23_x_by_q71 - strand_23_y * layer_1_y_by_q71
+            - strand_23_z * strand_23_z_by_q71;
         const double length_23_by_q71 = t214 * t213;
         const double strand_24_x_by_q73 = layer_1_x_by_q73 - t98;
         const double strand_24_x = layer_1_x + t99;
@@ -4453,14 +4965,17 @@ void hand_feedforward_rate_batch(int count, const double *SINEW_RESTRICT q_wrist
         const double strand_24_y = 0.014 - layer_1_y + t101;
         const double strand_24_z_by_q73 = layer_1_z_by_q73 - t102;
         const double strand_24_z = layer_1_z + t103;
-        const double t215 = strand_24_x * strand_24_x_by_q73 - strand_24_y * strand_24_y_by_q73 + strand_24_z * strand_24_z_by_q73;
-        const double t216 = strand_24_x * strand_24_x + strand_24_y * strand_24_y + strand_24_z * strand_24_z;
+        const double t215 = strand_24_x * strand_24_x_by_q73 - strand_24_y * strand_24_y_by_q73
+            + strand_24_z * strand_24_z_by_q73;
+        const double t216 = strand_24_x * strand_24_x + strand_24_y * strand_24_y + strand_24_z
+            * strand_24_z;
         const double length_24 = sinew_sqrt(t216);
         const double t217 = 1.0 / length_24;
         const double length_24_by_q73 = t215 * t217;
         const double strand_24_x_by_q71 = layer_1_x_by_q71 - t103;
         const double strand_24_z_by_q71 = layer_1_z_by_q71 - t99;
-        const double t218 = strand_24_x * strand_24_x_by_q71 - strand_24_y * layer_1_y_by_q71 - strand_24_z * strand_24_z_by_q71;
+        const double t218 = strand_24_x * strand_24_x_by_q71 - strand_24_y * layer_1_y_by_q71
+            - strand_24_z * strand_24_z_by_q71;
         const double length_24_by_q71 = t218 * t217;
         const double strand_25_x_by_q73 = layer_1_x_by_q73 - t108;
         const double strand_25_x = layer_1_x + t109;
@@ -4468,14 +4983,17 @@ void hand_feedforward_rate_batch(int count, const double *SINEW_RESTRICT q_wrist
         const double strand_25_y = 0.015 - layer_1_y + t111;
         const double strand_25_z_by_q73 = layer_1_z_by_q73 - t112;
         const double strand_25_z = layer_1_z + t113;
-        const double t219 = strand_25_x * strand_25_x_by_q73 - strand_25_y * strand_25_y_by_q73 + strand_25_z * strand_25_z_by_q73;
-        const double t220 = strand_25_x * strand_25_x + strand_25_y * strand_25_y + strand_25_z * strand_25_z;
+        const double t219 = strand_25_x * strand_25_x_by_q73 - strand_25_y * strand_25_y_by_q73
+            + strand_25_z * strand_25_z_by_q73;
+        const double t220 = strand_25_x * strand_25_x + strand_25_y * strand_25_y + strand_25_z
+            * strand_25_z;
         const double length_25 = sinew_sqrt(t220);
         const double t221 = 1.0 / length_25;
         const double length_25_by_q73 = t219 * t221;
         const double strand_25_x_by_q71 = layer_1_x_by_q71 - t113;
         const double strand_25_z_by_q71 = layer_1_z_by_q71 - t109;
-        const double t222 = strand_25_x * strand_25_x_by_q71 - strand_25_y * layer_1_y_by_q71 - strand_25_z * strand_25_z_by_q71;
+        const double t222 = strand_25_x * strand_25_x_by_q71 - strand_25_y * layer_1_y_by_q71
+            - strand_25_z * strand_25_z_by_q71;
         const double length_25_by_q71 = t222 * t221;
         const double strand_26_x_by_q73 = layer_1_x_by_q73 - t118;
         const double strand_26_x = layer_1_x + t119;
@@ -4483,22 +5001,28 @@ void hand_feedforward_rate_batch(int count, const double *SINEW_RESTRICT q_wrist
         const double strand_26_y = 0.017 - layer_1_y + t121;
         const double strand_26_z_by_q73 = layer_1_z_by_q73 - t122;
         const double strand_26_z = layer_1_z + t123;
-        const double t223 = strand_26_x * strand_26_x_by_q73 - strand_26_y * strand_26_y_by_q73 + strand_26_z * strand_26_z_by_q73;
-        const double t224 = strand_26_x * strand_26_x + strand_26_y * strand_26_y + strand_26_z * strand_26_z;
+        const double t223 = strand_26_x * strand_26_x_by_q73 - strand_26_y * strand_26_y_by_q73
+            + strand_26_z * strand_26_z_by_q73;
+        const double t224 = strand_26_x * strand_26_x + strand_26_y * strand_26_y + strand_26_z
+            * strand_26_z;
         const double length_26 = sinew_sqrt(t224);
         const double t225 = 1.0 / length_26;
         const double length_26_by_q73 = t223 * t225;
         const double strand_26_x_by_q71 = layer_1_x_by_q71 - t123;
         const double strand_26_z_by_q71 = layer_1_z_by_q71 - t119;
-        const double t226 = strand_26_x * strand_26_x_by_q71 - strand_26_y * layer_1_y_by_q71 - strand_26_z * strand_26_z_by_q71;
+        const double t226 = strand_26_x * strand_26_x_by_q71 - strand_26_y * layer_1_y_by_q71
+            - strand_26_z * strand_26_z_by_q71;
         const double length_26_by_q71 = t226 * t225;
         const double strand_27_y = 0.019 - layer_1_y;
-        const double t227 = layer_1_x * layer_1_x_by_q73 + layer_1_z * layer_1_z_by_q73 - strand_27_y * layer_1_y_by_q73;
-        const double t228 = layer_1_x * layer_1_x + layer_1_z * layer_1_z + strand_27_y * strand_27_y;
+        const double t227 = layer_1_x * layer_1_x_by_q73 + layer_1_z * layer_1_z_by_q73
+            - strand_27_y * layer_1_y_by_q73;
+        const double t228 = layer_1_x * layer_1_x + layer_1_z * layer_1_z + strand_27_y
+            * strand_27_y;
         const double length_27 = sinew_sqrt(t228);
         const double t229 = 1.0 / length_27;
         const double length_27_by_q73 = t227 * t229;
-        const double t230 = layer_1_x * layer_1_x_by_q71 - layer_1_z * layer_1_z_by_q71 - strand_27_y * layer_1_y_by_q71;
+        const double t230 = layer_1_x * layer_1_x_by_q71 - layer_1_z * layer_1_z_by_q71
+            - strand_27_y * layer_1_y_by_q71;
         const double length_27_by_q71 = t230 * t229;
         const double strand_28_x_by_q73 = layer_1_x_by_q73 + t118;
         const double strand_28_x = layer_1_x - t119;
@@ -4506,14 +5030,17 @@ void hand_feedforward_rate_batch(int count, const double *SINEW_RESTRICT q_wrist
         const double strand_28_y = 0.02 - layer_1_y - t121;
         const double strand_28_z_by_q73 = layer_1_z_by_q73 + t122;
         const double strand_28_z = layer_1_z - t123;
-        const double t231 = strand_28_x * strand_28_x_by_q73 - strand_28_y * strand_28_y_by_q73 + strand_28_z * strand_28_z_by_q73;
-        const double t232 = strand_28_x * strand_28_x + strand_28_y * strand_28_y + strand_28_z * strand_28_z;
+        const double t231 = strand_28_x * strand_28_x_by_q73 - strand_28_y * strand_28_y_by_q73
+            + strand_28_z * strand_28_z_by_q73;
+        const double t232 = strand_28_x * strand_28_x + strand_28_y * strand_28_y + strand_28_z
+            * strand_28_z;
         const double length_28 = sinew_sqrt(t232);
         const double t233 = 1.0 / length_28;
         const double length_28_by_q73 = t231 * t233;
         const double strand_28_x_by_q71 = layer_1_x_by_q71 + t123;
         const double strand_28_z_by_q71 = layer_1_z_by_q71 + t119;
-        const double t234 = strand_28_x * strand_28_x_by_q71 - strand_28_y * layer_1_y_by_q71 - strand_28_z * strand_28_z_by_q71;
+        const double t234 = strand_28_x * strand_28_x_by_q71 - strand_28_y * layer_1_y_by_q71
+            - strand_28_z * strand_28_z_by_q71;
         const double length_28_by_q71 = t234 * t233;
         const double strand_29_x_by_q73 = layer_1_x_by_q73 + t108;
         const double strand_29_x = layer_1_x - t109;
@@ -4521,14 +5048,17 @@ void hand_feedforward_rate_batch(int count, const double *SINEW_RESTRICT q_wrist
         const double strand_29_y = 0.022 - layer_1_y - t111;
         const double strand_29_z_by_q73 = layer_1_z_by_q73 + t112;
         const double strand_29_z = layer_1_z - t113;
-        const double t235 = strand_29_x * strand_29_x_by_q73 - strand_29_y * strand_29_y_by_q73 + strand_29_z * strand_29_z_by_q73;
-        const double t236 = strand_29_x * strand_29_x + strand_29_y * strand_29_y + strand_29_z * strand_29_z;
+        const double t235 = strand_29_x * strand_29_x_by_q73 - strand_29_y * strand_29_y_by_q73
+            + strand_29_z * strand_29_z_by_q73;
+        const double t236 = strand_29_x * strand_29_x + strand_29_y * strand_29_y + strand_29_z
+            * strand_29_z;
         const double length_29 = sinew_sqrt(t236);
         const double t237 = 1.0 / length_29;
         const double length_29_by_q73 = t235 * t237;
         const double strand_29_x_by_q71 = layer_1_x_by_q71 + t113;
         const double strand_29_z_by_q71 = layer_1_z_by_q71 + t109;
-        const double t238 = strand_29_x * strand_29_x_by_q71 - strand_29_y * layer_1_y_by_q71 - strand_29_z * strand_29_z_by_q71;
+        const double t238 = strand_29_x * strand_29_x_by_q71 - strand_29_y * layer_1_y_by_q71
+            - strand_29_z * strand_29_z_by_q71;
         const double length_29_by_q71 = t238 * t237;
         const double strand_30_x_by_q73 = layer_1_x_by_q73 + t98;
         const double strand_30_x = layer_1_x - t99;
@@ -4536,14 +5066,17 @@ void hand_feedforward_rate_batch(int count, const double *SINEW_RESTRICT q_wrist
         const double strand_30_y = 0.023 - layer_1_y - t101;
         const double strand_30_z_by_q73 = layer_1_z_by_q73 + t102;
         const double strand_30_z = layer_1_z - t103;
-        const double t239 = strand_30_x * strand_30_x_by_q73 - strand_30_y * strand_30_y_by_q73 + strand_30_z * strand_30_z_by_q73;
-        const double t240 = strand_30_x * strand_30_x + strand_30_y * strand_30_y + strand_30_z * strand_30_z;
+        const double t239 = strand_30_x * strand_30_x_by_q73 - strand_30_y * strand_30_y_by_q73
+            + strand_30_z * strand_30_z_by_q73;
+        const double t240 = strand_30_x * strand_30_x + strand_30_y * strand_30_y + strand_30_z
+            * strand_30_z;
         const double length_30 = sinew_sqrt(t240);
         const double t241 = 1.0 / length_30;
         const double length_30_by_q73 = t239 * t241;
         const double strand_30_x_by_q71 = layer_1_x_by_q71 + t103;
         const double strand_30_z_by_q71 = layer_1_z_by_q71 + t99;
-        const double t242 = strand_30_x * strand_30_x_by_q71 - strand_30_y * layer_1_y_by_q71 - strand_30_z * strand_30_z_by_q71;
+        const double t242 = strand_30_x * strand_30_x_by_q71 - strand_30_y * layer_1_y_by_q71
+            - strand_30_z * strand_30_z_by_q71;
         const double length_30_by_q71 = t242 * t241;
         const double strand_31_x_by_q73 = layer_1_x_by_q73 + t88;
         const double strand_31_x = layer_1_x - t89;
@@ -4551,14 +5084,17 @@ void hand_feedforward_rate_batch(int count, const double *SINEW_RESTRICT q_wrist
         const double strand_31_y = 0.025 - layer_1_y - t91;
         const double strand_31_z_by_q73 = layer_1_z_by_q73 + t92;
         const double strand_31_z = layer_1_z - t93;
-        const double t243 = strand_31_x * strand_31_x_by_q73 - strand_31_y * strand_31_y_by_q73 + strand_31_z * strand_31_z_by_q73;
-        const double t244 = strand_31_x * strand_31_x + strand_31_y * strand_31_y + strand_31_z * strand_31_z;
+        const double t243 = strand_31_x * strand_31_x_by_q73 - strand_31_y * strand_31_y_by_q73
+            + strand_31_z * strand_31_z_by_q73;
+        const double t244 = strand_31_x * strand_31_x + strand_31_y * strand_31_y + strand_31_z
+            * strand_31_z;
         const double length_31 = sinew_sqrt(t244);
         const double t245 = 1.0 / length_31;
         const double length_31_by_q73 = t243 * t245;
         const double strand_31_x_by_q71 = layer_1_x_by_q71 + t93;
         const double strand_31_z_by_q71 = layer_1_z_by_q71 + t89;
-        const double t246 = strand_31_x * strand_31_x_by_q71 - strand_31_y * layer_1_y_by_q71 - strand_31_z * strand_31_z_by_q71;
+        const double t246 = strand_31_x * strand_31_x_by_q71 - strand_31_y * layer_1_y_by_q71
+            - strand_31_z * strand_31_z_by_q71;
         const double length_31_by_q71 = t246 * t245;
         const double strand_32_x_by_q73 = layer_1_x_by_q73 + t78;
         const double strand_32_x = layer_1_x - t79;
@@ -4566,14 +5102,17 @@ void hand_feedforward_rate_batch(int count, const double *SINEW_RESTRICT q_wrist
         const double strand_32_y = 0.027 - layer_1_y - t81;
         const double strand_32_z_by_q73 = layer_1_z_by_q73 + t82;
         const double strand_32_z = layer_1_z - t83;
-        const double t247 = strand_32_x * strand_32_x_by_q73 - strand_32_y * strand_32_y_by_q73 + strand_32_z * strand_32_z_by_q73;
-        const double t248 = strand_32_x * strand_32_x + strand_32_y * strand_32_y + strand_32_z * strand_32_z;
+        const double t247 = strand_32_x * strand_32_x_by_q73 - strand_32_y * strand_32_y_by_q73
+            + strand_32_z * strand_32_z_by_q73;
+        const double t248 = strand_32_x * strand_32_x + strand_32_y * strand_32_y + strand_32_z
+            * strand_32_z;
         const double length_32 = sinew_sqrt(t248);
         const double t249 = 1.0 / length_32;
         const double length_32_by_q73 = t247 * t249;
         const double strand_32_x_by_q71 = layer_1_x_by_q71 + t83;
         const double strand_32_z_by_q71 = layer_1_z_by_q71 + t79;
-        const double t250 = strand_32_x * strand_32_x_by_q71 - strand_32_y * layer_1_y_by_q71 - strand_32_z * strand_32_z_by_q71;
+        const double t250 = strand_32_x * strand_32_x_by_q71 - strand_32_y * layer_1_y_by_q71
+            - strand_32_z * strand_32_z_by_q71;
         const double length_32_by_q71 = t250 * t249;
         const double strand_33_x_by_q73 = layer_1_x_by_q73 + t68;
         const double strand_33_x = layer_1_x - t69;
@@ -4581,14 +5120,17 @@ void hand_feedforward_rate_batch(int count, const double *SINEW_RESTRICT q_wrist
         const double strand_33_y = 0.028 - layer_1_y - t71;
         const double strand_33_z_by_q73 = layer_1_z_by_q73 + t72;
         const double strand_33_z = layer_1_z - t73;
-        const double t251 = strand_33_x * strand_33_x_by_q73 - strand_33_y * strand_33_y_by_q73 + strand_33_z * strand_33_z_by_q73;
-        const double t252 = strand_33_x * strand_33_x + strand_33_y * strand_33_y + strand_33_z * strand_33_z;
+        const double t251 = strand_33_x * strand_33_x_by_q73 - strand_33_y * strand_33_y_by_q73
+            + strand_33_z * strand_33_z_by_q73;
+        const double t252 = strand_33_x * strand_33_x + strand_33_y * strand_33_y + strand_33_z
+            * strand_33_z;
         const double length_33 = sinew_sqrt(t252);
         const double t253 = 1.0 / length_33;
         const double length_33_by_q73 = t251 * t253;
         const double strand_33_x_by_q71 = layer_1_x_by_q71 + t73;
         const double strand_33_z_by_q71 = layer_1_z_by_q71 + t69;
-        const double t254 = strand_33_x * strand_33_x_by_q71 - strand_33_y * layer_1_y_by_q71 - strand_33_z * strand_33_z_by_q71;
+        const double t254 = strand_33_x * strand_33_x_by_q71 - strand_33_y * layer_1_y_by_q71
+            - strand_33_z * strand_33_z_by_q71;
         const double length_33_by_q71 = t254 * t253;
         const double strand_34_x_by_q73 = layer_1_x_by_q73 + t29;
         const double strand_34_x = layer_1_x - t36;
@@ -4596,14 +5138,17 @@ void hand_feedforward_rate_batch(int count, const double *SINEW_RESTRICT q_wrist
         const double strand_34_y = 0.03 - layer_1_y - t43;
         const double strand_34_z_by_q73 = layer_1_z_by_q73 + t46;
         const double strand_34_z = layer_1_z - t53;
-        const double t255 = strand_34_x * strand_34_x_by_q73 - strand_34_y * strand_34_y_by_q73 + strand_34_z * strand_34_z_by_q73;
-        const double t256 = strand_34_x * strand_34_x + strand_34_y * strand_34_y + strand_34_z * strand_34_z;
+        const double t255 = strand_34_x * strand_34_x_by_q73 - strand_34_y * strand_34_y_by_q73
+            + strand_34_z * strand_34_z_by_q73;
+        const double t256 = strand_34_x * strand_34_x + strand_34_y * strand_34_y + strand_34_z
+            * strand_34_z;
         const double length_34 = sinew_sqrt(t256);
         const double t257 = 1.0 / length_34;
         const double length_34_by_q73 = t255 * t257;
         const double strand_34_x_by_q71 = layer_1_x_by_q71 + t53;
         const double strand_34_z_by_q71 = layer_1_z_by_q71 + t36;
-        const double t258 = strand_34_x * strand_34_x_by_q71 - strand_34_y * layer_1_y_by_q71 - strand_34_z * strand_34_z_by_q71;
+        const double t258 = strand_34_x * strand_34_x_by_q71 - strand_34_y * layer_1_y_by_q71
+            - strand_34_z * strand_34_z_by_q71;
         const double length_34_by_q71 = t258 * t257;
         const double strand_35_x_by_q73 = layer_1_x_by_q73 + t159;
         const double strand_35_x = layer_1_x - t160;
@@ -4611,14 +5156,17 @@ void hand_feedforward_rate_batch(int count, const double *SINEW_RESTRICT q_wrist
         const double strand_35_y = 0.031 - layer_1_y - t162;
         const double strand_35_z_by_q73 = layer_1_z_by_q73 + t163;
         const double strand_35_z = layer_1_z - t164;
-        const double t259 = strand_35_x * strand_35_x_by_q73 - strand_35_y * strand_35_y_by_q73 + strand_35_z * strand_35_z_by_q73;
-        const double t260 = strand_35_x * strand_35_x + strand_35_y * strand_35_y + strand_35_z * strand_35_z;
+        const double t259 = strand_35_x * strand_35_x_by_q73 - strand_35_y * strand_35_y_by_q73
+            + strand_35_z * strand_35_z_by_q73;
+        const double t260 = strand_35_x * strand_35_x + strand_35_y * strand_35_y + strand_35_z
+            * strand_35_z;
         const double length_35 = sinew_sqrt(t260);
         const double t261 = 1.0 / length_35;
         const double length_35_by_q73 = t259 * t261;
         const double strand_35_x_by_q71 = layer_1_x_by_q71 + t164;
         const double strand_35_z_by_q71 = layer_1_z_by_q71 + t160;
-        const double t262 = strand_35_x * strand_35_x_by_q71 - strand_35_y * layer_1_y_by_q71 - strand_35_z * strand_35_z_by_q71;
+        const double t262 = strand_35_x * strand_35_x_by_q71 - strand_35_y * layer_1_y_by_q71
+            - strand_35_z * strand_35_z_by_q71;
         const double length_35_by_q71 = t262 * t261;
         const double strand_36_x_by_q73 = layer_1_x_by_q73 + t169;
         const double strand_36_x = layer_1_x - t170;
@@ -4626,14 +5174,17 @@ void hand_feedforward_rate_batch(int count, const double *SINEW_RESTRICT q_wrist
         const double strand_36_y = 0.033 - layer_1_y - t172;
         const double strand_36_z_by_q73 = layer_1_z_by_q73 + t173;
         const double strand_36_z = layer_1_z - t174;
-        const double t263 = strand_36_x * strand_36_x_by_q73 - strand_36_y * strand_36_y_by_q73 + strand_36_z * strand_36_z_by_q73;
-        const double t264 = strand_36_x * strand_36_x + strand_36_y * strand_36_y + strand_36_z * strand_36_z;
+        const double t263 = strand_36_x * strand_36_x_by_q73 - strand_36_y * strand_36_y_by_q73
+            + strand_36_z * strand_36_z_by_q73;
+        const double t264 = strand_36_x * strand_36_x + strand_36_y * strand_36_y + strand_36_z
+            * strand_36_z;
         const double length_36 = sinew_sqrt(t264);
         const double t265 = 1.0 / length_36;
         const double length_36_by_q73 = t263 * t265;
         const double strand_36_x_by_q71 = layer_1_x_by_q71 + t174;
         const double strand_36_z_by_q71 = layer_1_z_by_q71 + t170;
-        const double t266 = strand_36_x * strand_36_x_by_q71 - strand_36_y * layer_1_y_by_q71 - strand_36_z * strand_36_z_by_q71;
+        const double t266 = strand_36_x * strand_36_x_by_q71 - strand_36_y * layer_1_y_by_q71
+            - strand_36_z * strand_36_z_by_q71;
         const double length_36_by_q71 = t266 * t265;
         const double strand_37_x_by_q73 = layer_1_x_by_q73 + t179;
         const double strand_37_x = layer_1_x - t180;
@@ -4641,14 +5192,17 @@ void hand_feedforward_rate_batch(int count, const double *SINEW_RESTRICT q_wrist
         const double strand_37_y = 0.035 - layer_1_y - t182;
         const double strand_37_z_by_q73 = layer_1_z_by_q73 + t183;
         const double strand_37_z = layer_1_z - t184;
-        const double t267 = strand_37_x * strand_37_x_by_q73 - strand_37_y * strand_37_y_by_q73 + strand_37_z * strand_37_z_by_q73;
-        const double t268 = strand_37_x * strand_37_x + strand_37_y * strand_37_y + strand_37_z * strand_37_z;
+        const double t267 = strand_37_x * strand_37_x_by_q73 - strand_37_y * strand_37_y_by_q73
+            + strand_37_z * strand_37_z_by_q73;
+        const double t268 = strand_37_x * strand_37_x + strand_37_y * strand_37_y + strand_37_z
+            * strand_37_z;
         const double length_37 = sinew_sqrt(t268);
         const double t269 = 1.0 / length_37;
         const double length_37_by_q73 = t267 * t269;
         const double strand_37_x_by_q71 = layer_1_x_by_q71 + t184;
         const double strand_37_z_by_q71 = layer_1_z_by_q71 + t180;
-        const double t270 = strand_37_x * strand_37_x_by_q71 - strand_37_y * layer_1_y_by_q71 - strand_37_z * strand_37_z_by_q71;
+        const double t270 = strand_37_x * strand_37_x_by_q71 - strand_37_y * layer_1_y_by_q71
+            - strand_37_z * strand_37_z_by_q71;
         const double length_37_by_q71 = t270 * t269;
         delta_theta_rate[state] = -(t67 * length_0_by_q71 - t57 * length_0_by_q73);
         delta_theta_rate[1 * n + state] = -(t67 * length_1_by_q71 - t57 * length_1_by_q73);

@@ -21,13 +21,23 @@
 extern "C" {
 #endif
 
-void hand_fingertips_batch(int count, const double *SINEW_RESTRICT q, const double *SINEW_RESTRICT q_wrist, double *SINEW_RESTRICT in_palm, double *SINEW_RESTRICT in_forearm);
-void hand_finger_gravity_batch(int count, const double *SINEW_RESTRICT q, const double *SINEW_RESTRICT q_wrist, const double *SINEW_RESTRICT gravity, double *SINEW_RESTRICT g);
-void hand_tendon_lengths_batch(int count, const double *SINEW_RESTRICT q, const double *SINEW_RESTRICT q_wrist, double *SINEW_RESTRICT h);
-void hand_coupling_matrix_batch(int count, const double *SINEW_RESTRICT q, const double *SINEW_RESTRICT q_wrist, double *SINEW_RESTRICT P);
-void hand_joint_torque_batch(int count, const double *SINEW_RESTRICT q, const double *SINEW_RESTRICT q_wrist, const double *SINEW_RESTRICT f, double *SINEW_RESTRICT tau);
-void hand_feedforward_batch(int count, const double *SINEW_RESTRICT q_wrist, double *SINEW_RESTRICT delta_theta);
-void hand_feedforward_rate_batch(int count, const double *SINEW_RESTRICT q_wrist, const double *SINEW_RESTRICT qd_wrist, double *SINEW_RESTRICT delta_theta_rate);
+void hand_fingertips_batch(int count, const double *SINEW_RESTRICT q,
+    const double *SINEW_RESTRICT q_wrist, double *SINEW_RESTRICT in_palm,
+    double *SINEW_RESTRICT in_forearm);
+void hand_finger_gravity_batch(int count, const double *SINEW_RESTRICT q,
+    const double *SINEW_RESTRICT q_wrist, const double *SINEW_RESTRICT gravity,
+    double *SINEW_RESTRICT g);
+void hand_tendon_lengths_batch(int count, const double *SINEW_RESTRICT q,
+    const double *SINEW_RESTRICT q_wrist, double *SINEW_RESTRICT h);
+void hand_coupling_matrix_batch(int count, const double *SINEW_RESTRICT q,
+    const double *SINEW_RESTRICT q_wrist, double *SINEW_RESTRICT P);
+void hand_joint_torque_batch(int count, const double *SINEW_RESTRICT q,
+    const double *SINEW_RESTRICT q_wrist, const double *SINEW_RESTRICT f,
+    double *SINEW_RESTRICT tau);
+void hand_feedforward_batch(int count, const double *SINEW_RESTRICT q_wrist,
+    double *SINEW_RESTRICT delta_theta);
+void hand_feedforward_rate_batch(int count, const double *SINEW_RESTRICT q_wrist,
+    const double *SINEW_RESTRICT qd_wrist, double *SINEW_RESTRICT delta_theta_rate);
 
 #ifdef __cplusplus
 }

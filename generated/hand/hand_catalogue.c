@@ -16,8 +16,11 @@ static void call_fingertips(const void *in, void *out)
     double *y = (double *)out;
     hand_fingertips(x + 0, x + 19, y + 0, y + 80);
 }
-static const double fingertips_q_low[] = {-0.6981317007977318, -0.6981317007977318, -0.2, -0.2, -0.35, -0.2, -0.2, -0.2, -0.35, -0.2, -0.2, -0.2, -0.35, -0.2, -0.2, -0.35, -0.2, -0.2, 1.0471975511965976};
-static const double fingertips_q_high[] = {0.6981317007977318, 0.6981317007977318, 1.6, 1.6, 0.35, 1.6, 1.6, 1.6, 0.35, 1.6, 1.6, 1.6, 0.35, 1.6, 1.6, 0.35, 1.6, 1.6, 2.0943951023931953};
+static const double fingertips_q_low[] = {-0.6981317007977318, -0.6981317007977318, -0.2, -0.2,
+    -0.35, -0.2, -0.2, -0.2, -0.35, -0.2, -0.2, -0.2, -0.35, -0.2, -0.2, -0.35, -0.2, -0.2,
+    1.0471975511965976};
+static const double fingertips_q_high[] = {0.6981317007977318, 0.6981317007977318, 1.6, 1.6, 0.35,
+    1.6, 1.6, 1.6, 0.35, 1.6, 1.6, 1.6, 0.35, 1.6, 1.6, 0.35, 1.6, 1.6, 2.0943951023931953};
 static const double fingertips_q_wrist_low[] = {0.337, 0.725};
 static const double fingertips_q_wrist_high[] = {0.88, 1.269};
 static const sinew_argument fingertips_inputs[] = {
@@ -35,8 +38,11 @@ static void call_finger_gravity(const void *in, void *out)
     double *y = (double *)out;
     hand_finger_gravity(x + 0, x + 19, x + 21, y + 0);
 }
-static const double finger_gravity_q_low[] = {-0.6981317007977318, -0.6981317007977318, -0.2, -0.2, -0.35, -0.2, -0.2, -0.2, -0.35, -0.2, -0.2, -0.2, -0.35, -0.2, -0.2, -0.35, -0.2, -0.2, 1.0471975511965976};
-static const double finger_gravity_q_high[] = {0.6981317007977318, 0.6981317007977318, 1.6, 1.6, 0.35, 1.6, 1.6, 1.6, 0.35, 1.6, 1.6, 1.6, 0.35, 1.6, 1.6, 0.35, 1.6, 1.6, 2.0943951023931953};
+static const double finger_gravity_q_low[] = {-0.6981317007977318, -0.6981317007977318, -0.2, -0.2,
+    -0.35, -0.2, -0.2, -0.2, -0.35, -0.2, -0.2, -0.2, -0.35, -0.2, -0.2, -0.35, -0.2, -0.2,
+    1.0471975511965976};
+static const double finger_gravity_q_high[] = {0.6981317007977318, 0.6981317007977318, 1.6, 1.6,
+    0.35, 1.6, 1.6, 1.6, 0.35, 1.6, 1.6, 1.6, 0.35, 1.6, 1.6, 0.35, 1.6, 1.6, 2.0943951023931953};
 static const double finger_gravity_q_wrist_low[] = {0.337, 0.725};
 static const double finger_gravity_q_wrist_high[] = {0.88, 1.269};
 static const double finger_gravity_gravity_low[] = {-9.81, -9.81, -9.81};
@@ -56,8 +62,11 @@ static void call_tendon_lengths(const void *in, void *out)
     double *y = (double *)out;
     hand_tendon_lengths(x + 0, x + 19, y + 0);
 }
-static const double tendon_lengths_q_low[] = {-0.6981317007977318, -0.6981317007977318, -0.2, -0.2, -0.35, -0.2, -0.2, -0.2, -0.35, -0.2, -0.2, -0.2, -0.35, -0.2, -0.2, -0.35, -0.2, -0.2, 1.0471975511965976};
-static const double tendon_lengths_q_high[] = {0.6981317007977318, 0.6981317007977318, 1.6, 1.6, 0.35, 1.6, 1.6, 1.6, 0.35, 1.6, 1.6, 1.6, 0.35, 1.6, 1.6, 0.35, 1.6, 1.6, 2.0943951023931953};
+static const double tendon_lengths_q_low[] = {-0.6981317007977318, -0.6981317007977318, -0.2, -0.2,
+    -0.35, -0.2, -0.2, -0.2, -0.35, -0.2, -0.2, -0.2, -0.35, -0.2, -0.2, -0.35, -0.2, -0.2,
+    1.0471975511965976};
+static const double tendon_lengths_q_high[] = {0.6981317007977318, 0.6981317007977318, 1.6, 1.6,
+    0.35, 1.6, 1.6, 1.6, 0.35, 1.6, 1.6, 1.6, 0.35, 1.6, 1.6, 0.35, 1.6, 1.6, 2.0943951023931953};
 static const double tendon_lengths_q_wrist_low[] = {0.337, 0.725};
 static const double tendon_lengths_q_wrist_high[] = {0.88, 1.269};
 static const sinew_argument tendon_lengths_inputs[] = {
@@ -74,8 +83,11 @@ static void call_coupling_matrix(const void *in, void *out)
     double *y = (double *)out;
     hand_coupling_matrix(x + 0, x + 19, y + 0);
 }
-static const double coupling_matrix_q_low[] = {-0.6981317007977318, -0.6981317007977318, -0.2, -0.2, -0.35, -0.2, -0.2, -0.2, -0.35, -0.2, -0.2, -0.2, -0.35, -0.2, -0.2, -0.35, -0.2, -0.2, 1.0471975511965976};
-static const double coupling_matrix_q_high[] = {0.6981317007977318, 0.6981317007977318, 1.6, 1.6, 0.35, 1.6, 1.6, 1.6, 0.35, 1.6, 1.6, 1.6, 0.35, 1.6, 1.6, 0.35, 1.6, 1.6, 2.0943951023931953};
+static const double coupling_matrix_q_low[] = {-0.6981317007977318, -0.6981317007977318, -0.2, -0.2,
+    -0.35, -0.2, -0.2, -0.2, -0.35, -0.2, -0.2, -0.2, -0.35, -0.2, -0.2, -0.35, -0.2, -0.2,
+    1.0471975511965976};
+static const double coupling_matrix_q_high[] = {0.6981317007977318, 0.6981317007977318, 1.6, 1.6,
+    0.35, 1.6, 1.6, 1.6, 0.35, 1.6, 1.6, 1.6, 0.35, 1.6, 1.6, 0.35, 1.6, 1.6, 2.0943951023931953};
 static const double coupling_matrix_q_wrist_low[] = {0.337, 0.725};
 static const double coupling_matrix_q_wrist_high[] = {0.88, 1.269};
 static const sinew_argument coupling_matrix_inputs[] = {
@@ -92,12 +104,20 @@ static void call_joint_torque(const void *in, void *out)
     double *y = (double *)out;
     hand_joint_torque(x + 0, x + 19, x + 21, y + 0);
 }
-static const double joint_torque_q_low[] = {-0.6981317007977318, -0.6981317007977318, -0.2, -0.2, -0.35, -0.2, -0.2, -0.2, -0.35, -0.2, -0.2, -0.2, -0.35, -0.2, -0.2, -0.35, -0.2, -0.2, 1.0471975511965976};
-static const double joint_torque_q_high[] = {0.6981317007977318, 0.6981317007977318, 1.6, 1.6, 0.35, 1.6, 1.6, 1.6, 0.35, 1.6, 1.6, 1.6, 0.35, 1.6, 1.6, 0.35, 1.6, 1.6, 2.0943951023931953};
+static const double joint_torque_q_low[] = {-0.6981317007977318, -0.6981317007977318, -0.2, -0.2,
+    -0.35, -0.2, -0.2, -0.2, -0.35, -0.2, -0.2, -0.2, -0.35, -0.2, -0.2, -0.35, -0.2, -0.2,
+    1.0471975511965976};
+static const double joint_torque_q_high[] = {0.6981317007977318, 0.6981317007977318, 1.6, 1.6, 0.35,
+    1.6, 1.6, 1.6, 0.35, 1.6, 1.6, 1.6, 0.35, 1.6, 1.6, 0.35, 1.6, 1.6, 2.0943951023931953};
 static const double joint_torque_q_wrist_low[] = {0.337, 0.725};
 static const double joint_torque_q_wrist_high[] = {0.88, 1.269};
-static const double joint_torque_f_low[] = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
-static const double joint_torque_f_high[] = {100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0};
+static const double joint_torque_f_low[] = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+    0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+    0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
+static const double joint_torque_f_high[] = {100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0,
+    100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0,
+    100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0,
+    100.0, 100.0, 100.0, 100.0};
 static const sinew_argument joint_torque_inputs[] = {
     {"q", "rad", 19, 1, joint_torque_q_low, joint_torque_q_high},
     {"q_wrist", "rad", 2, 1, joint_torque_q_wrist_low, joint_torque_q_wrist_high},
@@ -113,14 +133,29 @@ static void call_joint_stiffness(const void *in, void *out)
     double *y = (double *)out;
     hand_joint_stiffness(x + 0, x + 19, x + 21, x + 59, y + 0);
 }
-static const double joint_stiffness_q_low[] = {-0.6981317007977318, -0.6981317007977318, -0.2, -0.2, -0.35, -0.2, -0.2, -0.2, -0.35, -0.2, -0.2, -0.2, -0.35, -0.2, -0.2, -0.35, -0.2, -0.2, 1.0471975511965976};
-static const double joint_stiffness_q_high[] = {0.6981317007977318, 0.6981317007977318, 1.6, 1.6, 0.35, 1.6, 1.6, 1.6, 0.35, 1.6, 1.6, 1.6, 0.35, 1.6, 1.6, 0.35, 1.6, 1.6, 2.0943951023931953};
+static const double joint_stiffness_q_low[] = {-0.6981317007977318, -0.6981317007977318, -0.2, -0.2,
+    -0.35, -0.2, -0.2, -0.2, -0.35, -0.2, -0.2, -0.2, -0.35, -0.2, -0.2, -0.35, -0.2, -0.2,
+    1.0471975511965976};
+static const double joint_stiffness_q_high[] = {0.6981317007977318, 0.6981317007977318, 1.6, 1.6,
+    0.35, 1.6, 1.6, 1.6, 0.35, 1.6, 1.6, 1.6, 0.35, 1.6, 1.6, 0.35, 1.6, 1.6, 2.0943951023931953};
 static const double joint_stiffness_q_wrist_low[] = {0.337, 0.725};
 static const double joint_stiffness_q_wrist_high[] = {0.88, 1.269};
-static const double joint_stiffness_f_low[] = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
-static const double joint_stiffness_f_high[] = {100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0};
-static const double joint_stiffness_kt_low[] = {1000.0, 1000.0, 1000.0, 1000.0, 1000.0, 1000.0, 1000.0, 1000.0, 1000.0, 1000.0, 1000.0, 1000.0, 1000.0, 1000.0, 1000.0, 1000.0, 1000.0, 1000.0, 1000.0, 1000.0, 1000.0, 1000.0, 1000.0, 1000.0, 1000.0, 1000.0, 1000.0, 1000.0, 1000.0, 1000.0, 1000.0, 1000.0, 1000.0, 1000.0, 1000.0, 1000.0, 1000.0, 1000.0};
-static const double joint_stiffness_kt_high[] = {50000.0, 50000.0, 50000.0, 50000.0, 50000.0, 50000.0, 50000.0, 50000.0, 50000.0, 50000.0, 50000.0, 50000.0, 50000.0, 50000.0, 50000.0, 50000.0, 50000.0, 50000.0, 50000.0, 50000.0, 50000.0, 50000.0, 50000.0, 50000.0, 50000.0, 50000.0, 50000.0, 50000.0, 50000.0, 50000.0, 50000.0, 50000.0, 50000.0, 50000.0, 50000.0, 50000.0, 50000.0, 50000.0};
+static const double joint_stiffness_f_low[] = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+    0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+    0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
+static const double joint_stiffness_f_high[] = {100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0,
+    100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0,
+    100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0,
+    100.0, 100.0, 100.0, 100.0, 100.0};
+static const double joint_stiffness_kt_low[] = {1000.0, 1000.0, 1000.0, 1000.0, 1000.0, 1000.0,
+    1000.0, 1000.0, 1000.0, 1000.0, 1000.0, 1000.0, 1000.0, 1000.0, 1000.0, 1000.0, 1000.0, 1000.0,
+    1000.0, 1000.0, 1000.0, 1000.0, 1000.0, 1000.0, 1000.0, 1000.0, 1000.0, 1000.0, 1000.0, 1000.0,
+    1000.0, 1000.0, 1000.0, 1000.0, 1000.0, 1000.0, 1000.0, 1000.0};
+static const double joint_stiffness_kt_high[] = {50000.0, 50000.0, 50000.0, 50000.0, 50000.0,
+    50000.0, 50000.0, 50000.0, 50000.0, 50000.0, 50000.0, 50000.0, 50000.0, 50000.0, 50000.0,
+    50000.0, 50000.0, 50000.0, 50000.0, 50000.0, 50000.0, 50000.0, 50000.0, 50000.0, 50000.0,
+    50000.0, 50000.0, 50000.0, 50000.0, 50000.0, 50000.0, 50000.0, 50000.0, 50000.0, 50000.0,
+    50000.0, 50000.0, 50000.0};
 static const sinew_argument joint_stiffness_inputs[] = {
     {"q", "rad", 19, 1, joint_stiffness_q_low, joint_stiffness_q_high},
     {"q_wrist", "rad", 2, 1, joint_stiffness_q_wrist_low, joint_stiffness_q_wrist_high},
@@ -166,13 +201,20 @@ static const sinew_argument feedforward_rate_outputs[] = {
 
 static const sinew_function functions[] = {
     {"hand_fingertips", 2, 2, 21, 160, fingertips_inputs, fingertips_outputs, call_fingertips},
-    {"hand_finger_gravity", 3, 1, 24, 15, finger_gravity_inputs, finger_gravity_outputs, call_finger_gravity},
-    {"hand_tendon_lengths", 2, 1, 21, 38, tendon_lengths_inputs, tendon_lengths_outputs, call_tendon_lengths},
-    {"hand_coupling_matrix", 2, 1, 21, 798, coupling_matrix_inputs, coupling_matrix_outputs, call_coupling_matrix},
-    {"hand_joint_torque", 3, 1, 59, 21, joint_torque_inputs, joint_torque_outputs, call_joint_torque},
-    {"hand_joint_stiffness", 4, 1, 97, 441, joint_stiffness_inputs, joint_stiffness_outputs, call_joint_stiffness},
+    {"hand_finger_gravity", 3, 1, 24, 15, finger_gravity_inputs, finger_gravity_outputs,
+        call_finger_gravity},
+    {"hand_tendon_lengths", 2, 1, 21, 38, tendon_lengths_inputs, tendon_lengths_outputs,
+        call_tendon_lengths},
+    {"hand_coupling_matrix", 2, 1, 21, 798, coupling_matrix_inputs, coupling_matrix_outputs,
+        call_coupling_matrix},
+    {"hand_joint_torque", 3, 1, 59, 21, joint_torque_inputs, joint_torque_outputs,
+        call_joint_torque},
+    {"hand_joint_stiffness", 4, 1, 97, 441, joint_stiffness_inputs, joint_stiffness_outputs,
+        call_joint_stiffness},
     {"hand_feedforward", 1, 1, 2, 38, feedforward_inputs, feedforward_outputs, call_feedforward},
-    {"hand_feedforward_rate", 2, 1, 4, 38, feedforward_rate_inputs, feedforward_rate_outputs, call_feedforward_rate},
+    {"hand_feedforward_rate", 2, 1, 4, 38, feedforward_rate_inputs, feedforward_rate_outputs,
+        call_feedforward_rate},
 };
 
-const sinew_catalogue hand_catalogue = {"hand", "149bfdb172c9db83c03fe3a5f8e740421544677e415df28801df6237951eb00f", 8, 8, functions};
+const sinew_catalogue hand_catalogue = {"hand",
+    "149bfdb172c9db83c03fe3a5f8e740421544677e415df28801df6237951eb00f", 8, 8, functions};

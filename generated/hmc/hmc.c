@@ -21,10 +21,22 @@ SINEW_NOT_INLINE static double sinew_one_atan2(double y, double x)
     return sinew_atan2(y, x);
 }
 
+struct sinew_sines {
+    double s[1], c[1];
+};
+
+SINEW_NOT_INLINE static struct sinew_sines sinew_one_sincos(double x)
+{
+    struct sinew_sines y;
+    sinew_sincos(x, y.s, y.c);
+    return y;
+}
+
 void hmc_four_bar(const double theta2[SINEW_AT_LEAST(1)], double out[SINEW_AT_LEAST(4)])
 {
-    double sin2, cos2;
-    sinew_sincos(theta2[0], &sin2, &cos2);
+    const struct sinew_sines sines1 = sinew_one_sincos(theta2[0]);
+    const double sin2 = sines1.s[0];
+    const double cos2 = sines1.c[0];
     const double A = 1.2 - cos2;
     const double reach_squared = sinew_max(sin2 * sin2 + A * A, 1e-12);
     const double reach = sinew_sqrt(reach_squared);
@@ -33,26 +45,28 @@ void hmc_four_bar(const double theta2[SINEW_AT_LEAST(1)], double out[SINEW_AT_LE
     const double root = sinew_sqrt(sinew_max(-slack, 1e-12));
     const double side = 1.2 * root;
     const double limited = sinew_min(sinew_max(C, -reach), reach);
-    const double t1 = 1.0 / reach_squared;
-    const double cos4 = (sin2 * side - A * limited) * t1;
+    const double t2 = 1.0 / reach_squared;
+    const double cos4 = (sin2 * side - A * limited) * t2;
     const double along = 0.012 - 0.01 * cos2 + 0.011 * cos4;
-    const double sin4 = (sin2 * limited + A * side) * t1;
+    const double sin4 = (sin2 * limited + A * side) * t2;
     const double across = 0.01 * sin2 - 0.011 * sin4;
     const double length = sinew_sqrt(sinew_max(along * along + across * across, 1.44e-16));
-    const double t2 = 1.0 / length;
-    const double cos3 = along * t2;
-    const double sin3 = across * t2;
-    const double t3 = 1.0 / root;
+    const double t3 = 1.0 / length;
+    const double cos3 = along * t3;
+    const double sin3 = across * t3;
+    const double t4 = 1.0 / root;
     out[0] = sinew_one_atan2(-sin3, cos3);
     out[1] = sinew_one_atan2(sin4, cos4);
-    out[2] = -(0.8333333333333334 * (cos2 * sin4 - sin2 * cos4) * t3);
-    out[3] = 0.9090909090909091 * (cos2 * sin3 + sin2 * cos3) * t3;
+    out[2] = -(0.8333333333333334 * (cos2 * sin4 - sin2 * cos4) * t4);
+    out[3] = 0.9090909090909091 * (cos2 * sin3 + sin2 * cos3) * t4;
 }
 
-void hmc_locking(const double theta2[SINEW_AT_LEAST(1)], double distance[SINEW_AT_LEAST(1)], double status[SINEW_AT_LEAST(1)])
+void hmc_locking(const double theta2[SINEW_AT_LEAST(1)], double distance[SINEW_AT_LEAST(1)],
+    double status[SINEW_AT_LEAST(1)])
 {
-    double sin2, cos2;
-    sinew_sincos(theta2[0], &sin2, &cos2);
+    const struct sinew_sines sines1 = sinew_one_sincos(theta2[0]);
+    const double sin2 = sines1.s[0];
+    const double cos2 = sines1.c[0];
     const double A = 1.2 - cos2;
     const double reach_squared = sinew_max(sin2 * sin2 + A * A, 1e-12);
     const double reach = sinew_sqrt(reach_squared);
@@ -67,8 +81,9 @@ void hmc_locking(const double theta2[SINEW_AT_LEAST(1)], double distance[SINEW_A
 
 void hmc_coupler_pose(const double theta2[SINEW_AT_LEAST(1)], double T[SINEW_AT_LEAST(16)])
 {
-    double sin2, cos2;
-    sinew_sincos(theta2[0], &sin2, &cos2);
+    const struct sinew_sines sines1 = sinew_one_sincos(theta2[0]);
+    const double sin2 = sines1.s[0];
+    const double cos2 = sines1.c[0];
     const double A = 1.2 - cos2;
     const double reach_squared = sinew_max(sin2 * sin2 + A * A, 1e-12);
     const double reach = sinew_sqrt(reach_squared);
@@ -77,25 +92,25 @@ void hmc_coupler_pose(const double theta2[SINEW_AT_LEAST(1)], double T[SINEW_AT_
     const double root = sinew_sqrt(sinew_max(-slack, 1e-12));
     const double side = 1.2 * root;
     const double limited = sinew_min(sinew_max(C, -reach), reach);
-    const double t1 = 1.0 / reach_squared;
-    const double cos4 = (sin2 * side - A * limited) * t1;
-    const double t2 = 0.01 * cos2;
-    const double along = 0.012 - t2 + 0.011 * cos4;
-    const double sin4 = (sin2 * limited + A * side) * t1;
-    const double t3 = 0.01 * sin2;
-    const double across = t3 - 0.011 * sin4;
+    const double t2 = 1.0 / reach_squared;
+    const double cos4 = (sin2 * side - A * limited) * t2;
+    const double t3 = 0.01 * cos2;
+    const double along = 0.012 - t3 + 0.011 * cos4;
+    const double sin4 = (sin2 * limited + A * side) * t2;
+    const double t4 = 0.01 * sin2;
+    const double across = t4 - 0.011 * sin4;
     const double length = sinew_sqrt(sinew_max(along * along + across * across, 1.44e-16));
-    const double t4 = 1.0 / length;
-    const double cos3 = along * t4;
-    const double sin3 = across * t4;
+    const double t5 = 1.0 / length;
+    const double cos3 = along * t5;
+    const double sin3 = across * t5;
     T[0] = cos3;
     T[1] = sin3;
     T[2] = 0.0;
-    T[3] = t2;
+    T[3] = t3;
     T[4] = -sin3;
     T[5] = cos3;
     T[6] = 0.0;
-    T[7] = t3;
+    T[7] = t4;
     T[8] = 0.0;
     T[9] = 0.0;
     T[10] = 1.0;

@@ -34,7 +34,8 @@ void hmc_four_bar(const double theta2[SINEW_AT_LEAST(1)], double out[SINEW_AT_LE
  *   out distance      1 [rad] angle between coupler and rocker, folded to 0..pi/2
  *   out status        1 [1] 0 fine, 1 at or beyond a locking pose
  * 6 multiplications, 7 additions, 2 square roots, 1 sincos, 7 other functions. */
-void hmc_locking(const double theta2[SINEW_AT_LEAST(1)], double distance[SINEW_AT_LEAST(1)], double status[SINEW_AT_LEAST(1)]);
+void hmc_locking(const double theta2[SINEW_AT_LEAST(1)], double distance[SINEW_AT_LEAST(1)],
+    double status[SINEW_AT_LEAST(1)]);
 
 /* Pose of the coupler: maps its frame to the linkage's plane frame.
  *   in  theta2        1 [rad] crank angle; made for 1.047..2.094

@@ -50,7 +50,8 @@ void hmc_four_bar_batch(int count, const double *SINEW_RESTRICT theta2, double *
     }
 }
 
-void hmc_locking_batch(int count, const double *SINEW_RESTRICT theta2, double *SINEW_RESTRICT distance, double *SINEW_RESTRICT status)
+void hmc_locking_batch(int count, const double *SINEW_RESTRICT theta2,
+    double *SINEW_RESTRICT distance, double *SINEW_RESTRICT status)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
@@ -70,7 +71,8 @@ void hmc_locking_batch(int count, const double *SINEW_RESTRICT theta2, double *S
     }
 }
 
-void hmc_coupler_pose_batch(int count, const double *SINEW_RESTRICT theta2, double *SINEW_RESTRICT T)
+void hmc_coupler_pose_batch(int count, const double *SINEW_RESTRICT theta2,
+    double *SINEW_RESTRICT T)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
@@ -115,7 +117,8 @@ void hmc_coupler_pose_batch(int count, const double *SINEW_RESTRICT theta2, doub
     }
 }
 
-void hmc_tendon_lengths_batch(int count, const double *SINEW_RESTRICT theta2, double *SINEW_RESTRICT h)
+void hmc_tendon_lengths_batch(int count, const double *SINEW_RESTRICT theta2,
+    double *SINEW_RESTRICT h)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT

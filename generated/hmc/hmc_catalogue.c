@@ -75,7 +75,9 @@ static const sinew_function functions[] = {
     {"hmc_four_bar", 1, 1, 1, 4, four_bar_inputs, four_bar_outputs, call_four_bar},
     {"hmc_locking", 1, 2, 1, 2, locking_inputs, locking_outputs, call_locking},
     {"hmc_coupler_pose", 1, 1, 1, 16, coupler_pose_inputs, coupler_pose_outputs, call_coupler_pose},
-    {"hmc_tendon_lengths", 1, 1, 1, 2, tendon_lengths_inputs, tendon_lengths_outputs, call_tendon_lengths},
+    {"hmc_tendon_lengths", 1, 1, 1, 2, tendon_lengths_inputs, tendon_lengths_outputs,
+        call_tendon_lengths},
 };
 
-const sinew_catalogue hmc_catalogue = {"hmc", "c6b6b6fab0f68b853c57719fa8fd34070a670d46c78afafe5dbd5dc96995e9e7", 8, 4, functions};
+const sinew_catalogue hmc_catalogue = {"hmc",
+    "c6b6b6fab0f68b853c57719fa8fd34070a670d46c78afafe5dbd5dc96995e9e7", 8, 4, functions};

@@ -10,31 +10,59 @@
 
 #include "sinew_math.h"
 
+#ifdef __GNUC__
+#define SINEW_NOT_INLINE __attribute__((noinline))
+#else
+#define SINEW_NOT_INLINE
+#endif
+
+struct sinew_sines {
+    double s[1], c[1];
+};
+
+SINEW_NOT_INLINE static struct sinew_sines sinew_one_sincos(double x)
+{
+    struct sinew_sines y;
+    sinew_sincos(x, y.s, y.c);
+    return y;
+}
+
+struct sinew_sines2 {
+    double s[2], c[2];
+};
+
+SINEW_NOT_INLINE static struct sinew_sines2 sinew_one_sincos2(double x0, double x1)
+{
+    struct sinew_sines2 y;
+    const double x[2] = {x0, x1};
+    sinew_sincos2(x, y.s, y.c);
+    return y;
+}
+
 void index_forward_kinematics(const double q[SINEW_AT_LEAST(4)], double T[SINEW_AT_LEAST(16)])
 {
     const double phi3 = q[1] + q[2];
     const double phi4 = q[3] + phi3;
-    const double angle1[4] = {q[0], phi4, q[1], phi3};
-    double sine2[4], cosine3[4];
-    sinew_sincos4(angle1, sine2, cosine3);
-    const double s1 = sine2[0];
-    const double c1 = cosine3[0];
-    const double s4 = sine2[1];
-    const double c4 = cosine3[1];
-    const double s2 = sine2[2];
-    const double c2 = cosine3[2];
-    const double s3 = sine2[3];
-    const double c3 = cosine3[3];
+    const struct sinew_sines2 sines1 = sinew_one_sincos2(q[0], phi4);
+    const double s1 = sines1.s[0];
+    const double c1 = sines1.c[0];
+    const double s4 = sines1.s[1];
+    const double c4 = sines1.c[1];
+    const struct sinew_sines2 sines2 = sinew_one_sincos2(q[1], phi3);
+    const double s2 = sines2.s[0];
+    const double c2 = sines2.c[0];
+    const double s3 = sines2.s[1];
+    const double c3 = sines2.c[1];
     const double R41x = c1 * c4;
     const double R41y = c1 * s4;
     const double l4x = 0.0298 * c3;
     const double l3x = 0.04038 * c2;
     const double o4x = l3x + l4x;
-    const double t4 = 0.006 + o4x;
-    const double ptipx = c1 * t4 - 0.0057 * s1 + 0.0201 * R41x;
+    const double t3 = 0.006 + o4x;
+    const double ptipx = c1 * t3 - 0.0057 * s1 + 0.0201 * R41x;
     const double R42x = s1 * c4;
     const double R42y = s1 * s4;
-    const double ptipy = s1 * t4 + 0.0057 * c1 + 0.0201 * R42x;
+    const double ptipy = s1 * t3 + 0.0057 * c1 + 0.0201 * R42x;
     const double l4y = 0.0298 * s3;
     const double l3y = 0.04038 * s2;
     const double o4y = l3y + l4y;
@@ -61,17 +89,16 @@ void index_tip_jacobian(const double q[SINEW_AT_LEAST(4)], double J[SINEW_AT_LEA
 {
     const double phi3 = q[1] + q[2];
     const double phi4 = q[3] + phi3;
-    const double angle1[4] = {q[0], q[1], phi3, phi4};
-    double sine2[4], cosine3[4];
-    sinew_sincos4(angle1, sine2, cosine3);
-    const double s1 = sine2[0];
-    const double c1 = cosine3[0];
-    const double s2 = sine2[1];
-    const double c2 = cosine3[1];
-    const double s3 = sine2[2];
-    const double c3 = cosine3[2];
-    const double s4 = sine2[3];
-    const double c4 = cosine3[3];
+    const struct sinew_sines2 sines1 = sinew_one_sincos2(q[0], q[1]);
+    const double s1 = sines1.s[0];
+    const double c1 = sines1.c[0];
+    const double s2 = sines1.s[1];
+    const double c2 = sines1.c[1];
+    const struct sinew_sines2 sines2 = sinew_one_sincos2(phi3, phi4);
+    const double s3 = sines2.s[0];
+    const double c3 = sines2.c[0];
+    const double s4 = sines2.s[1];
+    const double c4 = sines2.c[1];
     J[13] = s1;
     J[14] = s1;
     J[15] = s1;
@@ -112,10 +139,10 @@ void index_tip_jacobian(const double q[SINEW_AT_LEAST(4)], double J[SINEW_AT_LEA
     const double arm4_2 = p4y - ptipy;
     J[11] = -(c1 * arm4 + s1 * arm4_2);
     J[12] = 0.0;
-    const double t4 = -c1;
-    J[17] = t4;
-    J[18] = t4;
-    J[19] = t4;
+    const double t3 = -c1;
+    J[17] = t3;
+    J[18] = t3;
+    J[19] = t3;
     J[21] = 0.0;
     J[22] = 0.0;
     J[23] = 0.0;
@@ -126,15 +153,14 @@ void index_mass_matrix(const double q[SINEW_AT_LEAST(4)], double M[SINEW_AT_LEAS
 {
     const double phi3 = q[1] + q[2];
     const double phi4 = q[3] + phi3;
-    const double angle1[2] = {q[1], phi3};
-    double sine2[2], cosine3[2];
-    sinew_sincos2(angle1, sine2, cosine3);
-    const double s2 = sine2[0];
-    const double c2 = cosine3[0];
-    const double s3 = sine2[1];
-    const double c3 = cosine3[1];
-    double s4, c4;
-    sinew_sincos(phi4, &s4, &c4);
+    const struct sinew_sines2 sines1 = sinew_one_sincos2(q[1], phi3);
+    const double s2 = sines1.s[0];
+    const double c2 = sines1.c[0];
+    const double s3 = sines1.s[1];
+    const double c3 = sines1.c[1];
+    const struct sinew_sines sines2 = sinew_one_sincos(phi4);
+    const double s4 = sines2.s[0];
+    const double c4 = sines2.c[0];
     const double j3u = 4.3862e-06 * c3;
     const double j2u = 1.94855328e-05 * c2;
     const double j4u = 3.7701e-07 * c4;
@@ -143,13 +169,14 @@ void index_mass_matrix(const double q[SINEW_AT_LEAST(4)], double M[SINEW_AT_LEAS
     const double o4x = l3x + l4x;
     const double j4x1 = 3.015e-05 * c4;
     const double j3x1 = 0.0001788 * c3;
-    const double t4 = l4x * j4x1;
+    const double t3 = l4x * j4x1;
     const double S3x = j3x1 + j4x1;
-    const double t5 = l3x * S3x;
+    const double t4 = l3x * S3x;
     const double j2x1 = 0.00054513 * c2;
     const double S2x = j2x1 + S3x;
-    const double t6 = c2 * j2u + c3 * j3u + c4 * j4u + o4x * j4x1 + l3x * j3x1 + t4 + t5 + 0.012 * S2x;
-    const double Z1 = t6 + 1.1373674999999997e-06;
+    const double t5 = c2 * j2u + c3 * j3u + c4 * j4u + o4x * j4x1 + l3x * j3x1 + t3 + t4 + 0.012
+        * S2x;
+    const double Z1 = t5 + 1.1373674999999997e-06;
     const double j4yz = 1.613025e-07 * s4;
     const double j3yz = 7.0179e-07 * s3;
     const double K3yz = j3yz + j4yz;
@@ -159,9 +186,9 @@ void index_mass_matrix(const double q[SINEW_AT_LEAST(4)], double M[SINEW_AT_LEAS
     const double j3y1 = 0.0001788 * s3;
     const double S3y = j3y1 + j4y1;
     const double l3y = 0.04038 * s2;
-    const double lS3 = t5 + l3y * S3y;
+    const double lS3 = t4 + l3y * S3y;
     const double l4y = 0.0298 * s3;
-    const double lS4 = t4 + l4y * j4y1;
+    const double lS4 = t3 + l4y * j4y1;
     const double Z3 = 4.92521e-06 + (lS4 + lS4);
     const double Z2 = 1.96475328e-05 + Z3 + (lS3 + lS3);
     const double M_4 = Z3 + lS3;
@@ -185,19 +212,19 @@ void index_mass_matrix(const double q[SINEW_AT_LEAST(4)], double M[SINEW_AT_LEAS
     M[15] = 4.3101e-07;
 }
 
-void index_coriolis_matrix(const double q[SINEW_AT_LEAST(4)], const double qd[SINEW_AT_LEAST(4)], double C[SINEW_AT_LEAST(16)])
+void index_coriolis_matrix(const double q[SINEW_AT_LEAST(4)], const double qd[SINEW_AT_LEAST(4)],
+    double C[SINEW_AT_LEAST(16)])
 {
     const double phi3 = q[1] + q[2];
     const double phi4 = q[3] + phi3;
-    const double angle1[2] = {q[1], phi3};
-    double sine2[2], cosine3[2];
-    sinew_sincos2(angle1, sine2, cosine3);
-    const double s2 = sine2[0];
-    const double c2 = cosine3[0];
-    const double s3 = sine2[1];
-    const double c3 = cosine3[1];
-    double s4, c4;
-    sinew_sincos(phi4, &s4, &c4);
+    const struct sinew_sines2 sines1 = sinew_one_sincos2(q[1], phi3);
+    const double s2 = sines1.s[0];
+    const double c2 = sines1.c[0];
+    const double s3 = sines1.s[1];
+    const double c3 = sines1.c[1];
+    const struct sinew_sines sines2 = sinew_one_sincos(phi4);
+    const double s4 = sines2.s[0];
+    const double c4 = sines2.c[0];
     const double l4x = 0.0298 * c3;
     const double l3x = 0.04038 * c2;
     const double o4x = l3x + l4x;
@@ -206,13 +233,13 @@ void index_coriolis_matrix(const double q[SINEW_AT_LEAST(4)], const double qd[SI
     const double j3y1 = 0.0001788 * s3;
     const double j4x1 = 3.015e-05 * c4;
     const double l4y = 0.0298 * s3;
-    const double t4 = l4y * j4x1;
-    const double K3yx = s3 * 4.3862e-06 * c3 + K4yx + l3x * j3y1 + t4;
+    const double t3 = l4y * j4x1;
+    const double K3yx = s3 * 4.3862e-06 * c3 + K4yx + l3x * j3y1 + t3;
     const double j3x1 = 0.0001788 * c3;
     const double S3x = j3x1 + j4x1;
     const double l3y = 0.04038 * s2;
-    const double t5 = l3y * S3x;
-    const double K2yx = s2 * 1.94855328e-05 * c2 + K3yx + t5;
+    const double t4 = l3y * S3x;
+    const double K2yx = s2 * 1.94855328e-05 * c2 + K3yx + t4;
     const double E2wQxx = qd[1] * K2yx + qd[2] * K3yx + qd[3] * K4yx;
     const double S3y = j3y1 + j4y1;
     const double j2y1 = 0.00054513 * s2;
@@ -227,34 +254,34 @@ void index_coriolis_matrix(const double q[SINEW_AT_LEAST(4)], const double qd[SI
     const double j3xz = 7.0179e-07 * c3;
     const double T3y = T4y + j3xz * w3z;
     const double do2y = 0.006 * qd[0];
-    const double t6 = do2y * S2y;
-    const double cH2z = T3y + qd[1] * 1.253799e-06 * c2 - cD2y - t6;
+    const double t5 = do2y * S2y;
+    const double cH2z = T3y + qd[1] * 1.253799e-06 * c2 - cD2y - t5;
     const double cD3y = qd[0] * K3yx;
     const double cH3y = T3y - cD3y;
-    const double t7 = do2y * S3y;
-    const double cH3z_2 = cH3y - t7;
+    const double t6 = do2y * S3y;
+    const double cH3z_2 = cH3y - t6;
     const double cD4y = qd[0] * K4yx;
     const double cH4y = T4y - cD4y;
-    const double t8 = do2y * j4y1;
-    const double cH4z_2 = cH4y - t8;
-    const double cD2z_2 = cD2y + t6;
+    const double t7 = do2y * j4y1;
+    const double cH4z_2 = cH4y - t7;
+    const double cD2z_2 = cD2y + t5;
     const double G4y = j4y1 * w4z;
     const double G4x = j4x1 * w4z;
     const double C_2 = l4x * G4y - l4y * G4x;
-    const double X4 = l4x * j4y1 - t4;
+    const double X4 = l4x * j4y1 - t3;
     const double C_3 = w3z * X4;
     const double Y3 = C_2 - C_3;
-    const double X3 = l3x * S3y - t5;
+    const double X3 = l3x * S3y - t4;
     const double C_8 = Y3 - qd[1] * X3;
     const double G3y = G4y + j3y1 * w3z;
-    const double t9 = l3x * G3y;
+    const double t8 = l3x * G3y;
     const double G3x = G4x + j3x1 * w3z;
-    const double t10 = l3y * G3x;
-    const double Y2 = C_8 + t9 - t10;
-    const double C_10 = Y3 + t9 - t10;
+    const double t9 = l3y * G3x;
+    const double Y2 = C_8 + t8 - t9;
+    const double C_10 = Y3 + t8 - t9;
     const double C_6 = C_2 + l3x * G4y - l3y * G4x;
-    const double cD3z_2 = cD3y + t7;
-    const double cD4z_2 = cD4y + t8;
+    const double cD3z_2 = cD3y + t6;
+    const double cD4z_2 = cD4y + t7;
     const double X3_2 = l3x * j4y1 - l3y * j4x1;
     const double C_4 = C_3 + qd[1] * X3_2;
     C[0] = -E2sQxx;
@@ -279,13 +306,11 @@ void index_gravity(const double q[SINEW_AT_LEAST(4)], double g[SINEW_AT_LEAST(4)
 {
     const double phi3 = q[1] + q[2];
     const double phi4 = q[3] + phi3;
-    const double angle1[2] = {phi4, phi3};
-    double sine2[2], cosine3[2];
-    sinew_sincos2(angle1, sine2, cosine3);
-    const double c4 = cosine3[0];
-    const double c3 = cosine3[1];
-    double s6, c2;
-    sinew_sincos(q[1], &s6, &c2);
+    const struct sinew_sines2 sines1 = sinew_one_sincos2(phi4, phi3);
+    const double c4 = sines1.c[0];
+    const double c3 = sines1.c[1];
+    const struct sinew_sines sines4 = sinew_one_sincos(q[1]);
+    const double c2 = sines4.c[0];
     const double n4 = 0.0002957715 * c4;
     const double n3 = n4 + 0.0017540280000000001 * c3;
     const double n2 = n3 + 0.005347725300000001 * c2;
@@ -295,19 +320,19 @@ void index_gravity(const double q[SINEW_AT_LEAST(4)], double g[SINEW_AT_LEAST(4)
     g[3] = n4;
 }
 
-void index_bias(const double q[SINEW_AT_LEAST(4)], const double qd[SINEW_AT_LEAST(4)], double h[SINEW_AT_LEAST(4)])
+void index_bias(const double q[SINEW_AT_LEAST(4)], const double qd[SINEW_AT_LEAST(4)],
+    double h[SINEW_AT_LEAST(4)])
 {
     const double phi3 = q[1] + q[2];
     const double phi4 = q[3] + phi3;
-    const double angle1[2] = {phi4, phi3};
-    double sine2[2], cosine3[2];
-    sinew_sincos2(angle1, sine2, cosine3);
-    const double s4 = sine2[0];
-    const double c4 = cosine3[0];
-    const double s3 = sine2[1];
-    const double c3 = cosine3[1];
-    double s2, c2;
-    sinew_sincos(q[1], &s2, &c2);
+    const struct sinew_sines2 sines1 = sinew_one_sincos2(phi4, phi3);
+    const double s4 = sines1.s[0];
+    const double c4 = sines1.c[0];
+    const double s3 = sines1.s[1];
+    const double c3 = sines1.c[1];
+    const struct sinew_sines sines2 = sinew_one_sincos(q[1]);
+    const double s2 = sines2.s[0];
+    const double c2 = sines2.c[0];
     const double l3x = 0.04038 * c2;
     const double o3x = 0.006 + l3x;
     const double l4x = 0.0298 * c3;
@@ -317,8 +342,8 @@ void index_bias(const double q[SINEW_AT_LEAST(4)], const double qd[SINEW_AT_LEAS
     const double j3y1 = 0.0001788 * s3;
     const double j4x1 = 3.015e-05 * c4;
     const double l4y = 0.0298 * s3;
-    const double t4 = l4y * j4x1;
-    const double K3yx = s3 * 4.3862e-06 * c3 + K4yx + o3x * j3y1 + t4;
+    const double t3 = l4y * j4x1;
+    const double K3yx = s3 * 4.3862e-06 * c3 + K4yx + o3x * j3y1 + t3;
     const double j2u = 1.94855328e-05 * c2;
     const double j3x1 = 0.0001788 * c3;
     const double S3x = j3x1 + j4x1;
@@ -331,37 +356,37 @@ void index_bias(const double q[SINEW_AT_LEAST(4)], const double qd[SINEW_AT_LEAS
     const double w4zz = w4z * w4z;
     const double w3zz = w3z * w3z;
     const double w2zz = qd[1] * qd[1];
-    const double t5 = 1.613025e-07 * c4 * w4zz + 7.0179e-07 * c3 * w3zz + 1.253799e-06 * c2 * w2zz;
-    const double Q2y = t5 - w_2y * R2yx;
+    const double t4 = 1.613025e-07 * c4 * w4zz + 7.0179e-07 * c3 * w3zz + 1.253799e-06 * c2 * w2zz;
+    const double Q2y = t4 - w_2y * R2yx;
     const double X2_4 = l3x * j4y1 - l3y * j4x1;
-    const double X3_4 = l4x * j4y1 - t4;
+    const double X3_4 = l4x * j4y1 - t3;
     const double n4 = 9.81 * j4x1 + w2zz * X2_4 + w3zz * X3_4;
     const double X2_3 = l3x * j3y1 - l3y * j3x1;
     const double n3 = n4 + 9.81 * j3x1 + w2zz * X2_3 - w4zz * X3_4;
     const double n2 = n3 + 0.005347725300000001 * c2 - w3zz * X2_3 - w4zz * X2_4;
     const double w1zz = qd[0] * qd[0];
     const double t2 = n2 + w1zz * K2yx;
-    const double t3 = n3 + w1zz * K3yx;
+    const double t3_2 = n3 + w1zz * K3yx;
     const double t4_2 = n4 + w1zz * K4yx;
     h[0] = Q2y;
     h[1] = t2;
-    h[2] = t3;
+    h[2] = t3_2;
     h[3] = t4_2;
 }
 
-void index_mass_matrix_and_bias(const double q[SINEW_AT_LEAST(4)], const double qd[SINEW_AT_LEAST(4)], double M[SINEW_AT_LEAST(16)], double h[SINEW_AT_LEAST(4)])
+void index_mass_matrix_and_bias(const double q[SINEW_AT_LEAST(4)],
+    const double qd[SINEW_AT_LEAST(4)], double M[SINEW_AT_LEAST(16)], double h[SINEW_AT_LEAST(4)])
 {
     const double phi3 = q[1] + q[2];
     const double phi4 = q[3] + phi3;
-    const double angle1[2] = {q[1], phi3};
-    double sine2[2], cosine3[2];
-    sinew_sincos2(angle1, sine2, cosine3);
-    const double s2 = sine2[0];
-    const double c2 = cosine3[0];
-    const double s3 = sine2[1];
-    const double c3 = cosine3[1];
-    double s4, c4;
-    sinew_sincos(phi4, &s4, &c4);
+    const struct sinew_sines2 sines1 = sinew_one_sincos2(q[1], phi3);
+    const double s2 = sines1.s[0];
+    const double c2 = sines1.c[0];
+    const double s3 = sines1.s[1];
+    const double c3 = sines1.c[1];
+    const struct sinew_sines sines2 = sinew_one_sincos(phi4);
+    const double s4 = sines2.s[0];
+    const double c4 = sines2.c[0];
     const double j3u = 4.3862e-06 * c3;
     const double j2u = 1.94855328e-05 * c2;
     const double j4u = 3.7701e-07 * c4;
@@ -371,13 +396,13 @@ void index_mass_matrix_and_bias(const double q[SINEW_AT_LEAST(4)], const double 
     const double o4x = o3x + l4x;
     const double j4x1 = 3.015e-05 * c4;
     const double j3x1 = 0.0001788 * c3;
-    const double t4 = l4x * j4x1;
+    const double t3 = l4x * j4x1;
     const double j2x1 = 0.00054513 * c2;
-    const double t5 = c2 * j2u + c3 * j3u + c4 * j4u + o4x * j4x1 + o3x * j3x1 + t4 + 0.006 * j2x1;
+    const double t4 = c2 * j2u + c3 * j3u + c4 * j4u + o4x * j4x1 + o3x * j3x1 + t3 + 0.006 * j2x1;
     const double S3x = j3x1 + j4x1;
-    const double t6 = l3x * S3x;
+    const double t5 = l3x * S3x;
     const double S2x = j2x1 + S3x;
-    const double Z1 = t5 + t6 + 0.006 * S2x + 1.1373674999999997e-06;
+    const double Z1 = t4 + t5 + 0.006 * S2x + 1.1373674999999997e-06;
     M[0] = Z1;
     const double j4yz = 1.613025e-07 * s4;
     M[3] = j4yz;
@@ -394,9 +419,9 @@ void index_mass_matrix_and_bias(const double q[SINEW_AT_LEAST(4)], const double 
     const double j3y1 = 0.0001788 * s3;
     const double S3y = j3y1 + j4y1;
     const double l3y = 0.04038 * s2;
-    const double lS3 = t6 + l3y * S3y;
+    const double lS3 = t5 + l3y * S3y;
     const double l4y = 0.0298 * s3;
-    const double lS4 = t4 + l4y * j4y1;
+    const double lS4 = t3 + l4y * j4y1;
     const double Z3 = 4.92521e-06 + (lS4 + lS4);
     M[10] = Z3;
     const double Z2 = 1.96475328e-05 + Z3 + (lS3 + lS3);
@@ -414,8 +439,8 @@ void index_mass_matrix_and_bias(const double q[SINEW_AT_LEAST(4)], const double 
     const double j4xy = s4 * j4u;
     const double K4yx = j4xy + o4x * j4y1;
     const double j3xy = s3 * j3u;
-    const double t7 = l4y * j4x1;
-    const double K3yx = j3xy + K4yx + o3x * j3y1 + t7;
+    const double t6 = l4y * j4x1;
+    const double K3yx = j3xy + K4yx + o3x * j3y1 + t6;
     const double K2yx = s2 * (j2u + 3.27078e-06) + K3yx + l3y * S3x;
     const double R2yx = qd[1] * K2yx + qd[2] * K3yx + qd[3] * K4yx;
     const double w_2y = qd[0] + qd[0];
@@ -424,11 +449,11 @@ void index_mass_matrix_and_bias(const double q[SINEW_AT_LEAST(4)], const double 
     const double w4zz = w4z * w4z;
     const double w3zz = w3z * w3z;
     const double w2zz = qd[1] * qd[1];
-    const double t8 = 1.613025e-07 * c4 * w4zz + 7.0179e-07 * c3 * w3zz + 1.253799e-06 * c2 * w2zz;
-    const double Q2y = t8 - w_2y * R2yx;
+    const double t7 = 1.613025e-07 * c4 * w4zz + 7.0179e-07 * c3 * w3zz + 1.253799e-06 * c2 * w2zz;
+    const double Q2y = t7 - w_2y * R2yx;
     h[0] = Q2y;
     const double X2_4 = l3x * j4y1 - l3y * j4x1;
-    const double X3_4 = l4x * j4y1 - t7;
+    const double X3_4 = l4x * j4y1 - t6;
     const double n4 = 9.81 * j4x1 + w2zz * X2_4 + w3zz * X3_4;
     const double X2_3 = l3x * j3y1 - l3y * j3x1;
     const double n3 = n4 + 9.81 * j3x1 + w2zz * X2_3 - w4zz * X3_4;
@@ -436,25 +461,25 @@ void index_mass_matrix_and_bias(const double q[SINEW_AT_LEAST(4)], const double 
     const double w1zz = qd[0] * qd[0];
     const double t2 = n2 + K2yx * w1zz;
     h[1] = t2;
-    const double t3 = n3 + K3yx * w1zz;
-    h[2] = t3;
+    const double t3_2 = n3 + K3yx * w1zz;
+    h[2] = t3_2;
     const double t4_2 = n4 + K4yx * w1zz;
     h[3] = t4_2;
 }
 
-void index_forward_dynamics(const double q[SINEW_AT_LEAST(4)], const double qd[SINEW_AT_LEAST(4)], const double tau[SINEW_AT_LEAST(4)], double qdd[SINEW_AT_LEAST(4)])
+void index_forward_dynamics(const double q[SINEW_AT_LEAST(4)], const double qd[SINEW_AT_LEAST(4)],
+    const double tau[SINEW_AT_LEAST(4)], double qdd[SINEW_AT_LEAST(4)])
 {
     const double phi3 = q[1] + q[2];
     const double phi4 = q[3] + phi3;
-    const double angle1[2] = {phi4, phi3};
-    double sine2[2], cosine3[2];
-    sinew_sincos2(angle1, sine2, cosine3);
-    const double s4 = sine2[0];
-    const double c4 = cosine3[0];
-    const double s3 = sine2[1];
-    const double c3 = cosine3[1];
-    double s2, c2;
-    sinew_sincos(q[1], &s2, &c2);
+    const struct sinew_sines2 sines1 = sinew_one_sincos2(phi4, phi3);
+    const double s4 = sines1.s[0];
+    const double c4 = sines1.c[0];
+    const double s3 = sines1.s[1];
+    const double c3 = sines1.c[1];
+    const struct sinew_sines sines2 = sinew_one_sincos(q[1]);
+    const double s2 = sines2.s[0];
+    const double c2 = sines2.c[0];
     const double j4yz = 1.613025e-07 * s4;
     const double L4_1 = 2320131.783485302 * j4yz;
     const double j2x1 = 0.00054513 * c2;
@@ -463,20 +488,20 @@ void index_forward_dynamics(const double q[SINEW_AT_LEAST(4)], const double qd[S
     const double S3x = j3x1 + j4x1;
     const double S2x = j2x1 + S3x;
     const double l3x = 0.04038 * c2;
-    const double t4 = l3x * S3x;
+    const double t3 = l3x * S3x;
     const double l4x = 0.0298 * c3;
-    const double t5 = l4x * j4x1;
+    const double t4 = l4x * j4x1;
     const double o3x = 0.006 + l3x;
     const double o4x = o3x + l4x;
     const double j4u = 3.7701e-07 * c4;
     const double j2u = 1.94855328e-05 * c2;
     const double j3u = 4.3862e-06 * c3;
-    const double t6 = c2 * j2u + c3 * j3u + c4 * j4u + o4x * j4x1 + o3x * j3x1 + t5 + 0.006 * j2x1;
+    const double t5 = c2 * j2u + c3 * j3u + c4 * j4u + o4x * j4x1 + o3x * j3x1 + t4 + 0.006 * j2x1;
     const double j3yz = 7.0179e-07 * s3;
     const double K3yz = j3yz + j4yz;
     const double l4y = 0.0298 * s3;
     const double j4y1 = 3.015e-05 * s4;
-    const double lS4 = t5 + l4y * j4y1;
+    const double lS4 = t4 + l4y * j4y1;
     const double M = 4.3101e-07 + lS4;
     const double L4_3 = 2320131.783485302 * M;
     const double A3_1 = K3yz - j4yz * L4_3;
@@ -492,7 +517,7 @@ void index_forward_dynamics(const double q[SINEW_AT_LEAST(4)], const double qd[S
     const double A2_1 = K2yz - j4yz * L4_2;
     const double j3y1 = 0.0001788 * s3;
     const double S3y = j3y1 + j4y1;
-    const double lS3 = t4 + l3y * S3y;
+    const double lS3 = t3 + l3y * S3y;
     const double M_4 = Z3 + lS3;
     const double A3_2 = M_4 - M_2 * L4_3;
     const double L3_2 = A3_2 * r3;
@@ -502,33 +527,36 @@ void index_forward_dynamics(const double q[SINEW_AT_LEAST(4)], const double qd[S
     const double A2_2_2 = A2_2 - A3_2 * L3_2;
     const double r2 = 1.0 / A2_2_2;
     const double L2_1 = A2_1_2 * r2;
-    const double A1_1_4 = t6 + t4 + 0.006 * S2x - j4yz * L4_1 - A3_1 * L3_1 - A2_1_2 * L2_1 + 1.1373674999999997e-06;
+    const double A1_1_4 = t5 + t3 + 0.006 * S2x - j4yz * L4_1 - A3_1 * L3_1 - A2_1_2 * L2_1
+        + 1.1373674999999997e-06;
     const double r1 = 1.0 / A1_1_4;
     const double w1zz = qd[0] * qd[0];
     const double j4xy = s4 * j4u;
     const double K4yx = j4xy + o4x * j4y1;
     const double w3z = qd[1] + qd[2];
     const double w3zz = w3z * w3z;
-    const double t7 = l4y * j4x1;
-    const double X3_4 = l4x * j4y1 - t7;
+    const double t6 = l4y * j4x1;
+    const double X3_4 = l4x * j4y1 - t6;
     const double w2zz = qd[1] * qd[1];
     const double X2_4 = l3x * j4y1 - l3y * j4x1;
     const double n4 = 9.81 * j4x1 + w2zz * X2_4 + w3zz * X3_4;
     const double y4 = tau[3] - n4 - K4yx * w1zz;
     const double w4z = qd[3] + w3z;
     const double w4zz = w4z * w4z;
-    const double t8 = tau[0] - 1.613025e-07 * c4 * w4zz - 7.0179e-07 * c3 * w3zz - 1.253799e-06 * c2 * w2zz;
+    const double t7 = tau[0] - 1.613025e-07 * c4 * w4zz - 7.0179e-07 * c3 * w3zz - 1.253799e-06 * c2
+        * w2zz;
     const double w_2y = qd[0] + qd[0];
     const double j3xy = s3 * j3u;
-    const double K3yx = j3xy + K4yx + o3x * j3y1 + t7;
+    const double K3yx = j3xy + K4yx + o3x * j3y1 + t6;
     const double K2yx = s2 * (j2u + 3.27078e-06) + K3yx + l3y * S3x;
     const double R2yx = qd[1] * K2yx + qd[2] * K3yx + qd[3] * K4yx;
     const double X2_3 = l3x * j3y1 - l3y * j3x1;
     const double n3 = n4 + 9.81 * j3x1 + w2zz * X2_3 - w4zz * X3_4;
     const double b3 = tau[2] - n3 - K3yx * w1zz - y4 * L4_3;
-    const double t9 = tau[1] - n3 - 9.81 * j2x1 + w3zz * X2_3 + w4zz * X2_4 - K2yx * w1zz - y4 * L4_2;
-    const double b2_2 = t9 - b3 * L3_2;
-    const double b1_4 = t8 + w_2y * R2yx - y4 * L4_1 - b3 * L3_1 - b2_2 * L2_1;
+    const double t8 = tau[1] - n3 - 9.81 * j2x1 + w3zz * X2_3 + w4zz * X2_4 - K2yx * w1zz - y4
+        * L4_2;
+    const double b2_2 = t8 - b3 * L3_2;
+    const double b1_4 = t7 + w_2y * R2yx - y4 * L4_1 - b3 * L3_1 - b2_2 * L2_1;
     const double x1 = b1_4 * r1;
     const double x2 = b2_2 * r2 - L2_1 * x1;
     const double x3 = b3 * r3 - L3_2 * x2 - L3_1 * x1;
@@ -539,19 +567,19 @@ void index_forward_dynamics(const double q[SINEW_AT_LEAST(4)], const double qd[S
     qdd[3] = x4;
 }
 
-void index_inverse_dynamics(const double q[SINEW_AT_LEAST(4)], const double qd[SINEW_AT_LEAST(4)], const double qdd[SINEW_AT_LEAST(4)], double tau[SINEW_AT_LEAST(4)])
+void index_inverse_dynamics(const double q[SINEW_AT_LEAST(4)], const double qd[SINEW_AT_LEAST(4)],
+    const double qdd[SINEW_AT_LEAST(4)], double tau[SINEW_AT_LEAST(4)])
 {
     const double phi3 = q[1] + q[2];
     const double phi4 = q[3] + phi3;
-    const double angle1[2] = {phi4, phi3};
-    double sine2[2], cosine3[2];
-    sinew_sincos2(angle1, sine2, cosine3);
-    const double s4 = sine2[0];
-    const double c4 = cosine3[0];
-    const double s3 = sine2[1];
-    const double c3 = cosine3[1];
-    double s2, c2;
-    sinew_sincos(q[1], &s2, &c2);
+    const struct sinew_sines2 sines1 = sinew_one_sincos2(phi4, phi3);
+    const double s4 = sines1.s[0];
+    const double c4 = sines1.c[0];
+    const double s3 = sines1.s[1];
+    const double c3 = sines1.c[1];
+    const struct sinew_sines sines2 = sinew_one_sincos(q[1]);
+    const double s2 = sines2.s[0];
+    const double c2 = sines2.c[0];
     const double w3z = qd[1] + qd[2];
     const double w3zz = w3z * w3z;
     const double al3z = qdd[1] + qdd[2];
@@ -607,9 +635,11 @@ void index_inverse_dynamics(const double q[SINEW_AT_LEAST(4)], const double qd[S
     const double t2 = n2 + qdd[0] * K2yz + w1zz * K2yx;
     const double R2yx = qd[1] * K2yx + qd[2] * K3yx + qd[3] * K4yx;
     const double w_2y = qd[0] + qd[0];
-    const double t5 = c2 * j2u + c3 * j3u + c4 * j4u + o4x * j4x1 + o3x * j3x1 + l4x * j4x1 + 0.006 * j2x1;
+    const double t5 = c2 * j2u + c3 * j3u + c4 * j4u + o4x * j4x1 + o3x * j3x1 + l4x * j4x1 + 0.006
+        * j2x1;
     const double S2x = j2x1 + S3x;
-    const double t6 = qdd[0] * (t5 + l3x * S3x + 0.006 * S2x + 1.1373675000000002e-06) + 1.613025e-07 * e4x;
+    const double t6 = qdd[0] * (t5 + l3x * S3x + 0.006 * S2x + 1.1373675000000002e-06)
+        + 1.613025e-07 * e4x;
     const double N1z = t6 + 7.0179e-07 * e3x + 1.253799e-06 * e2x - w_2y * R2yx;
     tau[0] = N1z;
     tau[1] = t2;
@@ -672,7 +702,8 @@ void index_coupling_matrix(const double q[SINEW_AT_LEAST(4)], double P[SINEW_AT_
     P[31] = 0.0045;
 }
 
-void index_joint_torque(const double q[SINEW_AT_LEAST(4)], const double f[SINEW_AT_LEAST(8)], double tau[SINEW_AT_LEAST(4)])
+void index_joint_torque(const double q[SINEW_AT_LEAST(4)], const double f[SINEW_AT_LEAST(8)],
+    double tau[SINEW_AT_LEAST(4)])
 {
     (void)q;
     const double t1 = 0.0065 * f[0];
@@ -685,7 +716,8 @@ void index_joint_torque(const double q[SINEW_AT_LEAST(4)], const double f[SINEW_
     tau[3] = 0.0045 * (f[6] - f[7]);
 }
 
-void index_joint_stiffness(const double q[SINEW_AT_LEAST(4)], const double f[SINEW_AT_LEAST(8)], const double kt[SINEW_AT_LEAST(8)], double K[SINEW_AT_LEAST(16)])
+void index_joint_stiffness(const double q[SINEW_AT_LEAST(4)], const double f[SINEW_AT_LEAST(8)],
+    const double kt[SINEW_AT_LEAST(8)], double K[SINEW_AT_LEAST(16)])
 {
     (void)q;
     (void)f;
@@ -866,7 +898,8 @@ void index_link_position(const double h[SINEW_AT_LEAST(8)], double q[SINEW_AT_LE
     q[3] = 111.11111111111111 * (t5 - h[6] + h[7]);
 }
 
-void index_link_position_covariance(const double sigma[SINEW_AT_LEAST(1)], double covariance[SINEW_AT_LEAST(16)])
+void index_link_position_covariance(const double sigma[SINEW_AT_LEAST(1)],
+    double covariance[SINEW_AT_LEAST(16)])
 {
     const double variance = sigma[0] * sigma[0];
     const double t1 = 5917.15976331361 * variance;

@@ -18,7 +18,8 @@
 #define SINEW_STATES_ARE_INDEPENDENT
 #endif
 
-void index_forward_kinematics_batch(int count, const double *SINEW_RESTRICT q, double *SINEW_RESTRICT T)
+void index_forward_kinematics_batch(int count, const double *SINEW_RESTRICT q,
+    double *SINEW_RESTRICT T)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
@@ -158,7 +159,8 @@ void index_mass_matrix_batch(int count, const double *SINEW_RESTRICT q, double *
         const double t2 = l3x * S3x;
         const double j2x1 = 0.00054513 * c2;
         const double S2x = j2x1 + S3x;
-        const double t3 = c2 * j2u + c3 * j3u + c4 * j4u + o4x * j4x1 + l3x * j3x1 + t1 + t2 + 0.012 * S2x;
+        const double t3 = c2 * j2u + c3 * j3u + c4 * j4u + o4x * j4x1 + l3x * j3x1 + t1 + t2 + 0.012
+            * S2x;
         const double Z1 = t3 + 1.1373674999999997e-06;
         const double j4yz = 1.613025e-07 * s4;
         const double j3yz = 7.0179e-07 * s3;
@@ -196,7 +198,8 @@ void index_mass_matrix_batch(int count, const double *SINEW_RESTRICT q, double *
     }
 }
 
-void index_coriolis_matrix_batch(int count, const double *SINEW_RESTRICT q, const double *SINEW_RESTRICT qd, double *SINEW_RESTRICT C)
+void index_coriolis_matrix_batch(int count, const double *SINEW_RESTRICT q,
+    const double *SINEW_RESTRICT qd, double *SINEW_RESTRICT C)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
@@ -224,11 +227,13 @@ void index_coriolis_matrix_batch(int count, const double *SINEW_RESTRICT q, cons
         const double l3y = 0.04038 * s2;
         const double t2 = l3y * S3x;
         const double K2yx = s2 * 1.94855328e-05 * c2 + K3yx + t2;
-        const double E2wQxx = qd[1 * n + state] * K2yx + qd[2 * n + state] * K3yx + qd[3 * n + state] * K4yx;
+        const double E2wQxx = qd[1 * n + state] * K2yx + qd[2 * n + state] * K3yx + qd[3 * n
+            + state] * K4yx;
         const double S3y = j3y1 + j4y1;
         const double j2y1 = 0.00054513 * s2;
         const double S2y = j2y1 + S3y;
-        const double E2wpx = qd[1 * n + state] * S2y + qd[2 * n + state] * S3y + qd[3 * n + state] * j4y1;
+        const double E2wpx = qd[1 * n + state] * S2y + qd[2 * n + state] * S3y + qd[3 * n + state]
+            * j4y1;
         const double E2sQxx = E2wQxx + 0.006 * E2wpx;
         const double cD2y = qd[state] * K2yx;
         const double j4xz = 1.613025e-07 * c4;
@@ -310,7 +315,8 @@ void index_gravity_batch(int count, const double *SINEW_RESTRICT q, double *SINE
     }
 }
 
-void index_bias_batch(int count, const double *SINEW_RESTRICT q, const double *SINEW_RESTRICT qd, double *SINEW_RESTRICT h)
+void index_bias_batch(int count, const double *SINEW_RESTRICT q, const double *SINEW_RESTRICT qd,
+    double *SINEW_RESTRICT h)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
@@ -339,14 +345,16 @@ void index_bias_batch(int count, const double *SINEW_RESTRICT q, const double *S
         const double S3x = j3x1 + j4x1;
         const double l3y = 0.04038 * s2;
         const double K2yx = s2 * (j2u + 3.27078e-06) + K3yx + l3y * S3x;
-        const double R2yx = qd[1 * n + state] * K2yx + qd[2 * n + state] * K3yx + qd[3 * n + state] * K4yx;
+        const double R2yx = qd[1 * n + state] * K2yx + qd[2 * n + state] * K3yx + qd[3 * n + state]
+            * K4yx;
         const double w_2y = qd[state] + qd[state];
         const double w3z = qd[1 * n + state] + qd[2 * n + state];
         const double w4z = qd[3 * n + state] + w3z;
         const double w4zz = w4z * w4z;
         const double w3zz = w3z * w3z;
         const double w2zz = qd[1 * n + state] * qd[1 * n + state];
-        const double t2 = 1.613025e-07 * c4 * w4zz + 7.0179e-07 * c3 * w3zz + 1.253799e-06 * c2 * w2zz;
+        const double t2 = 1.613025e-07 * c4 * w4zz + 7.0179e-07 * c3 * w3zz + 1.253799e-06 * c2
+            * w2zz;
         const double Q2y = t2 - w_2y * R2yx;
         const double X2_4 = l3x * j4y1 - l3y * j4x1;
         const double X3_4 = l4x * j4y1 - t1;
@@ -365,7 +373,8 @@ void index_bias_batch(int count, const double *SINEW_RESTRICT q, const double *S
     }
 }
 
-void index_mass_matrix_and_bias_batch(int count, const double *SINEW_RESTRICT q, const double *SINEW_RESTRICT qd, double *SINEW_RESTRICT M, double *SINEW_RESTRICT h)
+void index_mass_matrix_and_bias_batch(int count, const double *SINEW_RESTRICT q,
+    const double *SINEW_RESTRICT qd, double *SINEW_RESTRICT M, double *SINEW_RESTRICT h)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
@@ -389,7 +398,8 @@ void index_mass_matrix_and_bias_batch(int count, const double *SINEW_RESTRICT q,
         const double j3x1 = 0.0001788 * c3;
         const double t1 = l4x * j4x1;
         const double j2x1 = 0.00054513 * c2;
-        const double t2 = c2 * j2u + c3 * j3u + c4 * j4u + o4x * j4x1 + o3x * j3x1 + t1 + 0.006 * j2x1;
+        const double t2 = c2 * j2u + c3 * j3u + c4 * j4u + o4x * j4x1 + o3x * j3x1 + t1 + 0.006
+            * j2x1;
         const double S3x = j3x1 + j4x1;
         const double t3 = l3x * S3x;
         const double S2x = j2x1 + S3x;
@@ -417,14 +427,16 @@ void index_mass_matrix_and_bias_batch(int count, const double *SINEW_RESTRICT q,
         const double t4 = l4y * j4x1;
         const double K3yx = j3xy + K4yx + o3x * j3y1 + t4;
         const double K2yx = s2 * (j2u + 3.27078e-06) + K3yx + l3y * S3x;
-        const double R2yx = qd[1 * n + state] * K2yx + qd[2 * n + state] * K3yx + qd[3 * n + state] * K4yx;
+        const double R2yx = qd[1 * n + state] * K2yx + qd[2 * n + state] * K3yx + qd[3 * n + state]
+            * K4yx;
         const double w_2y = qd[state] + qd[state];
         const double w3z = qd[1 * n + state] + qd[2 * n + state];
         const double w4z = qd[3 * n + state] + w3z;
         const double w4zz = w4z * w4z;
         const double w3zz = w3z * w3z;
         const double w2zz = qd[1 * n + state] * qd[1 * n + state];
-        const double t5 = 1.613025e-07 * c4 * w4zz + 7.0179e-07 * c3 * w3zz + 1.253799e-06 * c2 * w2zz;
+        const double t5 = 1.613025e-07 * c4 * w4zz + 7.0179e-07 * c3 * w3zz + 1.253799e-06 * c2
+            * w2zz;
         const double Q2y = t5 - w_2y * R2yx;
         const double X2_4 = l3x * j4y1 - l3y * j4x1;
         const double X3_4 = l4x * j4y1 - t4;
@@ -459,7 +471,8 @@ void index_mass_matrix_and_bias_batch(int count, const double *SINEW_RESTRICT q,
     }
 }
 
-void index_forward_dynamics_batch(int count, const double *SINEW_RESTRICT q, const double *SINEW_RESTRICT qd, const double *SINEW_RESTRICT tau, double *SINEW_RESTRICT qdd)
+void index_forward_dynamics_batch(int count, const double *SINEW_RESTRICT q,
+    const double *SINEW_RESTRICT qd, const double *SINEW_RESTRICT tau, double *SINEW_RESTRICT qdd)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
@@ -488,7 +501,8 @@ void index_forward_dynamics_batch(int count, const double *SINEW_RESTRICT q, con
         const double j4u = 3.7701e-07 * c4;
         const double j2u = 1.94855328e-05 * c2;
         const double j3u = 4.3862e-06 * c3;
-        const double t3 = c2 * j2u + c3 * j3u + c4 * j4u + o4x * j4x1 + o3x * j3x1 + t2 + 0.006 * j2x1;
+        const double t3 = c2 * j2u + c3 * j3u + c4 * j4u + o4x * j4x1 + o3x * j3x1 + t2 + 0.006
+            * j2x1;
         const double j3yz = 7.0179e-07 * s3;
         const double K3yz = j3yz + j4yz;
         const double l4y = 0.0298 * s3;
@@ -519,7 +533,8 @@ void index_forward_dynamics_batch(int count, const double *SINEW_RESTRICT q, con
         const double A2_2_2 = A2_2 - A3_2 * L3_2;
         const double r2 = 1.0 / A2_2_2;
         const double L2_1 = A2_1_2 * r2;
-        const double A1_1_4 = t3 + t1 + 0.006 * S2x - j4yz * L4_1 - A3_1 * L3_1 - A2_1_2 * L2_1 + 1.1373674999999997e-06;
+        const double A1_1_4 = t3 + t1 + 0.006 * S2x - j4yz * L4_1 - A3_1 * L3_1 - A2_1_2 * L2_1
+            + 1.1373674999999997e-06;
         const double r1 = 1.0 / A1_1_4;
         const double w1zz = qd[state] * qd[state];
         const double j4xy = s4 * j4u;
@@ -534,16 +549,19 @@ void index_forward_dynamics_batch(int count, const double *SINEW_RESTRICT q, con
         const double y4 = tau[3 * n + state] - n4 - K4yx * w1zz;
         const double w4z = qd[3 * n + state] + w3z;
         const double w4zz = w4z * w4z;
-        const double t5 = tau[state] - 1.613025e-07 * c4 * w4zz - 7.0179e-07 * c3 * w3zz - 1.253799e-06 * c2 * w2zz;
+        const double t5 = tau[state] - 1.613025e-07 * c4 * w4zz - 7.0179e-07 * c3 * w3zz
+            - 1.253799e-06 * c2 * w2zz;
         const double w_2y = qd[state] + qd[state];
         const double j3xy = s3 * j3u;
         const double K3yx = j3xy + K4yx + o3x * j3y1 + t4;
         const double K2yx = s2 * (j2u + 3.27078e-06) + K3yx + l3y * S3x;
-        const double R2yx = qd[1 * n + state] * K2yx + qd[2 * n + state] * K3yx + qd[3 * n + state] * K4yx;
+        const double R2yx = qd[1 * n + state] * K2yx + qd[2 * n + state] * K3yx + qd[3 * n + state]
+            * K4yx;
         const double X2_3 = l3x * j3y1 - l3y * j3x1;
         const double n3 = n4 + 9.81 * j3x1 + w2zz * X2_3 - w4zz * X3_4;
         const double b3 = tau[2 * n + state] - n3 - K3yx * w1zz - y4 * L4_3;
-        const double t6 = tau[1 * n + state] - n3 - 9.81 * j2x1 + w3zz * X2_3 + w4zz * X2_4 - K2yx * w1zz;
+        const double t6 = tau[1 * n + state] - n3 - 9.81 * j2x1 + w3zz * X2_3 + w4zz * X2_4 - K2yx
+            * w1zz;
         const double b2_2 = t6 - y4 * L4_2 - b3 * L3_2;
         const double b1_4 = t5 + w_2y * R2yx - y4 * L4_1 - b3 * L3_1 - b2_2 * L2_1;
         const double x1 = b1_4 * r1;
@@ -557,7 +575,8 @@ void index_forward_dynamics_batch(int count, const double *SINEW_RESTRICT q, con
     }
 }
 
-void index_inverse_dynamics_batch(int count, const double *SINEW_RESTRICT q, const double *SINEW_RESTRICT qd, const double *SINEW_RESTRICT qdd, double *SINEW_RESTRICT tau)
+void index_inverse_dynamics_batch(int count, const double *SINEW_RESTRICT q,
+    const double *SINEW_RESTRICT qd, const double *SINEW_RESTRICT qdd, double *SINEW_RESTRICT tau)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
@@ -616,18 +635,22 @@ void index_inverse_dynamics_batch(int count, const double *SINEW_RESTRICT q, con
         const double F3y = F4y + 0.0001788 * e3y;
         const double F3x = F4x + 0.0001788 * e3x;
         const double l3y = 0.04038 * s2;
-        const double n2 = n3 + 1.96475328e-05 * qdd[1 * n + state] + 9.81 * j2x1 + l3x * F3y + l3y * F3x;
+        const double n2 = n3 + 1.96475328e-05 * qdd[1 * n + state] + 9.81 * j2x1 + l3x * F3y + l3y
+            * F3x;
         const double j2yz = 1.253799e-06 * s2;
         const double K2yz = j2yz + K3yz;
         const double j2u = 1.94855328e-05 * c2;
         const double S3x = j3x1 + j4x1;
         const double K2yx = s2 * (j2u + 3.27078e-06) + K3yx + l3y * S3x;
         const double t2 = n2 + qdd[state] * K2yz + w1zz * K2yx;
-        const double R2yx = qd[1 * n + state] * K2yx + qd[2 * n + state] * K3yx + qd[3 * n + state] * K4yx;
+        const double R2yx = qd[1 * n + state] * K2yx + qd[2 * n + state] * K3yx + qd[3 * n + state]
+            * K4yx;
         const double w_2y = qd[state] + qd[state];
-        const double t1 = c2 * j2u + c3 * j3u + c4 * j4u + o4x * j4x1 + o3x * j3x1 + l4x * j4x1 + 0.006 * j2x1;
+        const double t1 = c2 * j2u + c3 * j3u + c4 * j4u + o4x * j4x1 + o3x * j3x1 + l4x * j4x1
+            + 0.006 * j2x1;
         const double S2x = j2x1 + S3x;
-        const double t5 = qdd[state] * (t1 + l3x * S3x + 0.006 * S2x + 1.1373675000000002e-06) + 1.613025e-07 * e4x;
+        const double t5 = qdd[state] * (t1 + l3x * S3x + 0.006 * S2x + 1.1373675000000002e-06)
+            + 1.613025e-07 * e4x;
         const double N1z = t5 + 7.0179e-07 * e3x + 1.253799e-06 * e2x - w_2y * R2yx;
         tau[state] = N1z;
         tau[1 * n + state] = t2;
@@ -658,7 +681,8 @@ void index_tendon_lengths_batch(int count, const double *SINEW_RESTRICT q, doubl
     }
 }
 
-void index_coupling_matrix_batch(int count, const double *SINEW_RESTRICT q, double *SINEW_RESTRICT P)
+void index_coupling_matrix_batch(int count, const double *SINEW_RESTRICT q,
+    double *SINEW_RESTRICT P)
 {
     const size_t n = (size_t)count;
     (void)q;
@@ -699,7 +723,8 @@ void index_coupling_matrix_batch(int count, const double *SINEW_RESTRICT q, doub
     }
 }
 
-void index_joint_torque_batch(int count, const double *SINEW_RESTRICT q, const double *SINEW_RESTRICT f, double *SINEW_RESTRICT tau)
+void index_joint_torque_batch(int count, const double *SINEW_RESTRICT q,
+    const double *SINEW_RESTRICT f, double *SINEW_RESTRICT tau)
 {
     const size_t n = (size_t)count;
     (void)q;
@@ -717,7 +742,8 @@ void index_joint_torque_batch(int count, const double *SINEW_RESTRICT q, const d
     }
 }
 
-void index_joint_stiffness_batch(int count, const double *SINEW_RESTRICT q, const double *SINEW_RESTRICT f, const double *SINEW_RESTRICT kt, double *SINEW_RESTRICT K)
+void index_joint_stiffness_batch(int count, const double *SINEW_RESTRICT q,
+    const double *SINEW_RESTRICT f, const double *SINEW_RESTRICT kt, double *SINEW_RESTRICT K)
 {
     const size_t n = (size_t)count;
     (void)q;
@@ -733,7 +759,8 @@ void index_joint_stiffness_batch(int count, const double *SINEW_RESTRICT q, cons
         const double w7_3 = 0.0055 * kt[6 * n + state];
         const double w8_3 = 0.0055 * kt[7 * n + state];
         const double t5 = w7_3 + w8_3;
-        const double K3_3 = 3.0249999999999997e-05 * (kt[4 * n + state] + kt[5 * n + state]) + 0.0055 * t5;
+        const double K3_3 = 3.0249999999999997e-05 * (kt[4 * n + state] + kt[5 * n + state])
+            + 0.0055 * t5;
         const double K3_4 = 0.0045 * t5;
         const double t6 = -K3_4;
         const double K4_4 = 2.0249999999999998e-05 * (kt[6 * n + state] + kt[7 * n + state]);
@@ -910,7 +937,8 @@ void index_link_position_batch(int count, const double *SINEW_RESTRICT h, double
     }
 }
 
-void index_link_position_covariance_batch(int count, const double *SINEW_RESTRICT sigma, double *SINEW_RESTRICT covariance)
+void index_link_position_covariance_batch(int count, const double *SINEW_RESTRICT sigma,
+    double *SINEW_RESTRICT covariance)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
@@ -937,12 +965,14 @@ void index_link_position_covariance_batch(int count, const double *SINEW_RESTRIC
     }
 }
 
-void index_bending_angles_batch(int count, const double *SINEW_RESTRICT q, double *SINEW_RESTRICT angles)
+void index_bending_angles_batch(int count, const double *SINEW_RESTRICT q,
+    double *SINEW_RESTRICT angles)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
     for (size_t state = 0; state < n; ++state) {
-        const double t1 = sinew_max(q[state], -q[state]) + sinew_max(q[1 * n + state], -q[1 * n + state]);
+        const double t1 = sinew_max(q[state], -q[state]) + sinew_max(q[1 * n + state], -q[1 * n
+            + state]);
         const double t2 = sinew_max(q[2 * n + state], -q[2 * n + state]);
         const double t3 = t2 + sinew_max(q[3 * n + state], -q[3 * n + state]);
         angles[state] = t1;

@@ -206,7 +206,8 @@ static void call_joint_torque(const void *in, void *out)
 static const double joint_torque_q_low[] = {-0.35, -0.2, -0.2, -0.2};
 static const double joint_torque_q_high[] = {0.35, 1.6, 1.6, 1.6};
 static const double joint_torque_f_low[] = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
-static const double joint_torque_f_high[] = {100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0};
+static const double joint_torque_f_high[] = {100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0,
+    100.0};
 static const sinew_argument joint_torque_inputs[] = {
     {"q", "rad", 4, 1, joint_torque_q_low, joint_torque_q_high},
     {"f", "N", 8, 1, joint_torque_f_low, joint_torque_f_high},
@@ -224,9 +225,12 @@ static void call_joint_stiffness(const void *in, void *out)
 static const double joint_stiffness_q_low[] = {-0.35, -0.2, -0.2, -0.2};
 static const double joint_stiffness_q_high[] = {0.35, 1.6, 1.6, 1.6};
 static const double joint_stiffness_f_low[] = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
-static const double joint_stiffness_f_high[] = {100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0};
-static const double joint_stiffness_kt_low[] = {1000.0, 1000.0, 1000.0, 1000.0, 1000.0, 1000.0, 1000.0, 1000.0};
-static const double joint_stiffness_kt_high[] = {50000.0, 50000.0, 50000.0, 50000.0, 50000.0, 50000.0, 50000.0, 50000.0};
+static const double joint_stiffness_f_high[] = {100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0,
+    100.0};
+static const double joint_stiffness_kt_low[] = {1000.0, 1000.0, 1000.0, 1000.0, 1000.0, 1000.0,
+    1000.0, 1000.0};
+static const double joint_stiffness_kt_high[] = {50000.0, 50000.0, 50000.0, 50000.0, 50000.0,
+    50000.0, 50000.0, 50000.0};
 static const sinew_argument joint_stiffness_inputs[] = {
     {"q", "rad", 4, 1, joint_stiffness_q_low, joint_stiffness_q_high},
     {"f", "N", 8, 1, joint_stiffness_f_low, joint_stiffness_f_high},
@@ -257,8 +261,10 @@ static void call_link_position(const void *in, void *out)
     double *y = (double *)out;
     index_link_position(x + 0, y + 0);
 }
-static const double link_position_h_low[] = {-0.012674999999999999, -0.012674999999999999, -0.012674999999999999, -0.012674999999999999, -0.0088, -0.0088, -0.016, -0.016};
-static const double link_position_h_high[] = {0.012674999999999999, 0.012674999999999999, 0.012674999999999999, 0.012674999999999999, 0.0088, 0.0088, 0.016, 0.016};
+static const double link_position_h_low[] = {-0.012674999999999999, -0.012674999999999999,
+    -0.012674999999999999, -0.012674999999999999, -0.0088, -0.0088, -0.016, -0.016};
+static const double link_position_h_high[] = {0.012674999999999999, 0.012674999999999999,
+    0.012674999999999999, 0.012674999999999999, 0.0088, 0.0088, 0.016, 0.016};
 static const sinew_argument link_position_inputs[] = {
     {"h", "m", 8, 1, link_position_h_low, link_position_h_high},
 };
@@ -297,23 +303,38 @@ static const sinew_argument bending_angles_outputs[] = {
 };
 
 static const sinew_function functions[] = {
-    {"index_forward_kinematics", 1, 1, 4, 16, forward_kinematics_inputs, forward_kinematics_outputs, call_forward_kinematics},
-    {"index_tip_jacobian", 1, 1, 4, 24, tip_jacobian_inputs, tip_jacobian_outputs, call_tip_jacobian},
+    {"index_forward_kinematics", 1, 1, 4, 16, forward_kinematics_inputs, forward_kinematics_outputs,
+        call_forward_kinematics},
+    {"index_tip_jacobian", 1, 1, 4, 24, tip_jacobian_inputs, tip_jacobian_outputs,
+        call_tip_jacobian},
     {"index_mass_matrix", 1, 1, 4, 16, mass_matrix_inputs, mass_matrix_outputs, call_mass_matrix},
-    {"index_coriolis_matrix", 2, 1, 8, 16, coriolis_matrix_inputs, coriolis_matrix_outputs, call_coriolis_matrix},
+    {"index_coriolis_matrix", 2, 1, 8, 16, coriolis_matrix_inputs, coriolis_matrix_outputs,
+        call_coriolis_matrix},
     {"index_gravity", 1, 1, 4, 4, gravity_inputs, gravity_outputs, call_gravity},
     {"index_bias", 2, 1, 8, 4, bias_inputs, bias_outputs, call_bias},
-    {"index_mass_matrix_and_bias", 2, 2, 8, 20, mass_matrix_and_bias_inputs, mass_matrix_and_bias_outputs, call_mass_matrix_and_bias},
-    {"index_forward_dynamics", 3, 1, 12, 4, forward_dynamics_inputs, forward_dynamics_outputs, call_forward_dynamics},
-    {"index_inverse_dynamics", 3, 1, 12, 4, inverse_dynamics_inputs, inverse_dynamics_outputs, call_inverse_dynamics},
-    {"index_tendon_lengths", 1, 1, 4, 8, tendon_lengths_inputs, tendon_lengths_outputs, call_tendon_lengths},
-    {"index_coupling_matrix", 1, 1, 4, 32, coupling_matrix_inputs, coupling_matrix_outputs, call_coupling_matrix},
-    {"index_joint_torque", 2, 1, 12, 4, joint_torque_inputs, joint_torque_outputs, call_joint_torque},
-    {"index_joint_stiffness", 3, 1, 20, 16, joint_stiffness_inputs, joint_stiffness_outputs, call_joint_stiffness},
-    {"index_tendon_hessian", 1, 1, 4, 128, tendon_hessian_inputs, tendon_hessian_outputs, call_tendon_hessian},
-    {"index_link_position", 1, 1, 8, 4, link_position_inputs, link_position_outputs, call_link_position},
-    {"index_link_position_covariance", 1, 1, 1, 16, link_position_covariance_inputs, link_position_covariance_outputs, call_link_position_covariance},
-    {"index_bending_angles", 1, 1, 4, 8, bending_angles_inputs, bending_angles_outputs, call_bending_angles},
+    {"index_mass_matrix_and_bias", 2, 2, 8, 20, mass_matrix_and_bias_inputs,
+        mass_matrix_and_bias_outputs, call_mass_matrix_and_bias},
+    {"index_forward_dynamics", 3, 1, 12, 4, forward_dynamics_inputs, forward_dynamics_outputs,
+        call_forward_dynamics},
+    {"index_inverse_dynamics", 3, 1, 12, 4, inverse_dynamics_inputs, inverse_dynamics_outputs,
+        call_inverse_dynamics},
+    {"index_tendon_lengths", 1, 1, 4, 8, tendon_lengths_inputs, tendon_lengths_outputs,
+        call_tendon_lengths},
+    {"index_coupling_matrix", 1, 1, 4, 32, coupling_matrix_inputs, coupling_matrix_outputs,
+        call_coupling_matrix},
+    {"index_joint_torque", 2, 1, 12, 4, joint_torque_inputs, joint_torque_outputs,
+        call_joint_torque},
+    {"index_joint_stiffness", 3, 1, 20, 16, joint_stiffness_inputs, joint_stiffness_outputs,
+        call_joint_stiffness},
+    {"index_tendon_hessian", 1, 1, 4, 128, tendon_hessian_inputs, tendon_hessian_outputs,
+        call_tendon_hessian},
+    {"index_link_position", 1, 1, 8, 4, link_position_inputs, link_position_outputs,
+        call_link_position},
+    {"index_link_position_covariance", 1, 1, 1, 16, link_position_covariance_inputs,
+        link_position_covariance_outputs, call_link_position_covariance},
+    {"index_bending_angles", 1, 1, 4, 8, bending_angles_inputs, bending_angles_outputs,
+        call_bending_angles},
 };
 
-const sinew_catalogue index_catalogue = {"index", "87dae3bf2513ab5836c918f869de07d956d21148227d4e316059a4cbc5f06f25", 8, 17, functions};
+const sinew_catalogue index_catalogue = {"index",
+    "87dae3bf2513ab5836c918f869de07d956d21148227d4e316059a4cbc5f06f25", 8, 17, functions};

@@ -9,7 +9,8 @@
 #ifndef SINEW_LEVER_H
 #define SINEW_LEVER_H
 
-/* SI units; matrices row-major. Results are finite for every finite input. */
+/* SI units; matrices row-major. Results are finite for every finite input.
+ * Numbers such as (5.2) are those of equations in the model's source. */
 
 #ifndef SINEW_AT_LEAST
 #ifdef __cplusplus
@@ -37,11 +38,14 @@ void lever_slope(const double theta[SINEW_AT_LEAST(1)], double out[SINEW_AT_LEAS
 
 /* Lever angle at an elongation of the tendon, by Newton's method. 4.1
  *   in  elongation      1 [m] tendon elongation; made for 0..0.01
- *   in  theta         1 [rad] where the search starts, e.g. the last angle; made for 0.09548..0.8378
+ *   in  theta         1 [rad] where the search starts, e.g. the last angle; made for
+ *     0.09548..0.8378
  *   out theta_lever      1 [rad] within the lever's travel
  *   out residual      1 [m] what is left of the elongation
- * 120 multiplications, 111 additions, 15 divisions, 12 square roots, 6 sincos, 65 other functions. */
-void lever_angle(const double elongation[SINEW_AT_LEAST(1)], const double theta[SINEW_AT_LEAST(1)], double theta_lever[SINEW_AT_LEAST(1)], double residual[SINEW_AT_LEAST(1)]);
+ * 120 multiplications, 111 additions, 15 divisions, 12 square roots, 6 sincos, 65 other
+ *     functions. */
+void lever_angle(const double elongation[SINEW_AT_LEAST(1)], const double theta[SINEW_AT_LEAST(1)],
+    double theta_lever[SINEW_AT_LEAST(1)], double residual[SINEW_AT_LEAST(1)]);
 
 /* Whether the lever is within its travel and transmits force.
  *   in  theta         1 [rad] lever angle; made for 0.09548..0.8378

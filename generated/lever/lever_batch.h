@@ -23,8 +23,11 @@ extern "C" {
 
 void lever_state_batch(int count, const double *SINEW_RESTRICT theta, double *SINEW_RESTRICT out);
 void lever_slope_batch(int count, const double *SINEW_RESTRICT theta, double *SINEW_RESTRICT out);
-void lever_angle_batch(int count, const double *SINEW_RESTRICT elongation, const double *SINEW_RESTRICT theta, double *SINEW_RESTRICT theta_lever, double *SINEW_RESTRICT residual);
-void lever_status_batch(int count, const double *SINEW_RESTRICT theta, double *SINEW_RESTRICT status);
+void lever_angle_batch(int count, const double *SINEW_RESTRICT elongation,
+    const double *SINEW_RESTRICT theta, double *SINEW_RESTRICT theta_lever,
+    double *SINEW_RESTRICT residual);
+void lever_status_batch(int count, const double *SINEW_RESTRICT theta,
+    double *SINEW_RESTRICT status);
 
 #ifdef __cplusplus
 }

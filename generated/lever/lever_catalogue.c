@@ -81,4 +81,5 @@ static const sinew_function functions[] = {
     {"lever_status", 1, 1, 1, 1, status_inputs, status_outputs, call_status},
 };
 
-const sinew_catalogue lever_catalogue = {"lever", "15dde9f611cf6f60b088af06e8cd7bbe07ac2edbefd53940e6f2012efb5af55c", 8, 4, functions};
+const sinew_catalogue lever_catalogue = {"lever",
+    "15dde9f611cf6f60b088af06e8cd7bbe07ac2edbefd53940e6f2012efb5af55c", 8, 4, functions};

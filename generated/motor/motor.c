@@ -21,6 +21,18 @@ SINEW_NOT_INLINE static double sinew_one_atan(double x)
     return sinew_atan(x);
 }
 
+struct sinew_sines2 {
+    double s[2], c[2];
+};
+
+SINEW_NOT_INLINE static struct sinew_sines2 sinew_one_sincos2(double x0, double x1)
+{
+    struct sinew_sines2 y;
+    const double x[2] = {x0, x1};
+    sinew_sincos2(x, y.s, y.c);
+    return y;
+}
+
 void motor_friction_torque(const double qd[SINEW_AT_LEAST(1)], double tau[SINEW_AT_LEAST(1)])
 {
     const double friction = 0.0356 * qd[0] + 0.5586 * sinew_one_atan(10.0 * qd[0]);
@@ -29,51 +41,51 @@ void motor_friction_torque(const double qd[SINEW_AT_LEAST(1)], double tau[SINEW_
 
 void motor_ripple_torque(const double theta[SINEW_AT_LEAST(1)], double tau[SINEW_AT_LEAST(1)])
 {
-    const double angle1[2] = {0.3 + theta[0], 1.1 + 100.0 * theta[0]};
-    double sine2[2], cosine3[2];
-    sinew_sincos2(angle1, sine2, cosine3);
-    const double s4 = sine2[0];
-    const double s6 = sine2[1];
-    const double ripple = 0.02 * s4 + 0.04 * s6;
+    const struct sinew_sines2 sines1 = sinew_one_sincos2(0.3 + theta[0], 1.1 + 100.0 * theta[0]);
+    const double s2 = sines1.s[0];
+    const double s4 = sines1.s[1];
+    const double ripple = 0.02 * s2 + 0.04 * s4;
     tau[0] = -ripple;
 }
 
-void motor_acceleration(const double theta[SINEW_AT_LEAST(1)], const double qd[SINEW_AT_LEAST(1)], const double tau_m[SINEW_AT_LEAST(1)], const double f[SINEW_AT_LEAST(1)], double qdd[SINEW_AT_LEAST(1)])
+void motor_acceleration(const double theta[SINEW_AT_LEAST(1)], const double qd[SINEW_AT_LEAST(1)],
+    const double tau_m[SINEW_AT_LEAST(1)], const double f[SINEW_AT_LEAST(1)],
+    double qdd[SINEW_AT_LEAST(1)])
 {
-    const double angle1[2] = {0.3 + theta[0], 1.1 + 100.0 * theta[0]};
-    double sine2[2], cosine3[2];
-    sinew_sincos2(angle1, sine2, cosine3);
-    const double s4 = sine2[0];
-    const double s6 = sine2[1];
-    const double ripple = 0.02 * s4 + 0.04 * s6;
+    const struct sinew_sines2 sines1 = sinew_one_sincos2(0.3 + theta[0], 1.1 + 100.0 * theta[0]);
+    const double s2 = sines1.s[0];
+    const double s4 = sines1.s[1];
+    const double ripple = 0.02 * s2 + 0.04 * s4;
     const double friction = 0.0356 * qd[0] + 0.5586 * sinew_one_atan(10.0 * qd[0]);
-    const double acceleration = 487.8048780487805 * (friction - tau_m[0] + ripple) + 2.4390243902439024 * f[0];
+    const double acceleration = 487.8048780487805 * (friction - tau_m[0] + ripple)
+        + 2.4390243902439024 * f[0];
     qdd[0] = -acceleration;
 }
 
-void motor_compensation_torque(const double theta[SINEW_AT_LEAST(1)], const double qd[SINEW_AT_LEAST(1)], double tau[SINEW_AT_LEAST(1)], double margin[SINEW_AT_LEAST(1)])
+void motor_compensation_torque(const double theta[SINEW_AT_LEAST(1)],
+    const double qd[SINEW_AT_LEAST(1)], double tau[SINEW_AT_LEAST(1)],
+    double margin[SINEW_AT_LEAST(1)])
 {
-    const double angle1[2] = {0.3 + theta[0], 1.1 + 100.0 * theta[0]};
-    double sine2[2], cosine3[2];
-    sinew_sincos2(angle1, sine2, cosine3);
-    const double s4 = sine2[0];
-    const double s6 = sine2[1];
-    const double ripple = 0.02 * s4 + 0.04 * s6;
+    const struct sinew_sines2 sines1 = sinew_one_sincos2(0.3 + theta[0], 1.1 + 100.0 * theta[0]);
+    const double s2 = sines1.s[0];
+    const double s4 = sines1.s[1];
+    const double ripple = 0.02 * s2 + 0.04 * s4;
     const double friction = 0.0356 * qd[0] + 0.5586 * sinew_one_atan(10.0 * qd[0]);
     tau[0] = 0.9 * (friction + ripple);
     margin[0] = 0.1 * qd[0] * friction;
 }
 
-void motor_power_balance(const double theta[SINEW_AT_LEAST(1)], const double qd[SINEW_AT_LEAST(1)], const double tau_m[SINEW_AT_LEAST(1)], const double f[SINEW_AT_LEAST(1)], double power[SINEW_AT_LEAST(5)])
+void motor_power_balance(const double theta[SINEW_AT_LEAST(1)], const double qd[SINEW_AT_LEAST(1)],
+    const double tau_m[SINEW_AT_LEAST(1)], const double f[SINEW_AT_LEAST(1)],
+    double power[SINEW_AT_LEAST(5)])
 {
-    const double angle1[2] = {0.3 + theta[0], 1.1 + 100.0 * theta[0]};
-    double sine2[2], cosine3[2];
-    sinew_sincos2(angle1, sine2, cosine3);
-    const double s4 = sine2[0];
-    const double s6 = sine2[1];
+    const struct sinew_sines2 sines1 = sinew_one_sincos2(0.3 + theta[0], 1.1 + 100.0 * theta[0]);
+    const double s2 = sines1.s[0];
+    const double s4 = sines1.s[1];
     const double friction = 0.0356 * qd[0] + 0.5586 * sinew_one_atan(10.0 * qd[0]);
-    const double ripple = 0.02 * s4 + 0.04 * s6;
-    const double acceleration = 487.8048780487805 * (friction - tau_m[0] + ripple) + 2.4390243902439024 * f[0];
+    const double ripple = 0.02 * s2 + 0.04 * s4;
+    const double acceleration = 487.8048780487805 * (friction - tau_m[0] + ripple)
+        + 2.4390243902439024 * f[0];
     power[0] = qd[0] * tau_m[0];
     power[1] = -(qd[0] * friction);
     power[2] = -(qd[0] * ripple);

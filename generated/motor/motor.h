@@ -9,7 +9,8 @@
 #ifndef SINEW_MOTOR_H
 #define SINEW_MOTOR_H
 
-/* SI units; matrices row-major. Results are finite for every finite input. */
+/* SI units; matrices row-major. Results are finite for every finite input.
+ * Numbers such as (5.2) are those of equations in the model's source. */
 
 #ifndef SINEW_AT_LEAST
 #ifdef __cplusplus
@@ -42,7 +43,9 @@ void motor_ripple_torque(const double theta[SINEW_AT_LEAST(1)], double tau[SINEW
  *   in  f             1 [N] tendon force; made for 0..100
  *   out qdd           1 [rad/s^2] 
  * 8 multiplications, 7 additions, 2 sincos, 1 other functions. */
-void motor_acceleration(const double theta[SINEW_AT_LEAST(1)], const double qd[SINEW_AT_LEAST(1)], const double tau_m[SINEW_AT_LEAST(1)], const double f[SINEW_AT_LEAST(1)], double qdd[SINEW_AT_LEAST(1)]);
+void motor_acceleration(const double theta[SINEW_AT_LEAST(1)], const double qd[SINEW_AT_LEAST(1)],
+    const double tau_m[SINEW_AT_LEAST(1)], const double f[SINEW_AT_LEAST(1)],
+    double qdd[SINEW_AT_LEAST(1)]);
 
 /* Feedforward against friction and ripple, and what friction still dissipates. (3.8)
  *   in  theta         1 [rad] output angle; made for -6.283..6.283
@@ -50,7 +53,9 @@ void motor_acceleration(const double theta[SINEW_AT_LEAST(1)], const double qd[S
  *   out tau           1 [N m] to be added to the commanded torque
  *   out margin        1 [W] never negative: the compensated motor is passive
  * 9 multiplications, 5 additions, 2 sincos, 1 other functions. */
-void motor_compensation_torque(const double theta[SINEW_AT_LEAST(1)], const double qd[SINEW_AT_LEAST(1)], double tau[SINEW_AT_LEAST(1)], double margin[SINEW_AT_LEAST(1)]);
+void motor_compensation_torque(const double theta[SINEW_AT_LEAST(1)],
+    const double qd[SINEW_AT_LEAST(1)], double tau[SINEW_AT_LEAST(1)],
+    double margin[SINEW_AT_LEAST(1)]);
 
 /* Where the motor's power goes; the last entry is the sum of the others. (3.5)
  *   in  theta         1 [rad] output angle; made for -6.283..6.283
@@ -59,7 +64,9 @@ void motor_compensation_torque(const double theta[SINEW_AT_LEAST(1)], const doub
  *   in  f             1 [N] tendon force; made for 0..100
  *   out power         5 [W] motor, friction, ripple, tendon, into kinetic energy
  * 15 multiplications, 7 additions, 2 sincos, 1 other functions. */
-void motor_power_balance(const double theta[SINEW_AT_LEAST(1)], const double qd[SINEW_AT_LEAST(1)], const double tau_m[SINEW_AT_LEAST(1)], const double f[SINEW_AT_LEAST(1)], double power[SINEW_AT_LEAST(5)]);
+void motor_power_balance(const double theta[SINEW_AT_LEAST(1)], const double qd[SINEW_AT_LEAST(1)],
+    const double tau_m[SINEW_AT_LEAST(1)], const double f[SINEW_AT_LEAST(1)],
+    double power[SINEW_AT_LEAST(5)]);
 
 /* Torque at the output from the current.
  *   in  current       1 [A] motor current; made for -2.353..2.353

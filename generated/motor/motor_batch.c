@@ -18,7 +18,8 @@
 #define SINEW_STATES_ARE_INDEPENDENT
 #endif
 
-void motor_friction_torque_batch(int count, const double *SINEW_RESTRICT qd, double *SINEW_RESTRICT tau)
+void motor_friction_torque_batch(int count, const double *SINEW_RESTRICT qd,
+    double *SINEW_RESTRICT tau)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
@@ -28,7 +29,8 @@ void motor_friction_torque_batch(int count, const double *SINEW_RESTRICT qd, dou
     }
 }
 
-void motor_ripple_torque_batch(int count, const double *SINEW_RESTRICT theta, double *SINEW_RESTRICT tau)
+void motor_ripple_torque_batch(int count, const double *SINEW_RESTRICT theta,
+    double *SINEW_RESTRICT tau)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
@@ -42,7 +44,9 @@ void motor_ripple_torque_batch(int count, const double *SINEW_RESTRICT theta, do
     }
 }
 
-void motor_acceleration_batch(int count, const double *SINEW_RESTRICT theta, const double *SINEW_RESTRICT qd, const double *SINEW_RESTRICT tau_m, const double *SINEW_RESTRICT f, double *SINEW_RESTRICT qdd)
+void motor_acceleration_batch(int count, const double *SINEW_RESTRICT theta,
+    const double *SINEW_RESTRICT qd, const double *SINEW_RESTRICT tau_m,
+    const double *SINEW_RESTRICT f, double *SINEW_RESTRICT qdd)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
@@ -53,12 +57,14 @@ void motor_acceleration_batch(int count, const double *SINEW_RESTRICT theta, con
         sinew_sincos(1.1 + 100.0 * theta[state], &s3, &c4);
         const double ripple = 0.02 * s1 + 0.04 * s3;
         const double friction = 0.0356 * qd[state] + 0.5586 * sinew_atan(10.0 * qd[state]);
-        const double acceleration = 487.8048780487805 * (friction - tau_m[state] + ripple) + 2.4390243902439024 * f[state];
+        const double acceleration = 487.8048780487805 * (friction - tau_m[state] + ripple)
+            + 2.4390243902439024 * f[state];
         qdd[state] = -acceleration;
     }
 }
 
-void motor_compensation_torque_batch(int count, const double *SINEW_RESTRICT theta, const double *SINEW_RESTRICT qd, double *SINEW_RESTRICT tau, double *SINEW_RESTRICT margin)
+void motor_compensation_torque_batch(int count, const double *SINEW_RESTRICT theta,
+    const double *SINEW_RESTRICT qd, double *SINEW_RESTRICT tau, double *SINEW_RESTRICT margin)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
@@ -74,7 +80,9 @@ void motor_compensation_torque_batch(int count, const double *SINEW_RESTRICT the
     }
 }
 
-void motor_power_balance_batch(int count, const double *SINEW_RESTRICT theta, const double *SINEW_RESTRICT qd, const double *SINEW_RESTRICT tau_m, const double *SINEW_RESTRICT f, double *SINEW_RESTRICT power)
+void motor_power_balance_batch(int count, const double *SINEW_RESTRICT theta,
+    const double *SINEW_RESTRICT qd, const double *SINEW_RESTRICT tau_m,
+    const double *SINEW_RESTRICT f, double *SINEW_RESTRICT power)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
@@ -85,7 +93,8 @@ void motor_power_balance_batch(int count, const double *SINEW_RESTRICT theta, co
         sinew_sincos(1.1 + 100.0 * theta[state], &s3, &c4);
         const double friction = 0.0356 * qd[state] + 0.5586 * sinew_atan(10.0 * qd[state]);
         const double ripple = 0.02 * s1 + 0.04 * s3;
-        const double acceleration = 487.8048780487805 * (friction - tau_m[state] + ripple) + 2.4390243902439024 * f[state];
+        const double acceleration = 487.8048780487805 * (friction - tau_m[state] + ripple)
+            + 2.4390243902439024 * f[state];
         power[state] = qd[state] * tau_m[state];
         power[1 * n + state] = -(qd[state] * friction);
         power[2 * n + state] = -(qd[state] * ripple);
@@ -94,7 +103,8 @@ void motor_power_balance_batch(int count, const double *SINEW_RESTRICT theta, co
     }
 }
 
-void motor_torque_batch(int count, const double *SINEW_RESTRICT current, double *SINEW_RESTRICT tau_m)
+void motor_torque_batch(int count, const double *SINEW_RESTRICT current,
+    double *SINEW_RESTRICT tau_m)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
@@ -103,7 +113,8 @@ void motor_torque_batch(int count, const double *SINEW_RESTRICT current, double 
     }
 }
 
-void motor_current_batch(int count, const double *SINEW_RESTRICT tau_m, double *SINEW_RESTRICT current)
+void motor_current_batch(int count, const double *SINEW_RESTRICT tau_m,
+    double *SINEW_RESTRICT current)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT

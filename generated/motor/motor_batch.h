@@ -21,13 +21,22 @@
 extern "C" {
 #endif
 
-void motor_friction_torque_batch(int count, const double *SINEW_RESTRICT qd, double *SINEW_RESTRICT tau);
-void motor_ripple_torque_batch(int count, const double *SINEW_RESTRICT theta, double *SINEW_RESTRICT tau);
-void motor_acceleration_batch(int count, const double *SINEW_RESTRICT theta, const double *SINEW_RESTRICT qd, const double *SINEW_RESTRICT tau_m, const double *SINEW_RESTRICT f, double *SINEW_RESTRICT qdd);
-void motor_compensation_torque_batch(int count, const double *SINEW_RESTRICT theta, const double *SINEW_RESTRICT qd, double *SINEW_RESTRICT tau, double *SINEW_RESTRICT margin);
-void motor_power_balance_batch(int count, const double *SINEW_RESTRICT theta, const double *SINEW_RESTRICT qd, const double *SINEW_RESTRICT tau_m, const double *SINEW_RESTRICT f, double *SINEW_RESTRICT power);
-void motor_torque_batch(int count, const double *SINEW_RESTRICT current, double *SINEW_RESTRICT tau_m);
-void motor_current_batch(int count, const double *SINEW_RESTRICT tau_m, double *SINEW_RESTRICT current);
+void motor_friction_torque_batch(int count, const double *SINEW_RESTRICT qd,
+    double *SINEW_RESTRICT tau);
+void motor_ripple_torque_batch(int count, const double *SINEW_RESTRICT theta,
+    double *SINEW_RESTRICT tau);
+void motor_acceleration_batch(int count, const double *SINEW_RESTRICT theta,
+    const double *SINEW_RESTRICT qd, const double *SINEW_RESTRICT tau_m,
+    const double *SINEW_RESTRICT f, double *SINEW_RESTRICT qdd);
+void motor_compensation_torque_batch(int count, const double *SINEW_RESTRICT theta,
+    const double *SINEW_RESTRICT qd, double *SINEW_RESTRICT tau, double *SINEW_RESTRICT margin);
+void motor_power_balance_batch(int count, const double *SINEW_RESTRICT theta,
+    const double *SINEW_RESTRICT qd, const double *SINEW_RESTRICT tau_m,
+    const double *SINEW_RESTRICT f, double *SINEW_RESTRICT power);
+void motor_torque_batch(int count, const double *SINEW_RESTRICT current,
+    double *SINEW_RESTRICT tau_m);
+void motor_current_batch(int count, const double *SINEW_RESTRICT tau_m,
+    double *SINEW_RESTRICT current);
 
 #ifdef __cplusplus
 }

@@ -138,13 +138,19 @@ static const sinew_argument current_outputs[] = {
 };
 
 static const sinew_function functions[] = {
-    {"motor_friction_torque", 1, 1, 1, 1, friction_torque_inputs, friction_torque_outputs, call_friction_torque},
-    {"motor_ripple_torque", 1, 1, 1, 1, ripple_torque_inputs, ripple_torque_outputs, call_ripple_torque},
-    {"motor_acceleration", 4, 1, 4, 1, acceleration_inputs, acceleration_outputs, call_acceleration},
-    {"motor_compensation_torque", 2, 2, 2, 2, compensation_torque_inputs, compensation_torque_outputs, call_compensation_torque},
-    {"motor_power_balance", 4, 1, 4, 5, power_balance_inputs, power_balance_outputs, call_power_balance},
+    {"motor_friction_torque", 1, 1, 1, 1, friction_torque_inputs, friction_torque_outputs,
+        call_friction_torque},
+    {"motor_ripple_torque", 1, 1, 1, 1, ripple_torque_inputs, ripple_torque_outputs,
+        call_ripple_torque},
+    {"motor_acceleration", 4, 1, 4, 1, acceleration_inputs, acceleration_outputs,
+        call_acceleration},
+    {"motor_compensation_torque", 2, 2, 2, 2, compensation_torque_inputs,
+        compensation_torque_outputs, call_compensation_torque},
+    {"motor_power_balance", 4, 1, 4, 5, power_balance_inputs, power_balance_outputs,
+        call_power_balance},
     {"motor_torque", 1, 1, 1, 1, torque_inputs, torque_outputs, call_torque},
     {"motor_current", 1, 1, 1, 1, current_inputs, current_outputs, call_current},
 };
 
-const sinew_catalogue motor_catalogue = {"motor", "2c199a43b98e0841badcd614a7ffc517e317754389edc12753b1bb278e566736", 8, 7, functions};
+const sinew_catalogue motor_catalogue = {"motor",
+    "2c199a43b98e0841badcd614a7ffc517e317754389edc12753b1bb278e566736", 8, 7, functions};

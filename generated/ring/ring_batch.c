@@ -18,7 +18,8 @@
 #define SINEW_STATES_ARE_INDEPENDENT
 #endif
 
-void ring_forward_kinematics_batch(int count, const double *SINEW_RESTRICT q, double *SINEW_RESTRICT T)
+void ring_forward_kinematics_batch(int count, const double *SINEW_RESTRICT q,
+    double *SINEW_RESTRICT T)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
@@ -153,7 +154,8 @@ void ring_mass_matrix_batch(int count, const double *SINEW_RESTRICT q, double *S
         const double t2 = l3x * S3x;
         const double j2x1 = 0.00054513 * c2;
         const double S2x = j2x1 + S3x;
-        const double t3 = c2 * j2u + c3 * j3u + c4 * j4u + o4x * j4x1 + l3x * j3x1 + t1 + t2 + 0.012 * S2x;
+        const double t3 = c2 * j2u + c3 * j3u + c4 * j4u + o4x * j4x1 + l3x * j3x1 + t1 + t2 + 0.012
+            * S2x;
         const double Z1 = t3 + 1.1373674999999997e-06;
         const double j4yz = 1.613025e-07 * s4;
         const double j3yz = 7.0179e-07 * s3;
@@ -186,7 +188,8 @@ void ring_mass_matrix_batch(int count, const double *SINEW_RESTRICT q, double *S
     }
 }
 
-void ring_coriolis_matrix_batch(int count, const double *SINEW_RESTRICT q, const double *SINEW_RESTRICT qd, double *SINEW_RESTRICT C)
+void ring_coriolis_matrix_batch(int count, const double *SINEW_RESTRICT q,
+    const double *SINEW_RESTRICT qd, double *SINEW_RESTRICT C)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
@@ -292,7 +295,8 @@ void ring_gravity_batch(int count, const double *SINEW_RESTRICT q, double *SINEW
     }
 }
 
-void ring_bias_batch(int count, const double *SINEW_RESTRICT q, const double *SINEW_RESTRICT qd, double *SINEW_RESTRICT h)
+void ring_bias_batch(int count, const double *SINEW_RESTRICT q, const double *SINEW_RESTRICT qd,
+    double *SINEW_RESTRICT h)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
@@ -329,7 +333,8 @@ void ring_bias_batch(int count, const double *SINEW_RESTRICT q, const double *SI
         const double w4zz = w4z * w4z;
         const double w3zz = w3z * w3z;
         const double w2zz = qd[1 * n + state] * qd[1 * n + state];
-        const double t3 = 1.613025e-07 * c4 * w4zz + 7.0179e-07 * c3 * w3zz + 1.253799e-06 * c2 * w2zz;
+        const double t3 = 1.613025e-07 * c4 * w4zz + 7.0179e-07 * c3 * w3zz + 1.253799e-06 * c2
+            * w2zz;
         const double Q2y = t3 - w_2y * R2yx;
         const double X2_4 = l3x * j4y1 - l3y * j4x1;
         const double X3_4 = l4x * j4y1 - t1;
@@ -347,7 +352,8 @@ void ring_bias_batch(int count, const double *SINEW_RESTRICT q, const double *SI
     }
 }
 
-void ring_mass_matrix_and_bias_batch(int count, const double *SINEW_RESTRICT q, const double *SINEW_RESTRICT qd, double *SINEW_RESTRICT M, double *SINEW_RESTRICT h)
+void ring_mass_matrix_and_bias_batch(int count, const double *SINEW_RESTRICT q,
+    const double *SINEW_RESTRICT qd, double *SINEW_RESTRICT M, double *SINEW_RESTRICT h)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
@@ -371,7 +377,8 @@ void ring_mass_matrix_and_bias_batch(int count, const double *SINEW_RESTRICT q, 
         const double j3x1 = 0.0001788 * c3;
         const double t1 = l4x * j4x1;
         const double j2x1 = 0.00054513 * c2;
-        const double t2 = c2 * j2u + c3 * j3u + c4 * j4u + o4x * j4x1 + o3x * j3x1 + t1 + 0.006 * j2x1;
+        const double t2 = c2 * j2u + c3 * j3u + c4 * j4u + o4x * j4x1 + o3x * j3x1 + t1 + 0.006
+            * j2x1;
         const double S3x = j3x1 + j4x1;
         const double t3 = l3x * S3x;
         const double S2x = j2x1 + S3x;
@@ -409,7 +416,8 @@ void ring_mass_matrix_and_bias_batch(int count, const double *SINEW_RESTRICT q, 
         const double w4zz = w4z * w4z;
         const double w3zz = w3z * w3z;
         const double w2zz = qd[1 * n + state] * qd[1 * n + state];
-        const double t8 = 1.613025e-07 * c4 * w4zz + 7.0179e-07 * c3 * w3zz + 1.253799e-06 * c2 * w2zz;
+        const double t8 = 1.613025e-07 * c4 * w4zz + 7.0179e-07 * c3 * w3zz + 1.253799e-06 * c2
+            * w2zz;
         const double Q2y = t8 - w_2y * R2yx;
         const double X2_4 = l3x * j4y1 - l3y * j4x1;
         const double X3_4 = l4x * j4y1 - t6;
@@ -436,7 +444,8 @@ void ring_mass_matrix_and_bias_batch(int count, const double *SINEW_RESTRICT q, 
     }
 }
 
-void ring_forward_dynamics_batch(int count, const double *SINEW_RESTRICT q, const double *SINEW_RESTRICT qd, const double *SINEW_RESTRICT tau, double *SINEW_RESTRICT qdd)
+void ring_forward_dynamics_batch(int count, const double *SINEW_RESTRICT q,
+    const double *SINEW_RESTRICT qd, const double *SINEW_RESTRICT tau, double *SINEW_RESTRICT qdd)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
@@ -463,7 +472,8 @@ void ring_forward_dynamics_batch(int count, const double *SINEW_RESTRICT q, cons
         const double j2u = 1.94855328e-05 * c2;
         const double j3u = 4.3862e-06 * c3;
         const double j4u = 3.7701e-07 * c4;
-        const double t3 = c2 * j2u + c3 * j3u + c4 * j4u + o4x * j4x1 + o3x * j3x1 + t2 + 0.006 * j2x1;
+        const double t3 = c2 * j2u + c3 * j3u + c4 * j4u + o4x * j4x1 + o3x * j3x1 + t2 + 0.006
+            * j2x1;
         const double j4yz = 1.613025e-07 * s4;
         const double j3yz = 7.0179e-07 * s3;
         const double K3yz = j3yz + j4yz;
@@ -492,7 +502,8 @@ void ring_forward_dynamics_batch(int count, const double *SINEW_RESTRICT q, cons
         const double A2_2 = Z2 - t7 * t6;
         const double r2 = 1.0 / A2_2;
         const double L2_1 = A2_1 * r2;
-        const double A1_1_2 = t3 + t1 + 0.006 * S2x - 1e-16 * L3_1 * t4 - A2_1 * L2_1 + 1.1373674999999997e-06;
+        const double A1_1_2 = t3 + t1 + 0.006 * S2x - 1e-16 * L3_1 * t4 - A2_1 * L2_1
+            + 1.1373674999999997e-06;
         const double r1 = 1.0 / A1_1_2;
         const double w2zz = qd[1 * n + state] * qd[1 * n + state];
         const double w3z = qd[1 * n + state] + qd[2 * n + state];
@@ -500,7 +511,8 @@ void ring_forward_dynamics_batch(int count, const double *SINEW_RESTRICT q, cons
         const double t8 = 1.2222222222222223 * qd[2 * n + state];
         const double w4z = w3z + t8;
         const double w4zz = w4z * w4z;
-        const double t9 = tau[state] - 1.613025e-07 * c4 * w4zz - 7.0179e-07 * c3 * w3zz - 1.253799e-06 * c2 * w2zz;
+        const double t9 = tau[state] - 1.613025e-07 * c4 * w4zz - 7.0179e-07 * c3 * w3zz
+            - 1.253799e-06 * c2 * w2zz;
         const double w_2y = qd[state] + qd[state];
         const double j4xy = s4 * j4u;
         const double K4yx = j4xy + o4x * j4y1;
@@ -517,7 +529,8 @@ void ring_forward_dynamics_batch(int count, const double *SINEW_RESTRICT q, cons
         const double X2_3 = l3x * j3y1 - l3y * j3x1;
         const double n3 = n4 + 9.81 * j3x1 + w2zz * X2_3 - w4zz * X3_4;
         const double y3 = tau[2 * n + state] - n3 - K3yx * w1zz - 1.2222222222222223 * t4_2;
-        const double t11 = tau[1 * n + state] - n3 - 9.81 * j2x1 + w3zz * X2_3 + w4zz * X2_4 - K2yx * w1zz;
+        const double t11 = tau[1 * n + state] - n3 - 9.81 * j2x1 + w3zz * X2_3 + w4zz * X2_4 - K2yx
+            * w1zz;
         const double b2 = t11 - y3 * L3_2;
         const double b1_2 = t9 + w_2y * R2yx - y3 * L3_1 - b2 * L2_1;
         const double x1 = b1_2 * r1;
@@ -529,7 +542,8 @@ void ring_forward_dynamics_batch(int count, const double *SINEW_RESTRICT q, cons
     }
 }
 
-void ring_inverse_dynamics_batch(int count, const double *SINEW_RESTRICT q, const double *SINEW_RESTRICT qd, const double *SINEW_RESTRICT qdd, double *SINEW_RESTRICT tau)
+void ring_inverse_dynamics_batch(int count, const double *SINEW_RESTRICT q,
+    const double *SINEW_RESTRICT qd, const double *SINEW_RESTRICT qdd, double *SINEW_RESTRICT tau)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
@@ -589,7 +603,8 @@ void ring_inverse_dynamics_batch(int count, const double *SINEW_RESTRICT q, cons
         const double F3y = F4y + 0.0001788 * e3y;
         const double F3x = F4x + 0.0001788 * e3x;
         const double l3y = 0.04038 * s2;
-        const double n2 = n3 + 1.96475328e-05 * qdd[1 * n + state] + 9.81 * j2x1 + l3x * F3y + l3y * F3x;
+        const double n2 = n3 + 1.96475328e-05 * qdd[1 * n + state] + 9.81 * j2x1 + l3x * F3y + l3y
+            * F3x;
         const double j2yz = 1.253799e-06 * s2;
         const double K2yz = j2yz + K3yz;
         const double j2u = 1.94855328e-05 * c2;
@@ -598,9 +613,11 @@ void ring_inverse_dynamics_batch(int count, const double *SINEW_RESTRICT q, cons
         const double t2 = n2 + qdd[state] * K2yz + w1zz * K2yx;
         const double R2yx = qd[1 * n + state] * K2yx + qd[2 * n + state] * K3yx + t1 * K4yx;
         const double w_2y = qd[state] + qd[state];
-        const double t5 = c2 * j2u + c3 * j3u + c4 * j4u + o4x * j4x1 + o3x * j3x1 + l4x * j4x1 + 0.006 * j2x1;
+        const double t5 = c2 * j2u + c3 * j3u + c4 * j4u + o4x * j4x1 + o3x * j3x1 + l4x * j4x1
+            + 0.006 * j2x1;
         const double S2x = j2x1 + S3x;
-        const double t6 = qdd[state] * (t5 + l3x * S3x + 0.006 * S2x + 1.1373675000000002e-06) + 1.613025e-07 * e4x;
+        const double t6 = qdd[state] * (t5 + l3x * S3x + 0.006 * S2x + 1.1373675000000002e-06)
+            + 1.613025e-07 * e4x;
         const double N1z = t6 + 7.0179e-07 * e3x + 1.253799e-06 * e2x - w_2y * R2yx;
         tau[state] = N1z;
         tau[1 * n + state] = t2;
@@ -654,7 +671,8 @@ void ring_coupling_matrix_batch(int count, const double *SINEW_RESTRICT q, doubl
     }
 }
 
-void ring_joint_torque_batch(int count, const double *SINEW_RESTRICT q, const double *SINEW_RESTRICT f, double *SINEW_RESTRICT tau)
+void ring_joint_torque_batch(int count, const double *SINEW_RESTRICT q,
+    const double *SINEW_RESTRICT f, double *SINEW_RESTRICT tau)
 {
     const size_t n = (size_t)count;
     (void)q;
@@ -670,7 +688,8 @@ void ring_joint_torque_batch(int count, const double *SINEW_RESTRICT q, const do
     }
 }
 
-void ring_joint_stiffness_batch(int count, const double *SINEW_RESTRICT q, const double *SINEW_RESTRICT f, const double *SINEW_RESTRICT kt, double *SINEW_RESTRICT K)
+void ring_joint_stiffness_batch(int count, const double *SINEW_RESTRICT q,
+    const double *SINEW_RESTRICT f, const double *SINEW_RESTRICT kt, double *SINEW_RESTRICT K)
 {
     const size_t n = (size_t)count;
     (void)q;
@@ -774,7 +793,8 @@ void ring_link_position_batch(int count, const double *SINEW_RESTRICT h, double 
     }
 }
 
-void ring_link_position_covariance_batch(int count, const double *SINEW_RESTRICT sigma, double *SINEW_RESTRICT covariance)
+void ring_link_position_covariance_batch(int count, const double *SINEW_RESTRICT sigma,
+    double *SINEW_RESTRICT covariance)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
@@ -793,12 +813,14 @@ void ring_link_position_covariance_batch(int count, const double *SINEW_RESTRICT
     }
 }
 
-void ring_bending_angles_batch(int count, const double *SINEW_RESTRICT q, double *SINEW_RESTRICT angles)
+void ring_bending_angles_batch(int count, const double *SINEW_RESTRICT q,
+    double *SINEW_RESTRICT angles)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
     for (size_t state = 0; state < n; ++state) {
-        const double t1 = sinew_max(q[state], -q[state]) + sinew_max(q[1 * n + state], -q[1 * n + state]);
+        const double t1 = sinew_max(q[state], -q[state]) + sinew_max(q[1 * n + state], -q[1 * n
+            + state]);
         const double t2 = 1.2222222222222223 * q[2 * n + state];
         const double t3 = sinew_max(q[2 * n + state], -q[2 * n + state]) + sinew_max(t2, -t2);
         angles[state] = t1;

@@ -226,7 +226,8 @@ static const double joint_stiffness_q_high[] = {0.35, 1.6, 1.6};
 static const double joint_stiffness_f_low[] = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
 static const double joint_stiffness_f_high[] = {100.0, 100.0, 100.0, 100.0, 100.0, 100.0};
 static const double joint_stiffness_kt_low[] = {1000.0, 1000.0, 1000.0, 1000.0, 1000.0, 1000.0};
-static const double joint_stiffness_kt_high[] = {50000.0, 50000.0, 50000.0, 50000.0, 50000.0, 50000.0};
+static const double joint_stiffness_kt_high[] = {50000.0, 50000.0, 50000.0, 50000.0, 50000.0,
+    50000.0};
 static const sinew_argument joint_stiffness_inputs[] = {
     {"q", "rad", 3, 1, joint_stiffness_q_low, joint_stiffness_q_high},
     {"f", "N", 6, 1, joint_stiffness_f_low, joint_stiffness_f_high},
@@ -257,8 +258,10 @@ static void call_link_position(const void *in, void *out)
     double *y = (double *)out;
     ring_link_position(x + 0, y + 0);
 }
-static const double link_position_h_low[] = {-0.012674999999999999, -0.012674999999999999, -0.012674999999999999, -0.012674999999999999, -0.016, -0.016};
-static const double link_position_h_high[] = {0.012674999999999999, 0.012674999999999999, 0.012674999999999999, 0.012674999999999999, 0.016, 0.016};
+static const double link_position_h_low[] = {-0.012674999999999999, -0.012674999999999999,
+    -0.012674999999999999, -0.012674999999999999, -0.016, -0.016};
+static const double link_position_h_high[] = {0.012674999999999999, 0.012674999999999999,
+    0.012674999999999999, 0.012674999999999999, 0.016, 0.016};
 static const sinew_argument link_position_inputs[] = {
     {"h", "m", 6, 1, link_position_h_low, link_position_h_high},
 };
@@ -297,23 +300,37 @@ static const sinew_argument bending_angles_outputs[] = {
 };
 
 static const sinew_function functions[] = {
-    {"ring_forward_kinematics", 1, 1, 3, 16, forward_kinematics_inputs, forward_kinematics_outputs, call_forward_kinematics},
-    {"ring_tip_jacobian", 1, 1, 3, 18, tip_jacobian_inputs, tip_jacobian_outputs, call_tip_jacobian},
+    {"ring_forward_kinematics", 1, 1, 3, 16, forward_kinematics_inputs, forward_kinematics_outputs,
+        call_forward_kinematics},
+    {"ring_tip_jacobian", 1, 1, 3, 18, tip_jacobian_inputs, tip_jacobian_outputs,
+        call_tip_jacobian},
     {"ring_mass_matrix", 1, 1, 3, 9, mass_matrix_inputs, mass_matrix_outputs, call_mass_matrix},
-    {"ring_coriolis_matrix", 2, 1, 6, 9, coriolis_matrix_inputs, coriolis_matrix_outputs, call_coriolis_matrix},
+    {"ring_coriolis_matrix", 2, 1, 6, 9, coriolis_matrix_inputs, coriolis_matrix_outputs,
+        call_coriolis_matrix},
     {"ring_gravity", 1, 1, 3, 3, gravity_inputs, gravity_outputs, call_gravity},
     {"ring_bias", 2, 1, 6, 3, bias_inputs, bias_outputs, call_bias},
-    {"ring_mass_matrix_and_bias", 2, 2, 6, 12, mass_matrix_and_bias_inputs, mass_matrix_and_bias_outputs, call_mass_matrix_and_bias},
-    {"ring_forward_dynamics", 3, 1, 9, 3, forward_dynamics_inputs, forward_dynamics_outputs, call_forward_dynamics},
-    {"ring_inverse_dynamics", 3, 1, 9, 3, inverse_dynamics_inputs, inverse_dynamics_outputs, call_inverse_dynamics},
-    {"ring_tendon_lengths", 1, 1, 3, 6, tendon_lengths_inputs, tendon_lengths_outputs, call_tendon_lengths},
-    {"ring_coupling_matrix", 1, 1, 3, 18, coupling_matrix_inputs, coupling_matrix_outputs, call_coupling_matrix},
+    {"ring_mass_matrix_and_bias", 2, 2, 6, 12, mass_matrix_and_bias_inputs,
+        mass_matrix_and_bias_outputs, call_mass_matrix_and_bias},
+    {"ring_forward_dynamics", 3, 1, 9, 3, forward_dynamics_inputs, forward_dynamics_outputs,
+        call_forward_dynamics},
+    {"ring_inverse_dynamics", 3, 1, 9, 3, inverse_dynamics_inputs, inverse_dynamics_outputs,
+        call_inverse_dynamics},
+    {"ring_tendon_lengths", 1, 1, 3, 6, tendon_lengths_inputs, tendon_lengths_outputs,
+        call_tendon_lengths},
+    {"ring_coupling_matrix", 1, 1, 3, 18, coupling_matrix_inputs, coupling_matrix_outputs,
+        call_coupling_matrix},
     {"ring_joint_torque", 2, 1, 9, 3, joint_torque_inputs, joint_torque_outputs, call_joint_torque},
-    {"ring_joint_stiffness", 3, 1, 15, 9, joint_stiffness_inputs, joint_stiffness_outputs, call_joint_stiffness},
-    {"ring_tendon_hessian", 1, 1, 3, 54, tendon_hessian_inputs, tendon_hessian_outputs, call_tendon_hessian},
-    {"ring_link_position", 1, 1, 6, 3, link_position_inputs, link_position_outputs, call_link_position},
-    {"ring_link_position_covariance", 1, 1, 1, 9, link_position_covariance_inputs, link_position_covariance_outputs, call_link_position_covariance},
-    {"ring_bending_angles", 1, 1, 3, 6, bending_angles_inputs, bending_angles_outputs, call_bending_angles},
+    {"ring_joint_stiffness", 3, 1, 15, 9, joint_stiffness_inputs, joint_stiffness_outputs,
+        call_joint_stiffness},
+    {"ring_tendon_hessian", 1, 1, 3, 54, tendon_hessian_inputs, tendon_hessian_outputs,
+        call_tendon_hessian},
+    {"ring_link_position", 1, 1, 6, 3, link_position_inputs, link_position_outputs,
+        call_link_position},
+    {"ring_link_position_covariance", 1, 1, 1, 9, link_position_covariance_inputs,
+        link_position_covariance_outputs, call_link_position_covariance},
+    {"ring_bending_angles", 1, 1, 3, 6, bending_angles_inputs, bending_angles_outputs,
+        call_bending_angles},
 };
 
-const sinew_catalogue ring_catalogue = {"ring", "a8bc321adefac22c0d65aa59ce2185ee47e4dfbbfa393b8abd0790fd9d4a1b7f", 8, 17, functions};
+const sinew_catalogue ring_catalogue = {"ring",
+    "a8bc321adefac22c0d65aa59ce2185ee47e4dfbbfa393b8abd0790fd9d4a1b7f", 8, 17, functions};

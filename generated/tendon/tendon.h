@@ -9,7 +9,8 @@
 #ifndef SINEW_TENDON_H
 #define SINEW_TENDON_H
 
-/* SI units; matrices row-major. Results are finite for every finite input. */
+/* SI units; matrices row-major. Results are finite for every finite input.
+ * Numbers such as (5.2) are those of equations in the model's source. */
 
 #ifndef SINEW_AT_LEAST
 #ifdef __cplusplus
@@ -31,11 +32,14 @@ void tendon_series_stiffness(const double k_lever[SINEW_AT_LEAST(1)], double k[S
 
 /* Tendon force and stiffness from the elongation, 0 when slack. 5.1
  *   in  elongation      1 [m] of lever and tendon together; made for -0.001..0.01495
- *   in  theta         1 [rad] where the search starts, e.g. the last angle; made for 0.09548..0.8378
+ *   in  theta         1 [rad] where the search starts, e.g. the last angle; made for
+ *     0.09548..0.8378
  *   out out           3 [N, N/m, rad] force, stiffness, lever angle
  *   out residual      1 [m] what is left of the elongation
- * 456 multiplications, 360 additions, 48 divisions, 18 square roots, 6 sincos, 113 other functions. */
-void tendon_force(const double elongation[SINEW_AT_LEAST(1)], const double theta[SINEW_AT_LEAST(1)], double out[SINEW_AT_LEAST(3)], double residual[SINEW_AT_LEAST(1)]);
+ * 456 multiplications, 360 additions, 48 divisions, 18 square roots, 6 sincos, 113 other
+ *     functions. */
+void tendon_force(const double elongation[SINEW_AT_LEAST(1)], const double theta[SINEW_AT_LEAST(1)],
+    double out[SINEW_AT_LEAST(3)], double residual[SINEW_AT_LEAST(1)]);
 
 #ifdef __cplusplus
 }

@@ -21,8 +21,11 @@
 extern "C" {
 #endif
 
-void tendon_series_stiffness_batch(int count, const double *SINEW_RESTRICT k_lever, double *SINEW_RESTRICT k);
-void tendon_force_batch(int count, const double *SINEW_RESTRICT elongation, const double *SINEW_RESTRICT theta, double *SINEW_RESTRICT out, double *SINEW_RESTRICT residual);
+void tendon_series_stiffness_batch(int count, const double *SINEW_RESTRICT k_lever,
+    double *SINEW_RESTRICT k);
+void tendon_force_batch(int count, const double *SINEW_RESTRICT elongation,
+    const double *SINEW_RESTRICT theta, double *SINEW_RESTRICT out,
+    double *SINEW_RESTRICT residual);
 
 #ifdef __cplusplus
 }

@@ -45,8 +45,10 @@ static const sinew_argument force_outputs[] = {
 };
 
 static const sinew_function functions[] = {
-    {"tendon_series_stiffness", 1, 1, 1, 1, series_stiffness_inputs, series_stiffness_outputs, call_series_stiffness},
+    {"tendon_series_stiffness", 1, 1, 1, 1, series_stiffness_inputs, series_stiffness_outputs,
+        call_series_stiffness},
     {"tendon_force", 2, 2, 2, 4, force_inputs, force_outputs, call_force},
 };
 
-const sinew_catalogue tendon_catalogue = {"tendon", "9fa49807a7e8a052fcdd9aca09d5e31e41ada5f891672ef877029e3417b31747", 8, 2, functions};
+const sinew_catalogue tendon_catalogue = {"tendon",
+    "9fa49807a7e8a052fcdd9aca09d5e31e41ada5f891672ef877029e3417b31747", 8, 2, functions};

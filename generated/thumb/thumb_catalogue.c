@@ -16,8 +16,10 @@ static void call_forward_kinematics(const void *in, void *out)
     double *y = (double *)out;
     thumb_forward_kinematics(x + 0, y + 0);
 }
-static const double forward_kinematics_q_low[] = {-0.6981317007977318, -0.6981317007977318, -0.2, -0.2};
-static const double forward_kinematics_q_high[] = {0.6981317007977318, 0.6981317007977318, 1.6, 1.6};
+static const double forward_kinematics_q_low[] = {-0.6981317007977318, -0.6981317007977318, -0.2,
+    -0.2};
+static const double forward_kinematics_q_high[] = {0.6981317007977318, 0.6981317007977318, 1.6,
+    1.6};
 static const sinew_argument forward_kinematics_inputs[] = {
     {"q", "rad", 4, 1, forward_kinematics_q_low, forward_kinematics_q_high},
 };
@@ -61,7 +63,8 @@ static void call_coriolis_matrix(const void *in, void *out)
     double *y = (double *)out;
     thumb_coriolis_matrix(x + 0, x + 4, y + 0);
 }
-static const double coriolis_matrix_q_low[] = {-0.6981317007977318, -0.6981317007977318, -0.2, -0.2};
+static const double coriolis_matrix_q_low[] = {-0.6981317007977318, -0.6981317007977318, -0.2,
+    -0.2};
 static const double coriolis_matrix_q_high[] = {0.6981317007977318, 0.6981317007977318, 1.6, 1.6};
 static const double coriolis_matrix_qd_low[] = {-10.0, -10.0, -10.0, -10.0};
 static const double coriolis_matrix_qd_high[] = {10.0, 10.0, 10.0, 10.0};
@@ -112,8 +115,10 @@ static void call_mass_matrix_and_bias(const void *in, void *out)
     double *y = (double *)out;
     thumb_mass_matrix_and_bias(x + 0, x + 4, y + 0, y + 16);
 }
-static const double mass_matrix_and_bias_q_low[] = {-0.6981317007977318, -0.6981317007977318, -0.2, -0.2};
-static const double mass_matrix_and_bias_q_high[] = {0.6981317007977318, 0.6981317007977318, 1.6, 1.6};
+static const double mass_matrix_and_bias_q_low[] = {-0.6981317007977318, -0.6981317007977318, -0.2,
+    -0.2};
+static const double mass_matrix_and_bias_q_high[] = {0.6981317007977318, 0.6981317007977318, 1.6,
+    1.6};
 static const double mass_matrix_and_bias_qd_low[] = {-10.0, -10.0, -10.0, -10.0};
 static const double mass_matrix_and_bias_qd_high[] = {10.0, 10.0, 10.0, 10.0};
 static const sinew_argument mass_matrix_and_bias_inputs[] = {
@@ -131,7 +136,8 @@ static void call_forward_dynamics(const void *in, void *out)
     double *y = (double *)out;
     thumb_forward_dynamics(x + 0, x + 4, x + 8, y + 0);
 }
-static const double forward_dynamics_q_low[] = {-0.6981317007977318, -0.6981317007977318, -0.2, -0.2};
+static const double forward_dynamics_q_low[] = {-0.6981317007977318, -0.6981317007977318, -0.2,
+    -0.2};
 static const double forward_dynamics_q_high[] = {0.6981317007977318, 0.6981317007977318, 1.6, 1.6};
 static const double forward_dynamics_qd_low[] = {-10.0, -10.0, -10.0, -10.0};
 static const double forward_dynamics_qd_high[] = {10.0, 10.0, 10.0, 10.0};
@@ -152,7 +158,8 @@ static void call_inverse_dynamics(const void *in, void *out)
     double *y = (double *)out;
     thumb_inverse_dynamics(x + 0, x + 4, x + 8, y + 0);
 }
-static const double inverse_dynamics_q_low[] = {-0.6981317007977318, -0.6981317007977318, -0.2, -0.2};
+static const double inverse_dynamics_q_low[] = {-0.6981317007977318, -0.6981317007977318, -0.2,
+    -0.2};
 static const double inverse_dynamics_q_high[] = {0.6981317007977318, 0.6981317007977318, 1.6, 1.6};
 static const double inverse_dynamics_qd_low[] = {-10.0, -10.0, -10.0, -10.0};
 static const double inverse_dynamics_qd_high[] = {10.0, 10.0, 10.0, 10.0};
@@ -188,7 +195,8 @@ static void call_coupling_matrix(const void *in, void *out)
     double *y = (double *)out;
     thumb_coupling_matrix(x + 0, y + 0);
 }
-static const double coupling_matrix_q_low[] = {-0.6981317007977318, -0.6981317007977318, -0.2, -0.2};
+static const double coupling_matrix_q_low[] = {-0.6981317007977318, -0.6981317007977318, -0.2,
+    -0.2};
 static const double coupling_matrix_q_high[] = {0.6981317007977318, 0.6981317007977318, 1.6, 1.6};
 static const sinew_argument coupling_matrix_inputs[] = {
     {"q", "rad", 4, 1, coupling_matrix_q_low, coupling_matrix_q_high},
@@ -206,7 +214,8 @@ static void call_joint_torque(const void *in, void *out)
 static const double joint_torque_q_low[] = {-0.6981317007977318, -0.6981317007977318, -0.2, -0.2};
 static const double joint_torque_q_high[] = {0.6981317007977318, 0.6981317007977318, 1.6, 1.6};
 static const double joint_torque_f_low[] = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
-static const double joint_torque_f_high[] = {100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0};
+static const double joint_torque_f_high[] = {100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0,
+    100.0};
 static const sinew_argument joint_torque_inputs[] = {
     {"q", "rad", 4, 1, joint_torque_q_low, joint_torque_q_high},
     {"f", "N", 8, 1, joint_torque_f_low, joint_torque_f_high},
@@ -221,12 +230,16 @@ static void call_joint_stiffness(const void *in, void *out)
     double *y = (double *)out;
     thumb_joint_stiffness(x + 0, x + 4, x + 12, y + 0);
 }
-static const double joint_stiffness_q_low[] = {-0.6981317007977318, -0.6981317007977318, -0.2, -0.2};
+static const double joint_stiffness_q_low[] = {-0.6981317007977318, -0.6981317007977318, -0.2,
+    -0.2};
 static const double joint_stiffness_q_high[] = {0.6981317007977318, 0.6981317007977318, 1.6, 1.6};
 static const double joint_stiffness_f_low[] = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
-static const double joint_stiffness_f_high[] = {100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0};
-static const double joint_stiffness_kt_low[] = {1000.0, 1000.0, 1000.0, 1000.0, 1000.0, 1000.0, 1000.0, 1000.0};
-static const double joint_stiffness_kt_high[] = {50000.0, 50000.0, 50000.0, 50000.0, 50000.0, 50000.0, 50000.0, 50000.0};
+static const double joint_stiffness_f_high[] = {100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0,
+    100.0};
+static const double joint_stiffness_kt_low[] = {1000.0, 1000.0, 1000.0, 1000.0, 1000.0, 1000.0,
+    1000.0, 1000.0};
+static const double joint_stiffness_kt_high[] = {50000.0, 50000.0, 50000.0, 50000.0, 50000.0,
+    50000.0, 50000.0, 50000.0};
 static const sinew_argument joint_stiffness_inputs[] = {
     {"q", "rad", 4, 1, joint_stiffness_q_low, joint_stiffness_q_high},
     {"f", "N", 8, 1, joint_stiffness_f_low, joint_stiffness_f_high},
@@ -299,11 +312,14 @@ static void call_link_position_gradient_step(const void *in, void *out)
 }
 static const double link_position_gradient_step_h_low[] = {0.0, 0.0, 0.0, 0.0};
 static const double link_position_gradient_step_h_high[] = {0.1, 0.1, 0.1, 0.1};
-static const double link_position_gradient_step_search_low[] = {-0.6981317007977318, -0.6981317007977318, -0.001, -0.001, 0.0, 0.0};
-static const double link_position_gradient_step_search_high[] = {0.6981317007977318, 0.6981317007977318, 0.001, 0.001, 300.0, 0.001};
+static const double link_position_gradient_step_search_low[] = {-0.6981317007977318,
+    -0.6981317007977318, -0.001, -0.001, 0.0, 0.0};
+static const double link_position_gradient_step_search_high[] = {0.6981317007977318,
+    0.6981317007977318, 0.001, 0.001, 300.0, 0.001};
 static const sinew_argument link_position_gradient_step_inputs[] = {
     {"h", "m", 4, 1, link_position_gradient_step_h_low, link_position_gradient_step_h_high},
-    {"search", "rad, m^2/rad, rad/m^2, m^2", 6, 1, link_position_gradient_step_search_low, link_position_gradient_step_search_high},
+    {"search", "rad, m^2/rad, rad/m^2, m^2", 6, 1, link_position_gradient_step_search_low,
+        link_position_gradient_step_search_high},
 };
 static const sinew_argument link_position_gradient_step_outputs[] = {
     {"next", "rad, m^2/rad, rad/m^2, m^2", 6, 1, 0, 0},
@@ -378,27 +394,46 @@ static const sinew_argument bending_angles_outputs[] = {
 };
 
 static const sinew_function functions[] = {
-    {"thumb_forward_kinematics", 1, 1, 4, 16, forward_kinematics_inputs, forward_kinematics_outputs, call_forward_kinematics},
-    {"thumb_tip_jacobian", 1, 1, 4, 24, tip_jacobian_inputs, tip_jacobian_outputs, call_tip_jacobian},
+    {"thumb_forward_kinematics", 1, 1, 4, 16, forward_kinematics_inputs, forward_kinematics_outputs,
+        call_forward_kinematics},
+    {"thumb_tip_jacobian", 1, 1, 4, 24, tip_jacobian_inputs, tip_jacobian_outputs,
+        call_tip_jacobian},
     {"thumb_mass_matrix", 1, 1, 4, 16, mass_matrix_inputs, mass_matrix_outputs, call_mass_matrix},
-    {"thumb_coriolis_matrix", 2, 1, 8, 16, coriolis_matrix_inputs, coriolis_matrix_outputs, call_coriolis_matrix},
+    {"thumb_coriolis_matrix", 2, 1, 8, 16, coriolis_matrix_inputs, coriolis_matrix_outputs,
+        call_coriolis_matrix},
     {"thumb_gravity", 1, 1, 4, 4, gravity_inputs, gravity_outputs, call_gravity},
     {"thumb_bias", 2, 1, 8, 4, bias_inputs, bias_outputs, call_bias},
-    {"thumb_mass_matrix_and_bias", 2, 2, 8, 20, mass_matrix_and_bias_inputs, mass_matrix_and_bias_outputs, call_mass_matrix_and_bias},
-    {"thumb_forward_dynamics", 3, 1, 12, 4, forward_dynamics_inputs, forward_dynamics_outputs, call_forward_dynamics},
-    {"thumb_inverse_dynamics", 3, 1, 12, 4, inverse_dynamics_inputs, inverse_dynamics_outputs, call_inverse_dynamics},
-    {"thumb_tendon_lengths", 1, 1, 4, 8, tendon_lengths_inputs, tendon_lengths_outputs, call_tendon_lengths},
-    {"thumb_coupling_matrix", 1, 1, 4, 32, coupling_matrix_inputs, coupling_matrix_outputs, call_coupling_matrix},
-    {"thumb_joint_torque", 2, 1, 12, 4, joint_torque_inputs, joint_torque_outputs, call_joint_torque},
-    {"thumb_joint_stiffness", 3, 1, 20, 16, joint_stiffness_inputs, joint_stiffness_outputs, call_joint_stiffness},
-    {"thumb_tendon_hessian", 1, 1, 4, 128, tendon_hessian_inputs, tendon_hessian_outputs, call_tendon_hessian},
-    {"thumb_link_position", 2, 3, 6, 4, link_position_inputs, link_position_outputs, call_link_position},
-    {"thumb_link_position_warm", 2, 3, 6, 4, link_position_warm_inputs, link_position_warm_outputs, call_link_position_warm},
-    {"thumb_link_position_gradient_step", 2, 1, 10, 6, link_position_gradient_step_inputs, link_position_gradient_step_outputs, call_link_position_gradient_step},
-    {"thumb_link_position_status", 2, 2, 6, 2, link_position_status_inputs, link_position_status_outputs, call_link_position_status},
-    {"thumb_link_position_covariance", 2, 2, 3, 5, link_position_covariance_inputs, link_position_covariance_outputs, call_link_position_covariance},
-    {"thumb_hinge_position", 1, 1, 4, 2, hinge_position_inputs, hinge_position_outputs, call_hinge_position},
-    {"thumb_bending_angles", 1, 1, 4, 8, bending_angles_inputs, bending_angles_outputs, call_bending_angles},
+    {"thumb_mass_matrix_and_bias", 2, 2, 8, 20, mass_matrix_and_bias_inputs,
+        mass_matrix_and_bias_outputs, call_mass_matrix_and_bias},
+    {"thumb_forward_dynamics", 3, 1, 12, 4, forward_dynamics_inputs, forward_dynamics_outputs,
+        call_forward_dynamics},
+    {"thumb_inverse_dynamics", 3, 1, 12, 4, inverse_dynamics_inputs, inverse_dynamics_outputs,
+        call_inverse_dynamics},
+    {"thumb_tendon_lengths", 1, 1, 4, 8, tendon_lengths_inputs, tendon_lengths_outputs,
+        call_tendon_lengths},
+    {"thumb_coupling_matrix", 1, 1, 4, 32, coupling_matrix_inputs, coupling_matrix_outputs,
+        call_coupling_matrix},
+    {"thumb_joint_torque", 2, 1, 12, 4, joint_torque_inputs, joint_torque_outputs,
+        call_joint_torque},
+    {"thumb_joint_stiffness", 3, 1, 20, 16, joint_stiffness_inputs, joint_stiffness_outputs,
+        call_joint_stiffness},
+    {"thumb_tendon_hessian", 1, 1, 4, 128, tendon_hessian_inputs, tendon_hessian_outputs,
+        call_tendon_hessian},
+    {"thumb_link_position", 2, 3, 6, 4, link_position_inputs, link_position_outputs,
+        call_link_position},
+    {"thumb_link_position_warm", 2, 3, 6, 4, link_position_warm_inputs, link_position_warm_outputs,
+        call_link_position_warm},
+    {"thumb_link_position_gradient_step", 2, 1, 10, 6, link_position_gradient_step_inputs,
+        link_position_gradient_step_outputs, call_link_position_gradient_step},
+    {"thumb_link_position_status", 2, 2, 6, 2, link_position_status_inputs,
+        link_position_status_outputs, call_link_position_status},
+    {"thumb_link_position_covariance", 2, 2, 3, 5, link_position_covariance_inputs,
+        link_position_covariance_outputs, call_link_position_covariance},
+    {"thumb_hinge_position", 1, 1, 4, 2, hinge_position_inputs, hinge_position_outputs,
+        call_hinge_position},
+    {"thumb_bending_angles", 1, 1, 4, 8, bending_angles_inputs, bending_angles_outputs,
+        call_bending_angles},
 };
 
-const sinew_catalogue thumb_catalogue = {"thumb", "a1887dfbbeca57cfa47ae5f680c6749b28b13c33cd3d097b0d35ffdcc7f65850", 8, 21, functions};
+const sinew_catalogue thumb_catalogue = {"thumb",
+    "a1887dfbbeca57cfa47ae5f680c6749b28b13c33cd3d097b0d35ffdcc7f65850", 8, 21, functions};

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-2-Clause
  *
- * The functions of the model thumb_table_5_2 over many states: element k of state i is at [k * count + i].
+ * The functions of the model thumb_table_5_2 over many states: element k of state i is at [k *
+ *     count + i].
  *
  * Made by: sinew generate models/thumb_table_5_2
  * Model:   sha256 bbe6ad946c25f79dfb874427de1b09ec5897fef90ad1f6d32550868697528da8
@@ -18,7 +19,8 @@
 #define SINEW_STATES_ARE_INDEPENDENT
 #endif
 
-void thumb_table_5_2_forward_kinematics_batch(int count, const double *SINEW_RESTRICT q, double *SINEW_RESTRICT T)
+void thumb_table_5_2_forward_kinematics_batch(int count, const double *SINEW_RESTRICT q,
+    double *SINEW_RESTRICT T)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
@@ -67,7 +69,8 @@ void thumb_table_5_2_forward_kinematics_batch(int count, const double *SINEW_RES
     }
 }
 
-void thumb_table_5_2_tip_jacobian_batch(int count, const double *SINEW_RESTRICT q, double *SINEW_RESTRICT J)
+void thumb_table_5_2_tip_jacobian_batch(int count, const double *SINEW_RESTRICT q,
+    double *SINEW_RESTRICT J)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
@@ -129,7 +132,8 @@ void thumb_table_5_2_tip_jacobian_batch(int count, const double *SINEW_RESTRICT 
     }
 }
 
-void thumb_table_5_2_mass_matrix_batch(int count, const double *SINEW_RESTRICT q, double *SINEW_RESTRICT M)
+void thumb_table_5_2_mass_matrix_batch(int count, const double *SINEW_RESTRICT q,
+    double *SINEW_RESTRICT M)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
@@ -153,7 +157,8 @@ void thumb_table_5_2_mass_matrix_batch(int count, const double *SINEW_RESTRICT q
         const double t1 = l4x * j4x1;
         const double S3x = j3x1 + j4x1;
         const double t2 = l3x * S3x;
-        const double Z1 = c2 * j2u + c3 * j3u - s4 * j4u + o4x * j4x1 + l3x * j3x1 + t1 + t2 + 7.250099999999999e-07;
+        const double Z1 = c2 * j2u + c3 * j3u - s4 * j4u + o4x * j4x1 + l3x * j3x1 + t1 + t2
+            + 7.250099999999999e-07;
         const double j4y1 = 3.015e-05 * s4;
         const double j3y1 = 0.0001788 * s3;
         const double S3y = j3y1 + j4y1;
@@ -185,7 +190,8 @@ void thumb_table_5_2_mass_matrix_batch(int count, const double *SINEW_RESTRICT q
     }
 }
 
-void thumb_table_5_2_coriolis_matrix_batch(int count, const double *SINEW_RESTRICT q, const double *SINEW_RESTRICT qd, double *SINEW_RESTRICT C)
+void thumb_table_5_2_coriolis_matrix_batch(int count, const double *SINEW_RESTRICT q,
+    const double *SINEW_RESTRICT qd, double *SINEW_RESTRICT C)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
@@ -213,7 +219,8 @@ void thumb_table_5_2_coriolis_matrix_batch(int count, const double *SINEW_RESTRI
         const double l3y = 0.045 * s2;
         const double t2 = l3y * S3x;
         const double K2yx = s2 * 2.4218999999999996e-05 * c2 + K3yx + t2;
-        const double E2wQxx = qd[1 * n + state] * K2yx + qd[2 * n + state] * K3yx + qd[3 * n + state] * K4yx;
+        const double E2wQxx = qd[1 * n + state] * K2yx + qd[2 * n + state] * K3yx + qd[3 * n
+            + state] * K4yx;
         const double cD2y = qd[state] * K2yx;
         const double cD3y = qd[state] * K3yx;
         const double cD4y = qd[state] * K4yx;
@@ -256,7 +263,8 @@ void thumb_table_5_2_coriolis_matrix_batch(int count, const double *SINEW_RESTRI
     }
 }
 
-void thumb_table_5_2_gravity_batch(int count, const double *SINEW_RESTRICT q, double *SINEW_RESTRICT g)
+void thumb_table_5_2_gravity_batch(int count, const double *SINEW_RESTRICT q,
+    double *SINEW_RESTRICT g)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
@@ -279,7 +287,8 @@ void thumb_table_5_2_gravity_batch(int count, const double *SINEW_RESTRICT q, do
     }
 }
 
-void thumb_table_5_2_bias_batch(int count, const double *SINEW_RESTRICT q, const double *SINEW_RESTRICT qd, double *SINEW_RESTRICT h)
+void thumb_table_5_2_bias_batch(int count, const double *SINEW_RESTRICT q,
+    const double *SINEW_RESTRICT qd, double *SINEW_RESTRICT h)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
@@ -307,7 +316,8 @@ void thumb_table_5_2_bias_batch(int count, const double *SINEW_RESTRICT q, const
         const double S3x = j3x1 + j4x1;
         const double l3y = 0.045 * s2;
         const double K2yx = s2 * 2.4218999999999996e-05 * c2 + K3yx + l3y * S3x;
-        const double R2yx = qd[1 * n + state] * K2yx + qd[2 * n + state] * K3yx + qd[3 * n + state] * K4yx;
+        const double R2yx = qd[1 * n + state] * K2yx + qd[2 * n + state] * K3yx + qd[3 * n + state]
+            * K4yx;
         const double w_2y = qd[state] + qd[state];
         const double Q2y = w_2y * R2yx;
         const double X2_4 = l3x * j4y1 - l3y * j4x1;
@@ -332,7 +342,8 @@ void thumb_table_5_2_bias_batch(int count, const double *SINEW_RESTRICT q, const
     }
 }
 
-void thumb_table_5_2_mass_matrix_and_bias_batch(int count, const double *SINEW_RESTRICT q, const double *SINEW_RESTRICT qd, double *SINEW_RESTRICT M, double *SINEW_RESTRICT h)
+void thumb_table_5_2_mass_matrix_and_bias_batch(int count, const double *SINEW_RESTRICT q,
+    const double *SINEW_RESTRICT qd, double *SINEW_RESTRICT M, double *SINEW_RESTRICT h)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
@@ -356,7 +367,8 @@ void thumb_table_5_2_mass_matrix_and_bias_batch(int count, const double *SINEW_R
         const double t1 = l4x * j4x1;
         const double S3x = j3x1 + j4x1;
         const double t2 = l3x * S3x;
-        const double Z1 = c2 * j2u + c3 * j3u - s4 * j4u + o4x * j4x1 + l3x * j3x1 + t1 + t2 + 7.250099999999999e-07;
+        const double Z1 = c2 * j2u + c3 * j3u - s4 * j4u + o4x * j4x1 + l3x * j3x1 + t1 + t2
+            + 7.250099999999999e-07;
         const double j4y1 = 3.015e-05 * s4;
         const double j3y1 = 0.0001788 * s3;
         const double S3y = j3y1 + j4y1;
@@ -377,7 +389,8 @@ void thumb_table_5_2_mass_matrix_and_bias_batch(int count, const double *SINEW_R
         const double K3yx = j3xy + K4yx + t3 + t4;
         const double j2xy = s2 * j2u;
         const double K2yx = j2xy + K3yx + l3y * S3x;
-        const double R2yx = qd[1 * n + state] * K2yx + qd[2 * n + state] * K3yx + qd[3 * n + state] * K4yx;
+        const double R2yx = qd[1 * n + state] * K2yx + qd[2 * n + state] * K3yx + qd[3 * n + state]
+            * K4yx;
         const double w_2y = qd[state] + qd[state];
         const double Q2y = w_2y * R2yx;
         const double X2_4 = l3x * j4y1 - l3y * j4x1;
@@ -418,7 +431,8 @@ void thumb_table_5_2_mass_matrix_and_bias_batch(int count, const double *SINEW_R
     }
 }
 
-void thumb_table_5_2_forward_dynamics_batch(int count, const double *SINEW_RESTRICT q, const double *SINEW_RESTRICT qd, const double *SINEW_RESTRICT tau, double *SINEW_RESTRICT qdd)
+void thumb_table_5_2_forward_dynamics_batch(int count, const double *SINEW_RESTRICT q,
+    const double *SINEW_RESTRICT qd, const double *SINEW_RESTRICT tau, double *SINEW_RESTRICT qdd)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
@@ -452,13 +466,15 @@ void thumb_table_5_2_forward_dynamics_batch(int count, const double *SINEW_RESTR
         const double S3x = j3x1 + j4x1;
         const double l3y = 0.045 * s2;
         const double K2yx = j2xy + K3yx + l3y * S3x;
-        const double R2yx = qd[1 * n + state] * K2yx + qd[2 * n + state] * K3yx + qd[3 * n + state] * K4yx;
+        const double R2yx = qd[1 * n + state] * K2yx + qd[2 * n + state] * K3yx + qd[3 * n + state]
+            * K4yx;
         const double w_2y = qd[state] + qd[state];
         const double Q2y = w_2y * R2yx;
         const double y1 = tau[state] + Q2y;
         const double t3 = l4x * j4x1;
         const double t4 = l3x * S3x;
-        const double Z1 = c2 * j2u + c3 * j3u - s4 * j4u + o4x * j4x1 + l3x * j3x1 + t3 + t4 + 7.250099999999999e-07;
+        const double Z1 = c2 * j2u + c3 * j3u - s4 * j4u + o4x * j4x1 + l3x * j3x1 + t3 + t4
+            + 7.250099999999999e-07;
         const double r1 = 1.0 / Z1;
         const double x1 = y1 * r1;
         const double X2_4 = l3x * j4y1 - l3y * j4x1;
@@ -486,7 +502,8 @@ void thumb_table_5_2_forward_dynamics_batch(int count, const double *SINEW_RESTR
         const double A3_3 = Z3 - M * L4_3;
         const double r3 = 1.0 / A3_3;
         const double L3_2 = A3_2 * r3;
-        const double t5 = tau[1 * n + state] - n3 - 0.005959575 * c2 + w3zz * X2_3 + w4zz * X2_4 - K2yx * w1zz;
+        const double t5 = tau[1 * n + state] - n3 - 0.005959575 * c2 + w3zz * X2_3 + w4zz * X2_4
+            - K2yx * w1zz;
         const double L4_2 = 2320131.783485302 * M_2;
         const double b2_2 = t5 - y4 * L4_2 - b3 * L3_2;
         const double Z2 = 2.4381e-05 + Z3 + (lS3 + lS3);
@@ -503,7 +520,8 @@ void thumb_table_5_2_forward_dynamics_batch(int count, const double *SINEW_RESTR
     }
 }
 
-void thumb_table_5_2_inverse_dynamics_batch(int count, const double *SINEW_RESTRICT q, const double *SINEW_RESTRICT qd, const double *SINEW_RESTRICT qdd, double *SINEW_RESTRICT tau)
+void thumb_table_5_2_inverse_dynamics_batch(int count, const double *SINEW_RESTRICT q,
+    const double *SINEW_RESTRICT qd, const double *SINEW_RESTRICT qdd, double *SINEW_RESTRICT tau)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
@@ -537,11 +555,13 @@ void thumb_table_5_2_inverse_dynamics_batch(int count, const double *SINEW_RESTR
         const double S3x = j3x1 + j4x1;
         const double l3y = 0.045 * s2;
         const double K2yx = j2xy + K3yx + l3y * S3x;
-        const double R2yx = qd[1 * n + state] * K2yx + qd[2 * n + state] * K3yx + qd[3 * n + state] * K4yx;
+        const double R2yx = qd[1 * n + state] * K2yx + qd[2 * n + state] * K3yx + qd[3 * n + state]
+            * K4yx;
         const double w_2y = qd[state] + qd[state];
         const double t3 = l3x * j3x1;
         const double t4 = l4x * j4x1;
-        const double t5 = c2 * j2u + c3 * j3u - s4 * j4u + o4x * j4x1 + t3 + t4 + l3x * S3x + 7.2501e-07;
+        const double t5 = c2 * j2u + c3 * j3u - s4 * j4u + o4x * j4x1 + t3 + t4 + l3x * S3x
+            + 7.2501e-07;
         const double N1z = qdd[state] * t5 - w_2y * R2yx;
         const double D2_4 = l3x * j4x1 + l3y * j4y1;
         const double al3z = qdd[1 * n + state] + qdd[2 * n + state];
@@ -549,18 +569,21 @@ void thumb_table_5_2_inverse_dynamics_batch(int count, const double *SINEW_RESTR
         const double lS4 = t4 + l4y * j4y1;
         const double X2_4 = l3x * j4y1 - l3y * j4x1;
         const double w2zz = qd[1 * n + state] * qd[1 * n + state];
-        const double t6 = 4.3101e-07 * al4z + 9.81 * j4x1 + qdd[1 * n + state] * D2_4 + lS4 * al3z + w2zz * X2_4;
+        const double t6 = 4.3101e-07 * al4z + 9.81 * j4x1 + qdd[1 * n + state] * D2_4 + lS4 * al3z
+            + w2zz * X2_4;
         const double X3_4 = l4x * j4y1 - t2;
         const double w3z = qd[1 * n + state] + qd[2 * n + state];
         const double w3zz = w3z * w3z;
         const double n4 = t6 + w3zz * X3_4;
         const double D2_3 = t3 + l3y * j3y1;
-        const double t7 = n4 + 4.4942e-06 * al3z + 9.81 * j3x1 + qdd[1 * n + state] * D2_3 + lS4 * al4z;
+        const double t7 = n4 + 4.4942e-06 * al3z + 9.81 * j3x1 + qdd[1 * n + state] * D2_3 + lS4
+            * al4z;
         const double X2_3 = t1 - l3y * j3x1;
         const double w4z = qd[3 * n + state] + w3z;
         const double w4zz = w4z * w4z;
         const double n3 = t7 + w2zz * X2_3 - w4zz * X3_4;
-        const double t8 = n3 + 2.4381e-05 * qdd[1 * n + state] + 0.005959575 * c2 + al3z * D2_3 - w3zz * X2_3;
+        const double t8 = n3 + 2.4381e-05 * qdd[1 * n + state] + 0.005959575 * c2 + al3z * D2_3
+            - w3zz * X2_3;
         const double n2 = t8 + al4z * D2_4 - w4zz * X2_4;
         const double w1zz = qd[state] * qd[state];
         const double t2_2 = n2 + w1zz * K2yx;
@@ -573,7 +596,8 @@ void thumb_table_5_2_inverse_dynamics_batch(int count, const double *SINEW_RESTR
     }
 }
 
-void thumb_table_5_2_tendon_lengths_batch(int count, const double *SINEW_RESTRICT q, double *SINEW_RESTRICT h)
+void thumb_table_5_2_tendon_lengths_batch(int count, const double *SINEW_RESTRICT q,
+    double *SINEW_RESTRICT h)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
@@ -627,7 +651,8 @@ void thumb_table_5_2_tendon_lengths_batch(int count, const double *SINEW_RESTRIC
     }
 }
 
-void thumb_table_5_2_coupling_matrix_batch(int count, const double *SINEW_RESTRICT q, double *SINEW_RESTRICT P)
+void thumb_table_5_2_coupling_matrix_batch(int count, const double *SINEW_RESTRICT q,
+    double *SINEW_RESTRICT P)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
@@ -658,7 +683,8 @@ void thumb_table_5_2_coupling_matrix_batch(int count, const double *SINEW_RESTRI
         const double t11 = A_lengthdz * A_lengthdz;
         const double A_length = sinew_sqrt(A_lengthdx * A_lengthdx + A_lengthdy * A_lengthdy + t11);
         const double t12 = 1.0 / A_length;
-        const double A_length_by_q0 = (pA_length_tox * A_lengthdy - pA_length_toy * A_lengthdx) * t12;
+        const double A_length_by_q0 = (pA_length_tox * A_lengthdy - pA_length_toy * A_lengthdx)
+            * t12;
         const double t13 = 0.025 * s2;
         const double t14 = 0.047 * c2;
         const double pA_length_toz_by_q1 = t13 + t14;
@@ -669,7 +695,8 @@ void thumb_table_5_2_coupling_matrix_batch(int count, const double *SINEW_RESTRI
         const double t18 = 0.025 * R22x;
         const double t19 = 0.047 * R22y;
         const double pA_length_toy_by_q1 = t18 - t19;
-        const double t20 = A_lengthdx * pA_length_tox_by_q1 + A_lengthdy * pA_length_toy_by_q1 - t15;
+        const double t20 = A_lengthdx * pA_length_tox_by_q1 + A_lengthdy * pA_length_toy_by_q1
+            - t15;
         const double A_length_by_q1 = t20 * t12;
         const double t21 = t3 + t2;
         const double pB_length_tox = t21 - t1;
@@ -681,12 +708,14 @@ void thumb_table_5_2_coupling_matrix_batch(int count, const double *SINEW_RESTRI
         const double t23 = B_lengthdz * B_lengthdz;
         const double B_length = sinew_sqrt(B_lengthdx * B_lengthdx + B_lengthdy * B_lengthdy + t23);
         const double t24 = 1.0 / B_length;
-        const double B_length_by_q0 = (pB_length_tox * B_lengthdy - pB_length_toy * B_lengthdx) * t24;
+        const double B_length_by_q0 = (pB_length_tox * B_lengthdy - pB_length_toy * B_lengthdx)
+            * t24;
         const double pB_length_toz_by_q1 = t13 - t14;
         const double t25 = B_lengthdz * pB_length_toz_by_q1;
         const double pB_length_tox_by_q1 = t16 + t17;
         const double pB_length_toy_by_q1 = t18 + t19;
-        const double t26 = B_lengthdx * pB_length_tox_by_q1 + B_lengthdy * pB_length_toy_by_q1 + t25;
+        const double t26 = B_lengthdx * pB_length_tox_by_q1 + B_lengthdy * pB_length_toy_by_q1
+            + t25;
         const double B_length_by_q1 = t26 * t24;
         const double pC_length_tox = t21 + t1;
         const double pC_length_toy = t22 + t5;
@@ -694,8 +723,10 @@ void thumb_table_5_2_coupling_matrix_batch(int count, const double *SINEW_RESTRI
         const double C_lengthdx = 0.002 - pC_length_tox;
         const double C_length = sinew_sqrt(t11 + C_lengthdx * C_lengthdx + C_lengthdy * C_lengthdy);
         const double t27 = 1.0 / C_length;
-        const double C_length_by_q0 = (pC_length_tox * C_lengthdy + pC_length_toy * C_lengthdx) * t27;
-        const double t28 = t15 - C_lengthdx * pA_length_tox_by_q1 + C_lengthdy * pA_length_toy_by_q1;
+        const double C_length_by_q0 = (pC_length_tox * C_lengthdy + pC_length_toy * C_lengthdx)
+            * t27;
+        const double t28 = t15 - C_lengthdx * pA_length_tox_by_q1 + C_lengthdy
+            * pA_length_toy_by_q1;
         const double C_length_by_q1 = t28 * t27;
         const double pD_length_tox = t4 - t1;
         const double pD_length_toy = t8 - t5;
@@ -703,8 +734,10 @@ void thumb_table_5_2_coupling_matrix_batch(int count, const double *SINEW_RESTRI
         const double D_lengthdx = 0.002 + pD_length_tox;
         const double D_length = sinew_sqrt(t23 + D_lengthdx * D_lengthdx + D_lengthdy * D_lengthdy);
         const double t29 = 1.0 / D_length;
-        const double D_length_by_q0 = (pD_length_tox * D_lengthdy + pD_length_toy * D_lengthdx) * t29;
-        const double t30 = t25 + D_lengthdx * pB_length_tox_by_q1 - D_lengthdy * pB_length_toy_by_q1;
+        const double D_length_by_q0 = (pD_length_tox * D_lengthdy + pD_length_toy * D_lengthdx)
+            * t29;
+        const double t30 = t25 + D_lengthdx * pB_length_tox_by_q1 - D_lengthdy
+            * pB_length_toy_by_q1;
         const double D_length_by_q1 = t30 * t29;
         P[state] = -A_length_by_q0;
         P[1 * n + state] = -A_length_by_q1;
@@ -741,7 +774,8 @@ void thumb_table_5_2_coupling_matrix_batch(int count, const double *SINEW_RESTRI
     }
 }
 
-void thumb_table_5_2_joint_torque_batch(int count, const double *SINEW_RESTRICT q, const double *SINEW_RESTRICT f, double *SINEW_RESTRICT tau)
+void thumb_table_5_2_joint_torque_batch(int count, const double *SINEW_RESTRICT q,
+    const double *SINEW_RESTRICT f, double *SINEW_RESTRICT tau)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
@@ -772,7 +806,8 @@ void thumb_table_5_2_joint_torque_batch(int count, const double *SINEW_RESTRICT 
         const double t11 = B_lengthdz * B_lengthdz;
         const double D_length = sinew_sqrt(t11 + D_lengthdx * D_lengthdx + D_lengthdy * D_lengthdy);
         const double t12 = 1.0 / D_length;
-        const double D_length_by_q0 = (pD_length_tox * D_lengthdy + pD_length_toy * D_lengthdx) * t12;
+        const double D_length_by_q0 = (pD_length_tox * D_lengthdy + pD_length_toy * D_lengthdx)
+            * t12;
         const double t13 = t3 + t2;
         const double pC_length_tox = t13 + t1;
         const double t14 = t7 - t6;
@@ -783,22 +818,26 @@ void thumb_table_5_2_joint_torque_batch(int count, const double *SINEW_RESTRICT 
         const double t15 = A_lengthdz * A_lengthdz;
         const double C_length = sinew_sqrt(t15 + C_lengthdx * C_lengthdx + C_lengthdy * C_lengthdy);
         const double t16 = 1.0 / C_length;
-        const double C_length_by_q0 = (pC_length_tox * C_lengthdy + pC_length_toy * C_lengthdx) * t16;
+        const double C_length_by_q0 = (pC_length_tox * C_lengthdy + pC_length_toy * C_lengthdx)
+            * t16;
         const double pA_length_tox = t4 + t1;
         const double pA_length_toy = t8 + t5;
         const double A_lengthdy = 0.03 - pA_length_toy;
         const double A_lengthdx = 0.002 - pA_length_tox;
         const double A_length = sinew_sqrt(A_lengthdx * A_lengthdx + A_lengthdy * A_lengthdy + t15);
         const double t17 = 1.0 / A_length;
-        const double A_length_by_q0 = (pA_length_tox * A_lengthdy - pA_length_toy * A_lengthdx) * t17;
+        const double A_length_by_q0 = (pA_length_tox * A_lengthdy - pA_length_toy * A_lengthdx)
+            * t17;
         const double pB_length_tox = t13 - t1;
         const double pB_length_toy = t14 - t5;
         const double B_lengthdy = 0.03 + pB_length_toy;
         const double B_lengthdx = 0.002 + pB_length_tox;
         const double B_length = sinew_sqrt(B_lengthdx * B_lengthdx + B_lengthdy * B_lengthdy + t11);
         const double t18 = 1.0 / B_length;
-        const double B_length_by_q0 = (pB_length_tox * B_lengthdy - pB_length_toy * B_lengthdx) * t18;
-        const double t19 = f[state] * A_length_by_q0 - f[1 * n + state] * B_length_by_q0 - f[2 * n + state] * C_length_by_q0;
+        const double B_length_by_q0 = (pB_length_tox * B_lengthdy - pB_length_toy * B_lengthdx)
+            * t18;
+        const double t19 = f[state] * A_length_by_q0 - f[1 * n + state] * B_length_by_q0 - f[2 * n
+            + state] * C_length_by_q0;
         const double t20 = 0.025 * R22x;
         const double t21 = 0.047 * R22y;
         const double pB_length_toy_by_q1 = t20 + t21;
@@ -809,20 +848,26 @@ void thumb_table_5_2_joint_torque_batch(int count, const double *SINEW_RESTRICT 
         const double t25 = 0.025 * R21x;
         const double t26 = 0.047 * R21y;
         const double pB_length_tox_by_q1 = t25 + t26;
-        const double t27 = t24 + D_lengthdx * pB_length_tox_by_q1 - D_lengthdy * pB_length_toy_by_q1;
+        const double t27 = t24 + D_lengthdx * pB_length_tox_by_q1 - D_lengthdy
+            * pB_length_toy_by_q1;
         const double D_length_by_q1 = t27 * t12;
         const double pA_length_toy_by_q1 = t20 - t21;
         const double pA_length_toz_by_q1 = t22 + t23;
         const double t28 = A_lengthdz * pA_length_toz_by_q1;
         const double pA_length_tox_by_q1 = t25 - t26;
-        const double t29 = t28 - C_lengthdx * pA_length_tox_by_q1 + C_lengthdy * pA_length_toy_by_q1;
+        const double t29 = t28 - C_lengthdx * pA_length_tox_by_q1 + C_lengthdy
+            * pA_length_toy_by_q1;
         const double C_length_by_q1 = t29 * t16;
-        const double t30 = A_lengthdx * pA_length_tox_by_q1 + A_lengthdy * pA_length_toy_by_q1 - t28;
+        const double t30 = A_lengthdx * pA_length_tox_by_q1 + A_lengthdy * pA_length_toy_by_q1
+            - t28;
         const double A_length_by_q1 = t30 * t17;
-        const double t31 = B_lengthdx * pB_length_tox_by_q1 + B_lengthdy * pB_length_toy_by_q1 + t24;
+        const double t31 = B_lengthdx * pB_length_tox_by_q1 + B_lengthdy * pB_length_toy_by_q1
+            + t24;
         const double B_length_by_q1 = t31 * t18;
-        const double t32 = f[state] * A_length_by_q1 - f[1 * n + state] * B_length_by_q1 - f[2 * n + state] * C_length_by_q1;
-        const double t33 = f[4 * n + state] - f[5 * n + state] - f[6 * n + state] + f[7 * n + state];
+        const double t32 = f[state] * A_length_by_q1 - f[1 * n + state] * B_length_by_q1 - f[2 * n
+            + state] * C_length_by_q1;
+        const double t33 = f[4 * n + state] - f[5 * n + state] - f[6 * n + state] + f[7 * n
+            + state];
         tau[state] = t19 + f[3 * n + state] * D_length_by_q0;
         tau[1 * n + state] = t32 - f[3 * n + state] * D_length_by_q1;
         tau[2 * n + state] = -(0.0065 * t33);
@@ -830,7 +875,8 @@ void thumb_table_5_2_joint_torque_batch(int count, const double *SINEW_RESTRICT 
     }
 }
 
-void thumb_table_5_2_joint_stiffness_batch(int count, const double *SINEW_RESTRICT q, const double *SINEW_RESTRICT f, const double *SINEW_RESTRICT kt, double *SINEW_RESTRICT K)
+void thumb_table_5_2_joint_stiffness_batch(int count, const double *SINEW_RESTRICT q,
+    const double *SINEW_RESTRICT f, const double *SINEW_RESTRICT kt, double *SINEW_RESTRICT K)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
@@ -879,16 +925,19 @@ void thumb_table_5_2_joint_stiffness_batch(int count, const double *SINEW_RESTRI
         const double t20 = 0.047 * c2;
         const double pA_length_toz_by_q1 = t19 + t20;
         const double t21 = A_lengthdz * pA_length_toz_by_q1;
-        const double t22 = A_lengthdx * pA_length_tox_by_q1 + A_lengthdy * pA_length_toy_by_q1 - t21;
+        const double t22 = A_lengthdx * pA_length_tox_by_q1 + A_lengthdy * pA_length_toy_by_q1
+            - t21;
         const double A_length_by_q1 = t22 * t14;
         const double pA_length_tox_by_q1_2_by_q1 = t3 + t6;
         const double t23 = pA_length_toz * A_lengthdz;
         const double pA_length_toy_by_q1_2_by_q1 = t7 + t10;
-        const double t24 = t23 + A_lengthdx * pA_length_tox_by_q1_2_by_q1 + A_lengthdy * pA_length_toy_by_q1_2_by_q1;
+        const double t24 = t23 + A_lengthdx * pA_length_tox_by_q1_2_by_q1 + A_lengthdy
+            * pA_length_toy_by_q1_2_by_q1;
         const double t25 = pA_length_tox_by_q1 * pA_length_tox_by_q1;
         const double t26 = pA_length_toy_by_q1 * pA_length_toy_by_q1;
         const double t27 = pA_length_toz_by_q1 * pA_length_toz_by_q1;
-        const double A_length_by_q1_2_by_q1 = (t24 + t25 + t26 + t27 - A_length_by_q1 * A_length_by_q1) * t14;
+        const double A_length_by_q1_2_by_q1 = (t24 + t25 + t26 + t27 - A_length_by_q1
+            * A_length_by_q1) * t14;
         const double t28 = t3 + t4;
         const double pB_length_tox = t28 - t6;
         const double B_lengthdx = 0.002 + pB_length_tox;
@@ -904,83 +953,113 @@ void thumb_table_5_2_joint_stiffness_batch(int count, const double *SINEW_RESTRI
         const double pB_length_toy_by_q1 = t17 + t18;
         const double pB_length_toz_by_q1 = t19 - t20;
         const double t32 = B_lengthdz * pB_length_toz_by_q1;
-        const double t33 = B_lengthdx * pB_length_tox_by_q1 + B_lengthdy * pB_length_toy_by_q1 + t32;
+        const double t33 = B_lengthdx * pB_length_tox_by_q1 + B_lengthdy * pB_length_toy_by_q1
+            + t32;
         const double B_length_by_q1 = t33 * t31;
         const double pB_length_tox_by_q1_2_by_q1 = t3 - t6;
         const double t34 = pB_length_toz * B_lengthdz;
         const double pB_length_toy_by_q1_2_by_q1 = t7 - t10;
-        const double t35 = t34 - B_lengthdx * pB_length_tox_by_q1_2_by_q1 - B_lengthdy * pB_length_toy_by_q1_2_by_q1;
+        const double t35 = t34 - B_lengthdx * pB_length_tox_by_q1_2_by_q1 - B_lengthdy
+            * pB_length_toy_by_q1_2_by_q1;
         const double t36 = pB_length_tox_by_q1 * pB_length_tox_by_q1;
         const double t37 = pB_length_toy_by_q1 * pB_length_toy_by_q1;
         const double t38 = pB_length_toz_by_q1 * pB_length_toz_by_q1;
-        const double B_length_by_q1_2_by_q1 = (t35 + t36 + t37 + t38 - B_length_by_q1 * B_length_by_q1) * t31;
-        const double t39 = f[state] * A_length_by_q1_2_by_q1 + f[1 * n + state] * B_length_by_q1_2_by_q1;
+        const double B_length_by_q1_2_by_q1 = (t35 + t36 + t37 + t38 - B_length_by_q1
+            * B_length_by_q1) * t31;
+        const double t39 = f[state] * A_length_by_q1_2_by_q1 + f[1 * n + state]
+            * B_length_by_q1_2_by_q1;
         const double pC_length_tox = t28 + t6;
         const double C_lengthdx = 0.002 - pC_length_tox;
         const double pC_length_toy = t29 + t10;
         const double C_lengthdy = 0.03 + pC_length_toy;
         const double C_length = sinew_sqrt(t13 + C_lengthdx * C_lengthdx + C_lengthdy * C_lengthdy);
         const double t40 = 1.0 / C_length;
-        const double t41 = t21 - C_lengthdx * pA_length_tox_by_q1 + C_lengthdy * pA_length_toy_by_q1;
+        const double t41 = t21 - C_lengthdx * pA_length_tox_by_q1 + C_lengthdy
+            * pA_length_toy_by_q1;
         const double C_length_by_q1 = t41 * t40;
-        const double t42 = t23 + C_lengthdx * pA_length_tox_by_q1_2_by_q1 - C_lengthdy * pA_length_toy_by_q1_2_by_q1;
-        const double C_length_by_q1_2_by_q1 = (t42 + t25 + t26 + t27 - C_length_by_q1 * C_length_by_q1) * t40;
+        const double t42 = t23 + C_lengthdx * pA_length_tox_by_q1_2_by_q1 - C_lengthdy
+            * pA_length_toy_by_q1_2_by_q1;
+        const double C_length_by_q1_2_by_q1 = (t42 + t25 + t26 + t27 - C_length_by_q1
+            * C_length_by_q1) * t40;
         const double pD_length_tox = t5 - t6;
         const double D_lengthdx = 0.002 + pD_length_tox;
         const double pD_length_toy = t9 - t10;
         const double D_lengthdy = 0.03 - pD_length_toy;
         const double D_length = sinew_sqrt(t30 + D_lengthdx * D_lengthdx + D_lengthdy * D_lengthdy);
         const double t43 = 1.0 / D_length;
-        const double t44 = t32 + D_lengthdx * pB_length_tox_by_q1 - D_lengthdy * pB_length_toy_by_q1;
+        const double t44 = t32 + D_lengthdx * pB_length_tox_by_q1 - D_lengthdy
+            * pB_length_toy_by_q1;
         const double D_length_by_q1 = t44 * t43;
-        const double t45 = t34 - D_lengthdx * pB_length_tox_by_q1_2_by_q1 + D_lengthdy * pB_length_toy_by_q1_2_by_q1;
-        const double D_length_by_q1_2_by_q1 = (t45 + t36 + t37 + t38 - D_length_by_q1 * D_length_by_q1) * t43;
-        const double t46 = t39 + f[2 * n + state] * C_length_by_q1_2_by_q1 + f[3 * n + state] * D_length_by_q1_2_by_q1;
+        const double t45 = t34 - D_lengthdx * pB_length_tox_by_q1_2_by_q1 + D_lengthdy
+            * pB_length_toy_by_q1_2_by_q1;
+        const double D_length_by_q1_2_by_q1 = (t45 + t36 + t37 + t38 - D_length_by_q1
+            * D_length_by_q1) * t43;
+        const double t46 = t39 + f[2 * n + state] * C_length_by_q1_2_by_q1 + f[3 * n + state]
+            * D_length_by_q1_2_by_q1;
         const double w1_2 = kt[state] * A_length_by_q1;
         const double w2_2 = kt[1 * n + state] * B_length_by_q1;
         const double w3_2 = kt[2 * n + state] * C_length_by_q1;
-        const double t47 = t46 + A_length_by_q1 * w1_2 + B_length_by_q1 * w2_2 + C_length_by_q1 * w3_2;
+        const double t47 = t46 + A_length_by_q1 * w1_2 + B_length_by_q1 * w2_2 + C_length_by_q1
+            * w3_2;
         const double w4_2 = kt[3 * n + state] * D_length_by_q1;
         const double K2_2 = t47 + D_length_by_q1 * w4_2;
-        const double B_length_by_q0 = (pB_length_tox * B_lengthdy - pB_length_toy * B_lengthdx) * t31;
+        const double B_length_by_q0 = (pB_length_tox * B_lengthdy - pB_length_toy * B_lengthdx)
+            * t31;
         const double t48 = B_lengthdx - pB_length_tox;
         const double t49 = B_lengthdy - pB_length_toy;
-        const double t50 = pB_length_tox_by_q1 * t49 + pB_length_toy_by_q1 * -t48 - B_length_by_q0 * B_length_by_q1;
+        const double t50 = pB_length_tox_by_q1 * t49 + pB_length_toy_by_q1 * -t48 - B_length_by_q0
+            * B_length_by_q1;
         const double B_length_by_q0_2_by_q1 = t50 * t31;
-        const double A_length_by_q0 = (pA_length_tox * A_lengthdy - pA_length_toy * A_lengthdx) * t14;
+        const double A_length_by_q0 = (pA_length_tox * A_lengthdy - pA_length_toy * A_lengthdx)
+            * t14;
         const double t51 = A_lengthdx + pA_length_tox;
         const double t52 = A_lengthdy + pA_length_toy;
-        const double t53 = pA_length_toy_by_q1 * t51 - pA_length_tox_by_q1 * t52 - A_length_by_q0 * A_length_by_q1;
+        const double t53 = pA_length_toy_by_q1 * t51 - pA_length_tox_by_q1 * t52 - A_length_by_q0
+            * A_length_by_q1;
         const double A_length_by_q0_2_by_q1 = t53 * t14;
-        const double t54 = f[state] * A_length_by_q0_2_by_q1 + f[1 * n + state] * B_length_by_q0_2_by_q1;
-        const double C_length_by_q0 = (pC_length_tox * C_lengthdy + pC_length_toy * C_lengthdx) * t40;
+        const double t54 = f[state] * A_length_by_q0_2_by_q1 + f[1 * n + state]
+            * B_length_by_q0_2_by_q1;
+        const double C_length_by_q0 = (pC_length_tox * C_lengthdy + pC_length_toy * C_lengthdx)
+            * t40;
         const double t55 = pC_length_toy - C_lengthdy;
         const double t56 = C_lengthdx + pC_length_tox;
-        const double t57 = pA_length_tox_by_q1 * -t55 + pA_length_toy_by_q1 * t56 - C_length_by_q0 * C_length_by_q1;
+        const double t57 = pA_length_tox_by_q1 * -t55 + pA_length_toy_by_q1 * t56 - C_length_by_q0
+            * C_length_by_q1;
         const double C_length_by_q0_2_by_q1 = t57 * t40;
-        const double D_length_by_q0 = (pD_length_tox * D_lengthdy + pD_length_toy * D_lengthdx) * t43;
+        const double D_length_by_q0 = (pD_length_tox * D_lengthdy + pD_length_toy * D_lengthdx)
+            * t43;
         const double t58 = D_lengthdx - pD_length_tox;
         const double t59 = D_lengthdy + pD_length_toy;
-        const double t60 = pB_length_toy_by_q1 * -t58 - pB_length_tox_by_q1 * t59 + D_length_by_q0 * D_length_by_q1;
+        const double t60 = pB_length_toy_by_q1 * -t58 - pB_length_tox_by_q1 * t59 + D_length_by_q0
+            * D_length_by_q1;
         const double D_length_by_q0_2_by_q1 = t60 * t43;
-        const double t61 = t54 + f[2 * n + state] * C_length_by_q0_2_by_q1 + f[3 * n + state] * D_length_by_q0_2_by_q1;
+        const double t61 = t54 + f[2 * n + state] * C_length_by_q0_2_by_q1 + f[3 * n + state]
+            * D_length_by_q0_2_by_q1;
         const double w1_1 = kt[state] * A_length_by_q0;
         const double w2_1 = kt[1 * n + state] * B_length_by_q0;
         const double w3_1 = kt[2 * n + state] * C_length_by_q0;
-        const double t62 = t61 + A_length_by_q1 * w1_1 + B_length_by_q1 * w2_1 + C_length_by_q1 * w3_1;
+        const double t62 = t61 + A_length_by_q1 * w1_1 + B_length_by_q1 * w2_1 + C_length_by_q1
+            * w3_1;
         const double w4_1 = kt[3 * n + state] * D_length_by_q0;
         const double K1_2 = t62 - D_length_by_q1 * w4_1;
-        const double t63 = pA_length_toy * t52 + pA_length_tox * t51 - A_length_by_q0 * A_length_by_q0;
+        const double t63 = pA_length_toy * t52 + pA_length_tox * t51 - A_length_by_q0
+            * A_length_by_q0;
         const double A_length_by_q0_2_by_q0 = t63 * t14;
-        const double t64 = pB_length_toy * t49 + pB_length_tox * t48 + B_length_by_q0 * B_length_by_q0;
+        const double t64 = pB_length_toy * t49 + pB_length_tox * t48 + B_length_by_q0
+            * B_length_by_q0;
         const double B_length_by_q0_2_by_q0 = t64 * t31;
-        const double t65 = f[state] * A_length_by_q0_2_by_q0 - f[1 * n + state] * B_length_by_q0_2_by_q0;
-        const double t66 = pC_length_toy * t55 + pC_length_tox * t56 - C_length_by_q0 * C_length_by_q0;
+        const double t65 = f[state] * A_length_by_q0_2_by_q0 - f[1 * n + state]
+            * B_length_by_q0_2_by_q0;
+        const double t66 = pC_length_toy * t55 + pC_length_tox * t56 - C_length_by_q0
+            * C_length_by_q0;
         const double C_length_by_q0_2_by_q0 = t66 * t40;
-        const double t67 = pD_length_tox * t58 - pD_length_toy * t59 + D_length_by_q0 * D_length_by_q0;
+        const double t67 = pD_length_tox * t58 - pD_length_toy * t59 + D_length_by_q0
+            * D_length_by_q0;
         const double D_length_by_q0_2_by_q0 = t67 * t43;
-        const double t68 = t65 + f[2 * n + state] * C_length_by_q0_2_by_q0 - f[3 * n + state] * D_length_by_q0_2_by_q0;
-        const double t69 = t68 + A_length_by_q0 * w1_1 + B_length_by_q0 * w2_1 + C_length_by_q0 * w3_1;
+        const double t68 = t65 + f[2 * n + state] * C_length_by_q0_2_by_q0 - f[3 * n + state]
+            * D_length_by_q0_2_by_q0;
+        const double t69 = t68 + A_length_by_q0 * w1_1 + B_length_by_q0 * w2_1 + C_length_by_q0
+            * w3_1;
         const double K1_1 = t69 + D_length_by_q0 * w4_1;
         K[state] = K1_1;
         K[1 * n + state] = K1_2;
@@ -1001,7 +1080,8 @@ void thumb_table_5_2_joint_stiffness_batch(int count, const double *SINEW_RESTRI
     }
 }
 
-void thumb_table_5_2_tendon_hessian_batch(int count, const double *SINEW_RESTRICT q, double *SINEW_RESTRICT H)
+void thumb_table_5_2_tendon_hessian_batch(int count, const double *SINEW_RESTRICT q,
+    double *SINEW_RESTRICT H)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
@@ -1035,8 +1115,10 @@ void thumb_table_5_2_tendon_hessian_batch(int count, const double *SINEW_RESTRIC
         const double t12 = 1.0 / A_length;
         const double t13 = A_lengthdy + pA_length_toy;
         const double t14 = A_lengthdx + pA_length_tox;
-        const double A_length_by_q0 = (pA_length_tox * A_lengthdy - pA_length_toy * A_lengthdx) * t12;
-        const double t15 = pA_length_toy * t13 + pA_length_tox * t14 - A_length_by_q0 * A_length_by_q0;
+        const double A_length_by_q0 = (pA_length_tox * A_lengthdy - pA_length_toy * A_lengthdx)
+            * t12;
+        const double t15 = pA_length_toy * t13 + pA_length_tox * t14 - A_length_by_q0
+            * A_length_by_q0;
         const double A_length_by_q0_2_by_q0 = t15 * t12;
         const double t16 = 0.025 * R22x;
         const double t17 = 0.047 * R22y;
@@ -1048,9 +1130,11 @@ void thumb_table_5_2_tendon_hessian_batch(int count, const double *SINEW_RESTRIC
         const double t21 = 0.047 * c2;
         const double pA_length_toz_by_q1 = t20 + t21;
         const double t22 = A_lengthdz * pA_length_toz_by_q1;
-        const double t23 = A_lengthdx * pA_length_tox_by_q1 + A_lengthdy * pA_length_toy_by_q1 - t22;
+        const double t23 = A_lengthdx * pA_length_tox_by_q1 + A_lengthdy * pA_length_toy_by_q1
+            - t22;
         const double A_length_by_q1 = t23 * t12;
-        const double t24 = pA_length_toy_by_q1 * t14 - pA_length_tox_by_q1 * t13 - A_length_by_q0 * A_length_by_q1;
+        const double t24 = pA_length_toy_by_q1 * t14 - pA_length_tox_by_q1 * t13 - A_length_by_q0
+            * A_length_by_q1;
         const double A_length_by_q0_2_by_q1 = t24 * t12;
         const double t25 = pA_length_toz_by_q1 * pA_length_toz_by_q1;
         const double t26 = pA_length_toy_by_q1 * pA_length_toy_by_q1;
@@ -1058,8 +1142,10 @@ void thumb_table_5_2_tendon_hessian_batch(int count, const double *SINEW_RESTRIC
         const double pA_length_toy_by_q1_2_by_q1 = t10 + t8;
         const double t28 = pA_length_toz * A_lengthdz;
         const double pA_length_tox_by_q1_2_by_q1 = t6 + t4;
-        const double t29 = t28 + A_lengthdx * pA_length_tox_by_q1_2_by_q1 + A_lengthdy * pA_length_toy_by_q1_2_by_q1;
-        const double A_length_by_q1_2_by_q1 = (t29 + t27 + t26 + t25 - A_length_by_q1 * A_length_by_q1) * t12;
+        const double t29 = t28 + A_lengthdx * pA_length_tox_by_q1_2_by_q1 + A_lengthdy
+            * pA_length_toy_by_q1_2_by_q1;
+        const double A_length_by_q1_2_by_q1 = (t29 + t27 + t26 + t25 - A_length_by_q1
+            * A_length_by_q1) * t12;
         const double pB_length_toz = t1 + t2;
         const double B_lengthdz = 0.025 - pB_length_toz;
         const double t30 = B_lengthdz * B_lengthdz;
@@ -1073,16 +1159,20 @@ void thumb_table_5_2_tendon_hessian_batch(int count, const double *SINEW_RESTRIC
         const double t33 = 1.0 / B_length;
         const double t34 = B_lengthdy - pB_length_toy;
         const double t35 = B_lengthdx - pB_length_tox;
-        const double B_length_by_q0 = (pB_length_tox * B_lengthdy - pB_length_toy * B_lengthdx) * t33;
-        const double t36 = pB_length_toy * t34 + pB_length_tox * t35 + B_length_by_q0 * B_length_by_q0;
+        const double B_length_by_q0 = (pB_length_tox * B_lengthdy - pB_length_toy * B_lengthdx)
+            * t33;
+        const double t36 = pB_length_toy * t34 + pB_length_tox * t35 + B_length_by_q0
+            * B_length_by_q0;
         const double B_length_by_q0_2_by_q0 = t36 * t33;
         const double pB_length_tox_by_q1 = t18 + t19;
         const double pB_length_toy_by_q1 = t16 + t17;
         const double pB_length_toz_by_q1 = t20 - t21;
         const double t37 = B_lengthdz * pB_length_toz_by_q1;
-        const double t38 = B_lengthdx * pB_length_tox_by_q1 + B_lengthdy * pB_length_toy_by_q1 + t37;
+        const double t38 = B_lengthdx * pB_length_tox_by_q1 + B_lengthdy * pB_length_toy_by_q1
+            + t37;
         const double B_length_by_q1 = t38 * t33;
-        const double t39 = pB_length_tox_by_q1 * t34 + pB_length_toy_by_q1 * -t35 - B_length_by_q0 * B_length_by_q1;
+        const double t39 = pB_length_tox_by_q1 * t34 + pB_length_toy_by_q1 * -t35 - B_length_by_q0
+            * B_length_by_q1;
         const double B_length_by_q0_2_by_q1 = t39 * t33;
         const double t40 = pB_length_toz_by_q1 * pB_length_toz_by_q1;
         const double t41 = pB_length_toy_by_q1 * pB_length_toy_by_q1;
@@ -1090,8 +1180,10 @@ void thumb_table_5_2_tendon_hessian_batch(int count, const double *SINEW_RESTRIC
         const double pB_length_toy_by_q1_2_by_q1 = t10 - t8;
         const double t43 = pB_length_toz * B_lengthdz;
         const double pB_length_tox_by_q1_2_by_q1 = t6 - t4;
-        const double t44 = t43 - B_lengthdx * pB_length_tox_by_q1_2_by_q1 - B_lengthdy * pB_length_toy_by_q1_2_by_q1;
-        const double B_length_by_q1_2_by_q1 = (t44 + t42 + t41 + t40 - B_length_by_q1 * B_length_by_q1) * t33;
+        const double t44 = t43 - B_lengthdx * pB_length_tox_by_q1_2_by_q1 - B_lengthdy
+            * pB_length_toy_by_q1_2_by_q1;
+        const double B_length_by_q1_2_by_q1 = (t44 + t42 + t41 + t40 - B_length_by_q1
+            * B_length_by_q1) * t33;
         const double pC_length_toy = t32 + t8;
         const double C_lengthdy = 0.03 + pC_length_toy;
         const double pC_length_tox = t31 + t4;
@@ -1100,15 +1192,21 @@ void thumb_table_5_2_tendon_hessian_batch(int count, const double *SINEW_RESTRIC
         const double t45 = 1.0 / C_length;
         const double t46 = pC_length_toy - C_lengthdy;
         const double t47 = C_lengthdx + pC_length_tox;
-        const double C_length_by_q0 = (pC_length_tox * C_lengthdy + pC_length_toy * C_lengthdx) * t45;
-        const double t48 = pC_length_toy * t46 + pC_length_tox * t47 - C_length_by_q0 * C_length_by_q0;
+        const double C_length_by_q0 = (pC_length_tox * C_lengthdy + pC_length_toy * C_lengthdx)
+            * t45;
+        const double t48 = pC_length_toy * t46 + pC_length_tox * t47 - C_length_by_q0
+            * C_length_by_q0;
         const double C_length_by_q0_2_by_q0 = t48 * t45;
-        const double t49 = t22 - C_lengthdx * pA_length_tox_by_q1 + C_lengthdy * pA_length_toy_by_q1;
+        const double t49 = t22 - C_lengthdx * pA_length_tox_by_q1 + C_lengthdy
+            * pA_length_toy_by_q1;
         const double C_length_by_q1 = t49 * t45;
-        const double t50 = pA_length_tox_by_q1 * -t46 + pA_length_toy_by_q1 * t47 - C_length_by_q0 * C_length_by_q1;
+        const double t50 = pA_length_tox_by_q1 * -t46 + pA_length_toy_by_q1 * t47 - C_length_by_q0
+            * C_length_by_q1;
         const double C_length_by_q0_2_by_q1 = t50 * t45;
-        const double t51 = t28 + C_lengthdx * pA_length_tox_by_q1_2_by_q1 - C_lengthdy * pA_length_toy_by_q1_2_by_q1;
-        const double C_length_by_q1_2_by_q1 = (t51 + t27 + t26 + t25 - C_length_by_q1 * C_length_by_q1) * t45;
+        const double t51 = t28 + C_lengthdx * pA_length_tox_by_q1_2_by_q1 - C_lengthdy
+            * pA_length_toy_by_q1_2_by_q1;
+        const double C_length_by_q1_2_by_q1 = (t51 + t27 + t26 + t25 - C_length_by_q1
+            * C_length_by_q1) * t45;
         const double pD_length_toy = t11 - t8;
         const double D_lengthdy = 0.03 - pD_length_toy;
         const double pD_length_tox = t7 - t4;
@@ -1117,15 +1215,21 @@ void thumb_table_5_2_tendon_hessian_batch(int count, const double *SINEW_RESTRIC
         const double t52 = 1.0 / D_length;
         const double t53 = D_lengthdx - pD_length_tox;
         const double t54 = D_lengthdy + pD_length_toy;
-        const double D_length_by_q0 = (pD_length_tox * D_lengthdy + pD_length_toy * D_lengthdx) * t52;
-        const double t55 = pD_length_tox * t53 - pD_length_toy * t54 + D_length_by_q0 * D_length_by_q0;
+        const double D_length_by_q0 = (pD_length_tox * D_lengthdy + pD_length_toy * D_lengthdx)
+            * t52;
+        const double t55 = pD_length_tox * t53 - pD_length_toy * t54 + D_length_by_q0
+            * D_length_by_q0;
         const double D_length_by_q0_2_by_q0 = t55 * t52;
-        const double t56 = t37 + D_lengthdx * pB_length_tox_by_q1 - D_lengthdy * pB_length_toy_by_q1;
+        const double t56 = t37 + D_lengthdx * pB_length_tox_by_q1 - D_lengthdy
+            * pB_length_toy_by_q1;
         const double D_length_by_q1 = t56 * t52;
-        const double t57 = pB_length_toy_by_q1 * -t53 - pB_length_tox_by_q1 * t54 + D_length_by_q0 * D_length_by_q1;
+        const double t57 = pB_length_toy_by_q1 * -t53 - pB_length_tox_by_q1 * t54 + D_length_by_q0
+            * D_length_by_q1;
         const double D_length_by_q0_2_by_q1 = t57 * t52;
-        const double t58 = t43 - D_lengthdx * pB_length_tox_by_q1_2_by_q1 + D_lengthdy * pB_length_toy_by_q1_2_by_q1;
-        const double D_length_by_q1_2_by_q1 = (t58 + t42 + t41 + t40 - D_length_by_q1 * D_length_by_q1) * t52;
+        const double t58 = t43 - D_lengthdx * pB_length_tox_by_q1_2_by_q1 + D_lengthdy
+            * pB_length_toy_by_q1_2_by_q1;
+        const double D_length_by_q1_2_by_q1 = (t58 + t42 + t41 + t40 - D_length_by_q1
+            * D_length_by_q1) * t52;
         H[state] = A_length_by_q0_2_by_q0;
         H[1 * n + state] = A_length_by_q0_2_by_q1;
         H[2 * n + state] = 0.0;
@@ -1257,7 +1361,9 @@ void thumb_table_5_2_tendon_hessian_batch(int count, const double *SINEW_RESTRIC
     }
 }
 
-void thumb_table_5_2_link_position_batch(int count, const double *SINEW_RESTRICT h, const double *SINEW_RESTRICT q_start, double *SINEW_RESTRICT q, double *SINEW_RESTRICT correction, double *SINEW_RESTRICT status)
+void thumb_table_5_2_link_position_batch(int count, const double *SINEW_RESTRICT h,
+    const double *SINEW_RESTRICT q_start, double *SINEW_RESTRICT q,
+    double *SINEW_RESTRICT correction, double *SINEW_RESTRICT status)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
@@ -1305,23 +1411,28 @@ void thumb_table_5_2_link_position_batch(int count, const double *SINEW_RESTRICT
         const double gap_y_2 = t2 + t5;
         const double stretch_2 = sinew_sqrt(gap_x_2 * gap_x_2 + gap_y_2 * gap_y_2 + t8);
         const double error_2 = h[1 * n + state] - stretch_2;
-        const double t16 = error * error + error_2 * error_2 + error_4 * error_4 + error_6 * error_6;
+        const double t16 = error * error + error_2 * error_2 + error_4 * error_4 + error_6
+            * error_6;
         const double cost = 0.5 * t16;
         const double gap_y_2_by_q11 = sin_q10 * up_2;
         const double t17 = along_2 * gap_z_2;
         const double gap_x_2_by_q11 = cos_q10 * up_2;
         const double t18 = 1.0 / stretch_6;
-        const double stretch_6_by_q11 = (t17 + gap_x_6 * gap_x_2_by_q11 - gap_y_6 * gap_y_2_by_q11) * t18;
+        const double stretch_6_by_q11 = (t17 + gap_x_6 * gap_x_2_by_q11 - gap_y_6 * gap_y_2_by_q11)
+            * t18;
         const double gap_y_by_q11 = sin_q10 * up;
         const double t19 = along * gap_z;
         const double gap_x_by_q11 = cos_q10 * up;
         const double t20 = 1.0 / stretch_4;
-        const double stretch_4_by_q11 = (t19 - gap_x_4 * gap_x_by_q11 + gap_y_4 * gap_y_by_q11) * t20;
+        const double stretch_4_by_q11 = (t19 - gap_x_4 * gap_x_by_q11 + gap_y_4 * gap_y_by_q11)
+            * t20;
         const double t21 = 1.0 / stretch;
         const double stretch_by_q11 = (t19 - gap_x * gap_x_by_q11 - gap_y * gap_y_by_q11) * t21;
         const double t22 = 1.0 / stretch_2;
-        const double stretch_2_by_q11 = (t17 + gap_x_2 * gap_x_2_by_q11 + gap_y_2 * gap_y_2_by_q11) * t22;
-        const double t23 = stretch_by_q11 * error + stretch_2_by_q11 * error_2 + stretch_4_by_q11 * error_4;
+        const double stretch_2_by_q11 = (t17 + gap_x_2 * gap_x_2_by_q11 + gap_y_2 * gap_y_2_by_q11)
+            * t22;
+        const double t23 = stretch_by_q11 * error + stretch_2_by_q11 * error_2 + stretch_4_by_q11
+            * error_4;
         const double gradient_1 = t23 + stretch_6_by_q11 * error_6;
         const double gap_x_6_by_q10 = t1 + t5;
         const double gap_y_6_by_q10 = t9 - t11;
@@ -1335,25 +1446,31 @@ void thumb_table_5_2_link_position_batch(int count, const double *SINEW_RESTRICT
         const double gap_x_2_by_q10 = t1 - t5;
         const double gap_y_2_by_q10 = t9 + t11;
         const double stretch_2_by_q10 = (gap_x_2 * gap_x_2_by_q10 + gap_y_2 * gap_y_2_by_q10) * t22;
-        const double t24 = stretch_by_q10 * stretch_by_q11 + stretch_2_by_q10 * stretch_2_by_q11 - stretch_4_by_q10 * stretch_4_by_q11;
+        const double t24 = stretch_by_q10 * stretch_by_q11 + stretch_2_by_q10 * stretch_2_by_q11
+            - stretch_4_by_q10 * stretch_4_by_q11;
         const double H_01 = t24 - stretch_6_by_q10 * stretch_6_by_q11;
-        const double t25 = stretch_by_q10 * error + stretch_2_by_q10 * error_2 - stretch_4_by_q10 * error_4;
+        const double t25 = stretch_by_q10 * error + stretch_2_by_q10 * error_2 - stretch_4_by_q10
+            * error_4;
         const double gradient_0 = t25 - stretch_6_by_q10 * error_6;
-        const double t26 = stretch_by_q11 * stretch_by_q11 + stretch_2_by_q11 * stretch_2_by_q11 + stretch_4_by_q11 * stretch_4_by_q11;
+        const double t26 = stretch_by_q11 * stretch_by_q11 + stretch_2_by_q11 * stretch_2_by_q11
+            + stretch_4_by_q11 * stretch_4_by_q11;
         const double H_11 = t26 + stretch_6_by_q11 * stretch_6_by_q11;
         const double d = 1.0001 * H_11;
-        const double t27 = stretch_by_q10 * stretch_by_q10 + stretch_2_by_q10 * stretch_2_by_q10 + stretch_4_by_q10 * stretch_4_by_q10;
+        const double t27 = stretch_by_q10 * stretch_by_q10 + stretch_2_by_q10 * stretch_2_by_q10
+            + stretch_4_by_q10 * stretch_4_by_q10;
         const double H_00 = t27 + stretch_6_by_q10 * stretch_6_by_q10;
         const double a = 1.0001 * H_00;
         const double safe = sinew_max(a * d - H_01 * H_01, 1e-24 + 1e-09 * a * d);
         const double t28 = 1.0 / safe;
-        const double step = sinew_min(sinew_max(-((H_01 * gradient_1 - gradient_0 * d) * t28), -0.5), 0.5);
+        const double step = sinew_min(sinew_max(-((H_01 * gradient_1 - gradient_0 * d) * t28),
+            -0.5), 0.5);
         const double q10 = start_q10 + step;
         double sin_q10_2, cos_q10_2;
         sinew_sincos(q10, &sin_q10_2, &cos_q10_2);
         const double t29 = 0.03 * cos_q10_2;
         const double t30 = 0.03 - t29;
-        const double step_2 = sinew_min(sinew_max(-((H_01 * gradient_0 - gradient_1 * a) * t28), -0.5), 0.5);
+        const double step_2 = sinew_min(sinew_max(-((H_01 * gradient_0 - gradient_1 * a) * t28),
+            -0.5), 0.5);
         const double q11 = start_q11 + step_2;
         double sin_q11_2, cos_q11_2;
         sinew_sincos(q11, &sin_q11_2, &cos_q11_2);
@@ -1392,7 +1509,8 @@ void thumb_table_5_2_link_position_batch(int count, const double *SINEW_RESTRICT
         const double gap_y_10 = t30 + t33;
         const double stretch_10 = sinew_sqrt(gap_x_10 * gap_x_10 + gap_y_10 * gap_y_10 + t36);
         const double error_10 = h[1 * n + state] - stretch_10;
-        const double t44 = error_8 * error_8 + error_10 * error_10 + error_12 * error_12 + error_14 * error_14;
+        const double t44 = error_8 * error_8 + error_10 * error_10 + error_12 * error_12 + error_14
+            * error_14;
         const double cost_2 = 0.5 * t44;
         const double better = cost - cost_2;
         const double kept_8 = sinew_choose(better, cost_2, cost);
@@ -1404,54 +1522,71 @@ void thumb_table_5_2_link_position_batch(int count, const double *SINEW_RESTRICT
         const double gap_x_10_by_q10 = t29 - t33;
         const double gap_y_10_by_q10 = t37 + t39;
         const double t46 = 1.0 / stretch_10;
-        const double stretch_10_by_q10 = (gap_x_10 * gap_x_10_by_q10 + gap_y_10 * gap_y_10_by_q10) * t46;
+        const double stretch_10_by_q10 = (gap_x_10 * gap_x_10_by_q10 + gap_y_10 * gap_y_10_by_q10)
+            * t46;
         const double gap_x_12_by_q10 = t29 - t40;
         const double gap_y_12_by_q10 = t37 + t42;
         const double t47 = 1.0 / stretch_12;
-        const double stretch_12_by_q10 = (gap_x_12 * gap_x_12_by_q10 - gap_y_12 * gap_y_12_by_q10) * t47;
-        const double t48 = stretch_8_by_q10 * error_8 + stretch_10_by_q10 * error_10 - stretch_12_by_q10 * error_12;
+        const double stretch_12_by_q10 = (gap_x_12 * gap_x_12_by_q10 - gap_y_12 * gap_y_12_by_q10)
+            * t47;
+        const double t48 = stretch_8_by_q10 * error_8 + stretch_10_by_q10 * error_10
+            - stretch_12_by_q10 * error_12;
         const double gap_x_14_by_q10 = t29 + t33;
         const double gap_y_14_by_q10 = t37 - t39;
         const double t49 = 1.0 / stretch_14;
-        const double stretch_14_by_q10 = (gap_x_14 * gap_x_14_by_q10 - gap_y_14 * gap_y_14_by_q10) * t49;
+        const double stretch_14_by_q10 = (gap_x_14 * gap_x_14_by_q10 - gap_y_14 * gap_y_14_by_q10)
+            * t49;
         const double gradient_0_2 = t48 - stretch_14_by_q10 * error_14;
         const double kept_4 = sinew_choose(better, -gradient_0_2, -gradient_0);
         const double gap_y_8_by_q11 = sin_q10_2 * up_8;
         const double t50 = along_8 * gap_z_8;
         const double gap_x_8_by_q11 = cos_q10_2 * up_8;
-        const double stretch_8_by_q11 = (t50 - gap_x_8 * gap_x_8_by_q11 - gap_y_8 * gap_y_8_by_q11) * t45;
+        const double stretch_8_by_q11 = (t50 - gap_x_8 * gap_x_8_by_q11 - gap_y_8 * gap_y_8_by_q11)
+            * t45;
         const double gap_y_10_by_q11 = sin_q10_2 * up_10;
         const double t51 = along_10 * gap_z_10;
         const double gap_x_10_by_q11 = cos_q10_2 * up_10;
-        const double stretch_10_by_q11 = (t51 + gap_x_10 * gap_x_10_by_q11 + gap_y_10 * gap_y_10_by_q11) * t46;
-        const double t52 = stretch_8_by_q11 * stretch_8_by_q11 + stretch_10_by_q11 * stretch_10_by_q11;
-        const double stretch_12_by_q11 = (t50 - gap_x_12 * gap_x_8_by_q11 + gap_y_12 * gap_y_8_by_q11) * t47;
-        const double stretch_14_by_q11 = (t51 + gap_x_14 * gap_x_10_by_q11 - gap_y_14 * gap_y_10_by_q11) * t49;
-        const double H_11_2 = t52 + stretch_12_by_q11 * stretch_12_by_q11 + stretch_14_by_q11 * stretch_14_by_q11;
+        const double stretch_10_by_q11 = (t51 + gap_x_10 * gap_x_10_by_q11 + gap_y_10
+            * gap_y_10_by_q11) * t46;
+        const double t52 = stretch_8_by_q11 * stretch_8_by_q11 + stretch_10_by_q11
+            * stretch_10_by_q11;
+        const double stretch_12_by_q11 = (t50 - gap_x_12 * gap_x_8_by_q11 + gap_y_12
+            * gap_y_8_by_q11) * t47;
+        const double stretch_14_by_q11 = (t51 + gap_x_14 * gap_x_10_by_q11 - gap_y_14
+            * gap_y_10_by_q11) * t49;
+        const double H_11_2 = t52 + stretch_12_by_q11 * stretch_12_by_q11 + stretch_14_by_q11
+            * stretch_14_by_q11;
         const double kept_14 = sinew_choose(better, H_11_2, H_11);
         const double kept_16 = sinew_choose(better, 1e-05, 0.001);
         const double t53 = 1.0 + kept_16;
         const double d_2 = kept_14 * t53;
-        const double t54 = stretch_8_by_q11 * error_8 + stretch_10_by_q11 * error_10 + stretch_12_by_q11 * error_12;
+        const double t54 = stretch_8_by_q11 * error_8 + stretch_10_by_q11 * error_10
+            + stretch_12_by_q11 * error_12;
         const double gradient_1_2 = t54 + stretch_14_by_q11 * error_14;
         const double kept_6 = sinew_choose(better, -gradient_1_2, -gradient_1);
-        const double t55 = stretch_8_by_q10 * stretch_8_by_q11 + stretch_10_by_q10 * stretch_10_by_q11;
-        const double H_01_2 = t55 - stretch_12_by_q10 * stretch_12_by_q11 - stretch_14_by_q10 * stretch_14_by_q11;
+        const double t55 = stretch_8_by_q10 * stretch_8_by_q11 + stretch_10_by_q10
+            * stretch_10_by_q11;
+        const double H_01_2 = t55 - stretch_12_by_q10 * stretch_12_by_q11 - stretch_14_by_q10
+            * stretch_14_by_q11;
         const double kept_12 = sinew_choose(better, H_01_2, H_01);
-        const double t56 = stretch_8_by_q10 * stretch_8_by_q10 + stretch_10_by_q10 * stretch_10_by_q10;
-        const double H_00_2 = t56 + stretch_12_by_q10 * stretch_12_by_q10 + stretch_14_by_q10 * stretch_14_by_q10;
+        const double t56 = stretch_8_by_q10 * stretch_8_by_q10 + stretch_10_by_q10
+            * stretch_10_by_q10;
+        const double H_00_2 = t56 + stretch_12_by_q10 * stretch_12_by_q10 + stretch_14_by_q10
+            * stretch_14_by_q10;
         const double kept_10 = sinew_choose(better, H_00_2, H_00);
         const double a_2 = kept_10 * t53;
         const double safe_2 = sinew_max(a_2 * d_2 - kept_12 * kept_12, 1e-24 + 1e-09 * a_2 * d_2);
         const double t57 = 1.0 / safe_2;
-        const double step_4 = sinew_min(sinew_max(-((kept_4 * d_2 - kept_6 * kept_12) * t57), -0.5), 0.5);
+        const double step_4 = sinew_min(sinew_max(-((kept_4 * d_2 - kept_6 * kept_12) * t57), -0.5),
+            0.5);
         const double q10_2 = kept + step_4;
         double sin_q10_4, cos_q10_4;
         sinew_sincos(q10_2, &sin_q10_4, &cos_q10_4);
         const double t58 = 0.03 * sin_q10_4;
         const double t59 = 0.002 + t58;
         const double kept_2 = sinew_choose(better, q11, start_q11);
-        const double step_6 = sinew_min(sinew_max((kept_4 * kept_12 - kept_6 * a_2) * t57, -0.5), 0.5);
+        const double step_6 = sinew_min(sinew_max((kept_4 * kept_12 - kept_6 * a_2) * t57, -0.5),
+            0.5);
         const double q11_2 = kept_2 + step_6;
         double sin_q11_4, cos_q11_4;
         sinew_sincos(q11_2, &sin_q11_4, &cos_q11_4);
@@ -1490,7 +1625,8 @@ void thumb_table_5_2_link_position_batch(int count, const double *SINEW_RESTRICT
         const double gap_y_22 = t64 - t70;
         const double stretch_22 = sinew_sqrt(t71 + gap_x_22 * gap_x_22 + gap_y_22 * gap_y_22);
         const double error_22 = h[3 * n + state] - stretch_22;
-        const double t73 = error_16 * error_16 + error_18 * error_18 + error_20 * error_20 + error_22 * error_22;
+        const double t73 = error_16 * error_16 + error_18 * error_18 + error_20 * error_20
+            + error_22 * error_22;
         const double cost_4 = 0.5 * t73;
         const double better_2 = kept_8 - cost_4;
         const double kept_26 = sinew_choose(better_2, cost_4, kept_8);
@@ -1498,58 +1634,76 @@ void thumb_table_5_2_link_position_batch(int count, const double *SINEW_RESTRICT
         const double gap_x_16_by_q10 = t63 + t65;
         const double gap_y_16_by_q10 = t58 - t62;
         const double t74 = 1.0 / stretch_16;
-        const double stretch_16_by_q10 = (gap_x_16 * gap_x_16_by_q10 + gap_y_16 * gap_y_16_by_q10) * t74;
+        const double stretch_16_by_q10 = (gap_x_16 * gap_x_16_by_q10 + gap_y_16 * gap_y_16_by_q10)
+            * t74;
         const double gap_x_18_by_q10 = t63 - t70;
         const double gap_y_18_by_q10 = t58 + t69;
         const double t75 = 1.0 / stretch_18;
-        const double stretch_18_by_q10 = (gap_x_18 * gap_x_18_by_q10 + gap_y_18 * gap_y_18_by_q10) * t75;
+        const double stretch_18_by_q10 = (gap_x_18 * gap_x_18_by_q10 + gap_y_18 * gap_y_18_by_q10)
+            * t75;
         const double gap_x_20_by_q10 = t63 - t65;
         const double gap_y_20_by_q10 = t58 + t62;
         const double t76 = 1.0 / stretch_20;
-        const double stretch_20_by_q10 = (gap_x_20 * gap_x_20_by_q10 - gap_y_20 * gap_y_20_by_q10) * t76;
-        const double t77 = stretch_16_by_q10 * error_16 + stretch_18_by_q10 * error_18 - stretch_20_by_q10 * error_20;
+        const double stretch_20_by_q10 = (gap_x_20 * gap_x_20_by_q10 - gap_y_20 * gap_y_20_by_q10)
+            * t76;
+        const double t77 = stretch_16_by_q10 * error_16 + stretch_18_by_q10 * error_18
+            - stretch_20_by_q10 * error_20;
         const double gap_x_22_by_q10 = t63 + t70;
         const double gap_y_22_by_q10 = t58 - t69;
         const double t78 = 1.0 / stretch_22;
-        const double stretch_22_by_q10 = (gap_x_22 * gap_x_22_by_q10 - gap_y_22 * gap_y_22_by_q10) * t78;
+        const double stretch_22_by_q10 = (gap_x_22 * gap_x_22_by_q10 - gap_y_22 * gap_y_22_by_q10)
+            * t78;
         const double gradient_0_4 = t77 - stretch_22_by_q10 * error_22;
         const double kept_22 = sinew_choose(better_2, -gradient_0_4, kept_4);
         const double t79 = along_16 * gap_z_16;
         const double gap_x_16_by_q11 = cos_q10_4 * up_16;
         const double gap_y_16_by_q11 = sin_q10_4 * up_16;
-        const double stretch_16_by_q11 = (t79 - gap_x_16 * gap_x_16_by_q11 - gap_y_16 * gap_y_16_by_q11) * t74;
+        const double stretch_16_by_q11 = (t79 - gap_x_16 * gap_x_16_by_q11 - gap_y_16
+            * gap_y_16_by_q11) * t74;
         const double t80 = along_18 * gap_z_18;
         const double gap_x_18_by_q11 = cos_q10_4 * up_18;
         const double gap_y_18_by_q11 = sin_q10_4 * up_18;
-        const double stretch_18_by_q11 = (t80 + gap_x_18 * gap_x_18_by_q11 + gap_y_18 * gap_y_18_by_q11) * t75;
-        const double t81 = stretch_16_by_q11 * stretch_16_by_q11 + stretch_18_by_q11 * stretch_18_by_q11;
-        const double stretch_20_by_q11 = (t79 - gap_x_20 * gap_x_16_by_q11 + gap_y_20 * gap_y_16_by_q11) * t76;
-        const double stretch_22_by_q11 = (t80 + gap_x_22 * gap_x_18_by_q11 - gap_y_22 * gap_y_18_by_q11) * t78;
-        const double H_11_4 = t81 + stretch_20_by_q11 * stretch_20_by_q11 + stretch_22_by_q11 * stretch_22_by_q11;
+        const double stretch_18_by_q11 = (t80 + gap_x_18 * gap_x_18_by_q11 + gap_y_18
+            * gap_y_18_by_q11) * t75;
+        const double t81 = stretch_16_by_q11 * stretch_16_by_q11 + stretch_18_by_q11
+            * stretch_18_by_q11;
+        const double stretch_20_by_q11 = (t79 - gap_x_20 * gap_x_16_by_q11 + gap_y_20
+            * gap_y_16_by_q11) * t76;
+        const double stretch_22_by_q11 = (t80 + gap_x_22 * gap_x_18_by_q11 - gap_y_22
+            * gap_y_18_by_q11) * t78;
+        const double H_11_4 = t81 + stretch_20_by_q11 * stretch_20_by_q11 + stretch_22_by_q11
+            * stretch_22_by_q11;
         const double kept_32 = sinew_choose(better_2, H_11_4, kept_14);
         const double kept_34 = sinew_choose(better_2, 0.1 * kept_16, 10.0 * kept_16);
         const double t82 = 1.0 + kept_34;
         const double d_4 = kept_32 * t82;
-        const double t83 = stretch_16_by_q11 * error_16 + stretch_18_by_q11 * error_18 + stretch_20_by_q11 * error_20;
+        const double t83 = stretch_16_by_q11 * error_16 + stretch_18_by_q11 * error_18
+            + stretch_20_by_q11 * error_20;
         const double gradient_1_4 = t83 + stretch_22_by_q11 * error_22;
         const double kept_24 = sinew_choose(better_2, -gradient_1_4, kept_6);
-        const double t84 = stretch_16_by_q10 * stretch_16_by_q11 + stretch_18_by_q10 * stretch_18_by_q11;
-        const double H_01_4 = t84 - stretch_20_by_q10 * stretch_20_by_q11 - stretch_22_by_q10 * stretch_22_by_q11;
+        const double t84 = stretch_16_by_q10 * stretch_16_by_q11 + stretch_18_by_q10
+            * stretch_18_by_q11;
+        const double H_01_4 = t84 - stretch_20_by_q10 * stretch_20_by_q11 - stretch_22_by_q10
+            * stretch_22_by_q11;
         const double kept_30 = sinew_choose(better_2, H_01_4, kept_12);
-        const double t85 = stretch_16_by_q10 * stretch_16_by_q10 + stretch_18_by_q10 * stretch_18_by_q10;
-        const double H_00_4 = t85 + stretch_20_by_q10 * stretch_20_by_q10 + stretch_22_by_q10 * stretch_22_by_q10;
+        const double t85 = stretch_16_by_q10 * stretch_16_by_q10 + stretch_18_by_q10
+            * stretch_18_by_q10;
+        const double H_00_4 = t85 + stretch_20_by_q10 * stretch_20_by_q10 + stretch_22_by_q10
+            * stretch_22_by_q10;
         const double kept_28 = sinew_choose(better_2, H_00_4, kept_10);
         const double a_4 = kept_28 * t82;
         const double safe_4 = sinew_max(a_4 * d_4 - kept_30 * kept_30, 1e-24 + 1e-09 * a_4 * d_4);
         const double t86 = 1.0 / safe_4;
-        const double step_8 = sinew_min(sinew_max(-((kept_22 * d_4 - kept_24 * kept_30) * t86), -0.5), 0.5);
+        const double step_8 = sinew_min(sinew_max(-((kept_22 * d_4 - kept_24 * kept_30) * t86),
+            -0.5), 0.5);
         const double q10_4 = kept_18 + step_8;
         double sin_q10_6, cos_q10_6;
         sinew_sincos(q10_4, &sin_q10_6, &cos_q10_6);
         const double t87 = 0.03 * sin_q10_6;
         const double t88 = 0.002 + t87;
         const double kept_20 = sinew_choose(better_2, q11_2, kept_2);
-        const double step_10 = sinew_min(sinew_max((kept_22 * kept_30 - kept_24 * a_4) * t86, -0.5), 0.5);
+        const double step_10 = sinew_min(sinew_max((kept_22 * kept_30 - kept_24 * a_4) * t86, -0.5),
+            0.5);
         const double q11_4 = kept_20 + step_10;
         double sin_q11_6, cos_q11_6;
         sinew_sincos(q11_4, &sin_q11_6, &cos_q11_6);
@@ -1588,7 +1742,8 @@ void thumb_table_5_2_link_position_batch(int count, const double *SINEW_RESTRICT
         const double gap_y_30 = t93 - t99;
         const double stretch_30 = sinew_sqrt(t100 + gap_x_30 * gap_x_30 + gap_y_30 * gap_y_30);
         const double error_30 = h[3 * n + state] - stretch_30;
-        const double t102 = error_24 * error_24 + error_26 * error_26 + error_28 * error_28 + error_30 * error_30;
+        const double t102 = error_24 * error_24 + error_26 * error_26 + error_28 * error_28
+            + error_30 * error_30;
         const double cost_6 = 0.5 * t102;
         const double better_4 = kept_26 - cost_6;
         const double kept_44 = sinew_choose(better_4, cost_6, kept_26);
@@ -1596,58 +1751,76 @@ void thumb_table_5_2_link_position_batch(int count, const double *SINEW_RESTRICT
         const double gap_x_24_by_q10 = t92 + t94;
         const double gap_y_24_by_q10 = t87 - t91;
         const double t103 = 1.0 / stretch_24;
-        const double stretch_24_by_q10 = (gap_x_24 * gap_x_24_by_q10 + gap_y_24 * gap_y_24_by_q10) * t103;
+        const double stretch_24_by_q10 = (gap_x_24 * gap_x_24_by_q10 + gap_y_24 * gap_y_24_by_q10)
+            * t103;
         const double gap_x_26_by_q10 = t92 - t99;
         const double gap_y_26_by_q10 = t87 + t98;
         const double t104 = 1.0 / stretch_26;
-        const double stretch_26_by_q10 = (gap_x_26 * gap_x_26_by_q10 + gap_y_26 * gap_y_26_by_q10) * t104;
+        const double stretch_26_by_q10 = (gap_x_26 * gap_x_26_by_q10 + gap_y_26 * gap_y_26_by_q10)
+            * t104;
         const double gap_x_28_by_q10 = t92 - t94;
         const double gap_y_28_by_q10 = t87 + t91;
         const double t105 = 1.0 / stretch_28;
-        const double stretch_28_by_q10 = (gap_x_28 * gap_x_28_by_q10 - gap_y_28 * gap_y_28_by_q10) * t105;
-        const double t106 = stretch_24_by_q10 * error_24 + stretch_26_by_q10 * error_26 - stretch_28_by_q10 * error_28;
+        const double stretch_28_by_q10 = (gap_x_28 * gap_x_28_by_q10 - gap_y_28 * gap_y_28_by_q10)
+            * t105;
+        const double t106 = stretch_24_by_q10 * error_24 + stretch_26_by_q10 * error_26
+            - stretch_28_by_q10 * error_28;
         const double gap_x_30_by_q10 = t92 + t99;
         const double gap_y_30_by_q10 = t87 - t98;
         const double t107 = 1.0 / stretch_30;
-        const double stretch_30_by_q10 = (gap_x_30 * gap_x_30_by_q10 - gap_y_30 * gap_y_30_by_q10) * t107;
+        const double stretch_30_by_q10 = (gap_x_30 * gap_x_30_by_q10 - gap_y_30 * gap_y_30_by_q10)
+            * t107;
         const double gradient_0_6 = t106 - stretch_30_by_q10 * error_30;
         const double kept_40 = sinew_choose(better_4, -gradient_0_6, kept_22);
         const double t108 = along_24 * gap_z_24;
         const double gap_x_24_by_q11 = cos_q10_6 * up_24;
         const double gap_y_24_by_q11 = sin_q10_6 * up_24;
-        const double stretch_24_by_q11 = (t108 - gap_x_24 * gap_x_24_by_q11 - gap_y_24 * gap_y_24_by_q11) * t103;
+        const double stretch_24_by_q11 = (t108 - gap_x_24 * gap_x_24_by_q11 - gap_y_24
+            * gap_y_24_by_q11) * t103;
         const double t109 = along_26 * gap_z_26;
         const double gap_x_26_by_q11 = cos_q10_6 * up_26;
         const double gap_y_26_by_q11 = sin_q10_6 * up_26;
-        const double stretch_26_by_q11 = (t109 + gap_x_26 * gap_x_26_by_q11 + gap_y_26 * gap_y_26_by_q11) * t104;
-        const double t110 = stretch_24_by_q11 * stretch_24_by_q11 + stretch_26_by_q11 * stretch_26_by_q11;
-        const double stretch_28_by_q11 = (t108 - gap_x_28 * gap_x_24_by_q11 + gap_y_28 * gap_y_24_by_q11) * t105;
-        const double stretch_30_by_q11 = (t109 + gap_x_30 * gap_x_26_by_q11 - gap_y_30 * gap_y_26_by_q11) * t107;
-        const double H_11_6 = t110 + stretch_28_by_q11 * stretch_28_by_q11 + stretch_30_by_q11 * stretch_30_by_q11;
+        const double stretch_26_by_q11 = (t109 + gap_x_26 * gap_x_26_by_q11 + gap_y_26
+            * gap_y_26_by_q11) * t104;
+        const double t110 = stretch_24_by_q11 * stretch_24_by_q11 + stretch_26_by_q11
+            * stretch_26_by_q11;
+        const double stretch_28_by_q11 = (t108 - gap_x_28 * gap_x_24_by_q11 + gap_y_28
+            * gap_y_24_by_q11) * t105;
+        const double stretch_30_by_q11 = (t109 + gap_x_30 * gap_x_26_by_q11 - gap_y_30
+            * gap_y_26_by_q11) * t107;
+        const double H_11_6 = t110 + stretch_28_by_q11 * stretch_28_by_q11 + stretch_30_by_q11
+            * stretch_30_by_q11;
         const double kept_50 = sinew_choose(better_4, H_11_6, kept_32);
         const double kept_52 = sinew_choose(better_4, 0.1 * kept_34, 10.0 * kept_34);
         const double t111 = 1.0 + kept_52;
         const double d_6 = kept_50 * t111;
-        const double t112 = stretch_24_by_q11 * error_24 + stretch_26_by_q11 * error_26 + stretch_28_by_q11 * error_28;
+        const double t112 = stretch_24_by_q11 * error_24 + stretch_26_by_q11 * error_26
+            + stretch_28_by_q11 * error_28;
         const double gradient_1_6 = t112 + stretch_30_by_q11 * error_30;
         const double kept_42 = sinew_choose(better_4, -gradient_1_6, kept_24);
-        const double t113 = stretch_24_by_q10 * stretch_24_by_q11 + stretch_26_by_q10 * stretch_26_by_q11;
-        const double H_01_6 = t113 - stretch_28_by_q10 * stretch_28_by_q11 - stretch_30_by_q10 * stretch_30_by_q11;
+        const double t113 = stretch_24_by_q10 * stretch_24_by_q11 + stretch_26_by_q10
+            * stretch_26_by_q11;
+        const double H_01_6 = t113 - stretch_28_by_q10 * stretch_28_by_q11 - stretch_30_by_q10
+            * stretch_30_by_q11;
         const double kept_48 = sinew_choose(better_4, H_01_6, kept_30);
-        const double t114 = stretch_24_by_q10 * stretch_24_by_q10 + stretch_26_by_q10 * stretch_26_by_q10;
-        const double H_00_6 = t114 + stretch_28_by_q10 * stretch_28_by_q10 + stretch_30_by_q10 * stretch_30_by_q10;
+        const double t114 = stretch_24_by_q10 * stretch_24_by_q10 + stretch_26_by_q10
+            * stretch_26_by_q10;
+        const double H_00_6 = t114 + stretch_28_by_q10 * stretch_28_by_q10 + stretch_30_by_q10
+            * stretch_30_by_q10;
         const double kept_46 = sinew_choose(better_4, H_00_6, kept_28);
         const double a_6 = kept_46 * t111;
         const double safe_6 = sinew_max(a_6 * d_6 - kept_48 * kept_48, 1e-24 + 1e-09 * a_6 * d_6);
         const double t115 = 1.0 / safe_6;
-        const double step_12 = sinew_min(sinew_max(-((kept_40 * d_6 - kept_42 * kept_48) * t115), -0.5), 0.5);
+        const double step_12 = sinew_min(sinew_max(-((kept_40 * d_6 - kept_42 * kept_48) * t115),
+            -0.5), 0.5);
         const double q10_6 = kept_36 + step_12;
         double sin_q10_8, cos_q10_8;
         sinew_sincos(q10_6, &sin_q10_8, &cos_q10_8);
         const double t116 = 0.03 * sin_q10_8;
         const double t117 = 0.002 + t116;
         const double kept_38 = sinew_choose(better_4, q11_4, kept_20);
-        const double step_14 = sinew_min(sinew_max((kept_40 * kept_48 - kept_42 * a_6) * t115, -0.5), 0.5);
+        const double step_14 = sinew_min(sinew_max((kept_40 * kept_48 - kept_42 * a_6) * t115,
+            -0.5), 0.5);
         const double q11_6 = kept_38 + step_14;
         double sin_q11_8, cos_q11_8;
         sinew_sincos(q11_6, &sin_q11_8, &cos_q11_8);
@@ -1686,55 +1859,75 @@ void thumb_table_5_2_link_position_batch(int count, const double *SINEW_RESTRICT
         const double gap_y_38 = t122 - t128;
         const double stretch_38 = sinew_sqrt(t129 + gap_x_38 * gap_x_38 + gap_y_38 * gap_y_38);
         const double error_38 = h[3 * n + state] - stretch_38;
-        const double t131 = error_32 * error_32 + error_34 * error_34 + error_36 * error_36 + error_38 * error_38;
+        const double t131 = error_32 * error_32 + error_34 * error_34 + error_36 * error_36
+            + error_38 * error_38;
         const double better_6 = kept_44 - 0.5 * t131;
         const double kept_54 = sinew_choose(better_6, q10_6, kept_36);
         const double kept_56 = sinew_choose(better_6, q11_6, kept_38);
         const double gap_x_32_by_q10 = t121 + t123;
         const double gap_y_32_by_q10 = t116 - t120;
         const double t132 = 1.0 / stretch_32;
-        const double stretch_32_by_q10 = (gap_x_32 * gap_x_32_by_q10 + gap_y_32 * gap_y_32_by_q10) * t132;
+        const double stretch_32_by_q10 = (gap_x_32 * gap_x_32_by_q10 + gap_y_32 * gap_y_32_by_q10)
+            * t132;
         const double gap_x_34_by_q10 = t121 - t128;
         const double gap_y_34_by_q10 = t116 + t127;
         const double t133 = 1.0 / stretch_34;
-        const double stretch_34_by_q10 = (gap_x_34 * gap_x_34_by_q10 + gap_y_34 * gap_y_34_by_q10) * t133;
+        const double stretch_34_by_q10 = (gap_x_34 * gap_x_34_by_q10 + gap_y_34 * gap_y_34_by_q10)
+            * t133;
         const double gap_x_36_by_q10 = t121 - t123;
         const double gap_y_36_by_q10 = t116 + t120;
         const double t134 = 1.0 / stretch_36;
-        const double stretch_36_by_q10 = (gap_x_36 * gap_x_36_by_q10 - gap_y_36 * gap_y_36_by_q10) * t134;
-        const double t135 = stretch_32_by_q10 * error_32 + stretch_34_by_q10 * error_34 - stretch_36_by_q10 * error_36;
+        const double stretch_36_by_q10 = (gap_x_36 * gap_x_36_by_q10 - gap_y_36 * gap_y_36_by_q10)
+            * t134;
+        const double t135 = stretch_32_by_q10 * error_32 + stretch_34_by_q10 * error_34
+            - stretch_36_by_q10 * error_36;
         const double gap_x_38_by_q10 = t121 + t128;
         const double gap_y_38_by_q10 = t116 - t127;
         const double t136 = 1.0 / stretch_38;
-        const double stretch_38_by_q10 = (gap_x_38 * gap_x_38_by_q10 - gap_y_38 * gap_y_38_by_q10) * t136;
+        const double stretch_38_by_q10 = (gap_x_38 * gap_x_38_by_q10 - gap_y_38 * gap_y_38_by_q10)
+            * t136;
         const double gradient_0_8 = t135 - stretch_38_by_q10 * error_38;
         const double kept_58 = sinew_choose(better_6, -gradient_0_8, kept_40);
         const double t137 = along_32 * gap_z_32;
         const double gap_x_32_by_q11 = cos_q10_8 * up_32;
         const double gap_y_32_by_q11 = sin_q10_8 * up_32;
-        const double stretch_32_by_q11 = (t137 - gap_x_32 * gap_x_32_by_q11 - gap_y_32 * gap_y_32_by_q11) * t132;
+        const double stretch_32_by_q11 = (t137 - gap_x_32 * gap_x_32_by_q11 - gap_y_32
+            * gap_y_32_by_q11) * t132;
         const double t138 = along_34 * gap_z_34;
         const double gap_x_34_by_q11 = cos_q10_8 * up_34;
         const double gap_y_34_by_q11 = sin_q10_8 * up_34;
-        const double stretch_34_by_q11 = (t138 + gap_x_34 * gap_x_34_by_q11 + gap_y_34 * gap_y_34_by_q11) * t133;
-        const double t139 = stretch_32_by_q11 * stretch_32_by_q11 + stretch_34_by_q11 * stretch_34_by_q11;
-        const double stretch_36_by_q11 = (t137 - gap_x_36 * gap_x_32_by_q11 + gap_y_36 * gap_y_32_by_q11) * t134;
-        const double stretch_38_by_q11 = (t138 + gap_x_38 * gap_x_34_by_q11 - gap_y_38 * gap_y_34_by_q11) * t136;
-        const double H_11_8 = t139 + stretch_36_by_q11 * stretch_36_by_q11 + stretch_38_by_q11 * stretch_38_by_q11;
+        const double stretch_34_by_q11 = (t138 + gap_x_34 * gap_x_34_by_q11 + gap_y_34
+            * gap_y_34_by_q11) * t133;
+        const double t139 = stretch_32_by_q11 * stretch_32_by_q11 + stretch_34_by_q11
+            * stretch_34_by_q11;
+        const double stretch_36_by_q11 = (t137 - gap_x_36 * gap_x_32_by_q11 + gap_y_36
+            * gap_y_32_by_q11) * t134;
+        const double stretch_38_by_q11 = (t138 + gap_x_38 * gap_x_34_by_q11 - gap_y_38
+            * gap_y_34_by_q11) * t136;
+        const double H_11_8 = t139 + stretch_36_by_q11 * stretch_36_by_q11 + stretch_38_by_q11
+            * stretch_38_by_q11;
         const double kept_68 = sinew_choose(better_6, H_11_8, kept_50);
-        const double t140 = stretch_32_by_q11 * error_32 + stretch_34_by_q11 * error_34 + stretch_36_by_q11 * error_36;
+        const double t140 = stretch_32_by_q11 * error_32 + stretch_34_by_q11 * error_34
+            + stretch_36_by_q11 * error_36;
         const double gradient_1_8 = t140 + stretch_38_by_q11 * error_38;
         const double kept_60 = sinew_choose(better_6, -gradient_1_8, kept_42);
-        const double t141 = stretch_32_by_q10 * stretch_32_by_q11 + stretch_34_by_q10 * stretch_34_by_q11;
-        const double H_01_8 = t141 - stretch_36_by_q10 * stretch_36_by_q11 - stretch_38_by_q10 * stretch_38_by_q11;
+        const double t141 = stretch_32_by_q10 * stretch_32_by_q11 + stretch_34_by_q10
+            * stretch_34_by_q11;
+        const double H_01_8 = t141 - stretch_36_by_q10 * stretch_36_by_q11 - stretch_38_by_q10
+            * stretch_38_by_q11;
         const double kept_66 = sinew_choose(better_6, H_01_8, kept_48);
-        const double t142 = stretch_32_by_q10 * stretch_32_by_q10 + stretch_34_by_q10 * stretch_34_by_q10;
-        const double H_00_8 = t142 + stretch_36_by_q10 * stretch_36_by_q10 + stretch_38_by_q10 * stretch_38_by_q10;
+        const double t142 = stretch_32_by_q10 * stretch_32_by_q10 + stretch_34_by_q10
+            * stretch_34_by_q10;
+        const double H_00_8 = t142 + stretch_36_by_q10 * stretch_36_by_q10 + stretch_38_by_q10
+            * stretch_38_by_q10;
         const double kept_64 = sinew_choose(better_6, H_00_8, kept_46);
-        const double safe_8 = sinew_max(kept_64 * kept_68 - kept_66 * kept_66, 1e-24 + 1e-09 * kept_64 * kept_68);
+        const double safe_8 = sinew_max(kept_64 * kept_68 - kept_66 * kept_66, 1e-24 + 1e-09
+            * kept_64 * kept_68);
         const double t143 = 1.0 / safe_8;
-        const double step_16 = sinew_min(sinew_max(-((kept_58 * kept_68 - kept_60 * kept_66) * t143), -0.5), 0.5);
-        const double step_18 = sinew_min(sinew_max((kept_58 * kept_66 - kept_60 * kept_64) * t143, -0.5), 0.5);
+        const double step_16 = sinew_min(sinew_max(-((kept_58 * kept_68 - kept_60 * kept_66)
+            * t143), -0.5), 0.5);
+        const double step_18 = sinew_min(sinew_max((kept_58 * kept_66 - kept_60 * kept_64) * t143,
+            -0.5), 0.5);
         const double correction_2 = sinew_sqrt(step_16 * step_16 + step_18 * step_18);
         q[state] = kept_54;
         q[1 * n + state] = kept_56;
@@ -1743,7 +1936,9 @@ void thumb_table_5_2_link_position_batch(int count, const double *SINEW_RESTRICT
     }
 }
 
-void thumb_table_5_2_link_position_warm_batch(int count, const double *SINEW_RESTRICT h, const double *SINEW_RESTRICT q_start, double *SINEW_RESTRICT q, double *SINEW_RESTRICT correction, double *SINEW_RESTRICT status)
+void thumb_table_5_2_link_position_warm_batch(int count, const double *SINEW_RESTRICT h,
+    const double *SINEW_RESTRICT q_start, double *SINEW_RESTRICT q,
+    double *SINEW_RESTRICT correction, double *SINEW_RESTRICT status)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
@@ -1789,19 +1984,23 @@ void thumb_table_5_2_link_position_warm_batch(int count, const double *SINEW_RES
         const double gap_x_2_by_q11 = cos_q10 * up_2;
         const double t18 = along_2 * gap_z_2;
         const double gap_y_2_by_q11 = sin_q10 * up_2;
-        const double stretch_2_by_q11 = (t18 + gap_x_2 * gap_x_2_by_q11 + gap_y_2 * gap_y_2_by_q11) * t17;
+        const double stretch_2_by_q11 = (t18 + gap_x_2 * gap_x_2_by_q11 + gap_y_2 * gap_y_2_by_q11)
+            * t17;
         const double t19 = 0.002 - t4;
         const double gap_x_4 = t19 - t3;
         const double gap_y_4 = t8 + t6;
         const double stretch_4 = sinew_sqrt(t11 + gap_x_4 * gap_x_4 + gap_y_4 * gap_y_4);
         const double t20 = 1.0 / stretch_4;
-        const double stretch_4_by_q11 = (t13 - gap_x_4 * gap_x_by_q11 + gap_y_4 * gap_y_by_q11) * t20;
-        const double t21 = stretch_by_q11 * stretch_by_q11 + stretch_2_by_q11 * stretch_2_by_q11 + stretch_4_by_q11 * stretch_4_by_q11;
+        const double stretch_4_by_q11 = (t13 - gap_x_4 * gap_x_by_q11 + gap_y_4 * gap_y_by_q11)
+            * t20;
+        const double t21 = stretch_by_q11 * stretch_by_q11 + stretch_2_by_q11 * stretch_2_by_q11
+            + stretch_4_by_q11 * stretch_4_by_q11;
         const double gap_x_6 = t19 + t14;
         const double gap_y_6 = t8 - t15;
         const double stretch_6 = sinew_sqrt(t16 + gap_x_6 * gap_x_6 + gap_y_6 * gap_y_6);
         const double t22 = 1.0 / stretch_6;
-        const double stretch_6_by_q11 = (t18 + gap_x_6 * gap_x_2_by_q11 - gap_y_6 * gap_y_2_by_q11) * t22;
+        const double stretch_6_by_q11 = (t18 + gap_x_6 * gap_x_2_by_q11 - gap_y_6 * gap_y_2_by_q11)
+            * t22;
         const double H_11 = t21 + stretch_6_by_q11 * stretch_6_by_q11;
         const double d = 1.0001 * H_11;
         const double gap_x_by_q10 = t7 + t6;
@@ -1813,32 +2012,38 @@ void thumb_table_5_2_link_position_warm_batch(int count, const double *SINEW_RES
         const double gap_x_4_by_q10 = t7 - t6;
         const double gap_y_4_by_q10 = t4 + t3;
         const double stretch_4_by_q10 = (gap_x_4 * gap_x_4_by_q10 - gap_y_4 * gap_y_4_by_q10) * t20;
-        const double t23 = stretch_by_q10 * stretch_by_q10 + stretch_2_by_q10 * stretch_2_by_q10 + stretch_4_by_q10 * stretch_4_by_q10;
+        const double t23 = stretch_by_q10 * stretch_by_q10 + stretch_2_by_q10 * stretch_2_by_q10
+            + stretch_4_by_q10 * stretch_4_by_q10;
         const double gap_x_6_by_q10 = t7 + t15;
         const double gap_y_6_by_q10 = t4 - t14;
         const double stretch_6_by_q10 = (gap_x_6 * gap_x_6_by_q10 - gap_y_6 * gap_y_6_by_q10) * t22;
         const double H_00 = t23 + stretch_6_by_q10 * stretch_6_by_q10;
         const double a = 1.0001 * H_00;
-        const double t24 = stretch_by_q10 * stretch_by_q11 + stretch_2_by_q10 * stretch_2_by_q11 - stretch_4_by_q10 * stretch_4_by_q11;
+        const double t24 = stretch_by_q10 * stretch_by_q11 + stretch_2_by_q10 * stretch_2_by_q11
+            - stretch_4_by_q10 * stretch_4_by_q11;
         const double H_01 = t24 - stretch_6_by_q10 * stretch_6_by_q11;
         const double safe = sinew_max(a * d - H_01 * H_01, 1e-24 + 1e-09 * a * d);
         const double t25 = 1.0 / safe;
         const double error = h[state] - stretch;
         const double error_2 = h[1 * n + state] - stretch_2;
         const double error_4 = h[2 * n + state] - stretch_4;
-        const double t26 = stretch_by_q11 * error + stretch_2_by_q11 * error_2 + stretch_4_by_q11 * error_4;
+        const double t26 = stretch_by_q11 * error + stretch_2_by_q11 * error_2 + stretch_4_by_q11
+            * error_4;
         const double error_6 = h[3 * n + state] - stretch_6;
         const double gradient_1 = t26 + stretch_6_by_q11 * error_6;
-        const double t27 = stretch_by_q10 * error + stretch_2_by_q10 * error_2 - stretch_4_by_q10 * error_4;
+        const double t27 = stretch_by_q10 * error + stretch_2_by_q10 * error_2 - stretch_4_by_q10
+            * error_4;
         const double gradient_0 = t27 - stretch_6_by_q10 * error_6;
-        const double step_2 = sinew_min(sinew_max(-((H_01 * gradient_0 - gradient_1 * a) * t25), -0.5), 0.5);
+        const double step_2 = sinew_min(sinew_max(-((H_01 * gradient_0 - gradient_1 * a) * t25),
+            -0.5), 0.5);
         const double q11 = start_q11 + step_2;
         double sin_q11_2, cos_q11_2;
         sinew_sincos(q11, &sin_q11_2, &cos_q11_2);
         const double t28 = 0.025 * sin_q11_2;
         const double t29 = 0.047 * cos_q11_2;
         const double along_8 = t28 + t29;
-        const double step = sinew_min(sinew_max(-((H_01 * gradient_1 - gradient_0 * d) * t25), -0.5), 0.5);
+        const double step = sinew_min(sinew_max(-((H_01 * gradient_1 - gradient_0 * d) * t25),
+            -0.5), 0.5);
         const double q10 = start_q10 + step;
         double sin_q10_2, cos_q10_2;
         sinew_sincos(q10, &sin_q10_2, &cos_q10_2);
@@ -1857,7 +2062,8 @@ void thumb_table_5_2_link_position_warm_batch(int count, const double *SINEW_RES
         const double t38 = gap_z_8 * gap_z_8;
         const double stretch_8 = sinew_sqrt(gap_x_8 * gap_x_8 + gap_y_8 * gap_y_8 + t38);
         const double error_8 = h[state] - stretch_8;
-        const double t39 = error * error + error_2 * error_2 + error_4 * error_4 + error_6 * error_6;
+        const double t39 = error * error + error_2 * error_2 + error_4 * error_4 + error_6
+            * error_6;
         const double along_10 = t28 - t29;
         const double t40 = cos_q10_2 * along_10;
         const double gap_x_10 = t32 + t40;
@@ -1877,7 +2083,8 @@ void thumb_table_5_2_link_position_warm_batch(int count, const double *SINEW_RES
         const double gap_y_14 = t35 - t41;
         const double stretch_14 = sinew_sqrt(t42 + gap_x_14 * gap_x_14 + gap_y_14 * gap_y_14);
         const double error_14 = h[3 * n + state] - stretch_14;
-        const double t44 = t39 - error_8 * error_8 - error_10 * error_10 - error_12 * error_12 - error_14 * error_14;
+        const double t44 = t39 - error_8 * error_8 - error_10 * error_10 - error_12 * error_12
+            - error_14 * error_14;
         const double better = 0.5 * t44;
         const double kept = sinew_choose(better, q10, start_q10);
         const double kept_2 = sinew_choose(better, q11, start_q11);
@@ -1888,44 +2095,62 @@ void thumb_table_5_2_link_position_warm_batch(int count, const double *SINEW_RES
         const double t46 = 1.0 / stretch_10;
         const double gap_x_10_by_q10 = t34 - t41;
         const double gap_y_10_by_q10 = t31 + t40;
-        const double stretch_10_by_q10 = (gap_x_10 * gap_x_10_by_q10 + gap_y_10 * gap_y_10_by_q10) * t46;
+        const double stretch_10_by_q10 = (gap_x_10 * gap_x_10_by_q10 + gap_y_10 * gap_y_10_by_q10)
+            * t46;
         const double t47 = 1.0 / stretch_12;
         const double gap_x_12_by_q10 = t34 - t33;
         const double gap_y_12_by_q10 = t31 + t30;
-        const double stretch_12_by_q10 = (gap_x_12 * gap_x_12_by_q10 - gap_y_12 * gap_y_12_by_q10) * t47;
-        const double t48 = stretch_8_by_q10 * error_8 + stretch_10_by_q10 * error_10 - stretch_12_by_q10 * error_12;
+        const double stretch_12_by_q10 = (gap_x_12 * gap_x_12_by_q10 - gap_y_12 * gap_y_12_by_q10)
+            * t47;
+        const double t48 = stretch_8_by_q10 * error_8 + stretch_10_by_q10 * error_10
+            - stretch_12_by_q10 * error_12;
         const double t49 = 1.0 / stretch_14;
         const double gap_x_14_by_q10 = t34 + t41;
         const double gap_y_14_by_q10 = t31 - t40;
-        const double stretch_14_by_q10 = (gap_x_14 * gap_x_14_by_q10 - gap_y_14 * gap_y_14_by_q10) * t49;
+        const double stretch_14_by_q10 = (gap_x_14 * gap_x_14_by_q10 - gap_y_14 * gap_y_14_by_q10)
+            * t49;
         const double gradient_0_2 = t48 - stretch_14_by_q10 * error_14;
         const double kept_4 = sinew_choose(better, -gradient_0_2, -gradient_0);
         const double gap_x_8_by_q11 = cos_q10_2 * up_8;
         const double t50 = along_8 * gap_z_8;
         const double gap_y_8_by_q11 = sin_q10_2 * up_8;
-        const double stretch_8_by_q11 = (t50 - gap_x_8 * gap_x_8_by_q11 - gap_y_8 * gap_y_8_by_q11) * t45;
+        const double stretch_8_by_q11 = (t50 - gap_x_8 * gap_x_8_by_q11 - gap_y_8 * gap_y_8_by_q11)
+            * t45;
         const double gap_x_10_by_q11 = cos_q10_2 * up_10;
         const double t51 = along_10 * gap_z_10;
         const double gap_y_10_by_q11 = sin_q10_2 * up_10;
-        const double stretch_10_by_q11 = (t51 + gap_x_10 * gap_x_10_by_q11 + gap_y_10 * gap_y_10_by_q11) * t46;
-        const double t52 = stretch_8_by_q11 * stretch_8_by_q11 + stretch_10_by_q11 * stretch_10_by_q11;
-        const double stretch_12_by_q11 = (t50 - gap_x_12 * gap_x_8_by_q11 + gap_y_12 * gap_y_8_by_q11) * t47;
-        const double stretch_14_by_q11 = (t51 + gap_x_14 * gap_x_10_by_q11 - gap_y_14 * gap_y_10_by_q11) * t49;
-        const double H_11_2 = t52 + stretch_12_by_q11 * stretch_12_by_q11 + stretch_14_by_q11 * stretch_14_by_q11;
+        const double stretch_10_by_q11 = (t51 + gap_x_10 * gap_x_10_by_q11 + gap_y_10
+            * gap_y_10_by_q11) * t46;
+        const double t52 = stretch_8_by_q11 * stretch_8_by_q11 + stretch_10_by_q11
+            * stretch_10_by_q11;
+        const double stretch_12_by_q11 = (t50 - gap_x_12 * gap_x_8_by_q11 + gap_y_12
+            * gap_y_8_by_q11) * t47;
+        const double stretch_14_by_q11 = (t51 + gap_x_14 * gap_x_10_by_q11 - gap_y_14
+            * gap_y_10_by_q11) * t49;
+        const double H_11_2 = t52 + stretch_12_by_q11 * stretch_12_by_q11 + stretch_14_by_q11
+            * stretch_14_by_q11;
         const double kept_14 = sinew_choose(better, H_11_2, H_11);
-        const double t53 = stretch_8_by_q11 * error_8 + stretch_10_by_q11 * error_10 + stretch_12_by_q11 * error_12;
+        const double t53 = stretch_8_by_q11 * error_8 + stretch_10_by_q11 * error_10
+            + stretch_12_by_q11 * error_12;
         const double gradient_1_2 = t53 + stretch_14_by_q11 * error_14;
         const double kept_6 = sinew_choose(better, -gradient_1_2, -gradient_1);
-        const double t54 = stretch_8_by_q10 * stretch_8_by_q11 + stretch_10_by_q10 * stretch_10_by_q11;
-        const double H_01_2 = t54 - stretch_12_by_q10 * stretch_12_by_q11 - stretch_14_by_q10 * stretch_14_by_q11;
+        const double t54 = stretch_8_by_q10 * stretch_8_by_q11 + stretch_10_by_q10
+            * stretch_10_by_q11;
+        const double H_01_2 = t54 - stretch_12_by_q10 * stretch_12_by_q11 - stretch_14_by_q10
+            * stretch_14_by_q11;
         const double kept_12 = sinew_choose(better, H_01_2, H_01);
-        const double t55 = stretch_8_by_q10 * stretch_8_by_q10 + stretch_10_by_q10 * stretch_10_by_q10;
-        const double H_00_2 = t55 + stretch_12_by_q10 * stretch_12_by_q10 + stretch_14_by_q10 * stretch_14_by_q10;
+        const double t55 = stretch_8_by_q10 * stretch_8_by_q10 + stretch_10_by_q10
+            * stretch_10_by_q10;
+        const double H_00_2 = t55 + stretch_12_by_q10 * stretch_12_by_q10 + stretch_14_by_q10
+            * stretch_14_by_q10;
         const double kept_10 = sinew_choose(better, H_00_2, H_00);
-        const double safe_2 = sinew_max(kept_10 * kept_14 - kept_12 * kept_12, 1e-24 + 1e-09 * kept_10 * kept_14);
+        const double safe_2 = sinew_max(kept_10 * kept_14 - kept_12 * kept_12, 1e-24 + 1e-09
+            * kept_10 * kept_14);
         const double t56 = 1.0 / safe_2;
-        const double step_4 = sinew_min(sinew_max(-((kept_4 * kept_14 - kept_6 * kept_12) * t56), -0.5), 0.5);
-        const double step_6 = sinew_min(sinew_max((kept_4 * kept_12 - kept_6 * kept_10) * t56, -0.5), 0.5);
+        const double step_4 = sinew_min(sinew_max(-((kept_4 * kept_14 - kept_6 * kept_12) * t56),
+            -0.5), 0.5);
+        const double step_6 = sinew_min(sinew_max((kept_4 * kept_12 - kept_6 * kept_10) * t56,
+            -0.5), 0.5);
         const double correction_2 = sinew_sqrt(step_4 * step_4 + step_6 * step_6);
         q[state] = kept;
         q[1 * n + state] = kept_2;
@@ -1934,15 +2159,18 @@ void thumb_table_5_2_link_position_warm_batch(int count, const double *SINEW_RES
     }
 }
 
-void thumb_table_5_2_link_position_gradient_step_batch(int count, const double *SINEW_RESTRICT h, const double *SINEW_RESTRICT search, double *SINEW_RESTRICT next)
+void thumb_table_5_2_link_position_gradient_step_batch(int count, const double *SINEW_RESTRICT h,
+    const double *SINEW_RESTRICT search, double *SINEW_RESTRICT next)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
     for (size_t state = 0; state < n; ++state) {
-        const double step = sinew_min(sinew_max(-(search[2 * n + state] * search[4 * n + state]), -0.5), 0.5);
+        const double step = sinew_min(sinew_max(-(search[2 * n + state] * search[4 * n + state]),
+            -0.5), 0.5);
         const double start_q10 = sinew_min(sinew_max(search[state], -1.5), 1.5);
         const double q10 = start_q10 + step;
-        const double step_2 = sinew_min(sinew_max(-(search[3 * n + state] * search[4 * n + state]), -0.5), 0.5);
+        const double step_2 = sinew_min(sinew_max(-(search[3 * n + state] * search[4 * n + state]),
+            -0.5), 0.5);
         const double start_q11 = sinew_min(sinew_max(search[1 * n + state], -1.5), 1.5);
         const double q11 = start_q11 + step_2;
         double sin_q10, cos_q10;
@@ -1986,7 +2214,8 @@ void thumb_table_5_2_link_position_gradient_step_batch(int count, const double *
         const double gap_y_6 = t8 - t13;
         const double stretch_6 = sinew_sqrt(t14 + gap_x_6 * gap_x_6 + gap_y_6 * gap_y_6);
         const double error_6 = h[3 * n + state] - stretch_6;
-        const double t16 = error * error + error_2 * error_2 + error_4 * error_4 + error_6 * error_6;
+        const double t16 = error * error + error_2 * error_2 + error_4 * error_4 + error_6
+            * error_6;
         const double cost = 0.5 * t16;
         const double better = search[5 * n + state] - cost;
         const double kept = sinew_choose(better, q10, start_q10);
@@ -2003,7 +2232,8 @@ void thumb_table_5_2_link_position_gradient_step_batch(int count, const double *
         const double gap_x_4_by_q10 = t7 - t6;
         const double gap_y_4_by_q10 = t4 + t3;
         const double stretch_4_by_q10 = (gap_x_4 * gap_x_4_by_q10 - gap_y_4 * gap_y_4_by_q10) * t19;
-        const double t20 = stretch_by_q10 * error + stretch_2_by_q10 * error_2 - stretch_4_by_q10 * error_4;
+        const double t20 = stretch_by_q10 * error + stretch_2_by_q10 * error_2 - stretch_4_by_q10
+            * error_4;
         const double t21 = 1.0 / stretch_6;
         const double gap_x_6_by_q10 = t7 + t13;
         const double gap_y_6_by_q10 = t4 - t12;
@@ -2017,13 +2247,18 @@ void thumb_table_5_2_link_position_gradient_step_batch(int count, const double *
         const double gap_x_2_by_q11 = cos_q10 * up_2;
         const double t23 = along_2 * gap_z_2;
         const double gap_y_2_by_q11 = sin_q10 * up_2;
-        const double stretch_2_by_q11 = (t23 + gap_x_2 * gap_x_2_by_q11 + gap_y_2 * gap_y_2_by_q11) * t18;
-        const double stretch_4_by_q11 = (t22 - gap_x_4 * gap_x_by_q11 + gap_y_4 * gap_y_by_q11) * t19;
-        const double t24 = stretch_by_q11 * error + stretch_2_by_q11 * error_2 + stretch_4_by_q11 * error_4;
-        const double stretch_6_by_q11 = (t23 + gap_x_6 * gap_x_2_by_q11 - gap_y_6 * gap_y_2_by_q11) * t21;
+        const double stretch_2_by_q11 = (t23 + gap_x_2 * gap_x_2_by_q11 + gap_y_2 * gap_y_2_by_q11)
+            * t18;
+        const double stretch_4_by_q11 = (t22 - gap_x_4 * gap_x_by_q11 + gap_y_4 * gap_y_by_q11)
+            * t19;
+        const double t24 = stretch_by_q11 * error + stretch_2_by_q11 * error_2 + stretch_4_by_q11
+            * error_4;
+        const double stretch_6_by_q11 = (t23 + gap_x_6 * gap_x_2_by_q11 - gap_y_6 * gap_y_2_by_q11)
+            * t21;
         const double gradient_1 = t24 + stretch_6_by_q11 * error_6;
         const double kept_6 = sinew_choose(better, -gradient_1, search[3 * n + state]);
-        const double kept_8 = sinew_choose(better, search[4 * n + state], 0.5 * search[4 * n + state]);
+        const double kept_8 = sinew_choose(better, search[4 * n + state], 0.5 * search[4 * n
+            + state]);
         const double kept_10 = sinew_choose(better, cost, search[5 * n + state]);
         next[state] = kept;
         next[1 * n + state] = kept_2;
@@ -2034,7 +2269,9 @@ void thumb_table_5_2_link_position_gradient_step_batch(int count, const double *
     }
 }
 
-void thumb_table_5_2_link_position_status_batch(int count, const double *SINEW_RESTRICT h, const double *SINEW_RESTRICT q, double *SINEW_RESTRICT correction, double *SINEW_RESTRICT status)
+void thumb_table_5_2_link_position_status_batch(int count, const double *SINEW_RESTRICT h,
+    const double *SINEW_RESTRICT q, double *SINEW_RESTRICT correction,
+    double *SINEW_RESTRICT status)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
@@ -2080,19 +2317,23 @@ void thumb_table_5_2_link_position_status_batch(int count, const double *SINEW_R
         const double gap_x_2_by_q11 = cos_q10 * up_2;
         const double t18 = along_2 * gap_z_2;
         const double gap_y_2_by_q11 = sin_q10 * up_2;
-        const double stretch_2_by_q11 = (t18 + gap_x_2 * gap_x_2_by_q11 + gap_y_2 * gap_y_2_by_q11) * t17;
+        const double stretch_2_by_q11 = (t18 + gap_x_2 * gap_x_2_by_q11 + gap_y_2 * gap_y_2_by_q11)
+            * t17;
         const double t19 = 0.002 - t4;
         const double gap_x_4 = t19 - t3;
         const double gap_y_4 = t8 + t6;
         const double stretch_4 = sinew_sqrt(t11 + gap_x_4 * gap_x_4 + gap_y_4 * gap_y_4);
         const double t20 = 1.0 / stretch_4;
-        const double stretch_4_by_q11 = (t13 - gap_x_4 * gap_x_by_q11 + gap_y_4 * gap_y_by_q11) * t20;
-        const double t21 = stretch_by_q11 * stretch_by_q11 + stretch_2_by_q11 * stretch_2_by_q11 + stretch_4_by_q11 * stretch_4_by_q11;
+        const double stretch_4_by_q11 = (t13 - gap_x_4 * gap_x_by_q11 + gap_y_4 * gap_y_by_q11)
+            * t20;
+        const double t21 = stretch_by_q11 * stretch_by_q11 + stretch_2_by_q11 * stretch_2_by_q11
+            + stretch_4_by_q11 * stretch_4_by_q11;
         const double gap_x_6 = t19 + t14;
         const double gap_y_6 = t8 - t15;
         const double stretch_6 = sinew_sqrt(t16 + gap_x_6 * gap_x_6 + gap_y_6 * gap_y_6);
         const double t22 = 1.0 / stretch_6;
-        const double stretch_6_by_q11 = (t18 + gap_x_6 * gap_x_2_by_q11 - gap_y_6 * gap_y_2_by_q11) * t22;
+        const double stretch_6_by_q11 = (t18 + gap_x_6 * gap_x_2_by_q11 - gap_y_6 * gap_y_2_by_q11)
+            * t22;
         const double H_11 = t21 + stretch_6_by_q11 * stretch_6_by_q11;
         const double gap_x_by_q10 = t7 + t6;
         const double gap_y_by_q10 = t4 - t3;
@@ -2103,12 +2344,14 @@ void thumb_table_5_2_link_position_status_batch(int count, const double *SINEW_R
         const double gap_x_4_by_q10 = t7 - t6;
         const double gap_y_4_by_q10 = t4 + t3;
         const double stretch_4_by_q10 = (gap_x_4 * gap_x_4_by_q10 - gap_y_4 * gap_y_4_by_q10) * t20;
-        const double t23 = stretch_by_q10 * stretch_by_q10 + stretch_2_by_q10 * stretch_2_by_q10 + stretch_4_by_q10 * stretch_4_by_q10;
+        const double t23 = stretch_by_q10 * stretch_by_q10 + stretch_2_by_q10 * stretch_2_by_q10
+            + stretch_4_by_q10 * stretch_4_by_q10;
         const double gap_x_6_by_q10 = t7 + t15;
         const double gap_y_6_by_q10 = t4 - t14;
         const double stretch_6_by_q10 = (gap_x_6 * gap_x_6_by_q10 - gap_y_6 * gap_y_6_by_q10) * t22;
         const double H_00 = t23 + stretch_6_by_q10 * stretch_6_by_q10;
-        const double t24 = stretch_by_q10 * stretch_by_q11 + stretch_2_by_q10 * stretch_2_by_q11 - stretch_4_by_q10 * stretch_4_by_q11;
+        const double t24 = stretch_by_q10 * stretch_by_q11 + stretch_2_by_q10 * stretch_2_by_q11
+            - stretch_4_by_q10 * stretch_4_by_q11;
         const double H_01 = t24 - stretch_6_by_q10 * stretch_6_by_q11;
         const double determinant = H_00 * H_11 - H_01 * H_01;
         const double determinant_floor = 1e-24 + 1e-09 * H_00 * H_11;
@@ -2117,20 +2360,26 @@ void thumb_table_5_2_link_position_status_batch(int count, const double *SINEW_R
         const double error = h[state] - stretch;
         const double error_2 = h[1 * n + state] - stretch_2;
         const double error_4 = h[2 * n + state] - stretch_4;
-        const double t26 = stretch_by_q11 * error + stretch_2_by_q11 * error_2 + stretch_4_by_q11 * error_4;
+        const double t26 = stretch_by_q11 * error + stretch_2_by_q11 * error_2 + stretch_4_by_q11
+            * error_4;
         const double error_6 = h[3 * n + state] - stretch_6;
         const double gradient_1 = t26 + stretch_6_by_q11 * error_6;
-        const double t27 = stretch_by_q10 * error + stretch_2_by_q10 * error_2 - stretch_4_by_q10 * error_4;
+        const double t27 = stretch_by_q10 * error + stretch_2_by_q10 * error_2 - stretch_4_by_q10
+            * error_4;
         const double gradient_0 = t27 - stretch_6_by_q10 * error_6;
-        const double step = sinew_min(sinew_max(-((H_01 * gradient_1 - H_11 * gradient_0) * t25), -0.5), 0.5);
-        const double step_2 = sinew_min(sinew_max((H_00 * gradient_1 - H_01 * gradient_0) * t25, -0.5), 0.5);
+        const double step = sinew_min(sinew_max(-((H_01 * gradient_1 - H_11 * gradient_0) * t25),
+            -0.5), 0.5);
+        const double step_2 = sinew_min(sinew_max((H_00 * gradient_1 - H_01 * gradient_0) * t25,
+            -0.5), 0.5);
         const double correction_2 = sinew_sqrt(step * step + step_2 * step_2);
         correction[state] = correction_2;
         status[state] = sinew_choose(1e-06 - correction_2, 0.0, 1.0);
     }
 }
 
-void thumb_table_5_2_link_position_covariance_batch(int count, const double *SINEW_RESTRICT q, const double *SINEW_RESTRICT sigma, double *SINEW_RESTRICT covariance, double *SINEW_RESTRICT status)
+void thumb_table_5_2_link_position_covariance_batch(int count, const double *SINEW_RESTRICT q,
+    const double *SINEW_RESTRICT sigma, double *SINEW_RESTRICT covariance,
+    double *SINEW_RESTRICT status)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
@@ -2174,19 +2423,23 @@ void thumb_table_5_2_link_position_covariance_batch(int count, const double *SIN
         const double gap_x_2_by_q11 = cos_q10 * up_2;
         const double t18 = along_2 * gap_z_2;
         const double gap_y_2_by_q11 = sin_q10 * up_2;
-        const double stretch_2_by_q11 = (t18 + gap_x_2 * gap_x_2_by_q11 + gap_y_2 * gap_y_2_by_q11) * t17;
+        const double stretch_2_by_q11 = (t18 + gap_x_2 * gap_x_2_by_q11 + gap_y_2 * gap_y_2_by_q11)
+            * t17;
         const double t19 = 0.002 - t4;
         const double gap_x_4 = t19 - t3;
         const double gap_y_4 = t8 + t6;
         const double stretch_4 = sinew_sqrt(t11 + gap_x_4 * gap_x_4 + gap_y_4 * gap_y_4);
         const double t20 = 1.0 / stretch_4;
-        const double stretch_4_by_q11 = (t13 - gap_x_4 * gap_x_by_q11 + gap_y_4 * gap_y_by_q11) * t20;
-        const double t21 = stretch_by_q11 * stretch_by_q11 + stretch_2_by_q11 * stretch_2_by_q11 + stretch_4_by_q11 * stretch_4_by_q11;
+        const double stretch_4_by_q11 = (t13 - gap_x_4 * gap_x_by_q11 + gap_y_4 * gap_y_by_q11)
+            * t20;
+        const double t21 = stretch_by_q11 * stretch_by_q11 + stretch_2_by_q11 * stretch_2_by_q11
+            + stretch_4_by_q11 * stretch_4_by_q11;
         const double gap_x_6 = t19 + t14;
         const double gap_y_6 = t8 - t15;
         const double stretch_6 = sinew_sqrt(t16 + gap_x_6 * gap_x_6 + gap_y_6 * gap_y_6);
         const double t22 = 1.0 / stretch_6;
-        const double stretch_6_by_q11 = (t18 + gap_x_6 * gap_x_2_by_q11 - gap_y_6 * gap_y_2_by_q11) * t22;
+        const double stretch_6_by_q11 = (t18 + gap_x_6 * gap_x_2_by_q11 - gap_y_6 * gap_y_2_by_q11)
+            * t22;
         const double H_11 = t21 + stretch_6_by_q11 * stretch_6_by_q11;
         const double gap_x_by_q10 = t7 + t6;
         const double gap_y_by_q10 = t4 - t3;
@@ -2197,12 +2450,14 @@ void thumb_table_5_2_link_position_covariance_batch(int count, const double *SIN
         const double gap_x_4_by_q10 = t7 - t6;
         const double gap_y_4_by_q10 = t4 + t3;
         const double stretch_4_by_q10 = (gap_x_4 * gap_x_4_by_q10 - gap_y_4 * gap_y_4_by_q10) * t20;
-        const double t23 = stretch_by_q10 * stretch_by_q10 + stretch_2_by_q10 * stretch_2_by_q10 + stretch_4_by_q10 * stretch_4_by_q10;
+        const double t23 = stretch_by_q10 * stretch_by_q10 + stretch_2_by_q10 * stretch_2_by_q10
+            + stretch_4_by_q10 * stretch_4_by_q10;
         const double gap_x_6_by_q10 = t7 + t15;
         const double gap_y_6_by_q10 = t4 - t14;
         const double stretch_6_by_q10 = (gap_x_6 * gap_x_6_by_q10 - gap_y_6 * gap_y_6_by_q10) * t22;
         const double H_00 = t23 + stretch_6_by_q10 * stretch_6_by_q10;
-        const double t24 = stretch_by_q10 * stretch_by_q11 + stretch_2_by_q10 * stretch_2_by_q11 - stretch_4_by_q10 * stretch_4_by_q11;
+        const double t24 = stretch_by_q10 * stretch_by_q11 + stretch_2_by_q10 * stretch_2_by_q11
+            - stretch_4_by_q10 * stretch_4_by_q11;
         const double H_01 = t24 - stretch_6_by_q10 * stretch_6_by_q11;
         const double determinant = H_00 * H_11 - H_01 * H_01;
         const double determinant_floor = 1e-24 + 1e-09 * H_00 * H_11;
@@ -2218,7 +2473,8 @@ void thumb_table_5_2_link_position_covariance_batch(int count, const double *SIN
     }
 }
 
-void thumb_table_5_2_hinge_position_batch(int count, const double *SINEW_RESTRICT h, double *SINEW_RESTRICT q)
+void thumb_table_5_2_hinge_position_batch(int count, const double *SINEW_RESTRICT h,
+    double *SINEW_RESTRICT q)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
@@ -2229,7 +2485,8 @@ void thumb_table_5_2_hinge_position_batch(int count, const double *SINEW_RESTRIC
     }
 }
 
-void thumb_table_5_2_bending_angles_batch(int count, const double *SINEW_RESTRICT q, double *SINEW_RESTRICT angles)
+void thumb_table_5_2_bending_angles_batch(int count, const double *SINEW_RESTRICT q,
+    double *SINEW_RESTRICT angles)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
@@ -2260,13 +2517,15 @@ void thumb_table_5_2_bending_angles_batch(int count, const double *SINEW_RESTRIC
         const double A_stretch_end_asidey = 0.045 * A_stretch_end_dz;
         const double A_stretch_end_dy = c1 * A_stretch_dy - s1 * A_stretch_dx;
         const double A_stretch_end_asidez = 0.045 * A_stretch_end_dy;
-        const double t12 = A_stretch_end_asidey * A_stretch_end_asidey + A_stretch_end_asidez * A_stretch_end_asidez;
+        const double t12 = A_stretch_end_asidey * A_stretch_end_asidey + A_stretch_end_asidez
+            * A_stretch_end_asidez;
         const double t13 = s2 * A_stretch_dz;
         const double A_stretch_end_dx = t13 - R21x * A_stretch_dx - R22x * A_stretch_dy;
         const double A_stretch_start_asidez = 0.045 * A_stretch_dy;
         const double A_stretch_start_asidey = 0.045 * A_stretch_dz;
         const double t14 = A_stretch_start_asidey * A_stretch_start_asidey;
-        const double t15 = sinew_atan2(sinew_sqrt(t14 + A_stretch_start_asidez * A_stretch_start_asidez), -(0.045 * A_stretch_dx));
+        const double t15 = sinew_atan2(sinew_sqrt(t14 + A_stretch_start_asidez
+            * A_stretch_start_asidez), -(0.045 * A_stretch_dx));
         const double t16 = t1 + t2;
         const double B_stretch_dx = 0.002 + t16 - t4;
         const double B_stretch_dz = t5 - t6;
@@ -2277,33 +2536,39 @@ void thumb_table_5_2_bending_angles_batch(int count, const double *SINEW_RESTRIC
         const double B_stretch_end_asidey = 0.045 * B_stretch_end_dz;
         const double B_stretch_end_dy = c1 * B_stretch_dy - s1 * B_stretch_dx;
         const double B_stretch_end_asidez = 0.045 * B_stretch_end_dy;
-        const double t19 = B_stretch_end_asidey * B_stretch_end_asidey + B_stretch_end_asidez * B_stretch_end_asidez;
+        const double t19 = B_stretch_end_asidey * B_stretch_end_asidey + B_stretch_end_asidez
+            * B_stretch_end_asidez;
         const double t20 = s2 * B_stretch_dz;
         const double B_stretch_end_dx = t20 + R21x * B_stretch_dx + R22x * B_stretch_dy;
         const double B_stretch_start_asidez = 0.045 * B_stretch_dy;
         const double B_stretch_start_asidey = 0.045 * B_stretch_dz;
         const double t21 = B_stretch_start_asidey * B_stretch_start_asidey;
-        const double t22 = sinew_atan2(sinew_sqrt(t21 + B_stretch_start_asidez * B_stretch_start_asidez), -(0.045 * B_stretch_dx));
+        const double t22 = sinew_atan2(sinew_sqrt(t21 + B_stretch_start_asidez
+            * B_stretch_start_asidez), -(0.045 * B_stretch_dx));
         const double C_stretch_dx = 0.002 - t16 - t4;
         const double C_stretch_dy = t18 + t11;
         const double C_stretch_end_dz = t7 + R21y * C_stretch_dx - R22y * C_stretch_dy;
         const double C_stretch_end_asidey = 0.045 * C_stretch_end_dz;
         const double C_stretch_end_dy = c1 * C_stretch_dy + s1 * C_stretch_dx;
         const double C_stretch_end_asidez = 0.045 * C_stretch_end_dy;
-        const double t23 = C_stretch_end_asidey * C_stretch_end_asidey + C_stretch_end_asidez * C_stretch_end_asidez;
+        const double t23 = C_stretch_end_asidey * C_stretch_end_asidey + C_stretch_end_asidez
+            * C_stretch_end_asidez;
         const double C_stretch_end_dx = t13 - R21x * C_stretch_dx + R22x * C_stretch_dy;
         const double C_stretch_start_asidez = 0.045 * C_stretch_dy;
-        const double t24 = sinew_atan2(sinew_sqrt(t14 + C_stretch_start_asidez * C_stretch_start_asidez), -(0.045 * C_stretch_dx));
+        const double t24 = sinew_atan2(sinew_sqrt(t14 + C_stretch_start_asidez
+            * C_stretch_start_asidez), -(0.045 * C_stretch_dx));
         const double D_stretch_dx = 0.002 + t3 - t4;
         const double D_stretch_dy = t10 + t11;
         const double D_stretch_end_dz = t17 - R21y * D_stretch_dx + R22y * D_stretch_dy;
         const double D_stretch_end_asidey = 0.045 * D_stretch_end_dz;
         const double D_stretch_end_dy = c1 * D_stretch_dy + s1 * D_stretch_dx;
         const double D_stretch_end_asidez = 0.045 * D_stretch_end_dy;
-        const double t25 = D_stretch_end_asidey * D_stretch_end_asidey + D_stretch_end_asidez * D_stretch_end_asidez;
+        const double t25 = D_stretch_end_asidey * D_stretch_end_asidey + D_stretch_end_asidez
+            * D_stretch_end_asidez;
         const double D_stretch_end_dx = t20 + R21x * D_stretch_dx - R22x * D_stretch_dy;
         const double D_stretch_start_asidez = 0.045 * D_stretch_dy;
-        const double t26 = sinew_atan2(sinew_sqrt(t21 + D_stretch_start_asidez * D_stretch_start_asidez), -(0.045 * D_stretch_dx));
+        const double t26 = sinew_atan2(sinew_sqrt(t21 + D_stretch_start_asidez
+            * D_stretch_start_asidez), -(0.045 * D_stretch_dx));
         const double t27 = sinew_max(q[2 * n + state], -q[2 * n + state]);
         const double t28 = t27 + sinew_max(q[3 * n + state], -q[3 * n + state]);
         angles[state] = t15 + sinew_atan2(sinew_sqrt(t12), 0.045 * A_stretch_end_dx);

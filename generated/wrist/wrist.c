@@ -26,15 +26,37 @@ SINEW_NOT_INLINE static double sinew_one_atan2(double y, double x)
     return sinew_atan2(y, x);
 }
 
-void wrist_pose(const double q71[SINEW_AT_LEAST(1)], const double q73[SINEW_AT_LEAST(1)], double T[SINEW_AT_LEAST(16)])
+struct sinew_sines {
+    double s[1], c[1];
+};
+
+SINEW_NOT_INLINE static struct sinew_sines sinew_one_sincos(double x)
 {
-    const double angle1[2] = {q71[0], q73[0]};
-    double sine2[2], cosine3[2];
-    sinew_sincos2(angle1, sine2, cosine3);
-    const double sin_q71 = sine2[0];
-    const double cos_q71 = cosine3[0];
-    const double sin_q73 = sine2[1];
-    const double cos_q73 = cosine3[1];
+    struct sinew_sines y;
+    sinew_sincos(x, y.s, y.c);
+    return y;
+}
+
+struct sinew_sines2 {
+    double s[2], c[2];
+};
+
+SINEW_NOT_INLINE static struct sinew_sines2 sinew_one_sincos2(double x0, double x1)
+{
+    struct sinew_sines2 y;
+    const double x[2] = {x0, x1};
+    sinew_sincos2(x, y.s, y.c);
+    return y;
+}
+
+void wrist_pose(const double q71[SINEW_AT_LEAST(1)], const double q73[SINEW_AT_LEAST(1)],
+    double T[SINEW_AT_LEAST(16)])
+{
+    const struct sinew_sines2 sines1 = sinew_one_sincos2(q71[0], q73[0]);
+    const double sin_q71 = sines1.s[0];
+    const double cos_q71 = sines1.c[0];
+    const double sin_q73 = sines1.s[1];
+    const double cos_q73 = sines1.c[1];
     const double B_y = 0.074565407529229 * cos_q73;
     const double B_to_C0_squared = 0.007324 - 0.084 * B_y;
     const double ratio = 0.003796 / B_to_C0_squared;
@@ -51,15 +73,17 @@ void wrist_pose(const double q71[SINEW_AT_LEAST(1)], const double q73[SINEW_AT_L
     const double p_z = 0.036 * cos_q71;
     const double reach_squared = sinew_max(p_y * p_y + p_z * p_z, 1.296e-15);
     const double p_x = u_e * s_e - u_y * s_y;
-    const double projection = 0.034722222222222224 - 13.88888888888889 * (reach_squared + p_x * p_x);
+    const double projection = 0.034722222222222224 - 13.88888888888889 * (reach_squared + p_x
+        * p_x);
     const double reach = sinew_sqrt(reach_squared);
     const double limited = sinew_min(sinew_max(-projection, -reach), reach);
-    const double clearance = sinew_max((reach + limited) * (reach - limited), 1e-12 * reach_squared);
+    const double clearance = sinew_max((reach + limited) * (reach - limited), 1e-12
+        * reach_squared);
     const double root = sinew_sqrt(clearance);
-    const double t4 = 1.0 / reach_squared;
-    const double sin_A = (p_y * root - p_z * limited) * t4;
+    const double t2 = 1.0 / reach_squared;
+    const double sin_A = (p_y * root - p_z * limited) * t2;
     const double x_plane_x = u_y * sin_A;
-    const double cos_A = (p_y * limited + p_z * root) * t4;
+    const double cos_A = (p_y * limited + p_z * root) * t2;
     const double x_x = cos_q71 * x_plane_x + sin_q71 * cos_A;
     const double y_x = cos_q71 * u_e;
     const double z_plane_x = u_y * cos_A;
@@ -92,15 +116,14 @@ void wrist_pose(const double q71[SINEW_AT_LEAST(1)], const double q73[SINEW_AT_L
     T[15] = 1.0;
 }
 
-void wrist_points(const double q71[SINEW_AT_LEAST(1)], const double q73[SINEW_AT_LEAST(1)], double ABC[SINEW_AT_LEAST(9)])
+void wrist_points(const double q71[SINEW_AT_LEAST(1)], const double q73[SINEW_AT_LEAST(1)],
+    double ABC[SINEW_AT_LEAST(9)])
 {
-    const double angle1[2] = {q71[0], q73[0]};
-    double sine2[2], cosine3[2];
-    sinew_sincos2(angle1, sine2, cosine3);
-    const double sin_q71 = sine2[0];
-    const double cos_q71 = cosine3[0];
-    const double sin_q73 = sine2[1];
-    const double cos_q73 = cosine3[1];
+    const struct sinew_sines2 sines1 = sinew_one_sincos2(q71[0], q73[0]);
+    const double sin_q71 = sines1.s[0];
+    const double cos_q71 = sines1.c[0];
+    const double sin_q73 = sines1.s[1];
+    const double cos_q73 = sines1.c[1];
     const double B_y = 0.074565407529229 * cos_q73;
     const double B_to_C0_squared = 0.007324 - 0.084 * B_y;
     const double ratio = 0.003796 / B_to_C0_squared;
@@ -121,15 +144,17 @@ void wrist_points(const double q71[SINEW_AT_LEAST(1)], const double q73[SINEW_AT
     const double p_z = 0.036 * cos_q71;
     const double reach_squared = sinew_max(p_y * p_y + p_z * p_z, 1.296e-15);
     const double p_x = u_e * s_e - u_y * s_y;
-    const double projection = 0.034722222222222224 - 13.88888888888889 * (reach_squared + p_x * p_x);
+    const double projection = 0.034722222222222224 - 13.88888888888889 * (reach_squared + p_x
+        * p_x);
     const double reach = sinew_sqrt(reach_squared);
     const double limited = sinew_min(sinew_max(-projection, -reach), reach);
-    const double clearance = sinew_max((reach + limited) * (reach - limited), 1e-12 * reach_squared);
+    const double clearance = sinew_max((reach + limited) * (reach - limited), 1e-12
+        * reach_squared);
     const double root = sinew_sqrt(clearance);
-    const double t4 = 1.0 / reach_squared;
-    const double cos_A = (p_y * limited + p_z * root) * t4;
+    const double t2 = 1.0 / reach_squared;
+    const double cos_A = (p_y * limited + p_z * root) * t2;
     const double z_plane_x = u_y * cos_A;
-    const double sin_A = (p_y * root - p_z * limited) * t4;
+    const double sin_A = (p_y * root - p_z * limited) * t2;
     const double z_z = cos_q71 * sin_A + sin_q71 * z_plane_x;
     const double M_z = sin_q71 * M_e;
     const double z_x = cos_q71 * z_plane_x - sin_q71 * sin_A;
@@ -145,15 +170,14 @@ void wrist_points(const double q71[SINEW_AT_LEAST(1)], const double q73[SINEW_AT
     ABC[8] = C_z;
 }
 
-void wrist_palm_angles(const double q71[SINEW_AT_LEAST(1)], const double q73[SINEW_AT_LEAST(1)], double angles[SINEW_AT_LEAST(2)])
+void wrist_palm_angles(const double q71[SINEW_AT_LEAST(1)], const double q73[SINEW_AT_LEAST(1)],
+    double angles[SINEW_AT_LEAST(2)])
 {
-    const double angle1[2] = {q71[0], q73[0]};
-    double sine2[2], cosine3[2];
-    sinew_sincos2(angle1, sine2, cosine3);
-    const double sin_q71 = sine2[0];
-    const double cos_q71 = cosine3[0];
-    const double sin_q73 = sine2[1];
-    const double cos_q73 = cosine3[1];
+    const struct sinew_sines2 sines1 = sinew_one_sincos2(q71[0], q73[0]);
+    const double sin_q71 = sines1.s[0];
+    const double cos_q71 = sines1.c[0];
+    const double sin_q73 = sines1.s[1];
+    const double cos_q73 = sines1.c[1];
     const double B_y = 0.074565407529229 * cos_q73;
     const double B_to_C0_squared = 0.007324 - 0.084 * B_y;
     const double ratio = 0.003796 / B_to_C0_squared;
@@ -168,15 +192,17 @@ void wrist_palm_angles(const double q71[SINEW_AT_LEAST(1)], const double q73[SIN
     const double p_z = 0.036 * cos_q71;
     const double reach_squared = sinew_max(p_y * p_y + p_z * p_z, 1.296e-15);
     const double p_x = u_e * s_e - u_y * s_y;
-    const double projection = 0.034722222222222224 - 13.88888888888889 * (reach_squared + p_x * p_x);
+    const double projection = 0.034722222222222224 - 13.88888888888889 * (reach_squared + p_x
+        * p_x);
     const double reach = sinew_sqrt(reach_squared);
     const double limited = sinew_min(sinew_max(-projection, -reach), reach);
-    const double clearance = sinew_max((reach + limited) * (reach - limited), 1e-12 * reach_squared);
+    const double clearance = sinew_max((reach + limited) * (reach - limited), 1e-12
+        * reach_squared);
     const double root = sinew_sqrt(clearance);
-    const double t4 = 1.0 / reach_squared;
-    const double sin_A = (p_y * root - p_z * limited) * t4;
+    const double t2 = 1.0 / reach_squared;
+    const double sin_A = (p_y * root - p_z * limited) * t2;
     const double x_plane_x = u_y * sin_A;
-    const double cos_A = (p_y * limited + p_z * root) * t4;
+    const double cos_A = (p_y * limited + p_z * root) * t2;
     const double x_z = cos_q71 * cos_A - sin_q71 * x_plane_x;
     const double x_x = cos_q71 * x_plane_x + sin_q71 * cos_A;
     const double x_plane_y = u_e * sin_A;
@@ -184,31 +210,33 @@ void wrist_palm_angles(const double q71[SINEW_AT_LEAST(1)], const double q73[SIN
     angles[1] = sinew_one_asin(sinew_min(sinew_max(-x_plane_y, -1.0), 1.0));
 }
 
-void wrist_bar_angles(const double flexion[SINEW_AT_LEAST(1)], const double abduction[SINEW_AT_LEAST(1)], double q[SINEW_AT_LEAST(2)], double residual[SINEW_AT_LEAST(1)], double status[SINEW_AT_LEAST(1)])
+void wrist_bar_angles(const double flexion[SINEW_AT_LEAST(1)],
+    const double abduction[SINEW_AT_LEAST(1)], double q[SINEW_AT_LEAST(2)],
+    double residual[SINEW_AT_LEAST(1)], double status[SINEW_AT_LEAST(1)])
 {
     const double limited_flexion = sinew_min(sinew_max(flexion[0], -1.5), 1.5);
     const double t1 = 0.5 * limited_flexion;
     const double limited_abduction = sinew_min(sinew_max(abduction[0], -1.5), 1.5);
-    const double angle2[2] = {t1, limited_abduction};
-    double sine3[2], cosine4[2];
-    sinew_sincos2(angle2, sine3, cosine4);
-    const double c6 = cosine4[0];
-    const double v_y = sine3[1];
-    const double level = cosine4[1];
-    double s7, c8;
-    sinew_sincos(limited_flexion, &s7, &c8);
-    const double q71_start = t1 + sinew_one_asin(0.584304725845076 * c6);
-    const double v_x = level * c8;
-    const double v_z = level * s7;
-    const double t9 = v_y * v_y;
-    const double t10 = 1e-12 - t9;
-    double sum12 = q71_start;
-    for (int i11 = 0; i11 < 4; ++i11) {
-        double s13, c14;
-        sinew_sincos(sum12, &s13, &c14);
+    const struct sinew_sines2 sines2 = sinew_one_sincos2(t1, limited_abduction);
+    const double c4 = sines2.c[0];
+    const double v_y = sines2.s[1];
+    const double level = sines2.c[1];
+    const struct sinew_sines sines5 = sinew_one_sincos(limited_flexion);
+    const double s6 = sines5.s[0];
+    const double c7 = sines5.c[0];
+    const double q71_start = t1 + sinew_one_asin(0.584304725845076 * c4);
+    const double v_x = level * c7;
+    const double v_z = level * s6;
+    const double t8 = v_y * v_y;
+    const double t9 = 1e-12 - t8;
+    double sum11 = q71_start;
+    for (int i10 = 0; i10 < 4; ++i10) {
+        const struct sinew_sines sines12 = sinew_one_sincos(sum11);
+        const double s13 = sines12.s[0];
+        const double c14 = sines12.c[0];
         const double t15 = v_x * c14 + v_z * s13;
         const double t16 = t15 * t15;
-        const double t17 = 1.0 / sinew_sqrt(sinew_max(t9 + t16, 1e-12));
+        const double t17 = 1.0 / sinew_sqrt(sinew_max(t8 + t16, 1e-12));
         const double t18 = v_y * t17;
         const double t19 = c14 * t18;
         const double t20 = s13 * t18;
@@ -223,12 +251,13 @@ void wrist_bar_angles(const double flexion[SINEW_AT_LEAST(1)], const double abdu
         const double t29 = t24 * t26 - t28 * t25;
         const double t30 = t22 * t29;
         const double t31 = 0.021 * t19 + 0.036 * (v_y * t20 + v_z * t21) + t30;
-        const double t32 = 0.021 * (1.0 + t21) + 0.036 * (v_x * t20 - v_z * t19) - 0.074565407529229 * (t24 * t25 + t28 * t26);
+        const double t32 = 0.021 * (1.0 + t21) + 0.036 * (v_x * t20 - v_z * t19) - 0.074565407529229
+            * (t24 * t25 + t28 * t26);
         const double t33 = 0.074565407529229 * s13;
         const double t34 = t33 * t29;
         const double t35 = 0.036 * (1.0 + (v_x * t21 + v_y * t19)) - 0.021 * t20 - t34;
         const double t36 = v_x * s13 - v_z * c14;
-        const double t37 = t15 * t36 * sinew_choose(-(t10 - t16), 1.0, 0.0) * t17;
+        const double t37 = t15 * t36 * sinew_choose(-(t9 - t16), 1.0, 0.0) * t17;
         const double t38 = t18 * t37 * t17;
         const double t39 = t20 - c14 * t38;
         const double t40 = t19 + s13 * t38;
@@ -238,23 +267,28 @@ void wrist_bar_angles(const double flexion[SINEW_AT_LEAST(1)], const double abdu
         const double t44 = t25 * t43 / t26;
         const double t45 = 0.5 * (t38 + (t28 + t28) * t42) * t27;
         const double t46 = t24 * t44 + t28 * t43 - t25 * t45 - t26 * t42;
-        const double t47 = 0.021 * t41 - 0.036 * (v_x * t40 + v_z * t39) - 0.074565407529229 * (t24 * t43 - t28 * t44 + t25 * t42 - t26 * t45);
-        const double t48 = t31 * (0.021 * t39 - 0.036 * (v_y * t40 - v_z * t41) - t22 * t46 + t34) + t32 * t47;
-        const double t49 = t48 + t35 * (0.021 * t40 + 0.036 * (v_x * t41 + v_y * t39) + t30 + t33 * t46);
+        const double t47 = 0.021 * t41 - 0.036 * (v_x * t40 + v_z * t39) - 0.074565407529229 * (t24
+            * t43 - t28 * t44 + t25 * t42 - t26 * t45);
+        const double t48 = t31 * (0.021 * t39 - 0.036 * (v_y * t40 - v_z * t41) - t22 * t46 + t34)
+            + t32 * t47;
+        const double t49 = t48 + t35 * (0.021 * t40 + 0.036 * (v_x * t41 + v_y * t39) + t30 + t33
+            * t46);
         const double t50 = -t49;
-        const double t51 = (0.001898 - 0.5 * (t31 * t31 + t32 * t32 + t35 * t35)) / sinew_choose(t50, sinew_max(t50, 1.8e-09), sinew_min(t50, -1.8e-09));
-        sum12 = sum12 + sinew_min(sinew_max(t51, -0.2), 0.2);
+        const double t51 = (0.001898 - 0.5 * (t31 * t31 + t32 * t32 + t35 * t35))
+            / sinew_choose(t50, sinew_max(t50, 1.8e-09), sinew_min(t50, -1.8e-09));
+        sum11 = sum11 + sinew_min(sinew_max(t51, -0.2), 0.2);
     }
-    double sin_q71_8, cos_q71_8;
-    sinew_sincos(sum12, &sin_q71_8, &cos_q71_8);
+    const struct sinew_sines sines52 = sinew_one_sincos(sum11);
+    const double sin_q71_8 = sines52.s[0];
+    const double cos_q71_8 = sines52.c[0];
     const double v_e_8 = v_x * cos_q71_8 + v_z * sin_q71_8;
-    const double v_length_8 = sinew_sqrt(sinew_max(t9 + v_e_8 * v_e_8, 1e-12));
-    const double t52 = 1.0 / v_length_8;
-    const double cos_tilt_8 = v_e_8 * t52;
+    const double v_length_8 = sinew_sqrt(sinew_max(t8 + v_e_8 * v_e_8, 1e-12));
+    const double t53 = 1.0 / v_length_8;
+    const double cos_tilt_8 = v_e_8 * t53;
     const double cos_half_tilt_8 = sinew_sqrt(sinew_max(0.5 * (1.0 + cos_tilt_8), 1e-12));
     const double cos_sum_8 = 0.5632638698251111 * cos_half_tilt_8;
     const double sin_sum_8 = sinew_sqrt(1.0 - cos_sum_8 * cos_sum_8);
-    const double sin_tilt_8 = v_y * t52;
+    const double sin_tilt_8 = v_y * t53;
     const double sin_half_tilt_8 = 0.5 * sin_tilt_8 / cos_half_tilt_8;
     const double sin_q73_8 = cos_half_tilt_8 * sin_sum_8 - sin_half_tilt_8 * cos_sum_8;
     const double cos_q73_8 = cos_half_tilt_8 * cos_sum_8 + sin_half_tilt_8 * sin_sum_8;
@@ -272,14 +306,16 @@ void wrist_bar_angles(const double flexion[SINEW_AT_LEAST(1)], const double abdu
     const double p_z = 0.036 * cos_q71_8;
     const double reach_squared = sinew_max(p_y * p_y + p_z * p_z, 1.296e-15);
     const double p_x = u_e * s_e - u_y_10 * s_y;
-    const double projection = 0.034722222222222224 - 13.88888888888889 * (reach_squared + p_x * p_x);
+    const double projection = 0.034722222222222224 - 13.88888888888889 * (reach_squared + p_x
+        * p_x);
     const double reach = sinew_sqrt(reach_squared);
     const double limited = sinew_min(sinew_max(-projection, -reach), reach);
-    const double clearance = sinew_max((reach + limited) * (reach - limited), 1e-12 * reach_squared);
+    const double clearance = sinew_max((reach + limited) * (reach - limited), 1e-12
+        * reach_squared);
     const double root = sinew_sqrt(clearance);
-    const double t53 = 1.0 / reach_squared;
-    const double cos_A = (p_y * limited + p_z * root) * t53;
-    const double sin_A = (p_y * root - p_z * limited) * t53;
+    const double t54 = 1.0 / reach_squared;
+    const double cos_A = (p_y * limited + p_z * root) * t54;
+    const double sin_A = (p_y * root - p_z * limited) * t54;
     const double x_plane_x = u_y_10 * sin_A;
     const double x_z = cos_q71_8 * cos_A - sin_q71_8 * x_plane_x;
     const double x_plane_y = u_e * sin_A;
@@ -289,25 +325,25 @@ void wrist_bar_angles(const double flexion[SINEW_AT_LEAST(1)], const double abdu
     const double aside_z = v_x * x_plane_y + v_y * x_x;
     const double error_sine = sinew_sqrt(aside_x * aside_x + aside_y * aside_y + aside_z * aside_z);
     const double residual_2 = sinew_one_atan2(error_sine, v_x * x_x - v_y * x_plane_y - v_z * x_z);
-    const double t54 = flexion[0] - limited_flexion;
-    const double t55 = abduction[0] - limited_abduction;
-    const double t56 = sinew_choose(1e-06 - residual_2 - sinew_max(-t54, t54) - sinew_max(-t55, t55), sinew_choose(-(1e-06 - sin_q73_8), 0.0, 1.0), 1.0);
-    q[0] = sum12;
+    const double t55 = flexion[0] - limited_flexion;
+    const double t56 = abduction[0] - limited_abduction;
+    const double t57 = sinew_choose(1e-06 - residual_2 - sinew_max(-t55, t55) - sinew_max(-t56,
+        t56), sinew_choose(-(1e-06 - sin_q73_8), 0.0, 1.0), 1.0);
+    q[0] = sum11;
     q[1] = sinew_one_atan2(sin_q73_8, cos_q73_8);
     residual[0] = residual_2;
-    status[0] = t56;
+    status[0] = t57;
 }
 
-void wrist_singularity(const double q71[SINEW_AT_LEAST(1)], const double q73[SINEW_AT_LEAST(1)], double distance[SINEW_AT_LEAST(2)])
+void wrist_singularity(const double q71[SINEW_AT_LEAST(1)], const double q73[SINEW_AT_LEAST(1)],
+    double distance[SINEW_AT_LEAST(2)])
 {
-    const double angle1[2] = {q73[0], q71[0]};
-    double sine2[2], cosine3[2];
-    sinew_sincos2(angle1, sine2, cosine3);
-    const double sin_q73 = sine2[0];
-    const double cos_q73 = cosine3[0];
-    const double sin_q71 = sine2[1];
-    const double cos_q71 = cosine3[1];
-    const double t4 = sinew_one_atan2(sinew_max(sin_q73, -sin_q73), sinew_max(cos_q73, -cos_q73));
+    const struct sinew_sines2 sines1 = sinew_one_sincos2(q73[0], q71[0]);
+    const double sin_q73 = sines1.s[0];
+    const double cos_q73 = sines1.c[0];
+    const double sin_q71 = sines1.s[1];
+    const double cos_q71 = sines1.c[1];
+    const double t2 = sinew_one_atan2(sinew_max(sin_q73, -sin_q73), sinew_max(cos_q73, -cos_q73));
     const double B_y = 0.074565407529229 * cos_q73;
     const double B_to_C0_squared = 0.007324 - 0.084 * B_y;
     const double ratio = 0.003796 / B_to_C0_squared;
@@ -322,22 +358,22 @@ void wrist_singularity(const double q71[SINEW_AT_LEAST(1)], const double q73[SIN
     const double p_z = 0.036 * cos_q71;
     const double reach_squared = sinew_max(p_y * p_y + p_z * p_z, 1.296e-15);
     const double p_x = u_e * s_e - u_y * s_y;
-    const double projection = 0.034722222222222224 - 13.88888888888889 * (reach_squared + p_x * p_x);
+    const double projection = 0.034722222222222224 - 13.88888888888889 * (reach_squared + p_x
+        * p_x);
     const double reach = sinew_sqrt(reach_squared);
     const double height = sinew_sqrt(sinew_max(reach * reach - projection * projection, 0.0));
-    distance[0] = t4;
+    distance[0] = t2;
     distance[1] = sinew_one_atan2(height, sinew_max(-projection, projection));
 }
 
-void wrist_status(const double q71[SINEW_AT_LEAST(1)], const double q73[SINEW_AT_LEAST(1)], double status[SINEW_AT_LEAST(1)])
+void wrist_status(const double q71[SINEW_AT_LEAST(1)], const double q73[SINEW_AT_LEAST(1)],
+    double status[SINEW_AT_LEAST(1)])
 {
-    const double angle1[2] = {q73[0], q71[0]};
-    double sine2[2], cosine3[2];
-    sinew_sincos2(angle1, sine2, cosine3);
-    const double sin_q73 = sine2[0];
-    const double cos_q73 = cosine3[0];
-    const double sin_q71 = sine2[1];
-    const double cos_q71 = cosine3[1];
+    const struct sinew_sines2 sines1 = sinew_one_sincos2(q73[0], q71[0]);
+    const double sin_q73 = sines1.s[0];
+    const double cos_q73 = sines1.c[0];
+    const double sin_q71 = sines1.s[1];
+    const double cos_q71 = sines1.c[1];
     const double B_y = 0.074565407529229 * cos_q73;
     const double B_to_C0_squared = 0.007324 - 0.084 * B_y;
     const double ratio = 0.003796 / B_to_C0_squared;
@@ -352,21 +388,22 @@ void wrist_status(const double q71[SINEW_AT_LEAST(1)], const double q73[SINEW_AT
     const double p_z = 0.036 * cos_q71;
     const double reach_squared = sinew_max(p_y * p_y + p_z * p_z, 1.296e-15);
     const double p_x = u_e * s_e - u_y * s_y;
-    const double projection = 0.034722222222222224 - 13.88888888888889 * (reach_squared + p_x * p_x);
+    const double projection = 0.034722222222222224 - 13.88888888888889 * (reach_squared + p_x
+        * p_x);
     const double reach = sinew_sqrt(reach_squared);
-    const double t4 = sinew_choose(0.999999999999 * reach * reach - projection * projection, 0.0, 1.0);
-    status[0] = sinew_choose(-(1e-06 - sin_q73), t4, 1.0);
+    const double t2 = sinew_choose(0.999999999999 * reach * reach - projection * projection, 0.0,
+        1.0);
+    status[0] = sinew_choose(-(1e-06 - sin_q73), t2, 1.0);
 }
 
-void wrist_tendon_lengths(const double q71[SINEW_AT_LEAST(1)], const double q73[SINEW_AT_LEAST(1)], double h[SINEW_AT_LEAST(38)])
+void wrist_tendon_lengths(const double q71[SINEW_AT_LEAST(1)], const double q73[SINEW_AT_LEAST(1)],
+    double h[SINEW_AT_LEAST(38)])
 {
-    const double angle1[2] = {q71[0], q73[0]};
-    double sine2[2], cosine3[2];
-    sinew_sincos2(angle1, sine2, cosine3);
-    const double sin_q71 = sine2[0];
-    const double cos_q71 = cosine3[0];
-    const double sin_q73 = sine2[1];
-    const double cos_q73 = cosine3[1];
+    const struct sinew_sines2 sines1 = sinew_one_sincos2(q71[0], q73[0]);
+    const double sin_q71 = sines1.s[0];
+    const double cos_q71 = sines1.c[0];
+    const double sin_q73 = sines1.s[1];
+    const double cos_q73 = sines1.c[1];
     const double B_y = 0.074565407529229 * cos_q73;
     const double B_to_C0_squared = 0.007324 - 0.084 * B_y;
     const double ratio = 0.003796 / B_to_C0_squared;
@@ -383,370 +420,1886 @@ void wrist_tendon_lengths(const double q71[SINEW_AT_LEAST(1)], const double q73[
     const double p_z = 0.036 * cos_q71;
     const double reach_squared = sinew_max(p_y * p_y + p_z * p_z, 1.296e-15);
     const double p_x = u_e * s_e - u_y * s_y;
-    const double projection = 0.034722222222222224 - 13.88888888888889 * (reach_squared + p_x * p_x);
+    const double projection = 0.034722222222222224 - 13.88888888888889 * (reach_squared + p_x
+        * p_x);
     const double reach = sinew_sqrt(reach_squared);
     const double limited = sinew_min(sinew_max(-projection, -reach), reach);
-    const double clearance = sinew_max((reach + limited) * (reach - limited), 1e-12 * reach_squared);
+    const double clearance = sinew_max((reach + limited) * (reach - limited), 1e-12
+        * reach_squared);
     const double root = sinew_sqrt(clearance);
-    const double t4 = 1.0 / reach_squared;
-    const double sin_A = (p_y * root - p_z * limited) * t4;
+    const double t2 = 1.0 / reach_squared;
+    const double sin_A = (p_y * root - p_z * limited) * t2;
     const double x_plane_x = u_y * sin_A;
-    const double cos_A = (p_y * limited + p_z * root) * t4;
+    const double cos_A = (p_y * limited + p_z * root) * t2;
     const double x_x = cos_q71 * x_plane_x + sin_q71 * cos_A;
     const double M_x = cos_q71 * M_e;
     const double z_plane_x = u_y * cos_A;
     const double z_x = cos_q71 * z_plane_x - sin_q71 * sin_A;
-    const double t5 = 0.004 * (1.0 + x_x) - M_x + 0.018 * z_x;
-    const double t6 = 0.01 * z_x;
-    const double layer_0_x = t5 - t6;
+    const double t3 = 0.004 * (1.0 + x_x) - M_x + 0.018 * z_x;
+    const double t4 = 0.01 * z_x;
+    const double layer_0_x = t3 - t4;
     const double y_x = cos_q71 * u_e;
-    const double t7 = 0.011 * y_x;
-    const double strand_0_x = layer_0_x + t7;
+    const double t5 = 0.011 * y_x;
+    const double strand_0_x = layer_0_x + t5;
     const double z_plane_y = u_e * cos_A;
     const double origin_y = M_y + 0.018 * z_plane_y;
-    const double t8 = origin_y + 0.004 * u_e * sin_A;
-    const double t9 = 0.01 * z_plane_y;
-    const double layer_0_y = t8 - t9;
-    const double t10 = 0.011 * u_y;
-    const double strand_0_y = 0.007 - layer_0_y + t10;
+    const double t6 = origin_y + 0.004 * u_e * sin_A;
+    const double t7 = 0.01 * z_plane_y;
+    const double layer_0_y = t6 - t7;
+    const double t8 = 0.011 * u_y;
+    const double strand_0_y = 0.007 - layer_0_y + t8;
     const double z_z = cos_q71 * sin_A + sin_q71 * z_plane_x;
     const double M_z = sin_q71 * M_e;
     const double origin_z = M_z - 0.018 * z_z;
     const double x_z = cos_q71 * cos_A - sin_q71 * x_plane_x;
-    const double t11 = 0.004 * x_z;
-    const double t12 = 0.01 * z_z;
-    const double layer_0_z = 0.008 - origin_z - t11 - t12;
+    const double t9 = 0.004 * x_z;
+    const double t10 = 0.01 * z_z;
+    const double layer_0_z = 0.008 - origin_z - t9 - t10;
     const double y_z = sin_q71 * u_e;
-    const double t13 = 0.011 * y_z;
-    const double strand_0_z = layer_0_z + t13;
-    const double t14 = strand_0_x * strand_0_x + strand_0_y * strand_0_y + strand_0_z * strand_0_z;
-    const double length_0 = sinew_sqrt(t14);
+    const double t11 = 0.011 * y_z;
+    const double strand_0_z = layer_0_z + t11;
+    const double t12 = strand_0_x * strand_0_x + strand_0_y * strand_0_y + strand_0_z * strand_0_z;
+    const double length_0 = sinew_sqrt(t12);
     h[0] = length_0;
-    const double t15 = 0.01 * y_x;
-    const double strand_1_x = layer_0_x + t15;
-    const double t16 = 0.01 * u_y;
-    const double strand_1_y = 0.008 - layer_0_y + t16;
-    const double t17 = 0.01 * y_z;
-    const double strand_1_z = layer_0_z + t17;
-    const double t18 = strand_1_x * strand_1_x + strand_1_y * strand_1_y + strand_1_z * strand_1_z;
-    const double length_1 = sinew_sqrt(t18);
+    const double t13 = 0.01 * y_x;
+    const double strand_1_x = layer_0_x + t13;
+    const double t14 = 0.01 * u_y;
+    const double strand_1_y = 0.008 - layer_0_y + t14;
+    const double t15 = 0.01 * y_z;
+    const double strand_1_z = layer_0_z + t15;
+    const double t16 = strand_1_x * strand_1_x + strand_1_y * strand_1_y + strand_1_z * strand_1_z;
+    const double length_1 = sinew_sqrt(t16);
     h[1] = length_1;
-    const double t19 = 0.008 * y_x;
-    const double strand_2_x = layer_0_x + t19;
-    const double t20 = 0.008 * u_y;
-    const double strand_2_y = 0.01 - layer_0_y + t20;
-    const double t21 = 0.008 * y_z;
-    const double strand_2_z = layer_0_z + t21;
-    const double t22 = strand_2_x * strand_2_x + strand_2_y * strand_2_y + strand_2_z * strand_2_z;
-    const double length_2 = sinew_sqrt(t22);
+    const double t17 = 0.008 * y_x;
+    const double strand_2_x = layer_0_x + t17;
+    const double t18 = 0.008 * u_y;
+    const double strand_2_y = 0.01 - layer_0_y + t18;
+    const double t19 = 0.008 * y_z;
+    const double strand_2_z = layer_0_z + t19;
+    const double t20 = strand_2_x * strand_2_x + strand_2_y * strand_2_y + strand_2_z * strand_2_z;
+    const double length_2 = sinew_sqrt(t20);
     h[2] = length_2;
-    const double t23 = 0.006 * y_x;
-    const double strand_3_x = layer_0_x + t23;
-    const double t24 = 0.006 * u_y;
-    const double strand_3_y = 0.011 - layer_0_y + t24;
-    const double t25 = 0.006 * y_z;
-    const double strand_3_z = layer_0_z + t25;
-    const double t26 = strand_3_x * strand_3_x + strand_3_y * strand_3_y + strand_3_z * strand_3_z;
-    const double length_3 = sinew_sqrt(t26);
+    const double t21 = 0.006 * y_x;
+    const double strand_3_x = layer_0_x + t21;
+    const double t22 = 0.006 * u_y;
+    const double strand_3_y = 0.011 - layer_0_y + t22;
+    const double t23 = 0.006 * y_z;
+    const double strand_3_z = layer_0_z + t23;
+    const double t24 = strand_3_x * strand_3_x + strand_3_y * strand_3_y + strand_3_z * strand_3_z;
+    const double length_3 = sinew_sqrt(t24);
     h[3] = length_3;
-    const double t27 = 0.005 * y_x;
-    const double strand_4_x = layer_0_x + t27;
-    const double t28 = 0.005 * u_y;
-    const double strand_4_y = 0.013 - layer_0_y + t28;
-    const double t29 = 0.005 * y_z;
-    const double strand_4_z = layer_0_z + t29;
-    const double t30 = strand_4_x * strand_4_x + strand_4_y * strand_4_y + strand_4_z * strand_4_z;
-    const double length_4 = sinew_sqrt(t30);
+    const double t25 = 0.005 * y_x;
+    const double strand_4_x = layer_0_x + t25;
+    const double t26 = 0.005 * u_y;
+    const double strand_4_y = 0.013 - layer_0_y + t26;
+    const double t27 = 0.005 * y_z;
+    const double strand_4_z = layer_0_z + t27;
+    const double t28 = strand_4_x * strand_4_x + strand_4_y * strand_4_y + strand_4_z * strand_4_z;
+    const double length_4 = sinew_sqrt(t28);
     h[4] = length_4;
-    const double t31 = 0.003 * y_x;
-    const double strand_5_x = layer_0_x + t31;
-    const double t32 = 0.003 * u_y;
-    const double strand_5_y = 0.015 - layer_0_y + t32;
-    const double t33 = 0.003 * y_z;
-    const double strand_5_z = layer_0_z + t33;
-    const double t34 = strand_5_x * strand_5_x + strand_5_y * strand_5_y + strand_5_z * strand_5_z;
-    const double length_5 = sinew_sqrt(t34);
+    const double t29 = 0.003 * y_x;
+    const double strand_5_x = layer_0_x + t29;
+    const double t30 = 0.003 * u_y;
+    const double strand_5_y = 0.015 - layer_0_y + t30;
+    const double t31 = 0.003 * y_z;
+    const double strand_5_z = layer_0_z + t31;
+    const double t32 = strand_5_x * strand_5_x + strand_5_y * strand_5_y + strand_5_z * strand_5_z;
+    const double length_5 = sinew_sqrt(t32);
     h[5] = length_5;
-    const double t35 = 0.002 * y_x;
-    const double strand_6_x = layer_0_x + t35;
-    const double t36 = 0.002 * u_y;
-    const double strand_6_y = 0.016 - layer_0_y + t36;
-    const double t37 = 0.002 * y_z;
-    const double strand_6_z = layer_0_z + t37;
-    const double t38 = strand_6_x * strand_6_x + strand_6_y * strand_6_y + strand_6_z * strand_6_z;
-    const double length_6 = sinew_sqrt(t38);
+    const double t33 = 0.002 * y_x;
+    const double strand_6_x = layer_0_x + t33;
+    const double t34 = 0.002 * u_y;
+    const double strand_6_y = 0.016 - layer_0_y + t34;
+    const double t35 = 0.002 * y_z;
+    const double strand_6_z = layer_0_z + t35;
+    const double t36 = strand_6_x * strand_6_x + strand_6_y * strand_6_y + strand_6_z * strand_6_z;
+    const double length_6 = sinew_sqrt(t36);
     h[6] = length_6;
     const double strand_7_y = 0.018 - layer_0_y;
-    const double length_7 = sinew_sqrt(layer_0_x * layer_0_x + layer_0_z * layer_0_z + strand_7_y * strand_7_y);
+    const double length_7 = sinew_sqrt(layer_0_x * layer_0_x + layer_0_z * layer_0_z + strand_7_y
+        * strand_7_y);
     h[7] = length_7;
-    const double layer_1_x = t5 + t6;
+    const double layer_1_x = t3 + t4;
     const double strand_19_x = layer_1_x + 0.013 * y_x;
-    const double layer_1_y = t8 + t9;
+    const double layer_1_y = t6 + t7;
     const double strand_19_y = 0.006 - layer_1_y + 0.013 * u_y;
-    const double layer_1_z = 0.028 - origin_z - t11 + t12;
+    const double layer_1_z = 0.028 - origin_z - t9 + t10;
     const double strand_19_z = layer_1_z + 0.013 * y_z;
-    const double t39 = strand_19_x * strand_19_x + strand_19_y * strand_19_y + strand_19_z * strand_19_z;
-    const double length_19 = sinew_sqrt(t39);
+    const double t37 = strand_19_x * strand_19_x + strand_19_y * strand_19_y + strand_19_z
+        * strand_19_z;
+    const double length_19 = sinew_sqrt(t37);
     h[19] = length_19;
-    const double strand_20_x = layer_1_x + t7;
-    const double strand_20_y = 0.007 - layer_1_y + t10;
-    const double strand_20_z = layer_1_z + t13;
-    const double t40 = strand_20_x * strand_20_x + strand_20_y * strand_20_y + strand_20_z * strand_20_z;
-    const double length_20 = sinew_sqrt(t40);
+    const double strand_20_x = layer_1_x + t5;
+    const double strand_20_y = 0.007 - layer_1_y + t8;
+    const double strand_20_z = layer_1_z + t11;
+    const double t38 = strand_20_x * strand_20_x + strand_20_y * strand_20_y + strand_20_z
+        * strand_20_z;
+    const double length_20 = sinew_sqrt(t38);
     h[20] = length_20;
-    const double strand_21_x = layer_1_x + t15;
-    const double strand_21_y = 0.009 - layer_1_y + t16;
-    const double strand_21_z = layer_1_z + t17;
-    const double t41 = strand_21_x * strand_21_x + strand_21_y * strand_21_y + strand_21_z * strand_21_z;
-    const double length_21 = sinew_sqrt(t41);
+    const double strand_21_x = layer_1_x + t13;
+    const double strand_21_y = 0.009 - layer_1_y + t14;
+    const double strand_21_z = layer_1_z + t15;
+    const double t39 = strand_21_x * strand_21_x + strand_21_y * strand_21_y + strand_21_z
+        * strand_21_z;
+    const double length_21 = sinew_sqrt(t39);
     h[21] = length_21;
-    const double strand_22_x = layer_1_x + t19;
-    const double strand_22_y = 0.011 - layer_1_y + t20;
-    const double strand_22_z = layer_1_z + t21;
-    const double t42 = strand_22_x * strand_22_x + strand_22_y * strand_22_y + strand_22_z * strand_22_z;
-    const double length_22 = sinew_sqrt(t42);
+    const double strand_22_x = layer_1_x + t17;
+    const double strand_22_y = 0.011 - layer_1_y + t18;
+    const double strand_22_z = layer_1_z + t19;
+    const double t40 = strand_22_x * strand_22_x + strand_22_y * strand_22_y + strand_22_z
+        * strand_22_z;
+    const double length_22 = sinew_sqrt(t40);
     h[22] = length_22;
-    const double strand_23_x = layer_1_x + t23;
-    const double strand_23_y = 0.012 - layer_1_y + t24;
-    const double strand_23_z = layer_1_z + t25;
-    const double t43 = strand_23_x * strand_23_x + strand_23_y * strand_23_y + strand_23_z * strand_23_z;
-    const double length_23 = sinew_sqrt(t43);
+    const double strand_23_x = layer_1_x + t21;
+    const double strand_23_y = 0.012 - layer_1_y + t22;
+    const double strand_23_z = layer_1_z + t23;
+    const double t41 = strand_23_x * strand_23_x + strand_23_y * strand_23_y + strand_23_z
+        * strand_23_z;
+    const double length_23 = sinew_sqrt(t41);
     h[23] = length_23;
-    const double strand_24_x = layer_1_x + t27;
-    const double strand_24_y = 0.014 - layer_1_y + t28;
-    const double strand_24_z = layer_1_z + t29;
-    const double t44 = strand_24_x * strand_24_x + strand_24_y * strand_24_y + strand_24_z * strand_24_z;
-    const double length_24 = sinew_sqrt(t44);
+    const double strand_24_x = layer_1_x + t25;
+    const double strand_24_y = 0.014 - layer_1_y + t26;
+    const double strand_24_z = layer_1_z + t27;
+    const double t42 = strand_24_x * strand_24_x + strand_24_y * strand_24_y + strand_24_z
+        * strand_24_z;
+    const double length_24 = sinew_sqrt(t42);
     h[24] = length_24;
-    const double strand_25_x = layer_1_x + t31;
-    const double strand_25_y = 0.015 - layer_1_y + t32;
-    const double strand_25_z = layer_1_z + t33;
-    const double t45 = strand_25_x * strand_25_x + strand_25_y * strand_25_y + strand_25_z * strand_25_z;
-    const double length_25 = sinew_sqrt(t45);
+    const double strand_25_x = layer_1_x + t29;
+    const double strand_25_y = 0.015 - layer_1_y + t30;
+    const double strand_25_z = layer_1_z + t31;
+    const double t43 = strand_25_x * strand_25_x + strand_25_y * strand_25_y + strand_25_z
+        * strand_25_z;
+    const double length_25 = sinew_sqrt(t43);
     h[25] = length_25;
-    const double strand_26_x = layer_1_x + t35;
-    const double strand_26_y = 0.017 - layer_1_y + t36;
-    const double strand_26_z = layer_1_z + t37;
-    const double t46 = strand_26_x * strand_26_x + strand_26_y * strand_26_y + strand_26_z * strand_26_z;
-    const double length_26 = sinew_sqrt(t46);
+    const double strand_26_x = layer_1_x + t33;
+    const double strand_26_y = 0.017 - layer_1_y + t34;
+    const double strand_26_z = layer_1_z + t35;
+    const double t44 = strand_26_x * strand_26_x + strand_26_y * strand_26_y + strand_26_z
+        * strand_26_z;
+    const double length_26 = sinew_sqrt(t44);
     h[26] = length_26;
     const double strand_27_y = 0.019 - layer_1_y;
-    const double t47 = layer_1_x * layer_1_x + layer_1_z * layer_1_z + strand_27_y * strand_27_y;
-    const double length_27 = sinew_sqrt(t47);
+    const double t45 = layer_1_x * layer_1_x + layer_1_z * layer_1_z + strand_27_y * strand_27_y;
+    const double length_27 = sinew_sqrt(t45);
     h[27] = length_27;
-    static const double table49[11][2] = {{0.002, 0.019}, {0.003, 0.021}, {0.005, 0.023},
+    static const double table47[11][2] = {{0.002, 0.019}, {0.003, 0.021}, {0.005, 0.023},
         {0.006, 0.024}, {0.008, 0.026}, {0.01, 0.027}, {0.011, 0.029}, {0.013, 0.031},
         {0.014, 0.032}, {0.016, 0.034}, {0.018, 0.035}};
-    for (int i48 = 0; i48 < 11; ++i48) {
-        const double strand_x = layer_0_x - table49[i48][0] * y_x;
-        const double strand_y = table49[i48][1] - layer_0_y - table49[i48][0] * u_y;
-        const double strand_z = layer_0_z - table49[i48][0] * y_z;
-        const double length = sinew_sqrt(strand_x * strand_x + strand_y * strand_y + strand_z * strand_z);
-        h[8 + i48] = length;
+    for (int i46 = 0; i46 < 11; ++i46) {
+        const double strand_x = layer_0_x - table47[i46][0] * y_x;
+        const double strand_y = table47[i46][1] - layer_0_y - table47[i46][0] * u_y;
+        const double strand_z = layer_0_z - table47[i46][0] * y_z;
+        const double length = sinew_sqrt(strand_x * strand_x + strand_y * strand_y + strand_z
+            * strand_z);
+        h[8 + i46] = length;
     }
-    static const double table51[10][2] = {{0.002, 0.02}, {0.003, 0.022}, {0.005, 0.023},
+    static const double table49[10][2] = {{0.002, 0.02}, {0.003, 0.022}, {0.005, 0.023},
         {0.006, 0.025}, {0.008, 0.027}, {0.01, 0.028}, {0.011, 0.03}, {0.013, 0.031},
         {0.014, 0.033}, {0.016, 0.035}};
-    for (int i50 = 0; i50 < 10; ++i50) {
-        const double strand_x_2 = layer_1_x - table51[i50][0] * y_x;
-        const double strand_y_2 = table51[i50][1] - layer_1_y - table51[i50][0] * u_y;
-        const double strand_z_2 = layer_1_z - table51[i50][0] * y_z;
-        const double t52 = strand_x_2 * strand_x_2 + strand_y_2 * strand_y_2 + strand_z_2 * strand_z_2;
-        const double length_8 = sinew_sqrt(t52);
-        h[28 + i50] = length_8;
+    for (int i48 = 0; i48 < 10; ++i48) {
+        const double strand_x_2 = layer_1_x - table49[i48][0] * y_x;
+        const double strand_y_2 = table49[i48][1] - layer_1_y - table49[i48][0] * u_y;
+        const double strand_z_2 = layer_1_z - table49[i48][0] * y_z;
+        const double t50 = strand_x_2 * strand_x_2 + strand_y_2 * strand_y_2 + strand_z_2
+            * strand_z_2;
+        const double length_8 = sinew_sqrt(t50);
+        h[28 + i48] = length_8;
     }
 }
 
-void wrist_tendon_jacobian(const double q71[SINEW_AT_LEAST(1)], const double q73[SINEW_AT_LEAST(1)], double P[SINEW_AT_LEAST(76)])
+void wrist_tendon_jacobian(const double q71[SINEW_AT_LEAST(1)], const double q73[SINEW_AT_LEAST(1)],
+    double P[SINEW_AT_LEAST(76)])
 {
-    const double angle1[2] = {q71[0], q73[0]};
-    double sine2[2], cosine3[2];
-    sinew_sincos2(angle1, sine2, cosine3);
-    const double sin_q71 = sine2[0];
-    const double cos_q71 = cosine3[0];
-    const double sin_q73 = sine2[1];
-    const double cos_q73 = cosine3[1];
+    const struct sinew_sines2 sines1 = sinew_one_sincos2(q71[0], q73[0]);
+    const double sin_q71 = sines1.s[0];
+    const double cos_q71 = sines1.c[0];
+    const double sin_q73 = sines1.s[1];
+    const double cos_q73 = sines1.c[1];
     const double B_y = 0.074565407529229 * cos_q73;
     const double B_to_C0_squared = 0.007324 - 0.084 * B_y;
-    const double t4 = 1.0 / B_to_C0_squared;
-    const double ratio = 0.003796 * t4;
+    const double t2 = 1.0 / B_to_C0_squared;
+    const double ratio = 0.003796 * t2;
     const double B_e = 0.074565407529229 * sin_q73;
     const double B_to_C0_squared_by_q73 = 0.084 * B_e;
-    const double ratio_by_q73 = ratio * B_to_C0_squared_by_q73 * t4;
-    const double t5 = 21.0 - 500.0 * B_y;
+    const double ratio_by_q73 = ratio * B_to_C0_squared_by_q73 * t2;
+    const double t3 = 21.0 - 500.0 * B_y;
     const double C_e = B_e * ratio;
-    const double C_y_by_q73 = C_e - 0.002 * ratio_by_q73 * t5;
-    const double t6 = 0.5 * B_e;
-    const double M_y_by_q73 = t6 + 0.5 * C_y_by_q73;
-    const double t7 = 23.80952380952381 * B_e;
-    const double u_e = t7 - 23.80952380952381 * C_e;
+    const double C_y_by_q73 = C_e - 0.002 * ratio_by_q73 * t3;
+    const double t4 = 0.5 * B_e;
+    const double M_y_by_q73 = t4 + 0.5 * C_y_by_q73;
+    const double t5 = 23.80952380952381 * B_e;
+    const double u_e = t5 - 23.80952380952381 * C_e;
     const double C_e_by_q73 = B_e * ratio_by_q73 - B_y * ratio;
-    const double t8 = 0.5 * B_y;
-    const double M_e_by_q73 = t8 - 0.5 * C_e_by_q73;
-    const double C_y = 0.002 * ratio * t5;
-    const double t9 = 23.80952380952381 * B_y;
-    const double u_y = t9 + 23.80952380952381 * C_y;
-    const double u_y_by_q73 = t7 - 23.80952380952381 * C_y_by_q73;
-    const double M_e = t6 + 0.5 * C_e;
+    const double t6 = 0.5 * B_y;
+    const double M_e_by_q73 = t6 - 0.5 * C_e_by_q73;
+    const double C_y = 0.002 * ratio * t3;
+    const double t7 = 23.80952380952381 * B_y;
+    const double u_y = t7 + 23.80952380952381 * C_y;
+    const double u_y_by_q73 = t5 - 23.80952380952381 * C_y_by_q73;
+    const double M_e = t4 + 0.5 * C_e;
     const double p_z_by_q71 = 0.036 * sin_q71;
     const double s_e = M_e - p_z_by_q71;
-    const double u_e_by_q73 = t9 + 23.80952380952381 * C_e_by_q73;
-    const double M_y = t8 - 0.5 * C_y;
+    const double u_e_by_q73 = t7 + 23.80952380952381 * C_e_by_q73;
+    const double M_y = t6 - 0.5 * C_y;
     const double s_y = 0.021 - M_y;
-    const double p_y_by_q73 = u_e * M_y_by_q73 + u_y * M_e_by_q73 - s_e * u_y_by_q73 + s_y * u_e_by_q73;
+    const double p_y_by_q73 = u_e * M_y_by_q73 + u_y * M_e_by_q73 - s_e * u_y_by_q73 + s_y
+        * u_e_by_q73;
     const double p_y = u_e * s_y + u_y * s_e;
-    const double t10 = p_y + p_y;
-    const double t11 = p_y * p_y;
+    const double t8 = p_y + p_y;
+    const double t9 = p_y * p_y;
     const double p_z = 0.036 * cos_q71;
-    const double t12 = p_z * p_z;
-    const double t13 = -(1.296e-15 - t11 - t12);
-    const double reach_squared_by_q73 = sinew_choose(t13, t10 * p_y_by_q73, 0.0);
-    const double p_x_by_q73 = u_e * M_e_by_q73 - u_y * M_y_by_q73 + s_e * u_e_by_q73 + s_y * u_y_by_q73;
+    const double t10 = p_z * p_z;
+    const double t11 = -(1.296e-15 - t9 - t10);
+    const double reach_squared_by_q73 = sinew_choose(t11, t8 * p_y_by_q73, 0.0);
+    const double p_x_by_q73 = u_e * M_e_by_q73 - u_y * M_y_by_q73 + s_e * u_e_by_q73 + s_y
+        * u_y_by_q73;
     const double p_x = u_e * s_e - u_y * s_y;
-    const double t14 = 27.77777777777778 * p_x;
-    const double projection_by_q73 = 13.88888888888889 * reach_squared_by_q73 + t14 * p_x_by_q73;
-    const double reach_squared = sinew_max(t11 + t12, 1.296e-15);
-    const double projection = 0.034722222222222224 - 13.88888888888889 * (reach_squared + p_x * p_x);
+    const double t12 = 27.77777777777778 * p_x;
+    const double projection_by_q73 = 13.88888888888889 * reach_squared_by_q73 + t12 * p_x_by_q73;
+    const double reach_squared = sinew_max(t9 + t10, 1.296e-15);
+    const double projection = 0.034722222222222224 - 13.88888888888889 * (reach_squared + p_x
+        * p_x);
     const double reach = sinew_sqrt(reach_squared);
-    const double t15 = reach - projection;
-    const double t16 = sinew_choose(t15, 1.0, 0.0);
-    const double t17 = 1.0 / reach;
-    const double reach_by_q73 = 0.5 * reach_squared_by_q73 * t17;
-    const double t18 = sinew_choose(t15, 0.0, 1.0);
-    const double t19 = sinew_max(-projection, -reach);
-    const double t20 = reach - t19;
-    const double limited_by_q73 = sinew_choose(t20, -(reach_by_q73 * t18 - projection_by_q73 * t16), reach_by_q73);
-    const double limited = sinew_min(t19, reach);
-    const double t21 = limited + limited;
-    const double t22 = reach + reach;
-    const double t23 = (reach + limited) * (reach - limited);
-    const double t24 = 1e-12 * reach_squared;
-    const double t25 = -(t24 - t23);
-    const double clearance_by_q73 = sinew_choose(t25, t22 * reach_by_q73 - t21 * limited_by_q73, 1e-12 * reach_squared_by_q73);
-    const double clearance = sinew_max(t23, t24);
+    const double t13 = reach - projection;
+    const double t14 = sinew_choose(t13, 1.0, 0.0);
+    const double t15 = 1.0 / reach;
+    const double reach_by_q73 = 0.5 * reach_squared_by_q73 * t15;
+    const double t16 = sinew_choose(t13, 0.0, 1.0);
+    const double t17 = sinew_max(-projection, -reach);
+    const double t18 = reach - t17;
+    const double limited_by_q73 = sinew_choose(t18, -(reach_by_q73 * t16 - projection_by_q73 * t14),
+        reach_by_q73);
+    const double limited = sinew_min(t17, reach);
+    const double t19 = limited + limited;
+    const double t20 = reach + reach;
+    const double t21 = (reach + limited) * (reach - limited);
+    const double t22 = 1e-12 * reach_squared;
+    const double t23 = -(t22 - t21);
+    const double clearance_by_q73 = sinew_choose(t23, t20 * reach_by_q73 - t19 * limited_by_q73,
+        1e-12 * reach_squared_by_q73);
+    const double clearance = sinew_max(t21, t22);
     const double root = sinew_sqrt(clearance);
-    const double t26 = 1.0 / root;
-    const double root_by_q73 = 0.5 * clearance_by_q73 * t26;
-    const double t27 = 1.0 / reach_squared;
-    const double cos_A = (p_y * limited + p_z * root) * t27;
-    const double t28 = p_y * limited_by_q73 + p_z * root_by_q73 + limited * p_y_by_q73 - cos_A * reach_squared_by_q73;
-    const double cos_A_by_q73 = t28 * t27;
+    const double t24 = 1.0 / root;
+    const double root_by_q73 = 0.5 * clearance_by_q73 * t24;
+    const double t25 = 1.0 / reach_squared;
+    const double cos_A = (p_y * limited + p_z * root) * t25;
+    const double t26 = p_y * limited_by_q73 + p_z * root_by_q73 + limited * p_y_by_q73 - cos_A
+        * reach_squared_by_q73;
+    const double cos_A_by_q73 = t26 * t25;
     const double z_plane_x_by_q73 = u_y * cos_A_by_q73 - cos_A * u_y_by_q73;
-    const double sin_A = (p_y * root - p_z * limited) * t27;
-    const double t29 = p_y * root_by_q73 - p_z * limited_by_q73 + root * p_y_by_q73 - sin_A * reach_squared_by_q73;
-    const double sin_A_by_q73 = t29 * t27;
+    const double sin_A = (p_y * root - p_z * limited) * t25;
+    const double t27 = p_y * root_by_q73 - p_z * limited_by_q73 + root * p_y_by_q73 - sin_A
+        * reach_squared_by_q73;
+    const double sin_A_by_q73 = t27 * t25;
     const double z_x_by_q73 = cos_q71 * z_plane_x_by_q73 - sin_q71 * sin_A_by_q73;
     const double M_x_by_q73 = cos_q71 * M_e_by_q73;
     const double origin_x_by_q73 = M_x_by_q73 - 0.018 * z_x_by_q73;
     const double x_plane_x_by_q73 = u_y * sin_A_by_q73 - sin_A * u_y_by_q73;
     const double x_x_by_q73 = cos_q71 * x_plane_x_by_q73 + sin_q71 * cos_A_by_q73;
-    const double t30 = origin_x_by_q73 - 0.004 * x_x_by_q73;
-    const double t31 = 0.01 * z_x_by_q73;
-    const double layer_1_x_by_q73 = t30 - t31;
+    const double t28 = origin_x_by_q73 - 0.004 * x_x_by_q73;
+    const double t29 = 0.01 * z_x_by_q73;
+    const double layer_1_x_by_q73 = t28 - t29;
     const double y_x_by_q73 = cos_q71 * u_e_by_q73;
     const double x_plane_x = u_y * sin_A;
-    const double t32 = cos_q71 * x_plane_x;
-    const double t33 = sin_q71 * cos_A;
-    const double x_x = t32 + t33;
+    const double t30 = cos_q71 * x_plane_x;
+    const double t31 = sin_q71 * cos_A;
+    const double x_x = t30 + t31;
     const double M_x = cos_q71 * M_e;
     const double z_plane_x = u_y * cos_A;
-    const double t34 = cos_q71 * z_plane_x;
-    const double t35 = sin_q71 * sin_A;
-    const double z_x = t34 - t35;
-    const double t36 = 0.004 * (1.0 + x_x) - M_x + 0.018 * z_x;
-    const double t37 = 0.01 * z_x;
-    const double layer_1_x = t36 + t37;
+    const double t32 = cos_q71 * z_plane_x;
+    const double t33 = sin_q71 * sin_A;
+    const double z_x = t32 - t33;
+    const double t34 = 0.004 * (1.0 + x_x) - M_x + 0.018 * z_x;
+    const double t35 = 0.01 * z_x;
+    const double layer_1_x = t34 + t35;
     const double y_x = cos_q71 * u_e;
     const double x_plane_y_by_q73 = u_e * sin_A_by_q73 + sin_A * u_e_by_q73;
     const double z_plane_y_by_q73 = u_e * cos_A_by_q73 + cos_A * u_e_by_q73;
     const double origin_y_by_q73 = M_y_by_q73 - 0.018 * z_plane_y_by_q73;
-    const double t38 = origin_y_by_q73 - 0.004 * x_plane_y_by_q73;
-    const double t39 = 0.01 * z_plane_y_by_q73;
-    const double layer_1_y_by_q73 = t38 - t39;
+    const double t36 = origin_y_by_q73 - 0.004 * x_plane_y_by_q73;
+    const double t37 = 0.01 * z_plane_y_by_q73;
+    const double layer_1_y_by_q73 = t36 - t37;
     const double z_plane_y = u_e * cos_A;
     const double origin_y = M_y + 0.018 * z_plane_y;
-    const double t40 = 0.004 * u_e;
-    const double t41 = origin_y + t40 * sin_A;
-    const double t42 = 0.01 * z_plane_y;
-    const double layer_1_y = t41 + t42;
+    const double t38 = 0.004 * u_e;
+    const double t39 = origin_y + t38 * sin_A;
+    const double t40 = 0.01 * z_plane_y;
+    const double layer_1_y = t39 + t40;
     const double z_z_by_q73 = cos_q71 * sin_A_by_q73 + sin_q71 * z_plane_x_by_q73;
     const double M_z_by_q73 = sin_q71 * M_e_by_q73;
     const double origin_z_by_q73 = M_z_by_q73 - 0.018 * z_z_by_q73;
     const double x_z_by_q73 = cos_q71 * cos_A_by_q73 - sin_q71 * x_plane_x_by_q73;
-    const double t43 = origin_z_by_q73 + 0.004 * x_z_by_q73;
-    const double t44 = 0.01 * z_z_by_q73;
-    const double layer_1_z_by_q73 = t43 - t44;
+    const double t41 = origin_z_by_q73 + 0.004 * x_z_by_q73;
+    const double t42 = 0.01 * z_z_by_q73;
+    const double layer_1_z_by_q73 = t41 - t42;
     const double y_z_by_q73 = sin_q71 * u_e_by_q73;
-    const double t45 = sin_q71 * z_plane_x;
-    const double t46 = cos_q71 * sin_A;
-    const double z_z = t46 + t45;
+    const double t43 = sin_q71 * z_plane_x;
+    const double t44 = cos_q71 * sin_A;
+    const double z_z = t44 + t43;
     const double M_z = sin_q71 * M_e;
     const double origin_z = M_z - 0.018 * z_z;
-    const double t47 = sin_q71 * x_plane_x;
-    const double t48 = cos_q71 * cos_A;
-    const double x_z = t48 - t47;
-    const double t49 = 0.004 * x_z;
-    const double t50 = 0.01 * z_z;
-    const double layer_1_z = 0.028 - origin_z - t49 + t50;
+    const double t45 = sin_q71 * x_plane_x;
+    const double t46 = cos_q71 * cos_A;
+    const double x_z = t46 - t45;
+    const double t47 = 0.004 * x_z;
+    const double t48 = 0.01 * z_z;
+    const double layer_1_z = 0.028 - origin_z - t47 + t48;
     const double y_z = sin_q71 * u_e;
     const double p_y_by_q71 = u_y * p_z;
-    const double reach_squared_by_q71 = sinew_choose(t13, -(t10 * p_y_by_q71 + (p_z + p_z) * p_z_by_q71), 0.0);
-    const double reach_by_q71 = 0.5 * reach_squared_by_q71 * t17;
-    const double projection_by_q71 = 13.88888888888889 * reach_squared_by_q71 - t14 * u_e * p_z;
-    const double limited_by_q71 = sinew_choose(t20, -(reach_by_q71 * t18 - projection_by_q71 * t16), reach_by_q71);
-    const double clearance_by_q71 = sinew_choose(t25, t22 * reach_by_q71 - t21 * limited_by_q71, 1e-12 * reach_squared_by_q71);
-    const double root_by_q71 = 0.5 * clearance_by_q71 * t26;
-    const double t51 = p_y * limited_by_q71 + p_z * root_by_q71 - limited * p_y_by_q71 - root * p_z_by_q71;
-    const double cos_A_by_q71 = (t51 - cos_A * reach_squared_by_q71) * t27;
+    const double reach_squared_by_q71 = sinew_choose(t11, -(t8 * p_y_by_q71 + (p_z + p_z)
+        * p_z_by_q71), 0.0);
+    const double reach_by_q71 = 0.5 * reach_squared_by_q71 * t15;
+    const double projection_by_q71 = 13.88888888888889 * reach_squared_by_q71 - t12 * u_e * p_z;
+    const double limited_by_q71 = sinew_choose(t18, -(reach_by_q71 * t16 - projection_by_q71 * t14),
+        reach_by_q71);
+    const double clearance_by_q71 = sinew_choose(t23, t20 * reach_by_q71 - t19 * limited_by_q71,
+        1e-12 * reach_squared_by_q71);
+    const double root_by_q71 = 0.5 * clearance_by_q71 * t24;
+    const double t49 = p_y * limited_by_q71 + p_z * root_by_q71 - limited * p_y_by_q71 - root
+        * p_z_by_q71;
+    const double cos_A_by_q71 = (t49 - cos_A * reach_squared_by_q71) * t25;
     const double z_plane_x_by_q71 = u_y * cos_A_by_q71;
-    const double t52 = p_y * root_by_q71 - p_z * limited_by_q71 + limited * p_z_by_q71 - root * p_y_by_q71;
-    const double sin_A_by_q71 = (t52 - sin_A * reach_squared_by_q71) * t27;
-    const double z_x_by_q71 = t46 - cos_q71 * z_plane_x_by_q71 + t45 + sin_q71 * sin_A_by_q71;
+    const double t50 = p_y * root_by_q71 - p_z * limited_by_q71 + limited * p_z_by_q71 - root
+        * p_y_by_q71;
+    const double sin_A_by_q71 = (t50 - sin_A * reach_squared_by_q71) * t25;
+    const double z_x_by_q71 = t44 - cos_q71 * z_plane_x_by_q71 + t43 + sin_q71 * sin_A_by_q71;
     const double origin_x_by_q71 = M_z - 0.018 * z_x_by_q71;
     const double x_plane_x_by_q71 = u_y * sin_A_by_q71;
-    const double x_x_by_q71 = t48 + cos_q71 * x_plane_x_by_q71 - t47 + sin_q71 * cos_A_by_q71;
-    const double t53 = origin_x_by_q71 + 0.004 * x_x_by_q71;
-    const double t54 = 0.01 * z_x_by_q71;
-    const double layer_1_x_by_q71 = t53 - t54;
+    const double x_x_by_q71 = t46 + cos_q71 * x_plane_x_by_q71 - t45 + sin_q71 * cos_A_by_q71;
+    const double t51 = origin_x_by_q71 + 0.004 * x_x_by_q71;
+    const double t52 = 0.01 * z_x_by_q71;
+    const double layer_1_x_by_q71 = t51 - t52;
     const double z_plane_y_by_q71 = u_e * cos_A_by_q71;
     const double origin_y_by_q71 = 0.018 * z_plane_y_by_q71;
-    const double t55 = origin_y_by_q71 + t40 * sin_A_by_q71;
-    const double t56 = 0.01 * z_plane_y_by_q71;
-    const double layer_1_y_by_q71 = t55 + t56;
-    const double z_z_by_q71 = t34 + cos_q71 * sin_A_by_q71 - t35 + sin_q71 * z_plane_x_by_q71;
+    const double t53 = origin_y_by_q71 + t38 * sin_A_by_q71;
+    const double t54 = 0.01 * z_plane_y_by_q71;
+    const double layer_1_y_by_q71 = t53 + t54;
+    const double z_z_by_q71 = t32 + cos_q71 * sin_A_by_q71 - t33 + sin_q71 * z_plane_x_by_q71;
     const double origin_z_by_q71 = M_x - 0.018 * z_z_by_q71;
-    const double x_z_by_q71 = t32 - cos_q71 * cos_A_by_q71 + t33 + sin_q71 * x_plane_x_by_q71;
-    const double t57 = origin_z_by_q71 - 0.004 * x_z_by_q71;
-    const double t58 = 0.01 * z_z_by_q71;
-    const double layer_1_z_by_q71 = t57 - t58;
+    const double x_z_by_q71 = t30 - cos_q71 * cos_A_by_q71 + t31 + sin_q71 * x_plane_x_by_q71;
+    const double t55 = origin_z_by_q71 - 0.004 * x_z_by_q71;
+    const double t56 = 0.01 * z_z_by_q71;
+    const double layer_1_z_by_q71 = t55 - t56;
     const double strand_27_y = 0.019 - layer_1_y;
-    const double t59 = layer_1_x * layer_1_x_by_q73 + layer_1_z * layer_1_z_by_q73 - strand_27_y * layer_1_y_by_q73;
-    const double t60 = layer_1_x * layer_1_x + layer_1_z * layer_1_z + strand_27_y * strand_27_y;
-    const double length_27 = sinew_sqrt(t60);
-    const double t61 = 1.0 / length_27;
-    const double length_27_by_q73 = t59 * t61;
+    const double t57 = layer_1_x * layer_1_x_by_q73 + layer_1_z * layer_1_z_by_q73 - strand_27_y
+        * layer_1_y_by_q73;
+    const double t58 = layer_1_x * layer_1_x + layer_1_z * layer_1_z + strand_27_y * strand_27_y;
+    const double length_27 = sinew_sqrt(t58);
+    const double t59 = 1.0 / length_27;
+    const double length_27_by_q73 = t57 * t59;
     P[55] = -length_27_by_q73;
-    const double t62 = layer_1_x * layer_1_x_by_q71 - layer_1_z * layer_1_z_by_q71 - strand_27_y * layer_1_y_by_q71;
-    const double length_27_by_q71 = t62 * t61;
+    const double t60 = layer_1_x * layer_1_x_by_q71 - layer_1_z * layer_1_z_by_q71 - strand_27_y
+        * layer_1_y_by_q71;
+    const double length_27_by_q71 = t60 * t59;
     P[54] = length_27_by_q71;
-    const double layer_0_x_by_q73 = t30 + t31;
-    const double layer_0_x = t36 - t37;
-    const double layer_0_y_by_q73 = t38 + t39;
-    const double layer_0_y = t41 - t42;
-    const double layer_0_z_by_q73 = t43 + t44;
-    const double layer_0_z = 0.008 - origin_z - t49 - t50;
-    const double layer_0_x_by_q71 = t53 + t54;
-    const double layer_0_y_by_q71 = t55 - t56;
-    const double layer_0_z_by_q71 = t57 + t58;
+    const double layer_0_x_by_q73 = t28 + t29;
+    const double layer_0_x = t34 - t35;
+    const double layer_0_y_by_q73 = t36 + t37;
+    const double layer_0_y = t39 - t40;
+    const double layer_0_z_by_q73 = t41 + t42;
+    const double layer_0_z = 0.008 - origin_z - t47 - t48;
+    const double layer_0_x_by_q71 = t51 + t52;
+    const double layer_0_y_by_q71 = t53 - t54;
+    const double layer_0_z_by_q71 = t55 + t56;
     const double strand_7_y = 0.018 - layer_0_y;
-    const double t63 = layer_0_x * layer_0_x_by_q73 + layer_0_z * layer_0_z_by_q73 - strand_7_y * layer_0_y_by_q73;
-    const double length_7 = sinew_sqrt(layer_0_x * layer_0_x + layer_0_z * layer_0_z + strand_7_y * strand_7_y);
-    const double t64 = 1.0 / length_7;
-    const double length_7_by_q73 = t63 * t64;
+    const double t61 = layer_0_x * layer_0_x_by_q73 + layer_0_z * layer_0_z_by_q73 - strand_7_y
+        * layer_0_y_by_q73;
+    const double length_7 = sinew_sqrt(layer_0_x * layer_0_x + layer_0_z * layer_0_z + strand_7_y
+        * strand_7_y);
+    const double t62 = 1.0 / length_7;
+    const double length_7_by_q73 = t61 * t62;
     P[15] = -length_7_by_q73;
-    const double t65 = layer_0_x * layer_0_x_by_q71 - layer_0_z * layer_0_z_by_q71 - strand_7_y * layer_0_y_by_q71;
-    const double length_7_by_q71 = t65 * t64;
+    const double t63 = layer_0_x * layer_0_x_by_q71 - layer_0_z * layer_0_z_by_q71 - strand_7_y
+        * layer_0_y_by_q71;
+    const double length_7_by_q71 = t63 * t62;
     P[14] = length_7_by_q71;
+    static const double table65[11][2] = {{0.002, 0.019}, {0.003, 0.021}, {0.005, 0.023},
+        {0.006, 0.024}, {0.008, 0.026}, {0.01, 0.027}, {0.011, 0.029}, {0.013, 0.031},
+        {0.014, 0.032}, {0.016, 0.034}, {0.018, 0.035}};
+    for (int i64 = 0; i64 < 11; ++i64) {
+        const double t66 = table65[i64][0] * y_x;
+        const double strand_x = layer_0_x - t66;
+        const double t67 = table65[i64][0] * y_z;
+        const double strand_x_by_q71 = layer_0_x_by_q71 + t67;
+        const double strand_y = table65[i64][1] - layer_0_y - table65[i64][0] * u_y;
+        const double strand_z = layer_0_z - t67;
+        const double strand_z_by_q71 = layer_0_z_by_q71 + t66;
+        const double t68 = strand_x * strand_x_by_q71 - strand_y * layer_0_y_by_q71 - strand_z
+            * strand_z_by_q71;
+        const double length = sinew_sqrt(strand_x * strand_x + strand_y * strand_y + strand_z
+            * strand_z);
+        const double t69 = 1.0 / length;
+        const double length_by_q71 = t68 * t69;
+        const double strand_x_by_q73 = layer_0_x_by_q73 + table65[i64][0] * y_x_by_q73;
+        const double strand_y_by_q73 = layer_0_y_by_q73 + table65[i64][0] * u_y_by_q73;
+        const double strand_z_by_q73 = layer_0_z_by_q73 + table65[i64][0] * y_z_by_q73;
+        const double t70 = strand_x * strand_x_by_q73 - strand_y * strand_y_by_q73 + strand_z
+            * strand_z_by_q73;
+        const double length_by_q73 = t70 * t69;
+        P[16 + 2 * i64] = length_by_q71;
+        P[17 + 2 * i64] = -length_by_q73;
+    }
+    static const double table72[10][2] = {{0.002, 0.02}, {0.003, 0.022}, {0.005, 0.023},
+        {0.006, 0.025}, {0.008, 0.027}, {0.01, 0.028}, {0.011, 0.03}, {0.013, 0.031},
+        {0.014, 0.033}, {0.016, 0.035}};
+    for (int i71 = 0; i71 < 10; ++i71) {
+        const double t73 = table72[i71][0] * y_x;
+        const double strand_x_2 = layer_1_x - t73;
+        const double t74 = table72[i71][0] * y_z;
+        const double strand_x_by_q71_2 = layer_1_x_by_q71 + t74;
+        const double strand_y_2 = table72[i71][1] - layer_1_y - table72[i71][0] * u_y;
+        const double strand_z_2 = layer_1_z - t74;
+        const double strand_z_by_q71_2 = layer_1_z_by_q71 + t73;
+        const double t75 = strand_x_2 * strand_x_by_q71_2 - strand_y_2 * layer_1_y_by_q71
+            - strand_z_2 * strand_z_by_q71_2;
+        const double t76 = strand_x_2 * strand_x_2 + strand_y_2 * strand_y_2 + strand_z_2
+            * strand_z_2;
+        const double length_2 = sinew_sqrt(t76);
+        const double t77 = 1.0 / length_2;
+        const double length_by_q71_2 = t75 * t77;
+        const double strand_x_by_q73_2 = layer_1_x_by_q73 + table72[i71][0] * y_x_by_q73;
+        const double strand_y_by_q73_2 = layer_1_y_by_q73 + table72[i71][0] * u_y_by_q73;
+        const double strand_z_by_q73_2 = layer_1_z_by_q73 + table72[i71][0] * y_z_by_q73;
+        const double t78 = strand_x_2 * strand_x_by_q73_2 - strand_y_2 * strand_y_by_q73_2
+            + strand_z_2 * strand_z_by_q73_2;
+        const double length_by_q73_2 = t78 * t77;
+        P[56 + 2 * i71] = length_by_q71_2;
+        P[57 + 2 * i71] = -length_by_q73_2;
+    }
+    static const double table80[8][2] = {{0.013, 0.006}, {0.011, 0.007}, {0.01, 0.009},
+        {0.008, 0.011}, {0.006, 0.012}, {0.005, 0.014}, {0.003, 0.015}, {0.002, 0.017}};
+    for (int i79 = 0; i79 < 8; ++i79) {
+        const double t81 = table80[i79][0] * y_x;
+        const double strand_x_3 = layer_1_x + t81;
+        const double t82 = table80[i79][0] * y_z;
+        const double strand_x_by_q71_3 = layer_1_x_by_q71 - t82;
+        const double strand_y_3 = table80[i79][1] - layer_1_y + table80[i79][0] * u_y;
+        const double strand_z_3 = layer_1_z + t82;
+        const double strand_z_by_q71_3 = layer_1_z_by_q71 - t81;
+        const double t83 = strand_x_3 * strand_x_by_q71_3 - strand_y_3 * layer_1_y_by_q71
+            - strand_z_3 * strand_z_by_q71_3;
+        const double t84 = strand_x_3 * strand_x_3 + strand_y_3 * strand_y_3 + strand_z_3
+            * strand_z_3;
+        const double length_3 = sinew_sqrt(t84);
+        const double t85 = 1.0 / length_3;
+        const double length_by_q71_3 = t83 * t85;
+        const double strand_x_by_q73_3 = layer_1_x_by_q73 - table80[i79][0] * y_x_by_q73;
+        const double strand_y_by_q73_3 = layer_1_y_by_q73 - table80[i79][0] * u_y_by_q73;
+        const double strand_z_by_q73_3 = layer_1_z_by_q73 - table80[i79][0] * y_z_by_q73;
+        const double t86 = strand_x_3 * strand_x_by_q73_3 - strand_y_3 * strand_y_by_q73_3
+            + strand_z_3 * strand_z_by_q73_3;
+        const double length_by_q73_3 = t86 * t85;
+        P[38 + 2 * i79] = length_by_q71_3;
+        P[39 + 2 * i79] = -length_by_q73_3;
+    }
+    static const double table88[7][2] = {{0.011, 0.007}, {0.01, 0.008}, {0.008, 0.01},
+        {0.006, 0.011}, {0.005, 0.013}, {0.003, 0.015}, {0.002, 0.016}};
+    for (int i87 = 0; i87 < 7; ++i87) {
+        const double t89 = table88[i87][0] * y_x;
+        const double strand_x_4 = layer_0_x + t89;
+        const double t90 = table88[i87][0] * y_z;
+        const double strand_x_by_q71_4 = layer_0_x_by_q71 - t90;
+        const double strand_y_4 = table88[i87][1] - layer_0_y + table88[i87][0] * u_y;
+        const double strand_z_4 = layer_0_z + t90;
+        const double strand_z_by_q71_4 = layer_0_z_by_q71 - t89;
+        const double t91 = strand_x_4 * strand_x_by_q71_4 - strand_y_4 * layer_0_y_by_q71
+            - strand_z_4 * strand_z_by_q71_4;
+        const double t92 = strand_x_4 * strand_x_4 + strand_y_4 * strand_y_4 + strand_z_4
+            * strand_z_4;
+        const double length_4 = sinew_sqrt(t92);
+        const double t93 = 1.0 / length_4;
+        const double length_by_q71_4 = t91 * t93;
+        const double strand_x_by_q73_4 = layer_0_x_by_q73 - table88[i87][0] * y_x_by_q73;
+        const double strand_y_by_q73_4 = layer_0_y_by_q73 - table88[i87][0] * u_y_by_q73;
+        const double strand_z_by_q73_4 = layer_0_z_by_q73 - table88[i87][0] * y_z_by_q73;
+        const double t94 = strand_x_4 * strand_x_by_q73_4 - strand_y_4 * strand_y_by_q73_4
+            + strand_z_4 * strand_z_by_q73_4;
+        const double length_by_q73_4 = t94 * t93;
+        P[2 * i87] = length_by_q71_4;
+        P[1 + 2 * i87] = -length_by_q73_4;
+    }
+}
+
+void wrist_tendon_hessian(const double q71[SINEW_AT_LEAST(1)], const double q73[SINEW_AT_LEAST(1)],
+    double H[SINEW_AT_LEAST(152)])
+{
+    const struct sinew_sines2 sines1 = sinew_one_sincos2(q71[0], q73[0]);
+    const double sin_q71 = sines1.s[0];
+    const double cos_q71 = sines1.c[0];
+    const double sin_q73 = sines1.s[1];
+    const double cos_q73 = sines1.c[1];
+    const double B_y = 0.074565407529229 * cos_q73;
+    const double B_to_C0_squared_by_q73_by_q73 = 0.084 * B_y;
+    const double B_to_C0_squared = 0.007324 - B_to_C0_squared_by_q73_by_q73;
+    const double t2 = 1.0 / B_to_C0_squared;
+    const double ratio = 0.003796 * t2;
+    const double t3 = 21.0 - 500.0 * B_y;
+    const double C_y = 0.002 * ratio * t3;
+    const double t4 = 23.80952380952381 * B_y;
+    const double u_y = t4 + 23.80952380952381 * C_y;
+    const double B_e = 0.074565407529229 * sin_q73;
+    const double C_e = B_e * ratio;
+    const double t5 = 0.5 * B_e;
+    const double M_e = t5 + 0.5 * C_e;
+    const double p_z_by_q71 = 0.036 * sin_q71;
+    const double s_e = M_e - p_z_by_q71;
+    const double t6 = 0.5 * B_y;
+    const double M_y = t6 - 0.5 * C_y;
+    const double s_y = 0.021 - M_y;
+    const double t7 = 23.80952380952381 * B_e;
+    const double u_e = t7 - 23.80952380952381 * C_e;
+    const double p_y = u_e * s_y + u_y * s_e;
+    const double t8 = p_y + p_y;
+    const double p_z = 0.036 * cos_q71;
+    const double p_y_by_q71 = u_y * p_z;
+    const double t9 = p_z + p_z;
+    const double t10 = p_y * p_y;
+    const double t11 = p_z * p_z;
+    const double t12 = -(1.296e-15 - t10 - t11);
+    const double reach_squared_by_q71 = sinew_choose(t12, -(t8 * p_y_by_q71 + t9 * p_z_by_q71),
+        0.0);
+    const double reach_squared = sinew_max(t10 + t11, 1.296e-15);
+    const double reach = sinew_sqrt(reach_squared);
+    const double t13 = 1.0 / reach;
+    const double reach_by_q71 = 0.5 * reach_squared_by_q71 * t13;
+    const double p_x = u_e * s_e - u_y * s_y;
+    const double projection = 0.034722222222222224 - 13.88888888888889 * (reach_squared + p_x
+        * p_x);
+    const double t14 = reach - projection;
+    const double t15 = sinew_choose(t14, 0.0, 1.0);
+    const double t16 = sinew_choose(t14, 1.0, 0.0);
+    const double t17 = 27.77777777777778 * p_x;
+    const double p_x_by_q71 = u_e * p_z;
+    const double projection_by_q71 = 13.88888888888889 * reach_squared_by_q71 - t17 * p_x_by_q71;
+    const double t18 = sinew_max(-projection, -reach);
+    const double t19 = reach - t18;
+    const double limited_by_q71 = sinew_choose(t19, -(reach_by_q71 * t15 - projection_by_q71 * t16),
+        reach_by_q71);
+    const double limited = sinew_min(t18, reach);
+    const double t20 = limited + limited;
+    const double t21 = reach + reach;
+    const double t22 = (reach + limited) * (reach - limited);
+    const double t23 = 1e-12 * reach_squared;
+    const double t24 = -(t23 - t22);
+    const double clearance_by_q71 = sinew_choose(t24, t21 * reach_by_q71 - t20 * limited_by_q71,
+        1e-12 * reach_squared_by_q71);
+    const double clearance = sinew_max(t22, t23);
+    const double root = sinew_sqrt(clearance);
+    const double t25 = 1.0 / root;
+    const double root_by_q71 = 0.5 * clearance_by_q71 * t25;
+    const double t26 = root_by_q71 + root_by_q71;
+    const double t27 = limited_by_q71 + limited_by_q71;
+    const double t28 = reach_by_q71 * reach_by_q71;
+    const double t29 = t28 + t28;
+    const double p_y_by_q71_by_q71 = u_y * p_z_by_q71;
+    const double t30 = p_y_by_q71 * p_y_by_q71 + p_z_by_q71 * p_z_by_q71;
+    const double reach_squared_by_q71_by_q71 = sinew_choose(t12, t30 + t30 + t8 * p_y_by_q71_by_q71
+        - t9 * p_z, 0.0);
+    const double reach_by_q71_by_q71 = 0.5 * (reach_squared_by_q71_by_q71 - t29) * t13;
+    const double t31 = 27.77777777777778 * p_x_by_q71;
+    const double projection_by_q71_by_q71 = 13.88888888888889 * reach_squared_by_q71_by_q71 + t31
+        * p_x_by_q71 + t17 * u_e * p_z_by_q71;
+    const double limited_by_q71_by_q71 = sinew_choose(t19, -(reach_by_q71_by_q71 * t15
+        - projection_by_q71_by_q71 * t16), reach_by_q71_by_q71);
+    const double t32 = t29 - t27 * limited_by_q71 + t21 * reach_by_q71_by_q71 - t20
+        * limited_by_q71_by_q71;
+    const double clearance_by_q71_by_q71 = sinew_choose(t24, t32, 1e-12
+        * reach_squared_by_q71_by_q71);
+    const double root_by_q71_by_q71 = 0.5 * (clearance_by_q71_by_q71 - t26 * root_by_q71) * t25;
+    const double t33 = p_z * root;
+    const double t34 = p_y * limited_by_q71_by_q71 - t33 + p_z * root_by_q71_by_q71 + limited
+        * p_y_by_q71_by_q71;
+    const double t35 = 1.0 / reach_squared;
+    const double cos_A = (p_y * limited + t33) * t35;
+    const double t36 = p_y_by_q71 + p_y_by_q71;
+    const double t37 = p_z_by_q71 + p_z_by_q71;
+    const double t38 = t34 - cos_A * reach_squared_by_q71_by_q71 - t36 * limited_by_q71 - t37
+        * root_by_q71;
+    const double t39 = p_y * limited_by_q71 + p_z * root_by_q71 - limited * p_y_by_q71 - root
+        * p_z_by_q71;
+    const double cos_A_by_q71 = (t39 - cos_A * reach_squared_by_q71) * t35;
+    const double t40 = reach_squared_by_q71 + reach_squared_by_q71;
+    const double cos_A_by_q71_by_q71 = (t38 - t40 * cos_A_by_q71) * t35;
+    const double z_plane_x_by_q71_by_q71 = u_y * cos_A_by_q71_by_q71;
+    const double z_plane_x = u_y * cos_A;
+    const double t41 = cos_q71 * z_plane_x;
+    const double t42 = p_z * limited;
+    const double sin_A = (p_y * root - t42) * t35;
+    const double t43 = sin_q71 * sin_A;
+    const double t44 = p_y * root_by_q71_by_q71 + t42 - p_z * limited_by_q71_by_q71 + root
+        * p_y_by_q71_by_q71;
+    const double t45 = t44 - sin_A * reach_squared_by_q71_by_q71 - t36 * root_by_q71 + t37
+        * limited_by_q71;
+    const double t46 = p_y * root_by_q71 - p_z * limited_by_q71 + limited * p_z_by_q71 - root
+        * p_y_by_q71;
+    const double sin_A_by_q71 = (t46 - sin_A * reach_squared_by_q71) * t35;
+    const double sin_A_by_q71_by_q71 = (t45 - t40 * sin_A_by_q71) * t35;
+    const double t47 = t41 - cos_q71 * z_plane_x_by_q71_by_q71 - t43 + sin_q71
+        * sin_A_by_q71_by_q71;
+    const double t48 = cos_q71 + cos_q71;
+    const double z_plane_x_by_q71 = u_y * cos_A_by_q71;
+    const double t49 = sin_q71 + sin_q71;
+    const double z_x_by_q71_by_q71 = t47 + t48 * sin_A_by_q71 + t49 * z_plane_x_by_q71;
+    const double M_x = cos_q71 * M_e;
+    const double origin_x_by_q71_by_q71 = M_x - 0.018 * z_x_by_q71_by_q71;
+    const double x_plane_x_by_q71_by_q71 = u_y * sin_A_by_q71_by_q71;
+    const double x_plane_x = u_y * sin_A;
+    const double t50 = cos_q71 * x_plane_x;
+    const double t51 = sin_q71 * cos_A;
+    const double t52 = t50 - cos_q71 * x_plane_x_by_q71_by_q71 + t51 - sin_q71
+        * cos_A_by_q71_by_q71;
+    const double x_plane_x_by_q71 = u_y * sin_A_by_q71;
+    const double x_x_by_q71_by_q71 = t52 - t48 * cos_A_by_q71 + t49 * x_plane_x_by_q71;
+    const double t53 = origin_x_by_q71_by_q71 - 0.004 * x_x_by_q71_by_q71;
+    const double t54 = 0.01 * z_x_by_q71_by_q71;
+    const double layer_0_x_by_q71_by_q71 = t53 + t54;
+    const double y_x = cos_q71 * u_e;
+    const double t55 = 0.011 * y_x;
+    const double strand_0_x_by_q71_by_q71 = layer_0_x_by_q71_by_q71 - t55;
+    const double x_x = t50 + t51;
+    const double z_x = t41 - t43;
+    const double t56 = 0.004 * (1.0 + x_x) - M_x + 0.018 * z_x;
+    const double t57 = 0.01 * z_x;
+    const double layer_0_x = t56 - t57;
+    const double strand_0_x = layer_0_x + t55;
+    const double z_plane_y_by_q71_by_q71 = u_e * cos_A_by_q71_by_q71;
+    const double origin_y_by_q71_by_q71 = 0.018 * z_plane_y_by_q71_by_q71;
+    const double t58 = 0.004 * u_e;
+    const double t59 = origin_y_by_q71_by_q71 + t58 * sin_A_by_q71_by_q71;
+    const double t60 = 0.01 * z_plane_y_by_q71_by_q71;
+    const double layer_0_y_by_q71_by_q71 = t59 - t60;
+    const double z_plane_y = u_e * cos_A;
+    const double origin_y = M_y + 0.018 * z_plane_y;
+    const double t61 = origin_y + t58 * sin_A;
+    const double t62 = 0.01 * z_plane_y;
+    const double layer_0_y = t61 - t62;
+    const double strand_0_y = 0.007 - layer_0_y + 0.011 * u_y;
+    const double t63 = strand_0_x * strand_0_x_by_q71_by_q71 - strand_0_y * layer_0_y_by_q71_by_q71;
+    const double t64 = cos_q71 * sin_A;
+    const double t65 = sin_q71 * z_plane_x;
+    const double t66 = t64 - cos_q71 * sin_A_by_q71_by_q71 + t65 - sin_q71
+        * z_plane_x_by_q71_by_q71;
+    const double z_z_by_q71_by_q71 = t66 - t48 * z_plane_x_by_q71 + t49 * sin_A_by_q71;
+    const double M_z = sin_q71 * M_e;
+    const double origin_z_by_q71_by_q71 = M_z - 0.018 * z_z_by_q71_by_q71;
+    const double t67 = cos_q71 * cos_A;
+    const double t68 = sin_q71 * x_plane_x;
+    const double t69 = t67 - cos_q71 * cos_A_by_q71_by_q71 - t68 + sin_q71
+        * x_plane_x_by_q71_by_q71;
+    const double x_z_by_q71_by_q71 = t69 + t48 * x_plane_x_by_q71 + t49 * cos_A_by_q71;
+    const double t70 = origin_z_by_q71_by_q71 + 0.004 * x_z_by_q71_by_q71;
+    const double t71 = 0.01 * z_z_by_q71_by_q71;
+    const double layer_0_z_by_q71_by_q71 = t70 + t71;
+    const double y_z = sin_q71 * u_e;
+    const double t72 = 0.011 * y_z;
+    const double strand_0_z_by_q71_by_q71 = layer_0_z_by_q71_by_q71 - t72;
+    const double z_z = t64 + t65;
+    const double origin_z = M_z - 0.018 * z_z;
+    const double x_z = t67 - t68;
+    const double t73 = 0.004 * x_z;
+    const double t74 = 0.01 * z_z;
+    const double layer_0_z = 0.008 - origin_z - t73 - t74;
+    const double strand_0_z = layer_0_z + t72;
+    const double z_x_by_q71 = t64 - cos_q71 * z_plane_x_by_q71 + t65 + sin_q71 * sin_A_by_q71;
+    const double origin_x_by_q71 = M_z - 0.018 * z_x_by_q71;
+    const double x_x_by_q71 = t67 + cos_q71 * x_plane_x_by_q71 - t68 + sin_q71 * cos_A_by_q71;
+    const double t75 = origin_x_by_q71 + 0.004 * x_x_by_q71;
+    const double t76 = 0.01 * z_x_by_q71;
+    const double layer_0_x_by_q71 = t75 + t76;
+    const double strand_0_x_by_q71 = layer_0_x_by_q71 - t72;
+    const double t77 = t63 + strand_0_z * strand_0_z_by_q71_by_q71 + strand_0_x_by_q71
+        * strand_0_x_by_q71;
+    const double z_plane_y_by_q71 = u_e * cos_A_by_q71;
+    const double origin_y_by_q71 = 0.018 * z_plane_y_by_q71;
+    const double t78 = origin_y_by_q71 + t58 * sin_A_by_q71;
+    const double t79 = 0.01 * z_plane_y_by_q71;
+    const double layer_0_y_by_q71 = t78 - t79;
+    const double t80 = layer_0_y_by_q71 * layer_0_y_by_q71;
+    const double z_z_by_q71 = t41 + cos_q71 * sin_A_by_q71 - t43 + sin_q71 * z_plane_x_by_q71;
+    const double origin_z_by_q71 = M_x - 0.018 * z_z_by_q71;
+    const double x_z_by_q71 = t50 - cos_q71 * cos_A_by_q71 + t51 + sin_q71 * x_plane_x_by_q71;
+    const double t81 = origin_z_by_q71 - 0.004 * x_z_by_q71;
+    const double t82 = 0.01 * z_z_by_q71;
+    const double layer_0_z_by_q71 = t81 + t82;
+    const double strand_0_z_by_q71 = layer_0_z_by_q71 - t55;
+    const double t83 = strand_0_x * strand_0_x_by_q71 - strand_0_y * layer_0_y_by_q71 - strand_0_z
+        * strand_0_z_by_q71;
+    const double t84 = strand_0_x * strand_0_x + strand_0_y * strand_0_y + strand_0_z * strand_0_z;
+    const double length_0 = sinew_sqrt(t84);
+    const double t85 = 1.0 / length_0;
+    const double length_0_by_q71 = t83 * t85;
+    const double t86 = t77 + t80 + strand_0_z_by_q71 * strand_0_z_by_q71 - length_0_by_q71
+        * length_0_by_q71;
+    const double length_0_by_q71_by_q71 = t86 * t85;
+    H[0] = length_0_by_q71_by_q71;
+    const double B_to_C0_squared_by_q73 = 0.084 * B_e;
+    const double ratio_by_q73 = ratio * B_to_C0_squared_by_q73 * t2;
+    const double C_y_by_q73 = C_e - 0.002 * ratio_by_q73 * t3;
+    const double M_y_by_q73 = t5 + 0.5 * C_y_by_q73;
+    const double t87 = B_y * ratio;
+    const double C_e_by_q73 = B_e * ratio_by_q73 - t87;
+    const double M_e_by_q73 = t6 - 0.5 * C_e_by_q73;
+    const double u_y_by_q73 = t7 - 23.80952380952381 * C_y_by_q73;
+    const double u_e_by_q73 = t4 + 23.80952380952381 * C_e_by_q73;
+    const double p_y_by_q73 = u_e * M_y_by_q73 + u_y * M_e_by_q73 - s_e * u_y_by_q73 + s_y
+        * u_e_by_q73;
+    const double reach_squared_by_q73 = sinew_choose(t12, t8 * p_y_by_q73, 0.0);
+    const double p_x_by_q73 = u_e * M_e_by_q73 - u_y * M_y_by_q73 + s_e * u_e_by_q73 + s_y
+        * u_y_by_q73;
+    const double projection_by_q73 = 13.88888888888889 * reach_squared_by_q73 + t17 * p_x_by_q73;
+    const double reach_by_q73 = 0.5 * reach_squared_by_q73 * t13;
+    const double limited_by_q73 = sinew_choose(t19, -(reach_by_q73 * t15 - projection_by_q73 * t16),
+        reach_by_q73);
+    const double clearance_by_q73 = sinew_choose(t24, t21 * reach_by_q73 - t20 * limited_by_q73,
+        1e-12 * reach_squared_by_q73);
+    const double root_by_q73 = 0.5 * clearance_by_q73 * t25;
+    const double t88 = (reach_by_q71 + reach_by_q71) * reach_by_q73;
+    const double p_y_by_q71_by_q73 = p_z * u_y_by_q73;
+    const double reach_squared_by_q71_by_q73 = sinew_choose(t12, t8 * p_y_by_q71_by_q73 - t36
+        * p_y_by_q73, 0.0);
+    const double reach_by_q71_by_q73 = 0.5 * (reach_squared_by_q71_by_q73 - t88) * t13;
+    const double projection_by_q71_by_q73 = 13.88888888888889 * reach_squared_by_q71_by_q73 - t17
+        * p_z * u_e_by_q73 - t31 * p_x_by_q73;
+    const double limited_by_q71_by_q73 = sinew_choose(t19, -(reach_by_q71_by_q73 * t15
+        - projection_by_q71_by_q73 * t16), reach_by_q71_by_q73);
+    const double t89 = t21 * reach_by_q71_by_q73 - t20 * limited_by_q71_by_q73 + t88 - t27
+        * limited_by_q73;
+    const double clearance_by_q71_by_q73 = sinew_choose(t24, t89, 1e-12
+        * reach_squared_by_q71_by_q73);
+    const double root_by_q71_by_q73 = 0.5 * (clearance_by_q71_by_q73 - t26 * root_by_q73) * t25;
+    const double t90 = p_y * limited_by_q71_by_q73 + p_z * root_by_q71_by_q73 + limited
+        * p_y_by_q71_by_q73;
+    const double t91 = t90 - cos_A * reach_squared_by_q71_by_q73 - p_y_by_q71 * limited_by_q73
+        - p_z_by_q71 * root_by_q73;
+    const double t92 = p_y * limited_by_q73 + p_z * root_by_q73 + limited * p_y_by_q73 - cos_A
+        * reach_squared_by_q73;
+    const double cos_A_by_q73 = t92 * t35;
+    const double t93 = t91 - reach_squared_by_q71 * cos_A_by_q73 + limited_by_q71 * p_y_by_q73
+        - cos_A_by_q71 * reach_squared_by_q73;
+    const double cos_A_by_q71_by_q73 = t93 * t35;
+    const double z_plane_x_by_q71_by_q73 = u_y * cos_A_by_q71_by_q73 - cos_A_by_q71 * u_y_by_q73;
+    const double t94 = p_y * root_by_q73 - p_z * limited_by_q73 + root * p_y_by_q73 - sin_A
+        * reach_squared_by_q73;
+    const double sin_A_by_q73 = t94 * t35;
+    const double t95 = cos_q71 * sin_A_by_q73;
+    const double z_plane_x_by_q73 = u_y * cos_A_by_q73 - cos_A * u_y_by_q73;
+    const double t96 = sin_q71 * z_plane_x_by_q73;
+    const double t97 = p_y * root_by_q71_by_q73 - p_z * limited_by_q71_by_q73 + root
+        * p_y_by_q71_by_q73;
+    const double t98 = t97 - sin_A * reach_squared_by_q71_by_q73 - p_y_by_q71 * root_by_q73
+        + p_z_by_q71 * limited_by_q73;
+    const double t99 = t98 - reach_squared_by_q71 * sin_A_by_q73 + root_by_q71 * p_y_by_q73
+        - sin_A_by_q71 * reach_squared_by_q73;
+    const double sin_A_by_q71_by_q73 = t99 * t35;
+    const double z_x_by_q71_by_q73 = t95 - cos_q71 * z_plane_x_by_q71_by_q73 + t96 + sin_q71
+        * sin_A_by_q71_by_q73;
+    const double M_z_by_q73 = sin_q71 * M_e_by_q73;
+    const double origin_x_by_q71_by_q73 = M_z_by_q73 - 0.018 * z_x_by_q71_by_q73;
+    const double x_plane_x_by_q71_by_q73 = u_y * sin_A_by_q71_by_q73 - sin_A_by_q71 * u_y_by_q73;
+    const double t100 = cos_q71 * cos_A_by_q73;
+    const double x_plane_x_by_q73 = u_y * sin_A_by_q73 - sin_A * u_y_by_q73;
+    const double t101 = sin_q71 * x_plane_x_by_q73;
+    const double x_x_by_q71_by_q73 = t100 + cos_q71 * x_plane_x_by_q71_by_q73 - t101 + sin_q71
+        * cos_A_by_q71_by_q73;
+    const double t102 = origin_x_by_q71_by_q73 + 0.004 * x_x_by_q71_by_q73;
+    const double t103 = 0.01 * z_x_by_q71_by_q73;
+    const double layer_0_x_by_q71_by_q73 = t102 + t103;
+    const double y_z_by_q73 = sin_q71 * u_e_by_q73;
+    const double t104 = 0.011 * y_z_by_q73;
+    const double strand_0_x_by_q71_by_q73 = layer_0_x_by_q71_by_q73 - t104;
+    const double x_plane_y_by_q71_by_q73 = u_e * sin_A_by_q71_by_q73 + sin_A_by_q71 * u_e_by_q73;
+    const double z_plane_y_by_q71_by_q73 = u_e * cos_A_by_q71_by_q73 + cos_A_by_q71 * u_e_by_q73;
+    const double origin_y_by_q71_by_q73 = 0.018 * z_plane_y_by_q71_by_q73;
+    const double t105 = origin_y_by_q71_by_q73 + 0.004 * x_plane_y_by_q71_by_q73;
+    const double t106 = 0.01 * z_plane_y_by_q71_by_q73;
+    const double layer_0_y_by_q71_by_q73 = t105 - t106;
+    const double t107 = strand_0_x * strand_0_x_by_q71_by_q73 - strand_0_y
+        * layer_0_y_by_q71_by_q73;
+    const double t108 = cos_q71 * z_plane_x_by_q73;
+    const double t109 = sin_q71 * sin_A_by_q73;
+    const double z_z_by_q71_by_q73 = t108 + cos_q71 * sin_A_by_q71_by_q73 - t109 + sin_q71
+        * z_plane_x_by_q71_by_q73;
+    const double M_x_by_q73 = cos_q71 * M_e_by_q73;
+    const double origin_z_by_q71_by_q73 = M_x_by_q73 - 0.018 * z_z_by_q71_by_q73;
+    const double t110 = cos_q71 * x_plane_x_by_q73;
+    const double t111 = sin_q71 * cos_A_by_q73;
+    const double x_z_by_q71_by_q73 = t110 - cos_q71 * cos_A_by_q71_by_q73 + t111 + sin_q71
+        * x_plane_x_by_q71_by_q73;
+    const double t112 = origin_z_by_q71_by_q73 - 0.004 * x_z_by_q71_by_q73;
+    const double t113 = 0.01 * z_z_by_q71_by_q73;
+    const double layer_0_z_by_q71_by_q73 = t112 + t113;
+    const double y_x_by_q73 = cos_q71 * u_e_by_q73;
+    const double t114 = 0.011 * y_x_by_q73;
+    const double strand_0_z_by_q71_by_q73 = layer_0_z_by_q71_by_q73 - t114;
+    const double z_x_by_q73 = t108 - t109;
+    const double origin_x_by_q73 = M_x_by_q73 - 0.018 * z_x_by_q73;
+    const double x_x_by_q73 = t110 + t111;
+    const double t115 = origin_x_by_q73 - 0.004 * x_x_by_q73;
+    const double t116 = 0.01 * z_x_by_q73;
+    const double layer_0_x_by_q73 = t115 + t116;
+    const double strand_0_x_by_q73 = layer_0_x_by_q73 - t114;
+    const double t117 = t107 - strand_0_z * strand_0_z_by_q71_by_q73 - strand_0_x_by_q71
+        * strand_0_x_by_q73;
+    const double x_plane_y_by_q73 = u_e * sin_A_by_q73 + sin_A * u_e_by_q73;
+    const double z_plane_y_by_q73 = u_e * cos_A_by_q73 + cos_A * u_e_by_q73;
+    const double origin_y_by_q73 = M_y_by_q73 - 0.018 * z_plane_y_by_q73;
+    const double t118 = origin_y_by_q73 - 0.004 * x_plane_y_by_q73;
+    const double t119 = 0.01 * z_plane_y_by_q73;
+    const double layer_0_y_by_q73 = t118 + t119;
+    const double strand_0_y_by_q73 = layer_0_y_by_q73 - 0.011 * u_y_by_q73;
+    const double z_z_by_q73 = t95 + t96;
+    const double origin_z_by_q73 = M_z_by_q73 - 0.018 * z_z_by_q73;
+    const double x_z_by_q73 = t100 - t101;
+    const double t120 = origin_z_by_q73 + 0.004 * x_z_by_q73;
+    const double t121 = 0.01 * z_z_by_q73;
+    const double layer_0_z_by_q73 = t120 + t121;
+    const double strand_0_z_by_q73 = layer_0_z_by_q73 - t104;
+    const double t122 = t117 - layer_0_y_by_q71 * strand_0_y_by_q73 + strand_0_z_by_q71
+        * strand_0_z_by_q73;
+    const double t123 = strand_0_x * strand_0_x_by_q73 - strand_0_y * strand_0_y_by_q73 + strand_0_z
+        * strand_0_z_by_q73;
+    const double length_0_by_q73 = t123 * t85;
+    const double length_0_by_q71_by_q73 = (t122 + length_0_by_q71 * length_0_by_q73) * t85;
+    H[1] = length_0_by_q71_by_q73;
+    H[2] = length_0_by_q71_by_q73;
+    const double t124 = reach_by_q73 * reach_by_q73;
+    const double t125 = t124 + t124;
+    const double t126 = ratio * B_to_C0_squared_by_q73_by_q73 - (B_to_C0_squared_by_q73
+        + B_to_C0_squared_by_q73) * ratio_by_q73;
+    const double ratio_by_q73_by_q73 = t126 * t2;
+    const double C_y_by_q73_by_q73 = t87 - 0.002 * ratio_by_q73_by_q73 * t3 - (B_e + B_e)
+        * ratio_by_q73;
+    const double M_y_by_q73_by_q73 = t6 + 0.5 * C_y_by_q73_by_q73;
+    const double C_e_by_q73_by_q73 = C_e + B_e * ratio_by_q73_by_q73 + (B_y + B_y) * ratio_by_q73;
+    const double M_e_by_q73_by_q73 = t5 + 0.5 * C_e_by_q73_by_q73;
+    const double u_y_by_q73_by_q73 = t4 - 23.80952380952381 * C_y_by_q73_by_q73;
+    const double t127 = u_e * M_y_by_q73_by_q73 - u_y * M_e_by_q73_by_q73 - s_e * u_y_by_q73_by_q73;
+    const double u_e_by_q73_by_q73 = t7 - 23.80952380952381 * C_e_by_q73_by_q73;
+    const double t128 = u_e_by_q73 + u_e_by_q73;
+    const double t129 = u_y_by_q73 + u_y_by_q73;
+    const double p_y_by_q73_by_q73 = t127 - s_y * u_e_by_q73_by_q73 + t128 * M_y_by_q73 - t129
+        * M_e_by_q73;
+    const double t130 = p_y_by_q73 + p_y_by_q73;
+    const double reach_squared_by_q73_by_q73 = sinew_choose(t12, t130 * p_y_by_q73 + t8
+        * p_y_by_q73_by_q73, 0.0);
+    const double reach_by_q73_by_q73 = 0.5 * (reach_squared_by_q73_by_q73 - t125) * t13;
+    const double t131 = t125 - (limited_by_q73 + limited_by_q73) * limited_by_q73 + t21
+        * reach_by_q73_by_q73;
+    const double t132 = 13.88888888888889 * reach_squared_by_q73_by_q73 + 27.77777777777778
+        * p_x_by_q73 * p_x_by_q73;
+    const double t133 = u_e * M_e_by_q73_by_q73 + u_y * M_y_by_q73_by_q73 + s_e * u_e_by_q73_by_q73;
+    const double p_x_by_q73_by_q73 = t133 - s_y * u_y_by_q73_by_q73 - t128 * M_e_by_q73 - t129
+        * M_y_by_q73;
+    const double projection_by_q73_by_q73 = t132 - t17 * p_x_by_q73_by_q73;
+    const double limited_by_q73_by_q73 = sinew_choose(t19, -(reach_by_q73_by_q73 * t15
+        - projection_by_q73_by_q73 * t16), reach_by_q73_by_q73);
+    const double clearance_by_q73_by_q73 = sinew_choose(t24, t131 - t20 * limited_by_q73_by_q73,
+        1e-12 * reach_squared_by_q73_by_q73);
+    const double t134 = 0.5 * (clearance_by_q73_by_q73 - (root_by_q73 + root_by_q73) * root_by_q73);
+    const double root_by_q73_by_q73 = t134 * t25;
+    const double t135 = p_y * root_by_q73_by_q73 - p_z * limited_by_q73_by_q73 + root
+        * p_y_by_q73_by_q73;
+    const double t136 = reach_squared_by_q73 + reach_squared_by_q73;
+    const double t137 = t135 - sin_A * reach_squared_by_q73_by_q73 + t130 * root_by_q73 - t136
+        * sin_A_by_q73;
+    const double sin_A_by_q73_by_q73 = t137 * t35;
+    const double x_plane_x_by_q73_by_q73 = u_y * sin_A_by_q73_by_q73 - sin_A * u_y_by_q73_by_q73
+        - t129 * sin_A_by_q73;
+    const double t138 = p_y * limited_by_q73_by_q73 + p_z * root_by_q73_by_q73 + limited
+        * p_y_by_q73_by_q73;
+    const double t139 = t138 - cos_A * reach_squared_by_q73_by_q73 + t130 * limited_by_q73 - t136
+        * cos_A_by_q73;
+    const double cos_A_by_q73_by_q73 = t139 * t35;
+    const double x_x_by_q73_by_q73 = cos_q71 * x_plane_x_by_q73_by_q73 + sin_q71
+        * cos_A_by_q73_by_q73;
+    const double z_plane_x_by_q73_by_q73 = u_y * cos_A_by_q73_by_q73 - cos_A * u_y_by_q73_by_q73
+        - t129 * cos_A_by_q73;
+    const double z_x_by_q73_by_q73 = cos_q71 * z_plane_x_by_q73_by_q73 - sin_q71
+        * sin_A_by_q73_by_q73;
+    const double M_x_by_q73_by_q73 = cos_q71 * M_e_by_q73_by_q73;
+    const double origin_x_by_q73_by_q73 = M_x_by_q73_by_q73 + 0.018 * z_x_by_q73_by_q73;
+    const double t140 = origin_x_by_q73_by_q73 + 0.004 * x_x_by_q73_by_q73;
+    const double t141 = 0.01 * z_x_by_q73_by_q73;
+    const double layer_0_x_by_q73_by_q73 = t140 - t141;
+    const double y_x_by_q73_by_q73 = cos_q71 * u_e_by_q73_by_q73;
+    const double strand_0_x_by_q73_by_q73 = layer_0_x_by_q73_by_q73 - 0.011 * y_x_by_q73_by_q73;
+    const double x_plane_y_by_q73_by_q73 = u_e * sin_A_by_q73_by_q73 - sin_A * u_e_by_q73_by_q73
+        + t128 * sin_A_by_q73;
+    const double z_plane_y_by_q73_by_q73 = u_e * cos_A_by_q73_by_q73 - cos_A * u_e_by_q73_by_q73
+        + t128 * cos_A_by_q73;
+    const double origin_y_by_q73_by_q73 = M_y_by_q73_by_q73 - 0.018 * z_plane_y_by_q73_by_q73;
+    const double t142 = origin_y_by_q73_by_q73 - 0.004 * x_plane_y_by_q73_by_q73;
+    const double t143 = 0.01 * z_plane_y_by_q73_by_q73;
+    const double layer_0_y_by_q73_by_q73 = t142 + t143;
+    const double strand_0_y_by_q73_by_q73 = layer_0_y_by_q73_by_q73 - 0.011 * u_y_by_q73_by_q73;
+    const double t144 = strand_0_x * strand_0_x_by_q73_by_q73 + strand_0_y
+        * strand_0_y_by_q73_by_q73;
+    const double x_z_by_q73_by_q73 = cos_q71 * cos_A_by_q73_by_q73 - sin_q71
+        * x_plane_x_by_q73_by_q73;
+    const double z_z_by_q73_by_q73 = cos_q71 * sin_A_by_q73_by_q73 + sin_q71
+        * z_plane_x_by_q73_by_q73;
+    const double M_z_by_q73_by_q73 = sin_q71 * M_e_by_q73_by_q73;
+    const double origin_z_by_q73_by_q73 = M_z_by_q73_by_q73 + 0.018 * z_z_by_q73_by_q73;
+    const double t145 = origin_z_by_q73_by_q73 - 0.004 * x_z_by_q73_by_q73;
+    const double t146 = 0.01 * z_z_by_q73_by_q73;
+    const double layer_0_z_by_q73_by_q73 = t145 - t146;
+    const double y_z_by_q73_by_q73 = sin_q71 * u_e_by_q73_by_q73;
+    const double strand_0_z_by_q73_by_q73 = layer_0_z_by_q73_by_q73 - 0.011 * y_z_by_q73_by_q73;
+    const double t147 = t144 + strand_0_z * strand_0_z_by_q73_by_q73 + strand_0_x_by_q73
+        * strand_0_x_by_q73;
+    const double t148 = t147 + strand_0_y_by_q73 * strand_0_y_by_q73 + strand_0_z_by_q73
+        * strand_0_z_by_q73;
+    const double length_0_by_q73_by_q73 = (t148 - length_0_by_q73 * length_0_by_q73) * t85;
+    H[3] = length_0_by_q73_by_q73;
+    const double t149 = 0.002 * y_x;
+    const double strand_6_x_by_q71_by_q71 = layer_0_x_by_q71_by_q71 - t149;
+    const double strand_6_x = layer_0_x + t149;
+    const double t150 = 0.002 * u_y;
+    const double strand_6_y = 0.016 - layer_0_y + t150;
+    const double t151 = strand_6_x * strand_6_x_by_q71_by_q71 - strand_6_y
+        * layer_0_y_by_q71_by_q71;
+    const double t152 = 0.002 * y_z;
+    const double strand_6_z_by_q71_by_q71 = layer_0_z_by_q71_by_q71 - t152;
+    const double strand_6_z = layer_0_z + t152;
+    const double strand_6_x_by_q71 = layer_0_x_by_q71 - t152;
+    const double t153 = t151 + strand_6_z * strand_6_z_by_q71_by_q71 + t80 + strand_6_x_by_q71
+        * strand_6_x_by_q71;
+    const double strand_6_z_by_q71 = layer_0_z_by_q71 - t149;
+    const double t154 = strand_6_x * strand_6_x_by_q71 - strand_6_y * layer_0_y_by_q71 - strand_6_z
+        * strand_6_z_by_q71;
+    const double t155 = strand_6_x * strand_6_x + strand_6_y * strand_6_y + strand_6_z * strand_6_z;
+    const double length_6 = sinew_sqrt(t155);
+    const double t156 = 1.0 / length_6;
+    const double length_6_by_q71 = t154 * t156;
+    const double t157 = t153 + strand_6_z_by_q71 * strand_6_z_by_q71 - length_6_by_q71
+        * length_6_by_q71;
+    const double length_6_by_q71_by_q71 = t157 * t156;
+    H[24] = length_6_by_q71_by_q71;
+    const double t158 = 0.002 * y_z_by_q73;
+    const double strand_6_x_by_q71_by_q73 = layer_0_x_by_q71_by_q73 - t158;
+    const double t159 = strand_6_x * strand_6_x_by_q71_by_q73 - strand_6_y
+        * layer_0_y_by_q71_by_q73;
+    const double t160 = 0.002 * y_x_by_q73;
+    const double strand_6_z_by_q71_by_q73 = layer_0_z_by_q71_by_q73 - t160;
+    const double t161 = 0.002 * u_y_by_q73;
+    const double strand_6_y_by_q73 = layer_0_y_by_q73 - t161;
+    const double t162 = t159 - strand_6_z * strand_6_z_by_q71_by_q73 - layer_0_y_by_q71
+        * strand_6_y_by_q73;
+    const double strand_6_x_by_q73 = layer_0_x_by_q73 - t160;
+    const double strand_6_z_by_q73 = layer_0_z_by_q73 - t158;
+    const double t163 = t162 - strand_6_x_by_q71 * strand_6_x_by_q73 + strand_6_z_by_q71
+        * strand_6_z_by_q73;
+    const double t164 = strand_6_x * strand_6_x_by_q73 - strand_6_y * strand_6_y_by_q73 + strand_6_z
+        * strand_6_z_by_q73;
+    const double length_6_by_q73 = t164 * t156;
+    const double length_6_by_q71_by_q73 = (t163 + length_6_by_q71 * length_6_by_q73) * t156;
+    H[25] = length_6_by_q71_by_q73;
+    H[26] = length_6_by_q71_by_q73;
+    const double t165 = 0.002 * y_x_by_q73_by_q73;
+    const double strand_6_x_by_q73_by_q73 = layer_0_x_by_q73_by_q73 - t165;
+    const double t166 = 0.002 * u_y_by_q73_by_q73;
+    const double strand_6_y_by_q73_by_q73 = layer_0_y_by_q73_by_q73 - t166;
+    const double t167 = strand_6_x * strand_6_x_by_q73_by_q73 + strand_6_y
+        * strand_6_y_by_q73_by_q73;
+    const double t168 = 0.002 * y_z_by_q73_by_q73;
+    const double strand_6_z_by_q73_by_q73 = layer_0_z_by_q73_by_q73 - t168;
+    const double t169 = t167 + strand_6_z * strand_6_z_by_q73_by_q73 + strand_6_x_by_q73
+        * strand_6_x_by_q73;
+    const double t170 = t169 + strand_6_y_by_q73 * strand_6_y_by_q73 + strand_6_z_by_q73
+        * strand_6_z_by_q73;
+    const double length_6_by_q73_by_q73 = (t170 - length_6_by_q73 * length_6_by_q73) * t156;
+    H[27] = length_6_by_q73_by_q73;
+    const double t171 = layer_0_x * layer_0_x_by_q71_by_q71 + layer_0_z * layer_0_z_by_q71_by_q71;
+    const double strand_7_y = 0.018 - layer_0_y;
+    const double t172 = t171 - strand_7_y * layer_0_y_by_q71_by_q71 + layer_0_x_by_q71
+        * layer_0_x_by_q71;
+    const double t173 = layer_0_x * layer_0_x_by_q71 - layer_0_z * layer_0_z_by_q71 - strand_7_y
+        * layer_0_y_by_q71;
+    const double length_7 = sinew_sqrt(layer_0_x * layer_0_x + layer_0_z * layer_0_z + strand_7_y
+        * strand_7_y);
+    const double t174 = 1.0 / length_7;
+    const double length_7_by_q71 = t173 * t174;
+    const double t175 = t172 + t80 + layer_0_z_by_q71 * layer_0_z_by_q71 - length_7_by_q71
+        * length_7_by_q71;
+    const double length_7_by_q71_by_q71 = t175 * t174;
+    H[28] = length_7_by_q71_by_q71;
+    const double t176 = layer_0_x * layer_0_x_by_q71_by_q73 - layer_0_z * layer_0_z_by_q71_by_q73;
+    const double t177 = t176 - strand_7_y * layer_0_y_by_q71_by_q73 - layer_0_x_by_q71
+        * layer_0_x_by_q73;
+    const double t178 = t177 - layer_0_y_by_q71 * layer_0_y_by_q73 + layer_0_z_by_q71
+        * layer_0_z_by_q73;
+    const double t179 = layer_0_x * layer_0_x_by_q73 + layer_0_z * layer_0_z_by_q73 - strand_7_y
+        * layer_0_y_by_q73;
+    const double length_7_by_q73 = t179 * t174;
+    const double length_7_by_q71_by_q73 = (t178 + length_7_by_q71 * length_7_by_q73) * t174;
+    H[29] = length_7_by_q71_by_q73;
+    H[30] = length_7_by_q71_by_q73;
+    const double t180 = layer_0_x * layer_0_x_by_q73_by_q73 + layer_0_z * layer_0_z_by_q73_by_q73;
+    const double t181 = t180 + strand_7_y * layer_0_y_by_q73_by_q73 + layer_0_x_by_q73
+        * layer_0_x_by_q73;
+    const double t182 = t181 + layer_0_y_by_q73 * layer_0_y_by_q73 + layer_0_z_by_q73
+        * layer_0_z_by_q73;
+    const double length_7_by_q73_by_q73 = (t182 - length_7_by_q73 * length_7_by_q73) * t174;
+    H[31] = length_7_by_q73_by_q73;
+    const double t183 = 0.013 * y_x;
+    const double t184 = 0.013 * y_z;
+    const double t185 = 0.013 * y_z_by_q73;
+    const double t186 = 0.013 * y_x_by_q73;
+    const double layer_1_x_by_q71_by_q71 = t53 - t54;
+    const double strand_19_x_by_q71_by_q71 = layer_1_x_by_q71_by_q71 - t183;
+    const double layer_1_x = t56 + t57;
+    const double strand_19_x = layer_1_x + t183;
+    const double layer_1_y_by_q71_by_q71 = t59 + t60;
+    const double layer_1_y = t61 + t62;
+    const double strand_19_y = 0.006 - layer_1_y + 0.013 * u_y;
+    const double t187 = strand_19_x * strand_19_x_by_q71_by_q71 - strand_19_y
+        * layer_1_y_by_q71_by_q71;
+    const double layer_1_z_by_q71_by_q71 = t70 - t71;
+    const double strand_19_z_by_q71_by_q71 = layer_1_z_by_q71_by_q71 - t184;
+    const double layer_1_z = 0.028 - origin_z - t73 + t74;
+    const double strand_19_z = layer_1_z + t184;
+    const double layer_1_x_by_q71 = t75 - t76;
+    const double strand_19_x_by_q71 = layer_1_x_by_q71 - t184;
+    const double t188 = t187 + strand_19_z * strand_19_z_by_q71_by_q71 + strand_19_x_by_q71
+        * strand_19_x_by_q71;
+    const double layer_1_y_by_q71 = t78 + t79;
+    const double t189 = layer_1_y_by_q71 * layer_1_y_by_q71;
+    const double layer_1_z_by_q71 = t81 - t82;
+    const double strand_19_z_by_q71 = layer_1_z_by_q71 - t183;
+    const double t190 = strand_19_x * strand_19_x_by_q71 - strand_19_y * layer_1_y_by_q71
+        - strand_19_z * strand_19_z_by_q71;
+    const double t191 = strand_19_x * strand_19_x + strand_19_y * strand_19_y + strand_19_z
+        * strand_19_z;
+    const double length_19 = sinew_sqrt(t191);
+    const double t192 = 1.0 / length_19;
+    const double length_19_by_q71 = t190 * t192;
+    const double t193 = t188 + t189 + strand_19_z_by_q71 * strand_19_z_by_q71 - length_19_by_q71
+        * length_19_by_q71;
+    const double length_19_by_q71_by_q71 = t193 * t192;
+    H[76] = length_19_by_q71_by_q71;
+    const double layer_1_x_by_q71_by_q73 = t102 - t103;
+    const double strand_19_x_by_q71_by_q73 = layer_1_x_by_q71_by_q73 - t185;
+    const double layer_1_y_by_q71_by_q73 = t105 + t106;
+    const double t194 = strand_19_x * strand_19_x_by_q71_by_q73 - strand_19_y
+        * layer_1_y_by_q71_by_q73;
+    const double layer_1_z_by_q71_by_q73 = t112 - t113;
+    const double strand_19_z_by_q71_by_q73 = layer_1_z_by_q71_by_q73 - t186;
+    const double layer_1_x_by_q73 = t115 - t116;
+    const double strand_19_x_by_q73 = layer_1_x_by_q73 - t186;
+    const double t195 = t194 - strand_19_z * strand_19_z_by_q71_by_q73 - strand_19_x_by_q71
+        * strand_19_x_by_q73;
+    const double layer_1_y_by_q73 = t118 - t119;
+    const double strand_19_y_by_q73 = layer_1_y_by_q73 - 0.013 * u_y_by_q73;
+    const double layer_1_z_by_q73 = t120 - t121;
+    const double strand_19_z_by_q73 = layer_1_z_by_q73 - t185;
+    const double t196 = t195 - layer_1_y_by_q71 * strand_19_y_by_q73 + strand_19_z_by_q71
+        * strand_19_z_by_q73;
+    const double t197 = strand_19_x * strand_19_x_by_q73 - strand_19_y * strand_19_y_by_q73
+        + strand_19_z * strand_19_z_by_q73;
+    const double length_19_by_q73 = t197 * t192;
+    const double length_19_by_q71_by_q73 = (t196 + length_19_by_q71 * length_19_by_q73) * t192;
+    H[77] = length_19_by_q71_by_q73;
+    H[78] = length_19_by_q71_by_q73;
+    const double layer_1_x_by_q73_by_q73 = t140 + t141;
+    const double strand_19_x_by_q73_by_q73 = layer_1_x_by_q73_by_q73 - 0.013 * y_x_by_q73_by_q73;
+    const double layer_1_y_by_q73_by_q73 = t142 - t143;
+    const double strand_19_y_by_q73_by_q73 = layer_1_y_by_q73_by_q73 - 0.013 * u_y_by_q73_by_q73;
+    const double t198 = strand_19_x * strand_19_x_by_q73_by_q73 + strand_19_y
+        * strand_19_y_by_q73_by_q73;
+    const double layer_1_z_by_q73_by_q73 = t145 + t146;
+    const double strand_19_z_by_q73_by_q73 = layer_1_z_by_q73_by_q73 - 0.013 * y_z_by_q73_by_q73;
+    const double t199 = t198 + strand_19_z * strand_19_z_by_q73_by_q73 + strand_19_x_by_q73
+        * strand_19_x_by_q73;
+    const double t200 = t199 + strand_19_y_by_q73 * strand_19_y_by_q73 + strand_19_z_by_q73
+        * strand_19_z_by_q73;
+    const double length_19_by_q73_by_q73 = (t200 - length_19_by_q73 * length_19_by_q73) * t192;
+    H[79] = length_19_by_q73_by_q73;
+    const double strand_26_x_by_q71_by_q71 = layer_1_x_by_q71_by_q71 - t149;
+    const double strand_26_x = layer_1_x + t149;
+    const double strand_26_y = 0.017 - layer_1_y + t150;
+    const double t201 = strand_26_x * strand_26_x_by_q71_by_q71 - strand_26_y
+        * layer_1_y_by_q71_by_q71;
+    const double strand_26_z_by_q71_by_q71 = layer_1_z_by_q71_by_q71 - t152;
+    const double strand_26_z = layer_1_z + t152;
+    const double strand_26_x_by_q71 = layer_1_x_by_q71 - t152;
+    const double t202 = t201 + strand_26_z * strand_26_z_by_q71_by_q71 + t189 + strand_26_x_by_q71
+        * strand_26_x_by_q71;
+    const double strand_26_z_by_q71 = layer_1_z_by_q71 - t149;
+    const double t203 = strand_26_x * strand_26_x_by_q71 - strand_26_y * layer_1_y_by_q71
+        - strand_26_z * strand_26_z_by_q71;
+    const double t204 = strand_26_x * strand_26_x + strand_26_y * strand_26_y + strand_26_z
+        * strand_26_z;
+    const double length_26 = sinew_sqrt(t204);
+    const double t205 = 1.0 / length_26;
+    const double length_26_by_q71 = t203 * t205;
+    const double t206 = t202 + strand_26_z_by_q71 * strand_26_z_by_q71 - length_26_by_q71
+        * length_26_by_q71;
+    const double length_26_by_q71_by_q71 = t206 * t205;
+    H[104] = length_26_by_q71_by_q71;
+    const double strand_26_x_by_q71_by_q73 = layer_1_x_by_q71_by_q73 - t158;
+    const double t207 = strand_26_x * strand_26_x_by_q71_by_q73 - strand_26_y
+        * layer_1_y_by_q71_by_q73;
+    const double strand_26_z_by_q71_by_q73 = layer_1_z_by_q71_by_q73 - t160;
+    const double strand_26_y_by_q73 = layer_1_y_by_q73 - t161;
+    const double t208 = t207 - strand_26_z * strand_26_z_by_q71_by_q73 - layer_1_y_by_q71
+        * strand_26_y_by_q73;
+    const double strand_26_x_by_q73 = layer_1_x_by_q73 - t160;
+    const double strand_26_z_by_q73 = layer_1_z_by_q73 - t158;
+    const double t209 = t208 - strand_26_x_by_q71 * strand_26_x_by_q73 + strand_26_z_by_q71
+        * strand_26_z_by_q73;
+    const double t210 = strand_26_x * strand_26_x_by_q73 - strand_26_y * strand_26_y_by_q73
+        + strand_26_z * strand_26_z_by_q73;
+    const double length_26_by_q73 = t210 * t205;
+    const double length_26_by_q71_by_q73 = (t209 + length_26_by_q71 * length_26_by_q73) * t205;
+    H[105] = length_26_by_q71_by_q73;
+    H[106] = length_26_by_q71_by_q73;
+    const double strand_26_x_by_q73_by_q73 = layer_1_x_by_q73_by_q73 - t165;
+    const double strand_26_y_by_q73_by_q73 = layer_1_y_by_q73_by_q73 - t166;
+    const double t211 = strand_26_x * strand_26_x_by_q73_by_q73 + strand_26_y
+        * strand_26_y_by_q73_by_q73;
+    const double strand_26_z_by_q73_by_q73 = layer_1_z_by_q73_by_q73 - t168;
+    const double t212 = t211 + strand_26_z * strand_26_z_by_q73_by_q73 + strand_26_x_by_q73
+        * strand_26_x_by_q73;
+    const double t213 = t212 + strand_26_y_by_q73 * strand_26_y_by_q73 + strand_26_z_by_q73
+        * strand_26_z_by_q73;
+    const double length_26_by_q73_by_q73 = (t213 - length_26_by_q73 * length_26_by_q73) * t205;
+    H[107] = length_26_by_q73_by_q73;
+    const double t214 = layer_1_x * layer_1_x_by_q71_by_q71 + layer_1_z * layer_1_z_by_q71_by_q71;
+    const double strand_27_y = 0.019 - layer_1_y;
+    const double t215 = t214 - strand_27_y * layer_1_y_by_q71_by_q71 + layer_1_x_by_q71
+        * layer_1_x_by_q71;
+    const double t216 = layer_1_x * layer_1_x_by_q71 - layer_1_z * layer_1_z_by_q71 - strand_27_y
+        * layer_1_y_by_q71;
+    const double t217 = layer_1_x * layer_1_x + layer_1_z * layer_1_z + strand_27_y * strand_27_y;
+    const double length_27 = sinew_sqrt(t217);
+    const double t218 = 1.0 / length_27;
+    const double length_27_by_q71 = t216 * t218;
+    const double t219 = t215 + t189 + layer_1_z_by_q71 * layer_1_z_by_q71 - length_27_by_q71
+        * length_27_by_q71;
+    const double length_27_by_q71_by_q71 = t219 * t218;
+    H[108] = length_27_by_q71_by_q71;
+    const double t220 = layer_1_x * layer_1_x_by_q71_by_q73 - layer_1_z * layer_1_z_by_q71_by_q73;
+    const double t221 = t220 - strand_27_y * layer_1_y_by_q71_by_q73 - layer_1_x_by_q71
+        * layer_1_x_by_q73;
+    const double t222 = t221 - layer_1_y_by_q71 * layer_1_y_by_q73 + layer_1_z_by_q71
+        * layer_1_z_by_q73;
+    const double t223 = layer_1_x * layer_1_x_by_q73 + layer_1_z * layer_1_z_by_q73 - strand_27_y
+        * layer_1_y_by_q73;
+    const double length_27_by_q73 = t223 * t218;
+    const double length_27_by_q71_by_q73 = (t222 + length_27_by_q71 * length_27_by_q73) * t218;
+    H[109] = length_27_by_q71_by_q73;
+    H[110] = length_27_by_q71_by_q73;
+    const double t224 = layer_1_x * layer_1_x_by_q73_by_q73 + layer_1_z * layer_1_z_by_q73_by_q73;
+    const double t225 = t224 + strand_27_y * layer_1_y_by_q73_by_q73 + layer_1_x_by_q73
+        * layer_1_x_by_q73;
+    const double t226 = t225 + layer_1_y_by_q73 * layer_1_y_by_q73 + layer_1_z_by_q73
+        * layer_1_z_by_q73;
+    const double length_27_by_q73_by_q73 = (t226 - length_27_by_q73 * length_27_by_q73) * t218;
+    H[111] = length_27_by_q73_by_q73;
+    static const double table228[11][2] = {{0.002, 0.019}, {0.003, 0.021}, {0.005, 0.023},
+        {0.006, 0.024}, {0.008, 0.026}, {0.01, 0.027}, {0.011, 0.029}, {0.013, 0.031},
+        {0.014, 0.032}, {0.016, 0.034}, {0.018, 0.035}};
+    for (int i227 = 0; i227 < 11; ++i227) {
+        const double t229 = table228[i227][0] * y_x;
+        const double strand_x = layer_0_x - t229;
+        const double strand_x_by_q71_by_q71 = layer_0_x_by_q71_by_q71 + t229;
+        const double strand_y = table228[i227][1] - layer_0_y - table228[i227][0] * u_y;
+        const double t230 = table228[i227][0] * y_z;
+        const double strand_z = layer_0_z - t230;
+        const double strand_z_by_q71_by_q71 = layer_0_z_by_q71_by_q71 + t230;
+        const double t231 = strand_x * strand_x_by_q71_by_q71 - strand_y * layer_0_y_by_q71_by_q71
+            + strand_z * strand_z_by_q71_by_q71;
+        const double strand_x_by_q71 = layer_0_x_by_q71 + t230;
+        const double strand_z_by_q71 = layer_0_z_by_q71 + t229;
+        const double t232 = t231 + t80 + strand_x_by_q71 * strand_x_by_q71 + strand_z_by_q71
+            * strand_z_by_q71;
+        const double t233 = strand_x * strand_x_by_q71 - strand_y * layer_0_y_by_q71 - strand_z
+            * strand_z_by_q71;
+        const double length = sinew_sqrt(strand_x * strand_x + strand_y * strand_y + strand_z
+            * strand_z);
+        const double t234 = 1.0 / length;
+        const double length_by_q71 = t233 * t234;
+        const double length_by_q71_by_q71 = (t232 - length_by_q71 * length_by_q71) * t234;
+        const double t235 = table228[i227][0] * y_z_by_q73;
+        const double strand_x_by_q71_by_q73 = layer_0_x_by_q71_by_q73 + t235;
+        const double t236 = table228[i227][0] * y_x_by_q73;
+        const double strand_z_by_q71_by_q73 = layer_0_z_by_q71_by_q73 + t236;
+        const double t237 = strand_x * strand_x_by_q71_by_q73 - strand_y * layer_0_y_by_q71_by_q73
+            - strand_z * strand_z_by_q71_by_q73;
+        const double strand_y_by_q73 = layer_0_y_by_q73 + table228[i227][0] * u_y_by_q73;
+        const double strand_x_by_q73 = layer_0_x_by_q73 + t236;
+        const double t238 = t237 - layer_0_y_by_q71 * strand_y_by_q73 - strand_x_by_q71
+            * strand_x_by_q73;
+        const double strand_z_by_q73 = layer_0_z_by_q73 + t235;
+        const double t239 = strand_x * strand_x_by_q73 - strand_y * strand_y_by_q73 + strand_z
+            * strand_z_by_q73;
+        const double length_by_q73 = t239 * t234;
+        const double length_by_q71_by_q73 = (t238 + strand_z_by_q71 * strand_z_by_q73
+            + length_by_q71 * length_by_q73) * t234;
+        const double strand_x_by_q73_by_q73 = layer_0_x_by_q73_by_q73 + table228[i227][0]
+            * y_x_by_q73_by_q73;
+        const double strand_y_by_q73_by_q73 = layer_0_y_by_q73_by_q73 + table228[i227][0]
+            * u_y_by_q73_by_q73;
+        const double strand_z_by_q73_by_q73 = layer_0_z_by_q73_by_q73 + table228[i227][0]
+            * y_z_by_q73_by_q73;
+        const double t240 = strand_x * strand_x_by_q73_by_q73 + strand_y * strand_y_by_q73_by_q73
+            + strand_z * strand_z_by_q73_by_q73;
+        const double t241 = t240 + strand_x_by_q73 * strand_x_by_q73 + strand_y_by_q73
+            * strand_y_by_q73;
+        const double length_by_q73_by_q73 = (t241 + strand_z_by_q73 * strand_z_by_q73
+            - length_by_q73 * length_by_q73) * t234;
+        H[32 + 4 * i227] = length_by_q71_by_q71;
+        H[33 + 4 * i227] = length_by_q71_by_q73;
+        H[34 + 4 * i227] = length_by_q71_by_q73;
+        H[35 + 4 * i227] = length_by_q73_by_q73;
+    }
+    static const double table243[10][2] = {{0.002, 0.02}, {0.003, 0.022}, {0.005, 0.023},
+        {0.006, 0.025}, {0.008, 0.027}, {0.01, 0.028}, {0.011, 0.03}, {0.013, 0.031},
+        {0.014, 0.033}, {0.016, 0.035}};
+    for (int i242 = 0; i242 < 10; ++i242) {
+        const double t244 = table243[i242][0] * y_x;
+        const double strand_x_2 = layer_1_x - t244;
+        const double strand_x_by_q71_by_q71_2 = layer_1_x_by_q71_by_q71 + t244;
+        const double strand_y_2 = table243[i242][1] - layer_1_y - table243[i242][0] * u_y;
+        const double t245 = strand_x_2 * strand_x_by_q71_by_q71_2 - strand_y_2
+            * layer_1_y_by_q71_by_q71;
+        const double t246 = table243[i242][0] * y_z;
+        const double strand_z_2 = layer_1_z - t246;
+        const double strand_z_by_q71_by_q71_2 = layer_1_z_by_q71_by_q71 + t246;
+        const double strand_x_by_q71_2 = layer_1_x_by_q71 + t246;
+        const double t247 = t245 + strand_z_2 * strand_z_by_q71_by_q71_2 + t189 + strand_x_by_q71_2
+            * strand_x_by_q71_2;
+        const double strand_z_by_q71_2 = layer_1_z_by_q71 + t244;
+        const double t248 = strand_x_2 * strand_x_by_q71_2 - strand_y_2 * layer_1_y_by_q71
+            - strand_z_2 * strand_z_by_q71_2;
+        const double t249 = strand_x_2 * strand_x_2 + strand_y_2 * strand_y_2 + strand_z_2
+            * strand_z_2;
+        const double length_2 = sinew_sqrt(t249);
+        const double t250 = 1.0 / length_2;
+        const double length_by_q71_2 = t248 * t250;
+        const double t251 = t247 + strand_z_by_q71_2 * strand_z_by_q71_2 - length_by_q71_2
+            * length_by_q71_2;
+        const double length_by_q71_by_q71_2 = t251 * t250;
+        const double t252 = table243[i242][0] * y_z_by_q73;
+        const double strand_x_by_q71_by_q73_2 = layer_1_x_by_q71_by_q73 + t252;
+        const double t253 = strand_x_2 * strand_x_by_q71_by_q73_2 - strand_y_2
+            * layer_1_y_by_q71_by_q73;
+        const double t254 = table243[i242][0] * y_x_by_q73;
+        const double strand_z_by_q71_by_q73_2 = layer_1_z_by_q71_by_q73 + t254;
+        const double strand_y_by_q73_2 = layer_1_y_by_q73 + table243[i242][0] * u_y_by_q73;
+        const double t255 = t253 - strand_z_2 * strand_z_by_q71_by_q73_2 - layer_1_y_by_q71
+            * strand_y_by_q73_2;
+        const double strand_x_by_q73_2 = layer_1_x_by_q73 + t254;
+        const double strand_z_by_q73_2 = layer_1_z_by_q73 + t252;
+        const double t256 = t255 - strand_x_by_q71_2 * strand_x_by_q73_2 + strand_z_by_q71_2
+            * strand_z_by_q73_2;
+        const double t257 = strand_x_2 * strand_x_by_q73_2 - strand_y_2 * strand_y_by_q73_2
+            + strand_z_2 * strand_z_by_q73_2;
+        const double length_by_q73_2 = t257 * t250;
+        const double length_by_q71_by_q73_2 = (t256 + length_by_q71_2 * length_by_q73_2) * t250;
+        const double strand_x_by_q73_by_q73_2 = layer_1_x_by_q73_by_q73 + table243[i242][0]
+            * y_x_by_q73_by_q73;
+        const double strand_y_by_q73_by_q73_2 = layer_1_y_by_q73_by_q73 + table243[i242][0]
+            * u_y_by_q73_by_q73;
+        const double t258 = strand_x_2 * strand_x_by_q73_by_q73_2 + strand_y_2
+            * strand_y_by_q73_by_q73_2;
+        const double strand_z_by_q73_by_q73_2 = layer_1_z_by_q73_by_q73 + table243[i242][0]
+            * y_z_by_q73_by_q73;
+        const double t259 = t258 + strand_z_2 * strand_z_by_q73_by_q73_2 + strand_x_by_q73_2
+            * strand_x_by_q73_2;
+        const double t260 = t259 + strand_y_by_q73_2 * strand_y_by_q73_2 + strand_z_by_q73_2
+            * strand_z_by_q73_2;
+        const double length_by_q73_by_q73_2 = (t260 - length_by_q73_2 * length_by_q73_2) * t250;
+        H[112 + 4 * i242] = length_by_q71_by_q71_2;
+        H[113 + 4 * i242] = length_by_q71_by_q73_2;
+        H[114 + 4 * i242] = length_by_q71_by_q73_2;
+        H[115 + 4 * i242] = length_by_q73_by_q73_2;
+    }
+    static const double table262[6][2] = {{0.011, 0.007}, {0.01, 0.009}, {0.008, 0.011},
+        {0.006, 0.012}, {0.005, 0.014}, {0.003, 0.015}};
+    for (int i261 = 0; i261 < 6; ++i261) {
+        const double t263 = table262[i261][0] * y_x;
+        const double strand_x_3 = layer_1_x + t263;
+        const double strand_x_by_q71_by_q71_3 = layer_1_x_by_q71_by_q71 - t263;
+        const double strand_y_3 = table262[i261][1] - layer_1_y + table262[i261][0] * u_y;
+        const double t264 = strand_x_3 * strand_x_by_q71_by_q71_3 - strand_y_3
+            * layer_1_y_by_q71_by_q71;
+        const double t265 = table262[i261][0] * y_z;
+        const double strand_z_3 = layer_1_z + t265;
+        const double strand_z_by_q71_by_q71_3 = layer_1_z_by_q71_by_q71 - t265;
+        const double strand_x_by_q71_3 = layer_1_x_by_q71 - t265;
+        const double t266 = t264 + strand_z_3 * strand_z_by_q71_by_q71_3 + t189 + strand_x_by_q71_3
+            * strand_x_by_q71_3;
+        const double strand_z_by_q71_3 = layer_1_z_by_q71 - t263;
+        const double t267 = strand_x_3 * strand_x_by_q71_3 - strand_y_3 * layer_1_y_by_q71
+            - strand_z_3 * strand_z_by_q71_3;
+        const double t268 = strand_x_3 * strand_x_3 + strand_y_3 * strand_y_3 + strand_z_3
+            * strand_z_3;
+        const double length_3 = sinew_sqrt(t268);
+        const double t269 = 1.0 / length_3;
+        const double length_by_q71_3 = t267 * t269;
+        const double t270 = t266 + strand_z_by_q71_3 * strand_z_by_q71_3 - length_by_q71_3
+            * length_by_q71_3;
+        const double length_by_q71_by_q71_3 = t270 * t269;
+        const double t271 = table262[i261][0] * y_z_by_q73;
+        const double strand_x_by_q71_by_q73_3 = layer_1_x_by_q71_by_q73 - t271;
+        const double t272 = strand_x_3 * strand_x_by_q71_by_q73_3 - strand_y_3
+            * layer_1_y_by_q71_by_q73;
+        const double t273 = table262[i261][0] * y_x_by_q73;
+        const double strand_z_by_q71_by_q73_3 = layer_1_z_by_q71_by_q73 - t273;
+        const double strand_y_by_q73_3 = layer_1_y_by_q73 - table262[i261][0] * u_y_by_q73;
+        const double t274 = t272 - strand_z_3 * strand_z_by_q71_by_q73_3 - layer_1_y_by_q71
+            * strand_y_by_q73_3;
+        const double strand_x_by_q73_3 = layer_1_x_by_q73 - t273;
+        const double strand_z_by_q73_3 = layer_1_z_by_q73 - t271;
+        const double t275 = t274 - strand_x_by_q71_3 * strand_x_by_q73_3 + strand_z_by_q71_3
+            * strand_z_by_q73_3;
+        const double t276 = strand_x_3 * strand_x_by_q73_3 - strand_y_3 * strand_y_by_q73_3
+            + strand_z_3 * strand_z_by_q73_3;
+        const double length_by_q73_3 = t276 * t269;
+        const double length_by_q71_by_q73_3 = (t275 + length_by_q71_3 * length_by_q73_3) * t269;
+        const double strand_x_by_q73_by_q73_3 = layer_1_x_by_q73_by_q73 - table262[i261][0]
+            * y_x_by_q73_by_q73;
+        const double strand_y_by_q73_by_q73_3 = layer_1_y_by_q73_by_q73 - table262[i261][0]
+            * u_y_by_q73_by_q73;
+        const double t277 = strand_x_3 * strand_x_by_q73_by_q73_3 + strand_y_3
+            * strand_y_by_q73_by_q73_3;
+        const double strand_z_by_q73_by_q73_3 = layer_1_z_by_q73_by_q73 - table262[i261][0]
+            * y_z_by_q73_by_q73;
+        const double t278 = t277 + strand_z_3 * strand_z_by_q73_by_q73_3 + strand_x_by_q73_3
+            * strand_x_by_q73_3;
+        const double t279 = t278 + strand_y_by_q73_3 * strand_y_by_q73_3 + strand_z_by_q73_3
+            * strand_z_by_q73_3;
+        const double length_by_q73_by_q73_3 = (t279 - length_by_q73_3 * length_by_q73_3) * t269;
+        H[80 + 4 * i261] = length_by_q71_by_q71_3;
+        H[81 + 4 * i261] = length_by_q71_by_q73_3;
+        H[82 + 4 * i261] = length_by_q71_by_q73_3;
+        H[83 + 4 * i261] = length_by_q73_by_q73_3;
+    }
+    static const double table281[5][2] = {{0.01, 0.008}, {0.008, 0.01}, {0.006, 0.011},
+        {0.005, 0.013}, {0.003, 0.015}};
+    for (int i280 = 0; i280 < 5; ++i280) {
+        const double t282 = table281[i280][0] * y_x;
+        const double strand_x_4 = layer_0_x + t282;
+        const double strand_x_by_q71_by_q71_4 = layer_0_x_by_q71_by_q71 - t282;
+        const double strand_y_4 = table281[i280][1] - layer_0_y + table281[i280][0] * u_y;
+        const double t283 = strand_x_4 * strand_x_by_q71_by_q71_4 - strand_y_4
+            * layer_0_y_by_q71_by_q71;
+        const double t284 = table281[i280][0] * y_z;
+        const double strand_z_4 = layer_0_z + t284;
+        const double strand_z_by_q71_by_q71_4 = layer_0_z_by_q71_by_q71 - t284;
+        const double strand_x_by_q71_4 = layer_0_x_by_q71 - t284;
+        const double t285 = t283 + strand_z_4 * strand_z_by_q71_by_q71_4 + t80 + strand_x_by_q71_4
+            * strand_x_by_q71_4;
+        const double strand_z_by_q71_4 = layer_0_z_by_q71 - t282;
+        const double t286 = strand_x_4 * strand_x_by_q71_4 - strand_y_4 * layer_0_y_by_q71
+            - strand_z_4 * strand_z_by_q71_4;
+        const double t287 = strand_x_4 * strand_x_4 + strand_y_4 * strand_y_4 + strand_z_4
+            * strand_z_4;
+        const double length_4 = sinew_sqrt(t287);
+        const double t288 = 1.0 / length_4;
+        const double length_by_q71_4 = t286 * t288;
+        const double t289 = t285 + strand_z_by_q71_4 * strand_z_by_q71_4 - length_by_q71_4
+            * length_by_q71_4;
+        const double length_by_q71_by_q71_4 = t289 * t288;
+        const double t290 = table281[i280][0] * y_z_by_q73;
+        const double strand_x_by_q71_by_q73_4 = layer_0_x_by_q71_by_q73 - t290;
+        const double t291 = strand_x_4 * strand_x_by_q71_by_q73_4 - strand_y_4
+            * layer_0_y_by_q71_by_q73;
+        const double t292 = table281[i280][0] * y_x_by_q73;
+        const double strand_z_by_q71_by_q73_4 = layer_0_z_by_q71_by_q73 - t292;
+        const double strand_y_by_q73_4 = layer_0_y_by_q73 - table281[i280][0] * u_y_by_q73;
+        const double t293 = t291 - strand_z_4 * strand_z_by_q71_by_q73_4 - layer_0_y_by_q71
+            * strand_y_by_q73_4;
+        const double strand_x_by_q73_4 = layer_0_x_by_q73 - t292;
+        const double strand_z_by_q73_4 = layer_0_z_by_q73 - t290;
+        const double t294 = t293 - strand_x_by_q71_4 * strand_x_by_q73_4 + strand_z_by_q71_4
+            * strand_z_by_q73_4;
+        const double t295 = strand_x_4 * strand_x_by_q73_4 - strand_y_4 * strand_y_by_q73_4
+            + strand_z_4 * strand_z_by_q73_4;
+        const double length_by_q73_4 = t295 * t288;
+        const double length_by_q71_by_q73_4 = (t294 + length_by_q71_4 * length_by_q73_4) * t288;
+        const double strand_x_by_q73_by_q73_4 = layer_0_x_by_q73_by_q73 - table281[i280][0]
+            * y_x_by_q73_by_q73;
+        const double strand_y_by_q73_by_q73_4 = layer_0_y_by_q73_by_q73 - table281[i280][0]
+            * u_y_by_q73_by_q73;
+        const double t296 = strand_x_4 * strand_x_by_q73_by_q73_4 + strand_y_4
+            * strand_y_by_q73_by_q73_4;
+        const double strand_z_by_q73_by_q73_4 = layer_0_z_by_q73_by_q73 - table281[i280][0]
+            * y_z_by_q73_by_q73;
+        const double t297 = t296 + strand_z_4 * strand_z_by_q73_by_q73_4 + strand_x_by_q73_4
+            * strand_x_by_q73_4;
+        const double t298 = t297 + strand_y_by_q73_4 * strand_y_by_q73_4 + strand_z_by_q73_4
+            * strand_z_by_q73_4;
+        const double length_by_q73_by_q73_4 = (t298 - length_by_q73_4 * length_by_q73_4) * t288;
+        H[4 + 4 * i280] = length_by_q71_by_q71_4;
+        H[5 + 4 * i280] = length_by_q71_by_q73_4;
+        H[6 + 4 * i280] = length_by_q71_by_q73_4;
+        H[7 + 4 * i280] = length_by_q73_by_q73_4;
+    }
+}
+
+void wrist_bending_angles(const double q71[SINEW_AT_LEAST(1)], const double q73[SINEW_AT_LEAST(1)],
+    double angles[SINEW_AT_LEAST(38)])
+{
+    const struct sinew_sines2 sines1 = sinew_one_sincos2(q73[0], q71[0]);
+    const double sin_q73 = sines1.s[0];
+    const double cos_q73 = sines1.c[0];
+    const double sin_q71 = sines1.s[1];
+    const double cos_q71 = sines1.c[1];
+    const double B_y = 0.074565407529229 * cos_q73;
+    const double B_to_C0_squared = 0.007324 - 0.084 * B_y;
+    const double ratio = 0.003796 / B_to_C0_squared;
+    const double C_y = 0.002 * ratio * (21.0 - 500.0 * B_y);
+    const double u_y = 23.80952380952381 * (B_y + C_y);
+    const double B_e = 0.074565407529229 * sin_q73;
+    const double C_e = B_e * ratio;
+    const double M_e = 0.5 * (B_e + C_e);
+    const double s_e = M_e - 0.036 * sin_q71;
+    const double M_y = 0.5 * (B_y - C_y);
+    const double s_y = 0.021 - M_y;
+    const double u_e = 23.80952380952381 * (B_e - C_e);
+    const double p_y = u_e * s_y + u_y * s_e;
+    const double p_z = 0.036 * cos_q71;
+    const double reach_squared = sinew_max(p_y * p_y + p_z * p_z, 1.296e-15);
+    const double p_x = u_e * s_e - u_y * s_y;
+    const double projection = 0.034722222222222224 - 13.88888888888889 * (reach_squared + p_x
+        * p_x);
+    const double reach = sinew_sqrt(reach_squared);
+    const double limited = sinew_min(sinew_max(-projection, -reach), reach);
+    const double clearance = sinew_max((reach + limited) * (reach - limited), 1e-12
+        * reach_squared);
+    const double root = sinew_sqrt(clearance);
+    const double t2 = 1.0 / reach_squared;
+    const double cos_A = (p_y * limited + p_z * root) * t2;
+    const double z_plane_x = u_y * cos_A;
+    const double sin_A = (p_y * root - p_z * limited) * t2;
+    const double z_z = cos_q71 * sin_A + sin_q71 * z_plane_x;
+    const double M_z = sin_q71 * M_e;
+    const double origin_z = M_z - 0.018 * z_z;
+    const double x_plane_x = u_y * sin_A;
+    const double x_z = cos_q71 * cos_A - sin_q71 * x_plane_x;
+    const double t3 = 0.004 * x_z;
+    const double t4 = 0.01 * z_z;
+    const double layer_0_z = 0.008 - origin_z - t3 - t4;
+    const double y_z = sin_q71 * u_e;
+    const double x_x = cos_q71 * x_plane_x + sin_q71 * cos_A;
+    const double M_x = cos_q71 * M_e;
+    const double z_x = cos_q71 * z_plane_x - sin_q71 * sin_A;
+    const double t5 = 0.004 * (1.0 + x_x) - M_x + 0.018 * z_x;
+    const double t6 = 0.01 * z_x;
+    const double layer_0_x = t5 - t6;
+    const double y_x = cos_q71 * u_e;
+    const double x_plane_y = u_e * sin_A;
+    const double z_plane_y = u_e * cos_A;
+    const double origin_y = M_y + 0.018 * z_plane_y;
+    const double t7 = origin_y + 0.004 * x_plane_y;
+    const double t8 = 0.01 * z_plane_y;
+    const double layer_0_y = t7 - t8;
+    const double aside_y_14 = x_x * layer_0_z + x_z * layer_0_x;
+    const double strand_7_y = 0.018 - layer_0_y;
+    const double aside_x_14 = x_plane_y * layer_0_z - x_z * strand_7_y;
+    const double aside_z_30 = x_plane_y * layer_0_x + x_x * strand_7_y;
+    const double t9 = aside_x_14 * aside_x_14 + aside_y_14 * aside_y_14 + aside_z_30 * aside_z_30;
+    const double t10 = sinew_one_atan2(sinew_sqrt(t9), x_plane_y * strand_7_y - x_x * layer_0_x
+        + x_z * layer_0_z);
+    const double t11 = sinew_one_atan2(sinew_sqrt(layer_0_z * layer_0_z + strand_7_y * strand_7_y),
+        -layer_0_x);
+    angles[7] = t10 + t11;
+    const double layer_1_z = 0.028 - origin_z - t3 + t4;
+    const double layer_1_x = t5 + t6;
+    const double layer_1_y = t7 + t8;
+    const double aside_y_54 = x_x * layer_1_z + x_z * layer_1_x;
+    const double strand_27_y = 0.019 - layer_1_y;
+    const double aside_x_54 = x_plane_y * layer_1_z - x_z * strand_27_y;
+    const double aside_z_110 = x_plane_y * layer_1_x + x_x * strand_27_y;
+    const double t12 = aside_x_54 * aside_x_54 + aside_y_54 * aside_y_54 + aside_z_110
+        * aside_z_110;
+    const double t13 = sinew_one_atan2(sinew_sqrt(t12), x_plane_y * strand_27_y - x_x * layer_1_x
+        + x_z * layer_1_z);
+    const double t14 = sinew_one_atan2(sinew_sqrt(layer_1_z * layer_1_z + strand_27_y
+        * strand_27_y), -layer_1_x);
+    angles[27] = t13 + t14;
+    static const unsigned short element16[18] = {0, 1, 2, 3, 4, 5, 6, 8, 9, 10, 11, 12, 13, 14,
+        15, 16, 17, 18};
+    static const double table17[18][2] = {{0.011, 0.007}, {0.01, 0.008}, {0.008, 0.01},
+        {0.006, 0.011}, {0.005, 0.013}, {0.003, 0.015}, {0.002, 0.016}, {-0.002, 0.019},
+        {-0.003, 0.021}, {-0.005, 0.023}, {-0.006, 0.024}, {-0.008, 0.026}, {-0.01, 0.027},
+        {-0.011, 0.029}, {-0.013, 0.031}, {-0.014, 0.032}, {-0.016, 0.034}, {-0.018, 0.035}};
+    for (int i15 = 0; i15 < 18; ++i15) {
+        const double strand_z = layer_0_z + table17[i15][0] * y_z;
+        const double strand_y = table17[i15][1] - layer_0_y + table17[i15][0] * u_y;
+        const double t18 = x_plane_y * strand_z - x_z * strand_y;
+        const double strand_x = layer_0_x + table17[i15][0] * y_x;
+        const double t19 = x_x * strand_z + x_z * strand_x;
+        const double aside_z = x_plane_y * strand_x + x_x * strand_y;
+        const double t20 = sinew_one_atan2(sinew_sqrt(t18 * t18 + t19 * t19 + aside_z * aside_z),
+            x_plane_y * strand_y - x_x * strand_x + x_z * strand_z);
+        const double t21 = sinew_one_atan2(sinew_sqrt(strand_y * strand_y + strand_z * strand_z),
+            -strand_x);
+        angles[element16[i15]] = t20 + t21;
+    }
+    static const unsigned short element23[18] = {19, 20, 21, 22, 23, 24, 25, 26, 28, 29, 30, 31,
+        32, 33, 34, 35, 36, 37};
+    static const double table24[18][2] = {{0.013, 0.006}, {0.011, 0.007}, {0.01, 0.009},
+        {0.008, 0.011}, {0.006, 0.012}, {0.005, 0.014}, {0.003, 0.015}, {0.002, 0.017},
+        {-0.002, 0.02}, {-0.003, 0.022}, {-0.005, 0.023}, {-0.006, 0.025}, {-0.008, 0.027},
+        {-0.01, 0.028}, {-0.011, 0.03}, {-0.013, 0.031}, {-0.014, 0.033}, {-0.016, 0.035}};
+    for (int i22 = 0; i22 < 18; ++i22) {
+        const double strand_z_2 = layer_1_z + table24[i22][0] * y_z;
+        const double strand_y_2 = table24[i22][1] - layer_1_y + table24[i22][0] * u_y;
+        const double aside_x = x_plane_y * strand_z_2 - x_z * strand_y_2;
+        const double strand_x_2 = layer_1_x + table24[i22][0] * y_x;
+        const double aside_y = x_x * strand_z_2 + x_z * strand_x_2;
+        const double aside_z_2 = x_plane_y * strand_x_2 + x_x * strand_y_2;
+        const double t25 = sinew_sqrt(aside_x * aside_x + aside_y * aside_y + aside_z_2
+            * aside_z_2);
+        const double t26 = sinew_one_atan2(t25, x_plane_y * strand_y_2 - x_x * strand_x_2 + x_z
+            * strand_z_2);
+        const double t27 = sinew_one_atan2(sinew_sqrt(strand_y_2 * strand_y_2 + strand_z_2
+            * strand_z_2), -strand_x_2);
+        angles[element23[i22]] = t26 + t27;
+    }
+}
+
+void wrist_feedforward(const double q71[SINEW_AT_LEAST(1)], const double q73[SINEW_AT_LEAST(1)],
+    double delta_theta[SINEW_AT_LEAST(38)])
+{
+    const struct sinew_sines2 sines1 = sinew_one_sincos2(q71[0], q73[0]);
+    const double sin_q71 = sines1.s[0];
+    const double cos_q71 = sines1.c[0];
+    const double sin_q73 = sines1.s[1];
+    const double cos_q73 = sines1.c[1];
+    const double B_y = 0.074565407529229 * cos_q73;
+    const double B_to_C0_squared = 0.007324 - 0.084 * B_y;
+    const double ratio = 0.003796 / B_to_C0_squared;
+    const double C_y = 0.002 * ratio * (21.0 - 500.0 * B_y);
+    const double u_y = 23.80952380952381 * (B_y + C_y);
+    const double B_e = 0.074565407529229 * sin_q73;
+    const double C_e = B_e * ratio;
+    const double M_e = 0.5 * (B_e + C_e);
+    const double s_e = M_e - 0.036 * sin_q71;
+    const double M_y = 0.5 * (B_y - C_y);
+    const double s_y = 0.021 - M_y;
+    const double u_e = 23.80952380952381 * (B_e - C_e);
+    const double p_y = u_e * s_y + u_y * s_e;
+    const double p_z = 0.036 * cos_q71;
+    const double reach_squared = sinew_max(p_y * p_y + p_z * p_z, 1.296e-15);
+    const double p_x = u_e * s_e - u_y * s_y;
+    const double projection = 0.034722222222222224 - 13.88888888888889 * (reach_squared + p_x
+        * p_x);
+    const double reach = sinew_sqrt(reach_squared);
+    const double limited = sinew_min(sinew_max(-projection, -reach), reach);
+    const double clearance = sinew_max((reach + limited) * (reach - limited), 1e-12
+        * reach_squared);
+    const double root = sinew_sqrt(clearance);
+    const double t2 = 1.0 / reach_squared;
+    const double sin_A = (p_y * root - p_z * limited) * t2;
+    const double x_plane_x = u_y * sin_A;
+    const double cos_A = (p_y * limited + p_z * root) * t2;
+    const double x_x = cos_q71 * x_plane_x + sin_q71 * cos_A;
+    const double M_x = cos_q71 * M_e;
+    const double z_plane_x = u_y * cos_A;
+    const double z_x = cos_q71 * z_plane_x - sin_q71 * sin_A;
+    const double t3 = 0.004 * (1.0 + x_x) - M_x + 0.018 * z_x;
+    const double t4 = 0.01 * z_x;
+    const double layer_0_x = t3 - t4;
+    const double y_x = cos_q71 * u_e;
+    const double z_plane_y = u_e * cos_A;
+    const double origin_y = M_y + 0.018 * z_plane_y;
+    const double t5 = origin_y + 0.004 * u_e * sin_A;
+    const double t6 = 0.01 * z_plane_y;
+    const double layer_0_y = t5 - t6;
+    const double z_z = cos_q71 * sin_A + sin_q71 * z_plane_x;
+    const double M_z = sin_q71 * M_e;
+    const double origin_z = M_z - 0.018 * z_z;
+    const double x_z = cos_q71 * cos_A - sin_q71 * x_plane_x;
+    const double t7 = 0.004 * x_z;
+    const double t8 = 0.01 * z_z;
+    const double layer_0_z = 0.008 - origin_z - t7 - t8;
+    const double y_z = sin_q71 * u_e;
+    const double strand_7_y = 0.018 - layer_0_y;
+    const double length_7 = sinew_sqrt(layer_0_x * layer_0_x + layer_0_z * layer_0_z + strand_7_y
+        * strand_7_y);
+    const double change_7 = 0.04661544808322666 - length_7;
+    delta_theta[7] = 200.0 * change_7;
+    const double layer_1_x = t3 + t4;
+    const double layer_1_y = t5 + t6;
+    const double layer_1_z = 0.028 - origin_z - t7 + t8;
+    const double strand_27_y = 0.019 - layer_1_y;
+    const double t9 = layer_1_x * layer_1_x + layer_1_z * layer_1_z + strand_27_y * strand_27_y;
+    const double length_27 = sinew_sqrt(t9);
+    const double change_27 = 0.046561786907291264 - length_27;
+    delta_theta[27] = 200.0 * change_27;
+    static const double table11[11][3] = {{0.04669047011971501, 0.002, 0.019},
+        {0.04661544808322666, 0.003, 0.021}, {0.04661544808322666, 0.005, 0.023},
+        {0.04661544808322666, 0.006, 0.024}, {0.04661544808322666, 0.008, 0.026},
+        {0.04669047011971501, 0.01, 0.027}, {0.04661544808322666, 0.011, 0.029},
+        {0.04661544808322666, 0.013, 0.031}, {0.04661544808322666, 0.014, 0.032},
+        {0.04661544808322666, 0.016, 0.034}, {0.04669047011971501, 0.018, 0.035}};
+    for (int i10 = 0; i10 < 11; ++i10) {
+        const double strand_x = layer_0_x - table11[i10][1] * y_x;
+        const double strand_y = table11[i10][2] - layer_0_y - table11[i10][1] * u_y;
+        const double strand_z = layer_0_z - table11[i10][1] * y_z;
+        const double length = sinew_sqrt(strand_x * strand_x + strand_y * strand_y + strand_z
+            * strand_z);
+        const double change = table11[i10][0] - length;
+        delta_theta[8 + i10] = 200.0 * change;
+    }
+    static const double table13[10][3] = {{0.04661544808322666, 0.002, 0.02},
+        {0.046561786907291264, 0.003, 0.022}, {0.04661544808322666, 0.005, 0.023},
+        {0.046561786907291264, 0.006, 0.025}, {0.046561786907291264, 0.008, 0.027},
+        {0.04661544808322666, 0.01, 0.028}, {0.046561786907291264, 0.011, 0.03},
+        {0.04661544808322666, 0.013, 0.031}, {0.046561786907291264, 0.014, 0.033},
+        {0.046561786907291264, 0.016, 0.035}};
+    for (int i12 = 0; i12 < 10; ++i12) {
+        const double strand_x_2 = layer_1_x - table13[i12][1] * y_x;
+        const double strand_y_2 = table13[i12][2] - layer_1_y - table13[i12][1] * u_y;
+        const double strand_z_2 = layer_1_z - table13[i12][1] * y_z;
+        const double t14 = strand_x_2 * strand_x_2 + strand_y_2 * strand_y_2 + strand_z_2
+            * strand_z_2;
+        const double length_2 = sinew_sqrt(t14);
+        const double change_2 = table13[i12][0] - length_2;
+        delta_theta[28 + i12] = 200.0 * change_2;
+    }
+    static const double table16[8][3] = {{0.046561786907291264, 0.013, 0.006},
+        {0.04661544808322666, 0.011, 0.007}, {0.046561786907291264, 0.01, 0.009},
+        {0.046561786907291264, 0.008, 0.011}, {0.04661544808322666, 0.006, 0.012},
+        {0.046561786907291264, 0.005, 0.014}, {0.04661544808322666, 0.003, 0.015},
+        {0.046561786907291264, 0.002, 0.017}};
+    for (int i15 = 0; i15 < 8; ++i15) {
+        const double strand_x_3 = layer_1_x + table16[i15][1] * y_x;
+        const double strand_y_3 = table16[i15][2] - layer_1_y + table16[i15][1] * u_y;
+        const double strand_z_3 = layer_1_z + table16[i15][1] * y_z;
+        const double t17 = strand_x_3 * strand_x_3 + strand_y_3 * strand_y_3 + strand_z_3
+            * strand_z_3;
+        const double length_3 = sinew_sqrt(t17);
+        const double change_3 = table16[i15][0] - length_3;
+        delta_theta[19 + i15] = 200.0 * change_3;
+    }
+    static const double table19[7][3] = {{0.04661544808322666, 0.011, 0.007},
+        {0.04661544808322666, 0.01, 0.008}, {0.04661544808322666, 0.008, 0.01},
+        {0.04669047011971501, 0.006, 0.011}, {0.04661544808322666, 0.005, 0.013},
+        {0.04661544808322666, 0.003, 0.015}, {0.04661544808322666, 0.002, 0.016}};
+    for (int i18 = 0; i18 < 7; ++i18) {
+        const double strand_x_4 = layer_0_x + table19[i18][1] * y_x;
+        const double strand_y_4 = table19[i18][2] - layer_0_y + table19[i18][1] * u_y;
+        const double strand_z_4 = layer_0_z + table19[i18][1] * y_z;
+        const double t20 = strand_x_4 * strand_x_4 + strand_y_4 * strand_y_4 + strand_z_4
+            * strand_z_4;
+        const double length_4 = sinew_sqrt(t20);
+        const double change_4 = table19[i18][0] - length_4;
+        delta_theta[i18] = 200.0 * change_4;
+    }
+}
+
+void wrist_feedforward_rate(const double q71[SINEW_AT_LEAST(1)],
+    const double q73[SINEW_AT_LEAST(1)], const double dq71[SINEW_AT_LEAST(1)],
+    const double dq73[SINEW_AT_LEAST(1)], double delta_theta_rate[SINEW_AT_LEAST(38)])
+{
+    const struct sinew_sines2 sines1 = sinew_one_sincos2(q71[0], q73[0]);
+    const double sin_q71 = sines1.s[0];
+    const double cos_q71 = sines1.c[0];
+    const double sin_q73 = sines1.s[1];
+    const double cos_q73 = sines1.c[1];
+    const double B_y = 0.074565407529229 * cos_q73;
+    const double B_to_C0_squared = 0.007324 - 0.084 * B_y;
+    const double t2 = 1.0 / B_to_C0_squared;
+    const double ratio = 0.003796 * t2;
+    const double B_e = 0.074565407529229 * sin_q73;
+    const double B_to_C0_squared_by_q73 = 0.084 * B_e;
+    const double ratio_by_q73 = ratio * B_to_C0_squared_by_q73 * t2;
+    const double t3 = 21.0 - 500.0 * B_y;
+    const double C_e = B_e * ratio;
+    const double C_y_by_q73 = C_e - 0.002 * ratio_by_q73 * t3;
+    const double t4 = 0.5 * B_e;
+    const double M_y_by_q73 = t4 + 0.5 * C_y_by_q73;
+    const double t5 = 23.80952380952381 * B_e;
+    const double u_e = t5 - 23.80952380952381 * C_e;
+    const double C_e_by_q73 = B_e * ratio_by_q73 - B_y * ratio;
+    const double t6 = 0.5 * B_y;
+    const double M_e_by_q73 = t6 - 0.5 * C_e_by_q73;
+    const double C_y = 0.002 * ratio * t3;
+    const double t7 = 23.80952380952381 * B_y;
+    const double u_y = t7 + 23.80952380952381 * C_y;
+    const double u_y_by_q73 = t5 - 23.80952380952381 * C_y_by_q73;
+    const double M_e = t4 + 0.5 * C_e;
+    const double p_z_by_q71 = 0.036 * sin_q71;
+    const double s_e = M_e - p_z_by_q71;
+    const double u_e_by_q73 = t7 + 23.80952380952381 * C_e_by_q73;
+    const double M_y = t6 - 0.5 * C_y;
+    const double s_y = 0.021 - M_y;
+    const double p_y_by_q73 = u_e * M_y_by_q73 + u_y * M_e_by_q73 - s_e * u_y_by_q73 + s_y
+        * u_e_by_q73;
+    const double p_y = u_e * s_y + u_y * s_e;
+    const double t8 = p_y + p_y;
+    const double t9 = p_y * p_y;
+    const double p_z = 0.036 * cos_q71;
+    const double t10 = p_z * p_z;
+    const double t11 = -(1.296e-15 - t9 - t10);
+    const double reach_squared_by_q73 = sinew_choose(t11, t8 * p_y_by_q73, 0.0);
+    const double p_x_by_q73 = u_e * M_e_by_q73 - u_y * M_y_by_q73 + s_e * u_e_by_q73 + s_y
+        * u_y_by_q73;
+    const double p_x = u_e * s_e - u_y * s_y;
+    const double t12 = 27.77777777777778 * p_x;
+    const double projection_by_q73 = 13.88888888888889 * reach_squared_by_q73 + t12 * p_x_by_q73;
+    const double reach_squared = sinew_max(t9 + t10, 1.296e-15);
+    const double projection = 0.034722222222222224 - 13.88888888888889 * (reach_squared + p_x
+        * p_x);
+    const double reach = sinew_sqrt(reach_squared);
+    const double t13 = reach - projection;
+    const double t14 = sinew_choose(t13, 1.0, 0.0);
+    const double t15 = 1.0 / reach;
+    const double reach_by_q73 = 0.5 * reach_squared_by_q73 * t15;
+    const double t16 = sinew_choose(t13, 0.0, 1.0);
+    const double t17 = sinew_max(-projection, -reach);
+    const double t18 = reach - t17;
+    const double limited_by_q73 = sinew_choose(t18, -(reach_by_q73 * t16 - projection_by_q73 * t14),
+        reach_by_q73);
+    const double limited = sinew_min(t17, reach);
+    const double t19 = limited + limited;
+    const double t20 = reach + reach;
+    const double t21 = (reach + limited) * (reach - limited);
+    const double t22 = 1e-12 * reach_squared;
+    const double t23 = -(t22 - t21);
+    const double clearance_by_q73 = sinew_choose(t23, t20 * reach_by_q73 - t19 * limited_by_q73,
+        1e-12 * reach_squared_by_q73);
+    const double clearance = sinew_max(t21, t22);
+    const double root = sinew_sqrt(clearance);
+    const double t24 = 1.0 / root;
+    const double root_by_q73 = 0.5 * clearance_by_q73 * t24;
+    const double t25 = 1.0 / reach_squared;
+    const double cos_A = (p_y * limited + p_z * root) * t25;
+    const double t26 = p_y * limited_by_q73 + p_z * root_by_q73 + limited * p_y_by_q73 - cos_A
+        * reach_squared_by_q73;
+    const double cos_A_by_q73 = t26 * t25;
+    const double z_plane_x_by_q73 = u_y * cos_A_by_q73 - cos_A * u_y_by_q73;
+    const double sin_A = (p_y * root - p_z * limited) * t25;
+    const double t27 = p_y * root_by_q73 - p_z * limited_by_q73 + root * p_y_by_q73 - sin_A
+        * reach_squared_by_q73;
+    const double sin_A_by_q73 = t27 * t25;
+    const double z_x_by_q73 = cos_q71 * z_plane_x_by_q73 - sin_q71 * sin_A_by_q73;
+    const double M_x_by_q73 = cos_q71 * M_e_by_q73;
+    const double origin_x_by_q73 = M_x_by_q73 - 0.018 * z_x_by_q73;
+    const double x_plane_x_by_q73 = u_y * sin_A_by_q73 - sin_A * u_y_by_q73;
+    const double x_x_by_q73 = cos_q71 * x_plane_x_by_q73 + sin_q71 * cos_A_by_q73;
+    const double t28 = origin_x_by_q73 - 0.004 * x_x_by_q73;
+    const double t29 = 0.01 * z_x_by_q73;
+    const double layer_0_x_by_q73 = t28 + t29;
+    const double y_x_by_q73 = cos_q71 * u_e_by_q73;
+    const double x_plane_x = u_y * sin_A;
+    const double t30 = cos_q71 * x_plane_x;
+    const double t31 = sin_q71 * cos_A;
+    const double x_x = t30 + t31;
+    const double M_x = cos_q71 * M_e;
+    const double z_plane_x = u_y * cos_A;
+    const double t32 = cos_q71 * z_plane_x;
+    const double t33 = sin_q71 * sin_A;
+    const double z_x = t32 - t33;
+    const double t34 = 0.004 * (1.0 + x_x) - M_x + 0.018 * z_x;
+    const double t35 = 0.01 * z_x;
+    const double layer_0_x = t34 - t35;
+    const double y_x = cos_q71 * u_e;
+    const double x_plane_y_by_q73 = u_e * sin_A_by_q73 + sin_A * u_e_by_q73;
+    const double z_plane_y_by_q73 = u_e * cos_A_by_q73 + cos_A * u_e_by_q73;
+    const double origin_y_by_q73 = M_y_by_q73 - 0.018 * z_plane_y_by_q73;
+    const double t36 = origin_y_by_q73 - 0.004 * x_plane_y_by_q73;
+    const double t37 = 0.01 * z_plane_y_by_q73;
+    const double layer_0_y_by_q73 = t36 + t37;
+    const double z_plane_y = u_e * cos_A;
+    const double origin_y = M_y + 0.018 * z_plane_y;
+    const double t38 = 0.004 * u_e;
+    const double t39 = origin_y + t38 * sin_A;
+    const double t40 = 0.01 * z_plane_y;
+    const double layer_0_y = t39 - t40;
+    const double z_z_by_q73 = cos_q71 * sin_A_by_q73 + sin_q71 * z_plane_x_by_q73;
+    const double M_z_by_q73 = sin_q71 * M_e_by_q73;
+    const double origin_z_by_q73 = M_z_by_q73 - 0.018 * z_z_by_q73;
+    const double x_z_by_q73 = cos_q71 * cos_A_by_q73 - sin_q71 * x_plane_x_by_q73;
+    const double t41 = origin_z_by_q73 + 0.004 * x_z_by_q73;
+    const double t42 = 0.01 * z_z_by_q73;
+    const double layer_0_z_by_q73 = t41 + t42;
+    const double y_z_by_q73 = sin_q71 * u_e_by_q73;
+    const double t43 = sin_q71 * z_plane_x;
+    const double t44 = cos_q71 * sin_A;
+    const double z_z = t44 + t43;
+    const double M_z = sin_q71 * M_e;
+    const double origin_z = M_z - 0.018 * z_z;
+    const double t45 = sin_q71 * x_plane_x;
+    const double t46 = cos_q71 * cos_A;
+    const double x_z = t46 - t45;
+    const double t47 = 0.004 * x_z;
+    const double t48 = 0.01 * z_z;
+    const double layer_0_z = 0.008 - origin_z - t47 - t48;
+    const double y_z = sin_q71 * u_e;
+    const double t49 = 200.0 * dq73[0];
+    const double p_y_by_q71 = u_y * p_z;
+    const double reach_squared_by_q71 = sinew_choose(t11, -(t8 * p_y_by_q71 + (p_z + p_z)
+        * p_z_by_q71), 0.0);
+    const double reach_by_q71 = 0.5 * reach_squared_by_q71 * t15;
+    const double projection_by_q71 = 13.88888888888889 * reach_squared_by_q71 - t12 * u_e * p_z;
+    const double limited_by_q71 = sinew_choose(t18, -(reach_by_q71 * t16 - projection_by_q71 * t14),
+        reach_by_q71);
+    const double clearance_by_q71 = sinew_choose(t23, t20 * reach_by_q71 - t19 * limited_by_q71,
+        1e-12 * reach_squared_by_q71);
+    const double root_by_q71 = 0.5 * clearance_by_q71 * t24;
+    const double t50 = p_y * limited_by_q71 + p_z * root_by_q71 - limited * p_y_by_q71 - root
+        * p_z_by_q71;
+    const double cos_A_by_q71 = (t50 - cos_A * reach_squared_by_q71) * t25;
+    const double z_plane_x_by_q71 = u_y * cos_A_by_q71;
+    const double t51 = p_y * root_by_q71 - p_z * limited_by_q71 + limited * p_z_by_q71 - root
+        * p_y_by_q71;
+    const double sin_A_by_q71 = (t51 - sin_A * reach_squared_by_q71) * t25;
+    const double z_x_by_q71 = t44 - cos_q71 * z_plane_x_by_q71 + t43 + sin_q71 * sin_A_by_q71;
+    const double origin_x_by_q71 = M_z - 0.018 * z_x_by_q71;
+    const double x_plane_x_by_q71 = u_y * sin_A_by_q71;
+    const double x_x_by_q71 = t46 + cos_q71 * x_plane_x_by_q71 - t45 + sin_q71 * cos_A_by_q71;
+    const double t52 = origin_x_by_q71 + 0.004 * x_x_by_q71;
+    const double t53 = 0.01 * z_x_by_q71;
+    const double layer_0_x_by_q71 = t52 + t53;
+    const double z_plane_y_by_q71 = u_e * cos_A_by_q71;
+    const double origin_y_by_q71 = 0.018 * z_plane_y_by_q71;
+    const double t54 = origin_y_by_q71 + t38 * sin_A_by_q71;
+    const double t55 = 0.01 * z_plane_y_by_q71;
+    const double layer_0_y_by_q71 = t54 - t55;
+    const double z_z_by_q71 = t32 + cos_q71 * sin_A_by_q71 - t33 + sin_q71 * z_plane_x_by_q71;
+    const double origin_z_by_q71 = M_x - 0.018 * z_z_by_q71;
+    const double x_z_by_q71 = t30 - cos_q71 * cos_A_by_q71 + t31 + sin_q71 * x_plane_x_by_q71;
+    const double t56 = origin_z_by_q71 - 0.004 * x_z_by_q71;
+    const double t57 = 0.01 * z_z_by_q71;
+    const double layer_0_z_by_q71 = t56 + t57;
+    const double t58 = 200.0 * dq71[0];
+    const double strand_7_y = 0.018 - layer_0_y;
+    const double t59 = layer_0_x * layer_0_x_by_q73 + layer_0_z * layer_0_z_by_q73 - strand_7_y
+        * layer_0_y_by_q73;
+    const double length_7 = sinew_sqrt(layer_0_x * layer_0_x + layer_0_z * layer_0_z + strand_7_y
+        * strand_7_y);
+    const double t60 = 1.0 / length_7;
+    const double length_7_by_q73 = t59 * t60;
+    const double t61 = layer_0_x * layer_0_x_by_q71 - layer_0_z * layer_0_z_by_q71 - strand_7_y
+        * layer_0_y_by_q71;
+    const double length_7_by_q71 = t61 * t60;
+    delta_theta_rate[7] = -(t58 * length_7_by_q71 - t49 * length_7_by_q73);
+    const double layer_1_x_by_q73 = t28 - t29;
+    const double layer_1_x = t34 + t35;
+    const double layer_1_y_by_q73 = t36 - t37;
+    const double layer_1_y = t39 + t40;
+    const double layer_1_z_by_q73 = t41 - t42;
+    const double layer_1_z = 0.028 - origin_z - t47 + t48;
+    const double layer_1_x_by_q71 = t52 - t53;
+    const double layer_1_y_by_q71 = t54 + t55;
+    const double layer_1_z_by_q71 = t56 - t57;
+    const double strand_27_y = 0.019 - layer_1_y;
+    const double t62 = layer_1_x * layer_1_x_by_q73 + layer_1_z * layer_1_z_by_q73 - strand_27_y
+        * layer_1_y_by_q73;
+    const double t63 = layer_1_x * layer_1_x + layer_1_z * layer_1_z + strand_27_y * strand_27_y;
+    const double length_27 = sinew_sqrt(t63);
+    const double t64 = 1.0 / length_27;
+    const double length_27_by_q73 = t62 * t64;
+    const double t65 = layer_1_x * layer_1_x_by_q71 - layer_1_z * layer_1_z_by_q71 - strand_27_y
+        * layer_1_y_by_q71;
+    const double length_27_by_q71 = t65 * t64;
+    delta_theta_rate[27] = -(t58 * length_27_by_q71 - t49 * length_27_by_q73);
     static const double table67[11][2] = {{0.002, 0.019}, {0.003, 0.021}, {0.005, 0.023},
         {0.006, 0.024}, {0.008, 0.026}, {0.01, 0.027}, {0.011, 0.029}, {0.013, 0.031},
         {0.014, 0.032}, {0.016, 0.034}, {0.018, 0.035}};
@@ -758,17 +2311,19 @@ void wrist_tendon_jacobian(const double q71[SINEW_AT_LEAST(1)], const double q73
         const double strand_y = table67[i66][1] - layer_0_y - table67[i66][0] * u_y;
         const double strand_z = layer_0_z - t69;
         const double strand_z_by_q71 = layer_0_z_by_q71 + t68;
-        const double t70 = strand_x * strand_x_by_q71 - strand_y * layer_0_y_by_q71 - strand_z * strand_z_by_q71;
-        const double length = sinew_sqrt(strand_x * strand_x + strand_y * strand_y + strand_z * strand_z);
+        const double t70 = strand_x * strand_x_by_q71 - strand_y * layer_0_y_by_q71 - strand_z
+            * strand_z_by_q71;
+        const double length = sinew_sqrt(strand_x * strand_x + strand_y * strand_y + strand_z
+            * strand_z);
         const double t71 = 1.0 / length;
         const double length_by_q71 = t70 * t71;
         const double strand_x_by_q73 = layer_0_x_by_q73 + table67[i66][0] * y_x_by_q73;
         const double strand_y_by_q73 = layer_0_y_by_q73 + table67[i66][0] * u_y_by_q73;
         const double strand_z_by_q73 = layer_0_z_by_q73 + table67[i66][0] * y_z_by_q73;
-        const double t72 = strand_x * strand_x_by_q73 - strand_y * strand_y_by_q73 + strand_z * strand_z_by_q73;
+        const double t72 = strand_x * strand_x_by_q73 - strand_y * strand_y_by_q73 + strand_z
+            * strand_z_by_q73;
         const double length_by_q73 = t72 * t71;
-        P[16 + 2 * i66] = length_by_q71;
-        P[17 + 2 * i66] = -length_by_q73;
+        delta_theta_rate[8 + i66] = -(t58 * length_by_q71 - t49 * length_by_q73);
     }
     static const double table74[10][2] = {{0.002, 0.02}, {0.003, 0.022}, {0.005, 0.023},
         {0.006, 0.025}, {0.008, 0.027}, {0.01, 0.028}, {0.011, 0.03}, {0.013, 0.031},
@@ -781,18 +2336,20 @@ void wrist_tendon_jacobian(const double q71[SINEW_AT_LEAST(1)], const double q73
         const double strand_y_2 = table74[i73][1] - layer_1_y - table74[i73][0] * u_y;
         const double strand_z_2 = layer_1_z - t76;
         const double strand_z_by_q71_2 = layer_1_z_by_q71 + t75;
-        const double t77 = strand_x_2 * strand_x_by_q71_2 - strand_y_2 * layer_1_y_by_q71 - strand_z_2 * strand_z_by_q71_2;
-        const double t78 = strand_x_2 * strand_x_2 + strand_y_2 * strand_y_2 + strand_z_2 * strand_z_2;
+        const double t77 = strand_x_2 * strand_x_by_q71_2 - strand_y_2 * layer_1_y_by_q71
+            - strand_z_2 * strand_z_by_q71_2;
+        const double t78 = strand_x_2 * strand_x_2 + strand_y_2 * strand_y_2 + strand_z_2
+            * strand_z_2;
         const double length_2 = sinew_sqrt(t78);
         const double t79 = 1.0 / length_2;
         const double length_by_q71_2 = t77 * t79;
         const double strand_x_by_q73_2 = layer_1_x_by_q73 + table74[i73][0] * y_x_by_q73;
         const double strand_y_by_q73_2 = layer_1_y_by_q73 + table74[i73][0] * u_y_by_q73;
         const double strand_z_by_q73_2 = layer_1_z_by_q73 + table74[i73][0] * y_z_by_q73;
-        const double t80 = strand_x_2 * strand_x_by_q73_2 - strand_y_2 * strand_y_by_q73_2 + strand_z_2 * strand_z_by_q73_2;
+        const double t80 = strand_x_2 * strand_x_by_q73_2 - strand_y_2 * strand_y_by_q73_2
+            + strand_z_2 * strand_z_by_q73_2;
         const double length_by_q73_2 = t80 * t79;
-        P[56 + 2 * i73] = length_by_q71_2;
-        P[57 + 2 * i73] = -length_by_q73_2;
+        delta_theta_rate[28 + i73] = -(t58 * length_by_q71_2 - t49 * length_by_q73_2);
     }
     static const double table82[8][2] = {{0.013, 0.006}, {0.011, 0.007}, {0.01, 0.009},
         {0.008, 0.011}, {0.006, 0.012}, {0.005, 0.014}, {0.003, 0.015}, {0.002, 0.017}};
@@ -804,18 +2361,20 @@ void wrist_tendon_jacobian(const double q71[SINEW_AT_LEAST(1)], const double q73
         const double strand_y_3 = table82[i81][1] - layer_1_y + table82[i81][0] * u_y;
         const double strand_z_3 = layer_1_z + t84;
         const double strand_z_by_q71_3 = layer_1_z_by_q71 - t83;
-        const double t85 = strand_x_3 * strand_x_by_q71_3 - strand_y_3 * layer_1_y_by_q71 - strand_z_3 * strand_z_by_q71_3;
-        const double t86 = strand_x_3 * strand_x_3 + strand_y_3 * strand_y_3 + strand_z_3 * strand_z_3;
+        const double t85 = strand_x_3 * strand_x_by_q71_3 - strand_y_3 * layer_1_y_by_q71
+            - strand_z_3 * strand_z_by_q71_3;
+        const double t86 = strand_x_3 * strand_x_3 + strand_y_3 * strand_y_3 + strand_z_3
+            * strand_z_3;
         const double length_3 = sinew_sqrt(t86);
         const double t87 = 1.0 / length_3;
         const double length_by_q71_3 = t85 * t87;
         const double strand_x_by_q73_3 = layer_1_x_by_q73 - table82[i81][0] * y_x_by_q73;
         const double strand_y_by_q73_3 = layer_1_y_by_q73 - table82[i81][0] * u_y_by_q73;
         const double strand_z_by_q73_3 = layer_1_z_by_q73 - table82[i81][0] * y_z_by_q73;
-        const double t88 = strand_x_3 * strand_x_by_q73_3 - strand_y_3 * strand_y_by_q73_3 + strand_z_3 * strand_z_by_q73_3;
+        const double t88 = strand_x_3 * strand_x_by_q73_3 - strand_y_3 * strand_y_by_q73_3
+            + strand_z_3 * strand_z_by_q73_3;
         const double length_by_q73_3 = t88 * t87;
-        P[38 + 2 * i81] = length_by_q71_3;
-        P[39 + 2 * i81] = -length_by_q73_3;
+        delta_theta_rate[19 + i81] = -(t58 * length_by_q71_3 - t49 * length_by_q73_3);
     }
     static const double table90[7][2] = {{0.011, 0.007}, {0.01, 0.008}, {0.008, 0.01},
         {0.006, 0.011}, {0.005, 0.013}, {0.003, 0.015}, {0.002, 0.016}};
@@ -827,2657 +2386,1464 @@ void wrist_tendon_jacobian(const double q71[SINEW_AT_LEAST(1)], const double q73
         const double strand_y_4 = table90[i89][1] - layer_0_y + table90[i89][0] * u_y;
         const double strand_z_4 = layer_0_z + t92;
         const double strand_z_by_q71_4 = layer_0_z_by_q71 - t91;
-        const double t93 = strand_x_4 * strand_x_by_q71_4 - strand_y_4 * layer_0_y_by_q71 - strand_z_4 * strand_z_by_q71_4;
-        const double t94 = strand_x_4 * strand_x_4 + strand_y_4 * strand_y_4 + strand_z_4 * strand_z_4;
+        const double t93 = strand_x_4 * strand_x_by_q71_4 - strand_y_4 * layer_0_y_by_q71
+            - strand_z_4 * strand_z_by_q71_4;
+        const double t94 = strand_x_4 * strand_x_4 + strand_y_4 * strand_y_4 + strand_z_4
+            * strand_z_4;
         const double length_4 = sinew_sqrt(t94);
         const double t95 = 1.0 / length_4;
         const double length_by_q71_4 = t93 * t95;
         const double strand_x_by_q73_4 = layer_0_x_by_q73 - table90[i89][0] * y_x_by_q73;
         const double strand_y_by_q73_4 = layer_0_y_by_q73 - table90[i89][0] * u_y_by_q73;
         const double strand_z_by_q73_4 = layer_0_z_by_q73 - table90[i89][0] * y_z_by_q73;
-        const double t96 = strand_x_4 * strand_x_by_q73_4 - strand_y_4 * strand_y_by_q73_4 + strand_z_4 * strand_z_by_q73_4;
+        const double t96 = strand_x_4 * strand_x_by_q73_4 - strand_y_4 * strand_y_by_q73_4
+            + strand_z_4 * strand_z_by_q73_4;
         const double length_by_q73_4 = t96 * t95;
-        P[2 * i89] = length_by_q71_4;
-        P[1 + 2 * i89] = -length_by_q73_4;
+        delta_theta_rate[i89] = -(t58 * length_by_q71_4 - t49 * length_by_q73_4);
     }
 }
 
-void wrist_tendon_hessian(const double q71[SINEW_AT_LEAST(1)], const double q73[SINEW_AT_LEAST(1)], double H[SINEW_AT_LEAST(152)])
+void wrist_joint_torque(const double q71[SINEW_AT_LEAST(1)], const double q73[SINEW_AT_LEAST(1)],
+    const double f[SINEW_AT_LEAST(38)], double tau[SINEW_AT_LEAST(2)])
 {
-    const double angle1[2] = {q71[0], q73[0]};
-    double sine2[2], cosine3[2];
-    sinew_sincos2(angle1, sine2, cosine3);
-    const double sin_q71 = sine2[0];
-    const double cos_q71 = cosine3[0];
-    const double sin_q73 = sine2[1];
-    const double cos_q73 = cosine3[1];
+    const struct sinew_sines2 sines1 = sinew_one_sincos2(q71[0], q73[0]);
+    const double sin_q71 = sines1.s[0];
+    const double cos_q71 = sines1.c[0];
+    const double sin_q73 = sines1.s[1];
+    const double cos_q73 = sines1.c[1];
     const double B_y = 0.074565407529229 * cos_q73;
-    const double B_to_C0_squared_by_q73_by_q73 = 0.084 * B_y;
-    const double B_to_C0_squared = 0.007324 - B_to_C0_squared_by_q73_by_q73;
-    const double t4 = 1.0 / B_to_C0_squared;
-    const double ratio = 0.003796 * t4;
-    const double t5 = 21.0 - 500.0 * B_y;
-    const double C_y = 0.002 * ratio * t5;
-    const double t6 = 23.80952380952381 * B_y;
-    const double u_y = t6 + 23.80952380952381 * C_y;
+    const double B_to_C0_squared = 0.007324 - 0.084 * B_y;
+    const double t2 = 1.0 / B_to_C0_squared;
+    const double ratio = 0.003796 * t2;
+    const double t3 = 21.0 - 500.0 * B_y;
+    const double C_y = 0.002 * ratio * t3;
+    const double t4 = 23.80952380952381 * B_y;
+    const double u_y = t4 + 23.80952380952381 * C_y;
     const double B_e = 0.074565407529229 * sin_q73;
     const double C_e = B_e * ratio;
-    const double t7 = 0.5 * B_e;
-    const double M_e = t7 + 0.5 * C_e;
+    const double t5 = 0.5 * B_e;
+    const double M_e = t5 + 0.5 * C_e;
     const double p_z_by_q71 = 0.036 * sin_q71;
     const double s_e = M_e - p_z_by_q71;
-    const double t8 = 0.5 * B_y;
-    const double M_y = t8 - 0.5 * C_y;
+    const double t6 = 0.5 * B_y;
+    const double M_y = t6 - 0.5 * C_y;
     const double s_y = 0.021 - M_y;
-    const double t9 = 23.80952380952381 * B_e;
-    const double u_e = t9 - 23.80952380952381 * C_e;
-    const double p_y = u_e * s_y + u_y * s_e;
-    const double t10 = p_y + p_y;
-    const double p_z = 0.036 * cos_q71;
-    const double p_y_by_q71 = u_y * p_z;
-    const double t11 = p_z + p_z;
-    const double t12 = p_y * p_y;
-    const double t13 = p_z * p_z;
-    const double t14 = -(1.296e-15 - t12 - t13);
-    const double reach_squared_by_q71 = sinew_choose(t14, -(t10 * p_y_by_q71 + t11 * p_z_by_q71), 0.0);
-    const double reach_squared = sinew_max(t12 + t13, 1.296e-15);
-    const double reach = sinew_sqrt(reach_squared);
-    const double t15 = 1.0 / reach;
-    const double reach_by_q71 = 0.5 * reach_squared_by_q71 * t15;
-    const double p_x = u_e * s_e - u_y * s_y;
-    const double projection = 0.034722222222222224 - 13.88888888888889 * (reach_squared + p_x * p_x);
-    const double t16 = reach - projection;
-    const double t17 = sinew_choose(t16, 0.0, 1.0);
-    const double t18 = sinew_choose(t16, 1.0, 0.0);
-    const double t19 = 27.77777777777778 * p_x;
-    const double p_x_by_q71 = u_e * p_z;
-    const double projection_by_q71 = 13.88888888888889 * reach_squared_by_q71 - t19 * p_x_by_q71;
-    const double t20 = sinew_max(-projection, -reach);
-    const double t21 = reach - t20;
-    const double limited_by_q71 = sinew_choose(t21, -(reach_by_q71 * t17 - projection_by_q71 * t18), reach_by_q71);
-    const double limited = sinew_min(t20, reach);
-    const double t22 = limited + limited;
-    const double t23 = reach + reach;
-    const double t24 = (reach + limited) * (reach - limited);
-    const double t25 = 1e-12 * reach_squared;
-    const double t26 = -(t25 - t24);
-    const double clearance_by_q71 = sinew_choose(t26, t23 * reach_by_q71 - t22 * limited_by_q71, 1e-12 * reach_squared_by_q71);
-    const double clearance = sinew_max(t24, t25);
-    const double root = sinew_sqrt(clearance);
-    const double t27 = 1.0 / root;
-    const double root_by_q71 = 0.5 * clearance_by_q71 * t27;
-    const double t28 = root_by_q71 + root_by_q71;
-    const double t29 = limited_by_q71 + limited_by_q71;
-    const double t30 = reach_by_q71 * reach_by_q71;
-    const double t31 = t30 + t30;
-    const double p_y_by_q71_by_q71 = u_y * p_z_by_q71;
-    const double t32 = p_y_by_q71 * p_y_by_q71 + p_z_by_q71 * p_z_by_q71;
-    const double reach_squared_by_q71_by_q71 = sinew_choose(t14, t32 + t32 + t10 * p_y_by_q71_by_q71 - t11 * p_z, 0.0);
-    const double reach_by_q71_by_q71 = 0.5 * (reach_squared_by_q71_by_q71 - t31) * t15;
-    const double t33 = 27.77777777777778 * p_x_by_q71;
-    const double projection_by_q71_by_q71 = 13.88888888888889 * reach_squared_by_q71_by_q71 + t33 * p_x_by_q71 + t19 * u_e * p_z_by_q71;
-    const double limited_by_q71_by_q71 = sinew_choose(t21, -(reach_by_q71_by_q71 * t17 - projection_by_q71_by_q71 * t18), reach_by_q71_by_q71);
-    const double t34 = t31 - t29 * limited_by_q71 + t23 * reach_by_q71_by_q71 - t22 * limited_by_q71_by_q71;
-    const double clearance_by_q71_by_q71 = sinew_choose(t26, t34, 1e-12 * reach_squared_by_q71_by_q71);
-    const double root_by_q71_by_q71 = 0.5 * (clearance_by_q71_by_q71 - t28 * root_by_q71) * t27;
-    const double t35 = p_z * root;
-    const double t36 = p_y * limited_by_q71_by_q71 - t35 + p_z * root_by_q71_by_q71 + limited * p_y_by_q71_by_q71;
-    const double t37 = 1.0 / reach_squared;
-    const double cos_A = (p_y * limited + t35) * t37;
-    const double t38 = p_y_by_q71 + p_y_by_q71;
-    const double t39 = p_z_by_q71 + p_z_by_q71;
-    const double t40 = t36 - cos_A * reach_squared_by_q71_by_q71 - t38 * limited_by_q71 - t39 * root_by_q71;
-    const double t41 = p_y * limited_by_q71 + p_z * root_by_q71 - limited * p_y_by_q71 - root * p_z_by_q71;
-    const double cos_A_by_q71 = (t41 - cos_A * reach_squared_by_q71) * t37;
-    const double t42 = reach_squared_by_q71 + reach_squared_by_q71;
-    const double cos_A_by_q71_by_q71 = (t40 - t42 * cos_A_by_q71) * t37;
-    const double z_plane_x_by_q71_by_q71 = u_y * cos_A_by_q71_by_q71;
-    const double z_plane_x = u_y * cos_A;
-    const double t43 = cos_q71 * z_plane_x;
-    const double t44 = p_z * limited;
-    const double sin_A = (p_y * root - t44) * t37;
-    const double t45 = sin_q71 * sin_A;
-    const double t46 = p_y * root_by_q71_by_q71 + t44 - p_z * limited_by_q71_by_q71 + root * p_y_by_q71_by_q71;
-    const double t47 = t46 - sin_A * reach_squared_by_q71_by_q71 - t38 * root_by_q71 + t39 * limited_by_q71;
-    const double t48 = p_y * root_by_q71 - p_z * limited_by_q71 + limited * p_z_by_q71 - root * p_y_by_q71;
-    const double sin_A_by_q71 = (t48 - sin_A * reach_squared_by_q71) * t37;
-    const double sin_A_by_q71_by_q71 = (t47 - t42 * sin_A_by_q71) * t37;
-    const double t49 = t43 - cos_q71 * z_plane_x_by_q71_by_q71 - t45 + sin_q71 * sin_A_by_q71_by_q71;
-    const double t50 = cos_q71 + cos_q71;
-    const double z_plane_x_by_q71 = u_y * cos_A_by_q71;
-    const double t51 = sin_q71 + sin_q71;
-    const double z_x_by_q71_by_q71 = t49 + t50 * sin_A_by_q71 + t51 * z_plane_x_by_q71;
-    const double M_x = cos_q71 * M_e;
-    const double origin_x_by_q71_by_q71 = M_x - 0.018 * z_x_by_q71_by_q71;
-    const double x_plane_x_by_q71_by_q71 = u_y * sin_A_by_q71_by_q71;
-    const double x_plane_x = u_y * sin_A;
-    const double t52 = cos_q71 * x_plane_x;
-    const double t53 = sin_q71 * cos_A;
-    const double t54 = t52 - cos_q71 * x_plane_x_by_q71_by_q71 + t53 - sin_q71 * cos_A_by_q71_by_q71;
-    const double x_plane_x_by_q71 = u_y * sin_A_by_q71;
-    const double x_x_by_q71_by_q71 = t54 - t50 * cos_A_by_q71 + t51 * x_plane_x_by_q71;
-    const double t55 = origin_x_by_q71_by_q71 - 0.004 * x_x_by_q71_by_q71;
-    const double t56 = 0.01 * z_x_by_q71_by_q71;
-    const double layer_0_x_by_q71_by_q71 = t55 + t56;
-    const double y_x = cos_q71 * u_e;
-    const double t57 = 0.011 * y_x;
-    const double strand_0_x_by_q71_by_q71 = layer_0_x_by_q71_by_q71 - t57;
-    const double x_x = t52 + t53;
-    const double z_x = t43 - t45;
-    const double t58 = 0.004 * (1.0 + x_x) - M_x + 0.018 * z_x;
-    const double t59 = 0.01 * z_x;
-    const double layer_0_x = t58 - t59;
-    const double strand_0_x = layer_0_x + t57;
-    const double z_plane_y_by_q71_by_q71 = u_e * cos_A_by_q71_by_q71;
-    const double origin_y_by_q71_by_q71 = 0.018 * z_plane_y_by_q71_by_q71;
-    const double t60 = 0.004 * u_e;
-    const double t61 = origin_y_by_q71_by_q71 + t60 * sin_A_by_q71_by_q71;
-    const double t62 = 0.01 * z_plane_y_by_q71_by_q71;
-    const double layer_0_y_by_q71_by_q71 = t61 - t62;
-    const double z_plane_y = u_e * cos_A;
-    const double origin_y = M_y + 0.018 * z_plane_y;
-    const double t63 = origin_y + t60 * sin_A;
-    const double t64 = 0.01 * z_plane_y;
-    const double layer_0_y = t63 - t64;
-    const double t65 = 0.011 * u_y;
-    const double strand_0_y = 0.007 - layer_0_y + t65;
-    const double t66 = strand_0_x * strand_0_x_by_q71_by_q71 - strand_0_y * layer_0_y_by_q71_by_q71;
-    const double t67 = cos_q71 * sin_A;
-    const double t68 = sin_q71 * z_plane_x;
-    const double t69 = t67 - cos_q71 * sin_A_by_q71_by_q71 + t68 - sin_q71 * z_plane_x_by_q71_by_q71;
-    const double z_z_by_q71_by_q71 = t69 - t50 * z_plane_x_by_q71 + t51 * sin_A_by_q71;
-    const double M_z = sin_q71 * M_e;
-    const double origin_z_by_q71_by_q71 = M_z - 0.018 * z_z_by_q71_by_q71;
-    const double t70 = cos_q71 * cos_A;
-    const double t71 = sin_q71 * x_plane_x;
-    const double t72 = t70 - cos_q71 * cos_A_by_q71_by_q71 - t71 + sin_q71 * x_plane_x_by_q71_by_q71;
-    const double x_z_by_q71_by_q71 = t72 + t50 * x_plane_x_by_q71 + t51 * cos_A_by_q71;
-    const double t73 = origin_z_by_q71_by_q71 + 0.004 * x_z_by_q71_by_q71;
-    const double t74 = 0.01 * z_z_by_q71_by_q71;
-    const double layer_0_z_by_q71_by_q71 = t73 + t74;
-    const double y_z = sin_q71 * u_e;
-    const double t75 = 0.011 * y_z;
-    const double strand_0_z_by_q71_by_q71 = layer_0_z_by_q71_by_q71 - t75;
-    const double z_z = t67 + t68;
-    const double origin_z = M_z - 0.018 * z_z;
-    const double x_z = t70 - t71;
-    const double t76 = 0.004 * x_z;
-    const double t77 = 0.01 * z_z;
-    const double layer_0_z = 0.008 - origin_z - t76 - t77;
-    const double strand_0_z = layer_0_z + t75;
-    const double z_x_by_q71 = t67 - cos_q71 * z_plane_x_by_q71 + t68 + sin_q71 * sin_A_by_q71;
-    const double origin_x_by_q71 = M_z - 0.018 * z_x_by_q71;
-    const double x_x_by_q71 = t70 + cos_q71 * x_plane_x_by_q71 - t71 + sin_q71 * cos_A_by_q71;
-    const double t78 = origin_x_by_q71 + 0.004 * x_x_by_q71;
-    const double t79 = 0.01 * z_x_by_q71;
-    const double layer_0_x_by_q71 = t78 + t79;
-    const double strand_0_x_by_q71 = layer_0_x_by_q71 - t75;
-    const double t80 = t66 + strand_0_z * strand_0_z_by_q71_by_q71 + strand_0_x_by_q71 * strand_0_x_by_q71;
-    const double z_plane_y_by_q71 = u_e * cos_A_by_q71;
-    const double origin_y_by_q71 = 0.018 * z_plane_y_by_q71;
-    const double t81 = origin_y_by_q71 + t60 * sin_A_by_q71;
-    const double t82 = 0.01 * z_plane_y_by_q71;
-    const double layer_0_y_by_q71 = t81 - t82;
-    const double t83 = layer_0_y_by_q71 * layer_0_y_by_q71;
-    const double z_z_by_q71 = t43 + cos_q71 * sin_A_by_q71 - t45 + sin_q71 * z_plane_x_by_q71;
-    const double origin_z_by_q71 = M_x - 0.018 * z_z_by_q71;
-    const double x_z_by_q71 = t52 - cos_q71 * cos_A_by_q71 + t53 + sin_q71 * x_plane_x_by_q71;
-    const double t84 = origin_z_by_q71 - 0.004 * x_z_by_q71;
-    const double t85 = 0.01 * z_z_by_q71;
-    const double layer_0_z_by_q71 = t84 + t85;
-    const double strand_0_z_by_q71 = layer_0_z_by_q71 - t57;
-    const double t86 = strand_0_x * strand_0_x_by_q71 - strand_0_y * layer_0_y_by_q71 - strand_0_z * strand_0_z_by_q71;
-    const double t87 = strand_0_x * strand_0_x + strand_0_y * strand_0_y + strand_0_z * strand_0_z;
-    const double length_0 = sinew_sqrt(t87);
-    const double t88 = 1.0 / length_0;
-    const double length_0_by_q71 = t86 * t88;
-    const double t89 = t80 + t83 + strand_0_z_by_q71 * strand_0_z_by_q71 - length_0_by_q71 * length_0_by_q71;
-    const double length_0_by_q71_by_q71 = t89 * t88;
-    H[0] = length_0_by_q71_by_q71;
-    const double B_to_C0_squared_by_q73 = 0.084 * B_e;
-    const double ratio_by_q73 = ratio * B_to_C0_squared_by_q73 * t4;
-    const double C_y_by_q73 = C_e - 0.002 * ratio_by_q73 * t5;
-    const double M_y_by_q73 = t7 + 0.5 * C_y_by_q73;
-    const double t90 = B_y * ratio;
-    const double C_e_by_q73 = B_e * ratio_by_q73 - t90;
-    const double M_e_by_q73 = t8 - 0.5 * C_e_by_q73;
-    const double u_y_by_q73 = t9 - 23.80952380952381 * C_y_by_q73;
-    const double u_e_by_q73 = t6 + 23.80952380952381 * C_e_by_q73;
-    const double p_y_by_q73 = u_e * M_y_by_q73 + u_y * M_e_by_q73 - s_e * u_y_by_q73 + s_y * u_e_by_q73;
-    const double reach_squared_by_q73 = sinew_choose(t14, t10 * p_y_by_q73, 0.0);
-    const double p_x_by_q73 = u_e * M_e_by_q73 - u_y * M_y_by_q73 + s_e * u_e_by_q73 + s_y * u_y_by_q73;
-    const double projection_by_q73 = 13.88888888888889 * reach_squared_by_q73 + t19 * p_x_by_q73;
-    const double reach_by_q73 = 0.5 * reach_squared_by_q73 * t15;
-    const double limited_by_q73 = sinew_choose(t21, -(reach_by_q73 * t17 - projection_by_q73 * t18), reach_by_q73);
-    const double clearance_by_q73 = sinew_choose(t26, t23 * reach_by_q73 - t22 * limited_by_q73, 1e-12 * reach_squared_by_q73);
-    const double root_by_q73 = 0.5 * clearance_by_q73 * t27;
-    const double t91 = (reach_by_q71 + reach_by_q71) * reach_by_q73;
-    const double p_y_by_q71_by_q73 = p_z * u_y_by_q73;
-    const double reach_squared_by_q71_by_q73 = sinew_choose(t14, t10 * p_y_by_q71_by_q73 - t38 * p_y_by_q73, 0.0);
-    const double reach_by_q71_by_q73 = 0.5 * (reach_squared_by_q71_by_q73 - t91) * t15;
-    const double projection_by_q71_by_q73 = 13.88888888888889 * reach_squared_by_q71_by_q73 - t19 * p_z * u_e_by_q73 - t33 * p_x_by_q73;
-    const double limited_by_q71_by_q73 = sinew_choose(t21, -(reach_by_q71_by_q73 * t17 - projection_by_q71_by_q73 * t18), reach_by_q71_by_q73);
-    const double t92 = t23 * reach_by_q71_by_q73 - t22 * limited_by_q71_by_q73 + t91 - t29 * limited_by_q73;
-    const double clearance_by_q71_by_q73 = sinew_choose(t26, t92, 1e-12 * reach_squared_by_q71_by_q73);
-    const double root_by_q71_by_q73 = 0.5 * (clearance_by_q71_by_q73 - t28 * root_by_q73) * t27;
-    const double t93 = p_y * limited_by_q71_by_q73 + p_z * root_by_q71_by_q73 + limited * p_y_by_q71_by_q73;
-    const double t94 = t93 - cos_A * reach_squared_by_q71_by_q73 - p_y_by_q71 * limited_by_q73 - p_z_by_q71 * root_by_q73;
-    const double t95 = p_y * limited_by_q73 + p_z * root_by_q73 + limited * p_y_by_q73 - cos_A * reach_squared_by_q73;
-    const double cos_A_by_q73 = t95 * t37;
-    const double t96 = t94 - reach_squared_by_q71 * cos_A_by_q73 + limited_by_q71 * p_y_by_q73 - cos_A_by_q71 * reach_squared_by_q73;
-    const double cos_A_by_q71_by_q73 = t96 * t37;
-    const double z_plane_x_by_q71_by_q73 = u_y * cos_A_by_q71_by_q73 - cos_A_by_q71 * u_y_by_q73;
-    const double t97 = p_y * root_by_q73 - p_z * limited_by_q73 + root * p_y_by_q73 - sin_A * reach_squared_by_q73;
-    const double sin_A_by_q73 = t97 * t37;
-    const double t98 = cos_q71 * sin_A_by_q73;
-    const double z_plane_x_by_q73 = u_y * cos_A_by_q73 - cos_A * u_y_by_q73;
-    const double t99 = sin_q71 * z_plane_x_by_q73;
-    const double t100 = p_y * root_by_q71_by_q73 - p_z * limited_by_q71_by_q73 + root * p_y_by_q71_by_q73;
-    const double t101 = t100 - sin_A * reach_squared_by_q71_by_q73 - p_y_by_q71 * root_by_q73 + p_z_by_q71 * limited_by_q73;
-    const double t102 = t101 - reach_squared_by_q71 * sin_A_by_q73 + root_by_q71 * p_y_by_q73 - sin_A_by_q71 * reach_squared_by_q73;
-    const double sin_A_by_q71_by_q73 = t102 * t37;
-    const double z_x_by_q71_by_q73 = t98 - cos_q71 * z_plane_x_by_q71_by_q73 + t99 + sin_q71 * sin_A_by_q71_by_q73;
-    const double M_z_by_q73 = sin_q71 * M_e_by_q73;
-    const double origin_x_by_q71_by_q73 = M_z_by_q73 - 0.018 * z_x_by_q71_by_q73;
-    const double x_plane_x_by_q71_by_q73 = u_y * sin_A_by_q71_by_q73 - sin_A_by_q71 * u_y_by_q73;
-    const double t103 = cos_q71 * cos_A_by_q73;
-    const double x_plane_x_by_q73 = u_y * sin_A_by_q73 - sin_A * u_y_by_q73;
-    const double t104 = sin_q71 * x_plane_x_by_q73;
-    const double x_x_by_q71_by_q73 = t103 + cos_q71 * x_plane_x_by_q71_by_q73 - t104 + sin_q71 * cos_A_by_q71_by_q73;
-    const double t105 = origin_x_by_q71_by_q73 + 0.004 * x_x_by_q71_by_q73;
-    const double t106 = 0.01 * z_x_by_q71_by_q73;
-    const double layer_0_x_by_q71_by_q73 = t105 + t106;
-    const double y_z_by_q73 = sin_q71 * u_e_by_q73;
-    const double t107 = 0.011 * y_z_by_q73;
-    const double strand_0_x_by_q71_by_q73 = layer_0_x_by_q71_by_q73 - t107;
-    const double x_plane_y_by_q71_by_q73 = u_e * sin_A_by_q71_by_q73 + sin_A_by_q71 * u_e_by_q73;
-    const double z_plane_y_by_q71_by_q73 = u_e * cos_A_by_q71_by_q73 + cos_A_by_q71 * u_e_by_q73;
-    const double origin_y_by_q71_by_q73 = 0.018 * z_plane_y_by_q71_by_q73;
-    const double t108 = origin_y_by_q71_by_q73 + 0.004 * x_plane_y_by_q71_by_q73;
-    const double t109 = 0.01 * z_plane_y_by_q71_by_q73;
-    const double layer_0_y_by_q71_by_q73 = t108 - t109;
-    const double t110 = strand_0_x * strand_0_x_by_q71_by_q73 - strand_0_y * layer_0_y_by_q71_by_q73;
-    const double t111 = cos_q71 * z_plane_x_by_q73;
-    const double t112 = sin_q71 * sin_A_by_q73;
-    const double z_z_by_q71_by_q73 = t111 + cos_q71 * sin_A_by_q71_by_q73 - t112 + sin_q71 * z_plane_x_by_q71_by_q73;
-    const double M_x_by_q73 = cos_q71 * M_e_by_q73;
-    const double origin_z_by_q71_by_q73 = M_x_by_q73 - 0.018 * z_z_by_q71_by_q73;
-    const double t113 = cos_q71 * x_plane_x_by_q73;
-    const double t114 = sin_q71 * cos_A_by_q73;
-    const double x_z_by_q71_by_q73 = t113 - cos_q71 * cos_A_by_q71_by_q73 + t114 + sin_q71 * x_plane_x_by_q71_by_q73;
-    const double t115 = origin_z_by_q71_by_q73 - 0.004 * x_z_by_q71_by_q73;
-    const double t116 = 0.01 * z_z_by_q71_by_q73;
-    const double layer_0_z_by_q71_by_q73 = t115 + t116;
-    const double y_x_by_q73 = cos_q71 * u_e_by_q73;
-    const double t117 = 0.011 * y_x_by_q73;
-    const double strand_0_z_by_q71_by_q73 = layer_0_z_by_q71_by_q73 - t117;
-    const double z_x_by_q73 = t111 - t112;
-    const double origin_x_by_q73 = M_x_by_q73 - 0.018 * z_x_by_q73;
-    const double x_x_by_q73 = t113 + t114;
-    const double t118 = origin_x_by_q73 - 0.004 * x_x_by_q73;
-    const double t119 = 0.01 * z_x_by_q73;
-    const double layer_0_x_by_q73 = t118 + t119;
-    const double strand_0_x_by_q73 = layer_0_x_by_q73 - t117;
-    const double t120 = t110 - strand_0_z * strand_0_z_by_q71_by_q73 - strand_0_x_by_q71 * strand_0_x_by_q73;
-    const double x_plane_y_by_q73 = u_e * sin_A_by_q73 + sin_A * u_e_by_q73;
-    const double z_plane_y_by_q73 = u_e * cos_A_by_q73 + cos_A * u_e_by_q73;
-    const double origin_y_by_q73 = M_y_by_q73 - 0.018 * z_plane_y_by_q73;
-    const double t121 = origin_y_by_q73 - 0.004 * x_plane_y_by_q73;
-    const double t122 = 0.01 * z_plane_y_by_q73;
-    const double layer_0_y_by_q73 = t121 + t122;
-    const double t123 = 0.011 * u_y_by_q73;
-    const double strand_0_y_by_q73 = layer_0_y_by_q73 - t123;
-    const double z_z_by_q73 = t98 + t99;
-    const double origin_z_by_q73 = M_z_by_q73 - 0.018 * z_z_by_q73;
-    const double x_z_by_q73 = t103 - t104;
-    const double t124 = origin_z_by_q73 + 0.004 * x_z_by_q73;
-    const double t125 = 0.01 * z_z_by_q73;
-    const double layer_0_z_by_q73 = t124 + t125;
-    const double strand_0_z_by_q73 = layer_0_z_by_q73 - t107;
-    const double t126 = t120 - layer_0_y_by_q71 * strand_0_y_by_q73 + strand_0_z_by_q71 * strand_0_z_by_q73;
-    const double t127 = strand_0_x * strand_0_x_by_q73 - strand_0_y * strand_0_y_by_q73 + strand_0_z * strand_0_z_by_q73;
-    const double length_0_by_q73 = t127 * t88;
-    const double length_0_by_q71_by_q73 = (t126 + length_0_by_q71 * length_0_by_q73) * t88;
-    H[1] = length_0_by_q71_by_q73;
-    H[2] = length_0_by_q71_by_q73;
-    const double t128 = reach_by_q73 * reach_by_q73;
-    const double t129 = t128 + t128;
-    const double t130 = ratio * B_to_C0_squared_by_q73_by_q73 - (B_to_C0_squared_by_q73 + B_to_C0_squared_by_q73) * ratio_by_q73;
-    const double ratio_by_q73_by_q73 = t130 * t4;
-    const double C_y_by_q73_by_q73 = t90 - 0.002 * ratio_by_q73_by_q73 * t5 - (B_e + B_e) * ratio_by_q73;
-    const double M_y_by_q73_by_q73 = t8 + 0.5 * C_y_by_q73_by_q73;
-    const double C_e_by_q73_by_q73 = C_e + B_e * ratio_by_q73_by_q73 + (B_y + B_y) * ratio_by_q73;
-    const double M_e_by_q73_by_q73 = t7 + 0.5 * C_e_by_q73_by_q73;
-    const double u_y_by_q73_by_q73 = t6 - 23.80952380952381 * C_y_by_q73_by_q73;
-    const double t131 = u_e * M_y_by_q73_by_q73 - u_y * M_e_by_q73_by_q73 - s_e * u_y_by_q73_by_q73;
-    const double u_e_by_q73_by_q73 = t9 - 23.80952380952381 * C_e_by_q73_by_q73;
-    const double t132 = u_e_by_q73 + u_e_by_q73;
-    const double t133 = u_y_by_q73 + u_y_by_q73;
-    const double p_y_by_q73_by_q73 = t131 - s_y * u_e_by_q73_by_q73 + t132 * M_y_by_q73 - t133 * M_e_by_q73;
-    const double t134 = p_y_by_q73 + p_y_by_q73;
-    const double reach_squared_by_q73_by_q73 = sinew_choose(t14, t134 * p_y_by_q73 + t10 * p_y_by_q73_by_q73, 0.0);
-    const double reach_by_q73_by_q73 = 0.5 * (reach_squared_by_q73_by_q73 - t129) * t15;
-    const double t135 = t129 - (limited_by_q73 + limited_by_q73) * limited_by_q73 + t23 * reach_by_q73_by_q73;
-    const double t136 = 13.88888888888889 * reach_squared_by_q73_by_q73 + 27.77777777777778 * p_x_by_q73 * p_x_by_q73;
-    const double t137 = u_e * M_e_by_q73_by_q73 + u_y * M_y_by_q73_by_q73 + s_e * u_e_by_q73_by_q73;
-    const double p_x_by_q73_by_q73 = t137 - s_y * u_y_by_q73_by_q73 - t132 * M_e_by_q73 - t133 * M_y_by_q73;
-    const double projection_by_q73_by_q73 = t136 - t19 * p_x_by_q73_by_q73;
-    const double limited_by_q73_by_q73 = sinew_choose(t21, -(reach_by_q73_by_q73 * t17 - projection_by_q73_by_q73 * t18), reach_by_q73_by_q73);
-    const double clearance_by_q73_by_q73 = sinew_choose(t26, t135 - t22 * limited_by_q73_by_q73, 1e-12 * reach_squared_by_q73_by_q73);
-    const double t138 = 0.5 * (clearance_by_q73_by_q73 - (root_by_q73 + root_by_q73) * root_by_q73);
-    const double root_by_q73_by_q73 = t138 * t27;
-    const double t139 = p_y * root_by_q73_by_q73 - p_z * limited_by_q73_by_q73 + root * p_y_by_q73_by_q73;
-    const double t140 = reach_squared_by_q73 + reach_squared_by_q73;
-    const double t141 = t139 - sin_A * reach_squared_by_q73_by_q73 + t134 * root_by_q73 - t140 * sin_A_by_q73;
-    const double sin_A_by_q73_by_q73 = t141 * t37;
-    const double x_plane_x_by_q73_by_q73 = u_y * sin_A_by_q73_by_q73 - sin_A * u_y_by_q73_by_q73 - t133 * sin_A_by_q73;
-    const double t142 = p_y * limited_by_q73_by_q73 + p_z * root_by_q73_by_q73 + limited * p_y_by_q73_by_q73;
-    const double t143 = t142 - cos_A * reach_squared_by_q73_by_q73 + t134 * limited_by_q73 - t140 * cos_A_by_q73;
-    const double cos_A_by_q73_by_q73 = t143 * t37;
-    const double x_x_by_q73_by_q73 = cos_q71 * x_plane_x_by_q73_by_q73 + sin_q71 * cos_A_by_q73_by_q73;
-    const double z_plane_x_by_q73_by_q73 = u_y * cos_A_by_q73_by_q73 - cos_A * u_y_by_q73_by_q73 - t133 * cos_A_by_q73;
-    const double z_x_by_q73_by_q73 = cos_q71 * z_plane_x_by_q73_by_q73 - sin_q71 * sin_A_by_q73_by_q73;
-    const double M_x_by_q73_by_q73 = cos_q71 * M_e_by_q73_by_q73;
-    const double origin_x_by_q73_by_q73 = M_x_by_q73_by_q73 + 0.018 * z_x_by_q73_by_q73;
-    const double t144 = origin_x_by_q73_by_q73 + 0.004 * x_x_by_q73_by_q73;
-    const double t145 = 0.01 * z_x_by_q73_by_q73;
-    const double layer_0_x_by_q73_by_q73 = t144 - t145;
-    const double y_x_by_q73_by_q73 = cos_q71 * u_e_by_q73_by_q73;
-    const double x_plane_y_by_q73_by_q73 = u_e * sin_A_by_q73_by_q73 - sin_A * u_e_by_q73_by_q73 + t132 * sin_A_by_q73;
-    const double z_plane_y_by_q73_by_q73 = u_e * cos_A_by_q73_by_q73 - cos_A * u_e_by_q73_by_q73 + t132 * cos_A_by_q73;
-    const double origin_y_by_q73_by_q73 = M_y_by_q73_by_q73 - 0.018 * z_plane_y_by_q73_by_q73;
-    const double t146 = origin_y_by_q73_by_q73 - 0.004 * x_plane_y_by_q73_by_q73;
-    const double t147 = 0.01 * z_plane_y_by_q73_by_q73;
-    const double layer_0_y_by_q73_by_q73 = t146 + t147;
-    const double x_z_by_q73_by_q73 = cos_q71 * cos_A_by_q73_by_q73 - sin_q71 * x_plane_x_by_q73_by_q73;
-    const double z_z_by_q73_by_q73 = cos_q71 * sin_A_by_q73_by_q73 + sin_q71 * z_plane_x_by_q73_by_q73;
-    const double M_z_by_q73_by_q73 = sin_q71 * M_e_by_q73_by_q73;
-    const double origin_z_by_q73_by_q73 = M_z_by_q73_by_q73 + 0.018 * z_z_by_q73_by_q73;
-    const double t148 = origin_z_by_q73_by_q73 - 0.004 * x_z_by_q73_by_q73;
-    const double t149 = 0.01 * z_z_by_q73_by_q73;
-    const double layer_0_z_by_q73_by_q73 = t148 - t149;
-    const double y_z_by_q73_by_q73 = sin_q71 * u_e_by_q73_by_q73;
-    const double t150 = 0.01 * y_x;
-    const double t151 = 0.01 * y_z;
-    const double t152 = 0.01 * y_z_by_q73;
-    const double t153 = 0.01 * y_x_by_q73;
-    const double t154 = 0.008 * y_x;
-    const double t155 = 0.008 * y_z;
-    const double t156 = 0.008 * y_z_by_q73;
-    const double t157 = 0.008 * y_x_by_q73;
-    const double t158 = 0.006 * y_x;
-    const double t159 = 0.006 * y_z;
-    const double t160 = 0.006 * y_z_by_q73;
-    const double t161 = 0.006 * y_x_by_q73;
-    const double t162 = 0.005 * y_x;
-    const double t163 = 0.005 * y_z;
-    const double t164 = 0.005 * y_z_by_q73;
-    const double t165 = 0.005 * y_x_by_q73;
-    const double t166 = 0.003 * y_x;
-    const double t167 = 0.003 * y_z;
-    const double t168 = 0.003 * y_z_by_q73;
-    const double t169 = 0.003 * y_x_by_q73;
-    const double t170 = 0.002 * y_x;
-    const double strand_6_x = layer_0_x + t170;
-    const double t171 = 0.002 * u_y;
-    const double strand_6_y = 0.016 - layer_0_y + t171;
-    const double t172 = 0.002 * y_z;
-    const double strand_6_z = layer_0_z + t172;
-    const double t173 = strand_6_x * strand_6_x + strand_6_y * strand_6_y + strand_6_z * strand_6_z;
-    const double length_6 = sinew_sqrt(t173);
-    const double t174 = 1.0 / length_6;
-    const double t175 = 0.002 * y_z_by_q73;
-    const double t176 = 0.002 * y_x_by_q73;
-    const double t177 = 0.002 * u_y_by_q73;
-    const double strand_6_y_by_q73 = layer_0_y_by_q73 - t177;
-    const double strand_6_x_by_q73 = layer_0_x_by_q73 - t176;
-    const double strand_6_z_by_q73 = layer_0_z_by_q73 - t175;
-    const double t178 = strand_6_x * strand_6_x_by_q73 - strand_6_y * strand_6_y_by_q73 + strand_6_z * strand_6_z_by_q73;
-    const double length_6_by_q73 = t178 * t174;
-    const double t179 = 0.002 * y_x_by_q73_by_q73;
-    const double strand_6_x_by_q73_by_q73 = layer_0_x_by_q73_by_q73 - t179;
-    const double t180 = 0.002 * u_y_by_q73_by_q73;
-    const double strand_6_y_by_q73_by_q73 = layer_0_y_by_q73_by_q73 - t180;
-    const double t181 = strand_6_x * strand_6_x_by_q73_by_q73 + strand_6_y * strand_6_y_by_q73_by_q73;
-    const double t182 = 0.002 * y_z_by_q73_by_q73;
-    const double strand_6_z_by_q73_by_q73 = layer_0_z_by_q73_by_q73 - t182;
-    const double t183 = t181 + strand_6_z * strand_6_z_by_q73_by_q73 + strand_6_x_by_q73 * strand_6_x_by_q73;
-    const double t184 = t183 + strand_6_y_by_q73 * strand_6_y_by_q73 + strand_6_z_by_q73 * strand_6_z_by_q73;
-    const double length_6_by_q73_by_q73 = (t184 - length_6_by_q73 * length_6_by_q73) * t174;
-    H[27] = length_6_by_q73_by_q73;
-    const double t185 = layer_0_x * layer_0_x_by_q71_by_q71 + layer_0_z * layer_0_z_by_q71_by_q71;
-    const double strand_7_y = 0.018 - layer_0_y;
-    const double t186 = t185 - strand_7_y * layer_0_y_by_q71_by_q71 + layer_0_x_by_q71 * layer_0_x_by_q71;
-    const double t187 = layer_0_x * layer_0_x_by_q71 - layer_0_z * layer_0_z_by_q71 - strand_7_y * layer_0_y_by_q71;
-    const double length_7 = sinew_sqrt(layer_0_x * layer_0_x + layer_0_z * layer_0_z + strand_7_y * strand_7_y);
-    const double t188 = 1.0 / length_7;
-    const double length_7_by_q71 = t187 * t188;
-    const double t189 = t186 + t83 + layer_0_z_by_q71 * layer_0_z_by_q71 - length_7_by_q71 * length_7_by_q71;
-    const double length_7_by_q71_by_q71 = t189 * t188;
-    H[28] = length_7_by_q71_by_q71;
-    const double t190 = layer_0_x * layer_0_x_by_q71_by_q73 - layer_0_z * layer_0_z_by_q71_by_q73;
-    const double t191 = t190 - strand_7_y * layer_0_y_by_q71_by_q73 - layer_0_x_by_q71 * layer_0_x_by_q73;
-    const double t192 = t191 - layer_0_y_by_q71 * layer_0_y_by_q73 + layer_0_z_by_q71 * layer_0_z_by_q73;
-    const double t193 = layer_0_x * layer_0_x_by_q73 + layer_0_z * layer_0_z_by_q73 - strand_7_y * layer_0_y_by_q73;
-    const double length_7_by_q73 = t193 * t188;
-    const double length_7_by_q71_by_q73 = (t192 + length_7_by_q71 * length_7_by_q73) * t188;
-    H[29] = length_7_by_q71_by_q73;
-    H[30] = length_7_by_q71_by_q73;
-    const double t194 = layer_0_x * layer_0_x_by_q73_by_q73 + layer_0_z * layer_0_z_by_q73_by_q73;
-    const double t195 = t194 + strand_7_y * layer_0_y_by_q73_by_q73 + layer_0_x_by_q73 * layer_0_x_by_q73;
-    const double t196 = t195 + layer_0_y_by_q73 * layer_0_y_by_q73 + layer_0_z_by_q73 * layer_0_z_by_q73;
-    const double length_7_by_q73_by_q73 = (t196 - length_7_by_q73 * length_7_by_q73) * t188;
-    H[31] = length_7_by_q73_by_q73;
-    const double t197 = 0.013 * y_x;
-    const double t198 = 0.013 * y_z;
-    const double t199 = 0.013 * y_z_by_q73;
-    const double t200 = 0.013 * y_x_by_q73;
-    const double layer_1_x_by_q71_by_q71 = t55 - t56;
-    const double strand_19_x_by_q71_by_q71 = layer_1_x_by_q71_by_q71 - t197;
-    const double layer_1_x = t58 + t59;
-    const double strand_19_x = layer_1_x + t197;
-    const double layer_1_y_by_q71_by_q71 = t61 + t62;
-    const double layer_1_y = t63 + t64;
-    const double strand_19_y = 0.006 - layer_1_y + 0.013 * u_y;
-    const double t201 = strand_19_x * strand_19_x_by_q71_by_q71 - strand_19_y * layer_1_y_by_q71_by_q71;
-    const double layer_1_z_by_q71_by_q71 = t73 - t74;
-    const double strand_19_z_by_q71_by_q71 = layer_1_z_by_q71_by_q71 - t198;
-    const double layer_1_z = 0.028 - origin_z - t76 + t77;
-    const double strand_19_z = layer_1_z + t198;
-    const double layer_1_x_by_q71 = t78 - t79;
-    const double strand_19_x_by_q71 = layer_1_x_by_q71 - t198;
-    const double t202 = t201 + strand_19_z * strand_19_z_by_q71_by_q71 + strand_19_x_by_q71 * strand_19_x_by_q71;
-    const double layer_1_y_by_q71 = t81 + t82;
-    const double t203 = layer_1_y_by_q71 * layer_1_y_by_q71;
-    const double layer_1_z_by_q71 = t84 - t85;
-    const double strand_19_z_by_q71 = layer_1_z_by_q71 - t197;
-    const double t204 = strand_19_x * strand_19_x_by_q71 - strand_19_y * layer_1_y_by_q71 - strand_19_z * strand_19_z_by_q71;
-    const double t205 = strand_19_x * strand_19_x + strand_19_y * strand_19_y + strand_19_z * strand_19_z;
-    const double length_19 = sinew_sqrt(t205);
-    const double t206 = 1.0 / length_19;
-    const double length_19_by_q71 = t204 * t206;
-    const double t207 = t202 + t203 + strand_19_z_by_q71 * strand_19_z_by_q71 - length_19_by_q71 * length_19_by_q71;
-    const double length_19_by_q71_by_q71 = t207 * t206;
-    H[76] = length_19_by_q71_by_q71;
-    const double layer_1_x_by_q71_by_q73 = t105 - t106;
-    const double strand_19_x_by_q71_by_q73 = layer_1_x_by_q71_by_q73 - t199;
-    const double layer_1_y_by_q71_by_q73 = t108 + t109;
-    const double t208 = strand_19_x * strand_19_x_by_q71_by_q73 - strand_19_y * layer_1_y_by_q71_by_q73;
-    const double layer_1_z_by_q71_by_q73 = t115 - t116;
-    const double strand_19_z_by_q71_by_q73 = layer_1_z_by_q71_by_q73 - t200;
-    const double layer_1_x_by_q73 = t118 - t119;
-    const double strand_19_x_by_q73 = layer_1_x_by_q73 - t200;
-    const double t209 = t208 - strand_19_z * strand_19_z_by_q71_by_q73 - strand_19_x_by_q71 * strand_19_x_by_q73;
-    const double layer_1_y_by_q73 = t121 - t122;
-    const double strand_19_y_by_q73 = layer_1_y_by_q73 - 0.013 * u_y_by_q73;
-    const double layer_1_z_by_q73 = t124 - t125;
-    const double strand_19_z_by_q73 = layer_1_z_by_q73 - t199;
-    const double t210 = t209 - layer_1_y_by_q71 * strand_19_y_by_q73 + strand_19_z_by_q71 * strand_19_z_by_q73;
-    const double t211 = strand_19_x * strand_19_x_by_q73 - strand_19_y * strand_19_y_by_q73 + strand_19_z * strand_19_z_by_q73;
-    const double length_19_by_q73 = t211 * t206;
-    const double length_19_by_q71_by_q73 = (t210 + length_19_by_q71 * length_19_by_q73) * t206;
-    H[77] = length_19_by_q71_by_q73;
-    H[78] = length_19_by_q71_by_q73;
-    const double layer_1_x_by_q73_by_q73 = t144 + t145;
-    const double strand_19_x_by_q73_by_q73 = layer_1_x_by_q73_by_q73 - 0.013 * y_x_by_q73_by_q73;
-    const double layer_1_y_by_q73_by_q73 = t146 - t147;
-    const double strand_19_y_by_q73_by_q73 = layer_1_y_by_q73_by_q73 - 0.013 * u_y_by_q73_by_q73;
-    const double t212 = strand_19_x * strand_19_x_by_q73_by_q73 + strand_19_y * strand_19_y_by_q73_by_q73;
-    const double layer_1_z_by_q73_by_q73 = t148 + t149;
-    const double strand_19_z_by_q73_by_q73 = layer_1_z_by_q73_by_q73 - 0.013 * y_z_by_q73_by_q73;
-    const double t213 = t212 + strand_19_z * strand_19_z_by_q73_by_q73 + strand_19_x_by_q73 * strand_19_x_by_q73;
-    const double t214 = t213 + strand_19_y_by_q73 * strand_19_y_by_q73 + strand_19_z_by_q73 * strand_19_z_by_q73;
-    const double length_19_by_q73_by_q73 = (t214 - length_19_by_q73 * length_19_by_q73) * t206;
-    H[79] = length_19_by_q73_by_q73;
-    const double strand_20_x_by_q71_by_q71 = layer_1_x_by_q71_by_q71 - t57;
-    const double strand_20_x = layer_1_x + t57;
-    const double strand_20_y = 0.007 - layer_1_y + t65;
-    const double t215 = strand_20_x * strand_20_x_by_q71_by_q71 - strand_20_y * layer_1_y_by_q71_by_q71;
-    const double strand_20_z_by_q71_by_q71 = layer_1_z_by_q71_by_q71 - t75;
-    const double strand_20_z = layer_1_z + t75;
-    const double strand_20_x_by_q71 = layer_1_x_by_q71 - t75;
-    const double t216 = t215 + strand_20_z * strand_20_z_by_q71_by_q71 + t203 + strand_20_x_by_q71 * strand_20_x_by_q71;
-    const double strand_20_z_by_q71 = layer_1_z_by_q71 - t57;
-    const double t217 = strand_20_x * strand_20_x_by_q71 - strand_20_y * layer_1_y_by_q71 - strand_20_z * strand_20_z_by_q71;
-    const double t218 = strand_20_x * strand_20_x + strand_20_y * strand_20_y + strand_20_z * strand_20_z;
-    const double length_20 = sinew_sqrt(t218);
-    const double t219 = 1.0 / length_20;
-    const double length_20_by_q71 = t217 * t219;
-    const double t220 = t216 + strand_20_z_by_q71 * strand_20_z_by_q71 - length_20_by_q71 * length_20_by_q71;
-    const double length_20_by_q71_by_q71 = t220 * t219;
-    H[80] = length_20_by_q71_by_q71;
-    const double strand_20_x_by_q71_by_q73 = layer_1_x_by_q71_by_q73 - t107;
-    const double t221 = strand_20_x * strand_20_x_by_q71_by_q73 - strand_20_y * layer_1_y_by_q71_by_q73;
-    const double strand_20_z_by_q71_by_q73 = layer_1_z_by_q71_by_q73 - t117;
-    const double strand_20_y_by_q73 = layer_1_y_by_q73 - t123;
-    const double t222 = t221 - strand_20_z * strand_20_z_by_q71_by_q73 - layer_1_y_by_q71 * strand_20_y_by_q73;
-    const double strand_20_x_by_q73 = layer_1_x_by_q73 - t117;
-    const double strand_20_z_by_q73 = layer_1_z_by_q73 - t107;
-    const double t223 = t222 - strand_20_x_by_q71 * strand_20_x_by_q73 + strand_20_z_by_q71 * strand_20_z_by_q73;
-    const double t224 = strand_20_x * strand_20_x_by_q73 - strand_20_y * strand_20_y_by_q73 + strand_20_z * strand_20_z_by_q73;
-    const double length_20_by_q73 = t224 * t219;
-    const double length_20_by_q71_by_q73 = (t223 + length_20_by_q71 * length_20_by_q73) * t219;
-    H[81] = length_20_by_q71_by_q73;
-    H[82] = length_20_by_q71_by_q73;
-    const double strand_20_x_by_q73_by_q73 = layer_1_x_by_q73_by_q73 - 0.011 * y_x_by_q73_by_q73;
-    const double strand_20_y_by_q73_by_q73 = layer_1_y_by_q73_by_q73 - 0.011 * u_y_by_q73_by_q73;
-    const double t225 = strand_20_x * strand_20_x_by_q73_by_q73 + strand_20_y * strand_20_y_by_q73_by_q73;
-    const double strand_20_z_by_q73_by_q73 = layer_1_z_by_q73_by_q73 - 0.011 * y_z_by_q73_by_q73;
-    const double t226 = t225 + strand_20_z * strand_20_z_by_q73_by_q73 + strand_20_x_by_q73 * strand_20_x_by_q73;
-    const double t227 = t226 + strand_20_y_by_q73 * strand_20_y_by_q73 + strand_20_z_by_q73 * strand_20_z_by_q73;
-    const double length_20_by_q73_by_q73 = (t227 - length_20_by_q73 * length_20_by_q73) * t219;
-    H[83] = length_20_by_q73_by_q73;
-    const double strand_21_x_by_q71_by_q71 = layer_1_x_by_q71_by_q71 - t150;
-    const double strand_21_x = layer_1_x + t150;
-    const double strand_21_y = 0.009 - layer_1_y + 0.01 * u_y;
-    const double t228 = strand_21_x * strand_21_x_by_q71_by_q71 - strand_21_y * layer_1_y_by_q71_by_q71;
-    const double strand_21_z_by_q71_by_q71 = layer_1_z_by_q71_by_q71 - t151;
-    const double strand_21_z = layer_1_z + t151;
-    const double strand_21_x_by_q71 = layer_1_x_by_q71 - t151;
-    const double t229 = t228 + strand_21_z * strand_21_z_by_q71_by_q71 + t203 + strand_21_x_by_q71 * strand_21_x_by_q71;
-    const double strand_21_z_by_q71 = layer_1_z_by_q71 - t150;
-    const double t230 = strand_21_x * strand_21_x_by_q71 - strand_21_y * layer_1_y_by_q71 - strand_21_z * strand_21_z_by_q71;
-    const double t231 = strand_21_x * strand_21_x + strand_21_y * strand_21_y + strand_21_z * strand_21_z;
-    const double length_21 = sinew_sqrt(t231);
-    const double t232 = 1.0 / length_21;
-    const double length_21_by_q71 = t230 * t232;
-    const double t233 = t229 + strand_21_z_by_q71 * strand_21_z_by_q71 - length_21_by_q71 * length_21_by_q71;
-    const double length_21_by_q71_by_q71 = t233 * t232;
-    H[84] = length_21_by_q71_by_q71;
-    const double strand_21_x_by_q71_by_q73 = layer_1_x_by_q71_by_q73 - t152;
-    const double t234 = strand_21_x * strand_21_x_by_q71_by_q73 - strand_21_y * layer_1_y_by_q71_by_q73;
-    const double strand_21_z_by_q71_by_q73 = layer_1_z_by_q71_by_q73 - t153;
-    const double strand_21_y_by_q73 = layer_1_y_by_q73 - 0.01 * u_y_by_q73;
-    const double t235 = t234 - strand_21_z * strand_21_z_by_q71_by_q73 - layer_1_y_by_q71 * strand_21_y_by_q73;
-    const double strand_21_x_by_q73 = layer_1_x_by_q73 - t153;
-    const double strand_21_z_by_q73 = layer_1_z_by_q73 - t152;
-    const double t236 = t235 - strand_21_x_by_q71 * strand_21_x_by_q73 + strand_21_z_by_q71 * strand_21_z_by_q73;
-    const double t237 = strand_21_x * strand_21_x_by_q73 - strand_21_y * strand_21_y_by_q73 + strand_21_z * strand_21_z_by_q73;
-    const double length_21_by_q73 = t237 * t232;
-    const double length_21_by_q71_by_q73 = (t236 + length_21_by_q71 * length_21_by_q73) * t232;
-    H[85] = length_21_by_q71_by_q73;
-    H[86] = length_21_by_q71_by_q73;
-    const double strand_21_x_by_q73_by_q73 = layer_1_x_by_q73_by_q73 - 0.01 * y_x_by_q73_by_q73;
-    const double strand_21_y_by_q73_by_q73 = layer_1_y_by_q73_by_q73 - 0.01 * u_y_by_q73_by_q73;
-    const double t238 = strand_21_x * strand_21_x_by_q73_by_q73 + strand_21_y * strand_21_y_by_q73_by_q73;
-    const double strand_21_z_by_q73_by_q73 = layer_1_z_by_q73_by_q73 - 0.01 * y_z_by_q73_by_q73;
-    const double t239 = t238 + strand_21_z * strand_21_z_by_q73_by_q73 + strand_21_x_by_q73 * strand_21_x_by_q73;
-    const double t240 = t239 + strand_21_y_by_q73 * strand_21_y_by_q73 + strand_21_z_by_q73 * strand_21_z_by_q73;
-    const double length_21_by_q73_by_q73 = (t240 - length_21_by_q73 * length_21_by_q73) * t232;
-    H[87] = length_21_by_q73_by_q73;
-    const double strand_22_x_by_q71_by_q71 = layer_1_x_by_q71_by_q71 - t154;
-    const double strand_22_x = layer_1_x + t154;
-    const double strand_22_y = 0.011 - layer_1_y + 0.008 * u_y;
-    const double t241 = strand_22_x * strand_22_x_by_q71_by_q71 - strand_22_y * layer_1_y_by_q71_by_q71;
-    const double strand_22_z_by_q71_by_q71 = layer_1_z_by_q71_by_q71 - t155;
-    const double strand_22_z = layer_1_z + t155;
-    const double strand_22_x_by_q71 = layer_1_x_by_q71 - t155;
-    const double t242 = t241 + strand_22_z * strand_22_z_by_q71_by_q71 + t203 + strand_22_x_by_q71 * strand_22_x_by_q71;
-    const double strand_22_z_by_q71 = layer_1_z_by_q71 - t154;
-    const double t243 = strand_22_x * strand_22_x_by_q71 - strand_22_y * layer_1_y_by_q71 - strand_22_z * strand_22_z_by_q71;
-    const double t244 = strand_22_x * strand_22_x + strand_22_y * strand_22_y + strand_22_z * strand_22_z;
-    const double length_22 = sinew_sqrt(t244);
-    const double t245 = 1.0 / length_22;
-    const double length_22_by_q71 = t243 * t245;
-    const double t246 = t242 + strand_22_z_by_q71 * strand_22_z_by_q71 - length_22_by_q71 * length_22_by_q71;
-    const double length_22_by_q71_by_q71 = t246 * t245;
-    H[88] = length_22_by_q71_by_q71;
-    const double strand_22_x_by_q71_by_q73 = layer_1_x_by_q71_by_q73 - t156;
-    const double t247 = strand_22_x * strand_22_x_by_q71_by_q73 - strand_22_y * layer_1_y_by_q71_by_q73;
-    const double strand_22_z_by_q71_by_q73 = layer_1_z_by_q71_by_q73 - t157;
-    const double strand_22_y_by_q73 = layer_1_y_by_q73 - 0.008 * u_y_by_q73;
-    const double t248 = t247 - strand_22_z * strand_22_z_by_q71_by_q73 - layer_1_y_by_q71 * strand_22_y_by_q73;
-    const double strand_22_x_by_q73 = layer_1_x_by_q73 - t157;
-    const double strand_22_z_by_q73 = layer_1_z_by_q73 - t156;
-    const double t249 = t248 - strand_22_x_by_q71 * strand_22_x_by_q73 + strand_22_z_by_q71 * strand_22_z_by_q73;
-    const double t250 = strand_22_x * strand_22_x_by_q73 - strand_22_y * strand_22_y_by_q73 + strand_22_z * strand_22_z_by_q73;
-    const double length_22_by_q73 = t250 * t245;
-    const double length_22_by_q71_by_q73 = (t249 + length_22_by_q71 * length_22_by_q73) * t245;
-    H[89] = length_22_by_q71_by_q73;
-    H[90] = length_22_by_q71_by_q73;
-    const double strand_22_x_by_q73_by_q73 = layer_1_x_by_q73_by_q73 - 0.008 * y_x_by_q73_by_q73;
-    const double strand_22_y_by_q73_by_q73 = layer_1_y_by_q73_by_q73 - 0.008 * u_y_by_q73_by_q73;
-    const double t251 = strand_22_x * strand_22_x_by_q73_by_q73 + strand_22_y * strand_22_y_by_q73_by_q73;
-    const double strand_22_z_by_q73_by_q73 = layer_1_z_by_q73_by_q73 - 0.008 * y_z_by_q73_by_q73;
-    const double t252 = t251 + strand_22_z * strand_22_z_by_q73_by_q73 + strand_22_x_by_q73 * strand_22_x_by_q73;
-    const double t253 = t252 + strand_22_y_by_q73 * strand_22_y_by_q73 + strand_22_z_by_q73 * strand_22_z_by_q73;
-    const double length_22_by_q73_by_q73 = (t253 - length_22_by_q73 * length_22_by_q73) * t245;
-    H[91] = length_22_by_q73_by_q73;
-    const double strand_23_x_by_q71_by_q71 = layer_1_x_by_q71_by_q71 - t158;
-    const double strand_23_x = layer_1_x + t158;
-    const double strand_23_y = 0.012 - layer_1_y + 0.006 * u_y;
-    const double t254 = strand_23_x * strand_23_x_by_q71_by_q71 - strand_23_y * layer_1_y_by_q71_by_q71;
-    const double strand_23_z_by_q71_by_q71 = layer_1_z_by_q71_by_q71 - t159;
-    const double strand_23_z = layer_1_z + t159;
-    const double strand_23_x_by_q71 = layer_1_x_by_q71 - t159;
-    const double t255 = t254 + strand_23_z * strand_23_z_by_q71_by_q71 + t203 + strand_23_x_by_q71 * strand_23_x_by_q71;
-    const double strand_23_z_by_q71 = layer_1_z_by_q71 - t158;
-    const double t256 = strand_23_x * strand_23_x_by_q71 - strand_23_y * layer_1_y_by_q71 - strand_23_z * strand_23_z_by_q71;
-    const double t257 = strand_23_x * strand_23_x + strand_23_y * strand_23_y + strand_23_z * strand_23_z;
-    const double length_23 = sinew_sqrt(t257);
-    const double t258 = 1.0 / length_23;
-    const double length_23_by_q71 = t256 * t258;
-    const double t259 = t255 + strand_23_z_by_q71 * strand_23_z_by_q71 - length_23_by_q71 * length_23_by_q71;
-    const double length_23_by_q71_by_q71 = t259 * t258;
-    H[92] = length_23_by_q71_by_q71;
-    const double strand_23_x_by_q71_by_q73 = layer_1_x_by_q71_by_q73 - t160;
-    const double t260 = strand_23_x * strand_23_x_by_q71_by_q73 - strand_23_y * layer_1_y_by_q71_by_q73;
-    const double strand_23_z_by_q71_by_q73 = layer_1_z_by_q71_by_q73 - t161;
-    const double strand_23_y_by_q73 = layer_1_y_by_q73 - 0.006 * u_y_by_q73;
-    const double t261 = t260 - strand_23_z * strand_23_z_by_q71_by_q73 - layer_1_y_by_q71 * strand_23_y_by_q73;
-    const double strand_23_x_by_q73 = layer_1_x_by_q73 - t161;
-    const double strand_23_z_by_q73 = layer_1_z_by_q73 - t160;
-    const double t262 = t261 - strand_23_x_by_q71 * strand_23_x_by_q73 + strand_23_z_by_q71 * strand_23_z_by_q73;
-    const double t263 = strand_23_x * strand_23_x_by_q73 - strand_23_y * strand_23_y_by_q73 + strand_23_z * strand_23_z_by_q73;
-    const double length_23_by_q73 = t263 * t258;
-    const double length_23_by_q71_by_q73 = (t262 + length_23_by_q71 * length_23_by_q73) * t258;
-    H[93] = length_23_by_q71_by_q73;
-    H[94] = length_23_by_q71_by_q73;
-    const double strand_23_x_by_q73_by_q73 = layer_1_x_by_q73_by_q73 - 0.006 * y_x_by_q73_by_q73;
-    const double strand_23_y_by_q73_by_q73 = layer_1_y_by_q73_by_q73 - 0.006 * u_y_by_q73_by_q73;
-    const double t264 = strand_23_x * strand_23_x_by_q73_by_q73 + strand_23_y * strand_23_y_by_q73_by_q73;
-    const double strand_23_z_by_q73_by_q73 = layer_1_z_by_q73_by_q73 - 0.006 * y_z_by_q73_by_q73;
-    const double t265 = t264 + strand_23_z * strand_23_z_by_q73_by_q73 + strand_23_x_by_q73 * strand_23_x_by_q73;
-    const double t266 = t265 + strand_23_y_by_q73 * strand_23_y_by_q73 + strand_23_z_by_q73 * strand_23_z_by_q73;
-    const double length_23_by_q73_by_q73 = (t266 - length_23_by_q73 * length_23_by_q73) * t258;
-    H[95] = length_23_by_q73_by_q73;
-    const double strand_24_x_by_q71_by_q71 = layer_1_x_by_q71_by_q71 - t162;
-    const double strand_24_x = layer_1_x + t162;
-    const double strand_24_y = 0.014 - layer_1_y + 0.005 * u_y;
-    const double t267 = strand_24_x * strand_24_x_by_q71_by_q71 - strand_24_y * layer_1_y_by_q71_by_q71;
-    const double strand_24_z_by_q71_by_q71 = layer_1_z_by_q71_by_q71 - t163;
-    const double strand_24_z = layer_1_z + t163;
-    const double strand_24_x_by_q71 = layer_1_x_by_q71 - t163;
-    const double t268 = t267 + strand_24_z * strand_24_z_by_q71_by_q71 + t203 + strand_24_x_by_q71 * strand_24_x_by_q71;
-    const double strand_24_z_by_q71 = layer_1_z_by_q71 - t162;
-    const double t269 = strand_24_x * strand_24_x_by_q71 - strand_24_y * layer_1_y_by_q71 - strand_24_z * strand_24_z_by_q71;
-    const double t270 = strand_24_x * strand_24_x + strand_24_y * strand_24_y + strand_24_z * strand_24_z;
-    const double length_24 = sinew_sqrt(t270);
-    const double t271 = 1.0 / length_24;
-    const double length_24_by_q71 = t269 * t271;
-    const double t272 = t268 + strand_24_z_by_q71 * strand_24_z_by_q71 - length_24_by_q71 * length_24_by_q71;
-    const double length_24_by_q71_by_q71 = t272 * t271;
-    H[96] = length_24_by_q71_by_q71;
-    const double strand_24_x_by_q71_by_q73 = layer_1_x_by_q71_by_q73 - t164;
-    const double t273 = strand_24_x * strand_24_x_by_q71_by_q73 - strand_24_y * layer_1_y_by_q71_by_q73;
-    const double strand_24_z_by_q71_by_q73 = layer_1_z_by_q71_by_q73 - t165;
-    const double strand_24_y_by_q73 = layer_1_y_by_q73 - 0.005 * u_y_by_q73;
-    const double t274 = t273 - strand_24_z * strand_24_z_by_q71_by_q73 - layer_1_y_by_q71 * strand_24_y_by_q73;
-    const double strand_24_x_by_q73 = layer_1_x_by_q73 - t165;
-    const double strand_24_z_by_q73 = layer_1_z_by_q73 - t164;
-    const double t275 = t274 - strand_24_x_by_q71 * strand_24_x_by_q73 + strand_24_z_by_q71 * strand_24_z_by_q73;
-    const double t276 = strand_24_x * strand_24_x_by_q73 - strand_24_y * strand_24_y_by_q73 + strand_24_z * strand_24_z_by_q73;
-    const double length_24_by_q73 = t276 * t271;
-    const double length_24_by_q71_by_q73 = (t275 + length_24_by_q71 * length_24_by_q73) * t271;
-    H[97] = length_24_by_q71_by_q73;
-    H[98] = length_24_by_q71_by_q73;
-    const double strand_24_x_by_q73_by_q73 = layer_1_x_by_q73_by_q73 - 0.005 * y_x_by_q73_by_q73;
-    const double strand_24_y_by_q73_by_q73 = layer_1_y_by_q73_by_q73 - 0.005 * u_y_by_q73_by_q73;
-    const double t277 = strand_24_x * strand_24_x_by_q73_by_q73 + strand_24_y * strand_24_y_by_q73_by_q73;
-    const double strand_24_z_by_q73_by_q73 = layer_1_z_by_q73_by_q73 - 0.005 * y_z_by_q73_by_q73;
-    const double t278 = t277 + strand_24_z * strand_24_z_by_q73_by_q73 + strand_24_x_by_q73 * strand_24_x_by_q73;
-    const double t279 = t278 + strand_24_y_by_q73 * strand_24_y_by_q73 + strand_24_z_by_q73 * strand_24_z_by_q73;
-    const double length_24_by_q73_by_q73 = (t279 - length_24_by_q73 * length_24_by_q73) * t271;
-    H[99] = length_24_by_q73_by_q73;
-    const double strand_25_x_by_q71_by_q71 = layer_1_x_by_q71_by_q71 - t166;
-    const double strand_25_x = layer_1_x + t166;
-    const double strand_25_y = 0.015 - layer_1_y + 0.003 * u_y;
-    const double t280 = strand_25_x * strand_25_x_by_q71_by_q71 - strand_25_y * layer_1_y_by_q71_by_q71;
-    const double strand_25_z_by_q71_by_q71 = layer_1_z_by_q71_by_q71 - t167;
-    const double strand_25_z = layer_1_z + t167;
-    const double strand_25_x_by_q71 = layer_1_x_by_q71 - t167;
-    const double t281 = t280 + strand_25_z * strand_25_z_by_q71_by_q71 + t203 + strand_25_x_by_q71 * strand_25_x_by_q71;
-    const double strand_25_z_by_q71 = layer_1_z_by_q71 - t166;
-    const double t282 = strand_25_x * strand_25_x_by_q71 - strand_25_y * layer_1_y_by_q71 - strand_25_z * strand_25_z_by_q71;
-    const double t283 = strand_25_x * strand_25_x + strand_25_y * strand_25_y + strand_25_z * strand_25_z;
-    const double length_25 = sinew_sqrt(t283);
-    const double t284 = 1.0 / length_25;
-    const double length_25_by_q71 = t282 * t284;
-    const double t285 = t281 + strand_25_z_by_q71 * strand_25_z_by_q71 - length_25_by_q71 * length_25_by_q71;
-    const double length_25_by_q71_by_q71 = t285 * t284;
-    H[100] = length_25_by_q71_by_q71;
-    const double strand_25_x_by_q71_by_q73 = layer_1_x_by_q71_by_q73 - t168;
-    const double t286 = strand_25_x * strand_25_x_by_q71_by_q73 - strand_25_y * layer_1_y_by_q71_by_q73;
-    const double strand_25_z_by_q71_by_q73 = layer_1_z_by_q71_by_q73 - t169;
-    const double strand_25_y_by_q73 = layer_1_y_by_q73 - 0.003 * u_y_by_q73;
-    const double t287 = t286 - strand_25_z * strand_25_z_by_q71_by_q73 - layer_1_y_by_q71 * strand_25_y_by_q73;
-    const double strand_25_x_by_q73 = layer_1_x_by_q73 - t169;
-    const double strand_25_z_by_q73 = layer_1_z_by_q73 - t168;
-    const double t288 = t287 - strand_25_x_by_q71 * strand_25_x_by_q73 + strand_25_z_by_q71 * strand_25_z_by_q73;
-    const double t289 = strand_25_x * strand_25_x_by_q73 - strand_25_y * strand_25_y_by_q73 + strand_25_z * strand_25_z_by_q73;
-    const double length_25_by_q73 = t289 * t284;
-    const double length_25_by_q71_by_q73 = (t288 + length_25_by_q71 * length_25_by_q73) * t284;
-    H[101] = length_25_by_q71_by_q73;
-    H[102] = length_25_by_q71_by_q73;
-    const double strand_25_x_by_q73_by_q73 = layer_1_x_by_q73_by_q73 - 0.003 * y_x_by_q73_by_q73;
-    const double strand_25_y_by_q73_by_q73 = layer_1_y_by_q73_by_q73 - 0.003 * u_y_by_q73_by_q73;
-    const double t290 = strand_25_x * strand_25_x_by_q73_by_q73 + strand_25_y * strand_25_y_by_q73_by_q73;
-    const double strand_25_z_by_q73_by_q73 = layer_1_z_by_q73_by_q73 - 0.003 * y_z_by_q73_by_q73;
-    const double t291 = t290 + strand_25_z * strand_25_z_by_q73_by_q73 + strand_25_x_by_q73 * strand_25_x_by_q73;
-    const double t292 = t291 + strand_25_y_by_q73 * strand_25_y_by_q73 + strand_25_z_by_q73 * strand_25_z_by_q73;
-    const double length_25_by_q73_by_q73 = (t292 - length_25_by_q73 * length_25_by_q73) * t284;
-    H[103] = length_25_by_q73_by_q73;
-    const double strand_26_x_by_q71_by_q71 = layer_1_x_by_q71_by_q71 - t170;
-    const double strand_26_x = layer_1_x + t170;
-    const double strand_26_y = 0.017 - layer_1_y + t171;
-    const double t293 = strand_26_x * strand_26_x_by_q71_by_q71 - strand_26_y * layer_1_y_by_q71_by_q71;
-    const double strand_26_z_by_q71_by_q71 = layer_1_z_by_q71_by_q71 - t172;
-    const double strand_26_z = layer_1_z + t172;
-    const double strand_26_x_by_q71 = layer_1_x_by_q71 - t172;
-    const double t294 = t293 + strand_26_z * strand_26_z_by_q71_by_q71 + t203 + strand_26_x_by_q71 * strand_26_x_by_q71;
-    const double strand_26_z_by_q71 = layer_1_z_by_q71 - t170;
-    const double t295 = strand_26_x * strand_26_x_by_q71 - strand_26_y * layer_1_y_by_q71 - strand_26_z * strand_26_z_by_q71;
-    const double t296 = strand_26_x * strand_26_x + strand_26_y * strand_26_y + strand_26_z * strand_26_z;
-    const double length_26 = sinew_sqrt(t296);
-    const double t297 = 1.0 / length_26;
-    const double length_26_by_q71 = t295 * t297;
-    const double t298 = t294 + strand_26_z_by_q71 * strand_26_z_by_q71 - length_26_by_q71 * length_26_by_q71;
-    const double length_26_by_q71_by_q71 = t298 * t297;
-    H[104] = length_26_by_q71_by_q71;
-    const double strand_26_x_by_q71_by_q73 = layer_1_x_by_q71_by_q73 - t175;
-    const double t299 = strand_26_x * strand_26_x_by_q71_by_q73 - strand_26_y * layer_1_y_by_q71_by_q73;
-    const double strand_26_z_by_q71_by_q73 = layer_1_z_by_q71_by_q73 - t176;
-    const double strand_26_y_by_q73 = layer_1_y_by_q73 - t177;
-    const double t300 = t299 - strand_26_z * strand_26_z_by_q71_by_q73 - layer_1_y_by_q71 * strand_26_y_by_q73;
-    const double strand_26_x_by_q73 = layer_1_x_by_q73 - t176;
-    const double strand_26_z_by_q73 = layer_1_z_by_q73 - t175;
-    const double t301 = t300 - strand_26_x_by_q71 * strand_26_x_by_q73 + strand_26_z_by_q71 * strand_26_z_by_q73;
-    const double t302 = strand_26_x * strand_26_x_by_q73 - strand_26_y * strand_26_y_by_q73 + strand_26_z * strand_26_z_by_q73;
-    const double length_26_by_q73 = t302 * t297;
-    const double length_26_by_q71_by_q73 = (t301 + length_26_by_q71 * length_26_by_q73) * t297;
-    H[105] = length_26_by_q71_by_q73;
-    H[106] = length_26_by_q71_by_q73;
-    const double strand_26_x_by_q73_by_q73 = layer_1_x_by_q73_by_q73 - t179;
-    const double strand_26_y_by_q73_by_q73 = layer_1_y_by_q73_by_q73 - t180;
-    const double t303 = strand_26_x * strand_26_x_by_q73_by_q73 + strand_26_y * strand_26_y_by_q73_by_q73;
-    const double strand_26_z_by_q73_by_q73 = layer_1_z_by_q73_by_q73 - t182;
-    const double t304 = t303 + strand_26_z * strand_26_z_by_q73_by_q73 + strand_26_x_by_q73 * strand_26_x_by_q73;
-    const double t305 = t304 + strand_26_y_by_q73 * strand_26_y_by_q73 + strand_26_z_by_q73 * strand_26_z_by_q73;
-    const double length_26_by_q73_by_q73 = (t305 - length_26_by_q73 * length_26_by_q73) * t297;
-    H[107] = length_26_by_q73_by_q73;
-    const double t306 = layer_1_x * layer_1_x_by_q71_by_q71 + layer_1_z * layer_1_z_by_q71_by_q71;
-    const double strand_27_y = 0.019 - layer_1_y;
-    const double t307 = t306 - strand_27_y * layer_1_y_by_q71_by_q71 + layer_1_x_by_q71 * layer_1_x_by_q71;
-    const double t308 = layer_1_x * layer_1_x_by_q71 - layer_1_z * layer_1_z_by_q71 - strand_27_y * layer_1_y_by_q71;
-    const double t309 = layer_1_x * layer_1_x + layer_1_z * layer_1_z + strand_27_y * strand_27_y;
-    const double length_27 = sinew_sqrt(t309);
-    const double t310 = 1.0 / length_27;
-    const double length_27_by_q71 = t308 * t310;
-    const double t311 = t307 + t203 + layer_1_z_by_q71 * layer_1_z_by_q71 - length_27_by_q71 * length_27_by_q71;
-    const double length_27_by_q71_by_q71 = t311 * t310;
-    H[108] = length_27_by_q71_by_q71;
-    const double t312 = layer_1_x * layer_1_x_by_q71_by_q73 - layer_1_z * layer_1_z_by_q71_by_q73;
-    const double t313 = t312 - strand_27_y * layer_1_y_by_q71_by_q73 - layer_1_x_by_q71 * layer_1_x_by_q73;
-    const double t314 = t313 - layer_1_y_by_q71 * layer_1_y_by_q73 + layer_1_z_by_q71 * layer_1_z_by_q73;
-    const double t315 = layer_1_x * layer_1_x_by_q73 + layer_1_z * layer_1_z_by_q73 - strand_27_y * layer_1_y_by_q73;
-    const double length_27_by_q73 = t315 * t310;
-    const double length_27_by_q71_by_q73 = (t314 + length_27_by_q71 * length_27_by_q73) * t310;
-    H[109] = length_27_by_q71_by_q73;
-    H[110] = length_27_by_q71_by_q73;
-    const double t316 = layer_1_x * layer_1_x_by_q73_by_q73 + layer_1_z * layer_1_z_by_q73_by_q73;
-    const double t317 = t316 + strand_27_y * layer_1_y_by_q73_by_q73 + layer_1_x_by_q73 * layer_1_x_by_q73;
-    const double t318 = t317 + layer_1_y_by_q73 * layer_1_y_by_q73 + layer_1_z_by_q73 * layer_1_z_by_q73;
-    const double length_27_by_q73_by_q73 = (t318 - length_27_by_q73 * length_27_by_q73) * t310;
-    H[111] = length_27_by_q73_by_q73;
-    static const double table320[11][2] = {{0.002, 0.019}, {0.003, 0.021}, {0.005, 0.023},
-        {0.006, 0.024}, {0.008, 0.026}, {0.01, 0.027}, {0.011, 0.029}, {0.013, 0.031},
-        {0.014, 0.032}, {0.016, 0.034}, {0.018, 0.035}};
-    for (int i319 = 0; i319 < 11; ++i319) {
-        const double t321 = table320[i319][0] * y_x;
-        const double strand_x = layer_0_x - t321;
-        const double strand_x_by_q71_by_q71 = layer_0_x_by_q71_by_q71 + t321;
-        const double strand_y = table320[i319][1] - layer_0_y - table320[i319][0] * u_y;
-        const double t322 = table320[i319][0] * y_z;
-        const double strand_z = layer_0_z - t322;
-        const double strand_z_by_q71_by_q71 = layer_0_z_by_q71_by_q71 + t322;
-        const double t323 = strand_x * strand_x_by_q71_by_q71 - strand_y * layer_0_y_by_q71_by_q71 + strand_z * strand_z_by_q71_by_q71;
-        const double strand_x_by_q71 = layer_0_x_by_q71 + t322;
-        const double strand_z_by_q71 = layer_0_z_by_q71 + t321;
-        const double t324 = t323 + t83 + strand_x_by_q71 * strand_x_by_q71 + strand_z_by_q71 * strand_z_by_q71;
-        const double t325 = strand_x * strand_x_by_q71 - strand_y * layer_0_y_by_q71 - strand_z * strand_z_by_q71;
-        const double length = sinew_sqrt(strand_x * strand_x + strand_y * strand_y + strand_z * strand_z);
-        const double t326 = 1.0 / length;
-        const double length_by_q71 = t325 * t326;
-        const double length_by_q71_by_q71 = (t324 - length_by_q71 * length_by_q71) * t326;
-        const double t327 = table320[i319][0] * y_z_by_q73;
-        const double strand_x_by_q71_by_q73 = layer_0_x_by_q71_by_q73 + t327;
-        const double t328 = table320[i319][0] * y_x_by_q73;
-        const double strand_z_by_q71_by_q73 = layer_0_z_by_q71_by_q73 + t328;
-        const double t329 = strand_x * strand_x_by_q71_by_q73 - strand_y * layer_0_y_by_q71_by_q73 - strand_z * strand_z_by_q71_by_q73;
-        const double strand_y_by_q73 = layer_0_y_by_q73 + table320[i319][0] * u_y_by_q73;
-        const double strand_x_by_q73 = layer_0_x_by_q73 + t328;
-        const double t330 = t329 - layer_0_y_by_q71 * strand_y_by_q73 - strand_x_by_q71 * strand_x_by_q73;
-        const double strand_z_by_q73 = layer_0_z_by_q73 + t327;
-        const double t331 = strand_x * strand_x_by_q73 - strand_y * strand_y_by_q73 + strand_z * strand_z_by_q73;
-        const double length_by_q73 = t331 * t326;
-        const double length_by_q71_by_q73 = (t330 + strand_z_by_q71 * strand_z_by_q73 + length_by_q71 * length_by_q73) * t326;
-        const double strand_x_by_q73_by_q73 = layer_0_x_by_q73_by_q73 + table320[i319][0] * y_x_by_q73_by_q73;
-        const double strand_y_by_q73_by_q73 = layer_0_y_by_q73_by_q73 + table320[i319][0] * u_y_by_q73_by_q73;
-        const double strand_z_by_q73_by_q73 = layer_0_z_by_q73_by_q73 + table320[i319][0] * y_z_by_q73_by_q73;
-        const double t332 = strand_x * strand_x_by_q73_by_q73 + strand_y * strand_y_by_q73_by_q73 + strand_z * strand_z_by_q73_by_q73;
-        const double t333 = t332 + strand_x_by_q73 * strand_x_by_q73 + strand_y_by_q73 * strand_y_by_q73;
-        const double length_by_q73_by_q73 = (t333 + strand_z_by_q73 * strand_z_by_q73 - length_by_q73 * length_by_q73) * t326;
-        H[32 + 4 * i319] = length_by_q71_by_q71;
-        H[33 + 4 * i319] = length_by_q71_by_q73;
-        H[34 + 4 * i319] = length_by_q71_by_q73;
-        H[35 + 4 * i319] = length_by_q73_by_q73;
-    }
-    static const double table335[10][2] = {{0.002, 0.02}, {0.003, 0.022}, {0.005, 0.023},
-        {0.006, 0.025}, {0.008, 0.027}, {0.01, 0.028}, {0.011, 0.03}, {0.013, 0.031},
-        {0.014, 0.033}, {0.016, 0.035}};
-    for (int i334 = 0; i334 < 10; ++i334) {
-        const double t336 = table335[i334][0] * y_x;
-        const double strand_x_2 = layer_1_x - t336;
-        const double strand_x_by_q71_by_q71_2 = layer_1_x_by_q71_by_q71 + t336;
-        const double strand_y_2 = table335[i334][1] - layer_1_y - table335[i334][0] * u_y;
-        const double t337 = strand_x_2 * strand_x_by_q71_by_q71_2 - strand_y_2 * layer_1_y_by_q71_by_q71;
-        const double t338 = table335[i334][0] * y_z;
-        const double strand_z_2 = layer_1_z - t338;
-        const double strand_z_by_q71_by_q71_2 = layer_1_z_by_q71_by_q71 + t338;
-        const double strand_x_by_q71_2 = layer_1_x_by_q71 + t338;
-        const double t339 = t337 + strand_z_2 * strand_z_by_q71_by_q71_2 + t203 + strand_x_by_q71_2 * strand_x_by_q71_2;
-        const double strand_z_by_q71_2 = layer_1_z_by_q71 + t336;
-        const double t340 = strand_x_2 * strand_x_by_q71_2 - strand_y_2 * layer_1_y_by_q71 - strand_z_2 * strand_z_by_q71_2;
-        const double t341 = strand_x_2 * strand_x_2 + strand_y_2 * strand_y_2 + strand_z_2 * strand_z_2;
-        const double length_2 = sinew_sqrt(t341);
-        const double t342 = 1.0 / length_2;
-        const double length_by_q71_2 = t340 * t342;
-        const double t343 = t339 + strand_z_by_q71_2 * strand_z_by_q71_2 - length_by_q71_2 * length_by_q71_2;
-        const double length_by_q71_by_q71_2 = t343 * t342;
-        const double t344 = table335[i334][0] * y_z_by_q73;
-        const double strand_x_by_q71_by_q73_2 = layer_1_x_by_q71_by_q73 + t344;
-        const double t345 = strand_x_2 * strand_x_by_q71_by_q73_2 - strand_y_2 * layer_1_y_by_q71_by_q73;
-        const double t346 = table335[i334][0] * y_x_by_q73;
-        const double strand_z_by_q71_by_q73_2 = layer_1_z_by_q71_by_q73 + t346;
-        const double strand_y_by_q73_2 = layer_1_y_by_q73 + table335[i334][0] * u_y_by_q73;
-        const double t347 = t345 - strand_z_2 * strand_z_by_q71_by_q73_2 - layer_1_y_by_q71 * strand_y_by_q73_2;
-        const double strand_x_by_q73_2 = layer_1_x_by_q73 + t346;
-        const double strand_z_by_q73_2 = layer_1_z_by_q73 + t344;
-        const double t348 = t347 - strand_x_by_q71_2 * strand_x_by_q73_2 + strand_z_by_q71_2 * strand_z_by_q73_2;
-        const double t349 = strand_x_2 * strand_x_by_q73_2 - strand_y_2 * strand_y_by_q73_2 + strand_z_2 * strand_z_by_q73_2;
-        const double length_by_q73_2 = t349 * t342;
-        const double length_by_q71_by_q73_2 = (t348 + length_by_q71_2 * length_by_q73_2) * t342;
-        const double strand_x_by_q73_by_q73_2 = layer_1_x_by_q73_by_q73 + table335[i334][0] * y_x_by_q73_by_q73;
-        const double strand_y_by_q73_by_q73_2 = layer_1_y_by_q73_by_q73 + table335[i334][0] * u_y_by_q73_by_q73;
-        const double t350 = strand_x_2 * strand_x_by_q73_by_q73_2 + strand_y_2 * strand_y_by_q73_by_q73_2;
-        const double strand_z_by_q73_by_q73_2 = layer_1_z_by_q73_by_q73 + table335[i334][0] * y_z_by_q73_by_q73;
-        const double t351 = t350 + strand_z_2 * strand_z_by_q73_by_q73_2 + strand_x_by_q73_2 * strand_x_by_q73_2;
-        const double t352 = t351 + strand_y_by_q73_2 * strand_y_by_q73_2 + strand_z_by_q73_2 * strand_z_by_q73_2;
-        const double length_by_q73_by_q73_2 = (t352 - length_by_q73_2 * length_by_q73_2) * t342;
-        H[112 + 4 * i334] = length_by_q71_by_q71_2;
-        H[113 + 4 * i334] = length_by_q71_by_q73_2;
-        H[114 + 4 * i334] = length_by_q71_by_q73_2;
-        H[115 + 4 * i334] = length_by_q73_by_q73_2;
-    }
-    static const double table354[6][4] = {{0.011, 0.007, 0.01, 0.008},
-        {0.01, 0.008, 0.008, 0.01}, {0.008, 0.01, 0.006, 0.011}, {0.006, 0.011, 0.005, 0.013},
-        {0.005, 0.013, 0.003, 0.015}, {0.003, 0.015, 0.002, 0.016}};
-    for (int i353 = 0; i353 < 6; ++i353) {
-        const double strand_x_3 = layer_0_x + table354[i353][0] * y_x;
-        const double strand_x_by_q73_by_q73_3 = layer_0_x_by_q73_by_q73 - table354[i353][0] * y_x_by_q73_by_q73;
-        const double strand_y_3 = table354[i353][1] - layer_0_y + table354[i353][0] * u_y;
-        const double strand_y_by_q73_by_q73_3 = layer_0_y_by_q73_by_q73 - table354[i353][0] * u_y_by_q73_by_q73;
-        const double t355 = strand_x_3 * strand_x_by_q73_by_q73_3 + strand_y_3 * strand_y_by_q73_by_q73_3;
-        const double strand_z_3 = layer_0_z + table354[i353][0] * y_z;
-        const double strand_z_by_q73_by_q73_3 = layer_0_z_by_q73_by_q73 - table354[i353][0] * y_z_by_q73_by_q73;
-        const double strand_x_by_q73_3 = layer_0_x_by_q73 - table354[i353][0] * y_x_by_q73;
-        const double t356 = t355 + strand_z_3 * strand_z_by_q73_by_q73_3 + strand_x_by_q73_3 * strand_x_by_q73_3;
-        const double strand_y_by_q73_3 = layer_0_y_by_q73 - table354[i353][0] * u_y_by_q73;
-        const double strand_z_by_q73_3 = layer_0_z_by_q73 - table354[i353][0] * y_z_by_q73;
-        const double t357 = t356 + strand_y_by_q73_3 * strand_y_by_q73_3 + strand_z_by_q73_3 * strand_z_by_q73_3;
-        const double t358 = strand_x_3 * strand_x_by_q73_3 - strand_y_3 * strand_y_by_q73_3 + strand_z_3 * strand_z_by_q73_3;
-        const double t359 = strand_x_3 * strand_x_3 + strand_y_3 * strand_y_3 + strand_z_3 * strand_z_3;
-        const double length_3 = sinew_sqrt(t359);
-        const double t360 = 1.0 / length_3;
-        const double length_by_q73_3 = t358 * t360;
-        const double length_by_q73_by_q73_3 = (t357 - length_by_q73_3 * length_by_q73_3) * t360;
-        const double t361 = table354[i353][2] * y_x;
-        const double strand_x_4 = layer_0_x + t361;
-        const double strand_x_by_q71_by_q71_3 = layer_0_x_by_q71_by_q71 - t361;
-        const double strand_y_4 = table354[i353][3] - layer_0_y + table354[i353][2] * u_y;
-        const double t362 = strand_x_4 * strand_x_by_q71_by_q71_3 - strand_y_4 * layer_0_y_by_q71_by_q71;
-        const double t363 = table354[i353][2] * y_z;
-        const double strand_z_4 = layer_0_z + t363;
-        const double strand_z_by_q71_by_q71_3 = layer_0_z_by_q71_by_q71 - t363;
-        const double strand_x_by_q71_3 = layer_0_x_by_q71 - t363;
-        const double t364 = t362 + strand_z_4 * strand_z_by_q71_by_q71_3 + t83 + strand_x_by_q71_3 * strand_x_by_q71_3;
-        const double strand_z_by_q71_3 = layer_0_z_by_q71 - t361;
-        const double t365 = strand_x_4 * strand_x_by_q71_3 - strand_y_4 * layer_0_y_by_q71 - strand_z_4 * strand_z_by_q71_3;
-        const double t366 = strand_x_4 * strand_x_4 + strand_y_4 * strand_y_4 + strand_z_4 * strand_z_4;
-        const double length_4 = sinew_sqrt(t366);
-        const double t367 = 1.0 / length_4;
-        const double length_by_q71_3 = t365 * t367;
-        const double t368 = t364 + strand_z_by_q71_3 * strand_z_by_q71_3 - length_by_q71_3 * length_by_q71_3;
-        const double length_by_q71_by_q71_3 = t368 * t367;
-        const double t369 = table354[i353][2] * y_z_by_q73;
-        const double strand_x_by_q71_by_q73_3 = layer_0_x_by_q71_by_q73 - t369;
-        const double t370 = strand_x_4 * strand_x_by_q71_by_q73_3 - strand_y_4 * layer_0_y_by_q71_by_q73;
-        const double t371 = table354[i353][2] * y_x_by_q73;
-        const double strand_z_by_q71_by_q73_3 = layer_0_z_by_q71_by_q73 - t371;
-        const double strand_y_by_q73_4 = layer_0_y_by_q73 - table354[i353][2] * u_y_by_q73;
-        const double t372 = t370 - strand_z_4 * strand_z_by_q71_by_q73_3 - layer_0_y_by_q71 * strand_y_by_q73_4;
-        const double strand_x_by_q73_4 = layer_0_x_by_q73 - t371;
-        const double strand_z_by_q73_4 = layer_0_z_by_q73 - t369;
-        const double t373 = t372 - strand_x_by_q71_3 * strand_x_by_q73_4 + strand_z_by_q71_3 * strand_z_by_q73_4;
-        const double t374 = strand_x_4 * strand_x_by_q73_4 - strand_y_4 * strand_y_by_q73_4 + strand_z_4 * strand_z_by_q73_4;
-        const double length_by_q73_4 = t374 * t367;
-        const double length_by_q71_by_q73_3 = (t373 + length_by_q71_3 * length_by_q73_4) * t367;
-        H[3 + 4 * i353] = length_by_q73_by_q73_3;
-        H[4 + 4 * i353] = length_by_q71_by_q71_3;
-        H[5 + 4 * i353] = length_by_q71_by_q73_3;
-        H[6 + 4 * i353] = length_by_q71_by_q73_3;
-    }
-}
-
-void wrist_bending_angles(const double q71[SINEW_AT_LEAST(1)], const double q73[SINEW_AT_LEAST(1)], double angles[SINEW_AT_LEAST(38)])
-{
-    const double angle1[2] = {q73[0], q71[0]};
-    double sine2[2], cosine3[2];
-    sinew_sincos2(angle1, sine2, cosine3);
-    const double sin_q73 = sine2[0];
-    const double cos_q73 = cosine3[0];
-    const double sin_q71 = sine2[1];
-    const double cos_q71 = cosine3[1];
-    const double B_y = 0.074565407529229 * cos_q73;
-    const double B_to_C0_squared = 0.007324 - 0.084 * B_y;
-    const double ratio = 0.003796 / B_to_C0_squared;
-    const double C_y = 0.002 * ratio * (21.0 - 500.0 * B_y);
-    const double u_y = 23.80952380952381 * (B_y + C_y);
-    const double B_e = 0.074565407529229 * sin_q73;
-    const double C_e = B_e * ratio;
-    const double M_e = 0.5 * (B_e + C_e);
-    const double s_e = M_e - 0.036 * sin_q71;
-    const double M_y = 0.5 * (B_y - C_y);
-    const double s_y = 0.021 - M_y;
-    const double u_e = 23.80952380952381 * (B_e - C_e);
-    const double p_y = u_e * s_y + u_y * s_e;
-    const double p_z = 0.036 * cos_q71;
-    const double reach_squared = sinew_max(p_y * p_y + p_z * p_z, 1.296e-15);
-    const double p_x = u_e * s_e - u_y * s_y;
-    const double projection = 0.034722222222222224 - 13.88888888888889 * (reach_squared + p_x * p_x);
-    const double reach = sinew_sqrt(reach_squared);
-    const double limited = sinew_min(sinew_max(-projection, -reach), reach);
-    const double clearance = sinew_max((reach + limited) * (reach - limited), 1e-12 * reach_squared);
-    const double root = sinew_sqrt(clearance);
-    const double t4 = 1.0 / reach_squared;
-    const double cos_A = (p_y * limited + p_z * root) * t4;
-    const double z_plane_x = u_y * cos_A;
-    const double sin_A = (p_y * root - p_z * limited) * t4;
-    const double z_z = cos_q71 * sin_A + sin_q71 * z_plane_x;
-    const double M_z = sin_q71 * M_e;
-    const double origin_z = M_z - 0.018 * z_z;
-    const double x_plane_x = u_y * sin_A;
-    const double x_z = cos_q71 * cos_A - sin_q71 * x_plane_x;
-    const double t5 = 0.004 * x_z;
-    const double t6 = 0.01 * z_z;
-    const double layer_0_z = 0.008 - origin_z - t5 - t6;
-    const double y_z = sin_q71 * u_e;
-    const double x_x = cos_q71 * x_plane_x + sin_q71 * cos_A;
-    const double M_x = cos_q71 * M_e;
-    const double z_x = cos_q71 * z_plane_x - sin_q71 * sin_A;
-    const double t7 = 0.004 * (1.0 + x_x) - M_x + 0.018 * z_x;
-    const double t8 = 0.01 * z_x;
-    const double layer_0_x = t7 - t8;
-    const double y_x = cos_q71 * u_e;
-    const double x_plane_y = u_e * sin_A;
-    const double z_plane_y = u_e * cos_A;
-    const double origin_y = M_y + 0.018 * z_plane_y;
-    const double t9 = origin_y + 0.004 * x_plane_y;
-    const double t10 = 0.01 * z_plane_y;
-    const double layer_0_y = t9 - t10;
-    const double aside_y_14 = x_x * layer_0_z + x_z * layer_0_x;
-    const double strand_7_y = 0.018 - layer_0_y;
-    const double aside_x_14 = x_plane_y * layer_0_z - x_z * strand_7_y;
-    const double aside_z_30 = x_plane_y * layer_0_x + x_x * strand_7_y;
-    const double t11 = aside_x_14 * aside_x_14 + aside_y_14 * aside_y_14 + aside_z_30 * aside_z_30;
-    const double t12 = sinew_one_atan2(sinew_sqrt(t11), x_plane_y * strand_7_y - x_x * layer_0_x + x_z * layer_0_z);
-    const double t13 = sinew_one_atan2(sinew_sqrt(layer_0_z * layer_0_z + strand_7_y * strand_7_y), -layer_0_x);
-    angles[7] = t12 + t13;
-    const double layer_1_z = 0.028 - origin_z - t5 + t6;
-    const double layer_1_x = t7 + t8;
-    const double layer_1_y = t9 + t10;
-    const double aside_y_54 = x_x * layer_1_z + x_z * layer_1_x;
-    const double strand_27_y = 0.019 - layer_1_y;
-    const double aside_x_54 = x_plane_y * layer_1_z - x_z * strand_27_y;
-    const double aside_z_110 = x_plane_y * layer_1_x + x_x * strand_27_y;
-    const double t14 = aside_x_54 * aside_x_54 + aside_y_54 * aside_y_54 + aside_z_110 * aside_z_110;
-    const double t15 = sinew_one_atan2(sinew_sqrt(t14), x_plane_y * strand_27_y - x_x * layer_1_x + x_z * layer_1_z);
-    const double t16 = sinew_one_atan2(sinew_sqrt(layer_1_z * layer_1_z + strand_27_y * strand_27_y), -layer_1_x);
-    angles[27] = t15 + t16;
-    static const double table18[11][2] = {{0.002, 0.019}, {0.003, 0.021}, {0.005, 0.023},
-        {0.006, 0.024}, {0.008, 0.026}, {0.01, 0.027}, {0.011, 0.029}, {0.013, 0.031},
-        {0.014, 0.032}, {0.016, 0.034}, {0.018, 0.035}};
-    for (int i17 = 0; i17 < 11; ++i17) {
-        const double strand_z = layer_0_z - table18[i17][0] * y_z;
-        const double strand_y = table18[i17][1] - layer_0_y - table18[i17][0] * u_y;
-        const double aside_x = x_plane_y * strand_z - x_z * strand_y;
-        const double strand_x = layer_0_x - table18[i17][0] * y_x;
-        const double aside_y = x_x * strand_z + x_z * strand_x;
-        const double aside_z = x_plane_y * strand_x + x_x * strand_y;
-        const double t19 = sinew_one_atan2(sinew_sqrt(aside_x * aside_x + aside_y * aside_y + aside_z * aside_z), x_plane_y * strand_y - x_x * strand_x + x_z * strand_z);
-        const double t20 = sinew_one_atan2(sinew_sqrt(strand_y * strand_y + strand_z * strand_z), -strand_x);
-        angles[8 + i17] = t19 + t20;
-    }
-    static const double table22[10][2] = {{0.002, 0.02}, {0.003, 0.022}, {0.005, 0.023},
-        {0.006, 0.025}, {0.008, 0.027}, {0.01, 0.028}, {0.011, 0.03}, {0.013, 0.031},
-        {0.014, 0.033}, {0.016, 0.035}};
-    for (int i21 = 0; i21 < 10; ++i21) {
-        const double strand_z_2 = layer_1_z - table22[i21][0] * y_z;
-        const double strand_y_2 = table22[i21][1] - layer_1_y - table22[i21][0] * u_y;
-        const double aside_x_2 = x_plane_y * strand_z_2 - x_z * strand_y_2;
-        const double strand_x_2 = layer_1_x - table22[i21][0] * y_x;
-        const double aside_y_2 = x_x * strand_z_2 + x_z * strand_x_2;
-        const double aside_z_2 = x_plane_y * strand_x_2 + x_x * strand_y_2;
-        const double t23 = sinew_sqrt(aside_x_2 * aside_x_2 + aside_y_2 * aside_y_2 + aside_z_2 * aside_z_2);
-        const double t24 = sinew_one_atan2(t23, x_plane_y * strand_y_2 - x_x * strand_x_2 + x_z * strand_z_2);
-        const double t25 = sinew_one_atan2(sinew_sqrt(strand_y_2 * strand_y_2 + strand_z_2 * strand_z_2), -strand_x_2);
-        angles[28 + i21] = t24 + t25;
-    }
-    static const double table27[8][2] = {{0.013, 0.006}, {0.011, 0.007}, {0.01, 0.009},
-        {0.008, 0.011}, {0.006, 0.012}, {0.005, 0.014}, {0.003, 0.015}, {0.002, 0.017}};
-    for (int i26 = 0; i26 < 8; ++i26) {
-        const double strand_z_3 = layer_1_z + table27[i26][0] * y_z;
-        const double strand_y_3 = table27[i26][1] - layer_1_y + table27[i26][0] * u_y;
-        const double aside_x_3 = x_plane_y * strand_z_3 - x_z * strand_y_3;
-        const double strand_x_3 = layer_1_x + table27[i26][0] * y_x;
-        const double aside_y_3 = x_x * strand_z_3 + x_z * strand_x_3;
-        const double aside_z_3 = x_plane_y * strand_x_3 + x_x * strand_y_3;
-        const double t28 = sinew_sqrt(aside_x_3 * aside_x_3 + aside_y_3 * aside_y_3 + aside_z_3 * aside_z_3);
-        const double t29 = sinew_one_atan2(t28, x_plane_y * strand_y_3 - x_x * strand_x_3 + x_z * strand_z_3);
-        const double t30 = sinew_one_atan2(sinew_sqrt(strand_y_3 * strand_y_3 + strand_z_3 * strand_z_3), -strand_x_3);
-        angles[19 + i26] = t29 + t30;
-    }
-    static const double table32[7][2] = {{0.011, 0.007}, {0.01, 0.008}, {0.008, 0.01},
-        {0.006, 0.011}, {0.005, 0.013}, {0.003, 0.015}, {0.002, 0.016}};
-    for (int i31 = 0; i31 < 7; ++i31) {
-        const double strand_z_4 = layer_0_z + table32[i31][0] * y_z;
-        const double strand_y_4 = table32[i31][1] - layer_0_y + table32[i31][0] * u_y;
-        const double t33 = x_plane_y * strand_z_4 - x_z * strand_y_4;
-        const double strand_x_4 = layer_0_x + table32[i31][0] * y_x;
-        const double t34 = x_x * strand_z_4 + x_z * strand_x_4;
-        const double aside_z_4 = x_plane_y * strand_x_4 + x_x * strand_y_4;
-        const double t35 = sinew_one_atan2(sinew_sqrt(t33 * t33 + t34 * t34 + aside_z_4 * aside_z_4), x_plane_y * strand_y_4 - x_x * strand_x_4 + x_z * strand_z_4);
-        const double t36 = sinew_one_atan2(sinew_sqrt(strand_y_4 * strand_y_4 + strand_z_4 * strand_z_4), -strand_x_4);
-        angles[i31] = t35 + t36;
-    }
-}
-
-void wrist_feedforward(const double q71[SINEW_AT_LEAST(1)], const double q73[SINEW_AT_LEAST(1)], double delta_theta[SINEW_AT_LEAST(38)])
-{
-    const double angle1[2] = {q71[0], q73[0]};
-    double sine2[2], cosine3[2];
-    sinew_sincos2(angle1, sine2, cosine3);
-    const double sin_q71 = sine2[0];
-    const double cos_q71 = cosine3[0];
-    const double sin_q73 = sine2[1];
-    const double cos_q73 = cosine3[1];
-    const double B_y = 0.074565407529229 * cos_q73;
-    const double B_to_C0_squared = 0.007324 - 0.084 * B_y;
-    const double ratio = 0.003796 / B_to_C0_squared;
-    const double C_y = 0.002 * ratio * (21.0 - 500.0 * B_y);
-    const double u_y = 23.80952380952381 * (B_y + C_y);
-    const double B_e = 0.074565407529229 * sin_q73;
-    const double C_e = B_e * ratio;
-    const double M_e = 0.5 * (B_e + C_e);
-    const double s_e = M_e - 0.036 * sin_q71;
-    const double M_y = 0.5 * (B_y - C_y);
-    const double s_y = 0.021 - M_y;
-    const double u_e = 23.80952380952381 * (B_e - C_e);
-    const double p_y = u_e * s_y + u_y * s_e;
-    const double p_z = 0.036 * cos_q71;
-    const double reach_squared = sinew_max(p_y * p_y + p_z * p_z, 1.296e-15);
-    const double p_x = u_e * s_e - u_y * s_y;
-    const double projection = 0.034722222222222224 - 13.88888888888889 * (reach_squared + p_x * p_x);
-    const double reach = sinew_sqrt(reach_squared);
-    const double limited = sinew_min(sinew_max(-projection, -reach), reach);
-    const double clearance = sinew_max((reach + limited) * (reach - limited), 1e-12 * reach_squared);
-    const double root = sinew_sqrt(clearance);
-    const double t4 = 1.0 / reach_squared;
-    const double sin_A = (p_y * root - p_z * limited) * t4;
-    const double x_plane_x = u_y * sin_A;
-    const double cos_A = (p_y * limited + p_z * root) * t4;
-    const double x_x = cos_q71 * x_plane_x + sin_q71 * cos_A;
-    const double M_x = cos_q71 * M_e;
-    const double z_plane_x = u_y * cos_A;
-    const double z_x = cos_q71 * z_plane_x - sin_q71 * sin_A;
-    const double t5 = 0.004 * (1.0 + x_x) - M_x + 0.018 * z_x;
-    const double t6 = 0.01 * z_x;
-    const double layer_0_x = t5 - t6;
-    const double y_x = cos_q71 * u_e;
-    const double t7 = 0.011 * y_x;
-    const double strand_0_x = layer_0_x + t7;
-    const double z_plane_y = u_e * cos_A;
-    const double origin_y = M_y + 0.018 * z_plane_y;
-    const double t8 = origin_y + 0.004 * u_e * sin_A;
-    const double t9 = 0.01 * z_plane_y;
-    const double layer_0_y = t8 - t9;
-    const double t10 = 0.011 * u_y;
-    const double strand_0_y = 0.007 - layer_0_y + t10;
-    const double z_z = cos_q71 * sin_A + sin_q71 * z_plane_x;
-    const double M_z = sin_q71 * M_e;
-    const double origin_z = M_z - 0.018 * z_z;
-    const double x_z = cos_q71 * cos_A - sin_q71 * x_plane_x;
-    const double t11 = 0.004 * x_z;
-    const double t12 = 0.01 * z_z;
-    const double layer_0_z = 0.008 - origin_z - t11 - t12;
-    const double y_z = sin_q71 * u_e;
-    const double t13 = 0.011 * y_z;
-    const double strand_0_z = layer_0_z + t13;
-    const double t14 = strand_0_x * strand_0_x + strand_0_y * strand_0_y + strand_0_z * strand_0_z;
-    const double length_0 = sinew_sqrt(t14);
-    const double change_0 = 0.04661544808322666 - length_0;
-    delta_theta[0] = 200.0 * change_0;
-    const double t15 = 0.01 * y_x;
-    const double strand_1_x = layer_0_x + t15;
-    const double t16 = 0.01 * u_y;
-    const double strand_1_y = 0.008 - layer_0_y + t16;
-    const double t17 = 0.01 * y_z;
-    const double strand_1_z = layer_0_z + t17;
-    const double t18 = strand_1_x * strand_1_x + strand_1_y * strand_1_y + strand_1_z * strand_1_z;
-    const double length_1 = sinew_sqrt(t18);
-    const double change_1 = 0.04661544808322666 - length_1;
-    delta_theta[1] = 200.0 * change_1;
-    const double t19 = 0.008 * y_x;
-    const double strand_2_x = layer_0_x + t19;
-    const double t20 = 0.008 * u_y;
-    const double strand_2_y = 0.01 - layer_0_y + t20;
-    const double t21 = 0.008 * y_z;
-    const double strand_2_z = layer_0_z + t21;
-    const double t22 = strand_2_x * strand_2_x + strand_2_y * strand_2_y + strand_2_z * strand_2_z;
-    const double length_2 = sinew_sqrt(t22);
-    const double change_2 = 0.04661544808322666 - length_2;
-    delta_theta[2] = 200.0 * change_2;
-    const double t23 = 0.006 * y_x;
-    const double strand_3_x = layer_0_x + t23;
-    const double t24 = 0.006 * u_y;
-    const double strand_3_y = 0.011 - layer_0_y + t24;
-    const double t25 = 0.006 * y_z;
-    const double strand_3_z = layer_0_z + t25;
-    const double t26 = strand_3_x * strand_3_x + strand_3_y * strand_3_y + strand_3_z * strand_3_z;
-    const double length_3 = sinew_sqrt(t26);
-    const double change_3 = 0.04669047011971501 - length_3;
-    delta_theta[3] = 200.0 * change_3;
-    const double t27 = 0.005 * y_x;
-    const double strand_4_x = layer_0_x + t27;
-    const double t28 = 0.005 * u_y;
-    const double strand_4_y = 0.013 - layer_0_y + t28;
-    const double t29 = 0.005 * y_z;
-    const double strand_4_z = layer_0_z + t29;
-    const double t30 = strand_4_x * strand_4_x + strand_4_y * strand_4_y + strand_4_z * strand_4_z;
-    const double length_4 = sinew_sqrt(t30);
-    const double change_4 = 0.04661544808322666 - length_4;
-    delta_theta[4] = 200.0 * change_4;
-    const double t31 = 0.003 * y_x;
-    const double strand_5_x = layer_0_x + t31;
-    const double t32 = 0.003 * u_y;
-    const double strand_5_y = 0.015 - layer_0_y + t32;
-    const double t33 = 0.003 * y_z;
-    const double strand_5_z = layer_0_z + t33;
-    const double t34 = strand_5_x * strand_5_x + strand_5_y * strand_5_y + strand_5_z * strand_5_z;
-    const double length_5 = sinew_sqrt(t34);
-    const double change_5 = 0.04661544808322666 - length_5;
-    delta_theta[5] = 200.0 * change_5;
-    const double t35 = 0.002 * y_x;
-    const double strand_6_x = layer_0_x + t35;
-    const double t36 = 0.002 * u_y;
-    const double strand_6_y = 0.016 - layer_0_y + t36;
-    const double t37 = 0.002 * y_z;
-    const double strand_6_z = layer_0_z + t37;
-    const double t38 = strand_6_x * strand_6_x + strand_6_y * strand_6_y + strand_6_z * strand_6_z;
-    const double length_6 = sinew_sqrt(t38);
-    const double change_6 = 0.04661544808322666 - length_6;
-    delta_theta[6] = 200.0 * change_6;
-    const double strand_7_y = 0.018 - layer_0_y;
-    const double length_7 = sinew_sqrt(layer_0_x * layer_0_x + layer_0_z * layer_0_z + strand_7_y * strand_7_y);
-    const double change_7 = 0.04661544808322666 - length_7;
-    delta_theta[7] = 200.0 * change_7;
-    const double layer_1_x = t5 + t6;
-    const double strand_19_x = layer_1_x + 0.013 * y_x;
-    const double layer_1_y = t8 + t9;
-    const double strand_19_y = 0.006 - layer_1_y + 0.013 * u_y;
-    const double layer_1_z = 0.028 - origin_z - t11 + t12;
-    const double strand_19_z = layer_1_z + 0.013 * y_z;
-    const double t39 = strand_19_x * strand_19_x + strand_19_y * strand_19_y + strand_19_z * strand_19_z;
-    const double length_19 = sinew_sqrt(t39);
-    const double change_19 = 0.046561786907291264 - length_19;
-    delta_theta[19] = 200.0 * change_19;
-    const double strand_20_x = layer_1_x + t7;
-    const double strand_20_y = 0.007 - layer_1_y + t10;
-    const double strand_20_z = layer_1_z + t13;
-    const double t40 = strand_20_x * strand_20_x + strand_20_y * strand_20_y + strand_20_z * strand_20_z;
-    const double length_20 = sinew_sqrt(t40);
-    const double change_20 = 0.04661544808322666 - length_20;
-    delta_theta[20] = 200.0 * change_20;
-    const double strand_21_x = layer_1_x + t15;
-    const double strand_21_y = 0.009 - layer_1_y + t16;
-    const double strand_21_z = layer_1_z + t17;
-    const double t41 = strand_21_x * strand_21_x + strand_21_y * strand_21_y + strand_21_z * strand_21_z;
-    const double length_21 = sinew_sqrt(t41);
-    const double change_21 = 0.046561786907291264 - length_21;
-    delta_theta[21] = 200.0 * change_21;
-    const double strand_22_x = layer_1_x + t19;
-    const double strand_22_y = 0.011 - layer_1_y + t20;
-    const double strand_22_z = layer_1_z + t21;
-    const double t42 = strand_22_x * strand_22_x + strand_22_y * strand_22_y + strand_22_z * strand_22_z;
-    const double length_22 = sinew_sqrt(t42);
-    const double change_22 = 0.046561786907291264 - length_22;
-    delta_theta[22] = 200.0 * change_22;
-    const double strand_23_x = layer_1_x + t23;
-    const double strand_23_y = 0.012 - layer_1_y + t24;
-    const double strand_23_z = layer_1_z + t25;
-    const double t43 = strand_23_x * strand_23_x + strand_23_y * strand_23_y + strand_23_z * strand_23_z;
-    const double length_23 = sinew_sqrt(t43);
-    const double change_23 = 0.04661544808322666 - length_23;
-    delta_theta[23] = 200.0 * change_23;
-    const double strand_24_x = layer_1_x + t27;
-    const double strand_24_y = 0.014 - layer_1_y + t28;
-    const double strand_24_z = layer_1_z + t29;
-    const double t44 = strand_24_x * strand_24_x + strand_24_y * strand_24_y + strand_24_z * strand_24_z;
-    const double length_24 = sinew_sqrt(t44);
-    const double change_24 = 0.046561786907291264 - length_24;
-    delta_theta[24] = 200.0 * change_24;
-    const double strand_25_x = layer_1_x + t31;
-    const double strand_25_y = 0.015 - layer_1_y + t32;
-    const double strand_25_z = layer_1_z + t33;
-    const double t45 = strand_25_x * strand_25_x + strand_25_y * strand_25_y + strand_25_z * strand_25_z;
-    const double length_25 = sinew_sqrt(t45);
-    const double change_25 = 0.04661544808322666 - length_25;
-    delta_theta[25] = 200.0 * change_25;
-    const double strand_26_x = layer_1_x + t35;
-    const double strand_26_y = 0.017 - layer_1_y + t36;
-    const double strand_26_z = layer_1_z + t37;
-    const double t46 = strand_26_x * strand_26_x + strand_26_y * strand_26_y + strand_26_z * strand_26_z;
-    const double length_26 = sinew_sqrt(t46);
-    const double change_26 = 0.046561786907291264 - length_26;
-    delta_theta[26] = 200.0 * change_26;
-    const double strand_27_y = 0.019 - layer_1_y;
-    const double t47 = layer_1_x * layer_1_x + layer_1_z * layer_1_z + strand_27_y * strand_27_y;
-    const double length_27 = sinew_sqrt(t47);
-    const double change_27 = 0.046561786907291264 - length_27;
-    delta_theta[27] = 200.0 * change_27;
-    static const double table49[11][3] = {{0.04669047011971501, 0.002, 0.019},
-        {0.04661544808322666, 0.003, 0.021}, {0.04661544808322666, 0.005, 0.023},
-        {0.04661544808322666, 0.006, 0.024}, {0.04661544808322666, 0.008, 0.026},
-        {0.04669047011971501, 0.01, 0.027}, {0.04661544808322666, 0.011, 0.029},
-        {0.04661544808322666, 0.013, 0.031}, {0.04661544808322666, 0.014, 0.032},
-        {0.04661544808322666, 0.016, 0.034}, {0.04669047011971501, 0.018, 0.035}};
-    for (int i48 = 0; i48 < 11; ++i48) {
-        const double strand_x = layer_0_x - table49[i48][1] * y_x;
-        const double strand_y = table49[i48][2] - layer_0_y - table49[i48][1] * u_y;
-        const double strand_z = layer_0_z - table49[i48][1] * y_z;
-        const double length = sinew_sqrt(strand_x * strand_x + strand_y * strand_y + strand_z * strand_z);
-        const double change = table49[i48][0] - length;
-        delta_theta[8 + i48] = 200.0 * change;
-    }
-    static const double table51[10][3] = {{0.04661544808322666, 0.002, 0.02},
-        {0.046561786907291264, 0.003, 0.022}, {0.04661544808322666, 0.005, 0.023},
-        {0.046561786907291264, 0.006, 0.025}, {0.046561786907291264, 0.008, 0.027},
-        {0.04661544808322666, 0.01, 0.028}, {0.046561786907291264, 0.011, 0.03},
-        {0.04661544808322666, 0.013, 0.031}, {0.046561786907291264, 0.014, 0.033},
-        {0.046561786907291264, 0.016, 0.035}};
-    for (int i50 = 0; i50 < 10; ++i50) {
-        const double strand_x_2 = layer_1_x - table51[i50][1] * y_x;
-        const double strand_y_2 = table51[i50][2] - layer_1_y - table51[i50][1] * u_y;
-        const double strand_z_2 = layer_1_z - table51[i50][1] * y_z;
-        const double t52 = strand_x_2 * strand_x_2 + strand_y_2 * strand_y_2 + strand_z_2 * strand_z_2;
-        const double length_8 = sinew_sqrt(t52);
-        const double change_8 = table51[i50][0] - length_8;
-        delta_theta[28 + i50] = 200.0 * change_8;
-    }
-}
-
-void wrist_feedforward_rate(const double q71[SINEW_AT_LEAST(1)], const double q73[SINEW_AT_LEAST(1)], const double dq71[SINEW_AT_LEAST(1)], const double dq73[SINEW_AT_LEAST(1)], double delta_theta_rate[SINEW_AT_LEAST(38)])
-{
-    const double angle1[2] = {q71[0], q73[0]};
-    double sine2[2], cosine3[2];
-    sinew_sincos2(angle1, sine2, cosine3);
-    const double sin_q71 = sine2[0];
-    const double cos_q71 = cosine3[0];
-    const double sin_q73 = sine2[1];
-    const double cos_q73 = cosine3[1];
-    const double B_y = 0.074565407529229 * cos_q73;
-    const double B_to_C0_squared = 0.007324 - 0.084 * B_y;
-    const double t4 = 1.0 / B_to_C0_squared;
-    const double ratio = 0.003796 * t4;
-    const double B_e = 0.074565407529229 * sin_q73;
-    const double B_to_C0_squared_by_q73 = 0.084 * B_e;
-    const double ratio_by_q73 = ratio * B_to_C0_squared_by_q73 * t4;
-    const double t5 = 21.0 - 500.0 * B_y;
-    const double C_e = B_e * ratio;
-    const double C_y_by_q73 = C_e - 0.002 * ratio_by_q73 * t5;
-    const double t6 = 0.5 * B_e;
-    const double M_y_by_q73 = t6 + 0.5 * C_y_by_q73;
     const double t7 = 23.80952380952381 * B_e;
     const double u_e = t7 - 23.80952380952381 * C_e;
-    const double C_e_by_q73 = B_e * ratio_by_q73 - B_y * ratio;
-    const double t8 = 0.5 * B_y;
-    const double M_e_by_q73 = t8 - 0.5 * C_e_by_q73;
-    const double C_y = 0.002 * ratio * t5;
-    const double t9 = 23.80952380952381 * B_y;
-    const double u_y = t9 + 23.80952380952381 * C_y;
-    const double u_y_by_q73 = t7 - 23.80952380952381 * C_y_by_q73;
-    const double M_e = t6 + 0.5 * C_e;
-    const double p_z_by_q71 = 0.036 * sin_q71;
-    const double s_e = M_e - p_z_by_q71;
-    const double u_e_by_q73 = t9 + 23.80952380952381 * C_e_by_q73;
-    const double M_y = t8 - 0.5 * C_y;
-    const double s_y = 0.021 - M_y;
-    const double p_y_by_q73 = u_e * M_y_by_q73 + u_y * M_e_by_q73 - s_e * u_y_by_q73 + s_y * u_e_by_q73;
     const double p_y = u_e * s_y + u_y * s_e;
-    const double t10 = p_y + p_y;
-    const double t11 = p_y * p_y;
+    const double t8 = p_y + p_y;
     const double p_z = 0.036 * cos_q71;
-    const double t12 = p_z * p_z;
-    const double t13 = -(1.296e-15 - t11 - t12);
-    const double reach_squared_by_q73 = sinew_choose(t13, t10 * p_y_by_q73, 0.0);
-    const double p_x_by_q73 = u_e * M_e_by_q73 - u_y * M_y_by_q73 + s_e * u_e_by_q73 + s_y * u_y_by_q73;
-    const double p_x = u_e * s_e - u_y * s_y;
-    const double t14 = 27.77777777777778 * p_x;
-    const double projection_by_q73 = 13.88888888888889 * reach_squared_by_q73 + t14 * p_x_by_q73;
-    const double reach_squared = sinew_max(t11 + t12, 1.296e-15);
-    const double projection = 0.034722222222222224 - 13.88888888888889 * (reach_squared + p_x * p_x);
+    const double p_y_by_q71 = u_y * p_z;
+    const double t9 = p_y * p_y;
+    const double t10 = p_z * p_z;
+    const double t11 = -(1.296e-15 - t9 - t10);
+    const double reach_squared_by_q71 = sinew_choose(t11, -(t8 * p_y_by_q71 + (p_z + p_z)
+        * p_z_by_q71), 0.0);
+    const double reach_squared = sinew_max(t9 + t10, 1.296e-15);
     const double reach = sinew_sqrt(reach_squared);
-    const double t15 = reach - projection;
-    const double t16 = sinew_choose(t15, 1.0, 0.0);
-    const double t17 = 1.0 / reach;
-    const double reach_by_q73 = 0.5 * reach_squared_by_q73 * t17;
-    const double t18 = sinew_choose(t15, 0.0, 1.0);
-    const double t19 = sinew_max(-projection, -reach);
-    const double t20 = reach - t19;
-    const double limited_by_q73 = sinew_choose(t20, -(reach_by_q73 * t18 - projection_by_q73 * t16), reach_by_q73);
-    const double limited = sinew_min(t19, reach);
-    const double t21 = limited + limited;
-    const double t22 = reach + reach;
-    const double t23 = (reach + limited) * (reach - limited);
-    const double t24 = 1e-12 * reach_squared;
-    const double t25 = -(t24 - t23);
-    const double clearance_by_q73 = sinew_choose(t25, t22 * reach_by_q73 - t21 * limited_by_q73, 1e-12 * reach_squared_by_q73);
-    const double clearance = sinew_max(t23, t24);
+    const double t12 = 1.0 / reach;
+    const double reach_by_q71 = 0.5 * reach_squared_by_q71 * t12;
+    const double p_x = u_e * s_e - u_y * s_y;
+    const double projection = 0.034722222222222224 - 13.88888888888889 * (reach_squared + p_x
+        * p_x);
+    const double t13 = reach - projection;
+    const double t14 = sinew_choose(t13, 0.0, 1.0);
+    const double t15 = sinew_choose(t13, 1.0, 0.0);
+    const double t16 = 27.77777777777778 * p_x;
+    const double projection_by_q71 = 13.88888888888889 * reach_squared_by_q71 - t16 * u_e * p_z;
+    const double t17 = sinew_max(-projection, -reach);
+    const double t18 = reach - t17;
+    const double limited_by_q71 = sinew_choose(t18, -(reach_by_q71 * t14 - projection_by_q71 * t15),
+        reach_by_q71);
+    const double limited = sinew_min(t17, reach);
+    const double t19 = limited + limited;
+    const double t20 = reach + reach;
+    const double t21 = (reach + limited) * (reach - limited);
+    const double t22 = 1e-12 * reach_squared;
+    const double t23 = -(t22 - t21);
+    const double clearance_by_q71 = sinew_choose(t23, t20 * reach_by_q71 - t19 * limited_by_q71,
+        1e-12 * reach_squared_by_q71);
+    const double clearance = sinew_max(t21, t22);
     const double root = sinew_sqrt(clearance);
-    const double t26 = 1.0 / root;
-    const double root_by_q73 = 0.5 * clearance_by_q73 * t26;
-    const double t27 = 1.0 / reach_squared;
-    const double cos_A = (p_y * limited + p_z * root) * t27;
-    const double t28 = p_y * limited_by_q73 + p_z * root_by_q73 + limited * p_y_by_q73 - cos_A * reach_squared_by_q73;
-    const double cos_A_by_q73 = t28 * t27;
-    const double z_plane_x_by_q73 = u_y * cos_A_by_q73 - cos_A * u_y_by_q73;
-    const double sin_A = (p_y * root - p_z * limited) * t27;
-    const double t29 = p_y * root_by_q73 - p_z * limited_by_q73 + root * p_y_by_q73 - sin_A * reach_squared_by_q73;
-    const double sin_A_by_q73 = t29 * t27;
-    const double z_x_by_q73 = cos_q71 * z_plane_x_by_q73 - sin_q71 * sin_A_by_q73;
-    const double M_x_by_q73 = cos_q71 * M_e_by_q73;
-    const double origin_x_by_q73 = M_x_by_q73 - 0.018 * z_x_by_q73;
-    const double x_plane_x_by_q73 = u_y * sin_A_by_q73 - sin_A * u_y_by_q73;
-    const double x_x_by_q73 = cos_q71 * x_plane_x_by_q73 + sin_q71 * cos_A_by_q73;
-    const double t30 = origin_x_by_q73 - 0.004 * x_x_by_q73;
-    const double t31 = 0.01 * z_x_by_q73;
-    const double layer_0_x_by_q73 = t30 + t31;
-    const double y_x_by_q73 = cos_q71 * u_e_by_q73;
-    const double x_plane_x = u_y * sin_A;
-    const double t32 = cos_q71 * x_plane_x;
-    const double t33 = sin_q71 * cos_A;
-    const double x_x = t32 + t33;
-    const double M_x = cos_q71 * M_e;
+    const double t24 = 1.0 / root;
+    const double root_by_q71 = 0.5 * clearance_by_q71 * t24;
+    const double t25 = p_y * limited_by_q71 + p_z * root_by_q71 - limited * p_y_by_q71 - root
+        * p_z_by_q71;
+    const double t26 = 1.0 / reach_squared;
+    const double cos_A = (p_y * limited + p_z * root) * t26;
+    const double cos_A_by_q71 = (t25 - cos_A * reach_squared_by_q71) * t26;
+    const double z_plane_x_by_q71 = u_y * cos_A_by_q71;
+    const double sin_A = (p_y * root - p_z * limited) * t26;
+    const double t27 = cos_q71 * sin_A;
     const double z_plane_x = u_y * cos_A;
-    const double t34 = cos_q71 * z_plane_x;
-    const double t35 = sin_q71 * sin_A;
-    const double z_x = t34 - t35;
-    const double t36 = 0.004 * (1.0 + x_x) - M_x + 0.018 * z_x;
-    const double t37 = 0.01 * z_x;
-    const double layer_0_x = t36 - t37;
+    const double t28 = sin_q71 * z_plane_x;
+    const double t29 = p_y * root_by_q71 - p_z * limited_by_q71 + limited * p_z_by_q71 - root
+        * p_y_by_q71;
+    const double sin_A_by_q71 = (t29 - sin_A * reach_squared_by_q71) * t26;
+    const double z_x_by_q71 = t27 - cos_q71 * z_plane_x_by_q71 + t28 + sin_q71 * sin_A_by_q71;
+    const double M_z = sin_q71 * M_e;
+    const double origin_x_by_q71 = M_z - 0.018 * z_x_by_q71;
+    const double x_plane_x_by_q71 = u_y * sin_A_by_q71;
+    const double t30 = cos_q71 * cos_A;
+    const double x_plane_x = u_y * sin_A;
+    const double t31 = sin_q71 * x_plane_x;
+    const double x_x_by_q71 = t30 + cos_q71 * x_plane_x_by_q71 - t31 + sin_q71 * cos_A_by_q71;
+    const double t32 = origin_x_by_q71 + 0.004 * x_x_by_q71;
+    const double t33 = 0.01 * z_x_by_q71;
+    const double layer_0_x_by_q71 = t32 + t33;
+    const double y_z = sin_q71 * u_e;
+    const double t34 = 0.011 * y_z;
+    const double t35 = cos_q71 * x_plane_x;
+    const double t36 = sin_q71 * cos_A;
+    const double x_x = t35 + t36;
+    const double M_x = cos_q71 * M_e;
+    const double t37 = cos_q71 * z_plane_x;
+    const double t38 = sin_q71 * sin_A;
+    const double z_x = t37 - t38;
+    const double t39 = 0.004 * (1.0 + x_x) - M_x + 0.018 * z_x;
+    const double t40 = 0.01 * z_x;
+    const double layer_0_x = t39 - t40;
     const double y_x = cos_q71 * u_e;
-    const double x_plane_y_by_q73 = u_e * sin_A_by_q73 + sin_A * u_e_by_q73;
-    const double z_plane_y_by_q73 = u_e * cos_A_by_q73 + cos_A * u_e_by_q73;
-    const double origin_y_by_q73 = M_y_by_q73 - 0.018 * z_plane_y_by_q73;
-    const double t38 = origin_y_by_q73 - 0.004 * x_plane_y_by_q73;
-    const double t39 = 0.01 * z_plane_y_by_q73;
-    const double layer_0_y_by_q73 = t38 + t39;
+    const double t41 = 0.011 * y_x;
+    const double z_plane_y_by_q71 = u_e * cos_A_by_q71;
+    const double origin_y_by_q71 = 0.018 * z_plane_y_by_q71;
+    const double t42 = 0.004 * u_e;
+    const double t43 = origin_y_by_q71 + t42 * sin_A_by_q71;
+    const double t44 = 0.01 * z_plane_y_by_q71;
+    const double layer_0_y_by_q71 = t43 - t44;
     const double z_plane_y = u_e * cos_A;
     const double origin_y = M_y + 0.018 * z_plane_y;
-    const double t40 = 0.004 * u_e;
-    const double t41 = origin_y + t40 * sin_A;
-    const double t42 = 0.01 * z_plane_y;
-    const double layer_0_y = t41 - t42;
-    const double z_z_by_q73 = cos_q71 * sin_A_by_q73 + sin_q71 * z_plane_x_by_q73;
-    const double M_z_by_q73 = sin_q71 * M_e_by_q73;
-    const double origin_z_by_q73 = M_z_by_q73 - 0.018 * z_z_by_q73;
-    const double x_z_by_q73 = cos_q71 * cos_A_by_q73 - sin_q71 * x_plane_x_by_q73;
-    const double t43 = origin_z_by_q73 + 0.004 * x_z_by_q73;
-    const double t44 = 0.01 * z_z_by_q73;
-    const double layer_0_z_by_q73 = t43 + t44;
-    const double y_z_by_q73 = sin_q71 * u_e_by_q73;
-    const double t45 = sin_q71 * z_plane_x;
-    const double t46 = cos_q71 * sin_A;
-    const double z_z = t46 + t45;
-    const double M_z = sin_q71 * M_e;
+    const double t45 = origin_y + t42 * sin_A;
+    const double t46 = 0.01 * z_plane_y;
+    const double layer_0_y = t45 - t46;
+    const double z_z_by_q71 = t37 + cos_q71 * sin_A_by_q71 - t38 + sin_q71 * z_plane_x_by_q71;
+    const double origin_z_by_q71 = M_x - 0.018 * z_z_by_q71;
+    const double x_z_by_q71 = t35 - cos_q71 * cos_A_by_q71 + t36 + sin_q71 * x_plane_x_by_q71;
+    const double t47 = origin_z_by_q71 - 0.004 * x_z_by_q71;
+    const double t48 = 0.01 * z_z_by_q71;
+    const double layer_0_z_by_q71 = t47 + t48;
+    const double z_z = t27 + t28;
     const double origin_z = M_z - 0.018 * z_z;
-    const double t47 = sin_q71 * x_plane_x;
-    const double t48 = cos_q71 * cos_A;
-    const double x_z = t48 - t47;
+    const double x_z = t30 - t31;
     const double t49 = 0.004 * x_z;
     const double t50 = 0.01 * z_z;
     const double layer_0_z = 0.008 - origin_z - t49 - t50;
-    const double y_z = sin_q71 * u_e;
-    const double t51 = 200.0 * dq73[0];
-    const double p_y_by_q71 = u_y * p_z;
-    const double reach_squared_by_q71 = sinew_choose(t13, -(t10 * p_y_by_q71 + (p_z + p_z) * p_z_by_q71), 0.0);
-    const double reach_by_q71 = 0.5 * reach_squared_by_q71 * t17;
-    const double projection_by_q71 = 13.88888888888889 * reach_squared_by_q71 - t14 * u_e * p_z;
-    const double limited_by_q71 = sinew_choose(t20, -(reach_by_q71 * t18 - projection_by_q71 * t16), reach_by_q71);
-    const double clearance_by_q71 = sinew_choose(t25, t22 * reach_by_q71 - t21 * limited_by_q71, 1e-12 * reach_squared_by_q71);
-    const double root_by_q71 = 0.5 * clearance_by_q71 * t26;
-    const double t52 = p_y * limited_by_q71 + p_z * root_by_q71 - limited * p_y_by_q71 - root * p_z_by_q71;
-    const double cos_A_by_q71 = (t52 - cos_A * reach_squared_by_q71) * t27;
-    const double z_plane_x_by_q71 = u_y * cos_A_by_q71;
-    const double t53 = p_y * root_by_q71 - p_z * limited_by_q71 + limited * p_z_by_q71 - root * p_y_by_q71;
-    const double sin_A_by_q71 = (t53 - sin_A * reach_squared_by_q71) * t27;
-    const double z_x_by_q71 = t46 - cos_q71 * z_plane_x_by_q71 + t45 + sin_q71 * sin_A_by_q71;
-    const double origin_x_by_q71 = M_z - 0.018 * z_x_by_q71;
-    const double x_plane_x_by_q71 = u_y * sin_A_by_q71;
-    const double x_x_by_q71 = t48 + cos_q71 * x_plane_x_by_q71 - t47 + sin_q71 * cos_A_by_q71;
-    const double t54 = origin_x_by_q71 + 0.004 * x_x_by_q71;
-    const double t55 = 0.01 * z_x_by_q71;
-    const double layer_0_x_by_q71 = t54 + t55;
-    const double z_plane_y_by_q71 = u_e * cos_A_by_q71;
-    const double origin_y_by_q71 = 0.018 * z_plane_y_by_q71;
-    const double t56 = origin_y_by_q71 + t40 * sin_A_by_q71;
-    const double t57 = 0.01 * z_plane_y_by_q71;
-    const double layer_0_y_by_q71 = t56 - t57;
-    const double z_z_by_q71 = t34 + cos_q71 * sin_A_by_q71 - t35 + sin_q71 * z_plane_x_by_q71;
-    const double origin_z_by_q71 = M_x - 0.018 * z_z_by_q71;
-    const double x_z_by_q71 = t32 - cos_q71 * cos_A_by_q71 + t33 + sin_q71 * x_plane_x_by_q71;
-    const double t58 = origin_z_by_q71 - 0.004 * x_z_by_q71;
-    const double t59 = 0.01 * z_z_by_q71;
-    const double layer_0_z_by_q71 = t58 + t59;
-    const double t60 = 200.0 * dq71[0];
-    const double strand_7_y = 0.018 - layer_0_y;
-    const double t61 = layer_0_x * layer_0_x_by_q73 + layer_0_z * layer_0_z_by_q73 - strand_7_y * layer_0_y_by_q73;
-    const double length_7 = sinew_sqrt(layer_0_x * layer_0_x + layer_0_z * layer_0_z + strand_7_y * strand_7_y);
-    const double t62 = 1.0 / length_7;
-    const double length_7_by_q73 = t61 * t62;
-    const double t63 = layer_0_x * layer_0_x_by_q71 - layer_0_z * layer_0_z_by_q71 - strand_7_y * layer_0_y_by_q71;
-    const double length_7_by_q71 = t63 * t62;
-    delta_theta_rate[7] = -(t60 * length_7_by_q71 - t51 * length_7_by_q73);
-    const double layer_1_x_by_q73 = t30 - t31;
-    const double layer_1_x = t36 + t37;
-    const double layer_1_y_by_q73 = t38 - t39;
-    const double layer_1_y = t41 + t42;
-    const double layer_1_z_by_q73 = t43 - t44;
-    const double layer_1_z = 0.028 - origin_z - t49 + t50;
-    const double layer_1_x_by_q71 = t54 - t55;
-    const double layer_1_y_by_q71 = t56 + t57;
-    const double layer_1_z_by_q71 = t58 - t59;
-    const double strand_27_y = 0.019 - layer_1_y;
-    const double t64 = layer_1_x * layer_1_x_by_q73 + layer_1_z * layer_1_z_by_q73 - strand_27_y * layer_1_y_by_q73;
-    const double t65 = layer_1_x * layer_1_x + layer_1_z * layer_1_z + strand_27_y * strand_27_y;
-    const double length_27 = sinew_sqrt(t65);
-    const double t66 = 1.0 / length_27;
-    const double length_27_by_q73 = t64 * t66;
-    const double t67 = layer_1_x * layer_1_x_by_q71 - layer_1_z * layer_1_z_by_q71 - strand_27_y * layer_1_y_by_q71;
-    const double length_27_by_q71 = t67 * t66;
-    delta_theta_rate[27] = -(t60 * length_27_by_q71 - t51 * length_27_by_q73);
-    static const double table69[11][2] = {{0.002, 0.019}, {0.003, 0.021}, {0.005, 0.023},
-        {0.006, 0.024}, {0.008, 0.026}, {0.01, 0.027}, {0.011, 0.029}, {0.013, 0.031},
-        {0.014, 0.032}, {0.016, 0.034}, {0.018, 0.035}};
-    for (int i68 = 0; i68 < 11; ++i68) {
-        const double t70 = table69[i68][0] * y_x;
-        const double strand_x = layer_0_x - t70;
-        const double t71 = table69[i68][0] * y_z;
-        const double strand_x_by_q71 = layer_0_x_by_q71 + t71;
-        const double strand_y = table69[i68][1] - layer_0_y - table69[i68][0] * u_y;
-        const double strand_z = layer_0_z - t71;
-        const double strand_z_by_q71 = layer_0_z_by_q71 + t70;
-        const double t72 = strand_x * strand_x_by_q71 - strand_y * layer_0_y_by_q71 - strand_z * strand_z_by_q71;
-        const double length = sinew_sqrt(strand_x * strand_x + strand_y * strand_y + strand_z * strand_z);
-        const double t73 = 1.0 / length;
-        const double length_by_q71 = t72 * t73;
-        const double strand_x_by_q73 = layer_0_x_by_q73 + table69[i68][0] * y_x_by_q73;
-        const double strand_y_by_q73 = layer_0_y_by_q73 + table69[i68][0] * u_y_by_q73;
-        const double strand_z_by_q73 = layer_0_z_by_q73 + table69[i68][0] * y_z_by_q73;
-        const double t74 = strand_x * strand_x_by_q73 - strand_y * strand_y_by_q73 + strand_z * strand_z_by_q73;
-        const double length_by_q73 = t74 * t73;
-        delta_theta_rate[8 + i68] = -(t60 * length_by_q71 - t51 * length_by_q73);
-    }
-    static const double table76[10][2] = {{0.002, 0.02}, {0.003, 0.022}, {0.005, 0.023},
-        {0.006, 0.025}, {0.008, 0.027}, {0.01, 0.028}, {0.011, 0.03}, {0.013, 0.031},
-        {0.014, 0.033}, {0.016, 0.035}};
-    for (int i75 = 0; i75 < 10; ++i75) {
-        const double t77 = table76[i75][0] * y_x;
-        const double strand_x_2 = layer_1_x - t77;
-        const double t78 = table76[i75][0] * y_z;
-        const double strand_x_by_q71_2 = layer_1_x_by_q71 + t78;
-        const double strand_y_2 = table76[i75][1] - layer_1_y - table76[i75][0] * u_y;
-        const double strand_z_2 = layer_1_z - t78;
-        const double strand_z_by_q71_2 = layer_1_z_by_q71 + t77;
-        const double t79 = strand_x_2 * strand_x_by_q71_2 - strand_y_2 * layer_1_y_by_q71 - strand_z_2 * strand_z_by_q71_2;
-        const double t80 = strand_x_2 * strand_x_2 + strand_y_2 * strand_y_2 + strand_z_2 * strand_z_2;
-        const double length_2 = sinew_sqrt(t80);
-        const double t81 = 1.0 / length_2;
-        const double length_by_q71_2 = t79 * t81;
-        const double strand_x_by_q73_2 = layer_1_x_by_q73 + table76[i75][0] * y_x_by_q73;
-        const double strand_y_by_q73_2 = layer_1_y_by_q73 + table76[i75][0] * u_y_by_q73;
-        const double strand_z_by_q73_2 = layer_1_z_by_q73 + table76[i75][0] * y_z_by_q73;
-        const double t82 = strand_x_2 * strand_x_by_q73_2 - strand_y_2 * strand_y_by_q73_2 + strand_z_2 * strand_z_by_q73_2;
-        const double length_by_q73_2 = t82 * t81;
-        delta_theta_rate[28 + i75] = -(t60 * length_by_q71_2 - t51 * length_by_q73_2);
-    }
-    static const double table84[8][2] = {{0.013, 0.006}, {0.011, 0.007}, {0.01, 0.009},
-        {0.008, 0.011}, {0.006, 0.012}, {0.005, 0.014}, {0.003, 0.015}, {0.002, 0.017}};
-    for (int i83 = 0; i83 < 8; ++i83) {
-        const double t85 = table84[i83][0] * y_x;
-        const double strand_x_3 = layer_1_x + t85;
-        const double t86 = table84[i83][0] * y_z;
-        const double strand_x_by_q71_3 = layer_1_x_by_q71 - t86;
-        const double strand_y_3 = table84[i83][1] - layer_1_y + table84[i83][0] * u_y;
-        const double strand_z_3 = layer_1_z + t86;
-        const double strand_z_by_q71_3 = layer_1_z_by_q71 - t85;
-        const double t87 = strand_x_3 * strand_x_by_q71_3 - strand_y_3 * layer_1_y_by_q71 - strand_z_3 * strand_z_by_q71_3;
-        const double t88 = strand_x_3 * strand_x_3 + strand_y_3 * strand_y_3 + strand_z_3 * strand_z_3;
-        const double length_3 = sinew_sqrt(t88);
-        const double t89 = 1.0 / length_3;
-        const double length_by_q71_3 = t87 * t89;
-        const double strand_x_by_q73_3 = layer_1_x_by_q73 - table84[i83][0] * y_x_by_q73;
-        const double strand_y_by_q73_3 = layer_1_y_by_q73 - table84[i83][0] * u_y_by_q73;
-        const double strand_z_by_q73_3 = layer_1_z_by_q73 - table84[i83][0] * y_z_by_q73;
-        const double t90 = strand_x_3 * strand_x_by_q73_3 - strand_y_3 * strand_y_by_q73_3 + strand_z_3 * strand_z_by_q73_3;
-        const double length_by_q73_3 = t90 * t89;
-        delta_theta_rate[19 + i83] = -(t60 * length_by_q71_3 - t51 * length_by_q73_3);
-    }
-    static const double table92[7][2] = {{0.011, 0.007}, {0.01, 0.008}, {0.008, 0.01},
-        {0.006, 0.011}, {0.005, 0.013}, {0.003, 0.015}, {0.002, 0.016}};
-    for (int i91 = 0; i91 < 7; ++i91) {
-        const double t93 = table92[i91][0] * y_x;
-        const double strand_x_4 = layer_0_x + t93;
-        const double t94 = table92[i91][0] * y_z;
-        const double strand_x_by_q71_4 = layer_0_x_by_q71 - t94;
-        const double strand_y_4 = table92[i91][1] - layer_0_y + table92[i91][0] * u_y;
-        const double strand_z_4 = layer_0_z + t94;
-        const double strand_z_by_q71_4 = layer_0_z_by_q71 - t93;
-        const double t95 = strand_x_4 * strand_x_by_q71_4 - strand_y_4 * layer_0_y_by_q71 - strand_z_4 * strand_z_by_q71_4;
-        const double t96 = strand_x_4 * strand_x_4 + strand_y_4 * strand_y_4 + strand_z_4 * strand_z_4;
-        const double length_4 = sinew_sqrt(t96);
-        const double t97 = 1.0 / length_4;
-        const double length_by_q71_4 = t95 * t97;
-        const double strand_x_by_q73_4 = layer_0_x_by_q73 - table92[i91][0] * y_x_by_q73;
-        const double strand_y_by_q73_4 = layer_0_y_by_q73 - table92[i91][0] * u_y_by_q73;
-        const double strand_z_by_q73_4 = layer_0_z_by_q73 - table92[i91][0] * y_z_by_q73;
-        const double t98 = strand_x_4 * strand_x_by_q73_4 - strand_y_4 * strand_y_by_q73_4 + strand_z_4 * strand_z_by_q73_4;
-        const double length_by_q73_4 = t98 * t97;
-        delta_theta_rate[i91] = -(t60 * length_by_q71_4 - t51 * length_by_q73_4);
-    }
-}
-
-void wrist_joint_torque(const double q71[SINEW_AT_LEAST(1)], const double q73[SINEW_AT_LEAST(1)], const double f[SINEW_AT_LEAST(38)], double tau[SINEW_AT_LEAST(2)])
-{
-    const double angle1[2] = {q71[0], q73[0]};
-    double sine2[2], cosine3[2];
-    sinew_sincos2(angle1, sine2, cosine3);
-    const double sin_q71 = sine2[0];
-    const double cos_q71 = cosine3[0];
-    const double sin_q73 = sine2[1];
-    const double cos_q73 = cosine3[1];
-    const double B_y = 0.074565407529229 * cos_q73;
-    const double B_to_C0_squared = 0.007324 - 0.084 * B_y;
-    const double t4 = 1.0 / B_to_C0_squared;
-    const double ratio = 0.003796 * t4;
-    const double t5 = 21.0 - 500.0 * B_y;
-    const double C_y = 0.002 * ratio * t5;
-    const double t6 = 23.80952380952381 * B_y;
-    const double u_y = t6 + 23.80952380952381 * C_y;
-    const double B_e = 0.074565407529229 * sin_q73;
-    const double C_e = B_e * ratio;
-    const double t7 = 0.5 * B_e;
-    const double M_e = t7 + 0.5 * C_e;
-    const double p_z_by_q71 = 0.036 * sin_q71;
-    const double s_e = M_e - p_z_by_q71;
-    const double t8 = 0.5 * B_y;
-    const double M_y = t8 - 0.5 * C_y;
-    const double s_y = 0.021 - M_y;
-    const double t9 = 23.80952380952381 * B_e;
-    const double u_e = t9 - 23.80952380952381 * C_e;
-    const double p_y = u_e * s_y + u_y * s_e;
-    const double t10 = p_y + p_y;
-    const double p_z = 0.036 * cos_q71;
-    const double p_y_by_q71 = u_y * p_z;
-    const double t11 = p_y * p_y;
-    const double t12 = p_z * p_z;
-    const double t13 = -(1.296e-15 - t11 - t12);
-    const double reach_squared_by_q71 = sinew_choose(t13, -(t10 * p_y_by_q71 + (p_z + p_z) * p_z_by_q71), 0.0);
-    const double reach_squared = sinew_max(t11 + t12, 1.296e-15);
-    const double reach = sinew_sqrt(reach_squared);
-    const double t14 = 1.0 / reach;
-    const double reach_by_q71 = 0.5 * reach_squared_by_q71 * t14;
-    const double p_x = u_e * s_e - u_y * s_y;
-    const double projection = 0.034722222222222224 - 13.88888888888889 * (reach_squared + p_x * p_x);
-    const double t15 = reach - projection;
-    const double t16 = sinew_choose(t15, 0.0, 1.0);
-    const double t17 = sinew_choose(t15, 1.0, 0.0);
-    const double t18 = 27.77777777777778 * p_x;
-    const double projection_by_q71 = 13.88888888888889 * reach_squared_by_q71 - t18 * u_e * p_z;
-    const double t19 = sinew_max(-projection, -reach);
-    const double t20 = reach - t19;
-    const double limited_by_q71 = sinew_choose(t20, -(reach_by_q71 * t16 - projection_by_q71 * t17), reach_by_q71);
-    const double limited = sinew_min(t19, reach);
-    const double t21 = limited + limited;
-    const double t22 = reach + reach;
-    const double t23 = (reach + limited) * (reach - limited);
-    const double t24 = 1e-12 * reach_squared;
-    const double t25 = -(t24 - t23);
-    const double clearance_by_q71 = sinew_choose(t25, t22 * reach_by_q71 - t21 * limited_by_q71, 1e-12 * reach_squared_by_q71);
-    const double clearance = sinew_max(t23, t24);
-    const double root = sinew_sqrt(clearance);
-    const double t26 = 1.0 / root;
-    const double root_by_q71 = 0.5 * clearance_by_q71 * t26;
-    const double t27 = p_y * limited_by_q71 + p_z * root_by_q71 - limited * p_y_by_q71 - root * p_z_by_q71;
-    const double t28 = 1.0 / reach_squared;
-    const double cos_A = (p_y * limited + p_z * root) * t28;
-    const double cos_A_by_q71 = (t27 - cos_A * reach_squared_by_q71) * t28;
-    const double z_plane_x_by_q71 = u_y * cos_A_by_q71;
-    const double sin_A = (p_y * root - p_z * limited) * t28;
-    const double t29 = cos_q71 * sin_A;
-    const double z_plane_x = u_y * cos_A;
-    const double t30 = sin_q71 * z_plane_x;
-    const double t31 = p_y * root_by_q71 - p_z * limited_by_q71 + limited * p_z_by_q71 - root * p_y_by_q71;
-    const double sin_A_by_q71 = (t31 - sin_A * reach_squared_by_q71) * t28;
-    const double z_x_by_q71 = t29 - cos_q71 * z_plane_x_by_q71 + t30 + sin_q71 * sin_A_by_q71;
-    const double M_z = sin_q71 * M_e;
-    const double origin_x_by_q71 = M_z - 0.018 * z_x_by_q71;
-    const double x_plane_x_by_q71 = u_y * sin_A_by_q71;
-    const double t32 = cos_q71 * cos_A;
-    const double x_plane_x = u_y * sin_A;
-    const double t33 = sin_q71 * x_plane_x;
-    const double x_x_by_q71 = t32 + cos_q71 * x_plane_x_by_q71 - t33 + sin_q71 * cos_A_by_q71;
-    const double t34 = origin_x_by_q71 + 0.004 * x_x_by_q71;
-    const double t35 = 0.01 * z_x_by_q71;
-    const double layer_0_x_by_q71 = t34 + t35;
-    const double y_z = sin_q71 * u_e;
-    const double t36 = 0.011 * y_z;
-    const double strand_0_x_by_q71 = layer_0_x_by_q71 - t36;
-    const double t37 = cos_q71 * x_plane_x;
-    const double t38 = sin_q71 * cos_A;
-    const double x_x = t37 + t38;
-    const double M_x = cos_q71 * M_e;
-    const double t39 = cos_q71 * z_plane_x;
-    const double t40 = sin_q71 * sin_A;
-    const double z_x = t39 - t40;
-    const double t41 = 0.004 * (1.0 + x_x) - M_x + 0.018 * z_x;
-    const double t42 = 0.01 * z_x;
-    const double layer_0_x = t41 - t42;
-    const double y_x = cos_q71 * u_e;
-    const double t43 = 0.011 * y_x;
-    const double strand_0_x = layer_0_x + t43;
-    const double z_plane_y_by_q71 = u_e * cos_A_by_q71;
-    const double origin_y_by_q71 = 0.018 * z_plane_y_by_q71;
-    const double t44 = 0.004 * u_e;
-    const double t45 = origin_y_by_q71 + t44 * sin_A_by_q71;
-    const double t46 = 0.01 * z_plane_y_by_q71;
-    const double layer_0_y_by_q71 = t45 - t46;
-    const double z_plane_y = u_e * cos_A;
-    const double origin_y = M_y + 0.018 * z_plane_y;
-    const double t47 = origin_y + t44 * sin_A;
-    const double t48 = 0.01 * z_plane_y;
-    const double layer_0_y = t47 - t48;
-    const double strand_0_y = 0.007 - layer_0_y + 0.011 * u_y;
-    const double z_z_by_q71 = t39 + cos_q71 * sin_A_by_q71 - t40 + sin_q71 * z_plane_x_by_q71;
-    const double origin_z_by_q71 = M_x - 0.018 * z_z_by_q71;
-    const double x_z_by_q71 = t37 - cos_q71 * cos_A_by_q71 + t38 + sin_q71 * x_plane_x_by_q71;
-    const double t49 = origin_z_by_q71 - 0.004 * x_z_by_q71;
-    const double t50 = 0.01 * z_z_by_q71;
-    const double layer_0_z_by_q71 = t49 + t50;
-    const double strand_0_z_by_q71 = layer_0_z_by_q71 - t43;
-    const double z_z = t29 + t30;
-    const double origin_z = M_z - 0.018 * z_z;
-    const double x_z = t32 - t33;
-    const double t51 = 0.004 * x_z;
-    const double t52 = 0.01 * z_z;
-    const double layer_0_z = 0.008 - origin_z - t51 - t52;
-    const double strand_0_z = layer_0_z + t36;
-    const double t53 = strand_0_x * strand_0_x_by_q71 - strand_0_y * layer_0_y_by_q71 - strand_0_z * strand_0_z_by_q71;
-    const double t54 = strand_0_x * strand_0_x + strand_0_y * strand_0_y + strand_0_z * strand_0_z;
-    const double length_0 = sinew_sqrt(t54);
-    const double t55 = 1.0 / length_0;
-    const double length_0_by_q71 = t53 * t55;
     const double B_to_C0_squared_by_q73 = 0.084 * B_e;
-    const double ratio_by_q73 = ratio * B_to_C0_squared_by_q73 * t4;
-    const double C_y_by_q73 = C_e - 0.002 * ratio_by_q73 * t5;
-    const double M_y_by_q73 = t7 + 0.5 * C_y_by_q73;
+    const double ratio_by_q73 = ratio * B_to_C0_squared_by_q73 * t2;
     const double C_e_by_q73 = B_e * ratio_by_q73 - B_y * ratio;
-    const double M_e_by_q73 = t8 - 0.5 * C_e_by_q73;
-    const double u_y_by_q73 = t9 - 23.80952380952381 * C_y_by_q73;
-    const double u_e_by_q73 = t6 + 23.80952380952381 * C_e_by_q73;
-    const double p_y_by_q73 = u_e * M_y_by_q73 + u_y * M_e_by_q73 - s_e * u_y_by_q73 + s_y * u_e_by_q73;
-    const double reach_squared_by_q73 = sinew_choose(t13, t10 * p_y_by_q73, 0.0);
-    const double p_x_by_q73 = u_e * M_e_by_q73 - u_y * M_y_by_q73 + s_e * u_e_by_q73 + s_y * u_y_by_q73;
-    const double projection_by_q73 = 13.88888888888889 * reach_squared_by_q73 + t18 * p_x_by_q73;
-    const double reach_by_q73 = 0.5 * reach_squared_by_q73 * t14;
-    const double limited_by_q73 = sinew_choose(t20, -(reach_by_q73 * t16 - projection_by_q73 * t17), reach_by_q73);
-    const double clearance_by_q73 = sinew_choose(t25, t22 * reach_by_q73 - t21 * limited_by_q73, 1e-12 * reach_squared_by_q73);
-    const double root_by_q73 = 0.5 * clearance_by_q73 * t26;
-    const double t56 = p_y * limited_by_q73 + p_z * root_by_q73 + limited * p_y_by_q73 - cos_A * reach_squared_by_q73;
-    const double cos_A_by_q73 = t56 * t28;
-    const double z_plane_x_by_q73 = u_y * cos_A_by_q73 - cos_A * u_y_by_q73;
-    const double t57 = p_y * root_by_q73 - p_z * limited_by_q73 + root * p_y_by_q73 - sin_A * reach_squared_by_q73;
-    const double sin_A_by_q73 = t57 * t28;
-    const double z_x_by_q73 = cos_q71 * z_plane_x_by_q73 - sin_q71 * sin_A_by_q73;
+    const double M_e_by_q73 = t6 - 0.5 * C_e_by_q73;
     const double M_x_by_q73 = cos_q71 * M_e_by_q73;
+    const double C_y_by_q73 = C_e - 0.002 * ratio_by_q73 * t3;
+    const double M_y_by_q73 = t5 + 0.5 * C_y_by_q73;
+    const double u_y_by_q73 = t7 - 23.80952380952381 * C_y_by_q73;
+    const double u_e_by_q73 = t4 + 23.80952380952381 * C_e_by_q73;
+    const double p_y_by_q73 = u_e * M_y_by_q73 + u_y * M_e_by_q73 - s_e * u_y_by_q73 + s_y
+        * u_e_by_q73;
+    const double reach_squared_by_q73 = sinew_choose(t11, t8 * p_y_by_q73, 0.0);
+    const double reach_by_q73 = 0.5 * reach_squared_by_q73 * t12;
+    const double p_x_by_q73 = u_e * M_e_by_q73 - u_y * M_y_by_q73 + s_e * u_e_by_q73 + s_y
+        * u_y_by_q73;
+    const double projection_by_q73 = 13.88888888888889 * reach_squared_by_q73 + t16 * p_x_by_q73;
+    const double limited_by_q73 = sinew_choose(t18, -(reach_by_q73 * t14 - projection_by_q73 * t15),
+        reach_by_q73);
+    const double clearance_by_q73 = sinew_choose(t23, t20 * reach_by_q73 - t19 * limited_by_q73,
+        1e-12 * reach_squared_by_q73);
+    const double root_by_q73 = 0.5 * clearance_by_q73 * t24;
+    const double t51 = p_y * limited_by_q73 + p_z * root_by_q73 + limited * p_y_by_q73 - cos_A
+        * reach_squared_by_q73;
+    const double cos_A_by_q73 = t51 * t26;
+    const double z_plane_x_by_q73 = u_y * cos_A_by_q73 - cos_A * u_y_by_q73;
+    const double t52 = p_y * root_by_q73 - p_z * limited_by_q73 + root * p_y_by_q73 - sin_A
+        * reach_squared_by_q73;
+    const double sin_A_by_q73 = t52 * t26;
+    const double z_x_by_q73 = cos_q71 * z_plane_x_by_q73 - sin_q71 * sin_A_by_q73;
     const double origin_x_by_q73 = M_x_by_q73 - 0.018 * z_x_by_q73;
     const double x_plane_x_by_q73 = u_y * sin_A_by_q73 - sin_A * u_y_by_q73;
     const double x_x_by_q73 = cos_q71 * x_plane_x_by_q73 + sin_q71 * cos_A_by_q73;
-    const double t58 = origin_x_by_q73 - 0.004 * x_x_by_q73;
-    const double t59 = 0.01 * z_x_by_q73;
-    const double layer_0_x_by_q73 = t58 + t59;
+    const double t53 = origin_x_by_q73 - 0.004 * x_x_by_q73;
+    const double t54 = 0.01 * z_x_by_q73;
+    const double layer_0_x_by_q73 = t53 + t54;
     const double y_x_by_q73 = cos_q71 * u_e_by_q73;
-    const double strand_0_x_by_q73 = layer_0_x_by_q73 - 0.011 * y_x_by_q73;
-    const double x_plane_y_by_q73 = u_e * sin_A_by_q73 + sin_A * u_e_by_q73;
     const double z_plane_y_by_q73 = u_e * cos_A_by_q73 + cos_A * u_e_by_q73;
     const double origin_y_by_q73 = M_y_by_q73 - 0.018 * z_plane_y_by_q73;
-    const double t60 = origin_y_by_q73 - 0.004 * x_plane_y_by_q73;
-    const double t61 = 0.01 * z_plane_y_by_q73;
-    const double layer_0_y_by_q73 = t60 + t61;
-    const double strand_0_y_by_q73 = layer_0_y_by_q73 - 0.011 * u_y_by_q73;
-    const double z_z_by_q73 = cos_q71 * sin_A_by_q73 + sin_q71 * z_plane_x_by_q73;
+    const double x_plane_y_by_q73 = u_e * sin_A_by_q73 + sin_A * u_e_by_q73;
+    const double t55 = origin_y_by_q73 - 0.004 * x_plane_y_by_q73;
+    const double t56 = 0.01 * z_plane_y_by_q73;
+    const double layer_0_y_by_q73 = t55 + t56;
     const double M_z_by_q73 = sin_q71 * M_e_by_q73;
+    const double z_z_by_q73 = cos_q71 * sin_A_by_q73 + sin_q71 * z_plane_x_by_q73;
     const double origin_z_by_q73 = M_z_by_q73 - 0.018 * z_z_by_q73;
     const double x_z_by_q73 = cos_q71 * cos_A_by_q73 - sin_q71 * x_plane_x_by_q73;
-    const double t62 = origin_z_by_q73 + 0.004 * x_z_by_q73;
-    const double t63 = 0.01 * z_z_by_q73;
-    const double layer_0_z_by_q73 = t62 + t63;
+    const double t57 = origin_z_by_q73 + 0.004 * x_z_by_q73;
+    const double t58 = 0.01 * z_z_by_q73;
+    const double layer_0_z_by_q73 = t57 + t58;
     const double y_z_by_q73 = sin_q71 * u_e_by_q73;
-    const double strand_0_z_by_q73 = layer_0_z_by_q73 - 0.011 * y_z_by_q73;
-    const double t64 = strand_0_x * strand_0_x_by_q73 - strand_0_y * strand_0_y_by_q73 + strand_0_z * strand_0_z_by_q73;
-    const double length_0_by_q73 = t64 * t55;
-    static const double table68[6][2] = {{0.01, 0.008}, {0.008, 0.01}, {0.006, 0.011},
-        {0.005, 0.013}, {0.003, 0.015}, {0.002, 0.016}};
-    double sum66 = f[0] * length_0_by_q73;
-    double sum67 = f[0] * length_0_by_q71;
-    for (int i65 = 0; i65 < 6; ++i65) {
-        const double before69 = sum66;
-        const double before70 = sum67;
-        const double t71 = table68[i65][0] * y_x;
-        const double strand_x = layer_0_x + t71;
-        const double strand_x_by_q73 = layer_0_x_by_q73 - table68[i65][0] * y_x_by_q73;
-        const double strand_y = table68[i65][1] - layer_0_y + table68[i65][0] * u_y;
-        const double strand_y_by_q73 = layer_0_y_by_q73 - table68[i65][0] * u_y_by_q73;
-        const double t72 = table68[i65][0] * y_z;
-        const double strand_z = layer_0_z + t72;
-        const double strand_z_by_q73 = layer_0_z_by_q73 - table68[i65][0] * y_z_by_q73;
-        const double t73 = strand_x * strand_x_by_q73 - strand_y * strand_y_by_q73 + strand_z * strand_z_by_q73;
-        const double length = sinew_sqrt(strand_x * strand_x + strand_y * strand_y + strand_z * strand_z);
-        const double t74 = 1.0 / length;
-        const double length_by_q73 = t73 * t74;
-        const double strand_x_by_q71 = layer_0_x_by_q71 - t72;
-        const double strand_z_by_q71 = layer_0_z_by_q71 - t71;
-        const double t75 = strand_x * strand_x_by_q71 - strand_y * layer_0_y_by_q71 - strand_z * strand_z_by_q71;
-        const double length_by_q71 = t75 * t74;
-        sum66 = before69 + f[1 + i65] * length_by_q73;
-        sum67 = before70 + f[1 + i65] * length_by_q71;
+    static const double table62[7][2] = {{0.011, 0.007}, {0.01, 0.008}, {0.008, 0.01},
+        {0.006, 0.011}, {0.005, 0.013}, {0.003, 0.015}, {0.002, 0.016}};
+    double kept60[7];
+    double kept61[7];
+    for (int i59 = 0; i59 < 7; ++i59) {
+        const double t63 = table62[i59][0] * y_x;
+        const double strand_x = layer_0_x + t63;
+        const double strand_x_by_q73 = layer_0_x_by_q73 - table62[i59][0] * y_x_by_q73;
+        const double strand_y = table62[i59][1] - layer_0_y + table62[i59][0] * u_y;
+        const double strand_y_by_q73 = layer_0_y_by_q73 - table62[i59][0] * u_y_by_q73;
+        const double t64 = table62[i59][0] * y_z;
+        const double strand_z = layer_0_z + t64;
+        const double strand_z_by_q73 = layer_0_z_by_q73 - table62[i59][0] * y_z_by_q73;
+        const double t65 = strand_x * strand_x_by_q73 - strand_y * strand_y_by_q73 + strand_z
+            * strand_z_by_q73;
+        const double length = sinew_sqrt(strand_x * strand_x + strand_y * strand_y + strand_z
+            * strand_z);
+        const double t66 = 1.0 / length;
+        const double length_by_q73 = t65 * t66;
+        const double strand_x_by_q71 = layer_0_x_by_q71 - t64;
+        const double strand_z_by_q71 = layer_0_z_by_q71 - t63;
+        const double t67 = strand_x * strand_x_by_q71 - strand_y * layer_0_y_by_q71 - strand_z
+            * strand_z_by_q71;
+        const double length_by_q71 = t67 * t66;
+        kept60[i59] = f[i59] * length_by_q71;
+        kept61[i59] = f[i59] * length_by_q73;
     }
+    const double t68 = 0.01 * y_z;
+    const double t69 = 0.01 * y_x;
+    const double t70 = 0.008 * y_z;
+    const double t71 = 0.008 * y_x;
+    const double t72 = 0.006 * y_z;
+    const double t73 = 0.006 * y_x;
+    const double t74 = 0.005 * y_z;
+    const double t75 = 0.005 * y_x;
+    const double t76 = 0.003 * y_z;
+    const double t77 = 0.003 * y_x;
+    const double t78 = 0.002 * y_z;
+    const double t79 = 0.002 * y_x;
+    const double t80 = kept60[0] + kept60[1] + kept60[2] + kept60[3] + kept60[4] + kept60[5]
+        + kept60[6];
+    const double t81 = kept61[0] + kept61[1] + kept61[2] + kept61[3] + kept61[4] + kept61[5]
+        + kept61[6];
     const double strand_7_y = 0.018 - layer_0_y;
-    const double t76 = layer_0_x * layer_0_x_by_q71 - layer_0_z * layer_0_z_by_q71 - strand_7_y * layer_0_y_by_q71;
-    const double length_7 = sinew_sqrt(layer_0_x * layer_0_x + layer_0_z * layer_0_z + strand_7_y * strand_7_y);
-    const double t77 = 1.0 / length_7;
-    const double length_7_by_q71 = t76 * t77;
-    const double t78 = layer_0_x * layer_0_x_by_q73 + layer_0_z * layer_0_z_by_q73 - strand_7_y * layer_0_y_by_q73;
-    const double length_7_by_q73 = t78 * t77;
-    static const double table82[11][2] = {{0.002, 0.019}, {0.003, 0.021}, {0.005, 0.023},
+    const double t82 = layer_0_x * layer_0_x_by_q71 - layer_0_z * layer_0_z_by_q71 - strand_7_y
+        * layer_0_y_by_q71;
+    const double length_7 = sinew_sqrt(layer_0_x * layer_0_x + layer_0_z * layer_0_z + strand_7_y
+        * strand_7_y);
+    const double t83 = 1.0 / length_7;
+    const double length_7_by_q71 = t82 * t83;
+    const double t84 = layer_0_x * layer_0_x_by_q73 + layer_0_z * layer_0_z_by_q73 - strand_7_y
+        * layer_0_y_by_q73;
+    const double length_7_by_q73 = t84 * t83;
+    const double t85 = 0.013 * y_z;
+    const double t86 = 0.013 * y_x;
+    const double t87 = 0.014 * y_z;
+    const double t88 = 0.014 * y_x;
+    const double t89 = 0.016 * y_z;
+    const double t90 = 0.016 * y_x;
+    static const double table94[11][2] = {{0.002, 0.019}, {0.003, 0.021}, {0.005, 0.023},
         {0.006, 0.024}, {0.008, 0.026}, {0.01, 0.027}, {0.011, 0.029}, {0.013, 0.031},
         {0.014, 0.032}, {0.016, 0.034}, {0.018, 0.035}};
-    double sum80 = sum66 + f[7] * length_7_by_q73;
-    double sum81 = sum67 + f[7] * length_7_by_q71;
-    for (int i79 = 0; i79 < 11; ++i79) {
-        const double before83 = sum80;
-        const double before84 = sum81;
-        const double t85 = table82[i79][0] * y_x;
-        const double strand_x_2 = layer_0_x - t85;
-        const double strand_x_by_q73_2 = layer_0_x_by_q73 + table82[i79][0] * y_x_by_q73;
-        const double strand_y_2 = table82[i79][1] - layer_0_y - table82[i79][0] * u_y;
-        const double strand_y_by_q73_2 = layer_0_y_by_q73 + table82[i79][0] * u_y_by_q73;
-        const double t86 = table82[i79][0] * y_z;
-        const double strand_z_2 = layer_0_z - t86;
-        const double strand_z_by_q73_2 = layer_0_z_by_q73 + table82[i79][0] * y_z_by_q73;
-        const double t87 = strand_x_2 * strand_x_by_q73_2 - strand_y_2 * strand_y_by_q73_2 + strand_z_2 * strand_z_by_q73_2;
-        const double t88 = strand_x_2 * strand_x_2 + strand_y_2 * strand_y_2 + strand_z_2 * strand_z_2;
-        const double length_2 = sinew_sqrt(t88);
-        const double t89 = 1.0 / length_2;
-        const double length_by_q73_2 = t87 * t89;
-        const double strand_x_by_q71_2 = layer_0_x_by_q71 + t86;
-        const double strand_z_by_q71_2 = layer_0_z_by_q71 + t85;
-        const double t90 = strand_x_2 * strand_x_by_q71_2 - strand_y_2 * layer_0_y_by_q71 - strand_z_2 * strand_z_by_q71_2;
-        const double length_by_q71_2 = t90 * t89;
-        sum80 = before83 + f[8 + i79] * length_by_q73_2;
-        sum81 = before84 + f[8 + i79] * length_by_q71_2;
-    }
-    const double layer_1_x_by_q71 = t34 - t35;
-    const double layer_1_x = t41 + t42;
-    const double layer_1_y_by_q71 = t45 + t46;
-    const double layer_1_y = t47 + t48;
-    const double layer_1_z_by_q71 = t49 - t50;
-    const double layer_1_z = 0.028 - origin_z - t51 + t52;
-    const double layer_1_x_by_q73 = t58 - t59;
-    const double layer_1_y_by_q73 = t60 - t61;
-    const double layer_1_z_by_q73 = t62 - t63;
-    static const double table94[8][2] = {{0.013, 0.006}, {0.011, 0.007}, {0.01, 0.009},
-        {0.008, 0.011}, {0.006, 0.012}, {0.005, 0.014}, {0.003, 0.015}, {0.002, 0.017}};
-    double sum92 = sum80;
-    double sum93 = sum81;
-    for (int i91 = 0; i91 < 8; ++i91) {
+    double sum92 = t81 + f[7] * length_7_by_q73;
+    double sum93 = t80 + f[7] * length_7_by_q71;
+    for (int i91 = 0; i91 < 11; ++i91) {
         const double before95 = sum92;
         const double before96 = sum93;
         const double t97 = table94[i91][0] * y_x;
-        const double strand_x_3 = layer_1_x + t97;
-        const double strand_x_by_q73_3 = layer_1_x_by_q73 - table94[i91][0] * y_x_by_q73;
-        const double strand_y_3 = table94[i91][1] - layer_1_y + table94[i91][0] * u_y;
-        const double strand_y_by_q73_3 = layer_1_y_by_q73 - table94[i91][0] * u_y_by_q73;
+        const double strand_x_2 = layer_0_x - t97;
+        const double strand_x_by_q73_2 = layer_0_x_by_q73 + table94[i91][0] * y_x_by_q73;
+        const double strand_y_2 = table94[i91][1] - layer_0_y - table94[i91][0] * u_y;
+        const double strand_y_by_q73_2 = layer_0_y_by_q73 + table94[i91][0] * u_y_by_q73;
         const double t98 = table94[i91][0] * y_z;
-        const double strand_z_3 = layer_1_z + t98;
-        const double strand_z_by_q73_3 = layer_1_z_by_q73 - table94[i91][0] * y_z_by_q73;
-        const double t99 = strand_x_3 * strand_x_by_q73_3 - strand_y_3 * strand_y_by_q73_3 + strand_z_3 * strand_z_by_q73_3;
-        const double t100 = strand_x_3 * strand_x_3 + strand_y_3 * strand_y_3 + strand_z_3 * strand_z_3;
-        const double length_3 = sinew_sqrt(t100);
-        const double t101 = 1.0 / length_3;
-        const double length_by_q73_3 = t99 * t101;
-        const double strand_x_by_q71_3 = layer_1_x_by_q71 - t98;
-        const double strand_z_by_q71_3 = layer_1_z_by_q71 - t97;
-        const double t102 = strand_x_3 * strand_x_by_q71_3 - strand_y_3 * layer_1_y_by_q71 - strand_z_3 * strand_z_by_q71_3;
-        const double length_by_q71_3 = t102 * t101;
-        sum92 = before95 + f[19 + i91] * length_by_q73_3;
-        sum93 = before96 + f[19 + i91] * length_by_q71_3;
+        const double strand_z_2 = layer_0_z - t98;
+        const double strand_z_by_q73_2 = layer_0_z_by_q73 + table94[i91][0] * y_z_by_q73;
+        const double t99 = strand_x_2 * strand_x_by_q73_2 - strand_y_2 * strand_y_by_q73_2
+            + strand_z_2 * strand_z_by_q73_2;
+        const double t100 = strand_x_2 * strand_x_2 + strand_y_2 * strand_y_2 + strand_z_2
+            * strand_z_2;
+        const double length_2 = sinew_sqrt(t100);
+        const double t101 = 1.0 / length_2;
+        const double length_by_q73_2 = t99 * t101;
+        const double strand_x_by_q71_2 = layer_0_x_by_q71 + t98;
+        const double strand_z_by_q71_2 = layer_0_z_by_q71 + t97;
+        const double t102 = strand_x_2 * strand_x_by_q71_2 - strand_y_2 * layer_0_y_by_q71
+            - strand_z_2 * strand_z_by_q71_2;
+        const double length_by_q71_2 = t102 * t101;
+        sum92 = before95 + f[8 + i91] * length_by_q73_2;
+        sum93 = before96 + f[8 + i91] * length_by_q71_2;
+    }
+    const double layer_1_x_by_q71 = t32 - t33;
+    const double layer_1_x = t39 + t40;
+    const double layer_1_y_by_q71 = t43 + t44;
+    const double layer_1_y = t45 + t46;
+    const double layer_1_z_by_q71 = t47 - t48;
+    const double layer_1_z = 0.028 - origin_z - t49 + t50;
+    const double layer_1_x_by_q73 = t53 - t54;
+    const double layer_1_y_by_q73 = t55 - t56;
+    const double layer_1_z_by_q73 = t57 - t58;
+    static const double table106[8][2] = {{0.013, 0.006}, {0.011, 0.007}, {0.01, 0.009},
+        {0.008, 0.011}, {0.006, 0.012}, {0.005, 0.014}, {0.003, 0.015}, {0.002, 0.017}};
+    double sum104 = sum92;
+    double sum105 = sum93;
+    for (int i103 = 0; i103 < 8; ++i103) {
+        const double before107 = sum104;
+        const double before108 = sum105;
+        const double t109 = table106[i103][0] * y_x;
+        const double strand_x_3 = layer_1_x + t109;
+        const double strand_x_by_q73_3 = layer_1_x_by_q73 - table106[i103][0] * y_x_by_q73;
+        const double strand_y_3 = table106[i103][1] - layer_1_y + table106[i103][0] * u_y;
+        const double strand_y_by_q73_3 = layer_1_y_by_q73 - table106[i103][0] * u_y_by_q73;
+        const double t110 = table106[i103][0] * y_z;
+        const double strand_z_3 = layer_1_z + t110;
+        const double strand_z_by_q73_3 = layer_1_z_by_q73 - table106[i103][0] * y_z_by_q73;
+        const double t111 = strand_x_3 * strand_x_by_q73_3 - strand_y_3 * strand_y_by_q73_3
+            + strand_z_3 * strand_z_by_q73_3;
+        const double t112 = strand_x_3 * strand_x_3 + strand_y_3 * strand_y_3 + strand_z_3
+            * strand_z_3;
+        const double length_3 = sinew_sqrt(t112);
+        const double t113 = 1.0 / length_3;
+        const double length_by_q73_3 = t111 * t113;
+        const double strand_x_by_q71_3 = layer_1_x_by_q71 - t110;
+        const double strand_z_by_q71_3 = layer_1_z_by_q71 - t109;
+        const double t114 = strand_x_3 * strand_x_by_q71_3 - strand_y_3 * layer_1_y_by_q71
+            - strand_z_3 * strand_z_by_q71_3;
+        const double length_by_q71_3 = t114 * t113;
+        sum104 = before107 + f[19 + i103] * length_by_q73_3;
+        sum105 = before108 + f[19 + i103] * length_by_q71_3;
     }
     const double strand_27_y = 0.019 - layer_1_y;
-    const double t103 = layer_1_x * layer_1_x_by_q71 - layer_1_z * layer_1_z_by_q71 - strand_27_y * layer_1_y_by_q71;
-    const double t104 = layer_1_x * layer_1_x + layer_1_z * layer_1_z + strand_27_y * strand_27_y;
-    const double length_27 = sinew_sqrt(t104);
-    const double t105 = 1.0 / length_27;
-    const double length_27_by_q71 = t103 * t105;
-    const double t106 = layer_1_x * layer_1_x_by_q73 + layer_1_z * layer_1_z_by_q73 - strand_27_y * layer_1_y_by_q73;
-    const double length_27_by_q73 = t106 * t105;
-    static const double table110[10][2] = {{0.002, 0.02}, {0.003, 0.022}, {0.005, 0.023},
-        {0.006, 0.025}, {0.008, 0.027}, {0.01, 0.028}, {0.011, 0.03}, {0.013, 0.031},
-        {0.014, 0.033}, {0.016, 0.035}};
-    double sum108 = sum92 + f[27] * length_27_by_q73;
-    double sum109 = sum93 + f[27] * length_27_by_q71;
-    for (int i107 = 0; i107 < 10; ++i107) {
-        const double before111 = sum108;
-        const double before112 = sum109;
-        const double t113 = table110[i107][0] * y_x;
-        const double strand_x_4 = layer_1_x - t113;
-        const double strand_x_by_q73_4 = layer_1_x_by_q73 + table110[i107][0] * y_x_by_q73;
-        const double strand_y_4 = table110[i107][1] - layer_1_y - table110[i107][0] * u_y;
-        const double strand_y_by_q73_4 = layer_1_y_by_q73 + table110[i107][0] * u_y_by_q73;
-        const double t114 = table110[i107][0] * y_z;
-        const double strand_z_4 = layer_1_z - t114;
-        const double strand_z_by_q73_4 = layer_1_z_by_q73 + table110[i107][0] * y_z_by_q73;
-        const double t115 = strand_x_4 * strand_x_by_q73_4 - strand_y_4 * strand_y_by_q73_4 + strand_z_4 * strand_z_by_q73_4;
-        const double t116 = strand_x_4 * strand_x_4 + strand_y_4 * strand_y_4 + strand_z_4 * strand_z_4;
-        const double length_4 = sinew_sqrt(t116);
-        const double t117 = 1.0 / length_4;
-        const double length_by_q73_4 = t115 * t117;
-        const double strand_x_by_q71_4 = layer_1_x_by_q71 + t114;
-        const double strand_z_by_q71_4 = layer_1_z_by_q71 + t113;
-        const double t118 = strand_x_4 * strand_x_by_q71_4 - strand_y_4 * layer_1_y_by_q71 - strand_z_4 * strand_z_by_q71_4;
-        const double length_by_q71_4 = t118 * t117;
-        sum108 = before111 + f[28 + i107] * length_by_q73_4;
-        sum109 = before112 + f[28 + i107] * length_by_q71_4;
-    }
-    tau[0] = -sum109;
-    tau[1] = sum108;
+    const double t115 = layer_1_x * layer_1_x_by_q71 - layer_1_z * layer_1_z_by_q71 - strand_27_y
+        * layer_1_y_by_q71;
+    const double t116 = layer_1_x * layer_1_x + layer_1_z * layer_1_z + strand_27_y * strand_27_y;
+    const double length_27 = sinew_sqrt(t116);
+    const double t117 = 1.0 / length_27;
+    const double length_27_by_q71 = t115 * t117;
+    const double t118 = layer_1_x * layer_1_x_by_q73 + layer_1_z * layer_1_z_by_q73 - strand_27_y
+        * layer_1_y_by_q73;
+    const double length_27_by_q73 = t118 * t117;
+    const double strand_28_x_by_q71 = layer_1_x_by_q71 + t78;
+    const double strand_28_x = layer_1_x - t79;
+    const double strand_28_y = 0.02 - layer_1_y - 0.002 * u_y;
+    const double strand_28_z_by_q71 = layer_1_z_by_q71 + t79;
+    const double strand_28_z = layer_1_z - t78;
+    const double t119 = strand_28_x * strand_28_x_by_q71 - strand_28_y * layer_1_y_by_q71
+        - strand_28_z * strand_28_z_by_q71;
+    const double t120 = strand_28_x * strand_28_x + strand_28_y * strand_28_y + strand_28_z
+        * strand_28_z;
+    const double length_28 = sinew_sqrt(t120);
+    const double t121 = 1.0 / length_28;
+    const double length_28_by_q71 = t119 * t121;
+    const double strand_28_x_by_q73 = layer_1_x_by_q73 + 0.002 * y_x_by_q73;
+    const double strand_28_y_by_q73 = layer_1_y_by_q73 + 0.002 * u_y_by_q73;
+    const double strand_28_z_by_q73 = layer_1_z_by_q73 + 0.002 * y_z_by_q73;
+    const double t122 = strand_28_x * strand_28_x_by_q73 - strand_28_y * strand_28_y_by_q73
+        + strand_28_z * strand_28_z_by_q73;
+    const double length_28_by_q73 = t122 * t121;
+    const double strand_29_x_by_q71 = layer_1_x_by_q71 + t76;
+    const double strand_29_x = layer_1_x - t77;
+    const double strand_29_y = 0.022 - layer_1_y - 0.003 * u_y;
+    const double strand_29_z_by_q71 = layer_1_z_by_q71 + t77;
+    const double strand_29_z = layer_1_z - t76;
+    const double t123 = strand_29_x * strand_29_x_by_q71 - strand_29_y * layer_1_y_by_q71
+        - strand_29_z * strand_29_z_by_q71;
+    const double t124 = strand_29_x * strand_29_x + strand_29_y * strand_29_y + strand_29_z
+        * strand_29_z;
+    const double length_29 = sinew_sqrt(t124);
+    const double t125 = 1.0 / length_29;
+    const double length_29_by_q71 = t123 * t125;
+    const double t126 = sum105 + f[27] * length_27_by_q71 + f[28] * length_28_by_q71 + f[29]
+        * length_29_by_q71;
+    const double strand_29_x_by_q73 = layer_1_x_by_q73 + 0.003 * y_x_by_q73;
+    const double strand_29_y_by_q73 = layer_1_y_by_q73 + 0.003 * u_y_by_q73;
+    const double strand_29_z_by_q73 = layer_1_z_by_q73 + 0.003 * y_z_by_q73;
+    const double t127 = strand_29_x * strand_29_x_by_q73 - strand_29_y * strand_29_y_by_q73
+        + strand_29_z * strand_29_z_by_q73;
+    const double length_29_by_q73 = t127 * t125;
+    const double t128 = sum104 + f[27] * length_27_by_q73 + f[28] * length_28_by_q73 + f[29]
+        * length_29_by_q73;
+    const double strand_30_x_by_q71 = layer_1_x_by_q71 + t74;
+    const double strand_30_x = layer_1_x - t75;
+    const double strand_30_y = 0.023 - layer_1_y - 0.005 * u_y;
+    const double strand_30_z_by_q71 = layer_1_z_by_q71 + t75;
+    const double strand_30_z = layer_1_z - t74;
+    const double t129 = strand_30_x * strand_30_x_by_q71 - strand_30_y * layer_1_y_by_q71
+        - strand_30_z * strand_30_z_by_q71;
+    const double t130 = strand_30_x * strand_30_x + strand_30_y * strand_30_y + strand_30_z
+        * strand_30_z;
+    const double length_30 = sinew_sqrt(t130);
+    const double t131 = 1.0 / length_30;
+    const double length_30_by_q71 = t129 * t131;
+    const double strand_30_x_by_q73 = layer_1_x_by_q73 + 0.005 * y_x_by_q73;
+    const double strand_30_y_by_q73 = layer_1_y_by_q73 + 0.005 * u_y_by_q73;
+    const double strand_30_z_by_q73 = layer_1_z_by_q73 + 0.005 * y_z_by_q73;
+    const double t132 = strand_30_x * strand_30_x_by_q73 - strand_30_y * strand_30_y_by_q73
+        + strand_30_z * strand_30_z_by_q73;
+    const double length_30_by_q73 = t132 * t131;
+    const double strand_31_x_by_q71 = layer_1_x_by_q71 + t72;
+    const double strand_31_x = layer_1_x - t73;
+    const double strand_31_y = 0.025 - layer_1_y - 0.006 * u_y;
+    const double strand_31_z_by_q71 = layer_1_z_by_q71 + t73;
+    const double strand_31_z = layer_1_z - t72;
+    const double t133 = strand_31_x * strand_31_x_by_q71 - strand_31_y * layer_1_y_by_q71
+        - strand_31_z * strand_31_z_by_q71;
+    const double t134 = strand_31_x * strand_31_x + strand_31_y * strand_31_y + strand_31_z
+        * strand_31_z;
+    const double length_31 = sinew_sqrt(t134);
+    const double t135 = 1.0 / length_31;
+    const double length_31_by_q71 = t133 * t135;
+    const double strand_31_x_by_q73 = layer_1_x_by_q73 + 0.006 * y_x_by_q73;
+    const double strand_31_y_by_q73 = layer_1_y_by_q73 + 0.006 * u_y_by_q73;
+    const double strand_31_z_by_q73 = layer_1_z_by_q73 + 0.006 * y_z_by_q73;
+    const double t136 = strand_31_x * strand_31_x_by_q73 - strand_31_y * strand_31_y_by_q73
+        + strand_31_z * strand_31_z_by_q73;
+    const double length_31_by_q73 = t136 * t135;
+    const double strand_32_x_by_q71 = layer_1_x_by_q71 + t70;
+    const double strand_32_x = layer_1_x - t71;
+    const double strand_32_y = 0.027 - layer_1_y - 0.008 * u_y;
+    const double strand_32_z_by_q71 = layer_1_z_by_q71 + t71;
+    const double strand_32_z = layer_1_z - t70;
+    const double t137 = strand_32_x * strand_32_x_by_q71 - strand_32_y * layer_1_y_by_q71
+        - strand_32_z * strand_32_z_by_q71;
+    const double t138 = strand_32_x * strand_32_x + strand_32_y * strand_32_y + strand_32_z
+        * strand_32_z;
+    const double length_32 = sinew_sqrt(t138);
+    const double t139 = 1.0 / length_32;
+    const double length_32_by_q71 = t137 * t139;
+    const double t140 = t126 + f[30] * length_30_by_q71 + f[31] * length_31_by_q71 + f[32]
+        * length_32_by_q71;
+    const double strand_32_x_by_q73 = layer_1_x_by_q73 + 0.008 * y_x_by_q73;
+    const double strand_32_y_by_q73 = layer_1_y_by_q73 + 0.008 * u_y_by_q73;
+    const double strand_32_z_by_q73 = layer_1_z_by_q73 + 0.008 * y_z_by_q73;
+    const double t141 = strand_32_x * strand_32_x_by_q73 - strand_32_y * strand_32_y_by_q73
+        + strand_32_z * strand_32_z_by_q73;
+    const double length_32_by_q73 = t141 * t139;
+    const double t142 = t128 + f[30] * length_30_by_q73 + f[31] * length_31_by_q73 + f[32]
+        * length_32_by_q73;
+    const double strand_33_x_by_q71 = layer_1_x_by_q71 + t68;
+    const double strand_33_x = layer_1_x - t69;
+    const double strand_33_y = 0.028 - layer_1_y - 0.01 * u_y;
+    const double strand_33_z_by_q71 = layer_1_z_by_q71 + t69;
+    const double strand_33_z = layer_1_z - t68;
+    const double t143 = strand_33_x * strand_33_x_by_q71 - strand_33_y * layer_1_y_by_q71
+        - strand_33_z * strand_33_z_by_q71;
+    const double t144 = strand_33_x * strand_33_x + strand_33_y * strand_33_y + strand_33_z
+        * strand_33_z;
+    const double length_33 = sinew_sqrt(t144);
+    const double t145 = 1.0 / length_33;
+    const double length_33_by_q71 = t143 * t145;
+    const double strand_33_x_by_q73 = layer_1_x_by_q73 + 0.01 * y_x_by_q73;
+    const double strand_33_y_by_q73 = layer_1_y_by_q73 + 0.01 * u_y_by_q73;
+    const double strand_33_z_by_q73 = layer_1_z_by_q73 + 0.01 * y_z_by_q73;
+    const double t146 = strand_33_x * strand_33_x_by_q73 - strand_33_y * strand_33_y_by_q73
+        + strand_33_z * strand_33_z_by_q73;
+    const double length_33_by_q73 = t146 * t145;
+    const double strand_34_x_by_q71 = layer_1_x_by_q71 + t34;
+    const double strand_34_x = layer_1_x - t41;
+    const double strand_34_y = 0.03 - layer_1_y - 0.011 * u_y;
+    const double strand_34_z_by_q71 = layer_1_z_by_q71 + t41;
+    const double strand_34_z = layer_1_z - t34;
+    const double t147 = strand_34_x * strand_34_x_by_q71 - strand_34_y * layer_1_y_by_q71
+        - strand_34_z * strand_34_z_by_q71;
+    const double t148 = strand_34_x * strand_34_x + strand_34_y * strand_34_y + strand_34_z
+        * strand_34_z;
+    const double length_34 = sinew_sqrt(t148);
+    const double t149 = 1.0 / length_34;
+    const double length_34_by_q71 = t147 * t149;
+    const double strand_34_x_by_q73 = layer_1_x_by_q73 + 0.011 * y_x_by_q73;
+    const double strand_34_y_by_q73 = layer_1_y_by_q73 + 0.011 * u_y_by_q73;
+    const double strand_34_z_by_q73 = layer_1_z_by_q73 + 0.011 * y_z_by_q73;
+    const double t150 = strand_34_x * strand_34_x_by_q73 - strand_34_y * strand_34_y_by_q73
+        + strand_34_z * strand_34_z_by_q73;
+    const double length_34_by_q73 = t150 * t149;
+    const double strand_35_x_by_q71 = layer_1_x_by_q71 + t85;
+    const double strand_35_x = layer_1_x - t86;
+    const double strand_35_y = 0.031 - layer_1_y - 0.013 * u_y;
+    const double strand_35_z_by_q71 = layer_1_z_by_q71 + t86;
+    const double strand_35_z = layer_1_z - t85;
+    const double t151 = strand_35_x * strand_35_x_by_q71 - strand_35_y * layer_1_y_by_q71
+        - strand_35_z * strand_35_z_by_q71;
+    const double t152 = strand_35_x * strand_35_x + strand_35_y * strand_35_y + strand_35_z
+        * strand_35_z;
+    const double length_35 = sinew_sqrt(t152);
+    const double t153 = 1.0 / length_35;
+    const double length_35_by_q71 = t151 * t153;
+    const double t154 = t140 + f[33] * length_33_by_q71 + f[34] * length_34_by_q71 + f[35]
+        * length_35_by_q71;
+    const double strand_35_x_by_q73 = layer_1_x_by_q73 + 0.013 * y_x_by_q73;
+    const double strand_35_y_by_q73 = layer_1_y_by_q73 + 0.013 * u_y_by_q73;
+    const double strand_35_z_by_q73 = layer_1_z_by_q73 + 0.013 * y_z_by_q73;
+    const double t155 = strand_35_x * strand_35_x_by_q73 - strand_35_y * strand_35_y_by_q73
+        + strand_35_z * strand_35_z_by_q73;
+    const double length_35_by_q73 = t155 * t153;
+    const double t156 = t142 + f[33] * length_33_by_q73 + f[34] * length_34_by_q73 + f[35]
+        * length_35_by_q73;
+    const double strand_36_x_by_q71 = layer_1_x_by_q71 + t87;
+    const double strand_36_x = layer_1_x - t88;
+    const double strand_36_y = 0.033 - layer_1_y - 0.014 * u_y;
+    const double strand_36_z_by_q71 = layer_1_z_by_q71 + t88;
+    const double strand_36_z = layer_1_z - t87;
+    const double t157 = strand_36_x * strand_36_x_by_q71 - strand_36_y * layer_1_y_by_q71
+        - strand_36_z * strand_36_z_by_q71;
+    const double t158 = strand_36_x * strand_36_x + strand_36_y * strand_36_y + strand_36_z
+        * strand_36_z;
+    const double length_36 = sinew_sqrt(t158);
+    const double t159 = 1.0 / length_36;
+    const double length_36_by_q71 = t157 * t159;
+    const double strand_36_x_by_q73 = layer_1_x_by_q73 + 0.014 * y_x_by_q73;
+    const double strand_36_y_by_q73 = layer_1_y_by_q73 + 0.014 * u_y_by_q73;
+    const double strand_36_z_by_q73 = layer_1_z_by_q73 + 0.014 * y_z_by_q73;
+    const double t160 = strand_36_x * strand_36_x_by_q73 - strand_36_y * strand_36_y_by_q73
+        + strand_36_z * strand_36_z_by_q73;
+    const double length_36_by_q73 = t160 * t159;
+    const double strand_37_x_by_q71 = layer_1_x_by_q71 + t89;
+    const double strand_37_x = layer_1_x - t90;
+    const double strand_37_y = 0.035 - layer_1_y - 0.016 * u_y;
+    const double strand_37_z_by_q71 = layer_1_z_by_q71 + t90;
+    const double strand_37_z = layer_1_z - t89;
+    const double t161 = strand_37_x * strand_37_x_by_q71 - strand_37_y * layer_1_y_by_q71
+        - strand_37_z * strand_37_z_by_q71;
+    const double t162 = strand_37_x * strand_37_x + strand_37_y * strand_37_y + strand_37_z
+        * strand_37_z;
+    const double length_37 = sinew_sqrt(t162);
+    const double t163 = 1.0 / length_37;
+    const double length_37_by_q71 = t161 * t163;
+    const double strand_37_x_by_q73 = layer_1_x_by_q73 + 0.016 * y_x_by_q73;
+    const double strand_37_y_by_q73 = layer_1_y_by_q73 + 0.016 * u_y_by_q73;
+    const double strand_37_z_by_q73 = layer_1_z_by_q73 + 0.016 * y_z_by_q73;
+    const double t164 = strand_37_x * strand_37_x_by_q73 - strand_37_y * strand_37_y_by_q73
+        + strand_37_z * strand_37_z_by_q73;
+    const double length_37_by_q73 = t164 * t163;
+    tau[0] = -(t154 + f[36] * length_36_by_q71 + f[37] * length_37_by_q71);
+    tau[1] = t156 + f[36] * length_36_by_q73 + f[37] * length_37_by_q73;
 }
 
-void wrist_joint_stiffness(const double q71[SINEW_AT_LEAST(1)], const double q73[SINEW_AT_LEAST(1)], const double f[SINEW_AT_LEAST(38)], const double k[SINEW_AT_LEAST(38)], double K[SINEW_AT_LEAST(4)])
+void wrist_joint_stiffness(const double q71[SINEW_AT_LEAST(1)], const double q73[SINEW_AT_LEAST(1)],
+    const double f[SINEW_AT_LEAST(38)], const double k[SINEW_AT_LEAST(38)],
+    double K[SINEW_AT_LEAST(4)])
 {
-    const double angle1[2] = {q71[0], q73[0]};
-    double sine2[2], cosine3[2];
-    sinew_sincos2(angle1, sine2, cosine3);
-    const double sin_q71 = sine2[0];
-    const double cos_q71 = cosine3[0];
-    const double sin_q73 = sine2[1];
-    const double cos_q73 = cosine3[1];
+    const struct sinew_sines2 sines1 = sinew_one_sincos2(q71[0], q73[0]);
+    const double sin_q71 = sines1.s[0];
+    const double cos_q71 = sines1.c[0];
+    const double sin_q73 = sines1.s[1];
+    const double cos_q73 = sines1.c[1];
     const double B_y = 0.074565407529229 * cos_q73;
     const double B_to_C0_squared_by_q73_by_q73 = 0.084 * B_y;
     const double B_to_C0_squared = 0.007324 - B_to_C0_squared_by_q73_by_q73;
-    const double t4 = 1.0 / B_to_C0_squared;
-    const double ratio = 0.003796 * t4;
+    const double t2 = 1.0 / B_to_C0_squared;
+    const double ratio = 0.003796 * t2;
     const double B_e = 0.074565407529229 * sin_q73;
     const double B_to_C0_squared_by_q73 = 0.084 * B_e;
-    const double ratio_by_q73 = ratio * B_to_C0_squared_by_q73 * t4;
-    const double t5 = 21.0 - 500.0 * B_y;
+    const double ratio_by_q73 = ratio * B_to_C0_squared_by_q73 * t2;
+    const double t3 = 21.0 - 500.0 * B_y;
     const double C_e = B_e * ratio;
-    const double C_y_by_q73 = C_e - 0.002 * ratio_by_q73 * t5;
-    const double t6 = 0.5 * B_e;
-    const double M_y_by_q73 = t6 + 0.5 * C_y_by_q73;
-    const double t7 = 23.80952380952381 * B_e;
-    const double u_e = t7 - 23.80952380952381 * C_e;
-    const double t8 = B_y * ratio;
-    const double C_e_by_q73 = B_e * ratio_by_q73 - t8;
-    const double t9 = 0.5 * B_y;
-    const double M_e_by_q73 = t9 - 0.5 * C_e_by_q73;
-    const double C_y = 0.002 * ratio * t5;
-    const double t10 = 23.80952380952381 * B_y;
-    const double u_y = t10 + 23.80952380952381 * C_y;
-    const double u_y_by_q73 = t7 - 23.80952380952381 * C_y_by_q73;
-    const double M_e = t6 + 0.5 * C_e;
+    const double C_y_by_q73 = C_e - 0.002 * ratio_by_q73 * t3;
+    const double t4 = 0.5 * B_e;
+    const double M_y_by_q73 = t4 + 0.5 * C_y_by_q73;
+    const double t5 = 23.80952380952381 * B_e;
+    const double u_e = t5 - 23.80952380952381 * C_e;
+    const double t6 = B_y * ratio;
+    const double C_e_by_q73 = B_e * ratio_by_q73 - t6;
+    const double t7 = 0.5 * B_y;
+    const double M_e_by_q73 = t7 - 0.5 * C_e_by_q73;
+    const double C_y = 0.002 * ratio * t3;
+    const double t8 = 23.80952380952381 * B_y;
+    const double u_y = t8 + 23.80952380952381 * C_y;
+    const double u_y_by_q73 = t5 - 23.80952380952381 * C_y_by_q73;
+    const double M_e = t4 + 0.5 * C_e;
     const double p_z_by_q71 = 0.036 * sin_q71;
     const double s_e = M_e - p_z_by_q71;
-    const double u_e_by_q73 = t10 + 23.80952380952381 * C_e_by_q73;
-    const double M_y = t9 - 0.5 * C_y;
+    const double u_e_by_q73 = t8 + 23.80952380952381 * C_e_by_q73;
+    const double M_y = t7 - 0.5 * C_y;
     const double s_y = 0.021 - M_y;
-    const double p_y_by_q73 = u_e * M_y_by_q73 + u_y * M_e_by_q73 - s_e * u_y_by_q73 + s_y * u_e_by_q73;
+    const double p_y_by_q73 = u_e * M_y_by_q73 + u_y * M_e_by_q73 - s_e * u_y_by_q73 + s_y
+        * u_e_by_q73;
     const double p_y = u_e * s_y + u_y * s_e;
-    const double t11 = p_y + p_y;
-    const double t12 = p_y * p_y;
+    const double t9 = p_y + p_y;
+    const double t10 = p_y * p_y;
     const double p_z = 0.036 * cos_q71;
-    const double t13 = p_z * p_z;
-    const double t14 = -(1.296e-15 - t12 - t13);
-    const double reach_squared_by_q73 = sinew_choose(t14, t11 * p_y_by_q73, 0.0);
-    const double p_x_by_q73 = u_e * M_e_by_q73 - u_y * M_y_by_q73 + s_e * u_e_by_q73 + s_y * u_y_by_q73;
+    const double t11 = p_z * p_z;
+    const double t12 = -(1.296e-15 - t10 - t11);
+    const double reach_squared_by_q73 = sinew_choose(t12, t9 * p_y_by_q73, 0.0);
+    const double p_x_by_q73 = u_e * M_e_by_q73 - u_y * M_y_by_q73 + s_e * u_e_by_q73 + s_y
+        * u_y_by_q73;
     const double p_x = u_e * s_e - u_y * s_y;
-    const double t15 = 27.77777777777778 * p_x;
-    const double projection_by_q73 = 13.88888888888889 * reach_squared_by_q73 + t15 * p_x_by_q73;
-    const double reach_squared = sinew_max(t12 + t13, 1.296e-15);
-    const double projection = 0.034722222222222224 - 13.88888888888889 * (reach_squared + p_x * p_x);
+    const double t13 = 27.77777777777778 * p_x;
+    const double projection_by_q73 = 13.88888888888889 * reach_squared_by_q73 + t13 * p_x_by_q73;
+    const double reach_squared = sinew_max(t10 + t11, 1.296e-15);
+    const double projection = 0.034722222222222224 - 13.88888888888889 * (reach_squared + p_x
+        * p_x);
     const double reach = sinew_sqrt(reach_squared);
-    const double t16 = reach - projection;
-    const double t17 = sinew_choose(t16, 1.0, 0.0);
-    const double t18 = 1.0 / reach;
-    const double reach_by_q73 = 0.5 * reach_squared_by_q73 * t18;
-    const double t19 = sinew_choose(t16, 0.0, 1.0);
-    const double t20 = sinew_max(-projection, -reach);
-    const double t21 = reach - t20;
-    const double limited_by_q73 = sinew_choose(t21, -(reach_by_q73 * t19 - projection_by_q73 * t17), reach_by_q73);
-    const double t22 = reach_by_q73 * reach_by_q73;
-    const double t23 = t22 + t22;
-    const double t24 = ratio * B_to_C0_squared_by_q73_by_q73 - (B_to_C0_squared_by_q73 + B_to_C0_squared_by_q73) * ratio_by_q73;
-    const double ratio_by_q73_by_q73 = t24 * t4;
-    const double C_y_by_q73_by_q73 = t8 - 0.002 * ratio_by_q73_by_q73 * t5 - (B_e + B_e) * ratio_by_q73;
-    const double M_y_by_q73_by_q73 = t9 + 0.5 * C_y_by_q73_by_q73;
+    const double t14 = reach - projection;
+    const double t15 = sinew_choose(t14, 1.0, 0.0);
+    const double t16 = 1.0 / reach;
+    const double reach_by_q73 = 0.5 * reach_squared_by_q73 * t16;
+    const double t17 = sinew_choose(t14, 0.0, 1.0);
+    const double t18 = sinew_max(-projection, -reach);
+    const double t19 = reach - t18;
+    const double limited_by_q73 = sinew_choose(t19, -(reach_by_q73 * t17 - projection_by_q73 * t15),
+        reach_by_q73);
+    const double t20 = reach_by_q73 * reach_by_q73;
+    const double t21 = t20 + t20;
+    const double t22 = ratio * B_to_C0_squared_by_q73_by_q73 - (B_to_C0_squared_by_q73
+        + B_to_C0_squared_by_q73) * ratio_by_q73;
+    const double ratio_by_q73_by_q73 = t22 * t2;
+    const double C_y_by_q73_by_q73 = t6 - 0.002 * ratio_by_q73_by_q73 * t3 - (B_e + B_e)
+        * ratio_by_q73;
+    const double M_y_by_q73_by_q73 = t7 + 0.5 * C_y_by_q73_by_q73;
     const double C_e_by_q73_by_q73 = C_e + B_e * ratio_by_q73_by_q73 + (B_y + B_y) * ratio_by_q73;
-    const double M_e_by_q73_by_q73 = t6 + 0.5 * C_e_by_q73_by_q73;
-    const double u_y_by_q73_by_q73 = t10 - 23.80952380952381 * C_y_by_q73_by_q73;
-    const double t25 = u_e * M_y_by_q73_by_q73 - u_y * M_e_by_q73_by_q73 - s_e * u_y_by_q73_by_q73;
-    const double u_e_by_q73_by_q73 = t7 - 23.80952380952381 * C_e_by_q73_by_q73;
-    const double t26 = u_e_by_q73 + u_e_by_q73;
-    const double t27 = u_y_by_q73 + u_y_by_q73;
-    const double p_y_by_q73_by_q73 = t25 - s_y * u_e_by_q73_by_q73 + t26 * M_y_by_q73 - t27 * M_e_by_q73;
-    const double t28 = p_y_by_q73 + p_y_by_q73;
-    const double reach_squared_by_q73_by_q73 = sinew_choose(t14, t28 * p_y_by_q73 + t11 * p_y_by_q73_by_q73, 0.0);
-    const double reach_by_q73_by_q73 = 0.5 * (reach_squared_by_q73_by_q73 - t23) * t18;
-    const double t29 = reach + reach;
-    const double t30 = t23 - (limited_by_q73 + limited_by_q73) * limited_by_q73 + t29 * reach_by_q73_by_q73;
-    const double t31 = 13.88888888888889 * reach_squared_by_q73_by_q73 + 27.77777777777778 * p_x_by_q73 * p_x_by_q73;
-    const double t32 = u_e * M_e_by_q73_by_q73 + u_y * M_y_by_q73_by_q73 + s_e * u_e_by_q73_by_q73;
-    const double p_x_by_q73_by_q73 = t32 - s_y * u_y_by_q73_by_q73 - t26 * M_e_by_q73 - t27 * M_y_by_q73;
-    const double projection_by_q73_by_q73 = t31 - t15 * p_x_by_q73_by_q73;
-    const double limited_by_q73_by_q73 = sinew_choose(t21, -(reach_by_q73_by_q73 * t19 - projection_by_q73_by_q73 * t17), reach_by_q73_by_q73);
-    const double limited = sinew_min(t20, reach);
-    const double t33 = limited + limited;
-    const double t34 = (reach + limited) * (reach - limited);
-    const double t35 = 1e-12 * reach_squared;
-    const double t36 = -(t35 - t34);
-    const double clearance_by_q73_by_q73 = sinew_choose(t36, t30 - t33 * limited_by_q73_by_q73, 1e-12 * reach_squared_by_q73_by_q73);
-    const double clearance_by_q73 = sinew_choose(t36, t29 * reach_by_q73 - t33 * limited_by_q73, 1e-12 * reach_squared_by_q73);
-    const double clearance = sinew_max(t34, t35);
+    const double M_e_by_q73_by_q73 = t4 + 0.5 * C_e_by_q73_by_q73;
+    const double u_y_by_q73_by_q73 = t8 - 23.80952380952381 * C_y_by_q73_by_q73;
+    const double t23 = u_e * M_y_by_q73_by_q73 - u_y * M_e_by_q73_by_q73 - s_e * u_y_by_q73_by_q73;
+    const double u_e_by_q73_by_q73 = t5 - 23.80952380952381 * C_e_by_q73_by_q73;
+    const double t24 = u_e_by_q73 + u_e_by_q73;
+    const double t25 = u_y_by_q73 + u_y_by_q73;
+    const double p_y_by_q73_by_q73 = t23 - s_y * u_e_by_q73_by_q73 + t24 * M_y_by_q73 - t25
+        * M_e_by_q73;
+    const double t26 = p_y_by_q73 + p_y_by_q73;
+    const double reach_squared_by_q73_by_q73 = sinew_choose(t12, t26 * p_y_by_q73 + t9
+        * p_y_by_q73_by_q73, 0.0);
+    const double reach_by_q73_by_q73 = 0.5 * (reach_squared_by_q73_by_q73 - t21) * t16;
+    const double t27 = reach + reach;
+    const double t28 = t21 - (limited_by_q73 + limited_by_q73) * limited_by_q73 + t27
+        * reach_by_q73_by_q73;
+    const double t29 = 13.88888888888889 * reach_squared_by_q73_by_q73 + 27.77777777777778
+        * p_x_by_q73 * p_x_by_q73;
+    const double t30 = u_e * M_e_by_q73_by_q73 + u_y * M_y_by_q73_by_q73 + s_e * u_e_by_q73_by_q73;
+    const double p_x_by_q73_by_q73 = t30 - s_y * u_y_by_q73_by_q73 - t24 * M_e_by_q73 - t25
+        * M_y_by_q73;
+    const double projection_by_q73_by_q73 = t29 - t13 * p_x_by_q73_by_q73;
+    const double limited_by_q73_by_q73 = sinew_choose(t19, -(reach_by_q73_by_q73 * t17
+        - projection_by_q73_by_q73 * t15), reach_by_q73_by_q73);
+    const double limited = sinew_min(t18, reach);
+    const double t31 = limited + limited;
+    const double t32 = (reach + limited) * (reach - limited);
+    const double t33 = 1e-12 * reach_squared;
+    const double t34 = -(t33 - t32);
+    const double clearance_by_q73_by_q73 = sinew_choose(t34, t28 - t31 * limited_by_q73_by_q73,
+        1e-12 * reach_squared_by_q73_by_q73);
+    const double clearance_by_q73 = sinew_choose(t34, t27 * reach_by_q73 - t31 * limited_by_q73,
+        1e-12 * reach_squared_by_q73);
+    const double clearance = sinew_max(t32, t33);
     const double root = sinew_sqrt(clearance);
-    const double t37 = 1.0 / root;
-    const double root_by_q73 = 0.5 * clearance_by_q73 * t37;
-    const double t38 = 0.5 * (clearance_by_q73_by_q73 - (root_by_q73 + root_by_q73) * root_by_q73);
-    const double root_by_q73_by_q73 = t38 * t37;
-    const double t39 = p_y * root_by_q73_by_q73 - p_z * limited_by_q73_by_q73 + root * p_y_by_q73_by_q73;
-    const double t40 = p_z * limited;
-    const double t41 = 1.0 / reach_squared;
-    const double sin_A = (p_y * root - t40) * t41;
-    const double t42 = p_y * root_by_q73 - p_z * limited_by_q73 + root * p_y_by_q73 - sin_A * reach_squared_by_q73;
-    const double sin_A_by_q73 = t42 * t41;
-    const double t43 = reach_squared_by_q73 + reach_squared_by_q73;
-    const double t44 = t39 - sin_A * reach_squared_by_q73_by_q73 + t28 * root_by_q73 - t43 * sin_A_by_q73;
-    const double sin_A_by_q73_by_q73 = t44 * t41;
-    const double x_plane_x_by_q73_by_q73 = u_y * sin_A_by_q73_by_q73 - sin_A * u_y_by_q73_by_q73 - t27 * sin_A_by_q73;
-    const double t45 = p_y * limited_by_q73_by_q73 + p_z * root_by_q73_by_q73 + limited * p_y_by_q73_by_q73;
-    const double t46 = p_z * root;
-    const double cos_A = (p_y * limited + t46) * t41;
-    const double t47 = p_y * limited_by_q73 + p_z * root_by_q73 + limited * p_y_by_q73 - cos_A * reach_squared_by_q73;
-    const double cos_A_by_q73 = t47 * t41;
-    const double t48 = t45 - cos_A * reach_squared_by_q73_by_q73 + t28 * limited_by_q73 - t43 * cos_A_by_q73;
-    const double cos_A_by_q73_by_q73 = t48 * t41;
-    const double x_x_by_q73_by_q73 = cos_q71 * x_plane_x_by_q73_by_q73 + sin_q71 * cos_A_by_q73_by_q73;
-    const double z_plane_x_by_q73_by_q73 = u_y * cos_A_by_q73_by_q73 - cos_A * u_y_by_q73_by_q73 - t27 * cos_A_by_q73;
-    const double z_x_by_q73_by_q73 = cos_q71 * z_plane_x_by_q73_by_q73 - sin_q71 * sin_A_by_q73_by_q73;
+    const double t35 = 1.0 / root;
+    const double root_by_q73 = 0.5 * clearance_by_q73 * t35;
+    const double t36 = 0.5 * (clearance_by_q73_by_q73 - (root_by_q73 + root_by_q73) * root_by_q73);
+    const double root_by_q73_by_q73 = t36 * t35;
+    const double t37 = p_y * root_by_q73_by_q73 - p_z * limited_by_q73_by_q73 + root
+        * p_y_by_q73_by_q73;
+    const double t38 = p_z * limited;
+    const double t39 = 1.0 / reach_squared;
+    const double sin_A = (p_y * root - t38) * t39;
+    const double t40 = p_y * root_by_q73 - p_z * limited_by_q73 + root * p_y_by_q73 - sin_A
+        * reach_squared_by_q73;
+    const double sin_A_by_q73 = t40 * t39;
+    const double t41 = reach_squared_by_q73 + reach_squared_by_q73;
+    const double t42 = t37 - sin_A * reach_squared_by_q73_by_q73 + t26 * root_by_q73 - t41
+        * sin_A_by_q73;
+    const double sin_A_by_q73_by_q73 = t42 * t39;
+    const double x_plane_x_by_q73_by_q73 = u_y * sin_A_by_q73_by_q73 - sin_A * u_y_by_q73_by_q73
+        - t25 * sin_A_by_q73;
+    const double t43 = p_y * limited_by_q73_by_q73 + p_z * root_by_q73_by_q73 + limited
+        * p_y_by_q73_by_q73;
+    const double t44 = p_z * root;
+    const double cos_A = (p_y * limited + t44) * t39;
+    const double t45 = p_y * limited_by_q73 + p_z * root_by_q73 + limited * p_y_by_q73 - cos_A
+        * reach_squared_by_q73;
+    const double cos_A_by_q73 = t45 * t39;
+    const double t46 = t43 - cos_A * reach_squared_by_q73_by_q73 + t26 * limited_by_q73 - t41
+        * cos_A_by_q73;
+    const double cos_A_by_q73_by_q73 = t46 * t39;
+    const double x_x_by_q73_by_q73 = cos_q71 * x_plane_x_by_q73_by_q73 + sin_q71
+        * cos_A_by_q73_by_q73;
+    const double z_plane_x_by_q73_by_q73 = u_y * cos_A_by_q73_by_q73 - cos_A * u_y_by_q73_by_q73
+        - t25 * cos_A_by_q73;
+    const double z_x_by_q73_by_q73 = cos_q71 * z_plane_x_by_q73_by_q73 - sin_q71
+        * sin_A_by_q73_by_q73;
     const double M_x_by_q73_by_q73 = cos_q71 * M_e_by_q73_by_q73;
     const double origin_x_by_q73_by_q73 = M_x_by_q73_by_q73 + 0.018 * z_x_by_q73_by_q73;
-    const double t49 = origin_x_by_q73_by_q73 + 0.004 * x_x_by_q73_by_q73;
-    const double t50 = 0.01 * z_x_by_q73_by_q73;
-    const double layer_0_x_by_q73_by_q73 = t49 - t50;
+    const double t47 = origin_x_by_q73_by_q73 + 0.004 * x_x_by_q73_by_q73;
+    const double t48 = 0.01 * z_x_by_q73_by_q73;
+    const double layer_0_x_by_q73_by_q73 = t47 - t48;
     const double y_x_by_q73_by_q73 = cos_q71 * u_e_by_q73_by_q73;
     const double strand_0_x_by_q73_by_q73 = layer_0_x_by_q73_by_q73 - 0.011 * y_x_by_q73_by_q73;
     const double x_plane_x = u_y * sin_A;
-    const double t51 = cos_q71 * x_plane_x;
-    const double t52 = sin_q71 * cos_A;
-    const double x_x = t51 + t52;
+    const double t49 = cos_q71 * x_plane_x;
+    const double t50 = sin_q71 * cos_A;
+    const double x_x = t49 + t50;
     const double M_x = cos_q71 * M_e;
     const double z_plane_x = u_y * cos_A;
-    const double t53 = cos_q71 * z_plane_x;
-    const double t54 = sin_q71 * sin_A;
-    const double z_x = t53 - t54;
-    const double t55 = 0.004 * (1.0 + x_x) - M_x + 0.018 * z_x;
-    const double t56 = 0.01 * z_x;
-    const double layer_0_x = t55 - t56;
+    const double t51 = cos_q71 * z_plane_x;
+    const double t52 = sin_q71 * sin_A;
+    const double z_x = t51 - t52;
+    const double t53 = 0.004 * (1.0 + x_x) - M_x + 0.018 * z_x;
+    const double t54 = 0.01 * z_x;
+    const double layer_0_x = t53 - t54;
     const double y_x = cos_q71 * u_e;
-    const double t57 = 0.011 * y_x;
-    const double strand_0_x = layer_0_x + t57;
-    const double x_plane_y_by_q73_by_q73 = u_e * sin_A_by_q73_by_q73 - sin_A * u_e_by_q73_by_q73 + t26 * sin_A_by_q73;
-    const double z_plane_y_by_q73_by_q73 = u_e * cos_A_by_q73_by_q73 - cos_A * u_e_by_q73_by_q73 + t26 * cos_A_by_q73;
+    const double t55 = 0.011 * y_x;
+    const double strand_0_x = layer_0_x + t55;
+    const double x_plane_y_by_q73_by_q73 = u_e * sin_A_by_q73_by_q73 - sin_A * u_e_by_q73_by_q73
+        + t24 * sin_A_by_q73;
+    const double z_plane_y_by_q73_by_q73 = u_e * cos_A_by_q73_by_q73 - cos_A * u_e_by_q73_by_q73
+        + t24 * cos_A_by_q73;
     const double origin_y_by_q73_by_q73 = M_y_by_q73_by_q73 - 0.018 * z_plane_y_by_q73_by_q73;
-    const double t58 = origin_y_by_q73_by_q73 - 0.004 * x_plane_y_by_q73_by_q73;
-    const double t59 = 0.01 * z_plane_y_by_q73_by_q73;
-    const double layer_0_y_by_q73_by_q73 = t58 + t59;
+    const double t56 = origin_y_by_q73_by_q73 - 0.004 * x_plane_y_by_q73_by_q73;
+    const double t57 = 0.01 * z_plane_y_by_q73_by_q73;
+    const double layer_0_y_by_q73_by_q73 = t56 + t57;
     const double strand_0_y_by_q73_by_q73 = layer_0_y_by_q73_by_q73 - 0.011 * u_y_by_q73_by_q73;
     const double z_plane_y = u_e * cos_A;
     const double origin_y = M_y + 0.018 * z_plane_y;
-    const double t60 = 0.004 * u_e;
-    const double t61 = origin_y + t60 * sin_A;
-    const double t62 = 0.01 * z_plane_y;
-    const double layer_0_y = t61 - t62;
+    const double t58 = 0.004 * u_e;
+    const double t59 = origin_y + t58 * sin_A;
+    const double t60 = 0.01 * z_plane_y;
+    const double layer_0_y = t59 - t60;
     const double strand_0_y = 0.007 - layer_0_y + 0.011 * u_y;
-    const double t63 = strand_0_x * strand_0_x_by_q73_by_q73 + strand_0_y * strand_0_y_by_q73_by_q73;
-    const double x_z_by_q73_by_q73 = cos_q71 * cos_A_by_q73_by_q73 - sin_q71 * x_plane_x_by_q73_by_q73;
-    const double z_z_by_q73_by_q73 = cos_q71 * sin_A_by_q73_by_q73 + sin_q71 * z_plane_x_by_q73_by_q73;
+    const double t61 = strand_0_x * strand_0_x_by_q73_by_q73 + strand_0_y
+        * strand_0_y_by_q73_by_q73;
+    const double x_z_by_q73_by_q73 = cos_q71 * cos_A_by_q73_by_q73 - sin_q71
+        * x_plane_x_by_q73_by_q73;
+    const double z_z_by_q73_by_q73 = cos_q71 * sin_A_by_q73_by_q73 + sin_q71
+        * z_plane_x_by_q73_by_q73;
     const double M_z_by_q73_by_q73 = sin_q71 * M_e_by_q73_by_q73;
     const double origin_z_by_q73_by_q73 = M_z_by_q73_by_q73 + 0.018 * z_z_by_q73_by_q73;
-    const double t64 = origin_z_by_q73_by_q73 - 0.004 * x_z_by_q73_by_q73;
-    const double t65 = 0.01 * z_z_by_q73_by_q73;
-    const double layer_0_z_by_q73_by_q73 = t64 - t65;
+    const double t62 = origin_z_by_q73_by_q73 - 0.004 * x_z_by_q73_by_q73;
+    const double t63 = 0.01 * z_z_by_q73_by_q73;
+    const double layer_0_z_by_q73_by_q73 = t62 - t63;
     const double y_z_by_q73_by_q73 = sin_q71 * u_e_by_q73_by_q73;
     const double strand_0_z_by_q73_by_q73 = layer_0_z_by_q73_by_q73 - 0.011 * y_z_by_q73_by_q73;
-    const double t66 = sin_q71 * z_plane_x;
-    const double t67 = cos_q71 * sin_A;
-    const double z_z = t67 + t66;
+    const double t64 = sin_q71 * z_plane_x;
+    const double t65 = cos_q71 * sin_A;
+    const double z_z = t65 + t64;
     const double M_z = sin_q71 * M_e;
     const double origin_z = M_z - 0.018 * z_z;
-    const double t68 = sin_q71 * x_plane_x;
-    const double t69 = cos_q71 * cos_A;
-    const double x_z = t69 - t68;
-    const double t70 = 0.004 * x_z;
-    const double t71 = 0.01 * z_z;
-    const double layer_0_z = 0.008 - origin_z - t70 - t71;
+    const double t66 = sin_q71 * x_plane_x;
+    const double t67 = cos_q71 * cos_A;
+    const double x_z = t67 - t66;
+    const double t68 = 0.004 * x_z;
+    const double t69 = 0.01 * z_z;
+    const double layer_0_z = 0.008 - origin_z - t68 - t69;
     const double y_z = sin_q71 * u_e;
-    const double t72 = 0.011 * y_z;
-    const double strand_0_z = layer_0_z + t72;
+    const double t70 = 0.011 * y_z;
+    const double strand_0_z = layer_0_z + t70;
     const double z_plane_x_by_q73 = u_y * cos_A_by_q73 - cos_A * u_y_by_q73;
-    const double t73 = cos_q71 * z_plane_x_by_q73;
-    const double t74 = sin_q71 * sin_A_by_q73;
-    const double z_x_by_q73 = t73 - t74;
+    const double t71 = cos_q71 * z_plane_x_by_q73;
+    const double t72 = sin_q71 * sin_A_by_q73;
+    const double z_x_by_q73 = t71 - t72;
     const double M_x_by_q73 = cos_q71 * M_e_by_q73;
     const double origin_x_by_q73 = M_x_by_q73 - 0.018 * z_x_by_q73;
     const double x_plane_x_by_q73 = u_y * sin_A_by_q73 - sin_A * u_y_by_q73;
-    const double t75 = cos_q71 * x_plane_x_by_q73;
-    const double t76 = sin_q71 * cos_A_by_q73;
-    const double x_x_by_q73 = t75 + t76;
-    const double t77 = origin_x_by_q73 - 0.004 * x_x_by_q73;
-    const double t78 = 0.01 * z_x_by_q73;
-    const double layer_0_x_by_q73 = t77 + t78;
+    const double t73 = cos_q71 * x_plane_x_by_q73;
+    const double t74 = sin_q71 * cos_A_by_q73;
+    const double x_x_by_q73 = t73 + t74;
+    const double t75 = origin_x_by_q73 - 0.004 * x_x_by_q73;
+    const double t76 = 0.01 * z_x_by_q73;
+    const double layer_0_x_by_q73 = t75 + t76;
     const double y_x_by_q73 = cos_q71 * u_e_by_q73;
-    const double t79 = 0.011 * y_x_by_q73;
-    const double strand_0_x_by_q73 = layer_0_x_by_q73 - t79;
-    const double t80 = t63 + strand_0_z * strand_0_z_by_q73_by_q73 + strand_0_x_by_q73 * strand_0_x_by_q73;
+    const double t77 = 0.011 * y_x_by_q73;
+    const double strand_0_x_by_q73 = layer_0_x_by_q73 - t77;
+    const double t78 = t61 + strand_0_z * strand_0_z_by_q73_by_q73 + strand_0_x_by_q73
+        * strand_0_x_by_q73;
     const double x_plane_y_by_q73 = u_e * sin_A_by_q73 + sin_A * u_e_by_q73;
     const double z_plane_y_by_q73 = u_e * cos_A_by_q73 + cos_A * u_e_by_q73;
     const double origin_y_by_q73 = M_y_by_q73 - 0.018 * z_plane_y_by_q73;
-    const double t81 = origin_y_by_q73 - 0.004 * x_plane_y_by_q73;
-    const double t82 = 0.01 * z_plane_y_by_q73;
-    const double layer_0_y_by_q73 = t81 + t82;
+    const double t79 = origin_y_by_q73 - 0.004 * x_plane_y_by_q73;
+    const double t80 = 0.01 * z_plane_y_by_q73;
+    const double layer_0_y_by_q73 = t79 + t80;
     const double strand_0_y_by_q73 = layer_0_y_by_q73 - 0.011 * u_y_by_q73;
-    const double t83 = sin_q71 * z_plane_x_by_q73;
-    const double t84 = cos_q71 * sin_A_by_q73;
-    const double z_z_by_q73 = t84 + t83;
+    const double t81 = sin_q71 * z_plane_x_by_q73;
+    const double t82 = cos_q71 * sin_A_by_q73;
+    const double z_z_by_q73 = t82 + t81;
     const double M_z_by_q73 = sin_q71 * M_e_by_q73;
     const double origin_z_by_q73 = M_z_by_q73 - 0.018 * z_z_by_q73;
-    const double t85 = sin_q71 * x_plane_x_by_q73;
-    const double t86 = cos_q71 * cos_A_by_q73;
-    const double x_z_by_q73 = t86 - t85;
-    const double t87 = origin_z_by_q73 + 0.004 * x_z_by_q73;
-    const double t88 = 0.01 * z_z_by_q73;
-    const double layer_0_z_by_q73 = t87 + t88;
+    const double t83 = sin_q71 * x_plane_x_by_q73;
+    const double t84 = cos_q71 * cos_A_by_q73;
+    const double x_z_by_q73 = t84 - t83;
+    const double t85 = origin_z_by_q73 + 0.004 * x_z_by_q73;
+    const double t86 = 0.01 * z_z_by_q73;
+    const double layer_0_z_by_q73 = t85 + t86;
     const double y_z_by_q73 = sin_q71 * u_e_by_q73;
-    const double t89 = 0.011 * y_z_by_q73;
-    const double strand_0_z_by_q73 = layer_0_z_by_q73 - t89;
-    const double t90 = t80 + strand_0_y_by_q73 * strand_0_y_by_q73 + strand_0_z_by_q73 * strand_0_z_by_q73;
-    const double t91 = strand_0_x * strand_0_x_by_q73 - strand_0_y * strand_0_y_by_q73 + strand_0_z * strand_0_z_by_q73;
-    const double t92 = strand_0_x * strand_0_x + strand_0_y * strand_0_y + strand_0_z * strand_0_z;
-    const double length_0 = sinew_sqrt(t92);
-    const double t93 = 1.0 / length_0;
-    const double length_0_by_q73 = t91 * t93;
-    const double t94 = length_0_by_q73 * length_0_by_q73;
-    const double length_0_by_q73_by_q73 = (t90 - t94) * t93;
-    const double K_0_4 = f[0] * length_0_by_q73_by_q73 + k[0] * t94;
+    const double t87 = 0.011 * y_z_by_q73;
+    const double strand_0_z_by_q73 = layer_0_z_by_q73 - t87;
+    const double t88 = t78 + strand_0_y_by_q73 * strand_0_y_by_q73 + strand_0_z_by_q73
+        * strand_0_z_by_q73;
+    const double t89 = strand_0_x * strand_0_x_by_q73 - strand_0_y * strand_0_y_by_q73 + strand_0_z
+        * strand_0_z_by_q73;
+    const double t90 = strand_0_x * strand_0_x + strand_0_y * strand_0_y + strand_0_z * strand_0_z;
+    const double length_0 = sinew_sqrt(t90);
+    const double t91 = 1.0 / length_0;
+    const double length_0_by_q73 = t89 * t91;
+    const double t92 = length_0_by_q73 * length_0_by_q73;
+    const double length_0_by_q73_by_q73 = (t88 - t92) * t91;
+    const double K_0_4 = f[0] * length_0_by_q73_by_q73 + k[0] * t92;
     const double p_y_by_q71 = u_y * p_z;
-    const double t95 = p_z + p_z;
-    const double reach_squared_by_q71 = sinew_choose(t14, -(t11 * p_y_by_q71 + t95 * p_z_by_q71), 0.0);
-    const double reach_by_q71 = 0.5 * reach_squared_by_q71 * t18;
+    const double t93 = p_z + p_z;
+    const double reach_squared_by_q71 = sinew_choose(t12, -(t9 * p_y_by_q71 + t93 * p_z_by_q71),
+        0.0);
+    const double reach_by_q71 = 0.5 * reach_squared_by_q71 * t16;
     const double p_x_by_q71 = u_e * p_z;
-    const double projection_by_q71 = 13.88888888888889 * reach_squared_by_q71 - t15 * p_x_by_q71;
-    const double limited_by_q71 = sinew_choose(t21, -(reach_by_q71 * t19 - projection_by_q71 * t17), reach_by_q71);
-    const double clearance_by_q71 = sinew_choose(t36, t29 * reach_by_q71 - t33 * limited_by_q71, 1e-12 * reach_squared_by_q71);
-    const double root_by_q71 = 0.5 * clearance_by_q71 * t37;
-    const double t96 = root_by_q71 + root_by_q71;
-    const double t97 = (reach_by_q71 + reach_by_q71) * reach_by_q73;
-    const double t98 = p_y_by_q71 + p_y_by_q71;
+    const double projection_by_q71 = 13.88888888888889 * reach_squared_by_q71 - t13 * p_x_by_q71;
+    const double limited_by_q71 = sinew_choose(t19, -(reach_by_q71 * t17 - projection_by_q71 * t15),
+        reach_by_q71);
+    const double clearance_by_q71 = sinew_choose(t34, t27 * reach_by_q71 - t31 * limited_by_q71,
+        1e-12 * reach_squared_by_q71);
+    const double root_by_q71 = 0.5 * clearance_by_q71 * t35;
+    const double t94 = root_by_q71 + root_by_q71;
+    const double t95 = (reach_by_q71 + reach_by_q71) * reach_by_q73;
+    const double t96 = p_y_by_q71 + p_y_by_q71;
     const double p_y_by_q71_by_q73 = p_z * u_y_by_q73;
-    const double reach_squared_by_q71_by_q73 = sinew_choose(t14, t11 * p_y_by_q71_by_q73 - t98 * p_y_by_q73, 0.0);
-    const double reach_by_q71_by_q73 = 0.5 * (reach_squared_by_q71_by_q73 - t97) * t18;
-    const double t99 = 27.77777777777778 * p_x_by_q71;
-    const double projection_by_q71_by_q73 = 13.88888888888889 * reach_squared_by_q71_by_q73 - t15 * p_z * u_e_by_q73 - t99 * p_x_by_q73;
-    const double limited_by_q71_by_q73 = sinew_choose(t21, -(reach_by_q71_by_q73 * t19 - projection_by_q71_by_q73 * t17), reach_by_q71_by_q73);
-    const double t100 = limited_by_q71 + limited_by_q71;
-    const double t101 = t29 * reach_by_q71_by_q73 - t33 * limited_by_q71_by_q73 + t97 - t100 * limited_by_q73;
-    const double clearance_by_q71_by_q73 = sinew_choose(t36, t101, 1e-12 * reach_squared_by_q71_by_q73);
-    const double root_by_q71_by_q73 = 0.5 * (clearance_by_q71_by_q73 - t96 * root_by_q73) * t37;
-    const double t102 = p_y * limited_by_q71_by_q73 + p_z * root_by_q71_by_q73 + limited * p_y_by_q71_by_q73;
-    const double t103 = t102 - cos_A * reach_squared_by_q71_by_q73 - p_y_by_q71 * limited_by_q73 - p_z_by_q71 * root_by_q73;
-    const double t104 = p_y * limited_by_q71 + p_z * root_by_q71 - limited * p_y_by_q71 - root * p_z_by_q71;
-    const double cos_A_by_q71 = (t104 - cos_A * reach_squared_by_q71) * t41;
-    const double t105 = t103 - reach_squared_by_q71 * cos_A_by_q73 + limited_by_q71 * p_y_by_q73 - cos_A_by_q71 * reach_squared_by_q73;
-    const double cos_A_by_q71_by_q73 = t105 * t41;
+    const double reach_squared_by_q71_by_q73 = sinew_choose(t12, t9 * p_y_by_q71_by_q73 - t96
+        * p_y_by_q73, 0.0);
+    const double reach_by_q71_by_q73 = 0.5 * (reach_squared_by_q71_by_q73 - t95) * t16;
+    const double t97 = 27.77777777777778 * p_x_by_q71;
+    const double projection_by_q71_by_q73 = 13.88888888888889 * reach_squared_by_q71_by_q73 - t13
+        * p_z * u_e_by_q73 - t97 * p_x_by_q73;
+    const double limited_by_q71_by_q73 = sinew_choose(t19, -(reach_by_q71_by_q73 * t17
+        - projection_by_q71_by_q73 * t15), reach_by_q71_by_q73);
+    const double t98 = limited_by_q71 + limited_by_q71;
+    const double t99 = t27 * reach_by_q71_by_q73 - t31 * limited_by_q71_by_q73 + t95 - t98
+        * limited_by_q73;
+    const double clearance_by_q71_by_q73 = sinew_choose(t34, t99, 1e-12
+        * reach_squared_by_q71_by_q73);
+    const double root_by_q71_by_q73 = 0.5 * (clearance_by_q71_by_q73 - t94 * root_by_q73) * t35;
+    const double t100 = p_y * limited_by_q71_by_q73 + p_z * root_by_q71_by_q73 + limited
+        * p_y_by_q71_by_q73;
+    const double t101 = t100 - cos_A * reach_squared_by_q71_by_q73 - p_y_by_q71 * limited_by_q73
+        - p_z_by_q71 * root_by_q73;
+    const double t102 = p_y * limited_by_q71 + p_z * root_by_q71 - limited * p_y_by_q71 - root
+        * p_z_by_q71;
+    const double cos_A_by_q71 = (t102 - cos_A * reach_squared_by_q71) * t39;
+    const double t103 = t101 - reach_squared_by_q71 * cos_A_by_q73 + limited_by_q71 * p_y_by_q73
+        - cos_A_by_q71 * reach_squared_by_q73;
+    const double cos_A_by_q71_by_q73 = t103 * t39;
     const double z_plane_x_by_q71_by_q73 = u_y * cos_A_by_q71_by_q73 - cos_A_by_q71 * u_y_by_q73;
-    const double t106 = p_y * root_by_q71_by_q73 - p_z * limited_by_q71_by_q73 + root * p_y_by_q71_by_q73;
-    const double t107 = t106 - sin_A * reach_squared_by_q71_by_q73 - p_y_by_q71 * root_by_q73 + p_z_by_q71 * limited_by_q73;
-    const double t108 = p_y * root_by_q71 - p_z * limited_by_q71 + limited * p_z_by_q71 - root * p_y_by_q71;
-    const double sin_A_by_q71 = (t108 - sin_A * reach_squared_by_q71) * t41;
-    const double t109 = t107 - reach_squared_by_q71 * sin_A_by_q73 + root_by_q71 * p_y_by_q73 - sin_A_by_q71 * reach_squared_by_q73;
-    const double sin_A_by_q71_by_q73 = t109 * t41;
-    const double z_x_by_q71_by_q73 = t84 - cos_q71 * z_plane_x_by_q71_by_q73 + t83 + sin_q71 * sin_A_by_q71_by_q73;
+    const double t104 = p_y * root_by_q71_by_q73 - p_z * limited_by_q71_by_q73 + root
+        * p_y_by_q71_by_q73;
+    const double t105 = t104 - sin_A * reach_squared_by_q71_by_q73 - p_y_by_q71 * root_by_q73
+        + p_z_by_q71 * limited_by_q73;
+    const double t106 = p_y * root_by_q71 - p_z * limited_by_q71 + limited * p_z_by_q71 - root
+        * p_y_by_q71;
+    const double sin_A_by_q71 = (t106 - sin_A * reach_squared_by_q71) * t39;
+    const double t107 = t105 - reach_squared_by_q71 * sin_A_by_q73 + root_by_q71 * p_y_by_q73
+        - sin_A_by_q71 * reach_squared_by_q73;
+    const double sin_A_by_q71_by_q73 = t107 * t39;
+    const double z_x_by_q71_by_q73 = t82 - cos_q71 * z_plane_x_by_q71_by_q73 + t81 + sin_q71
+        * sin_A_by_q71_by_q73;
     const double origin_x_by_q71_by_q73 = M_z_by_q73 - 0.018 * z_x_by_q71_by_q73;
     const double x_plane_x_by_q71_by_q73 = u_y * sin_A_by_q71_by_q73 - sin_A_by_q71 * u_y_by_q73;
-    const double x_x_by_q71_by_q73 = t86 + cos_q71 * x_plane_x_by_q71_by_q73 - t85 + sin_q71 * cos_A_by_q71_by_q73;
-    const double t110 = origin_x_by_q71_by_q73 + 0.004 * x_x_by_q71_by_q73;
-    const double t111 = 0.01 * z_x_by_q71_by_q73;
-    const double layer_0_x_by_q71_by_q73 = t110 + t111;
-    const double strand_0_x_by_q71_by_q73 = layer_0_x_by_q71_by_q73 - t89;
+    const double x_x_by_q71_by_q73 = t84 + cos_q71 * x_plane_x_by_q71_by_q73 - t83 + sin_q71
+        * cos_A_by_q71_by_q73;
+    const double t108 = origin_x_by_q71_by_q73 + 0.004 * x_x_by_q71_by_q73;
+    const double t109 = 0.01 * z_x_by_q71_by_q73;
+    const double layer_0_x_by_q71_by_q73 = t108 + t109;
+    const double strand_0_x_by_q71_by_q73 = layer_0_x_by_q71_by_q73 - t87;
     const double x_plane_y_by_q71_by_q73 = u_e * sin_A_by_q71_by_q73 + sin_A_by_q71 * u_e_by_q73;
     const double z_plane_y_by_q71_by_q73 = u_e * cos_A_by_q71_by_q73 + cos_A_by_q71 * u_e_by_q73;
     const double origin_y_by_q71_by_q73 = 0.018 * z_plane_y_by_q71_by_q73;
-    const double t112 = origin_y_by_q71_by_q73 + 0.004 * x_plane_y_by_q71_by_q73;
-    const double t113 = 0.01 * z_plane_y_by_q71_by_q73;
-    const double layer_0_y_by_q71_by_q73 = t112 - t113;
-    const double t114 = strand_0_x * strand_0_x_by_q71_by_q73 - strand_0_y * layer_0_y_by_q71_by_q73;
-    const double z_z_by_q71_by_q73 = t73 + cos_q71 * sin_A_by_q71_by_q73 - t74 + sin_q71 * z_plane_x_by_q71_by_q73;
+    const double t110 = origin_y_by_q71_by_q73 + 0.004 * x_plane_y_by_q71_by_q73;
+    const double t111 = 0.01 * z_plane_y_by_q71_by_q73;
+    const double layer_0_y_by_q71_by_q73 = t110 - t111;
+    const double t112 = strand_0_x * strand_0_x_by_q71_by_q73 - strand_0_y
+        * layer_0_y_by_q71_by_q73;
+    const double z_z_by_q71_by_q73 = t71 + cos_q71 * sin_A_by_q71_by_q73 - t72 + sin_q71
+        * z_plane_x_by_q71_by_q73;
     const double origin_z_by_q71_by_q73 = M_x_by_q73 - 0.018 * z_z_by_q71_by_q73;
-    const double x_z_by_q71_by_q73 = t75 - cos_q71 * cos_A_by_q71_by_q73 + t76 + sin_q71 * x_plane_x_by_q71_by_q73;
-    const double t115 = origin_z_by_q71_by_q73 - 0.004 * x_z_by_q71_by_q73;
-    const double t116 = 0.01 * z_z_by_q71_by_q73;
-    const double layer_0_z_by_q71_by_q73 = t115 + t116;
-    const double strand_0_z_by_q71_by_q73 = layer_0_z_by_q71_by_q73 - t79;
+    const double x_z_by_q71_by_q73 = t73 - cos_q71 * cos_A_by_q71_by_q73 + t74 + sin_q71
+        * x_plane_x_by_q71_by_q73;
+    const double t113 = origin_z_by_q71_by_q73 - 0.004 * x_z_by_q71_by_q73;
+    const double t114 = 0.01 * z_z_by_q71_by_q73;
+    const double layer_0_z_by_q71_by_q73 = t113 + t114;
+    const double strand_0_z_by_q71_by_q73 = layer_0_z_by_q71_by_q73 - t77;
     const double z_plane_x_by_q71 = u_y * cos_A_by_q71;
-    const double z_x_by_q71 = t67 - cos_q71 * z_plane_x_by_q71 + t66 + sin_q71 * sin_A_by_q71;
+    const double z_x_by_q71 = t65 - cos_q71 * z_plane_x_by_q71 + t64 + sin_q71 * sin_A_by_q71;
     const double origin_x_by_q71 = M_z - 0.018 * z_x_by_q71;
     const double x_plane_x_by_q71 = u_y * sin_A_by_q71;
-    const double x_x_by_q71 = t69 + cos_q71 * x_plane_x_by_q71 - t68 + sin_q71 * cos_A_by_q71;
-    const double t117 = origin_x_by_q71 + 0.004 * x_x_by_q71;
-    const double t118 = 0.01 * z_x_by_q71;
-    const double layer_0_x_by_q71 = t117 + t118;
-    const double strand_0_x_by_q71 = layer_0_x_by_q71 - t72;
-    const double t119 = t114 - strand_0_z * strand_0_z_by_q71_by_q73 - strand_0_x_by_q71 * strand_0_x_by_q73;
+    const double x_x_by_q71 = t67 + cos_q71 * x_plane_x_by_q71 - t66 + sin_q71 * cos_A_by_q71;
+    const double t115 = origin_x_by_q71 + 0.004 * x_x_by_q71;
+    const double t116 = 0.01 * z_x_by_q71;
+    const double layer_0_x_by_q71 = t115 + t116;
+    const double strand_0_x_by_q71 = layer_0_x_by_q71 - t70;
+    const double t117 = t112 - strand_0_z * strand_0_z_by_q71_by_q73 - strand_0_x_by_q71
+        * strand_0_x_by_q73;
     const double z_plane_y_by_q71 = u_e * cos_A_by_q71;
     const double origin_y_by_q71 = 0.018 * z_plane_y_by_q71;
-    const double t120 = origin_y_by_q71 + t60 * sin_A_by_q71;
-    const double t121 = 0.01 * z_plane_y_by_q71;
-    const double layer_0_y_by_q71 = t120 - t121;
-    const double z_z_by_q71 = t53 + cos_q71 * sin_A_by_q71 - t54 + sin_q71 * z_plane_x_by_q71;
+    const double t118 = origin_y_by_q71 + t58 * sin_A_by_q71;
+    const double t119 = 0.01 * z_plane_y_by_q71;
+    const double layer_0_y_by_q71 = t118 - t119;
+    const double z_z_by_q71 = t51 + cos_q71 * sin_A_by_q71 - t52 + sin_q71 * z_plane_x_by_q71;
     const double origin_z_by_q71 = M_x - 0.018 * z_z_by_q71;
-    const double x_z_by_q71 = t51 - cos_q71 * cos_A_by_q71 + t52 + sin_q71 * x_plane_x_by_q71;
-    const double t122 = origin_z_by_q71 - 0.004 * x_z_by_q71;
-    const double t123 = 0.01 * z_z_by_q71;
-    const double layer_0_z_by_q71 = t122 + t123;
-    const double strand_0_z_by_q71 = layer_0_z_by_q71 - t57;
-    const double t124 = t119 - layer_0_y_by_q71 * strand_0_y_by_q73 + strand_0_z_by_q71 * strand_0_z_by_q73;
-    const double t125 = strand_0_x * strand_0_x_by_q71 - strand_0_y * layer_0_y_by_q71 - strand_0_z * strand_0_z_by_q71;
-    const double length_0_by_q71 = t125 * t93;
-    const double length_0_by_q71_by_q73 = (t124 + length_0_by_q71 * length_0_by_q73) * t93;
+    const double x_z_by_q71 = t49 - cos_q71 * cos_A_by_q71 + t50 + sin_q71 * x_plane_x_by_q71;
+    const double t120 = origin_z_by_q71 - 0.004 * x_z_by_q71;
+    const double t121 = 0.01 * z_z_by_q71;
+    const double layer_0_z_by_q71 = t120 + t121;
+    const double strand_0_z_by_q71 = layer_0_z_by_q71 - t55;
+    const double t122 = t117 - layer_0_y_by_q71 * strand_0_y_by_q73 + strand_0_z_by_q71
+        * strand_0_z_by_q73;
+    const double t123 = strand_0_x * strand_0_x_by_q71 - strand_0_y * layer_0_y_by_q71 - strand_0_z
+        * strand_0_z_by_q71;
+    const double length_0_by_q71 = t123 * t91;
+    const double length_0_by_q71_by_q73 = (t122 + length_0_by_q71 * length_0_by_q73) * t91;
     const double K_0 = f[0] * length_0_by_q71_by_q73 - k[0] * length_0_by_q71 * length_0_by_q73;
-    const double t126 = reach_by_q71 * reach_by_q71;
-    const double t127 = t126 + t126;
+    const double t124 = reach_by_q71 * reach_by_q71;
+    const double t125 = t124 + t124;
     const double p_y_by_q71_by_q71 = u_y * p_z_by_q71;
-    const double t128 = p_y_by_q71 * p_y_by_q71 + p_z_by_q71 * p_z_by_q71;
-    const double reach_squared_by_q71_by_q71 = sinew_choose(t14, t128 + t128 + t11 * p_y_by_q71_by_q71 - t95 * p_z, 0.0);
-    const double reach_by_q71_by_q71 = 0.5 * (reach_squared_by_q71_by_q71 - t127) * t18;
-    const double projection_by_q71_by_q71 = 13.88888888888889 * reach_squared_by_q71_by_q71 + t99 * p_x_by_q71 + t15 * u_e * p_z_by_q71;
-    const double limited_by_q71_by_q71 = sinew_choose(t21, -(reach_by_q71_by_q71 * t19 - projection_by_q71_by_q71 * t17), reach_by_q71_by_q71);
-    const double t129 = t127 - t100 * limited_by_q71 + t29 * reach_by_q71_by_q71 - t33 * limited_by_q71_by_q71;
-    const double clearance_by_q71_by_q71 = sinew_choose(t36, t129, 1e-12 * reach_squared_by_q71_by_q71);
-    const double root_by_q71_by_q71 = 0.5 * (clearance_by_q71_by_q71 - t96 * root_by_q71) * t37;
-    const double t130 = p_y * limited_by_q71_by_q71 - t46 + p_z * root_by_q71_by_q71 + limited * p_y_by_q71_by_q71;
-    const double t131 = p_z_by_q71 + p_z_by_q71;
-    const double t132 = t130 - cos_A * reach_squared_by_q71_by_q71 - t98 * limited_by_q71 - t131 * root_by_q71;
-    const double t133 = reach_squared_by_q71 + reach_squared_by_q71;
-    const double cos_A_by_q71_by_q71 = (t132 - t133 * cos_A_by_q71) * t41;
+    const double t126 = p_y_by_q71 * p_y_by_q71 + p_z_by_q71 * p_z_by_q71;
+    const double reach_squared_by_q71_by_q71 = sinew_choose(t12, t126 + t126 + t9
+        * p_y_by_q71_by_q71 - t93 * p_z, 0.0);
+    const double reach_by_q71_by_q71 = 0.5 * (reach_squared_by_q71_by_q71 - t125) * t16;
+    const double projection_by_q71_by_q71 = 13.88888888888889 * reach_squared_by_q71_by_q71 + t97
+        * p_x_by_q71 + t13 * u_e * p_z_by_q71;
+    const double limited_by_q71_by_q71 = sinew_choose(t19, -(reach_by_q71_by_q71 * t17
+        - projection_by_q71_by_q71 * t15), reach_by_q71_by_q71);
+    const double t127 = t125 - t98 * limited_by_q71 + t27 * reach_by_q71_by_q71 - t31
+        * limited_by_q71_by_q71;
+    const double clearance_by_q71_by_q71 = sinew_choose(t34, t127, 1e-12
+        * reach_squared_by_q71_by_q71);
+    const double root_by_q71_by_q71 = 0.5 * (clearance_by_q71_by_q71 - t94 * root_by_q71) * t35;
+    const double t128 = p_y * limited_by_q71_by_q71 - t44 + p_z * root_by_q71_by_q71 + limited
+        * p_y_by_q71_by_q71;
+    const double t129 = p_z_by_q71 + p_z_by_q71;
+    const double t130 = t128 - cos_A * reach_squared_by_q71_by_q71 - t96 * limited_by_q71 - t129
+        * root_by_q71;
+    const double t131 = reach_squared_by_q71 + reach_squared_by_q71;
+    const double cos_A_by_q71_by_q71 = (t130 - t131 * cos_A_by_q71) * t39;
     const double z_plane_x_by_q71_by_q71 = u_y * cos_A_by_q71_by_q71;
-    const double t134 = p_y * root_by_q71_by_q71 + t40 - p_z * limited_by_q71_by_q71 + root * p_y_by_q71_by_q71;
-    const double t135 = t134 - sin_A * reach_squared_by_q71_by_q71 - t98 * root_by_q71 + t131 * limited_by_q71;
-    const double sin_A_by_q71_by_q71 = (t135 - t133 * sin_A_by_q71) * t41;
-    const double t136 = t53 - cos_q71 * z_plane_x_by_q71_by_q71 - t54 + sin_q71 * sin_A_by_q71_by_q71;
-    const double t137 = cos_q71 + cos_q71;
-    const double t138 = sin_q71 + sin_q71;
-    const double z_x_by_q71_by_q71 = t136 + t137 * sin_A_by_q71 + t138 * z_plane_x_by_q71;
+    const double t132 = p_y * root_by_q71_by_q71 + t38 - p_z * limited_by_q71_by_q71 + root
+        * p_y_by_q71_by_q71;
+    const double t133 = t132 - sin_A * reach_squared_by_q71_by_q71 - t96 * root_by_q71 + t129
+        * limited_by_q71;
+    const double sin_A_by_q71_by_q71 = (t133 - t131 * sin_A_by_q71) * t39;
+    const double t134 = t51 - cos_q71 * z_plane_x_by_q71_by_q71 - t52 + sin_q71
+        * sin_A_by_q71_by_q71;
+    const double t135 = cos_q71 + cos_q71;
+    const double t136 = sin_q71 + sin_q71;
+    const double z_x_by_q71_by_q71 = t134 + t135 * sin_A_by_q71 + t136 * z_plane_x_by_q71;
     const double origin_x_by_q71_by_q71 = M_x - 0.018 * z_x_by_q71_by_q71;
     const double x_plane_x_by_q71_by_q71 = u_y * sin_A_by_q71_by_q71;
-    const double t139 = t51 - cos_q71 * x_plane_x_by_q71_by_q71 + t52 - sin_q71 * cos_A_by_q71_by_q71;
-    const double x_x_by_q71_by_q71 = t139 - t137 * cos_A_by_q71 + t138 * x_plane_x_by_q71;
-    const double t140 = origin_x_by_q71_by_q71 - 0.004 * x_x_by_q71_by_q71;
-    const double t141 = 0.01 * z_x_by_q71_by_q71;
-    const double layer_0_x_by_q71_by_q71 = t140 + t141;
-    const double strand_0_x_by_q71_by_q71 = layer_0_x_by_q71_by_q71 - t57;
+    const double t137 = t49 - cos_q71 * x_plane_x_by_q71_by_q71 + t50 - sin_q71
+        * cos_A_by_q71_by_q71;
+    const double x_x_by_q71_by_q71 = t137 - t135 * cos_A_by_q71 + t136 * x_plane_x_by_q71;
+    const double t138 = origin_x_by_q71_by_q71 - 0.004 * x_x_by_q71_by_q71;
+    const double t139 = 0.01 * z_x_by_q71_by_q71;
+    const double layer_0_x_by_q71_by_q71 = t138 + t139;
+    const double strand_0_x_by_q71_by_q71 = layer_0_x_by_q71_by_q71 - t55;
     const double z_plane_y_by_q71_by_q71 = u_e * cos_A_by_q71_by_q71;
     const double origin_y_by_q71_by_q71 = 0.018 * z_plane_y_by_q71_by_q71;
-    const double t142 = origin_y_by_q71_by_q71 + t60 * sin_A_by_q71_by_q71;
-    const double t143 = 0.01 * z_plane_y_by_q71_by_q71;
-    const double layer_0_y_by_q71_by_q71 = t142 - t143;
-    const double t144 = strand_0_x * strand_0_x_by_q71_by_q71 - strand_0_y * layer_0_y_by_q71_by_q71;
-    const double t145 = t67 - cos_q71 * sin_A_by_q71_by_q71 + t66 - sin_q71 * z_plane_x_by_q71_by_q71;
-    const double z_z_by_q71_by_q71 = t145 - t137 * z_plane_x_by_q71 + t138 * sin_A_by_q71;
+    const double t140 = origin_y_by_q71_by_q71 + t58 * sin_A_by_q71_by_q71;
+    const double t141 = 0.01 * z_plane_y_by_q71_by_q71;
+    const double layer_0_y_by_q71_by_q71 = t140 - t141;
+    const double t142 = strand_0_x * strand_0_x_by_q71_by_q71 - strand_0_y
+        * layer_0_y_by_q71_by_q71;
+    const double t143 = t65 - cos_q71 * sin_A_by_q71_by_q71 + t64 - sin_q71
+        * z_plane_x_by_q71_by_q71;
+    const double z_z_by_q71_by_q71 = t143 - t135 * z_plane_x_by_q71 + t136 * sin_A_by_q71;
     const double origin_z_by_q71_by_q71 = M_z - 0.018 * z_z_by_q71_by_q71;
-    const double t146 = t69 - cos_q71 * cos_A_by_q71_by_q71 - t68 + sin_q71 * x_plane_x_by_q71_by_q71;
-    const double x_z_by_q71_by_q71 = t146 + t137 * x_plane_x_by_q71 + t138 * cos_A_by_q71;
-    const double t147 = origin_z_by_q71_by_q71 + 0.004 * x_z_by_q71_by_q71;
-    const double t148 = 0.01 * z_z_by_q71_by_q71;
-    const double layer_0_z_by_q71_by_q71 = t147 + t148;
-    const double strand_0_z_by_q71_by_q71 = layer_0_z_by_q71_by_q71 - t72;
-    const double t149 = t144 + strand_0_z * strand_0_z_by_q71_by_q71 + strand_0_x_by_q71 * strand_0_x_by_q71;
-    const double t150 = layer_0_y_by_q71 * layer_0_y_by_q71;
-    const double t151 = length_0_by_q71 * length_0_by_q71;
-    const double length_0_by_q71_by_q71 = (t149 + t150 + strand_0_z_by_q71 * strand_0_z_by_q71 - t151) * t93;
-    const double K_0_2 = f[0] * length_0_by_q71_by_q71 + k[0] * t151;
-    static const double table156[5][2] = {{0.01, 0.008}, {0.008, 0.01}, {0.006, 0.011},
+    const double t144 = t67 - cos_q71 * cos_A_by_q71_by_q71 - t66 + sin_q71
+        * x_plane_x_by_q71_by_q71;
+    const double x_z_by_q71_by_q71 = t144 + t135 * x_plane_x_by_q71 + t136 * cos_A_by_q71;
+    const double t145 = origin_z_by_q71_by_q71 + 0.004 * x_z_by_q71_by_q71;
+    const double t146 = 0.01 * z_z_by_q71_by_q71;
+    const double layer_0_z_by_q71_by_q71 = t145 + t146;
+    const double strand_0_z_by_q71_by_q71 = layer_0_z_by_q71_by_q71 - t70;
+    const double t147 = t142 + strand_0_z * strand_0_z_by_q71_by_q71 + strand_0_x_by_q71
+        * strand_0_x_by_q71;
+    const double t148 = layer_0_y_by_q71 * layer_0_y_by_q71;
+    const double t149 = length_0_by_q71 * length_0_by_q71;
+    const double length_0_by_q71_by_q71 = (t147 + t148 + strand_0_z_by_q71 * strand_0_z_by_q71
+        - t149) * t91;
+    const double K_0_2 = f[0] * length_0_by_q71_by_q71 + k[0] * t149;
+    static const double table154[5][2] = {{0.01, 0.008}, {0.008, 0.01}, {0.006, 0.011},
         {0.005, 0.013}, {0.003, 0.015}};
+    double sum151 = K_0;
+    double sum152 = K_0_4;
     double sum153 = K_0_2;
-    double sum154 = K_0;
-    double sum155 = K_0_4;
-    for (int i152 = 0; i152 < 5; ++i152) {
+    for (int i150 = 0; i150 < 5; ++i150) {
+        const double before155 = sum151;
+        const double before156 = sum152;
         const double before157 = sum153;
-        const double before158 = sum154;
-        const double before159 = sum155;
-        const double t160 = table156[i152][0] * y_x;
-        const double strand_x = layer_0_x + t160;
-        const double strand_x_by_q71_by_q71 = layer_0_x_by_q71_by_q71 - t160;
-        const double strand_y = table156[i152][1] - layer_0_y + table156[i152][0] * u_y;
-        const double t161 = table156[i152][0] * y_z;
-        const double strand_z = layer_0_z + t161;
-        const double strand_z_by_q71_by_q71 = layer_0_z_by_q71_by_q71 - t161;
-        const double t162 = strand_x * strand_x_by_q71_by_q71 - strand_y * layer_0_y_by_q71_by_q71 + strand_z * strand_z_by_q71_by_q71;
-        const double strand_x_by_q71 = layer_0_x_by_q71 - t161;
-        const double strand_z_by_q71 = layer_0_z_by_q71 - t160;
-        const double t163 = t162 + t150 + strand_x_by_q71 * strand_x_by_q71 + strand_z_by_q71 * strand_z_by_q71;
-        const double t164 = strand_x * strand_x_by_q71 - strand_y * layer_0_y_by_q71 - strand_z * strand_z_by_q71;
-        const double length = sinew_sqrt(strand_x * strand_x + strand_y * strand_y + strand_z * strand_z);
+        const double t158 = table154[i150][0] * y_x;
+        const double strand_x = layer_0_x + t158;
+        const double t159 = table154[i150][0] * y_z_by_q73;
+        const double strand_x_by_q71_by_q73 = layer_0_x_by_q71_by_q73 - t159;
+        const double strand_y = table154[i150][1] - layer_0_y + table154[i150][0] * u_y;
+        const double t160 = table154[i150][0] * y_z;
+        const double strand_z = layer_0_z + t160;
+        const double t161 = table154[i150][0] * y_x_by_q73;
+        const double strand_z_by_q71_by_q73 = layer_0_z_by_q71_by_q73 - t161;
+        const double t162 = strand_x * strand_x_by_q71_by_q73 - strand_y * layer_0_y_by_q71_by_q73
+            - strand_z * strand_z_by_q71_by_q73;
+        const double strand_y_by_q73 = layer_0_y_by_q73 - table154[i150][0] * u_y_by_q73;
+        const double strand_x_by_q71 = layer_0_x_by_q71 - t160;
+        const double strand_x_by_q73 = layer_0_x_by_q73 - t161;
+        const double t163 = t162 - layer_0_y_by_q71 * strand_y_by_q73 - strand_x_by_q71
+            * strand_x_by_q73;
+        const double strand_z_by_q71 = layer_0_z_by_q71 - t158;
+        const double strand_z_by_q73 = layer_0_z_by_q73 - t159;
+        const double t164 = strand_x * strand_x_by_q71 - strand_y * layer_0_y_by_q71 - strand_z
+            * strand_z_by_q71;
+        const double length = sinew_sqrt(strand_x * strand_x + strand_y * strand_y + strand_z
+            * strand_z);
         const double t165 = 1.0 / length;
         const double length_by_q71 = t164 * t165;
-        const double t166 = length_by_q71 * length_by_q71;
-        const double length_by_q71_by_q71 = (t163 - t166) * t165;
-        const double t167 = table156[i152][0] * y_z_by_q73;
-        const double strand_x_by_q71_by_q73 = layer_0_x_by_q71_by_q73 - t167;
-        const double t168 = table156[i152][0] * y_x_by_q73;
-        const double strand_z_by_q71_by_q73 = layer_0_z_by_q71_by_q73 - t168;
-        const double t169 = strand_x * strand_x_by_q71_by_q73 - strand_y * layer_0_y_by_q71_by_q73 - strand_z * strand_z_by_q71_by_q73;
-        const double strand_y_by_q73 = layer_0_y_by_q73 - table156[i152][0] * u_y_by_q73;
-        const double strand_x_by_q73 = layer_0_x_by_q73 - t168;
-        const double t170 = t169 - layer_0_y_by_q71 * strand_y_by_q73 - strand_x_by_q71 * strand_x_by_q73;
-        const double strand_z_by_q73 = layer_0_z_by_q73 - t167;
-        const double t171 = strand_x * strand_x_by_q73 - strand_y * strand_y_by_q73 + strand_z * strand_z_by_q73;
-        const double length_by_q73 = t171 * t165;
-        const double length_by_q71_by_q73 = (t170 + strand_z_by_q71 * strand_z_by_q73 + length_by_q71 * length_by_q73) * t165;
-        const double t172 = before158 + f[1 + i152] * length_by_q71_by_q73 - k[1 + i152] * length_by_q71 * length_by_q73;
-        const double strand_x_by_q73_by_q73 = layer_0_x_by_q73_by_q73 - table156[i152][0] * y_x_by_q73_by_q73;
-        const double strand_y_by_q73_by_q73 = layer_0_y_by_q73_by_q73 - table156[i152][0] * u_y_by_q73_by_q73;
-        const double strand_z_by_q73_by_q73 = layer_0_z_by_q73_by_q73 - table156[i152][0] * y_z_by_q73_by_q73;
-        const double t173 = strand_x * strand_x_by_q73_by_q73 + strand_y * strand_y_by_q73_by_q73 + strand_z * strand_z_by_q73_by_q73;
-        const double t174 = t173 + strand_x_by_q73 * strand_x_by_q73 + strand_y_by_q73 * strand_y_by_q73;
-        const double t175 = length_by_q73 * length_by_q73;
-        const double length_by_q73_by_q73 = (t174 + strand_z_by_q73 * strand_z_by_q73 - t175) * t165;
-        sum153 = before157 + f[1 + i152] * length_by_q71_by_q71 + k[1 + i152] * t166;
-        sum154 = t172;
-        sum155 = before159 + f[1 + i152] * length_by_q73_by_q73 + k[1 + i152] * t175;
+        const double t166 = strand_x * strand_x_by_q73 - strand_y * strand_y_by_q73 + strand_z
+            * strand_z_by_q73;
+        const double length_by_q73 = t166 * t165;
+        const double length_by_q71_by_q73 = (t163 + strand_z_by_q71 * strand_z_by_q73
+            + length_by_q71 * length_by_q73) * t165;
+        const double t167 = before155 + f[1 + i150] * length_by_q71_by_q73 - k[1 + i150]
+            * length_by_q71 * length_by_q73;
+        const double strand_x_by_q73_by_q73 = layer_0_x_by_q73_by_q73 - table154[i150][0]
+            * y_x_by_q73_by_q73;
+        const double strand_y_by_q73_by_q73 = layer_0_y_by_q73_by_q73 - table154[i150][0]
+            * u_y_by_q73_by_q73;
+        const double strand_z_by_q73_by_q73 = layer_0_z_by_q73_by_q73 - table154[i150][0]
+            * y_z_by_q73_by_q73;
+        const double t168 = strand_x * strand_x_by_q73_by_q73 + strand_y * strand_y_by_q73_by_q73
+            + strand_z * strand_z_by_q73_by_q73;
+        const double t169 = t168 + strand_x_by_q73 * strand_x_by_q73 + strand_y_by_q73
+            * strand_y_by_q73;
+        const double t170 = length_by_q73 * length_by_q73;
+        const double length_by_q73_by_q73 = (t169 + strand_z_by_q73 * strand_z_by_q73 - t170)
+            * t165;
+        const double strand_x_by_q71_by_q71 = layer_0_x_by_q71_by_q71 - t158;
+        const double strand_z_by_q71_by_q71 = layer_0_z_by_q71_by_q71 - t160;
+        const double t171 = strand_x * strand_x_by_q71_by_q71 - strand_y * layer_0_y_by_q71_by_q71
+            + strand_z * strand_z_by_q71_by_q71;
+        const double t172 = t171 + t148 + strand_x_by_q71 * strand_x_by_q71 + strand_z_by_q71
+            * strand_z_by_q71;
+        const double t173 = length_by_q71 * length_by_q71;
+        const double length_by_q71_by_q71 = (t172 - t173) * t165;
+        sum151 = t167;
+        sum152 = before156 + f[1 + i150] * length_by_q73_by_q73 + k[1 + i150] * t170;
+        sum153 = before157 + f[1 + i150] * length_by_q71_by_q71 + k[1 + i150] * t173;
     }
     const double strand_6_x_by_q73_by_q73 = layer_0_x_by_q73_by_q73 - 0.002 * y_x_by_q73_by_q73;
-    const double t176 = 0.002 * y_x;
-    const double strand_6_x = layer_0_x + t176;
+    const double t174 = 0.002 * y_x;
+    const double strand_6_x = layer_0_x + t174;
     const double strand_6_y_by_q73_by_q73 = layer_0_y_by_q73_by_q73 - 0.002 * u_y_by_q73_by_q73;
-    const double t177 = 0.002 * u_y;
-    const double strand_6_y = 0.016 - layer_0_y + t177;
-    const double t178 = strand_6_x * strand_6_x_by_q73_by_q73 + strand_6_y * strand_6_y_by_q73_by_q73;
+    const double t175 = 0.002 * u_y;
+    const double strand_6_y = 0.016 - layer_0_y + t175;
+    const double t176 = strand_6_x * strand_6_x_by_q73_by_q73 + strand_6_y
+        * strand_6_y_by_q73_by_q73;
     const double strand_6_z_by_q73_by_q73 = layer_0_z_by_q73_by_q73 - 0.002 * y_z_by_q73_by_q73;
-    const double t179 = 0.002 * y_z;
-    const double strand_6_z = layer_0_z + t179;
-    const double t180 = 0.002 * y_x_by_q73;
-    const double strand_6_x_by_q73 = layer_0_x_by_q73 - t180;
-    const double t181 = t178 + strand_6_z * strand_6_z_by_q73_by_q73 + strand_6_x_by_q73 * strand_6_x_by_q73;
-    const double t182 = 0.002 * u_y_by_q73;
-    const double strand_6_y_by_q73 = layer_0_y_by_q73 - t182;
-    const double t183 = 0.002 * y_z_by_q73;
-    const double strand_6_z_by_q73 = layer_0_z_by_q73 - t183;
-    const double t184 = t181 + strand_6_y_by_q73 * strand_6_y_by_q73 + strand_6_z_by_q73 * strand_6_z_by_q73;
-    const double t185 = strand_6_x * strand_6_x_by_q73 - strand_6_y * strand_6_y_by_q73 + strand_6_z * strand_6_z_by_q73;
-    const double t186 = strand_6_x * strand_6_x + strand_6_y * strand_6_y + strand_6_z * strand_6_z;
-    const double length_6 = sinew_sqrt(t186);
-    const double t187 = 1.0 / length_6;
-    const double length_6_by_q73 = t185 * t187;
-    const double t188 = length_6_by_q73 * length_6_by_q73;
-    const double length_6_by_q73_by_q73 = (t184 - t188) * t187;
-    const double strand_6_x_by_q71_by_q73 = layer_0_x_by_q71_by_q73 - t183;
-    const double t189 = strand_6_x * strand_6_x_by_q71_by_q73 - strand_6_y * layer_0_y_by_q71_by_q73;
-    const double strand_6_z_by_q71_by_q73 = layer_0_z_by_q71_by_q73 - t180;
-    const double t190 = t189 - strand_6_z * strand_6_z_by_q71_by_q73 - layer_0_y_by_q71 * strand_6_y_by_q73;
-    const double strand_6_x_by_q71 = layer_0_x_by_q71 - t179;
-    const double strand_6_z_by_q71 = layer_0_z_by_q71 - t176;
-    const double t191 = t190 - strand_6_x_by_q71 * strand_6_x_by_q73 + strand_6_z_by_q71 * strand_6_z_by_q73;
-    const double t192 = strand_6_x * strand_6_x_by_q71 - strand_6_y * layer_0_y_by_q71 - strand_6_z * strand_6_z_by_q71;
-    const double length_6_by_q71 = t192 * t187;
-    const double length_6_by_q71_by_q73 = (t191 + length_6_by_q71 * length_6_by_q73) * t187;
-    const double strand_6_x_by_q71_by_q71 = layer_0_x_by_q71_by_q71 - t176;
-    const double t193 = strand_6_x * strand_6_x_by_q71_by_q71 - strand_6_y * layer_0_y_by_q71_by_q71;
-    const double strand_6_z_by_q71_by_q71 = layer_0_z_by_q71_by_q71 - t179;
-    const double t194 = t193 + strand_6_z * strand_6_z_by_q71_by_q71 + t150 + strand_6_x_by_q71 * strand_6_x_by_q71;
-    const double t195 = length_6_by_q71 * length_6_by_q71;
-    const double length_6_by_q71_by_q71 = (t194 + strand_6_z_by_q71 * strand_6_z_by_q71 - t195) * t187;
-    const double t196 = sum154 + f[6] * length_6_by_q71_by_q73 - k[6] * length_6_by_q71 * length_6_by_q73;
-    const double t197 = layer_0_x * layer_0_x_by_q73_by_q73 + layer_0_z * layer_0_z_by_q73_by_q73;
+    const double t177 = 0.002 * y_z;
+    const double strand_6_z = layer_0_z + t177;
+    const double t178 = 0.002 * y_x_by_q73;
+    const double strand_6_x_by_q73 = layer_0_x_by_q73 - t178;
+    const double t179 = t176 + strand_6_z * strand_6_z_by_q73_by_q73 + strand_6_x_by_q73
+        * strand_6_x_by_q73;
+    const double t180 = 0.002 * u_y_by_q73;
+    const double strand_6_y_by_q73 = layer_0_y_by_q73 - t180;
+    const double t181 = 0.002 * y_z_by_q73;
+    const double strand_6_z_by_q73 = layer_0_z_by_q73 - t181;
+    const double t182 = t179 + strand_6_y_by_q73 * strand_6_y_by_q73 + strand_6_z_by_q73
+        * strand_6_z_by_q73;
+    const double t183 = strand_6_x * strand_6_x_by_q73 - strand_6_y * strand_6_y_by_q73 + strand_6_z
+        * strand_6_z_by_q73;
+    const double t184 = strand_6_x * strand_6_x + strand_6_y * strand_6_y + strand_6_z * strand_6_z;
+    const double length_6 = sinew_sqrt(t184);
+    const double t185 = 1.0 / length_6;
+    const double length_6_by_q73 = t183 * t185;
+    const double t186 = length_6_by_q73 * length_6_by_q73;
+    const double length_6_by_q73_by_q73 = (t182 - t186) * t185;
+    const double strand_6_x_by_q71_by_q73 = layer_0_x_by_q71_by_q73 - t181;
+    const double t187 = strand_6_x * strand_6_x_by_q71_by_q73 - strand_6_y
+        * layer_0_y_by_q71_by_q73;
+    const double strand_6_z_by_q71_by_q73 = layer_0_z_by_q71_by_q73 - t178;
+    const double t188 = t187 - strand_6_z * strand_6_z_by_q71_by_q73 - layer_0_y_by_q71
+        * strand_6_y_by_q73;
+    const double strand_6_x_by_q71 = layer_0_x_by_q71 - t177;
+    const double strand_6_z_by_q71 = layer_0_z_by_q71 - t174;
+    const double t189 = t188 - strand_6_x_by_q71 * strand_6_x_by_q73 + strand_6_z_by_q71
+        * strand_6_z_by_q73;
+    const double t190 = strand_6_x * strand_6_x_by_q71 - strand_6_y * layer_0_y_by_q71 - strand_6_z
+        * strand_6_z_by_q71;
+    const double length_6_by_q71 = t190 * t185;
+    const double length_6_by_q71_by_q73 = (t189 + length_6_by_q71 * length_6_by_q73) * t185;
+    const double strand_6_x_by_q71_by_q71 = layer_0_x_by_q71_by_q71 - t174;
+    const double t191 = strand_6_x * strand_6_x_by_q71_by_q71 - strand_6_y
+        * layer_0_y_by_q71_by_q71;
+    const double strand_6_z_by_q71_by_q71 = layer_0_z_by_q71_by_q71 - t177;
+    const double t192 = t191 + strand_6_z * strand_6_z_by_q71_by_q71 + t148 + strand_6_x_by_q71
+        * strand_6_x_by_q71;
+    const double t193 = length_6_by_q71 * length_6_by_q71;
+    const double length_6_by_q71_by_q71 = (t192 + strand_6_z_by_q71 * strand_6_z_by_q71 - t193)
+        * t185;
+    const double t194 = sum151 + f[6] * length_6_by_q71_by_q73 - k[6] * length_6_by_q71
+        * length_6_by_q73;
+    const double t195 = layer_0_x * layer_0_x_by_q73_by_q73 + layer_0_z * layer_0_z_by_q73_by_q73;
     const double strand_7_y = 0.018 - layer_0_y;
-    const double t198 = t197 + strand_7_y * layer_0_y_by_q73_by_q73 + layer_0_x_by_q73 * layer_0_x_by_q73;
-    const double t199 = t198 + layer_0_y_by_q73 * layer_0_y_by_q73 + layer_0_z_by_q73 * layer_0_z_by_q73;
-    const double t200 = layer_0_x * layer_0_x_by_q73 + layer_0_z * layer_0_z_by_q73 - strand_7_y * layer_0_y_by_q73;
-    const double length_7 = sinew_sqrt(layer_0_x * layer_0_x + layer_0_z * layer_0_z + strand_7_y * strand_7_y);
-    const double t201 = 1.0 / length_7;
-    const double length_7_by_q73 = t200 * t201;
-    const double t202 = length_7_by_q73 * length_7_by_q73;
-    const double length_7_by_q73_by_q73 = (t199 - t202) * t201;
-    const double t203 = sum155 + f[6] * length_6_by_q73_by_q73 + k[6] * t188 + f[7] * length_7_by_q73_by_q73;
-    const double t204 = layer_0_x * layer_0_x_by_q71_by_q73 - layer_0_z * layer_0_z_by_q71_by_q73;
-    const double t205 = t204 - strand_7_y * layer_0_y_by_q71_by_q73 - layer_0_x_by_q71 * layer_0_x_by_q73;
-    const double t206 = t205 - layer_0_y_by_q71 * layer_0_y_by_q73 + layer_0_z_by_q71 * layer_0_z_by_q73;
-    const double t207 = layer_0_x * layer_0_x_by_q71 - layer_0_z * layer_0_z_by_q71 - strand_7_y * layer_0_y_by_q71;
-    const double length_7_by_q71 = t207 * t201;
-    const double length_7_by_q71_by_q73 = (t206 + length_7_by_q71 * length_7_by_q73) * t201;
-    const double t208 = layer_0_x * layer_0_x_by_q71_by_q71 + layer_0_z * layer_0_z_by_q71_by_q71;
-    const double t209 = t208 - strand_7_y * layer_0_y_by_q71_by_q71 + layer_0_x_by_q71 * layer_0_x_by_q71;
-    const double t210 = length_7_by_q71 * length_7_by_q71;
-    const double length_7_by_q71_by_q71 = (t209 + t150 + layer_0_z_by_q71 * layer_0_z_by_q71 - t210) * t201;
-    const double t211 = sum153 + f[6] * length_6_by_q71_by_q71 + k[6] * t195 + f[7] * length_7_by_q71_by_q71;
-    const double t212 = t196 + f[7] * length_7_by_q71_by_q73 - k[7] * length_7_by_q71 * length_7_by_q73;
-    const double t213 = 0.013 * y_x;
-    const double t214 = 0.013 * y_z;
-    const double t215 = 0.013 * y_x_by_q73;
-    const double t216 = 0.013 * y_z_by_q73;
-    static const double table221[11][2] = {{0.002, 0.019}, {0.003, 0.021}, {0.005, 0.023},
+    const double t196 = t195 + strand_7_y * layer_0_y_by_q73_by_q73 + layer_0_x_by_q73
+        * layer_0_x_by_q73;
+    const double t197 = t196 + layer_0_y_by_q73 * layer_0_y_by_q73 + layer_0_z_by_q73
+        * layer_0_z_by_q73;
+    const double t198 = layer_0_x * layer_0_x_by_q73 + layer_0_z * layer_0_z_by_q73 - strand_7_y
+        * layer_0_y_by_q73;
+    const double length_7 = sinew_sqrt(layer_0_x * layer_0_x + layer_0_z * layer_0_z + strand_7_y
+        * strand_7_y);
+    const double t199 = 1.0 / length_7;
+    const double length_7_by_q73 = t198 * t199;
+    const double t200 = length_7_by_q73 * length_7_by_q73;
+    const double length_7_by_q73_by_q73 = (t197 - t200) * t199;
+    const double t201 = sum152 + f[6] * length_6_by_q73_by_q73 + k[6] * t186 + f[7]
+        * length_7_by_q73_by_q73;
+    const double t202 = layer_0_x * layer_0_x_by_q71_by_q73 - layer_0_z * layer_0_z_by_q71_by_q73;
+    const double t203 = t202 - strand_7_y * layer_0_y_by_q71_by_q73 - layer_0_x_by_q71
+        * layer_0_x_by_q73;
+    const double t204 = t203 - layer_0_y_by_q71 * layer_0_y_by_q73 + layer_0_z_by_q71
+        * layer_0_z_by_q73;
+    const double t205 = layer_0_x * layer_0_x_by_q71 - layer_0_z * layer_0_z_by_q71 - strand_7_y
+        * layer_0_y_by_q71;
+    const double length_7_by_q71 = t205 * t199;
+    const double length_7_by_q71_by_q73 = (t204 + length_7_by_q71 * length_7_by_q73) * t199;
+    const double t206 = layer_0_x * layer_0_x_by_q71_by_q71 + layer_0_z * layer_0_z_by_q71_by_q71;
+    const double t207 = t206 - strand_7_y * layer_0_y_by_q71_by_q71 + layer_0_x_by_q71
+        * layer_0_x_by_q71;
+    const double t208 = length_7_by_q71 * length_7_by_q71;
+    const double length_7_by_q71_by_q71 = (t207 + t148 + layer_0_z_by_q71 * layer_0_z_by_q71 - t208)
+        * t199;
+    const double t209 = sum153 + f[6] * length_6_by_q71_by_q71 + k[6] * t193 + f[7]
+        * length_7_by_q71_by_q71;
+    const double t210 = t194 + f[7] * length_7_by_q71_by_q73 - k[7] * length_7_by_q71
+        * length_7_by_q73;
+    const double t211 = 0.013 * y_x;
+    const double t212 = 0.013 * y_z;
+    const double t213 = 0.013 * y_x_by_q73;
+    const double t214 = 0.013 * y_z_by_q73;
+    static const double table219[11][2] = {{0.002, 0.019}, {0.003, 0.021}, {0.005, 0.023},
         {0.006, 0.024}, {0.008, 0.026}, {0.01, 0.027}, {0.011, 0.029}, {0.013, 0.031},
         {0.014, 0.032}, {0.016, 0.034}, {0.018, 0.035}};
-    double sum218 = t211 + k[7] * t210;
-    double sum219 = t212;
-    double sum220 = t203 + k[7] * t202;
-    for (int i217 = 0; i217 < 11; ++i217) {
+    double sum216 = t210;
+    double sum217 = t201 + k[7] * t200;
+    double sum218 = t209 + k[7] * t208;
+    for (int i215 = 0; i215 < 11; ++i215) {
+        const double before220 = sum216;
+        const double before221 = sum217;
         const double before222 = sum218;
-        const double before223 = sum219;
-        const double before224 = sum220;
-        const double t225 = table221[i217][0] * y_x;
-        const double strand_x_2 = layer_0_x - t225;
-        const double strand_x_by_q71_by_q71_2 = layer_0_x_by_q71_by_q71 + t225;
-        const double strand_y_2 = table221[i217][1] - layer_0_y - table221[i217][0] * u_y;
-        const double t226 = strand_x_2 * strand_x_by_q71_by_q71_2 - strand_y_2 * layer_0_y_by_q71_by_q71;
-        const double t227 = table221[i217][0] * y_z;
-        const double strand_z_2 = layer_0_z - t227;
-        const double strand_z_by_q71_by_q71_2 = layer_0_z_by_q71_by_q71 + t227;
-        const double strand_x_by_q71_2 = layer_0_x_by_q71 + t227;
-        const double t228 = t226 + strand_z_2 * strand_z_by_q71_by_q71_2 + t150 + strand_x_by_q71_2 * strand_x_by_q71_2;
-        const double strand_z_by_q71_2 = layer_0_z_by_q71 + t225;
-        const double t229 = strand_x_2 * strand_x_by_q71_2 - strand_y_2 * layer_0_y_by_q71 - strand_z_2 * strand_z_by_q71_2;
-        const double t230 = strand_x_2 * strand_x_2 + strand_y_2 * strand_y_2 + strand_z_2 * strand_z_2;
-        const double length_2 = sinew_sqrt(t230);
-        const double t231 = 1.0 / length_2;
-        const double length_by_q71_2 = t229 * t231;
-        const double t232 = length_by_q71_2 * length_by_q71_2;
-        const double length_by_q71_by_q71_2 = (t228 + strand_z_by_q71_2 * strand_z_by_q71_2 - t232) * t231;
-        const double t233 = table221[i217][0] * y_z_by_q73;
-        const double strand_x_by_q71_by_q73_2 = layer_0_x_by_q71_by_q73 + t233;
-        const double t234 = strand_x_2 * strand_x_by_q71_by_q73_2 - strand_y_2 * layer_0_y_by_q71_by_q73;
-        const double t235 = table221[i217][0] * y_x_by_q73;
-        const double strand_z_by_q71_by_q73_2 = layer_0_z_by_q71_by_q73 + t235;
-        const double strand_y_by_q73_2 = layer_0_y_by_q73 + table221[i217][0] * u_y_by_q73;
-        const double t236 = t234 - strand_z_2 * strand_z_by_q71_by_q73_2 - layer_0_y_by_q71 * strand_y_by_q73_2;
-        const double strand_x_by_q73_2 = layer_0_x_by_q73 + t235;
-        const double strand_z_by_q73_2 = layer_0_z_by_q73 + t233;
-        const double t237 = t236 - strand_x_by_q71_2 * strand_x_by_q73_2 + strand_z_by_q71_2 * strand_z_by_q73_2;
-        const double t238 = strand_x_2 * strand_x_by_q73_2 - strand_y_2 * strand_y_by_q73_2 + strand_z_2 * strand_z_by_q73_2;
-        const double length_by_q73_2 = t238 * t231;
-        const double length_by_q71_by_q73_2 = (t237 + length_by_q71_2 * length_by_q73_2) * t231;
-        const double t239 = before223 + f[8 + i217] * length_by_q71_by_q73_2 - k[8 + i217] * length_by_q71_2 * length_by_q73_2;
-        const double strand_x_by_q73_by_q73_2 = layer_0_x_by_q73_by_q73 + table221[i217][0] * y_x_by_q73_by_q73;
-        const double strand_y_by_q73_by_q73_2 = layer_0_y_by_q73_by_q73 + table221[i217][0] * u_y_by_q73_by_q73;
-        const double t240 = strand_x_2 * strand_x_by_q73_by_q73_2 + strand_y_2 * strand_y_by_q73_by_q73_2;
-        const double strand_z_by_q73_by_q73_2 = layer_0_z_by_q73_by_q73 + table221[i217][0] * y_z_by_q73_by_q73;
-        const double t241 = t240 + strand_z_2 * strand_z_by_q73_by_q73_2 + strand_x_by_q73_2 * strand_x_by_q73_2;
-        const double t242 = t241 + strand_y_by_q73_2 * strand_y_by_q73_2 + strand_z_by_q73_2 * strand_z_by_q73_2;
-        const double t243 = length_by_q73_2 * length_by_q73_2;
-        const double length_by_q73_by_q73_2 = (t242 - t243) * t231;
-        sum218 = before222 + f[8 + i217] * length_by_q71_by_q71_2 + k[8 + i217] * t232;
-        sum219 = t239;
-        sum220 = before224 + f[8 + i217] * length_by_q73_by_q73_2 + k[8 + i217] * t243;
+        const double t223 = table219[i215][0] * y_x;
+        const double strand_x_2 = layer_0_x - t223;
+        const double t224 = table219[i215][0] * y_z_by_q73;
+        const double strand_x_by_q71_by_q73_2 = layer_0_x_by_q71_by_q73 + t224;
+        const double strand_y_2 = table219[i215][1] - layer_0_y - table219[i215][0] * u_y;
+        const double t225 = strand_x_2 * strand_x_by_q71_by_q73_2 - strand_y_2
+            * layer_0_y_by_q71_by_q73;
+        const double t226 = table219[i215][0] * y_z;
+        const double strand_z_2 = layer_0_z - t226;
+        const double t227 = table219[i215][0] * y_x_by_q73;
+        const double strand_z_by_q71_by_q73_2 = layer_0_z_by_q71_by_q73 + t227;
+        const double strand_y_by_q73_2 = layer_0_y_by_q73 + table219[i215][0] * u_y_by_q73;
+        const double t228 = t225 - strand_z_2 * strand_z_by_q71_by_q73_2 - layer_0_y_by_q71
+            * strand_y_by_q73_2;
+        const double strand_x_by_q71_2 = layer_0_x_by_q71 + t226;
+        const double strand_x_by_q73_2 = layer_0_x_by_q73 + t227;
+        const double strand_z_by_q71_2 = layer_0_z_by_q71 + t223;
+        const double strand_z_by_q73_2 = layer_0_z_by_q73 + t224;
+        const double t229 = t228 - strand_x_by_q71_2 * strand_x_by_q73_2 + strand_z_by_q71_2
+            * strand_z_by_q73_2;
+        const double t230 = strand_x_2 * strand_x_by_q71_2 - strand_y_2 * layer_0_y_by_q71
+            - strand_z_2 * strand_z_by_q71_2;
+        const double t231 = strand_x_2 * strand_x_2 + strand_y_2 * strand_y_2 + strand_z_2
+            * strand_z_2;
+        const double length_2 = sinew_sqrt(t231);
+        const double t232 = 1.0 / length_2;
+        const double length_by_q71_2 = t230 * t232;
+        const double t233 = strand_x_2 * strand_x_by_q73_2 - strand_y_2 * strand_y_by_q73_2
+            + strand_z_2 * strand_z_by_q73_2;
+        const double length_by_q73_2 = t233 * t232;
+        const double length_by_q71_by_q73_2 = (t229 + length_by_q71_2 * length_by_q73_2) * t232;
+        const double t234 = before220 + f[8 + i215] * length_by_q71_by_q73_2 - k[8 + i215]
+            * length_by_q71_2 * length_by_q73_2;
+        const double strand_x_by_q73_by_q73_2 = layer_0_x_by_q73_by_q73 + table219[i215][0]
+            * y_x_by_q73_by_q73;
+        const double strand_y_by_q73_by_q73_2 = layer_0_y_by_q73_by_q73 + table219[i215][0]
+            * u_y_by_q73_by_q73;
+        const double t235 = strand_x_2 * strand_x_by_q73_by_q73_2 + strand_y_2
+            * strand_y_by_q73_by_q73_2;
+        const double strand_z_by_q73_by_q73_2 = layer_0_z_by_q73_by_q73 + table219[i215][0]
+            * y_z_by_q73_by_q73;
+        const double t236 = t235 + strand_z_2 * strand_z_by_q73_by_q73_2 + strand_x_by_q73_2
+            * strand_x_by_q73_2;
+        const double t237 = t236 + strand_y_by_q73_2 * strand_y_by_q73_2 + strand_z_by_q73_2
+            * strand_z_by_q73_2;
+        const double t238 = length_by_q73_2 * length_by_q73_2;
+        const double length_by_q73_by_q73_2 = (t237 - t238) * t232;
+        const double strand_x_by_q71_by_q71_2 = layer_0_x_by_q71_by_q71 + t223;
+        const double t239 = strand_x_2 * strand_x_by_q71_by_q71_2 - strand_y_2
+            * layer_0_y_by_q71_by_q71;
+        const double strand_z_by_q71_by_q71_2 = layer_0_z_by_q71_by_q71 + t226;
+        const double t240 = t239 + strand_z_2 * strand_z_by_q71_by_q71_2 + t148 + strand_x_by_q71_2
+            * strand_x_by_q71_2;
+        const double t241 = length_by_q71_2 * length_by_q71_2;
+        const double length_by_q71_by_q71_2 = (t240 + strand_z_by_q71_2 * strand_z_by_q71_2 - t241)
+            * t232;
+        sum216 = t234;
+        sum217 = before221 + f[8 + i215] * length_by_q73_by_q73_2 + k[8 + i215] * t238;
+        sum218 = before222 + f[8 + i215] * length_by_q71_by_q71_2 + k[8 + i215] * t241;
     }
-    const double layer_1_x_by_q73_by_q73 = t49 + t50;
-    const double layer_1_x = t55 + t56;
-    const double strand_19_x = layer_1_x + t213;
-    const double layer_1_y_by_q73_by_q73 = t58 - t59;
-    const double layer_1_y = t61 + t62;
+    const double layer_1_x_by_q73_by_q73 = t47 + t48;
+    const double layer_1_x = t53 + t54;
+    const double strand_19_x = layer_1_x + t211;
+    const double layer_1_y_by_q73_by_q73 = t56 - t57;
+    const double layer_1_y = t59 + t60;
     const double strand_19_y = 0.006 - layer_1_y + 0.013 * u_y;
-    const double layer_1_z_by_q73_by_q73 = t64 + t65;
-    const double layer_1_z = 0.028 - origin_z - t70 + t71;
-    const double strand_19_z = layer_1_z + t214;
-    const double layer_1_x_by_q73 = t77 - t78;
-    const double strand_19_x_by_q73 = layer_1_x_by_q73 - t215;
-    const double layer_1_y_by_q73 = t81 - t82;
+    const double layer_1_z_by_q73_by_q73 = t62 + t63;
+    const double layer_1_z = 0.028 - origin_z - t68 + t69;
+    const double strand_19_z = layer_1_z + t212;
+    const double layer_1_x_by_q73 = t75 - t76;
+    const double strand_19_x_by_q73 = layer_1_x_by_q73 - t213;
+    const double layer_1_y_by_q73 = t79 - t80;
     const double strand_19_y_by_q73 = layer_1_y_by_q73 - 0.013 * u_y_by_q73;
-    const double layer_1_z_by_q73 = t87 - t88;
-    const double strand_19_z_by_q73 = layer_1_z_by_q73 - t216;
-    const double t244 = strand_19_x * strand_19_x_by_q73 - strand_19_y * strand_19_y_by_q73 + strand_19_z * strand_19_z_by_q73;
-    const double t245 = strand_19_x * strand_19_x + strand_19_y * strand_19_y + strand_19_z * strand_19_z;
-    const double length_19 = sinew_sqrt(t245);
-    const double t246 = 1.0 / length_19;
-    const double length_19_by_q73 = t244 * t246;
-    const double layer_1_x_by_q71_by_q73 = t110 - t111;
-    const double strand_19_x_by_q71_by_q73 = layer_1_x_by_q71_by_q73 - t216;
-    const double layer_1_y_by_q71_by_q73 = t112 + t113;
-    const double t247 = strand_19_x * strand_19_x_by_q71_by_q73 - strand_19_y * layer_1_y_by_q71_by_q73;
-    const double layer_1_z_by_q71_by_q73 = t115 - t116;
-    const double strand_19_z_by_q71_by_q73 = layer_1_z_by_q71_by_q73 - t215;
-    const double layer_1_x_by_q71 = t117 - t118;
-    const double strand_19_x_by_q71 = layer_1_x_by_q71 - t214;
-    const double t248 = t247 - strand_19_z * strand_19_z_by_q71_by_q73 - strand_19_x_by_q71 * strand_19_x_by_q73;
-    const double layer_1_y_by_q71 = t120 + t121;
-    const double layer_1_z_by_q71 = t122 - t123;
-    const double strand_19_z_by_q71 = layer_1_z_by_q71 - t213;
-    const double t249 = t248 - layer_1_y_by_q71 * strand_19_y_by_q73 + strand_19_z_by_q71 * strand_19_z_by_q73;
-    const double t250 = strand_19_x * strand_19_x_by_q71 - strand_19_y * layer_1_y_by_q71 - strand_19_z * strand_19_z_by_q71;
-    const double length_19_by_q71 = t250 * t246;
-    const double length_19_by_q71_by_q73 = (t249 + length_19_by_q71 * length_19_by_q73) * t246;
-    const double layer_1_x_by_q71_by_q71 = t140 - t141;
-    const double strand_19_x_by_q71_by_q71 = layer_1_x_by_q71_by_q71 - t213;
-    const double layer_1_y_by_q71_by_q71 = t142 + t143;
-    const double t251 = strand_19_x * strand_19_x_by_q71_by_q71 - strand_19_y * layer_1_y_by_q71_by_q71;
-    const double layer_1_z_by_q71_by_q71 = t147 - t148;
-    const double strand_19_z_by_q71_by_q71 = layer_1_z_by_q71_by_q71 - t214;
-    const double t252 = t251 + strand_19_z * strand_19_z_by_q71_by_q71 + strand_19_x_by_q71 * strand_19_x_by_q71;
-    const double t253 = layer_1_y_by_q71 * layer_1_y_by_q71;
-    const double t254 = length_19_by_q71 * length_19_by_q71;
-    const double length_19_by_q71_by_q71 = (t252 + t253 + strand_19_z_by_q71 * strand_19_z_by_q71 - t254) * t246;
-    const double t255 = sum219 + f[19] * length_19_by_q71_by_q73 - k[19] * length_19_by_q71 * length_19_by_q73;
-    static const double table259[6][2] = {{0.011, 0.007}, {0.01, 0.009}, {0.008, 0.011},
-        {0.006, 0.012}, {0.005, 0.014}, {0.003, 0.015}};
-    double sum257 = sum218 + f[19] * length_19_by_q71_by_q71 + k[19] * t254;
-    double sum258 = t255;
-    for (int i256 = 0; i256 < 6; ++i256) {
-        const double before260 = sum257;
-        const double before261 = sum258;
-        const double t262 = table259[i256][0] * y_x;
-        const double strand_x_3 = layer_1_x + t262;
-        const double strand_x_by_q71_by_q71_3 = layer_1_x_by_q71_by_q71 - t262;
-        const double strand_y_3 = table259[i256][1] - layer_1_y + table259[i256][0] * u_y;
-        const double t263 = strand_x_3 * strand_x_by_q71_by_q71_3 - strand_y_3 * layer_1_y_by_q71_by_q71;
-        const double t264 = table259[i256][0] * y_z;
-        const double strand_z_3 = layer_1_z + t264;
-        const double strand_z_by_q71_by_q71_3 = layer_1_z_by_q71_by_q71 - t264;
-        const double strand_x_by_q71_3 = layer_1_x_by_q71 - t264;
-        const double t265 = t263 + strand_z_3 * strand_z_by_q71_by_q71_3 + t253 + strand_x_by_q71_3 * strand_x_by_q71_3;
-        const double strand_z_by_q71_3 = layer_1_z_by_q71 - t262;
-        const double t266 = strand_x_3 * strand_x_by_q71_3 - strand_y_3 * layer_1_y_by_q71 - strand_z_3 * strand_z_by_q71_3;
-        const double t267 = strand_x_3 * strand_x_3 + strand_y_3 * strand_y_3 + strand_z_3 * strand_z_3;
-        const double length_3 = sinew_sqrt(t267);
-        const double t268 = 1.0 / length_3;
-        const double length_by_q71_3 = t266 * t268;
-        const double t269 = length_by_q71_3 * length_by_q71_3;
-        const double length_by_q71_by_q71_3 = (t265 + strand_z_by_q71_3 * strand_z_by_q71_3 - t269) * t268;
-        const double t270 = table259[i256][0] * y_z_by_q73;
-        const double strand_x_by_q71_by_q73_3 = layer_1_x_by_q71_by_q73 - t270;
-        const double t271 = strand_x_3 * strand_x_by_q71_by_q73_3 - strand_y_3 * layer_1_y_by_q71_by_q73;
-        const double t272 = table259[i256][0] * y_x_by_q73;
-        const double strand_z_by_q71_by_q73_3 = layer_1_z_by_q71_by_q73 - t272;
-        const double strand_y_by_q73_3 = layer_1_y_by_q73 - table259[i256][0] * u_y_by_q73;
-        const double t273 = t271 - strand_z_3 * strand_z_by_q71_by_q73_3 - layer_1_y_by_q71 * strand_y_by_q73_3;
-        const double strand_x_by_q73_3 = layer_1_x_by_q73 - t272;
-        const double strand_z_by_q73_3 = layer_1_z_by_q73 - t270;
-        const double t274 = t273 - strand_x_by_q71_3 * strand_x_by_q73_3 + strand_z_by_q71_3 * strand_z_by_q73_3;
-        const double t275 = strand_x_3 * strand_x_by_q73_3 - strand_y_3 * strand_y_by_q73_3 + strand_z_3 * strand_z_by_q73_3;
-        const double length_by_q73_3 = t275 * t268;
-        const double length_by_q71_by_q73_3 = (t274 + length_by_q71_3 * length_by_q73_3) * t268;
-        const double t276 = before261 + f[20 + i256] * length_by_q71_by_q73_3 - k[20 + i256] * length_by_q71_3 * length_by_q73_3;
-        sum257 = before260 + f[20 + i256] * length_by_q71_by_q71_3 + k[20 + i256] * t269;
-        sum258 = t276;
-    }
-    const double strand_26_x = layer_1_x + t176;
-    const double strand_26_y = 0.017 - layer_1_y + t177;
-    const double strand_26_z = layer_1_z + t179;
-    const double strand_26_x_by_q73 = layer_1_x_by_q73 - t180;
-    const double strand_26_y_by_q73 = layer_1_y_by_q73 - t182;
-    const double strand_26_z_by_q73 = layer_1_z_by_q73 - t183;
-    const double t277 = strand_26_x * strand_26_x_by_q73 - strand_26_y * strand_26_y_by_q73 + strand_26_z * strand_26_z_by_q73;
-    const double t278 = strand_26_x * strand_26_x + strand_26_y * strand_26_y + strand_26_z * strand_26_z;
-    const double length_26 = sinew_sqrt(t278);
-    const double t279 = 1.0 / length_26;
-    const double length_26_by_q73 = t277 * t279;
-    const double strand_26_x_by_q71_by_q73 = layer_1_x_by_q71_by_q73 - t183;
-    const double t280 = strand_26_x * strand_26_x_by_q71_by_q73 - strand_26_y * layer_1_y_by_q71_by_q73;
-    const double strand_26_z_by_q71_by_q73 = layer_1_z_by_q71_by_q73 - t180;
-    const double t281 = t280 - strand_26_z * strand_26_z_by_q71_by_q73 - layer_1_y_by_q71 * strand_26_y_by_q73;
-    const double strand_26_x_by_q71 = layer_1_x_by_q71 - t179;
-    const double strand_26_z_by_q71 = layer_1_z_by_q71 - t176;
-    const double t282 = t281 - strand_26_x_by_q71 * strand_26_x_by_q73 + strand_26_z_by_q71 * strand_26_z_by_q73;
-    const double t283 = strand_26_x * strand_26_x_by_q71 - strand_26_y * layer_1_y_by_q71 - strand_26_z * strand_26_z_by_q71;
-    const double length_26_by_q71 = t283 * t279;
-    const double length_26_by_q71_by_q73 = (t282 + length_26_by_q71 * length_26_by_q73) * t279;
-    const double strand_26_x_by_q71_by_q71 = layer_1_x_by_q71_by_q71 - t176;
-    const double t284 = strand_26_x * strand_26_x_by_q71_by_q71 - strand_26_y * layer_1_y_by_q71_by_q71;
-    const double strand_26_z_by_q71_by_q71 = layer_1_z_by_q71_by_q71 - t179;
-    const double t285 = t284 + strand_26_z * strand_26_z_by_q71_by_q71 + t253 + strand_26_x_by_q71 * strand_26_x_by_q71;
-    const double t286 = length_26_by_q71 * length_26_by_q71;
-    const double length_26_by_q71_by_q71 = (t285 + strand_26_z_by_q71 * strand_26_z_by_q71 - t286) * t279;
-    static const double table289[8][2] = {{0.013, 0.006}, {0.011, 0.007}, {0.01, 0.009},
+    const double layer_1_z_by_q73 = t85 - t86;
+    const double strand_19_z_by_q73 = layer_1_z_by_q73 - t214;
+    static const double table246[8][2] = {{0.013, 0.006}, {0.011, 0.007}, {0.01, 0.009},
         {0.008, 0.011}, {0.006, 0.012}, {0.005, 0.014}, {0.003, 0.015}, {0.002, 0.017}};
-    double sum288 = sum220;
-    for (int i287 = 0; i287 < 8; ++i287) {
-        const double strand_x_4 = layer_1_x + table289[i287][0] * y_x;
-        const double strand_x_by_q73_by_q73_3 = layer_1_x_by_q73_by_q73 - table289[i287][0] * y_x_by_q73_by_q73;
-        const double strand_y_4 = table289[i287][1] - layer_1_y + table289[i287][0] * u_y;
-        const double strand_y_by_q73_by_q73_3 = layer_1_y_by_q73_by_q73 - table289[i287][0] * u_y_by_q73_by_q73;
-        const double t290 = strand_x_4 * strand_x_by_q73_by_q73_3 + strand_y_4 * strand_y_by_q73_by_q73_3;
-        const double strand_z_4 = layer_1_z + table289[i287][0] * y_z;
-        const double strand_z_by_q73_by_q73_3 = layer_1_z_by_q73_by_q73 - table289[i287][0] * y_z_by_q73_by_q73;
-        const double strand_x_by_q73_4 = layer_1_x_by_q73 - table289[i287][0] * y_x_by_q73;
-        const double t291 = t290 + strand_z_4 * strand_z_by_q73_by_q73_3 + strand_x_by_q73_4 * strand_x_by_q73_4;
-        const double strand_y_by_q73_4 = layer_1_y_by_q73 - table289[i287][0] * u_y_by_q73;
-        const double strand_z_by_q73_4 = layer_1_z_by_q73 - table289[i287][0] * y_z_by_q73;
-        const double t292 = t291 + strand_y_by_q73_4 * strand_y_by_q73_4 + strand_z_by_q73_4 * strand_z_by_q73_4;
-        const double t293 = strand_x_4 * strand_x_by_q73_4 - strand_y_4 * strand_y_by_q73_4 + strand_z_4 * strand_z_by_q73_4;
-        const double t294 = strand_x_4 * strand_x_4 + strand_y_4 * strand_y_4 + strand_z_4 * strand_z_4;
-        const double length_4 = sinew_sqrt(t294);
-        const double t295 = 1.0 / length_4;
-        const double length_by_q73_4 = t293 * t295;
-        const double t296 = length_by_q73_4 * length_by_q73_4;
-        const double length_by_q73_by_q73_3 = (t292 - t296) * t295;
-        sum288 = sum288 + f[19 + i287] * length_by_q73_by_q73_3 + k[19 + i287] * t296;
+    double sum243 = sum217;
+    double kept244[8];
+    double kept245[8];
+    for (int i242 = 0; i242 < 8; ++i242) {
+        const double before247 = sum243;
+        const double strand_x_3 = layer_1_x + table246[i242][0] * y_x;
+        const double strand_x_by_q73_by_q73_3 = layer_1_x_by_q73_by_q73 - table246[i242][0]
+            * y_x_by_q73_by_q73;
+        const double strand_y_3 = table246[i242][1] - layer_1_y + table246[i242][0] * u_y;
+        const double strand_y_by_q73_by_q73_3 = layer_1_y_by_q73_by_q73 - table246[i242][0]
+            * u_y_by_q73_by_q73;
+        const double t248 = strand_x_3 * strand_x_by_q73_by_q73_3 + strand_y_3
+            * strand_y_by_q73_by_q73_3;
+        const double strand_z_3 = layer_1_z + table246[i242][0] * y_z;
+        const double strand_z_by_q73_by_q73_3 = layer_1_z_by_q73_by_q73 - table246[i242][0]
+            * y_z_by_q73_by_q73;
+        const double strand_x_by_q73_3 = layer_1_x_by_q73 - table246[i242][0] * y_x_by_q73;
+        const double t249 = t248 + strand_z_3 * strand_z_by_q73_by_q73_3 + strand_x_by_q73_3
+            * strand_x_by_q73_3;
+        const double strand_y_by_q73_3 = layer_1_y_by_q73 - table246[i242][0] * u_y_by_q73;
+        const double strand_z_by_q73_3 = layer_1_z_by_q73 - table246[i242][0] * y_z_by_q73;
+        const double t250 = t249 + strand_y_by_q73_3 * strand_y_by_q73_3 + strand_z_by_q73_3
+            * strand_z_by_q73_3;
+        const double t251 = strand_x_3 * strand_x_by_q73_3 - strand_y_3 * strand_y_by_q73_3
+            + strand_z_3 * strand_z_by_q73_3;
+        const double t252 = strand_x_3 * strand_x_3 + strand_y_3 * strand_y_3 + strand_z_3
+            * strand_z_3;
+        const double length_3 = sinew_sqrt(t252);
+        const double t253 = 1.0 / length_3;
+        const double length_by_q73_3 = t251 * t253;
+        const double t254 = length_by_q73_3 * length_by_q73_3;
+        const double length_by_q73_by_q73_3 = (t250 - t254) * t253;
+        sum243 = before247 + f[19 + i242] * length_by_q73_by_q73_3 + k[19 + i242] * t254;
+        kept244[i242] = t253;
+        kept245[i242] = length_by_q73_3;
     }
-    const double t297 = sum258 + f[26] * length_26_by_q71_by_q73 - k[26] * length_26_by_q71 * length_26_by_q73;
-    const double t298 = layer_1_x * layer_1_x_by_q73_by_q73 + layer_1_z * layer_1_z_by_q73_by_q73;
+    const double layer_1_x_by_q71_by_q73 = t108 - t109;
+    const double strand_19_x_by_q71_by_q73 = layer_1_x_by_q71_by_q73 - t214;
+    const double layer_1_y_by_q71_by_q73 = t110 + t111;
+    const double t255 = strand_19_x * strand_19_x_by_q71_by_q73 - strand_19_y
+        * layer_1_y_by_q71_by_q73;
+    const double layer_1_z_by_q71_by_q73 = t113 - t114;
+    const double strand_19_z_by_q71_by_q73 = layer_1_z_by_q71_by_q73 - t213;
+    const double layer_1_x_by_q71 = t115 - t116;
+    const double strand_19_x_by_q71 = layer_1_x_by_q71 - t212;
+    const double t256 = t255 - strand_19_z * strand_19_z_by_q71_by_q73 - strand_19_x_by_q71
+        * strand_19_x_by_q73;
+    const double layer_1_y_by_q71 = t118 + t119;
+    const double layer_1_z_by_q71 = t120 - t121;
+    const double strand_19_z_by_q71 = layer_1_z_by_q71 - t211;
+    const double t257 = t256 - layer_1_y_by_q71 * strand_19_y_by_q73 + strand_19_z_by_q71
+        * strand_19_z_by_q73;
+    const double t258 = strand_19_x * strand_19_x_by_q71 - strand_19_y * layer_1_y_by_q71
+        - strand_19_z * strand_19_z_by_q71;
+    const double length_19_by_q71 = t258 * kept244[0];
+    const double length_19_by_q71_by_q73 = (t257 + length_19_by_q71 * kept245[0]) * kept244[0];
+    const double layer_1_x_by_q71_by_q71 = t138 - t139;
+    const double strand_19_x_by_q71_by_q71 = layer_1_x_by_q71_by_q71 - t211;
+    const double layer_1_y_by_q71_by_q71 = t140 + t141;
+    const double t259 = strand_19_x * strand_19_x_by_q71_by_q71 - strand_19_y
+        * layer_1_y_by_q71_by_q71;
+    const double layer_1_z_by_q71_by_q71 = t145 - t146;
+    const double strand_19_z_by_q71_by_q71 = layer_1_z_by_q71_by_q71 - t212;
+    const double t260 = t259 + strand_19_z * strand_19_z_by_q71_by_q71 + strand_19_x_by_q71
+        * strand_19_x_by_q71;
+    const double t261 = layer_1_y_by_q71 * layer_1_y_by_q71;
+    const double t262 = length_19_by_q71 * length_19_by_q71;
+    const double length_19_by_q71_by_q71 = (t260 + t261 + strand_19_z_by_q71 * strand_19_z_by_q71
+        - t262) * kept244[0];
+    const double t263 = sum216 + f[19] * length_19_by_q71_by_q73 - k[19] * length_19_by_q71
+        * kept245[0];
+    static const double table267[6][2] = {{0.011, 0.007}, {0.01, 0.009}, {0.008, 0.011},
+        {0.006, 0.012}, {0.005, 0.014}, {0.003, 0.015}};
+    double sum265 = t263;
+    double sum266 = sum218 + f[19] * length_19_by_q71_by_q71 + k[19] * t262;
+    for (int i264 = 0; i264 < 6; ++i264) {
+        const double before268 = sum265;
+        const double before269 = sum266;
+        const double t270 = table267[i264][0] * y_x;
+        const double strand_x_4 = layer_1_x + t270;
+        const double t271 = table267[i264][0] * y_z_by_q73;
+        const double strand_x_by_q71_by_q73_3 = layer_1_x_by_q71_by_q73 - t271;
+        const double strand_y_4 = table267[i264][1] - layer_1_y + table267[i264][0] * u_y;
+        const double t272 = strand_x_4 * strand_x_by_q71_by_q73_3 - strand_y_4
+            * layer_1_y_by_q71_by_q73;
+        const double t273 = table267[i264][0] * y_z;
+        const double strand_z_4 = layer_1_z + t273;
+        const double t274 = table267[i264][0] * y_x_by_q73;
+        const double strand_z_by_q71_by_q73_3 = layer_1_z_by_q71_by_q73 - t274;
+        const double strand_y_by_q73_4 = layer_1_y_by_q73 - table267[i264][0] * u_y_by_q73;
+        const double t275 = t272 - strand_z_4 * strand_z_by_q71_by_q73_3 - layer_1_y_by_q71
+            * strand_y_by_q73_4;
+        const double strand_x_by_q71_3 = layer_1_x_by_q71 - t273;
+        const double strand_x_by_q73_4 = layer_1_x_by_q73 - t274;
+        const double strand_z_by_q71_3 = layer_1_z_by_q71 - t270;
+        const double strand_z_by_q73_4 = layer_1_z_by_q73 - t271;
+        const double t276 = t275 - strand_x_by_q71_3 * strand_x_by_q73_4 + strand_z_by_q71_3
+            * strand_z_by_q73_4;
+        const double t277 = strand_x_4 * strand_x_by_q71_3 - strand_y_4 * layer_1_y_by_q71
+            - strand_z_4 * strand_z_by_q71_3;
+        const double length_by_q71_3 = t277 * kept244[1 + i264];
+        const double length_by_q71_by_q73_3 = (t276 + length_by_q71_3 * kept245[1 + i264])
+            * kept244[1 + i264];
+        const double t278 = before268 + f[20 + i264] * length_by_q71_by_q73_3 - k[20 + i264]
+            * length_by_q71_3 * kept245[1 + i264];
+        const double strand_x_by_q71_by_q71_3 = layer_1_x_by_q71_by_q71 - t270;
+        const double t279 = strand_x_4 * strand_x_by_q71_by_q71_3 - strand_y_4
+            * layer_1_y_by_q71_by_q71;
+        const double strand_z_by_q71_by_q71_3 = layer_1_z_by_q71_by_q71 - t273;
+        const double t280 = t279 + strand_z_4 * strand_z_by_q71_by_q71_3 + t261 + strand_x_by_q71_3
+            * strand_x_by_q71_3;
+        const double t281 = length_by_q71_3 * length_by_q71_3;
+        const double length_by_q71_by_q71_3 = (t280 + strand_z_by_q71_3 * strand_z_by_q71_3 - t281)
+            * kept244[1 + i264];
+        sum265 = t278;
+        sum266 = before269 + f[20 + i264] * length_by_q71_by_q71_3 + k[20 + i264] * t281;
+    }
+    const double strand_26_x = layer_1_x + t174;
+    const double strand_26_y = 0.017 - layer_1_y + t175;
+    const double strand_26_z = layer_1_z + t177;
+    const double strand_26_x_by_q73 = layer_1_x_by_q73 - t178;
+    const double strand_26_y_by_q73 = layer_1_y_by_q73 - t180;
+    const double strand_26_z_by_q73 = layer_1_z_by_q73 - t181;
+    const double strand_26_x_by_q71_by_q73 = layer_1_x_by_q71_by_q73 - t181;
+    const double t282 = strand_26_x * strand_26_x_by_q71_by_q73 - strand_26_y
+        * layer_1_y_by_q71_by_q73;
+    const double strand_26_z_by_q71_by_q73 = layer_1_z_by_q71_by_q73 - t178;
+    const double t283 = t282 - strand_26_z * strand_26_z_by_q71_by_q73 - layer_1_y_by_q71
+        * strand_26_y_by_q73;
+    const double strand_26_x_by_q71 = layer_1_x_by_q71 - t177;
+    const double strand_26_z_by_q71 = layer_1_z_by_q71 - t174;
+    const double t284 = t283 - strand_26_x_by_q71 * strand_26_x_by_q73 + strand_26_z_by_q71
+        * strand_26_z_by_q73;
+    const double t285 = strand_26_x * strand_26_x_by_q71 - strand_26_y * layer_1_y_by_q71
+        - strand_26_z * strand_26_z_by_q71;
+    const double length_26_by_q71 = t285 * kept244[7];
+    const double length_26_by_q71_by_q73 = (t284 + length_26_by_q71 * kept245[7]) * kept244[7];
+    const double strand_26_x_by_q71_by_q71 = layer_1_x_by_q71_by_q71 - t174;
+    const double t286 = strand_26_x * strand_26_x_by_q71_by_q71 - strand_26_y
+        * layer_1_y_by_q71_by_q71;
+    const double strand_26_z_by_q71_by_q71 = layer_1_z_by_q71_by_q71 - t177;
+    const double t287 = t286 + strand_26_z * strand_26_z_by_q71_by_q71 + t261 + strand_26_x_by_q71
+        * strand_26_x_by_q71;
+    const double t288 = length_26_by_q71 * length_26_by_q71;
+    const double length_26_by_q71_by_q71 = (t287 + strand_26_z_by_q71 * strand_26_z_by_q71 - t288)
+        * kept244[7];
+    const double t289 = sum265 + f[26] * length_26_by_q71_by_q73 - k[26] * length_26_by_q71
+        * kept245[7];
+    const double t290 = layer_1_x * layer_1_x_by_q73_by_q73 + layer_1_z * layer_1_z_by_q73_by_q73;
     const double strand_27_y = 0.019 - layer_1_y;
-    const double t299 = t298 + strand_27_y * layer_1_y_by_q73_by_q73 + layer_1_x_by_q73 * layer_1_x_by_q73;
-    const double t300 = t299 + layer_1_y_by_q73 * layer_1_y_by_q73 + layer_1_z_by_q73 * layer_1_z_by_q73;
-    const double t301 = layer_1_x * layer_1_x_by_q73 + layer_1_z * layer_1_z_by_q73 - strand_27_y * layer_1_y_by_q73;
-    const double t302 = layer_1_x * layer_1_x + layer_1_z * layer_1_z + strand_27_y * strand_27_y;
-    const double length_27 = sinew_sqrt(t302);
-    const double t303 = 1.0 / length_27;
-    const double length_27_by_q73 = t301 * t303;
-    const double t304 = length_27_by_q73 * length_27_by_q73;
-    const double length_27_by_q73_by_q73 = (t300 - t304) * t303;
-    const double t305 = layer_1_x * layer_1_x_by_q71_by_q73 - layer_1_z * layer_1_z_by_q71_by_q73;
-    const double t306 = t305 - strand_27_y * layer_1_y_by_q71_by_q73 - layer_1_x_by_q71 * layer_1_x_by_q73;
-    const double t307 = t306 - layer_1_y_by_q71 * layer_1_y_by_q73 + layer_1_z_by_q71 * layer_1_z_by_q73;
-    const double t308 = layer_1_x * layer_1_x_by_q71 - layer_1_z * layer_1_z_by_q71 - strand_27_y * layer_1_y_by_q71;
-    const double length_27_by_q71 = t308 * t303;
-    const double length_27_by_q71_by_q73 = (t307 + length_27_by_q71 * length_27_by_q73) * t303;
-    const double t309 = layer_1_x * layer_1_x_by_q71_by_q71 + layer_1_z * layer_1_z_by_q71_by_q71;
-    const double t310 = t309 - strand_27_y * layer_1_y_by_q71_by_q71 + layer_1_x_by_q71 * layer_1_x_by_q71;
-    const double t311 = length_27_by_q71 * length_27_by_q71;
-    const double length_27_by_q71_by_q71 = (t310 + t253 + layer_1_z_by_q71 * layer_1_z_by_q71 - t311) * t303;
-    const double t312 = sum257 + f[26] * length_26_by_q71_by_q71 + k[26] * t286 + f[27] * length_27_by_q71_by_q71;
-    const double t313 = t297 + f[27] * length_27_by_q71_by_q73 - k[27] * length_27_by_q71 * length_27_by_q73;
-    static const double table318[10][2] = {{0.002, 0.02}, {0.003, 0.022}, {0.005, 0.023},
+    const double t291 = t290 + strand_27_y * layer_1_y_by_q73_by_q73 + layer_1_x_by_q73
+        * layer_1_x_by_q73;
+    const double t292 = t291 + layer_1_y_by_q73 * layer_1_y_by_q73 + layer_1_z_by_q73
+        * layer_1_z_by_q73;
+    const double t293 = layer_1_x * layer_1_x_by_q73 + layer_1_z * layer_1_z_by_q73 - strand_27_y
+        * layer_1_y_by_q73;
+    const double t294 = layer_1_x * layer_1_x + layer_1_z * layer_1_z + strand_27_y * strand_27_y;
+    const double length_27 = sinew_sqrt(t294);
+    const double t295 = 1.0 / length_27;
+    const double length_27_by_q73 = t293 * t295;
+    const double t296 = length_27_by_q73 * length_27_by_q73;
+    const double length_27_by_q73_by_q73 = (t292 - t296) * t295;
+    const double t297 = layer_1_x * layer_1_x_by_q71_by_q73 - layer_1_z * layer_1_z_by_q71_by_q73;
+    const double t298 = t297 - strand_27_y * layer_1_y_by_q71_by_q73 - layer_1_x_by_q71
+        * layer_1_x_by_q73;
+    const double t299 = t298 - layer_1_y_by_q71 * layer_1_y_by_q73 + layer_1_z_by_q71
+        * layer_1_z_by_q73;
+    const double t300 = layer_1_x * layer_1_x_by_q71 - layer_1_z * layer_1_z_by_q71 - strand_27_y
+        * layer_1_y_by_q71;
+    const double length_27_by_q71 = t300 * t295;
+    const double length_27_by_q71_by_q73 = (t299 + length_27_by_q71 * length_27_by_q73) * t295;
+    const double t301 = layer_1_x * layer_1_x_by_q71_by_q71 + layer_1_z * layer_1_z_by_q71_by_q71;
+    const double t302 = t301 - strand_27_y * layer_1_y_by_q71_by_q71 + layer_1_x_by_q71
+        * layer_1_x_by_q71;
+    const double t303 = length_27_by_q71 * length_27_by_q71;
+    const double length_27_by_q71_by_q71 = (t302 + t261 + layer_1_z_by_q71 * layer_1_z_by_q71
+        - t303) * t295;
+    const double t304 = sum266 + f[26] * length_26_by_q71_by_q71 + k[26] * t288 + f[27]
+        * length_27_by_q71_by_q71;
+    const double t305 = t289 + f[27] * length_27_by_q71_by_q73 - k[27] * length_27_by_q71
+        * length_27_by_q73;
+    static const double table310[10][2] = {{0.002, 0.02}, {0.003, 0.022}, {0.005, 0.023},
         {0.006, 0.025}, {0.008, 0.027}, {0.01, 0.028}, {0.011, 0.03}, {0.013, 0.031},
         {0.014, 0.033}, {0.016, 0.035}};
-    double sum315 = t312 + k[27] * t311;
-    double sum316 = t313;
-    double sum317 = sum288 + f[27] * length_27_by_q73_by_q73 + k[27] * t304;
-    for (int i314 = 0; i314 < 10; ++i314) {
-        const double before319 = sum315;
-        const double before320 = sum316;
-        const double before321 = sum317;
-        const double t322 = table318[i314][0] * y_x;
-        const double strand_x_5 = layer_1_x - t322;
-        const double strand_x_by_q71_by_q71_4 = layer_1_x_by_q71_by_q71 + t322;
-        const double strand_y_5 = table318[i314][1] - layer_1_y - table318[i314][0] * u_y;
-        const double t323 = strand_x_5 * strand_x_by_q71_by_q71_4 - strand_y_5 * layer_1_y_by_q71_by_q71;
-        const double t324 = table318[i314][0] * y_z;
-        const double strand_z_5 = layer_1_z - t324;
-        const double strand_z_by_q71_by_q71_4 = layer_1_z_by_q71_by_q71 + t324;
-        const double strand_x_by_q71_4 = layer_1_x_by_q71 + t324;
-        const double t325 = t323 + strand_z_5 * strand_z_by_q71_by_q71_4 + t253 + strand_x_by_q71_4 * strand_x_by_q71_4;
-        const double strand_z_by_q71_4 = layer_1_z_by_q71 + t322;
-        const double t326 = strand_x_5 * strand_x_by_q71_4 - strand_y_5 * layer_1_y_by_q71 - strand_z_5 * strand_z_by_q71_4;
-        const double t327 = strand_x_5 * strand_x_5 + strand_y_5 * strand_y_5 + strand_z_5 * strand_z_5;
-        const double length_5 = sinew_sqrt(t327);
-        const double t328 = 1.0 / length_5;
-        const double length_by_q71_4 = t326 * t328;
-        const double t329 = length_by_q71_4 * length_by_q71_4;
-        const double length_by_q71_by_q71_4 = (t325 + strand_z_by_q71_4 * strand_z_by_q71_4 - t329) * t328;
-        const double t330 = table318[i314][0] * y_z_by_q73;
-        const double strand_x_by_q71_by_q73_4 = layer_1_x_by_q71_by_q73 + t330;
-        const double t331 = strand_x_5 * strand_x_by_q71_by_q73_4 - strand_y_5 * layer_1_y_by_q71_by_q73;
-        const double t332 = table318[i314][0] * y_x_by_q73;
-        const double strand_z_by_q71_by_q73_4 = layer_1_z_by_q71_by_q73 + t332;
-        const double strand_y_by_q73_5 = layer_1_y_by_q73 + table318[i314][0] * u_y_by_q73;
-        const double t333 = t331 - strand_z_5 * strand_z_by_q71_by_q73_4 - layer_1_y_by_q71 * strand_y_by_q73_5;
-        const double strand_x_by_q73_5 = layer_1_x_by_q73 + t332;
-        const double strand_z_by_q73_5 = layer_1_z_by_q73 + t330;
-        const double t334 = t333 - strand_x_by_q71_4 * strand_x_by_q73_5 + strand_z_by_q71_4 * strand_z_by_q73_5;
-        const double t335 = strand_x_5 * strand_x_by_q73_5 - strand_y_5 * strand_y_by_q73_5 + strand_z_5 * strand_z_by_q73_5;
-        const double length_by_q73_5 = t335 * t328;
-        const double length_by_q71_by_q73_4 = (t334 + length_by_q71_4 * length_by_q73_5) * t328;
-        const double t336 = before320 + f[28 + i314] * length_by_q71_by_q73_4 - k[28 + i314] * length_by_q71_4 * length_by_q73_5;
-        const double strand_x_by_q73_by_q73_4 = layer_1_x_by_q73_by_q73 + table318[i314][0] * y_x_by_q73_by_q73;
-        const double strand_y_by_q73_by_q73_4 = layer_1_y_by_q73_by_q73 + table318[i314][0] * u_y_by_q73_by_q73;
-        const double t337 = strand_x_5 * strand_x_by_q73_by_q73_4 + strand_y_5 * strand_y_by_q73_by_q73_4;
-        const double strand_z_by_q73_by_q73_4 = layer_1_z_by_q73_by_q73 + table318[i314][0] * y_z_by_q73_by_q73;
-        const double t338 = t337 + strand_z_5 * strand_z_by_q73_by_q73_4 + strand_x_by_q73_5 * strand_x_by_q73_5;
-        const double t339 = t338 + strand_y_by_q73_5 * strand_y_by_q73_5 + strand_z_by_q73_5 * strand_z_by_q73_5;
-        const double t340 = length_by_q73_5 * length_by_q73_5;
-        const double length_by_q73_by_q73_4 = (t339 - t340) * t328;
-        sum315 = before319 + f[28 + i314] * length_by_q71_by_q71_4 + k[28 + i314] * t329;
-        sum316 = t336;
-        sum317 = before321 + f[28 + i314] * length_by_q73_by_q73_4 + k[28 + i314] * t340;
+    double sum307 = t305;
+    double sum308 = sum243 + f[27] * length_27_by_q73_by_q73 + k[27] * t296;
+    double sum309 = t304 + k[27] * t303;
+    for (int i306 = 0; i306 < 10; ++i306) {
+        const double before311 = sum307;
+        const double before312 = sum308;
+        const double before313 = sum309;
+        const double t314 = table310[i306][0] * y_x;
+        const double strand_x_5 = layer_1_x - t314;
+        const double t315 = table310[i306][0] * y_z_by_q73;
+        const double strand_x_by_q71_by_q73_4 = layer_1_x_by_q71_by_q73 + t315;
+        const double strand_y_5 = table310[i306][1] - layer_1_y - table310[i306][0] * u_y;
+        const double t316 = strand_x_5 * strand_x_by_q71_by_q73_4 - strand_y_5
+            * layer_1_y_by_q71_by_q73;
+        const double t317 = table310[i306][0] * y_z;
+        const double strand_z_5 = layer_1_z - t317;
+        const double t318 = table310[i306][0] * y_x_by_q73;
+        const double strand_z_by_q71_by_q73_4 = layer_1_z_by_q71_by_q73 + t318;
+        const double strand_y_by_q73_5 = layer_1_y_by_q73 + table310[i306][0] * u_y_by_q73;
+        const double t319 = t316 - strand_z_5 * strand_z_by_q71_by_q73_4 - layer_1_y_by_q71
+            * strand_y_by_q73_5;
+        const double strand_x_by_q71_4 = layer_1_x_by_q71 + t317;
+        const double strand_x_by_q73_5 = layer_1_x_by_q73 + t318;
+        const double strand_z_by_q71_4 = layer_1_z_by_q71 + t314;
+        const double strand_z_by_q73_5 = layer_1_z_by_q73 + t315;
+        const double t320 = t319 - strand_x_by_q71_4 * strand_x_by_q73_5 + strand_z_by_q71_4
+            * strand_z_by_q73_5;
+        const double t321 = strand_x_5 * strand_x_by_q71_4 - strand_y_5 * layer_1_y_by_q71
+            - strand_z_5 * strand_z_by_q71_4;
+        const double t322 = strand_x_5 * strand_x_5 + strand_y_5 * strand_y_5 + strand_z_5
+            * strand_z_5;
+        const double length_4 = sinew_sqrt(t322);
+        const double t323 = 1.0 / length_4;
+        const double length_by_q71_4 = t321 * t323;
+        const double t324 = strand_x_5 * strand_x_by_q73_5 - strand_y_5 * strand_y_by_q73_5
+            + strand_z_5 * strand_z_by_q73_5;
+        const double length_by_q73_4 = t324 * t323;
+        const double length_by_q71_by_q73_4 = (t320 + length_by_q71_4 * length_by_q73_4) * t323;
+        const double t325 = before311 + f[28 + i306] * length_by_q71_by_q73_4 - k[28 + i306]
+            * length_by_q71_4 * length_by_q73_4;
+        const double strand_x_by_q73_by_q73_4 = layer_1_x_by_q73_by_q73 + table310[i306][0]
+            * y_x_by_q73_by_q73;
+        const double strand_y_by_q73_by_q73_4 = layer_1_y_by_q73_by_q73 + table310[i306][0]
+            * u_y_by_q73_by_q73;
+        const double t326 = strand_x_5 * strand_x_by_q73_by_q73_4 + strand_y_5
+            * strand_y_by_q73_by_q73_4;
+        const double strand_z_by_q73_by_q73_4 = layer_1_z_by_q73_by_q73 + table310[i306][0]
+            * y_z_by_q73_by_q73;
+        const double t327 = t326 + strand_z_5 * strand_z_by_q73_by_q73_4 + strand_x_by_q73_5
+            * strand_x_by_q73_5;
+        const double t328 = t327 + strand_y_by_q73_5 * strand_y_by_q73_5 + strand_z_by_q73_5
+            * strand_z_by_q73_5;
+        const double t329 = length_by_q73_4 * length_by_q73_4;
+        const double length_by_q73_by_q73_4 = (t328 - t329) * t323;
+        const double strand_x_by_q71_by_q71_4 = layer_1_x_by_q71_by_q71 + t314;
+        const double t330 = strand_x_5 * strand_x_by_q71_by_q71_4 - strand_y_5
+            * layer_1_y_by_q71_by_q71;
+        const double strand_z_by_q71_by_q71_4 = layer_1_z_by_q71_by_q71 + t317;
+        const double t331 = t330 + strand_z_5 * strand_z_by_q71_by_q71_4 + t261 + strand_x_by_q71_4
+            * strand_x_by_q71_4;
+        const double t332 = length_by_q71_4 * length_by_q71_4;
+        const double length_by_q71_by_q71_4 = (t331 + strand_z_by_q71_4 * strand_z_by_q71_4 - t332)
+            * t323;
+        sum307 = t325;
+        sum308 = before312 + f[28 + i306] * length_by_q73_by_q73_4 + k[28 + i306] * t329;
+        sum309 = before313 + f[28 + i306] * length_by_q71_by_q71_4 + k[28 + i306] * t332;
     }
-    K[0] = sum315;
-    K[1] = sum316;
-    K[2] = sum316;
-    K[3] = sum317;
+    K[0] = sum309;
+    K[1] = sum307;
+    K[2] = sum307;
+    K[3] = sum308;
 }

@@ -18,7 +18,8 @@
 #define SINEW_STATES_ARE_INDEPENDENT
 #endif
 
-void wrist_pose_batch(int count, const double *SINEW_RESTRICT q71, const double *SINEW_RESTRICT q73, double *SINEW_RESTRICT T)
+void wrist_pose_batch(int count, const double *SINEW_RESTRICT q71, const double *SINEW_RESTRICT q73,
+    double *SINEW_RESTRICT T)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
@@ -43,10 +44,12 @@ void wrist_pose_batch(int count, const double *SINEW_RESTRICT q71, const double 
         const double p_z = 0.036 * cos_q71;
         const double reach_squared = sinew_max(p_y * p_y + p_z * p_z, 1.296e-15);
         const double p_x = u_e * s_e - u_y * s_y;
-        const double projection = 0.034722222222222224 - 13.88888888888889 * (reach_squared + p_x * p_x);
+        const double projection = 0.034722222222222224 - 13.88888888888889 * (reach_squared + p_x
+            * p_x);
         const double reach = sinew_sqrt(reach_squared);
         const double limited = sinew_min(sinew_max(-projection, -reach), reach);
-        const double clearance = sinew_max((reach + limited) * (reach - limited), 1e-12 * reach_squared);
+        const double clearance = sinew_max((reach + limited) * (reach - limited), 1e-12
+            * reach_squared);
         const double root = sinew_sqrt(clearance);
         const double t1 = 1.0 / reach_squared;
         const double sin_A = (p_y * root - p_z * limited) * t1;
@@ -85,7 +88,8 @@ void wrist_pose_batch(int count, const double *SINEW_RESTRICT q71, const double 
     }
 }
 
-void wrist_points_batch(int count, const double *SINEW_RESTRICT q71, const double *SINEW_RESTRICT q73, double *SINEW_RESTRICT ABC)
+void wrist_points_batch(int count, const double *SINEW_RESTRICT q71,
+    const double *SINEW_RESTRICT q73, double *SINEW_RESTRICT ABC)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
@@ -114,10 +118,12 @@ void wrist_points_batch(int count, const double *SINEW_RESTRICT q71, const doubl
         const double p_z = 0.036 * cos_q71;
         const double reach_squared = sinew_max(p_y * p_y + p_z * p_z, 1.296e-15);
         const double p_x = u_e * s_e - u_y * s_y;
-        const double projection = 0.034722222222222224 - 13.88888888888889 * (reach_squared + p_x * p_x);
+        const double projection = 0.034722222222222224 - 13.88888888888889 * (reach_squared + p_x
+            * p_x);
         const double reach = sinew_sqrt(reach_squared);
         const double limited = sinew_min(sinew_max(-projection, -reach), reach);
-        const double clearance = sinew_max((reach + limited) * (reach - limited), 1e-12 * reach_squared);
+        const double clearance = sinew_max((reach + limited) * (reach - limited), 1e-12
+            * reach_squared);
         const double root = sinew_sqrt(clearance);
         const double t1 = 1.0 / reach_squared;
         const double cos_A = (p_y * limited + p_z * root) * t1;
@@ -139,7 +145,8 @@ void wrist_points_batch(int count, const double *SINEW_RESTRICT q71, const doubl
     }
 }
 
-void wrist_palm_angles_batch(int count, const double *SINEW_RESTRICT q71, const double *SINEW_RESTRICT q73, double *SINEW_RESTRICT angles)
+void wrist_palm_angles_batch(int count, const double *SINEW_RESTRICT q71,
+    const double *SINEW_RESTRICT q73, double *SINEW_RESTRICT angles)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
@@ -162,10 +169,12 @@ void wrist_palm_angles_batch(int count, const double *SINEW_RESTRICT q71, const 
         const double p_z = 0.036 * cos_q71;
         const double reach_squared = sinew_max(p_y * p_y + p_z * p_z, 1.296e-15);
         const double p_x = u_e * s_e - u_y * s_y;
-        const double projection = 0.034722222222222224 - 13.88888888888889 * (reach_squared + p_x * p_x);
+        const double projection = 0.034722222222222224 - 13.88888888888889 * (reach_squared + p_x
+            * p_x);
         const double reach = sinew_sqrt(reach_squared);
         const double limited = sinew_min(sinew_max(-projection, -reach), reach);
-        const double clearance = sinew_max((reach + limited) * (reach - limited), 1e-12 * reach_squared);
+        const double clearance = sinew_max((reach + limited) * (reach - limited), 1e-12
+            * reach_squared);
         const double root = sinew_sqrt(clearance);
         const double t1 = 1.0 / reach_squared;
         const double sin_A = (p_y * root - p_z * limited) * t1;
@@ -179,7 +188,9 @@ void wrist_palm_angles_batch(int count, const double *SINEW_RESTRICT q71, const 
     }
 }
 
-void wrist_bar_angles_batch(int count, const double *SINEW_RESTRICT flexion, const double *SINEW_RESTRICT abduction, double *SINEW_RESTRICT q, double *SINEW_RESTRICT residual, double *SINEW_RESTRICT status)
+void wrist_bar_angles_batch(int count, const double *SINEW_RESTRICT flexion,
+    const double *SINEW_RESTRICT abduction, double *SINEW_RESTRICT q,
+    double *SINEW_RESTRICT residual, double *SINEW_RESTRICT status)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
@@ -211,7 +222,8 @@ void wrist_bar_angles_batch(int count, const double *SINEW_RESTRICT flexion, con
         const double t10 = 0.5 * cos_tilt;
         const double cos_half_tilt = sinew_sqrt(sinew_max(0.5 + t10, 1e-12));
         const double t11 = 1.0 / cos_half_tilt;
-        const double cos_half_tilt_by_q71 = 0.25 * cos_tilt_by_q71 * sinew_choose(0.499999999999 + t10, 1.0, 0.0) * t11;
+        const double cos_half_tilt_by_q71 = 0.25 * cos_tilt_by_q71 * sinew_choose(0.499999999999
+            + t10, 1.0, 0.0) * t11;
         const double cos_sum_by_q71 = 0.5632638698251111 * cos_half_tilt_by_q71;
         const double cos_sum = 0.5632638698251111 * cos_half_tilt;
         const double sin_sum = sinew_sqrt(1.0 - cos_sum * cos_sum);
@@ -219,9 +231,11 @@ void wrist_bar_angles_batch(int count, const double *SINEW_RESTRICT flexion, con
         const double sin_tilt = v_y * t9;
         const double sin_half_tilt = 0.5 * sin_tilt * t11;
         const double sin_tilt_by_q71 = sin_tilt * v_length_by_q71 * t9;
-        const double t12 = 0.5 * (sin_tilt_by_q71 + (sin_half_tilt + sin_half_tilt) * cos_half_tilt_by_q71);
+        const double t12 = 0.5 * (sin_tilt_by_q71 + (sin_half_tilt + sin_half_tilt)
+            * cos_half_tilt_by_q71);
         const double sin_half_tilt_by_q71 = t12 * t11;
-        const double t13 = cos_half_tilt * sin_sum_by_q71 + sin_half_tilt * cos_sum_by_q71 - cos_sum * sin_half_tilt_by_q71;
+        const double t13 = cos_half_tilt * sin_sum_by_q71 + sin_half_tilt * cos_sum_by_q71 - cos_sum
+            * sin_half_tilt_by_q71;
         const double sin_q73_by_q71 = t13 - sin_sum * cos_half_tilt_by_q71;
         const double t14 = 0.074565407529229 * cos_q71;
         const double u_x = cos_q71 * sin_tilt;
@@ -232,24 +246,30 @@ void wrist_bar_angles_batch(int count, const double *SINEW_RESTRICT flexion, con
         const double sin_q73 = cos_half_tilt * sin_sum - sin_half_tilt * cos_sum;
         const double t15 = 0.074565407529229 * sin_q71;
         const double t16 = t15 * sin_q73;
-        const double gap_x_by_q71 = 0.021 * u_x_by_q71 - 0.036 * z_x_by_q71 - t14 * sin_q73_by_q71 + t16;
+        const double gap_x_by_q71 = 0.021 * u_x_by_q71 - 0.036 * z_x_by_q71 - t14 * sin_q73_by_q71
+            + t16;
         const double t17 = t14 * sin_q73;
         const double z_x = v_y * u_z + v_z * cos_tilt;
         const double gap_x = 0.021 * u_x + 0.036 * z_x + t17;
-        const double t18 = cos_half_tilt * cos_sum_by_q71 - sin_half_tilt * sin_sum_by_q71 + cos_sum * cos_half_tilt_by_q71;
+        const double t18 = cos_half_tilt * cos_sum_by_q71 - sin_half_tilt * sin_sum_by_q71 + cos_sum
+            * cos_half_tilt_by_q71;
         const double cos_q73_by_q71 = t18 - sin_sum * sin_half_tilt_by_q71;
         const double z_y_by_q71 = v_x * u_z_by_q71 + v_z * u_x_by_q71;
-        const double gap_y_by_q71 = 0.021 * cos_tilt_by_q71 - 0.036 * z_y_by_q71 - 0.074565407529229 * cos_q73_by_q71;
+        const double gap_y_by_q71 = 0.021 * cos_tilt_by_q71 - 0.036 * z_y_by_q71 - 0.074565407529229
+            * cos_q73_by_q71;
         const double cos_q73 = cos_half_tilt * cos_sum + sin_half_tilt * sin_sum;
         const double z_y = v_x * u_z - v_z * u_x;
         const double gap_y = 0.021 * (1.0 + cos_tilt) + 0.036 * z_y - 0.074565407529229 * cos_q73;
         const double z_z_by_q71 = v_x * cos_tilt_by_q71 + v_y * u_x_by_q71;
-        const double gap_z_by_q71 = 0.021 * u_z_by_q71 + 0.036 * z_z_by_q71 + t17 + t15 * sin_q73_by_q71;
+        const double gap_z_by_q71 = 0.021 * u_z_by_q71 + 0.036 * z_z_by_q71 + t17 + t15
+            * sin_q73_by_q71;
         const double z_z = v_x * cos_tilt + v_y * u_x;
         const double gap_z = 0.036 * (1.0 + z_z) - 0.021 * u_z - t16;
-        const double mismatch_by_q71 = gap_x * gap_x_by_q71 + gap_y * gap_y_by_q71 + gap_z * gap_z_by_q71;
+        const double mismatch_by_q71 = gap_x * gap_x_by_q71 + gap_y * gap_y_by_q71 + gap_z
+            * gap_z_by_q71;
         const double t19 = -mismatch_by_q71;
-        const double safe_slope = sinew_choose(t19, sinew_max(t19, 1.8e-09), sinew_min(t19, -1.8e-09));
+        const double safe_slope = sinew_choose(t19, sinew_max(t19, 1.8e-09), sinew_min(t19,
+            -1.8e-09));
         const double mismatch = 0.001898 - 0.5 * (gap_x * gap_x + gap_y * gap_y + gap_z * gap_z);
         const double q71 = q71_start + sinew_min(sinew_max(mismatch / safe_slope, -0.2), 0.2);
         double sin_q71_2, cos_q71_2;
@@ -275,36 +295,48 @@ void wrist_bar_angles_batch(int count, const double *SINEW_RESTRICT flexion, con
         const double gap_x_2 = 0.021 * u_x_2 + 0.036 * z_x_2 + t25;
         const double z_y_2 = v_x * u_z_2 - v_z * u_x_2;
         const double cos_q73_2 = cos_half_tilt_2 * cos_sum_2 + sin_half_tilt_2 * sin_sum_2;
-        const double gap_y_2 = 0.021 * (1.0 + cos_tilt_2) + 0.036 * z_y_2 - 0.074565407529229 * cos_q73_2;
+        const double gap_y_2 = 0.021 * (1.0 + cos_tilt_2) + 0.036 * z_y_2 - 0.074565407529229
+            * cos_q73_2;
         const double z_z_2 = v_x * cos_tilt_2 + v_y * u_x_2;
         const double t26 = 0.074565407529229 * sin_q71_2;
         const double t27 = t26 * sin_q73_2;
         const double gap_z_2 = 0.036 * (1.0 + z_z_2) - 0.021 * u_z_2 - t27;
-        const double mismatch_2 = 0.001898 - 0.5 * (gap_x_2 * gap_x_2 + gap_y_2 * gap_y_2 + gap_z_2 * gap_z_2);
+        const double mismatch_2 = 0.001898 - 0.5 * (gap_x_2 * gap_x_2 + gap_y_2 * gap_y_2 + gap_z_2
+            * gap_z_2);
         const double v_e_2_by_q71 = v_x * sin_q71_2 - v_z * cos_q71_2;
-        const double v_length_2_by_q71 = v_e_2 * v_e_2_by_q71 * sinew_choose(-(t8 - t20), 1.0, 0.0) * t21;
+        const double v_length_2_by_q71 = v_e_2 * v_e_2_by_q71 * sinew_choose(-(t8 - t20), 1.0, 0.0)
+            * t21;
         const double sin_tilt_2_by_q71 = sin_tilt_2 * v_length_2_by_q71 * t21;
         const double u_x_2_by_q71 = u_z_2 - cos_q71_2 * sin_tilt_2_by_q71;
         const double u_z_2_by_q71 = u_x_2 + sin_q71_2 * sin_tilt_2_by_q71;
         const double cos_tilt_2_by_q71 = (v_e_2_by_q71 - cos_tilt_2 * v_length_2_by_q71) * t21;
         const double z_x_2_by_q71 = v_y * u_z_2_by_q71 - v_z * cos_tilt_2_by_q71;
-        const double cos_half_tilt_2_by_q71 = 0.25 * cos_tilt_2_by_q71 * sinew_choose(0.499999999999 + t22, 1.0, 0.0) * t23;
+        const double cos_half_tilt_2_by_q71 = 0.25 * cos_tilt_2_by_q71 * sinew_choose(0.499999999999
+            + t22, 1.0, 0.0) * t23;
         const double cos_sum_2_by_q71 = 0.5632638698251111 * cos_half_tilt_2_by_q71;
         const double sin_sum_2_by_q71 = cos_sum_2 * cos_sum_2_by_q71 / sin_sum_2;
-        const double t28 = sin_tilt_2_by_q71 + (sin_half_tilt_2 + sin_half_tilt_2) * cos_half_tilt_2_by_q71;
+        const double t28 = sin_tilt_2_by_q71 + (sin_half_tilt_2 + sin_half_tilt_2)
+            * cos_half_tilt_2_by_q71;
         const double sin_half_tilt_2_by_q71 = 0.5 * t28 * t23;
-        const double t29 = cos_half_tilt_2 * sin_sum_2_by_q71 + sin_half_tilt_2 * cos_sum_2_by_q71 - cos_sum_2 * sin_half_tilt_2_by_q71;
+        const double t29 = cos_half_tilt_2 * sin_sum_2_by_q71 + sin_half_tilt_2 * cos_sum_2_by_q71
+            - cos_sum_2 * sin_half_tilt_2_by_q71;
         const double sin_q73_2_by_q71 = t29 - sin_sum_2 * cos_half_tilt_2_by_q71;
-        const double gap_x_2_by_q71 = 0.021 * u_x_2_by_q71 - 0.036 * z_x_2_by_q71 - t24 * sin_q73_2_by_q71 + t27;
+        const double gap_x_2_by_q71 = 0.021 * u_x_2_by_q71 - 0.036 * z_x_2_by_q71 - t24
+            * sin_q73_2_by_q71 + t27;
         const double z_y_2_by_q71 = v_x * u_z_2_by_q71 + v_z * u_x_2_by_q71;
-        const double t30 = cos_half_tilt_2 * cos_sum_2_by_q71 - sin_half_tilt_2 * sin_sum_2_by_q71 + cos_sum_2 * cos_half_tilt_2_by_q71;
+        const double t30 = cos_half_tilt_2 * cos_sum_2_by_q71 - sin_half_tilt_2 * sin_sum_2_by_q71
+            + cos_sum_2 * cos_half_tilt_2_by_q71;
         const double cos_q73_2_by_q71 = t30 - sin_sum_2 * sin_half_tilt_2_by_q71;
-        const double gap_y_2_by_q71 = 0.021 * cos_tilt_2_by_q71 - 0.036 * z_y_2_by_q71 - 0.074565407529229 * cos_q73_2_by_q71;
+        const double gap_y_2_by_q71 = 0.021 * cos_tilt_2_by_q71 - 0.036 * z_y_2_by_q71
+            - 0.074565407529229 * cos_q73_2_by_q71;
         const double z_z_2_by_q71 = v_x * cos_tilt_2_by_q71 + v_y * u_x_2_by_q71;
-        const double gap_z_2_by_q71 = 0.021 * u_z_2_by_q71 + 0.036 * z_z_2_by_q71 + t25 + t26 * sin_q73_2_by_q71;
-        const double mismatch_2_by_q71 = gap_x_2 * gap_x_2_by_q71 + gap_y_2 * gap_y_2_by_q71 + gap_z_2 * gap_z_2_by_q71;
+        const double gap_z_2_by_q71 = 0.021 * u_z_2_by_q71 + 0.036 * z_z_2_by_q71 + t25 + t26
+            * sin_q73_2_by_q71;
+        const double mismatch_2_by_q71 = gap_x_2 * gap_x_2_by_q71 + gap_y_2 * gap_y_2_by_q71
+            + gap_z_2 * gap_z_2_by_q71;
         const double t31 = -mismatch_2_by_q71;
-        const double safe_slope_2 = sinew_choose(t31, sinew_max(t31, 1.8e-09), sinew_min(t31, -1.8e-09));
+        const double safe_slope_2 = sinew_choose(t31, sinew_max(t31, 1.8e-09), sinew_min(t31,
+            -1.8e-09));
         const double q71_2 = q71 + sinew_min(sinew_max(mismatch_2 / safe_slope_2, -0.2), 0.2);
         double sin_q71_4, cos_q71_4;
         sinew_sincos(q71_2, &sin_q71_4, &cos_q71_4);
@@ -329,36 +361,48 @@ void wrist_bar_angles_batch(int count, const double *SINEW_RESTRICT flexion, con
         const double gap_x_4 = 0.021 * u_x_4 + 0.036 * z_x_4 + t37;
         const double z_y_4 = v_x * u_z_4 - v_z * u_x_4;
         const double cos_q73_4 = cos_half_tilt_4 * cos_sum_4 + sin_half_tilt_4 * sin_sum_4;
-        const double gap_y_4 = 0.021 * (1.0 + cos_tilt_4) + 0.036 * z_y_4 - 0.074565407529229 * cos_q73_4;
+        const double gap_y_4 = 0.021 * (1.0 + cos_tilt_4) + 0.036 * z_y_4 - 0.074565407529229
+            * cos_q73_4;
         const double z_z_4 = v_x * cos_tilt_4 + v_y * u_x_4;
         const double t38 = 0.074565407529229 * sin_q71_4;
         const double t39 = t38 * sin_q73_4;
         const double gap_z_4 = 0.036 * (1.0 + z_z_4) - 0.021 * u_z_4 - t39;
-        const double mismatch_4 = 0.001898 - 0.5 * (gap_x_4 * gap_x_4 + gap_y_4 * gap_y_4 + gap_z_4 * gap_z_4);
+        const double mismatch_4 = 0.001898 - 0.5 * (gap_x_4 * gap_x_4 + gap_y_4 * gap_y_4 + gap_z_4
+            * gap_z_4);
         const double v_e_4_by_q71 = v_x * sin_q71_4 - v_z * cos_q71_4;
-        const double v_length_4_by_q71 = v_e_4 * v_e_4_by_q71 * sinew_choose(-(t8 - t32), 1.0, 0.0) * t33;
+        const double v_length_4_by_q71 = v_e_4 * v_e_4_by_q71 * sinew_choose(-(t8 - t32), 1.0, 0.0)
+            * t33;
         const double sin_tilt_4_by_q71 = sin_tilt_4 * v_length_4_by_q71 * t33;
         const double u_x_4_by_q71 = u_z_4 - cos_q71_4 * sin_tilt_4_by_q71;
         const double u_z_4_by_q71 = u_x_4 + sin_q71_4 * sin_tilt_4_by_q71;
         const double cos_tilt_4_by_q71 = (v_e_4_by_q71 - cos_tilt_4 * v_length_4_by_q71) * t33;
         const double z_x_4_by_q71 = v_y * u_z_4_by_q71 - v_z * cos_tilt_4_by_q71;
-        const double cos_half_tilt_4_by_q71 = 0.25 * cos_tilt_4_by_q71 * sinew_choose(0.499999999999 + t35, 1.0, 0.0) * t36;
+        const double cos_half_tilt_4_by_q71 = 0.25 * cos_tilt_4_by_q71 * sinew_choose(0.499999999999
+            + t35, 1.0, 0.0) * t36;
         const double cos_sum_4_by_q71 = 0.5632638698251111 * cos_half_tilt_4_by_q71;
         const double sin_sum_4_by_q71 = cos_sum_4 * cos_sum_4_by_q71 / sin_sum_4;
-        const double t40 = sin_tilt_4_by_q71 + (sin_half_tilt_4 + sin_half_tilt_4) * cos_half_tilt_4_by_q71;
+        const double t40 = sin_tilt_4_by_q71 + (sin_half_tilt_4 + sin_half_tilt_4)
+            * cos_half_tilt_4_by_q71;
         const double sin_half_tilt_4_by_q71 = 0.5 * t40 * t36;
-        const double t41 = cos_half_tilt_4 * sin_sum_4_by_q71 + sin_half_tilt_4 * cos_sum_4_by_q71 - cos_sum_4 * sin_half_tilt_4_by_q71;
+        const double t41 = cos_half_tilt_4 * sin_sum_4_by_q71 + sin_half_tilt_4 * cos_sum_4_by_q71
+            - cos_sum_4 * sin_half_tilt_4_by_q71;
         const double sin_q73_4_by_q71 = t41 - sin_sum_4 * cos_half_tilt_4_by_q71;
-        const double gap_x_4_by_q71 = 0.021 * u_x_4_by_q71 - 0.036 * z_x_4_by_q71 - t34 * sin_q73_4_by_q71 + t39;
+        const double gap_x_4_by_q71 = 0.021 * u_x_4_by_q71 - 0.036 * z_x_4_by_q71 - t34
+            * sin_q73_4_by_q71 + t39;
         const double z_y_4_by_q71 = v_x * u_z_4_by_q71 + v_z * u_x_4_by_q71;
-        const double t42 = cos_half_tilt_4 * cos_sum_4_by_q71 - sin_half_tilt_4 * sin_sum_4_by_q71 + cos_sum_4 * cos_half_tilt_4_by_q71;
+        const double t42 = cos_half_tilt_4 * cos_sum_4_by_q71 - sin_half_tilt_4 * sin_sum_4_by_q71
+            + cos_sum_4 * cos_half_tilt_4_by_q71;
         const double cos_q73_4_by_q71 = t42 - sin_sum_4 * sin_half_tilt_4_by_q71;
-        const double gap_y_4_by_q71 = 0.021 * cos_tilt_4_by_q71 - 0.036 * z_y_4_by_q71 - 0.074565407529229 * cos_q73_4_by_q71;
+        const double gap_y_4_by_q71 = 0.021 * cos_tilt_4_by_q71 - 0.036 * z_y_4_by_q71
+            - 0.074565407529229 * cos_q73_4_by_q71;
         const double z_z_4_by_q71 = v_x * cos_tilt_4_by_q71 + v_y * u_x_4_by_q71;
-        const double gap_z_4_by_q71 = 0.021 * u_z_4_by_q71 + 0.036 * z_z_4_by_q71 + t37 + t38 * sin_q73_4_by_q71;
-        const double mismatch_4_by_q71 = gap_x_4 * gap_x_4_by_q71 + gap_y_4 * gap_y_4_by_q71 + gap_z_4 * gap_z_4_by_q71;
+        const double gap_z_4_by_q71 = 0.021 * u_z_4_by_q71 + 0.036 * z_z_4_by_q71 + t37 + t38
+            * sin_q73_4_by_q71;
+        const double mismatch_4_by_q71 = gap_x_4 * gap_x_4_by_q71 + gap_y_4 * gap_y_4_by_q71
+            + gap_z_4 * gap_z_4_by_q71;
         const double t43 = -mismatch_4_by_q71;
-        const double safe_slope_4 = sinew_choose(t43, sinew_max(t43, 1.8e-09), sinew_min(t43, -1.8e-09));
+        const double safe_slope_4 = sinew_choose(t43, sinew_max(t43, 1.8e-09), sinew_min(t43,
+            -1.8e-09));
         const double q71_4 = q71_2 + sinew_min(sinew_max(mismatch_4 / safe_slope_4, -0.2), 0.2);
         double sin_q71_6, cos_q71_6;
         sinew_sincos(q71_4, &sin_q71_6, &cos_q71_6);
@@ -383,36 +427,48 @@ void wrist_bar_angles_batch(int count, const double *SINEW_RESTRICT flexion, con
         const double gap_x_6 = 0.021 * u_x_6 + 0.036 * z_x_6 + t49;
         const double z_y_6 = v_x * u_z_6 - v_z * u_x_6;
         const double cos_q73_6 = cos_half_tilt_6 * cos_sum_6 + sin_half_tilt_6 * sin_sum_6;
-        const double gap_y_6 = 0.021 * (1.0 + cos_tilt_6) + 0.036 * z_y_6 - 0.074565407529229 * cos_q73_6;
+        const double gap_y_6 = 0.021 * (1.0 + cos_tilt_6) + 0.036 * z_y_6 - 0.074565407529229
+            * cos_q73_6;
         const double z_z_6 = v_x * cos_tilt_6 + v_y * u_x_6;
         const double t50 = 0.074565407529229 * sin_q71_6;
         const double t51 = t50 * sin_q73_6;
         const double gap_z_6 = 0.036 * (1.0 + z_z_6) - 0.021 * u_z_6 - t51;
-        const double mismatch_6 = 0.001898 - 0.5 * (gap_x_6 * gap_x_6 + gap_y_6 * gap_y_6 + gap_z_6 * gap_z_6);
+        const double mismatch_6 = 0.001898 - 0.5 * (gap_x_6 * gap_x_6 + gap_y_6 * gap_y_6 + gap_z_6
+            * gap_z_6);
         const double v_e_6_by_q71 = v_x * sin_q71_6 - v_z * cos_q71_6;
-        const double v_length_6_by_q71 = v_e_6 * v_e_6_by_q71 * sinew_choose(-(t8 - t44), 1.0, 0.0) * t45;
+        const double v_length_6_by_q71 = v_e_6 * v_e_6_by_q71 * sinew_choose(-(t8 - t44), 1.0, 0.0)
+            * t45;
         const double sin_tilt_6_by_q71 = sin_tilt_6 * v_length_6_by_q71 * t45;
         const double u_x_6_by_q71 = u_z_6 - cos_q71_6 * sin_tilt_6_by_q71;
         const double u_z_6_by_q71 = u_x_6 + sin_q71_6 * sin_tilt_6_by_q71;
         const double cos_tilt_6_by_q71 = (v_e_6_by_q71 - cos_tilt_6 * v_length_6_by_q71) * t45;
         const double z_x_6_by_q71 = v_y * u_z_6_by_q71 - v_z * cos_tilt_6_by_q71;
-        const double cos_half_tilt_6_by_q71 = 0.25 * cos_tilt_6_by_q71 * sinew_choose(0.499999999999 + t47, 1.0, 0.0) * t48;
+        const double cos_half_tilt_6_by_q71 = 0.25 * cos_tilt_6_by_q71 * sinew_choose(0.499999999999
+            + t47, 1.0, 0.0) * t48;
         const double cos_sum_6_by_q71 = 0.5632638698251111 * cos_half_tilt_6_by_q71;
         const double sin_sum_6_by_q71 = cos_sum_6 * cos_sum_6_by_q71 / sin_sum_6;
-        const double t52 = sin_tilt_6_by_q71 + (sin_half_tilt_6 + sin_half_tilt_6) * cos_half_tilt_6_by_q71;
+        const double t52 = sin_tilt_6_by_q71 + (sin_half_tilt_6 + sin_half_tilt_6)
+            * cos_half_tilt_6_by_q71;
         const double sin_half_tilt_6_by_q71 = 0.5 * t52 * t48;
-        const double t53 = cos_half_tilt_6 * sin_sum_6_by_q71 + sin_half_tilt_6 * cos_sum_6_by_q71 - cos_sum_6 * sin_half_tilt_6_by_q71;
+        const double t53 = cos_half_tilt_6 * sin_sum_6_by_q71 + sin_half_tilt_6 * cos_sum_6_by_q71
+            - cos_sum_6 * sin_half_tilt_6_by_q71;
         const double sin_q73_6_by_q71 = t53 - sin_sum_6 * cos_half_tilt_6_by_q71;
-        const double gap_x_6_by_q71 = 0.021 * u_x_6_by_q71 - 0.036 * z_x_6_by_q71 - t46 * sin_q73_6_by_q71 + t51;
+        const double gap_x_6_by_q71 = 0.021 * u_x_6_by_q71 - 0.036 * z_x_6_by_q71 - t46
+            * sin_q73_6_by_q71 + t51;
         const double z_y_6_by_q71 = v_x * u_z_6_by_q71 + v_z * u_x_6_by_q71;
-        const double t54 = cos_half_tilt_6 * cos_sum_6_by_q71 - sin_half_tilt_6 * sin_sum_6_by_q71 + cos_sum_6 * cos_half_tilt_6_by_q71;
+        const double t54 = cos_half_tilt_6 * cos_sum_6_by_q71 - sin_half_tilt_6 * sin_sum_6_by_q71
+            + cos_sum_6 * cos_half_tilt_6_by_q71;
         const double cos_q73_6_by_q71 = t54 - sin_sum_6 * sin_half_tilt_6_by_q71;
-        const double gap_y_6_by_q71 = 0.021 * cos_tilt_6_by_q71 - 0.036 * z_y_6_by_q71 - 0.074565407529229 * cos_q73_6_by_q71;
+        const double gap_y_6_by_q71 = 0.021 * cos_tilt_6_by_q71 - 0.036 * z_y_6_by_q71
+            - 0.074565407529229 * cos_q73_6_by_q71;
         const double z_z_6_by_q71 = v_x * cos_tilt_6_by_q71 + v_y * u_x_6_by_q71;
-        const double gap_z_6_by_q71 = 0.021 * u_z_6_by_q71 + 0.036 * z_z_6_by_q71 + t49 + t50 * sin_q73_6_by_q71;
-        const double mismatch_6_by_q71 = gap_x_6 * gap_x_6_by_q71 + gap_y_6 * gap_y_6_by_q71 + gap_z_6 * gap_z_6_by_q71;
+        const double gap_z_6_by_q71 = 0.021 * u_z_6_by_q71 + 0.036 * z_z_6_by_q71 + t49 + t50
+            * sin_q73_6_by_q71;
+        const double mismatch_6_by_q71 = gap_x_6 * gap_x_6_by_q71 + gap_y_6 * gap_y_6_by_q71
+            + gap_z_6 * gap_z_6_by_q71;
         const double t55 = -mismatch_6_by_q71;
-        const double safe_slope_6 = sinew_choose(t55, sinew_max(t55, 1.8e-09), sinew_min(t55, -1.8e-09));
+        const double safe_slope_6 = sinew_choose(t55, sinew_max(t55, 1.8e-09), sinew_min(t55,
+            -1.8e-09));
         const double q71_6 = q71_4 + sinew_min(sinew_max(mismatch_6 / safe_slope_6, -0.2), 0.2);
         double sin_q71_8, cos_q71_8;
         sinew_sincos(q71_6, &sin_q71_8, &cos_q71_8);
@@ -441,10 +497,12 @@ void wrist_bar_angles_batch(int count, const double *SINEW_RESTRICT flexion, con
         const double p_z = 0.036 * cos_q71_8;
         const double reach_squared = sinew_max(p_y * p_y + p_z * p_z, 1.296e-15);
         const double p_x = u_e * s_e - u_y_10 * s_y;
-        const double projection = 0.034722222222222224 - 13.88888888888889 * (reach_squared + p_x * p_x);
+        const double projection = 0.034722222222222224 - 13.88888888888889 * (reach_squared + p_x
+            * p_x);
         const double reach = sinew_sqrt(reach_squared);
         const double limited = sinew_min(sinew_max(-projection, -reach), reach);
-        const double clearance = sinew_max((reach + limited) * (reach - limited), 1e-12 * reach_squared);
+        const double clearance = sinew_max((reach + limited) * (reach - limited), 1e-12
+            * reach_squared);
         const double root = sinew_sqrt(clearance);
         const double t57 = 1.0 / reach_squared;
         const double cos_A = (p_y * limited + p_z * root) * t57;
@@ -456,11 +514,13 @@ void wrist_bar_angles_batch(int count, const double *SINEW_RESTRICT flexion, con
         const double x_x = cos_q71_8 * x_plane_x + sin_q71_8 * cos_A;
         const double aside_y = v_x * x_z + v_z * x_x;
         const double aside_z = v_x * x_plane_y + v_y * x_x;
-        const double error_sine = sinew_sqrt(aside_x * aside_x + aside_y * aside_y + aside_z * aside_z);
+        const double error_sine = sinew_sqrt(aside_x * aside_x + aside_y * aside_y + aside_z
+            * aside_z);
         const double residual_2 = sinew_atan2(error_sine, v_x * x_x - v_y * x_plane_y - v_z * x_z);
         const double t58 = flexion[state] - limited_flexion;
         const double t59 = abduction[state] - limited_abduction;
-        const double t60 = sinew_choose(1e-06 - residual_2 - sinew_max(-t58, t58) - sinew_max(-t59, t59), sinew_choose(-(1e-06 - sin_q73_8), 0.0, 1.0), 1.0);
+        const double t60 = sinew_choose(1e-06 - residual_2 - sinew_max(-t58, t58) - sinew_max(-t59,
+            t59), sinew_choose(-(1e-06 - sin_q73_8), 0.0, 1.0), 1.0);
         q[state] = q71_6;
         q[1 * n + state] = sinew_atan2(sin_q73_8, cos_q73_8);
         residual[state] = residual_2;
@@ -468,7 +528,8 @@ void wrist_bar_angles_batch(int count, const double *SINEW_RESTRICT flexion, con
     }
 }
 
-void wrist_singularity_batch(int count, const double *SINEW_RESTRICT q71, const double *SINEW_RESTRICT q73, double *SINEW_RESTRICT distance)
+void wrist_singularity_batch(int count, const double *SINEW_RESTRICT q71,
+    const double *SINEW_RESTRICT q73, double *SINEW_RESTRICT distance)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
@@ -491,7 +552,8 @@ void wrist_singularity_batch(int count, const double *SINEW_RESTRICT q71, const 
         const double p_z = 0.036 * cos_q71;
         const double reach_squared = sinew_max(p_y * p_y + p_z * p_z, 1.296e-15);
         const double p_x = u_e * s_e - u_y * s_y;
-        const double projection = 0.034722222222222224 - 13.88888888888889 * (reach_squared + p_x * p_x);
+        const double projection = 0.034722222222222224 - 13.88888888888889 * (reach_squared + p_x
+            * p_x);
         const double reach = sinew_sqrt(reach_squared);
         const double height = sinew_sqrt(sinew_max(reach * reach - projection * projection, 0.0));
         distance[state] = sinew_atan2(sinew_max(sin_q73, -sin_q73), sinew_max(cos_q73, -cos_q73));
@@ -499,7 +561,8 @@ void wrist_singularity_batch(int count, const double *SINEW_RESTRICT q71, const 
     }
 }
 
-void wrist_status_batch(int count, const double *SINEW_RESTRICT q71, const double *SINEW_RESTRICT q73, double *SINEW_RESTRICT status)
+void wrist_status_batch(int count, const double *SINEW_RESTRICT q71,
+    const double *SINEW_RESTRICT q73, double *SINEW_RESTRICT status)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
@@ -522,14 +585,17 @@ void wrist_status_batch(int count, const double *SINEW_RESTRICT q71, const doubl
         const double p_z = 0.036 * cos_q71;
         const double reach_squared = sinew_max(p_y * p_y + p_z * p_z, 1.296e-15);
         const double p_x = u_e * s_e - u_y * s_y;
-        const double projection = 0.034722222222222224 - 13.88888888888889 * (reach_squared + p_x * p_x);
+        const double projection = 0.034722222222222224 - 13.88888888888889 * (reach_squared + p_x
+            * p_x);
         const double reach = sinew_sqrt(reach_squared);
-        const double t1 = sinew_choose(0.999999999999 * reach * reach - projection * projection, 0.0, 1.0);
+        const double t1 = sinew_choose(0.999999999999 * reach * reach - projection * projection,
+            0.0, 1.0);
         status[state] = sinew_choose(-(1e-06 - sin_q73), t1, 1.0);
     }
 }
 
-void wrist_tendon_lengths_batch(int count, const double *SINEW_RESTRICT q71, const double *SINEW_RESTRICT q73, double *SINEW_RESTRICT h)
+void wrist_tendon_lengths_batch(int count, const double *SINEW_RESTRICT q71,
+    const double *SINEW_RESTRICT q73, double *SINEW_RESTRICT h)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
@@ -554,10 +620,12 @@ void wrist_tendon_lengths_batch(int count, const double *SINEW_RESTRICT q71, con
         const double p_z = 0.036 * cos_q71;
         const double reach_squared = sinew_max(p_y * p_y + p_z * p_z, 1.296e-15);
         const double p_x = u_e * s_e - u_y * s_y;
-        const double projection = 0.034722222222222224 - 13.88888888888889 * (reach_squared + p_x * p_x);
+        const double projection = 0.034722222222222224 - 13.88888888888889 * (reach_squared + p_x
+            * p_x);
         const double reach = sinew_sqrt(reach_squared);
         const double limited = sinew_min(sinew_max(-projection, -reach), reach);
-        const double clearance = sinew_max((reach + limited) * (reach - limited), 1e-12 * reach_squared);
+        const double clearance = sinew_max((reach + limited) * (reach - limited), 1e-12
+            * reach_squared);
         const double root = sinew_sqrt(clearance);
         const double t1 = 1.0 / reach_squared;
         const double sin_A = (p_y * root - p_z * limited) * t1;
@@ -590,7 +658,8 @@ void wrist_tendon_lengths_batch(int count, const double *SINEW_RESTRICT q71, con
         const double y_z = sin_q71 * u_e;
         const double t10 = 0.011 * y_z;
         const double strand_0_z = layer_0_z + t10;
-        const double t11 = strand_0_x * strand_0_x + strand_0_y * strand_0_y + strand_0_z * strand_0_z;
+        const double t11 = strand_0_x * strand_0_x + strand_0_y * strand_0_y + strand_0_z
+            * strand_0_z;
         const double length_0 = sinew_sqrt(t11);
         const double t12 = 0.01 * y_x;
         const double strand_1_x = layer_0_x + t12;
@@ -598,7 +667,8 @@ void wrist_tendon_lengths_batch(int count, const double *SINEW_RESTRICT q71, con
         const double strand_1_y = 0.008 - layer_0_y + t13;
         const double t14 = 0.01 * y_z;
         const double strand_1_z = layer_0_z + t14;
-        const double t15 = strand_1_x * strand_1_x + strand_1_y * strand_1_y + strand_1_z * strand_1_z;
+        const double t15 = strand_1_x * strand_1_x + strand_1_y * strand_1_y + strand_1_z
+            * strand_1_z;
         const double length_1 = sinew_sqrt(t15);
         const double t16 = 0.008 * y_x;
         const double strand_2_x = layer_0_x + t16;
@@ -606,7 +676,8 @@ void wrist_tendon_lengths_batch(int count, const double *SINEW_RESTRICT q71, con
         const double strand_2_y = 0.01 - layer_0_y + t17;
         const double t18 = 0.008 * y_z;
         const double strand_2_z = layer_0_z + t18;
-        const double t19 = strand_2_x * strand_2_x + strand_2_y * strand_2_y + strand_2_z * strand_2_z;
+        const double t19 = strand_2_x * strand_2_x + strand_2_y * strand_2_y + strand_2_z
+            * strand_2_z;
         const double length_2 = sinew_sqrt(t19);
         const double t20 = 0.006 * y_x;
         const double strand_3_x = layer_0_x + t20;
@@ -614,7 +685,8 @@ void wrist_tendon_lengths_batch(int count, const double *SINEW_RESTRICT q71, con
         const double strand_3_y = 0.011 - layer_0_y + t21;
         const double t22 = 0.006 * y_z;
         const double strand_3_z = layer_0_z + t22;
-        const double t23 = strand_3_x * strand_3_x + strand_3_y * strand_3_y + strand_3_z * strand_3_z;
+        const double t23 = strand_3_x * strand_3_x + strand_3_y * strand_3_y + strand_3_z
+            * strand_3_z;
         const double length_3 = sinew_sqrt(t23);
         const double t24 = 0.005 * y_x;
         const double strand_4_x = layer_0_x + t24;
@@ -622,7 +694,8 @@ void wrist_tendon_lengths_batch(int count, const double *SINEW_RESTRICT q71, con
         const double strand_4_y = 0.013 - layer_0_y + t25;
         const double t26 = 0.005 * y_z;
         const double strand_4_z = layer_0_z + t26;
-        const double t27 = strand_4_x * strand_4_x + strand_4_y * strand_4_y + strand_4_z * strand_4_z;
+        const double t27 = strand_4_x * strand_4_x + strand_4_y * strand_4_y + strand_4_z
+            * strand_4_z;
         const double length_4 = sinew_sqrt(t27);
         const double t28 = 0.003 * y_x;
         const double strand_5_x = layer_0_x + t28;
@@ -630,7 +703,8 @@ void wrist_tendon_lengths_batch(int count, const double *SINEW_RESTRICT q71, con
         const double strand_5_y = 0.015 - layer_0_y + t29;
         const double t30 = 0.003 * y_z;
         const double strand_5_z = layer_0_z + t30;
-        const double t31 = strand_5_x * strand_5_x + strand_5_y * strand_5_y + strand_5_z * strand_5_z;
+        const double t31 = strand_5_x * strand_5_x + strand_5_y * strand_5_y + strand_5_z
+            * strand_5_z;
         const double length_5 = sinew_sqrt(t31);
         const double t32 = 0.002 * y_x;
         const double strand_6_x = layer_0_x + t32;
@@ -638,44 +712,53 @@ void wrist_tendon_lengths_batch(int count, const double *SINEW_RESTRICT q71, con
         const double strand_6_y = 0.016 - layer_0_y + t33;
         const double t34 = 0.002 * y_z;
         const double strand_6_z = layer_0_z + t34;
-        const double t35 = strand_6_x * strand_6_x + strand_6_y * strand_6_y + strand_6_z * strand_6_z;
+        const double t35 = strand_6_x * strand_6_x + strand_6_y * strand_6_y + strand_6_z
+            * strand_6_z;
         const double length_6 = sinew_sqrt(t35);
         const double strand_7_y = 0.018 - layer_0_y;
-        const double length_7 = sinew_sqrt(layer_0_x * layer_0_x + layer_0_z * layer_0_z + strand_7_y * strand_7_y);
+        const double length_7 = sinew_sqrt(layer_0_x * layer_0_x + layer_0_z * layer_0_z
+            + strand_7_y * strand_7_y);
         const double strand_8_x = layer_0_x - t32;
         const double strand_8_y = 0.019 - layer_0_y - t33;
         const double strand_8_z = layer_0_z - t34;
-        const double t36 = strand_8_x * strand_8_x + strand_8_y * strand_8_y + strand_8_z * strand_8_z;
+        const double t36 = strand_8_x * strand_8_x + strand_8_y * strand_8_y + strand_8_z
+            * strand_8_z;
         const double length_8 = sinew_sqrt(t36);
         const double strand_9_x = layer_0_x - t28;
         const double strand_9_y = 0.021 - layer_0_y - t29;
         const double strand_9_z = layer_0_z - t30;
-        const double t37 = strand_9_x * strand_9_x + strand_9_y * strand_9_y + strand_9_z * strand_9_z;
+        const double t37 = strand_9_x * strand_9_x + strand_9_y * strand_9_y + strand_9_z
+            * strand_9_z;
         const double length_9 = sinew_sqrt(t37);
         const double strand_10_x = layer_0_x - t24;
         const double strand_10_y = 0.023 - layer_0_y - t25;
         const double strand_10_z = layer_0_z - t26;
-        const double t38 = strand_10_x * strand_10_x + strand_10_y * strand_10_y + strand_10_z * strand_10_z;
+        const double t38 = strand_10_x * strand_10_x + strand_10_y * strand_10_y + strand_10_z
+            * strand_10_z;
         const double length_10 = sinew_sqrt(t38);
         const double strand_11_x = layer_0_x - t20;
         const double strand_11_y = 0.024 - layer_0_y - t21;
         const double strand_11_z = layer_0_z - t22;
-        const double t39 = strand_11_x * strand_11_x + strand_11_y * strand_11_y + strand_11_z * strand_11_z;
+        const double t39 = strand_11_x * strand_11_x + strand_11_y * strand_11_y + strand_11_z
+            * strand_11_z;
         const double length_11 = sinew_sqrt(t39);
         const double strand_12_x = layer_0_x - t16;
         const double strand_12_y = 0.026 - layer_0_y - t17;
         const double strand_12_z = layer_0_z - t18;
-        const double t40 = strand_12_x * strand_12_x + strand_12_y * strand_12_y + strand_12_z * strand_12_z;
+        const double t40 = strand_12_x * strand_12_x + strand_12_y * strand_12_y + strand_12_z
+            * strand_12_z;
         const double length_12 = sinew_sqrt(t40);
         const double strand_13_x = layer_0_x - t12;
         const double strand_13_y = 0.027 - layer_0_y - t13;
         const double strand_13_z = layer_0_z - t14;
-        const double t41 = strand_13_x * strand_13_x + strand_13_y * strand_13_y + strand_13_z * strand_13_z;
+        const double t41 = strand_13_x * strand_13_x + strand_13_y * strand_13_y + strand_13_z
+            * strand_13_z;
         const double length_13 = sinew_sqrt(t41);
         const double strand_14_x = layer_0_x - t4;
         const double strand_14_y = 0.029 - layer_0_y - t7;
         const double strand_14_z = layer_0_z - t10;
-        const double t42 = strand_14_x * strand_14_x + strand_14_y * strand_14_y + strand_14_z * strand_14_z;
+        const double t42 = strand_14_x * strand_14_x + strand_14_y * strand_14_y + strand_14_z
+            * strand_14_z;
         const double length_14 = sinew_sqrt(t42);
         const double t43 = 0.013 * y_x;
         const double strand_15_x = layer_0_x - t43;
@@ -683,7 +766,8 @@ void wrist_tendon_lengths_batch(int count, const double *SINEW_RESTRICT q71, con
         const double strand_15_y = 0.031 - layer_0_y - t44;
         const double t45 = 0.013 * y_z;
         const double strand_15_z = layer_0_z - t45;
-        const double t46 = strand_15_x * strand_15_x + strand_15_y * strand_15_y + strand_15_z * strand_15_z;
+        const double t46 = strand_15_x * strand_15_x + strand_15_y * strand_15_y + strand_15_z
+            * strand_15_z;
         const double length_15 = sinew_sqrt(t46);
         const double t47 = 0.014 * y_x;
         const double strand_16_x = layer_0_x - t47;
@@ -691,7 +775,8 @@ void wrist_tendon_lengths_batch(int count, const double *SINEW_RESTRICT q71, con
         const double strand_16_y = 0.032 - layer_0_y - t48;
         const double t49 = 0.014 * y_z;
         const double strand_16_z = layer_0_z - t49;
-        const double t50 = strand_16_x * strand_16_x + strand_16_y * strand_16_y + strand_16_z * strand_16_z;
+        const double t50 = strand_16_x * strand_16_x + strand_16_y * strand_16_y + strand_16_z
+            * strand_16_z;
         const double length_16 = sinew_sqrt(t50);
         const double t51 = 0.016 * y_x;
         const double strand_17_x = layer_0_x - t51;
@@ -699,12 +784,14 @@ void wrist_tendon_lengths_batch(int count, const double *SINEW_RESTRICT q71, con
         const double strand_17_y = 0.034 - layer_0_y - t52;
         const double t53 = 0.016 * y_z;
         const double strand_17_z = layer_0_z - t53;
-        const double t54 = strand_17_x * strand_17_x + strand_17_y * strand_17_y + strand_17_z * strand_17_z;
+        const double t54 = strand_17_x * strand_17_x + strand_17_y * strand_17_y + strand_17_z
+            * strand_17_z;
         const double length_17 = sinew_sqrt(t54);
         const double strand_18_x = layer_0_x - 0.018 * y_x;
         const double strand_18_y = 0.035 - layer_0_y - 0.018 * u_y;
         const double strand_18_z = layer_0_z - 0.018 * y_z;
-        const double t55 = strand_18_x * strand_18_x + strand_18_y * strand_18_y + strand_18_z * strand_18_z;
+        const double t55 = strand_18_x * strand_18_x + strand_18_y * strand_18_y + strand_18_z
+            * strand_18_z;
         const double length_18 = sinew_sqrt(t55);
         const double layer_1_x = t2 + t3;
         const double strand_19_x = layer_1_x + t43;
@@ -712,95 +799,114 @@ void wrist_tendon_lengths_batch(int count, const double *SINEW_RESTRICT q71, con
         const double strand_19_y = 0.006 - layer_1_y + t44;
         const double layer_1_z = 0.028 - origin_z - t8 + t9;
         const double strand_19_z = layer_1_z + t45;
-        const double t56 = strand_19_x * strand_19_x + strand_19_y * strand_19_y + strand_19_z * strand_19_z;
+        const double t56 = strand_19_x * strand_19_x + strand_19_y * strand_19_y + strand_19_z
+            * strand_19_z;
         const double length_19 = sinew_sqrt(t56);
         const double strand_20_x = layer_1_x + t4;
         const double strand_20_y = 0.007 - layer_1_y + t7;
         const double strand_20_z = layer_1_z + t10;
-        const double t57 = strand_20_x * strand_20_x + strand_20_y * strand_20_y + strand_20_z * strand_20_z;
+        const double t57 = strand_20_x * strand_20_x + strand_20_y * strand_20_y + strand_20_z
+            * strand_20_z;
         const double length_20 = sinew_sqrt(t57);
         const double strand_21_x = layer_1_x + t12;
         const double strand_21_y = 0.009 - layer_1_y + t13;
         const double strand_21_z = layer_1_z + t14;
-        const double t58 = strand_21_x * strand_21_x + strand_21_y * strand_21_y + strand_21_z * strand_21_z;
+        const double t58 = strand_21_x * strand_21_x + strand_21_y * strand_21_y + strand_21_z
+            * strand_21_z;
         const double length_21 = sinew_sqrt(t58);
         const double strand_22_x = layer_1_x + t16;
         const double strand_22_y = 0.011 - layer_1_y + t17;
         const double strand_22_z = layer_1_z + t18;
-        const double t59 = strand_22_x * strand_22_x + strand_22_y * strand_22_y + strand_22_z * strand_22_z;
+        const double t59 = strand_22_x * strand_22_x + strand_22_y * strand_22_y + strand_22_z
+            * strand_22_z;
         const double length_22 = sinew_sqrt(t59);
         const double strand_23_x = layer_1_x + t20;
         const double strand_23_y = 0.012 - layer_1_y + t21;
         const double strand_23_z = layer_1_z + t22;
-        const double t60 = strand_23_x * strand_23_x + strand_23_y * strand_23_y + strand_23_z * strand_23_z;
+        const double t60 = strand_23_x * strand_23_x + strand_23_y * strand_23_y + strand_23_z
+            * strand_23_z;
         const double length_23 = sinew_sqrt(t60);
         const double strand_24_x = layer_1_x + t24;
         const double strand_24_y = 0.014 - layer_1_y + t25;
         const double strand_24_z = layer_1_z + t26;
-        const double t61 = strand_24_x * strand_24_x + strand_24_y * strand_24_y + strand_24_z * strand_24_z;
+        const double t61 = strand_24_x * strand_24_x + strand_24_y * strand_24_y + strand_24_z
+            * strand_24_z;
         const double length_24 = sinew_sqrt(t61);
         const double strand_25_x = layer_1_x + t28;
         const double strand_25_y = 0.015 - layer_1_y + t29;
         const double strand_25_z = layer_1_z + t30;
-        const double t62 = strand_25_x * strand_25_x + strand_25_y * strand_25_y + strand_25_z * strand_25_z;
+        const double t62 = strand_25_x * strand_25_x + strand_25_y * strand_25_y + strand_25_z
+            * strand_25_z;
         const double length_25 = sinew_sqrt(t62);
         const double strand_26_x = layer_1_x + t32;
         const double strand_26_y = 0.017 - layer_1_y + t33;
         const double strand_26_z = layer_1_z + t34;
-        const double t63 = strand_26_x * strand_26_x + strand_26_y * strand_26_y + strand_26_z * strand_26_z;
+        const double t63 = strand_26_x * strand_26_x + strand_26_y * strand_26_y + strand_26_z
+            * strand_26_z;
         const double length_26 = sinew_sqrt(t63);
         const double strand_27_y = 0.019 - layer_1_y;
-        const double t64 = layer_1_x * layer_1_x + layer_1_z * layer_1_z + strand_27_y * strand_27_y;
+        const double t64 = layer_1_x * layer_1_x + layer_1_z * layer_1_z + strand_27_y
+            * strand_27_y;
         const double length_27 = sinew_sqrt(t64);
         const double strand_28_x = layer_1_x - t32;
         const double strand_28_y = 0.02 - layer_1_y - t33;
         const double strand_28_z = layer_1_z - t34;
-        const double t65 = strand_28_x * strand_28_x + strand_28_y * strand_28_y + strand_28_z * strand_28_z;
+        const double t65 = strand_28_x * strand_28_x + strand_28_y * strand_28_y + strand_28_z
+            * strand_28_z;
         const double length_28 = sinew_sqrt(t65);
         const double strand_29_x = layer_1_x - t28;
         const double strand_29_y = 0.022 - layer_1_y - t29;
         const double strand_29_z = layer_1_z - t30;
-        const double t66 = strand_29_x * strand_29_x + strand_29_y * strand_29_y + strand_29_z * strand_29_z;
+        const double t66 = strand_29_x * strand_29_x + strand_29_y * strand_29_y + strand_29_z
+            * strand_29_z;
         const double length_29 = sinew_sqrt(t66);
         const double strand_30_x = layer_1_x - t24;
         const double strand_30_y = 0.023 - layer_1_y - t25;
         const double strand_30_z = layer_1_z - t26;
-        const double t67 = strand_30_x * strand_30_x + strand_30_y * strand_30_y + strand_30_z * strand_30_z;
+        const double t67 = strand_30_x * strand_30_x + strand_30_y * strand_30_y + strand_30_z
+            * strand_30_z;
         const double length_30 = sinew_sqrt(t67);
         const double strand_31_x = layer_1_x - t20;
         const double strand_31_y = 0.025 - layer_1_y - t21;
         const double strand_31_z = layer_1_z - t22;
-        const double t68 = strand_31_x * strand_31_x + strand_31_y * strand_31_y + strand_31_z * strand_31_z;
+        const double t68 = strand_31_x * strand_31_x + strand_31_y * strand_31_y + strand_31_z
+            * strand_31_z;
         const double length_31 = sinew_sqrt(t68);
         const double strand_32_x = layer_1_x - t16;
         const double strand_32_y = 0.027 - layer_1_y - t17;
         const double strand_32_z = layer_1_z - t18;
-        const double t69 = strand_32_x * strand_32_x + strand_32_y * strand_32_y + strand_32_z * strand_32_z;
+        const double t69 = strand_32_x * strand_32_x + strand_32_y * strand_32_y + strand_32_z
+            * strand_32_z;
         const double length_32 = sinew_sqrt(t69);
         const double strand_33_x = layer_1_x - t12;
         const double strand_33_y = 0.028 - layer_1_y - t13;
         const double strand_33_z = layer_1_z - t14;
-        const double t70 = strand_33_x * strand_33_x + strand_33_y * strand_33_y + strand_33_z * strand_33_z;
+        const double t70 = strand_33_x * strand_33_x + strand_33_y * strand_33_y + strand_33_z
+            * strand_33_z;
         const double length_33 = sinew_sqrt(t70);
         const double strand_34_x = layer_1_x - t4;
         const double strand_34_y = 0.03 - layer_1_y - t7;
         const double strand_34_z = layer_1_z - t10;
-        const double t71 = strand_34_x * strand_34_x + strand_34_y * strand_34_y + strand_34_z * strand_34_z;
+        const double t71 = strand_34_x * strand_34_x + strand_34_y * strand_34_y + strand_34_z
+            * strand_34_z;
         const double length_34 = sinew_sqrt(t71);
         const double strand_35_x = layer_1_x - t43;
         const double strand_35_y = 0.031 - layer_1_y - t44;
         const double strand_35_z = layer_1_z - t45;
-        const double t72 = strand_35_x * strand_35_x + strand_35_y * strand_35_y + strand_35_z * strand_35_z;
+        const double t72 = strand_35_x * strand_35_x + strand_35_y * strand_35_y + strand_35_z
+            * strand_35_z;
         const double length_35 = sinew_sqrt(t72);
         const double strand_36_x = layer_1_x - t47;
         const double strand_36_y = 0.033 - layer_1_y - t48;
         const double strand_36_z = layer_1_z - t49;
-        const double t73 = strand_36_x * strand_36_x + strand_36_y * strand_36_y + strand_36_z * strand_36_z;
+        const double t73 = strand_36_x * strand_36_x + strand_36_y * strand_36_y + strand_36_z
+            * strand_36_z;
         const double length_36 = sinew_sqrt(t73);
         const double strand_37_x = layer_1_x - t51;
         const double strand_37_y = 0.035 - layer_1_y - t52;
         const double strand_37_z = layer_1_z - t53;
-        const double t74 = strand_37_x * strand_37_x + strand_37_y * strand_37_y + strand_37_z * strand_37_z;
+        const double t74 = strand_37_x * strand_37_x + strand_37_y * strand_37_y + strand_37_z
+            * strand_37_z;
         const double length_37 = sinew_sqrt(t74);
         h[state] = length_0;
         h[1 * n + state] = length_1;
@@ -843,7 +949,8 @@ void wrist_tendon_lengths_batch(int count, const double *SINEW_RESTRICT q71, con
     }
 }
 
-void wrist_tendon_jacobian_batch(int count, const double *SINEW_RESTRICT q71, const double *SINEW_RESTRICT q73, double *SINEW_RESTRICT P)
+void wrist_tendon_jacobian_batch(int count, const double *SINEW_RESTRICT q71,
+    const double *SINEW_RESTRICT q73, double *SINEW_RESTRICT P)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
@@ -879,7 +986,8 @@ void wrist_tendon_jacobian_batch(int count, const double *SINEW_RESTRICT q71, co
         const double u_e_by_q73 = t6 + 23.80952380952381 * C_e_by_q73;
         const double M_y = t5 - 0.5 * C_y;
         const double s_y = 0.021 - M_y;
-        const double p_y_by_q73 = u_e * M_y_by_q73 + u_y * M_e_by_q73 - s_e * u_y_by_q73 + s_y * u_e_by_q73;
+        const double p_y_by_q73 = u_e * M_y_by_q73 + u_y * M_e_by_q73 - s_e * u_y_by_q73 + s_y
+            * u_e_by_q73;
         const double p_y = u_e * s_y + u_y * s_e;
         const double t7 = p_y + p_y;
         const double t8 = p_y * p_y;
@@ -887,12 +995,15 @@ void wrist_tendon_jacobian_batch(int count, const double *SINEW_RESTRICT q71, co
         const double t9 = p_z * p_z;
         const double t10 = -(1.296e-15 - t8 - t9);
         const double reach_squared_by_q73 = sinew_choose(t10, t7 * p_y_by_q73, 0.0);
-        const double p_x_by_q73 = u_e * M_e_by_q73 - u_y * M_y_by_q73 + s_e * u_e_by_q73 + s_y * u_y_by_q73;
+        const double p_x_by_q73 = u_e * M_e_by_q73 - u_y * M_y_by_q73 + s_e * u_e_by_q73 + s_y
+            * u_y_by_q73;
         const double p_x = u_e * s_e - u_y * s_y;
         const double t11 = 27.77777777777778 * p_x;
-        const double projection_by_q73 = 13.88888888888889 * reach_squared_by_q73 + t11 * p_x_by_q73;
+        const double projection_by_q73 = 13.88888888888889 * reach_squared_by_q73 + t11
+            * p_x_by_q73;
         const double reach_squared = sinew_max(t8 + t9, 1.296e-15);
-        const double projection = 0.034722222222222224 - 13.88888888888889 * (reach_squared + p_x * p_x);
+        const double projection = 0.034722222222222224 - 13.88888888888889 * (reach_squared + p_x
+            * p_x);
         const double reach = sinew_sqrt(reach_squared);
         const double t12 = reach - projection;
         const double t13 = sinew_choose(t12, 1.0, 0.0);
@@ -901,25 +1012,29 @@ void wrist_tendon_jacobian_batch(int count, const double *SINEW_RESTRICT q71, co
         const double t15 = sinew_choose(t12, 0.0, 1.0);
         const double t16 = sinew_max(-projection, -reach);
         const double t17 = reach - t16;
-        const double limited_by_q73 = sinew_choose(t17, -(reach_by_q73 * t15 - projection_by_q73 * t13), reach_by_q73);
+        const double limited_by_q73 = sinew_choose(t17, -(reach_by_q73 * t15 - projection_by_q73
+            * t13), reach_by_q73);
         const double limited = sinew_min(t16, reach);
         const double t18 = limited + limited;
         const double t19 = reach + reach;
         const double t20 = (reach + limited) * (reach - limited);
         const double t21 = 1e-12 * reach_squared;
         const double t22 = -(t21 - t20);
-        const double clearance_by_q73 = sinew_choose(t22, t19 * reach_by_q73 - t18 * limited_by_q73, 1e-12 * reach_squared_by_q73);
+        const double clearance_by_q73 = sinew_choose(t22, t19 * reach_by_q73 - t18 * limited_by_q73,
+            1e-12 * reach_squared_by_q73);
         const double clearance = sinew_max(t20, t21);
         const double root = sinew_sqrt(clearance);
         const double t23 = 1.0 / root;
         const double root_by_q73 = 0.5 * clearance_by_q73 * t23;
         const double t24 = 1.0 / reach_squared;
         const double cos_A = (p_y * limited + p_z * root) * t24;
-        const double t25 = p_y * limited_by_q73 + p_z * root_by_q73 + limited * p_y_by_q73 - cos_A * reach_squared_by_q73;
+        const double t25 = p_y * limited_by_q73 + p_z * root_by_q73 + limited * p_y_by_q73 - cos_A
+            * reach_squared_by_q73;
         const double cos_A_by_q73 = t25 * t24;
         const double z_plane_x_by_q73 = u_y * cos_A_by_q73 - cos_A * u_y_by_q73;
         const double sin_A = (p_y * root - p_z * limited) * t24;
-        const double t26 = p_y * root_by_q73 - p_z * limited_by_q73 + root * p_y_by_q73 - sin_A * reach_squared_by_q73;
+        const double t26 = p_y * root_by_q73 - p_z * limited_by_q73 + root * p_y_by_q73 - sin_A
+            * reach_squared_by_q73;
         const double sin_A_by_q73 = t26 * t24;
         const double z_x_by_q73 = cos_q71 * z_plane_x_by_q73 - sin_q71 * sin_A_by_q73;
         const double M_x_by_q73 = cos_q71 * M_e_by_q73;
@@ -987,22 +1102,29 @@ void wrist_tendon_jacobian_batch(int count, const double *SINEW_RESTRICT q71, co
         const double y_z = sin_q71 * u_e;
         const double t53 = 0.016 * y_z;
         const double strand_37_z = layer_1_z - t53;
-        const double t54 = strand_37_x * strand_37_x_by_q73 - strand_37_y * strand_37_y_by_q73 + strand_37_z * strand_37_z_by_q73;
-        const double t55 = strand_37_x * strand_37_x + strand_37_y * strand_37_y + strand_37_z * strand_37_z;
+        const double t54 = strand_37_x * strand_37_x_by_q73 - strand_37_y * strand_37_y_by_q73
+            + strand_37_z * strand_37_z_by_q73;
+        const double t55 = strand_37_x * strand_37_x + strand_37_y * strand_37_y + strand_37_z
+            * strand_37_z;
         const double length_37 = sinew_sqrt(t55);
         const double t56 = 1.0 / length_37;
         const double length_37_by_q73 = t54 * t56;
         const double p_y_by_q71 = u_y * p_z;
-        const double reach_squared_by_q71 = sinew_choose(t10, -(t7 * p_y_by_q71 + (p_z + p_z) * p_z_by_q71), 0.0);
+        const double reach_squared_by_q71 = sinew_choose(t10, -(t7 * p_y_by_q71 + (p_z + p_z)
+            * p_z_by_q71), 0.0);
         const double reach_by_q71 = 0.5 * reach_squared_by_q71 * t14;
         const double projection_by_q71 = 13.88888888888889 * reach_squared_by_q71 - t11 * u_e * p_z;
-        const double limited_by_q71 = sinew_choose(t17, -(reach_by_q71 * t15 - projection_by_q71 * t13), reach_by_q71);
-        const double clearance_by_q71 = sinew_choose(t22, t19 * reach_by_q71 - t18 * limited_by_q71, 1e-12 * reach_squared_by_q71);
+        const double limited_by_q71 = sinew_choose(t17, -(reach_by_q71 * t15 - projection_by_q71
+            * t13), reach_by_q71);
+        const double clearance_by_q71 = sinew_choose(t22, t19 * reach_by_q71 - t18 * limited_by_q71,
+            1e-12 * reach_squared_by_q71);
         const double root_by_q71 = 0.5 * clearance_by_q71 * t23;
-        const double t57 = p_y * limited_by_q71 + p_z * root_by_q71 - limited * p_y_by_q71 - root * p_z_by_q71;
+        const double t57 = p_y * limited_by_q71 + p_z * root_by_q71 - limited * p_y_by_q71 - root
+            * p_z_by_q71;
         const double cos_A_by_q71 = (t57 - cos_A * reach_squared_by_q71) * t24;
         const double z_plane_x_by_q71 = u_y * cos_A_by_q71;
-        const double t58 = p_y * root_by_q71 - p_z * limited_by_q71 + limited * p_z_by_q71 - root * p_y_by_q71;
+        const double t58 = p_y * root_by_q71 - p_z * limited_by_q71 + limited * p_z_by_q71 - root
+            * p_y_by_q71;
         const double sin_A_by_q71 = (t58 - sin_A * reach_squared_by_q71) * t24;
         const double z_x_by_q71 = t48 - cos_q71 * z_plane_x_by_q71 + t47 + sin_q71 * sin_A_by_q71;
         const double origin_x_by_q71 = M_z - 0.018 * z_x_by_q71;
@@ -1024,7 +1146,8 @@ void wrist_tendon_jacobian_batch(int count, const double *SINEW_RESTRICT q71, co
         const double t64 = 0.01 * z_z_by_q71;
         const double layer_1_z_by_q71 = t63 - t64;
         const double strand_37_z_by_q71 = layer_1_z_by_q71 + t36;
-        const double t65 = strand_37_x * strand_37_x_by_q71 - strand_37_y * layer_1_y_by_q71 - strand_37_z * strand_37_z_by_q71;
+        const double t65 = strand_37_x * strand_37_x_by_q71 - strand_37_y * layer_1_y_by_q71
+            - strand_37_z * strand_37_z_by_q71;
         const double length_37_by_q71 = t65 * t56;
         const double t66 = 0.014 * y_x_by_q73;
         const double strand_36_x_by_q73 = layer_1_x_by_q73 + t66;
@@ -1038,14 +1161,17 @@ void wrist_tendon_jacobian_batch(int count, const double *SINEW_RESTRICT q71, co
         const double strand_36_z_by_q73 = layer_1_z_by_q73 + t70;
         const double t71 = 0.014 * y_z;
         const double strand_36_z = layer_1_z - t71;
-        const double t72 = strand_36_x * strand_36_x_by_q73 - strand_36_y * strand_36_y_by_q73 + strand_36_z * strand_36_z_by_q73;
-        const double t73 = strand_36_x * strand_36_x + strand_36_y * strand_36_y + strand_36_z * strand_36_z;
+        const double t72 = strand_36_x * strand_36_x_by_q73 - strand_36_y * strand_36_y_by_q73
+            + strand_36_z * strand_36_z_by_q73;
+        const double t73 = strand_36_x * strand_36_x + strand_36_y * strand_36_y + strand_36_z
+            * strand_36_z;
         const double length_36 = sinew_sqrt(t73);
         const double t74 = 1.0 / length_36;
         const double length_36_by_q73 = t72 * t74;
         const double strand_36_x_by_q71 = layer_1_x_by_q71 + t71;
         const double strand_36_z_by_q71 = layer_1_z_by_q71 + t67;
-        const double t75 = strand_36_x * strand_36_x_by_q71 - strand_36_y * layer_1_y_by_q71 - strand_36_z * strand_36_z_by_q71;
+        const double t75 = strand_36_x * strand_36_x_by_q71 - strand_36_y * layer_1_y_by_q71
+            - strand_36_z * strand_36_z_by_q71;
         const double length_36_by_q71 = t75 * t74;
         const double t76 = 0.013 * y_x_by_q73;
         const double strand_35_x_by_q73 = layer_1_x_by_q73 + t76;
@@ -1059,14 +1185,17 @@ void wrist_tendon_jacobian_batch(int count, const double *SINEW_RESTRICT q71, co
         const double strand_35_z_by_q73 = layer_1_z_by_q73 + t80;
         const double t81 = 0.013 * y_z;
         const double strand_35_z = layer_1_z - t81;
-        const double t82 = strand_35_x * strand_35_x_by_q73 - strand_35_y * strand_35_y_by_q73 + strand_35_z * strand_35_z_by_q73;
-        const double t83 = strand_35_x * strand_35_x + strand_35_y * strand_35_y + strand_35_z * strand_35_z;
+        const double t82 = strand_35_x * strand_35_x_by_q73 - strand_35_y * strand_35_y_by_q73
+            + strand_35_z * strand_35_z_by_q73;
+        const double t83 = strand_35_x * strand_35_x + strand_35_y * strand_35_y + strand_35_z
+            * strand_35_z;
         const double length_35 = sinew_sqrt(t83);
         const double t84 = 1.0 / length_35;
         const double length_35_by_q73 = t82 * t84;
         const double strand_35_x_by_q71 = layer_1_x_by_q71 + t81;
         const double strand_35_z_by_q71 = layer_1_z_by_q71 + t77;
-        const double t85 = strand_35_x * strand_35_x_by_q71 - strand_35_y * layer_1_y_by_q71 - strand_35_z * strand_35_z_by_q71;
+        const double t85 = strand_35_x * strand_35_x_by_q71 - strand_35_y * layer_1_y_by_q71
+            - strand_35_z * strand_35_z_by_q71;
         const double length_35_by_q71 = t85 * t84;
         const double t86 = 0.011 * y_x_by_q73;
         const double strand_34_x_by_q73 = layer_1_x_by_q73 + t86;
@@ -1080,14 +1209,17 @@ void wrist_tendon_jacobian_batch(int count, const double *SINEW_RESTRICT q71, co
         const double strand_34_z_by_q73 = layer_1_z_by_q73 + t90;
         const double t91 = 0.011 * y_z;
         const double strand_34_z = layer_1_z - t91;
-        const double t92 = strand_34_x * strand_34_x_by_q73 - strand_34_y * strand_34_y_by_q73 + strand_34_z * strand_34_z_by_q73;
-        const double t93 = strand_34_x * strand_34_x + strand_34_y * strand_34_y + strand_34_z * strand_34_z;
+        const double t92 = strand_34_x * strand_34_x_by_q73 - strand_34_y * strand_34_y_by_q73
+            + strand_34_z * strand_34_z_by_q73;
+        const double t93 = strand_34_x * strand_34_x + strand_34_y * strand_34_y + strand_34_z
+            * strand_34_z;
         const double length_34 = sinew_sqrt(t93);
         const double t94 = 1.0 / length_34;
         const double length_34_by_q73 = t92 * t94;
         const double strand_34_x_by_q71 = layer_1_x_by_q71 + t91;
         const double strand_34_z_by_q71 = layer_1_z_by_q71 + t87;
-        const double t95 = strand_34_x * strand_34_x_by_q71 - strand_34_y * layer_1_y_by_q71 - strand_34_z * strand_34_z_by_q71;
+        const double t95 = strand_34_x * strand_34_x_by_q71 - strand_34_y * layer_1_y_by_q71
+            - strand_34_z * strand_34_z_by_q71;
         const double length_34_by_q71 = t95 * t94;
         const double t96 = 0.01 * y_x_by_q73;
         const double strand_33_x_by_q73 = layer_1_x_by_q73 + t96;
@@ -1101,14 +1233,17 @@ void wrist_tendon_jacobian_batch(int count, const double *SINEW_RESTRICT q71, co
         const double strand_33_z_by_q73 = layer_1_z_by_q73 + t100;
         const double t101 = 0.01 * y_z;
         const double strand_33_z = layer_1_z - t101;
-        const double t102 = strand_33_x * strand_33_x_by_q73 - strand_33_y * strand_33_y_by_q73 + strand_33_z * strand_33_z_by_q73;
-        const double t103 = strand_33_x * strand_33_x + strand_33_y * strand_33_y + strand_33_z * strand_33_z;
+        const double t102 = strand_33_x * strand_33_x_by_q73 - strand_33_y * strand_33_y_by_q73
+            + strand_33_z * strand_33_z_by_q73;
+        const double t103 = strand_33_x * strand_33_x + strand_33_y * strand_33_y + strand_33_z
+            * strand_33_z;
         const double length_33 = sinew_sqrt(t103);
         const double t104 = 1.0 / length_33;
         const double length_33_by_q73 = t102 * t104;
         const double strand_33_x_by_q71 = layer_1_x_by_q71 + t101;
         const double strand_33_z_by_q71 = layer_1_z_by_q71 + t97;
-        const double t105 = strand_33_x * strand_33_x_by_q71 - strand_33_y * layer_1_y_by_q71 - strand_33_z * strand_33_z_by_q71;
+        const double t105 = strand_33_x * strand_33_x_by_q71 - strand_33_y * layer_1_y_by_q71
+            - strand_33_z * strand_33_z_by_q71;
         const double length_33_by_q71 = t105 * t104;
         const double t106 = 0.008 * y_x_by_q73;
         const double strand_32_x_by_q73 = layer_1_x_by_q73 + t106;
@@ -1122,14 +1257,17 @@ void wrist_tendon_jacobian_batch(int count, const double *SINEW_RESTRICT q71, co
         const double strand_32_z_by_q73 = layer_1_z_by_q73 + t110;
         const double t111 = 0.008 * y_z;
         const double strand_32_z = layer_1_z - t111;
-        const double t112 = strand_32_x * strand_32_x_by_q73 - strand_32_y * strand_32_y_by_q73 + strand_32_z * strand_32_z_by_q73;
-        const double t113 = strand_32_x * strand_32_x + strand_32_y * strand_32_y + strand_32_z * strand_32_z;
+        const double t112 = strand_32_x * strand_32_x_by_q73 - strand_32_y * strand_32_y_by_q73
+            + strand_32_z * strand_32_z_by_q73;
+        const double t113 = strand_32_x * strand_32_x + strand_32_y * strand_32_y + strand_32_z
+            * strand_32_z;
         const double length_32 = sinew_sqrt(t113);
         const double t114 = 1.0 / length_32;
         const double length_32_by_q73 = t112 * t114;
         const double strand_32_x_by_q71 = layer_1_x_by_q71 + t111;
         const double strand_32_z_by_q71 = layer_1_z_by_q71 + t107;
-        const double t115 = strand_32_x * strand_32_x_by_q71 - strand_32_y * layer_1_y_by_q71 - strand_32_z * strand_32_z_by_q71;
+        const double t115 = strand_32_x * strand_32_x_by_q71 - strand_32_y * layer_1_y_by_q71
+            - strand_32_z * strand_32_z_by_q71;
         const double length_32_by_q71 = t115 * t114;
         const double t116 = 0.006 * y_x_by_q73;
         const double strand_31_x_by_q73 = layer_1_x_by_q73 + t116;
@@ -1143,14 +1281,17 @@ void wrist_tendon_jacobian_batch(int count, const double *SINEW_RESTRICT q71, co
         const double strand_31_z_by_q73 = layer_1_z_by_q73 + t120;
         const double t121 = 0.006 * y_z;
         const double strand_31_z = layer_1_z - t121;
-        const double t122 = strand_31_x * strand_31_x_by_q73 - strand_31_y * strand_31_y_by_q73 + strand_31_z * strand_31_z_by_q73;
-        const double t123 = strand_31_x * strand_31_x + strand_31_y * strand_31_y + strand_31_z * strand_31_z;
+        const double t122 = strand_31_x * strand_31_x_by_q73 - strand_31_y * strand_31_y_by_q73
+            + strand_31_z * strand_31_z_by_q73;
+        const double t123 = strand_31_x * strand_31_x + strand_31_y * strand_31_y + strand_31_z
+            * strand_31_z;
         const double length_31 = sinew_sqrt(t123);
         const double t124 = 1.0 / length_31;
         const double length_31_by_q73 = t122 * t124;
         const double strand_31_x_by_q71 = layer_1_x_by_q71 + t121;
         const double strand_31_z_by_q71 = layer_1_z_by_q71 + t117;
-        const double t125 = strand_31_x * strand_31_x_by_q71 - strand_31_y * layer_1_y_by_q71 - strand_31_z * strand_31_z_by_q71;
+        const double t125 = strand_31_x * strand_31_x_by_q71 - strand_31_y * layer_1_y_by_q71
+            - strand_31_z * strand_31_z_by_q71;
         const double length_31_by_q71 = t125 * t124;
         const double t126 = 0.005 * y_x_by_q73;
         const double strand_30_x_by_q73 = layer_1_x_by_q73 + t126;
@@ -1164,14 +1305,17 @@ void wrist_tendon_jacobian_batch(int count, const double *SINEW_RESTRICT q71, co
         const double strand_30_z_by_q73 = layer_1_z_by_q73 + t130;
         const double t131 = 0.005 * y_z;
         const double strand_30_z = layer_1_z - t131;
-        const double t132 = strand_30_x * strand_30_x_by_q73 - strand_30_y * strand_30_y_by_q73 + strand_30_z * strand_30_z_by_q73;
-        const double t133 = strand_30_x * strand_30_x + strand_30_y * strand_30_y + strand_30_z * strand_30_z;
+        const double t132 = strand_30_x * strand_30_x_by_q73 - strand_30_y * strand_30_y_by_q73
+            + strand_30_z * strand_30_z_by_q73;
+        const double t133 = strand_30_x * strand_30_x + strand_30_y * strand_30_y + strand_30_z
+            * strand_30_z;
         const double length_30 = sinew_sqrt(t133);
         const double t134 = 1.0 / length_30;
         const double length_30_by_q73 = t132 * t134;
         const double strand_30_x_by_q71 = layer_1_x_by_q71 + t131;
         const double strand_30_z_by_q71 = layer_1_z_by_q71 + t127;
-        const double t135 = strand_30_x * strand_30_x_by_q71 - strand_30_y * layer_1_y_by_q71 - strand_30_z * strand_30_z_by_q71;
+        const double t135 = strand_30_x * strand_30_x_by_q71 - strand_30_y * layer_1_y_by_q71
+            - strand_30_z * strand_30_z_by_q71;
         const double length_30_by_q71 = t135 * t134;
         const double t136 = 0.003 * y_x_by_q73;
         const double strand_29_x_by_q73 = layer_1_x_by_q73 + t136;
@@ -1185,14 +1329,17 @@ void wrist_tendon_jacobian_batch(int count, const double *SINEW_RESTRICT q71, co
         const double strand_29_z_by_q73 = layer_1_z_by_q73 + t140;
         const double t141 = 0.003 * y_z;
         const double strand_29_z = layer_1_z - t141;
-        const double t142 = strand_29_x * strand_29_x_by_q73 - strand_29_y * strand_29_y_by_q73 + strand_29_z * strand_29_z_by_q73;
-        const double t143 = strand_29_x * strand_29_x + strand_29_y * strand_29_y + strand_29_z * strand_29_z;
+        const double t142 = strand_29_x * strand_29_x_by_q73 - strand_29_y * strand_29_y_by_q73
+            + strand_29_z * strand_29_z_by_q73;
+        const double t143 = strand_29_x * strand_29_x + strand_29_y * strand_29_y + strand_29_z
+            * strand_29_z;
         const double length_29 = sinew_sqrt(t143);
         const double t144 = 1.0 / length_29;
         const double length_29_by_q73 = t142 * t144;
         const double strand_29_x_by_q71 = layer_1_x_by_q71 + t141;
         const double strand_29_z_by_q71 = layer_1_z_by_q71 + t137;
-        const double t145 = strand_29_x * strand_29_x_by_q71 - strand_29_y * layer_1_y_by_q71 - strand_29_z * strand_29_z_by_q71;
+        const double t145 = strand_29_x * strand_29_x_by_q71 - strand_29_y * layer_1_y_by_q71
+            - strand_29_z * strand_29_z_by_q71;
         const double length_29_by_q71 = t145 * t144;
         const double t146 = 0.002 * y_x_by_q73;
         const double strand_28_x_by_q73 = layer_1_x_by_q73 + t146;
@@ -1206,22 +1353,28 @@ void wrist_tendon_jacobian_batch(int count, const double *SINEW_RESTRICT q71, co
         const double strand_28_z_by_q73 = layer_1_z_by_q73 + t150;
         const double t151 = 0.002 * y_z;
         const double strand_28_z = layer_1_z - t151;
-        const double t152 = strand_28_x * strand_28_x_by_q73 - strand_28_y * strand_28_y_by_q73 + strand_28_z * strand_28_z_by_q73;
-        const double t153 = strand_28_x * strand_28_x + strand_28_y * strand_28_y + strand_28_z * strand_28_z;
+        const double t152 = strand_28_x * strand_28_x_by_q73 - strand_28_y * strand_28_y_by_q73
+            + strand_28_z * strand_28_z_by_q73;
+        const double t153 = strand_28_x * strand_28_x + strand_28_y * strand_28_y + strand_28_z
+            * strand_28_z;
         const double length_28 = sinew_sqrt(t153);
         const double t154 = 1.0 / length_28;
         const double length_28_by_q73 = t152 * t154;
         const double strand_28_x_by_q71 = layer_1_x_by_q71 + t151;
         const double strand_28_z_by_q71 = layer_1_z_by_q71 + t147;
-        const double t155 = strand_28_x * strand_28_x_by_q71 - strand_28_y * layer_1_y_by_q71 - strand_28_z * strand_28_z_by_q71;
+        const double t155 = strand_28_x * strand_28_x_by_q71 - strand_28_y * layer_1_y_by_q71
+            - strand_28_z * strand_28_z_by_q71;
         const double length_28_by_q71 = t155 * t154;
         const double strand_27_y = 0.019 - layer_1_y;
-        const double t156 = layer_1_x * layer_1_x_by_q73 + layer_1_z * layer_1_z_by_q73 - strand_27_y * layer_1_y_by_q73;
-        const double t157 = layer_1_x * layer_1_x + layer_1_z * layer_1_z + strand_27_y * strand_27_y;
+        const double t156 = layer_1_x * layer_1_x_by_q73 + layer_1_z * layer_1_z_by_q73
+            - strand_27_y * layer_1_y_by_q73;
+        const double t157 = layer_1_x * layer_1_x + layer_1_z * layer_1_z + strand_27_y
+            * strand_27_y;
         const double length_27 = sinew_sqrt(t157);
         const double t158 = 1.0 / length_27;
         const double length_27_by_q73 = t156 * t158;
-        const double t159 = layer_1_x * layer_1_x_by_q71 - layer_1_z * layer_1_z_by_q71 - strand_27_y * layer_1_y_by_q71;
+        const double t159 = layer_1_x * layer_1_x_by_q71 - layer_1_z * layer_1_z_by_q71
+            - strand_27_y * layer_1_y_by_q71;
         const double length_27_by_q71 = t159 * t158;
         const double strand_26_x_by_q73 = layer_1_x_by_q73 - t146;
         const double strand_26_x = layer_1_x + t147;
@@ -1229,14 +1382,17 @@ void wrist_tendon_jacobian_batch(int count, const double *SINEW_RESTRICT q71, co
         const double strand_26_y = 0.017 - layer_1_y + t149;
         const double strand_26_z_by_q73 = layer_1_z_by_q73 - t150;
         const double strand_26_z = layer_1_z + t151;
-        const double t160 = strand_26_x * strand_26_x_by_q73 - strand_26_y * strand_26_y_by_q73 + strand_26_z * strand_26_z_by_q73;
-        const double t161 = strand_26_x * strand_26_x + strand_26_y * strand_26_y + strand_26_z * strand_26_z;
+        const double t160 = strand_26_x * strand_26_x_by_q73 - strand_26_y * strand_26_y_by_q73
+            + strand_26_z * strand_26_z_by_q73;
+        const double t161 = strand_26_x * strand_26_x + strand_26_y * strand_26_y + strand_26_z
+            * strand_26_z;
         const double length_26 = sinew_sqrt(t161);
         const double t162 = 1.0 / length_26;
         const double length_26_by_q73 = t160 * t162;
         const double strand_26_x_by_q71 = layer_1_x_by_q71 - t151;
         const double strand_26_z_by_q71 = layer_1_z_by_q71 - t147;
-        const double t163 = strand_26_x * strand_26_x_by_q71 - strand_26_y * layer_1_y_by_q71 - strand_26_z * strand_26_z_by_q71;
+        const double t163 = strand_26_x * strand_26_x_by_q71 - strand_26_y * layer_1_y_by_q71
+            - strand_26_z * strand_26_z_by_q71;
         const double length_26_by_q71 = t163 * t162;
         const double strand_25_x_by_q73 = layer_1_x_by_q73 - t136;
         const double strand_25_x = layer_1_x + t137;
@@ -1244,14 +1400,17 @@ void wrist_tendon_jacobian_batch(int count, const double *SINEW_RESTRICT q71, co
         const double strand_25_y = 0.015 - layer_1_y + t139;
         const double strand_25_z_by_q73 = layer_1_z_by_q73 - t140;
         const double strand_25_z = layer_1_z + t141;
-        const double t164 = strand_25_x * strand_25_x_by_q73 - strand_25_y * strand_25_y_by_q73 + strand_25_z * strand_25_z_by_q73;
-        const double t165 = strand_25_x * strand_25_x + strand_25_y * strand_25_y + strand_25_z * strand_25_z;
+        const double t164 = strand_25_x * strand_25_x_by_q73 - strand_25_y * strand_25_y_by_q73
+            + strand_25_z * strand_25_z_by_q73;
+        const double t165 = strand_25_x * strand_25_x + strand_25_y * strand_25_y + strand_25_z
+            * strand_25_z;
         const double length_25 = sinew_sqrt(t165);
         const double t166 = 1.0 / length_25;
         const double length_25_by_q73 = t164 * t166;
         const double strand_25_x_by_q71 = layer_1_x_by_q71 - t141;
         const double strand_25_z_by_q71 = layer_1_z_by_q71 - t137;
-        const double t167 = strand_25_x * strand_25_x_by_q71 - strand_25_y * layer_1_y_by_q71 - strand_25_z * strand_25_z_by_q71;
+        const double t167 = strand_25_x * strand_25_x_by_q71 - strand_25_y * layer_1_y_by_q71
+            - strand_25_z * strand_25_z_by_q71;
         const double length_25_by_q71 = t167 * t166;
         const double strand_24_x_by_q73 = layer_1_x_by_q73 - t126;
         const double strand_24_x = layer_1_x + t127;
@@ -1259,14 +1418,17 @@ void wrist_tendon_jacobian_batch(int count, const double *SINEW_RESTRICT q71, co
         const double strand_24_y = 0.014 - layer_1_y + t129;
         const double strand_24_z_by_q73 = layer_1_z_by_q73 - t130;
         const double strand_24_z = layer_1_z + t131;
-        const double t168 = strand_24_x * strand_24_x_by_q73 - strand_24_y * strand_24_y_by_q73 + strand_24_z * strand_24_z_by_q73;
-        const double t169 = strand_24_x * strand_24_x + strand_24_y * strand_24_y + strand_24_z * strand_24_z;
+        const double t168 = strand_24_x * strand_24_x_by_q73 - strand_24_y * strand_24_y_by_q73
+            + strand_24_z * strand_24_z_by_q73;
+        const double t169 = strand_24_x * strand_24_x + strand_24_y * strand_24_y + strand_24_z
+            * strand_24_z;
         const double length_24 = sinew_sqrt(t169);
         const double t170 = 1.0 / length_24;
         const double length_24_by_q73 = t168 * t170;
         const double strand_24_x_by_q71 = layer_1_x_by_q71 - t131;
         const double strand_24_z_by_q71 = layer_1_z_by_q71 - t127;
-        const double t171 = strand_24_x * strand_24_x_by_q71 - strand_24_y * layer_1_y_by_q71 - strand_24_z * strand_24_z_by_q71;
+        const double t171 = strand_24_x * strand_24_x_by_q71 - strand_24_y * layer_1_y_by_q71
+            - strand_24_z * strand_24_z_by_q71;
         const double length_24_by_q71 = t171 * t170;
         const double strand_23_x_by_q73 = layer_1_x_by_q73 - t116;
         const double strand_23_x = layer_1_x + t117;
@@ -1274,14 +1436,17 @@ void wrist_tendon_jacobian_batch(int count, const double *SINEW_RESTRICT q71, co
         const double strand_23_y = 0.012 - layer_1_y + t119;
         const double strand_23_z_by_q73 = layer_1_z_by_q73 - t120;
         const double strand_23_z = layer_1_z + t121;
-        const double t172 = strand_23_x * strand_23_x_by_q73 - strand_23_y * strand_23_y_by_q73 + strand_23_z * strand_23_z_by_q73;
-        const double t173 = strand_23_x * strand_23_x + strand_23_y * strand_23_y + strand_23_z * strand_23_z;
+        const double t172 = strand_23_x * strand_23_x_by_q73 - strand_23_y * strand_23_y_by_q73
+            + strand_23_z * strand_23_z_by_q73;
+        const double t173 = strand_23_x * strand_23_x + strand_23_y * strand_23_y + strand_23_z
+            * strand_23_z;
         const double length_23 = sinew_sqrt(t173);
         const double t174 = 1.0 / length_23;
         const double length_23_by_q73 = t172 * t174;
         const double strand_23_x_by_q71 = layer_1_x_by_q71 - t121;
         const double strand_23_z_by_q71 = layer_1_z_by_q71 - t117;
-        const double t175 = strand_23_x * strand_23_x_by_q71 - strand_23_y * layer_1_y_by_q71 - strand_23_z * strand_23_z_by_q71;
+        const double t175 = strand_23_x * strand_23_x_by_q71 - strand_23_y * layer_1_y_by_q71
+            - strand_23_z * strand_23_z_by_q71;
         const double length_23_by_q71 = t175 * t174;
         const double strand_22_x_by_q73 = layer_1_x_by_q73 - t106;
         const double strand_22_x = layer_1_x + t107;
@@ -1289,14 +1454,17 @@ void wrist_tendon_jacobian_batch(int count, const double *SINEW_RESTRICT q71, co
         const double strand_22_y = 0.011 - layer_1_y + t109;
         const double strand_22_z_by_q73 = layer_1_z_by_q73 - t110;
         const double strand_22_z = layer_1_z + t111;
-        const double t176 = strand_22_x * strand_22_x_by_q73 - strand_22_y * strand_22_y_by_q73 + strand_22_z * strand_22_z_by_q73;
-        const double t177 = strand_22_x * strand_22_x + strand_22_y * strand_22_y + strand_22_z * strand_22_z;
+        const double t176 = strand_22_x * strand_22_x_by_q73 - strand_22_y * strand_22_y_by_q73
+            + strand_22_z * strand_22_z_by_q73;
+        const double t177 = strand_22_x * strand_22_x + strand_22_y * strand_22_y + strand_22_z
+            * strand_22_z;
         const double length_22 = sinew_sqrt(t177);
         const double t178 = 1.0 / length_22;
         const double length_22_by_q73 = t176 * t178;
         const double strand_22_x_by_q71 = layer_1_x_by_q71 - t111;
         const double strand_22_z_by_q71 = layer_1_z_by_q71 - t107;
-        const double t179 = strand_22_x * strand_22_x_by_q71 - strand_22_y * layer_1_y_by_q71 - strand_22_z * strand_22_z_by_q71;
+        const double t179 = strand_22_x * strand_22_x_by_q71 - strand_22_y * layer_1_y_by_q71
+            - strand_22_z * strand_22_z_by_q71;
         const double length_22_by_q71 = t179 * t178;
         const double strand_21_x_by_q73 = layer_1_x_by_q73 - t96;
         const double strand_21_x = layer_1_x + t97;
@@ -1304,14 +1472,17 @@ void wrist_tendon_jacobian_batch(int count, const double *SINEW_RESTRICT q71, co
         const double strand_21_y = 0.009 - layer_1_y + t99;
         const double strand_21_z_by_q73 = layer_1_z_by_q73 - t100;
         const double strand_21_z = layer_1_z + t101;
-        const double t180 = strand_21_x * strand_21_x_by_q73 - strand_21_y * strand_21_y_by_q73 + strand_21_z * strand_21_z_by_q73;
-        const double t181 = strand_21_x * strand_21_x + strand_21_y * strand_21_y + strand_21_z * strand_21_z;
+        const double t180 = strand_21_x * strand_21_x_by_q73 - strand_21_y * strand_21_y_by_q73
+            + strand_21_z * strand_21_z_by_q73;
+        const double t181 = strand_21_x * strand_21_x + strand_21_y * strand_21_y + strand_21_z
+            * strand_21_z;
         const double length_21 = sinew_sqrt(t181);
         const double t182 = 1.0 / length_21;
         const double length_21_by_q73 = t180 * t182;
         const double strand_21_x_by_q71 = layer_1_x_by_q71 - t101;
         const double strand_21_z_by_q71 = layer_1_z_by_q71 - t97;
-        const double t183 = strand_21_x * strand_21_x_by_q71 - strand_21_y * layer_1_y_by_q71 - strand_21_z * strand_21_z_by_q71;
+        const double t183 = strand_21_x * strand_21_x_by_q71 - strand_21_y * layer_1_y_by_q71
+            - strand_21_z * strand_21_z_by_q71;
         const double length_21_by_q71 = t183 * t182;
         const double strand_20_x_by_q73 = layer_1_x_by_q73 - t86;
         const double strand_20_x = layer_1_x + t87;
@@ -1319,14 +1490,17 @@ void wrist_tendon_jacobian_batch(int count, const double *SINEW_RESTRICT q71, co
         const double strand_20_y = 0.007 - layer_1_y + t89;
         const double strand_20_z_by_q73 = layer_1_z_by_q73 - t90;
         const double strand_20_z = layer_1_z + t91;
-        const double t184 = strand_20_x * strand_20_x_by_q73 - strand_20_y * strand_20_y_by_q73 + strand_20_z * strand_20_z_by_q73;
-        const double t185 = strand_20_x * strand_20_x + strand_20_y * strand_20_y + strand_20_z * strand_20_z;
+        const double t184 = strand_20_x * strand_20_x_by_q73 - strand_20_y * strand_20_y_by_q73
+            + strand_20_z * strand_20_z_by_q73;
+        const double t185 = strand_20_x * strand_20_x + strand_20_y * strand_20_y + strand_20_z
+            * strand_20_z;
         const double length_20 = sinew_sqrt(t185);
         const double t186 = 1.0 / length_20;
         const double length_20_by_q73 = t184 * t186;
         const double strand_20_x_by_q71 = layer_1_x_by_q71 - t91;
         const double strand_20_z_by_q71 = layer_1_z_by_q71 - t87;
-        const double t187 = strand_20_x * strand_20_x_by_q71 - strand_20_y * layer_1_y_by_q71 - strand_20_z * strand_20_z_by_q71;
+        const double t187 = strand_20_x * strand_20_x_by_q71 - strand_20_y * layer_1_y_by_q71
+            - strand_20_z * strand_20_z_by_q71;
         const double length_20_by_q71 = t187 * t186;
         const double strand_19_x_by_q73 = layer_1_x_by_q73 - t76;
         const double strand_19_x = layer_1_x + t77;
@@ -1334,14 +1508,17 @@ void wrist_tendon_jacobian_batch(int count, const double *SINEW_RESTRICT q71, co
         const double strand_19_y = 0.006 - layer_1_y + t79;
         const double strand_19_z_by_q73 = layer_1_z_by_q73 - t80;
         const double strand_19_z = layer_1_z + t81;
-        const double t188 = strand_19_x * strand_19_x_by_q73 - strand_19_y * strand_19_y_by_q73 + strand_19_z * strand_19_z_by_q73;
-        const double t189 = strand_19_x * strand_19_x + strand_19_y * strand_19_y + strand_19_z * strand_19_z;
+        const double t188 = strand_19_x * strand_19_x_by_q73 - strand_19_y * strand_19_y_by_q73
+            + strand_19_z * strand_19_z_by_q73;
+        const double t189 = strand_19_x * strand_19_x + strand_19_y * strand_19_y + strand_19_z
+            * strand_19_z;
         const double length_19 = sinew_sqrt(t189);
         const double t190 = 1.0 / length_19;
         const double length_19_by_q73 = t188 * t190;
         const double strand_19_x_by_q71 = layer_1_x_by_q71 - t81;
         const double strand_19_z_by_q71 = layer_1_z_by_q71 - t77;
-        const double t191 = strand_19_x * strand_19_x_by_q71 - strand_19_y * layer_1_y_by_q71 - strand_19_z * strand_19_z_by_q71;
+        const double t191 = strand_19_x * strand_19_x_by_q71 - strand_19_y * layer_1_y_by_q71
+            - strand_19_z * strand_19_z_by_q71;
         const double length_19_by_q71 = t191 * t190;
         const double layer_0_x_by_q73 = t27 + t28;
         const double strand_18_x_by_q73 = layer_0_x_by_q73 + 0.018 * y_x_by_q73;
@@ -1357,8 +1534,10 @@ void wrist_tendon_jacobian_batch(int count, const double *SINEW_RESTRICT q71, co
         const double layer_0_z = 0.008 - origin_z - t51 - t52;
         const double t193 = 0.018 * y_z;
         const double strand_18_z = layer_0_z - t193;
-        const double t194 = strand_18_x * strand_18_x_by_q73 - strand_18_y * strand_18_y_by_q73 + strand_18_z * strand_18_z_by_q73;
-        const double t195 = strand_18_x * strand_18_x + strand_18_y * strand_18_y + strand_18_z * strand_18_z;
+        const double t194 = strand_18_x * strand_18_x_by_q73 - strand_18_y * strand_18_y_by_q73
+            + strand_18_z * strand_18_z_by_q73;
+        const double t195 = strand_18_x * strand_18_x + strand_18_y * strand_18_y + strand_18_z
+            * strand_18_z;
         const double length_18 = sinew_sqrt(t195);
         const double t196 = 1.0 / length_18;
         const double length_18_by_q73 = t194 * t196;
@@ -1367,7 +1546,8 @@ void wrist_tendon_jacobian_batch(int count, const double *SINEW_RESTRICT q71, co
         const double layer_0_y_by_q71 = t61 - t62;
         const double layer_0_z_by_q71 = t63 + t64;
         const double strand_18_z_by_q71 = layer_0_z_by_q71 + t192;
-        const double t197 = strand_18_x * strand_18_x_by_q71 - strand_18_y * layer_0_y_by_q71 - strand_18_z * strand_18_z_by_q71;
+        const double t197 = strand_18_x * strand_18_x_by_q71 - strand_18_y * layer_0_y_by_q71
+            - strand_18_z * strand_18_z_by_q71;
         const double length_18_by_q71 = t197 * t196;
         const double strand_17_x_by_q73 = layer_0_x_by_q73 + t29;
         const double strand_17_x = layer_0_x - t36;
@@ -1375,14 +1555,17 @@ void wrist_tendon_jacobian_batch(int count, const double *SINEW_RESTRICT q71, co
         const double strand_17_y = 0.034 - layer_0_y - t43;
         const double strand_17_z_by_q73 = layer_0_z_by_q73 + t46;
         const double strand_17_z = layer_0_z - t53;
-        const double t198 = strand_17_x * strand_17_x_by_q73 - strand_17_y * strand_17_y_by_q73 + strand_17_z * strand_17_z_by_q73;
-        const double t199 = strand_17_x * strand_17_x + strand_17_y * strand_17_y + strand_17_z * strand_17_z;
+        const double t198 = strand_17_x * strand_17_x_by_q73 - strand_17_y * strand_17_y_by_q73
+            + strand_17_z * strand_17_z_by_q73;
+        const double t199 = strand_17_x * strand_17_x + strand_17_y * strand_17_y + strand_17_z
+            * strand_17_z;
         const double length_17 = sinew_sqrt(t199);
         const double t200 = 1.0 / length_17;
         const double length_17_by_q73 = t198 * t200;
         const double strand_17_x_by_q71 = layer_0_x_by_q71 + t53;
         const double strand_17_z_by_q71 = layer_0_z_by_q71 + t36;
-        const double t201 = strand_17_x * strand_17_x_by_q71 - strand_17_y * layer_0_y_by_q71 - strand_17_z * strand_17_z_by_q71;
+        const double t201 = strand_17_x * strand_17_x_by_q71 - strand_17_y * layer_0_y_by_q71
+            - strand_17_z * strand_17_z_by_q71;
         const double length_17_by_q71 = t201 * t200;
         const double strand_16_x_by_q73 = layer_0_x_by_q73 + t66;
         const double strand_16_x = layer_0_x - t67;
@@ -1390,14 +1573,17 @@ void wrist_tendon_jacobian_batch(int count, const double *SINEW_RESTRICT q71, co
         const double strand_16_y = 0.032 - layer_0_y - t69;
         const double strand_16_z_by_q73 = layer_0_z_by_q73 + t70;
         const double strand_16_z = layer_0_z - t71;
-        const double t202 = strand_16_x * strand_16_x_by_q73 - strand_16_y * strand_16_y_by_q73 + strand_16_z * strand_16_z_by_q73;
-        const double t203 = strand_16_x * strand_16_x + strand_16_y * strand_16_y + strand_16_z * strand_16_z;
+        const double t202 = strand_16_x * strand_16_x_by_q73 - strand_16_y * strand_16_y_by_q73
+            + strand_16_z * strand_16_z_by_q73;
+        const double t203 = strand_16_x * strand_16_x + strand_16_y * strand_16_y + strand_16_z
+            * strand_16_z;
         const double length_16 = sinew_sqrt(t203);
         const double t204 = 1.0 / length_16;
         const double length_16_by_q73 = t202 * t204;
         const double strand_16_x_by_q71 = layer_0_x_by_q71 + t71;
         const double strand_16_z_by_q71 = layer_0_z_by_q71 + t67;
-        const double t205 = strand_16_x * strand_16_x_by_q71 - strand_16_y * layer_0_y_by_q71 - strand_16_z * strand_16_z_by_q71;
+        const double t205 = strand_16_x * strand_16_x_by_q71 - strand_16_y * layer_0_y_by_q71
+            - strand_16_z * strand_16_z_by_q71;
         const double length_16_by_q71 = t205 * t204;
         const double strand_15_x_by_q73 = layer_0_x_by_q73 + t76;
         const double strand_15_x = layer_0_x - t77;
@@ -1405,14 +1591,17 @@ void wrist_tendon_jacobian_batch(int count, const double *SINEW_RESTRICT q71, co
         const double strand_15_y = 0.031 - layer_0_y - t79;
         const double strand_15_z_by_q73 = layer_0_z_by_q73 + t80;
         const double strand_15_z = layer_0_z - t81;
-        const double t206 = strand_15_x * strand_15_x_by_q73 - strand_15_y * strand_15_y_by_q73 + strand_15_z * strand_15_z_by_q73;
-        const double t207 = strand_15_x * strand_15_x + strand_15_y * strand_15_y + strand_15_z * strand_15_z;
+        const double t206 = strand_15_x * strand_15_x_by_q73 - strand_15_y * strand_15_y_by_q73
+            + strand_15_z * strand_15_z_by_q73;
+        const double t207 = strand_15_x * strand_15_x + strand_15_y * strand_15_y + strand_15_z
+            * strand_15_z;
         const double length_15 = sinew_sqrt(t207);
         const double t208 = 1.0 / length_15;
         const double length_15_by_q73 = t206 * t208;
         const double strand_15_x_by_q71 = layer_0_x_by_q71 + t81;
         const double strand_15_z_by_q71 = layer_0_z_by_q71 + t77;
-        const double t209 = strand_15_x * strand_15_x_by_q71 - strand_15_y * layer_0_y_by_q71 - strand_15_z * strand_15_z_by_q71;
+        const double t209 = strand_15_x * strand_15_x_by_q71 - strand_15_y * layer_0_y_by_q71
+            - strand_15_z * strand_15_z_by_q71;
         const double length_15_by_q71 = t209 * t208;
         const double strand_14_x_by_q73 = layer_0_x_by_q73 + t86;
         const double strand_14_x = layer_0_x - t87;
@@ -1420,14 +1609,17 @@ void wrist_tendon_jacobian_batch(int count, const double *SINEW_RESTRICT q71, co
         const double strand_14_y = 0.029 - layer_0_y - t89;
         const double strand_14_z_by_q73 = layer_0_z_by_q73 + t90;
         const double strand_14_z = layer_0_z - t91;
-        const double t210 = strand_14_x * strand_14_x_by_q73 - strand_14_y * strand_14_y_by_q73 + strand_14_z * strand_14_z_by_q73;
-        const double t211 = strand_14_x * strand_14_x + strand_14_y * strand_14_y + strand_14_z * strand_14_z;
+        const double t210 = strand_14_x * strand_14_x_by_q73 - strand_14_y * strand_14_y_by_q73
+            + strand_14_z * strand_14_z_by_q73;
+        const double t211 = strand_14_x * strand_14_x + strand_14_y * strand_14_y + strand_14_z
+            * strand_14_z;
         const double length_14 = sinew_sqrt(t211);
         const double t212 = 1.0 / length_14;
         const double length_14_by_q73 = t210 * t212;
         const double strand_14_x_by_q71 = layer_0_x_by_q71 + t91;
         const double strand_14_z_by_q71 = layer_0_z_by_q71 + t87;
-        const double t213 = strand_14_x * strand_14_x_by_q71 - strand_14_y * layer_0_y_by_q71 - strand_14_z * strand_14_z_by_q71;
+        const double t213 = strand_14_x * strand_14_x_by_q71 - strand_14_y * layer_0_y_by_q71
+            - strand_14_z * strand_14_z_by_q71;
         const double length_14_by_q71 = t213 * t212;
         const double strand_13_x_by_q73 = layer_0_x_by_q73 + t96;
         const double strand_13_x = layer_0_x - t97;
@@ -1435,14 +1627,17 @@ void wrist_tendon_jacobian_batch(int count, const double *SINEW_RESTRICT q71, co
         const double strand_13_y = 0.027 - layer_0_y - t99;
         const double strand_13_z_by_q73 = layer_0_z_by_q73 + t100;
         const double strand_13_z = layer_0_z - t101;
-        const double t214 = strand_13_x * strand_13_x_by_q73 - strand_13_y * strand_13_y_by_q73 + strand_13_z * strand_13_z_by_q73;
-        const double t215 = strand_13_x * strand_13_x + strand_13_y * strand_13_y + strand_13_z * strand_13_z;
+        const double t214 = strand_13_x * strand_13_x_by_q73 - strand_13_y * strand_13_y_by_q73
+            + strand_13_z * strand_13_z_by_q73;
+        const double t215 = strand_13_x * strand_13_x + strand_13_y * strand_13_y + strand_13_z
+            * strand_13_z;
         const double length_13 = sinew_sqrt(t215);
         const double t216 = 1.0 / length_13;
         const double length_13_by_q73 = t214 * t216;
         const double strand_13_x_by_q71 = layer_0_x_by_q71 + t101;
         const double strand_13_z_by_q71 = layer_0_z_by_q71 + t97;
-        const double t217 = strand_13_x * strand_13_x_by_q71 - strand_13_y * layer_0_y_by_q71 - strand_13_z * strand_13_z_by_q71;
+        const double t217 = strand_13_x * strand_13_x_by_q71 - strand_13_y * layer_0_y_by_q71
+            - strand_13_z * strand_13_z_by_q71;
         const double length_13_by_q71 = t217 * t216;
         const double strand_12_x_by_q73 = layer_0_x_by_q73 + t106;
         const double strand_12_x = layer_0_x - t107;
@@ -1450,14 +1645,17 @@ void wrist_tendon_jacobian_batch(int count, const double *SINEW_RESTRICT q71, co
         const double strand_12_y = 0.026 - layer_0_y - t109;
         const double strand_12_z_by_q73 = layer_0_z_by_q73 + t110;
         const double strand_12_z = layer_0_z - t111;
-        const double t218 = strand_12_x * strand_12_x_by_q73 - strand_12_y * strand_12_y_by_q73 + strand_12_z * strand_12_z_by_q73;
-        const double t219 = strand_12_x * strand_12_x + strand_12_y * strand_12_y + strand_12_z * strand_12_z;
+        const double t218 = strand_12_x * strand_12_x_by_q73 - strand_12_y * strand_12_y_by_q73
+            + strand_12_z * strand_12_z_by_q73;
+        const double t219 = strand_12_x * strand_12_x + strand_12_y * strand_12_y + strand_12_z
+            * strand_12_z;
         const double length_12 = sinew_sqrt(t219);
         const double t220 = 1.0 / length_12;
         const double length_12_by_q73 = t218 * t220;
         const double strand_12_x_by_q71 = layer_0_x_by_q71 + t111;
         const double strand_12_z_by_q71 = layer_0_z_by_q71 + t107;
-        const double t221 = strand_12_x * strand_12_x_by_q71 - strand_12_y * layer_0_y_by_q71 - strand_12_z * strand_12_z_by_q71;
+        const double t221 = strand_12_x * strand_12_x_by_q71 - strand_12_y * layer_0_y_by_q71
+            - strand_12_z * strand_12_z_by_q71;
         const double length_12_by_q71 = t221 * t220;
         const double strand_11_x_by_q73 = layer_0_x_by_q73 + t116;
         const double strand_11_x = layer_0_x - t117;
@@ -1465,14 +1663,17 @@ void wrist_tendon_jacobian_batch(int count, const double *SINEW_RESTRICT q71, co
         const double strand_11_y = 0.024 - layer_0_y - t119;
         const double strand_11_z_by_q73 = layer_0_z_by_q73 + t120;
         const double strand_11_z = layer_0_z - t121;
-        const double t222 = strand_11_x * strand_11_x_by_q73 - strand_11_y * strand_11_y_by_q73 + strand_11_z * strand_11_z_by_q73;
-        const double t223 = strand_11_x * strand_11_x + strand_11_y * strand_11_y + strand_11_z * strand_11_z;
+        const double t222 = strand_11_x * strand_11_x_by_q73 - strand_11_y * strand_11_y_by_q73
+            + strand_11_z * strand_11_z_by_q73;
+        const double t223 = strand_11_x * strand_11_x + strand_11_y * strand_11_y + strand_11_z
+            * strand_11_z;
         const double length_11 = sinew_sqrt(t223);
         const double t224 = 1.0 / length_11;
         const double length_11_by_q73 = t222 * t224;
         const double strand_11_x_by_q71 = layer_0_x_by_q71 + t121;
         const double strand_11_z_by_q71 = layer_0_z_by_q71 + t117;
-        const double t225 = strand_11_x * strand_11_x_by_q71 - strand_11_y * layer_0_y_by_q71 - strand_11_z * strand_11_z_by_q71;
+        const double t225 = strand_11_x * strand_11_x_by_q71 - strand_11_y * layer_0_y_by_q71
+            - strand_11_z * strand_11_z_by_q71;
         const double length_11_by_q71 = t225 * t224;
         const double strand_10_x_by_q73 = layer_0_x_by_q73 + t126;
         const double strand_10_x = layer_0_x - t127;
@@ -1480,14 +1681,17 @@ void wrist_tendon_jacobian_batch(int count, const double *SINEW_RESTRICT q71, co
         const double strand_10_y = 0.023 - layer_0_y - t129;
         const double strand_10_z_by_q73 = layer_0_z_by_q73 + t130;
         const double strand_10_z = layer_0_z - t131;
-        const double t226 = strand_10_x * strand_10_x_by_q73 - strand_10_y * strand_10_y_by_q73 + strand_10_z * strand_10_z_by_q73;
-        const double t227 = strand_10_x * strand_10_x + strand_10_y * strand_10_y + strand_10_z * strand_10_z;
+        const double t226 = strand_10_x * strand_10_x_by_q73 - strand_10_y * strand_10_y_by_q73
+            + strand_10_z * strand_10_z_by_q73;
+        const double t227 = strand_10_x * strand_10_x + strand_10_y * strand_10_y + strand_10_z
+            * strand_10_z;
         const double length_10 = sinew_sqrt(t227);
         const double t228 = 1.0 / length_10;
         const double length_10_by_q73 = t226 * t228;
         const double strand_10_x_by_q71 = layer_0_x_by_q71 + t131;
         const double strand_10_z_by_q71 = layer_0_z_by_q71 + t127;
-        const double t229 = strand_10_x * strand_10_x_by_q71 - strand_10_y * layer_0_y_by_q71 - strand_10_z * strand_10_z_by_q71;
+        const double t229 = strand_10_x * strand_10_x_by_q71 - strand_10_y * layer_0_y_by_q71
+            - strand_10_z * strand_10_z_by_q71;
         const double length_10_by_q71 = t229 * t228;
         const double strand_9_x_by_q73 = layer_0_x_by_q73 + t136;
         const double strand_9_x = layer_0_x - t137;
@@ -1495,14 +1699,17 @@ void wrist_tendon_jacobian_batch(int count, const double *SINEW_RESTRICT q71, co
         const double strand_9_y = 0.021 - layer_0_y - t139;
         const double strand_9_z_by_q73 = layer_0_z_by_q73 + t140;
         const double strand_9_z = layer_0_z - t141;
-        const double t230 = strand_9_x * strand_9_x_by_q73 - strand_9_y * strand_9_y_by_q73 + strand_9_z * strand_9_z_by_q73;
-        const double t231 = strand_9_x * strand_9_x + strand_9_y * strand_9_y + strand_9_z * strand_9_z;
+        const double t230 = strand_9_x * strand_9_x_by_q73 - strand_9_y * strand_9_y_by_q73
+            + strand_9_z * strand_9_z_by_q73;
+        const double t231 = strand_9_x * strand_9_x + strand_9_y * strand_9_y + strand_9_z
+            * strand_9_z;
         const double length_9 = sinew_sqrt(t231);
         const double t232 = 1.0 / length_9;
         const double length_9_by_q73 = t230 * t232;
         const double strand_9_x_by_q71 = layer_0_x_by_q71 + t141;
         const double strand_9_z_by_q71 = layer_0_z_by_q71 + t137;
-        const double t233 = strand_9_x * strand_9_x_by_q71 - strand_9_y * layer_0_y_by_q71 - strand_9_z * strand_9_z_by_q71;
+        const double t233 = strand_9_x * strand_9_x_by_q71 - strand_9_y * layer_0_y_by_q71
+            - strand_9_z * strand_9_z_by_q71;
         const double length_9_by_q71 = t233 * t232;
         const double strand_8_x_by_q73 = layer_0_x_by_q73 + t146;
         const double strand_8_x = layer_0_x - t147;
@@ -1510,21 +1717,27 @@ void wrist_tendon_jacobian_batch(int count, const double *SINEW_RESTRICT q71, co
         const double strand_8_y = 0.019 - layer_0_y - t149;
         const double strand_8_z_by_q73 = layer_0_z_by_q73 + t150;
         const double strand_8_z = layer_0_z - t151;
-        const double t234 = strand_8_x * strand_8_x_by_q73 - strand_8_y * strand_8_y_by_q73 + strand_8_z * strand_8_z_by_q73;
-        const double t235 = strand_8_x * strand_8_x + strand_8_y * strand_8_y + strand_8_z * strand_8_z;
+        const double t234 = strand_8_x * strand_8_x_by_q73 - strand_8_y * strand_8_y_by_q73
+            + strand_8_z * strand_8_z_by_q73;
+        const double t235 = strand_8_x * strand_8_x + strand_8_y * strand_8_y + strand_8_z
+            * strand_8_z;
         const double length_8 = sinew_sqrt(t235);
         const double t236 = 1.0 / length_8;
         const double length_8_by_q73 = t234 * t236;
         const double strand_8_x_by_q71 = layer_0_x_by_q71 + t151;
         const double strand_8_z_by_q71 = layer_0_z_by_q71 + t147;
-        const double t237 = strand_8_x * strand_8_x_by_q71 - strand_8_y * layer_0_y_by_q71 - strand_8_z * strand_8_z_by_q71;
+        const double t237 = strand_8_x * strand_8_x_by_q71 - strand_8_y * layer_0_y_by_q71
+            - strand_8_z * strand_8_z_by_q71;
         const double length_8_by_q71 = t237 * t236;
         const double strand_7_y = 0.018 - layer_0_y;
-        const double t238 = layer_0_x * layer_0_x_by_q73 + layer_0_z * layer_0_z_by_q73 - strand_7_y * layer_0_y_by_q73;
-        const double length_7 = sinew_sqrt(layer_0_x * layer_0_x + layer_0_z * layer_0_z + strand_7_y * strand_7_y);
+        const double t238 = layer_0_x * layer_0_x_by_q73 + layer_0_z * layer_0_z_by_q73 - strand_7_y
+            * layer_0_y_by_q73;
+        const double length_7 = sinew_sqrt(layer_0_x * layer_0_x + layer_0_z * layer_0_z
+            + strand_7_y * strand_7_y);
         const double t239 = 1.0 / length_7;
         const double length_7_by_q73 = t238 * t239;
-        const double t240 = layer_0_x * layer_0_x_by_q71 - layer_0_z * layer_0_z_by_q71 - strand_7_y * layer_0_y_by_q71;
+        const double t240 = layer_0_x * layer_0_x_by_q71 - layer_0_z * layer_0_z_by_q71 - strand_7_y
+            * layer_0_y_by_q71;
         const double length_7_by_q71 = t240 * t239;
         const double strand_6_x_by_q73 = layer_0_x_by_q73 - t146;
         const double strand_6_x = layer_0_x + t147;
@@ -1532,14 +1745,17 @@ void wrist_tendon_jacobian_batch(int count, const double *SINEW_RESTRICT q71, co
         const double strand_6_y = 0.016 - layer_0_y + t149;
         const double strand_6_z_by_q73 = layer_0_z_by_q73 - t150;
         const double strand_6_z = layer_0_z + t151;
-        const double t241 = strand_6_x * strand_6_x_by_q73 - strand_6_y * strand_6_y_by_q73 + strand_6_z * strand_6_z_by_q73;
-        const double t242 = strand_6_x * strand_6_x + strand_6_y * strand_6_y + strand_6_z * strand_6_z;
+        const double t241 = strand_6_x * strand_6_x_by_q73 - strand_6_y * strand_6_y_by_q73
+            + strand_6_z * strand_6_z_by_q73;
+        const double t242 = strand_6_x * strand_6_x + strand_6_y * strand_6_y + strand_6_z
+            * strand_6_z;
         const double length_6 = sinew_sqrt(t242);
         const double t243 = 1.0 / length_6;
         const double length_6_by_q73 = t241 * t243;
         const double strand_6_x_by_q71 = layer_0_x_by_q71 - t151;
         const double strand_6_z_by_q71 = layer_0_z_by_q71 - t147;
-        const double t244 = strand_6_x * strand_6_x_by_q71 - strand_6_y * layer_0_y_by_q71 - strand_6_z * strand_6_z_by_q71;
+        const double t244 = strand_6_x * strand_6_x_by_q71 - strand_6_y * layer_0_y_by_q71
+            - strand_6_z * strand_6_z_by_q71;
         const double length_6_by_q71 = t244 * t243;
         const double strand_5_x_by_q73 = layer_0_x_by_q73 - t136;
         const double strand_5_x = layer_0_x + t137;
@@ -1547,14 +1763,17 @@ void wrist_tendon_jacobian_batch(int count, const double *SINEW_RESTRICT q71, co
         const double strand_5_y = 0.015 - layer_0_y + t139;
         const double strand_5_z_by_q73 = layer_0_z_by_q73 - t140;
         const double strand_5_z = layer_0_z + t141;
-        const double t245 = strand_5_x * strand_5_x_by_q73 - strand_5_y * strand_5_y_by_q73 + strand_5_z * strand_5_z_by_q73;
-        const double t246 = strand_5_x * strand_5_x + strand_5_y * strand_5_y + strand_5_z * strand_5_z;
+        const double t245 = strand_5_x * strand_5_x_by_q73 - strand_5_y * strand_5_y_by_q73
+            + strand_5_z * strand_5_z_by_q73;
+        const double t246 = strand_5_x * strand_5_x + strand_5_y * strand_5_y + strand_5_z
+            * strand_5_z;
         const double length_5 = sinew_sqrt(t246);
         const double t247 = 1.0 / length_5;
         const double length_5_by_q73 = t245 * t247;
         const double strand_5_x_by_q71 = layer_0_x_by_q71 - t141;
         const double strand_5_z_by_q71 = layer_0_z_by_q71 - t137;
-        const double t248 = strand_5_x * strand_5_x_by_q71 - strand_5_y * layer_0_y_by_q71 - strand_5_z * strand_5_z_by_q71;
+        const double t248 = strand_5_x * strand_5_x_by_q71 - strand_5_y * layer_0_y_by_q71
+            - strand_5_z * strand_5_z_by_q71;
         const double length_5_by_q71 = t248 * t247;
         const double strand_4_x_by_q73 = layer_0_x_by_q73 - t126;
         const double strand_4_x = layer_0_x + t127;
@@ -1562,14 +1781,17 @@ void wrist_tendon_jacobian_batch(int count, const double *SINEW_RESTRICT q71, co
         const double strand_4_y = 0.013 - layer_0_y + t129;
         const double strand_4_z_by_q73 = layer_0_z_by_q73 - t130;
         const double strand_4_z = layer_0_z + t131;
-        const double t249 = strand_4_x * strand_4_x_by_q73 - strand_4_y * strand_4_y_by_q73 + strand_4_z * strand_4_z_by_q73;
-        const double t250 = strand_4_x * strand_4_x + strand_4_y * strand_4_y + strand_4_z * strand_4_z;
+        const double t249 = strand_4_x * strand_4_x_by_q73 - strand_4_y * strand_4_y_by_q73
+            + strand_4_z * strand_4_z_by_q73;
+        const double t250 = strand_4_x * strand_4_x + strand_4_y * strand_4_y + strand_4_z
+            * strand_4_z;
         const double length_4 = sinew_sqrt(t250);
         const double t251 = 1.0 / length_4;
         const double length_4_by_q73 = t249 * t251;
         const double strand_4_x_by_q71 = layer_0_x_by_q71 - t131;
         const double strand_4_z_by_q71 = layer_0_z_by_q71 - t127;
-        const double t252 = strand_4_x * strand_4_x_by_q71 - strand_4_y * layer_0_y_by_q71 - strand_4_z * strand_4_z_by_q71;
+        const double t252 = strand_4_x * strand_4_x_by_q71 - strand_4_y * layer_0_y_by_q71
+            - strand_4_z * strand_4_z_by_q71;
         const double length_4_by_q71 = t252 * t251;
         const double strand_3_x_by_q73 = layer_0_x_by_q73 - t116;
         const double strand_3_x = layer_0_x + t117;
@@ -1577,14 +1799,17 @@ void wrist_tendon_jacobian_batch(int count, const double *SINEW_RESTRICT q71, co
         const double strand_3_y = 0.011 - layer_0_y + t119;
         const double strand_3_z_by_q73 = layer_0_z_by_q73 - t120;
         const double strand_3_z = layer_0_z + t121;
-        const double t253 = strand_3_x * strand_3_x_by_q73 - strand_3_y * strand_3_y_by_q73 + strand_3_z * strand_3_z_by_q73;
-        const double t254 = strand_3_x * strand_3_x + strand_3_y * strand_3_y + strand_3_z * strand_3_z;
+        const double t253 = strand_3_x * strand_3_x_by_q73 - strand_3_y * strand_3_y_by_q73
+            + strand_3_z * strand_3_z_by_q73;
+        const double t254 = strand_3_x * strand_3_x + strand_3_y * strand_3_y + strand_3_z
+            * strand_3_z;
         const double length_3 = sinew_sqrt(t254);
         const double t255 = 1.0 / length_3;
         const double length_3_by_q73 = t253 * t255;
         const double strand_3_x_by_q71 = layer_0_x_by_q71 - t121;
         const double strand_3_z_by_q71 = layer_0_z_by_q71 - t117;
-        const double t256 = strand_3_x * strand_3_x_by_q71 - strand_3_y * layer_0_y_by_q71 - strand_3_z * strand_3_z_by_q71;
+        const double t256 = strand_3_x * strand_3_x_by_q71 - strand_3_y * layer_0_y_by_q71
+            - strand_3_z * strand_3_z_by_q71;
         const double length_3_by_q71 = t256 * t255;
         const double strand_2_x_by_q73 = layer_0_x_by_q73 - t106;
         const double strand_2_x = layer_0_x + t107;
@@ -1592,14 +1817,17 @@ void wrist_tendon_jacobian_batch(int count, const double *SINEW_RESTRICT q71, co
         const double strand_2_y = 0.01 - layer_0_y + t109;
         const double strand_2_z_by_q73 = layer_0_z_by_q73 - t110;
         const double strand_2_z = layer_0_z + t111;
-        const double t257 = strand_2_x * strand_2_x_by_q73 - strand_2_y * strand_2_y_by_q73 + strand_2_z * strand_2_z_by_q73;
-        const double t258 = strand_2_x * strand_2_x + strand_2_y * strand_2_y + strand_2_z * strand_2_z;
+        const double t257 = strand_2_x * strand_2_x_by_q73 - strand_2_y * strand_2_y_by_q73
+            + strand_2_z * strand_2_z_by_q73;
+        const double t258 = strand_2_x * strand_2_x + strand_2_y * strand_2_y + strand_2_z
+            * strand_2_z;
         const double length_2 = sinew_sqrt(t258);
         const double t259 = 1.0 / length_2;
         const double length_2_by_q73 = t257 * t259;
         const double strand_2_x_by_q71 = layer_0_x_by_q71 - t111;
         const double strand_2_z_by_q71 = layer_0_z_by_q71 - t107;
-        const double t260 = strand_2_x * strand_2_x_by_q71 - strand_2_y * layer_0_y_by_q71 - strand_2_z * strand_2_z_by_q71;
+        const double t260 = strand_2_x * strand_2_x_by_q71 - strand_2_y * layer_0_y_by_q71
+            - strand_2_z * strand_2_z_by_q71;
         const double length_2_by_q71 = t260 * t259;
         const double strand_1_x_by_q73 = layer_0_x_by_q73 - t96;
         const double strand_1_x = layer_0_x + t97;
@@ -1607,14 +1835,17 @@ void wrist_tendon_jacobian_batch(int count, const double *SINEW_RESTRICT q71, co
         const double strand_1_y = 0.008 - layer_0_y + t99;
         const double strand_1_z_by_q73 = layer_0_z_by_q73 - t100;
         const double strand_1_z = layer_0_z + t101;
-        const double t261 = strand_1_x * strand_1_x_by_q73 - strand_1_y * strand_1_y_by_q73 + strand_1_z * strand_1_z_by_q73;
-        const double t262 = strand_1_x * strand_1_x + strand_1_y * strand_1_y + strand_1_z * strand_1_z;
+        const double t261 = strand_1_x * strand_1_x_by_q73 - strand_1_y * strand_1_y_by_q73
+            + strand_1_z * strand_1_z_by_q73;
+        const double t262 = strand_1_x * strand_1_x + strand_1_y * strand_1_y + strand_1_z
+            * strand_1_z;
         const double length_1 = sinew_sqrt(t262);
         const double t263 = 1.0 / length_1;
         const double length_1_by_q73 = t261 * t263;
         const double strand_1_x_by_q71 = layer_0_x_by_q71 - t101;
         const double strand_1_z_by_q71 = layer_0_z_by_q71 - t97;
-        const double t264 = strand_1_x * strand_1_x_by_q71 - strand_1_y * layer_0_y_by_q71 - strand_1_z * strand_1_z_by_q71;
+        const double t264 = strand_1_x * strand_1_x_by_q71 - strand_1_y * layer_0_y_by_q71
+            - strand_1_z * strand_1_z_by_q71;
         const double length_1_by_q71 = t264 * t263;
         const double strand_0_x_by_q73 = layer_0_x_by_q73 - t86;
         const double strand_0_x = layer_0_x + t87;
@@ -1622,14 +1853,17 @@ void wrist_tendon_jacobian_batch(int count, const double *SINEW_RESTRICT q71, co
         const double strand_0_y = 0.007 - layer_0_y + t89;
         const double strand_0_z_by_q73 = layer_0_z_by_q73 - t90;
         const double strand_0_z = layer_0_z + t91;
-        const double t265 = strand_0_x * strand_0_x_by_q73 - strand_0_y * strand_0_y_by_q73 + strand_0_z * strand_0_z_by_q73;
-        const double t266 = strand_0_x * strand_0_x + strand_0_y * strand_0_y + strand_0_z * strand_0_z;
+        const double t265 = strand_0_x * strand_0_x_by_q73 - strand_0_y * strand_0_y_by_q73
+            + strand_0_z * strand_0_z_by_q73;
+        const double t266 = strand_0_x * strand_0_x + strand_0_y * strand_0_y + strand_0_z
+            * strand_0_z;
         const double length_0 = sinew_sqrt(t266);
         const double t267 = 1.0 / length_0;
         const double length_0_by_q73 = t265 * t267;
         const double strand_0_x_by_q71 = layer_0_x_by_q71 - t91;
         const double strand_0_z_by_q71 = layer_0_z_by_q71 - t87;
-        const double t268 = strand_0_x * strand_0_x_by_q71 - strand_0_y * layer_0_y_by_q71 - strand_0_z * strand_0_z_by_q71;
+        const double t268 = strand_0_x * strand_0_x_by_q71 - strand_0_y * layer_0_y_by_q71
+            - strand_0_z * strand_0_z_by_q71;
         const double length_0_by_q71 = t268 * t267;
         P[state] = length_0_by_q71;
         P[1 * n + state] = -length_0_by_q73;
@@ -1710,7 +1944,8 @@ void wrist_tendon_jacobian_batch(int count, const double *SINEW_RESTRICT q71, co
     }
 }
 
-void wrist_bending_angles_batch(int count, const double *SINEW_RESTRICT q71, const double *SINEW_RESTRICT q73, double *SINEW_RESTRICT angles)
+void wrist_bending_angles_batch(int count, const double *SINEW_RESTRICT q71,
+    const double *SINEW_RESTRICT q73, double *SINEW_RESTRICT angles)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
@@ -1735,10 +1970,12 @@ void wrist_bending_angles_batch(int count, const double *SINEW_RESTRICT q71, con
         const double p_z = 0.036 * cos_q71;
         const double reach_squared = sinew_max(p_y * p_y + p_z * p_z, 1.296e-15);
         const double p_x = u_e * s_e - u_y * s_y;
-        const double projection = 0.034722222222222224 - 13.88888888888889 * (reach_squared + p_x * p_x);
+        const double projection = 0.034722222222222224 - 13.88888888888889 * (reach_squared + p_x
+            * p_x);
         const double reach = sinew_sqrt(reach_squared);
         const double limited = sinew_min(sinew_max(-projection, -reach), reach);
-        const double clearance = sinew_max((reach + limited) * (reach - limited), 1e-12 * reach_squared);
+        const double clearance = sinew_max((reach + limited) * (reach - limited), 1e-12
+            * reach_squared);
         const double root = sinew_sqrt(clearance);
         const double t1 = 1.0 / reach_squared;
         const double cos_A = (p_y * limited + p_z * root) * t1;
@@ -1775,9 +2012,12 @@ void wrist_bending_angles_batch(int count, const double *SINEW_RESTRICT q71, con
         const double strand_0_y = 0.007 - layer_0_y + t10;
         const double aside_x = x_plane_y * strand_0_z - x_z * strand_0_y;
         const double aside_z_2 = x_plane_y * strand_0_x + x_x * strand_0_y;
-        const double t11 = sinew_sqrt(aside_x * aside_x + aside_y * aside_y + aside_z_2 * aside_z_2);
-        const double t12 = sinew_atan2(t11, x_plane_y * strand_0_y - x_x * strand_0_x + x_z * strand_0_z);
-        const double t13 = sinew_atan2(sinew_sqrt(strand_0_y * strand_0_y + strand_0_z * strand_0_z), -strand_0_x);
+        const double t11 = sinew_sqrt(aside_x * aside_x + aside_y * aside_y + aside_z_2
+            * aside_z_2);
+        const double t12 = sinew_atan2(t11, x_plane_y * strand_0_y - x_x * strand_0_x + x_z
+            * strand_0_z);
+        const double t13 = sinew_atan2(sinew_sqrt(strand_0_y * strand_0_y + strand_0_z
+            * strand_0_z), -strand_0_x);
         const double t14 = 0.01 * y_z;
         const double strand_1_z = layer_0_z + t14;
         const double t15 = 0.01 * y_x;
@@ -1787,9 +2027,12 @@ void wrist_bending_angles_batch(int count, const double *SINEW_RESTRICT q71, con
         const double strand_1_y = 0.008 - layer_0_y + t16;
         const double aside_x_2 = x_plane_y * strand_1_z - x_z * strand_1_y;
         const double aside_z_6 = x_plane_y * strand_1_x + x_x * strand_1_y;
-        const double t17 = sinew_sqrt(aside_x_2 * aside_x_2 + aside_y_2 * aside_y_2 + aside_z_6 * aside_z_6);
-        const double t18 = sinew_atan2(t17, x_plane_y * strand_1_y - x_x * strand_1_x + x_z * strand_1_z);
-        const double t19 = sinew_atan2(sinew_sqrt(strand_1_y * strand_1_y + strand_1_z * strand_1_z), -strand_1_x);
+        const double t17 = sinew_sqrt(aside_x_2 * aside_x_2 + aside_y_2 * aside_y_2 + aside_z_6
+            * aside_z_6);
+        const double t18 = sinew_atan2(t17, x_plane_y * strand_1_y - x_x * strand_1_x + x_z
+            * strand_1_z);
+        const double t19 = sinew_atan2(sinew_sqrt(strand_1_y * strand_1_y + strand_1_z
+            * strand_1_z), -strand_1_x);
         const double t20 = 0.008 * y_z;
         const double strand_2_z = layer_0_z + t20;
         const double t21 = 0.008 * y_x;
@@ -1799,9 +2042,12 @@ void wrist_bending_angles_batch(int count, const double *SINEW_RESTRICT q71, con
         const double strand_2_y = 0.01 - layer_0_y + t22;
         const double aside_x_4 = x_plane_y * strand_2_z - x_z * strand_2_y;
         const double aside_z_10 = x_plane_y * strand_2_x + x_x * strand_2_y;
-        const double t23 = sinew_sqrt(aside_x_4 * aside_x_4 + aside_y_4 * aside_y_4 + aside_z_10 * aside_z_10);
-        const double t24 = sinew_atan2(t23, x_plane_y * strand_2_y - x_x * strand_2_x + x_z * strand_2_z);
-        const double t25 = sinew_atan2(sinew_sqrt(strand_2_y * strand_2_y + strand_2_z * strand_2_z), -strand_2_x);
+        const double t23 = sinew_sqrt(aside_x_4 * aside_x_4 + aside_y_4 * aside_y_4 + aside_z_10
+            * aside_z_10);
+        const double t24 = sinew_atan2(t23, x_plane_y * strand_2_y - x_x * strand_2_x + x_z
+            * strand_2_z);
+        const double t25 = sinew_atan2(sinew_sqrt(strand_2_y * strand_2_y + strand_2_z
+            * strand_2_z), -strand_2_x);
         const double t26 = 0.006 * y_z;
         const double strand_3_z = layer_0_z + t26;
         const double t27 = 0.006 * y_x;
@@ -1811,9 +2057,12 @@ void wrist_bending_angles_batch(int count, const double *SINEW_RESTRICT q71, con
         const double strand_3_y = 0.011 - layer_0_y + t28;
         const double aside_x_6 = x_plane_y * strand_3_z - x_z * strand_3_y;
         const double aside_z_14 = x_plane_y * strand_3_x + x_x * strand_3_y;
-        const double t29 = sinew_sqrt(aside_x_6 * aside_x_6 + aside_y_6 * aside_y_6 + aside_z_14 * aside_z_14);
-        const double t30 = sinew_atan2(t29, x_plane_y * strand_3_y - x_x * strand_3_x + x_z * strand_3_z);
-        const double t31 = sinew_atan2(sinew_sqrt(strand_3_y * strand_3_y + strand_3_z * strand_3_z), -strand_3_x);
+        const double t29 = sinew_sqrt(aside_x_6 * aside_x_6 + aside_y_6 * aside_y_6 + aside_z_14
+            * aside_z_14);
+        const double t30 = sinew_atan2(t29, x_plane_y * strand_3_y - x_x * strand_3_x + x_z
+            * strand_3_z);
+        const double t31 = sinew_atan2(sinew_sqrt(strand_3_y * strand_3_y + strand_3_z
+            * strand_3_z), -strand_3_x);
         const double t32 = 0.005 * y_z;
         const double strand_4_z = layer_0_z + t32;
         const double t33 = 0.005 * y_x;
@@ -1823,9 +2072,12 @@ void wrist_bending_angles_batch(int count, const double *SINEW_RESTRICT q71, con
         const double strand_4_y = 0.013 - layer_0_y + t34;
         const double aside_x_8 = x_plane_y * strand_4_z - x_z * strand_4_y;
         const double aside_z_18 = x_plane_y * strand_4_x + x_x * strand_4_y;
-        const double t35 = sinew_sqrt(aside_x_8 * aside_x_8 + aside_y_8 * aside_y_8 + aside_z_18 * aside_z_18);
-        const double t36 = sinew_atan2(t35, x_plane_y * strand_4_y - x_x * strand_4_x + x_z * strand_4_z);
-        const double t37 = sinew_atan2(sinew_sqrt(strand_4_y * strand_4_y + strand_4_z * strand_4_z), -strand_4_x);
+        const double t35 = sinew_sqrt(aside_x_8 * aside_x_8 + aside_y_8 * aside_y_8 + aside_z_18
+            * aside_z_18);
+        const double t36 = sinew_atan2(t35, x_plane_y * strand_4_y - x_x * strand_4_x + x_z
+            * strand_4_z);
+        const double t37 = sinew_atan2(sinew_sqrt(strand_4_y * strand_4_y + strand_4_z
+            * strand_4_z), -strand_4_x);
         const double t38 = 0.003 * y_z;
         const double strand_5_z = layer_0_z + t38;
         const double t39 = 0.003 * y_x;
@@ -1835,9 +2087,12 @@ void wrist_bending_angles_batch(int count, const double *SINEW_RESTRICT q71, con
         const double strand_5_y = 0.015 - layer_0_y + t40;
         const double aside_x_10 = x_plane_y * strand_5_z - x_z * strand_5_y;
         const double aside_z_22 = x_plane_y * strand_5_x + x_x * strand_5_y;
-        const double t41 = aside_x_10 * aside_x_10 + aside_y_10 * aside_y_10 + aside_z_22 * aside_z_22;
-        const double t42 = sinew_atan2(sinew_sqrt(t41), x_plane_y * strand_5_y - x_x * strand_5_x + x_z * strand_5_z);
-        const double t43 = sinew_atan2(sinew_sqrt(strand_5_y * strand_5_y + strand_5_z * strand_5_z), -strand_5_x);
+        const double t41 = aside_x_10 * aside_x_10 + aside_y_10 * aside_y_10 + aside_z_22
+            * aside_z_22;
+        const double t42 = sinew_atan2(sinew_sqrt(t41), x_plane_y * strand_5_y - x_x * strand_5_x
+            + x_z * strand_5_z);
+        const double t43 = sinew_atan2(sinew_sqrt(strand_5_y * strand_5_y + strand_5_z
+            * strand_5_z), -strand_5_x);
         const double t44 = 0.002 * y_z;
         const double strand_6_z = layer_0_z + t44;
         const double t45 = 0.002 * y_x;
@@ -1847,79 +2102,106 @@ void wrist_bending_angles_batch(int count, const double *SINEW_RESTRICT q71, con
         const double strand_6_y = 0.016 - layer_0_y + t46;
         const double aside_x_12 = x_plane_y * strand_6_z - x_z * strand_6_y;
         const double aside_z_26 = x_plane_y * strand_6_x + x_x * strand_6_y;
-        const double t47 = aside_x_12 * aside_x_12 + aside_y_12 * aside_y_12 + aside_z_26 * aside_z_26;
-        const double t48 = sinew_atan2(sinew_sqrt(t47), x_plane_y * strand_6_y - x_x * strand_6_x + x_z * strand_6_z);
-        const double t49 = sinew_atan2(sinew_sqrt(strand_6_y * strand_6_y + strand_6_z * strand_6_z), -strand_6_x);
+        const double t47 = aside_x_12 * aside_x_12 + aside_y_12 * aside_y_12 + aside_z_26
+            * aside_z_26;
+        const double t48 = sinew_atan2(sinew_sqrt(t47), x_plane_y * strand_6_y - x_x * strand_6_x
+            + x_z * strand_6_z);
+        const double t49 = sinew_atan2(sinew_sqrt(strand_6_y * strand_6_y + strand_6_z
+            * strand_6_z), -strand_6_x);
         const double aside_y_14 = x_x * layer_0_z + x_z * layer_0_x;
         const double strand_7_y = 0.018 - layer_0_y;
         const double aside_x_14 = x_plane_y * layer_0_z - x_z * strand_7_y;
         const double aside_z_30 = x_plane_y * layer_0_x + x_x * strand_7_y;
-        const double t50 = aside_x_14 * aside_x_14 + aside_y_14 * aside_y_14 + aside_z_30 * aside_z_30;
-        const double t51 = sinew_atan2(sinew_sqrt(t50), x_plane_y * strand_7_y - x_x * layer_0_x + x_z * layer_0_z);
-        const double t52 = sinew_atan2(sinew_sqrt(layer_0_z * layer_0_z + strand_7_y * strand_7_y), -layer_0_x);
+        const double t50 = aside_x_14 * aside_x_14 + aside_y_14 * aside_y_14 + aside_z_30
+            * aside_z_30;
+        const double t51 = sinew_atan2(sinew_sqrt(t50), x_plane_y * strand_7_y - x_x * layer_0_x
+            + x_z * layer_0_z);
+        const double t52 = sinew_atan2(sinew_sqrt(layer_0_z * layer_0_z + strand_7_y * strand_7_y),
+            -layer_0_x);
         const double strand_8_z = layer_0_z - t44;
         const double strand_8_x = layer_0_x - t45;
         const double aside_y_16 = x_x * strand_8_z + x_z * strand_8_x;
         const double strand_8_y = 0.019 - layer_0_y - t46;
         const double aside_x_16 = x_plane_y * strand_8_z - x_z * strand_8_y;
         const double aside_z_34 = x_plane_y * strand_8_x + x_x * strand_8_y;
-        const double t53 = aside_x_16 * aside_x_16 + aside_y_16 * aside_y_16 + aside_z_34 * aside_z_34;
-        const double t54 = sinew_atan2(sinew_sqrt(t53), x_plane_y * strand_8_y - x_x * strand_8_x + x_z * strand_8_z);
-        const double t55 = sinew_atan2(sinew_sqrt(strand_8_y * strand_8_y + strand_8_z * strand_8_z), -strand_8_x);
+        const double t53 = aside_x_16 * aside_x_16 + aside_y_16 * aside_y_16 + aside_z_34
+            * aside_z_34;
+        const double t54 = sinew_atan2(sinew_sqrt(t53), x_plane_y * strand_8_y - x_x * strand_8_x
+            + x_z * strand_8_z);
+        const double t55 = sinew_atan2(sinew_sqrt(strand_8_y * strand_8_y + strand_8_z
+            * strand_8_z), -strand_8_x);
         const double strand_9_z = layer_0_z - t38;
         const double strand_9_x = layer_0_x - t39;
         const double aside_y_18 = x_x * strand_9_z + x_z * strand_9_x;
         const double strand_9_y = 0.021 - layer_0_y - t40;
         const double aside_x_18 = x_plane_y * strand_9_z - x_z * strand_9_y;
         const double aside_z_38 = x_plane_y * strand_9_x + x_x * strand_9_y;
-        const double t56 = aside_x_18 * aside_x_18 + aside_y_18 * aside_y_18 + aside_z_38 * aside_z_38;
-        const double t57 = sinew_atan2(sinew_sqrt(t56), x_plane_y * strand_9_y - x_x * strand_9_x + x_z * strand_9_z);
-        const double t58 = sinew_atan2(sinew_sqrt(strand_9_y * strand_9_y + strand_9_z * strand_9_z), -strand_9_x);
+        const double t56 = aside_x_18 * aside_x_18 + aside_y_18 * aside_y_18 + aside_z_38
+            * aside_z_38;
+        const double t57 = sinew_atan2(sinew_sqrt(t56), x_plane_y * strand_9_y - x_x * strand_9_x
+            + x_z * strand_9_z);
+        const double t58 = sinew_atan2(sinew_sqrt(strand_9_y * strand_9_y + strand_9_z
+            * strand_9_z), -strand_9_x);
         const double strand_10_z = layer_0_z - t32;
         const double strand_10_x = layer_0_x - t33;
         const double aside_y_20 = x_x * strand_10_z + x_z * strand_10_x;
         const double strand_10_y = 0.023 - layer_0_y - t34;
         const double aside_x_20 = x_plane_y * strand_10_z - x_z * strand_10_y;
         const double aside_z_42 = x_plane_y * strand_10_x + x_x * strand_10_y;
-        const double t59 = aside_x_20 * aside_x_20 + aside_y_20 * aside_y_20 + aside_z_42 * aside_z_42;
-        const double t60 = sinew_atan2(sinew_sqrt(t59), x_plane_y * strand_10_y - x_x * strand_10_x + x_z * strand_10_z);
-        const double t61 = sinew_atan2(sinew_sqrt(strand_10_y * strand_10_y + strand_10_z * strand_10_z), -strand_10_x);
+        const double t59 = aside_x_20 * aside_x_20 + aside_y_20 * aside_y_20 + aside_z_42
+            * aside_z_42;
+        const double t60 = sinew_atan2(sinew_sqrt(t59), x_plane_y * strand_10_y - x_x * strand_10_x
+            + x_z * strand_10_z);
+        const double t61 = sinew_atan2(sinew_sqrt(strand_10_y * strand_10_y + strand_10_z
+            * strand_10_z), -strand_10_x);
         const double strand_11_z = layer_0_z - t26;
         const double strand_11_x = layer_0_x - t27;
         const double aside_y_22 = x_x * strand_11_z + x_z * strand_11_x;
         const double strand_11_y = 0.024 - layer_0_y - t28;
         const double aside_x_22 = x_plane_y * strand_11_z - x_z * strand_11_y;
         const double aside_z_46 = x_plane_y * strand_11_x + x_x * strand_11_y;
-        const double t62 = aside_x_22 * aside_x_22 + aside_y_22 * aside_y_22 + aside_z_46 * aside_z_46;
-        const double t63 = sinew_atan2(sinew_sqrt(t62), x_plane_y * strand_11_y - x_x * strand_11_x + x_z * strand_11_z);
-        const double t64 = sinew_atan2(sinew_sqrt(strand_11_y * strand_11_y + strand_11_z * strand_11_z), -strand_11_x);
+        const double t62 = aside_x_22 * aside_x_22 + aside_y_22 * aside_y_22 + aside_z_46
+            * aside_z_46;
+        const double t63 = sinew_atan2(sinew_sqrt(t62), x_plane_y * strand_11_y - x_x * strand_11_x
+            + x_z * strand_11_z);
+        const double t64 = sinew_atan2(sinew_sqrt(strand_11_y * strand_11_y + strand_11_z
+            * strand_11_z), -strand_11_x);
         const double strand_12_z = layer_0_z - t20;
         const double strand_12_x = layer_0_x - t21;
         const double aside_y_24 = x_x * strand_12_z + x_z * strand_12_x;
         const double strand_12_y = 0.026 - layer_0_y - t22;
         const double aside_x_24 = x_plane_y * strand_12_z - x_z * strand_12_y;
         const double aside_z_50 = x_plane_y * strand_12_x + x_x * strand_12_y;
-        const double t65 = aside_x_24 * aside_x_24 + aside_y_24 * aside_y_24 + aside_z_50 * aside_z_50;
-        const double t66 = sinew_atan2(sinew_sqrt(t65), x_plane_y * strand_12_y - x_x * strand_12_x + x_z * strand_12_z);
-        const double t67 = sinew_atan2(sinew_sqrt(strand_12_y * strand_12_y + strand_12_z * strand_12_z), -strand_12_x);
+        const double t65 = aside_x_24 * aside_x_24 + aside_y_24 * aside_y_24 + aside_z_50
+            * aside_z_50;
+        const double t66 = sinew_atan2(sinew_sqrt(t65), x_plane_y * strand_12_y - x_x * strand_12_x
+            + x_z * strand_12_z);
+        const double t67 = sinew_atan2(sinew_sqrt(strand_12_y * strand_12_y + strand_12_z
+            * strand_12_z), -strand_12_x);
         const double strand_13_z = layer_0_z - t14;
         const double strand_13_x = layer_0_x - t15;
         const double aside_y_26 = x_x * strand_13_z + x_z * strand_13_x;
         const double strand_13_y = 0.027 - layer_0_y - t16;
         const double aside_x_26 = x_plane_y * strand_13_z - x_z * strand_13_y;
         const double aside_z_54 = x_plane_y * strand_13_x + x_x * strand_13_y;
-        const double t68 = aside_x_26 * aside_x_26 + aside_y_26 * aside_y_26 + aside_z_54 * aside_z_54;
-        const double t69 = sinew_atan2(sinew_sqrt(t68), x_plane_y * strand_13_y - x_x * strand_13_x + x_z * strand_13_z);
-        const double t70 = sinew_atan2(sinew_sqrt(strand_13_y * strand_13_y + strand_13_z * strand_13_z), -strand_13_x);
+        const double t68 = aside_x_26 * aside_x_26 + aside_y_26 * aside_y_26 + aside_z_54
+            * aside_z_54;
+        const double t69 = sinew_atan2(sinew_sqrt(t68), x_plane_y * strand_13_y - x_x * strand_13_x
+            + x_z * strand_13_z);
+        const double t70 = sinew_atan2(sinew_sqrt(strand_13_y * strand_13_y + strand_13_z
+            * strand_13_z), -strand_13_x);
         const double strand_14_z = layer_0_z - t4;
         const double strand_14_x = layer_0_x - t7;
         const double aside_y_28 = x_x * strand_14_z + x_z * strand_14_x;
         const double strand_14_y = 0.029 - layer_0_y - t10;
         const double aside_x_28 = x_plane_y * strand_14_z - x_z * strand_14_y;
         const double aside_z_58 = x_plane_y * strand_14_x + x_x * strand_14_y;
-        const double t71 = aside_x_28 * aside_x_28 + aside_y_28 * aside_y_28 + aside_z_58 * aside_z_58;
-        const double t72 = sinew_atan2(sinew_sqrt(t71), x_plane_y * strand_14_y - x_x * strand_14_x + x_z * strand_14_z);
-        const double t73 = sinew_atan2(sinew_sqrt(strand_14_y * strand_14_y + strand_14_z * strand_14_z), -strand_14_x);
+        const double t71 = aside_x_28 * aside_x_28 + aside_y_28 * aside_y_28 + aside_z_58
+            * aside_z_58;
+        const double t72 = sinew_atan2(sinew_sqrt(t71), x_plane_y * strand_14_y - x_x * strand_14_x
+            + x_z * strand_14_z);
+        const double t73 = sinew_atan2(sinew_sqrt(strand_14_y * strand_14_y + strand_14_z
+            * strand_14_z), -strand_14_x);
         const double t74 = 0.013 * y_z;
         const double strand_15_z = layer_0_z - t74;
         const double t75 = 0.013 * y_x;
@@ -1929,9 +2211,12 @@ void wrist_bending_angles_batch(int count, const double *SINEW_RESTRICT q71, con
         const double strand_15_y = 0.031 - layer_0_y - t76;
         const double aside_x_30 = x_plane_y * strand_15_z - x_z * strand_15_y;
         const double aside_z_62 = x_plane_y * strand_15_x + x_x * strand_15_y;
-        const double t77 = aside_x_30 * aside_x_30 + aside_y_30 * aside_y_30 + aside_z_62 * aside_z_62;
-        const double t78 = sinew_atan2(sinew_sqrt(t77), x_plane_y * strand_15_y - x_x * strand_15_x + x_z * strand_15_z);
-        const double t79 = sinew_atan2(sinew_sqrt(strand_15_y * strand_15_y + strand_15_z * strand_15_z), -strand_15_x);
+        const double t77 = aside_x_30 * aside_x_30 + aside_y_30 * aside_y_30 + aside_z_62
+            * aside_z_62;
+        const double t78 = sinew_atan2(sinew_sqrt(t77), x_plane_y * strand_15_y - x_x * strand_15_x
+            + x_z * strand_15_z);
+        const double t79 = sinew_atan2(sinew_sqrt(strand_15_y * strand_15_y + strand_15_z
+            * strand_15_z), -strand_15_x);
         const double t80 = 0.014 * y_z;
         const double strand_16_z = layer_0_z - t80;
         const double t81 = 0.014 * y_x;
@@ -1941,9 +2226,12 @@ void wrist_bending_angles_batch(int count, const double *SINEW_RESTRICT q71, con
         const double strand_16_y = 0.032 - layer_0_y - t82;
         const double aside_x_32 = x_plane_y * strand_16_z - x_z * strand_16_y;
         const double aside_z_66 = x_plane_y * strand_16_x + x_x * strand_16_y;
-        const double t83 = aside_x_32 * aside_x_32 + aside_y_32 * aside_y_32 + aside_z_66 * aside_z_66;
-        const double t84 = sinew_atan2(sinew_sqrt(t83), x_plane_y * strand_16_y - x_x * strand_16_x + x_z * strand_16_z);
-        const double t85 = sinew_atan2(sinew_sqrt(strand_16_y * strand_16_y + strand_16_z * strand_16_z), -strand_16_x);
+        const double t83 = aside_x_32 * aside_x_32 + aside_y_32 * aside_y_32 + aside_z_66
+            * aside_z_66;
+        const double t84 = sinew_atan2(sinew_sqrt(t83), x_plane_y * strand_16_y - x_x * strand_16_x
+            + x_z * strand_16_z);
+        const double t85 = sinew_atan2(sinew_sqrt(strand_16_y * strand_16_y + strand_16_z
+            * strand_16_z), -strand_16_x);
         const double t86 = 0.016 * y_z;
         const double strand_17_z = layer_0_z - t86;
         const double t87 = 0.016 * y_x;
@@ -1953,18 +2241,24 @@ void wrist_bending_angles_batch(int count, const double *SINEW_RESTRICT q71, con
         const double strand_17_y = 0.034 - layer_0_y - t88;
         const double aside_x_34 = x_plane_y * strand_17_z - x_z * strand_17_y;
         const double aside_z_70 = x_plane_y * strand_17_x + x_x * strand_17_y;
-        const double t89 = aside_x_34 * aside_x_34 + aside_y_34 * aside_y_34 + aside_z_70 * aside_z_70;
-        const double t90 = sinew_atan2(sinew_sqrt(t89), x_plane_y * strand_17_y - x_x * strand_17_x + x_z * strand_17_z);
-        const double t91 = sinew_atan2(sinew_sqrt(strand_17_y * strand_17_y + strand_17_z * strand_17_z), -strand_17_x);
+        const double t89 = aside_x_34 * aside_x_34 + aside_y_34 * aside_y_34 + aside_z_70
+            * aside_z_70;
+        const double t90 = sinew_atan2(sinew_sqrt(t89), x_plane_y * strand_17_y - x_x * strand_17_x
+            + x_z * strand_17_z);
+        const double t91 = sinew_atan2(sinew_sqrt(strand_17_y * strand_17_y + strand_17_z
+            * strand_17_z), -strand_17_x);
         const double strand_18_z = layer_0_z - 0.018 * y_z;
         const double strand_18_x = layer_0_x - 0.018 * y_x;
         const double aside_y_36 = x_x * strand_18_z + x_z * strand_18_x;
         const double strand_18_y = 0.035 - layer_0_y - 0.018 * u_y;
         const double aside_x_36 = x_plane_y * strand_18_z - x_z * strand_18_y;
         const double aside_z_74 = x_plane_y * strand_18_x + x_x * strand_18_y;
-        const double t92 = aside_x_36 * aside_x_36 + aside_y_36 * aside_y_36 + aside_z_74 * aside_z_74;
-        const double t93 = sinew_atan2(sinew_sqrt(t92), x_plane_y * strand_18_y - x_x * strand_18_x + x_z * strand_18_z);
-        const double t94 = sinew_atan2(sinew_sqrt(strand_18_y * strand_18_y + strand_18_z * strand_18_z), -strand_18_x);
+        const double t92 = aside_x_36 * aside_x_36 + aside_y_36 * aside_y_36 + aside_z_74
+            * aside_z_74;
+        const double t93 = sinew_atan2(sinew_sqrt(t92), x_plane_y * strand_18_y - x_x * strand_18_x
+            + x_z * strand_18_z);
+        const double t94 = sinew_atan2(sinew_sqrt(strand_18_y * strand_18_y + strand_18_z
+            * strand_18_z), -strand_18_x);
         const double layer_1_z = 0.028 - origin_z - t2 + t3;
         const double strand_19_z = layer_1_z + t74;
         const double layer_1_x = t5 + t6;
@@ -1974,169 +2268,226 @@ void wrist_bending_angles_batch(int count, const double *SINEW_RESTRICT q71, con
         const double strand_19_y = 0.006 - layer_1_y + t76;
         const double aside_x_38 = x_plane_y * strand_19_z - x_z * strand_19_y;
         const double aside_z_78 = x_plane_y * strand_19_x + x_x * strand_19_y;
-        const double t95 = aside_x_38 * aside_x_38 + aside_y_38 * aside_y_38 + aside_z_78 * aside_z_78;
-        const double t96 = sinew_atan2(sinew_sqrt(t95), x_plane_y * strand_19_y - x_x * strand_19_x + x_z * strand_19_z);
-        const double t97 = sinew_atan2(sinew_sqrt(strand_19_y * strand_19_y + strand_19_z * strand_19_z), -strand_19_x);
+        const double t95 = aside_x_38 * aside_x_38 + aside_y_38 * aside_y_38 + aside_z_78
+            * aside_z_78;
+        const double t96 = sinew_atan2(sinew_sqrt(t95), x_plane_y * strand_19_y - x_x * strand_19_x
+            + x_z * strand_19_z);
+        const double t97 = sinew_atan2(sinew_sqrt(strand_19_y * strand_19_y + strand_19_z
+            * strand_19_z), -strand_19_x);
         const double strand_20_z = layer_1_z + t4;
         const double strand_20_x = layer_1_x + t7;
         const double aside_y_40 = x_x * strand_20_z + x_z * strand_20_x;
         const double strand_20_y = 0.007 - layer_1_y + t10;
         const double aside_x_40 = x_plane_y * strand_20_z - x_z * strand_20_y;
         const double aside_z_82 = x_plane_y * strand_20_x + x_x * strand_20_y;
-        const double t98 = aside_x_40 * aside_x_40 + aside_y_40 * aside_y_40 + aside_z_82 * aside_z_82;
-        const double t99 = sinew_atan2(sinew_sqrt(t98), x_plane_y * strand_20_y - x_x * strand_20_x + x_z * strand_20_z);
-        const double t100 = sinew_atan2(sinew_sqrt(strand_20_y * strand_20_y + strand_20_z * strand_20_z), -strand_20_x);
+        const double t98 = aside_x_40 * aside_x_40 + aside_y_40 * aside_y_40 + aside_z_82
+            * aside_z_82;
+        const double t99 = sinew_atan2(sinew_sqrt(t98), x_plane_y * strand_20_y - x_x * strand_20_x
+            + x_z * strand_20_z);
+        const double t100 = sinew_atan2(sinew_sqrt(strand_20_y * strand_20_y + strand_20_z
+            * strand_20_z), -strand_20_x);
         const double strand_21_z = layer_1_z + t14;
         const double strand_21_x = layer_1_x + t15;
         const double aside_y_42 = x_x * strand_21_z + x_z * strand_21_x;
         const double strand_21_y = 0.009 - layer_1_y + t16;
         const double aside_x_42 = x_plane_y * strand_21_z - x_z * strand_21_y;
         const double aside_z_86 = x_plane_y * strand_21_x + x_x * strand_21_y;
-        const double t101 = aside_x_42 * aside_x_42 + aside_y_42 * aside_y_42 + aside_z_86 * aside_z_86;
-        const double t102 = sinew_atan2(sinew_sqrt(t101), x_plane_y * strand_21_y - x_x * strand_21_x + x_z * strand_21_z);
-        const double t103 = sinew_atan2(sinew_sqrt(strand_21_y * strand_21_y + strand_21_z * strand_21_z), -strand_21_x);
+        const double t101 = aside_x_42 * aside_x_42 + aside_y_42 * aside_y_42 + aside_z_86
+            * aside_z_86;
+        const double t102 = sinew_atan2(sinew_sqrt(t101), x_plane_y * strand_21_y - x_x
+            * strand_21_x + x_z * strand_21_z);
+        const double t103 = sinew_atan2(sinew_sqrt(strand_21_y * strand_21_y + strand_21_z
+            * strand_21_z), -strand_21_x);
         const double strand_22_z = layer_1_z + t20;
         const double strand_22_x = layer_1_x + t21;
         const double aside_y_44 = x_x * strand_22_z + x_z * strand_22_x;
         const double strand_22_y = 0.011 - layer_1_y + t22;
         const double aside_x_44 = x_plane_y * strand_22_z - x_z * strand_22_y;
         const double aside_z_90 = x_plane_y * strand_22_x + x_x * strand_22_y;
-        const double t104 = aside_x_44 * aside_x_44 + aside_y_44 * aside_y_44 + aside_z_90 * aside_z_90;
-        const double t105 = sinew_atan2(sinew_sqrt(t104), x_plane_y * strand_22_y - x_x * strand_22_x + x_z * strand_22_z);
-        const double t106 = sinew_atan2(sinew_sqrt(strand_22_y * strand_22_y + strand_22_z * strand_22_z), -strand_22_x);
+        const double t104 = aside_x_44 * aside_x_44 + aside_y_44 * aside_y_44 + aside_z_90
+            * aside_z_90;
+        const double t105 = sinew_atan2(sinew_sqrt(t104), x_plane_y * strand_22_y - x_x
+            * strand_22_x + x_z * strand_22_z);
+        const double t106 = sinew_atan2(sinew_sqrt(strand_22_y * strand_22_y + strand_22_z
+            * strand_22_z), -strand_22_x);
         const double strand_23_z = layer_1_z + t26;
         const double strand_23_x = layer_1_x + t27;
         const double aside_y_46 = x_x * strand_23_z + x_z * strand_23_x;
         const double strand_23_y = 0.012 - layer_1_y + t28;
         const double aside_x_46 = x_plane_y * strand_23_z - x_z * strand_23_y;
         const double aside_z_94 = x_plane_y * strand_23_x + x_x * strand_23_y;
-        const double t107 = aside_x_46 * aside_x_46 + aside_y_46 * aside_y_46 + aside_z_94 * aside_z_94;
-        const double t108 = sinew_atan2(sinew_sqrt(t107), x_plane_y * strand_23_y - x_x * strand_23_x + x_z * strand_23_z);
-        const double t109 = sinew_atan2(sinew_sqrt(strand_23_y * strand_23_y + strand_23_z * strand_23_z), -strand_23_x);
+        const double t107 = aside_x_46 * aside_x_46 + aside_y_46 * aside_y_46 + aside_z_94
+            * aside_z_94;
+        const double t108 = sinew_atan2(sinew_sqrt(t107), x_plane_y * strand_23_y - x_x
+            * strand_23_x + x_z * strand_23_z);
+        const double t109 = sinew_atan2(sinew_sqrt(strand_23_y * strand_23_y + strand_23_z
+            * strand_23_z), -strand_23_x);
         const double strand_24_z = layer_1_z + t32;
         const double strand_24_x = layer_1_x + t33;
         const double aside_y_48 = x_x * strand_24_z + x_z * strand_24_x;
         const double strand_24_y = 0.014 - layer_1_y + t34;
         const double aside_x_48 = x_plane_y * strand_24_z - x_z * strand_24_y;
         const double aside_z_98 = x_plane_y * strand_24_x + x_x * strand_24_y;
-        const double t110 = aside_x_48 * aside_x_48 + aside_y_48 * aside_y_48 + aside_z_98 * aside_z_98;
-        const double t111 = sinew_atan2(sinew_sqrt(t110), x_plane_y * strand_24_y - x_x * strand_24_x + x_z * strand_24_z);
-        const double t112 = sinew_atan2(sinew_sqrt(strand_24_y * strand_24_y + strand_24_z * strand_24_z), -strand_24_x);
+        const double t110 = aside_x_48 * aside_x_48 + aside_y_48 * aside_y_48 + aside_z_98
+            * aside_z_98;
+        const double t111 = sinew_atan2(sinew_sqrt(t110), x_plane_y * strand_24_y - x_x
+            * strand_24_x + x_z * strand_24_z);
+        const double t112 = sinew_atan2(sinew_sqrt(strand_24_y * strand_24_y + strand_24_z
+            * strand_24_z), -strand_24_x);
         const double strand_25_z = layer_1_z + t38;
         const double strand_25_x = layer_1_x + t39;
         const double aside_y_50 = x_x * strand_25_z + x_z * strand_25_x;
         const double strand_25_y = 0.015 - layer_1_y + t40;
         const double aside_x_50 = x_plane_y * strand_25_z - x_z * strand_25_y;
         const double aside_z_102 = x_plane_y * strand_25_x + x_x * strand_25_y;
-        const double t113 = aside_x_50 * aside_x_50 + aside_y_50 * aside_y_50 + aside_z_102 * aside_z_102;
-        const double t114 = sinew_atan2(sinew_sqrt(t113), x_plane_y * strand_25_y - x_x * strand_25_x + x_z * strand_25_z);
-        const double t115 = sinew_atan2(sinew_sqrt(strand_25_y * strand_25_y + strand_25_z * strand_25_z), -strand_25_x);
+        const double t113 = aside_x_50 * aside_x_50 + aside_y_50 * aside_y_50 + aside_z_102
+            * aside_z_102;
+        const double t114 = sinew_atan2(sinew_sqrt(t113), x_plane_y * strand_25_y - x_x
+            * strand_25_x + x_z * strand_25_z);
+        const double t115 = sinew_atan2(sinew_sqrt(strand_25_y * strand_25_y + strand_25_z
+            * strand_25_z), -strand_25_x);
         const double strand_26_z = layer_1_z + t44;
         const double strand_26_x = layer_1_x + t45;
         const double aside_y_52 = x_x * strand_26_z + x_z * strand_26_x;
         const double strand_26_y = 0.017 - layer_1_y + t46;
         const double aside_x_52 = x_plane_y * strand_26_z - x_z * strand_26_y;
         const double aside_z_106 = x_plane_y * strand_26_x + x_x * strand_26_y;
-        const double t116 = aside_x_52 * aside_x_52 + aside_y_52 * aside_y_52 + aside_z_106 * aside_z_106;
-        const double t117 = sinew_atan2(sinew_sqrt(t116), x_plane_y * strand_26_y - x_x * strand_26_x + x_z * strand_26_z);
-        const double t118 = sinew_atan2(sinew_sqrt(strand_26_y * strand_26_y + strand_26_z * strand_26_z), -strand_26_x);
+        const double t116 = aside_x_52 * aside_x_52 + aside_y_52 * aside_y_52 + aside_z_106
+            * aside_z_106;
+        const double t117 = sinew_atan2(sinew_sqrt(t116), x_plane_y * strand_26_y - x_x
+            * strand_26_x + x_z * strand_26_z);
+        const double t118 = sinew_atan2(sinew_sqrt(strand_26_y * strand_26_y + strand_26_z
+            * strand_26_z), -strand_26_x);
         const double aside_y_54 = x_x * layer_1_z + x_z * layer_1_x;
         const double strand_27_y = 0.019 - layer_1_y;
         const double aside_x_54 = x_plane_y * layer_1_z - x_z * strand_27_y;
         const double aside_z_110 = x_plane_y * layer_1_x + x_x * strand_27_y;
-        const double t119 = aside_x_54 * aside_x_54 + aside_y_54 * aside_y_54 + aside_z_110 * aside_z_110;
-        const double t120 = sinew_atan2(sinew_sqrt(t119), x_plane_y * strand_27_y - x_x * layer_1_x + x_z * layer_1_z);
-        const double t121 = sinew_atan2(sinew_sqrt(layer_1_z * layer_1_z + strand_27_y * strand_27_y), -layer_1_x);
+        const double t119 = aside_x_54 * aside_x_54 + aside_y_54 * aside_y_54 + aside_z_110
+            * aside_z_110;
+        const double t120 = sinew_atan2(sinew_sqrt(t119), x_plane_y * strand_27_y - x_x * layer_1_x
+            + x_z * layer_1_z);
+        const double t121 = sinew_atan2(sinew_sqrt(layer_1_z * layer_1_z + strand_27_y
+            * strand_27_y), -layer_1_x);
         const double strand_28_z = layer_1_z - t44;
         const double strand_28_x = layer_1_x - t45;
         const double aside_y_56 = x_x * strand_28_z + x_z * strand_28_x;
         const double strand_28_y = 0.02 - layer_1_y - t46;
         const double aside_x_56 = x_plane_y * strand_28_z - x_z * strand_28_y;
         const double aside_z_114 = x_plane_y * strand_28_x + x_x * strand_28_y;
-        const double t122 = aside_x_56 * aside_x_56 + aside_y_56 * aside_y_56 + aside_z_114 * aside_z_114;
-        const double t123 = sinew_atan2(sinew_sqrt(t122), x_plane_y * strand_28_y - x_x * strand_28_x + x_z * strand_28_z);
-        const double t124 = sinew_atan2(sinew_sqrt(strand_28_y * strand_28_y + strand_28_z * strand_28_z), -strand_28_x);
+        const double t122 = aside_x_56 * aside_x_56 + aside_y_56 * aside_y_56 + aside_z_114
+            * aside_z_114;
+        const double t123 = sinew_atan2(sinew_sqrt(t122), x_plane_y * strand_28_y - x_x
+            * strand_28_x + x_z * strand_28_z);
+        const double t124 = sinew_atan2(sinew_sqrt(strand_28_y * strand_28_y + strand_28_z
+            * strand_28_z), -strand_28_x);
         const double strand_29_z = layer_1_z - t38;
         const double strand_29_x = layer_1_x - t39;
         const double aside_y_58 = x_x * strand_29_z + x_z * strand_29_x;
         const double strand_29_y = 0.022 - layer_1_y - t40;
         const double aside_x_58 = x_plane_y * strand_29_z - x_z * strand_29_y;
         const double aside_z_118 = x_plane_y * strand_29_x + x_x * strand_29_y;
-        const double t125 = aside_x_58 * aside_x_58 + aside_y_58 * aside_y_58 + aside_z_118 * aside_z_118;
-        const double t126 = sinew_atan2(sinew_sqrt(t125), x_plane_y * strand_29_y - x_x * strand_29_x + x_z * strand_29_z);
-        const double t127 = sinew_atan2(sinew_sqrt(strand_29_y * strand_29_y + strand_29_z * strand_29_z), -strand_29_x);
+        const double t125 = aside_x_58 * aside_x_58 + aside_y_58 * aside_y_58 + aside_z_118
+            * aside_z_118;
+        const double t126 = sinew_atan2(sinew_sqrt(t125), x_plane_y * strand_29_y - x_x
+            * strand_29_x + x_z * strand_29_z);
+        const double t127 = sinew_atan2(sinew_sqrt(strand_29_y * strand_29_y + strand_29_z
+            * strand_29_z), -strand_29_x);
         const double strand_30_z = layer_1_z - t32;
         const double strand_30_x = layer_1_x - t33;
         const double aside_y_60 = x_x * strand_30_z + x_z * strand_30_x;
         const double strand_30_y = 0.023 - layer_1_y - t34;
         const double aside_x_60 = x_plane_y * strand_30_z - x_z * strand_30_y;
         const double aside_z_122 = x_plane_y * strand_30_x + x_x * strand_30_y;
-        const double t128 = aside_x_60 * aside_x_60 + aside_y_60 * aside_y_60 + aside_z_122 * aside_z_122;
-        const double t129 = sinew_atan2(sinew_sqrt(t128), x_plane_y * strand_30_y - x_x * strand_30_x + x_z * strand_30_z);
-        const double t130 = sinew_atan2(sinew_sqrt(strand_30_y * strand_30_y + strand_30_z * strand_30_z), -strand_30_x);
+        const double t128 = aside_x_60 * aside_x_60 + aside_y_60 * aside_y_60 + aside_z_122
+            * aside_z_122;
+        const double t129 = sinew_atan2(sinew_sqrt(t128), x_plane_y * strand_30_y - x_x
+            * strand_30_x + x_z * strand_30_z);
+        const double t130 = sinew_atan2(sinew_sqrt(strand_30_y * strand_30_y + strand_30_z
+            * strand_30_z), -strand_30_x);
         const double strand_31_z = layer_1_z - t26;
         const double strand_31_x = layer_1_x - t27;
         const double aside_y_62 = x_x * strand_31_z + x_z * strand_31_x;
         const double strand_31_y = 0.025 - layer_1_y - t28;
         const double aside_x_62 = x_plane_y * strand_31_z - x_z * strand_31_y;
         const double aside_z_126 = x_plane_y * strand_31_x + x_x * strand_31_y;
-        const double t131 = aside_x_62 * aside_x_62 + aside_y_62 * aside_y_62 + aside_z_126 * aside_z_126;
-        const double t132 = sinew_atan2(sinew_sqrt(t131), x_plane_y * strand_31_y - x_x * strand_31_x + x_z * strand_31_z);
-        const double t133 = sinew_atan2(sinew_sqrt(strand_31_y * strand_31_y + strand_31_z * strand_31_z), -strand_31_x);
+        const double t131 = aside_x_62 * aside_x_62 + aside_y_62 * aside_y_62 + aside_z_126
+            * aside_z_126;
+        const double t132 = sinew_atan2(sinew_sqrt(t131), x_plane_y * strand_31_y - x_x
+            * strand_31_x + x_z * strand_31_z);
+        const double t133 = sinew_atan2(sinew_sqrt(strand_31_y * strand_31_y + strand_31_z
+            * strand_31_z), -strand_31_x);
         const double strand_32_z = layer_1_z - t20;
         const double strand_32_x = layer_1_x - t21;
         const double aside_y_64 = x_x * strand_32_z + x_z * strand_32_x;
         const double strand_32_y = 0.027 - layer_1_y - t22;
         const double aside_x_64 = x_plane_y * strand_32_z - x_z * strand_32_y;
         const double aside_z_130 = x_plane_y * strand_32_x + x_x * strand_32_y;
-        const double t134 = aside_x_64 * aside_x_64 + aside_y_64 * aside_y_64 + aside_z_130 * aside_z_130;
-        const double t135 = sinew_atan2(sinew_sqrt(t134), x_plane_y * strand_32_y - x_x * strand_32_x + x_z * strand_32_z);
-        const double t136 = sinew_atan2(sinew_sqrt(strand_32_y * strand_32_y + strand_32_z * strand_32_z), -strand_32_x);
+        const double t134 = aside_x_64 * aside_x_64 + aside_y_64 * aside_y_64 + aside_z_130
+            * aside_z_130;
+        const double t135 = sinew_atan2(sinew_sqrt(t134), x_plane_y * strand_32_y - x_x
+            * strand_32_x + x_z * strand_32_z);
+        const double t136 = sinew_atan2(sinew_sqrt(strand_32_y * strand_32_y + strand_32_z
+            * strand_32_z), -strand_32_x);
         const double strand_33_z = layer_1_z - t14;
         const double strand_33_x = layer_1_x - t15;
         const double aside_y_66 = x_x * strand_33_z + x_z * strand_33_x;
         const double strand_33_y = 0.028 - layer_1_y - t16;
         const double aside_x_66 = x_plane_y * strand_33_z - x_z * strand_33_y;
         const double aside_z_134 = x_plane_y * strand_33_x + x_x * strand_33_y;
-        const double t137 = aside_x_66 * aside_x_66 + aside_y_66 * aside_y_66 + aside_z_134 * aside_z_134;
-        const double t138 = sinew_atan2(sinew_sqrt(t137), x_plane_y * strand_33_y - x_x * strand_33_x + x_z * strand_33_z);
-        const double t139 = sinew_atan2(sinew_sqrt(strand_33_y * strand_33_y + strand_33_z * strand_33_z), -strand_33_x);
+        const double t137 = aside_x_66 * aside_x_66 + aside_y_66 * aside_y_66 + aside_z_134
+            * aside_z_134;
+        const double t138 = sinew_atan2(sinew_sqrt(t137), x_plane_y * strand_33_y - x_x
+            * strand_33_x + x_z * strand_33_z);
+        const double t139 = sinew_atan2(sinew_sqrt(strand_33_y * strand_33_y + strand_33_z
+            * strand_33_z), -strand_33_x);
         const double strand_34_z = layer_1_z - t4;
         const double strand_34_x = layer_1_x - t7;
         const double aside_y_68 = x_x * strand_34_z + x_z * strand_34_x;
         const double strand_34_y = 0.03 - layer_1_y - t10;
         const double aside_x_68 = x_plane_y * strand_34_z - x_z * strand_34_y;
         const double aside_z_138 = x_plane_y * strand_34_x + x_x * strand_34_y;
-        const double t140 = aside_x_68 * aside_x_68 + aside_y_68 * aside_y_68 + aside_z_138 * aside_z_138;
-        const double t141 = sinew_atan2(sinew_sqrt(t140), x_plane_y * strand_34_y - x_x * strand_34_x + x_z * strand_34_z);
-        const double t142 = sinew_atan2(sinew_sqrt(strand_34_y * strand_34_y + strand_34_z * strand_34_z), -strand_34_x);
+        const double t140 = aside_x_68 * aside_x_68 + aside_y_68 * aside_y_68 + aside_z_138
+            * aside_z_138;
+        const double t141 = sinew_atan2(sinew_sqrt(t140), x_plane_y * strand_34_y - x_x
+            * strand_34_x + x_z * strand_34_z);
+        const double t142 = sinew_atan2(sinew_sqrt(strand_34_y * strand_34_y + strand_34_z
+            * strand_34_z), -strand_34_x);
         const double strand_35_z = layer_1_z - t74;
         const double strand_35_x = layer_1_x - t75;
         const double aside_y_70 = x_x * strand_35_z + x_z * strand_35_x;
         const double strand_35_y = 0.031 - layer_1_y - t76;
         const double aside_x_70 = x_plane_y * strand_35_z - x_z * strand_35_y;
         const double aside_z_142 = x_plane_y * strand_35_x + x_x * strand_35_y;
-        const double t143 = aside_x_70 * aside_x_70 + aside_y_70 * aside_y_70 + aside_z_142 * aside_z_142;
-        const double t144 = sinew_atan2(sinew_sqrt(t143), x_plane_y * strand_35_y - x_x * strand_35_x + x_z * strand_35_z);
-        const double t145 = sinew_atan2(sinew_sqrt(strand_35_y * strand_35_y + strand_35_z * strand_35_z), -strand_35_x);
+        const double t143 = aside_x_70 * aside_x_70 + aside_y_70 * aside_y_70 + aside_z_142
+            * aside_z_142;
+        const double t144 = sinew_atan2(sinew_sqrt(t143), x_plane_y * strand_35_y - x_x
+            * strand_35_x + x_z * strand_35_z);
+        const double t145 = sinew_atan2(sinew_sqrt(strand_35_y * strand_35_y + strand_35_z
+            * strand_35_z), -strand_35_x);
         const double strand_36_z = layer_1_z - t80;
         const double strand_36_x = layer_1_x - t81;
         const double aside_y_72 = x_x * strand_36_z + x_z * strand_36_x;
         const double strand_36_y = 0.033 - layer_1_y - t82;
         const double aside_x_72 = x_plane_y * strand_36_z - x_z * strand_36_y;
         const double aside_z_146 = x_plane_y * strand_36_x + x_x * strand_36_y;
-        const double t146 = aside_x_72 * aside_x_72 + aside_y_72 * aside_y_72 + aside_z_146 * aside_z_146;
-        const double t147 = sinew_atan2(sinew_sqrt(t146), x_plane_y * strand_36_y - x_x * strand_36_x + x_z * strand_36_z);
-        const double t148 = sinew_atan2(sinew_sqrt(strand_36_y * strand_36_y + strand_36_z * strand_36_z), -strand_36_x);
+        const double t146 = aside_x_72 * aside_x_72 + aside_y_72 * aside_y_72 + aside_z_146
+            * aside_z_146;
+        const double t147 = sinew_atan2(sinew_sqrt(t146), x_plane_y * strand_36_y - x_x
+            * strand_36_x + x_z * strand_36_z);
+        const double t148 = sinew_atan2(sinew_sqrt(strand_36_y * strand_36_y + strand_36_z
+            * strand_36_z), -strand_36_x);
         const double strand_37_z = layer_1_z - t86;
         const double strand_37_x = layer_1_x - t87;
         const double aside_y_74 = x_x * strand_37_z + x_z * strand_37_x;
         const double strand_37_y = 0.035 - layer_1_y - t88;
         const double aside_x_74 = x_plane_y * strand_37_z - x_z * strand_37_y;
         const double aside_z_150 = x_plane_y * strand_37_x + x_x * strand_37_y;
-        const double t149 = aside_x_74 * aside_x_74 + aside_y_74 * aside_y_74 + aside_z_150 * aside_z_150;
-        const double t150 = sinew_atan2(sinew_sqrt(t149), x_plane_y * strand_37_y - x_x * strand_37_x + x_z * strand_37_z);
-        const double t151 = sinew_atan2(sinew_sqrt(strand_37_y * strand_37_y + strand_37_z * strand_37_z), -strand_37_x);
+        const double t149 = aside_x_74 * aside_x_74 + aside_y_74 * aside_y_74 + aside_z_150
+            * aside_z_150;
+        const double t150 = sinew_atan2(sinew_sqrt(t149), x_plane_y * strand_37_y - x_x
+            * strand_37_x + x_z * strand_37_z);
+        const double t151 = sinew_atan2(sinew_sqrt(strand_37_y * strand_37_y + strand_37_z
+            * strand_37_z), -strand_37_x);
         angles[state] = t12 + t13;
         angles[1 * n + state] = t18 + t19;
         angles[2 * n + state] = t24 + t25;
@@ -2178,7 +2529,8 @@ void wrist_bending_angles_batch(int count, const double *SINEW_RESTRICT q71, con
     }
 }
 
-void wrist_feedforward_batch(int count, const double *SINEW_RESTRICT q71, const double *SINEW_RESTRICT q73, double *SINEW_RESTRICT delta_theta)
+void wrist_feedforward_batch(int count, const double *SINEW_RESTRICT q71,
+    const double *SINEW_RESTRICT q73, double *SINEW_RESTRICT delta_theta)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
@@ -2203,10 +2555,12 @@ void wrist_feedforward_batch(int count, const double *SINEW_RESTRICT q71, const 
         const double p_z = 0.036 * cos_q71;
         const double reach_squared = sinew_max(p_y * p_y + p_z * p_z, 1.296e-15);
         const double p_x = u_e * s_e - u_y * s_y;
-        const double projection = 0.034722222222222224 - 13.88888888888889 * (reach_squared + p_x * p_x);
+        const double projection = 0.034722222222222224 - 13.88888888888889 * (reach_squared + p_x
+            * p_x);
         const double reach = sinew_sqrt(reach_squared);
         const double limited = sinew_min(sinew_max(-projection, -reach), reach);
-        const double clearance = sinew_max((reach + limited) * (reach - limited), 1e-12 * reach_squared);
+        const double clearance = sinew_max((reach + limited) * (reach - limited), 1e-12
+            * reach_squared);
         const double root = sinew_sqrt(clearance);
         const double t1 = 1.0 / reach_squared;
         const double sin_A = (p_y * root - p_z * limited) * t1;
@@ -2239,7 +2593,8 @@ void wrist_feedforward_batch(int count, const double *SINEW_RESTRICT q71, const 
         const double y_z = sin_q71 * u_e;
         const double t10 = 0.011 * y_z;
         const double strand_0_z = layer_0_z + t10;
-        const double t11 = strand_0_x * strand_0_x + strand_0_y * strand_0_y + strand_0_z * strand_0_z;
+        const double t11 = strand_0_x * strand_0_x + strand_0_y * strand_0_y + strand_0_z
+            * strand_0_z;
         const double length_0 = sinew_sqrt(t11);
         const double change_0 = 0.04661544808322666 - length_0;
         const double t12 = 0.01 * y_x;
@@ -2248,7 +2603,8 @@ void wrist_feedforward_batch(int count, const double *SINEW_RESTRICT q71, const 
         const double strand_1_y = 0.008 - layer_0_y + t13;
         const double t14 = 0.01 * y_z;
         const double strand_1_z = layer_0_z + t14;
-        const double t15 = strand_1_x * strand_1_x + strand_1_y * strand_1_y + strand_1_z * strand_1_z;
+        const double t15 = strand_1_x * strand_1_x + strand_1_y * strand_1_y + strand_1_z
+            * strand_1_z;
         const double length_1 = sinew_sqrt(t15);
         const double change_1 = 0.04661544808322666 - length_1;
         const double t16 = 0.008 * y_x;
@@ -2257,7 +2613,8 @@ void wrist_feedforward_batch(int count, const double *SINEW_RESTRICT q71, const 
         const double strand_2_y = 0.01 - layer_0_y + t17;
         const double t18 = 0.008 * y_z;
         const double strand_2_z = layer_0_z + t18;
-        const double t19 = strand_2_x * strand_2_x + strand_2_y * strand_2_y + strand_2_z * strand_2_z;
+        const double t19 = strand_2_x * strand_2_x + strand_2_y * strand_2_y + strand_2_z
+            * strand_2_z;
         const double length_2 = sinew_sqrt(t19);
         const double change_2 = 0.04661544808322666 - length_2;
         const double t20 = 0.006 * y_x;
@@ -2266,7 +2623,8 @@ void wrist_feedforward_batch(int count, const double *SINEW_RESTRICT q71, const 
         const double strand_3_y = 0.011 - layer_0_y + t21;
         const double t22 = 0.006 * y_z;
         const double strand_3_z = layer_0_z + t22;
-        const double t23 = strand_3_x * strand_3_x + strand_3_y * strand_3_y + strand_3_z * strand_3_z;
+        const double t23 = strand_3_x * strand_3_x + strand_3_y * strand_3_y + strand_3_z
+            * strand_3_z;
         const double length_3 = sinew_sqrt(t23);
         const double change_3 = 0.04669047011971501 - length_3;
         const double t24 = 0.005 * y_x;
@@ -2275,7 +2633,8 @@ void wrist_feedforward_batch(int count, const double *SINEW_RESTRICT q71, const 
         const double strand_4_y = 0.013 - layer_0_y + t25;
         const double t26 = 0.005 * y_z;
         const double strand_4_z = layer_0_z + t26;
-        const double t27 = strand_4_x * strand_4_x + strand_4_y * strand_4_y + strand_4_z * strand_4_z;
+        const double t27 = strand_4_x * strand_4_x + strand_4_y * strand_4_y + strand_4_z
+            * strand_4_z;
         const double length_4 = sinew_sqrt(t27);
         const double change_4 = 0.04661544808322666 - length_4;
         const double t28 = 0.003 * y_x;
@@ -2284,7 +2643,8 @@ void wrist_feedforward_batch(int count, const double *SINEW_RESTRICT q71, const 
         const double strand_5_y = 0.015 - layer_0_y + t29;
         const double t30 = 0.003 * y_z;
         const double strand_5_z = layer_0_z + t30;
-        const double t31 = strand_5_x * strand_5_x + strand_5_y * strand_5_y + strand_5_z * strand_5_z;
+        const double t31 = strand_5_x * strand_5_x + strand_5_y * strand_5_y + strand_5_z
+            * strand_5_z;
         const double length_5 = sinew_sqrt(t31);
         const double change_5 = 0.04661544808322666 - length_5;
         const double t32 = 0.002 * y_x;
@@ -2293,52 +2653,61 @@ void wrist_feedforward_batch(int count, const double *SINEW_RESTRICT q71, const 
         const double strand_6_y = 0.016 - layer_0_y + t33;
         const double t34 = 0.002 * y_z;
         const double strand_6_z = layer_0_z + t34;
-        const double t35 = strand_6_x * strand_6_x + strand_6_y * strand_6_y + strand_6_z * strand_6_z;
+        const double t35 = strand_6_x * strand_6_x + strand_6_y * strand_6_y + strand_6_z
+            * strand_6_z;
         const double length_6 = sinew_sqrt(t35);
         const double change_6 = 0.04661544808322666 - length_6;
         const double strand_7_y = 0.018 - layer_0_y;
-        const double length_7 = sinew_sqrt(layer_0_x * layer_0_x + layer_0_z * layer_0_z + strand_7_y * strand_7_y);
+        const double length_7 = sinew_sqrt(layer_0_x * layer_0_x + layer_0_z * layer_0_z
+            + strand_7_y * strand_7_y);
         const double change_7 = 0.04661544808322666 - length_7;
         const double strand_8_x = layer_0_x - t32;
         const double strand_8_y = 0.019 - layer_0_y - t33;
         const double strand_8_z = layer_0_z - t34;
-        const double t36 = strand_8_x * strand_8_x + strand_8_y * strand_8_y + strand_8_z * strand_8_z;
+        const double t36 = strand_8_x * strand_8_x + strand_8_y * strand_8_y + strand_8_z
+            * strand_8_z;
         const double length_8 = sinew_sqrt(t36);
         const double change_8 = 0.04669047011971501 - length_8;
         const double strand_9_x = layer_0_x - t28;
         const double strand_9_y = 0.021 - layer_0_y - t29;
         const double strand_9_z = layer_0_z - t30;
-        const double t37 = strand_9_x * strand_9_x + strand_9_y * strand_9_y + strand_9_z * strand_9_z;
+        const double t37 = strand_9_x * strand_9_x + strand_9_y * strand_9_y + strand_9_z
+            * strand_9_z;
         const double length_9 = sinew_sqrt(t37);
         const double change_9 = 0.04661544808322666 - length_9;
         const double strand_10_x = layer_0_x - t24;
         const double strand_10_y = 0.023 - layer_0_y - t25;
         const double strand_10_z = layer_0_z - t26;
-        const double t38 = strand_10_x * strand_10_x + strand_10_y * strand_10_y + strand_10_z * strand_10_z;
+        const double t38 = strand_10_x * strand_10_x + strand_10_y * strand_10_y + strand_10_z
+            * strand_10_z;
         const double length_10 = sinew_sqrt(t38);
         const double change_10 = 0.04661544808322666 - length_10;
         const double strand_11_x = layer_0_x - t20;
         const double strand_11_y = 0.024 - layer_0_y - t21;
         const double strand_11_z = layer_0_z - t22;
-        const double t39 = strand_11_x * strand_11_x + strand_11_y * strand_11_y + strand_11_z * strand_11_z;
+        const double t39 = strand_11_x * strand_11_x + strand_11_y * strand_11_y + strand_11_z
+            * strand_11_z;
         const double length_11 = sinew_sqrt(t39);
         const double change_11 = 0.04661544808322666 - length_11;
         const double strand_12_x = layer_0_x - t16;
         const double strand_12_y = 0.026 - layer_0_y - t17;
         const double strand_12_z = layer_0_z - t18;
-        const double t40 = strand_12_x * strand_12_x + strand_12_y * strand_12_y + strand_12_z * strand_12_z;
+        const double t40 = strand_12_x * strand_12_x + strand_12_y * strand_12_y + strand_12_z
+            * strand_12_z;
         const double length_12 = sinew_sqrt(t40);
         const double change_12 = 0.04661544808322666 - length_12;
         const double strand_13_x = layer_0_x - t12;
         const double strand_13_y = 0.027 - layer_0_y - t13;
         const double strand_13_z = layer_0_z - t14;
-        const double t41 = strand_13_x * strand_13_x + strand_13_y * strand_13_y + strand_13_z * strand_13_z;
+        const double t41 = strand_13_x * strand_13_x + strand_13_y * strand_13_y + strand_13_z
+            * strand_13_z;
         const double length_13 = sinew_sqrt(t41);
         const double change_13 = 0.04669047011971501 - length_13;
         const double strand_14_x = layer_0_x - t4;
         const double strand_14_y = 0.029 - layer_0_y - t7;
         const double strand_14_z = layer_0_z - t10;
-        const double t42 = strand_14_x * strand_14_x + strand_14_y * strand_14_y + strand_14_z * strand_14_z;
+        const double t42 = strand_14_x * strand_14_x + strand_14_y * strand_14_y + strand_14_z
+            * strand_14_z;
         const double length_14 = sinew_sqrt(t42);
         const double change_14 = 0.04661544808322666 - length_14;
         const double t43 = 0.013 * y_x;
@@ -2347,7 +2716,8 @@ void wrist_feedforward_batch(int count, const double *SINEW_RESTRICT q71, const 
         const double strand_15_y = 0.031 - layer_0_y - t44;
         const double t45 = 0.013 * y_z;
         const double strand_15_z = layer_0_z - t45;
-        const double t46 = strand_15_x * strand_15_x + strand_15_y * strand_15_y + strand_15_z * strand_15_z;
+        const double t46 = strand_15_x * strand_15_x + strand_15_y * strand_15_y + strand_15_z
+            * strand_15_z;
         const double length_15 = sinew_sqrt(t46);
         const double change_15 = 0.04661544808322666 - length_15;
         const double t47 = 0.014 * y_x;
@@ -2356,7 +2726,8 @@ void wrist_feedforward_batch(int count, const double *SINEW_RESTRICT q71, const 
         const double strand_16_y = 0.032 - layer_0_y - t48;
         const double t49 = 0.014 * y_z;
         const double strand_16_z = layer_0_z - t49;
-        const double t50 = strand_16_x * strand_16_x + strand_16_y * strand_16_y + strand_16_z * strand_16_z;
+        const double t50 = strand_16_x * strand_16_x + strand_16_y * strand_16_y + strand_16_z
+            * strand_16_z;
         const double length_16 = sinew_sqrt(t50);
         const double change_16 = 0.04661544808322666 - length_16;
         const double t51 = 0.016 * y_x;
@@ -2365,13 +2736,15 @@ void wrist_feedforward_batch(int count, const double *SINEW_RESTRICT q71, const 
         const double strand_17_y = 0.034 - layer_0_y - t52;
         const double t53 = 0.016 * y_z;
         const double strand_17_z = layer_0_z - t53;
-        const double t54 = strand_17_x * strand_17_x + strand_17_y * strand_17_y + strand_17_z * strand_17_z;
+        const double t54 = strand_17_x * strand_17_x + strand_17_y * strand_17_y + strand_17_z
+            * strand_17_z;
         const double length_17 = sinew_sqrt(t54);
         const double change_17 = 0.04661544808322666 - length_17;
         const double strand_18_x = layer_0_x - 0.018 * y_x;
         const double strand_18_y = 0.035 - layer_0_y - 0.018 * u_y;
         const double strand_18_z = layer_0_z - 0.018 * y_z;
-        const double t55 = strand_18_x * strand_18_x + strand_18_y * strand_18_y + strand_18_z * strand_18_z;
+        const double t55 = strand_18_x * strand_18_x + strand_18_y * strand_18_y + strand_18_z
+            * strand_18_z;
         const double length_18 = sinew_sqrt(t55);
         const double change_18 = 0.04669047011971501 - length_18;
         const double layer_1_x = t2 + t3;
@@ -2380,113 +2753,132 @@ void wrist_feedforward_batch(int count, const double *SINEW_RESTRICT q71, const 
         const double strand_19_y = 0.006 - layer_1_y + t44;
         const double layer_1_z = 0.028 - origin_z - t8 + t9;
         const double strand_19_z = layer_1_z + t45;
-        const double t56 = strand_19_x * strand_19_x + strand_19_y * strand_19_y + strand_19_z * strand_19_z;
+        const double t56 = strand_19_x * strand_19_x + strand_19_y * strand_19_y + strand_19_z
+            * strand_19_z;
         const double length_19 = sinew_sqrt(t56);
         const double change_19 = 0.046561786907291264 - length_19;
         const double strand_20_x = layer_1_x + t4;
         const double strand_20_y = 0.007 - layer_1_y + t7;
         const double strand_20_z = layer_1_z + t10;
-        const double t57 = strand_20_x * strand_20_x + strand_20_y * strand_20_y + strand_20_z * strand_20_z;
+        const double t57 = strand_20_x * strand_20_x + strand_20_y * strand_20_y + strand_20_z
+            * strand_20_z;
         const double length_20 = sinew_sqrt(t57);
         const double change_20 = 0.04661544808322666 - length_20;
         const double strand_21_x = layer_1_x + t12;
         const double strand_21_y = 0.009 - layer_1_y + t13;
         const double strand_21_z = layer_1_z + t14;
-        const double t58 = strand_21_x * strand_21_x + strand_21_y * strand_21_y + strand_21_z * strand_21_z;
+        const double t58 = strand_21_x * strand_21_x + strand_21_y * strand_21_y + strand_21_z
+            * strand_21_z;
         const double length_21 = sinew_sqrt(t58);
         const double change_21 = 0.046561786907291264 - length_21;
         const double strand_22_x = layer_1_x + t16;
         const double strand_22_y = 0.011 - layer_1_y + t17;
         const double strand_22_z = layer_1_z + t18;
-        const double t59 = strand_22_x * strand_22_x + strand_22_y * strand_22_y + strand_22_z * strand_22_z;
+        const double t59 = strand_22_x * strand_22_x + strand_22_y * strand_22_y + strand_22_z
+            * strand_22_z;
         const double length_22 = sinew_sqrt(t59);
         const double change_22 = 0.046561786907291264 - length_22;
         const double strand_23_x = layer_1_x + t20;
         const double strand_23_y = 0.012 - layer_1_y + t21;
         const double strand_23_z = layer_1_z + t22;
-        const double t60 = strand_23_x * strand_23_x + strand_23_y * strand_23_y + strand_23_z * strand_23_z;
+        const double t60 = strand_23_x * strand_23_x + strand_23_y * strand_23_y + strand_23_z
+            * strand_23_z;
         const double length_23 = sinew_sqrt(t60);
         const double change_23 = 0.04661544808322666 - length_23;
         const double strand_24_x = layer_1_x + t24;
         const double strand_24_y = 0.014 - layer_1_y + t25;
         const double strand_24_z = layer_1_z + t26;
-        const double t61 = strand_24_x * strand_24_x + strand_24_y * strand_24_y + strand_24_z * strand_24_z;
+        const double t61 = strand_24_x * strand_24_x + strand_24_y * strand_24_y + strand_24_z
+            * strand_24_z;
         const double length_24 = sinew_sqrt(t61);
         const double change_24 = 0.046561786907291264 - length_24;
         const double strand_25_x = layer_1_x + t28;
         const double strand_25_y = 0.015 - layer_1_y + t29;
         const double strand_25_z = layer_1_z + t30;
-        const double t62 = strand_25_x * strand_25_x + strand_25_y * strand_25_y + strand_25_z * strand_25_z;
+        const double t62 = strand_25_x * strand_25_x + strand_25_y * strand_25_y + strand_25_z
+            * strand_25_z;
         const double length_25 = sinew_sqrt(t62);
         const double change_25 = 0.04661544808322666 - length_25;
         const double strand_26_x = layer_1_x + t32;
         const double strand_26_y = 0.017 - layer_1_y + t33;
         const double strand_26_z = layer_1_z + t34;
-        const double t63 = strand_26_x * strand_26_x + strand_26_y * strand_26_y + strand_26_z * strand_26_z;
+        const double t63 = strand_26_x * strand_26_x + strand_26_y * strand_26_y + strand_26_z
+            * strand_26_z;
         const double length_26 = sinew_sqrt(t63);
         const double change_26 = 0.046561786907291264 - length_26;
         const double strand_27_y = 0.019 - layer_1_y;
-        const double t64 = layer_1_x * layer_1_x + layer_1_z * layer_1_z + strand_27_y * strand_27_y;
+        const double t64 = layer_1_x * layer_1_x + layer_1_z * layer_1_z + strand_27_y
+            * strand_27_y;
         const double length_27 = sinew_sqrt(t64);
         const double change_27 = 0.046561786907291264 - length_27;
         const double strand_28_x = layer_1_x - t32;
         const double strand_28_y = 0.02 - layer_1_y - t33;
         const double strand_28_z = layer_1_z - t34;
-        const double t65 = strand_28_x * strand_28_x + strand_28_y * strand_28_y + strand_28_z * strand_28_z;
+        const double t65 = strand_28_x * strand_28_x + strand_28_y * strand_28_y + strand_28_z
+            * strand_28_z;
         const double length_28 = sinew_sqrt(t65);
         const double change_28 = 0.04661544808322666 - length_28;
         const double strand_29_x = layer_1_x - t28;
         const double strand_29_y = 0.022 - layer_1_y - t29;
         const double strand_29_z = layer_1_z - t30;
-        const double t66 = strand_29_x * strand_29_x + strand_29_y * strand_29_y + strand_29_z * strand_29_z;
+        const double t66 = strand_29_x * strand_29_x + strand_29_y * strand_29_y + strand_29_z
+            * strand_29_z;
         const double length_29 = sinew_sqrt(t66);
         const double change_29 = 0.046561786907291264 - length_29;
         const double strand_30_x = layer_1_x - t24;
         const double strand_30_y = 0.023 - layer_1_y - t25;
         const double strand_30_z = layer_1_z - t26;
-        const double t67 = strand_30_x * strand_30_x + strand_30_y * strand_30_y + strand_30_z * strand_30_z;
+        const double t67 = strand_30_x * strand_30_x + strand_30_y * strand_30_y + strand_30_z
+            * strand_30_z;
         const double length_30 = sinew_sqrt(t67);
         const double change_30 = 0.04661544808322666 - length_30;
         const double strand_31_x = layer_1_x - t20;
         const double strand_31_y = 0.025 - layer_1_y - t21;
         const double strand_31_z = layer_1_z - t22;
-        const double t68 = strand_31_x * strand_31_x + strand_31_y * strand_31_y + strand_31_z * strand_31_z;
+        const double t68 = strand_31_x * strand_31_x + strand_31_y * strand_31_y + strand_31_z
+            * strand_31_z;
         const double length_31 = sinew_sqrt(t68);
         const double change_31 = 0.046561786907291264 - length_31;
         const double strand_32_x = layer_1_x - t16;
         const double strand_32_y = 0.027 - layer_1_y - t17;
         const double strand_32_z = layer_1_z - t18;
-        const double t69 = strand_32_x * strand_32_x + strand_32_y * strand_32_y + strand_32_z * strand_32_z;
+        const double t69 = strand_32_x * strand_32_x + strand_32_y * strand_32_y + strand_32_z
+            * strand_32_z;
         const double length_32 = sinew_sqrt(t69);
         const double change_32 = 0.046561786907291264 - length_32;
         const double strand_33_x = layer_1_x - t12;
         const double strand_33_y = 0.028 - layer_1_y - t13;
         const double strand_33_z = layer_1_z - t14;
-        const double t70 = strand_33_x * strand_33_x + strand_33_y * strand_33_y + strand_33_z * strand_33_z;
+        const double t70 = strand_33_x * strand_33_x + strand_33_y * strand_33_y + strand_33_z
+            * strand_33_z;
         const double length_33 = sinew_sqrt(t70);
         const double change_33 = 0.04661544808322666 - length_33;
         const double strand_34_x = layer_1_x - t4;
         const double strand_34_y = 0.03 - layer_1_y - t7;
         const double strand_34_z = layer_1_z - t10;
-        const double t71 = strand_34_x * strand_34_x + strand_34_y * strand_34_y + strand_34_z * strand_34_z;
+        const double t71 = strand_34_x * strand_34_x + strand_34_y * strand_34_y + strand_34_z
+            * strand_34_z;
         const double length_34 = sinew_sqrt(t71);
         const double change_34 = 0.046561786907291264 - length_34;
         const double strand_35_x = layer_1_x - t43;
         const double strand_35_y = 0.031 - layer_1_y - t44;
         const double strand_35_z = layer_1_z - t45;
-        const double t72 = strand_35_x * strand_35_x + strand_35_y * strand_35_y + strand_35_z * strand_35_z;
+        const double t72 = strand_35_x * strand_35_x + strand_35_y * strand_35_y + strand_35_z
+            * strand_35_z;
         const double length_35 = sinew_sqrt(t72);
         const double change_35 = 0.04661544808322666 - length_35;
         const double strand_36_x = layer_1_x - t47;
         const double strand_36_y = 0.033 - layer_1_y - t48;
         const double strand_36_z = layer_1_z - t49;
-        const double t73 = strand_36_x * strand_36_x + strand_36_y * strand_36_y + strand_36_z * strand_36_z;
+        const double t73 = strand_36_x * strand_36_x + strand_36_y * strand_36_y + strand_36_z
+            * strand_36_z;
         const double length_36 = sinew_sqrt(t73);
         const double change_36 = 0.046561786907291264 - length_36;
         const double strand_37_x = layer_1_x - t51;
         const double strand_37_y = 0.035 - layer_1_y - t52;
         const double strand_37_z = layer_1_z - t53;
-        const double t74 = strand_37_x * strand_37_x + strand_37_y * strand_37_y + strand_37_z * strand_37_z;
+        const double t74 = strand_37_x * strand_37_x + strand_37_y * strand_37_y + strand_37_z
+            * strand_37_z;
         const double length_37 = sinew_sqrt(t74);
         const double change_37 = 0.046561786907291264 - length_37;
         delta_theta[state] = 200.0 * change_0;
@@ -2530,7 +2922,9 @@ void wrist_feedforward_batch(int count, const double *SINEW_RESTRICT q71, const 
     }
 }
 
-void wrist_feedforward_rate_batch(int count, const double *SINEW_RESTRICT q71, const double *SINEW_RESTRICT q73, const double *SINEW_RESTRICT dq71, const double *SINEW_RESTRICT dq73, double *SINEW_RESTRICT delta_theta_rate)
+void wrist_feedforward_rate_batch(int count, const double *SINEW_RESTRICT q71,
+    const double *SINEW_RESTRICT q73, const double *SINEW_RESTRICT dq71,
+    const double *SINEW_RESTRICT dq73, double *SINEW_RESTRICT delta_theta_rate)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
@@ -2566,7 +2960,8 @@ void wrist_feedforward_rate_batch(int count, const double *SINEW_RESTRICT q71, c
         const double u_e_by_q73 = t6 + 23.80952380952381 * C_e_by_q73;
         const double M_y = t5 - 0.5 * C_y;
         const double s_y = 0.021 - M_y;
-        const double p_y_by_q73 = u_e * M_y_by_q73 + u_y * M_e_by_q73 - s_e * u_y_by_q73 + s_y * u_e_by_q73;
+        const double p_y_by_q73 = u_e * M_y_by_q73 + u_y * M_e_by_q73 - s_e * u_y_by_q73 + s_y
+            * u_e_by_q73;
         const double p_y = u_e * s_y + u_y * s_e;
         const double t7 = p_y + p_y;
         const double t8 = p_y * p_y;
@@ -2574,12 +2969,15 @@ void wrist_feedforward_rate_batch(int count, const double *SINEW_RESTRICT q71, c
         const double t9 = p_z * p_z;
         const double t10 = -(1.296e-15 - t8 - t9);
         const double reach_squared_by_q73 = sinew_choose(t10, t7 * p_y_by_q73, 0.0);
-        const double p_x_by_q73 = u_e * M_e_by_q73 - u_y * M_y_by_q73 + s_e * u_e_by_q73 + s_y * u_y_by_q73;
+        const double p_x_by_q73 = u_e * M_e_by_q73 - u_y * M_y_by_q73 + s_e * u_e_by_q73 + s_y
+            * u_y_by_q73;
         const double p_x = u_e * s_e - u_y * s_y;
         const double t11 = 27.77777777777778 * p_x;
-        const double projection_by_q73 = 13.88888888888889 * reach_squared_by_q73 + t11 * p_x_by_q73;
+        const double projection_by_q73 = 13.88888888888889 * reach_squared_by_q73 + t11
+            * p_x_by_q73;
         const double reach_squared = sinew_max(t8 + t9, 1.296e-15);
-        const double projection = 0.034722222222222224 - 13.88888888888889 * (reach_squared + p_x * p_x);
+        const double projection = 0.034722222222222224 - 13.88888888888889 * (reach_squared + p_x
+            * p_x);
         const double reach = sinew_sqrt(reach_squared);
         const double t12 = reach - projection;
         const double t13 = sinew_choose(t12, 1.0, 0.0);
@@ -2588,25 +2986,29 @@ void wrist_feedforward_rate_batch(int count, const double *SINEW_RESTRICT q71, c
         const double t15 = sinew_choose(t12, 0.0, 1.0);
         const double t16 = sinew_max(-projection, -reach);
         const double t17 = reach - t16;
-        const double limited_by_q73 = sinew_choose(t17, -(reach_by_q73 * t15 - projection_by_q73 * t13), reach_by_q73);
+        const double limited_by_q73 = sinew_choose(t17, -(reach_by_q73 * t15 - projection_by_q73
+            * t13), reach_by_q73);
         const double limited = sinew_min(t16, reach);
         const double t18 = limited + limited;
         const double t19 = reach + reach;
         const double t20 = (reach + limited) * (reach - limited);
         const double t21 = 1e-12 * reach_squared;
         const double t22 = -(t21 - t20);
-        const double clearance_by_q73 = sinew_choose(t22, t19 * reach_by_q73 - t18 * limited_by_q73, 1e-12 * reach_squared_by_q73);
+        const double clearance_by_q73 = sinew_choose(t22, t19 * reach_by_q73 - t18 * limited_by_q73,
+            1e-12 * reach_squared_by_q73);
         const double clearance = sinew_max(t20, t21);
         const double root = sinew_sqrt(clearance);
         const double t23 = 1.0 / root;
         const double root_by_q73 = 0.5 * clearance_by_q73 * t23;
         const double t24 = 1.0 / reach_squared;
         const double cos_A = (p_y * limited + p_z * root) * t24;
-        const double t25 = p_y * limited_by_q73 + p_z * root_by_q73 + limited * p_y_by_q73 - cos_A * reach_squared_by_q73;
+        const double t25 = p_y * limited_by_q73 + p_z * root_by_q73 + limited * p_y_by_q73 - cos_A
+            * reach_squared_by_q73;
         const double cos_A_by_q73 = t25 * t24;
         const double z_plane_x_by_q73 = u_y * cos_A_by_q73 - cos_A * u_y_by_q73;
         const double sin_A = (p_y * root - p_z * limited) * t24;
-        const double t26 = p_y * root_by_q73 - p_z * limited_by_q73 + root * p_y_by_q73 - sin_A * reach_squared_by_q73;
+        const double t26 = p_y * root_by_q73 - p_z * limited_by_q73 + root * p_y_by_q73 - sin_A
+            * reach_squared_by_q73;
         const double sin_A_by_q73 = t26 * t24;
         const double z_x_by_q73 = cos_q71 * z_plane_x_by_q73 - sin_q71 * sin_A_by_q73;
         const double M_x_by_q73 = cos_q71 * M_e_by_q73;
@@ -2674,23 +3076,30 @@ void wrist_feedforward_rate_batch(int count, const double *SINEW_RESTRICT q71, c
         const double y_z = sin_q71 * u_e;
         const double t53 = 0.011 * y_z;
         const double strand_0_z = layer_0_z + t53;
-        const double t54 = strand_0_x * strand_0_x_by_q73 - strand_0_y * strand_0_y_by_q73 + strand_0_z * strand_0_z_by_q73;
-        const double t55 = strand_0_x * strand_0_x + strand_0_y * strand_0_y + strand_0_z * strand_0_z;
+        const double t54 = strand_0_x * strand_0_x_by_q73 - strand_0_y * strand_0_y_by_q73
+            + strand_0_z * strand_0_z_by_q73;
+        const double t55 = strand_0_x * strand_0_x + strand_0_y * strand_0_y + strand_0_z
+            * strand_0_z;
         const double length_0 = sinew_sqrt(t55);
         const double t56 = 1.0 / length_0;
         const double length_0_by_q73 = t54 * t56;
         const double t57 = 200.0 * dq73[state];
         const double p_y_by_q71 = u_y * p_z;
-        const double reach_squared_by_q71 = sinew_choose(t10, -(t7 * p_y_by_q71 + (p_z + p_z) * p_z_by_q71), 0.0);
+        const double reach_squared_by_q71 = sinew_choose(t10, -(t7 * p_y_by_q71 + (p_z + p_z)
+            * p_z_by_q71), 0.0);
         const double reach_by_q71 = 0.5 * reach_squared_by_q71 * t14;
         const double projection_by_q71 = 13.88888888888889 * reach_squared_by_q71 - t11 * u_e * p_z;
-        const double limited_by_q71 = sinew_choose(t17, -(reach_by_q71 * t15 - projection_by_q71 * t13), reach_by_q71);
-        const double clearance_by_q71 = sinew_choose(t22, t19 * reach_by_q71 - t18 * limited_by_q71, 1e-12 * reach_squared_by_q71);
+        const double limited_by_q71 = sinew_choose(t17, -(reach_by_q71 * t15 - projection_by_q71
+            * t13), reach_by_q71);
+        const double clearance_by_q71 = sinew_choose(t22, t19 * reach_by_q71 - t18 * limited_by_q71,
+            1e-12 * reach_squared_by_q71);
         const double root_by_q71 = 0.5 * clearance_by_q71 * t23;
-        const double t58 = p_y * limited_by_q71 + p_z * root_by_q71 - limited * p_y_by_q71 - root * p_z_by_q71;
+        const double t58 = p_y * limited_by_q71 + p_z * root_by_q71 - limited * p_y_by_q71 - root
+            * p_z_by_q71;
         const double cos_A_by_q71 = (t58 - cos_A * reach_squared_by_q71) * t24;
         const double z_plane_x_by_q71 = u_y * cos_A_by_q71;
-        const double t59 = p_y * root_by_q71 - p_z * limited_by_q71 + limited * p_z_by_q71 - root * p_y_by_q71;
+        const double t59 = p_y * root_by_q71 - p_z * limited_by_q71 + limited * p_z_by_q71 - root
+            * p_y_by_q71;
         const double sin_A_by_q71 = (t59 - sin_A * reach_squared_by_q71) * t24;
         const double z_x_by_q71 = t48 - cos_q71 * z_plane_x_by_q71 + t47 + sin_q71 * sin_A_by_q71;
         const double origin_x_by_q71 = M_z - 0.018 * z_x_by_q71;
@@ -2712,7 +3121,8 @@ void wrist_feedforward_rate_batch(int count, const double *SINEW_RESTRICT q71, c
         const double t65 = 0.01 * z_z_by_q71;
         const double layer_0_z_by_q71 = t64 + t65;
         const double strand_0_z_by_q71 = layer_0_z_by_q71 - t36;
-        const double t66 = strand_0_x * strand_0_x_by_q71 - strand_0_y * layer_0_y_by_q71 - strand_0_z * strand_0_z_by_q71;
+        const double t66 = strand_0_x * strand_0_x_by_q71 - strand_0_y * layer_0_y_by_q71
+            - strand_0_z * strand_0_z_by_q71;
         const double length_0_by_q71 = t66 * t56;
         const double t67 = 200.0 * dq71[state];
         const double t68 = 0.01 * y_x_by_q73;
@@ -2727,14 +3137,17 @@ void wrist_feedforward_rate_batch(int count, const double *SINEW_RESTRICT q71, c
         const double strand_1_z_by_q73 = layer_0_z_by_q73 - t72;
         const double t73 = 0.01 * y_z;
         const double strand_1_z = layer_0_z + t73;
-        const double t74 = strand_1_x * strand_1_x_by_q73 - strand_1_y * strand_1_y_by_q73 + strand_1_z * strand_1_z_by_q73;
-        const double t75 = strand_1_x * strand_1_x + strand_1_y * strand_1_y + strand_1_z * strand_1_z;
+        const double t74 = strand_1_x * strand_1_x_by_q73 - strand_1_y * strand_1_y_by_q73
+            + strand_1_z * strand_1_z_by_q73;
+        const double t75 = strand_1_x * strand_1_x + strand_1_y * strand_1_y + strand_1_z
+            * strand_1_z;
         const double length_1 = sinew_sqrt(t75);
         const double t76 = 1.0 / length_1;
         const double length_1_by_q73 = t74 * t76;
         const double strand_1_x_by_q71 = layer_0_x_by_q71 - t73;
         const double strand_1_z_by_q71 = layer_0_z_by_q71 - t69;
-        const double t77 = strand_1_x * strand_1_x_by_q71 - strand_1_y * layer_0_y_by_q71 - strand_1_z * strand_1_z_by_q71;
+        const double t77 = strand_1_x * strand_1_x_by_q71 - strand_1_y * layer_0_y_by_q71
+            - strand_1_z * strand_1_z_by_q71;
         const double length_1_by_q71 = t77 * t76;
         const double t78 = 0.008 * y_x_by_q73;
         const double strand_2_x_by_q73 = layer_0_x_by_q73 - t78;
@@ -2748,14 +3161,17 @@ void wrist_feedforward_rate_batch(int count, const double *SINEW_RESTRICT q71, c
         const double strand_2_z_by_q73 = layer_0_z_by_q73 - t82;
         const double t83 = 0.008 * y_z;
         const double strand_2_z = layer_0_z + t83;
-        const double t84 = strand_2_x * strand_2_x_by_q73 - strand_2_y * strand_2_y_by_q73 + strand_2_z * strand_2_z_by_q73;
-        const double t85 = strand_2_x * strand_2_x + strand_2_y * strand_2_y + strand_2_z * strand_2_z;
+        const double t84 = strand_2_x * strand_2_x_by_q73 - strand_2_y * strand_2_y_by_q73
+            + strand_2_z * strand_2_z_by_q73;
+        const double t85 = strand_2_x * strand_2_x + strand_2_y * strand_2_y + strand_2_z
+            * strand_2_z;
         const double length_2 = sinew_sqrt(t85);
         const double t86 = 1.0 / length_2;
         const double length_2_by_q73 = t84 * t86;
         const double strand_2_x_by_q71 = layer_0_x_by_q71 - t83;
         const double strand_2_z_by_q71 = layer_0_z_by_q71 - t79;
-        const double t87 = strand_2_x * strand_2_x_by_q71 - strand_2_y * layer_0_y_by_q71 - strand_2_z * strand_2_z_by_q71;
+        const double t87 = strand_2_x * strand_2_x_by_q71 - strand_2_y * layer_0_y_by_q71
+            - strand_2_z * strand_2_z_by_q71;
         const double length_2_by_q71 = t87 * t86;
         const double t88 = 0.006 * y_x_by_q73;
         const double strand_3_x_by_q73 = layer_0_x_by_q73 - t88;
@@ -2769,14 +3185,17 @@ void wrist_feedforward_rate_batch(int count, const double *SINEW_RESTRICT q71, c
         const double strand_3_z_by_q73 = layer_0_z_by_q73 - t92;
         const double t93 = 0.006 * y_z;
         const double strand_3_z = layer_0_z + t93;
-        const double t94 = strand_3_x * strand_3_x_by_q73 - strand_3_y * strand_3_y_by_q73 + strand_3_z * strand_3_z_by_q73;
-        const double t95 = strand_3_x * strand_3_x + strand_3_y * strand_3_y + strand_3_z * strand_3_z;
+        const double t94 = strand_3_x * strand_3_x_by_q73 - strand_3_y * strand_3_y_by_q73
+            + strand_3_z * strand_3_z_by_q73;
+        const double t95 = strand_3_x * strand_3_x + strand_3_y * strand_3_y + strand_3_z
+            * strand_3_z;
         const double length_3 = sinew_sqrt(t95);
         const double t96 = 1.0 / length_3;
         const double length_3_by_q73 = t94 * t96;
         const double strand_3_x_by_q71 = layer_0_x_by_q71 - t93;
         const double strand_3_z_by_q71 = layer_0_z_by_q71 - t89;
-        const double t97 = strand_3_x * strand_3_x_by_q71 - strand_3_y * layer_0_y_by_q71 - strand_3_z * strand_3_z_by_q71;
+        const double t97 = strand_3_x * strand_3_x_by_q71 - strand_3_y * layer_0_y_by_q71
+            - strand_3_z * strand_3_z_by_q71;
         const double length_3_by_q71 = t97 * t96;
         const double t98 = 0.005 * y_x_by_q73;
         const double strand_4_x_by_q73 = layer_0_x_by_q73 - t98;
@@ -2790,14 +3209,17 @@ void wrist_feedforward_rate_batch(int count, const double *SINEW_RESTRICT q71, c
         const double strand_4_z_by_q73 = layer_0_z_by_q73 - t102;
         const double t103 = 0.005 * y_z;
         const double strand_4_z = layer_0_z + t103;
-        const double t104 = strand_4_x * strand_4_x_by_q73 - strand_4_y * strand_4_y_by_q73 + strand_4_z * strand_4_z_by_q73;
-        const double t105 = strand_4_x * strand_4_x + strand_4_y * strand_4_y + strand_4_z * strand_4_z;
+        const double t104 = strand_4_x * strand_4_x_by_q73 - strand_4_y * strand_4_y_by_q73
+            + strand_4_z * strand_4_z_by_q73;
+        const double t105 = strand_4_x * strand_4_x + strand_4_y * strand_4_y + strand_4_z
+            * strand_4_z;
         const double length_4 = sinew_sqrt(t105);
         const double t106 = 1.0 / length_4;
         const double length_4_by_q73 = t104 * t106;
         const double strand_4_x_by_q71 = layer_0_x_by_q71 - t103;
         const double strand_4_z_by_q71 = layer_0_z_by_q71 - t99;
-        const double t107 = strand_4_x * strand_4_x_by_q71 - strand_4_y * layer_0_y_by_q71 - strand_4_z * strand_4_z_by_q71;
+        const double t107 = strand_4_x * strand_4_x_by_q71 - strand_4_y * layer_0_y_by_q71
+            - strand_4_z * strand_4_z_by_q71;
         const double length_4_by_q71 = t107 * t106;
         const double t108 = 0.003 * y_x_by_q73;
         const double strand_5_x_by_q73 = layer_0_x_by_q73 - t108;
@@ -2811,14 +3233,17 @@ void wrist_feedforward_rate_batch(int count, const double *SINEW_RESTRICT q71, c
         const double strand_5_z_by_q73 = layer_0_z_by_q73 - t112;
         const double t113 = 0.003 * y_z;
         const double strand_5_z = layer_0_z + t113;
-        const double t114 = strand_5_x * strand_5_x_by_q73 - strand_5_y * strand_5_y_by_q73 + strand_5_z * strand_5_z_by_q73;
-        const double t115 = strand_5_x * strand_5_x + strand_5_y * strand_5_y + strand_5_z * strand_5_z;
+        const double t114 = strand_5_x * strand_5_x_by_q73 - strand_5_y * strand_5_y_by_q73
+            + strand_5_z * strand_5_z_by_q73;
+        const double t115 = strand_5_x * strand_5_x + strand_5_y * strand_5_y + strand_5_z
+            * strand_5_z;
         const double length_5 = sinew_sqrt(t115);
         const double t116 = 1.0 / length_5;
         const double length_5_by_q73 = t114 * t116;
         const double strand_5_x_by_q71 = layer_0_x_by_q71 - t113;
         const double strand_5_z_by_q71 = layer_0_z_by_q71 - t109;
-        const double t117 = strand_5_x * strand_5_x_by_q71 - strand_5_y * layer_0_y_by_q71 - strand_5_z * strand_5_z_by_q71;
+        const double t117 = strand_5_x * strand_5_x_by_q71 - strand_5_y * layer_0_y_by_q71
+            - strand_5_z * strand_5_z_by_q71;
         const double length_5_by_q71 = t117 * t116;
         const double t118 = 0.002 * y_x_by_q73;
         const double strand_6_x_by_q73 = layer_0_x_by_q73 - t118;
@@ -2832,21 +3257,27 @@ void wrist_feedforward_rate_batch(int count, const double *SINEW_RESTRICT q71, c
         const double strand_6_z_by_q73 = layer_0_z_by_q73 - t122;
         const double t123 = 0.002 * y_z;
         const double strand_6_z = layer_0_z + t123;
-        const double t124 = strand_6_x * strand_6_x_by_q73 - strand_6_y * strand_6_y_by_q73 + strand_6_z * strand_6_z_by_q73;
-        const double t125 = strand_6_x * strand_6_x + strand_6_y * strand_6_y + strand_6_z * strand_6_z;
+        const double t124 = strand_6_x * strand_6_x_by_q73 - strand_6_y * strand_6_y_by_q73
+            + strand_6_z * strand_6_z_by_q73;
+        const double t125 = strand_6_x * strand_6_x + strand_6_y * strand_6_y + strand_6_z
+            * strand_6_z;
         const double length_6 = sinew_sqrt(t125);
         const double t126 = 1.0 / length_6;
         const double length_6_by_q73 = t124 * t126;
         const double strand_6_x_by_q71 = layer_0_x_by_q71 - t123;
         const double strand_6_z_by_q71 = layer_0_z_by_q71 - t119;
-        const double t127 = strand_6_x * strand_6_x_by_q71 - strand_6_y * layer_0_y_by_q71 - strand_6_z * strand_6_z_by_q71;
+        const double t127 = strand_6_x * strand_6_x_by_q71 - strand_6_y * layer_0_y_by_q71
+            - strand_6_z * strand_6_z_by_q71;
         const double length_6_by_q71 = t127 * t126;
         const double strand_7_y = 0.018 - layer_0_y;
-        const double t128 = layer_0_x * layer_0_x_by_q73 + layer_0_z * layer_0_z_by_q73 - strand_7_y * layer_0_y_by_q73;
-        const double length_7 = sinew_sqrt(layer_0_x * layer_0_x + layer_0_z * layer_0_z + strand_7_y * strand_7_y);
+        const double t128 = layer_0_x * layer_0_x_by_q73 + layer_0_z * layer_0_z_by_q73 - strand_7_y
+            * layer_0_y_by_q73;
+        const double length_7 = sinew_sqrt(layer_0_x * layer_0_x + layer_0_z * layer_0_z
+            + strand_7_y * strand_7_y);
         const double t129 = 1.0 / length_7;
         const double length_7_by_q73 = t128 * t129;
-        const double t130 = layer_0_x * layer_0_x_by_q71 - layer_0_z * layer_0_z_by_q71 - strand_7_y * layer_0_y_by_q71;
+        const double t130 = layer_0_x * layer_0_x_by_q71 - layer_0_z * layer_0_z_by_q71 - strand_7_y
+            * layer_0_y_by_q71;
         const double length_7_by_q71 = t130 * t129;
         const double strand_8_x_by_q73 = layer_0_x_by_q73 + t118;
         const double strand_8_x = layer_0_x - t119;
@@ -2854,14 +3285,17 @@ void wrist_feedforward_rate_batch(int count, const double *SINEW_RESTRICT q71, c
         const double strand_8_y = 0.019 - layer_0_y - t121;
         const double strand_8_z_by_q73 = layer_0_z_by_q73 + t122;
         const double strand_8_z = layer_0_z - t123;
-        const double t131 = strand_8_x * strand_8_x_by_q73 - strand_8_y * strand_8_y_by_q73 + strand_8_z * strand_8_z_by_q73;
-        const double t132 = strand_8_x * strand_8_x + strand_8_y * strand_8_y + strand_8_z * strand_8_z;
+        const double t131 = strand_8_x * strand_8_x_by_q73 - strand_8_y * strand_8_y_by_q73
+            + strand_8_z * strand_8_z_by_q73;
+        const double t132 = strand_8_x * strand_8_x + strand_8_y * strand_8_y + strand_8_z
+            * strand_8_z;
         const double length_8 = sinew_sqrt(t132);
         const double t133 = 1.0 / length_8;
         const double length_8_by_q73 = t131 * t133;
         const double strand_8_x_by_q71 = layer_0_x_by_q71 + t123;
         const double strand_8_z_by_q71 = layer_0_z_by_q71 + t119;
-        const double t134 = strand_8_x * strand_8_x_by_q71 - strand_8_y * layer_0_y_by_q71 - strand_8_z * strand_8_z_by_q71;
+        const double t134 = strand_8_x * strand_8_x_by_q71 - strand_8_y * layer_0_y_by_q71
+            - strand_8_z * strand_8_z_by_q71;
         const double length_8_by_q71 = t134 * t133;
         const double strand_9_x_by_q73 = layer_0_x_by_q73 + t108;
         const double strand_9_x = layer_0_x - t109;
@@ -2869,14 +3303,17 @@ void wrist_feedforward_rate_batch(int count, const double *SINEW_RESTRICT q71, c
         const double strand_9_y = 0.021 - layer_0_y - t111;
         const double strand_9_z_by_q73 = layer_0_z_by_q73 + t112;
         const double strand_9_z = layer_0_z - t113;
-        const double t135 = strand_9_x * strand_9_x_by_q73 - strand_9_y * strand_9_y_by_q73 + strand_9_z * strand_9_z_by_q73;
-        const double t136 = strand_9_x * strand_9_x + strand_9_y * strand_9_y + strand_9_z * strand_9_z;
+        const double t135 = strand_9_x * strand_9_x_by_q73 - strand_9_y * strand_9_y_by_q73
+            + strand_9_z * strand_9_z_by_q73;
+        const double t136 = strand_9_x * strand_9_x + strand_9_y * strand_9_y + strand_9_z
+            * strand_9_z;
         const double length_9 = sinew_sqrt(t136);
         const double t137 = 1.0 / length_9;
         const double length_9_by_q73 = t135 * t137;
         const double strand_9_x_by_q71 = layer_0_x_by_q71 + t113;
         const double strand_9_z_by_q71 = layer_0_z_by_q71 + t109;
-        const double t138 = strand_9_x * strand_9_x_by_q71 - strand_9_y * layer_0_y_by_q71 - strand_9_z * strand_9_z_by_q71;
+        const double t138 = strand_9_x * strand_9_x_by_q71 - strand_9_y * layer_0_y_by_q71
+            - strand_9_z * strand_9_z_by_q71;
         const double length_9_by_q71 = t138 * t137;
         const double strand_10_x_by_q73 = layer_0_x_by_q73 + t98;
         const double strand_10_x = layer_0_x - t99;
@@ -2884,14 +3321,17 @@ void wrist_feedforward_rate_batch(int count, const double *SINEW_RESTRICT q71, c
         const double strand_10_y = 0.023 - layer_0_y - t101;
         const double strand_10_z_by_q73 = layer_0_z_by_q73 + t102;
         const double strand_10_z = layer_0_z - t103;
-        const double t139 = strand_10_x * strand_10_x_by_q73 - strand_10_y * strand_10_y_by_q73 + strand_10_z * strand_10_z_by_q73;
-        const double t140 = strand_10_x * strand_10_x + strand_10_y * strand_10_y + strand_10_z * strand_10_z;
+        const double t139 = strand_10_x * strand_10_x_by_q73 - strand_10_y * strand_10_y_by_q73
+            + strand_10_z * strand_10_z_by_q73;
+        const double t140 = strand_10_x * strand_10_x + strand_10_y * strand_10_y + strand_10_z
+            * strand_10_z;
         const double length_10 = sinew_sqrt(t140);
         const double t141 = 1.0 / length_10;
         const double length_10_by_q73 = t139 * t141;
         const double strand_10_x_by_q71 = layer_0_x_by_q71 + t103;
         const double strand_10_z_by_q71 = layer_0_z_by_q71 + t99;
-        const double t142 = strand_10_x * strand_10_x_by_q71 - strand_10_y * layer_0_y_by_q71 - strand_10_z * strand_10_z_by_q71;
+        const double t142 = strand_10_x * strand_10_x_by_q71 - strand_10_y * layer_0_y_by_q71
+            - strand_10_z * strand_10_z_by_q71;
         const double length_10_by_q71 = t142 * t141;
         const double strand_11_x_by_q73 = layer_0_x_by_q73 + t88;
         const double strand_11_x = layer_0_x - t89;
@@ -2899,14 +3339,17 @@ void wrist_feedforward_rate_batch(int count, const double *SINEW_RESTRICT q71, c
         const double strand_11_y = 0.024 - layer_0_y - t91;
         const double strand_11_z_by_q73 = layer_0_z_by_q73 + t92;
         const double strand_11_z = layer_0_z - t93;
-        const double t143 = strand_11_x * strand_11_x_by_q73 - strand_11_y * strand_11_y_by_q73 + strand_11_z * strand_11_z_by_q73;
-        const double t144 = strand_11_x * strand_11_x + strand_11_y * strand_11_y + strand_11_z * strand_11_z;
+        const double t143 = strand_11_x * strand_11_x_by_q73 - strand_11_y * strand_11_y_by_q73
+            + strand_11_z * strand_11_z_by_q73;
+        const double t144 = strand_11_x * strand_11_x + strand_11_y * strand_11_y + strand_11_z
+            * strand_11_z;
         const double length_11 = sinew_sqrt(t144);
         const double t145 = 1.0 / length_11;
         const double length_11_by_q73 = t143 * t145;
         const double strand_11_x_by_q71 = layer_0_x_by_q71 + t93;
         const double strand_11_z_by_q71 = layer_0_z_by_q71 + t89;
-        const double t146 = strand_11_x * strand_11_x_by_q71 - strand_11_y * layer_0_y_by_q71 - strand_11_z * strand_11_z_by_q71;
+        const double t146 = strand_11_x * strand_11_x_by_q71 - strand_11_y * layer_0_y_by_q71
+            - strand_11_z * strand_11_z_by_q71;
         const double length_11_by_q71 = t146 * t145;
         const double strand_12_x_by_q73 = layer_0_x_by_q73 + t78;
         const double strand_12_x = layer_0_x - t79;
@@ -2914,14 +3357,17 @@ void wrist_feedforward_rate_batch(int count, const double *SINEW_RESTRICT q71, c
         const double strand_12_y = 0.026 - layer_0_y - t81;
         const double strand_12_z_by_q73 = layer_0_z_by_q73 + t82;
         const double strand_12_z = layer_0_z - t83;
-        const double t147 = strand_12_x * strand_12_x_by_q73 - strand_12_y * strand_12_y_by_q73 + strand_12_z * strand_12_z_by_q73;
-        const double t148 = strand_12_x * strand_12_x + strand_12_y * strand_12_y + strand_12_z * strand_12_z;
+        const double t147 = strand_12_x * strand_12_x_by_q73 - strand_12_y * strand_12_y_by_q73
+            + strand_12_z * strand_12_z_by_q73;
+        const double t148 = strand_12_x * strand_12_x + strand_12_y * strand_12_y + strand_12_z
+            * strand_12_z;
         const double length_12 = sinew_sqrt(t148);
         const double t149 = 1.0 / length_12;
         const double length_12_by_q73 = t147 * t149;
         const double strand_12_x_by_q71 = layer_0_x_by_q71 + t83;
         const double strand_12_z_by_q71 = layer_0_z_by_q71 + t79;
-        const double t150 = strand_12_x * strand_12_x_by_q71 - strand_12_y * layer_0_y_by_q71 - strand_12_z * strand_12_z_by_q71;
+        const double t150 = strand_12_x * strand_12_x_by_q71 - strand_12_y * layer_0_y_by_q71
+            - strand_12_z * strand_12_z_by_q71;
         const double length_12_by_q71 = t150 * t149;
         const double strand_13_x_by_q73 = layer_0_x_by_q73 + t68;
         const double strand_13_x = layer_0_x - t69;
@@ -2929,14 +3375,17 @@ void wrist_feedforward_rate_batch(int count, const double *SINEW_RESTRICT q71, c
         const double strand_13_y = 0.027 - layer_0_y - t71;
         const double strand_13_z_by_q73 = layer_0_z_by_q73 + t72;
         const double strand_13_z = layer_0_z - t73;
-        const double t151 = strand_13_x * strand_13_x_by_q73 - strand_13_y * strand_13_y_by_q73 + strand_13_z * strand_13_z_by_q73;
-        const double t152 = strand_13_x * strand_13_x + strand_13_y * strand_13_y + strand_13_z * strand_13_z;
+        const double t151 = strand_13_x * strand_13_x_by_q73 - strand_13_y * strand_13_y_by_q73
+            + strand_13_z * strand_13_z_by_q73;
+        const double t152 = strand_13_x * strand_13_x + strand_13_y * strand_13_y + strand_13_z
+            * strand_13_z;
         const double length_13 = sinew_sqrt(t152);
         const double t153 = 1.0 / length_13;
         const double length_13_by_q73 = t151 * t153;
         const double strand_13_x_by_q71 = layer_0_x_by_q71 + t73;
         const double strand_13_z_by_q71 = layer_0_z_by_q71 + t69;
-        const double t154 = strand_13_x * strand_13_x_by_q71 - strand_13_y * layer_0_y_by_q71 - strand_13_z * strand_13_z_by_q71;
+        const double t154 = strand_13_x * strand_13_x_by_q71 - strand_13_y * layer_0_y_by_q71
+            - strand_13_z * strand_13_z_by_q71;
         const double length_13_by_q71 = t154 * t153;
         const double strand_14_x_by_q73 = layer_0_x_by_q73 + t29;
         const double strand_14_x = layer_0_x - t36;
@@ -2944,14 +3393,17 @@ void wrist_feedforward_rate_batch(int count, const double *SINEW_RESTRICT q71, c
         const double strand_14_y = 0.029 - layer_0_y - t43;
         const double strand_14_z_by_q73 = layer_0_z_by_q73 + t46;
         const double strand_14_z = layer_0_z - t53;
-        const double t155 = strand_14_x * strand_14_x_by_q73 - strand_14_y * strand_14_y_by_q73 + strand_14_z * strand_14_z_by_q73;
-        const double t156 = strand_14_x * strand_14_x + strand_14_y * strand_14_y + strand_14_z * strand_14_z;
+        const double t155 = strand_14_x * strand_14_x_by_q73 - strand_14_y * strand_14_y_by_q73
+            + strand_14_z * strand_14_z_by_q73;
+        const double t156 = strand_14_x * strand_14_x + strand_14_y * strand_14_y + strand_14_z
+            * strand_14_z;
         const double length_14 = sinew_sqrt(t156);
         const double t157 = 1.0 / length_14;
         const double length_14_by_q73 = t155 * t157;
         const double strand_14_x_by_q71 = layer_0_x_by_q71 + t53;
         const double strand_14_z_by_q71 = layer_0_z_by_q71 + t36;
-        const double t158 = strand_14_x * strand_14_x_by_q71 - strand_14_y * layer_0_y_by_q71 - strand_14_z * strand_14_z_by_q71;
+        const double t158 = strand_14_x * strand_14_x_by_q71 - strand_14_y * layer_0_y_by_q71
+            - strand_14_z * strand_14_z_by_q71;
         const double length_14_by_q71 = t158 * t157;
         const double t159 = 0.013 * y_x_by_q73;
         const double strand_15_x_by_q73 = layer_0_x_by_q73 + t159;
@@ -2965,14 +3417,17 @@ void wrist_feedforward_rate_batch(int count, const double *SINEW_RESTRICT q71, c
         const double strand_15_z_by_q73 = layer_0_z_by_q73 + t163;
         const double t164 = 0.013 * y_z;
         const double strand_15_z = layer_0_z - t164;
-        const double t165 = strand_15_x * strand_15_x_by_q73 - strand_15_y * strand_15_y_by_q73 + strand_15_z * strand_15_z_by_q73;
-        const double t166 = strand_15_x * strand_15_x + strand_15_y * strand_15_y + strand_15_z * strand_15_z;
+        const double t165 = strand_15_x * strand_15_x_by_q73 - strand_15_y * strand_15_y_by_q73
+            + strand_15_z * strand_15_z_by_q73;
+        const double t166 = strand_15_x * strand_15_x + strand_15_y * strand_15_y + strand_15_z
+            * strand_15_z;
         const double length_15 = sinew_sqrt(t166);
         const double t167 = 1.0 / length_15;
         const double length_15_by_q73 = t165 * t167;
         const double strand_15_x_by_q71 = layer_0_x_by_q71 + t164;
         const double strand_15_z_by_q71 = layer_0_z_by_q71 + t160;
-        const double t168 = strand_15_x * strand_15_x_by_q71 - strand_15_y * layer_0_y_by_q71 - strand_15_z * strand_15_z_by_q71;
+        const double t168 = strand_15_x * strand_15_x_by_q71 - strand_15_y * layer_0_y_by_q71
+            - strand_15_z * strand_15_z_by_q71;
         const double length_15_by_q71 = t168 * t167;
         const double t169 = 0.014 * y_x_by_q73;
         const double strand_16_x_by_q73 = layer_0_x_by_q73 + t169;
@@ -2986,14 +3441,17 @@ void wrist_feedforward_rate_batch(int count, const double *SINEW_RESTRICT q71, c
         const double strand_16_z_by_q73 = layer_0_z_by_q73 + t173;
         const double t174 = 0.014 * y_z;
         const double strand_16_z = layer_0_z - t174;
-        const double t175 = strand_16_x * strand_16_x_by_q73 - strand_16_y * strand_16_y_by_q73 + strand_16_z * strand_16_z_by_q73;
-        const double t176 = strand_16_x * strand_16_x + strand_16_y * strand_16_y + strand_16_z * strand_16_z;
+        const double t175 = strand_16_x * strand_16_x_by_q73 - strand_16_y * strand_16_y_by_q73
+            + strand_16_z * strand_16_z_by_q73;
+        const double t176 = strand_16_x * strand_16_x + strand_16_y * strand_16_y + strand_16_z
+            * strand_16_z;
         const double length_16 = sinew_sqrt(t176);
         const double t177 = 1.0 / length_16;
         const double length_16_by_q73 = t175 * t177;
         const double strand_16_x_by_q71 = layer_0_x_by_q71 + t174;
         const double strand_16_z_by_q71 = layer_0_z_by_q71 + t170;
-        const double t178 = strand_16_x * strand_16_x_by_q71 - strand_16_y * layer_0_y_by_q71 - strand_16_z * strand_16_z_by_q71;
+        const double t178 = strand_16_x * strand_16_x_by_q71 - strand_16_y * layer_0_y_by_q71
+            - strand_16_z * strand_16_z_by_q71;
         const double length_16_by_q71 = t178 * t177;
         const double t179 = 0.016 * y_x_by_q73;
         const double strand_17_x_by_q73 = layer_0_x_by_q73 + t179;
@@ -3007,14 +3465,17 @@ void wrist_feedforward_rate_batch(int count, const double *SINEW_RESTRICT q71, c
         const double strand_17_z_by_q73 = layer_0_z_by_q73 + t183;
         const double t184 = 0.016 * y_z;
         const double strand_17_z = layer_0_z - t184;
-        const double t185 = strand_17_x * strand_17_x_by_q73 - strand_17_y * strand_17_y_by_q73 + strand_17_z * strand_17_z_by_q73;
-        const double t186 = strand_17_x * strand_17_x + strand_17_y * strand_17_y + strand_17_z * strand_17_z;
+        const double t185 = strand_17_x * strand_17_x_by_q73 - strand_17_y * strand_17_y_by_q73
+            + strand_17_z * strand_17_z_by_q73;
+        const double t186 = strand_17_x * strand_17_x + strand_17_y * strand_17_y + strand_17_z
+            * strand_17_z;
         const double length_17 = sinew_sqrt(t186);
         const double t187 = 1.0 / length_17;
         const double length_17_by_q73 = t185 * t187;
         const double strand_17_x_by_q71 = layer_0_x_by_q71 + t184;
         const double strand_17_z_by_q71 = layer_0_z_by_q71 + t180;
-        const double t188 = strand_17_x * strand_17_x_by_q71 - strand_17_y * layer_0_y_by_q71 - strand_17_z * strand_17_z_by_q71;
+        const double t188 = strand_17_x * strand_17_x_by_q71 - strand_17_y * layer_0_y_by_q71
+            - strand_17_z * strand_17_z_by_q71;
         const double length_17_by_q71 = t188 * t187;
         const double strand_18_x_by_q73 = layer_0_x_by_q73 + 0.018 * y_x_by_q73;
         const double t189 = 0.018 * y_x;
@@ -3024,14 +3485,17 @@ void wrist_feedforward_rate_batch(int count, const double *SINEW_RESTRICT q71, c
         const double strand_18_z_by_q73 = layer_0_z_by_q73 + 0.018 * y_z_by_q73;
         const double t190 = 0.018 * y_z;
         const double strand_18_z = layer_0_z - t190;
-        const double t191 = strand_18_x * strand_18_x_by_q73 - strand_18_y * strand_18_y_by_q73 + strand_18_z * strand_18_z_by_q73;
-        const double t192 = strand_18_x * strand_18_x + strand_18_y * strand_18_y + strand_18_z * strand_18_z;
+        const double t191 = strand_18_x * strand_18_x_by_q73 - strand_18_y * strand_18_y_by_q73
+            + strand_18_z * strand_18_z_by_q73;
+        const double t192 = strand_18_x * strand_18_x + strand_18_y * strand_18_y + strand_18_z
+            * strand_18_z;
         const double length_18 = sinew_sqrt(t192);
         const double t193 = 1.0 / length_18;
         const double length_18_by_q73 = t191 * t193;
         const double strand_18_x_by_q71 = layer_0_x_by_q71 + t190;
         const double strand_18_z_by_q71 = layer_0_z_by_q71 + t189;
-        const double t194 = strand_18_x * strand_18_x_by_q71 - strand_18_y * layer_0_y_by_q71 - strand_18_z * strand_18_z_by_q71;
+        const double t194 = strand_18_x * strand_18_x_by_q71 - strand_18_y * layer_0_y_by_q71
+            - strand_18_z * strand_18_z_by_q71;
         const double length_18_by_q71 = t194 * t193;
         const double layer_1_x_by_q73 = t27 - t28;
         const double strand_19_x_by_q73 = layer_1_x_by_q73 - t159;
@@ -3045,8 +3509,10 @@ void wrist_feedforward_rate_batch(int count, const double *SINEW_RESTRICT q71, c
         const double strand_19_z_by_q73 = layer_1_z_by_q73 - t163;
         const double layer_1_z = 0.028 - origin_z - t51 + t52;
         const double strand_19_z = layer_1_z + t164;
-        const double t195 = strand_19_x * strand_19_x_by_q73 - strand_19_y * strand_19_y_by_q73 + strand_19_z * strand_19_z_by_q73;
-        const double t196 = strand_19_x * strand_19_x + strand_19_y * strand_19_y + strand_19_z * strand_19_z;
+        const double t195 = strand_19_x * strand_19_x_by_q73 - strand_19_y * strand_19_y_by_q73
+            + strand_19_z * strand_19_z_by_q73;
+        const double t196 = strand_19_x * strand_19_x + strand_19_y * strand_19_y + strand_19_z
+            * strand_19_z;
         const double length_19 = sinew_sqrt(t196);
         const double t197 = 1.0 / length_19;
         const double length_19_by_q73 = t195 * t197;
@@ -3055,7 +3521,8 @@ void wrist_feedforward_rate_batch(int count, const double *SINEW_RESTRICT q71, c
         const double layer_1_y_by_q71 = t62 + t63;
         const double layer_1_z_by_q71 = t64 - t65;
         const double strand_19_z_by_q71 = layer_1_z_by_q71 - t160;
-        const double t198 = strand_19_x * strand_19_x_by_q71 - strand_19_y * layer_1_y_by_q71 - strand_19_z * strand_19_z_by_q71;
+        const double t198 = strand_19_x * strand_19_x_by_q71 - strand_19_y * layer_1_y_by_q71
+            - strand_19_z * strand_19_z_by_q71;
         const double length_19_by_q71 = t198 * t197;
         const double strand_20_x_by_q73 = layer_1_x_by_q73 - t29;
         const double strand_20_x = layer_1_x + t36;
@@ -3063,14 +3530,17 @@ void wrist_feedforward_rate_batch(int count, const double *SINEW_RESTRICT q71, c
         const double strand_20_y = 0.007 - layer_1_y + t43;
         const double strand_20_z_by_q73 = layer_1_z_by_q73 - t46;
         const double strand_20_z = layer_1_z + t53;
-        const double t199 = strand_20_x * strand_20_x_by_q73 - strand_20_y * strand_20_y_by_q73 + strand_20_z * strand_20_z_by_q73;
-        const double t200 = strand_20_x * strand_20_x + strand_20_y * strand_20_y + strand_20_z * strand_20_z;
+        const double t199 = strand_20_x * strand_20_x_by_q73 - strand_20_y * strand_20_y_by_q73
+            + strand_20_z * strand_20_z_by_q73;
+        const double t200 = strand_20_x * strand_20_x + strand_20_y * strand_20_y + strand_20_z
+            * strand_20_z;
         const double length_20 = sinew_sqrt(t200);
         const double t201 = 1.0 / length_20;
         const double length_20_by_q73 = t199 * t201;
         const double strand_20_x_by_q71 = layer_1_x_by_q71 - t53;
         const double strand_20_z_by_q71 = layer_1_z_by_q71 - t36;
-        const double t202 = strand_20_x * strand_20_x_by_q71 - strand_20_y * layer_1_y_by_q71 - strand_20_z * strand_20_z_by_q71;
+        const double t202 = strand_20_x * strand_20_x_by_q71 - strand_20_y * layer_1_y_by_q71
+            - strand_20_z * strand_20_z_by_q71;
         const double length_20_by_q71 = t202 * t201;
         const double strand_21_x_by_q73 = layer_1_x_by_q73 - t68;
         const double strand_21_x = layer_1_x + t69;
@@ -3078,14 +3548,17 @@ void wrist_feedforward_rate_batch(int count, const double *SINEW_RESTRICT q71, c
         const double strand_21_y = 0.009 - layer_1_y + t71;
         const double strand_21_z_by_q73 = layer_1_z_by_q73 - t72;
         const double strand_21_z = layer_1_z + t73;
-        const double t203 = strand_21_x * strand_21_x_by_q73 - strand_21_y * strand_21_y_by_q73 + strand_21_z * strand_21_z_by_q73;
-        const double t204 = strand_21_x * strand_21_x + strand_21_y * strand_21_y + strand_21_z * strand_21_z;
+        const double t203 = strand_21_x * strand_21_x_by_q73 - strand_21_y * strand_21_y_by_q73
+            + strand_21_z * strand_21_z_by_q73;
+        const double t204 = strand_21_x * strand_21_x + strand_21_y * strand_21_y + strand_21_z
+            * strand_21_z;
         const double length_21 = sinew_sqrt(t204);
         const double t205 = 1.0 / length_21;
         const double length_21_by_q73 = t203 * t205;
         const double strand_21_x_by_q71 = layer_1_x_by_q71 - t73;
         const double strand_21_z_by_q71 = layer_1_z_by_q71 - t69;
-        const double t206 = strand_21_x * strand_21_x_by_q71 - strand_21_y * layer_1_y_by_q71 - strand_21_z * strand_21_z_by_q71;
+        const double t206 = strand_21_x * strand_21_x_by_q71 - strand_21_y * layer_1_y_by_q71
+            - strand_21_z * strand_21_z_by_q71;
         const double length_21_by_q71 = t206 * t205;
         const double strand_22_x_by_q73 = layer_1_x_by_q73 - t78;
         const double strand_22_x = layer_1_x + t79;
@@ -3093,14 +3566,17 @@ void wrist_feedforward_rate_batch(int count, const double *SINEW_RESTRICT q71, c
         const double strand_22_y = 0.011 - layer_1_y + t81;
         const double strand_22_z_by_q73 = layer_1_z_by_q73 - t82;
         const double strand_22_z = layer_1_z + t83;
-        const double t207 = strand_22_x * strand_22_x_by_q73 - strand_22_y * strand_22_y_by_q73 + strand_22_z * strand_22_z_by_q73;
-        const double t208 = strand_22_x * strand_22_x + strand_22_y * strand_22_y + strand_22_z * strand_22_z;
+        const double t207 = strand_22_x * strand_22_x_by_q73 - strand_22_y * strand_22_y_by_q73
+            + strand_22_z * strand_22_z_by_q73;
+        const double t208 = strand_22_x * strand_22_x + strand_22_y * strand_22_y + strand_22_z
+            * strand_22_z;
         const double length_22 = sinew_sqrt(t208);
         const double t209 = 1.0 / length_22;
         const double length_22_by_q73 = t207 * t209;
         const double strand_22_x_by_q71 = layer_1_x_by_q71 - t83;
         const double strand_22_z_by_q71 = layer_1_z_by_q71 - t79;
-        const double t210 = strand_22_x * strand_22_x_by_q71 - strand_22_y * layer_1_y_by_q71 - strand_22_z * strand_22_z_by_q71;
+        const double t210 = strand_22_x * strand_22_x_by_q71 - strand_22_y * layer_1_y_by_q71
+            - strand_22_z * strand_22_z_by_q71;
         const double length_22_by_q71 = t210 * t209;
         const double strand_23_x_by_q73 = layer_1_x_by_q73 - t88;
         const double strand_23_x = layer_1_x + t89;
@@ -3108,14 +3584,17 @@ void wrist_feedforward_rate_batch(int count, const double *SINEW_RESTRICT q71, c
         const double strand_23_y = 0.012 - layer_1_y + t91;
         const double strand_23_z_by_q73 = layer_1_z_by_q73 - t92;
         const double strand_23_z = layer_1_z + t93;
-        const double t211 = strand_23_x * strand_23_x_by_q73 - strand_23_y * strand_23_y_by_q73 + strand_23_z * strand_23_z_by_q73;
-        const double t212 = strand_23_x * strand_23_x + strand_23_y * strand_23_y + strand_23_z * strand_23_z;
+        const double t211 = strand_23_x * strand_23_x_by_q73 - strand_23_y * strand_23_y_by_q73
+            + strand_23_z * strand_23_z_by_q73;
+        const double t212 = strand_23_x * strand_23_x + strand_23_y * strand_23_y + strand_23_z
+            * strand_23_z;
         const double length_23 = sinew_sqrt(t212);
         const double t213 = 1.0 / length_23;
         const double length_23_by_q73 = t211 * t213;
         const double strand_23_x_by_q71 = layer_1_x_by_q71 - t93;
         const double strand_23_z_by_q71 = layer_1_z_by_q71 - t89;
-        const double t214 = strand_23_x * strand_23_x_by_q71 - strand_23_y * layer_1_y_by_q71 - strand_23_z * strand_23_z_by_q71;
+        const double t214 = strand_23_x * strand_23_x_by_q71 - strand_23_y * layer_1_y_by_q71
+            - strand_23_z * strand_23_z_by_q71;
         const double length_23_by_q71 = t214 * t213;
         const double strand_24_x_by_q73 = layer_1_x_by_q73 - t98;
         const double strand_24_x = layer_1_x + t99;
@@ -3123,14 +3602,17 @@ void wrist_feedforward_rate_batch(int count, const double *SINEW_RESTRICT q71, c
         const double strand_24_y = 0.014 - layer_1_y + t101;
         const double strand_24_z_by_q73 = layer_1_z_by_q73 - t102;
         const double strand_24_z = layer_1_z + t103;
-        const double t215 = strand_24_x * strand_24_x_by_q73 - strand_24_y * strand_24_y_by_q73 + strand_24_z * strand_24_z_by_q73;
-        const double t216 = strand_24_x * strand_24_x + strand_24_y * strand_24_y + strand_24_z * strand_24_z;
+        const double t215 = strand_24_x * strand_24_x_by_q73 - strand_24_y * strand_24_y_by_q73
+            + strand_24_z * strand_24_z_by_q73;
+        const double t216 = strand_24_x * strand_24_x + strand_24_y * strand_24_y + strand_24_z
+            * strand_24_z;
         const double length_24 = sinew_sqrt(t216);
         const double t217 = 1.0 / length_24;
         const double length_24_by_q73 = t215 * t217;
         const double strand_24_x_by_q71 = layer_1_x_by_q71 - t103;
         const double strand_24_z_by_q71 = layer_1_z_by_q71 - t99;
-        const double t218 = strand_24_x * strand_24_x_by_q71 - strand_24_y * layer_1_y_by_q71 - strand_24_z * strand_24_z_by_q71;
+        const double t218 = strand_24_x * strand_24_x_by_q71 - strand_24_y * layer_1_y_by_q71
+            - strand_24_z * strand_24_z_by_q71;
         const double length_24_by_q71 = t218 * t217;
         const double strand_25_x_by_q73 = layer_1_x_by_q73 - t108;
         const double strand_25_x = layer_1_x + t109;
@@ -3138,14 +3620,17 @@ void wrist_feedforward_rate_batch(int count, const double *SINEW_RESTRICT q71, c
         const double strand_25_y = 0.015 - layer_1_y + t111;
         const double strand_25_z_by_q73 = layer_1_z_by_q73 - t112;
         const double strand_25_z = layer_1_z + t113;
-        const double t219 = strand_25_x * strand_25_x_by_q73 - strand_25_y * strand_25_y_by_q73 + strand_25_z * strand_25_z_by_q73;
-        const double t220 = strand_25_x * strand_25_x + strand_25_y * strand_25_y + strand_25_z * strand_25_z;
+        const double t219 = strand_25_x * strand_25_x_by_q73 - strand_25_y * strand_25_y_by_q73
+            + strand_25_z * strand_25_z_by_q73;
+        const double t220 = strand_25_x * strand_25_x + strand_25_y * strand_25_y + strand_25_z
+            * strand_25_z;
         const double length_25 = sinew_sqrt(t220);
         const double t221 = 1.0 / length_25;
         const double length_25_by_q73 = t219 * t221;
         const double strand_25_x_by_q71 = layer_1_x_by_q71 - t113;
         const double strand_25_z_by_q71 = layer_1_z_by_q71 - t109;
-        const double t222 = strand_25_x * strand_25_x_by_q71 - strand_25_y * layer_1_y_by_q71 - strand_25_z * strand_25_z_by_q71;
+        const double t222 = strand_25_x * strand_25_x_by_q71 - strand_25_y * layer_1_y_by_q71
+            - strand_25_z * strand_25_z_by_q71;
         const double length_25_by_q71 = t222 * t221;
         const double strand_26_x_by_q73 = layer_1_x_by_q73 - t118;
         const double strand_26_x = layer_1_x + t119;
@@ -3153,22 +3638,28 @@ void wrist_feedforward_rate_batch(int count, const double *SINEW_RESTRICT q71, c
         const double strand_26_y = 0.017 - layer_1_y + t121;
         const double strand_26_z_by_q73 = layer_1_z_by_q73 - t122;
         const double strand_26_z = layer_1_z + t123;
-        const double t223 = strand_26_x * strand_26_x_by_q73 - strand_26_y * strand_26_y_by_q73 + strand_26_z * strand_26_z_by_q73;
-        const double t224 = strand_26_x * strand_26_x + strand_26_y * strand_26_y + strand_26_z * strand_26_z;
+        const double t223 = strand_26_x * strand_26_x_by_q73 - strand_26_y * strand_26_y_by_q73
+            + strand_26_z * strand_26_z_by_q73;
+        const double t224 = strand_26_x * strand_26_x + strand_26_y * strand_26_y + strand_26_z
+            * strand_26_z;
         const double length_26 = sinew_sqrt(t224);
         const double t225 = 1.0 / length_26;
         const double length_26_by_q73 = t223 * t225;
         const double strand_26_x_by_q71 = layer_1_x_by_q71 - t123;
         const double strand_26_z_by_q71 = layer_1_z_by_q71 - t119;
-        const double t226 = strand_26_x * strand_26_x_by_q71 - strand_26_y * layer_1_y_by_q71 - strand_26_z * strand_26_z_by_q71;
+        const double t226 = strand_26_x * strand_26_x_by_q71 - strand_26_y * layer_1_y_by_q71
+            - strand_26_z * strand_26_z_by_q71;
         const double length_26_by_q71 = t226 * t225;
         const double strand_27_y = 0.019 - layer_1_y;
-        const double t227 = layer_1_x * layer_1_x_by_q73 + layer_1_z * layer_1_z_by_q73 - strand_27_y * layer_1_y_by_q73;
-        const double t228 = layer_1_x * layer_1_x + layer_1_z * layer_1_z + strand_27_y * strand_27_y;
+        const double t227 = layer_1_x * layer_1_x_by_q73 + layer_1_z * layer_1_z_by_q73
+            - strand_27_y * layer_1_y_by_q73;
+        const double t228 = layer_1_x * layer_1_x + layer_1_z * layer_1_z + strand_27_y
+            * strand_27_y;
         const double length_27 = sinew_sqrt(t228);
         const double t229 = 1.0 / length_27;
         const double length_27_by_q73 = t227 * t229;
-        const double t230 = layer_1_x * layer_1_x_by_q71 - layer_1_z * layer_1_z_by_q71 - strand_27_y * layer_1_y_by_q71;
+        const double t230 = layer_1_x * layer_1_x_by_q71 - layer_1_z * layer_1_z_by_q71
+            - strand_27_y * layer_1_y_by_q71;
         const double length_27_by_q71 = t230 * t229;
         const double strand_28_x_by_q73 = layer_1_x_by_q73 + t118;
         const double strand_28_x = layer_1_x - t119;
@@ -3176,14 +3667,17 @@ void wrist_feedforward_rate_batch(int count, const double *SINEW_RESTRICT q71, c
         const double strand_28_y = 0.02 - layer_1_y - t121;
         const double strand_28_z_by_q73 = layer_1_z_by_q73 + t122;
         const double strand_28_z = layer_1_z - t123;
-        const double t231 = strand_28_x * strand_28_x_by_q73 - strand_28_y * strand_28_y_by_q73 + strand_28_z * strand_28_z_by_q73;
-        const double t232 = strand_28_x * strand_28_x + strand_28_y * strand_28_y + strand_28_z * strand_28_z;
+        const double t231 = strand_28_x * strand_28_x_by_q73 - strand_28_y * strand_28_y_by_q73
+            + strand_28_z * strand_28_z_by_q73;
+        const double t232 = strand_28_x * strand_28_x + strand_28_y * strand_28_y + strand_28_z
+            * strand_28_z;
         const double length_28 = sinew_sqrt(t232);
         const double t233 = 1.0 / length_28;
         const double length_28_by_q73 = t231 * t233;
         const double strand_28_x_by_q71 = layer_1_x_by_q71 + t123;
         const double strand_28_z_by_q71 = layer_1_z_by_q71 + t119;
-        const double t234 = strand_28_x * strand_28_x_by_q71 - strand_28_y * layer_1_y_by_q71 - strand_28_z * strand_28_z_by_q71;
+        const double t234 = strand_28_x * strand_28_x_by_q71 - strand_28_y * layer_1_y_by_q71
+            - strand_28_z * strand_28_z_by_q71;
         const double length_28_by_q71 = t234 * t233;
         const double strand_29_x_by_q73 = layer_1_x_by_q73 + t108;
         const double strand_29_x = layer_1_x - t109;
@@ -3191,14 +3685,17 @@ void wrist_feedforward_rate_batch(int count, const double *SINEW_RESTRICT q71, c
         const double strand_29_y = 0.022 - layer_1_y - t111;
         const double strand_29_z_by_q73 = layer_1_z_by_q73 + t112;
         const double strand_29_z = layer_1_z - t113;
-        const double t235 = strand_29_x * strand_29_x_by_q73 - strand_29_y * strand_29_y_by_q73 + strand_29_z * strand_29_z_by_q73;
-        const double t236 = strand_29_x * strand_29_x + strand_29_y * strand_29_y + strand_29_z * strand_29_z;
+        const double t235 = strand_29_x * strand_29_x_by_q73 - strand_29_y * strand_29_y_by_q73
+            + strand_29_z * strand_29_z_by_q73;
+        const double t236 = strand_29_x * strand_29_x + strand_29_y * strand_29_y + strand_29_z
+            * strand_29_z;
         const double length_29 = sinew_sqrt(t236);
         const double t237 = 1.0 / length_29;
         const double length_29_by_q73 = t235 * t237;
         const double strand_29_x_by_q71 = layer_1_x_by_q71 + t113;
         const double strand_29_z_by_q71 = layer_1_z_by_q71 + t109;
-        const double t238 = strand_29_x * strand_29_x_by_q71 - strand_29_y * layer_1_y_by_q71 - strand_29_z * strand_29_z_by_q71;
+        const double t238 = strand_29_x * strand_29_x_by_q71 - strand_29_y * layer_1_y_by_q71
+            - strand_29_z * strand_29_z_by_q71;
         const double length_29_by_q71 = t238 * t237;
         const double strand_30_x_by_q73 = layer_1_x_by_q73 + t98;
         const double strand_30_x = layer_1_x - t99;
@@ -3206,14 +3703,17 @@ void wrist_feedforward_rate_batch(int count, const double *SINEW_RESTRICT q71, c
         const double strand_30_y = 0.023 - layer_1_y - t101;
         const double strand_30_z_by_q73 = layer_1_z_by_q73 + t102;
         const double strand_30_z = layer_1_z - t103;
-        const double t239 = strand_30_x * strand_30_x_by_q73 - strand_30_y * strand_30_y_by_q73 + strand_30_z * strand_30_z_by_q73;
-        const double t240 = strand_30_x * strand_30_x + strand_30_y * strand_30_y + strand_30_z * strand_30_z;
+        const double t239 = strand_30_x * strand_30_x_by_q73 - strand_30_y * strand_30_y_by_q73
+            + strand_30_z * strand_30_z_by_q73;
+        const double t240 = strand_30_x * strand_30_x + strand_30_y * strand_30_y + strand_30_z
+            * strand_30_z;
         const double length_30 = sinew_sqrt(t240);
         const double t241 = 1.0 / length_30;
         const double length_30_by_q73 = t239 * t241;
         const double strand_30_x_by_q71 = layer_1_x_by_q71 + t103;
         const double strand_30_z_by_q71 = layer_1_z_by_q71 + t99;
-        const double t242 = strand_30_x * strand_30_x_by_q71 - strand_30_y * layer_1_y_by_q71 - strand_30_z * strand_30_z_by_q71;
+        const double t242 = strand_30_x * strand_30_x_by_q71 - strand_30_y * layer_1_y_by_q71
+            - strand_30_z * strand_30_z_by_q71;
         const double length_30_by_q71 = t242 * t241;
         const double strand_31_x_by_q73 = layer_1_x_by_q73 + t88;
         const double strand_31_x = layer_1_x - t89;
@@ -3221,14 +3721,17 @@ void wrist_feedforward_rate_batch(int count, const double *SINEW_RESTRICT q71, c
         const double strand_31_y = 0.025 - layer_1_y - t91;
         const double strand_31_z_by_q73 = layer_1_z_by_q73 + t92;
         const double strand_31_z = layer_1_z - t93;
-        const double t243 = strand_31_x * strand_31_x_by_q73 - strand_31_y * strand_31_y_by_q73 + strand_31_z * strand_31_z_by_q73;
-        const double t244 = strand_31_x * strand_31_x + strand_31_y * strand_31_y + strand_31_z * strand_31_z;
+        const double t243 = strand_31_x * strand_31_x_by_q73 - strand_31_y * strand_31_y_by_q73
+            + strand_31_z * strand_31_z_by_q73;
+        const double t244 = strand_31_x * strand_31_x + strand_31_y * strand_31_y + strand_31_z
+            * strand_31_z;
         const double length_31 = sinew_sqrt(t244);
         const double t245 = 1.0 / length_31;
         const double length_31_by_q73 = t243 * t245;
         const double strand_31_x_by_q71 = layer_1_x_by_q71 + t93;
         const double strand_31_z_by_q71 = layer_1_z_by_q71 + t89;
-        const double t246 = strand_31_x * strand_31_x_by_q71 - strand_31_y * layer_1_y_by_q71 - strand_31_z * strand_31_z_by_q71;
+        const double t246 = strand_31_x * strand_31_x_by_q71 - strand_31_y * layer_1_y_by_q71
+            - strand_31_z * strand_31_z_by_q71;
         const double length_31_by_q71 = t246 * t245;
         const double strand_32_x_by_q73 = layer_1_x_by_q73 + t78;
         const double strand_32_x = layer_1_x - t79;
@@ -3236,14 +3739,17 @@ void wrist_feedforward_rate_batch(int count, const double *SINEW_RESTRICT q71, c
         const double strand_32_y = 0.027 - layer_1_y - t81;
         const double strand_32_z_by_q73 = layer_1_z_by_q73 + t82;
         const double strand_32_z = layer_1_z - t83;
-        const double t247 = strand_32_x * strand_32_x_by_q73 - strand_32_y * strand_32_y_by_q73 + strand_32_z * strand_32_z_by_q73;
-        const double t248 = strand_32_x * strand_32_x + strand_32_y * strand_32_y + strand_32_z * strand_32_z;
+        const double t247 = strand_32_x * strand_32_x_by_q73 - strand_32_y * strand_32_y_by_q73
+            + strand_32_z * strand_32_z_by_q73;
+        const double t248 = strand_32_x * strand_32_x + strand_32_y * strand_32_y + strand_32_z
+            * strand_32_z;
         const double length_32 = sinew_sqrt(t248);
         const double t249 = 1.0 / length_32;
         const double length_32_by_q73 = t247 * t249;
         const double strand_32_x_by_q71 = layer_1_x_by_q71 + t83;
         const double strand_32_z_by_q71 = layer_1_z_by_q71 + t79;
-        const double t250 = strand_32_x * strand_32_x_by_q71 - strand_32_y * layer_1_y_by_q71 - strand_32_z * strand_32_z_by_q71;
+        const double t250 = strand_32_x * strand_32_x_by_q71 - strand_32_y * layer_1_y_by_q71
+            - strand_32_z * strand_32_z_by_q71;
         const double length_32_by_q71 = t250 * t249;
         const double strand_33_x_by_q73 = layer_1_x_by_q73 + t68;
         const double strand_33_x = layer_1_x - t69;
@@ -3251,14 +3757,17 @@ void wrist_feedforward_rate_batch(int count, const double *SINEW_RESTRICT q71, c
         const double strand_33_y = 0.028 - layer_1_y - t71;
         const double strand_33_z_by_q73 = layer_1_z_by_q73 + t72;
         const double strand_33_z = layer_1_z - t73;
-        const double t251 = strand_33_x * strand_33_x_by_q73 - strand_33_y * strand_33_y_by_q73 + strand_33_z * strand_33_z_by_q73;
-        const double t252 = strand_33_x * strand_33_x + strand_33_y * strand_33_y + strand_33_z * strand_33_z;
+        const double t251 = strand_33_x * strand_33_x_by_q73 - strand_33_y * strand_33_y_by_q73
+            + strand_33_z * strand_33_z_by_q73;
+        const double t252 = strand_33_x * strand_33_x + strand_33_y * strand_33_y + strand_33_z
+            * strand_33_z;
         const double length_33 = sinew_sqrt(t252);
         const double t253 = 1.0 / length_33;
         const double length_33_by_q73 = t251 * t253;
         const double strand_33_x_by_q71 = layer_1_x_by_q71 + t73;
         const double strand_33_z_by_q71 = layer_1_z_by_q71 + t69;
-        const double t254 = strand_33_x * strand_33_x_by_q71 - strand_33_y * layer_1_y_by_q71 - strand_33_z * strand_33_z_by_q71;
+        const double t254 = strand_33_x * strand_33_x_by_q71 - strand_33_y * layer_1_y_by_q71
+            - strand_33_z * strand_33_z_by_q71;
         const double length_33_by_q71 = t254 * t253;
         const double strand_34_x_by_q73 = layer_1_x_by_q73 + t29;
         const double strand_34_x = layer_1_x - t36;
@@ -3266,14 +3775,17 @@ void wrist_feedforward_rate_batch(int count, const double *SINEW_RESTRICT q71, c
         const double strand_34_y = 0.03 - layer_1_y - t43;
         const double strand_34_z_by_q73 = layer_1_z_by_q73 + t46;
         const double strand_34_z = layer_1_z - t53;
-        const double t255 = strand_34_x * strand_34_x_by_q73 - strand_34_y * strand_34_y_by_q73 + strand_34_z * strand_34_z_by_q73;
-        const double t256 = strand_34_x * strand_34_x + strand_34_y * strand_34_y + strand_34_z * strand_34_z;
+        const double t255 = strand_34_x * strand_34_x_by_q73 - strand_34_y * strand_34_y_by_q73
+            + strand_34_z * strand_34_z_by_q73;
+        const double t256 = strand_34_x * strand_34_x + strand_34_y * strand_34_y + strand_34_z
+            * strand_34_z;
         const double length_34 = sinew_sqrt(t256);
         const double t257 = 1.0 / length_34;
         const double length_34_by_q73 = t255 * t257;
         const double strand_34_x_by_q71 = layer_1_x_by_q71 + t53;
         const double strand_34_z_by_q71 = layer_1_z_by_q71 + t36;
-        const double t258 = strand_34_x * strand_34_x_by_q71 - strand_34_y * layer_1_y_by_q71 - strand_34_z * strand_34_z_by_q71;
+        const double t258 = strand_34_x * strand_34_x_by_q71 - strand_34_y * layer_1_y_by_q71
+            - strand_34_z * strand_34_z_by_q71;
         const double length_34_by_q71 = t258 * t257;
         const double strand_35_x_by_q73 = layer_1_x_by_q73 + t159;
         const double strand_35_x = layer_1_x - t160;
@@ -3281,14 +3793,17 @@ void wrist_feedforward_rate_batch(int count, const double *SINEW_RESTRICT q71, c
         const double strand_35_y = 0.031 - layer_1_y - t162;
         const double strand_35_z_by_q73 = layer_1_z_by_q73 + t163;
         const double strand_35_z = layer_1_z - t164;
-        const double t259 = strand_35_x * strand_35_x_by_q73 - strand_35_y * strand_35_y_by_q73 + strand_35_z * strand_35_z_by_q73;
-        const double t260 = strand_35_x * strand_35_x + strand_35_y * strand_35_y + strand_35_z * strand_35_z;
+        const double t259 = strand_35_x * strand_35_x_by_q73 - strand_35_y * strand_35_y_by_q73
+            + strand_35_z * strand_35_z_by_q73;
+        const double t260 = strand_35_x * strand_35_x + strand_35_y * strand_35_y + strand_35_z
+            * strand_35_z;
         const double length_35 = sinew_sqrt(t260);
         const double t261 = 1.0 / length_35;
         const double length_35_by_q73 = t259 * t261;
         const double strand_35_x_by_q71 = layer_1_x_by_q71 + t164;
         const double strand_35_z_by_q71 = layer_1_z_by_q71 + t160;
-        const double t262 = strand_35_x * strand_35_x_by_q71 - strand_35_y * layer_1_y_by_q71 - strand_35_z * strand_35_z_by_q71;
+        const double t262 = strand_35_x * strand_35_x_by_q71 - strand_35_y * layer_1_y_by_q71
+            - strand_35_z * strand_35_z_by_q71;
         const double length_35_by_q71 = t262 * t261;
         const double strand_36_x_by_q73 = layer_1_x_by_q73 + t169;
         const double strand_36_x = layer_1_x - t170;
@@ -3296,14 +3811,17 @@ void wrist_feedforward_rate_batch(int count, const double *SINEW_RESTRICT q71, c
         const double strand_36_y = 0.033 - layer_1_y - t172;
         const double strand_36_z_by_q73 = layer_1_z_by_q73 + t173;
         const double strand_36_z = layer_1_z - t174;
-        const double t263 = strand_36_x * strand_36_x_by_q73 - strand_36_y * strand_36_y_by_q73 + strand_36_z * strand_36_z_by_q73;
-        const double t264 = strand_36_x * strand_36_x + strand_36_y * strand_36_y + strand_36_z * strand_36_z;
+        const double t263 = strand_36_x * strand_36_x_by_q73 - strand_36_y * strand_36_y_by_q73
+            + strand_36_z * strand_36_z_by_q73;
+        const double t264 = strand_36_x * strand_36_x + strand_36_y * strand_36_y + strand_36_z
+            * strand_36_z;
         const double length_36 = sinew_sqrt(t264);
         const double t265 = 1.0 / length_36;
         const double length_36_by_q73 = t263 * t265;
         const double strand_36_x_by_q71 = layer_1_x_by_q71 + t174;
         const double strand_36_z_by_q71 = layer_1_z_by_q71 + t170;
-        const double t266 = strand_36_x * strand_36_x_by_q71 - strand_36_y * layer_1_y_by_q71 - strand_36_z * strand_36_z_by_q71;
+        const double t266 = strand_36_x * strand_36_x_by_q71 - strand_36_y * layer_1_y_by_q71
+            - strand_36_z * strand_36_z_by_q71;
         const double length_36_by_q71 = t266 * t265;
         const double strand_37_x_by_q73 = layer_1_x_by_q73 + t179;
         const double strand_37_x = layer_1_x - t180;
@@ -3311,14 +3829,17 @@ void wrist_feedforward_rate_batch(int count, const double *SINEW_RESTRICT q71, c
         const double strand_37_y = 0.035 - layer_1_y - t182;
         const double strand_37_z_by_q73 = layer_1_z_by_q73 + t183;
         const double strand_37_z = layer_1_z - t184;
-        const double t267 = strand_37_x * strand_37_x_by_q73 - strand_37_y * strand_37_y_by_q73 + strand_37_z * strand_37_z_by_q73;
-        const double t268 = strand_37_x * strand_37_x + strand_37_y * strand_37_y + strand_37_z * strand_37_z;
+        const double t267 = strand_37_x * strand_37_x_by_q73 - strand_37_y * strand_37_y_by_q73
+            + strand_37_z * strand_37_z_by_q73;
+        const double t268 = strand_37_x * strand_37_x + strand_37_y * strand_37_y + strand_37_z
+            * strand_37_z;
         const double length_37 = sinew_sqrt(t268);
         const double t269 = 1.0 / length_37;
         const double length_37_by_q73 = t267 * t269;
         const double strand_37_x_by_q71 = layer_1_x_by_q71 + t184;
         const double strand_37_z_by_q71 = layer_1_z_by_q71 + t180;
-        const double t270 = strand_37_x * strand_37_x_by_q71 - strand_37_y * layer_1_y_by_q71 - strand_37_z * strand_37_z_by_q71;
+        const double t270 = strand_37_x * strand_37_x_by_q71 - strand_37_y * layer_1_y_by_q71
+            - strand_37_z * strand_37_z_by_q71;
         const double length_37_by_q71 = t270 * t269;
         delta_theta_rate[state] = -(t67 * length_0_by_q71 - t57 * length_0_by_q73);
         delta_theta_rate[1 * n + state] = -(t67 * length_1_by_q71 - t57 * length_1_by_q73);
@@ -3361,7 +3882,8 @@ void wrist_feedforward_rate_batch(int count, const double *SINEW_RESTRICT q71, c
     }
 }
 
-void wrist_joint_torque_batch(int count, const double *SINEW_RESTRICT q71, const double *SINEW_RESTRICT q73, const double *SINEW_RESTRICT f, double *SINEW_RESTRICT tau)
+void wrist_joint_torque_batch(int count, const double *SINEW_RESTRICT q71,
+    const double *SINEW_RESTRICT q73, const double *SINEW_RESTRICT f, double *SINEW_RESTRICT tau)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
@@ -3396,13 +3918,15 @@ void wrist_joint_torque_batch(int count, const double *SINEW_RESTRICT q71, const
         const double t8 = p_y * p_y;
         const double t9 = p_z * p_z;
         const double t10 = -(1.296e-15 - t8 - t9);
-        const double reach_squared_by_q71 = sinew_choose(t10, -(t7 * p_y_by_q71 + (p_z + p_z) * p_z_by_q71), 0.0);
+        const double reach_squared_by_q71 = sinew_choose(t10, -(t7 * p_y_by_q71 + (p_z + p_z)
+            * p_z_by_q71), 0.0);
         const double reach_squared = sinew_max(t8 + t9, 1.296e-15);
         const double reach = sinew_sqrt(reach_squared);
         const double t11 = 1.0 / reach;
         const double reach_by_q71 = 0.5 * reach_squared_by_q71 * t11;
         const double p_x = u_e * s_e - u_y * s_y;
-        const double projection = 0.034722222222222224 - 13.88888888888889 * (reach_squared + p_x * p_x);
+        const double projection = 0.034722222222222224 - 13.88888888888889 * (reach_squared + p_x
+            * p_x);
         const double t12 = reach - projection;
         const double t13 = sinew_choose(t12, 0.0, 1.0);
         const double t14 = sinew_choose(t12, 1.0, 0.0);
@@ -3410,19 +3934,22 @@ void wrist_joint_torque_batch(int count, const double *SINEW_RESTRICT q71, const
         const double projection_by_q71 = 13.88888888888889 * reach_squared_by_q71 - t15 * u_e * p_z;
         const double t16 = sinew_max(-projection, -reach);
         const double t17 = reach - t16;
-        const double limited_by_q71 = sinew_choose(t17, -(reach_by_q71 * t13 - projection_by_q71 * t14), reach_by_q71);
+        const double limited_by_q71 = sinew_choose(t17, -(reach_by_q71 * t13 - projection_by_q71
+            * t14), reach_by_q71);
         const double limited = sinew_min(t16, reach);
         const double t18 = limited + limited;
         const double t19 = reach + reach;
         const double t20 = (reach + limited) * (reach - limited);
         const double t21 = 1e-12 * reach_squared;
         const double t22 = -(t21 - t20);
-        const double clearance_by_q71 = sinew_choose(t22, t19 * reach_by_q71 - t18 * limited_by_q71, 1e-12 * reach_squared_by_q71);
+        const double clearance_by_q71 = sinew_choose(t22, t19 * reach_by_q71 - t18 * limited_by_q71,
+            1e-12 * reach_squared_by_q71);
         const double clearance = sinew_max(t20, t21);
         const double root = sinew_sqrt(clearance);
         const double t23 = 1.0 / root;
         const double root_by_q71 = 0.5 * clearance_by_q71 * t23;
-        const double t24 = p_y * limited_by_q71 + p_z * root_by_q71 - limited * p_y_by_q71 - root * p_z_by_q71;
+        const double t24 = p_y * limited_by_q71 + p_z * root_by_q71 - limited * p_y_by_q71 - root
+            * p_z_by_q71;
         const double t25 = 1.0 / reach_squared;
         const double cos_A = (p_y * limited + p_z * root) * t25;
         const double cos_A_by_q71 = (t24 - cos_A * reach_squared_by_q71) * t25;
@@ -3431,7 +3958,8 @@ void wrist_joint_torque_batch(int count, const double *SINEW_RESTRICT q71, const
         const double t26 = cos_q71 * sin_A;
         const double z_plane_x = u_y * cos_A;
         const double t27 = sin_q71 * z_plane_x;
-        const double t28 = p_y * root_by_q71 - p_z * limited_by_q71 + limited * p_z_by_q71 - root * p_y_by_q71;
+        const double t28 = p_y * root_by_q71 - p_z * limited_by_q71 + limited * p_z_by_q71 - root
+            * p_y_by_q71;
         const double sin_A_by_q71 = (t28 - sin_A * reach_squared_by_q71) * t25;
         const double z_x_by_q71 = t26 - cos_q71 * z_plane_x_by_q71 + t27 + sin_q71 * sin_A_by_q71;
         const double M_z = sin_q71 * M_e;
@@ -3487,8 +4015,10 @@ void wrist_joint_torque_batch(int count, const double *SINEW_RESTRICT q71, const
         const double t50 = 0.01 * z_z;
         const double layer_0_z = 0.008 - origin_z - t49 - t50;
         const double strand_0_z = layer_0_z + t33;
-        const double t51 = strand_0_x * strand_0_x_by_q71 - strand_0_y * layer_0_y_by_q71 - strand_0_z * strand_0_z_by_q71;
-        const double t52 = strand_0_x * strand_0_x + strand_0_y * strand_0_y + strand_0_z * strand_0_z;
+        const double t51 = strand_0_x * strand_0_x_by_q71 - strand_0_y * layer_0_y_by_q71
+            - strand_0_z * strand_0_z_by_q71;
+        const double t52 = strand_0_x * strand_0_x + strand_0_y * strand_0_y + strand_0_z
+            * strand_0_z;
         const double length_0 = sinew_sqrt(t52);
         const double t53 = 1.0 / length_0;
         const double length_0_by_q71 = t51 * t53;
@@ -3500,8 +4030,10 @@ void wrist_joint_torque_batch(int count, const double *SINEW_RESTRICT q71, const
         const double strand_1_y = 0.008 - layer_0_y + t56;
         const double strand_1_z_by_q71 = layer_0_z_by_q71 - t55;
         const double strand_1_z = layer_0_z + t54;
-        const double t57 = strand_1_x * strand_1_x_by_q71 - strand_1_y * layer_0_y_by_q71 - strand_1_z * strand_1_z_by_q71;
-        const double t58 = strand_1_x * strand_1_x + strand_1_y * strand_1_y + strand_1_z * strand_1_z;
+        const double t57 = strand_1_x * strand_1_x_by_q71 - strand_1_y * layer_0_y_by_q71
+            - strand_1_z * strand_1_z_by_q71;
+        const double t58 = strand_1_x * strand_1_x + strand_1_y * strand_1_y + strand_1_z
+            * strand_1_z;
         const double length_1 = sinew_sqrt(t58);
         const double t59 = 1.0 / length_1;
         const double length_1_by_q71 = t57 * t59;
@@ -3513,18 +4045,25 @@ void wrist_joint_torque_batch(int count, const double *SINEW_RESTRICT q71, const
         const double M_e_by_q73 = t5 - 0.5 * C_e_by_q73;
         const double u_y_by_q73 = t6 - 23.80952380952381 * C_y_by_q73;
         const double u_e_by_q73 = t3 + 23.80952380952381 * C_e_by_q73;
-        const double p_y_by_q73 = u_e * M_y_by_q73 + u_y * M_e_by_q73 - s_e * u_y_by_q73 + s_y * u_e_by_q73;
+        const double p_y_by_q73 = u_e * M_y_by_q73 + u_y * M_e_by_q73 - s_e * u_y_by_q73 + s_y
+            * u_e_by_q73;
         const double reach_squared_by_q73 = sinew_choose(t10, t7 * p_y_by_q73, 0.0);
-        const double p_x_by_q73 = u_e * M_e_by_q73 - u_y * M_y_by_q73 + s_e * u_e_by_q73 + s_y * u_y_by_q73;
-        const double projection_by_q73 = 13.88888888888889 * reach_squared_by_q73 + t15 * p_x_by_q73;
+        const double p_x_by_q73 = u_e * M_e_by_q73 - u_y * M_y_by_q73 + s_e * u_e_by_q73 + s_y
+            * u_y_by_q73;
+        const double projection_by_q73 = 13.88888888888889 * reach_squared_by_q73 + t15
+            * p_x_by_q73;
         const double reach_by_q73 = 0.5 * reach_squared_by_q73 * t11;
-        const double limited_by_q73 = sinew_choose(t17, -(reach_by_q73 * t13 - projection_by_q73 * t14), reach_by_q73);
-        const double clearance_by_q73 = sinew_choose(t22, t19 * reach_by_q73 - t18 * limited_by_q73, 1e-12 * reach_squared_by_q73);
+        const double limited_by_q73 = sinew_choose(t17, -(reach_by_q73 * t13 - projection_by_q73
+            * t14), reach_by_q73);
+        const double clearance_by_q73 = sinew_choose(t22, t19 * reach_by_q73 - t18 * limited_by_q73,
+            1e-12 * reach_squared_by_q73);
         const double root_by_q73 = 0.5 * clearance_by_q73 * t23;
-        const double t60 = p_y * limited_by_q73 + p_z * root_by_q73 + limited * p_y_by_q73 - cos_A * reach_squared_by_q73;
+        const double t60 = p_y * limited_by_q73 + p_z * root_by_q73 + limited * p_y_by_q73 - cos_A
+            * reach_squared_by_q73;
         const double cos_A_by_q73 = t60 * t25;
         const double z_plane_x_by_q73 = u_y * cos_A_by_q73 - cos_A * u_y_by_q73;
-        const double t61 = p_y * root_by_q73 - p_z * limited_by_q73 + root * p_y_by_q73 - sin_A * reach_squared_by_q73;
+        const double t61 = p_y * root_by_q73 - p_z * limited_by_q73 + root * p_y_by_q73 - sin_A
+            * reach_squared_by_q73;
         const double sin_A_by_q73 = t61 * t25;
         const double z_x_by_q73 = cos_q71 * z_plane_x_by_q73 - sin_q71 * sin_A_by_q73;
         const double M_x_by_q73 = cos_q71 * M_e_by_q73;
@@ -3555,7 +4094,8 @@ void wrist_joint_torque_batch(int count, const double *SINEW_RESTRICT q71, const
         const double y_z_by_q73 = sin_q71 * u_e_by_q73;
         const double t70 = 0.011 * y_z_by_q73;
         const double strand_0_z_by_q73 = layer_0_z_by_q73 - t70;
-        const double t71 = strand_0_x * strand_0_x_by_q73 - strand_0_y * strand_0_y_by_q73 + strand_0_z * strand_0_z_by_q73;
+        const double t71 = strand_0_x * strand_0_x_by_q73 - strand_0_y * strand_0_y_by_q73
+            + strand_0_z * strand_0_z_by_q73;
         const double length_0_by_q73 = t71 * t53;
         const double t72 = 0.01 * y_x_by_q73;
         const double strand_1_x_by_q73 = layer_0_x_by_q73 - t72;
@@ -3563,7 +4103,8 @@ void wrist_joint_torque_batch(int count, const double *SINEW_RESTRICT q71, const
         const double strand_1_y_by_q73 = layer_0_y_by_q73 - t73;
         const double t74 = 0.01 * y_z_by_q73;
         const double strand_1_z_by_q73 = layer_0_z_by_q73 - t74;
-        const double t75 = strand_1_x * strand_1_x_by_q73 - strand_1_y * strand_1_y_by_q73 + strand_1_z * strand_1_z_by_q73;
+        const double t75 = strand_1_x * strand_1_x_by_q73 - strand_1_y * strand_1_y_by_q73
+            + strand_1_z * strand_1_z_by_q73;
         const double length_1_by_q73 = t75 * t59;
         const double t76 = 0.008 * y_z;
         const double strand_2_x_by_q71 = layer_0_x_by_q71 - t76;
@@ -3573,21 +4114,26 @@ void wrist_joint_torque_batch(int count, const double *SINEW_RESTRICT q71, const
         const double strand_2_y = 0.01 - layer_0_y + t78;
         const double strand_2_z_by_q71 = layer_0_z_by_q71 - t77;
         const double strand_2_z = layer_0_z + t76;
-        const double t79 = strand_2_x * strand_2_x_by_q71 - strand_2_y * layer_0_y_by_q71 - strand_2_z * strand_2_z_by_q71;
-        const double t80 = strand_2_x * strand_2_x + strand_2_y * strand_2_y + strand_2_z * strand_2_z;
+        const double t79 = strand_2_x * strand_2_x_by_q71 - strand_2_y * layer_0_y_by_q71
+            - strand_2_z * strand_2_z_by_q71;
+        const double t80 = strand_2_x * strand_2_x + strand_2_y * strand_2_y + strand_2_z
+            * strand_2_z;
         const double length_2 = sinew_sqrt(t80);
         const double t81 = 1.0 / length_2;
         const double length_2_by_q71 = t79 * t81;
-        const double t82 = f[state] * length_0_by_q71 + f[1 * n + state] * length_1_by_q71 + f[2 * n + state] * length_2_by_q71;
+        const double t82 = f[state] * length_0_by_q71 + f[1 * n + state] * length_1_by_q71 + f[2 * n
+            + state] * length_2_by_q71;
         const double t83 = 0.008 * y_x_by_q73;
         const double strand_2_x_by_q73 = layer_0_x_by_q73 - t83;
         const double t84 = 0.008 * u_y_by_q73;
         const double strand_2_y_by_q73 = layer_0_y_by_q73 - t84;
         const double t85 = 0.008 * y_z_by_q73;
         const double strand_2_z_by_q73 = layer_0_z_by_q73 - t85;
-        const double t86 = strand_2_x * strand_2_x_by_q73 - strand_2_y * strand_2_y_by_q73 + strand_2_z * strand_2_z_by_q73;
+        const double t86 = strand_2_x * strand_2_x_by_q73 - strand_2_y * strand_2_y_by_q73
+            + strand_2_z * strand_2_z_by_q73;
         const double length_2_by_q73 = t86 * t81;
-        const double t87 = f[state] * length_0_by_q73 + f[1 * n + state] * length_1_by_q73 + f[2 * n + state] * length_2_by_q73;
+        const double t87 = f[state] * length_0_by_q73 + f[1 * n + state] * length_1_by_q73 + f[2 * n
+            + state] * length_2_by_q73;
         const double t88 = 0.006 * y_z;
         const double strand_3_x_by_q71 = layer_0_x_by_q71 - t88;
         const double t89 = 0.006 * y_x;
@@ -3596,8 +4142,10 @@ void wrist_joint_torque_batch(int count, const double *SINEW_RESTRICT q71, const
         const double strand_3_y = 0.011 - layer_0_y + t90;
         const double strand_3_z_by_q71 = layer_0_z_by_q71 - t89;
         const double strand_3_z = layer_0_z + t88;
-        const double t91 = strand_3_x * strand_3_x_by_q71 - strand_3_y * layer_0_y_by_q71 - strand_3_z * strand_3_z_by_q71;
-        const double t92 = strand_3_x * strand_3_x + strand_3_y * strand_3_y + strand_3_z * strand_3_z;
+        const double t91 = strand_3_x * strand_3_x_by_q71 - strand_3_y * layer_0_y_by_q71
+            - strand_3_z * strand_3_z_by_q71;
+        const double t92 = strand_3_x * strand_3_x + strand_3_y * strand_3_y + strand_3_z
+            * strand_3_z;
         const double length_3 = sinew_sqrt(t92);
         const double t93 = 1.0 / length_3;
         const double length_3_by_q71 = t91 * t93;
@@ -3607,7 +4155,8 @@ void wrist_joint_torque_batch(int count, const double *SINEW_RESTRICT q71, const
         const double strand_3_y_by_q73 = layer_0_y_by_q73 - t95;
         const double t96 = 0.006 * y_z_by_q73;
         const double strand_3_z_by_q73 = layer_0_z_by_q73 - t96;
-        const double t97 = strand_3_x * strand_3_x_by_q73 - strand_3_y * strand_3_y_by_q73 + strand_3_z * strand_3_z_by_q73;
+        const double t97 = strand_3_x * strand_3_x_by_q73 - strand_3_y * strand_3_y_by_q73
+            + strand_3_z * strand_3_z_by_q73;
         const double length_3_by_q73 = t97 * t93;
         const double t98 = 0.005 * y_z;
         const double strand_4_x_by_q71 = layer_0_x_by_q71 - t98;
@@ -3617,21 +4166,26 @@ void wrist_joint_torque_batch(int count, const double *SINEW_RESTRICT q71, const
         const double strand_4_y = 0.013 - layer_0_y + t100;
         const double strand_4_z_by_q71 = layer_0_z_by_q71 - t99;
         const double strand_4_z = layer_0_z + t98;
-        const double t101 = strand_4_x * strand_4_x_by_q71 - strand_4_y * layer_0_y_by_q71 - strand_4_z * strand_4_z_by_q71;
-        const double t102 = strand_4_x * strand_4_x + strand_4_y * strand_4_y + strand_4_z * strand_4_z;
+        const double t101 = strand_4_x * strand_4_x_by_q71 - strand_4_y * layer_0_y_by_q71
+            - strand_4_z * strand_4_z_by_q71;
+        const double t102 = strand_4_x * strand_4_x + strand_4_y * strand_4_y + strand_4_z
+            * strand_4_z;
         const double length_4 = sinew_sqrt(t102);
         const double t103 = 1.0 / length_4;
         const double length_4_by_q71 = t101 * t103;
-        const double t104 = t82 + f[3 * n + state] * length_3_by_q71 + f[4 * n + state] * length_4_by_q71;
+        const double t104 = t82 + f[3 * n + state] * length_3_by_q71 + f[4 * n + state]
+            * length_4_by_q71;
         const double t105 = 0.005 * y_x_by_q73;
         const double strand_4_x_by_q73 = layer_0_x_by_q73 - t105;
         const double t106 = 0.005 * u_y_by_q73;
         const double strand_4_y_by_q73 = layer_0_y_by_q73 - t106;
         const double t107 = 0.005 * y_z_by_q73;
         const double strand_4_z_by_q73 = layer_0_z_by_q73 - t107;
-        const double t108 = strand_4_x * strand_4_x_by_q73 - strand_4_y * strand_4_y_by_q73 + strand_4_z * strand_4_z_by_q73;
+        const double t108 = strand_4_x * strand_4_x_by_q73 - strand_4_y * strand_4_y_by_q73
+            + strand_4_z * strand_4_z_by_q73;
         const double length_4_by_q73 = t108 * t103;
-        const double t109 = t87 + f[3 * n + state] * length_3_by_q73 + f[4 * n + state] * length_4_by_q73;
+        const double t109 = t87 + f[3 * n + state] * length_3_by_q73 + f[4 * n + state]
+            * length_4_by_q73;
         const double t110 = 0.003 * y_z;
         const double strand_5_x_by_q71 = layer_0_x_by_q71 - t110;
         const double t111 = 0.003 * y_x;
@@ -3640,8 +4194,10 @@ void wrist_joint_torque_batch(int count, const double *SINEW_RESTRICT q71, const
         const double strand_5_y = 0.015 - layer_0_y + t112;
         const double strand_5_z_by_q71 = layer_0_z_by_q71 - t111;
         const double strand_5_z = layer_0_z + t110;
-        const double t113 = strand_5_x * strand_5_x_by_q71 - strand_5_y * layer_0_y_by_q71 - strand_5_z * strand_5_z_by_q71;
-        const double t114 = strand_5_x * strand_5_x + strand_5_y * strand_5_y + strand_5_z * strand_5_z;
+        const double t113 = strand_5_x * strand_5_x_by_q71 - strand_5_y * layer_0_y_by_q71
+            - strand_5_z * strand_5_z_by_q71;
+        const double t114 = strand_5_x * strand_5_x + strand_5_y * strand_5_y + strand_5_z
+            * strand_5_z;
         const double length_5 = sinew_sqrt(t114);
         const double t115 = 1.0 / length_5;
         const double length_5_by_q71 = t113 * t115;
@@ -3651,7 +4207,8 @@ void wrist_joint_torque_batch(int count, const double *SINEW_RESTRICT q71, const
         const double strand_5_y_by_q73 = layer_0_y_by_q73 - t117;
         const double t118 = 0.003 * y_z_by_q73;
         const double strand_5_z_by_q73 = layer_0_z_by_q73 - t118;
-        const double t119 = strand_5_x * strand_5_x_by_q73 - strand_5_y * strand_5_y_by_q73 + strand_5_z * strand_5_z_by_q73;
+        const double t119 = strand_5_x * strand_5_x_by_q73 - strand_5_y * strand_5_y_by_q73
+            + strand_5_z * strand_5_z_by_q73;
         const double length_5_by_q73 = t119 * t115;
         const double t120 = 0.002 * y_z;
         const double strand_6_x_by_q71 = layer_0_x_by_q71 - t120;
@@ -3661,141 +4218,178 @@ void wrist_joint_torque_batch(int count, const double *SINEW_RESTRICT q71, const
         const double strand_6_y = 0.016 - layer_0_y + t122;
         const double strand_6_z_by_q71 = layer_0_z_by_q71 - t121;
         const double strand_6_z = layer_0_z + t120;
-        const double t123 = strand_6_x * strand_6_x_by_q71 - strand_6_y * layer_0_y_by_q71 - strand_6_z * strand_6_z_by_q71;
-        const double t124 = strand_6_x * strand_6_x + strand_6_y * strand_6_y + strand_6_z * strand_6_z;
+        const double t123 = strand_6_x * strand_6_x_by_q71 - strand_6_y * layer_0_y_by_q71
+            - strand_6_z * strand_6_z_by_q71;
+        const double t124 = strand_6_x * strand_6_x + strand_6_y * strand_6_y + strand_6_z
+            * strand_6_z;
         const double length_6 = sinew_sqrt(t124);
         const double t125 = 1.0 / length_6;
         const double length_6_by_q71 = t123 * t125;
-        const double t126 = t104 + f[5 * n + state] * length_5_by_q71 + f[6 * n + state] * length_6_by_q71;
+        const double t126 = t104 + f[5 * n + state] * length_5_by_q71 + f[6 * n + state]
+            * length_6_by_q71;
         const double t127 = 0.002 * y_x_by_q73;
         const double strand_6_x_by_q73 = layer_0_x_by_q73 - t127;
         const double t128 = 0.002 * u_y_by_q73;
         const double strand_6_y_by_q73 = layer_0_y_by_q73 - t128;
         const double t129 = 0.002 * y_z_by_q73;
         const double strand_6_z_by_q73 = layer_0_z_by_q73 - t129;
-        const double t130 = strand_6_x * strand_6_x_by_q73 - strand_6_y * strand_6_y_by_q73 + strand_6_z * strand_6_z_by_q73;
+        const double t130 = strand_6_x * strand_6_x_by_q73 - strand_6_y * strand_6_y_by_q73
+            + strand_6_z * strand_6_z_by_q73;
         const double length_6_by_q73 = t130 * t125;
-        const double t131 = t109 + f[5 * n + state] * length_5_by_q73 + f[6 * n + state] * length_6_by_q73;
+        const double t131 = t109 + f[5 * n + state] * length_5_by_q73 + f[6 * n + state]
+            * length_6_by_q73;
         const double strand_7_y = 0.018 - layer_0_y;
-        const double t132 = layer_0_x * layer_0_x_by_q71 - layer_0_z * layer_0_z_by_q71 - strand_7_y * layer_0_y_by_q71;
-        const double length_7 = sinew_sqrt(layer_0_x * layer_0_x + layer_0_z * layer_0_z + strand_7_y * strand_7_y);
+        const double t132 = layer_0_x * layer_0_x_by_q71 - layer_0_z * layer_0_z_by_q71 - strand_7_y
+            * layer_0_y_by_q71;
+        const double length_7 = sinew_sqrt(layer_0_x * layer_0_x + layer_0_z * layer_0_z
+            + strand_7_y * strand_7_y);
         const double t133 = 1.0 / length_7;
         const double length_7_by_q71 = t132 * t133;
-        const double t134 = layer_0_x * layer_0_x_by_q73 + layer_0_z * layer_0_z_by_q73 - strand_7_y * layer_0_y_by_q73;
+        const double t134 = layer_0_x * layer_0_x_by_q73 + layer_0_z * layer_0_z_by_q73 - strand_7_y
+            * layer_0_y_by_q73;
         const double length_7_by_q73 = t134 * t133;
         const double strand_8_x_by_q71 = layer_0_x_by_q71 + t120;
         const double strand_8_x = layer_0_x - t121;
         const double strand_8_y = 0.019 - layer_0_y - t122;
         const double strand_8_z_by_q71 = layer_0_z_by_q71 + t121;
         const double strand_8_z = layer_0_z - t120;
-        const double t135 = strand_8_x * strand_8_x_by_q71 - strand_8_y * layer_0_y_by_q71 - strand_8_z * strand_8_z_by_q71;
-        const double t136 = strand_8_x * strand_8_x + strand_8_y * strand_8_y + strand_8_z * strand_8_z;
+        const double t135 = strand_8_x * strand_8_x_by_q71 - strand_8_y * layer_0_y_by_q71
+            - strand_8_z * strand_8_z_by_q71;
+        const double t136 = strand_8_x * strand_8_x + strand_8_y * strand_8_y + strand_8_z
+            * strand_8_z;
         const double length_8 = sinew_sqrt(t136);
         const double t137 = 1.0 / length_8;
         const double length_8_by_q71 = t135 * t137;
-        const double t138 = t126 + f[7 * n + state] * length_7_by_q71 + f[8 * n + state] * length_8_by_q71;
+        const double t138 = t126 + f[7 * n + state] * length_7_by_q71 + f[8 * n + state]
+            * length_8_by_q71;
         const double strand_8_x_by_q73 = layer_0_x_by_q73 + t127;
         const double strand_8_y_by_q73 = layer_0_y_by_q73 + t128;
         const double strand_8_z_by_q73 = layer_0_z_by_q73 + t129;
-        const double t139 = strand_8_x * strand_8_x_by_q73 - strand_8_y * strand_8_y_by_q73 + strand_8_z * strand_8_z_by_q73;
+        const double t139 = strand_8_x * strand_8_x_by_q73 - strand_8_y * strand_8_y_by_q73
+            + strand_8_z * strand_8_z_by_q73;
         const double length_8_by_q73 = t139 * t137;
-        const double t140 = t131 + f[7 * n + state] * length_7_by_q73 + f[8 * n + state] * length_8_by_q73;
+        const double t140 = t131 + f[7 * n + state] * length_7_by_q73 + f[8 * n + state]
+            * length_8_by_q73;
         const double strand_9_x_by_q71 = layer_0_x_by_q71 + t110;
         const double strand_9_x = layer_0_x - t111;
         const double strand_9_y = 0.021 - layer_0_y - t112;
         const double strand_9_z_by_q71 = layer_0_z_by_q71 + t111;
         const double strand_9_z = layer_0_z - t110;
-        const double t141 = strand_9_x * strand_9_x_by_q71 - strand_9_y * layer_0_y_by_q71 - strand_9_z * strand_9_z_by_q71;
-        const double t142 = strand_9_x * strand_9_x + strand_9_y * strand_9_y + strand_9_z * strand_9_z;
+        const double t141 = strand_9_x * strand_9_x_by_q71 - strand_9_y * layer_0_y_by_q71
+            - strand_9_z * strand_9_z_by_q71;
+        const double t142 = strand_9_x * strand_9_x + strand_9_y * strand_9_y + strand_9_z
+            * strand_9_z;
         const double length_9 = sinew_sqrt(t142);
         const double t143 = 1.0 / length_9;
         const double length_9_by_q71 = t141 * t143;
         const double strand_9_x_by_q73 = layer_0_x_by_q73 + t116;
         const double strand_9_y_by_q73 = layer_0_y_by_q73 + t117;
         const double strand_9_z_by_q73 = layer_0_z_by_q73 + t118;
-        const double t144 = strand_9_x * strand_9_x_by_q73 - strand_9_y * strand_9_y_by_q73 + strand_9_z * strand_9_z_by_q73;
+        const double t144 = strand_9_x * strand_9_x_by_q73 - strand_9_y * strand_9_y_by_q73
+            + strand_9_z * strand_9_z_by_q73;
         const double length_9_by_q73 = t144 * t143;
         const double strand_10_x_by_q71 = layer_0_x_by_q71 + t98;
         const double strand_10_x = layer_0_x - t99;
         const double strand_10_y = 0.023 - layer_0_y - t100;
         const double strand_10_z_by_q71 = layer_0_z_by_q71 + t99;
         const double strand_10_z = layer_0_z - t98;
-        const double t145 = strand_10_x * strand_10_x_by_q71 - strand_10_y * layer_0_y_by_q71 - strand_10_z * strand_10_z_by_q71;
-        const double t146 = strand_10_x * strand_10_x + strand_10_y * strand_10_y + strand_10_z * strand_10_z;
+        const double t145 = strand_10_x * strand_10_x_by_q71 - strand_10_y * layer_0_y_by_q71
+            - strand_10_z * strand_10_z_by_q71;
+        const double t146 = strand_10_x * strand_10_x + strand_10_y * strand_10_y + strand_10_z
+            * strand_10_z;
         const double length_10 = sinew_sqrt(t146);
         const double t147 = 1.0 / length_10;
         const double length_10_by_q71 = t145 * t147;
-        const double t148 = t138 + f[9 * n + state] * length_9_by_q71 + f[10 * n + state] * length_10_by_q71;
+        const double t148 = t138 + f[9 * n + state] * length_9_by_q71 + f[10 * n + state]
+            * length_10_by_q71;
         const double strand_10_x_by_q73 = layer_0_x_by_q73 + t105;
         const double strand_10_y_by_q73 = layer_0_y_by_q73 + t106;
         const double strand_10_z_by_q73 = layer_0_z_by_q73 + t107;
-        const double t149 = strand_10_x * strand_10_x_by_q73 - strand_10_y * strand_10_y_by_q73 + strand_10_z * strand_10_z_by_q73;
+        const double t149 = strand_10_x * strand_10_x_by_q73 - strand_10_y * strand_10_y_by_q73
+            + strand_10_z * strand_10_z_by_q73;
         const double length_10_by_q73 = t149 * t147;
-        const double t150 = t140 + f[9 * n + state] * length_9_by_q73 + f[10 * n + state] * length_10_by_q73;
+        const double t150 = t140 + f[9 * n + state] * length_9_by_q73 + f[10 * n + state]
+            * length_10_by_q73;
         const double strand_11_x_by_q71 = layer_0_x_by_q71 + t88;
         const double strand_11_x = layer_0_x - t89;
         const double strand_11_y = 0.024 - layer_0_y - t90;
         const double strand_11_z_by_q71 = layer_0_z_by_q71 + t89;
         const double strand_11_z = layer_0_z - t88;
-        const double t151 = strand_11_x * strand_11_x_by_q71 - strand_11_y * layer_0_y_by_q71 - strand_11_z * strand_11_z_by_q71;
-        const double t152 = strand_11_x * strand_11_x + strand_11_y * strand_11_y + strand_11_z * strand_11_z;
+        const double t151 = strand_11_x * strand_11_x_by_q71 - strand_11_y * layer_0_y_by_q71
+            - strand_11_z * strand_11_z_by_q71;
+        const double t152 = strand_11_x * strand_11_x + strand_11_y * strand_11_y + strand_11_z
+            * strand_11_z;
         const double length_11 = sinew_sqrt(t152);
         const double t153 = 1.0 / length_11;
         const double length_11_by_q71 = t151 * t153;
         const double strand_11_x_by_q73 = layer_0_x_by_q73 + t94;
         const double strand_11_y_by_q73 = layer_0_y_by_q73 + t95;
         const double strand_11_z_by_q73 = layer_0_z_by_q73 + t96;
-        const double t154 = strand_11_x * strand_11_x_by_q73 - strand_11_y * strand_11_y_by_q73 + strand_11_z * strand_11_z_by_q73;
+        const double t154 = strand_11_x * strand_11_x_by_q73 - strand_11_y * strand_11_y_by_q73
+            + strand_11_z * strand_11_z_by_q73;
         const double length_11_by_q73 = t154 * t153;
         const double strand_12_x_by_q71 = layer_0_x_by_q71 + t76;
         const double strand_12_x = layer_0_x - t77;
         const double strand_12_y = 0.026 - layer_0_y - t78;
         const double strand_12_z_by_q71 = layer_0_z_by_q71 + t77;
         const double strand_12_z = layer_0_z - t76;
-        const double t155 = strand_12_x * strand_12_x_by_q71 - strand_12_y * layer_0_y_by_q71 - strand_12_z * strand_12_z_by_q71;
-        const double t156 = strand_12_x * strand_12_x + strand_12_y * strand_12_y + strand_12_z * strand_12_z;
+        const double t155 = strand_12_x * strand_12_x_by_q71 - strand_12_y * layer_0_y_by_q71
+            - strand_12_z * strand_12_z_by_q71;
+        const double t156 = strand_12_x * strand_12_x + strand_12_y * strand_12_y + strand_12_z
+            * strand_12_z;
         const double length_12 = sinew_sqrt(t156);
         const double t157 = 1.0 / length_12;
         const double length_12_by_q71 = t155 * t157;
-        const double t158 = t148 + f[11 * n + state] * length_11_by_q71 + f[12 * n + state] * length_12_by_q71;
+        const double t158 = t148 + f[11 * n + state] * length_11_by_q71 + f[12 * n + state]
+            * length_12_by_q71;
         const double strand_12_x_by_q73 = layer_0_x_by_q73 + t83;
         const double strand_12_y_by_q73 = layer_0_y_by_q73 + t84;
         const double strand_12_z_by_q73 = layer_0_z_by_q73 + t85;
-        const double t159 = strand_12_x * strand_12_x_by_q73 - strand_12_y * strand_12_y_by_q73 + strand_12_z * strand_12_z_by_q73;
+        const double t159 = strand_12_x * strand_12_x_by_q73 - strand_12_y * strand_12_y_by_q73
+            + strand_12_z * strand_12_z_by_q73;
         const double length_12_by_q73 = t159 * t157;
-        const double t160 = t150 + f[11 * n + state] * length_11_by_q73 + f[12 * n + state] * length_12_by_q73;
+        const double t160 = t150 + f[11 * n + state] * length_11_by_q73 + f[12 * n + state]
+            * length_12_by_q73;
         const double strand_13_x_by_q71 = layer_0_x_by_q71 + t54;
         const double strand_13_x = layer_0_x - t55;
         const double strand_13_y = 0.027 - layer_0_y - t56;
         const double strand_13_z_by_q71 = layer_0_z_by_q71 + t55;
         const double strand_13_z = layer_0_z - t54;
-        const double t161 = strand_13_x * strand_13_x_by_q71 - strand_13_y * layer_0_y_by_q71 - strand_13_z * strand_13_z_by_q71;
-        const double t162 = strand_13_x * strand_13_x + strand_13_y * strand_13_y + strand_13_z * strand_13_z;
+        const double t161 = strand_13_x * strand_13_x_by_q71 - strand_13_y * layer_0_y_by_q71
+            - strand_13_z * strand_13_z_by_q71;
+        const double t162 = strand_13_x * strand_13_x + strand_13_y * strand_13_y + strand_13_z
+            * strand_13_z;
         const double length_13 = sinew_sqrt(t162);
         const double t163 = 1.0 / length_13;
         const double length_13_by_q71 = t161 * t163;
         const double strand_13_x_by_q73 = layer_0_x_by_q73 + t72;
         const double strand_13_y_by_q73 = layer_0_y_by_q73 + t73;
         const double strand_13_z_by_q73 = layer_0_z_by_q73 + t74;
-        const double t164 = strand_13_x * strand_13_x_by_q73 - strand_13_y * strand_13_y_by_q73 + strand_13_z * strand_13_z_by_q73;
+        const double t164 = strand_13_x * strand_13_x_by_q73 - strand_13_y * strand_13_y_by_q73
+            + strand_13_z * strand_13_z_by_q73;
         const double length_13_by_q73 = t164 * t163;
         const double strand_14_x_by_q71 = layer_0_x_by_q71 + t33;
         const double strand_14_x = layer_0_x - t40;
         const double strand_14_y = 0.029 - layer_0_y - t46;
         const double strand_14_z_by_q71 = layer_0_z_by_q71 + t40;
         const double strand_14_z = layer_0_z - t33;
-        const double t165 = strand_14_x * strand_14_x_by_q71 - strand_14_y * layer_0_y_by_q71 - strand_14_z * strand_14_z_by_q71;
-        const double t166 = strand_14_x * strand_14_x + strand_14_y * strand_14_y + strand_14_z * strand_14_z;
+        const double t165 = strand_14_x * strand_14_x_by_q71 - strand_14_y * layer_0_y_by_q71
+            - strand_14_z * strand_14_z_by_q71;
+        const double t166 = strand_14_x * strand_14_x + strand_14_y * strand_14_y + strand_14_z
+            * strand_14_z;
         const double length_14 = sinew_sqrt(t166);
         const double t167 = 1.0 / length_14;
         const double length_14_by_q71 = t165 * t167;
-        const double t168 = t158 + f[13 * n + state] * length_13_by_q71 + f[14 * n + state] * length_14_by_q71;
+        const double t168 = t158 + f[13 * n + state] * length_13_by_q71 + f[14 * n + state]
+            * length_14_by_q71;
         const double strand_14_x_by_q73 = layer_0_x_by_q73 + t64;
         const double strand_14_y_by_q73 = layer_0_y_by_q73 + t67;
         const double strand_14_z_by_q73 = layer_0_z_by_q73 + t70;
-        const double t169 = strand_14_x * strand_14_x_by_q73 - strand_14_y * strand_14_y_by_q73 + strand_14_z * strand_14_z_by_q73;
+        const double t169 = strand_14_x * strand_14_x_by_q73 - strand_14_y * strand_14_y_by_q73
+            + strand_14_z * strand_14_z_by_q73;
         const double length_14_by_q73 = t169 * t167;
-        const double t170 = t160 + f[13 * n + state] * length_13_by_q73 + f[14 * n + state] * length_14_by_q73;
+        const double t170 = t160 + f[13 * n + state] * length_13_by_q73 + f[14 * n + state]
+            * length_14_by_q73;
         const double t171 = 0.013 * y_z;
         const double strand_15_x_by_q71 = layer_0_x_by_q71 + t171;
         const double t172 = 0.013 * y_x;
@@ -3804,8 +4398,10 @@ void wrist_joint_torque_batch(int count, const double *SINEW_RESTRICT q71, const
         const double strand_15_y = 0.031 - layer_0_y - t173;
         const double strand_15_z_by_q71 = layer_0_z_by_q71 + t172;
         const double strand_15_z = layer_0_z - t171;
-        const double t174 = strand_15_x * strand_15_x_by_q71 - strand_15_y * layer_0_y_by_q71 - strand_15_z * strand_15_z_by_q71;
-        const double t175 = strand_15_x * strand_15_x + strand_15_y * strand_15_y + strand_15_z * strand_15_z;
+        const double t174 = strand_15_x * strand_15_x_by_q71 - strand_15_y * layer_0_y_by_q71
+            - strand_15_z * strand_15_z_by_q71;
+        const double t175 = strand_15_x * strand_15_x + strand_15_y * strand_15_y + strand_15_z
+            * strand_15_z;
         const double length_15 = sinew_sqrt(t175);
         const double t176 = 1.0 / length_15;
         const double length_15_by_q71 = t174 * t176;
@@ -3815,7 +4411,8 @@ void wrist_joint_torque_batch(int count, const double *SINEW_RESTRICT q71, const
         const double strand_15_y_by_q73 = layer_0_y_by_q73 + t178;
         const double t179 = 0.013 * y_z_by_q73;
         const double strand_15_z_by_q73 = layer_0_z_by_q73 + t179;
-        const double t180 = strand_15_x * strand_15_x_by_q73 - strand_15_y * strand_15_y_by_q73 + strand_15_z * strand_15_z_by_q73;
+        const double t180 = strand_15_x * strand_15_x_by_q73 - strand_15_y * strand_15_y_by_q73
+            + strand_15_z * strand_15_z_by_q73;
         const double length_15_by_q73 = t180 * t176;
         const double t181 = 0.014 * y_z;
         const double strand_16_x_by_q71 = layer_0_x_by_q71 + t181;
@@ -3825,21 +4422,26 @@ void wrist_joint_torque_batch(int count, const double *SINEW_RESTRICT q71, const
         const double strand_16_y = 0.032 - layer_0_y - t183;
         const double strand_16_z_by_q71 = layer_0_z_by_q71 + t182;
         const double strand_16_z = layer_0_z - t181;
-        const double t184 = strand_16_x * strand_16_x_by_q71 - strand_16_y * layer_0_y_by_q71 - strand_16_z * strand_16_z_by_q71;
-        const double t185 = strand_16_x * strand_16_x + strand_16_y * strand_16_y + strand_16_z * strand_16_z;
+        const double t184 = strand_16_x * strand_16_x_by_q71 - strand_16_y * layer_0_y_by_q71
+            - strand_16_z * strand_16_z_by_q71;
+        const double t185 = strand_16_x * strand_16_x + strand_16_y * strand_16_y + strand_16_z
+            * strand_16_z;
         const double length_16 = sinew_sqrt(t185);
         const double t186 = 1.0 / length_16;
         const double length_16_by_q71 = t184 * t186;
-        const double t187 = t168 + f[15 * n + state] * length_15_by_q71 + f[16 * n + state] * length_16_by_q71;
+        const double t187 = t168 + f[15 * n + state] * length_15_by_q71 + f[16 * n + state]
+            * length_16_by_q71;
         const double t188 = 0.014 * y_x_by_q73;
         const double strand_16_x_by_q73 = layer_0_x_by_q73 + t188;
         const double t189 = 0.014 * u_y_by_q73;
         const double strand_16_y_by_q73 = layer_0_y_by_q73 + t189;
         const double t190 = 0.014 * y_z_by_q73;
         const double strand_16_z_by_q73 = layer_0_z_by_q73 + t190;
-        const double t191 = strand_16_x * strand_16_x_by_q73 - strand_16_y * strand_16_y_by_q73 + strand_16_z * strand_16_z_by_q73;
+        const double t191 = strand_16_x * strand_16_x_by_q73 - strand_16_y * strand_16_y_by_q73
+            + strand_16_z * strand_16_z_by_q73;
         const double length_16_by_q73 = t191 * t186;
-        const double t192 = t170 + f[15 * n + state] * length_15_by_q73 + f[16 * n + state] * length_16_by_q73;
+        const double t192 = t170 + f[15 * n + state] * length_15_by_q73 + f[16 * n + state]
+            * length_16_by_q73;
         const double t193 = 0.016 * y_z;
         const double strand_17_x_by_q71 = layer_0_x_by_q71 + t193;
         const double t194 = 0.016 * y_x;
@@ -3848,8 +4450,10 @@ void wrist_joint_torque_batch(int count, const double *SINEW_RESTRICT q71, const
         const double strand_17_y = 0.034 - layer_0_y - t195;
         const double strand_17_z_by_q71 = layer_0_z_by_q71 + t194;
         const double strand_17_z = layer_0_z - t193;
-        const double t196 = strand_17_x * strand_17_x_by_q71 - strand_17_y * layer_0_y_by_q71 - strand_17_z * strand_17_z_by_q71;
-        const double t197 = strand_17_x * strand_17_x + strand_17_y * strand_17_y + strand_17_z * strand_17_z;
+        const double t196 = strand_17_x * strand_17_x_by_q71 - strand_17_y * layer_0_y_by_q71
+            - strand_17_z * strand_17_z_by_q71;
+        const double t197 = strand_17_x * strand_17_x + strand_17_y * strand_17_y + strand_17_z
+            * strand_17_z;
         const double length_17 = sinew_sqrt(t197);
         const double t198 = 1.0 / length_17;
         const double length_17_by_q71 = t196 * t198;
@@ -3859,7 +4463,8 @@ void wrist_joint_torque_batch(int count, const double *SINEW_RESTRICT q71, const
         const double strand_17_y_by_q73 = layer_0_y_by_q73 + t200;
         const double t201 = 0.016 * y_z_by_q73;
         const double strand_17_z_by_q73 = layer_0_z_by_q73 + t201;
-        const double t202 = strand_17_x * strand_17_x_by_q73 - strand_17_y * strand_17_y_by_q73 + strand_17_z * strand_17_z_by_q73;
+        const double t202 = strand_17_x * strand_17_x_by_q73 - strand_17_y * strand_17_y_by_q73
+            + strand_17_z * strand_17_z_by_q73;
         const double length_17_by_q73 = t202 * t198;
         const double t203 = 0.018 * y_z;
         const double strand_18_x_by_q71 = layer_0_x_by_q71 + t203;
@@ -3868,18 +4473,23 @@ void wrist_joint_torque_batch(int count, const double *SINEW_RESTRICT q71, const
         const double strand_18_y = 0.035 - layer_0_y - 0.018 * u_y;
         const double strand_18_z_by_q71 = layer_0_z_by_q71 + t204;
         const double strand_18_z = layer_0_z - t203;
-        const double t205 = strand_18_x * strand_18_x_by_q71 - strand_18_y * layer_0_y_by_q71 - strand_18_z * strand_18_z_by_q71;
-        const double t206 = strand_18_x * strand_18_x + strand_18_y * strand_18_y + strand_18_z * strand_18_z;
+        const double t205 = strand_18_x * strand_18_x_by_q71 - strand_18_y * layer_0_y_by_q71
+            - strand_18_z * strand_18_z_by_q71;
+        const double t206 = strand_18_x * strand_18_x + strand_18_y * strand_18_y + strand_18_z
+            * strand_18_z;
         const double length_18 = sinew_sqrt(t206);
         const double t207 = 1.0 / length_18;
         const double length_18_by_q71 = t205 * t207;
-        const double t208 = t187 + f[17 * n + state] * length_17_by_q71 + f[18 * n + state] * length_18_by_q71;
+        const double t208 = t187 + f[17 * n + state] * length_17_by_q71 + f[18 * n + state]
+            * length_18_by_q71;
         const double strand_18_x_by_q73 = layer_0_x_by_q73 + 0.018 * y_x_by_q73;
         const double strand_18_y_by_q73 = layer_0_y_by_q73 + 0.018 * u_y_by_q73;
         const double strand_18_z_by_q73 = layer_0_z_by_q73 + 0.018 * y_z_by_q73;
-        const double t209 = strand_18_x * strand_18_x_by_q73 - strand_18_y * strand_18_y_by_q73 + strand_18_z * strand_18_z_by_q73;
+        const double t209 = strand_18_x * strand_18_x_by_q73 - strand_18_y * strand_18_y_by_q73
+            + strand_18_z * strand_18_z_by_q73;
         const double length_18_by_q73 = t209 * t207;
-        const double t210 = t192 + f[17 * n + state] * length_17_by_q73 + f[18 * n + state] * length_18_by_q73;
+        const double t210 = t192 + f[17 * n + state] * length_17_by_q73 + f[18 * n + state]
+            * length_18_by_q73;
         const double layer_1_x_by_q71 = t31 - t32;
         const double strand_19_x_by_q71 = layer_1_x_by_q71 - t171;
         const double layer_1_x = t38 + t39;
@@ -3891,8 +4501,10 @@ void wrist_joint_torque_batch(int count, const double *SINEW_RESTRICT q71, const
         const double strand_19_z_by_q71 = layer_1_z_by_q71 - t172;
         const double layer_1_z = 0.028 - origin_z - t49 + t50;
         const double strand_19_z = layer_1_z + t171;
-        const double t211 = strand_19_x * strand_19_x_by_q71 - strand_19_y * layer_1_y_by_q71 - strand_19_z * strand_19_z_by_q71;
-        const double t212 = strand_19_x * strand_19_x + strand_19_y * strand_19_y + strand_19_z * strand_19_z;
+        const double t211 = strand_19_x * strand_19_x_by_q71 - strand_19_y * layer_1_y_by_q71
+            - strand_19_z * strand_19_z_by_q71;
+        const double t212 = strand_19_x * strand_19_x + strand_19_y * strand_19_y + strand_19_z
+            * strand_19_z;
         const double length_19 = sinew_sqrt(t212);
         const double t213 = 1.0 / length_19;
         const double length_19_by_q71 = t211 * t213;
@@ -3902,288 +4514,361 @@ void wrist_joint_torque_batch(int count, const double *SINEW_RESTRICT q71, const
         const double strand_19_y_by_q73 = layer_1_y_by_q73 - t178;
         const double layer_1_z_by_q73 = t68 - t69;
         const double strand_19_z_by_q73 = layer_1_z_by_q73 - t179;
-        const double t214 = strand_19_x * strand_19_x_by_q73 - strand_19_y * strand_19_y_by_q73 + strand_19_z * strand_19_z_by_q73;
+        const double t214 = strand_19_x * strand_19_x_by_q73 - strand_19_y * strand_19_y_by_q73
+            + strand_19_z * strand_19_z_by_q73;
         const double length_19_by_q73 = t214 * t213;
         const double strand_20_x_by_q71 = layer_1_x_by_q71 - t33;
         const double strand_20_x = layer_1_x + t40;
         const double strand_20_y = 0.007 - layer_1_y + t46;
         const double strand_20_z_by_q71 = layer_1_z_by_q71 - t40;
         const double strand_20_z = layer_1_z + t33;
-        const double t215 = strand_20_x * strand_20_x_by_q71 - strand_20_y * layer_1_y_by_q71 - strand_20_z * strand_20_z_by_q71;
-        const double t216 = strand_20_x * strand_20_x + strand_20_y * strand_20_y + strand_20_z * strand_20_z;
+        const double t215 = strand_20_x * strand_20_x_by_q71 - strand_20_y * layer_1_y_by_q71
+            - strand_20_z * strand_20_z_by_q71;
+        const double t216 = strand_20_x * strand_20_x + strand_20_y * strand_20_y + strand_20_z
+            * strand_20_z;
         const double length_20 = sinew_sqrt(t216);
         const double t217 = 1.0 / length_20;
         const double length_20_by_q71 = t215 * t217;
-        const double t218 = t208 + f[19 * n + state] * length_19_by_q71 + f[20 * n + state] * length_20_by_q71;
+        const double t218 = t208 + f[19 * n + state] * length_19_by_q71 + f[20 * n + state]
+            * length_20_by_q71;
         const double strand_20_x_by_q73 = layer_1_x_by_q73 - t64;
         const double strand_20_y_by_q73 = layer_1_y_by_q73 - t67;
         const double strand_20_z_by_q73 = layer_1_z_by_q73 - t70;
-        const double t219 = strand_20_x * strand_20_x_by_q73 - strand_20_y * strand_20_y_by_q73 + strand_20_z * strand_20_z_by_q73;
+        const double t219 = strand_20_x * strand_20_x_by_q73 - strand_20_y * strand_20_y_by_q73
+            + strand_20_z * strand_20_z_by_q73;
         const double length_20_by_q73 = t219 * t217;
-        const double t220 = t210 + f[19 * n + state] * length_19_by_q73 + f[20 * n + state] * length_20_by_q73;
+        const double t220 = t210 + f[19 * n + state] * length_19_by_q73 + f[20 * n + state]
+            * length_20_by_q73;
         const double strand_21_x_by_q71 = layer_1_x_by_q71 - t54;
         const double strand_21_x = layer_1_x + t55;
         const double strand_21_y = 0.009 - layer_1_y + t56;
         const double strand_21_z_by_q71 = layer_1_z_by_q71 - t55;
         const double strand_21_z = layer_1_z + t54;
-        const double t221 = strand_21_x * strand_21_x_by_q71 - strand_21_y * layer_1_y_by_q71 - strand_21_z * strand_21_z_by_q71;
-        const double t222 = strand_21_x * strand_21_x + strand_21_y * strand_21_y + strand_21_z * strand_21_z;
+        const double t221 = strand_21_x * strand_21_x_by_q71 - strand_21_y * layer_1_y_by_q71
+            - strand_21_z * strand_21_z_by_q71;
+        const double t222 = strand_21_x * strand_21_x + strand_21_y * strand_21_y + strand_21_z
+            * strand_21_z;
         const double length_21 = sinew_sqrt(t222);
         const double t223 = 1.0 / length_21;
         const double length_21_by_q71 = t221 * t223;
         const double strand_21_x_by_q73 = layer_1_x_by_q73 - t72;
         const double strand_21_y_by_q73 = layer_1_y_by_q73 - t73;
         const double strand_21_z_by_q73 = layer_1_z_by_q73 - t74;
-        const double t224 = strand_21_x * strand_21_x_by_q73 - strand_21_y * strand_21_y_by_q73 + strand_21_z * strand_21_z_by_q73;
+        const double t224 = strand_21_x * strand_21_x_by_q73 - strand_21_y * strand_21_y_by_q73
+            + strand_21_z * strand_21_z_by_q73;
         const double length_21_by_q73 = t224 * t223;
         const double strand_22_x_by_q71 = layer_1_x_by_q71 - t76;
         const double strand_22_x = layer_1_x + t77;
         const double strand_22_y = 0.011 - layer_1_y + t78;
         const double strand_22_z_by_q71 = layer_1_z_by_q71 - t77;
         const double strand_22_z = layer_1_z + t76;
-        const double t225 = strand_22_x * strand_22_x_by_q71 - strand_22_y * layer_1_y_by_q71 - strand_22_z * strand_22_z_by_q71;
-        const double t226 = strand_22_x * strand_22_x + strand_22_y * strand_22_y + strand_22_z * strand_22_z;
+        const double t225 = strand_22_x * strand_22_x_by_q71 - strand_22_y * layer_1_y_by_q71
+            - strand_22_z * strand_22_z_by_q71;
+        const double t226 = strand_22_x * strand_22_x + strand_22_y * strand_22_y + strand_22_z
+            * strand_22_z;
         const double length_22 = sinew_sqrt(t226);
         const double t227 = 1.0 / length_22;
         const double length_22_by_q71 = t225 * t227;
-        const double t228 = t218 + f[21 * n + state] * length_21_by_q71 + f[22 * n + state] * length_22_by_q71;
+        const double t228 = t218 + f[21 * n + state] * length_21_by_q71 + f[22 * n + state]
+            * length_22_by_q71;
         const double strand_22_x_by_q73 = layer_1_x_by_q73 - t83;
         const double strand_22_y_by_q73 = layer_1_y_by_q73 - t84;
         const double strand_22_z_by_q73 = layer_1_z_by_q73 - t85;
-        const double t229 = strand_22_x * strand_22_x_by_q73 - strand_22_y * strand_22_y_by_q73 + strand_22_z * strand_22_z_by_q73;
+        const double t229 = strand_22_x * strand_22_x_by_q73 - strand_22_y * strand_22_y_by_q73
+            + strand_22_z * strand_22_z_by_q73;
         const double length_22_by_q73 = t229 * t227;
-        const double t230 = t220 + f[21 * n + state] * length_21_by_q73 + f[22 * n + state] * length_22_by_q73;
+        const double t230 = t220 + f[21 * n + state] * length_21_by_q73 + f[22 * n + state]
+            * length_22_by_q73;
         const double strand_23_x_by_q71 = layer_1_x_by_q71 - t88;
         const double strand_23_x = layer_1_x + t89;
         const double strand_23_y = 0.012 - layer_1_y + t90;
         const double strand_23_z_by_q71 = layer_1_z_by_q71 - t89;
         const double strand_23_z = layer_1_z + t88;
-        const double t231 = strand_23_x * strand_23_x_by_q71 - strand_23_y * layer_1_y_by_q71 - strand_23_z * strand_23_z_by_q71;
-        const double t232 = strand_23_x * strand_23_x + strand_23_y * strand_23_y + strand_23_z * strand_23_z;
+        const double t231 = strand_23_x * strand_23_x_by_q71 - strand_23_y * layer_1_y_by_q71
+            - strand_23_z * strand_23_z_by_q71;
+        const double t232 = strand_23_x * strand_23_x + strand_23_y * strand_23_y + strand_23_z
+            * strand_23_z;
         const double length_23 = sinew_sqrt(t232);
         const double t233 = 1.0 / length_23;
         const double length_23_by_q71 = t231 * t233;
         const double strand_23_x_by_q73 = layer_1_x_by_q73 - t94;
         const double strand_23_y_by_q73 = layer_1_y_by_q73 - t95;
         const double strand_23_z_by_q73 = layer_1_z_by_q73 - t96;
-        const double t234 = strand_23_x * strand_23_x_by_q73 - strand_23_y * strand_23_y_by_q73 + strand_23_z * strand_23_z_by_q73;
+        const double t234 = strand_23_x * strand_23_x_by_q73 - strand_23_y * strand_23_y_by_q73
+            + strand_23_z * strand_23_z_by_q73;
         const double length_23_by_q73 = t234 * t233;
         const double strand_24_x_by_q71 = layer_1_x_by_q71 - t98;
         const double strand_24_x = layer_1_x + t99;
         const double strand_24_y = 0.014 - layer_1_y + t100;
         const double strand_24_z_by_q71 = layer_1_z_by_q71 - t99;
         const double strand_24_z = layer_1_z + t98;
-        const double t235 = strand_24_x * strand_24_x_by_q71 - strand_24_y * layer_1_y_by_q71 - strand_24_z * strand_24_z_by_q71;
-        const double t236 = strand_24_x * strand_24_x + strand_24_y * strand_24_y + strand_24_z * strand_24_z;
+        const double t235 = strand_24_x * strand_24_x_by_q71 - strand_24_y * layer_1_y_by_q71
+            - strand_24_z * strand_24_z_by_q71;
+        const double t236 = strand_24_x * strand_24_x + strand_24_y * strand_24_y + strand_24_z
+            * strand_24_z;
         const double length_24 = sinew_sqrt(t236);
         const double t237 = 1.0 / length_24;
         const double length_24_by_q71 = t235 * t237;
-        const double t238 = t228 + f[23 * n + state] * length_23_by_q71 + f[24 * n + state] * length_24_by_q71;
+        const double t238 = t228 + f[23 * n + state] * length_23_by_q71 + f[24 * n + state]
+            * length_24_by_q71;
         const double strand_24_x_by_q73 = layer_1_x_by_q73 - t105;
         const double strand_24_y_by_q73 = layer_1_y_by_q73 - t106;
         const double strand_24_z_by_q73 = layer_1_z_by_q73 - t107;
-        const double t239 = strand_24_x * strand_24_x_by_q73 - strand_24_y * strand_24_y_by_q73 + strand_24_z * strand_24_z_by_q73;
+        const double t239 = strand_24_x * strand_24_x_by_q73 - strand_24_y * strand_24_y_by_q73
+            + strand_24_z * strand_24_z_by_q73;
         const double length_24_by_q73 = t239 * t237;
-        const double t240 = t230 + f[23 * n + state] * length_23_by_q73 + f[24 * n + state] * length_24_by_q73;
+        const double t240 = t230 + f[23 * n + state] * length_23_by_q73 + f[24 * n + state]
+            * length_24_by_q73;
         const double strand_25_x_by_q71 = layer_1_x_by_q71 - t110;
         const double strand_25_x = layer_1_x + t111;
         const double strand_25_y = 0.015 - layer_1_y + t112;
         const double strand_25_z_by_q71 = layer_1_z_by_q71 - t111;
         const double strand_25_z = layer_1_z + t110;
-        const double t241 = strand_25_x * strand_25_x_by_q71 - strand_25_y * layer_1_y_by_q71 - strand_25_z * strand_25_z_by_q71;
-        const double t242 = strand_25_x * strand_25_x + strand_25_y * strand_25_y + strand_25_z * strand_25_z;
+        const double t241 = strand_25_x * strand_25_x_by_q71 - strand_25_y * layer_1_y_by_q71
+            - strand_25_z * strand_25_z_by_q71;
+        const double t242 = strand_25_x * strand_25_x + strand_25_y * strand_25_y + strand_25_z
+            * strand_25_z;
         const double length_25 = sinew_sqrt(t242);
         const double t243 = 1.0 / length_25;
         const double length_25_by_q71 = t241 * t243;
         const double strand_25_x_by_q73 = layer_1_x_by_q73 - t116;
         const double strand_25_y_by_q73 = layer_1_y_by_q73 - t117;
         const double strand_25_z_by_q73 = layer_1_z_by_q73 - t118;
-        const double t244 = strand_25_x * strand_25_x_by_q73 - strand_25_y * strand_25_y_by_q73 + strand_25_z * strand_25_z_by_q73;
+        const double t244 = strand_25_x * strand_25_x_by_q73 - strand_25_y * strand_25_y_by_q73
+            + strand_25_z * strand_25_z_by_q73;
         const double length_25_by_q73 = t244 * t243;
         const double strand_26_x_by_q71 = layer_1_x_by_q71 - t120;
         const double strand_26_x = layer_1_x + t121;
         const double strand_26_y = 0.017 - layer_1_y + t122;
         const double strand_26_z_by_q71 = layer_1_z_by_q71 - t121;
         const double strand_26_z = layer_1_z + t120;
-        const double t245 = strand_26_x * strand_26_x_by_q71 - strand_26_y * layer_1_y_by_q71 - strand_26_z * strand_26_z_by_q71;
-        const double t246 = strand_26_x * strand_26_x + strand_26_y * strand_26_y + strand_26_z * strand_26_z;
+        const double t245 = strand_26_x * strand_26_x_by_q71 - strand_26_y * layer_1_y_by_q71
+            - strand_26_z * strand_26_z_by_q71;
+        const double t246 = strand_26_x * strand_26_x + strand_26_y * strand_26_y + strand_26_z
+            * strand_26_z;
         const double length_26 = sinew_sqrt(t246);
         const double t247 = 1.0 / length_26;
         const double length_26_by_q71 = t245 * t247;
-        const double t248 = t238 + f[25 * n + state] * length_25_by_q71 + f[26 * n + state] * length_26_by_q71;
+        const double t248 = t238 + f[25 * n + state] * length_25_by_q71 + f[26 * n + state]
+            * length_26_by_q71;
         const double strand_26_x_by_q73 = layer_1_x_by_q73 - t127;
         const double strand_26_y_by_q73 = layer_1_y_by_q73 - t128;
         const double strand_26_z_by_q73 = layer_1_z_by_q73 - t129;
-        const double t249 = strand_26_x * strand_26_x_by_q73 - strand_26_y * strand_26_y_by_q73 + strand_26_z * strand_26_z_by_q73;
+        const double t249 = strand_26_x * strand_26_x_by_q73 - strand_26_y * strand_26_y_by_q73
+            + strand_26_z * strand_26_z_by_q73;
         const double length_26_by_q73 = t249 * t247;
-        const double t250 = t240 + f[25 * n + state] * length_25_by_q73 + f[26 * n + state] * length_26_by_q73;
+        const double t250 = t240 + f[25 * n + state] * length_25_by_q73 + f[26 * n + state]
+            * length_26_by_q73;
         const double strand_27_y = 0.019 - layer_1_y;
-        const double t251 = layer_1_x * layer_1_x_by_q71 - layer_1_z * layer_1_z_by_q71 - strand_27_y * layer_1_y_by_q71;
-        const double t252 = layer_1_x * layer_1_x + layer_1_z * layer_1_z + strand_27_y * strand_27_y;
+        const double t251 = layer_1_x * layer_1_x_by_q71 - layer_1_z * layer_1_z_by_q71
+            - strand_27_y * layer_1_y_by_q71;
+        const double t252 = layer_1_x * layer_1_x + layer_1_z * layer_1_z + strand_27_y
+            * strand_27_y;
         const double length_27 = sinew_sqrt(t252);
         const double t253 = 1.0 / length_27;
         const double length_27_by_q71 = t251 * t253;
-        const double t254 = layer_1_x * layer_1_x_by_q73 + layer_1_z * layer_1_z_by_q73 - strand_27_y * layer_1_y_by_q73;
+        const double t254 = layer_1_x * layer_1_x_by_q73 + layer_1_z * layer_1_z_by_q73
+            - strand_27_y * layer_1_y_by_q73;
         const double length_27_by_q73 = t254 * t253;
         const double strand_28_x_by_q71 = layer_1_x_by_q71 + t120;
         const double strand_28_x = layer_1_x - t121;
         const double strand_28_y = 0.02 - layer_1_y - t122;
         const double strand_28_z_by_q71 = layer_1_z_by_q71 + t121;
         const double strand_28_z = layer_1_z - t120;
-        const double t255 = strand_28_x * strand_28_x_by_q71 - strand_28_y * layer_1_y_by_q71 - strand_28_z * strand_28_z_by_q71;
-        const double t256 = strand_28_x * strand_28_x + strand_28_y * strand_28_y + strand_28_z * strand_28_z;
+        const double t255 = strand_28_x * strand_28_x_by_q71 - strand_28_y * layer_1_y_by_q71
+            - strand_28_z * strand_28_z_by_q71;
+        const double t256 = strand_28_x * strand_28_x + strand_28_y * strand_28_y + strand_28_z
+            * strand_28_z;
         const double length_28 = sinew_sqrt(t256);
         const double t257 = 1.0 / length_28;
         const double length_28_by_q71 = t255 * t257;
-        const double t258 = t248 + f[27 * n + state] * length_27_by_q71 + f[28 * n + state] * length_28_by_q71;
+        const double t258 = t248 + f[27 * n + state] * length_27_by_q71 + f[28 * n + state]
+            * length_28_by_q71;
         const double strand_28_x_by_q73 = layer_1_x_by_q73 + t127;
         const double strand_28_y_by_q73 = layer_1_y_by_q73 + t128;
         const double strand_28_z_by_q73 = layer_1_z_by_q73 + t129;
-        const double t259 = strand_28_x * strand_28_x_by_q73 - strand_28_y * strand_28_y_by_q73 + strand_28_z * strand_28_z_by_q73;
+        const double t259 = strand_28_x * strand_28_x_by_q73 - strand_28_y * strand_28_y_by_q73
+            + strand_28_z * strand_28_z_by_q73;
         const double length_28_by_q73 = t259 * t257;
-        const double t260 = t250 + f[27 * n + state] * length_27_by_q73 + f[28 * n + state] * length_28_by_q73;
+        const double t260 = t250 + f[27 * n + state] * length_27_by_q73 + f[28 * n + state]
+            * length_28_by_q73;
         const double strand_29_x_by_q71 = layer_1_x_by_q71 + t110;
         const double strand_29_x = layer_1_x - t111;
         const double strand_29_y = 0.022 - layer_1_y - t112;
         const double strand_29_z_by_q71 = layer_1_z_by_q71 + t111;
         const double strand_29_z = layer_1_z - t110;
-        const double t261 = strand_29_x * strand_29_x_by_q71 - strand_29_y * layer_1_y_by_q71 - strand_29_z * strand_29_z_by_q71;
-        const double t262 = strand_29_x * strand_29_x + strand_29_y * strand_29_y + strand_29_z * strand_29_z;
+        const double t261 = strand_29_x * strand_29_x_by_q71 - strand_29_y * layer_1_y_by_q71
+            - strand_29_z * strand_29_z_by_q71;
+        const double t262 = strand_29_x * strand_29_x + strand_29_y * strand_29_y + strand_29_z
+            * strand_29_z;
         const double length_29 = sinew_sqrt(t262);
         const double t263 = 1.0 / length_29;
         const double length_29_by_q71 = t261 * t263;
         const double strand_29_x_by_q73 = layer_1_x_by_q73 + t116;
         const double strand_29_y_by_q73 = layer_1_y_by_q73 + t117;
         const double strand_29_z_by_q73 = layer_1_z_by_q73 + t118;
-        const double t264 = strand_29_x * strand_29_x_by_q73 - strand_29_y * strand_29_y_by_q73 + strand_29_z * strand_29_z_by_q73;
+        const double t264 = strand_29_x * strand_29_x_by_q73 - strand_29_y * strand_29_y_by_q73
+            + strand_29_z * strand_29_z_by_q73;
         const double length_29_by_q73 = t264 * t263;
         const double strand_30_x_by_q71 = layer_1_x_by_q71 + t98;
         const double strand_30_x = layer_1_x - t99;
         const double strand_30_y = 0.023 - layer_1_y - t100;
         const double strand_30_z_by_q71 = layer_1_z_by_q71 + t99;
         const double strand_30_z = layer_1_z - t98;
-        const double t265 = strand_30_x * strand_30_x_by_q71 - strand_30_y * layer_1_y_by_q71 - strand_30_z * strand_30_z_by_q71;
-        const double t266 = strand_30_x * strand_30_x + strand_30_y * strand_30_y + strand_30_z * strand_30_z;
+        const double t265 = strand_30_x * strand_30_x_by_q71 - strand_30_y * layer_1_y_by_q71
+            - strand_30_z * strand_30_z_by_q71;
+        const double t266 = strand_30_x * strand_30_x + strand_30_y * strand_30_y + strand_30_z
+            * strand_30_z;
         const double length_30 = sinew_sqrt(t266);
         const double t267 = 1.0 / length_30;
         const double length_30_by_q71 = t265 * t267;
-        const double t268 = t258 + f[29 * n + state] * length_29_by_q71 + f[30 * n + state] * length_30_by_q71;
+        const double t268 = t258 + f[29 * n + state] * length_29_by_q71 + f[30 * n + state]
+            * length_30_by_q71;
         const double strand_30_x_by_q73 = layer_1_x_by_q73 + t105;
         const double strand_30_y_by_q73 = layer_1_y_by_q73 + t106;
         const double strand_30_z_by_q73 = layer_1_z_by_q73 + t107;
-        const double t269 = strand_30_x * strand_30_x_by_q73 - strand_30_y * strand_30_y_by_q73 + strand_30_z * strand_30_z_by_q73;
+        const double t269 = strand_30_x * strand_30_x_by_q73 - strand_30_y * strand_30_y_by_q73
+            + strand_30_z * strand_30_z_by_q73;
         const double length_30_by_q73 = t269 * t267;
-        const double t270 = t260 + f[29 * n + state] * length_29_by_q73 + f[30 * n + state] * length_30_by_q73;
+        const double t270 = t260 + f[29 * n + state] * length_29_by_q73 + f[30 * n + state]
+            * length_30_by_q73;
         const double strand_31_x_by_q71 = layer_1_x_by_q71 + t88;
         const double strand_31_x = layer_1_x - t89;
         const double strand_31_y = 0.025 - layer_1_y - t90;
         const double strand_31_z_by_q71 = layer_1_z_by_q71 + t89;
         const double strand_31_z = layer_1_z - t88;
-        const double t271 = strand_31_x * strand_31_x_by_q71 - strand_31_y * layer_1_y_by_q71 - strand_31_z * strand_31_z_by_q71;
-        const double t272 = strand_31_x * strand_31_x + strand_31_y * strand_31_y + strand_31_z * strand_31_z;
+        const double t271 = strand_31_x * strand_31_x_by_q71 - strand_31_y * layer_1_y_by_q71
+            - strand_31_z * strand_31_z_by_q71;
+        const double t272 = strand_31_x * strand_31_x + strand_31_y * strand_31_y + strand_31_z
+            * strand_31_z;
         const double length_31 = sinew_sqrt(t272);
         const double t273 = 1.0 / length_31;
         const double length_31_by_q71 = t271 * t273;
         const double strand_31_x_by_q73 = layer_1_x_by_q73 + t94;
         const double strand_31_y_by_q73 = layer_1_y_by_q73 + t95;
         const double strand_31_z_by_q73 = layer_1_z_by_q73 + t96;
-        const double t274 = strand_31_x * strand_31_x_by_q73 - strand_31_y * strand_31_y_by_q73 + strand_31_z * strand_31_z_by_q73;
+        const double t274 = strand_31_x * strand_31_x_by_q73 - strand_31_y * strand_31_y_by_q73
+            + strand_31_z * strand_31_z_by_q73;
         const double length_31_by_q73 = t274 * t273;
         const double strand_32_x_by_q71 = layer_1_x_by_q71 + t76;
         const double strand_32_x = layer_1_x - t77;
         const double strand_32_y = 0.027 - layer_1_y - t78;
         const double strand_32_z_by_q71 = layer_1_z_by_q71 + t77;
         const double strand_32_z = layer_1_z - t76;
-        const double t275 = strand_32_x * strand_32_x_by_q71 - strand_32_y * layer_1_y_by_q71 - strand_32_z * strand_32_z_by_q71;
-        const double t276 = strand_32_x * strand_32_x + strand_32_y * strand_32_y + strand_32_z * strand_32_z;
+        const double t275 = strand_32_x * strand_32_x_by_q71 - strand_32_y * layer_1_y_by_q71
+            - strand_32_z * strand_32_z_by_q71;
+        const double t276 = strand_32_x * strand_32_x + strand_32_y * strand_32_y + strand_32_z
+            * strand_32_z;
         const double length_32 = sinew_sqrt(t276);
         const double t277 = 1.0 / length_32;
         const double length_32_by_q71 = t275 * t277;
-        const double t278 = t268 + f[31 * n + state] * length_31_by_q71 + f[32 * n + state] * length_32_by_q71;
+        const double t278 = t268 + f[31 * n + state] * length_31_by_q71 + f[32 * n + state]
+            * length_32_by_q71;
         const double strand_32_x_by_q73 = layer_1_x_by_q73 + t83;
         const double strand_32_y_by_q73 = layer_1_y_by_q73 + t84;
         const double strand_32_z_by_q73 = layer_1_z_by_q73 + t85;
-        const double t279 = strand_32_x * strand_32_x_by_q73 - strand_32_y * strand_32_y_by_q73 + strand_32_z * strand_32_z_by_q73;
+        const double t279 = strand_32_x * strand_32_x_by_q73 - strand_32_y * strand_32_y_by_q73
+            + strand_32_z * strand_32_z_by_q73;
         const double length_32_by_q73 = t279 * t277;
-        const double t280 = t270 + f[31 * n + state] * length_31_by_q73 + f[32 * n + state] * length_32_by_q73;
+        const double t280 = t270 + f[31 * n + state] * length_31_by_q73 + f[32 * n + state]
+            * length_32_by_q73;
         const double strand_33_x_by_q71 = layer_1_x_by_q71 + t54;
         const double strand_33_x = layer_1_x - t55;
         const double strand_33_y = 0.028 - layer_1_y - t56;
         const double strand_33_z_by_q71 = layer_1_z_by_q71 + t55;
         const double strand_33_z = layer_1_z - t54;
-        const double t281 = strand_33_x * strand_33_x_by_q71 - strand_33_y * layer_1_y_by_q71 - strand_33_z * strand_33_z_by_q71;
-        const double t282 = strand_33_x * strand_33_x + strand_33_y * strand_33_y + strand_33_z * strand_33_z;
+        const double t281 = strand_33_x * strand_33_x_by_q71 - strand_33_y * layer_1_y_by_q71
+            - strand_33_z * strand_33_z_by_q71;
+        const double t282 = strand_33_x * strand_33_x + strand_33_y * strand_33_y + strand_33_z
+            * strand_33_z;
         const double length_33 = sinew_sqrt(t282);
         const double t283 = 1.0 / length_33;
         const double length_33_by_q71 = t281 * t283;
         const double strand_33_x_by_q73 = layer_1_x_by_q73 + t72;
         const double strand_33_y_by_q73 = layer_1_y_by_q73 + t73;
         const double strand_33_z_by_q73 = layer_1_z_by_q73 + t74;
-        const double t284 = strand_33_x * strand_33_x_by_q73 - strand_33_y * strand_33_y_by_q73 + strand_33_z * strand_33_z_by_q73;
+        const double t284 = strand_33_x * strand_33_x_by_q73 - strand_33_y * strand_33_y_by_q73
+            + strand_33_z * strand_33_z_by_q73;
         const double length_33_by_q73 = t284 * t283;
         const double strand_34_x_by_q71 = layer_1_x_by_q71 + t33;
         const double strand_34_x = layer_1_x - t40;
         const double strand_34_y = 0.03 - layer_1_y - t46;
         const double strand_34_z_by_q71 = layer_1_z_by_q71 + t40;
         const double strand_34_z = layer_1_z - t33;
-        const double t285 = strand_34_x * strand_34_x_by_q71 - strand_34_y * layer_1_y_by_q71 - strand_34_z * strand_34_z_by_q71;
-        const double t286 = strand_34_x * strand_34_x + strand_34_y * strand_34_y + strand_34_z * strand_34_z;
+        const double t285 = strand_34_x * strand_34_x_by_q71 - strand_34_y * layer_1_y_by_q71
+            - strand_34_z * strand_34_z_by_q71;
+        const double t286 = strand_34_x * strand_34_x + strand_34_y * strand_34_y + strand_34_z
+            * strand_34_z;
         const double length_34 = sinew_sqrt(t286);
         const double t287 = 1.0 / length_34;
         const double length_34_by_q71 = t285 * t287;
-        const double t288 = t278 + f[33 * n + state] * length_33_by_q71 + f[34 * n + state] * length_34_by_q71;
+        const double t288 = t278 + f[33 * n + state] * length_33_by_q71 + f[34 * n + state]
+            * length_34_by_q71;
         const double strand_34_x_by_q73 = layer_1_x_by_q73 + t64;
         const double strand_34_y_by_q73 = layer_1_y_by_q73 + t67;
         const double strand_34_z_by_q73 = layer_1_z_by_q73 + t70;
-        const double t289 = strand_34_x * strand_34_x_by_q73 - strand_34_y * strand_34_y_by_q73 + strand_34_z * strand_34_z_by_q73;
+        const double t289 = strand_34_x * strand_34_x_by_q73 - strand_34_y * strand_34_y_by_q73
+            + strand_34_z * strand_34_z_by_q73;
         const double length_34_by_q73 = t289 * t287;
-        const double t290 = t280 + f[33 * n + state] * length_33_by_q73 + f[34 * n + state] * length_34_by_q73;
+        const double t290 = t280 + f[33 * n + state] * length_33_by_q73 + f[34 * n + state]
+            * length_34_by_q73;
         const double strand_35_x_by_q71 = layer_1_x_by_q71 + t171;
         const double strand_35_x = layer_1_x - t172;
         const double strand_35_y = 0.031 - layer_1_y - t173;
         const double strand_35_z_by_q71 = layer_1_z_by_q71 + t172;
         const double strand_35_z = layer_1_z - t171;
-        const double t291 = strand_35_x * strand_35_x_by_q71 - strand_35_y * layer_1_y_by_q71 - strand_35_z * strand_35_z_by_q71;
-        const double t292 = strand_35_x * strand_35_x + strand_35_y * strand_35_y + strand_35_z * strand_35_z;
+        const double t291 = strand_35_x * strand_35_x_by_q71 - strand_35_y * layer_1_y_by_q71
+            - strand_35_z * strand_35_z_by_q71;
+        const double t292 = strand_35_x * strand_35_x + strand_35_y * strand_35_y + strand_35_z
+            * strand_35_z;
         const double length_35 = sinew_sqrt(t292);
         const double t293 = 1.0 / length_35;
         const double length_35_by_q71 = t291 * t293;
         const double strand_35_x_by_q73 = layer_1_x_by_q73 + t177;
         const double strand_35_y_by_q73 = layer_1_y_by_q73 + t178;
         const double strand_35_z_by_q73 = layer_1_z_by_q73 + t179;
-        const double t294 = strand_35_x * strand_35_x_by_q73 - strand_35_y * strand_35_y_by_q73 + strand_35_z * strand_35_z_by_q73;
+        const double t294 = strand_35_x * strand_35_x_by_q73 - strand_35_y * strand_35_y_by_q73
+            + strand_35_z * strand_35_z_by_q73;
         const double length_35_by_q73 = t294 * t293;
         const double strand_36_x_by_q71 = layer_1_x_by_q71 + t181;
         const double strand_36_x = layer_1_x - t182;
         const double strand_36_y = 0.033 - layer_1_y - t183;
         const double strand_36_z_by_q71 = layer_1_z_by_q71 + t182;
         const double strand_36_z = layer_1_z - t181;
-        const double t295 = strand_36_x * strand_36_x_by_q71 - strand_36_y * layer_1_y_by_q71 - strand_36_z * strand_36_z_by_q71;
-        const double t296 = strand_36_x * strand_36_x + strand_36_y * strand_36_y + strand_36_z * strand_36_z;
+        const double t295 = strand_36_x * strand_36_x_by_q71 - strand_36_y * layer_1_y_by_q71
+            - strand_36_z * strand_36_z_by_q71;
+        const double t296 = strand_36_x * strand_36_x + strand_36_y * strand_36_y + strand_36_z
+            * strand_36_z;
         const double length_36 = sinew_sqrt(t296);
         const double t297 = 1.0 / length_36;
         const double length_36_by_q71 = t295 * t297;
-        const double t298 = t288 + f[35 * n + state] * length_35_by_q71 + f[36 * n + state] * length_36_by_q71;
+        const double t298 = t288 + f[35 * n + state] * length_35_by_q71 + f[36 * n + state]
+            * length_36_by_q71;
         const double strand_36_x_by_q73 = layer_1_x_by_q73 + t188;
         const double strand_36_y_by_q73 = layer_1_y_by_q73 + t189;
         const double strand_36_z_by_q73 = layer_1_z_by_q73 + t190;
-        const double t299 = strand_36_x * strand_36_x_by_q73 - strand_36_y * strand_36_y_by_q73 + strand_36_z * strand_36_z_by_q73;
+        const double t299 = strand_36_x * strand_36_x_by_q73 - strand_36_y * strand_36_y_by_q73
+            + strand_36_z * strand_36_z_by_q73;
         const double length_36_by_q73 = t299 * t297;
-        const double t300 = t290 + f[35 * n + state] * length_35_by_q73 + f[36 * n + state] * length_36_by_q73;
+        const double t300 = t290 + f[35 * n + state] * length_35_by_q73 + f[36 * n + state]
+            * length_36_by_q73;
         const double strand_37_x_by_q71 = layer_1_x_by_q71 + t193;
         const double strand_37_x = layer_1_x - t194;
         const double strand_37_y = 0.035 - layer_1_y - t195;
         const double strand_37_z_by_q71 = layer_1_z_by_q71 + t194;
         const double strand_37_z = layer_1_z - t193;
-        const double t301 = strand_37_x * strand_37_x_by_q71 - strand_37_y * layer_1_y_by_q71 - strand_37_z * strand_37_z_by_q71;
-        const double t302 = strand_37_x * strand_37_x + strand_37_y * strand_37_y + strand_37_z * strand_37_z;
+        const double t301 = strand_37_x * strand_37_x_by_q71 - strand_37_y * layer_1_y_by_q71
+            - strand_37_z * strand_37_z_by_q71;
+        const double t302 = strand_37_x * strand_37_x + strand_37_y * strand_37_y + strand_37_z
+            * strand_37_z;
         const double length_37 = sinew_sqrt(t302);
         const double t303 = 1.0 / length_37;
         const double length_37_by_q71 = t301 * t303;
         const double strand_37_x_by_q73 = layer_1_x_by_q73 + t199;
         const double strand_37_y_by_q73 = layer_1_y_by_q73 + t200;
         const double strand_37_z_by_q73 = layer_1_z_by_q73 + t201;
-        const double t304 = strand_37_x * strand_37_x_by_q73 - strand_37_y * strand_37_y_by_q73 + strand_37_z * strand_37_z_by_q73;
+        const double t304 = strand_37_x * strand_37_x_by_q73 - strand_37_y * strand_37_y_by_q73
+            + strand_37_z * strand_37_z_by_q73;
         const double length_37_by_q73 = t304 * t303;
         tau[state] = -(t298 + f[37 * n + state] * length_37_by_q71);
         tau[1 * n + state] = t300 + f[37 * n + state] * length_37_by_q73;

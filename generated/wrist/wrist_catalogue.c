@@ -244,8 +244,13 @@ static const double joint_torque_q71_low[] = {0.337};
 static const double joint_torque_q71_high[] = {0.88};
 static const double joint_torque_q73_low[] = {0.725};
 static const double joint_torque_q73_high[] = {1.269};
-static const double joint_torque_f_low[] = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
-static const double joint_torque_f_high[] = {100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0};
+static const double joint_torque_f_low[] = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+    0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+    0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
+static const double joint_torque_f_high[] = {100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0,
+    100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0,
+    100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0,
+    100.0, 100.0, 100.0, 100.0};
 static const sinew_argument joint_torque_inputs[] = {
     {"q71", "rad", 1, 1, joint_torque_q71_low, joint_torque_q71_high},
     {"q73", "rad", 1, 1, joint_torque_q73_low, joint_torque_q73_high},
@@ -265,10 +270,22 @@ static const double joint_stiffness_q71_low[] = {0.337};
 static const double joint_stiffness_q71_high[] = {0.88};
 static const double joint_stiffness_q73_low[] = {0.725};
 static const double joint_stiffness_q73_high[] = {1.269};
-static const double joint_stiffness_f_low[] = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
-static const double joint_stiffness_f_high[] = {100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0};
-static const double joint_stiffness_k_low[] = {1000.0, 1000.0, 1000.0, 1000.0, 1000.0, 1000.0, 1000.0, 1000.0, 1000.0, 1000.0, 1000.0, 1000.0, 1000.0, 1000.0, 1000.0, 1000.0, 1000.0, 1000.0, 1000.0, 1000.0, 1000.0, 1000.0, 1000.0, 1000.0, 1000.0, 1000.0, 1000.0, 1000.0, 1000.0, 1000.0, 1000.0, 1000.0, 1000.0, 1000.0, 1000.0, 1000.0, 1000.0, 1000.0};
-static const double joint_stiffness_k_high[] = {50000.0, 50000.0, 50000.0, 50000.0, 50000.0, 50000.0, 50000.0, 50000.0, 50000.0, 50000.0, 50000.0, 50000.0, 50000.0, 50000.0, 50000.0, 50000.0, 50000.0, 50000.0, 50000.0, 50000.0, 50000.0, 50000.0, 50000.0, 50000.0, 50000.0, 50000.0, 50000.0, 50000.0, 50000.0, 50000.0, 50000.0, 50000.0, 50000.0, 50000.0, 50000.0, 50000.0, 50000.0, 50000.0};
+static const double joint_stiffness_f_low[] = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+    0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+    0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
+static const double joint_stiffness_f_high[] = {100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0,
+    100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0,
+    100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0,
+    100.0, 100.0, 100.0, 100.0, 100.0};
+static const double joint_stiffness_k_low[] = {1000.0, 1000.0, 1000.0, 1000.0, 1000.0, 1000.0,
+    1000.0, 1000.0, 1000.0, 1000.0, 1000.0, 1000.0, 1000.0, 1000.0, 1000.0, 1000.0, 1000.0, 1000.0,
+    1000.0, 1000.0, 1000.0, 1000.0, 1000.0, 1000.0, 1000.0, 1000.0, 1000.0, 1000.0, 1000.0, 1000.0,
+    1000.0, 1000.0, 1000.0, 1000.0, 1000.0, 1000.0, 1000.0, 1000.0};
+static const double joint_stiffness_k_high[] = {50000.0, 50000.0, 50000.0, 50000.0, 50000.0,
+    50000.0, 50000.0, 50000.0, 50000.0, 50000.0, 50000.0, 50000.0, 50000.0, 50000.0, 50000.0,
+    50000.0, 50000.0, 50000.0, 50000.0, 50000.0, 50000.0, 50000.0, 50000.0, 50000.0, 50000.0,
+    50000.0, 50000.0, 50000.0, 50000.0, 50000.0, 50000.0, 50000.0, 50000.0, 50000.0, 50000.0,
+    50000.0, 50000.0, 50000.0};
 static const sinew_argument joint_stiffness_inputs[] = {
     {"q71", "rad", 1, 1, joint_stiffness_q71_low, joint_stiffness_q71_high},
     {"q73", "rad", 1, 1, joint_stiffness_q73_low, joint_stiffness_q73_high},
@@ -286,14 +303,22 @@ static const sinew_function functions[] = {
     {"wrist_bar_angles", 2, 3, 2, 4, bar_angles_inputs, bar_angles_outputs, call_bar_angles},
     {"wrist_singularity", 2, 1, 2, 2, singularity_inputs, singularity_outputs, call_singularity},
     {"wrist_status", 2, 1, 2, 1, status_inputs, status_outputs, call_status},
-    {"wrist_tendon_lengths", 2, 1, 2, 38, tendon_lengths_inputs, tendon_lengths_outputs, call_tendon_lengths},
-    {"wrist_tendon_jacobian", 2, 1, 2, 76, tendon_jacobian_inputs, tendon_jacobian_outputs, call_tendon_jacobian},
-    {"wrist_tendon_hessian", 2, 1, 2, 152, tendon_hessian_inputs, tendon_hessian_outputs, call_tendon_hessian},
-    {"wrist_bending_angles", 2, 1, 2, 38, bending_angles_inputs, bending_angles_outputs, call_bending_angles},
+    {"wrist_tendon_lengths", 2, 1, 2, 38, tendon_lengths_inputs, tendon_lengths_outputs,
+        call_tendon_lengths},
+    {"wrist_tendon_jacobian", 2, 1, 2, 76, tendon_jacobian_inputs, tendon_jacobian_outputs,
+        call_tendon_jacobian},
+    {"wrist_tendon_hessian", 2, 1, 2, 152, tendon_hessian_inputs, tendon_hessian_outputs,
+        call_tendon_hessian},
+    {"wrist_bending_angles", 2, 1, 2, 38, bending_angles_inputs, bending_angles_outputs,
+        call_bending_angles},
     {"wrist_feedforward", 2, 1, 2, 38, feedforward_inputs, feedforward_outputs, call_feedforward},
-    {"wrist_feedforward_rate", 4, 1, 4, 38, feedforward_rate_inputs, feedforward_rate_outputs, call_feedforward_rate},
-    {"wrist_joint_torque", 3, 1, 40, 2, joint_torque_inputs, joint_torque_outputs, call_joint_torque},
-    {"wrist_joint_stiffness", 4, 1, 78, 4, joint_stiffness_inputs, joint_stiffness_outputs, call_joint_stiffness},
+    {"wrist_feedforward_rate", 4, 1, 4, 38, feedforward_rate_inputs, feedforward_rate_outputs,
+        call_feedforward_rate},
+    {"wrist_joint_torque", 3, 1, 40, 2, joint_torque_inputs, joint_torque_outputs,
+        call_joint_torque},
+    {"wrist_joint_stiffness", 4, 1, 78, 4, joint_stiffness_inputs, joint_stiffness_outputs,
+        call_joint_stiffness},
 };
 
-const sinew_catalogue wrist_catalogue = {"wrist", "5646b07e7724f9dffd716a90d2124284950ee812515cbecbb3d964272a0f8011", 8, 14, functions};
+const sinew_catalogue wrist_catalogue = {"wrist",
+    "5646b07e7724f9dffd716a90d2124284950ee812515cbecbb3d964272a0f8011", 8, 14, functions};

@@ -2,127 +2,194 @@
 #include "generator/loops/find_loops.h"
 
 #include <algorithm>
+#include <map>
 #include <optional>
 #include <set>
 #include <stdexcept>
 
 #include "generator/loops/runs.h"
+#include "generator/loops/sums.h"
 #include "generator/loops/unify.h"
 
 namespace sinew {
 namespace {
 
-/// What a loop gives: a column that is stored, or carried where `first` is a value.
+/// What a loop gives: a column that is stored, carried where `first` is a value, or kept where it
+/// has no elements.
 struct LoopRoot {
   Column column;
   int port = 0;
   std::vector<int> elements = {};
   Value first = no_value;
+  bool operator==(const LoopRoot&) const = default;
 };
 
 struct LoopCandidate {
   std::vector<LoopRoot> roots;
-  Loop loop;
-  int operations() const { return operation_count(loop.body); }
-  int saving() const { return (loop.count - 1) * operations(); }
+  int count = 0;
+  int operations = 0;
+  int written = 0;
+  std::vector<std::vector<int>> places = {};  ///< of what passes choose from
+  int saving() const { return (count - 1) * operations; }
 };
 
-/// A long sum: value 0 is its first term, value i the sum up to term i.
-struct Sum {
-  std::vector<Value> partial;
-  std::vector<Value> terms;  ///< term i leads from value i - 1 to i; the first is not used
-};
+/// Two passes cost more instructions than they save. Where passes choose, a compiler knows what the
+/// first few choose and may leave the loop in its middle, which is no counted loop any more.
+constexpr int fewest_passes = 3;
+constexpr int fewest_passes_with_choice = 8;
 
-/// Values that a result needs.
-std::vector<bool> live_values(const Graph& graph) {
-  std::vector<bool> live(static_cast<std::size_t>(graph.size()), false);
-  for (Value v : graph.results()) live[static_cast<std::size_t>(v)] = true;
-  for (Value v = graph.size() - 1; v >= 0; --v)
-    for (int i = 0; live[static_cast<std::size_t>(v)] && i < arity(graph[v].op); ++i)
-      live[static_cast<std::size_t>(graph[v].operand(i))] = true;
-  return live;
-}
+/// Among loops that make a function longer in execution, what one saves is compared with what it
+/// costs and this part of the whole.
+constexpr double idle_growth = 0.02;
 
 class Finder {
  public:
-  Finder(const Graph& graph, int saving)
-      : graph_(graph), saving_(saving), forms_(forms_of(graph)), live_(live_values(graph)) {}
+  /// `families`: also values that are no results and no terms of a sum.
+  Finder(const Graph& graph, const LoopLimits& limits, bool families)
+      : graph_(graph),
+        limits_(limits),
+        families_(families),
+        live_(live_values(graph)),
+        sums_(long_sums(graph)),
+        best_(straight_plan(graph)),
+        straight_(size_of(graph, best_)) {}
 
+  /// The loop that saves most first, then what repeats beside it, until nothing saves enough.
   Plan run() {
-    for (std::size_t port = 0; port < graph_.outputs.size(); ++port)
-      find_stores(static_cast<int>(port));
-    for (const Sum& sum : sums()) find_steps(sum);
+    while (add_loop()) {
+    }
+    return best_;
+  }
+
+ private:
+  std::uint64_t form(Value v) const { return keys_[static_cast<std::size_t>(v)]; }
+
+  bool add_loop() {
+    kept_ = kept_values();
+    for (const Loop& loop : best_.loops)
+      for (const LoopLeaf& leaf : loop.leaves)
+        for (Value v : leaf.reads()) read_.insert(v);
+    forms_ = forms_of(graph_, kept_);
+    candidates_.clear();
+    for (const Forms& keys : {exact_forms_of(graph_, kept_), forms_}) {
+      keys_ = keys;
+      for (std::size_t port = 0; port < graph_.outputs.size(); ++port)
+        find_stores(static_cast<int>(port));
+      for (const Sum& sum : sums_) find_steps(sum);
+      if (families_) find_families();
+    }
+    leave_largest();
     merge();
     return choose();
   }
 
- private:
-  std::uint64_t form(Value v) const { return forms_[static_cast<std::size_t>(v)]; }
+  KeptValues kept_values() const {
+    KeptValues kept;
+    int array = 0;
+    for (const Loop& loop : best_.loops)
+      for (const LoopResult& result : loop.results) {
+        for (std::size_t pass = 0; pass < result.kept.size(); ++pass)
+          kept[result.kept[pass]] = {array, static_cast<int>(pass)};
+        ++array;
+      }
+    return kept;
+  }
+
+  std::optional<LoopBuilder> built(const std::vector<LoopRoot>& roots) const {
+    LoopBuilder builder(graph_, forms_, kept_, read_,
+                        static_cast<int>(roots.front().column.size()));
+    for (const LoopRoot& root : roots)
+      if (root.first != no_value) builder.carry(root.first, root.column);
+    for (const LoopRoot& root : roots)
+      if (!root.elements.empty())
+        builder.store(root.column, root.port, root.elements);
+      else if (root.first == no_value)
+        builder.keep(root.column);
+    if (!builder.build()) return std::nullopt;
+    return builder;
+  }
 
   std::optional<LoopCandidate> candidate(const std::vector<LoopRoot>& roots) const {
-    LoopBuilder builder(graph_, forms_, static_cast<int>(roots.front().column.size()));
-    for (const LoopRoot& root : roots)
-      if (root.first != no_value)
-        builder.carry(root.first, root.column);
-      else
-        builder.store(root.column, root.port, root.elements);
-    if (!builder.build()) return std::nullopt;
-    return LoopCandidate{roots, std::move(builder.loop)};
+    const std::optional<LoopBuilder> builder = built(roots);
+    if (!builder || builder->loop.count < fewest_passes) return std::nullopt;
+    LoopCandidate found{roots, builder->loop.count, operation_count(builder->loop.body),
+                        size_of(builder->loop).written};
+    for (const LoopLeaf& leaf : builder->loop.leaves)
+      if (leaf.kind == LoopLeaf::Kind::chosen) found.places.push_back(leaf.places);
+    if (!found.places.empty() && found.count < fewest_passes_with_choice) return std::nullopt;
+    return found;
   }
 
   void keep(const std::optional<LoopCandidate>& found) {
-    if (found && found->saving() >= saving_) candidates_.push_back(*found);
+    if (!found || found->saving() < limits_.saving) return;
+    candidates_.push_back(*found);
+    split(*found);
   }
 
+  /// Loops of the passes that choose the same need no choice.
+  void split(const LoopCandidate& found) {
+    if (found.places.empty()) return;
+    const std::vector<int>& places = found.places.front();
+    for (int place = 0; place <= *std::max_element(places.begin(), places.end()); ++place) {
+      std::vector<LoopRoot> roots;
+      for (const LoopRoot& root : found.roots) {
+        if (root.first != no_value) return;  // passes of a sum stay together
+        LoopRoot part{{}, root.port};
+        for (std::size_t pass = 0; pass < places.size(); ++pass) {
+          if (places[pass] != place) continue;
+          part.column.push_back(root.column[pass]);
+          if (!root.elements.empty()) part.elements.push_back(root.elements[pass]);
+        }
+        roots.push_back(part);
+      }
+      if (!roots[0].column.empty()) keep(candidate(roots));
+    }
+  }
+
+  /// Results in a row. Where several make a period any of them may come first.
   void find_stores(int port) {
     const std::vector<Value>& values = graph_.outputs[static_cast<std::size_t>(port)].values;
     std::vector<std::uint64_t> keys;
-    for (Value v : values) keys.push_back(form(v));
-    for (const Repetition& run : runs_of(keys)) {
-      std::vector<LoopRoot> roots(static_cast<std::size_t>(run.period));
-      for (int i = 0; i < run.period * run.count; ++i) {
-        LoopRoot& root = roots[static_cast<std::size_t>(i % run.period)];
-        root.port = port;
-        root.elements.push_back(run.start + i);
-        root.column.push_back(values[static_cast<std::size_t>(run.start + i)]);
-      }
-      keep(candidate(roots));
+    for (std::size_t i = 0; i < values.size(); ++i)
+      keys.push_back(is_free(port, i) ? form(values[i]) : i);
+    std::map<std::uint64_t, LoopRoot> families;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      if (!is_free(port, i) || arity(graph_[values[i]].op) == 0) continue;
+      LoopRoot& root = families[form(values[i])];
+      root.port = port;
+      root.elements.push_back(static_cast<int>(i));
+      root.column.push_back(values[i]);
     }
+    for (const auto& [key, root] : families) keep(candidate({root}));
+    for (const Repetition& run : runs_of(keys))
+      keep(smallest_of(run, [&](int start, int count) {
+        std::vector<LoopRoot> roots(static_cast<std::size_t>(run.period));
+        for (int i = 0; i < run.period * count; ++i) {
+          LoopRoot& root = roots[static_cast<std::size_t>(i % run.period)];
+          root.port = port;
+          root.elements.push_back(start + i);
+          root.column.push_back(values[static_cast<std::size_t>(start + i)]);
+        }
+        return roots;
+      }));
   }
 
-  /// Sums of which no other is a part, with all their terms in the order of addition.
-  std::vector<Sum> sums() const {
-    const auto is_sum = [this](Value v) {
-      return graph_[v].op == Op::add || graph_[v].op == Op::subtract;
-    };
-    std::vector<int> length(static_cast<std::size_t>(graph_.size()), 0);
-    const auto length_of = [&](Value v) -> int& { return length[static_cast<std::size_t>(v)]; };
-    const auto rest_of = [&](const Node& node) {  // the operand that is the sum so far
-      const bool b = node.op == Op::add && length_of(node.b) > length_of(node.a);
-      return b ? node.b : node.a;
-    };
-    for (Value v = 0; v < graph_.size(); ++v)
-      if (is_sum(v) && live_[static_cast<std::size_t>(v)])
-        length_of(v) = 1 + length_of(rest_of(graph_[v]));
-    std::vector<Sum> all;
-    std::vector<bool> part(static_cast<std::size_t>(graph_.size()), false);
-    for (Value v = graph_.size() - 1; v >= 0; --v) {
-      if (part[static_cast<std::size_t>(v)] || length_of(v) < 3) continue;
-      Sum sum;
-      Value at = v;
-      for (; is_sum(at); at = rest_of(graph_[at])) {
-        part[static_cast<std::size_t>(at)] = true;
-        const Node& node = graph_[at];
-        sum.partial.push_back(at);
-        sum.terms.push_back(rest_of(node) == node.a ? node.b : node.a);
-      }
-      sum.partial.push_back(at);
-      sum.terms.push_back(at);
-      std::reverse(sum.partial.begin(), sum.partial.end());
-      std::reverse(sum.terms.begin(), sum.terms.end());
-      all.push_back(std::move(sum));
+  /// Whether no loop stores or keeps it yet.
+  bool is_free(int port, std::size_t i) const {
+    const Port& results = graph_.outputs[static_cast<std::size_t>(port)];
+    return !best_.stored[static_cast<std::size_t>(port)][i] && !kept_.count(results.values[i]);
+  }
+
+  /// Any of a period's places may come first; that one is taken which leaves the smallest body.
+  template <class Roots>
+  std::optional<LoopCandidate> smallest_of(const Repetition& run, const Roots& roots) const {
+    std::optional<LoopCandidate> best;
+    for (int phase = 0; phase < run.period; ++phase) {
+      const int count = phase == 0 ? run.count : (run.count * run.period - phase) / run.period;
+      const std::optional<LoopCandidate> now = candidate(roots(run.start + phase, count));
+      if (now && (!best || now->operations < best->operations)) best = now;
     }
-    return all;
+    return best;
   }
 
   bool depends(Value v, Value on, std::set<Value>& seen) const {
@@ -137,33 +204,56 @@ class Finder {
   std::uint64_t form_of_step(const Sum& sum, std::size_t i) const {
     const Value term = sum.terms[i], before = sum.partial[i - 1];
     std::set<Value> seen;
-    const std::uint64_t own =
-        depends(term, before, seen)
-            ? forms_given(graph_, forms_, before)[static_cast<std::size_t>(term)]
-            : form(term);
-    return own * 2 + (graph_[sum.partial[i]].op == Op::subtract);
+    return depends(term, before, seen)
+               ? forms_given(graph_, forms_, before)[static_cast<std::size_t>(term)]
+               : form(term) * 2 + (graph_[sum.partial[i]].op == Op::subtract);
   }
 
-  /// Steps of a sum that repeat. Where several make a period any of them may come first; that one
-  /// is taken which leaves the smallest body.
+  /// Steps of a sum that repeat.
   void find_steps(const Sum& sum) {
     std::vector<std::uint64_t> keys;
-    for (std::size_t i = 1; i < sum.terms.size(); ++i) keys.push_back(form_of_step(sum, i));
-    for (const Repetition& run : runs_of(keys)) {
-      std::optional<LoopCandidate> best;
-      for (int phase = 0; phase < run.period; ++phase) {
-        const int count = phase == 0 ? run.count : (run.count * run.period - phase) / run.period;
+    for (std::size_t i = 1; i < sum.terms.size(); ++i)
+      keys.push_back(carried_.count(sum.partial[i]) ? i : form_of_step(sum, i));
+    for (const Repetition& run : runs_of(keys))
+      keep(smallest_of(run, [&](int start, int count) {
         LoopRoot root;
-        // keys[i] belongs to the step that ends in partial[i + 1]
-        root.first = sum.partial[static_cast<std::size_t>(run.start + phase)];
+        root.first =
+            sum.partial[static_cast<std::size_t>(start)];  // keys[i] leads to partial[i + 1]
         for (int k = 1; k <= count; ++k)
-          root.column.push_back(
-              sum.partial[static_cast<std::size_t>(run.start + phase + k * run.period)]);
-        const std::optional<LoopCandidate> now = candidate({root});
-        if (now && (!best || now->operations() < best->operations())) best = now;
-      }
-      keep(best);
+          root.column.push_back(sum.partial[static_cast<std::size_t>(start + k * run.period)]);
+        return std::vector<LoopRoot>{root};
+      }));
+  }
+
+  /// Values of one form, wherever they are used.
+  void find_families() {
+    std::vector<bool> given(static_cast<std::size_t>(graph_.size()), false);
+    for (const Loop& loop : best_.loops) mark_given(loop, given);
+    std::map<std::uint64_t, Column> families;
+    for (const Step& step : best_.steps)
+      if (step.loop < 0 && arity(graph_[step.value].op) > 0 &&
+          !given[static_cast<std::size_t>(step.value)] &&
+          live_[static_cast<std::size_t>(step.value)] && !is_scaled(step.value))
+        families[form(step.value)].push_back(step.value);
+    for (auto& [key, column] : families) {
+      std::sort(column.begin(), column.end());
+      keep(candidate({{column, 0, {}, no_value}}));
     }
+  }
+
+  /// Whether it has the form of what a factor multiplies.
+  bool is_scaled(Value v) const {
+    for (int i = 0; i < arity(graph_[v].op); ++i)
+      if (form(graph_[v].operand(i)) == form(v)) return true;
+    return false;
+  }
+
+  void leave_largest() {
+    constexpr std::size_t most = 40;
+    std::stable_sort(
+        candidates_.begin(), candidates_.end(),
+        [](const LoopCandidate& a, const LoopCandidate& b) { return a.saving() > b.saving(); });
+    if (candidates_.size() > most) candidates_.resize(most);
   }
 
   /// Loops of as many passes become one where their bodies have operations in common.
@@ -181,54 +271,163 @@ class Finder {
   }
 
   std::optional<LoopCandidate> joined(const LoopCandidate& a, const LoopCandidate& b) const {
-    if (a.loop.count != b.loop.count) return std::nullopt;
+    if (a.count != b.count) return std::nullopt;
     std::vector<LoopRoot> roots = a.roots;
-    roots.insert(roots.end(), b.roots.begin(), b.roots.end());
+    for (const LoopRoot& root : b.roots)
+      if (std::find(roots.begin(), roots.end(), root) == roots.end()) roots.push_back(root);
+    if (roots.size() == a.roots.size()) return a;
     std::optional<LoopCandidate> both = candidate(roots);
-    if (both && both->operations() < a.operations() + b.operations()) return both;
+    constexpr int small = 40;  // larger bodies without a common operation crowd the registers
+    const int apart = a.operations + b.operations;
+    if (both && both->written < a.written + b.written &&
+        (both->operations < apart || apart < small))
+      return both;
     return std::nullopt;
   }
 
-  /// The loops that save most first; each must save enough beside those taken before it.
-  Plan choose() {
-    std::stable_sort(
-        candidates_.begin(), candidates_.end(),
-        [](const LoopCandidate& a, const LoopCandidate& b) { return a.saving() > b.saving(); });
-    Plan best = straight_plan(graph_);
-    const PlanSize straight = size_of(graph_, best);
-    for (const LoopCandidate& each : candidates_) {
-      std::vector<Loop> loops = best.loops;
-      loops.push_back(each.loop);
-      std::optional<Plan> plan = try_plan(loops);
+  /// The candidate that leaves the fewest operations written.
+  bool choose() {
+    constexpr std::size_t most = 20;
+    leave_largest();
+    std::optional<Plan> best;
+    const PlanSize before = size_of(graph_, best_);
+    double highest = 0.0;
+    for (std::size_t i = 0; i < std::min(most, candidates_.size()); ++i) {
+      std::optional<Plan> plan = with(candidates_[i]);
       if (!plan) continue;
-      const PlanSize before = size_of(graph_, best), now = size_of(graph_, *plan);
-      if (before.written - now.written < saving_ ||
-          now.executed > largest_growth * straight.executed)
+      const PlanSize now = size_of(graph_, *plan);
+      const int saved = before.written - now.written;
+      const double growth = std::max(now.executed - before.executed, 0);
+      const double value = saved / (growth + idle_growth * straight_.executed);
+      if (arrays_of(*plan) > limits_.arrays || saved < limits_.saving || value <= highest ||
+          now.executed > limits_.growth * straight_.executed)
         continue;
-      best = std::move(*plan);
+      highest = value;
+      best = std::move(plan);
     }
-    return best;
+    if (!best) return false;
+    best_ = std::move(*best);
+    for (const LoopResult& result : best_.loops.back().results)
+      if (result.is_carried()) carried_.insert(result.last);
+    return true;
   }
 
-  std::optional<Plan> try_plan(const std::vector<Loop>& loops) const {
-    try {
-      return plan_with(graph_, loops);
-    } catch (const std::logic_error&) {  // they need each other's results
+  /// Elements of all arrays that the loops of a plan keep or choose from.
+  static std::size_t arrays_of(const Plan& plan) {
+    std::size_t elements = 0;
+    for (const Loop& loop : plan.loops) {
+      for (const LoopResult& result : loop.results) elements += result.kept.size();
+      for (const LoopLeaf& leaf : loop.leaves)
+        if (leaf.kind == LoopLeaf::Kind::chosen) elements += leaf.choices.size();
+    }
+    return elements;
+  }
+
+  std::optional<Plan> with(const LoopCandidate& each) const {
+    std::optional<LoopBuilder> builder = built(each.roots);
+    keep_needed(*builder);
+    std::vector<Loop> loops = best_.loops;
+    loops.push_back(std::move(builder->loop));
+    try {  // loops may need each other's results
+      return plan_with(graph_, std::move(loops));
+    } catch (const std::logic_error&) {
       return std::nullopt;
     }
   }
 
+  /// Values that statements beside the loop use, and other loops.
+  std::vector<bool> used_beside(const Loop& loop) const {
+    std::vector<bool> used(static_cast<std::size_t>(graph_.size()), false);
+    std::vector<std::vector<bool>> stored = best_.stored;
+    const auto use = [&](const Loop& each) {
+      for (const LoopLeaf& leaf : each.leaves)
+        for (Value v : leaf.reads()) used[static_cast<std::size_t>(v)] = true;
+      for (const LoopResult& result : each.results) {
+        if (result.is_carried()) used[static_cast<std::size_t>(result.first)] = true;
+        for (int element : result.elements)
+          stored[static_cast<std::size_t>(result.port)][static_cast<std::size_t>(element)] = true;
+      }
+    };
+    for (const Loop& each : best_.loops) use(each);
+    use(loop);
+    for (std::size_t p = 0; p < graph_.outputs.size(); ++p)
+      for (std::size_t i = 0; i < stored[p].size(); ++i)
+        if (!stored[p][i]) used[static_cast<std::size_t>(graph_.outputs[p].values[i])] = true;
+    return used;
+  }
+
+  /// Columns of a loop's body to keep: values that are needed beside the loop and would take
+  /// several operations to compute again. Kept columns that nothing needs are left out.
+  void keep_needed(LoopBuilder& builder) const {
+    constexpr int cheap = 3;
+    std::vector<bool> used = used_beside(builder.loop), given(used.size(), false);
+    for (const Loop& loop : best_.loops) mark_given(loop, given);
+    for (const LoopResult& result : builder.loop.results)
+      if (result.is_carried()) given[static_cast<std::size_t>(result.last)] = true;
+    std::map<Value, Column> columns;
+    for (const auto& [made, column] : builder.columns())
+      if (operations_below(builder.loop.body, made) > cheap)
+        for (Value v : column) columns[v] = column;
+    std::set<Column> needed;
+    for (Value v = graph_.size() - 1; v >= 0; --v) {
+      if (!used[static_cast<std::size_t>(v)] || given[static_cast<std::size_t>(v)]) continue;
+      if (const auto found = columns.find(v); found != columns.end())
+        needed.insert(found->second);
+      else
+        for (int i = 0; i < arity(graph_[v].op); ++i)
+          used[static_cast<std::size_t>(graph_[v].operand(i))] = true;
+    }
+    builder.keep_only(needed);
+  }
+
+  static void mark_given(const Loop& loop, std::vector<bool>& given) {
+    for (const LoopResult& result : loop.results)
+      for (Value v : result.given()) given[static_cast<std::size_t>(v)] = true;
+  }
+
+  static int operations_below(const Graph& body, Value top) {
+    std::vector<bool> below(static_cast<std::size_t>(top) + 1, false);
+    below.back() = true;
+    int count = 0;
+    for (Value v = top; v >= 0; --v) {
+      if (!below[static_cast<std::size_t>(v)]) continue;
+      count += arity(body[v].op) > 0;
+      for (int i = 0; i < arity(body[v].op); ++i)
+        below[static_cast<std::size_t>(body[v].operand(i))] = true;
+    }
+    return count;
+  }
+
   const Graph& graph_;
-  int saving_;
-  Forms forms_;
+  LoopLimits limits_;
+  bool families_;
   std::vector<bool> live_;
+  std::vector<Sum> sums_;
+  Plan best_;
+  PlanSize straight_;
+  KeptValues kept_;       ///< by the loops of best_
+  std::set<Value> read_;  ///< by the loops of best_
+  std::set<Value> carried_;
+  Forms forms_;
+  Forms keys_;  ///< what is looked for among: forms, or exact forms
   std::vector<LoopCandidate> candidates_;
 };
 
 }  // namespace
 
-Plan plan_loops(const Graph& graph, int saving) {
-  return Finder(graph, saving).run();
+LoopLimits loop_limits(const Target& target) {
+  LoopLimits limits;
+  if (target.optimise == Optimise::size) limits.growth = 2.0;
+  return limits;
+}
+
+Plan plan_loops(const Graph& graph, const LoopLimits& limits) {
+  Plan best = straight_plan(graph);
+  for (const bool families : {false, true}) {
+    Plan plan = Finder(graph, limits, families).run();
+    if (size_of(graph, plan).written < size_of(graph, best).written) best = std::move(plan);
+  }
+  return best;
 }
 
 }  // namespace sinew

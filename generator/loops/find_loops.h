@@ -1,21 +1,30 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
+
 #include "generator/loops/plan.h"
+#include "generator/target.h"
 
 namespace sinew {
 
-/// What a loop must save: operations written in it fewer than without. docs/performance.md has the
-/// measurement.
-inline constexpr int smallest_saving = 24;
+struct LoopLimits {
+  /// What a loop must save: operations written in it fewer than without.
+  int saving = 24;
+  /// What loops may cost: instructions executed over those without loops, as size_of estimates
+  /// them. A pass reads from tables what straight code has in its instructions.
+  double growth = 1.05;
+  /// Elements that the arrays of a function's loops may have together: they are on the stack.
+  std::size_t arrays = 128;
+};
 
-/// What loops may cost: operations executed over those of the graph. A value that two passes share
-/// is computed in both.
-inline constexpr double largest_growth = 1.11;
+/// The usual ones; where a target is short of room for code, loops may cost more.
+/// docs/performance.md has the measurement.
+LoopLimits loop_limits(const Target& target);
 
-/// Finds what repeats in an optimised graph and plans loops for it: results in a row, and steps of
-/// long sums, whose computations have the same form and differ in constants and input elements
-/// alone. Results have the bits of the graph evaluated value by value.
-Plan plan_loops(const Graph& graph, int saving = smallest_saving);
+/// Finds what repeats in an optimised graph and plans loops for it: results, steps of long sums and
+/// other values whose computations have the same form and differ in constants, signs and input
+/// elements alone. Results have the bits of the graph evaluated value by value.
+Plan plan_loops(const Graph& graph, const LoopLimits& limits);
 
 }  // namespace sinew

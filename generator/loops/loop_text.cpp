@@ -16,26 +16,37 @@ constexpr std::size_t longest_line = 92;
 class LoopTextMaker {
  public:
   LoopTextMaker(const Loop& loop, const Graph& graph, const Target& target,
-                const std::function<std::string(const std::string&)>& fresh)
-      : loop_(loop), graph_(graph), target_(target), fresh_(fresh), index_(fresh("i")) {}
+                const LoopSurroundings& around)
+      : loop_(loop), graph_(graph), target_(target), around_(around), index_(fresh("i")) {}
 
   LoopText run() {
     text_.head = fmt::format("for (int {0} = 0; {0} < {1}; ++{0}) {{", index_, loop_.count);
-    for (const LoopResult& result : loop_.results)
-      text_.results.push_back(
-          result.is_carried() ? fresh_("sum")
-                              : element(graph_.outputs[static_cast<std::size_t>(result.port)].name,
-                                        result.elements));
+    for (const LoopResult& result : loop_.results) {
+      text_.arrays.push_back(result.is_kept() ? fresh("kept") : "");
+      text_.results.push_back(result_text(result));
+    }
     const std::string constants = table_of_constants();
     for (const LoopLeaf& leaf : loop_.leaves) text_.leaves.push_back(leaf_text(leaf, constants));
     return std::move(text_);
   }
 
  private:
+  std::string fresh(const std::string& prefix) const { return around_.fresh(prefix); }
+
+  std::string result_text(const LoopResult& result) {
+    if (result.is_carried()) return fresh("sum");
+    if (result.is_kept()) return fmt::format("{}[{}]", text_.arrays.back(), index_);
+    return element(graph_.outputs[static_cast<std::size_t>(result.port)].name, result.elements);
+  }
+
   std::string leaf_text(const LoopLeaf& leaf, const std::string& constants) {
     switch (leaf.kind) {
       case LoopLeaf::Kind::shared:
         return "";
+      case LoopLeaf::Kind::chosen:
+        return choice(leaf);
+      case LoopLeaf::Kind::kept:
+        return kept(leaf);
       case LoopLeaf::Kind::constant:
         return columns_.size() == 1
                    ? fmt::format("{}[{}]", constants, index_)
@@ -48,8 +59,8 @@ class LoopTextMaker {
     const std::string& variable = text_.results[static_cast<std::size_t>(leaf.result)];
     const auto carried = std::count_if(loop_.results.begin(), loop_.results.end(),
                                        [](const LoopResult& r) { return r.is_carried(); });
-    if (carried == 1) return variable;  // assigned last
-    const std::string copy = fresh_("before");
+    if (carried == 1 && loop_.results.back().is_carried()) return variable;  // assigned last
+    const std::string copy = fresh("before");
     text_.copies.push_back(fmt::format("const {} {} = {};", target_.type(), copy, variable));
     return copy;
   }
@@ -69,14 +80,18 @@ class LoopTextMaker {
         row += (row.empty() ? "" : ", ") + literal((*column)[pass], target_);
       rows.push_back(order.size() == 1 ? row : "{" + row + "}");
     }
-    const std::string name = fresh_("table");
+    const std::string name = fresh("table");
     const std::string width = order.size() == 1 ? "" : fmt::format("[{}]", order.size());
     write_table(fmt::format("{} {}[{}]{}", target_.type(), name, loop_.count, width), rows);
     return name;
   }
 
   void write_table(const std::string& declaration, const std::vector<std::string>& entries) {
-    std::string line = fmt::format("static const {} = {{", declaration);
+    write_array("static const " + declaration, entries);
+  }
+
+  void write_array(const std::string& declaration, const std::vector<std::string>& entries) {
+    std::string line = declaration + " = {";
     for (std::size_t i = 0; i < entries.size(); ++i) {
       const std::string entry = entries[i] + (i + 1 < entries.size() ? "," : "};");
       if (line.size() + entry.size() + 1 > longest_line) {
@@ -86,6 +101,33 @@ class LoopTextMaker {
       line += (line.back() == '{' ? "" : " ") + entry;
     }
     text_.tables.push_back(line);
+  }
+
+  /// The values in an array, and for each pass the place in it. They may be in an array already.
+  std::string choice(const LoopLeaf& leaf) {
+    const std::string array = around_.kept(leaf.choices[0]).first;
+    std::vector<int> places;
+    for (Value v : leaf.choices) {
+      if (around_.kept(v).first != array || array.empty()) return new_choice(leaf);
+      places.push_back(around_.kept(v).second);
+    }
+    std::vector<int> elements;
+    for (int place : leaf.places) elements.push_back(places[static_cast<std::size_t>(place)]);
+    return element(array, elements);
+  }
+
+  std::string new_choice(const LoopLeaf& leaf) {
+    const std::string name = fresh("choice");
+    std::vector<std::string> entries;
+    for (Value v : leaf.choices) entries.push_back(around_.text(v));
+    write_array(fmt::format("const {} {}[{}]", target_.type(), name, entries.size()), entries);
+    return element(name, leaf.places);
+  }
+
+  std::string kept(const LoopLeaf& leaf) {
+    std::vector<int> places;
+    for (Value v : leaf.choices) places.push_back(around_.kept(v).second);
+    return element(around_.kept(leaf.choices[0]).first, places);
   }
 
   std::string input(std::vector<int> elements) {
@@ -110,7 +152,7 @@ class LoopTextMaker {
   std::string table_of_elements(const std::vector<int>& elements) {
     std::string& name = element_tables_[elements];
     if (!name.empty()) return name;
-    name = fresh_("element");
+    name = fresh("element");
     std::vector<std::string> entries;
     for (int each : elements) entries.push_back(std::to_string(each));
     write_table(fmt::format("unsigned short {}[{}]", name, loop_.count), entries);
@@ -120,7 +162,7 @@ class LoopTextMaker {
   const Loop& loop_;
   const Graph& graph_;
   const Target& target_;
-  const std::function<std::string(const std::string&)>& fresh_;
+  const LoopSurroundings& around_;
   std::string index_;
   LoopText text_;
   std::map<std::vector<double>, std::size_t> columns_;  ///< place in a row
@@ -130,8 +172,8 @@ class LoopTextMaker {
 }  // namespace
 
 LoopText loop_text(const Loop& loop, const Graph& graph, const Target& target,
-                   const std::function<std::string(const std::string&)>& fresh) {
-  return LoopTextMaker(loop, graph, target, fresh).run();
+                   const LoopSurroundings& around) {
+  return LoopTextMaker(loop, graph, target, around).run();
 }
 
 }  // namespace sinew

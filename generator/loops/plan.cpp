@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "generator/loops/plan.h"
 
+#include <set>
 #include <stdexcept>
 
 namespace sinew {
@@ -21,8 +22,7 @@ class StepOrder {
         given_by_(static_cast<std::size_t>(graph.size()), -1) {
     for (std::size_t k = 0; k < plan.loops.size(); ++k)
       for (const LoopResult& result : plan.loops[k].results)
-        if (result.is_carried())
-          given_by_[static_cast<std::size_t>(result.last)] = static_cast<int>(k);
+        for (Value v : result.given()) given_by_[static_cast<std::size_t>(v)] = static_cast<int>(k);
   }
 
   void run() {
@@ -42,7 +42,7 @@ class StepOrder {
 
   void use_by_loop(const Loop& loop, std::vector<bool>& needed) {
     for (const LoopLeaf& leaf : loop.leaves)
-      if (leaf.kind == LoopLeaf::Kind::shared) use(leaf.value, 2, needed);
+      for (Value v : leaf.reads()) use(v, 2, needed);
     for (const LoopResult& result : loop.results)
       if (result.is_carried()) use(result.first, 1, needed);
   }
@@ -84,7 +84,7 @@ class StepOrder {
     State& state = loop_state_[static_cast<std::size_t>(k)];
     if (!enter(state)) return;
     for (const LoopLeaf& leaf : plan_.loops[static_cast<std::size_t>(k)].leaves)
-      if (leaf.kind == LoopLeaf::Kind::shared) place(leaf.value);
+      for (Value v : leaf.reads()) place(v);
     for (const LoopResult& result : plan_.loops[static_cast<std::size_t>(k)].results)
       if (result.is_carried()) place(result.first);
     plan_.steps.push_back({no_value, k});
@@ -128,21 +128,161 @@ int operation_count(const Graph& graph) {
   return count;
 }
 
+namespace {
+
+/// Instructions of an operation: in the code, and executed where it calls a function.
+struct Weight {
+  int written = 1;
+  int executed = 1;
+};
+
+/// Counted in the object code for the Cortex-A9; docs/performance.md has the comparison.
+Weight weight_of(Op op) {
+  switch (op) {
+    case Op::input:
+    case Op::constant:
+      return {0, 0};
+    case Op::square_root:
+      return {9, 9};
+    case Op::minimum:
+    case Op::maximum:
+    case Op::choose:
+    case Op::absolute:
+      return {6, 6};
+    case Op::sine:
+    case Op::cosine:
+      return {6, 60};
+    case Op::arctangent:
+    case Op::arctangent2:
+    case Op::arccosine:
+    case Op::arcsine:
+    case Op::exponential:
+    case Op::logarithm:
+    case Op::hyperbolic_tangent:
+      return {4, 150};
+    default:
+      return {1, 1};
+  }
+}
+
+/// Products that are used once, by a sum: one instruction computes both, with two roundings.
+std::vector<bool> products_in_sums(const Graph& graph, const std::vector<int>& uses) {
+  std::vector<bool> in_sum(static_cast<std::size_t>(graph.size()), false);
+  for (Value v = 0; v < graph.size(); ++v) {
+    if (graph[v].op != Op::add && graph[v].op != Op::subtract) continue;
+    for (int i = 1; i >= 0; --i) {
+      const auto operand = static_cast<std::size_t>(graph[v].operand(i));
+      if (graph[graph[v].operand(i)].op != Op::multiply || uses[operand] != 1) continue;
+      in_sum[operand] = true;
+      break;
+    }
+  }
+  return in_sum;
+}
+
+/// A constant is loaded where it is used; a loop keeps it in a register.
+int constant_operands(const Graph& graph, const Node& node) {
+  int count = 0;
+  for (int i = 0; i < arity(node.op); ++i) count += graph.is_constant(node.operand(i));
+  return count;
+}
+
+/// Loads and stores of values that registers have no room for: the more, the longer the code is.
+int moved_in(int instructions) {
+  constexpr int length = 12000;
+  return instructions * instructions / length;
+}
+
+/// The same in a pass of a loop, which also holds what it reads in every pass.
+int moved_in_pass(int operations) {
+  constexpr int length = 300;
+  return operations * operations / length;
+}
+
+bool is_even(const std::vector<int>& elements) {
+  for (std::size_t i = 2; i < elements.size(); ++i)
+    if (elements[i] - elements[i - 1] != elements[1] - elements[0]) return false;
+  return true;
+}
+
+/// What a pass does beside the body's operations: its counter, and loads and stores of what it
+/// reads and gives. Places that are not evenly spaced are read from a table, once for all that has
+/// the same.
+int beside_of_pass(const Loop& loop) {
+  constexpr int counter = 5, lookup = 4;
+  std::size_t moved = loop.results.size();
+  std::set<std::vector<int>> tables;
+  for (const LoopResult& result : loop.results)
+    if (!is_even(result.elements)) tables.insert(result.elements);
+  for (const LoopLeaf& leaf : loop.leaves) {
+    moved += leaf.kind == LoopLeaf::Kind::shared || leaf.kind == LoopLeaf::Kind::carried ? 0 : 1;
+    if (!is_even(leaf.inputs)) tables.insert(leaf.inputs);
+    if (leaf.kind == LoopLeaf::Kind::chosen) {
+      tables.insert(leaf.places);
+      ++moved;  // the array's address
+    }
+  }
+  return counter + static_cast<int>(moved + lookup * tables.size());
+}
+
+/// Stores of what passes choose from, and loads of what they kept.
+int choices_of(const Loop& loop) {
+  std::size_t stores = 0;
+  for (const LoopResult& result : loop.results) stores += result.kept.size();
+  for (const LoopLeaf& leaf : loop.leaves)
+    if (leaf.kind == LoopLeaf::Kind::chosen) stores += leaf.choices.size();
+  return static_cast<int>(stores);
+}
+
+PlanSize body_size(const Graph& body) {
+  PlanSize size;
+  const std::vector<bool> in_sum = products_in_sums(body, use_counts(body));
+  for (Value v = 0; v < body.size(); ++v) {
+    if (in_sum[static_cast<std::size_t>(v)]) continue;
+    size.written += weight_of(body[v].op).written;
+    size.executed += weight_of(body[v].op).executed;
+  }
+  return size;
+}
+
+}  // namespace
+
+PlanSize size_of(const Loop& loop) {
+  const PlanSize body = body_size(loop.body);
+  const int beside = beside_of_pass(loop) + moved_in_pass(operation_count(loop.body));
+  const int choices = choices_of(loop);
+  return {body.written + beside + choices, loop.count * (body.executed + beside) + choices};
+}
+
 PlanSize size_of(const Graph& graph, const Plan& plan) {
   PlanSize size;
   std::vector<bool> given(static_cast<std::size_t>(graph.size()), false);
   for (const Loop& loop : plan.loops) {
-    const int body = operation_count(loop.body);
-    size.written += body;
-    size.executed += body * loop.count;
+    const PlanSize each = size_of(loop);
+    size.written += each.written;
+    size.executed += each.executed;
     for (const LoopResult& result : loop.results)
-      if (result.is_carried()) given[static_cast<std::size_t>(result.last)] = true;
+      for (Value v : result.given()) given[static_cast<std::size_t>(v)] = true;
   }
+  PlanSize straight;
+  const std::vector<bool> in_sum = products_in_sums(graph, plan.uses);
   for (const Step& step : plan.steps) {
     if (step.loop >= 0 || given[static_cast<std::size_t>(step.value)]) continue;
-    size.written += is_operation(graph[step.value]);
-    size.executed += is_operation(graph[step.value]);
+    const Node& node = graph[step.value];
+    const int constants = constant_operands(graph, node);
+    const Weight weight =
+        in_sum[static_cast<std::size_t>(step.value)] ? Weight{0, 0} : weight_of(node.op);
+    straight.written += weight.written + 2 * constants;  // with the constant itself
+    straight.executed += weight.executed + constants;
   }
+  const int moved = moved_in(straight.written);
+  size.written += straight.written + moved;
+  size.executed += straight.executed + moved;
+  for (const std::vector<bool>& port : plan.stored)
+    for (bool stored : port) {
+      size.written += stored ? 0 : 1;
+      size.executed += stored ? 0 : 1;
+    }
   return size;
 }
 

@@ -15,24 +15,38 @@ namespace sinew {
 struct LoopLeaf {
   enum class Kind {
     shared,    ///< the same value in all passes
+    chosen,    ///< one of a few values for each pass
+    kept,      ///< what another loop keeps, for each pass
     constant,  ///< a constant for each pass
     input,     ///< an input element of the function for each pass
     carried    ///< what the pass before gave
   };
   Kind kind = Kind::shared;
   Value value = no_value;              ///< shared
+  std::vector<Value> choices = {};     ///< chosen; kept: by pass
+  std::vector<int> places = {};        ///< chosen: by pass, in `choices`
   std::vector<double> constants = {};  ///< constant: by pass
   std::vector<int> inputs = {};        ///< input: by pass, all in one argument
   int result = 0;                      ///< carried: which of the loop's results
+
+  /// The values of the graph that the leaf reads.
+  std::vector<Value> reads() const {
+    return kind == Kind::shared ? std::vector<Value>{value} : choices;
+  }
 };
 
-/// A result of a loop's body: stored in each pass, or carried to the next.
+/// A result of a loop's body: stored in each pass, carried to the next, or kept for what follows.
 struct LoopResult {
-  int port = 0;               ///< stored: the output
-  std::vector<int> elements;  ///< stored: by pass; empty where carried
-  Value first = no_value;     ///< carried: the value before the first pass
-  Value last = no_value;      ///< carried: the value that the last pass gives
+  int port = 0;                    ///< stored: the output
+  std::vector<int> elements = {};  ///< stored: by pass; empty elsewhere
+  Value first = no_value;          ///< carried: the value before the first pass
+  Value last = no_value;           ///< carried: the value that the last pass gives
+  std::vector<Value> kept = {};    ///< kept: by pass; empty elsewhere
   bool is_carried() const { return last != no_value; }
+  bool is_kept() const { return !kept.empty(); }
+
+  /// The values of the graph that are there after the loop.
+  std::vector<Value> given() const { return is_carried() ? std::vector<Value>{last} : kept; }
 };
 
 /// `count` passes of one body. The body's input element k is leaves[k]; the elements of its only
@@ -67,11 +81,12 @@ Plan plan_with(const Graph& graph, std::vector<Loop> loops);
 /// Operations of the graph, inputs and constants left out.
 int operation_count(const Graph& graph);
 
-/// Operations that a plan writes, and that it executes.
+/// An estimate of the instructions that a plan writes, constants included, and executes.
 struct PlanSize {
   int written = 0;
   int executed = 0;
 };
+PlanSize size_of(const Loop& loop);
 PlanSize size_of(const Graph& graph, const Plan& plan);
 
 }  // namespace sinew

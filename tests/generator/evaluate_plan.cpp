@@ -45,6 +45,11 @@ class PlanRun {
                 : apply<double>(node, operand(node.a), operand(node.b), operand(node.c));
   }
 
+  void give(Value v, double value) {
+    at(v) = value;
+    given_[static_cast<std::size_t>(v)] = true;
+  }
+
   void run_loop(const Loop& loop) {
     std::vector<double> carried;
     for (const LoopResult& result : loop.results)
@@ -54,14 +59,15 @@ class PlanRun {
       for (const LoopLeaf& leaf : loop.leaves) leaves.push_back(leaf_in_pass(leaf, pass, carried));
       carried = evaluate(loop.body, leaves);
       for (std::size_t k = 0; k < loop.results.size(); ++k)
-        if (const LoopResult& result = loop.results[k]; !result.is_carried())
+        if (const LoopResult& result = loop.results[k]; result.is_kept())
+          give(result.kept[pass], carried[k]);
+        else if (!result.is_carried())
           results_[static_cast<std::size_t>(result.port)]
                   [static_cast<std::size_t>(result.elements[pass])] = carried[k];
     }
     for (std::size_t k = 0; k < loop.results.size(); ++k) {
       if (!loop.results[k].is_carried()) continue;
-      at(loop.results[k].last) = carried[k];
-      given_[static_cast<std::size_t>(loop.results[k].last)] = true;
+      give(loop.results[k].last, carried[k]);
     }
   }
 
@@ -69,6 +75,10 @@ class PlanRun {
     switch (leaf.kind) {
       case LoopLeaf::Kind::shared:
         return at(leaf.value);
+      case LoopLeaf::Kind::chosen:
+        return at(leaf.choices[static_cast<std::size_t>(leaf.places[pass])]);
+      case LoopLeaf::Kind::kept:
+        return at(leaf.choices[pass]);
       case LoopLeaf::Kind::constant:
         return leaf.constants[pass];
       case LoopLeaf::Kind::input:
