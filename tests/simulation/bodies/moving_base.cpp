@@ -91,11 +91,13 @@ Needed newton_euler(const sinew::Mechanism& mechanism, const VectorXd& q, const 
 MatrixXd map_of(const sinew::Mechanism& mechanism) {
   const sinew::Coordinates coordinates(mechanism);
   const auto n = static_cast<std::size_t>(coordinates.count());
+  sinew::DefinitionList list;
+  const sinew::JointMap joints = coordinates.at(list, std::vector<GiNaC::ex>(n, 0));
   MatrixXd J(sinew::coordinate_count(mechanism), coordinates.count());
   for (std::size_t k = 0; k < n; ++k) {
     std::vector<GiNaC::ex> unit(n, 0);
     unit[k] = 1;
-    const auto column = coordinates.of_moving_joints(unit);
+    const auto column = joints.velocities(unit);
     for (std::size_t i = 0; i < column.size(); ++i)
       J(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k)) =
           GiNaC::ex_to<GiNaC::numeric>(column[i].evalf()).to_double();

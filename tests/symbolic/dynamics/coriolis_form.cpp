@@ -8,9 +8,9 @@
 #include "generator/lower.h"
 #include "generator/passes/pipeline.h"
 #include "symbolic/dynamics/coriolis.h"
-#include "symbolic/expressions/differentiate.h"
 #include "symbolic/dynamics/mass_matrix.h"
 #include "symbolic/dynamics/symbols.h"
+#include "symbolic/expressions/differentiate.h"
 #include "tests/reference/random_mechanism.h"
 #include "tests/reference/reference_model.h"
 

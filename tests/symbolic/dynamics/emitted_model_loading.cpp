@@ -14,8 +14,9 @@ Mechanism planar_arm() {
   Mechanism arm;
   arm.name = "arm";
   arm.gravity = {0.0, -9.81, 0.0};
-  arm.bodies.push_back({"upper", 2.0, {0.15, 0.0, 0.0}, Eigen::Matrix3d::Identity() * 0.02, {}});
-  arm.bodies.push_back({"lower", 1.0, {0.1, 0.0, 0.0}, Eigen::Matrix3d::Identity() * 0.01, {}});
+  arm.bodies.push_back(
+      {"upper", "", 2.0, {0.15, 0.0, 0.0}, Eigen::Matrix3d::Identity() * 0.02, {}});
+  arm.bodies.push_back({"lower", "", 1.0, {0.1, 0.0, 0.0}, Eigen::Matrix3d::Identity() * 0.01, {}});
   arm.joints.resize(2);
   arm.joints[0].name = "shoulder";
   arm.joints[1].name = "elbow";

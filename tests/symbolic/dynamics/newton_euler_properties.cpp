@@ -130,7 +130,8 @@ TEST_CASE("the reference's tip Jacobian is the derivative of the tip's pose") {
 TEST_CASE("a point mass on a rod is the textbook's pendulum") {
   Mechanism pendulum;
   pendulum.gravity = {0.0, -9.81, 0.0};
-  pendulum.bodies.push_back({"rod", 2.0, {0.5, 0.0, 0.0}, Eigen::Matrix3d::Identity() * 0.1, {}});
+  pendulum.bodies.push_back(
+      {"rod", "", 2.0, {0.5, 0.0, 0.0}, Eigen::Matrix3d::Identity() * 0.1, {}});
   pendulum.joints.emplace_back();
   const NewtonEuler<double> dynamics(pendulum);
   const Eigen::VectorXd q = Eigen::VectorXd::Constant(1, 0.3);

@@ -23,7 +23,7 @@ Mechanism two_links() {
   arm.name = "arm";
   for (int i = 0; i < 2; ++i) {
     const Eigen::Matrix3d I = Eigen::Vector3d(1e-4, 1e-3, 1e-3).asDiagonal();
-    arm.bodies.push_back({i ? "tip" : "root", 0.3, {0.1, 0, 0}, I, {}});
+    arm.bodies.push_back({i ? "tip" : "root", "", 0.3, {0.1, 0, 0}, I, {}});
     Joint joint;
     joint.name = i ? "q2" : "q1";
     joint.parent = i - 1;

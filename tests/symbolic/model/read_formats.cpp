@@ -226,7 +226,8 @@ TEST_CASE("a mechanism made by hand is checked too", "[formats]") {
 TEST_CASE("the mass matrix of the check: two point masses on a rod", "[formats]") {
   Mechanism arm;
   for (int i = 0; i < 2; ++i) {
-    arm.bodies.push_back({"b" + std::to_string(i), 1.0, {1, 0, 0}, Eigen::Matrix3d::Zero(), {}});
+    arm.bodies.push_back(
+        {"b" + std::to_string(i), "", 1.0, {1, 0, 0}, Eigen::Matrix3d::Zero(), {}});
     Joint joint;
     joint.name = "q" + std::to_string(i);
     joint.parent = i - 1;
@@ -247,7 +248,8 @@ TEST_CASE("the mass matrix of the check: two point masses on a rod", "[formats]"
 TEST_CASE("an inertia that is a rounding error is none, whatever way its joint stands") {
   Mechanism arm;
   for (int i = 0; i < 2; ++i) {
-    arm.bodies.push_back({"b" + std::to_string(i), 1.0, {0.1, 0, 0}, Eigen::Matrix3d::Zero(), {}});
+    arm.bodies.push_back(
+        {"b" + std::to_string(i), "", 1.0, {0.1, 0, 0}, Eigen::Matrix3d::Zero(), {}});
     Joint joint;
     joint.name = "q" + std::to_string(i);
     joint.parent = i - 1;

@@ -71,8 +71,8 @@ sinew::Mechanism random_tree(unsigned seed) {
   tree.description = "quotes \" and \\ and\ttabs";
   tree.gravity = vector(random, 10.0);
   for (int i = 0; i < 6; ++i) {
-    Body body{
-        "b" + std::to_string(i), 0.1 + 0.01 * vector(random, 1.0)[0], vector(random, 0.1), {}, {}};
+    Body body{"b" + std::to_string(i), "", 0.1 + 0.01 * vector(random, 1.0)[0],
+              vector(random, 0.1),     {}, {}};
     const Eigen::Matrix3d turn = rotation_from_rpy(vector(random, 3.0));
     const Eigen::Matrix3d raw =
         turn * Eigen::Vector3d(2e-3, 3e-3, 4e-3).asDiagonal() * turn.transpose();

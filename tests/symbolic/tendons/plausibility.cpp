@@ -82,10 +82,10 @@ TEST_CASE("one kilogram everywhere is what exporters write", "[plausible]") {
 }
 
 TEST_CASE("products of inertia of the other sign are told", "[plausible]") {
-  // Rods that lean across their frames: the joint at one end, the next one at the other.
+  // Rods that lean in a plane of their frames: the joint at one end, the next one at the other.
   Mechanism arm = index_finger();
   for (std::size_t i = 0; i < arm.bodies.size(); ++i) {
-    const Eigen::Vector3d along = Eigen::Vector3d(0.03, 0.02, i % 2 ? 0.01 : -0.01);
+    const Eigen::Vector3d along = Eigen::Vector3d(0.03, i % 2 ? 0.02 : -0.02, 0.0);
     Body& body = arm.bodies[i];
     body.mass = 0.01;
     body.centre_of_mass = along / 2;
