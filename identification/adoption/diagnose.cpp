@@ -292,7 +292,7 @@ class Run {
     tell_measured(measured, subject_.problem().unlike_channels, any, request_.settings.seed,
                   f.verdict);
     discrepant_ = discrepant_channels(subject_.problem(), measured, columns_, false);
-    unquiet_ = unquiet_channels(subject_.problem(), measured);
+    unquiet_ = unquiet_channels(design, explanation.selection);
   }
 
   /// No known cause was found where noise is not all that is left.

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "identification/adoption/measure.h"
+#include "identification/diagnosis/select.h"
 
 namespace sinew::diagnosis {
 
@@ -13,9 +13,9 @@ struct UnquietChannel {
   double times_noise = 0.0;  ///< rms left over by that of the sensor's white noise in the band
 };
 
-/// What is left over comes in bursts there, as of contacts, and is several times the sensor's noise
-/// and worth explaining. Coloured noise may be large too, but is as large at all times.
-std::vector<UnquietChannel> unquiet_channels(const Problem& problem,
-                                             const std::vector<MeasuredChannel>& measured);
+/// What the search's final model, with all that it always fits, leaves over of the training logs
+/// comes in bursts there, as of contacts, and is several times the sensor's noise and worth
+/// explaining. Coloured noise may be large too, but is as large at all times.
+std::vector<UnquietChannel> unquiet_channels(const Design& design, const Selection& selection);
 
 }  // namespace sinew::diagnosis

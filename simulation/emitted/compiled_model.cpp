@@ -66,7 +66,7 @@ void compile(const fs::path& folder, const fs::path& runtime, const std::string&
                                    "-std=c11",
                                    "-ffp-contract=off",
                                    "-fno-math-errno",
-                                   "-fno-tree-slp-vectorize",
+                                   "-fno-tree-vectorize",
                                    "-fPIC",
                                    "-I" + fs::absolute(runtime).string(),
                                    "-c",
@@ -117,17 +117,19 @@ void CompiledModel::load(const fs::path& folder, const fs::path& runtime,
   if (!fs::exists(first))
     throw std::runtime_error(first.string() + ": not found; expected the emitted C of a model");
   const ScratchFolder scratch;
-  const auto compiled = [&](const std::string& part) {
+  const auto compiled = [&](const std::string& part, const std::vector<std::string>& options) {
     const fs::path object = scratch.path() / (part + ".o");
-    compile(folder, runtime, name_ + part + ".c", object, optimisation);
+    compile(folder, runtime, name_ + part + ".c", object, options);
     return object;
   };
   const fs::path library = scratch.path() / "model.so";
-  link({compiled(""), compiled("_catalogue")}, library);
+  link({compiled("", optimisation), compiled("_catalogue", optimisation)}, library);
   library_ = open_library(library);
   if (with_batch) {
     const fs::path loops = scratch.path() / "batch.so";
-    link({compiled("_batch")}, loops);
+    std::vector<std::string> vectors = optimisation;  // generated/CMakeLists.txt
+    vectors.insert(vectors.end(), {"-ftree-vectorize", "-fno-tree-slp-vectorize"});
+    link({compiled("_batch", vectors)}, loops);
     batch_ = open_library(loops);
   }
   catalogue_ =

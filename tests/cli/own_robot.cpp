@@ -152,7 +152,8 @@ TEST_CASE("a found hand moves, and a payload shows in its log under the URDF's n
                                   "test.csv", "--out", "found"});
   INFO(ended.output);
   CHECK(ended.status == 1);
-  CHECK((ended.says("payload (link finger_2)") || ended.says("link finger_2")));
+  // One coordinate moves the whole finger: what one of its links carries may be the next one's.
+  CHECK(ended.says("payload (link tip)"));
   // Planted: without names.toml the log's columns are unknown.
   fs::remove(here.path("models/found/names.toml"));
   const Ended nameless = here.sinew({"diagnose", "models/found", "--log", "train.csv", "--holdout",
