@@ -40,7 +40,7 @@ using diagnosis::Diagnosis;
 struct DiagnoseOptions {
   std::string folder, out, runtime;
   std::vector<std::string> logs, holdout, map, constants;
-  double band = 0.0;
+  double band = 0.0, material = diagnosis::Settings{}.material_share;
   unsigned seed = 1;
   bool dry_run = false, json = false;
 };
@@ -74,6 +74,7 @@ void set_common(const DiagnoseOptions& o, const ModelFolder& folder, Request& re
   request.settings.edge_s = diagnosis::driven_edge;
   request.settings.band_hz = o.band > 0.0 ? o.band : diagnosis::driven_band;
   request.settings.seed = o.seed;
+  request.settings.material_share = o.material;
 }
 
 DiagnoseRequest request_for(const DiagnoseOptions& o, const ModelFolder& folder) {
@@ -208,6 +209,10 @@ void add_diagnose_command(CLI::App& app, int& exit_status) {
                    ? std::string()
                    : "expected a frequency above 0 Hz, got '" + text + "'";
       });
+  command
+      ->add_option("--material", o->material,
+                   "Share of a channel's rms: errors below are not told (0.001)")
+      ->check(CLI::Range(0.0, 1.0));
   command->add_option("--seed", o->seed, "Of the surrogates and intervals");
   command->add_option("--runtime", o->runtime, "Folder of the runtime's headers");
   command->add_flag("--dry-run", o->dry_run, "Leave the model as it is");

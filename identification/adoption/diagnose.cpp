@@ -56,6 +56,8 @@ class Run {
     read();
     tell("comparing with the model", 0.2);
     subject_.prepare(request_.settings);
+    for (int c = 0; c < subject_.problem().channels; ++c)
+      subject_.set_quantum(c, quantum_of(columns_, c));
     tell("searching for causes", 0.3);
     Explanation explanation;
     const std::string ended = why_ended([&] { explanation = search(); });
@@ -251,7 +253,8 @@ class Run {
   void extend(const Explanation& explanation) {
     Findings& f = result_.findings;
     const Design design(subject_.problem(), request_.settings);
-    AdoptedFit fit = possible_fit(design, explanation);
+    AdoptedFit fit;  // of what is told
+    if (!f.verdict.immaterial) fit = possible_fit(design, explanation);
     Extended e = extended_by(explanation, design, fit.selection);
     std::optional<int> worse = harmed(e.measured);
     while (worse && leave_out_harmful(design, request_.settings, *worse,
@@ -288,7 +291,7 @@ class Run {
     for (int c = 0; c < subject_.problem().channels; ++c)
       f.channels.push_back(channel_finding(subject_, measured, c,
                                            noise_floor(explanation.selection, design, c),
-                                           quantum_of(columns_, c), request_.settings.seed));
+                                           quantum_of(columns_, c), request_.settings));
     tell_measured(measured, subject_.problem().unlike_channels, any, request_.settings.seed,
                   f.verdict);
     discrepant_ = discrepant_channels(subject_.problem(), measured, columns_, false);

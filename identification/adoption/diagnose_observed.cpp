@@ -43,6 +43,8 @@ class ObservedRun {
     read();
     tell("comparing with the model", 0.2);
     prepare();
+    for (int c = 0; c < subject_.problem().channels; ++c)
+      subject_.problem().quantum.push_back(quantum_of(columns_, c) / subject_.units()(c));
     tell("searching for causes", 0.3);
     Explanation explanation;
     const std::string ended = why_ended([&] {
@@ -175,6 +177,7 @@ class ObservedRun {
     finding.unit = named.unit;
     finding.noise_floor = noise;
     finding.quantum = quantum_of(columns_, index);
+    finding.material_share = request_.settings.material_share;
     const bool held_out = judged_on_held_out(measured);
     add_error("sensor", measured, index, request_.settings.seed, finding);
     finding.plots = channel_plots(

@@ -227,14 +227,15 @@ std::string channel_name(const DrivenSubject& subject, int channel) {
 
 ChannelFinding channel_finding(const DrivenSubject& subject,
                                const std::vector<MeasuredChannel>& measured, int channel,
-                               double noise_floor, double quantum, unsigned seed) {
+                               double noise_floor, double quantum, const Settings& settings) {
   const DrivenJoint& joint = subject.model().joints[static_cast<std::size_t>(channel)];
   ChannelFinding finding;
   finding.unit = joint.revolute ? "N*m" : "N";
   finding.name = channel_name(subject, channel);
   finding.noise_floor = noise_floor;
   finding.quantum = quantum;
-  add_error("force", measured, channel, seed, finding);
+  finding.material_share = settings.material_share;
+  add_error("force", measured, channel, settings.seed, finding);
   finding.plots = channel_plots(measured, channel, judged_on_held_out(measured), joint.revolute);
   return finding;
 }

@@ -60,6 +60,6 @@ std::string channel_name(const DrivenSubject& subject, int channel);
 /// `quantum`.
 ChannelFinding channel_finding(const DrivenSubject& subject,
                                const std::vector<MeasuredChannel>& measured, int channel,
-                               double noise_floor, double quantum, unsigned seed);
+                               double noise_floor, double quantum, const Settings& settings);
 
 }  // namespace sinew::diagnosis

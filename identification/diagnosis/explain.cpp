@@ -9,6 +9,7 @@
 #include "identification/diagnosis/deviation_terms.h"
 #include "identification/diagnosis/explained_structure.h"
 #include "identification/diagnosis/fewer_causes.h"
+#include "identification/diagnosis/materiality.h"
 #include "identification/diagnosis/parameter_deviations.h"
 #include "identification/diagnosis/separation.h"
 #include "identification/diagnosis/standard_errors.h"
@@ -24,24 +25,10 @@ using Eigen::VectorXd;
 
 /// Of what was measured: root of the mean square of all channels together, or of the channels'
 /// shares where they measure different things.
-double relative_error(const Design& design, const Model& model, const Weights& weights) {
-  const LinearFit fit = solve(stack(model, weights));
-  std::vector<const BandColumns*> columns;
-  for (const Term& term : model.terms) columns.push_back(&term.columns);
-  VectorXd error = VectorXd::Zero(design.problem().channels), energy = error;
-  for (std::size_t s = 0; s < design.segments().size(); ++s) {
-    if (design.segments()[s].holdout) continue;
-    const VectorXd prediction = predict(columns, fit.coefficients, s);
-    const auto c = design.segments()[s].channel;
-    error(c) += (prediction.size() ? VectorXd(model.target[s] - prediction) : model.target[s])
-                    .squaredNorm();
-    VectorXd measured = design.target(static_cast<int>(s), model.advance[s]);
-    if (const auto known = design.known(static_cast<int>(s), 0)) measured += *known;
-    energy(c) += measured.squaredNorm();
-  }
-  if (!design.problem().unlike_channels)
-    return std::sqrt(error.sum() / std::max(energy.sum(), 1e-300));
-  return std::sqrt(error.cwiseQuotient(energy.cwiseMax(1e-300)).mean());
+double relative_error(const Problem& problem, const ChannelSquares& sums) {
+  if (!problem.unlike_channels)
+    return std::sqrt(sums.error.sum() / std::max(sums.measured.sum(), 1e-300));
+  return std::sqrt(sums.error.cwiseQuotient(sums.measured.cwiseMax(1e-300)).mean());
 }
 
 /// Root mean square of what a model leaves of each channel in the training logs, all frequencies
@@ -289,18 +276,26 @@ void measure(const Design& design, const Settings& settings, Explanation& result
   const Model before = unexplained_model(design, result.selection.model, parts);
   const NoiseView noise = own_noise(design, before);
   const Selection& after = design.problem().deviations.empty() ? result.selection : result.adopted;
-  verdict.relative_error_before = relative_error(design, before, noise.weights);
-  verdict.relative_error_after = relative_error(design, after.model, after.noise.weights);
+  const ChannelSquares errors = channel_squares(design, before, noise.weights);
+  const Problem& problem = design.problem();
+  verdict.relative_error_before = relative_error(problem, errors);
+  verdict.relative_error_after =
+      relative_error(problem, channel_squares(design, after.model, after.noise.weights));
   const auto loss = [&](const Model& model, const Weights& weights) {
     return cross_validate(design, model, weights, settings.blocks).over_all().sum();
   };
   verdict.unexplained.remaining = std::min(
       loss(after.model, after.noise.weights) / std::max(loss(before, noise.weights), 1e-300), 1.0);
+  const BlockLosses held = held_out_losses(design, settings, before, noise.weights);
   verdict.held_out = block_bootstrap_gain(
-      held_out_losses(design, settings, before, noise.weights).over_all(),
+      held.over_all(),
       held_out_losses(design, settings, after.model, after.noise.weights).over_all(), 0.95,
       settings.seed);
   verdict.most_excess = most_excess(design, settings, after);
+  remove_immaterial(
+      problem,
+      immaterial_channels(problem, errors, held_out_rms(design, held), settings.material_share),
+      verdict);
 }
 
 /// The lowest frequency above which a channel is left out, below the band asked for; 0: none is.

@@ -115,6 +115,7 @@ struct Verdict {
   /// The channel in which the held-out logs leave most over beside the training logs, with all
   /// causes in the model; without held-out logs as it stands here.
   Disagreement most_excess;
+  bool immaterial = false;  ///< no channel's error before any cause is worth telling
   bool nothing_beyond_noise() const {
     return causes.empty() && !unexplained.none_of_the_known && disagreements.empty();
   }

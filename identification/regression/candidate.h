@@ -157,6 +157,9 @@ struct Problem {
   bool unlike_channels = false;
   std::vector<ParameterDeviation>
       deviations;  ///< may be empty: then the baseline has no nominal values
+  /// Of each channel the step of its logged values, in the targets' unit; 0: none is seen. May be
+  /// empty.
+  std::vector<double> quantum;
 };
 
 /// Signal with the model's effort of the logged motion, where the recording is as it was logged: of
@@ -170,6 +173,7 @@ struct Settings {
   double significance = 0.003;  ///< family-wise probability of a false name
   double least_share = 0.02;    ///< of the residual variance: less is not worth a name
   double least_of_baseline = 0.01;  ///< the same against what the baseline leaves over
+  double material_share = 0.001;    ///< of a channel's rms: an error below is not worth telling
   int surrogates = 200;
   int blocks = 12;
   int most_causes = 8;      ///< or one a channel, where there are more channels

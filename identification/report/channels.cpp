@@ -71,8 +71,9 @@ Table variance_table(const Findings& findings) {
       "Relative error: rms error / standard deviation of the channel. Variance unexplained: "
       "mean square error / variance of the channel, 100 % at most. There is nothing to "
       "explain where the rms error is below " +
-          shown_share(kMaterialShare) +
-          " of the channel's rms or below the step in which the log writes it.");
+          shown_share(findings.channels.empty() ? Settings{}.material_share
+                                                : findings.channels.front().material_share) +
+          " of the channel's rms, or below what rounding to the log's steps makes.");
   const double worst = worst_relative_error(findings);
   const auto cell = [&](double error, const char* role) {
     return coloured(role, shown_percent(error)) + (changed ? bar(error / worst, role) : "");

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "identification/diagnosis/materiality.h"
 #include "identification/diagnosis/verdict.h"
 
 namespace sinew::diagnosis {
@@ -47,9 +48,6 @@ struct DomainError {
   Gain gain;                         ///< of the mean square, 95 % by blocks
 };
 
-/// An error of less than this share of the channel's rms is not worth explaining.
-inline constexpr double kMaterialShare = 0.001;
-
 /// What the model gets wrong on one measured channel, on the logs that DomainError says. The first
 /// domain is that of the measured quantity itself.
 struct ChannelFinding {
@@ -70,8 +68,9 @@ struct ChannelFinding {
     return standard_deviation > 0.0 ? error / standard_deviation
                                     : std::numeric_limits<double>::quiet_NaN();
   }
-  /// The rms error that is worth explaining: a thousandth of the rms measured, or the quantum.
-  double material_error() const { return std::max(kMaterialShare * measured_rms, quantum); }
+  double material_share = Settings{}.material_share;  ///< of the rms: less is not worth telling
+  /// The rms error that is worth explaining (diagnosis/materiality.h).
+  double material_error() const { return immaterial_error(measured_rms, quantum, material_share); }
   bool nothing_to_explain() const {
     return !domains.empty() && domains.front().before <= material_error();
   }

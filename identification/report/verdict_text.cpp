@@ -56,6 +56,11 @@ std::string headline(const Findings& f) {
   const std::string disagreement = disagreement_text(f);
   if (v.causes.empty() && !v.unexplained.none_of_the_known && !disagreement.empty())
     return disagreement;
+  if (v.nothing_beyond_noise() && v.immaterial)
+    return fmt::format(
+        "The model leaves nothing over that is worth naming: no more than {} of each channel.",
+        shown_share(f.channels.empty() ? Settings{}.material_share
+                                       : f.channels.front().material_share));
   if (v.nothing_beyond_noise())
     return v.compared_below_hz > 0.0
                ? fmt::format("The model leaves nothing over but noise below {:.2g} Hz.",

@@ -56,6 +56,11 @@ class DrivenSubject {
   void prepare(const Settings& settings);
 
   const Problem& problem() const { return problem_; }
+  /// Step of the values that the logs have of a channel, SI; 0: none is seen.
+  void set_quantum(int channel, double step) {
+    problem_.quantum.resize(static_cast<std::size_t>(problem_.channels), 0.0);
+    problem_.quantum[static_cast<std::size_t>(channel)] = step;
+  }
   const DrivenModel& model() const { return model_; }
   const Identified& identified() const { return identified_; }
   const std::filesystem::path& runtime() const { return runtime_; }

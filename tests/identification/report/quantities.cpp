@@ -83,7 +83,7 @@ class Quantities {
     }
     add("level of intervals", "95 %");
     add("most that is unexplained", "100 %");
-    add("material share", shown_share(kMaterialShare));
+    add("material share", shown_share(Settings{}.material_share));
     add("highest confidence", shown_confidence(kHighestConfidence));
   }
 
