@@ -77,6 +77,22 @@ class Names(unittest.TestCase):
         self.assertTrue(score.score(hidden, findings([("ripple 2 times per motor turn", "motor")]))["right"])
         self.assertFalse(score.score(hidden, findings([("ripple once per motor turn", "motor")]))["right"])
 
+    def test_gravity_goes_by_the_names_that_are_told(self):
+        # Seen to fail: without these two names every gravity that was told counted as an unknown name.
+        for cause, name in (("gravity", "direction of gravity"), ("gravity_left_out", "gravity left out")):
+            self.assertTrue(score.score(seal((cause, "base", 0)), findings([(name, "base")]))["right"])
+
+    def test_what_is_wrong_with_a_link_is_right_at_that_link_alone(self):
+        for cause in ("link_mass", "link_centre", "link_products"):
+            hidden = seal((cause, "link l2", 0))
+            self.assertTrue(score.score(hidden, findings([("inertial parameters", "link l2")]))["right"])
+            self.assertFalse(score.score(hidden, findings([("inertial parameters", "link l1")]))["right"])
+
+    def test_a_ratio_is_no_pulley(self):
+        hidden = seal(("coupling_ratio", "joint q22", 0))
+        self.assertTrue(score.score(hidden, findings([("ratio of coupled joints", "joint q22")]))["right"])
+        self.assertFalse(score.score(hidden, findings([("pulley radius", "joint q22")]))["right"])
+
     def test_an_unknown_name_is_false(self):
         self.assertEqual(score.score(seal(family="null"), findings([("gremlins", "motor")]))["false_names"], 1)
 

@@ -186,7 +186,8 @@ std::string draw_trial(const TrialRequest& request, const std::filesystem::path&
   while (hidden.size() < count && !from.empty()) {
     const Offer& offer = pick(from, draw);
     Hidden shape = drawn_shape(offer, draw);
-    const double sign = limit_of(offer.cause).least < 0.0 ? draw.sign() : 1.0;
+    const double drawn = limit_of(offer.cause).least < 0.0 ? draw.sign() : 1.0;
+    const double sign = offer.sign != 0 ? offer.sign : drawn;
     const Sized sized = sizer.dose_for(offer, shape, request.size, sign);
     json told = text_of(offer, sized);
     if (!sized.reached) {
