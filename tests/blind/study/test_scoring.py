@@ -11,6 +11,7 @@ import unittest
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
 import emitted  # noqa: E402,F401
+import page  # noqa: E402
 import physical  # noqa: E402
 import results  # noqa: E402
 import score  # noqa: E402
@@ -171,6 +172,26 @@ class Counts(unittest.TestCase):
         self.assertGreaterEqual(one, trials.FIRST_SEED)
         self.assertNotEqual(one, trials.seed_of("ac", "drive", "one", 1.0, 0))
         self.assertEqual(one, trials.seed_of("ab", "drive", "one", 1.0, 0))
+
+    def test_logs_that_are_missing_are_no_trial(self):
+        # Seen to fail: with "--log train.csv" alone a second log was written and never read.
+        place = pathlib.Path(self.enterContext(tempfile.TemporaryDirectory()))
+        for name in ("train.csv", "train2.csv", "holdout.csv"):
+            (place / name).write_text("time [s]\n", encoding="utf-8")
+        self.assertEqual(trials.training_logs(place, 2), ["--log", "train.csv", "--log", "train2.csv"])
+        with self.assertRaisesRegex(score.BrokenTrial, "2 logs for training, asked for 1"):
+            trials.training_logs(place, 1)
+
+    def test_several_logs_are_trials_of_their_own(self):
+        one = {"plant": "joint", "family": "one", "size": 0.5, "cause": "", "number": 3, "logs": 1}
+        self.assertNotEqual(trials.name_of(one), trials.name_of({**one, "logs": 2}))
+        self.assertNotEqual(trials.seed_of("ab", "joint", "one", 0.5, 3), trials.seed_of("ab", "joint", "one", 0.5, 3, "", 2))
+        lines = [one, {**one, "logs": 2}, {**one, "cause": "delay"}]
+        self.assertEqual(page.standard(lines), [one])
+
+    def test_the_standard_table_keeps_its_size(self):
+        table = trials.rows(pathlib.Path(__file__).parent / "rows.csv", 1)
+        self.assertLessEqual(sum(count for _, _, _, count, _, _ in table), 1260)
 
     def test_the_engine_s_hash_follows_its_sources(self):
         root = pathlib.Path(self.enterContext(tempfile.TemporaryDirectory()))
