@@ -14,6 +14,7 @@ import emitted  # noqa: E402,F401
 import page  # noqa: E402
 import physical  # noqa: E402
 import results  # noqa: E402
+import rigs  # noqa: E402
 import score  # noqa: E402
 import trials  # noqa: E402
 
@@ -226,6 +227,33 @@ class Physics(unittest.TestCase):
 
     def test_moments_that_break_the_triangle_are_no_body(self):
         self.assertFalse(physical.positive_definite(physical.pseudo_inertia(1, [0, 0, 0], [3, 1, 1, 0, 0, 0]), 4))
+
+    def test_channels_count_in_units_of_what_is_left_of_them_at_best(self):
+        # Seen to fail: with sums of plain squares the heavy channel hides the light one: 0.0095 != 0.923.
+        was, now = [[10.0, 10.0], [1.0, 1.0]], [[10.0, 10.0], [0.2, 0.2]]
+        self.assertAlmostEqual(physical.together(was, now), 1 - 2 / 26)
+        self.assertAlmostEqual(physical.together(now, was), 1 - 26 / 2)
+
+    def test_nothing_learnt_is_every_coefficient_at_zero(self):
+        # Seen to fail: with shapes at zero as well a friction's speed divides by nothing.
+        text = ('[[effect]]\neffect = "direction"\n[[effect.shape]]\nname = "speed"\nvalue = 0.3\n'
+                '[[effect.coefficient]]\nname = "change"\nvalue = -2e-3\nstandard_error = 0.1\n')
+        self.assertEqual(rigs.without_what_was_learnt(text), text.replace("-2e-3", "0.0"))
+
+    def test_a_tendon_pulls_against_its_moment_arm(self):
+        class Arms:
+            @staticmethod
+            def caller(_):
+                return lambda q: [0.01, 0.0, -0.02, 0.03]  # 2 tendons, 2 joints, row by row
+        log = {"a": [0.0], "b": [0.0], "force_1": [10.0], "force_2": [1.0]}
+        torques = physical.torques_of_tendons(Arms, log, ["a", "b"])
+        self.assertAlmostEqual(torques[0][0], -0.08)
+        self.assertAlmostEqual(torques[1][0], -0.03)
+
+    def test_a_rig_s_zero_is_free_at_a_wrist_alone(self):
+        seen, told = [[3.0] * 200], [[1.0] * 200]
+        self.assertLess(max(abs(x) for x in rigs.left_over(told, seen, 0.01, True)[0]), 1e-9)
+        self.assertAlmostEqual(rigs.left_over(told, seen, 0.01, False)[0][0], 2.0)
 
     def test_an_interval_that_misses_is_counted(self):
         hidden = seal(("viscous_level", "joint j1", 0))
