@@ -23,8 +23,9 @@ CAUSES = {
     "delay": "delay",
     "pulley radius": "pulley_radius",
     "payload": "payload",
-    "inertial parameters": "link_mass",
-    "gravity left out, or its direction": "gravity",
+    "inertial parameters": "inertial_parameters",
+    "gravity left out": "gravity",
+    "direction of gravity": "gravity",
     "low-pass of the position sensor": "sensor_low_pass",
     "scale of the position sensor": "sensor_scale",
     "zero offset of the position sensor": "sensor_offset",
@@ -35,6 +36,11 @@ CAUSES = {
     "offset of the force sensor": "force_sensor_offset",
     "radius of one tendon's pulley": "tendon_radius",
     "routing offset": "routing_offset",
+    "ratio of coupled joints": "coupling_ratio",
+    "low-pass of the lever sensor": "sensor_low_pass",
+    "hysteresis of the lever sensor": "sensor_hysteresis",
+    "low-pass of the angle sensor": "sensor_low_pass",
+    "hysteresis of the angle sensor": "sensor_hysteresis",
     "spring constant": "spring_constant",
     "preload offset": "preload_offset",
     "lever hysteresis": "lever_hysteresis",
@@ -70,5 +76,10 @@ def key(name, place):
     return cause, 0, place
 
 
+# What is wrong with a link goes by one name, and so does gravity: a model that has none lacks it.
+HIDDEN = {"link_mass": "inertial_parameters", "link_centre": "inertial_parameters",
+          "link_products": "inertial_parameters", "gravity_left_out": "gravity"}
+
+
 def hidden_key(hidden):
-    return hidden["cause"], hidden.get("order", 0), hidden["place"]
+    return HIDDEN.get(hidden["cause"], hidden["cause"]), hidden.get("order", 0), hidden["place"]

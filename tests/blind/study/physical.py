@@ -8,7 +8,9 @@ import random
 import subprocess
 import tomllib
 
+import rigs
 from emitted import Emitted
+from filters import convolved, kernel
 
 BAND, MASKED = 60.0, 0.006  # Hz, s to each side of a reversal at that band, as `sinew diagnose` documents
 
@@ -21,54 +23,60 @@ def read_log(file):
     return {name.split(" [")[0]: column for name, column in zip(header, columns)}
 
 
-def kernel(band, step, cutoff, half):
-    """Windowed sinc, zero phase, sum one."""
-    weights = []
-    for i in range(-half, half + 1):
-        angle = 2 * math.pi * cutoff * step * i
-        window = 0.42 + 0.5 * math.cos(math.pi * i / (half + 1)) + 0.08 * math.cos(2 * math.pi * i / (half + 1))
-        weights.append(window * (1.0 if i == 0 else math.sin(angle) / angle))
-    total = sum(weights)
-    return [w / total for w in weights]
-
-
-def convolved(x, weights, every=1):
-    """Where the kernel fits."""
-    n = len(weights)
-    return [math.sumprod(x[k:k + n], weights) if hasattr(math, "sumprod")
-            else sum(a * b for a, b in zip(x[k:k + n], weights)) for k in range(0, len(x) - n + 1, every)]
-
-
 def slope(x, step):
     inner = [(b - a) / (2 * step) for a, b in zip(x, x[2:])]
     return [inner[0], *inner, inner[-1]]
 
 
+def forces_of(log):
+    return [log[n] for n in (f"force_{i}" for i in range(1, 100)) if n in log]
+
+
+def smoothed_tension(force, step):
+    """As terms of a measured force take it: to 5 Hz, the ends held."""
+    half = math.ceil(1.2 / (5.0 * step))
+    held = [force[0]] * half + list(force) + [force[-1]] * half
+    return convolved(held, kernel(step, 1.25 * 5.0, half))
+
+
+def torques_of_tendons(c, log, joints):
+    """Of every joint, -P^T f with the emitted coupling matrix."""
+    forces, call, n = forces_of(log), c.caller("coupling_matrix"), len(joints)
+    torques = [[] for _ in joints]
+    for row in zip(*(log[j] for j in joints), *forces):
+        arms = call(row[:n])
+        for j, torque in enumerate(torques):
+            torque.append(-sum(arms[i * n + j] * f for i, f in enumerate(row[n:])))
+    return torques
+
+
 class Judge:
     """One log through two models of driven joints."""
 
-    def __init__(self, log, names, step, bands):
+    def __init__(self, log, names, step, below):
+        """below: where noise of a position cuts the comparison [Hz], or None."""
         self.step = step
-        cutoff = min(BAND, 0.1 / step)
+        cutoff = min(BAND, 0.1 / step, below or BAND)
         half = math.ceil(1.2 / (cutoff * step))
         self.half = half
-        weights = kernel(cutoff, step, 1.25 * cutoff, half)
+        weights = kernel(step, 1.25 * cutoff, half)
         self.q = [convolved(log[q], weights) for q, _ in names]
         self.v = [slope(q, step) for q in self.q]
         self.a = [slope(v, step) for v in self.v]
         cut = slice(half, len(log[names[0][0]]) - half)
         self.tau = [log[tau][cut] for _, tau in names]
         self.load = log["load"][cut] if "load" in log else None
+        self.tension = list(zip(*(smoothed_tension(f, step)[cut] for f in forces_of(log))))
         self.band = cutoff
 
     def residual(self, effort):
         """effort: from q, v, a, load of a row to a list of efforts; called row by row."""
         rows = range(len(self.tau[0]))
         said = [effort([q[k] for q in self.q], [v[k] for v in self.v], [a[k] for a in self.a],
-                       self.load[k] if self.load else 0.0) for k in rows]
+                       self.load[k] if self.load else 0.0, *self.tension[k:k + 1]) for k in rows]
         half = math.ceil(3.3 / (self.band * self.step) / 2)
         every = max(1, int(1.0 / (2.5 * self.band * self.step)))
-        weights = kernel(self.band, self.step, 1.25 * self.band, half)
+        weights = kernel(self.step, 1.25 * self.band, half)
         result = []
         for j, tau in enumerate(self.tau):
             left = convolved([t - s[j] for t, s in zip(tau, said)], weights, every)
@@ -87,19 +95,26 @@ class Judge:
         return moves
 
 
+def driven(folder):
+    """Joints that follow no other one."""
+    mechanism = tomllib.loads((folder / "mechanism.toml").read_text())
+    follow = {c["dependent"] for c in mechanism.get("coupling", [])}
+    return [j for j in mechanism["joint"] if j["name"] not in follow]
+
+
 def nominal(folder, tools):
     """The effort of the model as it was, its friction by the documented law."""
     part = folder / "part.toml"
     if part.exists():
         m = {k: v["value"] for k, v in tomllib.loads(part.read_text())["motor"].items() if isinstance(v, dict)}
         inertia = m["rotor_inertia"] / m["gear_ratio"] ** 2 + m["gearbox_inertia"]
-        return lambda q, v, a, load: [inertia * a[0] + m["gamma2"] * math.atan(m["gamma1"] * v[0])
+        return lambda q, v, a, load, *_: [inertia * a[0] + m["gamma2"] * math.atan(m["gamma1"] * v[0])
                                       + m["gamma3"] * v[0] + load]
     subprocess.run([tools["sinew"], "generate", folder, "--out", folder / "generated"], check=True,
                    capture_output=True)
     c = Emitted(next((folder / "generated").rglob("*_catalogue.c")).parent, tools["runtime"])
     call = c.caller("inverse_dynamics")
-    joints = tomllib.loads((folder / "mechanism.toml").read_text())["joint"]
+    joints = driven(folder)
 
     def value(joint, key):
         return joint[key]["value"] if key in joint else 0.0
@@ -109,7 +124,7 @@ def nominal(folder, tools):
         side = 2 / math.pi * math.atan(v / speed) if speed else (v > 0) - (v < 0)
         return value(joint, "friction") * side + value(joint, "damping") * v
 
-    def effort(q, v, a, load):
+    def effort(q, v, a, load, *_):
         return [t + friction(j, w) + value(j, "armature") * b + load
                 for t, j, w, b in zip(call([*q, *v, *a]), joints, v, a)]
     return effort
@@ -119,38 +134,57 @@ def extended(c, step):
     """The emitted extended effort, with the states that it keeps; None where it takes what a log of
     joints does not have."""
     names = c.inputs("effort")
-    if any(n not in ("q", "qd", "qdd", "load", "step", "memory") for n, _ in names):
+    if any(n not in ("q", "qd", "qdd", "load", "tension", "step", "memory") for n, _ in names):
         return None
     call = c.caller("effort")
     sizes = dict(names)
     memory = [0.0] * sizes.get("memory", 0)
 
-    def effort(q, v, a, load):
+    def effort(q, v, a, load, tension=()):
         given = {"q": q, "qd": v, "qdd": a, "load": [load] + [0.0] * (sizes.get("load", 1) - 1),
-                 "step": [step], "memory": memory}
+                 "tension": tension, "step": [step], "memory": memory}
         result = call([x for n, _ in names for x in given[n]])
         memory[:] = result[len(q):len(q) + len(memory)]
         return result[:len(q)]
     return effort
 
 
+def held_out_log(folder, before):
+    """Columns by their channels' names."""
+    log = read_log(folder / "holdout.csv")
+    names_file = before / "channels.toml"
+    if not names_file.exists():
+        return log
+    columns = tomllib.loads(names_file.read_text())["channels"]
+    return {**log, **{a: log[b.split(" [")[0]] for a, b in columns.items()}}
+
+
+def together(was, now):
+    """Of several channels each counts in units of what is left of it at best, as findings.md says."""
+    before = after = 0.0
+    for a, b in zip(was, now):
+        squares = [sum(x * x for x in a), sum(x * x for x in b)]
+        unit = max(min(squares), 1e-300)
+        before, after = before + squares[0] / unit, after + squares[1] / unit
+    return 1 - after / before
+
+
 def gain(tools, folder, findings, c):
     """The held-out gain by the runner's own means, and the one that is told."""
-    log = read_log(folder / "holdout.csv")
     before = folder.with_name(folder.name + "_before")
     if (before / "hand.toml").exists():
         return None
-    columns = {}
-    names_file = before / "channels.toml"
-    if names_file.exists():
-        columns = {a: b.split(" [")[0] for a, b in tomllib.loads(names_file.read_text())["channels"].items()}
-    log = {**log, **{a: log[b] for a, b in columns.items()}}
+    log = held_out_log(folder, before)
     if (before / "part.toml").exists():
         names = [("theta", "tau_m")]
     elif "x" in log:
         names = [("x", "f")]
     else:
-        joints = [j["name"] for j in tomllib.loads((before / "mechanism.toml").read_text())["joint"]]
+        joints = [j["name"] for j in driven(before)]
+        # Motors of tendons are channels of their own, and no joints.
+        if forces_of(log) and "theta_1" not in log:
+            log.update({f"q_{j}": log[j] for j in joints})
+            log.update({f"tau_{j}": t for j, t in zip(joints, torques_of_tendons(c, log, joints))})
         names = [(f"q_{j}", f"tau_{j}") for j in joints]
     if any(n not in log for pair in names for n in pair):
         return None
@@ -158,10 +192,9 @@ def gain(tools, folder, findings, c):
     after = extended(c, step)
     if after is None:
         return None
-    judge = Judge(log, names, step, [findings["verdict"]["compared_below_hz"]])
+    judge = Judge(log, names, step, findings["verdict"]["compared_below_hz"])
     was, now = judge.residual(nominal(before, tools)), judge.residual(after)
-    squares = [sum(x * x for channel in r for x in channel) for r in (was, now)]
-    return {"recomputed": 1 - squares[1] / squares[0], "told": findings["verdict"]["held_out"]["share"]}
+    return {"recomputed": together(was, now), "told": findings["verdict"]["held_out"]["share"]}
 
 
 def positive_definite(m, n):
@@ -264,7 +297,11 @@ def judged(tools, folder, findings):
         # A ripple's phase is an incremental encoder's, and another one in every log.
         if any("ripple" in effect["effect"] for effect in effects):
             return {**result, "phase_of_a_log": True}
-        if "effort" in c.functions:
+        if "observation" in c.functions:
+            log = held_out_log(folder, before)
+            result["gain"] = {"recomputed": together(*rigs.residuals(tools, folder, log, c)),
+                              "told": findings["verdict"]["held_out"]["share"]}
+        elif "effort" in c.functions:
             result["gain"] = gain(tools, folder, findings, c)
         was, now = simulated(tools, folder, before), simulated(tools, folder, model)
         result["simulation"] = {n: [was[n], now[n]] for n in was if n in now and was[n] is not None}

@@ -42,7 +42,7 @@ def wanted(chosen, digest):
     table = trials.rows(ROOT / chosen.rows, 10 if chosen.full else 1)
     if chosen.plant:
         table = [r for r in table if r[0] in chosen.plant]
-    table = [(p, f, s, max(1, round(chosen.share * n)), c) for p, f, s, n, c in table]
+    table = [(p, f, s, max(1, round(chosen.share * n)), *more) for p, f, s, n, *more in table]
     return trials.listed(digest, table)
 
 

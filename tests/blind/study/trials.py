@@ -17,7 +17,7 @@ import score
 ENGINE = ("symbolic", "generator", "identification", "simulation", "runtime", "cli")
 SUFFIXES = {".cpp", ".h", ".c", ".txt"}
 FIRST_SEED = 10**6  # below it is development's
-ALLOWED = re.compile(r"(train|holdout)\.csv|(model|motor|wrist|bar|f\d)/"
+ALLOWED = re.compile(r"(train[23]?|holdout)\.csv|(model|motor|wrist|bar|f\d)/"
                      r"(mechanism\.toml|mass_properties\.csv|part\.toml|hand\.toml|channels\.toml)")
 
 
@@ -38,25 +38,27 @@ def engine_hash(root):
 def rows(file, times):
     with open(file, encoding="utf-8") as lines:
         table = list(csv.DictReader(line for line in lines if not line.startswith("#")))
-    return [(r["plant"], r["family"], float(r["size"]), int(r["trials"]) * times, r["cause"]) for r in table]
+    return [(r["plant"], r["family"], float(r["size"]), int(r["trials"]) * times, r["cause"], int(r["logs"] or 1))
+            for r in table]
 
 
-def seed_of(digest, plant, family, size, number, cause=""):
-    text = f"{digest}/{plant}/{family}/{size:g}/{number}/{cause}"
+def seed_of(digest, plant, family, size, number, cause="", logs=1):
+    text = f"{digest}/{plant}/{family}/{size:g}/{number}/{cause}" + (f"/{logs}" if logs > 1 else "")
     return FIRST_SEED + int(hashlib.sha256(text.encode()).hexdigest()[:12], 16)
 
 
 def listed(digest, table):
     """All trials, mixed so that a study that is stopped has some of every row."""
-    trials = [(number / count, plant, family, size, number, cause)
-              for plant, family, size, count, cause in table for number in range(count)]
+    trials = [(number / count, plant, family, size, number, cause, logs)
+              for plant, family, size, count, cause, logs in table for number in range(count)]
     trials.sort()
-    return [{"plant": p, "family": f, "size": s, "number": n, "cause": c, "seed": seed_of(digest, p, f, s, n, c)}
-            for _, p, f, s, n, c in trials]
+    return [{"plant": p, "family": f, "size": s, "number": n, "cause": c, "logs": m,
+             "seed": seed_of(digest, p, f, s, n, c, m)} for _, p, f, s, n, c, m in trials]
 
 
 def name_of(trial):
-    return f"{trial['plant']}/{trial['family']}/{trial['size']:g}/{trial['cause'] or 'drawn'}/{trial['number']}"
+    logs = f"/{trial['logs']} logs" if trial["logs"] > 1 else ""
+    return f"{trial['plant']}/{trial['family']}/{trial['size']:g}/{trial['cause'] or 'drawn'}/{trial['number']}{logs}"
 
 
 def check_sealed(folder, seal):
@@ -83,7 +85,8 @@ def check_sealed(folder, seal):
 def drawn(drawer, trial, folder):
     done = subprocess.run(
         [drawer, "draw", "--plant", trial["plant"], "--family", trial["family"], "--size",
-         str(trial["size"]), "--seed", str(trial["seed"]), "--folder", folder, "--cause", trial["cause"]],
+         str(trial["size"]), "--seed", str(trial["seed"]), "--folder", folder, "--cause", trial["cause"],
+         "--logs", str(trial["logs"])],
         capture_output=True, text=True, check=False)
     if done.returncode != 0:
         raise RuntimeError(f"{name_of(trial)} cannot be drawn: {done.stderr.strip()}")
@@ -99,9 +102,17 @@ def columns_of(folder):
             re.findall(r'^"([^"]+)" = "([^"]+)"', file.read_text(encoding="utf-8"), re.M)}
 
 
-def run_program(program, folder, limit):
+def training_logs(folder, logs):
+    """As the command line names them; a trial with fewer or more is none."""
+    files = sorted(f.name for f in folder.glob("train*.csv"))
+    if len(files) != logs:
+        raise score.BrokenTrial(f"{len(files)} logs for training, asked for {logs}")
+    return [word for file in files for word in ("--log", file)]
+
+
+def run_program(program, folder, limit, logs=1):
     """The exit status (None: it took longer than the limit), findings or None, standard error."""
-    command = [program, "diagnose", "model", "--log", "train.csv", "--holdout", "holdout.csv", "--out",
+    command = [program, "diagnose", "model", *training_logs(folder, logs), "--holdout", "holdout.csv", "--out",
                "found", "--json"]
     environment = {k: os.environ[k] for k in ("PATH", "HOME", "TMPDIR", "LANG") if k in os.environ}
     try:
@@ -135,7 +146,7 @@ def run_trial(tools, trial, place):
         columns = columns_of(folder)
         shutil.copytree(folder / "model", folder.with_name(folder.name + "_before"))
         started = time.monotonic()
-        status, findings, error = run_program(tools["program"], folder, tools["limit"])
+        status, findings, error = run_program(tools["program"], folder, tools["limit"], trial["logs"])
         line["took"] = time.monotonic() - started
         # The verdict is there: the seal may be opened.
         line["seal"] = seal

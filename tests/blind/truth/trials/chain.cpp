@@ -37,6 +37,21 @@ std::string value_text(double value, const char* unit) {
 }  // namespace
 
 VectorXd Chain::torque(const VectorXd& q, const VectorXd& v, const VectorXd& a) const {
+  if (coupled == 0.0) return torque_of_each(q, v, a);
+  // By virtual work: what the last joint takes comes through the loop that turns it.
+  const Index n = size();
+  const auto all = [&](const VectorXd& x) {
+    VectorXd y(n + 1);
+    y << x, coupled * x(n - 1);
+    return y;
+  };
+  const VectorXd each = torque_of_each(all(q), all(v), all(a));
+  VectorXd result = each.head(n);
+  result(n - 1) += coupled * each(n);
+  return result;
+}
+
+VectorXd Chain::torque_of_each(const VectorXd& q, const VectorXd& v, const VectorXd& a) const {
   const auto n = links.size();
   std::vector<Placed> at(n);
   std::vector<Vector3d> force(n), moment(n);
@@ -137,9 +152,13 @@ void write_mechanism(const Chain& chain, const std::filesystem::path& folder) {
       text += "armature = " + value_text(l.armature, l.slides ? "kg" : "kg*m^2") + "\n";
     if (l.motor_turn > 0.0) text += "motor_turn = " + value_text(l.motor_turn, unit) + "\n";
   }
+  if (chain.coupled != 0.0)
+    text += fmt::format("\n[[coupling]]\ndependent = \"{}\"\nindependent = \"{}\"\nratio = {}\n",
+                        chain.links.back().joint, chain.links[chain.links.size() - 2].joint,
+                        value_text(chain.coupled, "1"));
   for (const Tendon& t : chain.tendons) {
     std::string pulleys;
-    for (std::size_t j = 0; j < chain.links.size(); ++j)
+    for (std::size_t j = 0; j < static_cast<std::size_t>(t.radius.size()); ++j)
       if (t.radius(static_cast<Index>(j)) != 0.0)
         pulleys +=
             fmt::format("{}{{ joint = \"{}\", radius = {} }}", pulleys.empty() ? "" : ", ",

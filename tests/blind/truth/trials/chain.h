@@ -33,12 +33,18 @@ struct Chain {
   std::vector<Tendon> tendons;
   double payload = 0.0;  ///< kg, a small ball at `tip` of the last link
   Vector3d tip{0, 0, 0};
+  double coupled =
+      0.0;  ///< the last joint turns this many times as far as the one before; 0: by itself
 
-  Index size() const { return static_cast<Index>(links.size()); }
+  /// Joints that move by themselves.
+  Index size() const { return static_cast<Index>(links.size()) - (coupled != 0.0 ? 1 : 0); }
   /// Torques (forces) of the joints for a motion, armatures apart.
   VectorXd torque(const VectorXd& q, const VectorXd& v, const VectorXd& a) const;
   /// Inertia that joint j carries.
   double carried(const VectorXd& q, Index j) const;
+
+ private:
+  VectorXd torque_of_each(const VectorXd& q, const VectorXd& v, const VectorXd& a) const;
 };
 
 /// mechanism.toml and mass_properties.csv.

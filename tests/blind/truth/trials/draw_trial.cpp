@@ -186,7 +186,8 @@ std::string draw_trial(const TrialRequest& request, const std::filesystem::path&
   while (hidden.size() < count && !from.empty()) {
     const Offer& offer = pick(from, draw);
     Hidden shape = drawn_shape(offer, draw);
-    const double sign = limit_of(offer.cause).least < 0.0 ? draw.sign() : 1.0;
+    const double drawn = limit_of(offer.cause).least < 0.0 ? draw.sign() : 1.0;
+    const double sign = offer.sign != 0 ? offer.sign : drawn;
     const Sized sized = sizer.dose_for(offer, shape, request.size, sign);
     json told = text_of(offer, sized);
     if (!sized.reached) {
@@ -207,7 +208,10 @@ std::string draw_trial(const TrialRequest& request, const std::filesystem::path&
   plant->write_model(folder);
   const bool own_names = draw.chance(0.5);
   Draw faulty = draw.fork();
-  for (int number = 0; number < 2; ++number) {
+  if (request.logs < 1 || request.logs > 3)
+    throw std::invalid_argument("a trial has one to three logs for training");
+  // Log 1 is held out, however many there are for training.
+  for (int number = 0; number <= request.logs; ++number) {
     Log log = plant->replay(plant->course(hidden, number), hidden, number);
     const Log perfect = log;
     plant->measure(log, number);
@@ -216,7 +220,10 @@ std::string draw_trial(const TrialRequest& request, const std::filesystem::path&
       seal["channels"] = log.names;
     }
     if (number == 0 && request.family == "fault") seal["fault"] = spoil_log(log, faulty);
-    write_log(log, own_names, folder / (number == 0 ? "train.csv" : "holdout.csv"));
+    const std::string file = number == 0   ? "train.csv"
+                             : number == 1 ? "holdout.csv"
+                                           : fmt::format("train{}.csv", number);
+    write_log(log, own_names, folder / file);
     if (number == 0 && own_names) write_channel_names(log, folder / "model" / "channels.toml");
   }
   return seal.dump();

@@ -16,6 +16,7 @@ struct TrialRequest {
   std::string family = "one";   ///< or null, two, outside, fault
   double size = 1.0;            ///< in units of the noise
   std::string cause;            ///< for development and gates: this one instead of a drawn one
+  int logs = 1;                 ///< for training, 1 to 3: train.csv, train2.csv, train3.csv
   double heavier = 1.0;         ///< the lone joint's inertia, for the gate that compares two plants
 };
 

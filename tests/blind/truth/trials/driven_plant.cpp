@@ -202,7 +202,8 @@ class DrivenPlant : public TrialPlant {
           setup_.kind == DrivenKind::motor ? "motor" : "joint " + jointed.chain.links[j].joint;
       offer_axis(jointed, j, place, true, setup_.loaded || jointed.carries, offers_);
     }
-    if (jointed.carries) offer_links(jointed, offers_);
+    if (jointed.carries) offer_links(jointed, true, offers_);
+    if (setup_.weighs) offer_gravity(jointed, offers_);
     if (jointed.carries && axes() > 1)
       for (std::size_t j = 0; j < axes(); ++j)
         offers_.push_back({"sensor_offset", "joint " + jointed.chain.links[j].joint,

@@ -116,7 +116,10 @@ std::unique_ptr<TrialPlant> draw_joint(Draw draw, double heavier) {
   s.jointed.chain = {"joint", gravity, {link}, {}, 0.0, Vector3d(0.3, 0, 0)};
   s.jointed.axes = {m};
   s.jointed.middle = {kind == 0 ? draw.uniform(-0.4, 0.4) : 0.0};
-  s.jointed.carries = kind == 0;
+  s.weighs = kind == 0;
+  // A quarter of the pendulums is balanced, and their models know of no gravity.
+  if (draw.chance(0.25)) s.jointed.chain.gravity.setZero();
+  s.jointed.carries = !s.jointed.chain.gravity.isZero();
   s.encoder = {(slides ? 1.28 : 2.0 * pi) * std::ldexp(1.0, -(17 + draw.below(4)))};
   const double rates[] = {250.0, 500.0, 1000.0};
   s.jointed.motor_share = draw.uniform(0.35, 0.65);
@@ -171,7 +174,9 @@ std::unique_ptr<TrialPlant> draw_arm(Draw draw, Mechanics mechanics) {
     mass *= draw.uniform(0.45, 0.75);
   }
   s.jointed.chain.tip = Vector3d(length, 0, 0);
-  s.jointed.carries = true;
+  s.jointed.carries = s.weighs = true;
+  // A fifth lies on its side or is balanced: its model knows of no gravity.
+  if (draw.chance(0.2)) s.jointed.chain.gravity.setZero();
   s.rhythm.seconds = 14.0;
   s.rhythm.period = draw.chance(0.5) ? 0.004 : 0.002;
   s.rhythm.inner = s.rhythm.period > 0.003 ? 8 : 4;

@@ -15,6 +15,7 @@ struct DrivenSetup {
   Rhythm rhythm;
   std::vector<double> encoder;  ///< step of each position sensor
   bool loaded = false, resolved = false;
+  bool weighs = false;  ///< gravity may act on it, whether the model has any or not
   double load_mean = 0.0, load_swing = 0.0;
 };
 

@@ -49,6 +49,7 @@ struct Offer {
   std::string parameter;  ///< the finding's parameter that should hold factor * dose; empty: none
   double factor = 1.0;
   int order = 0;  ///< of a ripple
+  int sign = 0;   ///< of the dose, where the other one is another cause
 };
 
 /// Where an axis is and how it moves; `load`: external effort against the motion.

@@ -18,6 +18,14 @@ const Hidden* find(const std::vector<Hidden>& hidden, const std::string& cause, 
   return nullptr;
 }
 
+/// Any direction, the same whenever it is asked.
+Vector3d direction_of(const Hidden& h) {
+  truth::Draw draw(h.seed);
+  const double up = draw.uniform(-1.0, 1.0), around = draw.uniform(0.0, 2.0 * pi);
+  const double flat = std::sqrt(1.0 - up * up);
+  return {flat * std::cos(around), flat * std::sin(around), up};
+}
+
 constexpr double softest = 2.0 * pi * 4.0;  // rad/s: dose 1 of gear_elasticity
 
 /// What hangs behind a soft gear, or beyond a gap: follows the motor by itself.
@@ -73,6 +81,15 @@ Chain true_chain(const Chain& chain, const std::vector<Hidden>& hidden) {
       link.inertia *= (link.mass + h.dose) / link.mass;
       link.mass += h.dose;
     }
+    if (h.cause == "link_centre")
+      real.links[static_cast<std::size_t>(h.at)].com += h.dose * direction_of(h);
+    if (h.cause == "link_products") {
+      Eigen::Matrix3d& inertia = real.links[static_cast<std::size_t>(h.at)].inertia;
+      const Eigen::Matrix3d turn = Eigen::AngleAxisd(h.dose, direction_of(h)).toRotationMatrix();
+      inertia = (turn * inertia * turn.transpose()).eval();
+    }
+    if (h.cause == "coupling_ratio") real.coupled *= 1.0 + h.dose;
+    if (h.cause == "gravity_left_out") real.gravity += h.dose * direction_of(h);
     if (h.cause == "gravity") {
       const Vector3d about(std::cos(h.phase), std::sin(h.phase), 0.3 * std::sin(3.0 * h.phase));
       real.gravity =

@@ -45,11 +45,15 @@ Course in_mujoco(const Jointed& jointed, const std::vector<Hidden>& hidden, cons
 /// the bodies as well.
 void offer_axis(const Jointed& jointed, std::size_t axis, const std::string& place, bool drive,
                 bool loaded, std::vector<Offer>& offers);
-void offer_links(const Jointed& jointed, std::vector<Offer>& offers);
+/// `products`: of inertia as well, which a finger's thin and light links have next to none of.
+void offer_links(const Jointed& jointed, bool products, std::vector<Offer>& offers);
+/// Its direction; of a model without any, that it was left out.
+void offer_gravity(const Jointed& jointed, std::vector<Offer>& offers);
 
 /// Columns that are fitted with every model at an axis, along a smoothed motion.
 MatrixXd fitted_at(const AxisModel& model, const VectorXd& v, const VectorXd& a, unsigned which);
-/// 1 where the axis moves: above a hundredth of its top speed, and 6 ms off every reversal, at 60 Hz.
+/// 1 where the axis moves: above a hundredth of its top speed, and 6 ms off every reversal, at 60
+/// Hz.
 VectorXd in_motion(const VectorXd& v, double step);
 /// 18 Hz where what is left of the acceleration above is the noise of the position, else `band`.
 double band_of(const VectorXd& perfect, const VectorXd& measured, double step, double band);

@@ -2,7 +2,19 @@
 // What may be hidden at an axis and in the bodies.
 #include "tests/blind/truth/trials/jointed.h"
 
+#include <cmath>
+
 namespace sinew::trials {
+namespace {
+
+/// The lowest order of a ripple of which motions show half a period; 0: none up to 6, or no turns.
+int lowest_order(const AxisModel& m) {
+  if (m.output_turn <= 0.0) return 0;
+  const int order = static_cast<int>(std::ceil(0.25 * m.output_turn / m.range));
+  return order <= 6 ? order : 0;
+}
+
+}  // namespace
 
 void offer_axis(const Jointed& jointed, std::size_t axis, const std::string& place, bool drive,
                 bool loaded, std::vector<Offer>& offers) {
@@ -32,8 +44,8 @@ void offer_axis(const Jointed& jointed, std::size_t axis, const std::string& pla
     offer("sensor_scale", 1.0, "scale_error", fits_turning);
     offer("delay", 1.0, "delay", fits_turning);
     for (const int order : {1, 2}) offer("input_ripple", m.effort, "", fits_all, 1.0, order);
-    if (m.output_turn > 0.0 && 2.0 * m.range > 0.5 * m.output_turn)
-      offer("output_ripple", m.effort, "", fits_all, 1.0, 1);
+    if (const int order = lowest_order(m); order > 0)
+      offer("output_ripple", m.effort, "", fits_all, 1.0, order);
     if (loaded) offer("load_ripple", 1.0, "", fits_all, 1.0, 1);
     offer("gear_elasticity", 1.0);
     offer("backlash", 2.0 * m.range);
@@ -58,15 +70,28 @@ void offer_axis(const Jointed& jointed, std::size_t axis, const std::string& pla
   outside("outer_force", m.effort);
 }
 
-void offer_links(const Jointed& jointed, std::vector<Offer>& offers) {
+void offer_links(const Jointed& jointed, bool products, std::vector<Offer>& offers) {
   const auto& links = jointed.chain.links;
   const auto last = static_cast<int>(links.size()) - 1;
-  offers.push_back({"payload", "link " + links.back().name, last, links.back().mass, false,
-                    fits_all, "mass", 1.0, 0});
-  for (std::size_t i = 0; i < links.size(); ++i)
-    offers.push_back({"link_mass", "link " + links[i].name, static_cast<int>(i), links[i].mass,
-                      false, fits_all, "mass", 1.0, 0});
-  offers.push_back({"gravity", "base", 0, 1.0, false, fits_all, "", 1.0, 0});
+  const auto offer = [&](const char* cause, int at, double scale, const char* parameter, int sign) {
+    offers.push_back({cause, "link " + links[static_cast<std::size_t>(at)].name, at, scale, false,
+                      fits_all, parameter, 1.0, 0, sign});
+  };
+  offer("payload", last, links.back().mass, "mass", 0);
+  for (int i = 0; i <= last; ++i) {
+    const Link& link = links[static_cast<std::size_t>(i)];
+    // What the last link has more of than the model is a payload.
+    offer("link_mass", i, link.mass, "mass", i == last ? -1 : 0);
+    // Alone, a link's products of inertia act on nothing, and its centre is its weight's.
+    if (links.size() == 1) continue;
+    if (link.com.norm() > 0.0) offer("link_centre", i, link.com.norm(), "", 0);
+    if (products) offer("link_products", i, 1.0, "", 0);
+  }
+}
+
+void offer_gravity(const Jointed& jointed, std::vector<Offer>& offers) {
+  const char* cause = jointed.chain.gravity.isZero() ? "gravity_left_out" : "gravity";
+  offers.push_back({cause, "base", 0, 1.0, false, fits_all, "", 1.0, 0});
 }
 
 }  // namespace sinew::trials

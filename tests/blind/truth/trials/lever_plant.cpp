@@ -10,6 +10,7 @@
 #include "tests/blind/truth/trials/chain.h"
 #include "tests/blind/truth/trials/compared.h"
 #include "tests/blind/truth/trials/lever_shape.h"
+#include "tests/blind/truth/trials/signal_path.h"
 #include "tests/blind/truth/trials/trial_plant.h"
 
 namespace sinew::trials {
@@ -165,6 +166,8 @@ class LeverPlant : public TrialPlant {
     offer("lever_scale", "sensor", 1.0, "scale_error");
     offer("lever_offset", "sensor", 4000.0, "count_offset");
     offer("sensor_quantisation", "sensor", 4.0e4);
+    offer("sensor_low_pass", "sensor", 1.0);
+    offer("sensor_hysteresis", "sensor", 4000.0);
     offer("force_sensor_offset", "sensor", peak_, "force_offset");
     if (guided_) offer("guiding_friction", "tendon", 1.0);
     for (const char* cause : {"latch", "speed_memory", "other_stage", "outer_force"})
@@ -190,7 +193,11 @@ Log LeverPlant::replay(const Course& course, const std::vector<Hidden>& hidden, 
     return 0.0;
   };
   int law = 0;
-  for (const Hidden& h : hidden) law = h.law;
+  std::vector<Hidden> of_sensor;
+  for (const Hidden& h : hidden) {
+    if (h.cause == "guiding_friction") law = h.law;
+    if (h.cause == "sensor_low_pass" || h.cause == "sensor_hysteresis") of_sensor.push_back(h);
+  }
   const LeverCurve curve(shape_, dose("spring_constant"), dose("preload_offset"));
   const double slack = dose("slack"), series = dose("series_tendon"),
                loop = dose("lever_hysteresis"), guiding = dose("guiding_friction"),
@@ -232,13 +239,14 @@ Log LeverPlant::replay(const Course& course, const std::vector<Hidden>& hidden, 
                       course.step) +
            force_zero;
     const double share = (curve.angle(lever) - first_angle_) / (last_angle_ - first_angle_);
-    double count = 4000.0 * share * (1.0 + scale) + 40.0 + zero;
-    if (coarse > 1.0) count = coarse * std::round(count / coarse);
-    log.columns(k, 0) = count;
+    log.columns(k, 0) = 4000.0 * share * (1.0 + scale) + 40.0 + zero;
     log.columns(k, 1) = seen;
     if (elongation_) log.columns(k, 2) = drawn;
     if (guided_) log.columns(k, log.columns.cols() - 1) = bend;
   }
+  log.columns.col(0) = sensed_position(log.columns.col(0), of_sensor, log.step);
+  if (coarse > 1.0)
+    for (double& count : log.columns.col(0)) count = coarse * std::round(count / coarse);
   return log;
 }
 

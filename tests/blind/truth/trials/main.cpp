@@ -19,7 +19,7 @@ using namespace sinew::trials;
 constexpr const char* usage =
     "usage: sinew_trials draw --plant <plant> --family <family> --size <noise's> --seed <n> "
     "--folder "
-    "<folder> [--cause <cause>]\n"
+    "<folder> [--cause <cause>] [--logs <for training>]\n"
     "           writes model, channels and logs into the folder, the seal to standard output\n"
     "       sinew_trials offers --plant <plant> --seed <n>\n"
     "       sinew_trials limits\n";
@@ -52,6 +52,7 @@ int run(int count, char** words) {
   request.family = take("--family", request.family);
   request.cause = take("--cause", "");
   request.size = std::stod(take("--size", "1"));
+  request.logs = std::stoi(take("--logs", "1"));
   request.seed = std::stoull(take("--seed", "1"));
   const std::string folder = take("--folder", "");
   if (!option.empty()) throw std::invalid_argument("no option is called " + option.begin()->first);

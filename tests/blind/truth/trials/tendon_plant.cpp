@@ -30,7 +30,11 @@ class TendonPlant : public TrialPlant {
     for (auto& stream : streams_) stream = draw.bits();
     const Index m = tendons(), n = joints();
     radii_.resize(m, n);
-    for (Index i = 0; i < m; ++i) radii_.row(i) = tendon(i).radius.transpose();
+    for (Index i = 0; i < m; ++i) {
+      radii_.row(i) = tendon(i).radius.head(n).transpose();
+      // Over the pulley of a joint that follows, a tendon moves with the joint that leads.
+      if (coupled()) radii_(i, n - 1) += s_.jointed.chain.coupled * tendon(i).radius(n);
+    }
     for (Index i = 0; i < m; ++i) {
       rate_.push_back(draw.uniform(0.8, 4.0));
       phase_.push_back(draw.uniform(0.0, 2.0 * pi));
@@ -79,6 +83,7 @@ class TendonPlant : public TrialPlant {
 
  private:
   Index joints() const { return s_.jointed.chain.size(); }
+  bool coupled() const { return s_.jointed.chain.coupled != 0.0; }
   Index tendons() const { return static_cast<Index>(s_.jointed.chain.tendons.size()); }
   const Tendon& tendon(Index i) const {
     return s_.jointed.chain.tendons[static_cast<std::size_t>(i)];
@@ -101,6 +106,9 @@ class TendonPlant : public TrialPlant {
     for (const Hidden& h : hidden) {
       if (h.cause == "pulley_radius") arms.col(h.at) *= 1.0 + h.dose;
       if (h.cause == "tendon_radius") arms.row(h.at) *= 1.0 + h.dose;
+      if (h.cause == "coupling_ratio")
+        for (Index i = 0; i < tendons(); ++i)
+          arms(i, joints() - 1) += h.dose * s_.jointed.chain.coupled * tendon(i).radius(joints());
       if (h.cause == "routing_offset")
         for (Index j = 0; j < joints(); ++j)
           if (arms(h.at, j) != 0.0) arms(h.at, j) += h.dose * std::sin(0.7 * q(j) + 0.4);
@@ -155,7 +163,10 @@ Log TendonPlant::replay(const Course& course, const std::vector<Hidden>& hidden,
       double bend = 0.6;
       for (Index j = 0; j < n; ++j)
         if (radii_(h.at, j) != 0.0) bend += std::abs(q(j));
-      at_motor(k, h.at) *= std::exp(h.dose * bend * z);
+      if (h.law == 0)
+        at_motor(k, h.at) *= std::exp(h.dose * bend * z);
+      else
+        at_motor(k, h.at) += h.dose * s_.pretension * z * (1.0 - std::exp(-0.7 * bend));
     }
   }
   Log result;
@@ -303,8 +314,18 @@ void TendonPlant::list_offers() {
     offer_axis(jointed, static_cast<std::size_t>(j), place, false, true, offers_);
     offer("pulley_radius", place, j, 1.0, "gain_change");
     offer("sensor_offset", place, j, 1.0, "zero_offset");
+    offers_.push_back({"sensor_scale", place, static_cast<int>(j), 1.0, false, fits_turning,
+                       "scale_error", 1.0, 0});
+    offers_.push_back({"sensor_low_pass", place, static_cast<int>(j), 1.0, false, fits_turning,
+                       "time_constant", 1.0, 0});
+    const double range = 2.0 * jointed.axes[static_cast<std::size_t>(j)].range;
+    offer("sensor_quantisation", place, j, range);
+    offer("sensor_hysteresis", place, j, range, "half_play", 0.5);
   }
-  offer_links(jointed, offers_);
+  if (coupled())
+    offer("coupling_ratio", "joint " + jointed.chain.links.back().joint, joints() - 1, 1.0);
+  offer_links(jointed, false, offers_);
+  offer_gravity(jointed, offers_);
   for (Index i = 0; i < tendons(); ++i) {
     const std::string place = "tendon " + tendon(i).name;
     offer("guiding_friction", place, i, 1.0);

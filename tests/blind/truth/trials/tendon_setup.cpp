@@ -12,14 +12,16 @@ namespace {
 
 using truth::Draw;
 
-/// A finger in its base frame: it may abduct, then it flexes.
+/// A finger in its base frame: it may abduct, then it flexes, and its last joint may be coupled to
+/// the one before.
 struct DrawnFinger {
   Chain chain;
   std::vector<AxisModel> axes;
   std::vector<double> middle;
 };
 
-DrawnFinger drawn_finger(Draw& draw, const std::string& name, int joints, int first_number) {
+DrawnFinger drawn_finger(Draw& draw, const std::string& name, int joints, int first_number,
+                         bool coupled = false) {
   DrawnFinger f;
   f.chain.name = name;
   double length = 0.006, mass = draw.uniform(0.006, 0.02);
@@ -48,19 +50,28 @@ DrawnFinger drawn_finger(Draw& draw, const std::string& name, int joints, int fi
     m.motor_turn = 0.35 * m.range;
     link.damping = m.viscous;
     link.friction = m.level;
-    f.axes.push_back(m);
-    f.middle.push_back(abducts && i == 0 ? 0.0 : 0.55);
+    if (coupled && i + 1 == joints) {
+      // What a coupled joint rubs, its loop takes to the joint before.
+      link.damping = link.friction = 0.0;
+    } else {
+      f.axes.push_back(m);
+      f.middle.push_back(abducts && i == 0 ? 0.0 : 0.55);
+    }
     f.chain.links.push_back(link);
     if (i > 0 || !abducts) mass *= draw.uniform(0.5, 0.8);
   }
   f.chain.tip = Vector3d(length, 0, 0);
   // A pair of antagonists a joint; distal ones may pass the joint before, too.
-  for (int j = 0; j < joints; ++j)
+  const int driven = coupled ? joints - 1 : joints;
+  if (coupled) f.chain.coupled = draw.uniform(0.6, 1.1);
+  for (int j = 0; j < driven; ++j)
     for (const double side : {1.0, -1.0}) {
       Tendon tendon{fmt::format("h{}", f.chain.tendons.size() + 1), VectorXd::Zero(joints)};
       tendon.radius(j) = side * (0.0065 - 0.0007 * j);
       if (j > 0 && draw.chance(0.6))
         tendon.radius(j - 1) = draw.sign() * (0.0065 - 0.0007 * (j - 1));
+      // Drive tendons run over both pulleys of the loop, on the same side.
+      if (coupled && j + 1 == driven) tendon.radius(joints - 1) = side * 0.0035;
       f.chain.tendons.push_back(tendon);
     }
   return f;
@@ -154,11 +165,15 @@ std::unique_ptr<TrialPlant> draw_finger(Draw draw, Mechanics mechanics) {
   TendonSetup s;
   s.mechanics = mechanics;
   s.motors = draw.chance(0.5);
-  DrawnFinger f = drawn_finger(draw, "finger", 3 + draw.below(2), 20);
+  const int joints = 3 + draw.below(2);
+  const bool coupled = draw.chance(0.35) && mechanics == Mechanics::own;
+  DrawnFinger f = drawn_finger(draw, "finger", joints, 20, coupled);
   s.jointed.chain = f.chain;
+  // A quarter moves across gravity, or is balanced: its model knows of none.
+  if (draw.chance(0.25)) s.jointed.chain.gravity.setZero();
   s.jointed.axes = f.axes;
   s.jointed.middle = f.middle;
-  for (const Link& link : f.chain.links) s.channels.push_back(link.joint);
+  for (std::size_t j = 0; j < f.axes.size(); ++j) s.channels.push_back(f.chain.links[j].joint);
   draw_common(s, draw);
   return tendon_plant(std::move(s), draw);
 }

@@ -37,7 +37,8 @@ class TrialPlant {
   virtual const std::vector<Offer>& offers() const = 0;
   /// The model under test, in folder / "model" and what belongs beside it.
   virtual void write_model(const std::filesystem::path& folder) const = 0;
-  /// Log 0 is for training, 1 held out. In closed loop what is hidden changes the motion.
+  /// Log 0 is for training, 1 held out, 2 and 3 for training as well. In closed loop what is hidden
+  /// changes the motion.
   virtual Course course(const std::vector<Hidden>& hidden, int log) const = 0;
   /// The same motion by inverse dynamics: what perfect sensors show.
   virtual Log replay(const Course& course, const std::vector<Hidden>& hidden, int log) const = 0;

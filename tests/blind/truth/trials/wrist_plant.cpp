@@ -10,6 +10,7 @@
 #include "tests/blind/truth/trials/axis.h"
 #include "tests/blind/truth/trials/chain.h"
 #include "tests/blind/truth/trials/compared.h"
+#include "tests/blind/truth/trials/signal_path.h"
 #include "tests/blind/truth/trials/trial_plant.h"
 #include "tests/blind/truth/trials/wrist_shape.h"
 
@@ -161,6 +162,13 @@ class WristPlant : public TrialPlant {
                                    course.step * static_cast<double>(k), course.step);
       }
     }
+    for (int j = 0; j < 2; ++j) {
+      std::vector<Hidden> here = only_at(hidden, j);
+      std::erase_if(here, [](const Hidden& h) {
+        return h.cause != "sensor_low_pass" && h.cause != "sensor_hysteresis";
+      });
+      log.columns.col(j) = sensed_position(log.columns.col(j), here, log.step);
+    }
     return log;
   }
 
@@ -213,6 +221,8 @@ class WristPlant : public TrialPlant {
       offer("wrist_zero", place, j, 1.0, false, "offset");
       offer("sensor_scale", place, j, 1.0, false, "scale_error");
       offer("sensor_quantisation", place, j, 1.0, false);
+      offer("sensor_low_pass", place, j, 1.0, false);
+      offer("sensor_hysteresis", place, j, 1.0, false);
     }
     for (int i = 0; i < motors_; ++i) {
       const std::string place = fmt::format("motor {}", i + 1);
