@@ -92,9 +92,10 @@ class Reference {
     std::array<double, 3> x{middle_, 0.0, 0.0};
     if (strokes_.empty()) {
       for (const auto& [w, size, phase] : sines_) {
-        x[0] += size * std::sin(w * t + phase);
+        const double sine = std::sin(w * t + phase);
+        x[0] += size * sine;
         x[1] += size * w * std::cos(w * t + phase);
-        x[2] -= size * w * w * std::sin(w * t + phase);
+        x[2] -= size * w * w * sine;
       }
       return x;
     }

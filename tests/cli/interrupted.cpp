@@ -17,13 +17,16 @@ struct Interrupted {
   bool was_there = false, is_left = false;
 };
 
-/// `sinew simulate` with a compiler that takes its time; a signal comes meanwhile. The program is
-/// started by `env <how>`.
+/// `sinew simulate` with a compiler that waits until the signal has come, three seconds at most.
+/// The program is started by `env <how>`.
 Interrupted interrupt(const std::string& signal, const std::string& how = "--default-signal") {
   const Workplace here;
   fs::create_directory(here.path("tmp"));
-  reference::write_text(here.path("slow_cc"), fmt::format("#!/bin/sh\ntouch {}\nexec sleep 3\n",
-                                                          here.path("started").string()));
+  reference::write_text(here.path("slow_cc"), fmt::format("#!/bin/sh\ntouch {0}/started\n"
+                                                          "for i in $(seq 60); do\n"
+                                                          "[ -e {0}/signalled ] && exit 0\n"
+                                                          "sleep 0.05\ndone\n",
+                                                          here.path(".").string()));
   fs::permissions(here.path("slow_cc"), fs::perms::owner_all);
   const Ended ended = here.shell(fmt::format(
       "CC=$PWD/slow_cc TMPDIR=$PWD/tmp env {} " SINEW_PROGRAM
@@ -31,7 +34,7 @@ Interrupted interrupt(const std::string& signal, const std::string& how = "--def
       "--runtime {}/runtime & pid=$!\n"
       "while [ ! -e started ]; do sleep 0.05; done\n"
       "[ -n \"$(ls tmp)\" ] && echo there\n"
-      "kill -{} $pid; wait $pid; echo status $?",
+      "kill -{} $pid; touch signalled; wait $pid; echo status $?",
       how, SINEW_SOURCE_DIR, SINEW_SOURCE_DIR, SINEW_SOURCE_DIR, signal));
   INFO(ended.output);
   Interrupted result;

@@ -9,10 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <random>
 
-#include "symbolic/expressions/evaluate_function.h"
-#include "symbolic/extension/part_observation.h"
-#include "symbolic/parts/part.h"
-#include "tests/cli/program.h"
+#include "tests/cli/lever_logs.h"
 
 using namespace sinew;
 using nlohmann::json;
@@ -288,7 +285,7 @@ namespace {
 
 /// Every motor of the hand to and fro, each at its own frequency.
 std::string hand_scenario(double phase) {
-  std::string text = times(2.5, 400) + R"([integrator]
+  std::string text = times(1.5, 400) + R"([integrator]
 relative_tolerance = { value = 1e-6, unit = "1" }
 absolute_tolerance = { value = 1e-8, unit = "1" }
 [drive]
@@ -343,34 +340,14 @@ TEST_CASE("a payload that was learnt at a hand's finger acts in the hand's simul
 
 namespace {
 
-/// Logs of a rig whose sensors its model predicts, with one value that the model has not.
-class RigLog {
+/// Logs of a wrist with one value that its model has not.
+class WristLog {
  public:
-  RigLog(const std::string& model, const IdentifiedEffect& hidden)
-      : observation_(*observation_of(read_part(SINEW_SOURCE_DIR "/models/" + model))),
+  explicit WristLog(const IdentifiedEffect& hidden)
+      : observation_(*observation_of(read_part(SINEW_SOURCE_DIR "/models/wrist"))),
         reading_(closed_observation(observation_, {{hidden}, {}})) {}
 
-  std::string lever(unsigned seed) const {
-    std::mt19937 random(seed);
-    std::normal_distribution<double> normal;
-    std::string text = "time [s],count [1],force [N],elongation [mm]\n";
-    std::vector<double> memory{0.0, 0.0};
-    for (int k = 0; k < 6000; ++k) {
-      const double t = 0.005 * k, phase = 0.4 * seed;
-      const double count = std::round(2040.0 + 1500.0 * std::sin(0.9 * t + phase) +
-                                      300.0 * std::sin(2.3 * t + 2.0 * phase));
-      const double rate =
-          1350.0 * std::cos(0.9 * t + phase) + 690.0 * std::cos(2.3 * t + 2.0 * phase);
-      const std::vector<double> out =
-          evaluate(reading_, {count, rate, 0.0, 0.005, memory[0], memory[1]});
-      memory = {out[2], out[3]};
-      text += fmt::format("{:.3f},{:.0f},{:.4f},{:.5f}\n", t, count, out[0] + 0.05 * normal(random),
-                          1e3 * out[1] + 0.005 * normal(random));
-    }
-    return text;
-  }
-
-  std::string wrist(unsigned seed) const {
+  std::string log(unsigned seed) const {
     std::mt19937 random(seed);
     std::normal_distribution<double> normal;
     const Argument &q71 = reading_.inputs[0], &q73 = reading_.inputs[1];
@@ -380,8 +357,8 @@ class RigLog {
     const std::size_t motors = reading_.outputs.front().values.size();
     std::string text = "time [s],q71 [rad],q73 [rad]";
     for (std::size_t i = 1; i <= motors; ++i) text += fmt::format(",theta_{} [rad]", i);
-    for (int k = 0; k < 3000; ++k) {
-      const double t = 0.005 * k, phase = 0.7 * seed;
+    for (int k = 0; k < 1500; ++k) {
+      const double t = 0.01 * k, phase = 0.7 * seed;
       const double a = along(q71.ranges[0], std::sin(0.9 * t + phase));
       const double b = along(q73.ranges[0], std::sin(1.4 * t + 2.0 * phase));
       text += fmt::format("\n{:.3f},{:.8f},{:.8f}", t, a, b);
@@ -401,26 +378,19 @@ class RigLog {
 TEST_CASE("what a lever's and a wrist's calibration taught acts in what their models say",
           "[learnt][slow]") {
   // Planted defect: replayed_rig() without the folder's identified.toml: the same before and after.
-  struct Rig {
-    const char* model;
-    IdentifiedEffect hidden;
-    std::string (RigLog::*log)(unsigned) const;
-  };
-  for (const Rig& rig : {Rig{"lever",
-                             {"spring_constant", "lever", {}, {{"spring_change", 0.1, 0.0, "1"}}},
-                             &RigLog::lever},
-                         Rig{"wrist",
-                             {"pulley_radius", "motor 3", {}, {{"change", 0.05, 0.0, "1"}}},
-                             &RigLog::wrist}}) {
-    INFO(rig.model);
-    const Loop loop(rig.model);
+  const auto learns = [](const char* model, const auto& log) {
+    INFO(model);
+    const Loop loop(model);
     loop.copy_models();
-    const RigLog logs(rig.model, rig.hidden);
-    std::ofstream(loop.path("train.csv")) << (logs.*rig.log)(1);
-    std::ofstream(loop.path("test.csv")) << (logs.*rig.log)(2);
+    std::ofstream(loop.path("train.csv")) << log(1);
+    std::ofstream(loop.path("test.csv")) << log(2);
     const json before = loop.replayed();
     const json findings = loop.diagnosed();
     const json after = loop.replayed();
     compare(findings, before, after, "sensor", "sensor", 0.02);
-  }
+  };
+  const Calibration lever({"spring_constant", "lever", {}, {{"spring_change", 0.1, 0.0, "1"}}});
+  learns("lever", [&](unsigned seed) { return lever.log(seed, true); });
+  const WristLog wrist({"pulley_radius", "motor 3", {}, {{"change", 0.05, 0.0, "1"}}});
+  learns("wrist", [&](unsigned seed) { return wrist.log(seed); });
 }

@@ -14,7 +14,7 @@ namespace sinew::reference {
 
 struct CompileOptions {
   std::string compiler = "cc";
-  std::vector<std::string> flags = {"-std=c11", "-O2", "-ffp-contract=off", "-fno-math-errno"};
+  std::vector<std::string> flags = {"-std=c11", "-O1", "-ffp-contract=off", "-fno-math-errno"};
 };
 
 /// Every .c file of a folder that holds <model>.c and <model>_catalogue.c, as a shared object.

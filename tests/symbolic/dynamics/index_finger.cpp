@@ -49,7 +49,7 @@ const Deviation& of(const std::vector<Deviation>& deviations, const std::string&
 }
 
 TEST_CASE("index: emitted C is Newton-Euler's over 10,000 states") {
-  const auto deviations = compare(index_model(), index_mechanism(), {10000, 2000, 11});
+  const auto deviations = compare(index_model(), index_mechanism(), {10000, 500, 11});
   INFO(describe(deviations));
   REQUIRE(deviations.size() == 13);
   for (const Deviation& each : deviations) {

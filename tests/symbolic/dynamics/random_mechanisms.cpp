@@ -65,13 +65,13 @@ TEST_CASE("a random chain of 3 joints") {
 
 TEST_CASE("a random chain of 6 joints") {
   const Subject subject = generate(6, chain_of(6));
-  check_agreement(subject, {10000, 500, 1});
+  check_agreement(subject, {10000, 250, 1});
   check_mechanics(subject);
 }
 
 TEST_CASE("a random chain of 8 joints") {
   const Subject subject = generate(8, chain_of(8));
-  check_agreement(subject, {10000, 300, 1});
+  check_agreement(subject, {10000, 150, 1});
   check_mechanics(subject);
 }
 

@@ -120,7 +120,7 @@ TEST_CASE("no constant leaves the range of float", "[emitted]") {
   }
 }
 
-TEST_CASE("deriving again gives the same text", "[emitted]") {
+TEST_CASE("deriving again gives the same text", "[emitted][slow]") {
   const auto first = models(), second = models();
   for (std::size_t i = 0; i < first.size(); ++i) {
     const auto text = emit_files(assemble({first[i].name, "", "", {}}, first[i].functions, {}));
