@@ -21,6 +21,9 @@ bool is_within(const fs::path& path, const fs::path& folder) {
   return !below.empty() && *below.begin() != "..";
 }
 
+// What an interrupted run left is put right before anything is asked of what is there: a file may be
+// new because of that run alone.
+
 /// What would have to be made first so that `folder` can be: itself, or a parent that is missing.
 fs::path first_missing(fs::path folder) {
   while (folder.has_relative_path() && !entry_exists(folder.parent_path()))
@@ -36,12 +39,14 @@ void Outputs::file(const fs::path& target, std::string text) {
     streams_.push_back({std::move(place), std::move(text)});
     return;
   }
+  recover_interrupted(place.real.parent_path());
   inputs_.refuse(place.real);
   add({place.real, false, entry_exists(place.real), {{"", std::move(text)}}});
 }
 
 void Outputs::folder(const fs::path& given, const FileSet& files) {
   const fs::path folder = output_folder(given);
+  recover_interrupted(first_missing(folder).parent_path());
   if (!entry_exists(folder)) return new_folder(folder, files);
   for (const fs::directory_entry& entry : fs::directory_iterator(folder))
     inputs_.refuse(entry.path());
@@ -50,7 +55,9 @@ void Outputs::folder(const fs::path& given, const FileSet& files) {
 
 void Outputs::into_folder(const fs::path& given, const FileSet& files) {
   const fs::path folder = output_folder(given);
+  recover_interrupted(first_missing(folder).parent_path());
   if (!entry_exists(folder)) return new_folder(folder, files);
+  recover_interrupted(folder);
   for (const auto& [name, text] : files) {
     const fs::path real = replaceable_file(folder / name);
     inputs_.refuse(real);
@@ -129,7 +136,6 @@ void Outputs::put_all_in_place_or_none(UnfinishedRun& run) const {
 }
 
 void Outputs::commit() {
-  for (const Entry& entry : entries_) recover_interrupted(entry.path.parent_path());
   UnfinishedRun run;
   for (const Entry& entry : entries_) run.enter(entry.path);
   write_drafts(run, entries_.size() > 1);

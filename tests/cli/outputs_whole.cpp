@@ -158,6 +158,8 @@ TEST_CASE("every command, killed at each step of its writing: all old or all new
   // Planted defect: Outputs::commit() without a journal: neither old nor new are the outputs of
   // generate after "renameat2 2", those of identify after "rename 2" to "rename 7". import writes
   // one folder and simulate one file, which need none.
+  // Planted defect: an interrupted run put right in commit(), after it was looked up what is there:
+  // the run after figures was killed at "rename 2" ends with 2, for a file that is new no more.
   for (const Command& command : commands()) {
     const Workplace tools;
     if (!can_trace(tools)) return;
@@ -172,9 +174,12 @@ TEST_CASE("every command, killed at each step of its writing: all old or all new
         if (!bench.injected()) break;
         INFO(command.name << " " << call << " " << count);
         ++killed;
-        (void)bench.shell(command.next);
-        CHECK((bench.is_old() || bench.is_new(after)));
-        CHECK(bench.shell(command.run).status == 0);
+        int again = bench.shell(command.next).status;
+        if (command.next != command.run) {
+          CHECK((bench.is_old() || bench.is_new(after)));
+          again = bench.shell(command.run).status;
+        }
+        CHECK(again == 0);
         CHECK(bench.is_new(after));
         CHECK(bench.is_clean());
       }
