@@ -28,8 +28,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
-const std::vector<std::string> fused_flags{"-std=c11",        "-O2",   "-ffp-contract=off",
-                                           "-fno-math-errno", "-mfma", "-fno-tree-vectorize"};
+const std::vector<std::string> fused_flags{"-std=c11",           "-O2",   "-ffp-contract=off",
+                                           "-fno-math-errno",    "-mfma", "-fno-tree-slp-vectorize",
+                                           "-fno-tree-vectorize"};
 
 EmittedModel model_for(const Target& target) {
   std::vector<Function> functions =
