@@ -101,6 +101,7 @@ Eigen::Vector3d learnt_gravity(const HeldHand& held, const Identified& identifie
 /// A log is played on the hand that a diagnosis looks at: the palm held, its crank where
 /// held_hand() has it. No tendon moves so much inertia.
 void hold_palm(const Hand& hand, Scenario& scenario) {
+  if (!hand.has_four_bar()) return;
   scenario.crank_inertia = 1e9;
   scenario.initial[coordinate_names(hand).back()] =
       0.5 * (hand.four_bar.theta2.low + hand.four_bar.theta2.high);

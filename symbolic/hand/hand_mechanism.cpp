@@ -61,8 +61,9 @@ Isometry3d tip_at_zero(const Mechanism& finger) {
 /// The fingers' bases on the palm: where their tips are, and back along the fingers.
 std::vector<Isometry3d> bases(const Hand& hand) {
   const Function tips = hand_fingertips(hand);
-  std::vector<double> inputs(static_cast<std::size_t>(tips.inputs.front().rows - 1), 0.0);
-  inputs.push_back(0.5 * (hand.four_bar.theta2.low + hand.four_bar.theta2.high));
+  std::vector<double> inputs(static_cast<std::size_t>(tips.inputs.front().rows), 0.0);
+  if (hand.has_four_bar())
+    inputs.back() = 0.5 * (hand.four_bar.theta2.low + hand.four_bar.theta2.high);
   for (const double angle : bar_angles(hand.wrist)) inputs.push_back(angle);
   const std::vector<double> in_palm = values_of(tips, inputs);
   std::vector<Isometry3d> result;
@@ -124,7 +125,7 @@ HeldHand held_hand(const Hand& hand) {
     held.channels.insert(held.channels.end(), finger.channels.begin(), finger.channels.end());
   }
   held.coordinates = coordinate_names(hand);
-  held.coordinates.pop_back();
+  if (hand.has_four_bar()) held.coordinates.pop_back();  // the crank's
   return held;
 }
 
