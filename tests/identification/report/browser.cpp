@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "browser.h"
+#include "tests/identification/report/browser.h"
 
 #include <unistd.h>
 

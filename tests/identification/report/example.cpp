@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "example.h"
+#include "tests/identification/report/example.h"
 
 #include <ginac/ginac.h>
 
 #include <cmath>
 #include <limits>
 
-#include "example_plots.h"
 #include "identification/adoption/held_out_judgement.h"
 #include "symbolic/expressions/piecewise.h"
 #include "symbolic/notation/print_mathml.h"
+#include "tests/identification/report/example_plots.h"
 
 namespace sinew::diagnosis::example {
 namespace {

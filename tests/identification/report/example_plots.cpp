@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "example_plots.h"
+#include "tests/identification/report/example_plots.h"
 
 #include <cmath>
 

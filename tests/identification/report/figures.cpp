@@ -6,12 +6,12 @@
 #include <cstdlib>
 #include <regex>
 
-#include "example.h"
-#include "example_plots.h"
 #include "identification/report/html.h"
 #include "identification/report/plot_bounds.h"
 #include "identification/report/svg.h"
 #include "identification/report/thinning.h"
+#include "tests/identification/report/example.h"
+#include "tests/identification/report/example_plots.h"
 #include "tests/skip.h"
 
 using namespace sinew::diagnosis;

@@ -2,8 +2,8 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
-#include "example.h"
 #include "identification/report/findings_json.h"
+#include "tests/identification/report/example.h"
 #include "tests/reference/temporary_folder.h"
 
 using namespace sinew::diagnosis;

@@ -8,8 +8,8 @@
 #include <map>
 #include <set>
 
-#include "example.h"
 #include "identification/report/page.h"
+#include "tests/identification/report/example.h"
 
 using namespace sinew::diagnosis;
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <catch2/catch.hpp>
 
-#include "browser.h"
-#include "example.h"
 #include "identification/report/html.h"
+#include "tests/identification/report/browser.h"
+#include "tests/identification/report/example.h"
 #include "tests/skip.h"
 
 using namespace sinew;

@@ -6,13 +6,13 @@
 #include <nlohmann/json.hpp>
 #include <regex>
 
-#include "example.h"
 #include "identification/diagnosis/confidence.h"
 #include "identification/report/findings_json.h"
 #include "identification/report/html.h"
 #include "identification/report/numbers.h"
 #include "identification/report/text.h"
 #include "identification/report/wording.h"
+#include "tests/identification/report/example.h"
 #include "tests/reference/temporary_folder.h"
 
 using namespace sinew::diagnosis;

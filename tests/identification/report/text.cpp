@@ -6,9 +6,9 @@
 #include <regex>
 #include <sstream>
 
-#include "example.h"
 #include "identification/report/html.h"
 #include "identification/report/verdict_text.h"
+#include "tests/identification/report/example.h"
 
 using namespace sinew::diagnosis;
 
