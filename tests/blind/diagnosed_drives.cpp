@@ -105,7 +105,7 @@ TEST_CASE("causes hidden in drives are named from the logs alone", "[slow]") {
   CHECK(rates.all_inside >= 5);
 }
 
-TEST_CASE("causes that were missed once are found", "[slow]") {
+TEST_CASE("causes that were missed once are found", "[slow][thorough]") {
   // A load that falls through the gap (90032: without "loaded_backlash" in add_library it is called
   // gear elasticity), and a nuisance fitted to nothing that ruins held-out stretches (400030:
   // without settle_nuisances in select.cpp nothing is said). A sensor's low-pass that logs
@@ -127,7 +127,7 @@ TEST_CASE("causes that were missed once are found", "[slow]") {
   }
 }
 
-TEST_CASE("what one log cannot tell apart the motion asked for does", "[slow]") {
+TEST_CASE("what one log cannot tell apart the motion asked for does", "[slow][thorough]") {
   // Pairs that look the same in the logs handed over. 443001 also needs the held-out gain of load
   // friction beside the friction level as adopted: held-out logs under one load show none beside a
   // deviation that is free (seen to fail with gain_on_held_out of the search's model alone).

@@ -115,7 +115,7 @@ TEST_CASE("causes hidden in a finger with its tendons are named", "[slow]") {
 }
 
 TEST_CASE("what a guide takes is named where the tendon slides in it as its motor turns",
-          "[slow]") {
+          "[slow][thorough]") {
   // Planted defect: without motor_side_guiding (effects.cpp) it is told as none of the known.
   const Outcome o = diagnose_finger({213, "finger", truth::Family::one, 2.0});
   INFO("hidden:" << o.hidden() << ", told:" << o.told());
@@ -137,7 +137,7 @@ TEST_CASE("a force sensor that shows too much is named, and its motor believed",
   CHECK(motor.unexplained_after < 0.8 * motor.unexplained_before);
 }
 
-TEST_CASE("a cause is told with the size that the model is extended by", "[slow]") {
+TEST_CASE("a cause is told with the size that the model is extended by", "[slow][thorough]") {
   // Beside the motor's own friction, were it free, a wrong torque constant has hardly a size:
   // planted defect, the parameters of the search (explain.cpp) tell a gain of -0.7 +- 0.5.
   const Outcome o = diagnose_finger({217, "finger", truth::Family::one, 2.0});

@@ -67,7 +67,7 @@ TEST_CASE("a wrist that hides nothing is told to leave nothing over", "[slow]") 
   CHECK(rates.false_names == 0);
 }
 
-TEST_CASE("what the library lacks at one motor of a wrist is no noise", "[slow]") {
+TEST_CASE("what the library lacks at one motor of a wrist is no noise", "[slow][thorough]") {
   // A motor with play. Planted defect: with the dependences that all motors share alone
   // (complete() in wrist_subject.cpp) its play is told as noise.
   const Outcome o = diagnose_wrist({307, "wrist", truth::Family::outside, 10.0});

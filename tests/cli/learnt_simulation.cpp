@@ -319,7 +319,7 @@ json without_thumb(const json& channels, const char* name) {
 }  // namespace
 
 TEST_CASE("a payload that was learnt at a hand's finger acts in the hand's simulation",
-          "[learnt][slow]") {
+          "[learnt][slow][thorough]") {
   // Planted defect: hold_palm() left out (build_plant.cpp): the crank falls, and the fifth finger's
   // window is 0.093 rad where the report says 0.0088.
   const Loop loop("hand");

@@ -104,7 +104,8 @@ int differing(const Graph& graph, const Library& library) {
 
 }  // namespace
 
-TEST_CASE("the batch form of every function has the bits of the single function", "[slow]") {
+TEST_CASE("the batch form of every function has the bits of the single function",
+          "[slow][thorough]") {
   const std::vector<Function> functions = sample_functions();
   const EmittedModel model = model_without({}, functions);
   const Library library(model);

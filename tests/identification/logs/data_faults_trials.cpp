@@ -40,7 +40,7 @@ int trials_each() {
 
 }  // namespace
 
-TEST_CASE("planted faults are found, with row and column", "[slow]") {
+TEST_CASE("planted faults are found, with row and column", "[slow][thorough]") {
   int planted_total = 0, found_total = 0;
   std::string table;
   for (int fault = 0; fault < planted_kinds; ++fault) {

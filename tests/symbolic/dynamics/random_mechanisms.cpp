@@ -75,7 +75,7 @@ TEST_CASE("a random chain of 8 joints") {
   check_mechanics(subject);
 }
 
-TEST_CASE("random chains of 2 to 12 joints", "[slow]") {
+TEST_CASE("random chains of 2 to 12 joints", "[slow][thorough]") {
   for (int joints = 2; joints <= 12; ++joints) {
     RandomMechanismOptions options;
     options.joints = joints;
@@ -84,7 +84,7 @@ TEST_CASE("random chains of 2 to 12 joints", "[slow]") {
   }
 }
 
-TEST_CASE("random trees", "[slow]") {
+TEST_CASE("random trees", "[slow][thorough]") {
   for (int joints = 3; joints <= 10; ++joints) {
     RandomMechanismOptions options;
     options.joints = joints;
