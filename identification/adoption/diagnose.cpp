@@ -22,6 +22,7 @@
 #include "identification/adoption/unquiet_channels.h"
 #include "identification/diagnosis/explain.h"
 #include "identification/diagnosis/sensor_play.h"
+#include "identification/likelihood/explain_by_likelihood.h"
 #include "identification/report/log_record.h"
 #include "identification/report/verdict_text.h"
 #include "identification/report/wording.h"
@@ -157,12 +158,13 @@ class Run {
 
   Explanation explain_subject(const DrivenSubject& subject) const {
     std::map<int, std::vector<PlannedExperiment>> planned;
-    return explain(subject.problem(), request_.settings,
-                   [&](int channel) -> const std::vector<PlannedExperiment>& {
-                     const auto [at, is_new] = planned.try_emplace(channel);
-                     if (is_new) at->second = subject.experiments(channel);
-                     return at->second;
-                   });
+    const auto experiments = [&](int channel) -> const std::vector<PlannedExperiment>& {
+      const auto [at, is_new] = planned.try_emplace(channel);
+      if (is_new) at->second = subject.experiments(channel);
+      return at->second;
+    };
+    return (request_.settings.by_likelihood ? explain_by_likelihood : explain)(
+        subject.problem(), request_.settings, experiments);
   }
 
   /// Motions that would settle what is told as a set, as files.

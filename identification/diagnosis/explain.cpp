@@ -9,11 +9,11 @@
 #include "identification/diagnosis/deviation_terms.h"
 #include "identification/diagnosis/explained_structure.h"
 #include "identification/diagnosis/fewer_causes.h"
-#include "identification/diagnosis/materiality.h"
 #include "identification/diagnosis/parameter_deviations.h"
 #include "identification/diagnosis/separation.h"
 #include "identification/diagnosis/standard_errors.h"
 #include "identification/diagnosis/unexplained.h"
+#include "identification/diagnosis/verdict_errors.h"
 #include "identification/regression/baseline.h"
 #include "identification/regression/refine.h"
 
@@ -22,46 +22,6 @@ namespace {
 
 using Eigen::Index;
 using Eigen::VectorXd;
-
-/// Of what was measured: root of the mean square of all channels together, or of the channels'
-/// shares where they measure different things.
-double relative_error(const Problem& problem, const ChannelSquares& sums) {
-  if (!problem.unlike_channels)
-    return std::sqrt(sums.error.sum() / std::max(sums.measured.sum(), 1e-300));
-  return std::sqrt(sums.error.cwiseQuotient(sums.measured.cwiseMax(1e-300)).mean());
-}
-
-/// Root mean square of what a model leaves of each channel in the training logs, all frequencies
-/// alike.
-VectorXd left_over(const Design& design, const Model& model) {
-  const Stack rows = stack(model, even_weights(design));
-  const LinearFit fit = solve(rows);
-  VectorXd energy = VectorXd::Zero(design.problem().channels), count = energy;
-  for (std::size_t s = 0; s < design.segments().size(); ++s) {
-    const Segment& segment = design.segments()[s];
-    const Index own = rows.first_row[s + 1] - rows.first_row[s];
-    energy(segment.channel) += fit.residual.segment(rows.first_row[s], own).squaredNorm();
-    count(segment.channel) += static_cast<double>(own);
-  }
-  return energy.cwiseQuotient(count.cwiseMax(1.0)).cwiseSqrt().cwiseMax(1e-12);
-}
-
-BlockLosses held_out_losses(const Design& design, const Settings& settings, const Model& model,
-                            const Weights& weights) {
-  return held_out(design, model, solve(stack(model, weights)), settings.blocks);
-}
-
-/// What a term gains on held-out logs beside the rest of the model.
-Gain gain_on_held_out(const Design& design, const Settings& settings, const Selection& selection,
-                      std::size_t term) {
-  const Weights& weights = selection.noise.weights;
-  Model without = selection.model;
-  remove_term(design, term, without);
-  const VectorXd channels = channels_of(design, selection.model.terms[term]);
-  const BlockLosses before = held_out_losses(design, settings, without, weights);
-  const BlockLosses after = held_out_losses(design, settings, selection.model, weights);
-  return block_bootstrap_gain(before.plain * channels, after.plain * channels, 0.95, settings.seed);
-}
 
 /// The cause of a term. Where another one turns out to be better by more than chance, the model
 /// takes that one instead: what is named is what the model is extended by.
@@ -242,69 +202,11 @@ void name_deviations(const Design& design, const Library& library, const Setting
 
 /// The model before any cause: its free coefficients are fitted, its values are its own. `parts`:
 /// the model found, which owns what the result points to.
-Model unexplained_model(const Design& design, const Model& found, const DeviationTerms& parts) {
+Model model_before(const Design& design, const Model& found, const DeviationTerms& parts) {
   Model model = design.problem().deviations.empty() ? found : parts.base;
   for (std::size_t t = model.terms.size(); t-- > 0;)
     if (!model.terms[t].baseline) remove_term(design, t, model);
   return model;
-}
-
-/// Where the held-out logs leave most over, beside what the training logs do.
-Disagreement most_excess(const Design& design, const Settings& settings, const Selection& after) {
-  Disagreement most;
-  const auto mean = [](const BlockLosses& losses) {
-    return VectorXd(losses.plain.colwise().sum().transpose() / losses.samples.sum());
-  };
-  const BlockLosses held = held_out_losses(design, settings, after.model, after.noise.weights);
-  if (held.plain.size() == 0 || held.samples.sum() <= 0.0) return most;
-  const VectorXd there = mean(held);
-  const VectorXd here =
-      mean(cross_validate(design, after.model, after.noise.weights, settings.blocks));
-  for (int c = 0; c < design.problem().channels; ++c) {
-    const double ratio = std::sqrt(there(c) / std::max(here(c), 1e-300));
-    if (here(c) <= 0.0 || ratio <= most.ratio) continue;
-    most.channel = c;
-    most.ratio = ratio;
-  }
-  return most;
-}
-
-/// Errors before and after, and what all causes together gain on held-out logs.
-void measure(const Design& design, const Settings& settings, Explanation& result) {
-  Verdict& verdict = result.verdict;
-  const DeviationTerms parts = take_apart(design, result.selection.model);
-  const Model before = unexplained_model(design, result.selection.model, parts);
-  const NoiseView noise = own_noise(design, before);
-  const Selection& after = design.problem().deviations.empty() ? result.selection : result.adopted;
-  const ChannelSquares errors = channel_squares(design, before, noise.weights);
-  const Problem& problem = design.problem();
-  verdict.relative_error_before = relative_error(problem, errors);
-  verdict.relative_error_after =
-      relative_error(problem, channel_squares(design, after.model, after.noise.weights));
-  const auto loss = [&](const Model& model, const Weights& weights) {
-    return cross_validate(design, model, weights, settings.blocks).over_all().sum();
-  };
-  verdict.unexplained.remaining = std::min(
-      loss(after.model, after.noise.weights) / std::max(loss(before, noise.weights), 1e-300), 1.0);
-  const BlockLosses held = held_out_losses(design, settings, before, noise.weights);
-  verdict.held_out = block_bootstrap_gain(
-      held.over_all(),
-      held_out_losses(design, settings, after.model, after.noise.weights).over_all(), 0.95,
-      settings.seed);
-  verdict.most_excess = most_excess(design, settings, after);
-  remove_immaterial(
-      problem,
-      immaterial_channels(problem, errors, held_out_rms(design, held), settings.material_share),
-      verdict);
-}
-
-/// The lowest frequency above which a channel is left out, below the band asked for; 0: none is.
-double cut_of(const Problem& problem, const Settings& settings) {
-  double lowest = std::numeric_limits<double>::infinity();
-  for (const Recording& log : problem.training)
-    for (const double band : log.band_hz) lowest = std::min(lowest, band);
-  const bool cut = std::isfinite(lowest) && (settings.band_hz <= 0.0 || lowest < settings.band_hz);
-  return cut ? lowest : 0.0;
 }
 
 }  // namespace
@@ -347,8 +249,9 @@ Explanation explain(const Problem& problem, const Settings& settings,
                    [](const NamedCause& a, const NamedCause& b) {
                      return a.cross_validated.share > b.cross_validated.share;
                    });
-  measure(design, settings, result);
-  verdict.compared_below_hz = cut_of(problem, settings);
+  const DeviationTerms parts = take_apart(design, selection.model);
+  tell_errors(design, settings, model_before(design, selection.model, parts),
+              problem.deviations.empty() ? selection : result.adopted, verdict);
   return result;
 }
 

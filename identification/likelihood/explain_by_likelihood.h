@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// From recordings and candidates to a verdict, by one likelihood and one search.
+#pragma once
+
+#include "identification/diagnosis/explain.h"
+
+namespace sinew::diagnosis {
+
+/// As explain(): the set of hypotheses with the largest posterior odds under one likelihood of the
+/// whitened logs, small errors in everything included. No other rule decides.
+/// Deterministic. Throws std::invalid_argument where no log is long enough.
+Explanation explain_by_likelihood(const Problem& problem, const Settings& settings,
+                                  const ExperimentPlanner& planner = {});
+
+}  // namespace sinew::diagnosis

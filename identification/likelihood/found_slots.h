@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The search on the moments, with the shapes of what it finds fitted between the grid's points.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "identification/likelihood/slot_search.h"
+
+namespace sinew::diagnosis {
+
+/// What was found, and all that it rests on.
+struct FoundSlots {
+  Hypotheses all;  ///< with one more shape for each that was fitted
+  Weights weights;
+  Moments moments;
+  std::unique_ptr<SmallErrors> errors;  ///< points to `moments`
+  std::unique_ptr<SlotSearch> search;   ///< points to all of these
+  Slots slots;
+  Model model;  ///< the base's terms, then one term a slot, in their order
+  double small_errors = 0.0;  ///< share by which everything is off
+};
+
+/// `baseline`: as for make_hypotheses().
+std::unique_ptr<FoundSlots> find_slots(const Design& design, const Settings& settings,
+                                       const Model& baseline);
+
+}  // namespace sinew::diagnosis

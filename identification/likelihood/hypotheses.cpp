@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "identification/likelihood/hypotheses.h"
+
+#include <tbb/parallel_for.h>
+
+#include <cmath>
+
+#include "identification/likelihood/decision_constants.h"
+#include "identification/regression/screening.h"
+
+namespace sinew::diagnosis {
+namespace {
+
+using Eigen::VectorXd;
+
+// An unlikely cause is named only where no other explains as much: its odds.
+constexpr double kUnlikelyOdds = 2.5e-3;
+
+double log_prior_of(const Candidate& source, bool named) {
+  return std::log(kPriorOdds * (named ? 1.0 : kUnnamedOdds) *
+                  (source.unlikely ? kUnlikelyOdds : 1.0));
+}
+
+/// Grid points of starting_values() that differ by one step of one parameter: the last parameter
+/// varies fastest.
+void link_neighbours(const Candidate& source, int first, std::vector<Shape>& shapes) {
+  const auto count = static_cast<int>(shapes.size()) - first;
+  int stride = 1;
+  for (std::size_t k = source.nonlinear.size(); k-- > 0;) {
+    const int points = std::max(1, source.nonlinear[k].grid);
+    for (int i = 0; i < count; ++i)
+      if ((i / stride) % points + 1 < points)
+        shapes[static_cast<std::size_t>(first + i)].neighbours.push_back(first + i + stride);
+    stride *= points;
+  }
+}
+
+bool is_named(const Candidate& source) {
+  return source.kind == CandidateKind::named || source.kind == CandidateKind::delay;
+}
+
+void add_hypothesis(int candidate, const Candidate& source, Hypotheses& all) {
+  Hypothesis h;
+  h.candidate = candidate;
+  h.source = &source;
+  h.named = is_named(source);
+  h.log_prior = log_prior_of(source, h.named);
+  all.list.push_back(std::move(h));
+}
+
+void add_grid(const Candidate& source, Hypotheses& all) {
+  const auto hypothesis = static_cast<int>(all.list.size()) - 1;
+  const auto first = static_cast<int>(all.shapes.size());
+  for (const VectorXd& value : starting_values(source)) {
+    all.list.back().shapes.push_back(static_cast<int>(all.shapes.size()));
+    all.shapes.push_back({hypothesis, value, {}, {}});
+  }
+  // Splines are no points of a family that one could stand between.
+  if (source.nonlinear.size() > 0 && source.linear.size() == 1)
+    link_neighbours(source, first, all.shapes);
+}
+
+/// A delay's column is the rate of what the model says.
+BandColumns delay_of_model(const Design& design, const Model& base, const Candidate& delay) {
+  const VectorXd coefficients = solve(stack(base, even_weights(design))).coefficients;
+  return prediction_rate(design, base, term_rates(design, base), coefficients, delay);
+}
+
+}  // namespace
+
+Hypotheses make_hypotheses(const Design& design, const Model& baseline) {
+  const Problem& problem = design.problem();
+  Hypotheses all;
+  if (problem.deviations.empty())
+    all.parts.base = baseline;
+  else
+    all.parts = take_apart(design, baseline);
+  for (std::size_t i = 0; i < all.parts.deviations.size(); ++i) {
+    const Term& term = all.parts.deviations[i];
+    add_hypothesis(-1 - static_cast<int>(i), *term.candidate, all);
+    all.list.back().log_prior +=
+        problem.deviations[i].unlikely ? std::log(kUnlikelyOdds) : 0.0;
+    all.list.back().shapes.push_back(static_cast<int>(all.shapes.size()));
+    all.shapes.push_back({static_cast<int>(all.list.size()) - 1, VectorXd(), term.columns, {}});
+  }
+  for (std::size_t c = 0; c < problem.library.size(); ++c) {
+    const Candidate& source = problem.library[c];
+    add_hypothesis(static_cast<int>(c), source, all);
+    if (source.kind != CandidateKind::delay) {
+      add_grid(source, all);
+      continue;
+    }
+    all.list.back().shapes.push_back(static_cast<int>(all.shapes.size()));
+    all.shapes.push_back({static_cast<int>(all.list.size()) - 1, VectorXd::Zero(1),
+                          delay_of_model(design, all.parts.base, source), {}});
+  }
+  tbb::parallel_for(0, static_cast<int>(all.shapes.size()), [&](int i) {
+    Shape& shape = all.shapes[static_cast<std::size_t>(i)];
+    if (shape.columns.empty())
+      shape.columns = design.columns(
+          *all.list[static_cast<std::size_t>(shape.hypothesis)].source, shape.nonlinear);
+  });
+  return all;
+}
+
+void add_shape(const Design& design, int hypothesis, const VectorXd& nonlinear, Hypotheses& all) {
+  Hypothesis& h = all.list[static_cast<std::size_t>(hypothesis)];
+  h.shapes.push_back(static_cast<int>(all.shapes.size()));
+  all.shapes.push_back({hypothesis, nonlinear, design.columns(*h.source, nonlinear), {}});
+}
+
+Term term_of(const Hypotheses& all, int shape) {
+  const Shape& s = all.shapes[static_cast<std::size_t>(shape)];
+  const Hypothesis& h = all.list[static_cast<std::size_t>(s.hypothesis)];
+  Term term;
+  term.candidate = h.source;
+  term.nonlinear = s.nonlinear;
+  term.columns = s.columns;
+  if (h.candidate < 0) term.deviation = -1 - h.candidate;
+  return term;
+}
+
+}  // namespace sinew::diagnosis

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// All that the search knows of the logs: products of whitened columns with each other and with what
+// the model leaves over, with the model's free part projected out.
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "identification/likelihood/hypotheses.h"
+
+namespace sinew::diagnosis {
+
+/// Columns of length 0 are left out; each is scaled so that a coefficient of 1 has the rms of what
+/// was measured in the channels where it acts.
+struct Moments {
+  /// Of each shape its columns here: [first, first + count).
+  struct Range {
+    Eigen::Index first = 0, count = 0;
+  };
+  std::vector<Range> of_shape;
+  std::vector<int> coefficient;  ///< of each column: which one of its shape's it is
+  Eigen::VectorXd scale;         ///< a column's coefficient times this is in its own unit
+  Eigen::MatrixXd gram;
+  Eigen::VectorXd target;
+  double deviance = 0.0;  ///< of what the model leaves over
+  double rows = 0.0;      ///< independent real rows of the logs
+};
+
+Moments moments_of(const Design& design, const Hypotheses& all, const Weights& weights);
+
+/// Moments where every hypothesis is off by chance by a share of the rms of what was measured:
+/// its columns are noise besides. The products are those of the whitened rows under that noise.
+class SmallErrors {
+ public:
+  /// share: standard deviation of a hypothesis' error; 0: there is none.
+  SmallErrors(const Moments& m, const Hypotheses& all, double share);
+
+  /// Gram matrix of some columns (rows) with some others.
+  Eigen::MatrixXd gram(const std::vector<Eigen::Index>& rows,
+                       const std::vector<Eigen::Index>& columns) const;
+  Eigen::MatrixXd gram_with_all(const std::vector<Eigen::Index>& columns) const;
+  const Eigen::VectorXd& target() const { return target_; }
+  /// log p(what was measured | no cause) up to what all shares have in common.
+  double log_likelihood() const { return log_likelihood_; }
+  const Moments& moments() const { return m_; }
+
+ private:
+  const Moments& m_;
+  Eigen::MatrixXd taken_;  ///< gram less taken' taken is the gram matrix under small errors
+  Eigen::VectorXd target_;
+  double log_likelihood_ = 0.0;
+};
+
+}  // namespace sinew::diagnosis
