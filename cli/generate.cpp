@@ -16,6 +16,7 @@
 #include "cli/plausibility.h"
 #include "cli/target_options.h"
 #include "cli/terminal/terminal.h"
+#include "cli/wrapper_options.h"
 #include "generator/outputs/unfinished_run.h"
 #include "generator/write.h"
 
@@ -25,6 +26,7 @@ namespace {
 struct GenerateOptions {
   std::string folder, out;
   TargetOptions target;
+  WrapperOptions wrappers;
   std::vector<std::string> without;
   bool json = false;
   bool runtime_parameters = false;
@@ -40,6 +42,7 @@ void add_common_options(CLI::App& command, GenerateOptions& o) {
                      "folder of their folders");
   command.add_flag("--dependents", o.dependents, "The hands made of the model as well");
   add_target_options(command, o.target);
+  add_wrapper_options(command, o.wrappers);
   command.add_option("--without", o.without, "Optimisation passes to leave out");
   command.add_flag("--runtime-parameters", o.runtime_parameters,
                    "Masses and gravity stay arguments of the dynamics");
@@ -69,6 +72,7 @@ struct Derived {
   std::vector<FunctionChange> changes;
   double seconds = 0;
   std::vector<std::string> remarks{}, warnings{};
+  std::map<std::filesystem::path, FileSet> wrapped{};  ///< by folder
 };
 
 /// The folders a command is about; with --dependents also the hands made of them.
@@ -90,6 +94,7 @@ Derived derive(const GenerateOptions& o, const std::filesystem::path& path, bool
   Derived derived{path, default_output(folder), emit(o, folder), {}, 0, folder.remarks, warnings};
   if (!o.out.empty())
     derived.out = alone ? std::filesystem::path(o.out) : o.out / derived.out.filename();
+  derived.wrapped = wrapped_files(o.wrappers, derived.model);
   recover_interrupted(output_folder(derived.out).parent_path());
   derived.changes = function_changes(derived.out, derived.model);
   derived.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -145,6 +150,7 @@ nlohmann::ordered_json model_json(const Derived& d, const std::vector<Derived>& 
                                 {"notes", d.remarks},
                                 {"warnings", d.warnings},
                                 {"left_behind", nlohmann::ordered_json::array()}};
+  for (const auto& [folder, files] : d.wrapped) report["wrappers"].push_back(folder.string());
   for (const std::filesystem::path& folder : left_behind(d, run))
     report["left_behind"].push_back(folder.string());
   return report;
@@ -166,6 +172,8 @@ void report_generated(const std::vector<Derived>& run, bool json) {
     tell_remarks(d);
     tell("{}: {} functions written to {} in {:.2f} s\n{}", d.model.name, d.model.functions.size(),
          d.out.string(), d.seconds, summary_text(d.changes));
+    for (const auto& [folder, files] : d.wrapped)
+      tell("  {} files written to {}\n", files.size(), folder.string());
     for (const std::filesystem::path& folder : left_behind(d, run))
       tell("  {} has to follow: sinew generate {}\n", folder.string(), word(folder.string()));
   }
@@ -174,7 +182,10 @@ void report_generated(const std::vector<Derived>& run, bool json) {
 void run_generate(const GenerateOptions& o) {
   const std::vector<Derived> run = derive_all(o);
   Outputs outputs;
-  for (const Derived& d : run) add_emitted(outputs, d.out, emit_files(d.model));
+  for (const Derived& d : run) {
+    add_emitted(outputs, d.out, emit_files(d.model));
+    for (const auto& [folder, files] : d.wrapped) outputs.into_folder(folder, files);
+  }
   outputs.commit();
   report_generated(run, o.json);
 }
@@ -183,7 +194,9 @@ void run_generate(const GenerateOptions& o) {
 std::string accept_command(const GenerateOptions& o) {
   std::string command = "sinew generate " + word(o.folder);
   if (!o.out.empty()) command += " --out " + word(o.out);
-  command += o.target.written();
+  command += o.target.written() + o.wrappers.written();
+  if (o.wrappers.folder != WrapperOptions().folder)
+    command += " --wrappers " + word(o.wrappers.folder);
   if (o.runtime_parameters) command += " --runtime-parameters";
   for (const std::string& pass : o.without) command += " --without " + pass;
   if (o.dependents) command += " --dependents";
@@ -204,7 +217,8 @@ int run_check(const GenerateOptions& o) {
   nlohmann::ordered_json models = nlohmann::ordered_json::array();
   std::string differing;
   for (const Derived& d : run) {
-    const std::string diff = difference(d.out, emit_files(d.model));
+    std::string diff = difference(d.out, emit_files(d.model));
+    for (const auto& [folder, files] : d.wrapped) diff += wrapper_difference(folder, files);
     if (!o.json) tell_remarks(d);
     if (!diff.empty()) differing += (differing.empty() ? "" : ", ") + d.out.string();
     if (o.json)

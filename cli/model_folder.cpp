@@ -88,6 +88,60 @@ std::vector<std::string> joint_notes(const Mechanism& mechanism) {
   return notes;
 }
 
+double reference_of(const Joint& joint) {
+  return joint.reference.value_or(0.5 * (joint.low + joint.high));
+}
+
+NamedTendon named(const Tendon& tendon) {
+  NamedTendon result{tendon.name};
+  for (const PulleyRouting& pulley : tendon.pulleys) result.joints.push_back(pulley.joint);
+  for (const StraightRouting& straight : tendon.straights)
+    for (const std::string& body : {straight.from_body, straight.to_body})
+      result.bodies.push_back(body);
+  return result;
+}
+
+Naming naming_of(const Mechanism& mechanism) {
+  Naming naming;
+  const auto body_name = [&](int body) {
+    return body < 0 ? std::string("base") : mechanism.bodies[static_cast<std::size_t>(body)].name;
+  };
+  const Coordinates coordinates(mechanism);
+  for (const int index : coordinates.joints()) {
+    const Joint& joint = mechanism.joints[static_cast<std::size_t>(index)];
+    const bool turns = joint.type == JointType::revolute;
+    naming.joints.push_back({joint.name, turns ? "revolute" : "prismatic", turns ? "rad" : "m",
+                             body_name(joint.parent), body_name(index), joint.source_name,
+                             joint.low, joint.high, reference_of(joint), joint.damping});
+  }
+  for (const Tendon& tendon : mechanism.tendons) naming.tendons.push_back(named(tendon));
+  for (const Frame& frame : mechanism.frames) naming.frames.push_back({frame.name, frame.body});
+  const Eigen::Vector3d& g = mechanism.gravity;
+  naming.gravity = {g(0), g(1), g(2)};
+  return naming;
+}
+
+/// Tendons by wrist channel.
+Naming naming_of(const Hand& hand) {
+  Naming naming;
+  for (const std::string& name : coordinate_names(hand)) naming.joints.push_back({name});
+  naming.wrist = {"q71", "q73"};
+  naming.tendons.resize(hand.wrist.forearm_points.size());
+  const auto place = [&](int channel, const std::string& name) {
+    naming.tendons.at(static_cast<std::size_t>(channel)).name = name;
+  };
+  for (const HandFinger& finger : hand.fingers)
+    for (std::size_t i = 0; i < finger.channels.size(); ++i)
+      place(finger.channels[i], finger.mechanism.name + "." + finger.mechanism.tendons[i].name);
+  for (std::size_t i = 0; i < hand.four_bar_channels.size(); ++i)
+    place(hand.four_bar_channels[i], fmt::format("{}.h{}", hand.four_bar_name, i + 1));
+  for (const HandFinger& finger : hand.fingers)
+    if (!finger.mechanism.frames.empty())
+      naming.frames.push_back({finger.mechanism.name + "." + finger.mechanism.frames[0].name,
+                               finger.mechanism.name + "." + finger.mechanism.frames[0].body});
+  return naming;
+}
+
 std::vector<std::string> coordinate_notes(const Hand& hand) {
   std::vector<std::string> notes{"Coordinates:"};
   int coordinate = 0;
@@ -127,6 +181,7 @@ ModelFolder open_model_folder(const fs::path& folder) {
     result.identity.name = read.hand.name;
     description = read.hand.description;
     result.identity.notes = coordinate_notes(read.hand);
+    result.identity.naming = naming_of(read.hand);
     parts = std::move(read.models);
     result.model = std::move(read.hand);
   } else if (is_part_folder(folder)) {
@@ -147,6 +202,7 @@ ModelFolder open_model_folder(const fs::path& folder) {
     result.identity.name = mechanism.name;
     description = mechanism.description;
     result.identity.notes = joint_notes(mechanism);
+    result.identity.naming = naming_of(mechanism);
     const auto note = is_massless(mechanism) ? std::optional(why_no_dynamics(mechanism))
                                              : note_of_singular_mass_matrix(mechanism);
     if (note) {

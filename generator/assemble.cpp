@@ -10,7 +10,7 @@ namespace sinew {
 EmittedModel assemble(const ModelIdentity& identity, const std::vector<Function>& functions,
                       const Target& target, const std::vector<std::string>& without) {
   EmittedModel model{identity.name, identity.description, identity.hash, identity.notes, {},
-                     target};
+                     target,        identity.naming};
   for (const Function& function : functions)
     model.functions.push_back(optimise(lower(function), without, target));
   return model;

@@ -15,6 +15,7 @@ struct ModelIdentity {
   std::string description;
   std::string hash;
   std::vector<std::string> notes;
+  Naming naming = {};
 };
 
 /// Lowers and optimises every function. `without`: passes to leave out.

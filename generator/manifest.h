@@ -7,8 +7,9 @@
 
 namespace sinew {
 
-/// Text of manifest.json: model, hash, scalar, files, and for every function its arguments and
-/// operation counts.
+/// Text of manifest.json: model, hash, scalar, description, files; names of joints, tendons and
+/// frames in the order of the arrays' elements; for every function its arguments, whose names their
+/// elements follow ("order"), and operation counts (docs/emitted.md).
 std::string emit_manifest(const EmittedModel& model);
 
 }  // namespace sinew

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "generator/graph.h"
+#include "generator/naming.h"
 #include "generator/target.h"
 
 namespace sinew {
@@ -17,6 +18,7 @@ struct EmittedModel {
   std::vector<std::string> notes;  ///< lines for the header, for instance the joint order
   std::vector<Graph> functions;    ///< optimised; in the order of the header
   Target target;
+  Naming naming = {};  ///< of joints, tendons and frames
 };
 
 }  // namespace sinew
