@@ -106,8 +106,12 @@ std::vector<Derived> derive_all(const GenerateOptions& o) {
   if (!o.out.empty()) (void)output_folder(o.out);
   const std::vector<std::filesystem::path> folders = folders_of(o);
   std::vector<Derived> all;
-  for (const std::filesystem::path& folder : folders)
+  for (const std::filesystem::path& folder : folders) {
+    show_progress(
+        fmt::format("deriving {} ({} of {})", folder.string(), all.size() + 1, folders.size()));
     all.push_back(derive(o, folder, folders.size() == 1));
+  }
+  show_progress("");
   for (std::size_t i = 0; i < all.size(); ++i)
     for (std::size_t j = 0; j < i; ++j)
       if (all[i].out == all[j].out)

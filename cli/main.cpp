@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <sstream>
 
+#include "cli/channels.h"
 #include "cli/clear_message.h"
 #include "cli/diagnose.h"
 #include "cli/effects.h"
@@ -20,6 +21,7 @@
 #include "cli/simulate.h"
 #include "cli/terminal/terminal.h"
 #include "generator/outputs/interruption.h"
+#include "simulation/emitted/compiling.h"
 #include "symbolic/files/identifier.h"
 #include "symbolic/files/readable.h"
 
@@ -46,6 +48,21 @@ std::string after_first_line(const std::string& text) {
   return end == std::string::npos ? "" : text.substr(end + 1);
 }
 
+/// Of commands whose results are files; a command that only prints has nothing to be quiet about.
+void add_quiet_options(CLI::App& app) {
+  for (const char* name :
+       {"generate", "check", "import", "simulate", "identify", "diagnose", "figures", "channels"})
+    app.get_subcommand(name)->add_flag_callback("--quiet", sinew::be_quiet,
+                                                "Say nothing but warnings and errors");
+}
+
+/// A hand's models take seconds to compile the first time.
+void show_what_is_compiled() {
+  sinew::on_compiling([](const std::string& model) {
+    sinew::show_progress(model.empty() ? "" : fmt::format("compiling {}", model));
+  });
+}
+
 /// To people on standard error, or to a machine.
 int refuse(const std::string& what, bool json) {
   json ? sinew::tell_errors(what) : sinew::complain(what);
@@ -69,8 +86,12 @@ int main(int argc, char** argv) {
   sinew::add_simulate_command(app, exit_status);
   sinew::add_identify_command(app, exit_status);
   sinew::add_diagnose_command(app, exit_status);
+  sinew::add_channels_command(app, exit_status);
   sinew::add_effects_command(app, exit_status);
   sinew::add_manual_command(app, exit_status);
+  add_quiet_options(app);
+  app.set_version_flag("--version", "sinew " SINEW_VERSION);
+  show_what_is_compiled();
   const bool json = sinew::wants_json(argc, argv);
   const std::vector<std::string> commands = command_names(app);
   if (argc > 1 && argv[1][0] != '-' &&

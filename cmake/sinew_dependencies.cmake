@@ -14,3 +14,7 @@ find_package(TBB REQUIRED)
 find_package(Ceres 2.1 REQUIRED)
 find_package(OpenSSL 3.0 REQUIRED COMPONENTS Crypto)
 find_package(Boost 1.74 REQUIRED)
+
+# Readers of logs that are no text; without them such a log is refused with that reason.
+pkg_check_modules(matio IMPORTED_TARGET GLOBAL matio)
+pkg_check_modules(hdf5 IMPORTED_TARGET GLOBAL hdf5-serial)

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # What `cmake --install` gives besides the program: runtime, emitted models, a CMake package
-# (sinew::runtime, sinew::model_<m>) and pkg-config files (sinew, sinew_model_<m>).
+# (sinew::runtime, sinew::model_<m>, sinew::model_<m>_batch) and pkg-config files (sinew, sinew_model_<m>,
+# sinew_model_<m>_batch).
 include(CMakePackageConfigHelpers)
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/sinew)
 set(header_folder ${CMAKE_INSTALL_INCLUDEDIR}/sinew)
@@ -27,7 +28,15 @@ foreach(SINEW_MODEL IN LISTS SINEW_MODELS)
   install(TARGETS sinew_model_${SINEW_MODEL} EXPORT sinew
     ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
   configure_file(${template_folder}/sinew_model.pc.in ${made_folder}/sinew_model_${SINEW_MODEL}.pc @ONLY)
-  install(FILES ${made_folder}/sinew_model_${SINEW_MODEL}.pc
+  # Its loops over many states, a library of their own: model_<m>_batch.
+  set_target_properties(sinew_model_${SINEW_MODEL}_batch PROPERTIES
+    EXPORT_NAME model_${SINEW_MODEL}_batch)
+  install(TARGETS sinew_model_${SINEW_MODEL}_batch EXPORT sinew
+    ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+  set(model ${SINEW_MODEL})
+  set(SINEW_MODEL ${model}_batch)
+  configure_file(${template_folder}/sinew_model.pc.in ${made_folder}/sinew_model_${SINEW_MODEL}.pc @ONLY)
+  install(FILES ${made_folder}/sinew_model_${model}.pc ${made_folder}/sinew_model_${SINEW_MODEL}.pc
     DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 endforeach()
 

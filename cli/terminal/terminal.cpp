@@ -1,11 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/terminal/terminal.h"
 
+#include <unistd.h>
+
 #include <nlohmann/json.hpp>
 
 #include "symbolic/files/readable.h"
 
 namespace sinew {
+namespace {
+
+bool quiet = false;
+
+}  // namespace
+
+void be_quiet() {
+  quiet = true;
+}
+
+bool is_quiet() {
+  return quiet;
+}
 
 void put_readable(std::FILE* stream, std::string_view text) {
   const std::string shown = readable(text);
@@ -29,6 +44,8 @@ void tell_json(const nlohmann::ordered_json& json) {
 }
 
 void show_progress(std::string_view text) {
+  static const bool terminal = ::isatty(STDERR_FILENO) != 0;
+  if (!terminal || quiet) return;
   const std::string line = "\r\033[K" + readable_line(text);
   std::fwrite(line.data(), 1, line.size(), stderr);
   std::fflush(stderr);

@@ -12,6 +12,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "identification/logs/converted_log.h"
 #include "identification/logs/units.h"
 #include "symbolic/files/limits.h"
 #include "symbolic/files/readable.h"
@@ -151,7 +152,9 @@ double parse_cell(std::string_view cell, char decimal, CellState& state) {
 
 CsvReader::CsvReader(const std::string& path) : path_(path), shown_path_(readable_line(path)) {
   require_log_file(path);
-  file_.reset(std::fopen(path.c_str(), "rb"));
+  file_.reset(converted_log(path));
+  converted_ = file_ != nullptr;
+  if (!converted_) file_.reset(std::fopen(path.c_str(), "rb"));
   if (!file_)
     throw std::runtime_error(fmt::format("{}:0:0: cannot be opened; expected a log", shown_path_));
   buffer_.resize(block_size);
@@ -165,8 +168,15 @@ void CsvReader::on_bytes(std::function<void(const char*, size_t)> listener) {
   std::FILE* again = std::fopen(path_.c_str(), "rb");
   if (again == nullptr) fail_reading(path_);
   const std::unique_ptr<std::FILE, Closer> closed(again);
-  const long already = std::ftell(file_.get());
   std::vector<char> block(block_size);
+  if (converted_) {  // the digest is of the file as it is
+    while (const size_t got = std::fread(block.data(), 1, block.size(), again))
+      listener_(block.data(), got);
+    if (std::ferror(again) != 0) fail_reading(path_);
+    listener_ = nullptr;
+    return;
+  }
+  const long already = std::ftell(file_.get());
   for (long left = already; left > 0;) {
     const size_t got =
         std::fread(block.data(), 1, std::min(block.size(), static_cast<size_t>(left)), again);

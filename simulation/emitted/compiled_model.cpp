@@ -7,12 +7,16 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <fstream>
+#include <iterator>
 #include <stdexcept>
 
 #include "generator/outputs/scratch_folder.h"
 #include "generator/write.h"
+#include "simulation/emitted/compiling.h"
+#include "simulation/emitted/library_cache.h"
 
 namespace sinew {
 namespace {
@@ -87,6 +91,46 @@ void link(const std::vector<fs::path>& objects, const fs::path& library) {
   require(run(command, library.parent_path()), library.parent_path());
 }
 
+std::function<void(const std::string&)>& listener() {
+  static std::function<void(const std::string&)> instance;
+  return instance;
+}
+
+/// Tells what is being compiled, until its end.
+class Told {
+ public:
+  explicit Told(const std::string& model) {
+    if (listener()) listener()(model);
+  }
+  ~Told() {
+    if (listener()) listener()("");
+  }
+};
+
+std::string text_of(const fs::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+}
+
+/// The sources and headers that a library is made from, and the runtime's headers.
+std::vector<std::string> texts_of(const fs::path& folder, const fs::path& runtime,
+                                  const std::string& name) {
+  std::vector<fs::path> paths;
+  for (const fs::path& place : {folder, runtime})
+    for (const fs::directory_entry& entry : fs::directory_iterator(place)) {
+      const std::string file = entry.path().filename().string();
+      const bool source = entry.path().extension() == ".h" || entry.path().extension() == ".c";
+      if (source && (place == runtime || file.starts_with(name))) paths.push_back(entry.path());
+    }
+  std::sort(paths.begin(), paths.end());
+  std::vector<std::string> texts;
+  for (const fs::path& path : paths) {
+    texts.push_back(path.filename().string());
+    texts.push_back(text_of(path));
+  }
+  return texts;
+}
+
 std::shared_ptr<void> open_library(const fs::path& library) {
   void* handle = ::dlopen(library.c_str(), RTLD_NOW | RTLD_LOCAL);
   if (!handle) throw std::runtime_error(::dlerror());
@@ -116,22 +160,36 @@ void CompiledModel::load(const fs::path& folder, const fs::path& runtime,
   const fs::path first = folder / (name_ + ".c");
   if (!fs::exists(first))
     throw std::runtime_error(first.string() + ": not found; expected the emitted C of a model");
-  const ScratchFolder scratch;
-  const auto compiled = [&](const std::string& part, const std::vector<std::string>& options) {
-    const fs::path object = scratch.path() / (part + ".o");
-    compile(folder, runtime, name_ + part + ".c", object, options);
-    return object;
-  };
-  const fs::path library = scratch.path() / "model.so";
   // Of neighbours in loops gcc fuses what this machine can fuse; batch forms have no neighbours.
   std::vector<std::string> apart = optimisation;
   apart.push_back("-fno-tree-vectorize");
-  link({compiled("", apart), compiled("_catalogue", apart)}, library);
-  library_ = open_library(library);
-  if (with_batch) {
-    const fs::path loops = scratch.path() / "batch.so";
-    link({compiled("_batch", optimisation)}, loops);
-    batch_ = open_library(loops);
+  const std::vector<std::string> texts = texts_of(folder, runtime, name_);
+  // The version stands for the options that every source is compiled with.
+  std::vector<std::string> command{"1", compiler_identity(compiler()), name_};
+  command.insert(command.end(), apart.begin(), apart.end());
+  const LibraryCache one(texts, command);
+  command.push_back("batch");
+  const LibraryCache many(texts, command);
+  const fs::path found = one.find(), found_batch = with_batch ? many.find() : fs::path();
+  if (!found.empty()) library_ = open_library(found);
+  if (!found_batch.empty()) batch_ = open_library(found_batch);
+  if (!library_ || (with_batch && !batch_)) {
+    const Told told(name_);
+    const ScratchFolder scratch;
+    const auto made = [&](const std::vector<std::string>& parts,
+                          const std::vector<std::string>& options, const LibraryCache& cache) {
+      std::vector<fs::path> objects;
+      for (const std::string& part : parts) {
+        objects.push_back(scratch.path() / (part + ".o"));
+        compile(folder, runtime, name_ + part + ".c", objects.back(), options);
+      }
+      const fs::path library = scratch.path() / (parts.front() + "model.so");
+      link(objects, library);
+      cache.keep(library);
+      return open_library(library);
+    };
+    if (!library_) library_ = made({"", "_catalogue"}, apart, one);
+    if (with_batch && !batch_) batch_ = made({"_batch"}, optimisation, many);
   }
   catalogue_ =
       static_cast<const sinew_catalogue*>(::dlsym(library_.get(), (name_ + "_catalogue").c_str()));
@@ -171,6 +229,10 @@ std::vector<double> CompiledModel::operator()(const std::string& name,
   std::vector<double> results(static_cast<std::size_t>(function.output_size));
   function.call(inputs.data(), results.data());
   return results;
+}
+
+void on_compiling(std::function<void(const std::string& model)> told) {
+  listener() = std::move(told);
 }
 
 }  // namespace sinew

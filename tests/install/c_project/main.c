@@ -6,6 +6,7 @@
 #include <stdio.h>
 
 #include "index.h"
+#include "index_batch.h"
 #include "index_catalogue.h"
 
 #define ELEMENTS 4096
@@ -31,11 +32,23 @@ static int middle_is_finite(const sinew_function *function) {
   return 1;
 }
 
+/* The loops over many states give what one call gives: element k of state i is at [k * count + i]. */
+static int batch_is_the_same(void) {
+  const double q[4] = {0.0, 0.1, 0.2, 0.3}, states[8] = {0.0, 0.0, 0.1, 0.1, 0.2, 0.2, 0.3, 0.3};
+  double one[16], two[32];
+  index_mass_matrix(q, one);
+  index_mass_matrix_batch(2, states, two);
+  for (int k = 0; k < 16; ++k) {
+    if (two[2 * k] != one[k] || two[2 * k + 1] != one[k]) return 0;
+  }
+  return 1;
+}
+
 int main(void) {
   const double q[4] = {0.0, 0.1, 0.2, 0.3};
   double pose[16];
   index_forward_kinematics(q, pose);
-  int bad = pose[15] != 1.0;
+  int bad = pose[15] != 1.0 || !batch_is_the_same();
   for (int i = 0; i < index_catalogue.function_count; ++i) {
     const sinew_function *function = &index_catalogue.functions[i];
     if (function->input_size > ELEMENTS || function->output_size > ELEMENTS ||

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "identification/logs/converted_log.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <memory>
+#include <stdexcept>
+#include <string_view>
+
+#include "symbolic/files/readable.h"
+
+namespace sinew {
+namespace {
+
+std::string first_bytes(const std::string& path) {
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"),
+                                                             &std::fclose);
+  std::string bytes(128, '\0');
+  if (!file) return "";  // told where it is opened as text
+  bytes.resize(std::fread(bytes.data(), 1, bytes.size(), file.get()));
+  return bytes;
+}
+
+/// Quotes around the name: units have commas in brackets, names may have them anywhere.
+std::string cell_of(const std::string& name) {
+  std::string cell = "\"";
+  for (const char c : name)
+    cell += c == '"' ? std::string("\"\"") : c == '\n' || c == '\r' ? " " : std::string(1, c);
+  return cell + "\"";
+}
+
+void write_text(std::FILE* to, const std::vector<LogColumn>& columns) {
+  std::string line;
+  for (const LogColumn& column : columns) line += (line.empty() ? "" : ",") + cell_of(column.name);
+  for (std::size_t row = 0; row <= columns.front().values.size(); ++row) {
+    line += '\n';
+    std::fwrite(line.data(), 1, line.size(), to);
+    line.clear();
+    if (row == columns.front().values.size()) break;
+    for (const LogColumn& column : columns)
+      fmt::format_to(std::back_inserter(line), "{}{}", line.empty() ? "" : ",", column.values[row]);
+  }
+}
+
+}  // namespace
+
+std::vector<LogColumn> of_one_length(std::vector<LogColumn> columns, const std::string& path) {
+  std::map<std::size_t, int> lengths;
+  for (const LogColumn& column : columns)
+    if (column.values.size() > 1) ++lengths[column.values.size()];
+  const auto most =
+      std::max_element(lengths.begin(), lengths.end(), [](const auto& a, const auto& b) {
+        return a.second <= b.second;  // of equally many the longer ones
+      });
+  if (most == lengths.end() || most->second < 2)
+    throw std::runtime_error(fmt::format(
+        "{}:0:0: holds no two vectors of one length; expected the time and channels, each a vector",
+        readable_line(path)));
+  std::erase_if(columns, [&](const LogColumn& c) { return c.values.size() != most->first; });
+  return columns;
+}
+
+std::FILE* converted_log(const std::string& path) {
+  const std::string bytes = first_bytes(path);
+  const bool hdf5 = bytes.starts_with("\x89HDF\r\n\x1a\n");
+  const bool mat = bytes.starts_with("MATLAB 5.0 MAT-file") || bytes.starts_with("MATLAB 7.3 MAT");
+  if (!hdf5 && !mat) return nullptr;
+  const std::vector<LogColumn> columns =
+      of_one_length(mat ? read_mat(path) : read_hdf5(path), path);
+  std::FILE* text = std::tmpfile();
+  if (!text) throw std::runtime_error("no temporary file can be made; expected room in /tmp");
+  write_text(text, columns);
+  if (std::fflush(text) != 0 || std::ferror(text) != 0) {
+    std::fclose(text);
+    throw std::runtime_error("the temporary file cannot be written; expected room in /tmp");
+  }
+  std::rewind(text);
+  return text;
+}
+
+}  // namespace sinew
