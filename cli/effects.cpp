@@ -27,23 +27,28 @@ std::string entry(const Effect& effect) {
     parameters += fmt::format("{}`{}`{}{}", parameters.empty() ? "" : ", ", column.name,
                               limit_of(column.sign), column.per_log ? " (of each log)" : "");
   for (const ShapeParameter& shape : effect.shapes) parameters += fmt::format(", `{}`", shape.name);
-  text += fmt::format("- parameters: {}\n- looks like: {}\n- is seen where there is: {}\n",
-                      parameters, effect.signature, effect.excitation);
-  text += fmt::format("- is shown alone by: {}\n", effect.experiment);
-  if (!effect.limit.empty()) text += fmt::format("- not taken where {}\n", effect.limit);
-  if (!effect.states.empty()) text += "- has a state of its own\n";
-  if (effect.baseline_only) text += "- is fitted with every model and never named\n";
-  text += fmt::format("- in the firmware's compensation: {}\n", effect.compensable ? "yes" : "no");
+  text += fmt::format(
+      "- What is estimated: {}\n- How it shows in a log: {}\n- What the motion needs for that: "
+      "{}\n",
+      parameters, effect.signature, effect.excitation);
+  text += fmt::format("- An experiment that shows it alone: {}\n", effect.experiment);
+  if (!effect.limit.empty()) text += fmt::format("- It is not considered where {}\n", effect.limit);
+  if (!effect.states.empty())
+    text += "- It remembers: what it does depends on the motion before, not on the instant alone\n";
+  if (effect.baseline_only)
+    text += "- It is fitted along with every cause, and never named as one itself\n";
+  text += fmt::format("- Can firmware compensate it: {}\n", effect.compensable ? "yes" : "no");
   return text;
 }
 
 /// What every cause has in common. `e`: an effect of a whole model or of a rig.
 template <class Described>
 std::string described(const Described& e) {
-  std::string text =
-      fmt::format("- looks like: {}\n- is seen where there is: {}\n- is shown alone by: {}\n",
-                  e.signature, e.excitation, e.experiment);
-  if (!e.limit.empty()) text += fmt::format("- not taken where {}\n", e.limit);
+  std::string text = fmt::format(
+      "- How it shows in a log: {}\n- What the motion needs for that: {}\n"
+      "- An experiment that shows it alone: {}\n",
+      e.signature, e.excitation, e.experiment);
+  if (!e.limit.empty()) text += fmt::format("- It is not considered where {}\n", e.limit);
   return text;
 }
 
@@ -58,7 +63,7 @@ std::string entry(const ObservationEffect& effect) {
   for (const auto* list : {&effect.deviations, &effect.shapes})
     for (const ObservationParameter& p : *list)
       parameters += fmt::format("{}`{}` [{}]", parameters.empty() ? "" : ", ", p.name, p.unit);
-  return fmt::format("\n## {} (`{}`, at {})\n\n    {}\n\n- parameters: {}\n", effect.name,
+  return fmt::format("\n## {} (`{}`, at {})\n\n    {}\n\n- What is estimated: {}\n", effect.name,
                      effect.id, effect.place, plain_equation(effect.left, effect.term),
                      parameters) +
          described(effect);
@@ -66,37 +71,55 @@ std::string entry(const ObservationEffect& effect) {
 
 void print_efforts() {
   tell(
-      "<!-- SPDX-License-Identifier: GPL-3.0-or-later -->\n# Effects\n\n"
-      "What a diagnosis knows, as `symbolic/effects/`, `symbolic/extension/lever_effects.cpp` and "
-      "`symbolic/extension/wrist_effects.cpp`\nhave it. The page is the output of `sinew "
-      "effects`.\nEfforts "
-      "count positive where they have to be provided: q, qd, qdd are position, velocity and "
-      "acceleration,\nqdddd the acceleration's second derivative, load an external effort against "
-      "the motion, direction the\ndirection of friction (-1..1), t the time, step the sampling "
-      "period.\n");
+      "<!-- SPDX-License-Identifier: GPL-3.0-or-later -->\n# Effects that the diagnosis knows\n\n"
+      "When a measured log and a model disagree, `sinew diagnose` looks for the cause among the "
+      "effects on this page.\nAn effect is one physical deviation: friction that the model lacks, "
+      "a "
+      "gear with play, a sensor with a wrong scale.\nEach has an equation that says what it adds "
+      "to "
+      "the model, and numbers in it that are estimated from the log.\nHow a cause is chosen is "
+      "told "
+      "in [diagnose.md](diagnose.md).\n\nThe page is the output of `sinew effects`; the equations "
+      "are those that the program calculates with.\n\n"
+      "## How to read the equations\n\n"
+      "*Effort* is what has to be provided at a joint or a drive: a torque in N m, or a force in N "
+      "where it slides. An\neffect's equation is the effort that is needed more because of it.\n\n"
+      "| symbol | meaning |\n| --- | --- |\n"
+      "| `q`, `qd`, `qdd` | position, velocity, acceleration |\n"
+      "| `qdddd` | second derivative of the acceleration |\n"
+      "| `load` | effort of something outside, against the motion |\n"
+      "| `direction` | which way friction acts: from -1 to 1, and in between while the motion "
+      "turns round |\n"
+      "| `t`, `step` | time; time between two samples |\n"
+      "| every other name | a number that is estimated |\n\n"
+      "# At a joint, a drive or a tendon\n");
   for (const Effect& effect : effects()) tell("{}", entry(effect));
 }
 
 void print_whole_models() {
   tell(
-      "\n# Of the model as a whole\n\n"
-      "model is the effort of the model under test, model_rate its derivative by time, model_slope "
-      "the one by the\nposition that the sensor shows.\n");
+      "\n# In the model as a whole\n\n"
+      "`model` is the effort that the model under test calculates, `model_rate` how fast it "
+      "changes "
+      "with time,\n`model_slope` how it changes with the position that the sensor shows.\n");
   for (const ModelEffect& effect : model_effects()) tell("{}", entry(effect));
 }
 
 void print_rigs() {
   tell(
       "\n# At a lever and its tendon on their calibration rig\n\n"
-      "f is the lever's force, x its elongation, z the side of its loop (-1..1), alpha the bending "
-      "angle between\nlever and load cell, direction the side that the guides' friction is on. A "
-      "sensor whose steps are coarse is\nfound as well.\n");
+      "On the rig a tendon is pulled and the lever's sensor is compared with a load cell. `f` is "
+      "the "
+      "lever's force, `x`\nits elongation, `z` the side of its hysteresis loop (from -1 to 1), "
+      "`alpha` the angle by which the tendon is bent\nbetween lever and load cell, `direction` the "
+      "side that the guides' friction is on. A sensor whose steps are coarse\nis found as well.\n");
   for (const ObservationEffect& effect : LeverEffects(0.0).all()) tell("{}", entry(effect));
   tell(
       "\n# At a wrist\n\n"
-      "theta is a motor's angle, h a tendon's length, turned how far the tendon is bent from the "
-      "reference pose. A\nsensor whose steps are coarse is found as well; the first motor stands "
-      "for all.\n");
+      "`theta` is a motor's angle, `h` a tendon's length, `turned` how far the tendon is bent from "
+      "the reference pose.\nA sensor whose steps are coarse is found as well. Each tendon has "
+      "these "
+      "effects; the first one stands for all.\n");
   for (const ObservationEffect& effect : WristEffects(1).all()) tell("{}", entry(effect));
 }
 
