@@ -78,9 +78,9 @@ def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
     files = {f"{MODULE}/{os.path.basename(f)}": open(f, "rb").read()
              for f in sorted(glob.glob(f"{MODULE}/*.py") + [f"{MODULE}/py.typed"])}
     with tempfile.TemporaryDirectory() as folder:
-        library = os.path.join(folder, "library.so")
+        library = os.path.join(folder, "emitted.so")
         compile_library(library)
-        files[f"{MODULE}/library.so"] = open(library, "rb").read()
+        files[f"{MODULE}/emitted.so"] = open(library, "rb").read()
     info = f"{NAME}.dist-info"
     files[f"{info}/METADATA"] = METADATA.encode()
     files[f"{info}/WHEEL"] = (f"Wheel-Version: 1.0\nGenerator: sinew\nRoot-Is-Purelib: false\n"
@@ -114,7 +114,7 @@ from typing import NamedTuple, Optional, Sequence, Tuple
 import numpy as np
 
 SCALAR = np.dtype("@DTYPE@")
-_path = os.path.join(os.path.dirname(os.path.abspath(__file__)), "library.so")
+_path = os.path.join(os.path.dirname(os.path.abspath(__file__)), "emitted.so")
 if not os.path.exists(_path):
     raise ImportError(f"{_path} is missing: install the package (pip install <its folder>), which "
                       "compiles it")

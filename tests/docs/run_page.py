@@ -24,7 +24,7 @@ program, source, work, page = sys.argv[1:5]
 COMMAND = re.compile(r"^\s*(?:\$ )?(sinew|cmake|ctest|cpack|scripts/|python3?|pip|octave|doxygen) ?",
                      re.M)
 FENCE = re.compile(r"^```(\w*)\n(.*?)^```$", re.M | re.S)
-NOTE = re.compile(r"<!-- (file: \S+|says|status: \d+|not run: .+?) -->\s*$", re.S)
+NOTE = re.compile(r"<!-- (file: \S+|says|status: \d+|not run: (?:(?!-->).)+?) -->\s*$", re.S)
 
 
 def fail(line, what):

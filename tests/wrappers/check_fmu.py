@@ -137,5 +137,5 @@ apart = [float(x) for x in subprocess.run([program], check=True, capture_output=
 for name, a, b in zip(names, moved, apart):
     if abs(a - b) > 1e-7 * max(1.0, abs(b)):
         sys.exit(f"the motion differs: {name} is {a}, apart from the unit {b}")
-assert abs(apart[1] - 0.3) > 0.01, "the finger hardly moved"
+assert max(abs(apart[i] - q) for i, q in enumerate(start.values())) > 0.01, "it hardly moved"
 print(f"{len(variables)} variables; after 20 ms the unit is where the emitted C is")

@@ -9,10 +9,11 @@ function check_octave(file)
   both = sinew_index.tip_jacobian([q beside]);
   assert(isequal(size(both), [6 4 2]));
   assert(isequal(both(:, :, 1), J));
-  [M, h] = sinew_index.mass_matrix_and_bias([q beside], values(rows, 'index_bias,reference,qd,'));
+  [M, h] = sinew_index.mass_matrix_and_bias([q beside], values(rows, 'index_mass_matrix_and_bias,reference,qd,'));
   assert(isequal(size(M), [4 4 2]) && isequal(size(h), [4 2]));
-  assert(isequal(h(:, 1), values(rows, 'index_bias,reference,h,')));
-  assert(isequal(sinew_index.names().joints, {'q20', 'q21', 'q22', 'q23'}));
+  assert(isequal(h(:, 1), values(rows, 'index_mass_matrix_and_bias,reference,h,')));
+  names = sinew_index.names();
+  assert(isequal(names.joints, {'q20', 'q21', 'q22', 'q23'}));
   try
     sinew_index.tip_jacobian([1 2 3]);
     error('a wrong shape is taken');

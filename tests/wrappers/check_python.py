@@ -37,7 +37,8 @@ for function in manifest["functions"]:
     assert "return" in typing.get_type_hints(call)
     single = []
     for state in ("reference", "beside"):
-        entry = values[(function["name"], state)]
+        # Where no argument is a position there is one state.
+        entry = values.get((function["name"], state), values[(function["name"], "reference")])
         given = [entry[p["name"]].reshape([p["rows"], p["cols"]][: 1 if p["cols"] == 1 else 2]
                                           if p["rows"] * p["cols"] > 1 else [])
                  for p in function["inputs"]]
