@@ -180,7 +180,7 @@ def report(measured):
     here = pathlib.Path(__file__).parent
     parts = ["<!-- SPDX-License-Identifier: GPL-3.0-or-later -->\n# Performance\n",
              "Everything here is measured and written by one command, in one run:\n\n"
-             "    scripts/benchmark\n",
+             "<!-- not run: about ten minutes, on a quiet machine -->\n```sh\nscripts/benchmark\n```\n",
              machine(measured),
              "Times are processor time, the median of 15 interleaved repetitions over 128 random states "
              "(q in ±π). Operations are the multiplications and additions executed; instructions are "

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""check_links.py <folder> [<picture made elsewhere>...]: every link of every page below the folder
-leads to a file that is there, and to a heading of it. Ends with 77 where only the pictures named are
+"""check_links.py <folder> [<file made elsewhere>...]: every link of every page below the folder
+leads to a file that is there, and to a heading of it. Ends with 77 where only the files named are
 missing."""
+import itertools
 import os
 import re
 import subprocess
@@ -9,6 +10,7 @@ import sys
 
 folder, made = sys.argv[1], set(sys.argv[2:])
 LINK = re.compile(r"(?<!\\)\[(?:[^\[\]]|\[[^\]]*\])*\]\(([^()\s]+)\)")
+PICTURE = re.compile(r"!\[[^\]]*\]\(([^()\s]+)\)")  # inside a link it is none of LINK's
 
 
 def heading_names(path):
@@ -34,7 +36,7 @@ wrong, missing, checked = [], set(), 0
 for page in pages():
     text = open(os.path.join(folder, page), encoding="utf-8").read()
     text = re.sub(r"^```.*?^```$", lambda m: "\n" * m.group().count("\n"), text, flags=re.M | re.S)
-    for link in LINK.finditer(text):
+    for link in itertools.chain(LINK.finditer(text), PICTURE.finditer(text)):
         target = link.group(1)
         if re.match(r"[a-z]+:", target):
             continue

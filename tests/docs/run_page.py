@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """run_page.py <program> <source folder> <working folder> <page>: does what a page tells its reader.
+run_page.py --unrun <page>...: looks only for commands that no block runs.
 
 Every fenced block of the language `sh` is run in the order of the text, in one folder that holds
 copies of what a clone has; a block that fails ends the test. Comments right above a block, which a
@@ -20,7 +21,7 @@ import shutil
 import subprocess
 import sys
 
-program, source, work, page = sys.argv[1:5]
+program, source, work, page = (sys.argv[1:] + ["", "", ""])[:4]
 COMMAND = re.compile(r"^\s*(?:\$ )?(sinew|cmake|ctest|cpack|scripts/|python3?|pip|octave|doxygen) ?",
                      re.M)
 FENCE = re.compile(r"^```(\w*)\n(.*?)^```$", re.M | re.S)
@@ -72,8 +73,17 @@ def contains(said, block):
     return re.search(pattern, said + "\n")
 
 
+def unrun(text):
+    """Lines of indented text that show a command, which no block runs."""
+    outside = FENCE.sub(lambda m: "\n" * m.group().count("\n"), text)
+    for number, line in enumerate(outside.split("\n"), 1):
+        if re.match(r"    (sinew|scripts/\w+|cmake|ctest) ?", line):
+            fail(number, "a command that is not run; put it into a block of the language sh")
+
+
 def main():
     text = open(page, encoding="utf-8").read()
+    unrun(text)
     clone = place()
     said, ran, left = "", 0, 0
     for block in FENCE.finditer(text):
@@ -98,4 +108,8 @@ def main():
     print(f"{page}: {ran} blocks run, {left} left out")
 
 
-main()
+if program == "--unrun":
+    for page in sys.argv[2:]:
+        unrun(open(page, encoding="utf-8").read())
+else:
+    main()
