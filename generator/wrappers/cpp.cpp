@@ -27,7 +27,6 @@ const char* const cpp_head = R"(// SPDX-License-Identifier: BSD-2-Clause
 #endif
 
 #include "@MODEL@.h"
-#include "@MODEL@_batch.h"
 
 namespace sinew_@MODEL@ {
 
@@ -58,8 +57,14 @@ const char* const cpp_cmake = R"(# SPDX-License-Identifier: BSD-2-Clause
 # Made by: sinew generate (--cpp). add_subdirectory() this folder and link to sinew_cpp_@MODEL@.
 cmake_minimum_required(VERSION 3.16)
 project(sinew_cpp_@MODEL@ LANGUAGES C CXX)
-add_library(sinew_cpp_@MODEL@ STATIC source/@MODEL@.c source/@MODEL@_batch.c)
+add_library(sinew_cpp_@MODEL@ STATIC source/@MODEL@.c)
 set_target_properties(sinew_cpp_@MODEL@ PROPERTIES C_STANDARD 11 POSITION_INDEPENDENT_CODE ON)
+# The loops over many states, @MODEL@_batch.h, for those who link to them: they take longer to compile.
+add_library(sinew_cpp_@MODEL@_batch STATIC EXCLUDE_FROM_ALL source/@MODEL@_batch.c)
+set_target_properties(sinew_cpp_@MODEL@_batch PROPERTIES C_STANDARD 11 POSITION_INDEPENDENT_CODE ON)
+target_include_directories(sinew_cpp_@MODEL@_batch PUBLIC ${CMAKE_CURRENT_SOURCE_DIR}/source)
+target_compile_options(sinew_cpp_@MODEL@_batch PRIVATE -O3 -ffp-contract=off -fno-math-errno
+                                                      -fno-tree-slp-vectorize)
 target_include_directories(sinew_cpp_@MODEL@ PUBLIC ${CMAKE_CURRENT_SOURCE_DIR}
                                                    ${CMAKE_CURRENT_SOURCE_DIR}/source)
 target_compile_features(sinew_cpp_@MODEL@ INTERFACE cxx_std_20)

@@ -55,6 +55,11 @@ const std::vector<Command>& commands() {
       {"generate", generate + " --scalar float", generate, "sinew check models --out out/c"},
       {"import", import + " --gravity 0 0 0", import, "sinew cost out/arm"},
       {"simulate", "mkdir -p out; echo old > out/run.csv", simulate, simulate},
+      {"channels",
+       "mkdir -p out; echo old > out/channels.toml; echo 'time [s],theta [rad],tau_m [N*m]' > "
+       "log.csv",
+       "sinew channels models/motor --log log.csv --out out/channels.toml",
+       "sinew channels models/motor --log log.csv --out out/channels.toml"},
       {"identify",
        "mkdir -p out/tables; echo old > out/result.json; echo old > out/tables/"
        "friction_by_angle.csv",
