@@ -56,6 +56,23 @@ ModelChannels channels_of(const ModelFolder& folder) {
   return {part_channels(folder), {}};
 }
 
+bool is_found(const ChannelGuess& guess) {
+  return guess.kind == GuessKind::understood || guess.kind == GuessKind::guessed;
+}
+
+/// A finger's log has forces of its tendons, or angles and torques of their motors.
+void need_one_of_both(std::vector<ChannelGuess>& guesses) {
+  const auto is_force = [](const ChannelGuess& g) { return g.channel.starts_with("force_"); };
+  const auto is_motor = [](const ChannelGuess& g) {
+    return g.channel.starts_with("theta_") || g.channel.starts_with("tau_");
+  };
+  const bool forces = std::any_of(guesses.begin(), guesses.end(), [&](const ChannelGuess& g) {
+    return is_force(g) && is_found(g);
+  });
+  for (ChannelGuess& guess : guesses)
+    if (forces ? is_motor(guess) : is_force(guess)) guess.required = false;
+}
+
 int run_channels(const ChannelsOptions& o) {
   Inputs inputs;
   recover_model(o.model);
@@ -64,7 +81,10 @@ int run_channels(const ChannelsOptions& o) {
   check_output_file(o.out, inputs);
   const ModelChannels channels = channels_of(open_model_folder(o.model));
   const CsvReader log(o.log);
-  const auto guesses = guess_channels(log.dialect().header, channels.specs, channels.joints);
+  auto guesses = guess_channels(log.dialect().header, channels.specs, channels.joints);
+  if (std::any_of(channels.specs.begin(), channels.specs.end(),
+                  [](const ChannelSpec& s) { return s.name == "force_1"; }))
+    need_one_of_both(guesses);
   Outputs outputs;
   outputs.protect(inputs);
   outputs.file(o.out, guessed_channels_toml(guesses, o.log));
@@ -73,9 +93,8 @@ int run_channels(const ChannelsOptions& o) {
     return std::count_if(guesses.begin(), guesses.end(),
                          [&](const ChannelGuess& g) { return g.kind == kind; });
   };
-  const auto open = std::count_if(guesses.begin(), guesses.end(), [](const ChannelGuess& g) {
-    return g.required && g.kind != GuessKind::understood && g.kind != GuessKind::guessed;
-  });
+  const auto open = std::count_if(guesses.begin(), guesses.end(),
+                                  [](const ChannelGuess& g) { return g.required && !is_found(g); });
   print_to(stream_of_report(o.out),
            "{}: {} channels understood as they are, {} guessed, {} that are needed are open\n"
            "  confirm them, then put the file into the model's folder as channels.toml\n",

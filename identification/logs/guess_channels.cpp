@@ -103,14 +103,18 @@ bool counts_from_zero(const std::vector<LogHeaderCell>& cells) {
                      [](const LogHeaderCell& cell) { return cell.words.count("0") != 0; });
 }
 
+/// By the joint's name, all words of it, or by its number.
 bool is_place(const LogHeaderCell& cell, const ChannelPlace& place, bool from_zero) {
   if (place.number == 0) return true;
-  for (const std::string& word : words_of(place.joint))
-    if (!place.joint.empty() && cell.words.count(word) != 0 &&
-        !std::all_of(word.begin(), word.end(), [](unsigned char c) { return std::isdigit(c); }) &&
-        word.size() > 1)
-      return true;
-  return cell.words.count(std::to_string(place.number - (from_zero ? 1 : 0))) != 0;
+  const Words name = words_of(place.joint);
+  const auto is_there = [&](const std::string& word) { return cell.words.count(word) != 0; };
+  const auto says_something = [](const std::string& word) {
+    return word.size() > 1 && !std::isdigit(static_cast<unsigned char>(word[0]));
+  };
+  if (std::any_of(name.begin(), name.end(), says_something) &&
+      std::all_of(name.begin(), name.end(), is_there))
+    return true;
+  return is_there(std::to_string(place.number - (from_zero ? 1 : 0)));
 }
 
 /// 0: cannot be; more is better.
