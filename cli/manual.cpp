@@ -131,7 +131,8 @@ std::string manual_page(const CLI::App& app) {
       ".\\\" SPDX-License-Identifier: GPL-3.0-or-later\n"
       ".TH SINEW 1 \"\" sinew \"User commands\"\n"
       ".SH NAME\nsinew \\- symbolic models of tendon\\-driven hands, emitted as real\\-time C\n"
-      ".SH SYNOPSIS\n\\fBsinew\\fR \\fIcommand\\fR [\\fIoptions\\fR]\n"
+      ".SH SYNOPSIS\n\\fBsinew\\fR \\fIcommand\\fR [\\fIoptions\\fR]\n.br\n"
+      "\\fBsinew\\fR \\fB\\-\\-version\\fR\n"
       ".SH DESCRIPTION\nTurns the description of a tendon\\-driven robot hand or of any robot in "
       "URDF into optimised, allocation\\-free C, simulates with that C, and diagnoses measured "
       "logs.\n.SH COMMANDS\n";
@@ -142,7 +143,11 @@ std::string manual_page(const CLI::App& app) {
       ".SH EXAMPLES\n.nf\nsinew import robot.urdf \\-\\-out models/robot\n"
       "sinew generate models/robot\nsinew dump models/robot \\-\\-equations\n.fi\n"
       ".SH FILES\n.TP\nmodels/<name>/mechanism.toml, mass_properties.csv\n"
-      "a model; generated/<name>/ takes its C\n";
+      "a model; generated/<name>/ takes its C\n.TP\n~/.cache/sinew/\n"
+      "models that were compiled before; may be deleted at any time\n"
+      ".SH ENVIRONMENT\n.TP\nCC\nthe C compiler of \\fBsimulate\\fR, \\fBdiagnose\\fR and "
+      "\\fBfigures\\fR\n.TP\nSINEW_CACHE_DIR\nanother folder than ~/.cache/sinew; empty: nothing "
+      "is kept\n";
   return page;
 }
 
@@ -160,7 +165,7 @@ std::string bash_completion(const CLI::App& app) {
          "  if [ \"$COMP_CWORD\" -eq 1 ]; then\n"
          "    COMPREPLY=($(compgen -W \"" +
          names +
-         " --help\" -- \"$current\"))\n"
+         " --help --version\" -- \"$current\"))\n"
          "    return\n"
          "  fi\n"
          "  case ${COMP_WORDS[1]} in\n" +
