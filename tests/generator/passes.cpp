@@ -13,7 +13,7 @@
 #include "generator/rewrite.h"
 #include "symbolic/model/read_mechanism.h"
 #include "symbolic/tendons/functions.h"
-#include "tests/generator/error_bound.h"
+#include "generator/error_bound.h"
 #include "tests/generator/every_operation.h"
 #include "tests/generator/pass_check.h"
 #include "tests/reference/random_mechanism.h"

@@ -36,6 +36,5 @@ const startExplorer = () => {
     }));
     evaluate();
   };
-  const folded = select.closest('details');
-  if (folded) folded.addEventListener('toggle', () => { if (folded.open && !inputs.length) choose(); });
+  drawnInside(select.closest('details'), () => { if (!inputs.length) choose(); });
 };

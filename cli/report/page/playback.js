@@ -87,14 +87,12 @@ const groupsOfRun = () => {
     const folded = byId(group.id);
     if (!folded) continue;
     const host = folded.querySelector('.figures');
-    const draw = () => {
-      if (!folded.open || host.childElementCount) return;
+    drawnInside(folded, () => {
+      if (host.childElementCount) return;
       for (let k = 0; k < group.columns.length; k += 6)
         host.append(withMark(plotOfRun(group.columns.length > 6 ? `${group.title} ${k + 1} to ${Math.min(k + 6, group.columns.length)}` : group.title,
           group.unit, group.columns.slice(k, k + 6))));
-    };
-    folded.addEventListener('toggle', draw);
-    draw();
+    });
   }
 };
 

@@ -104,3 +104,12 @@ const plotted = plot => {
 const smallest = all => all.reduce((a, b) => Math.min(a, b), Infinity);
 const largest = all => all.reduce((a, b) => Math.max(a, b), -Infinity);
 const show = (id, ...figures) => { const host = byId(id); if (host) host.replaceChildren(...figures); };
+
+/// What is drawn in folded parts of the page once they are open.
+const whenUnfolded = [];
+const drawnInside = (folded, action) => {
+  const when = () => { if (folded.open) action(); };
+  folded.addEventListener('toggle', when);
+  whenUnfolded.push(when);
+  when();
+};

@@ -1,14 +1,19 @@
 // SPDX-License-Identifier: BSD-2-Clause
 // What is seen first is drawn first; the rest follows when the browser has shown it.
 
-const whenShown = action => requestAnimationFrame(() => setTimeout(action, 0));
-if (data.run) startRun(); else startModel();
-document.documentElement.dataset.drawn = Math.round(performance.now());
-whenShown(() => {
+const rest = () => {
+  if (rest.done) return;
+  rest.done = true;
   if (data.run) finishRun();
   else if (scene) { workspace(); along(); }
   startExplorer();
-  document.documentElement.dataset.agreement = compareWithC();
+  compareWithC();
   document.documentElement.dataset.ready = Math.round(performance.now());
-});
-window.sinew = { functions, data, drawing: () => drawing, compareWithC };
+};
+if (data.run) startRun(); else startModel();
+document.documentElement.dataset.drawn = Math.round(performance.now());
+requestAnimationFrame(() => setTimeout(rest, 0));
+// Printing shows what is folded.
+const unfold = () => { for (const action of whenUnfolded) action(); };
+addEventListener('beforeprint', () => { rest(); unfold(); });
+window.sinew = { functions, data, compareWithC, rest, unfold };
