@@ -49,11 +49,10 @@ std::string detail_of(const FunctionChange& change) {
 
 std::vector<ChangedFunction> changes_of(const fs::path& before, const EmittedModel& model) {
   std::vector<ChangedFunction> changes;
-  using Kind = FunctionChange::Kind;
   for (const FunctionChange& change : function_changes(before, model)) {
-    if (change.kind == Kind::unchanged) continue;
-    const char* word = change.kind == Kind::added     ? "new"
-                       : change.kind == Kind::removed ? "removed"
+    if (change.kind == FunctionChange::Kind::unchanged) continue;
+    const char* word = change.kind == FunctionChange::Kind::added     ? "new"
+                       : change.kind == FunctionChange::Kind::removed ? "removed"
                                                       : "changed";
     changes.push_back({change.name, word, detail_of(change)});
   }

@@ -11,14 +11,14 @@
 namespace sinew {
 namespace {
 
-constexpr std::size_t longest_expression = 120;
+constexpr std::size_t longest_javascript = 120;
 
 /// Written in a language whose operators bind as C's do: + - below * / below unary -.
-enum Tightness { sum = 1, product = 2, unary = 3, atom = 4 };
+enum Tightness { ties_sum = 1, ties_product = 2, ties_unary = 3, ties_atom = 4 };
 
 struct Written {
   std::string text;
-  Tightness tightness = atom;
+  Tightness tightness = ties_atom;
 };
 
 /// The function of the language, or of the prelude, that an operation is; nullptr for operators.
@@ -57,9 +57,9 @@ const char* function_of(Op op) {
   }
 }
 
-class Writer {
+class JavascriptWriter {
  public:
-  explicit Writer(const Graph& graph)
+  explicit JavascriptWriter(const Graph& graph)
       : graph_(graph),
         uses_(use_counts(graph)),
         written_(static_cast<std::size_t>(graph.size())) {}
@@ -80,10 +80,10 @@ class Writer {
     Written expression = form(node);
     const bool is_given = node.op == Op::input || node.op == Op::constant;
     if (!is_given && (uses_[static_cast<std::size_t>(v)] > 1 ||
-                      expression.text.size() > longest_expression)) {
+                      expression.text.size() > longest_javascript)) {
       const std::string name = fmt::format("t{}", v);
       lines_ += fmt::format("const {}={};\n", name, expression.text);
-      expression = {name, atom};
+      expression = {name, ties_atom};
     }
     at(v) = expression;
   }
@@ -91,19 +91,19 @@ class Writer {
   Written form(const Node& node) {
     switch (node.op) {
       case Op::input:
-        return {fmt::format("x[{}]", node.index), atom};
+        return {fmt::format("x[{}]", node.index), ties_atom};
       case Op::constant:
-        return {literal(node.constant, Target{}), node.constant < 0 ? unary : atom};
+        return {literal(node.constant, Target{}), node.constant < 0 ? ties_unary : ties_atom};
       case Op::add:
-        return infix(node, "+", sum);
+        return infix(node, "+", ties_sum);
       case Op::subtract:
-        return infix(node, "-", sum);
+        return infix(node, "-", ties_sum);
       case Op::multiply:
-        return infix(node, "*", product);
+        return infix(node, "*", ties_product);
       case Op::divide:
-        return infix(node, "/", product);
+        return infix(node, "/", ties_product);
       case Op::negate:
-        return {"-" + inside(node.a, atom), unary};
+        return {"-" + inside(node.a, ties_atom), ties_unary};
       case Op::power:
         return repeated(node);
       case Op::multiply_add:
@@ -124,16 +124,16 @@ class Writer {
   }
 
   Written repeated(const Node& node) {
-    std::string text = inside(node.a, product);
-    for (int i = 1; i < node.index; ++i) text += "*" + inside(node.a, atom);
-    return {text, product};
+    std::string text = inside(node.a, ties_product);
+    for (int i = 1; i < node.index; ++i) text += "*" + inside(node.a, ties_atom);
+    return {text, ties_product};
   }
 
   Written call(const Node& node) {
     std::string arguments;
     for (int i = 0; i < arity(node.op); ++i)
       arguments += (i > 0 ? "," : "") + at(node.operand(i)).text;
-    return {fmt::format("{}({})", function_of(node.op), arguments), atom};
+    return {fmt::format("{}({})", function_of(node.op), arguments), ties_atom};
   }
 
   std::string inside(Value v, Tightness least) {
@@ -150,7 +150,7 @@ class Writer {
 }  // namespace
 
 std::string emit_javascript(const Graph& graph) {
-  return Writer(graph).run();
+  return JavascriptWriter(graph).run();
 }
 
 std::string javascript_prelude() {

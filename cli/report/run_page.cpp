@@ -16,7 +16,6 @@ namespace {
 
 using diagnosis::escaped;
 using diagnosis::escaped_name;
-using Json = nlohmann::ordered_json;
 
 struct Channel {
   std::string name, unit;
@@ -52,7 +51,7 @@ std::string quantity_of(const Channel& channel) {
 
 struct ChannelGroup {
   std::string title, unit, id;
-  Json columns = Json::array();
+  nlohmann::ordered_json columns = nlohmann::ordered_json::array();
 };
 
 std::vector<ChannelGroup> groups_of(const RecordedRun& run) {
@@ -61,15 +60,15 @@ std::vector<ChannelGroup> groups_of(const RecordedRun& run) {
     const Channel channel = channel_of(run.columns()[k]);
     const std::string title = quantity_of(channel);
     if (groups.empty() || groups.back().title != title || groups.back().unit != channel.unit)
-      groups.push_back({title, channel.unit, fmt::format("channels-{}", groups.size()), Json::array()});
+      groups.push_back({title, channel.unit, fmt::format("channels-{}", groups.size()), nlohmann::ordered_json::array()});
     groups.back().columns.push_back({channel.name, k - 1});
   }
   return groups;
 }
 
 /// Columns of the drawing's coordinates, in their order: the first ones, and the wrist's.
-Json coordinate_columns(const RunReport& report) {
-  Json columns = Json::array();
+nlohmann::ordered_json coordinate_columns(const RunReport& report) {
+  nlohmann::ordered_json columns = nlohmann::ordered_json::array();
   if (!report.model.drawing) return columns;
   const DrawnScene& drawing = *report.model.drawing;
   const std::size_t own = drawing.coordinates.size() - drawing.palm.size();
@@ -79,12 +78,12 @@ Json coordinate_columns(const RunReport& report) {
   return columns;
 }
 
-Json force_columns(const RunReport& report) {
-  Json columns = Json::array();
+nlohmann::ordered_json force_columns(const RunReport& report) {
+  nlohmann::ordered_json columns = nlohmann::ordered_json::array();
   if (!report.model.drawing) return columns;
   for (std::size_t i = 0; i < report.model.drawing->scene["tendons"].size(); ++i) {
     const int column = column_named(report.run, fmt::format("force_{}", i + 1));
-    if (column < 0) return Json::array();
+    if (column < 0) return nlohmann::ordered_json::array();
     columns.push_back(column);
   }
   return columns;
@@ -96,14 +95,14 @@ double size_of(const std::vector<double>& values) {
   return most;
 }
 
-Json energy_plots(const RunReport& report) {
-  Json plots = Json::array();
+nlohmann::ordered_json energy_plots(const RunReport& report) {
+  nlohmann::ordered_json plots = nlohmann::ordered_json::array();
   if (report.books.time.size() < 2) return plots;
-  Json series = Json::array({{{"name", "energy"}, {"y", report.books.energy}}});
+  nlohmann::ordered_json series = nlohmann::ordered_json::array({{{"name", "energy"}, {"y", report.books.energy}}});
   plots.push_back({{"title", "Energy"},
                    {"yLabel", "kinetic, of gravity, in levers and tendons [J]"},
                    {"series", series}});
-  series = Json::array();
+  series = nlohmann::ordered_json::array();
   double most = size_of(report.books.energy);
   for (std::size_t i = 0; i < report.books.work.size(); ++i) {
     most = std::max(most, size_of(report.books.work[i]));
@@ -120,12 +119,12 @@ Json energy_plots(const RunReport& report) {
        {"note", fmt::format("At most {} of the largest energy or work: the integrator's error and "
                             "rounding.",
                             shown(most > 0.0 ? size_of(report.books.missing) / most : 0.0))},
-       {"series", Json::array({{{"name", "missing"}, {"y", report.books.missing}}})}});
+       {"series", nlohmann::ordered_json::array({{{"name", "missing"}, {"y", report.books.missing}}})}});
   return plots;
 }
 
-Json run_json(const RunReport& report, const std::vector<ChannelGroup>& groups) {
-  Json run{{"instants", report.run.instants()},
+nlohmann::ordered_json run_json(const RunReport& report, const std::vector<ChannelGroup>& groups) {
+  nlohmann::ordered_json run{{"instants", report.run.instants()},
            {"times", report.run.packed_times()},
            {"packed", report.run.packed_values()},
            {"coordinates", coordinate_columns(report)},
@@ -133,13 +132,13 @@ Json run_json(const RunReport& report, const std::vector<ChannelGroup>& groups) 
            {"slackBelow", 1e-9},
            {"energyTime", report.books.time},
            {"energy", energy_plots(report)}};
-  run["groups"] = Json::array();
+  run["groups"] = nlohmann::ordered_json::array();
   for (const ChannelGroup& group : groups)
     run["groups"].push_back(
         {{"id", group.id}, {"title", group.title}, {"unit", group.unit}, {"columns", group.columns}});
-  run["slack"] = Json::array();
+  run["slack"] = nlohmann::ordered_json::array();
   for (const SlackSpan& span : report.slack)
-    run["slack"].push_back(Json::array({span.tendon, span.from, span.to}));
+    run["slack"].push_back(nlohmann::ordered_json::array({span.tendon, span.from, span.to}));
   return run;
 }
 
@@ -151,7 +150,7 @@ std::string slack_words(const RunReport& report) {
                          : fmt::format("; {} went slack", counted(tendons.size(), "tendon", "tendons"));
 }
 
-std::string headline(const RunReport& report) {
+std::string run_headline(const RunReport& report) {
   double most = size_of(report.books.energy);
   for (const std::vector<double>& work : report.books.work) most = std::max(most, size_of(work));
   std::string text = fmt::format("{}: {} s simulated", report.model.emitted.name,
@@ -162,7 +161,7 @@ std::string headline(const RunReport& report) {
   return text + slack_words(report);
 }
 
-std::string controls(const RunReport& report) {
+std::string run_controls(const RunReport& report) {
   std::string text = fmt::format(
       "<div class=\"buttons\"><button id=\"play\" type=\"button\">Play</button><label "
       "for=\"speed\" class=\"choose\" style=\"margin:0\">Speed <select id=\"speed\"><option "
@@ -213,15 +212,15 @@ std::string run_page(const RunReport& report) {
   model.coupling = force_columns(report).empty() ? "" : "coupling_matrix";  // for the colours' key
   const std::vector<Graph> graphs = functions_of_page(model, left_out);
   const std::vector<ChannelGroup> groups = groups_of(report.run);
-  Json data = data_of(model, graphs);
+  nlohmann::ordered_json data = data_of(model, graphs);
   data["run"] = run_json(report, groups);
-  const std::string title = headline(report);
+  const std::string title = run_headline(report);
   std::string body = "<p class=\"kicker\">Simulation of <b>" +
                      escaped_name(report.model.emitted.name) + "</b> (" +
                      escaped(report.model.emitted.description) + ") · <code>" +
                      escaped_name(report.what) + "</code></p>\n<h1>" + escaped(title) + "</h1>\n";
-  body += model.drawing ? stage(model, controls(report))
-                        : "<div class=\"card\">" + controls(report) +
+  body += model.drawing ? stage(model, run_controls(report))
+                        : "<div class=\"card\">" + run_controls(report) +
                               "<p class=\"small soft\">This kind of model has no drawing.</p></div>\n";
   body += diagnosis::section("energy", "Energy",
                              report.books.time.size() < 2
