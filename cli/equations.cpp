@@ -31,7 +31,7 @@ std::optional<EquationPage> page_of(const ModelFolder& folder) {
 
 std::string folded_html(const std::string& summary, const EquationPage& page, bool open) {
   return fmt::format("<details{}><summary>{}</summary><div class=\"inside\">{}</div></details>\n",
-                     open ? " open" : "", summary, html_sections(page, 3));
+                     open ? " open" : "", summary, html_sections(page, 4, true));
 }
 
 }  // namespace
@@ -46,7 +46,7 @@ std::string equations_of(const ModelFolder& folder, const std::string& format) {
 }
 
 std::string equations_html(const ModelFolder& folder) {
-  if (const std::optional<EquationPage> page = page_of(folder)) return html_sections(*page, 3);
+  if (const std::optional<EquationPage> page = page_of(folder)) return html_sections(*page, 3, true);
   const auto* hand = std::get_if<Hand>(&folder.model);
   if (!hand) return "";
   std::string text;

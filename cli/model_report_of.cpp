@@ -106,13 +106,15 @@ void describe(const WristParameters& wrist, ModelReport& report) {
   report.drawing = scene_of(wrist);
   report.lengths = offered(report.emitted, "tendon_lengths");
   report.coupling = offered(report.emitted, "tendon_jacobian");
-  report.held = {0, 1};
+  report.free = {0, 1};
   report.tables = {{"Links",
                     {"Length", "#mm"},
                     {{"length a", number(1e3 * wrist.length)},
                      {"width b", number(1e3 * wrist.width)},
                      {"thickness c", number(1e3 * wrist.thickness)}}}};
   report.missing = {
+      "Force closure: the tendons belong to the fingers and pass the wrist, which has a drive of its "
+      "own. What they make that drive hold is shown.",
       "Bodies and dynamics: the wrist is a closed form of its links' lengths; no masses are in it.",
       "Manipulability and stiffness at a tip: the palm has no fingertip; the joint stiffness is "
       "among the functions."};

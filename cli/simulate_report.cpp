@@ -62,8 +62,14 @@ std::string RunRecorder::html(const SimulationResult& result) {
   report_.facts = {
       {"Steps of the integrator", std::to_string(result.count.steps)},
       {"Rows of the log", std::to_string(result.rows)}};
+  std::map<std::string, long> kinds;
   for (const auto& [name, count] : result.event_counts)
-    if (report_.facts.size() < 8) report_.facts.emplace_back(name, fmt::format("{} times", count));
+    kinds[name.substr(0, name.rfind('_'))] += count;
+  for (const auto& [kind, title] : {std::pair("slack", "A tendon went slack"),
+                                    std::pair("tendon_sticks", "A tendon stuck in its guide"),
+                                    std::pair("motor_sticks", "A motor stood still")})
+    if (kinds.count(kind))
+      report_.facts.emplace_back(title, fmt::format("{} times in all", kinds[kind]));
   return run_page(report_);
 }
 

@@ -18,7 +18,7 @@ namespace {
 
 using diagnosis::escaped;
 
-constexpr int states_of_errors = 12;
+constexpr int states_of_errors = 4;
 
 std::string error_text(double error) {
   if (error == 0.0) return "0";
@@ -106,7 +106,7 @@ std::string function_section(const ModelReport& report, const std::vector<std::s
   std::string text =
       "<p>What is emitted as C: multiplications and additions of one call, and what else it "
       "computes. Error: of the rounding of the whole call, relative to the largest entry of the "
-      "result, over 13 states; the bound by running error analysis (to first order), what was seen "
+      "result, over five states; the bound by running error analysis (to first order), what was seen "
       "by computing again with 50 digits.</p>\n";
   text += boards.empty()
               ? "<p class=\"small soft\">Instructions and bytes on the boards are not in a table "

@@ -46,7 +46,7 @@ std::string headline(const ModelReport& report, const Facts& facts) {
   text += tendons == 0 ? " without tendons" : " and " + counted(tendons, "tendon", "tendons");
   if (facts.closure) text += ", " + closure_words(*facts.closure);
   if (facts.reach)
-    text += fmt::format("; the {} up to {} mm far", report.drawing->scene["tips"].size() > 1
+    text += fmt::format("; the {} {} mm", report.drawing->scene["tips"].size() > 1
                                                         ? "fingertips reach"
                                                         : "tip reaches",
                         shown(1000.0 * facts.reach->farthest));

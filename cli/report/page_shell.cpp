@@ -169,10 +169,16 @@ std::string counted(std::size_t count, const std::string& one, const std::string
 }
 
 std::string shown(double value) {
-  std::string text = fmt::format("{:.3g}", value);
-  const std::size_t minus = text.find('-');
-  if (minus == 0) text.replace(0, 1, "−");
-  return text;
+  std::string text = fmt::format("{:.3g}", value), power;
+  if (const std::size_t e = text.find('e'); e != std::string::npos) {
+    constexpr std::array raised{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+    power = "·10";
+    for (const char c : std::to_string(std::stoi(text.substr(e + 1))))
+      power += c == '-' ? "⁻" : raised[static_cast<std::size_t>(c - '0')];
+    text = text.substr(0, e);
+  }
+  if (text.front() == '-') text.replace(0, 1, "−");
+  return text + power;
 }
 
 }  // namespace sinew

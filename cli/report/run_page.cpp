@@ -89,6 +89,11 @@ nlohmann::ordered_json force_columns(const RunReport& report) {
   return columns;
 }
 
+std::string spoken(std::string name) {
+  std::replace(name.begin(), name.end(), '_', ' ');
+  return name;
+}
+
 double size_of(const std::vector<double>& values) {
   double most = 0.0;
   for (const double value : values) most = std::max(most, std::abs(value));
@@ -107,7 +112,7 @@ nlohmann::ordered_json energy_plots(const RunReport& report) {
   for (std::size_t i = 0; i < report.books.work.size(); ++i) {
     most = std::max(most, size_of(report.books.work[i]));
     if (size_of(report.books.work[i]) > 0.0)
-      series.push_back({{"name", report.powers.at(i)}, {"key", true}, {"y", report.books.work[i]}});
+      series.push_back({{"name", spoken(report.powers.at(i))}, {"key", true}, {"y", report.books.work[i]}});
   }
   if (!series.empty())
     plots.push_back({{"title", "Work since the start"},
@@ -116,7 +121,7 @@ nlohmann::ordered_json energy_plots(const RunReport& report) {
   plots.push_back(
       {{"title", "What the books miss"},
        {"yLabel", "energy less its start and all work [J]"},
-       {"note", fmt::format("At most {} of the largest energy or work: the integrator's error and "
+       {"note", fmt::format("At most {} of the largest energy or work: the integrator’s error and "
                             "rounding.",
                             shown(most > 0.0 ? size_of(report.books.missing) / most : 0.0))},
        {"series", nlohmann::ordered_json::array({{{"name", "missing"}, {"y", report.books.missing}}})}});
@@ -156,8 +161,8 @@ std::string run_headline(const RunReport& report) {
   std::string text = fmt::format("{}: {} s simulated", report.model.emitted.name,
                                  shown(report.duration));
   if (most > 0.0)
-    text += fmt::format("; the energy books close to {} of {} J",
-                        shown(size_of(report.books.missing) / most), shown(most));
+    text += fmt::format("; the energy books close to {} J of {} J",
+                        shown(size_of(report.books.missing)), shown(most));
   return text + slack_words(report);
 }
 

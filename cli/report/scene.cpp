@@ -54,6 +54,7 @@ void add_finger(DrawnScene& drawn, SceneWriter& scene, const Hand& hand, const H
     place.before[place.channels.back()] = wrist_path(hand.wrist, place.channels.back());
   }
   add_mechanism(scene, mechanism, place);
+  scene.bone("palm", parent, Vector3d::Zero(), parent, finger.base.translation, "palm");
   for (DrawnCoordinate& each : coordinates_of(mechanism, mechanism.name))
     drawn.coordinates.push_back(std::move(each));
   drawn.functions.push_back(named(body_poses_function(mechanism), place.poses));
@@ -74,6 +75,8 @@ int add_four_bar(DrawnScene& drawn, SceneWriter& scene, const Hand& hand, int cr
       scene.moving_frames(hand.four_bar_name, 2, hand.four_bar_base, pose, {crank}, 1, 4);
   const int coupler = ground + 1;
   const Vector3d end(bars.coupler, 0, 0), pivot(bars.ground, 0, 0), none = Vector3d::Zero();
+  scene.bone("palm", 2, none, 2, hand.four_bar_base.translation, "palm");
+  scene.bone(hand.four_bar_name + " ground", ground, none, ground, pivot, "frame");
   scene.bone(hand.four_bar_name + " crank", ground, none, coupler, none);
   scene.bone(hand.four_bar_name + " coupler", coupler, none, coupler, end);
   scene.bone(hand.four_bar_name + " rocker", coupler, end, ground, pivot);

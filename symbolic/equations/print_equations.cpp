@@ -76,7 +76,7 @@ std::string html_document(const EquationPage& page) {
              "display:inline}}td,th{{text-align:left;padding:0 1em 0 0}}</style></head><body>\n"
              "<h1>{0}</h1>\n",
              html_escaped(page.title)) +
-         html_sections(page, 2) + "</body></html>\n";
+         html_sections(page, 2, false) + "</body></html>\n";
 }
 
 std::string text_document(const EquationPage& page) {
@@ -102,15 +102,18 @@ std::string text_document(const EquationPage& page) {
 
 }  // namespace
 
-std::string html_sections(const EquationPage& page, int level) {
+std::string html_sections(const EquationPage& page, int level, bool folds) {
   std::string text = fmt::format("<p>{}.</p>\n", html_escaped(source_line));
   for (const EquationSection& section : page.sections) {
-    text += fmt::format("<h{0}>{1}{2}</h{0}>\n<p>{3}</p>\n", level, html_escaped(section.title),
-                        section.source.empty() ? "" : " " + html_escaped(section.source),
-                        html_escaped(section.text));
+    text += folds ? "<details><summary>" : fmt::format("<h{}>", level);
+    text += html_escaped(section.title) +
+            (section.source.empty() ? "" : " " + html_escaped(section.source));
+    text += folds ? "</summary><div class=\"inside\">\n" : fmt::format("</h{}>\n", level);
+    text += "<p>" + html_escaped(section.text) + "</p>\n";
     for (const ReadableEquation& equation : section.equations)
       text += "<div class=\"math\" tabindex=\"0\" role=\"region\" aria-label=\"equation\">" +
               mathml_equation(shown(page, equation.left), equation.right, page.shown) + "</div>\n";
+    if (folds) text += "</div></details>\n";
   }
   text += fmt::format(
       "<h{0}>Symbols</h{0}>\n<table><thead><tr><th scope=\"col\">symbol</th><th scope=\"col\">meaning"

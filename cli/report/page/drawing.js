@@ -125,7 +125,7 @@ class Drawing {
       const share = Math.max(0, Math.min(1, force / most));
       const slack = this.forces && !(force > this.slackBelow);
       const style = !this.forces || slack ? ''
-        : `stroke:color-mix(in oklab,var(--much) ${Math.round(100 * share)}%,var(--little));` +
+        : `stroke:color-mix(in oklch,var(--much) ${Math.round(100 * share)}%,var(--little));` +
           `stroke-width:${(1 + 1.8 * share).toFixed(2)}`;
       const name = `tendon ${tendon.name}` + (this.forces ? `: ${shown(force)} N` : '');
       const points = pathOf(this.frames, tendon).map(p => this.projected(p));
@@ -216,9 +216,24 @@ class Drawing {
   }
   refit() {
     this.measure();
+    const points = (this.fitted || [this.frames]).flatMap(frames => this.extent(frames));
+    this.fit(points.length ? points : [[0, 0, 0], [0.1, 0.1, 0.1]]);
+    this.redraw();
+  }
+
+  refitWhenResized() {
+    this.refit();
+    new ResizeObserver(() => {
+      const box = this.svg.getBoundingClientRect();
+      if (Math.abs(box.width - this.width) > 1 || Math.abs(box.height - this.height) > 1) this.refit();
+    }).observe(this.svg);
+  }
+
+  /// Points that enclose everything drawn.
+  extent(frames) {
     const points = [];
     for (const body of scene.bodies) {
-      const T = this.frames[body.frame];
+      const T = frames[body.frame];
       for (const s of [[1, 1, 1], [1, 1, -1], [1, -1, 1], [1, -1, -1], [-1, 1, 1], [-1, 1, -1], [-1, -1, 1], [-1, -1, -1]]) {
         const c = [0, 1, 2].map(k => s[0] * body.axes[3 * k] * body.half[0] +
           s[1] * body.axes[3 * k + 1] * body.half[1] + s[2] * body.axes[3 * k + 2] * body.half[2]);
@@ -226,10 +241,9 @@ class Drawing {
       }
     }
     for (const bone of scene.bones)
-      points.push(moved(this.frames[bone.a], bone.p), moved(this.frames[bone.b], bone.q));
-    for (const tendon of scene.tendons) points.push(...pathOf(this.frames, tendon));
-    this.fit(points.length ? points : [[0, 0, 0], [0.1, 0.1, 0.1]]);
-    this.redraw();
+      points.push(moved(frames[bone.a], bone.p), moved(frames[bone.b], bone.q));
+    for (const tendon of scene.tendons) points.push(...pathOf(frames, tendon));
+    return points;
   }
 
   listen() {

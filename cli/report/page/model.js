@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-2-Clause
 // The page of a model: what acts in the pose that the sliders set, and how it changes along a joint.
 
+const tipLabel = tip => tip.name === 'tip' ? 'Tip' : scene.tips.length > 1 ? `Tip of ${tip.name}` : tip.name;
+const tipName = tip => scene.tips.length === 1 ? 'the tip' : `the tip of ${tip.name}`;
 const reference = data.coordinates.map(c => c.reference);
 let drawing = null, sliders = null, now = null;
 
@@ -29,11 +31,11 @@ const facts = list => list.map(([name, text]) => element('div', {}, element('dt'
 const readout = r => {
   const list = [];
   if (scene.tips.length === 1)
-    list.push([`Tip (${scene.tips[0].name}) x, y, z`, r.tips[0].map(v => fixed(1000 * v, 1)).join(', ') + ' mm']);
-  else scene.tips.forEach((tip, i) => list.push([`Tip of ${tip.name}`, r.tips[i].map(v => fixed(1000 * v, 1)).join(', ') + ' mm']));
+    list.push([`${tipLabel(scene.tips[0])} at x, y, z`, r.tips[0].map(v => fixed(1000 * v, 1)).join(', ') + ' mm']);
+  else scene.tips.forEach((tip, i) => list.push([tipLabel(tip), r.tips[i].map(v => fixed(1000 * v, 1)).join(', ') + ' mm']));
   if (data.palm) list.push(['Bar angles q71, q73', picked(r.state, data.palm.at).map(v => fixed(v, 3)).join(', ') + ' rad']);
   if (data.coupling) {
-    list.push(['Tensions that hold it', r.forces ? `${shown(smallest(r.forces))} to ${shown(largest(r.forces))} N`
+    list.push([data.held.length ? 'Tensions that hold it' : 'Tensions', r.forces ? `${shown(smallest(r.forces))} to ${shown(largest(r.forces))} N`
       : 'none do: tendons only pull']);
     if (r.rest) list.push(['What the wrist’s drive has to hold', r.rest.map(v => shown(v)).join(', ') + ' N m']);
   }
@@ -68,7 +70,7 @@ const refresh = () => {
   drawing.ellipse = byId('show-ellipse') && byId('show-ellipse').getAttribute('aria-pressed') === 'true'
     ? now.compliance : null;
   drawing.slackBelow = 0;
-  drawing.mostForce = now.forces ? Math.max(2 * now.least, largest(now.forces)) : 1;
+  drawing.mostForce = now.forces ? Math.max(1.6 * now.least, largest(now.forces)) : 1;
   drawing.draw(now.state, now.forces);
   const legend = byId('force-most');
   if (legend) legend.textContent = now.forces ? shown(drawing.mostForce) + ' N' : '–';
@@ -124,7 +126,7 @@ const alongTip = (base, rows, tip) => {
   const few = Math.min(3, tip.args.length);
   const names = ['fastest direction', few === 3 ? 'middle direction' : 'slowest direction', 'slowest direction'].slice(0, few);
   show('manipulability-plots',
-    plotted({ ...base, title: `Speed of the tip of ${tip.name}`, yLabel: 'for joint rates of 1 rad/s [mm/s]', zero: true, floor: 1e-9,
+    plotted({ ...base, title: `Speed of ${tipName(tip)}`, yLabel: 'for joint rates of 1 rad/s [mm/s]', zero: true, floor: 1e-9,
       series: names.map((name, k) => ({ name, key: true, y: sizes.map(s => s[k]) })) }),
     plotted({ ...base, title: 'Manipulability', yLabel: `product of these speeds [mm${few > 1 ? '²³'[few - 2] : ''}/s${few > 1 ? '²³'[few - 2] : ''}]`, zero: true, floor: 1e-9,
       series: [{ name: 'manipulability', y: sizes.map(s => s.slice(0, few).reduce((a, b) => a * b, 1)) }] }));
@@ -132,9 +134,14 @@ const alongTip = (base, rows, tip) => {
   const index = scene.tips.indexOf(tip);
   const soft = all.map(a => { const C = computed(a.values).compliance; return C && C[index] ? eigen3(C[index]).values : null; });
   const value = (s, k) => s && s[k] > 1e-15 ? 1e-3 / s[k] : NaN;
+  // In a stretched pose one direction is as stiff as the links: drawn to scale it would hide the rest.
+  const stiffest = soft.map(s => value(s, 0)).filter(Number.isFinite).sort((a, b) => a - b);
+  const limit = few === 3 && stiffest.length ? 4 * stiffest[stiffest.length >> 1] : Infinity;
+  const cut = v => v > limit ? NaN : v;
   show('stiffness-plots',
-    plotted({ ...base, title: `Stiffness at the tip of ${tip.name}`, yLabel: 'motors held [N/mm]', zero: true,
-      series: (few === 3 ? [2, 1, 0] : [2]).map((k, i) => ({ key: true, name: ['softest direction', 'middle direction', 'stiffest direction'][i], y: soft.map(s => value(s, k)) })) }),
+    plotted({ ...base, title: `Stiffness at ${tipName(tip)}`, yLabel: 'motors held [N/mm]', zero: true,
+      series: (few === 3 ? [2, 1, 0] : [2]).map((k, i) => ({ key: true, name: ['softest direction', 'middle direction', 'stiffest direction'][i], y: soft.map(s => cut(value(s, k))) })),
+      note: stiffest[stiffest.length - 1] > limit ? `Left out above ${shown(limit)} N/mm, where links that are nearly stretched out carry the load.` : '' }),
     poses(all.filter((_, k) => k % 15 === 0), tip, index));
 };
 
@@ -196,14 +203,16 @@ const startModel = () => {
   if (!scene) return;
   drawing = new Drawing(byId('drawing'));
   sliders = new Sliders(byId('sliders'), reference, refresh);
-  drawing.measure();
-  drawing.frames = framesAt(stateOf(reference));
+  // So that the finger stays in sight when it is stretched out.
+  const stretched = data.coordinates.map(c => Math.min(c.high, Math.max(c.low, 0)));
+  drawing.fitted = [reference, stretched].map(values => framesAt(stateOf(values)));
+  drawing.frames = drawing.fitted[0];
   drawing.refit();
   chooseMagnification(computed(reference));
   refresh();
   views(drawing);
   pressed('pose-reference', () => { sliders.setAll(reference); refresh(); });
-  pressed('pose-zero', () => { sliders.setAll(data.coordinates.map(c => Math.min(c.high, Math.max(c.low, 0)))); refresh(); });
+  pressed('pose-zero', () => { sliders.setAll(stretched); refresh(); });
   pressed('pose-next', () => {
     startModel.k = (startModel.k || 0) + 1;
     const share = halton(startModel.k, data.coordinates.length);
@@ -220,7 +229,7 @@ const startModel = () => {
   choices('along', data.coordinates.map((c, i) => [i, (c.group ? c.group + ', ' : '') + c.label]), along);
   if (data.along !== undefined && byId('along')) byId('along').value = data.along;
   drawing.tell('');
-  addEventListener('resize', () => drawing.refit());
+  drawing.refitWhenResized();
 };
 const tellForces = () => {
   for (const [id, unit] of [['least', ' N'], ['stiffness', ' N/mm']])

@@ -10,7 +10,7 @@ const shown = (value, digits = 3) => {
     ? value.toExponential(digits - 1).replace('e+', 'e')
     : String(Number(value.toPrecision(digits)));
   const exponent = text.match(/^(.*)e(-?\d+)$/);
-  if (exponent) text = exponent[1] + '·10' + raised(exponent[2]);
+  if (exponent) text = Number(exponent[1]) + '·10' + raised(exponent[2]);
   return text.replace('-', '−');
 };
 const raised = text => [...text].map(c => '⁰¹²³⁴⁵⁶⁷⁸⁹'['0123456789'.indexOf(c)] || '⁻').join('');

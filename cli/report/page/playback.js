@@ -22,6 +22,12 @@ const instant = time => {
 };
 const valueAt = (column, i) => run.values[3 * column * run.instants + i];
 
+/// The state of an instant; coordinates that the run does not log stay in the reference pose.
+const stateInstant = i => {
+  const reference = stateOf(data.coordinates.map(c => c.reference));
+  return run.coordinates.map((c, k) => c < 0 ? reference[k] : valueAt(c, i));
+};
+
 const showTime = time => {
   const i = instant(time);
   byId('time').value = time;
@@ -29,8 +35,7 @@ const showTime = time => {
   byId('time-told').textContent = text;
   byId('time').setAttribute('aria-valuetext', text);
   if (drawing) {
-    const state = run.coordinates.map(c => valueAt(c, i));
-    data.coordinates.forEach((c, k) => { if (run.coordinates[k] < 0) state[k] = c.reference; });
+    const state = stateInstant(i);
     drawing.draw(state, run.forces.length ? run.forces.map(c => valueAt(c, i)) : null);
     byId('readout').replaceChildren(...facts(runFacts(i, state)));
   }
@@ -39,7 +44,7 @@ const showTime = time => {
 };
 
 const runFacts = (i, state) => {
-  const list = scene.tips.slice(0, 6).map((tip, k) => [`Tip of ${tip.name} x, y, z`,
+  const list = scene.tips.slice(0, 6).map((tip, k) => [`${tipLabel(tip)} at x, y, z`,
     tipsAt(drawing.frames)[k].map(v => fixed(1000 * v, 1)).join(', ') + ' mm']);
   if (run.forces.length) {
     const all = run.forces.map(c => valueAt(c, i));
@@ -122,11 +127,14 @@ const startRun = () => {
     drawing.frames = framesAt(stateOf(data.coordinates.map(c => c.reference)));
     const legend = byId('force-most');
     if (legend) legend.textContent = shown(drawing.mostForce) + ' N';
-    showTime(run.time[0]);
+    // So that the whole run stays in sight.
+    drawing.fitted = [0, 1, 2, 3, 4, 5, 6, 7, 8].map(k =>
+      framesAt(stateInstant(Math.round(k * (run.instants - 1) / 8))));
     drawing.refit();
+    showTime(run.time[0]);
     views(drawing);
     drawing.tell('');
-    addEventListener('resize', () => drawing.refit());
+    drawing.refitWhenResized();
   } else showTime(run.time[0]);
   const time = byId('time');
   time.addEventListener('input', () => showTime(Number(time.value)));

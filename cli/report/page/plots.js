@@ -20,7 +20,7 @@ const ticksOf = (low, high, most) => {
 /// `plot`: {title, xLabel, yLabel, x, series: [{name, y, low, high, points}], mark, zero, square}.
 /// Values are drawn as given. A series whose whole range is rounding is told so.
 const plotted = plot => {
-  const W = 460, H = plot.square ? 400 : 270, left = 58, right = 14, top = 14, bottom = 40;
+  const W = plot.square ? 340 : 460, H = plot.square ? 310 : 270, left = 66, right = 14, top = 14, bottom = 40;
   const svg = svgElement('svg', { viewBox: `0 0 ${W} ${H}`, role: 'img', class: 'plot' });
   const title = svgElement('title');
   title.textContent = plot.alternative || `${plot.title}: ${plot.yLabel} over ${plot.xLabel}`;
@@ -59,7 +59,7 @@ const plotted = plot => {
     svg.append(svgElement('path', { class: tick.at === 0 ? 'axis' : 'grid', d: `M${left} ${Y(tick.at).toFixed(1)}H${W - right}` }));
     text(left - 7, Y(tick.at) + 4, tick.text, 'end');
   }
-  for (const tick of ticksOf(x0, x1, 6)) {
+  for (const tick of ticksOf(x0, x1, plot.square ? 4 : 6)) {
     svg.append(svgElement('path', { class: 'axis', d: `M${X(tick.at).toFixed(1)} ${H - bottom}v5` }));
     text(X(tick.at), H - bottom + 18, tick.text, 'middle');
   }

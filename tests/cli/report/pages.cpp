@@ -122,7 +122,7 @@ TEST_CASE("pages of models and runs can be used on a desk and on a phone, in lig
   const json& one = shown.seen["index"];
   CHECK(one["sliders"] == 4);
   CHECK(one["joint"] == 4);
-  CHECK(one["face"] == 9);  // three of the six of each of three bodies
+  CHECK(one["face"] == 12);  // three of the six of each of four bodies
   CHECK(one["tendon"].get<int>() > 8 * 3);
   CHECK(one["ellipses"] == 1);
   CHECK(one["equations"].get<int>() > 20);
