@@ -78,6 +78,7 @@ class PanelWriter {
     noise_ = std::max(std::abs(y_.low), std::abs(y_.high)) < rounding_size && y_.high > y_.low;
     x_.open(0.0);
     y_.open(0.05);
+    if (noise_ || !panel.note.empty()) y_.high += 0.12 * (y_.high - y_.low);  // room for the note
   }
 
   std::string run() {
@@ -163,7 +164,7 @@ class PanelWriter {
     const bool dots = look == Look::dots || look == Look::line_and_dots;
     return fmt::format(
         "<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"{}\" stroke-linecap=\"round\"/>\n",
-        path, pen.colour, dots ? "2.2" : "0.8");
+        path, pen.colour, look == Look::dots ? "1.3" : dots ? "2.2" : "0.8");
   }
 
   void curve(std::size_t k) {

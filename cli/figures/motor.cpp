@@ -83,8 +83,8 @@ Figure figure_friction(const Run& log, double gear_ratio) {
       {"position", "time [s]", "output angle [rad]", {line("", log.time, log.theta, 20)}},
       friction_panel(curve)};
   figure.differs = fmt::format(
-      "{}Fitted: gamma1 = {:.4g} +- {:.2g} s/rad, gamma2 = {:.4g} +- {:.2g} N m, gamma3 = {:.4g} "
-      "+- {:.2g} N m s/rad, where the simulation has Table 3.3's 10, 0.5586 and 0.0356. The band "
+      "{}Fitted: gamma1 = {:.4g} ± {:.2g} s/rad, gamma2 = {:.4g} ± {:.2g} N m, gamma3 = {:.4g} "
+      "± {:.2g} N m s/rad, where the simulation has Table 3.3's 10, 0.5586 and 0.0356. The band "
       "between minimum and maximum is the ripple assumed, with noise.",
       simulated, curve.gamma1.value, curve.gamma1.standard_error, curve.gamma2.value,
       curve.gamma2.standard_error, curve.gamma3.value, curve.gamma3.standard_error);

@@ -37,7 +37,7 @@ std::string others_of(const Cost& cost) {
   add(cost.square_root, "√");
   add(cost.sincos, cost.sincos == 1 ? "sin and cos pair" : "sin and cos pairs");
   add(cost.other, "other");
-  add(cost.negate, "sign");
+  add(cost.negate, cost.negate == 1 ? "sign" : "signs");
   return text.empty() ? "–" : text;
 }
 

@@ -195,7 +195,7 @@ const compareWithC = () => {
     }
   }
   const told = byId('agreement');
-  if (told && count) told.textContent = `The page computes with the operations of the C: in two states of each of the ${count} functions that it holds the results differ by at most ${most === 0 ? 'nothing' : shown(most, 2) + ' of the largest entry'}, which is rounding.`;
+  if (told && count) told.textContent = `The page computes with the operations of the C: in two states of each of the ${count} functions that it holds the results ${most === 0 ? 'are the same, bit by bit' : `differ by at most ${shown(most, 2)} of the largest entry, which is rounding`}.`;
   return most;
 };
 

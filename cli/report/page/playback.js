@@ -119,6 +119,9 @@ const slackOfRun = () => {
 const startRun = () => {
   run.values = numbersIn(run.packed);
   run.time = Array.from(numbersIn(run.times));
+  // run.html#0.6 begins at 0.6 s.
+  const asked = Number(location.hash.slice(1));
+  const first = asked > run.time[0] && asked <= run.time[run.instants - 1] ? asked : run.time[0];
   if (scene) {
     drawing = new Drawing(byId('drawing'));
     drawing.magnified = 1;
@@ -131,11 +134,11 @@ const startRun = () => {
     drawing.fitted = [0, 1, 2, 3, 4, 5, 6, 7, 8].map(k =>
       framesAt(stateInstant(Math.round(k * (run.instants - 1) / 8))));
     drawing.refit();
-    showTime(run.time[0]);
+    showTime(first);
     views(drawing);
     drawing.tell('');
     drawing.refitWhenResized();
-  } else showTime(run.time[0]);
+  } else showTime(first);
   const time = byId('time');
   time.addEventListener('input', () => showTime(Number(time.value)));
   pressed('play', play);
