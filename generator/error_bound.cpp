@@ -169,10 +169,14 @@ RelativeErrors relative_errors(const Graph& graph, const std::vector<std::vector
     std::size_t first = 0;
     for (const Port& port : graph.outputs) {
       const std::size_t end = first + static_cast<std::size_t>(port.size());
-      double size = 0.0;
-      for (std::size_t i = first; i < end; ++i) size = std::max(size, std::abs(got[i]));
+      double size = 0.0, bound = 0.0;
+      for (std::size_t i = first; i < end; ++i) {
+        size = std::max(size, std::abs(got[i]));
+        bound = std::max(bound, bounds[i]);
+      }
+      const bool is_rounding = size <= bound && std::isfinite(bound);
       for (; first < end; ++first) {
-        if (size == 0.0) continue;
+        if (size == 0.0 || is_rounding) continue;
         const double off = std::abs(static_cast<double>(Exact(exact[first] - Exact(got[first]))));
         errors.observed = std::max(errors.observed, off / size);
         errors.bound = std::max(errors.bound, bounds[first] / size);

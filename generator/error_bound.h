@@ -33,7 +33,8 @@ std::vector<double> error_bounds(const Graph& graph, const std::vector<double>& 
                                  const Rounding& rounding);
 
 /// Of a function's results, relative to the largest entry of each in each state, over all states.
-/// Results that are all zero say nothing and are left out.
+/// Results that are all zero, or no larger than their own bound (a search's residual), say nothing
+/// and are left out.
 struct RelativeErrors {
   double bound = 0.0;     ///< largest of the bounds, in double
   double observed = 0.0;  ///< largest difference from an evaluation with 50 digits

@@ -119,6 +119,14 @@ std::string controls(const ModelReport& report) {
          "></div>\n" + force_controls(report) + "<dl id=\"readout\" class=\"facts\"></dl>\n";
 }
 
+/// Of a model without bodies: what its functions give.
+std::string curves() {
+  return "<div class=\"card\"><div class=\"choose\"><label for=\"curve-function\">Function</label><select "
+         "id=\"curve-function\"></select><label for=\"curve-input\">over</label><select "
+         "id=\"curve-input\"></select></div>\n<div id=\"curve-plots\" class=\"figures "
+         "drawn\"></div></div>\n";
+}
+
 std::string contents(const std::string& body) {
   std::string items;
   for (const auto& [id, name] :
@@ -142,7 +150,7 @@ std::string model_page(const ModelReport& report) {
                       "</b> (" + escaped(report.emitted.description) + ") · " +
                       escaped(report.kind) + " · from <code>" + escaped_name(report.folder) +
                       "</code></p>\n<h1>" + escaped(title) + "</h1>\n";
-  if (report.drawing) first += stage(report, controls(report));
+  first += report.drawing ? stage(report, controls(report)) : curves();
   first += "<div class=\"pair\" style=\"margin-top:1rem\">" + fact_card(report) + "</div>\n";
   const std::string body =
       workspace_section(report, facts.reach) + along_section(report) +

@@ -5,6 +5,7 @@
 #include <openssl/evp.h>
 
 #include <array>
+#include <cmath>
 #include <stdexcept>
 
 #include "generator/emit_javascript.h"
@@ -45,10 +46,20 @@ std::string program_of(const std::vector<Graph>& graphs) {
   return text + "};\n" + page_program + "})();\n";
 }
 
+nlohmann::ordered_json ranges_json(const Port& port) {
+  nlohmann::ordered_json ranges = nlohmann::ordered_json::array();
+  for (const Range& range : port.ranges)
+    ranges.push_back(nlohmann::ordered_json::array({range.low, range.high}));
+  return ranges;
+}
+
 nlohmann::ordered_json ports_json(const Graph& graph) {
   nlohmann::ordered_json inputs = nlohmann::ordered_json::array(), outputs = inputs;
   for (const Port& port : graph.inputs)
-    inputs.push_back({{"name", port.name}, {"unit", port.unit}, {"size", port.size()}});
+    inputs.push_back({{"name", port.name},
+                      {"unit", port.unit},
+                      {"size", port.size()},
+                      {"ranges", ranges_json(port)}});
   for (const Port& port : graph.outputs)
     outputs.push_back({{"name", port.name},
                        {"unit", port.unit},
@@ -169,7 +180,10 @@ std::string counted(std::size_t count, const std::string& one, const std::string
 }
 
 std::string shown(double value) {
-  std::string text = fmt::format("{:.3g}", value), power;
+  const double size = std::abs(value);
+  std::string text = size >= 1000.0 && size < 1e6 ? fmt::format("{:.0f}", value)
+                                                  : fmt::format("{:.3g}", value),
+              power;
   if (const std::size_t e = text.find('e'); e != std::string::npos) {
     constexpr std::array raised{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
     power = "·10";

@@ -38,3 +38,36 @@ const startExplorer = () => {
   };
   drawnInside(select.closest('details'), () => { if (!inputs.length) choose(); });
 };
+
+/// Curves of one function over one of its arguments, the others as in the reference state: the
+/// picture of a model that has nothing to draw.
+const startCurves = () => {
+  const arguments_ = name => data.functions[name].inputs.flatMap(input => Array.from({ length: input.size },
+    (_, i) => ({ name: input.size > 1 ? `${input.name}[${i}]` : input.name, unit: input.unit, range: input.ranges[i] })));
+  const names = Object.keys(data.functions).filter(name => arguments_(name).some(a => a.range && a.range[1] > a.range[0]));
+  const draw = () => {
+    const name = which.value, at = Number(over.value), argument = arguments_(name)[at], x = [], all = [];
+    const start = data.reference[name][0][0];
+    for (let k = 0; k <= 200; ++k) {
+      const inputs = [...start];
+      inputs[at] = argument.range[0] + (argument.range[1] - argument.range[0]) * k / 200;
+      x.push(inputs[at]);
+      all.push(call(name, inputs));
+    }
+    let first = 0;
+    show('curve-plots', ...data.functions[name].outputs.map(out => {
+      const size = out.rows * out.cols, from = first;
+      first += size;
+      return plotted({ title: out.name, xLabel: `${argument.name} [${argument.unit}]`, yLabel: `${out.doc} [${out.unit}]`, x, floor: 1e-13,
+        note: size > 6 ? `The first six of ${size} numbers.` : '',
+        series: Array.from({ length: Math.min(6, size) }, (_, i) => ({ name: size > 1 ? `${out.name}[${i}]` : out.name, key: size > 1, y: all.map(values => values[from + i]) })) });
+    }));
+  };
+  const again = () => {
+    over.replaceChildren();
+    arguments_(which.value).forEach((a, i) => { if (a.range && a.range[1] > a.range[0]) over.append(element('option', { value: i }, a.name)); });
+    draw();
+  };
+  const which = choices('curve-function', names.map(name => [name, name]), again), over = choices('curve-input', [], draw);
+  if (which && names.length) again();
+};

@@ -39,7 +39,7 @@ const readout = r => {
       : 'none do: tendons only pull']);
     if (r.rest) list.push(['What the wrist’s drive has to hold', r.rest.map(v => shown(v)).join(', ') + ' N m']);
   }
-  if (scene.tips.length === 1 && scene.tips[0].fn) {
+  if (scene.tips.length === 1 && scene.tips[0].fn && !data.coordinates.some(c => c.unit === 'm')) {
     const w = manipulability(tipJacobian(scene.tips[0], r.state, r.frames));
     const power = Math.min(3, scene.tips[0].args.length);
     list.push(['Manipulability', `${shown(w * 1000 ** power)} mm${power > 1 ? '²³'[power - 2] : ''} per rad${power > 1 ? '²³'[power - 2] : ''}`]);
@@ -126,7 +126,7 @@ const alongTip = (base, rows, tip) => {
   const few = Math.min(3, tip.args.length);
   const names = ['fastest direction', few === 3 ? 'middle direction' : 'slowest direction', 'slowest direction'].slice(0, few);
   show('manipulability-plots',
-    plotted({ ...base, title: `Speed of ${tipName(tip)}`, yLabel: 'for joint rates of 1 rad/s [mm/s]', zero: true, floor: 1e-9,
+    plotted({ ...base, title: `Speed of ${tipName(tip)}`, yLabel: `for joint rates of 1 rad/s${data.coordinates.some(c => c.unit === 'm') ? ' or 1 m/s' : ''} [mm/s]`, zero: true, floor: 1e-9,
       series: names.map((name, k) => ({ name, key: true, y: sizes.map(s => s[k]) })) }),
     plotted({ ...base, title: 'Manipulability', yLabel: `product of these speeds [mm${few > 1 ? '²³'[few - 2] : ''}/s${few > 1 ? '²³'[few - 2] : ''}]`, zero: true, floor: 1e-9,
       series: [{ name: 'manipulability', y: sizes.map(s => s.slice(0, few).reduce((a, b) => a * b, 1)) }] }));
@@ -200,7 +200,6 @@ const compareWithC = () => {
 };
 
 const startModel = () => {
-  if (!scene) return;
   drawing = new Drawing(byId('drawing'));
   sliders = new Sliders(byId('sliders'), reference, refresh);
   // So that the finger stays in sight when it is stretched out.

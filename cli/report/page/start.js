@@ -10,7 +10,7 @@ const rest = () => {
   compareWithC();
   document.documentElement.dataset.ready = Math.round(performance.now());
 };
-if (data.run) startRun(); else startModel();
+if (data.run) startRun(); else if (scene) startModel(); else startCurves();
 document.documentElement.dataset.drawn = Math.round(performance.now());
 requestAnimationFrame(() => setTimeout(rest, 0));
 // Printing shows what is folded.

@@ -144,6 +144,7 @@ TEST_CASE("pages of models and runs can be used on a desk and on a phone, in lig
   CHECK_FALSE(has_section(shown.seen["arm"], "force-closure"));
   CHECK(arm.find("Tendons: this model has none") != std::string::npos);
   CHECK(shown.seen["motor"]["sliders"] == 0);
+  CHECK(shown.seen["motor"]["plots"] == 1);
   CHECK(motor.find("a set of formulas without bodies") != std::string::npos);
   CHECK(shown.seen["run"]["plots"].get<int>() > 8);
 }
