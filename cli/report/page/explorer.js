@@ -55,10 +55,16 @@ const startCurves = () => {
       all.push(call(name, inputs));
     }
     let first = 0;
-    show('curve-plots', ...data.functions[name].outputs.map(out => {
+    show('curve-plots', ...data.functions[name].outputs.flatMap(out => {
       const size = out.rows * out.cols, from = first;
       first += size;
-      return plotted({ title: out.name, xLabel: `${argument.name} [${argument.unit}]`, yLabel: `${out.doc} [${out.unit}]`, x, floor: 1e-13,
+      const base = { x, xLabel: `${argument.name} [${argument.unit}]`, floor: 1e-13 };
+      // Numbers of different units stand apart.
+      const units = out.unit.split(', '), docs = out.doc.split(', ');
+      if (size > 1 && units.length === size)
+        return Array.from({ length: size }, (_, i) => plotted({ ...base, title: docs.length === size ? docs[i] : `${out.name}[${i}]`,
+          yLabel: `[${units[i]}]`, series: [{ name: out.name, y: all.map(values => values[from + i]) }] }));
+      return plotted({ ...base, title: out.name, yLabel: `${out.doc} [${out.unit}]`,
         note: size > 6 ? `The first six of ${size} numbers.` : '',
         series: Array.from({ length: Math.min(6, size) }, (_, i) => ({ name: size > 1 ? `${out.name}[${i}]` : out.name, key: size > 1, y: all.map(values => values[from + i]) })) });
     }));
