@@ -46,7 +46,8 @@ std::string equations_of(const ModelFolder& folder, const std::string& format) {
 }
 
 std::string equations_html(const ModelFolder& folder) {
-  if (const std::optional<EquationPage> page = page_of(folder)) return html_sections(*page, 3, true);
+  if (const std::optional<EquationPage> page = page_of(folder))
+    return html_sections(*page, 3, true);
   const auto* hand = std::get_if<Hand>(&folder.model);
   if (!hand) return "";
   std::string text;

@@ -39,8 +39,8 @@ std::string offered(const EmittedModel& model, const std::string& name) {
 std::string routing_of(const Tendon& tendon) {
   std::string text;
   for (const StraightRouting& s : tendon.straights)
-    text += (text.empty() ? "" : "; ") +
-            fmt::format("straight from {} to {}", s.from_body, s.to_body);
+    text +=
+        (text.empty() ? "" : "; ") + fmt::format("straight from {} to {}", s.from_body, s.to_body);
   for (const PulleyRouting& p : tendon.pulleys)
     text += (text.empty() ? "" : "; ") + fmt::format("{}: {} mm", p.joint, number(1e3 * p.radius));
   return text;
@@ -52,20 +52,22 @@ void add_tables(const Mechanism& mechanism, ModelReport& report) {
   for (std::size_t i = 0; i < mechanism.bodies.size(); ++i) {
     const Body& body = mechanism.bodies[i];
     const Joint& joint = mechanism.joints[i];
-    bodies.rows.push_back({body.name, number(1e3 * body.mass), vector_in_mm(body.centre_of_mass),
-                           joint.name});
+    bodies.rows.push_back(
+        {body.name, number(1e3 * body.mass), vector_in_mm(body.centre_of_mass), joint.name});
     const bool slides = joint.type == JointType::prismatic;
     const double scale = slides ? 1e3 : 180.0 / 3.141592653589793;
     joints.rows.push_back(
         {joint.name,
-         joint.type == JointType::fixed ? "fixed" : slides ? "prismatic" : "revolute",
-         joint.type == JointType::fixed
-             ? "–"
-             : fmt::format("{:.4g} to {:.4g}{}", scale * joint.low, scale * joint.high,
-                           slides ? " mm" : "°"),
-         body.name + (joint.parent < 0
-                          ? " on the base"
-                          : " on " + mechanism.bodies[static_cast<std::size_t>(joint.parent)].name)});
+         joint.type == JointType::fixed ? "fixed"
+         : slides                       ? "prismatic"
+                                        : "revolute",
+         joint.type == JointType::fixed ? "–"
+                                        : fmt::format("{:.4g} to {:.4g}{}", scale * joint.low,
+                                                      scale * joint.high, slides ? " mm" : "°"),
+         body.name +
+             (joint.parent < 0
+                  ? " on the base"
+                  : " on " + mechanism.bodies[static_cast<std::size_t>(joint.parent)].name)});
   }
   report.tables = {bodies, joints};
   if (mechanism.tendons.empty()) return;
@@ -95,7 +97,8 @@ void describe(const Mechanism& mechanism, ModelReport& report) {
         "stiffness or force closure.");
   else
     report.missing.push_back(
-        "Where exactly a tendon runs over a pulley: the model knows its moment arm, and the drawing "
+        "Where exactly a tendon runs over a pulley: the model knows its moment arm, and the "
+        "drawing "
         "puts a pulley of that radius on the joint's axis.");
   if (is_massless(mechanism)) report.missing.push_back("Dynamics: " + why_no_dynamics(mechanism));
   report.missing.push_back("Shapes: each body is drawn as the box that has its mass and inertia.");
@@ -113,7 +116,8 @@ void describe(const WristParameters& wrist, ModelReport& report) {
                      {"width b", number(1e3 * wrist.width)},
                      {"thickness c", number(1e3 * wrist.thickness)}}}};
   report.missing = {
-      "Force closure: the tendons belong to the fingers and pass the wrist, which has a drive of its "
+      "Force closure: the tendons belong to the fingers and pass the wrist, which has a drive of "
+      "its "
       "own. What they make that drive hold is shown.",
       "Bodies and dynamics: the wrist is a closed form of its links' lengths; no masses are in it.",
       "Manipulability and stiffness at a tip: the palm has no fingertip; the joint stiffness is "
@@ -133,11 +137,10 @@ void describe(const Hand& hand, ModelReport& report) {
   for (const HandFinger& finger : hand.fingers) {
     double mass = 0.0;
     for (const Body& body : finger.mechanism.bodies) mass += body.mass;
-    fingers.rows.push_back({finger.mechanism.name,
-                            std::to_string(Coordinates(finger.mechanism).count()),
-                            std::to_string(finger.mechanism.tendons.size()),
-                            finger.on_coupler ? "the four-bar's coupler" : "the palm",
-                            number(1e3 * mass)});
+    fingers.rows.push_back(
+        {finger.mechanism.name, std::to_string(Coordinates(finger.mechanism).count()),
+         std::to_string(finger.mechanism.tendons.size()),
+         finger.on_coupler ? "the four-bar's coupler" : "the palm", number(1e3 * mass)});
     report.force_high = finger.mechanism.tendon_force_high;
     report.stiffness_low = finger.mechanism.tendon_stiffness_low;
     report.stiffness_high = finger.mechanism.tendon_stiffness_high;

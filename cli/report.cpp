@@ -42,7 +42,8 @@ std::string detail_of(const FunctionChange& change) {
     differs = true;
     text += fmt::format("; {} by {:.3g}{}", result.name, most.largest,
                         result.unit == "1" ? "" : " " + result.unit);
-    if (most.relative && *most.relative < 10) text += fmt::format(" ({:.3g} %)", 100 * *most.relative);
+    if (most.relative && *most.relative < 10)
+      text += fmt::format(" ({:.3g} %)", 100 * *most.relative);
   }
   return text + (differs || change.results.empty() ? "" : "; the same results");
 }
@@ -53,7 +54,7 @@ std::vector<ChangedFunction> changes_of(const fs::path& before, const EmittedMod
     if (change.kind == FunctionChange::Kind::unchanged) continue;
     const char* word = change.kind == FunctionChange::Kind::added     ? "new"
                        : change.kind == FunctionChange::Kind::removed ? "removed"
-                                                      : "changed";
+                                                                      : "changed";
     changes.push_back({change.name, word, detail_of(change)});
   }
   return changes;
@@ -79,7 +80,8 @@ void tell_written(const ReportOptions& o, const ModelReport& report, std::size_t
                       {"changed", report.changes.size()},
                       {"missing", report.missing}});
   std::FILE* to = stream_of_report(o.out);
-  print_to(to, "{}: {} ({:.0f} kB)\n", report.emitted.name, o.out, static_cast<double>(bytes) / 1e3);
+  print_to(to, "{}: {} ({:.0f} kB)\n", report.emitted.name, o.out,
+           static_cast<double>(bytes) / 1e3);
   for (const std::string& each : report.missing) print_to(to, "  not in it: {}\n", each);
 }
 
@@ -115,7 +117,8 @@ void add_report_command(CLI::App& app, int&) {
   CLI::App* command = app.add_subcommand("report", "Show a model on one HTML page");
   auto options = std::make_shared<ReportOptions>();
   command->add_option("model", options->model, "Model folder")->required();
-  command->add_option("--out", options->out, "The page (default: <model>.html); - is standard output");
+  command->add_option("--out", options->out,
+                      "The page (default: <model>.html); - is standard output");
   command->add_option("--generated", options->generated,
                       "Folder of the C that it is compared with (default: generated/<model>)");
   command->add_option("--boards", options->boards,

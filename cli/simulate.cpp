@@ -141,6 +141,9 @@ bool replay_rig(const SimulateOptions& o, const Inputs& inputs) {
 /// What the command reads. Throws std::runtime_error where its output cannot be written.
 Inputs inputs_of_run(const SimulateOptions& o) {
   refuse_two_reports(o.out, o.json);
+  if (o.report == "-")
+    throw std::invalid_argument(
+        "--report -: standard output is for the log or for what the command says; expected a file");
   recover_model(o.model);
   Inputs inputs;
   add_model(inputs, o.model);

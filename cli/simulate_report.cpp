@@ -59,9 +59,8 @@ void RunRecorder::take_slack(const SimulationResult& result) {
 
 std::string RunRecorder::html(const SimulationResult& result) {
   take_slack(result);
-  report_.facts = {
-      {"Steps of the integrator", std::to_string(result.count.steps)},
-      {"Rows of the log", std::to_string(result.rows)}};
+  report_.facts = {{"Steps of the integrator", std::to_string(result.count.steps)},
+                   {"Rows of the log", std::to_string(result.rows)}};
   std::map<std::string, long> kinds;
   for (const auto& [name, count] : result.event_counts)
     kinds[name.substr(0, name.rfind('_'))] += count;

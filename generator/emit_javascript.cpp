@@ -60,9 +60,7 @@ const char* function_of(Op op) {
 class JavascriptWriter {
  public:
   explicit JavascriptWriter(const Graph& graph)
-      : graph_(graph),
-        uses_(use_counts(graph)),
-        written_(static_cast<std::size_t>(graph.size())) {}
+      : graph_(graph), uses_(use_counts(graph)), written_(static_cast<std::size_t>(graph.size())) {}
 
   std::string run() {
     for (Value v = 0; v < graph_.size(); ++v)
@@ -79,8 +77,8 @@ class JavascriptWriter {
     const Node& node = graph_[v];
     Written expression = form(node);
     const bool is_given = node.op == Op::input || node.op == Op::constant;
-    if (!is_given && (uses_[static_cast<std::size_t>(v)] > 1 ||
-                      expression.text.size() > longest_javascript)) {
+    if (!is_given &&
+        (uses_[static_cast<std::size_t>(v)] > 1 || expression.text.size() > longest_javascript)) {
       const std::string name = fmt::format("t{}", v);
       lines_ += fmt::format("const {}={};\n", name, expression.text);
       expression = {name, ties_atom};

@@ -3,8 +3,8 @@
 //
 // A forward error analysis that runs along with a 50-digit evaluation: every node carries an
 // absolute error, made of what its operation rounds and of what its operands' errors become. The
-// limits of the tests' comparisons come from here, and what a model's report says; none is chosen by
-// hand.
+// limits of the tests' comparisons come from here, and what a model's report says; none is chosen
+// by hand.
 #pragma once
 
 #include <vector>
@@ -21,8 +21,8 @@ struct Rounding {
   double folded = 0.0;     ///< an operation all of whose operands are known at generation time
 };
 
-/// IEEE double; the runtime's functions err by less than one unit in the last place, its tanh by less
-/// than three (docs/trigonometry.md).
+/// IEEE double; the runtime's functions err by less than one unit in the last place, its tanh by
+/// less than three (docs/trigonometry.md).
 inline constexpr Rounding double_rounding{0x1p-53, 0x1p-52, 0.0, 0.0};
 /// Exact has 168 bits; Boost's functions err by a few units in the last place.
 inline constexpr Rounding exact_rounding{0x1p-167, 0x1p-163, 0.0, 0.0};

@@ -29,7 +29,8 @@ std::string svg_of(const Figure& figure) {
              "Sans', sans-serif\" font-size=\"8\">\n<title>",
              width, height) +
          xml_text(fmt::format("{} (source: Fig. {})", figure.title, figure.number)) +
-         fmt::format("</title>\n<path d=\"M0 0H{:g}V{:g}H0Z\" fill=\"#ffffff\"/>\n", width, height) +
+         fmt::format("</title>\n<path d=\"M0 0H{:g}V{:g}H0Z\" fill=\"#ffffff\"/>\n", width,
+                     height) +
          panels + "</svg>\n";
 }
 

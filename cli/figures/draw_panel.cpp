@@ -12,8 +12,8 @@ namespace {
 
 constexpr double font = 8.0, line_width = 1.0, label_left = 44.0, label_below = 30.0;  // pt
 /// Told apart by people who cannot tell red from green, and on grey paper by their dashes.
-constexpr std::array palette{"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#000000", "#e69f00",
-                             "#56b4e9"};
+constexpr std::array palette{"#0072b2", "#d55e00", "#009e73", "#cc79a7",
+                             "#000000", "#e69f00", "#56b4e9"};
 constexpr std::array dashes{"", "5 2.5", "1.5 2", "6 2 1.5 2"};
 /// A double's last place at the sizes of hands: below, curves are rounding.
 constexpr double rounding_size = 1e-13;
@@ -52,8 +52,9 @@ Pen pen_of(const Panel& panel, std::size_t k) {
   // Curves without a name are of one kind.
   if (series.title.empty() && series.colour < 0) return {palette[0], ""};
   if (series.colour >= 0) number = static_cast<std::size_t>(series.colour);
-  return {palette[number % palette.size()],
-          series.look == Look::dashed ? dashes[1] : dashes[number / palette.size() % dashes.size()]};
+  return {palette[number % palette.size()], series.look == Look::dashed
+                                                ? dashes[1]
+                                                : dashes[number / palette.size() % dashes.size()]};
 }
 
 std::string text_at(double x, double y, const std::string& text, const char* anchor,
@@ -95,7 +96,9 @@ class PanelWriter {
   }
 
  private:
-  double at_x(double x) const { return left_ + (x - x_.low) / (x_.high - x_.low) * (right_ - left_); }
+  double at_x(double x) const {
+    return left_ + (x - x_.low) / (x_.high - x_.low) * (right_ - left_);
+  }
   double at_y(double y) const {
     return bottom_ - (y - y_.low) / (y_.high - y_.low) * (bottom_ - top_);
   }
@@ -104,9 +107,9 @@ class PanelWriter {
     const double step_y = tick_step(y_.low, y_.high, 6), step_x = tick_step(x_.low, x_.high, 6);
     for (double k = std::ceil(y_.low / step_y); k * step_y <= y_.high; ++k) {
       const double y = at_y(k * step_y);
-      text_ += fmt::format(
-          "<path d=\"M{:.1f} {:.1f}H{:.1f}\" stroke=\"#{}\" stroke-width=\"0.5\"/>\n", left_, y,
-          right_, k == 0.0 ? "888888" : "dddddd");
+      text_ +=
+          fmt::format("<path d=\"M{:.1f} {:.1f}H{:.1f}\" stroke=\"#{}\" stroke-width=\"0.5\"/>\n",
+                      left_, y, right_, k == 0.0 ? "888888" : "dddddd");
       text_ += text_at(left_ - 4.0, y + 0.35 * font, tick_text(k * step_y, step_y), "end");
     }
     for (double k = std::ceil(x_.low / step_x - 1e-9); k * step_x <= x_.high + 1e-9 * step_x; ++k) {
@@ -119,9 +122,11 @@ class PanelWriter {
         "<path d=\"M{0:.1f} {1:.1f}V{2:.1f}H{3:.1f}\" stroke=\"#000000\" stroke-width=\"0.8\" "
         "fill=\"none\"/>\n",
         left_, top_, bottom_, right_);
-    text_ += text_at(0.5 * (left_ + right_), box_.top + box_.height - 5.0, panel_.x_label, "middle");
+    text_ +=
+        text_at(0.5 * (left_ + right_), box_.top + box_.height - 5.0, panel_.x_label, "middle");
     text_ += fmt::format(
-        "<text transform=\"translate({:.1f} {:.1f}) rotate(-90)\" text-anchor=\"middle\">{}</text>\n",
+        "<text transform=\"translate({:.1f} {:.1f}) rotate(-90)\" "
+        "text-anchor=\"middle\">{}</text>\n",
         box_.left + font, 0.5 * (top_ + bottom_), xml_text(panel_.y_label));
   }
 
@@ -149,7 +154,8 @@ class PanelWriter {
 
   static std::string stroke(const std::string& path, const Pen& pen, Look look) {
     return fmt::format(
-        "<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"{}\" stroke-linejoin=\"round\"{}/>\n",
+        "<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"{}\" "
+        "stroke-linejoin=\"round\"{}/>\n",
         path, pen.colour, look == Look::thick ? 1.8 * line_width : line_width,
         pen.dash.empty() ? "" : " stroke-dasharray=\"" + pen.dash + "\"");
   }
@@ -158,13 +164,18 @@ class PanelWriter {
                            Look look) {
     std::string path;
     for (const auto& [x, y] : points)
-      path += look == Look::crosses   ? fmt::format("M{:.1f} {:.1f}l4 4m0 -4l-4 4", x - 2, y - 2)
-              : look == Look::circles ? fmt::format("M{:.1f} {:.1f}a2 2 0 1 0 4 0a2 2 0 1 0 -4 0", x - 2, y)
-                                      : fmt::format("M{:.1f} {:.1f}h0", x, y);
+      path += look == Look::crosses ? fmt::format("M{:.1f} {:.1f}l4 4m0 -4l-4 4", x - 2, y - 2)
+              : look == Look::circles
+                  ? fmt::format("M{:.1f} {:.1f}a2 2 0 1 0 4 0a2 2 0 1 0 -4 0", x - 2, y)
+                  : fmt::format("M{:.1f} {:.1f}h0", x, y);
     const bool dots = look == Look::dots || look == Look::line_and_dots;
     return fmt::format(
-        "<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"{}\" stroke-linecap=\"round\"/>\n",
-        path, pen.colour, look == Look::dots ? "1.3" : dots ? "2.2" : "0.8");
+        "<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"{}\" "
+        "stroke-linecap=\"round\"/>\n",
+        path, pen.colour,
+        look == Look::dots ? "1.3"
+        : dots             ? "2.2"
+                           : "0.8");
   }
 
   void curve(std::size_t k) {

@@ -121,8 +121,8 @@ Figure figure_coriolis(const CompiledModel& index) {
       {"difference without Coriolis terms",
        "small against the sensors' accuracy; no number is printed",
        fmt::format("up to {:.3g} rad", coriolis)},
-      {"torque of the finger's weight", "about 0.002 N m", fmt::format("{:.2g} N m at the base, stretched out",
-                                                                      std::abs(weight[1]))}};
+      {"torque of the finger's weight", "about 0.002 N m",
+       fmt::format("{:.2g} N m at the base, stretched out", std::abs(weight[1]))}};
   return figure;
 }
 

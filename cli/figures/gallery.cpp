@@ -46,12 +46,13 @@ std::string gallery_page(const std::vector<Figure>& figures) {
          "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src "
          "'unsafe-inline'\">\n<title>The source's figures, computed again</title>\n<style>" +
          diagnosis::page_style() + gallery_style + "</style>\n</head>\n<body>\n<main>\n" +
-         fmt::format("<p class=\"kicker\">{} figures by the emitted C</p>\n"
-                     "<h1>The source’s figures, computed again: its numbers beside ours</h1>\n"
-                     "<p>Figure and equation numbers are the source’s. Under each figure stand the "
-                     "numbers that the source prints beside those found here, and what differs.</p>"
-                     "\n<nav aria-label=\"Figures\"><ul class=\"toc\">\n{}</ul></nav>\n",
-                     figures.size(), items) +
+         fmt::format(
+             "<p class=\"kicker\">{} figures by the emitted C</p>\n"
+             "<h1>The source’s figures, computed again: its numbers beside ours</h1>\n"
+             "<p>Figure and equation numbers are the source’s. Under each figure stand the "
+             "numbers that the source prints beside those found here, and what differs.</p>"
+             "\n<nav aria-label=\"Figures\"><ul class=\"toc\">\n{}</ul></nav>\n",
+             figures.size(), items) +
          parts + "<footer><p>Written by sinew figures.</p></footer>\n</main>\n</body>\n</html>\n";
 }
 

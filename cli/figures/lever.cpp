@@ -23,7 +23,7 @@ std::vector<double> state_at(const CompiledModel& lever, const LeverParameters& 
 using std::numbers::pi;
 constexpr double spring_mismatch = 0.05, loop_share = 15.0 / 70.0, loop_length = 2e-4;
 constexpr double force_noise = 0.1, gauge_noise = 2e-6;  // N, m
-constexpr double sample_period = 0.005;                         // s
+constexpr double sample_period = 0.005;                  // s
 constexpr long sample_count = 6000;
 
 /// Three slow pulls and releases as the rig would log them. The loop follows the way with a length
@@ -145,10 +145,9 @@ Figure figure_lever_calibration(const CompiledModel& lever, const TendonWithLeve
       "error {:.3g} N with the loop and {:.3g} N without it, loop {:.3g} N at {:.3g} N.",
       spring_mismatch * 100.0, loop_share * 70.0, force_noise, r.force.degree(), r.length.degree(),
       r.largest_force_error, r.force.largest_error, r.hysteresis, r.hysteresis_at);
-  figure.numbers = {
-      {"hysteresis at about 70 N", "10 N to 20 N",
-       fmt::format("{:.3g} N at {:.3g} N", r.hysteresis, r.hysteresis_at)},
-      {"sensor", "12 bits", "12 bits"}};
+  figure.numbers = {{"hysteresis at about 70 N", "10 N to 20 N",
+                     fmt::format("{:.3g} N at {:.3g} N", r.hysteresis, r.hysteresis_at)},
+                    {"sensor", "12 bits", "12 bits"}};
   return figure;
 }
 

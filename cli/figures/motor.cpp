@@ -57,8 +57,9 @@ Series line(const std::string& title, const Eigen::ArrayXd& x, const Eigen::Arra
 
 Panel friction_panel(const FrictionCurve& curve) {
   Panel panel{"friction curve", "velocity [rad/s]", "torque [N m]", {}};
-  Series mean{"mean", {}, {}, Look::line_and_dots}, low{"minimum, maximum", {}, {}, Look::dashed, 1},
-      high{"", {}, {}, Look::dashed, 1}, model{"(3.8) fitted", {}, {}, Look::thick};
+  Series mean{"mean", {}, {}, Look::line_and_dots},
+      low{"minimum, maximum", {}, {}, Look::dashed, 1}, high{"", {}, {}, Look::dashed, 1},
+      model{"(3.8) fitted", {}, {}, Look::thick};
   for (const FrictionPoint& p : curve.points) {
     for (Series* s : {&mean, &low, &high}) s->x.push_back(p.velocity);
     mean.y.push_back(p.torque);
@@ -217,8 +218,7 @@ Figure figure_compensation(const Run& before, const Run& after) {
       "feedforward carries 0.9 of the friction and ripple that it knows exactly here. On a motor "
       "it knows them as well as they were identified.",
       simulated, first, second_peak);
-  figure.numbers = {{"amplitude at the motor's rotation frequency",
-                     "reduced; no number is printed",
+  figure.numbers = {{"amplitude at the motor's rotation frequency", "reduced; no number is printed",
                      fmt::format("{:.3g} N m, with compensation {:.3g} N m", first, second_peak)}};
   return figure;
 }

@@ -9,7 +9,6 @@
 namespace sinew {
 namespace {
 
-
 struct Case {
   int steps;
   double noise;  ///< m

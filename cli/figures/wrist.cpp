@@ -64,7 +64,10 @@ Figure constraints(const CompiledModel& wrist, const WristParameters& p) {
           "The closed form holds the lengths to the rounding of a double. The motion is given in "
           "palm angles and starts at the reference pose; the source does not print its time "
           "course.",
-          {{"flexion/extension, then abduction/adduction", "time [s]", "error [m]", {series},
+          {{"flexion/extension, then abduction/adduction",
+            "time [s]",
+            "error [m]",
+            {series},
             "rounding noise of the closed form"}},
           {{"largest error of a link's length", "numerical inaccuracies; no number is printed",
             fmt::format("{:.2g} m", most)}}};
@@ -126,11 +129,11 @@ std::vector<Figure> figures_wrist(const CompiledModel& wrist, const WristParamet
       "least; with it flexion moves the tendons by less than 0.75 mm.",
       {displacements(wrist, motion(parameters), "all tendons", "time [s]", &Palm::time, 1.0)}};
   const Panel& all = moved.panels.front();
-  moved.numbers = {{"flexion of 30°", "moves the tendons least; no number is printed",
-                    fmt::format("at most {:.2f} mm", largest_within(all, 0.0, 0.999))},
-                   {"abduction of 20°",
-                    "a large influence, in proportion to the distance from the median axis",
-                    fmt::format("at most {:.2f} mm", largest_within(all, 1.001, 2.0))}};
+  moved.numbers = {
+      {"flexion of 30°", "moves the tendons least; no number is printed",
+       fmt::format("at most {:.2f} mm", largest_within(all, 0.0, 0.999))},
+      {"abduction of 20°", "a large influence, in proportion to the distance from the median axis",
+       fmt::format("at most {:.2f} mm", largest_within(all, 1.001, 2.0))}};
   return {constraints(wrist, parameters), moved, against_angles(wrist, parameters)};
 }
 

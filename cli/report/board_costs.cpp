@@ -16,7 +16,8 @@ std::optional<long> count_of(const std::string& cell, const std::string& where) 
   long value = 0;
   const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
   if (error != std::errc() || end != cell.data() + cell.size() || value < 0)
-    throw std::runtime_error(fmt::format("{}: '{}' is no count; expected a whole number", where, cell));
+    throw std::runtime_error(
+        fmt::format("{}: '{}' is no count; expected a whole number", where, cell));
   return value;
 }
 

@@ -106,7 +106,8 @@ std::string function_section(const ModelReport& report, const std::vector<std::s
   std::string text =
       "<p>What is emitted as C: multiplications and additions of one call, and what else it "
       "computes. Error: of the rounding of the whole call, relative to the largest entry of the "
-      "result, over five states; the bound by running error analysis (to first order), what was seen "
+      "result, over five states; the bound by running error analysis (to first order), what was "
+      "seen "
       "by computing again with 50 digits.</p>\n";
   text += boards.empty()
               ? "<p class=\"small soft\">Instructions and bytes on the boards are not in a table "
@@ -119,8 +120,7 @@ std::string function_section(const ModelReport& report, const std::vector<std::s
   if (!left_out.empty())
     text += "<p class=\"small soft\">Too long to be computed on this page: " +
             escaped(joined(left_out)) + ".</p>\n";
-  text += diagnosis::folded(
-      "Try a function", "\x01");
+  text += diagnosis::folded("Try a function", "\x01");
   const std::string explorer =
       "<div class=\"choose\"><label for=\"try-function\">Function</label><select "
       "id=\"try-function\"></select></div>\n<div id=\"try-inputs\"></div>\n<h4>Results</h4>\n<div "

@@ -37,19 +37,18 @@ std::string headline(const ModelReport& report, const Facts& facts) {
   if (!report.drawing)
     return fmt::format("{}: a {} in closed form, {}", report.emitted.name, report.kind,
                        counted(report.emitted.functions.size(), "function", "functions"));
-  std::string text = fmt::format(
-      "{}: {}", report.emitted.name,
-      counted(report.drawing->coordinates.size(),
-              report.drawing->palm.empty() ? "joint" : "coordinate",
-              report.drawing->palm.empty() ? "joints" : "coordinates"));
+  std::string text = fmt::format("{}: {}", report.emitted.name,
+                                 counted(report.drawing->coordinates.size(),
+                                         report.drawing->palm.empty() ? "joint" : "coordinate",
+                                         report.drawing->palm.empty() ? "joints" : "coordinates"));
   const std::size_t tendons = tendons_of(report);
   text += tendons == 0 ? " without tendons" : " and " + counted(tendons, "tendon", "tendons");
   if (facts.closure) text += ", " + closure_words(*facts.closure);
   if (facts.reach)
-    text += fmt::format("; the {} {} mm", report.drawing->scene["tips"].size() > 1
-                                                        ? "fingertips reach"
-                                                        : "tip reaches",
-                        shown(1000.0 * facts.reach->farthest));
+    text +=
+        fmt::format("; the {} {} mm",
+                    report.drawing->scene["tips"].size() > 1 ? "fingertips reach" : "tip reaches",
+                    shown(1000.0 * facts.reach->farthest));
   return text;
 }
 
@@ -61,14 +60,15 @@ std::string fact_card(const ModelReport& report) {
   std::string text = fact("Functions emitted", std::to_string(report.emitted.functions.size()));
   for (const auto& [name, title] :
        {std::pair("inverse_dynamics", "Inverse dynamics"), std::pair("bias", "Bias"),
-        std::pair("coupling_matrix", "Coupling matrix"), std::pair("tendon_jacobian", "Coupling matrix")})
+        std::pair("coupling_matrix", "Coupling matrix"),
+        std::pair("tendon_jacobian", "Coupling matrix")})
     if (const Graph* graph = function_named(report.emitted, name))
       text += fact(std::string(title) + ", × and +",
                    std::to_string(count_operations(*graph).operations()));
-  text += fact("Since the last generation",
-               report.compared_with.empty() ? "never generated"
-               : report.changes.empty()     ? "no change"
-                                            : fmt::format("{} changed", report.changes.size()));
+  text += fact("Since the last generation", report.compared_with.empty() ? "never generated"
+                                            : report.changes.empty()
+                                                ? "no change"
+                                                : fmt::format("{} changed", report.changes.size()));
   return "<div class=\"card\"><dl class=\"facts\">\n" + text + "</dl></div>\n";
 }
 
@@ -80,10 +80,12 @@ std::string pose_buttons(const ModelReport& report) {
       "<div class=\"buttons\">";
   const bool tips = !report.drawing->scene["tips"].empty();
   if (tips && report.drawing->palm.size() != report.drawing->coordinates.size())
-    text += "<button id=\"show-reach\" type=\"button\" aria-pressed=\"false\">Show workspace</button>";
+    text +=
+        "<button id=\"show-reach\" type=\"button\" aria-pressed=\"false\">Show workspace</button>";
   if (!report.stiffness.empty() && tips && !report.drawing->scene["tips"][0]["fn"].is_null())
-    text += "<button id=\"show-ellipse\" type=\"button\" aria-pressed=\"true\">Stiffness ellipse"
-            "</button>";
+    text +=
+        "<button id=\"show-ellipse\" type=\"button\" aria-pressed=\"true\">Stiffness ellipse"
+        "</button>";
   return text + "</div>\n";
 }
 
@@ -98,18 +100,20 @@ std::string slider_row(const std::string& id, const std::string& label, double l
 
 std::string force_controls(const ModelReport& report) {
   if (report.coupling.empty()) return "";
-  std::string text = "<fieldset><legend>Tendons</legend>\n" +
-                     slider_row("least", "Least tension", 0.0, 0.5 * report.force_high,
-                                0.15 * report.force_high);
+  std::string text =
+      "<fieldset><legend>Tendons</legend>\n" +
+      slider_row("least", "Least tension", 0.0, 0.5 * report.force_high, 0.15 * report.force_high);
   if (!report.stiffness.empty())
     text += slider_row("stiffness", "Stiffness", report.stiffness_low / 1000.0,
                        report.stiffness_high / 1000.0,
                        std::sqrt(report.stiffness_low * report.stiffness_high) / 1000.0);
   if (!report.gravity.empty())
-    text += "<p><label><input type=\"checkbox\" id=\"weight\" checked> They carry the bodies’ "
-            "weight</label></p>\n";
+    text +=
+        "<p><label><input type=\"checkbox\" id=\"weight\" checked> They carry the bodies’ "
+        "weight</label></p>\n";
   return text +
-         "</fieldset>\n<p class=\"small soft\">Colours: the smallest tensions, none below the least "
+         "</fieldset>\n<p class=\"small soft\">Colours: the smallest tensions, none below the "
+         "least "
          "one, that hold the pose. <span id=\"magnified\"></span></p>\n";
 }
 
@@ -121,7 +125,8 @@ std::string controls(const ModelReport& report) {
 
 /// Of a model without bodies: what its functions give.
 std::string curves() {
-  return "<div class=\"card\"><div class=\"choose\"><label for=\"curve-function\">Function</label><select "
+  return "<div class=\"card\"><div class=\"choose\"><label "
+         "for=\"curve-function\">Function</label><select "
          "id=\"curve-function\"></select><label for=\"curve-input\">over</label><select "
          "id=\"curve-input\"></select></div>\n<div id=\"curve-plots\" class=\"figures "
          "drawn\"></div></div>\n";
@@ -152,15 +157,15 @@ std::string model_page(const ModelReport& report) {
                       "</code></p>\n<h1>" + escaped(title) + "</h1>\n";
   first += report.drawing ? stage(report, controls(report)) : curves();
   first += "<div class=\"pair\" style=\"margin-top:1rem\">" + fact_card(report) + "</div>\n";
-  const std::string body =
-      workspace_section(report, facts.reach) + along_section(report) +
-      closure_section(report, facts.closure) + function_section(report, left_out) +
-      change_section(report) + equation_section(report) + table_section(report) +
-      missing_section(report);
-  return document("Model " + title, first + contents(body) + body +
-                                        fmt::format("<footer><p>Written by sinew report. Model: "
-                                                    "sha256 {}.</p></footer>\n",
-                                                    report.emitted.hash),
+  const std::string body = workspace_section(report, facts.reach) + along_section(report) +
+                           closure_section(report, facts.closure) +
+                           function_section(report, left_out) + change_section(report) +
+                           equation_section(report) + table_section(report) +
+                           missing_section(report);
+  return document("Model " + title, first + contents(body),
+                  body + fmt::format("<footer><p>Written by sinew report. Model: "
+                                     "sha256 {}.</p></footer>\n",
+                                     report.emitted.hash),
                   data_of(report, graphs), graphs);
 }
 

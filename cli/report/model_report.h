@@ -38,15 +38,15 @@ struct ModelReport {
   std::optional<DrawnScene> drawing;
   // Names of emitted functions; "" where the model does not have them.
   std::string lengths, coupling, stiffness, gravity;
-  std::vector<int> held;  ///< coordinates that tendons have to hold
-  std::vector<int> free;  ///< columns of the coupling that something else holds
-  double force_high = 100.0;                                 ///< N
-  double stiffness_low = 1.0e3, stiffness_high = 5.0e4;      ///< N/m
-  std::vector<TableOfModel> tables;                          ///< bodies, joints, tendons
+  std::vector<int> held;      ///< coordinates that tendons have to hold
+  std::vector<int> free;      ///< columns of the coupling that something else holds
+  double force_high = 100.0;  ///< N
+  double stiffness_low = 1.0e3, stiffness_high = 5.0e4;  ///< N/m
+  std::vector<TableOfModel> tables;                      ///< bodies, joints, tendons
   std::vector<BoardCost> boards;
   std::string boards_from;  ///< the table's file; "" where there was none
   std::vector<ChangedFunction> changes;
-  std::string compared_with;       ///< folder of the C before; "" where there is none
+  std::string compared_with;         ///< folder of the C before; "" where there is none
   std::vector<std::string> missing;  ///< what this kind of model does not have, and why
   std::vector<std::string> warnings;
   std::string equations;  ///< HTML; "" where there are none

@@ -39,21 +39,23 @@ std::string workspace_section(const ModelReport& report, const std::optional<Rea
   };
   return section(
       "workspace", "Workspace",
-      fmt::format("<p>Where the {} over the whole range of all joints: x {}, y {}, z {}; at most {} "
-                  "mm from the origin. Each dot is one pose of joints spread evenly over their "
-                  "ranges.</p>\n",
-                  report.drawing->scene["tips"].size() > 1 ? "fingertips get" : "tip gets",
-                  span(0), span(1), span(2), millimetres(reach->farthest)) +
+      fmt::format(
+          "<p>Where the {} over the whole range of all joints: x {}, y {}, z {}; at most {} "
+          "mm from the origin. Each dot is one pose of joints spread evenly over their "
+          "ranges.</p>\n",
+          report.drawing->scene["tips"].size() > 1 ? "fingertips get" : "tip gets", span(0),
+          span(1), span(2), millimetres(reach->farthest)) +
           plots_at("workspace-plots", " three"));
 }
 
 std::string along_section(const ModelReport& report) {
   if (!report.drawing) return "";
-  const bool tips = !report.drawing->scene["tips"].empty() &&
-                    !report.drawing->scene["tips"][0]["fn"].is_null();
+  const bool tips =
+      !report.drawing->scene["tips"].empty() && !report.drawing->scene["tips"][0]["fn"].is_null();
   if (report.coupling.empty() && !tips) return "";
   std::string text =
-      "<p>Curves along one joint, the others as the sliders above have them; the upright line marks "
+      "<p>Curves along one joint, the others as the sliders above have them; the upright line "
+      "marks "
       "the slider.</p>\n<div class=\"choose\"><label for=\"along\">Joint</label><select "
       "id=\"along\"></select></div>\n";
   if (!report.coupling.empty())
@@ -89,9 +91,10 @@ std::string closure_section(const ModelReport& report, const std::optional<Closu
 
 std::string change_section(const ModelReport& report) {
   if (report.compared_with.empty())
-    return section("changes", "Against the previous generation",
-                   "<p>There is no C of this model yet to compare with: <code>sinew generate</code> "
-                   "writes it.</p>");
+    return section(
+        "changes", "Against the previous generation",
+        "<p>There is no C of this model yet to compare with: <code>sinew generate</code> "
+        "writes it.</p>");
   if (report.changes.empty())
     return section("changes", "Against the previous generation",
                    "<p>The model gives what <code>" + escaped_name(report.compared_with) +
@@ -103,18 +106,17 @@ std::string change_section(const ModelReport& report) {
   return section("changes", "Against the previous generation",
                  fmt::format("<p>{} from <code>{}</code>. Results: largest change at the reference "
                              "pose.</p>\n",
-                             report.changes.size() == 1 ? "One function differs"
-                                                        : fmt::format("{} functions differ",
-                                                                      report.changes.size()),
+                             report.changes.size() == 1
+                                 ? "One function differs"
+                                 : fmt::format("{} functions differ", report.changes.size()),
                              escaped_name(report.compared_with)) +
                      table.html());
 }
 
 std::string equation_section(const ModelReport& report) {
-  return section("equations", "Equations",
-                 report.equations.empty()
-                     ? ""
-                     : "<div class=\"equations\">" + report.equations + "</div>");
+  return section(
+      "equations", "Equations",
+      report.equations.empty() ? "" : "<div class=\"equations\">" + report.equations + "</div>");
 }
 
 std::string table_section(const ModelReport& report) {
@@ -129,9 +131,9 @@ std::string table_section(const ModelReport& report) {
     text += table.html();
   }
   std::string warnings;
-  for (const std::string& warning : report.warnings) warnings += "<li>" + escaped(warning) + "</li>";
-  if (!warnings.empty())
-    text += "<h3>Possible, but hardly meant</h3>\n<ul>" + warnings + "</ul>\n";
+  for (const std::string& warning : report.warnings)
+    warnings += "<li>" + escaped(warning) + "</li>";
+  if (!warnings.empty()) text += "<h3>Possible, but hardly meant</h3>\n<ul>" + warnings + "</ul>\n";
   return section("model", "The model", text);
 }
 

@@ -89,7 +89,7 @@ std::size_t first_along(const DrawnScene& drawing) {
 
 }  // namespace
 
-std::string document(const std::string& title, const std::string& body,
+std::string document(const std::string& title, const std::string& first, const std::string& rest,
                      const nlohmann::ordered_json& data, const std::vector<Graph>& graphs) {
   const std::string script = program_of(graphs);
   return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
@@ -98,12 +98,13 @@ std::string document(const std::string& title, const std::string& body,
          "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src "
          "'unsafe-inline'; script-src 'sha256-" +
          base64_hash(script) + "'\">\n<title>" + escaped(title) + "</title>\n<style>" +
-         diagnosis::page_style() + page_sheet + "</style>\n</head>\n<body>\n<main>\n" + body +
-         "<noscript><p class=\"note\">Without JavaScript this page has no drawing and no curves; its "
-         "texts and tables are complete.</p></noscript>\n</main>\n"
+         diagnosis::page_style() + page_sheet + "</style>\n</head>\n<body>\n<main>\n" + first +
+         "<noscript><p class=\"note\">Without JavaScript this page has no drawing and no curves; "
+         "its "
+         "texts and tables are complete.</p></noscript>\n"
          "<script type=\"application/json\" id=\"data\">" +
          inside_script(data.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace)) +
-         "</script>\n<script>" + script + "</script>\n</body>\n</html>\n";
+         "</script>\n<script>" + script + "</script>\n" + rest + "</main>\n</body>\n</html>\n";
 }
 
 std::vector<Graph> functions_of_page(const ModelReport& report,
@@ -138,14 +139,15 @@ nlohmann::ordered_json data_of(const ModelReport& report, const std::vector<Grap
   data["coordinates"] = coordinates_json(drawing);
   data["view"] = {{"yaw", drawing.yaw}, {"pitch", drawing.pitch}, {"zoom", 1.0}};
   if (!drawing.palm.empty())
-    data["palm"] = {{"at", drawing.palm},
-                    {"inverse", "wrist_bar_angles"},
-                    {"forward", "wrist_palm_angles"}};
+    data["palm"] = {
+        {"at", drawing.palm}, {"inverse", "wrist_bar_angles"}, {"forward", "wrist_palm_angles"}};
   for (const auto& [key, name] :
        {std::pair("lengths", &report.lengths), std::pair("coupling", &report.coupling),
         std::pair("stiffness", &report.stiffness), std::pair("gravity", &report.gravity)})
-    if (name->empty()) data[key] = nullptr;
-    else data[key] = *name;
+    if (name->empty())
+      data[key] = nullptr;
+    else
+      data[key] = *name;
   data["held"] = report.held;
   data["free"] = report.free;
   data["along"] = first_along(drawing);

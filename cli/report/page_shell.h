@@ -15,10 +15,11 @@ namespace sinew {
 extern const char* const page_program;
 extern const char* const page_sheet;
 
-/// A whole HTML document. `data` is what the page's program reads; the functions of `graphs` are
-/// there under their names. The policy names the hash of the one script: no other one runs, and
-/// nothing is asked for.
-std::string document(const std::string& title, const std::string& body,
+/// A whole HTML document: the first screen, the program, and the rest of the page behind it, so
+/// that the drawing stands before the rest is read. `data` is what the program reads; the functions
+/// of `graphs` are there under their names. The policy names the hash of the one script: no other
+/// one runs, and nothing is asked for.
+std::string document(const std::string& title, const std::string& first, const std::string& rest,
                      const nlohmann::ordered_json& data, const std::vector<Graph>& graphs);
 
 /// Functions that the page computes with: the model's own and those of its drawing, but those too

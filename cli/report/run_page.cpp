@@ -60,7 +60,8 @@ std::vector<ChannelGroup> groups_of(const RecordedRun& run) {
     const Channel channel = channel_of(run.columns()[k]);
     const std::string title = quantity_of(channel);
     if (groups.empty() || groups.back().title != title || groups.back().unit != channel.unit)
-      groups.push_back({title, channel.unit, fmt::format("channels-{}", groups.size()), nlohmann::ordered_json::array()});
+      groups.push_back({title, channel.unit, fmt::format("channels-{}", groups.size()),
+                        nlohmann::ordered_json::array()});
     groups.back().columns.push_back({channel.name, k - 1});
   }
   return groups;
@@ -103,7 +104,8 @@ double size_of(const std::vector<double>& values) {
 nlohmann::ordered_json energy_plots(const RunReport& report) {
   nlohmann::ordered_json plots = nlohmann::ordered_json::array();
   if (report.books.time.size() < 2) return plots;
-  nlohmann::ordered_json series = nlohmann::ordered_json::array({{{"name", "energy"}, {"y", report.books.energy}}});
+  nlohmann::ordered_json series =
+      nlohmann::ordered_json::array({{{"name", "energy"}, {"y", report.books.energy}}});
   plots.push_back({{"title", "Energy"},
                    {"yLabel", "kinetic, of gravity, in levers and tendons [J]"},
                    {"series", series}});
@@ -112,7 +114,8 @@ nlohmann::ordered_json energy_plots(const RunReport& report) {
   for (std::size_t i = 0; i < report.books.work.size(); ++i) {
     most = std::max(most, size_of(report.books.work[i]));
     if (size_of(report.books.work[i]) > 0.0)
-      series.push_back({{"name", spoken(report.powers.at(i))}, {"key", true}, {"y", report.books.work[i]}});
+      series.push_back(
+          {{"name", spoken(report.powers.at(i))}, {"key", true}, {"y", report.books.work[i]}});
   }
   if (!series.empty())
     plots.push_back({{"title", "Work since the start"},
@@ -124,23 +127,23 @@ nlohmann::ordered_json energy_plots(const RunReport& report) {
        {"note", fmt::format("At most {} of the largest energy or work: the integrator’s error and "
                             "rounding.",
                             shown(most > 0.0 ? size_of(report.books.missing) / most : 0.0))},
-       {"series", nlohmann::ordered_json::array({{{"name", "missing"}, {"y", report.books.missing}}})}});
+       {"series",
+        nlohmann::ordered_json::array({{{"name", "missing"}, {"y", report.books.missing}}})}});
   return plots;
 }
 
 nlohmann::ordered_json run_json(const RunReport& report, const std::vector<ChannelGroup>& groups) {
-  nlohmann::ordered_json run{{"instants", report.run.instants()},
-           {"times", report.run.packed_times()},
-           {"packed", report.run.packed_values()},
-           {"coordinates", coordinate_columns(report)},
-           {"forces", force_columns(report)},
-           {"slackBelow", 1e-9},
-           {"energyTime", report.books.time},
-           {"energy", energy_plots(report)}};
+  nlohmann::ordered_json run{
+      {"instants", report.run.instants()},    {"times", report.run.packed_times()},
+      {"packed", report.run.packed_values()}, {"coordinates", coordinate_columns(report)},
+      {"forces", force_columns(report)},      {"slackBelow", 1e-9},
+      {"energyTime", report.books.time},      {"energy", energy_plots(report)}};
   run["groups"] = nlohmann::ordered_json::array();
   for (const ChannelGroup& group : groups)
-    run["groups"].push_back(
-        {{"id", group.id}, {"title", group.title}, {"unit", group.unit}, {"columns", group.columns}});
+    run["groups"].push_back({{"id", group.id},
+                             {"title", group.title},
+                             {"unit", group.unit},
+                             {"columns", group.columns}});
   run["slack"] = nlohmann::ordered_json::array();
   for (const SlackSpan& span : report.slack)
     run["slack"].push_back(nlohmann::ordered_json::array({span.tendon, span.from, span.to}));
@@ -151,15 +154,16 @@ std::string slack_words(const RunReport& report) {
   if (!report.knows_slack) return "";
   std::set<std::string> tendons;
   for (const SlackSpan& span : report.slack) tendons.insert(span.tendon);
-  return tendons.empty() ? "; no tendon went slack"
-                         : fmt::format("; {} went slack", counted(tendons.size(), "tendon", "tendons"));
+  return tendons.empty()
+             ? "; no tendon went slack"
+             : fmt::format("; {} went slack", counted(tendons.size(), "tendon", "tendons"));
 }
 
 std::string run_headline(const RunReport& report) {
   double most = size_of(report.books.energy);
   for (const std::vector<double>& work : report.books.work) most = std::max(most, size_of(work));
-  std::string text = fmt::format("{}: {} s simulated", report.model.emitted.name,
-                                 shown(report.duration));
+  std::string text =
+      fmt::format("{}: {} s simulated", report.model.emitted.name, shown(report.duration));
   if (most > 0.0)
     text += fmt::format("; the energy books close to {} J of {} J",
                         shown(size_of(report.books.missing)), shown(most));
@@ -184,11 +188,10 @@ std::string run_controls(const RunReport& report) {
 
 std::string slack_section(const RunReport& report) {
   if (!report.knows_slack) return "";
-  return diagnosis::section(
-      "slack", "Slack",
-      report.slack.empty()
-          ? "<p>Every tendon was under tension all the time.</p>\n"
-          : "<div id=\"slack-plot\" class=\"figures drawn\"></div>\n");
+  return diagnosis::section("slack", "Slack",
+                            report.slack.empty()
+                                ? "<p>Every tendon was under tension all the time.</p>\n"
+                                : "<div id=\"slack-plot\" class=\"figures drawn\"></div>\n");
 }
 
 std::string channel_section(const RunReport& report, const std::vector<ChannelGroup>& groups) {
@@ -200,7 +203,8 @@ std::string channel_section(const RunReport& report, const std::vector<ChannelGr
   for (const ChannelGroup& group : groups) {
     const std::string inside = "<div class=\"figures drawn\"></div>";
     text += fmt::format(
-        "<details id=\"{}\"{}><summary>{} [{}], {}</summary><div class=\"inside\">{}</div></details>\n",
+        "<details id=\"{}\"{}><summary>{} [{}], {}</summary><div "
+        "class=\"inside\">{}</div></details>\n",
         group.id, open ? " open" : "", escaped(group.title), escaped(group.unit),
         counted(group.columns.size(), "channel", "channels"), inside);
     open = false;
@@ -224,17 +228,19 @@ std::string run_page(const RunReport& report) {
                      escaped_name(report.model.emitted.name) + "</b> (" +
                      escaped(report.model.emitted.description) + ") · <code>" +
                      escaped_name(report.what) + "</code></p>\n<h1>" + escaped(title) + "</h1>\n";
-  body += model.drawing ? stage(model, run_controls(report))
-                        : "<div class=\"card\">" + run_controls(report) +
-                              "<p class=\"small soft\">This kind of model has no drawing.</p></div>\n";
-  body += diagnosis::section("energy", "Energy",
-                             report.books.time.size() < 2
-                                 ? ""
-                                 : "<div id=\"energy-plots\" class=\"figures drawn\"></div>\n") +
-          slack_section(report) + channel_section(report, groups) +
-          "<p class=\"small soft\" id=\"agreement\"></p>\n"
-          "<footer><p>Written by sinew simulate.</p></footer>\n";
-  return document("Simulation of " + title, body, data, graphs);
+  body += model.drawing
+              ? stage(model, run_controls(report))
+              : "<div class=\"card\">" + run_controls(report) +
+                    "<p class=\"small soft\">This kind of model has no drawing.</p></div>\n";
+  const std::string first = std::move(body);
+  body = diagnosis::section("energy", "Energy",
+                            report.books.time.size() < 2
+                                ? ""
+                                : "<div id=\"energy-plots\" class=\"figures drawn\"></div>\n") +
+         slack_section(report) + channel_section(report, groups) +
+         "<p class=\"small soft\" id=\"agreement\"></p>\n"
+         "<footer><p>Written by sinew simulate.</p></footer>\n";
+  return document("Simulation of " + title, first, body, data, graphs);
 }
 
 }  // namespace sinew

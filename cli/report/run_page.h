@@ -21,7 +21,7 @@ struct RunReport {
   RecordedBooks books;
   std::vector<std::string> powers;  ///< what the books' columns of work are called
   std::vector<SlackSpan> slack;
-  bool knows_slack = false;  ///< whether slack was looked for
+  bool knows_slack = false;                                ///< whether slack was looked for
   std::vector<std::pair<std::string, std::string>> facts;  ///< name and value, in words
 };
 

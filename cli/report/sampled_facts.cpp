@@ -73,9 +73,9 @@ std::vector<std::vector<double>> spread_inputs(const Graph& graph, int count) {
     for (const Port& port : graph.inputs)
       for (std::size_t i = 0; i < static_cast<std::size_t>(port.size()); ++i) {
         const double share = halton(k, inputs.size());
-        inputs.push_back(port.ranges.empty()
-                             ? 0.0
-                             : port.ranges[i].low + share * (port.ranges[i].high - port.ranges[i].low));
+        inputs.push_back(port.ranges.empty() ? 0.0
+                                             : port.ranges[i].low + share * (port.ranges[i].high -
+                                                                             port.ranges[i].low));
       }
     all.push_back(std::move(inputs));
   }

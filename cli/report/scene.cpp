@@ -83,7 +83,8 @@ int add_four_bar(DrawnScene& drawn, SceneWriter& scene, const Hand& hand, int cr
   for (std::size_t i = 0; i < hand.four_bar_channels.size(); ++i) {
     const auto channel = static_cast<std::size_t>(hand.four_bar_channels[i]);
     Json path = wrist_path(hand.wrist, channel);
-    path.push_back(path_point(ground, Vector3d(0, i ? -bars.pulley_radius : bars.pulley_radius, 0)));
+    path.push_back(
+        path_point(ground, Vector3d(0, i ? -bars.pulley_radius : bars.pulley_radius, 0)));
     scene.tendon(channel, hand.four_bar_name + " " + std::to_string(i + 1), std::move(path));
   }
   drawn.functions.push_back(named(four_bar_coupler_pose(bars), pose));

@@ -22,8 +22,8 @@ struct DrawnCoordinate {
   double low = 0.0, high = 0.0, reference = 0.0;
 };
 
-/// A drawing. The JSON is what cli/report/page/mechanism.js and drawing.js read: lengths in m, poses
-/// [R p] row by row, frames and tendons by number.
+/// A drawing. The JSON is what cli/report/page/mechanism.js and drawing.js read: lengths in m,
+/// poses [R p] row by row, frames and tendons by number.
 struct DrawnScene {
   nlohmann::ordered_json scene;
   std::vector<DrawnCoordinate> coordinates;

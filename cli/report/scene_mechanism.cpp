@@ -64,14 +64,13 @@ class MechanismWriter {
 
   void add_frame(const Frame& frame, std::size_t number) {
     const bool last = mechanism_.frames.empty();
-    const int body =
-        last ? static_cast<int>(mechanism_.bodies.size()) - 1 : body_named(frame.body);
+    const int body = last ? static_cast<int>(mechanism_.bodies.size()) - 1 : body_named(frame.body);
     const int carrier = body < 0 ? base_ : frame_of(body);
     scene_.bone(named(frame.name), carrier, Vector3d::Zero(), carrier, frame.pose.translation);
     if (number == 0)
-      scene_.tip(place_.group.empty() ? (last ? mechanism_.bodies.back().name : frame.name)
-                                      : place_.group,
-                 carrier, frame.pose.translation, place_.jacobian, place_.arguments, base_);
+      scene_.tip(
+          place_.group.empty() ? (last ? mechanism_.bodies.back().name : frame.name) : place_.group,
+          carrier, frame.pose.translation, place_.jacobian, place_.arguments, base_);
   }
 
   /// Where a body leads on from its joint, in its frame: to the next joint on the way to `towards`,
@@ -87,9 +86,7 @@ class MechanismWriter {
     return mechanism_.bodies[static_cast<std::size_t>(body)].centre_of_mass;
   }
 
-  static Vector3d across(const Vector3d& v, const Vector3d& axis) {
-    return v - v.dot(axis) * axis;
-  }
+  static Vector3d across(const Vector3d& v, const Vector3d& axis) { return v - v.dot(axis) * axis; }
 
   struct Bend {
     Vector3d axis;  ///< in the child's frame, which is the joint's
@@ -105,8 +102,8 @@ class MechanismWriter {
     if (bend.out.norm() < 1e-9) bend.out = bend.axis.unitOrthogonal();
     bend.out.normalize();
     const Vector3d axis_before = own.origin.rotation * bend.axis;
-    bend.in = own.parent < 0 ? Vector3d(Vector3d::Zero())
-                             : across(own.origin.translation, axis_before);
+    bend.in =
+        own.parent < 0 ? Vector3d(Vector3d::Zero()) : across(own.origin.translation, axis_before);
     if (bend.in.norm() < 1e-9) bend.in = own.origin.rotation * bend.out;
     bend.in.normalize();
     return bend;
@@ -176,9 +173,9 @@ class MechanismWriter {
                       {"r", radius}});
     }
     const Bend end = bend_at(last, last);
-    path.push_back(path_point(frame_of(last), 0.45 * across(onward(last, last), end.axis) -
-                                                  radius_at(tendon, last) *
-                                                      end.axis.cross(end.out)));
+    path.push_back(
+        path_point(frame_of(last), 0.45 * across(onward(last, last), end.axis) -
+                                       radius_at(tendon, last) * end.axis.cross(end.out)));
   }
 
   SceneWriter& scene_;

@@ -117,8 +117,8 @@ std::vector<DrawnCoordinate> coordinates_of(const Mechanism& mechanism, const st
 void add_wrist(SceneWriter& scene, const WristParameters& wrist, int first) {
   const double b = wrist.width, c = wrist.thickness;
   const int forearm = scene.fixed_frame("forearm", -1, {});
-  const int palm = 1 + scene.moving_frames("palm", forearm, {}, "wrist_pose", {first, first + 1}, 1,
-                                           4);
+  const int palm =
+      1 + scene.moving_frames("palm", forearm, {}, "wrist_pose", {first, first + 1}, 1, 4);
   const Vector3d A0(0, b / 2, c), B0(0, 0, 0), C0(0, b, 0);
   const Vector3d A(0, 0, -c / 2), B(0, b / 2, c / 2), C(0, -b / 2, c / 2);
   scene.bone("bar A0 to A", forearm, A0, palm, A);

@@ -47,12 +47,12 @@ Json path_point(int frame, const Eigen::Vector3d& p);
 
 /// Where a mechanism stands in a scene.
 struct MechanismPlace {
-  std::string group;               ///< before its bodies' names; "" for none
-  std::string poses, jacobian;     ///< names of the functions body_poses and tip_jacobian
-  int parent = -1;                 ///< frame that its base is fixed to
+  std::string group;            ///< before its bodies' names; "" for none
+  std::string poses, jacobian;  ///< names of the functions body_poses and tip_jacobian
+  int parent = -1;              ///< frame that its base is fixed to
   Transform base;
-  std::vector<int> arguments;      ///< its coordinates in the state
-  std::vector<std::size_t> channels;  ///< number of each of its tendons
+  std::vector<int> arguments;          ///< its coordinates in the state
+  std::vector<std::size_t> channels;   ///< number of each of its tendons
   std::map<std::size_t, Json> before;  ///< by number: the path before it reaches the mechanism
 };
 

@@ -70,9 +70,12 @@ std::string latex_document(const EquationPage& page) {
 
 std::string html_document(const EquationPage& page) {
   return fmt::format(
-             "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" "
-             "content=\"width=device-width\"><title>{0}</title>\n<style>body{{font-family:sans-serif;"
-             "max-width:70em;margin:auto;padding:1em}}math{{overflow-x:auto;display:block}}td math{{"
+             "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta "
+             "name=\"viewport\" "
+             "content=\"width=device-width\"><title>{0}</"
+             "title>\n<style>body{{font-family:sans-serif;"
+             "max-width:70em;margin:auto;padding:1em}}math{{overflow-x:auto;display:block}}td "
+             "math{{"
              "display:inline}}td,th{{text-align:left;padding:0 1em 0 0}}</style></head><body>\n"
              "<h1>{0}</h1>\n",
              html_escaped(page.title)) +
@@ -116,14 +119,17 @@ std::string html_sections(const EquationPage& page, int level, bool folds) {
     if (folds) text += "</div></details>\n";
   }
   text += fmt::format(
-      "<h{0}>Symbols</h{0}>\n<table><thead><tr><th scope=\"col\">symbol</th><th scope=\"col\">meaning"
-      "</th><th scope=\"col\">value</th><th scope=\"col\">unit</th><th scope=\"col\">origin</th></tr>"
+      "<h{0}>Symbols</h{0}>\n<table><thead><tr><th scope=\"col\">symbol</th><th "
+      "scope=\"col\">meaning"
+      "</th><th scope=\"col\">value</th><th scope=\"col\">unit</th><th "
+      "scope=\"col\">origin</th></tr>"
       "</thead><tbody>\n",
       level);
   for (const EquationSymbol& symbol : page.symbols)
     text += fmt::format(
         "<tr><th scope=\"row\"><math>{}</math></th><td data-label=\"meaning\">{}</td><td "
-        "data-label=\"value\">{}</td><td data-label=\"unit\">{}</td><td data-label=\"origin\">{}</td>"
+        "data-label=\"value\">{}</td><td data-label=\"unit\">{}</td><td "
+        "data-label=\"origin\">{}</td>"
         "</tr>\n",
         mathml_name(symbol.name), html_escaped(symbol.meaning), value_text(symbol),
         html_escaped(symbol.unit), html_escaped(symbol.origin));

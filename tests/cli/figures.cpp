@@ -111,7 +111,8 @@ TEST_CASE("chapter 6's figures stand beside the source's words, and rounding is 
   const Workplace here;
   draw(here, "6");
   const std::string page = here.text("figures/index.html");
-  // Planted defect: without `noise_` in draw_panel.cpp and the panel's note nothing says what 1e-17 is.
+  // Planted defect: without `noise_` in draw_panel.cpp and the panel's note nothing says what 1e-17
+  // is.
   CHECK(page.find("rounding noise") != std::string::npos);
   CHECK(page.find("<th scope=\"col\">The source</th><th scope=\"col\">Here</th>") !=
         std::string::npos);

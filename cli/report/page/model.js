@@ -76,7 +76,7 @@ const refresh = () => {
   if (legend) legend.textContent = now.forces ? shown(drawing.mostForce) + ' N' : '–';
   readout(now);
   clearTimeout(refresh.later);
-  refresh.later = setTimeout(along, 60);
+  if (rest.done) refresh.later = setTimeout(along, 60);
 };
 
 /// Plots along the joint chosen, the others as they are.
@@ -225,11 +225,18 @@ const startModel = () => {
     if (input) input.addEventListener('input', () => { tellForces(); refresh(); });
   }
   tellForces();
-  choices('along', data.coordinates.map((c, i) => [i, (c.group ? c.group + ', ' : '') + c.label]), along);
-  if (data.along !== undefined && byId('along')) byId('along').value = data.along;
   drawing.tell('');
   drawing.refitWhenResized();
 };
+
+/// What stands below the first screen.
+const finishModel = () => {
+  workspace();
+  choices('along', data.coordinates.map((c, i) => [i, (c.group ? c.group + ', ' : '') + c.label]), along);
+  if (byId('along')) byId('along').value = data.along;
+  along();
+};
+
 const tellForces = () => {
   for (const [id, unit] of [['least', ' N'], ['stiffness', ' N/mm']])
     if (byId(id)) {

@@ -121,20 +121,21 @@ std::string from_base64(const std::string& text) {
 ShownPages show(const std::vector<ShownPage>& pages, const nlohmann::json& calls) {
   std::string html = "<!DOCTYPE html><html><head><meta charset=\"utf-8\"></head><body>";
   for (const ShownPage& page : pages)
-    html += "<iframe title=\"" + page.name + "\" style=\"border:0;height:900px;width:" +
-            std::to_string(page.width) + "px;color-scheme:" + (page.dark ? "dark" : "light") +
-            "\" srcdoc=\"" + diagnosis::escaped(page.html) + "\"></iframe>";
+    html += "<iframe title=\"" + page.name +
+            "\" style=\"border:0;height:900px;width:" + std::to_string(page.width) +
+            "px;color-scheme:" + (page.dark ? "dark" : "light") + "\" srcdoc=\"" +
+            diagnosis::escaped(page.html) + "\"></iframe>";
   html += "<script type=\"application/json\" id=\"wanted\">" +
           (calls.is_null() ? std::string("{}") : calls.dump()) + "</script>";
   const std::string output = browsed(html + kProbe + "</body></html>\n");
   const std::size_t at = output.rfind("SEEN "), end = output.rfind(" END");
-  const std::string json =
-      at == std::string::npos || end == std::string::npos || end < at
-          ? ""
-          : from_base64(output.substr(at + 5, end - at - 5));
+  const std::string json = at == std::string::npos || end == std::string::npos || end < at
+                               ? ""
+                               : from_base64(output.substr(at + 5, end - at - 5));
   ShownPages shown{nlohmann::json::parse(json, nullptr, false), console_lines(output)};
   if (!shown.seen.is_object() || shown.seen.size() != pages.size())
-    throw std::runtime_error("the browser did not answer for all pages:\n" + output.substr(0, 4000));
+    throw std::runtime_error("the browser did not answer for all pages:\n" +
+                             output.substr(0, 4000));
   return shown;
 }
 
