@@ -122,7 +122,7 @@ std::vector<Graph> functions_of_page(const ModelReport& report,
 }
 
 nlohmann::ordered_json data_of(const ModelReport& report, const std::vector<Graph>& graphs) {
-  nlohmann::ordered_json data, functions, reference;
+  nlohmann::ordered_json data, functions = nlohmann::ordered_json::object(), reference = functions;
   for (const Graph& graph : graphs) {
     functions[graph.name] = ports_json(graph);
     for (const std::vector<double>& inputs : {reference_inputs(graph), beside_inputs(graph)})

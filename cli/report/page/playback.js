@@ -126,7 +126,7 @@ const startRun = () => {
     drawing = new Drawing(byId('drawing'));
     drawing.magnified = 1;
     drawing.slackBelow = run.slackBelow;
-    drawing.mostForce = run.forces.length ? Math.max(1, ...run.forces.map(k => largest(channel(k, 2)))) : 1;
+    drawing.mostForce = run.forces.length ? 1.4 * Math.max(1, ...run.forces.map(k => largest(channel(k, 2)))) : 1;
     drawing.frames = framesAt(stateOf(data.coordinates.map(c => c.reference)));
     const legend = byId('force-most');
     if (legend) legend.textContent = shown(drawing.mostForce) + ' N';

@@ -52,6 +52,16 @@ std::string run_of(const Workplace& here) {
   return here.text("run.html");
 }
 
+/// A motor alone has no drawing.
+std::string motor_run_of(const Workplace& here) {
+  const Ended run = here.sinew({"simulate", "models/motor", "--scenario",
+                                "models/motor/scenarios/ripple.toml", "--out", "motor.csv",
+                                "--report", "motor_run.html", "--runtime", source + "/runtime"});
+  INFO(run.output);
+  REQUIRE(run.status == 0);
+  return here.text("motor_run.html");
+}
+
 std::string arm_of(const Workplace& here) {
   REQUIRE(here.sinew({"import", source + "/benchmarks/robots/panda.urdf", "--out", "models/panda"})
               .status == 0);
@@ -102,7 +112,7 @@ TEST_CASE("pages of models and runs can be used on a desk and on a phone, in lig
   const Workplace here;
   const std::string index = page_of(here, "index"), hand = page_of(here, "hand"),
                     wrist = page_of(here, "wrist"), motor = page_of(here, "motor"),
-                    arm = arm_of(here), run = run_of(here);
+                    arm = arm_of(here), run = run_of(here), motor_run = motor_run_of(here);
   CHECK(hand.size() < 5'000'000);
   const report::ShownPages shown = report::show({{"index", index, 1280, false},
                                                  {"index_dark", index, 1280, true},
@@ -113,6 +123,7 @@ TEST_CASE("pages of models and runs can be used on a desk and on a phone, in lig
                                                  {"motor", motor, 390, false},
                                                  {"arm", arm, 1280, false},
                                                  {"run", run, 1280, false},
+                                                 {"motor_run", motor_run, 1280, false},
                                                  {"run_phone", run, 390, true}});
   for (const std::string& line : shown.complaints) UNSCOPED_INFO(line);
   CHECK(shown.complaints.empty());
@@ -147,6 +158,7 @@ TEST_CASE("pages of models and runs can be used on a desk and on a phone, in lig
   CHECK(shown.seen["motor"]["plots"] == 1);
   CHECK(motor.find("a set of formulas without bodies") != std::string::npos);
   CHECK(shown.seen["run"]["plots"].get<int>() > 8);
+  CHECK(shown.seen["motor_run"]["plots"].get<int>() >= 5);
 }
 
 TEST_CASE("the complete hand is shown within a second") {
