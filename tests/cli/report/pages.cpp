@@ -7,7 +7,6 @@
 #include "generator/emit_javascript.h"
 #include "generator/evaluate.h"
 #include "generator/lower.h"
-#include "generator/passes/pipeline.h"
 #include "simulation/emitted/compiled_model.h"
 #include "tests/cli/program.h"
 #include "tests/cli/report/shown_page.h"
@@ -161,7 +160,7 @@ TEST_CASE("pages of models and runs can be used on a desk and on a phone, in lig
   CHECK(shown.seen["motor_run"]["plots"].get<int>() >= 5);
 }
 
-TEST_CASE("the complete hand is shown within a second") {
+TEST_CASE("the complete hand is shown within a second", "[slow]") {
   if (no_browser()) return;
   const Workplace here;
   const std::string page = page_of(here, "hand");
@@ -182,8 +181,6 @@ TEST_CASE("the page's numbers are those of the compiled C, to rounding") {
   if (no_browser()) return;
   const Workplace here;
   const CompiledModel emitted(source + "/generated/index", source + "/runtime");
-  const Function every = every_operation();
-  const Graph graph = optimise(lower(every));
   json calls;
   const std::vector<std::string> names{"forward_kinematics", "tip_jacobian", "coupling_matrix",
                                        "joint_stiffness",    "bias",         "forward_dynamics"};
