@@ -46,6 +46,7 @@ const std::vector<Command>& commands() {
       generate = "sinew generate models --out out/c",
       import = "sinew import arm.urdf --out out/arm --force",
       simulate = "sinew simulate models/motor --scenario short.toml --out out/run.csv" + runtime,
+      report = "sinew report models/motor --out out/motor.html",
       identify =
           "sinew identify models/guiding --experiment guiding --log table.csv "
           "--out out/result.json --tables out/tables",
@@ -55,6 +56,7 @@ const std::vector<Command>& commands() {
       {"generate", generate + " --scalar float", generate, "sinew check models --out out/c"},
       {"import", import + " --gravity 0 0 0", import, "sinew cost out/arm"},
       {"simulate", "mkdir -p out; echo old > out/run.csv", simulate, simulate},
+      {"report", "mkdir -p out; echo old > out/motor.html", report, report},
       {"identify",
        "mkdir -p out/tables; echo old > out/result.json; echo old > out/tables/"
        "friction_by_angle.csv",
@@ -144,13 +146,6 @@ bool can_trace(const Workplace& here) {
   return false;
 }
 
-bool has_tools(const Workplace& here, const Command& command) {
-  if (command.name != "figures" && command.name != "identify") return true;
-  if (here.shell("gnuplot --version").status == 0) return true;
-  sinew::test::skip(command.name + " draws with gnuplot, which is missing");
-  return false;
-}
-
 }  // namespace
 
 TEST_CASE("every command, killed at each step of its writing: all old or all new",
@@ -163,7 +158,6 @@ TEST_CASE("every command, killed at each step of its writing: all old or all new
   for (const Command& command : commands()) {
     const Workplace tools;
     if (!can_trace(tools)) return;
-    if (!has_tools(tools, command)) continue;
     const Files after = written_by(command);
     const Bench bench(command);
     int killed = 0;
@@ -193,7 +187,6 @@ TEST_CASE("every command tells what of its writing fails, and leaves the old out
   for (const Command& command : commands()) {
     const Workplace tools;
     if (!can_trace(tools)) return;
-    if (!has_tools(tools, command)) continue;
     const Files after = written_by(command);
     const Bench bench(command);
     int failed = 0;
@@ -217,8 +210,6 @@ TEST_CASE("every command tells what of its writing fails, and leaves the old out
 
 TEST_CASE("every command on a full disk ends with 2 and leaves the old outputs", "[outputs]") {
   for (const Command& command : commands()) {
-    const Workplace tools;
-    if (!has_tools(tools, command)) continue;
     const Bench bench(command);
     const fs::path disk = bench.path("out");
     fs::remove_all(disk);
@@ -249,8 +240,7 @@ TEST_CASE("every command on a full disk ends with 2 and leaves the old outputs",
 
 TEST_CASE("a file that may not grow further is an error of the write", "[outputs]") {
   for (const Command& command : commands()) {
-    const Workplace tools;
-    if (command.name == "figures" || !has_tools(tools, command)) continue;
+    if (command.name == "figures") continue;  // its C is compiled into files, too
     const Bench bench(command);
     const Ended ended = bench.shell("ulimit -f 0; " + command.run + " 2> /dev/null > /dev/null");
     INFO(command.name << ": " << ended.output);
