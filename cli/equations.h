@@ -12,4 +12,8 @@ namespace sinew {
 /// and for models that have no such page.
 std::string equations_of(const ModelFolder& folder, const std::string& format);
 
+/// The same as a part of an HTML page; of a hand those of its fingers and its wrist. Empty where
+/// there are none.
+std::string equations_html(const ModelFolder& folder);
+
 }  // namespace sinew

@@ -18,6 +18,7 @@
 #include "cli/import.h"
 #include "cli/inspect.h"
 #include "cli/manual.h"
+#include "cli/report.h"
 #include "cli/simulate.h"
 #include "cli/terminal/terminal.h"
 #include "generator/outputs/interruption.h"
@@ -50,8 +51,8 @@ std::string after_first_line(const std::string& text) {
 
 /// Of commands whose results are files; a command that only prints has nothing to be quiet about.
 void add_quiet_options(CLI::App& app) {
-  for (const char* name :
-       {"generate", "check", "import", "simulate", "identify", "diagnose", "figures", "channels"})
+  for (const char* name : {"generate", "check", "import", "simulate", "identify", "diagnose",
+                           "figures", "channels", "report"})
     app.get_subcommand(name)->add_flag_callback("--quiet", sinew::be_quiet,
                                                 "Say nothing but warnings and errors");
 }
@@ -83,6 +84,7 @@ int main(int argc, char** argv) {
   sinew::add_dump_command(app, exit_status);
   sinew::add_import_command(app, exit_status);
   sinew::add_figures_command(app, exit_status);
+  sinew::add_report_command(app, exit_status);
   sinew::add_simulate_command(app, exit_status);
   sinew::add_identify_command(app, exit_status);
   sinew::add_diagnose_command(app, exit_status);

@@ -11,6 +11,7 @@
 #include "cli/model_folder.h"
 #include "cli/replayed_log.h"
 #include "cli/runtime_folder.h"
+#include "cli/simulate_report.h"
 #include "cli/terminal/report_stream.h"
 #include "cli/terminal/terminal.h"
 #include "simulation/plant/simulate.h"
@@ -20,7 +21,7 @@ namespace sinew {
 namespace {
 
 struct SimulateOptions {
-  std::string model, scenario, log, out, runtime;
+  std::string model, scenario, log, out, report, runtime;
   std::vector<std::string> map;
   bool json = false;
 };
@@ -63,6 +64,7 @@ nlohmann::ordered_json json_of(const SimulateOptions& o, double duration, const 
           {"log", o.log},
           {"deviations", deviations},
           {"out", o.out},
+          {"report", o.report},
           {"rows", r.rows},
           {"duration_s", duration},
           {"seconds", r.seconds},
@@ -95,6 +97,7 @@ void print_summary(const SimulateOptions& o, double duration, const SimulationRe
     if (work != 0.0) print_to(to, "  work of {}: {:.6g} J\n", name_of_power(i), work);
   }
   for (const auto& [name, count] : r.event_counts) print_to(to, "  {}: {} times\n", name, count);
+  if (!o.report.empty()) print_to(to, "  played back in {}\n", o.report);
   if (!errors.empty())
     print_to(to, "  off the logged position (rms): in open loop, within {} s\n",
              diagnosis::prediction_window);
@@ -108,6 +111,11 @@ bool replay_rig(const SimulateOptions& o, const Inputs& inputs) {
   const auto replay =
       o.log.empty() ? std::nullopt : replayed_rig(o.model, o.log, o.map, runtime_folder(o.runtime));
   if (!replay) return false;
+  if (!o.report.empty())
+    throw std::invalid_argument(
+        "--report: a lever, a tendon or a wrist is not integrated, so that there is no run to play "
+        "back; leave it out, or ask for the model's own page: sinew report " +
+        o.model);
   RowWriter out(o.out, replay->columns, inputs);
   for (const std::vector<double>& row : replay->rows) out.write(row);
   out.finish();
@@ -133,12 +141,16 @@ bool replay_rig(const SimulateOptions& o, const Inputs& inputs) {
 /// What the command reads. Throws std::runtime_error where its output cannot be written.
 Inputs inputs_of_run(const SimulateOptions& o) {
   refuse_two_reports(o.out, o.json);
+  if (o.report == "-")
+    throw std::invalid_argument(
+        "--report -: standard output is for the log or for what the command says; expected a file");
   recover_model(o.model);
   Inputs inputs;
   add_model(inputs, o.model);
   add_runtime(inputs, runtime_folder(o.runtime));
   for (const std::string& file : {o.scenario, o.log}) inputs.add(file);
   check_output_file(o.out, inputs);
+  if (!o.report.empty()) check_output_file(o.report, inputs);
   return inputs;
 }
 
@@ -153,6 +165,8 @@ void run_simulate(const SimulateOptions& o) {
   for (const std::string& table : plant.scenario().tables) inputs.add(table);
   const double duration = plant.scenario().duration;
   RowWriter out(o.out, output_columns(plant), inputs);
+  std::optional<RunRecorder> page;
+  if (!o.report.empty()) page.emplace(o.model, o.scenario.empty() ? o.log : o.scenario, plant);
   SimulationResult result;
   std::vector<std::vector<double>> rows;
   {
@@ -161,11 +175,23 @@ void run_simulate(const SimulateOptions& o) {
         plant,
         [&](const std::vector<double>& row) {
           out.write(row);
+          if (page) page->add_row(row);
           if (replayed) rows.push_back(row);
         },
-        [&](double time) { progress(time); });
+        [&](double time) { progress(time); },
+        [&](double time, double energy, const Powers& work) {
+          if (page) page->add_books(time, energy, work);
+        });
   }
-  out.finish();
+  if (page) {
+    Outputs outputs;
+    outputs.protect(inputs);
+    outputs.file(o.report, page->html(result));
+    out.finish();
+    outputs.commit();
+  } else {
+    out.finish();
+  }
   std::vector<diagnosis::ReplayError> errors;
   if (replayed)
     errors = diagnosis::replay_errors(replayed->replay, replayed->channels, rows, plant);
@@ -193,6 +219,8 @@ void add_simulate_command(CLI::App& app, int&) {
                       "Of a log: channel=column name [unit], or channel=#3 [unit]");
   command->add_option("--out", options->out, "CSV file of the log; - is standard output")
       ->required();
+  command->add_option("--report", options->report,
+                      "HTML page that plays the run back, with plots of every channel");
   command->add_option("--runtime", options->runtime, "Folder of the runtime's headers");
   command->add_flag("--json", options->json, "Report for machines");
   command->callback([options] { run_simulate(*options); });

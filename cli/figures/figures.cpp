@@ -98,13 +98,13 @@ void run_figures(const FiguresOptions& o) {
     if (o.chapters.empty() ||
         std::find(o.chapters.begin(), o.chapters.end(), chapter) != o.chapters.end())
       for (Figure& figure : figures_of(o, chapter)) figures.push_back(std::move(figure));
-  FileSet files{{"index.html", index_page(figures)}};
+  FileSet files{{"index.html", gallery_page(figures)}};
   for (const Figure& figure : figures) files.merge(figure_files(figure));
   Outputs outputs;
   outputs.protect(inputs);
   outputs.into_folder(o.out, files);
   outputs.commit();
-  tell("{} figures written to {}\n", figures.size(), o.out);
+  tell("{0} figures written to {1}; all on one page: {1}/index.html\n", figures.size(), o.out);
 }
 
 }  // namespace

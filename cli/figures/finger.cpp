@@ -86,7 +86,7 @@ Panel difference_panel(const std::string& title, const std::vector<VectorXd>& fu
   const char* names[joint_count] = {"base abduction", "base flexion", "PIP", "DIP"};
   Panel panel{title, "time [s]", "difference [rad]", {}};
   for (int j = 0; j < joint_count; ++j) {
-    Series series{names[j], {}, {}, "lines"};
+    Series series{names[j], {}, {}};
     for (std::size_t i = 0; i < full.size(); ++i) {
       series.x.push_back(static_cast<double>(i) * sampled_every * integration_step);
       series.y.push_back(full[i][j] - reduced[i][j]);
@@ -115,6 +115,14 @@ Figure figure_coriolis(const CompiledModel& index) {
       "terms makes up to {:.3g} rad, leaving out gravity too {:.3g} rad. The ratio of Coriolis to "
       "inertial terms does not depend on the masses' scale, so small masses justify nothing.",
       tendon_stiffness, base * 1e3, coriolis, both);
+  const std::vector<double> weight = index("gravity", std::vector<double>(joint_count, 0.0));
+  figure.numbers = {
+      {"the base joint", "rests at 0 rad", fmt::format("moves by {:.2g} mrad", base * 1e3)},
+      {"difference without Coriolis terms",
+       "small against the sensors' accuracy; no number is printed",
+       fmt::format("up to {:.3g} rad", coriolis)},
+      {"torque of the finger's weight", "about 0.002 N m",
+       fmt::format("{:.2g} N m at the base, stretched out", std::abs(weight[1]))}};
   return figure;
 }
 

@@ -38,7 +38,7 @@ std::vector<std::string> tendons_of(const std::vector<FittedSeries>& all) {
 }
 
 Series measured(const FittedSeries& s, double tension, int colour) {
-  Series points{"", {}, {}, fmt::format("points pointtype 7 pointsize 0.4 linecolor {}", colour)};
+  Series points{"", {}, {}, Look::dots, colour};
   for (const GuidingMeasurement& p : s.series.points) {
     points.x.push_back(p.bending / degree);
     points.y.push_back(p.friction * tension / p.tension);
@@ -48,7 +48,7 @@ Series measured(const FittedSeries& s, double tension, int colour) {
 
 template <typename Law>
 Series curve(const std::string& title, double largest, int colour, Law law) {
-  Series line{title, {}, {}, fmt::format("lines linecolor {}", colour)};
+  Series line{title, {}, {}, Look::line, colour};
   for (int i = 0; i <= 60; ++i) {
     const double angle = largest * i / 60.0;
     line.x.push_back(angle / degree);
@@ -129,6 +129,10 @@ Figure figure_guiding_friction(const std::vector<FittedSeries>& all, double tens
                    " Lines: C0 (1 - exp(-C1 alpha)) fitted to the points (4.1), the capstan law "
                    "where C0 and C1 cannot be told apart. Friction grows with the tension, so that "
                    "the points are scaled to one.";
+  figure.numbers = {{"friction against the total bending angle",
+                     "curves without numbers: more for Dyneema than for steel, more for smaller "
+                     "pulleys",
+                     "the same order, from assumed measurements"}};
   return figure;
 }
 
@@ -148,6 +152,8 @@ Figure figure_pulley_or_sliding(const std::vector<FittedSeries>& all, const std:
   figure.differs = origin +
                    " The source gives bars of coefficients of friction; here each guide's loss by "
                    "bending angle, which is what decides between a pulley and a sliding surface.";
+  figure.numbers = {{"coefficients of friction", "bars without numbers",
+                     "in the key, from assumed measurements"}};
   return figure;
 }
 

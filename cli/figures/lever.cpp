@@ -23,7 +23,7 @@ std::vector<double> state_at(const CompiledModel& lever, const LeverParameters& 
 using std::numbers::pi;
 constexpr double spring_mismatch = 0.05, loop_share = 15.0 / 70.0, loop_length = 2e-4;
 constexpr double force_noise = 0.1, gauge_noise = 2e-6;  // N, m
-constexpr double sample_period = 0.005;                         // s
+constexpr double sample_period = 0.005;                  // s
 constexpr long sample_count = 6000;
 
 /// Three slow pulls and releases as the rig would log them. The loop follows the way with a length
@@ -57,7 +57,7 @@ Log calibration_log(const CompiledModel& lever, const TendonWithLever& parameter
 
 Series model_curve(const CompiledModel& lever, const TendonWithLever& parameters) {
   const double compliance = parameters.tendon.free_length / parameters.tendon.axial_stiffness;
-  Series series{"model", {}, {}, "lines dashtype 2 linewidth 2"};
+  Series series{"model", {}, {}, Look::dashed};
   for (int i = 0; i <= 100; ++i) {
     const auto state = state_at(lever, parameters.lever, i / 100.0);
     series.x.push_back((state[elongation] + compliance * state[force]) * 1e3);
@@ -67,7 +67,7 @@ Series model_curve(const CompiledModel& lever, const TendonWithLever& parameters
 }
 
 Series measured_curve(const Eigen::ArrayXXd& rows) {
-  Series series{"measured", {}, {}, "lines"};
+  Series series{"measured", {}, {}};
   for (long i = 0; i < rows.rows(); i += 4) {
     series.x.push_back(rows(i, 2) * 1e3);
     series.y.push_back(rows(i, 1));
@@ -76,8 +76,8 @@ Series measured_curve(const Eigen::ArrayXXd& rows) {
 }
 
 Panel polynomial_panel(const LeverCalibrationResult& r, const Eigen::ArrayXXd& rows) {
-  Series raw{"measured", {}, {}, "dots"}, fitted{"polynomial", {}, {}, "lines linewidth 2"},
-      stiff{"stiffness [N/mm]", {}, {}, "lines"};
+  Series raw{"measured", {}, {}, Look::dots}, fitted{"polynomial", {}, {}, Look::thick},
+      stiff{"stiffness [N/mm]", {}, {}};
   for (long i = 0; i < rows.rows(); i += 4) {
     raw.x.push_back(rows(i, 0));
     raw.y.push_back(rows(i, 1));
@@ -95,9 +95,9 @@ Panel polynomial_panel(const LeverCalibrationResult& r, const Eigen::ArrayXXd& r
 }  // namespace
 
 Figure figure_lever(const CompiledModel& lever, const LeverParameters& parameters) {
-  Panel length{"tendon length", "lever angle [deg]", "dL [mm]", {{"", {}, {}, "lines"}}},
-      pull{"force", "elongation [mm]", "force [N]", {{"", {}, {}, "lines"}}},
-      stiff{"stiffness", "elongation [mm]", "stiffness [N/mm]", {{"", {}, {}, "lines"}}};
+  Panel length{"tendon length", "lever angle [deg]", "dL [mm]", {{"", {}, {}}}},
+      pull{"force", "elongation [mm]", "force [N]", {{"", {}, {}}}},
+      stiff{"stiffness", "elongation [mm]", "stiffness [N/mm]", {{"", {}, {}}}};
   const auto add = [](Panel& panel, double x, double y) {
     panel.series[0].x.push_back(x);
     panel.series[0].y.push_back(y);
@@ -119,6 +119,11 @@ Figure figure_lever(const CompiledModel& lever, const LeverParameters& parameter
       "{:.3g} N/mm to {:.3g} N/mm. The shape is the mechanism's; the numbers are not the source's.",
       pull.series[0].y.back(), pull.series[0].x.back(), stiff.series[0].y.front(),
       stiff.series[0].y.back());
+  figure.numbers = {
+      {"force over the travel", "a curve; no number is printed",
+       fmt::format("0 to {:.3g} N", pull.series[0].y.back())},
+      {"stiffness over the travel", "a curve; no number is printed",
+       fmt::format("{:.3g} to {:.3g} N/mm", stiff.series[0].y.front(), stiff.series[0].y.back())}};
   return figure;
 }
 
@@ -140,6 +145,9 @@ Figure figure_lever_calibration(const CompiledModel& lever, const TendonWithLeve
       "error {:.3g} N with the loop and {:.3g} N without it, loop {:.3g} N at {:.3g} N.",
       spring_mismatch * 100.0, loop_share * 70.0, force_noise, r.force.degree(), r.length.degree(),
       r.largest_force_error, r.force.largest_error, r.hysteresis, r.hysteresis_at);
+  figure.numbers = {{"hysteresis at about 70 N", "10 N to 20 N",
+                     fmt::format("{:.3g} N at {:.3g} N", r.hysteresis, r.hysteresis_at)},
+                    {"sensor", "12 bits", "12 bits"}};
   return figure;
 }
 

@@ -47,7 +47,7 @@ Run run(const fs::path& model, const std::string& scenario, const fs::path& runt
 /// Every n-th sample: a drawing has no use for more.
 Series line(const std::string& title, const Eigen::ArrayXd& x, const Eigen::ArrayXd& y,
             long every = 1) {
-  Series series{title, {}, {}, "lines"};
+  Series series{title, {}, {}};
   for (long i = 0; i < x.size(); i += every) {
     series.x.push_back(x(i));
     series.y.push_back(y(i));
@@ -57,8 +57,9 @@ Series line(const std::string& title, const Eigen::ArrayXd& x, const Eigen::Arra
 
 Panel friction_panel(const FrictionCurve& curve) {
   Panel panel{"friction curve", "velocity [rad/s]", "torque [N m]", {}};
-  Series mean{"mean", {}, {}, "linespoints"}, low{"minimum, maximum", {}, {}, "lines dashtype 2"},
-      high{"", {}, {}, "lines dashtype 2"}, model{"(3.8) fitted", {}, {}, "lines linewidth 2"};
+  Series mean{"mean", {}, {}, Look::line_and_dots},
+      low{"minimum, maximum", {}, {}, Look::dashed, 1}, high{"", {}, {}, Look::dashed, 1},
+      model{"(3.8) fitted", {}, {}, Look::thick};
   for (const FrictionPoint& p : curve.points) {
     for (Series* s : {&mean, &low, &high}) s->x.push_back(p.velocity);
     mean.y.push_back(p.torque);
@@ -83,11 +84,17 @@ Figure figure_friction(const Run& log, double gear_ratio) {
       {"position", "time [s]", "output angle [rad]", {line("", log.time, log.theta, 20)}},
       friction_panel(curve)};
   figure.differs = fmt::format(
-      "{}Fitted: gamma1 = {:.4g} +- {:.2g} s/rad, gamma2 = {:.4g} +- {:.2g} N m, gamma3 = {:.4g} "
-      "+- {:.2g} N m s/rad, where the simulation has Table 3.3's 10, 0.5586 and 0.0356. The band "
+      "{}Fitted: gamma1 = {:.4g} ± {:.2g} s/rad, gamma2 = {:.4g} ± {:.2g} N m, gamma3 = {:.4g} "
+      "± {:.2g} N m s/rad, where the simulation has Table 3.3's 10, 0.5586 and 0.0356. The band "
       "between minimum and maximum is the ripple assumed, with noise.",
       simulated, curve.gamma1.value, curve.gamma1.standard_error, curve.gamma2.value,
       curve.gamma2.standard_error, curve.gamma3.value, curve.gamma3.standard_error);
+  const auto fitted = [](const Estimate& e) {
+    return fmt::format("{:.4g} ± {:.2g}", e.value, e.standard_error);
+  };
+  figure.numbers = {{"γ1 of (3.8) [s/rad]", "10 (Table 3.3)", fitted(curve.gamma1)},
+                    {"γ2 [N m]", "0.5586 (Table 3.3)", fitted(curve.gamma2)},
+                    {"γ3 [N m s/rad]", "0.0356 (Table 3.3)", fitted(curve.gamma3)}};
   return figure;
 }
 
@@ -115,6 +122,9 @@ Figure figure_repeated(const Run& log) {
       "{}One simulated run with ten different noises of {} N m: a simulation repeats exactly, so "
       "that the figure shows how it would look, and is no evidence that the motor repeats.",
       simulated, noise);
+  figure.numbers = {{"ten runs started at the same motor position",
+                     "strongly repeatable; no number is printed",
+                     fmt::format("the same but for {} N m of noise, by construction", noise)}};
   return figure;
 }
 
@@ -125,7 +135,7 @@ Series spectrum(const std::string& title, const Eigen::ArrayXd& signal, double p
   const Eigen::ArrayXd window = 0.5 - 0.5 * (at * (2.0 * pi / static_cast<double>(n))).cos();
   const Eigen::ArrayXd weighed = (signal - signal.mean()) * window;
   const double step = 0.5 / (static_cast<double>(n) * period);
-  Series series{title, {}, {}, "lines"};
+  Series series{title, {}, {}};
   for (double f = 1.0; f <= 40.0; f += step) {
     const Eigen::ArrayXd angle = at * (2.0 * pi * f * period);
     series.x.push_back(f);
@@ -138,6 +148,11 @@ Series spectrum(const std::string& title, const Eigen::ArrayXd& signal, double p
 
 double peak(const Series& spectrum) {
   return *std::max_element(spectrum.y.begin(), spectrum.y.end());
+}
+
+double peak_frequency(const Series& spectrum) {
+  const auto at = std::max_element(spectrum.y.begin(), spectrum.y.end()) - spectrum.y.begin();
+  return spectrum.x[static_cast<std::size_t>(at)];
 }
 
 /// The part of a run after the transient at its beginning.
@@ -166,6 +181,11 @@ Figure figure_two_velocities(const Run& fast, const Run& slow) {
       std::string(simulated) +
       "The peak moves with the velocity (15.9 Hz and 8.0 Hz, the motor's turns) while the ripple "
       "stays where it is over the position.";
+  figure.numbers = {
+      {"main frequency at 1 rad/s", "the motor's rotation frequency (100/2π = 15.9 Hz)",
+       fmt::format("{:.1f} Hz", peak_frequency(frequencies.series[0]))},
+      {"main frequency at 0.5 rad/s", "the motor's rotation frequency (8.0 Hz)",
+       fmt::format("{:.1f} Hz", peak_frequency(frequencies.series[1]))}};
   return figure;
 }
 
@@ -198,6 +218,8 @@ Figure figure_compensation(const Run& before, const Run& after) {
       "feedforward carries 0.9 of the friction and ripple that it knows exactly here. On a motor "
       "it knows them as well as they were identified.",
       simulated, first, second_peak);
+  figure.numbers = {{"amplitude at the motor's rotation frequency", "reduced; no number is printed",
+                     fmt::format("{:.3g} N m, with compensation {:.3g} N m", first, second_peak)}};
   return figure;
 }
 

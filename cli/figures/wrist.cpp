@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -50,19 +51,26 @@ double constraint_error(const std::vector<double>& rows, const WristParameters& 
 }
 
 Figure constraints(const CompiledModel& wrist, const WristParameters& p) {
-  Series series{"", {}, {}, "lines"};
+  Series series{"", {}, {}};
   for (const Palm& palm : motion(p)) {
     series.x.push_back(palm.time);
     series.y.push_back(
         constraint_error(wrist("points", bars(wrist, palm.flexion, palm.abduction)), p));
   }
+  const double most = *std::max_element(series.y.begin(), series.y.end());
   return {"figure_6_09",
           "6.9",
           "Largest error of the six link lengths",
           "The closed form holds the lengths to the rounding of a double. The motion is given in "
           "palm angles and starts at the reference pose; the source does not print its time "
           "course.",
-          {{"flexion/extension, then abduction/adduction", "time [s]", "error [m]", {series}}}};
+          {{"flexion/extension, then abduction/adduction",
+            "time [s]",
+            "error [m]",
+            {series},
+            "rounding noise of the closed form"}},
+          {{"largest error of a link's length", "numerical inaccuracies; no number is printed",
+            fmt::format("{:.2g} m", most)}}};
 }
 
 /// Displacement of every tendon along a track of palm angles [mm].
@@ -101,6 +109,15 @@ Figure against_angles(const CompiledModel& wrist, const WristParameters& p) {
                          1 / degree)}};
 }
 
+/// Largest displacement in a stretch of the motion [mm].
+double largest_within(const Panel& panel, double from, double to) {
+  double most = 0.0;
+  for (const Series& series : panel.series)
+    for (std::size_t i = 0; i < series.x.size(); ++i)
+      if (series.x[i] >= from && series.x[i] <= to) most = std::max(most, std::abs(series.y[i]));
+  return most;
+}
+
 }  // namespace
 
 std::vector<Figure> figures_wrist(const CompiledModel& wrist, const WristParameters& parameters) {
@@ -111,6 +128,12 @@ std::vector<Figure> figures_wrist(const CompiledModel& wrist, const WristParamet
       "Motion as for Fig. 6.9. {ABC} is a reconstruction, chosen so that flexion couples "
       "least; with it flexion moves the tendons by less than 0.75 mm.",
       {displacements(wrist, motion(parameters), "all tendons", "time [s]", &Palm::time, 1.0)}};
+  const Panel& all = moved.panels.front();
+  moved.numbers = {
+      {"flexion of 30°", "moves the tendons least; no number is printed",
+       fmt::format("at most {:.2f} mm", largest_within(all, 0.0, 0.999))},
+      {"abduction of 20°", "a large influence, in proportion to the distance from the median axis",
+       fmt::format("at most {:.2f} mm", largest_within(all, 1.001, 2.0))}};
   return {constraints(wrist, parameters), moved, against_angles(wrist, parameters)};
 }
 

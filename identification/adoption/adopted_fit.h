@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "identification/diagnosis/explain.h"
+#include "identification/diagnosis/explanation.h"
 
 namespace sinew::diagnosis {
 

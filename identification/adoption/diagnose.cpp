@@ -20,9 +20,9 @@
 #include "identification/adoption/prediction.h"
 #include "identification/adoption/read_motion.h"
 #include "identification/adoption/unquiet_channels.h"
-#include "identification/diagnosis/explain.h"
+#include "identification/diagnosis/explanation.h"
 #include "identification/diagnosis/sensor_play.h"
-#include "identification/likelihood/explain_by_likelihood.h"
+#include "identification/likelihood/explain.h"
 #include "identification/report/log_record.h"
 #include "identification/report/verdict_text.h"
 #include "identification/report/wording.h"
@@ -150,7 +150,8 @@ class Run {
     Explanation explanation = explain_subject(subject_);
     look_at_standstills(explanation);
     merge_members(explanation.verdict);
-    remove_nuisances(explanation.verdict);
+    if (!is_explained_by_likelihood(subject_.problem(), request_.settings))
+      remove_nuisances(explanation.verdict);
     if (!request_.holdout.empty()) confirm_on_held_out(explanation.verdict);
     write_motions(explanation.verdict);
     return explanation;
@@ -163,8 +164,7 @@ class Run {
       if (is_new) at->second = subject.experiments(channel);
       return at->second;
     };
-    return (request_.settings.by_likelihood ? explain_by_likelihood : explain)(
-        subject.problem(), request_.settings, experiments);
+    return explain(subject.problem(), request_.settings, experiments);
   }
 
   /// Motions that would settle what is told as a set, as files.

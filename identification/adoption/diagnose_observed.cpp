@@ -14,7 +14,7 @@
 #include "identification/adoption/measure_plots.h"
 #include "identification/adoption/observed_extension.h"
 #include "identification/adoption/possible_terms.h"
-#include "identification/likelihood/explain_by_likelihood.h"
+#include "identification/likelihood/explain.h"
 #include "identification/logs/read_csv.h"
 #include "identification/report/log_record.h"
 #include "identification/report/verdict_text.h"
@@ -48,8 +48,7 @@ class ObservedRun {
     tell("searching for causes", 0.3);
     Explanation explanation;
     const std::string ended = why_ended([&] {
-      explanation = (request_.settings.by_likelihood ? explain_by_likelihood : explain)(
-          subject_.problem(), request_.settings, {});
+      explanation = explain(subject_.problem(), request_.settings, {});
       merge_members(explanation.verdict);
       if (!request_.holdout.empty()) confirm_on_held_out(explanation.verdict);
     });

@@ -60,7 +60,7 @@ void confirm_on_held_out(Verdict& verdict) {
   constexpr double kExcess = 3.0;
   std::vector<NamedCause> kept;
   for (NamedCause& cause : verdict.causes) {
-    if (is_sure(cause.held_out)) {
+    if (is_sure(cause.confirmed)) {
       kept.push_back(std::move(cause));
       continue;
     }

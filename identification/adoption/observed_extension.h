@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "identification/diagnosis/explain.h"
+#include "identification/diagnosis/explanation.h"
 #include "identification/adoption/measure.h"
 #include "identification/subjects/observed_subject.h"
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "identification/diagnosis/explain.h"
+#include "identification/diagnosis/explanation.h"
 #include "identification/subjects/driven_subject.h"
 
 namespace sinew::diagnosis {

@@ -29,10 +29,7 @@ VectorXd row_of(const MatrixXd& values, Index sample) {
 class Predicted {
  public:
   Predicted(Plant& plant, const Recording& log)
-      : log_(log),
-        time_(log.time.array() - log.started()),
-        drives_(plant.drives()),
-        plant_(plant) {
+      : log_(log), time_(log.time.array() - log.started()), drives_(plant.drives()), plant_(plant) {
     drives_.forget();
     plant_.set_past(drives_.past());
   }

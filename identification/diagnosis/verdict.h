@@ -52,6 +52,7 @@ struct NamedCause {
   double validated = 0.0;   ///< drop of the whitened loss on left-out blocks
   Gain cross_validated;     ///< of the error on left-out blocks, 95 % interval
   Gain held_out;            ///< on held-out logs; share 0 where none were given
+  Gain confirmed;           ///< the same of the whitened error, by which a name is kept
   std::vector<ParameterEstimate> parameters;  ///< of that term
   Separation separation;                      ///< where there is more than one member
 };

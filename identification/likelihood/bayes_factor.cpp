@@ -24,8 +24,8 @@ constexpr int kSizes = 8;
 std::vector<double> variances() {
   std::vector<double> list;
   for (int i = 0; i < kSizes; ++i)
-    list.push_back(std::pow(
-        kSmallestSize * std::pow(kLargestSize / kSmallestSize, i / (kSizes - 1.0)), 2.0));
+    list.push_back(
+        std::pow(kSmallestSize * std::pow(kLargestSize / kSmallestSize, i / (kSizes - 1.0)), 2.0));
   return list;
 }
 
@@ -63,8 +63,8 @@ double log_probability_between(double low, double high, double mean, double devi
     b = -b;
   }
   if (a < 0.0)  // the mean lies between them
-    return std::log1p(-std::min(1.0 - 1e-16, 0.5 * std::erfc(-a / std::sqrt(2.0)) +
-                                                 0.5 * std::erfc(b / std::sqrt(2.0))));
+    return std::log1p(-std::min(
+        1.0 - 1e-16, 0.5 * std::erfc(-a / std::sqrt(2.0)) + 0.5 * std::erfc(b / std::sqrt(2.0))));
   const double near = log_upper_tail(a);
   if (b == kInfinity) return near;
   const double ratio = std::exp(log_upper_tail(b) - near);

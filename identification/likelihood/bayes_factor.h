@@ -16,7 +16,7 @@ struct ConditionalMoments {
 
 struct BayesFactor {
   double logarithm = 0.0;  ///< averaged over the sizes
-  double variance = 0.0;  ///< prior variance of the coefficients at the most probable size
+  double variance = 0.0;   ///< prior variance of the coefficients at the most probable size
 };
 
 /// Coefficients are normal with mean 0 about the model's values, cut off at their limits; their

@@ -25,9 +25,6 @@ inline constexpr double kClipped = 9.0;
 /// cheap errors hide weak delays, and measured drives, in which dear ones invent names.
 inline constexpr double kPriceOfDecade = 20.0;
 
-/// Error of a found effect's form, as a share of its size: false second names against lost pairs.
-inline constexpr double kOwnError = 0.03;
-
 /// Posterior probability of a set that cannot be told apart: a definition.
 inline constexpr double kCredible = 0.95;
 

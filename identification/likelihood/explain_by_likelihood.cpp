@@ -21,6 +21,9 @@ using Eigen::VectorXd;
 /// The model's own terms, how friction turns at a reversal among them, fitted to the logs.
 Model fitted_baseline(const Design& design) {
   Model model = baseline_model(design);
+  for (const Candidate& candidate : design.problem().library)
+    if (candidate.nuisance && candidate.nonlinear.empty())
+      model.terms.push_back(make_term(design, candidate, {}, false));
   Weights weights = own_noise(design, model).weights;
   refine(design, weights, RefineScope::all_terms, model);
   weights = own_noise(design, model).weights;
@@ -44,38 +47,34 @@ RankedCause ranked(const FoundSlots& found, const Rival& rival, double best) {
   return cause;
 }
 
-/// The smallest set that is credible, the slot's own hypothesis first.
+/// The named members of a slot's credible set. Structure without a name of which a member's form is
+/// a part does not speak against it.
 NamedCause name_slot(const FoundSlots& found, std::size_t slot) {
-  const std::vector<Rival> rivals = found.search->rivals(found.slots, slot);
-  const Hypothesis& own = hypothesis_of(found, slot);
   NamedCause cause;
-  cause.candidate = own.candidate;
-  double sum = 0.0;
-  for (const Rival& rival : rivals) {
-    if (sum >= kCredible) break;
-    sum += rival.probability;
+  double named = 0.0;
+  const std::vector<Rival> set = found.search->credible(found.slots, slot);
+  for (const Rival& rival : set) {
     const Hypothesis& h = found.all.list[static_cast<std::size_t>(rival.hypothesis)];
-    if (h.named) cause.members.push_back(ranked(found, rival, rivals.front().log_odds));
-    if (h.candidate != own.candidate) continue;
-    cause.statistic = 2.0 * rival.log_odds;
-    cause.p_family = std::min(1.0, std::exp(-rival.log_odds));
+    if (!h.named) continue;
+    if (cause.members.empty()) {
+      cause.statistic = 2.0 * rival.log_odds;
+      cause.p_family = std::min(1.0, std::exp(-rival.log_odds));
+    }
+    named += rival.probability;
+    cause.members.push_back(ranked(found, rival, set.front().log_odds));
   }
-  if (cause.members.empty()) cause.members.push_back({own.candidate, own.source->name,
-                                                      own.source->place});
-  cause.confidence = kHighestConfidence * std::min(1.0, sum);
+  cause.candidate = hypothesis_of(found, slot).candidate;
+  cause.confidence = kHighestConfidence * std::min(1.0, named);
   return cause;
 }
 
 /// A model's terms with those of structure without a name taken out, and whose slot each is of.
-Model named_model(const Design& design, const FoundSlots& found, std::vector<std::size_t>& slots) {
+Model named_model(const Design& design, const FoundSlots& found,
+                  const std::vector<NamedCause>& of_slot) {
   Model model = found.model;
-  const std::size_t first = model.terms.size() - found.slots.entries.size();
-  for (std::size_t i = found.slots.entries.size(); i-- > 0;) {
-    if (hypothesis_of(found, i).named)
-      slots.insert(slots.begin(), i);
-    else
-      remove_term(design, first + i, model);
-  }
+  const std::size_t first = model.terms.size() - of_slot.size();
+  for (std::size_t i = of_slot.size(); i-- > 0;)
+    if (of_slot[i].members.empty()) remove_term(design, first + i, model);
   return model;
 }
 
@@ -87,7 +86,8 @@ Selection free_selection(const Design& design, const Model& baseline, const Mode
   for (std::size_t i = 0; i < s.model.target.size(); ++i)
     s.model.target[i] = design.target(static_cast<int>(i), s.model.advance[i]);
   for (const Term& term : adopted.terms)
-    if (!term.baseline && term.deviation < 0) s.model.terms.push_back(term);
+    if (!term.baseline && !term.candidate->nuisance && term.deviation < 0)
+      s.model.terms.push_back(term);
   s.noise = own_noise(design, s.model);
   s.evidence.resize(s.model.terms.size());
   return s;
@@ -105,20 +105,23 @@ Gain cross_validated_gain(const Design& design, const Settings& settings,
       settings.seed);
 }
 
+/// Slots that are sure and hold no name.
 void tell_unnamed(const FoundSlots& found, Unexplained& said) {
   double named = 0.0, all = 0.0;
   for (std::size_t i = 0; i < found.slots.entries.size(); ++i) {
+    const std::vector<Rival> set = found.search->credible(found.slots, i);
+    if (set.empty()) continue;
     const Hypothesis& h = hypothesis_of(found, i);
-    const std::vector<Rival> rivals = found.search->rivals(found.slots, i);
-    const double odds = rivals.empty() ? 0.0 : std::max(0.0, rivals.front().log_odds);
-    all += odds;
+    all += set.front().log_odds;
     if (h.named) {
-      named += odds;
+      named += set.front().log_odds;
       continue;
     }
     said.none_of_the_known = true;
     said.depends_on.push_back({h.source->depends_on.empty() ? h.source->name : h.source->depends_on,
-                               h.source->place, std::min(1.0, std::exp(-odds)), {}});
+                               h.source->place,
+                               std::min(1.0, std::exp(-set.front().log_odds)),
+                               {}});
   }
   said.named_share = all > 0.0 ? named / all : 1.0;
 }
@@ -132,13 +135,74 @@ void list_ruled_out(const FoundSlots& found, Verdict& verdict) {
                              [&](const RankedCause& m) { return m.candidate == h.candidate; });
         });
     if (told || !h.named) continue;
-    verdict.ruled_out.push_back(
-        {h.source->name, h.source->place,
-         rival.log_odds > 0.0 ? "outside its physical limits"
-                              : "nothing beyond noise beside the named causes",
-         std::max(0.0, 2.0 * (rival.log_odds - h.log_prior)),
-         std::min(1.0, std::exp(-rival.log_odds))});
+    verdict.ruled_out.push_back({h.source->name, h.source->place,
+                                 rival.log_odds > 0.0
+                                     ? "outside its physical limits"
+                                     : "nothing beyond noise beside the named causes",
+                                 std::max(0.0, 2.0 * (rival.log_odds - h.log_prior)),
+                                 std::min(1.0, std::exp(-rival.log_odds))});
   }
+}
+
+std::vector<NamedCause> name_slots(const FoundSlots& found) {
+  std::vector<NamedCause> list;
+  for (std::size_t i = 0; i < found.slots.entries.size(); ++i) list.push_back(name_slot(found, i));
+  return list;
+}
+
+void tell_baseline(const Design& design, Explanation& result) {
+  const Selection& found = result.selection;
+  result.estimates = estimates(design, found.model, found.noise);
+  for (std::size_t t = 0; t < found.model.terms.size(); ++t)
+    if (found.model.terms[t].baseline)
+      result.verdict.baseline.insert(result.verdict.baseline.end(), result.estimates[t].begin(),
+                                     result.estimates[t].end());
+}
+
+/// What was found, as it is adopted and beside values of the model that are free.
+struct Measured {
+  const Design& design;
+  const Settings& settings;
+  const FoundSlots& found;
+  const Selection& adopted;
+  const Selection& free;
+};
+
+/// The whitened error on the held-out logs with a term and without it.
+Gain confirmed_gain(const Measured& m, std::size_t term) {
+  Model without = m.adopted.model;
+  remove_term(m.design, term, without);
+  const VectorXd channels = channels_of(m.design, m.adopted.model.terms[term]);
+  const auto losses = [&](const Model& model) {
+    const LinearFit fit = solve(stack(model, m.found.whitening.training));
+    return VectorXd(
+        held_out(m.design, model, fit, m.settings.blocks, &m.found.whitening.held_out).plain *
+        channels);
+  };
+  return block_bootstrap_gain(losses(without), losses(m.adopted.model), 0.95, m.settings.seed);
+}
+
+/// Names with what they gain, largest gain first.
+std::vector<NamedCause> measured_causes(const Measured& m, const std::vector<NamedCause>& of_slot,
+                                        const ExperimentPlanner& planner) {
+  std::vector<NamedCause> list;
+  for (const NamedCause& cause : of_slot)
+    if (!cause.members.empty()) list.push_back(cause);
+  const auto all = estimates(m.design, m.adopted.model, m.adopted.noise);
+  const std::size_t first = m.adopted.model.terms.size() - list.size();
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    NamedCause& cause = list[i];
+    cause.parameters = all[first + i];
+    cause.cross_validated = cross_validated_gain(m.design, m.settings, m.adopted, first + i);
+    cause.held_out = gain_on_held_out(m.design, m.settings, m.adopted, first + i);
+    cause.confirmed = confirmed_gain(m, first + i);
+    cause.separation =
+        separate(m.design, m.settings, m.free, m.adopted, first + i, cause.members, planner);
+  }
+  std::stable_sort(list.begin(), list.end(), [](const NamedCause& a, const NamedCause& b) {
+    return a.cross_validated.share > b.cross_validated.share;
+  });
+  return list;
 }
 
 }  // namespace
@@ -149,36 +213,19 @@ Explanation explain_by_likelihood(const Problem& problem, const Settings& settin
   if (!problem.shared_noise) design.set_units(left_over(design, baseline_model(design)));
   const Model baseline = fitted_baseline(design);
   const auto found = find_slots(design, settings, baseline);
+  const std::vector<NamedCause> of_slot = name_slots(*found);
   Explanation result;
-  Verdict& verdict = result.verdict;
-  std::vector<std::size_t> slots;
   Selection adopted;
-  adopted.model = named_model(design, *found, slots);
+  adopted.model = named_model(design, *found, of_slot);
   adopted.noise = own_noise(design, adopted.model);
   adopted.evidence.resize(adopted.model.terms.size());
   adopted.made = found->all.parts.made;
   result.selection =
       problem.deviations.empty() ? adopted : free_selection(design, baseline, adopted.model);
-  result.estimates = estimates(design, result.selection.model, result.selection.noise);
-  for (std::size_t t = 0; t < result.selection.model.terms.size(); ++t)
-    if (result.selection.model.terms[t].baseline)
-      verdict.baseline.insert(verdict.baseline.end(), result.estimates[t].begin(),
-                              result.estimates[t].end());
-  const auto all = estimates(design, adopted.model, adopted.noise);
-  const std::size_t first = adopted.model.terms.size() - slots.size();
-  for (std::size_t i = 0; i < slots.size(); ++i) {
-    NamedCause cause = name_slot(*found, slots[i]);
-    cause.parameters = all[first + i];
-    cause.cross_validated = cross_validated_gain(design, settings, adopted, first + i);
-    cause.held_out = gain_on_held_out(design, settings, adopted, first + i);
-    cause.separation = separate(design, settings, result.selection, adopted, first + i,
-                                cause.members, planner);
-    verdict.causes.push_back(std::move(cause));
-  }
-  std::stable_sort(verdict.causes.begin(), verdict.causes.end(),
-                   [](const NamedCause& a, const NamedCause& b) {
-                     return a.cross_validated.share > b.cross_validated.share;
-                   });
+  tell_baseline(design, result);
+  Verdict& verdict = result.verdict;
+  verdict.causes =
+      measured_causes({design, settings, *found, adopted, result.selection}, of_slot, planner);
   tell_unnamed(*found, verdict.unexplained);
   list_ruled_out(*found, verdict);
   tell_errors(design, settings, found->all.parts.base, adopted, verdict);

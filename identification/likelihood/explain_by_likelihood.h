@@ -2,13 +2,12 @@
 // From recordings and candidates to a verdict, by one likelihood and one search.
 #pragma once
 
-#include "identification/diagnosis/explain.h"
+#include "identification/diagnosis/explanation.h"
 
 namespace sinew::diagnosis {
 
-/// As explain(): the set of hypotheses with the largest posterior odds under one likelihood of the
-/// whitened logs, small errors in everything included. No other rule decides.
-/// Deterministic. Throws std::invalid_argument where no log is long enough.
+/// As explain() (explain.h): the set of hypotheses with the largest posterior odds under one
+/// likelihood of the whitened logs, small errors in everything included.
 Explanation explain_by_likelihood(const Problem& problem, const Settings& settings,
                                   const ExperimentPlanner& planner = {});
 

@@ -3,11 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "identification/diagnosis/materiality.h"
 #include "identification/likelihood/decision_constants.h"
-#include "identification/likelihood/noise_spectrum_fit.h"
 #include "identification/regression/refine.h"
 
 namespace sinew::diagnosis {
@@ -16,7 +16,8 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-// Shares by which everything may be off. Four decades are all between a simulator and a rough model.
+// Shares by which everything may be off. Four decades are all between a simulator and a rough
+// model.
 constexpr double kShares[] = {1e-4, 3.2e-4, 1e-3, 3.2e-3, 1e-2};
 
 // A shape is fitted where the grid's point was found; the search with it may find another one.
@@ -29,25 +30,40 @@ VectorXd immaterial_variance(const Design& design, const Settings& settings, con
          sums.measured.cwiseQuotient(sums.samples.cwiseMax(1.0));
 }
 
-/// Searches at every share of small errors, and goes on at the most probable one.
+/// What two searches under different errors are compared by.
+double evidence_of(const SmallErrors& errors, double share, const Slots& slots) {
+  return errors.log_likelihood() + slots.log_posterior -
+         kPriceOfDecade * std::log10(share / kShares[0]);
+}
+
+/// Searches at every share of small errors, at the most probable one under every error of form, and
+/// goes on under the most probable of those.
 void search(int most, const std::vector<bool>& banned, FoundSlots& found) {
-  double best = 0.0;
-  bool first = true;
+  double best = -std::numeric_limits<double>::infinity();
   for (const double share : kShares) {
     auto errors = std::make_unique<SmallErrors>(found.moments, found.all, share);
     auto by = std::make_unique<SlotSearch>(found.all, *errors, most, banned);
     Slots slots = by->find();
-    const double total = errors->log_likelihood() + slots.log_posterior -
-                         kPriceOfDecade * std::log10(share / kShares[0]);
-    if (!first && total <= best) continue;
-    first = false;
-    best = total;
+    const double evidence = evidence_of(*errors, share, slots);
+    if (evidence <= best) continue;
+    best = evidence;
     found.small_errors = share;
     found.search = std::move(by);
     found.errors = std::move(errors);
     found.slots = std::move(slots);
   }
-  found.slots = found.search->from_rivals(found.slots);
+  found.form_error = kFormErrors[0];
+  for (const double form_error : kFormErrors) {
+    found.search->set_form_error(form_error);
+    Slots slots = found.search->from_rivals(found.search->find());
+    const double evidence = evidence_of(*found.errors, found.small_errors, slots);
+    if (evidence < best) continue;
+    best = evidence;
+    found.form_error = form_error;
+    found.slots = std::move(slots);
+  }
+  found.search->set_form_error(found.form_error);
+  found.slots = found.search->with_names(found.slots);
 }
 
 double coordinate(const NonlinearParameter& range, double value) {
@@ -56,21 +72,19 @@ double coordinate(const NonlinearParameter& range, double value) {
 
 /// Where a slot's shape is to be fitted from: its grid point, or between two by their coefficients.
 VectorXd start_of(const FoundSlots& found, std::size_t slot) {
-  const Entry& entry =
-      found.search->entries()[static_cast<std::size_t>(found.slots.entries[slot])];
+  const Entry& entry = found.search->entries()[static_cast<std::size_t>(found.slots.entries[slot])];
   const auto shape = [&](std::size_t i) {
     return found.all.shapes[static_cast<std::size_t>(entry.shapes[i])].nonlinear;
   };
   if (entry.shapes.size() == 1) return shape(0);
   const VectorXd b = found.search->coefficients(found.slots, slot).cwiseAbs();
   const double part = b(1) / std::max(b.sum(), 1e-300);
-  const auto& ranges =
-      found.all.list[static_cast<std::size_t>(entry.hypothesis)].source->nonlinear;
+  const auto& ranges = found.all.list[static_cast<std::size_t>(entry.hypothesis)].source->nonlinear;
   VectorXd start = shape(0);
   for (Index p = 0; p < start.size(); ++p) {
     const NonlinearParameter& range = ranges[static_cast<std::size_t>(p)];
-    const double between = (1.0 - part) * coordinate(range, shape(0)(p)) +
-                           part * coordinate(range, shape(1)(p));
+    const double between =
+        (1.0 - part) * coordinate(range, shape(0)(p)) + part * coordinate(range, shape(1)(p));
     start(p) = range.logarithmic ? std::exp(between) : between;
   }
   return start;
@@ -90,15 +104,14 @@ void fit_shapes(const Design& design, FoundSlots& found) {
       if ((h.source->kind == CandidateKind::delay) != delays) continue;
       order.push_back(i);
       if (delays)
-        append_term(design, found.weights, *h.source, VectorXd::Zero(1), found.model);
+        append_term(design, found.whitening.training, *h.source, VectorXd::Zero(1), found.model);
       else if (h.candidate < 0)
         found.model.terms.push_back(term_of(found.all, e.shapes.front()));
       else
-        found.model.terms.push_back(
-            make_term(design, *h.source, start_of(found, i), false));
+        found.model.terms.push_back(make_term(design, *h.source, start_of(found, i), false));
     }
   if (count == 0) return;
-  refine(design, found.weights, RefineScope::all_terms, found.model);
+  refine(design, found.whitening.training, RefineScope::all_terms, found.model);
   std::vector<Term> sorted(count);
   for (std::size_t k = 0; k < count; ++k) sorted[order[k]] = found.model.terms[first + k];
   std::move(sorted.begin(), sorted.end(),
@@ -125,10 +138,11 @@ bool add_fitted_shapes(const Design& design, FoundSlots& found) {
   return added;
 }
 
-/// Hypotheses whose fitted terms lie beyond their limits are not taken again. False: there are none.
+/// Hypotheses whose fitted terms lie beyond their limits are not taken again. False: there are
+/// none.
 bool ban_impossible(const Design& design, const FoundSlots& found, std::vector<bool>& banned) {
   if (found.slots.entries.empty()) return false;
-  const LinearFit fit = solve(stack(found.model, found.weights));
+  const LinearFit fit = solve(stack(found.model, found.whitening.training));
   const std::size_t first = found.model.terms.size() - found.slots.entries.size();
   bool any = false;
   for (std::size_t i = 0; i < found.slots.entries.size(); ++i) {
@@ -147,13 +161,13 @@ std::unique_ptr<FoundSlots> find_slots(const Design& design, const Settings& set
                                        const Model& baseline) {
   auto found = std::make_unique<FoundSlots>();
   found->all = make_hypotheses(design, baseline);
-  found->weights = whitening_weights(design, found->all,
-                                     immaterial_variance(design, settings, found->all.parts.base));
+  found->whitening = whitening_of(design, found->all,
+                                  immaterial_variance(design, settings, found->all.parts.base));
   const int most = std::max(settings.most_causes, design.problem().channels);
   std::vector<bool> banned(found->all.list.size(), false);
   constexpr int most_bans = 6;
+  found->moments = moments_of(design, found->all, found->whitening.training);
   for (int round = 0, bans = 0;;) {
-    found->moments = moments_of(design, found->all, found->weights);
     search(most, banned, *found);
     fit_shapes(design, *found);
     if (bans < most_bans && ban_impossible(design, *found, banned)) {
@@ -161,6 +175,7 @@ std::unique_ptr<FoundSlots> find_slots(const Design& design, const Settings& set
       continue;
     }
     if (++round == kRounds || !add_fitted_shapes(design, *found)) return found;
+    found->moments = moments_of(design, found->all, found->whitening.training);
   }
 }
 

@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "identification/likelihood/noise_spectrum_fit.h"
 #include "identification/likelihood/slot_search.h"
 
 namespace sinew::diagnosis {
@@ -12,13 +13,14 @@ namespace sinew::diagnosis {
 /// What was found, and all that it rests on.
 struct FoundSlots {
   Hypotheses all;  ///< with one more shape for each that was fitted
-  Weights weights;
+  Whitening whitening;
   Moments moments;
   std::unique_ptr<SmallErrors> errors;  ///< points to `moments`
   std::unique_ptr<SlotSearch> search;   ///< points to all of these
   Slots slots;
-  Model model;  ///< the base's terms, then one term a slot, in their order
+  Model model;                ///< the base's terms, then one term a slot, in their order
   double small_errors = 0.0;  ///< share by which everything is off
+  double form_error = 0.0;    ///< share by which the forms of what was found are off
 };
 
 /// `baseline`: as for make_hypotheses().

@@ -4,6 +4,7 @@
 #include <tbb/parallel_for.h>
 
 #include <cmath>
+#include <map>
 
 #include "identification/likelihood/decision_constants.h"
 #include "identification/regression/screening.h"
@@ -60,6 +61,13 @@ void add_grid(const Candidate& source, Hypotheses& all) {
     link_neighbours(source, first, all.shapes);
 }
 
+/// Several forms of one cause at one place are one hypothesis' prior.
+void share_priors(std::vector<Hypothesis>& list) {
+  std::map<std::pair<std::string, std::string>, int> forms;
+  for (const Hypothesis& h : list) ++forms[{h.source->name, h.source->place}];
+  for (Hypothesis& h : list) h.log_prior -= std::log(forms[{h.source->name, h.source->place}]);
+}
+
 /// A delay's column is the rate of what the model says.
 BandColumns delay_of_model(const Design& design, const Model& base, const Candidate& delay) {
   const VectorXd coefficients = solve(stack(base, even_weights(design))).coefficients;
@@ -78,27 +86,30 @@ Hypotheses make_hypotheses(const Design& design, const Model& baseline) {
   for (std::size_t i = 0; i < all.parts.deviations.size(); ++i) {
     const Term& term = all.parts.deviations[i];
     add_hypothesis(-1 - static_cast<int>(i), *term.candidate, all);
-    all.list.back().log_prior +=
-        problem.deviations[i].unlikely ? std::log(kUnlikelyOdds) : 0.0;
+    all.list.back().log_prior += problem.deviations[i].unlikely ? std::log(kUnlikelyOdds) : 0.0;
     all.list.back().shapes.push_back(static_cast<int>(all.shapes.size()));
     all.shapes.push_back({static_cast<int>(all.list.size()) - 1, VectorXd(), term.columns, {}});
   }
   for (std::size_t c = 0; c < problem.library.size(); ++c) {
     const Candidate& source = problem.library[c];
+    if (source.nuisance) continue;
     add_hypothesis(static_cast<int>(c), source, all);
     if (source.kind != CandidateKind::delay) {
       add_grid(source, all);
       continue;
     }
     all.list.back().shapes.push_back(static_cast<int>(all.shapes.size()));
-    all.shapes.push_back({static_cast<int>(all.list.size()) - 1, VectorXd::Zero(1),
-                          delay_of_model(design, all.parts.base, source), {}});
+    all.shapes.push_back({static_cast<int>(all.list.size()) - 1,
+                          VectorXd::Zero(1),
+                          delay_of_model(design, all.parts.base, source),
+                          {}});
   }
+  share_priors(all.list);
   tbb::parallel_for(0, static_cast<int>(all.shapes.size()), [&](int i) {
     Shape& shape = all.shapes[static_cast<std::size_t>(i)];
     if (shape.columns.empty())
-      shape.columns = design.columns(
-          *all.list[static_cast<std::size_t>(shape.hypothesis)].source, shape.nonlinear);
+      shape.columns = design.columns(*all.list[static_cast<std::size_t>(shape.hypothesis)].source,
+                                     shape.nonlinear);
   });
   return all;
 }

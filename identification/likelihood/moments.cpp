@@ -4,6 +4,7 @@
 #include <tbb/parallel_for.h>
 
 #include <Eigen/Cholesky>
+#include <algorithm>
 #include <cmath>
 
 namespace sinew::diagnosis {
@@ -27,8 +28,8 @@ VectorXd measured_rms(const Design& design) {
   return energy.cwiseQuotient(samples.cwiseMax(1e-300)).cwiseSqrt().cwiseMax(1e-12);
 }
 
-/// What a column's coefficients are multiplied with, 0 for one that is zero: one entry a coefficient
-/// of the shape.
+/// What a column's coefficients are multiplied with, 0 for one that is zero: one entry a
+/// coefficient of the shape.
 VectorXd scales_of(const Design& design, const BandColumns& columns, const VectorXd& rms) {
   VectorXd energy;
   double samples = 0.0;
@@ -106,10 +107,17 @@ struct Sums {
   VectorXd base_target;
 };
 
-void add(const Rows& rows, Moments& m, Sums& sums) {
-  const MatrixXd own = rows.x.transpose() * rows.x;
+/// Products of the rows' columns with each other, the lower half.
+MatrixXd lower_gram(const Rows& rows) {
+  MatrixXd own = MatrixXd::Zero(rows.x.cols(), rows.x.cols());
+  own.selfadjointView<Eigen::Lower>().rankUpdate(rows.x.transpose());
+  return own;
+}
+
+/// Places ascend, so that the lower half stays the lower half.
+void add(const Rows& rows, const MatrixXd& own, Moments& m, Sums& sums) {
   for (std::size_t c = 0; c < rows.at.size(); ++c)
-    for (std::size_t r = 0; r < rows.at.size(); ++r)
+    for (std::size_t r = c; r < rows.at.size(); ++r)
       m.gram(rows.at[r], rows.at[c]) += own(static_cast<Index>(r), static_cast<Index>(c));
   m.target(rows.at) += rows.x.transpose() * rows.y;
   m.deviance += rows.y.squaredNorm();
@@ -119,6 +127,14 @@ void add(const Rows& rows, Moments& m, Sums& sums) {
   sums.base_target(rows.base_at) += rows.base.transpose() * rows.y;
   if (!rows.at.empty()) sums.cross(rows.base_at, rows.at) += rows.base.transpose() * rows.x;
 }
+
+/// One segment's.
+struct Products {
+  Rows rows;
+  MatrixXd gram;
+};
+
+constexpr std::size_t kAtOnce = 4;  // segments whose rows are in memory together
 
 /// Columns that stand for their hypothesis among small errors, and the share of it each carries.
 void choose_representatives(const Moments& m, const Hypotheses& all, std::vector<Index>& at,
@@ -148,8 +164,20 @@ Moments moments_of(const Design& design, const Hypotheses& all, const Weights& w
   m.target = VectorXd::Zero(columns);
   const Index base = first_columns(all.parts.base).back();
   Sums sums{MatrixXd::Zero(base, base), MatrixXd::Zero(base, columns), VectorXd::Zero(base)};
+  std::vector<std::size_t> segments;
   for (std::size_t s = 0; s < weights.size(); ++s)
-    if (weights[s].size() > 0) add(rows_of(all, m, weights[s], s), m, sums);
+    if (weights[s].size() > 0) segments.push_back(s);
+  // Added in their order, whichever is ready first: a sum's last bit depends on it.
+  for (std::size_t from = 0; from < segments.size(); from += kAtOnce) {
+    std::vector<Products> part(std::min(kAtOnce, segments.size() - from));
+    tbb::parallel_for(std::size_t{0}, part.size(), [&](std::size_t i) {
+      const std::size_t s = segments[from + i];
+      part[i].rows = rows_of(all, m, weights[s], s);
+      part[i].gram = lower_gram(part[i].rows);
+    });
+    for (const Products& p : part) add(p.rows, p.gram, m, sums);
+  }
+  m.gram.triangularView<Eigen::StrictlyUpper>() = m.gram.transpose();
   if (base == 0) return m;
   const MatrixXd inverse = scaled_pseudo_inverse(sums.base);
   const MatrixXd solved = inverse * sums.cross;
@@ -174,8 +202,7 @@ SmallErrors::SmallErrors(const Moments& m, const Hypotheses& all, double share) 
   const VectorXd own = factor.matrixL().solve(VectorXd(size.cwiseProduct(m.target(at))));
   target_ = m.target - taken_.transpose() * own;
   log_likelihood_ = 0.5 * own.squaredNorm() - 0.5 * m.deviance;
-  if (count > 0)
-    log_likelihood_ -= MatrixXd(factor.matrixL()).diagonal().array().log().sum();
+  if (count > 0) log_likelihood_ -= MatrixXd(factor.matrixL()).diagonal().array().log().sum();
 }
 
 MatrixXd SmallErrors::gram(const std::vector<Index>& rows,

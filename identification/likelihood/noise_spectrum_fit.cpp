@@ -143,10 +143,11 @@ SmoothSpectrum fit_spectrum(const std::vector<BinEnergy>& bins, double band_hz) 
   return spectrum;
 }
 
-Weights whitening_weights(const Design& design, const Hypotheses& all, const VectorXd& floor) {
+Whitening whitening_of(const Design& design, const Hypotheses& all, const VectorXd& floor) {
   const std::vector<int> shapes = representatives(all);
   const auto count = design.segments().size();
-  Weights weights = even_weights(design);
+  Whitening whitening{even_weights(design), Weights(count)};
+  Weights& weights = whitening.training;
   // The second fit is weighted with the first one's spectrum.
   for (int round = 0; round < 2; ++round) {
     std::vector<std::vector<BinEnergy>> bins(count);
@@ -167,11 +168,12 @@ Weights whitening_weights(const Design& design, const Hypotheses& all, const Vec
       if (own.empty()) continue;
       const SmoothSpectrum spectrum = fit_spectrum(own, band);
       for (std::size_t s = 0; s < count; ++s)
-        if (design.segments()[s].channel == channel && !design.segments()[s].holdout)
-          weights[s] = weight_of(design, s, spectrum, floor(channel));
+        if (design.segments()[s].channel == channel)
+          (design.segments()[s].holdout ? whitening.held_out : weights)[s] =
+              weight_of(design, s, spectrum, floor(channel));
     }
   }
-  return weights;
+  return whitening;
 }
 
 }  // namespace sinew::diagnosis

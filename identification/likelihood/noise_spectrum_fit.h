@@ -29,10 +29,14 @@ struct BinEnergy {
 /// spectrum count as that much.
 SmoothSpectrum fit_spectrum(const std::vector<BinEnergy>& bins, double band_hz);
 
-/// Whitening weights of the training segments, from what a fit with everything leaves over: the
-/// model, and a few shapes of every hypothesis. `floor`: per channel, the variance
-/// of a sample that is not material, which counts as noise.
-Weights whitening_weights(const Design& design, const Hypotheses& all,
-                          const Eigen::VectorXd& floor);
+/// What rows are multiplied with to have unit variance, empty for segments of the other logs.
+struct Whitening {
+  Weights training, held_out;
+};
+
+/// From what a fit of the training logs with everything leaves over: the model, and a few shapes of
+/// every hypothesis. `floor`: per channel, the variance of a sample that is not material, which
+/// counts as noise.
+Whitening whitening_of(const Design& design, const Hypotheses& all, const Eigen::VectorXd& floor);
 
 }  // namespace sinew::diagnosis

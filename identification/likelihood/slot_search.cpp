@@ -87,15 +87,18 @@ Entry make_entry(const Hypotheses& all, const SmallErrors& errors, int hypothesi
 struct SlotSearch::Fit {
   std::vector<Index> columns;  ///< the entries', then those of the errors of their forms
   Index own = 0;               ///< how many are the entries'
-  MatrixXd cross;    ///< Gram matrix of all columns with those of the model
-  MatrixXd inverse;  ///< of the model's
+  MatrixXd cross;              ///< Gram matrix of all columns with those of the model
+  MatrixXd inverse;            ///< of the model's
   VectorXd coefficients;
   VectorXd target;  ///< products of all columns with what is left over
 };
 
 SlotSearch::SlotSearch(const Hypotheses& all, const SmallErrors& errors, int most,
                        const std::vector<bool>& banned)
-    : all_(all), errors_(errors), most_(static_cast<std::size_t>(most)) {
+    : all_(all),
+      errors_(errors),
+      most_(static_cast<std::size_t>(most)),
+      form_error_(kFormErrors[0]) {
   for (std::size_t h = 0; h < all.list.size(); ++h) {
     if (banned[h]) continue;
     const std::size_t first = entries_.size();
@@ -119,31 +122,37 @@ SlotSearch::SlotSearch(const Hypotheses& all, const SmallErrors& errors, int mos
   find_kin();
 }
 
-/// Of every named entry the unnamed structure that comes nearest to its form.
+/// Of every named entry the unnamed structure that its form is a part of: a smooth curve in
+/// position, velocity, load, time or way.
 void SlotSearch::find_kin() {
-  constexpr double kNear = 0.5;  // of the form's energy
+  constexpr double kNear = 0.5;    // of the form's energy, the nearest one has
+  constexpr double kAlike = 0.02;  // of it, more than the nearest one lacks
   struct Family {
     std::vector<Index> columns;
     MatrixXd inverse;
-    const Candidate* source;
   };
   std::vector<Family> families;
   for (const Entry& e : entries_) {
-    const Hypothesis& h = all_.list[static_cast<std::size_t>(e.hypothesis)];
-    if (h.source->kind == CandidateKind::flexible && h.source->nonlinear.empty())
-      families.push_back({e.columns, scaled_pseudo_inverse(e.alone.gram), h.source});
+    const Candidate& source = *all_.list[static_cast<std::size_t>(e.hypothesis)].source;
+    if (source.kind == CandidateKind::flexible && source.nonlinear.empty())
+      families.push_back({e.columns, scaled_pseudo_inverse(e.alone.gram)});
   }
   tbb::parallel_for(0, static_cast<int>(entries_.size()), [&](int i) {
     Entry& e = entries_[static_cast<std::size_t>(i)];
     if (!all_.list[static_cast<std::size_t>(e.hypothesis)].named) return;
-    double nearest = kNear;
+    std::vector<double> near;
     for (const Family& family : families) {
       const MatrixXd cross = errors_.gram(family.columns, e.columns);
-      const double near = (cross.transpose() * family.inverse * cross).trace() /
-                          std::max(e.alone.gram.trace(), 1e-300);
-      if (near <= nearest) continue;
-      nearest = near;
-      e.kin = family.columns;
+      near.push_back((cross.transpose() * family.inverse * cross).trace() /
+                     std::max(e.alone.gram.trace(), 1e-300));
+    }
+    const double nearest = near.empty() ? 0.0 : *std::max_element(near.begin(), near.end());
+    if (nearest < kNear) return;
+    for (std::size_t f = 0; f < families.size(); ++f) {
+      if (near[f] < nearest - kAlike) continue;
+      const auto& own = families[f].columns;
+      for (const Index column : own)
+        e.kin.push_back({column, 1.0 / static_cast<double>(own.size())});
     }
   });
 }
@@ -160,14 +169,14 @@ VectorXd SlotSearch::precisions(const std::vector<int>& entries, Fit& f) const {
   for (const int i : entries) {
     const Entry& e = entries_[static_cast<std::size_t>(i)];
     const auto wide = static_cast<Index>(e.columns.size());
-    const double size = kOwnError * plain.segment(first, wide).norm();
+    const double size = form_error_ * plain.segment(first, wide).norm();
     first += wide;
     if (size <= 0.0) continue;
-    for (const Index column : e.kin) {
-      const auto at = std::find(f.columns.begin() + own, f.columns.end(), column);
-      const double precision = static_cast<double>(e.kin.size()) / (size * size);
+    for (const Kin& kin : e.kin) {
+      const auto at = std::find(f.columns.begin() + own, f.columns.end(), kin.column);
+      const double precision = 1.0 / (kin.share * size * size);
       if (at == f.columns.end()) {
-        f.columns.push_back(column);
+        f.columns.push_back(kin.column);
         more.push_back(precision);
       } else {  // errors of two forms add
         double& known = more[static_cast<std::size_t>(at - f.columns.begin() - own)];
@@ -222,25 +231,30 @@ BayesFactor SlotSearch::factor(int entry, const Fit& given) const {
 /// What the error of its form adds to an entry's log Bayes factor.
 double SlotSearch::form_error(const Entry& e, const Fit& given, const ConditionalMoments& m,
                               double variance) const {
-  MatrixXd gram = errors_.gram(e.kin, e.kin), cross = errors_.gram(e.kin, e.columns);
+  std::vector<Index> kin;
+  VectorXd share(static_cast<Index>(e.kin.size()));
+  for (std::size_t k = 0; k < e.kin.size(); ++k) {
+    kin.push_back(e.kin[k].column);
+    share(static_cast<Index>(k)) = e.kin[k].share;
+  }
+  MatrixXd gram = errors_.gram(kin, kin), cross = errors_.gram(kin, e.columns);
   if (!given.columns.empty()) {
-    const MatrixXd kin = given.cross(e.kin, Eigen::all);
-    gram -= kin * given.inverse * kin.transpose();
-    cross -= kin * given.inverse * MatrixXd(given.cross(e.columns, Eigen::all)).transpose();
+    const MatrixXd beside = given.cross(kin, Eigen::all);
+    gram -= beside * given.inverse * beside.transpose();
+    cross -= beside * given.inverse * MatrixXd(given.cross(e.columns, Eigen::all)).transpose();
   }
   MatrixXd own = m.gram;
   own.diagonal().array() += 1.0 / variance;
   const Eigen::LLT<MatrixXd> factor(own);
   const VectorXd fitted = factor.solve(m.target);
   gram -= cross * factor.solve(MatrixXd(cross.transpose()));
-  const VectorXd left = VectorXd(given.target(e.kin)) - cross * fitted;
-  const double error =
-      std::pow(kOwnError * fitted.norm(), 2.0) / static_cast<double>(e.kin.size());
-  MatrixXd inner = error * gram;
+  const VectorXd left = VectorXd(given.target(kin)) - cross * fitted;
+  const VectorXd error = form_error_ * fitted.norm() * share.cwiseSqrt();
+  MatrixXd inner = error.asDiagonal() * gram * error.asDiagonal();
   inner.diagonal().array() += 1.0;
   const Eigen::LLT<MatrixXd> whole(inner);
-  return 0.5 * error * left.dot(whole.solve(left)) -
-         MatrixXd(whole.matrixL()).diagonal().array().log().sum();
+  const VectorXd taken = whole.matrixL().solve(VectorXd(error.cwiseProduct(left)));
+  return 0.5 * taken.squaredNorm() - MatrixXd(whole.matrixL()).diagonal().array().log().sum();
 }
 
 std::vector<double> SlotSearch::log_odds(const std::vector<int>& given) const {
@@ -448,6 +462,29 @@ std::vector<Rival> SlotSearch::rivals(const Slots& slots, std::size_t slot) cons
   return ranked(odds);
 }
 
+std::vector<Rival> SlotSearch::credible(const Slots& slots, std::size_t slot) const {
+  std::vector<Rival> list = rivals(slots, slot);
+  double sum = 0.0;
+  std::size_t count = 0;
+  while (count < list.size() && sum < kCredible && list[count].log_odds > 0.0)
+    sum += list[count++].probability;
+  list.resize(sum < kCredible ? 0 : count);
+  return list;
+}
+
+Slots SlotSearch::with_names(Slots slots) const {
+  const auto is_named = [&](int hypothesis) {
+    return all_.list[static_cast<std::size_t>(hypothesis)].named;
+  };
+  for (std::size_t i = 0; i < slots.entries.size(); ++i) {
+    const std::vector<Rival> set = credible(slots, i);
+    const auto named = std::find_if(set.begin(), set.end(),
+                                    [&](const Rival& r) { return is_named(r.hypothesis); });
+    if (named != set.end()) slots.entries[i] = named->entry;
+  }
+  return weighed(slots.entries);
+}
+
 std::vector<Rival> SlotSearch::on_top(const Slots& slots) const {
   return ranked(log_odds(slots.entries));
 }
@@ -456,8 +493,8 @@ VectorXd SlotSearch::coefficients(const Slots& slots, std::size_t slot) const {
   const Fit f = fit(slots.entries);
   Index first = 0;
   for (std::size_t i = 0; i < slot; ++i)
-    first += static_cast<Index>(
-        entries_[static_cast<std::size_t>(slots.entries[i])].columns.size());
+    first +=
+        static_cast<Index>(entries_[static_cast<std::size_t>(slots.entries[i])].columns.size());
   const Entry& e = entries_[static_cast<std::size_t>(slots.entries[slot])];
   VectorXd own = f.coefficients.segment(first, static_cast<Index>(e.columns.size()));
   for (Index c = 0; c < own.size(); ++c)

@@ -10,6 +10,12 @@
 
 namespace sinew::diagnosis {
 
+/// A column of structure without a name, and its share of that structure's variance.
+struct Kin {
+  Eigen::Index column = 0;
+  double share = 1.0;
+};
+
 /// One way a hypothesis enters a model: a shape, or two neighbouring ones for all between them.
 struct Entry {
   int hypothesis = 0;
@@ -17,9 +23,9 @@ struct Entry {
   std::vector<Eigen::Index> columns;
   double log_prior = 0.0;  ///< its part of its hypothesis' log prior odds
   ConditionalMoments alone;
-  /// Columns of the unnamed structure that its form is nearest to: no cause has exactly the form
-  /// that the library gives it. Empty: none is near.
-  std::vector<Eigen::Index> kin;
+  /// The unnamed structure that its form is a part of: no cause has exactly the form that the
+  /// library gives it. Empty: it is no part of any.
+  std::vector<Kin> kin;
 };
 
 /// The hypotheses a model holds, one entry each.
@@ -37,6 +43,10 @@ struct Rival {
   double probability = 0.0;  ///< among all rivals and nothing
 };
 
+/// Shares of its size by which the form of a cause may be off: friction's curves, drifts and
+/// springs of one name differ by 3 to 30 %.
+inline constexpr double kFormErrors[] = {0.03, 0.1, 0.3};
+
 class SlotSearch {
  public:
   /// `most`: slots at most. `banned`: hypotheses that are not to be taken.
@@ -45,6 +55,9 @@ class SlotSearch {
 
   const std::vector<Entry>& entries() const { return entries_; }
 
+  /// What the library's forms are off by, as a share of a found cause's size; kFormErrors[0] first.
+  void set_form_error(double share) { form_error_ = share; }
+
   /// Grown from nothing by the best entry each, every slot exchanged for its best rival after every
   /// step.
   Slots find() const;
@@ -52,6 +65,11 @@ class SlotSearch {
   Slots from_rivals(const Slots& found) const;
   /// Every hypothesis in place of a slot, most probable first.
   std::vector<Rival> rivals(const Slots& slots, std::size_t slot) const;
+  /// The smallest set of hypotheses that holds a slot's cause with kCredible; empty where nothing
+  /// in its place is not ruled out by that.
+  std::vector<Rival> credible(const Slots& slots, std::size_t slot) const;
+  /// The same slots, each with the most probable name of its credible set, where there is one.
+  Slots with_names(Slots slots) const;
   /// Every hypothesis on top of the slots.
   std::vector<Rival> on_top(const Slots& slots) const;
   /// Coefficients of a slot in the columns' own units, by coefficient of its first shape.
@@ -79,6 +97,7 @@ class SlotSearch {
   const Hypotheses& all_;
   const SmallErrors& errors_;
   std::size_t most_;
+  double form_error_;
   std::vector<Entry> entries_;
 };
 

@@ -93,10 +93,9 @@ struct PlainErrors {
 };
 
 PlainErrors plain_errors(const Design& design, const Stretch& stretch, const MatrixXd& x,
-                         const std::vector<Index>& at) {
+                         const std::vector<Index>& at, double unit) {
   const auto rows = x.middleRows(stretch.first, stretch.count);
   const int channel = design.segments()[stretch.segment].channel;
-  const double unit = design.unit(channel);
   return {stretch.block, channel, at, rows.transpose() * rows / (unit * unit)};
 }
 
@@ -137,7 +136,8 @@ BlockLosses cross_validate(const Design& design, const Model& model, const Weigh
     const auto b = static_cast<std::size_t>(stretch.block);
     const auto rows = x.middleRows(stretch.first, stretch.count);
     whitened[b](at, at) += rows.transpose() * rows;
-    plain[b].push_back(plain_errors(design, stretch, raw, at));
+    plain[b].push_back(plain_errors(
+        design, stretch, raw, at, design.unit(design.segments()[stretch.segment].channel)));
     losses.samples(stretch.block) += static_cast<double>(stretch.count);
   }
   MatrixXd all = none;
@@ -189,7 +189,8 @@ VectorXd block_error(const LinearFit& fit, const std::vector<PlainErrors>& block
 
 }  // namespace
 
-BlockLosses held_out(const Design& design, const Model& model, const LinearFit& fit, int blocks) {
+BlockLosses held_out(const Design& design, const Model& model, const LinearFit& fit, int blocks,
+                     const Weights* whitening) {
   int total = 0;
   const std::vector<Stretch> stretches = cut(design, true, blocks, total);
   const Index wide = first_columns(model).back();
@@ -201,11 +202,14 @@ BlockLosses held_out(const Design& design, const Model& model, const LinearFit& 
   std::vector<Index> active;
   for (const Stretch& stretch : stretches) {
     if (stretch.segment != last) {
-      x = time_columns(design, model, nullptr, stretch.segment);
+      x = time_columns(design, model, whitening ? &(*whitening)[stretch.segment] : nullptr,
+                       stretch.segment);
       active = active_columns(model, stretch.segment);
       last = stretch.segment;
     }
-    const PlainErrors part = plain_errors(design, stretch, x, active);
+    const double unit =
+        whitening ? 1.0 : design.unit(design.segments()[stretch.segment].channel);
+    const PlainErrors part = plain_errors(design, stretch, x, active, unit);
     all(active, active) += part.gram;
     plain[static_cast<std::size_t>(stretch.block)].push_back(part);
     losses.samples(stretch.block) += static_cast<double>(stretch.count);

@@ -26,8 +26,10 @@ BlockLosses cross_validate(const Design& design, const Model& model, const Weigh
                            int blocks);
 
 /// The same on the held-out logs with the training's coefficients. Per-log nuisances are fitted
-/// on the held-out log's other blocks. Whitened losses stay zero.
-BlockLosses held_out(const Design& design, const Model& model, const LinearFit& fit, int blocks);
+/// on the held-out log's other blocks. Whitened losses stay zero; with `whitening`, of the held-out
+/// segments, the plain ones are of whitened rows.
+BlockLosses held_out(const Design& design, const Model& model, const LinearFit& fit, int blocks,
+                     const Weights* whitening = nullptr);
 
 /// A gain with the interval that resampling whole blocks gives.
 struct Gain {

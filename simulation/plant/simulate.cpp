@@ -114,9 +114,10 @@ std::vector<Group> groups_of(const Plant& plant) {
 
 class Recorder {
  public:
-  Recorder(const Plant& plant, const OnRow& row, SimulationResult& result)
+  Recorder(const Plant& plant, const OnRow& row, const OnBooks& books, SimulationResult& result)
       : plant_(plant),
         row_(row),
+        books_(books),
         result_(result),
         groups_(groups_of(plant)),
         noise_(plant.scenario().noise.seed) {}
@@ -137,6 +138,7 @@ class Recorder {
     const EnergyNow now = plant_.energy(e);
     audit_energy(now.value, work);
     audit_power(e, now);
+    if (books_) books_(time, now.value, work);
     if (plant_.tendons() > 0 && e.tendon.residual.size() > 0)
       result_.audit.lever_residual =
           std::max(result_.audit.lever_residual, e.tendon.residual.cwiseAbs().maxCoeff());
@@ -183,6 +185,7 @@ class Recorder {
 
   const Plant& plant_;
   const OnRow& row_;
+  const OnBooks& books_;
   SimulationResult& result_;
   std::vector<Group> groups_;
   Noise noise_;
@@ -203,9 +206,9 @@ std::vector<std::string> output_columns(const Plant& plant) {
 }
 
 SimulationResult simulate(Plant& plant, const OnRow& row,
-                          const std::function<void(double)>& progress) {
+                          const std::function<void(double)>& progress, const OnBooks& books) {
   SimulationResult result;
-  Recorder recorder(plant, row, result);
+  Recorder recorder(plant, row, books, result);
   const auto start = std::chrono::steady_clock::now();
   IntegrationCalls calls;
   calls.output = [&](double time, const double* y) {

@@ -38,9 +38,13 @@ using OnRow = std::function<void(const std::vector<double>& row)>;
 /// "time [s]", "q20 [rad]", "tau_1 [N·m]", …: channels as docs/logs.md names them.
 std::vector<std::string> output_columns(const Plant& plant);
 
+/// The books after a step: energy [J] and the integral of each power since the start [J].
+using OnBooks = std::function<void(double time, double energy, const Powers& work)>;
+
 /// Runs the plant's scenario. `progress` gets the time reached [s].
 SimulationResult simulate(Plant& plant, const OnRow& row,
-                          const std::function<void(double)>& progress = {});
+                          const std::function<void(double)>& progress = {},
+                          const OnBooks& books = {});
 
 /// Builds the plant of a model folder: a motor part, a mechanism or a hand. Motor, tendon and
 /// guiding are read from the folders beside it (motor, tendon, guiding or capstan). `runtime`: the

@@ -58,4 +58,9 @@ enum class EquationFormat { latex, mathml, text };
 /// A whole document: LaTeX (article, amsmath), HTML with MathML, or plain text.
 std::string printed(const EquationPage& page, EquationFormat format);
 
+/// The same as a part of an HTML page, with headings from <h`level`> on: the equations as MathML,
+/// each in a <div class="math">, and the table of symbols. `folds`: each part in a <details> of its
+/// own.
+std::string html_sections(const EquationPage& page, int level, bool folds);
+
 }  // namespace sinew

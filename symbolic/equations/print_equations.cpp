@@ -69,29 +69,17 @@ std::string latex_document(const EquationPage& page) {
 }
 
 std::string html_document(const EquationPage& page) {
-  std::string text = fmt::format(
-      "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" "
-      "content=\"width=device-width\"><title>{0}</title>\n<style>body{{font-family:sans-serif;"
-      "max-width:70em;margin:auto;padding:1em}}math{{overflow-x:auto;display:block}}td math{{"
-      "display:inline}}td,th{{text-align:left;padding:0 1em 0 0}}</style></head><body>\n"
-      "<h1>{0}</h1>\n<p>{1}.</p>\n",
-      html_escaped(page.title), html_escaped(source_line));
-  for (const EquationSection& section : page.sections) {
-    text += fmt::format("<h2>{}{}</h2>\n<p>{}</p>\n", html_escaped(section.title),
-                        section.source.empty() ? "" : " " + html_escaped(section.source),
-                        html_escaped(section.text));
-    for (const ReadableEquation& equation : section.equations)
-      text += mathml_equation(shown(page, equation.left), equation.right, page.shown) + "\n";
-  }
-  text +=
-      "<h2>Symbols</h2>\n<table><tr><th>symbol</th><th>meaning</th><th>value</th><th>unit</th>"
-      "<th>origin</th></tr>\n";
-  for (const EquationSymbol& symbol : page.symbols)
-    text += fmt::format(
-        "<tr><td><math>{}</math></td><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n",
-        mathml_name(symbol.name), html_escaped(symbol.meaning), value_text(symbol),
-        html_escaped(symbol.unit), html_escaped(symbol.origin));
-  return text + "</table>\n</body></html>\n";
+  return fmt::format(
+             "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta "
+             "name=\"viewport\" "
+             "content=\"width=device-width\"><title>{0}</"
+             "title>\n<style>body{{font-family:sans-serif;"
+             "max-width:70em;margin:auto;padding:1em}}math{{overflow-x:auto;display:block}}td "
+             "math{{"
+             "display:inline}}td,th{{text-align:left;padding:0 1em 0 0}}</style></head><body>\n"
+             "<h1>{0}</h1>\n",
+             html_escaped(page.title)) +
+         html_sections(page, 2, false) + "</body></html>\n";
 }
 
 std::string text_document(const EquationPage& page) {
@@ -116,6 +104,37 @@ std::string text_document(const EquationPage& page) {
 }
 
 }  // namespace
+
+std::string html_sections(const EquationPage& page, int level, bool folds) {
+  std::string text = fmt::format("<p>{}.</p>\n", html_escaped(source_line));
+  for (const EquationSection& section : page.sections) {
+    text += folds ? "<details><summary>" : fmt::format("<h{}>", level);
+    text += html_escaped(section.title) +
+            (section.source.empty() ? "" : " " + html_escaped(section.source));
+    text += folds ? "</summary><div class=\"inside\">\n" : fmt::format("</h{}>\n", level);
+    text += "<p>" + html_escaped(section.text) + "</p>\n";
+    for (const ReadableEquation& equation : section.equations)
+      text += "<div class=\"math\" tabindex=\"0\" role=\"region\" aria-label=\"equation\">" +
+              mathml_equation(shown(page, equation.left), equation.right, page.shown) + "</div>\n";
+    if (folds) text += "</div></details>\n";
+  }
+  text += fmt::format(
+      "<h{0}>Symbols</h{0}>\n<table><thead><tr><th scope=\"col\">symbol</th><th "
+      "scope=\"col\">meaning"
+      "</th><th scope=\"col\">value</th><th scope=\"col\">unit</th><th "
+      "scope=\"col\">origin</th></tr>"
+      "</thead><tbody>\n",
+      level);
+  for (const EquationSymbol& symbol : page.symbols)
+    text += fmt::format(
+        "<tr><th scope=\"row\"><math>{}</math></th><td data-label=\"meaning\">{}</td><td "
+        "data-label=\"value\">{}</td><td data-label=\"unit\">{}</td><td "
+        "data-label=\"origin\">{}</td>"
+        "</tr>\n",
+        mathml_name(symbol.name), html_escaped(symbol.meaning), value_text(symbol),
+        html_escaped(symbol.unit), html_escaped(symbol.origin));
+  return text + "</tbody></table>\n";
+}
 
 std::string printed(const EquationPage& page, EquationFormat format) {
   switch (format) {

@@ -37,6 +37,8 @@ std::vector<ex> homogeneous(const PoseEx& pose) {
   return T;
 }
 
+}  // namespace
+
 std::vector<Function> kinematics_functions(const Mechanism& mechanism) {
   const Argument q = joint_positions(mechanism);
   const Frame tip = tip_frame(mechanism);
@@ -62,8 +64,6 @@ std::vector<Function> kinematics_functions(const Mechanism& mechanism) {
            list.items(),
            {{"J", 6, q.rows, J, "m | 1", "velocity and angular velocity a joint rate"}}}};
 }
-
-}  // namespace
 
 std::vector<Function> functions_of(const Mechanism& mechanism, const CostOf& cost,
                                    bool runtime_parameters) {

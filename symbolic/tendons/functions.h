@@ -16,4 +16,7 @@ namespace sinew {
 std::vector<Function> functions_of(const Mechanism& mechanism, const CostOf& cost = {},
                                    bool runtime_parameters = false);
 
+/// Of these the kinematics alone: forward_kinematics and tip_jacobian.
+std::vector<Function> kinematics_functions(const Mechanism& mechanism);
+
 }  // namespace sinew

@@ -12,7 +12,6 @@
 #include "symbolic/parts/part.h"
 #include "symbolic/tendons/functions.h"
 #include "tests/cli/program.h"
-#include "tests/skip.h"
 
 using namespace sinew;
 using nlohmann::json;
@@ -217,8 +216,6 @@ TEST_CASE("without values from before the summary says so", "[cad]") {
 }
 
 TEST_CASE("figures follow a wrist's new width", "[cad][slow]") {
-  if (std::string output; reference::run_program({"gnuplot", "--version"}, output) != 0)
-    return sinew::test::skip("gnuplot is not installed (gnuplot-nox)");
   const CadOffice here;
   const auto draw = [&](const std::string& out) {
     return here.sinew({"figures", "--chapter", "5", "--chapter", "6", "--out", out, "--runtime",

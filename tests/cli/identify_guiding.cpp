@@ -4,7 +4,6 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/cli/program.h"
-#include "tests/skip.h"
 
 using namespace sinew;
 using nlohmann::json;
@@ -26,8 +25,6 @@ Ended identify(const Workplace& here, const std::string& table,
 
 TEST_CASE("designers' tables from the shipped example", "[identify]") {
   const Workplace here;
-  if (here.shell("gnuplot --version").status != 0)
-    return sinew::test::skip("gnuplot is not installed (gnuplot-nox)");
   const Ended run = identify(here, model + "/assumed_measurements.csv", {"--tables", "tables"});
   INFO(run.output);
   REQUIRE(run.status == 0);

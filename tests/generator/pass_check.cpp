@@ -7,9 +7,9 @@
 #include <bit>
 #include <cmath>
 
+#include "generator/error_bound.h"
 #include "generator/passes/chains.h"
 #include "generator/write.h"
-#include "tests/generator/error_bound.h"
 #include "tests/reference/emitted_model.h"
 
 namespace sinew {

@@ -8,12 +8,12 @@
 
 #include "generator/assemble.h"
 #include "generator/dump.h"
+#include "generator/error_bound.h"
 #include "generator/lower.h"
 #include "generator/passes/passes.h"
 #include "generator/rewrite.h"
 #include "symbolic/model/read_mechanism.h"
 #include "symbolic/tendons/functions.h"
-#include "tests/generator/error_bound.h"
 #include "tests/generator/every_operation.h"
 #include "tests/generator/pass_check.h"
 #include "tests/reference/random_mechanism.h"

@@ -6,7 +6,7 @@
 
 #include "identification/regression/baseline.h"
 #include "identification/diagnosis/confounding.h"
-#include "identification/diagnosis/explain.h"
+#include "identification/likelihood/explain.h"
 #include "tests/identification/diagnosis/two_joints.h"
 
 namespace {

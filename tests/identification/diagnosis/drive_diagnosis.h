@@ -5,7 +5,7 @@
 #include <set>
 #include <string>
 
-#include "identification/diagnosis/explain.h"
+#include "identification/likelihood/explain.h"
 #include "tests/identification/diagnosis/synthetic_drive.h"
 
 namespace sinew::test {

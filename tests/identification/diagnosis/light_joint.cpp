@@ -5,7 +5,7 @@
 #include <random>
 
 #include "identification/diagnosis/collinearity.h"
-#include "identification/diagnosis/explain.h"
+#include "identification/likelihood/explain.h"
 #include "identification/regression/baseline.h"
 #include "identification/regression/refine.h"
 #include "tests/identification/diagnosis/two_joints.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 
-#include "identification/diagnosis/explain.h"
+#include "identification/likelihood/explain.h"
 #include "tests/identification/diagnosis/drive_candidates.h"
 #include "tests/identification/diagnosis/drive_logs.h"
 #include "tests/skip.h"

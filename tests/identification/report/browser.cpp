@@ -71,25 +71,6 @@ std::vector<std::string> arguments_for(const fs::path& folder, const fs::path& p
           "file://" + page.string()};
 }
 
-std::string answer(const std::string& html) {
-  const reference::TemporaryFolder folder;
-  const fs::path page = folder.path() / "page.html";
-  reference::write_text(page, html);
-  std::string output;
-  const int status = reference::run_program(arguments_for(folder.path(), page), output);
-  if (status != 0)
-    throw std::runtime_error("the browser ended with " + std::to_string(status) + ":\n" + output);
-  return output;
-}
-
-std::vector<std::string> console_lines(const std::string& output) {
-  std::istringstream lines(output);
-  std::vector<std::string> found;
-  for (std::string line; std::getline(lines, line);)
-    if (line.find(":CONSOLE") != std::string::npos) found.push_back(line);
-  return found;
-}
-
 std::vector<Seen> seen_in(const std::string& output) {
   std::istringstream lines(output);
   std::vector<Seen> result;
@@ -120,6 +101,25 @@ std::string browser() {
   return "";
 }
 
+std::string browsed(const std::string& html) {
+  const reference::TemporaryFolder folder;
+  const fs::path page = folder.path() / "page.html";
+  reference::write_text(page, html);
+  std::string output;
+  const int status = reference::run_program(arguments_for(folder.path(), page), output);
+  if (status != 0)
+    throw std::runtime_error("the browser ended with " + std::to_string(status) + ":\n" + output);
+  return output;
+}
+
+std::vector<std::string> console_lines(const std::string& output) {
+  std::istringstream lines(output);
+  std::vector<std::string> found;
+  for (std::string line; std::getline(lines, line);)
+    if (line.find(":CONSOLE") != std::string::npos) found.push_back(line);
+  return found;
+}
+
 Visit visit(const std::vector<Shown>& pages) {
   std::string html = "<!DOCTYPE html><html><head><meta charset=\"utf-8\"></head><body>";
   for (const Shown& page : pages)
@@ -127,7 +127,7 @@ Visit visit(const std::vector<Shown>& pages) {
             "\" style=\"border:0;width:" + std::to_string(page.width) +
             "px;height:" + std::to_string(page.height) + "px\" srcdoc=\"" +
             diagnosis::escaped(page.html) + "\"></iframe>";
-  const std::string output = answer(html + kProbe + "</body></html>\n");
+  const std::string output = browsed(html + kProbe + "</body></html>\n");
   Visit result{seen_in(output), console_lines(output)};
   if (result.seen.size() != pages.size())
     throw std::runtime_error("the browser answered for " + std::to_string(result.seen.size()) +
@@ -137,7 +137,7 @@ Visit visit(const std::vector<Shown>& pages) {
 }
 
 std::vector<std::string> complaints_of_file(const std::string& html) {
-  return console_lines(answer(html));
+  return console_lines(browsed(html));
 }
 
 }  // namespace sinew::report

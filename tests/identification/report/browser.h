@@ -40,6 +40,13 @@ struct Visit {
 /// Shows all pages at once. Throws std::runtime_error where the browser does not answer.
 Visit visit(const std::vector<Shown>& pages);
 
+/// What the browser prints of a page opened as a file of its own: the document after it was loaded,
+/// and the console's lines. Throws std::runtime_error where it does not answer.
+std::string browsed(const std::string& html);
+
+/// The console's lines of that.
+std::vector<std::string> console_lines(const std::string& output);
+
 /// Console lines of a page opened as a file of its own.
 std::vector<std::string> complaints_of_file(const std::string& html);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// From recordings and candidates to a verdict.
+// A verdict and the fitted model it stands for.
 #pragma once
 
 #include "identification/diagnosis/select.h"
@@ -8,7 +8,6 @@
 
 namespace sinew::diagnosis {
 
-/// The verdict and the fitted model it stands for.
 struct Explanation {
   Verdict verdict;
   Selection selection;
@@ -18,11 +17,5 @@ struct Explanation {
   /// baseline at its nominal values but for the named deviations, whose terms come last.
   Selection adopted;
 };
-
-/// Names what the baseline leaves over. `planner` (may be empty): what the separating experiment is
-/// chosen from; without it a candidate's isolating experiment is proposed.
-/// Deterministic for given settings. Throws std::invalid_argument where no log is long enough.
-Explanation explain(const Problem& problem, const Settings& settings,
-                    const ExperimentPlanner& planner = {});
 
 }  // namespace sinew::diagnosis

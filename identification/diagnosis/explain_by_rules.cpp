@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "identification/diagnosis/explain.h"
+#include "identification/diagnosis/explain_by_rules.h"
 
 #include <algorithm>
 #include <cmath>
@@ -41,7 +41,7 @@ NamedCause name_cause(const Design& design, const Library& library, const Settin
   cause.validated = evidence.validated;
   cause.cross_validated = evidence.gain;
   cause.confidence = rivals.margin;  // weighed once the left-over structure is known
-  cause.held_out = gain_on_held_out(design, settings, selection, term);
+  cause.held_out = cause.confirmed = gain_on_held_out(design, settings, selection, term);
   cause.separation = separate(design, settings, found, selection, term, cause.members, planner);
   return cause;
 }
@@ -163,7 +163,7 @@ void name_deviations(const Design& design, const Library& library, const Setting
       if (cause.candidate < 0 || library_index(design, state.model.terms[t]) != cause.candidate)
         continue;
       const Gain adopted = gain_on_held_out(design, settings, state, t);
-      if (adopted.low > kMost || is_exchanged(cause)) cause.held_out = adopted;
+      if (adopted.low > kMost || is_exchanged(cause)) cause.held_out = cause.confirmed = adopted;
     }
   const std::size_t first = result.verdict.causes.size();
   for (const std::size_t t : named) {
@@ -211,7 +211,7 @@ Model model_before(const Design& design, const Model& found, const DeviationTerm
 
 }  // namespace
 
-Explanation explain(const Problem& problem, const Settings& settings,
+Explanation explain_by_rules(const Problem& problem, const Settings& settings,
                     const ExperimentPlanner& planner) {
   Design design(problem, settings);
   if (!problem.shared_noise) design.set_units(left_over(design, baseline_model(design)));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tests/generator/error_bound.h"
+#include "generator/error_bound.h"
 
 #include <algorithm>
 #include <cmath>
@@ -120,8 +120,9 @@ double rounded(const Node& node, const Rounding& rounding) {
     case Op::arcsine:
     case Op::exponential:
     case Op::logarithm:
-    case Op::hyperbolic_tangent:
       return rounding.function;
+    case Op::hyperbolic_tangent:
+      return 3.0 * rounding.function;
     default:
       return 0.0;
   }
@@ -156,6 +157,33 @@ std::vector<double> error_bounds(const Graph& graph, const std::vector<double>& 
   std::vector<double> bounds;
   for (Value v : graph.results()) bounds.push_back(known[static_cast<std::size_t>(v)].error);
   return bounds;
+}
+
+RelativeErrors relative_errors(const Graph& graph, const std::vector<std::vector<double>>& states) {
+  RelativeErrors errors;
+  for (const std::vector<double>& inputs : states) {
+    const std::vector<double> got = evaluate<double>(graph, inputs),
+                              bounds = error_bounds(graph, inputs, double_rounding);
+    const std::vector<Exact> exact =
+        evaluate<Exact>(graph, std::vector<Exact>(inputs.begin(), inputs.end()));
+    std::size_t first = 0;
+    for (const Port& port : graph.outputs) {
+      const std::size_t end = first + static_cast<std::size_t>(port.size());
+      double size = 0.0, bound = 0.0;
+      for (std::size_t i = first; i < end; ++i) {
+        size = std::max(size, std::abs(got[i]));
+        bound = std::max(bound, bounds[i]);
+      }
+      const bool is_rounding = size <= bound && std::isfinite(bound);
+      for (; first < end; ++first) {
+        if (size == 0.0 || is_rounding) continue;
+        const double off = std::abs(static_cast<double>(Exact(exact[first] - Exact(got[first]))));
+        errors.observed = std::max(errors.observed, off / size);
+        errors.bound = std::max(errors.bound, bounds[first] / size);
+      }
+    }
+  }
+  return errors;
 }
 
 }  // namespace sinew

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// From recordings and candidates to a verdict.
+#pragma once
+
+#include "identification/diagnosis/explanation.h"
+
+namespace sinew::diagnosis {
+
+/// Names what the baseline leaves over. Channels with noise of their own are explained by one
+/// likelihood (explain_by_likelihood.h), unless the settings ask for the former engine; those that
+/// share their noise, as the joints of a finger whose forces are logged, by the former engine: the
+/// likelihood does not know the spectral matrix of such channels. `planner` (may be empty): what
+/// the separating experiment is chosen from; without it a candidate's isolating experiment is
+/// proposed. Deterministic for given settings. Throws std::invalid_argument where no log is long
+/// enough.
+Explanation explain(const Problem& problem, const Settings& settings,
+                    const ExperimentPlanner& planner = {});
+
+/// Which of the two it is.
+bool is_explained_by_likelihood(const Problem& problem, const Settings& settings);
+
+}  // namespace sinew::diagnosis
