@@ -177,7 +177,7 @@ TEST_CASE("a coupled joint takes from the joint before it what its ratio gives: 
       return VectorXd(Vector3d(x(0), x(1), ratio * x(1)));
     };
     const double of_all = chain.torque(all(q), all(v), all(a)).dot(all(v));
-    chain.coupled = ratio;
+    chain.links.back().follows = ratio;
     REQUIRE(chain.size() == 2);
     CHECK(chain.torque(q, v, a).dot(v) == Approx(of_all).epsilon(1e-12));
   }
