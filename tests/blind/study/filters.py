@@ -98,8 +98,22 @@ def smoothed(x, step, cutoff, derivative=0):
     return array.array("d", [v / step**derivative for v in y]) if derivative else y
 
 
+def quick_to_transform(count):
+    """The next lower even number without a prime factor above 5."""
+    while count > 1:
+        rest = count
+        for prime in (2, 3, 5):
+            while rest % prime == 0:
+                rest //= prime
+        if rest == 1 and count % 2 == 0:
+            break
+        count -= 1
+    return count
+
+
 class Comparison:
-    """What efforts are compared behind: flat to the band, and every so many samples one is kept."""
+    """What efforts are compared behind: flat to the band, one of so many samples kept, as many as are quick to
+    transform."""
 
     def __init__(self, step, band):
         self.every = max(1, math.floor(0.4 / (band * step)))
@@ -107,8 +121,9 @@ class Comparison:
         self.weights = kernel(0.5 / self.every, self.half, KAISER)
 
     def __call__(self, x):
-        return convolved(x, self.weights, self.every)
+        return convolved(x, self.weights, self.every)[:len(self.instants(len(x)))]
 
     def instants(self, rows):
         """Samples on which what is kept is centred."""
-        return range(self.half, rows - self.half, self.every)
+        at = range(self.half, rows - self.half, self.every)
+        return at[:quick_to_transform(len(at))]

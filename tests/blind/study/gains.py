@@ -138,14 +138,7 @@ class Played:
         p = self.c.rows("coupling_matrix", {"q": self.q[:n] + rest}, {"q_wrist": 0.0})
         width = self.c.columns("coupling_matrix", "P")
         self.arms = [[p[i * width + j] for j in range(n)] for i in range(len(self.forces))]
-        torques = []
-        for j in range(n):
-            total = [0.0] * len(self.forces[0])
-            for arms, force in zip(self.arms, self.forces):
-                if any(arms[j]):
-                    total = [t - a * f for t, a, f in zip(total, arms[j], force)]
-            torques.append(total)
-        return torques + numbered(self.log, "tau")
+        return torques_of(self.arms, self.forces) + numbered(self.log, "tau")
 
     def standstills(self, cutoff):
         found = []
@@ -165,9 +158,16 @@ class Played:
 
     def residuals(self, c, bands, counted):
         """A list a channel. bands: Hz; counted: share of the samples that count, 1 where rests do, too."""
-        said = c.rows("effort", self.signals, {"step": self.step})
+        # What was learnt at the joints alone leaves the motors out: they are as they were.
+        known = c.offsets("effort")[0]["q"][1]
+        signals = {n: x[:known] if n in ("q", "qd", "qdd", "load", "qddd", "qdddd") else x
+                   for n, x in self.signals.items()}
+        said = c.rows("effort", signals, {"step": self.step})
         edge, result = round(EDGE / self.step), []
         for j, tau in enumerate(self.tau):
+            if j >= known:
+                result.append([1.0])
+                continue
             behind = Comparison(self.step, bands[j])
             left = [t - s for t, s in zip(tau, said[j])][edge:len(tau) - edge]
             instants = [edge + k for k in behind.instants(len(left))]
@@ -175,6 +175,18 @@ class Played:
             weights = compared.weights(still, instants, self.step)
             result.append([x * w for x, w in zip(behind(left), weights)])
         return result
+
+
+def torques_of(arms, forces):
+    """Of every joint, what the tendons' forces make of it: -P^T f. arms: a tendon, a joint, the rows."""
+    torques = []
+    for j in range(len(arms[0])):
+        total = [0.0] * len(forces[0])
+        for arm, force in zip(arms, forces):
+            if any(arm[j]):
+                total = [t - a * f for t, a, f in zip(total, arm[j], force)]
+        torques.append(total)
+    return torques
 
 
 def squares(x, y):

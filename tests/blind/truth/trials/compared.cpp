@@ -97,9 +97,17 @@ ComparedFilter::ComparedFilter(double step, double band)
   kernel_ = windowed_sinc(0.5 / static_cast<double>(every_), half_, Window::kaiser);
 }
 
+/// The next lower even number without a prime factor above 5.
 Index ComparedFilter::kept(const VectorXd& x) const {
   const Index inner = x.size() - 2 * (edge_ + half_);
-  return inner > 0 ? (inner - 1) / every_ + 1 : 0;
+  Index n = inner > 0 ? (inner - 1) / every_ + 1 : 0;
+  const auto is_quick = [](Index count) {
+    for (const Index prime : {2, 3, 5})
+      while (count % prime == 0) count /= prime;
+    return count == 1;
+  };
+  while (n > 1 && !(n % 2 == 0 && is_quick(n))) --n;
+  return n;
 }
 
 VectorXd ComparedFilter::operator()(const VectorXd& x) const {

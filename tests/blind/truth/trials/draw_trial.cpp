@@ -260,6 +260,15 @@ void judge_pair(const PairOf& pair, const Offer& own, const Hidden& hidden, Draw
   drawn.seal["hidden"].back()["unreachable"] = "this motion tells it from the others";
 }
 
+bool is_called(const Offer& offer, const std::string& cause) {
+  return key_of(offer) == cause || offer.cause == cause;
+}
+
+bool offers_it(const TrialPlant& plant, const std::string& cause) {
+  return std::any_of(plant.offers().begin(), plant.offers().end(),
+                     [&](const Offer& offer) { return is_called(offer, cause); });
+}
+
 Drawn drawn_trial(const TrialRequest& request) {
   Draw draw(request.seed);
   const std::size_t count = wanted_causes(request.family);
@@ -267,13 +276,17 @@ Drawn drawn_trial(const TrialRequest& request) {
   std::optional<Pairing> pairing;
   if (is_pair) pairing = draw_pairing(request.plant, request.cause, draw);
   Drawn drawn;
-  drawn.plant = draw_plant(request, draw.fork(), pairing ? &*pairing : nullptr);
+  // A cause that not every one of these plants offers is asked of one that does.
+  for (int more = 60; more > 0; --more) {
+    drawn.plant = draw_plant(request, draw.fork(), pairing ? &*pairing : nullptr);
+    if (request.cause.empty() || is_pair || offers_it(*drawn.plant, request.cause)) break;
+  }
   std::optional<PairOf> pair;
   if (pairing) pair.emplace(*pairing, drawn.plant->offers());
   std::vector<const Offer*> from;
   for (const Offer& offer : pair ? pair->offers() : drawn.plant->offers())
     if (offer.outside == (request.family == "outside") &&
-        (request.cause.empty() || key_of(offer) == request.cause || offer.cause == request.cause))
+        (request.cause.empty() || is_called(offer, request.cause)))
       from.push_back(&offer);
   if (count > 0 && from.empty())
     throw std::invalid_argument(request.plant + " offers no such cause: " + request.cause);

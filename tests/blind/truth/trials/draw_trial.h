@@ -15,9 +15,9 @@ struct TrialRequest {
   std::string plant = "drive";  ///< or joint, arm, finger, hand, lever, wrist, mujoco_drive, ...
   std::string family = "one";   ///< or null, two, outside, pair, fault
   double size = 1.0;            ///< in units of the noise
-  std::string cause;            ///< for development and gates: this one instead of a drawn one
-  int logs = 1;                 ///< for training, 1 to 3: train.csv, train2.csv, train3.csv
-  double heavier = 1.0;         ///< the lone joint's inertia, for the gate that compares two plants
+  std::string cause;     ///< this one instead of a drawn one; the plant is one that offers it
+  int logs = 1;          ///< for training, 1 to 3: train.csv, train2.csv, train3.csv
+  double heavier = 1.0;  ///< the lone joint's inertia, for the gate that compares two plants
 };
 
 /// Writes model, channels and logs into the folder; of an unreachable trial nothing. Returns the
