@@ -34,7 +34,7 @@ class Emitted:
         self.model = next(folder.glob("*_catalogue.c")).name.removesuffix("_catalogue.c")
         library = folder / "trial.so"
         sources = [folder / f"{self.model}.c", folder / f"{self.model}_catalogue.c"]
-        subprocess.run(["cc", "-std=c11", "-O1", "-shared", "-fPIC", "-ffp-contract=off", "-fno-math-errno",
+        subprocess.run(["cc", "-std=c11", "-O0", "-shared", "-fPIC", "-ffp-contract=off", "-fno-math-errno",
                         "-I", runtime, "-I", folder, *sources, "-o", library, "-lm"], check=True,
                        capture_output=True)
         self.library = ctypes.CDLL(str(library.resolve()))

@@ -5,12 +5,16 @@ import csv
 import json
 import math
 import random
+import shutil
 import subprocess
 import tomllib
 
 import gains
 import rigs
 from emitted import Emitted
+
+SIMULATED = 4.0  # s
+
 
 def read_log(file):
     with open(file, encoding="utf-8") as lines:
@@ -100,12 +104,24 @@ def cad_body(row):
     return mass, [mass * x for x in c], moments
 
 
+def links_of(model):
+    """Rows of the mass properties by link; of a hand those of its fingers, which stand beside it."""
+    tables = {"": model / "mass_properties.csv"}
+    if (model / "hand.toml").exists():
+        fingers = tomllib.loads((model / "hand.toml").read_text())["finger"]
+        tables = {(model / f["model"]).name + "_": model / f["model"] / "mass_properties.csv" for f in fingers}
+    rows = {}
+    for before, table in tables.items():
+        if table.exists():
+            with open(table, encoding="utf-8") as lines:
+                rows.update({before + row["link"]: row for row in csv.DictReader(lines)})
+    return rows
+
+
 def bodies_are_possible(model, effects):
-    table = model / "mass_properties.csv"
-    if not table.exists():
+    rows = links_of(model)
+    if not rows:
         return None
-    with open(table, encoding="utf-8") as lines:
-        rows = {row["link"]: row for row in csv.DictReader(lines)}
     for effect in effects:
         link = effect["place"].removeprefix("link ")
         if effect["effect"] not in ("payload", "inertial_parameters") or link not in rows:
@@ -123,9 +139,23 @@ def bodies_are_possible(model, effects):
     return True
 
 
-def simulated(tools, folder, model):
-    """rms deviations of the held-out log played again, by channel; empty where it cannot be."""
-    done = subprocess.run([tools["sinew"], "simulate", model, "--log", folder / "holdout.csv", "--out",
+def shorter_log(folder):
+    """The beginning of the held-out log: simulating all of it would take longer than the diagnosis."""
+    short, end = folder / "short.csv", None
+    with open(folder / "holdout.csv", encoding="utf-8") as whole, open(short, "w", encoding="utf-8") as out:
+        out.write(next(whole))
+        for row in whole:
+            time = float(row.split(",", 1)[0])
+            end = time + SIMULATED if end is None else end
+            if time > end:
+                break
+            out.write(row)
+    return short
+
+
+def simulated(tools, folder, model, log):
+    """rms deviations of a log played again, by channel; empty where it cannot be."""
+    done = subprocess.run([tools["sinew"], "simulate", model, "--log", log, "--out",
                            folder / "again.csv", "--json"], capture_output=True, text=True, check=False,
                           timeout=tools["limit"])
     if done.returncode != 0:
@@ -153,7 +183,10 @@ def judged(tools, folder, findings):
         if any("ripple" in effect["effect"] for effect in effects):
             return {**result, "phase_of_a_log": True}
         result["gain"] = gain(tools, folder, findings, c)
-        was, now = simulated(tools, folder, before), simulated(tools, folder, model)
+        # A hand's fingers stand beside it.
+        nominal, short = folder / "nominal", shorter_log(folder)
+        shutil.copytree(before, nominal, dirs_exist_ok=True)
+        was, now = simulated(tools, folder, nominal, short), simulated(tools, folder, model, short)
         result["simulation"] = {n: [was[n], now[n]] for n in was if n in now and was[n] is not None}
     except Exception as error:  # a trial is never lost to its judging
         result["not_judged"] = f"{type(error).__name__}: {error}"[:300]

@@ -113,8 +113,10 @@ std::unique_ptr<TrialPlant> draw_joint(Draw draw, double heavier, const Pairing*
     link.inertia = Eigen::Matrix3d::Identity() * (m.inertia - link.mass * arm * arm);
     gravity = Vector3d(0, 0, -9.81);
   }
-  link.low = -3.0 * m.range;
-  link.high = 3.0 * m.range;
+  // One that always goes forward turns round and round.
+  const double turns = pairing ? 60.0 : 3.0;
+  link.low = -turns * m.range;
+  link.high = turns * m.range;
   set_link(link, m);
   s.jointed.chain = {"joint", gravity, {link}, {}, 0.0, Vector3d(0.3, 0, 0)};
   s.jointed.axes = {m};
