@@ -56,10 +56,15 @@ Recording stroke_log(const Mechanism& truth) {
   return r;
 }
 
-/// What stops the log, judged against the nominal joint.
-std::vector<DataFault> lone_stops(const Recording& logged) {
-  static const DrivenModel nominal = driven_model(lone_joint());
-  static const EffortModel effort(nominal, {}, SINEW_SOURCE_DIR "/runtime");
+/// The model that a log is judged against.
+struct Judged {
+  explicit Judged(const Mechanism& mechanism)
+      : nominal(driven_model(mechanism)), effort(nominal, {}, SINEW_SOURCE_DIR "/runtime") {}
+  DrivenModel nominal;
+  EffortModel effort;
+};
+
+std::vector<DataFault> stops_by(const Judged& model, const Recording& logged) {
   Log log;
   log.channels.resize(3);
   log.channels[0].name = "theta";
@@ -68,8 +73,15 @@ std::vector<DataFault> lone_stops(const Recording& logged) {
   log.segments.resize(1);
   FaultList faults("log.csv");
   const int load = logged.load.size() > 0 ? 2 : -1;
-  judge_lone_effort(log, {{0}, {1}, {}, load}, logged, effort, nominal.joints.front(), faults);
+  judge_lone_effort(log, {{0}, {1}, {}, load}, logged, model.effort, model.nominal.joints.front(),
+                    faults);
   return faults.all();
+}
+
+/// What stops the log, judged against the nominal joint.
+std::vector<DataFault> lone_stops(const Recording& logged) {
+  static const Judged nominal(lone_joint());
+  return stops_by(nominal, logged);
 }
 
 }  // namespace
@@ -123,17 +135,27 @@ TEST_CASE("a wrong factor of the load or of the clock is found by the model and 
   Recording half = loaded;
   half.target.front() *= 0.5;
   for (const DataFault& fault : lone_stops(half)) CHECK(fault.channel != "load");
+  // A clock changes inertia by the square of what it changes damping by. Where damping is next to
+  // nothing, a clock is a heavier or a lighter joint.
+  Mechanism damped = lone_joint();
+  damped.joints[0].damping = 0.4;
+  const Judged of_damped(damped);
+  const Recording steady = stroke_log(damped);
+  CHECK(stops_by(of_damped, steady).empty());
   for (const double factor : {0.5, 2.0, 3.0}) {
     INFO("time times " << factor);
-    Recording wrong = right;
-    wrong.step *= factor;
-    wrong.time *= factor;
-    wrong.qd /= factor;
-    wrong.qdd /= factor * factor;
-    const std::vector<DataFault> faults = lone_stops(wrong);
+    const auto clocked = [&](Recording wrong) {
+      wrong.step *= factor;
+      wrong.time *= factor;
+      wrong.qd /= factor;
+      wrong.qdd /= factor * factor;
+      return wrong;
+    };
+    const std::vector<DataFault> faults = stops_by(of_damped, clocked(steady));
     REQUIRE(faults.size() == 1);
     CHECK(faults[0].channel == "time");
     CHECK(faults[0].meaning.find(factor > 1.0 ? "too slow" : "too fast") != std::string::npos);
+    CHECK(lone_stops(clocked(right)).empty());
   }
 }
 
