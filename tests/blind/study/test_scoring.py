@@ -270,6 +270,15 @@ class Counts(unittest.TestCase):
         told["logs"][0]["faults"].append("train.csv:2:5: 'bend' is 1000 times too large")
         self.assertTrue(score.fault_found(fault, told, "", {}))
 
+    def test_what_is_told_of_some_row_is_no_fault_of_the_column(self):
+        # Seen to fail: a bend that rests at its highest value in one of two logs counted as degrees found.
+        fault = {**seal(family="fault"), "fault": {"fault": "unit", "channel": "bend", "factor": 57.3}}
+        told = findings()
+        told["logs"] = [{"held_out": False, "faults": ["train.csv:9002:5: 'bend' stays at its limit 90.2"]}]
+        self.assertFalse(score.fault_found(fault, told, "", {}))
+        told["logs"][0]["faults"].append("train.csv:0:5: of 'bend' the model leaves 98 % over")
+        self.assertTrue(score.fault_found(fault, told, "", {}))
+
     def test_a_refusal_is_read_from_standard_output(self):
         # Seen to fail: with standard error alone, which --json leaves empty, refusals named no channel: 3 of 25.
         text = json.dumps({"errors": [{"message": "'f' acts against 'x'", "file": "train.csv", "line": 2, "column": 3}]})
