@@ -276,10 +276,13 @@ Drawn drawn_trial(const TrialRequest& request) {
   std::optional<Pairing> pairing;
   if (is_pair) pairing = draw_pairing(request.plant, request.cause, draw);
   Drawn drawn;
-  // A cause that not every one of these plants offers is asked of one that does.
-  for (int more = 60; more > 0; --more) {
-    drawn.plant = draw_plant(request, draw.fork(), pairing ? &*pairing : nullptr);
-    if (request.cause.empty() || is_pair || offers_it(*drawn.plant, request.cause)) break;
+  drawn.plant = draw_plant(request, draw.fork(), pairing ? &*pairing : nullptr);
+  // A cause that not every one of these plants offers is asked of one that does. A stream of its
+  // own: seeds that follow each other would draw the same plants, one draw apart.
+  if (!request.cause.empty() && !is_pair && !offers_it(*drawn.plant, request.cause)) {
+    Draw again = draw.fork();
+    for (int more = 60; more > 0 && !offers_it(*drawn.plant, request.cause); --more)
+      drawn.plant = draw_plant(request, again.fork(), nullptr);
   }
   std::optional<PairOf> pair;
   if (pairing) pair.emplace(*pairing, drawn.plant->offers());
