@@ -260,12 +260,12 @@ class Counts(unittest.TestCase):
 
 
     def test_what_is_told_of_the_other_log_as_well_is_no_fault_found(self):
-        # Seen to fail: a guide's bend stands still in both logs, and counted as found whatever was planted.
+        # Seen to fail: what is wrong with both logs, and so with the model, counted as found whatever was planted.
         fault = {**seal(family="fault"), "fault": {"fault": "unit", "channel": "bend", "factor": 1000.0}}
         told = findings()
-        still = "'bend' stays at its limit {} in 3000 rows"
-        told["logs"] = [{"held_out": False, "faults": ["train.csv:3002:5: " + still.format(2.2)]},
-                        {"held_out": True, "faults": ["holdout.csv:9:5: " + still.format(0.4)]}]
+        left = "of 'bend' the model leaves {} % over"
+        told["logs"] = [{"held_out": False, "faults": ["train.csv:0:5: " + left.format(71.2)]},
+                        {"held_out": True, "faults": ["holdout.csv:0:5: " + left.format(64)]}]
         self.assertFalse(score.fault_found(fault, told, "", {}))
         told["logs"][0]["faults"].append("train.csv:2:5: 'bend' is 1000 times too large")
         self.assertTrue(score.fault_found(fault, told, "", {}))
