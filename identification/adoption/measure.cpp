@@ -29,6 +29,15 @@ VectorXd crosswise(const VectorXd& residual, const MatrixXd& columns) {
   return out;
 }
 
+/// As the effects of tendons take the measured forces: a term with all of a sensor's noise, which
+/// is in the joints' torques as well, would find itself. A motor's load is the force as it is.
+Recording with_slow_tension(const Recording& log) {
+  Recording slow = log;
+  const auto tension = slow.signals.find("slow_tension");
+  if (tension != slow.signals.end()) slow.signals["tension"] = tension->second;
+  return slow;
+}
+
 /// The per-log terms that act on a channel: their columns, filtered.
 MatrixXd nuisance_columns(const DrivenSubject& subject, const Design& design, int segment,
                           const std::vector<ExtensionTerm>& terms) {
@@ -68,11 +77,18 @@ std::vector<MeasuredChannel> measure(const DrivenSubject& subject, const Design&
     const Segment& s = design.segments()[i];
     const Recording& log = design.recording(s.recording);
     const int segment = static_cast<int>(i);
-    if (!efforts.contains(s.recording)) efforts[s.recording] = {subject.effort()(log), after(log)};
+    if (!efforts.contains(s.recording)) {
+      const Recording seen = with_slow_tension(log);
+      efforts[s.recording] = {subject.effort()(seen), after(seen)};
+    }
     const auto& [said_before, said_after] = efforts[s.recording];
-    MeasuredChannel m{
-        s.recording,           s.channel, s.holdout, {}, {}, {}, {}, {}, {}, {}, 1.0 / s.rate_hz,
-        design.window(segment)};
+    MeasuredChannel m;
+    m.recording = s.recording;
+    m.channel = s.channel;
+    m.held_out = s.holdout;
+    m.step = 1.0 / s.rate_hz;
+    m.band_hz = s.filter.band_hz;
+    m.counts = design.window(segment);
     const auto axis = static_cast<Index>(s.channel);
     m.time = design.at_instants(segment, log.time);
     m.position = design.at_instants(segment, log.q.col(axis));
@@ -119,7 +135,8 @@ VectorXd error_after(const MeasuredChannel& m) {
 
 /// Sums over one channel's samples, standstill aside.
 struct ErrorSums {
-  double count = 0.0, energy = 0.0, variance = 0.0, before = 0.0, after = 0.0;
+  double count = 0.0, samples = 0.0, energy = 0.0, variance = 0.0, before = 0.0, after = 0.0;
+  double band_hz = 0.0;
 };
 
 ErrorSums error_sums(const std::vector<MeasuredChannel>& measured, int channel) {
@@ -129,6 +146,8 @@ ErrorSums error_sums(const std::vector<MeasuredChannel>& measured, int channel) 
     const double count = std::max(weight.sum(), 1e-300);
     const double mean = weight.dot(m->measured) / count;
     sums.count += weight.sum();
+    sums.samples += static_cast<double>(weight.size());
+    sums.band_hz = sums.band_hz > 0.0 ? std::min(sums.band_hz, m->band_hz) : m->band_hz;
     sums.energy += weight.dot(m->measured.cwiseAbs2());
     sums.variance += weight.dot((m->measured.array() - mean).square().matrix());
     sums.before += error_before(*m).squaredNorm();
@@ -209,6 +228,8 @@ void add_error(const std::string& domain, const std::vector<MeasuredChannel>& me
   const ErrorSums sums = error_sums(measured, channel);
   finding.measured_rms = std::sqrt(sums.energy / sums.count);
   finding.standard_deviation = std::sqrt(sums.variance / sums.count);
+  finding.compared_below_hz = sums.band_hz;
+  finding.compared_share = sums.samples > 0.0 ? sums.count / sums.samples : 0.0;
   finding.domains.push_back({domain, finding.unit, std::sqrt(sums.before / sums.count),
                              std::sqrt(sums.after / sums.count),
                              measured_gain(measured, channel, seed)});

@@ -19,6 +19,7 @@ struct MeasuredChannel {
   Eigen::VectorXd time, position, velocity, load;  ///< load empty where there is none
   Eigen::VectorXd measured, before, after;         ///< effort, all behind the same filter
   double step = 0.0;                               ///< s
+  double band_hz = 0.0;                            ///< what is below is compared
   Eigen::VectorXd counts;  ///< 1, and 0 at standstill (Design::window); empty: all count
 };
 

@@ -201,6 +201,7 @@ std::vector<MeasuredChannel> measure_observation(const ObservedSubject& subject,
     m.channel = s.channel;
     m.held_out = s.holdout;
     m.step = 1.0 / s.rate_hz;
+    m.band_hz = s.filter.band_hz;
     const auto c = static_cast<Index>(s.channel);
     m.time = design.at_instants(segment, log.time);
     m.position = design.at_instants(segment, log.q.col(0));

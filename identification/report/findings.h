@@ -54,8 +54,10 @@ struct ChannelFinding {
   std::string name, unit;  ///< as in the log, "tau_m", "N*m"
   double measured_rms = 0.0;
   double standard_deviation = 0.0;  ///< of what was measured
-  double quantum = 0.0;             ///< step of the logged values; 0: none is seen
-  double noise_floor = 0.0;         ///< rms that no model can explain
+  double compared_below_hz = 0.0;
+  double compared_share = 0.0;  ///< of its samples: those at which errors count
+  double quantum = 0.0;         ///< step of the logged values; 0: none is seen
+  double noise_floor = 0.0;     ///< rms that no model can explain
   /// Fraction of the channel's variance that the model does not explain: mean square error /
   /// variance, 1 at most; 0 where there is nothing to explain.
   double unexplained_before = 0.0;

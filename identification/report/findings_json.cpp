@@ -101,6 +101,8 @@ Json json(const ChannelFinding& channel) {
           {"unit", channel.unit},
           {"measured_rms", number(channel.measured_rms)},
           {"standard_deviation", number(channel.standard_deviation)},
+          {"compared_below_hz", number(channel.compared_below_hz)},
+          {"compared_share", number(channel.compared_share)},
           {"quantum", number(channel.quantum)},
           {"noise_floor", number(channel.noise_floor)},
           {"material_error", number(channel.material_error())},

@@ -8,6 +8,7 @@
 #include <numbers>
 #include <optional>
 
+#include "identification/subjects/block_regression.h"
 #include "identification/subjects/slow_recording.h"
 
 namespace sinew::diagnosis {
@@ -20,6 +21,7 @@ using std::numbers::pi;
 // What a joint truly lacks changes its inertia or friction some times over. A factor beyond that is
 // a unit's; a smaller one may be, where it is met exactly, or chance.
 constexpr double kBeyondPhysics = 20.0, kUnitSpread = 1.6, kExactWithin = 0.03;
+constexpr double kWrongBy = 1.4, kLoadWithin = 0.05;  // no load and no clock is off by that much
 constexpr double kTimesLess = 10.0, kUnitMostLeft = 0.3, kExactMostLeft = 0.02;
 
 /// A unit that a column may be in: what is logged over what is meant.
@@ -65,6 +67,19 @@ class LoneJudge {
     return share_left_over(measured, std::clamp(gain, effort / spread, effort * spread) * said);
   }
 
+  /// The same where the log's clock runs `slow` times too slow.
+  double left_by_clock(double slow) const {
+    return share_left_over(slow_.target.front(),
+                           model_(slow_, slow_.q, slow_.qd * slow, slow_.qdd * slow * slow).col(0));
+  }
+
+  /// Where one of the model's own values, which acts by this column, is free.
+  double left_beside(const MatrixXd& column) const {
+    const VectorXd said = model_(slow_, slow_.q, slow_.qd, slow_.qdd).col(0);
+    const VectorXd x = column.col(0), rest = slow_.target.front() - said;
+    return share_left_over(slow_.target.front(), said + x * (x.dot(rest) / x.squaredNorm()));
+  }
+
   double left(const LoggedUnit& unit, double spread, double off = 1.0) const {
     const double factor = unit.factor * off;
     return unit.position ? left(factor, 1.0, spread) : left(1.0, factor, spread);
@@ -79,11 +94,18 @@ class LoneJudge {
            here < left(unit, 1.0, 1.0 + kExactWithin) && here < left(unit, 1.0, 1.0 - kExactWithin);
   }
 
- private:
   static bool mends(double then, double now, double most) {
     return then < most && kTimesLess * then < now;
   }
 
+  const Recording& log() const { return slow_; }
+
+  /// Its effort without the logged load.
+  VectorXd without_load() const {
+    return model_(slow_, slow_.q, slow_.qd, slow_.qdd).col(0) - slow_.load.col(0);
+  }
+
+ private:
   const Recording& slow_;
   const EffortModel& model_;
 };
@@ -98,6 +120,71 @@ std::optional<LoggedUnit> unit_slip(const LoneJudge& judge, const DrivenJoint& j
   return best;
 }
 
+/// What the effort shows of the logged load beside the model's own part, both free: 1 where nothing
+/// is wrong. Nothing where the log does not tell it, or where the whole effort is off alike.
+std::optional<double> load_shown(const LoneJudge& judge) {
+  const Recording& slow = judge.log();
+  if (slow.load.size() == 0) return std::nullopt;
+  MatrixXd parts(slow.q.rows(), 2);
+  parts << slow.load.col(0), judge.without_load();
+  BlockRegression regression(2);
+  regression.add({slow.qd, slow.qdd, slow.target.front(), {}, {}}, 0, parts);
+  const Share shown = regression.shares().front();
+  const double size = std::abs(shown.value);
+  if (!(size > 0.0) || !(shown.standard_error < kLoadWithin * size)) return std::nullopt;
+  if (shown.value > 0.0 && std::max(size, 1.0 / size) < kWrongBy) return std::nullopt;
+  const VectorXd& measured = slow.target.front();
+  const double of_load = share_left_over(measured, parts.col(1) + shown.value * parts.col(0));
+  const double of_all = share_left_over(measured, shown.value * (parts.col(1) + parts.col(0)));
+  return of_load < of_all ? std::optional(shown.value) : std::nullopt;
+}
+
+/// How much too slow a clock is with which the model explains nearly all; nothing where one value
+/// of the model explains as much.
+std::optional<double> clock_slip(const LoneJudge& judge) {
+  constexpr double most = 5.0;
+  constexpr int steps = 160;
+  double best = 1.0, least = judge.left_by_clock(1.0);
+  const double now = least;
+  for (int i = -steps; i <= steps; ++i) {
+    const double slow = std::pow(most, static_cast<double>(i) / steps);
+    const double left = judge.left_by_clock(slow);
+    if (left < least) least = left, best = slow;
+  }
+  if (std::max(best, 1.0 / best) < kWrongBy) return std::nullopt;
+  for (const double otherwise :
+       {now, judge.left_beside(judge.log().qdd), judge.left_beside(judge.log().qd)})
+    if (!LoneJudge::mends(least, otherwise, kExactMostLeft)) return std::nullopt;
+  return best;
+}
+
+void judge_load(const Log& log, const DrivenColumns& columns, const LoneJudge& judge,
+                FaultList& faults) {
+  const std::optional<double> shown = columns.load < 0 ? std::nullopt : load_shown(judge);
+  if (!shown) return;
+  const Channel& at = log.channels[static_cast<std::size_t>(columns.load)];
+  const long row = log.segments.front().first_row;
+  faults.add(
+      FaultKind::unit_slip, Severity::stop, row, row, at.column, at.name,
+      fmt::format("the effort shows {:.4g} times '{}': its unit or its sign", *shown, at.name),
+      fmt::format("units are converted only when told: --map \"{}=#{} [unit]\"", at.name,
+                  at.column));
+}
+
+void judge_clock(const Log& log, const LoneJudge& judge, FaultList& faults) {
+  const std::optional<double> slow = clock_slip(judge);
+  if (!slow) return;
+  const long row = log.segments.front().first_row;
+  faults.add(
+      FaultKind::time_unit, Severity::stop, row, row, 1, "time",
+      fmt::format("'time' seems to run {:.3g} times too {}: with that the model leaves {:.2g} "
+                  "% of the effort over, and {:.3g} % as it is",
+                  std::max(*slow, 1.0 / *slow), *slow > 1.0 ? "slow" : "fast",
+                  100.0 * std::sqrt(judge.left_by_clock(*slow)),
+                  100.0 * std::sqrt(judge.left_by_clock(1.0))),
+      "units are converted only when told: --map \"time=column [unit]\"");
+}
+
 }  // namespace
 
 void judge_lone_effort(const Log& log, const DrivenColumns& columns, const Recording& recording,
@@ -107,7 +194,11 @@ void judge_lone_effort(const Log& log, const DrivenColumns& columns, const Recor
   if (slow.q.rows() == 0) return;
   const LoneJudge judge(slow, model);
   const std::optional<LoggedUnit> unit = unit_slip(judge, joint);
-  if (!unit) return;
+  if (!unit) {
+    judge_load(log, columns, judge, faults);
+    if (!faults.stops()) judge_clock(log, judge, faults);
+    return;
+  }
   const int index = (unit->position ? columns.positions : columns.efforts).front();
   const Channel& at = log.channels[static_cast<std::size_t>(index)];
   const long row = log.segments.front().first_row;

@@ -2,6 +2,7 @@
 // What scripts/study rests on: that a trial is what its seal says, by one definition for every
 // plant.
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -41,6 +42,65 @@ std::set<std::string> files_in(const fs::path& folder) {
 }
 
 }  // namespace
+
+TEST_CASE("the list of every plant's causes has what is offered") {
+  // Planted defect: a line less of the list is named.
+  std::set<std::string> listed;
+  std::ifstream file(SINEW_SOURCE_DIR "/tests/blind/study/causes.csv");
+  for (std::string line; std::getline(file, line);) listed.insert(line);
+  for (const char* name : plants)
+    for (std::uint64_t seed = 1; seed < 3; ++seed) {
+      const std::unique_ptr<TrialPlant> plant = plant_of(name, seed);
+      for (const Offer& offer : plant->offers()) {
+        if (offer.outside) continue;
+        const std::string line = std::string(name) + "," + offer.cause;
+        INFO(line);
+        CHECK((listed.count(line) == 1 ||
+               listed.count(line + " " + std::to_string(offer.order)) == 1));
+      }
+    }
+}
+
+TEST_CASE("what a pair's log does not tell, the motion that is played does") {
+  // Planted defect: on a drawn motion, without draw_drive's `pairing->course`, it is told apart
+  // by the log: not reachable.
+  const sinew::reference::TemporaryFolder folder;
+  TrialRequest request;
+  request.family = "pair";
+  request.plant = "drive";
+  request.cause = "viscous_level";
+  const json seal = seal_of(request, folder.path() / "trial");
+  REQUIRE(seal.at("reachable"));
+  CHECK(seal.at("hidden").at(0).at("cause") == "viscous_level");
+  CHECK(seal.at("hidden").at(0).at("excess") == Approx(1.0).epsilon(0.045));
+  CHECK(seal.at("admissible").size() == 2);
+  CHECK(seal.at("apart").get<double>() < 0.3);
+  // A ramp of the speed, two rows for each row of rest.
+  const fs::path motion = folder.path() / "motion.csv", log = folder.path() / "trial/train2.csv";
+  std::ifstream first(folder.path() / "trial/train.csv");
+  std::string head, row, second;
+  std::getline(first, head);
+  std::getline(first, row);
+  std::getline(first, second);
+  const double step = std::stod(second);
+  {
+    std::ofstream out(motion);
+    out << "# strokes\ntime [s],theta_ref [rad]\n";
+    for (int k = 0; k < 500; ++k)
+      out << step * k << "," << std::pow(std::sin(0.002 * k), 2.0) << "\n";
+  }
+  play_motion(request, motion, log);
+  std::ifstream played(log);
+  std::string columns;
+  std::getline(played, columns);
+  CHECK(columns == head);
+  std::string last, line;
+  for (; std::getline(played, line);) last = line;
+  const double reached = std::stod(last.substr(last.find(',') + 1));
+  CHECK(reached == Approx(std::pow(std::sin(0.998), 2.0)).epsilon(0.1));
+  std::ofstream(motion) << "time [s],theta_ref [rad]\n0,0\n1,0,0\n";
+  CHECK_THROWS_WITH(play_motion(request, motion, log), Catch::Contains(":3:0: 3 cells of 2"));
+}
 
 TEST_CASE("every plant offers eight causes outside the library, and every cause has its limits") {
   for (const char* name : plants) {
@@ -177,7 +237,7 @@ TEST_CASE("a coupled joint takes from the joint before it what its ratio gives: 
       return VectorXd(Vector3d(x(0), x(1), ratio * x(1)));
     };
     const double of_all = chain.torque(all(q), all(v), all(a)).dot(all(v));
-    chain.coupled = ratio;
+    chain.links.back().follows = ratio;
     REQUIRE(chain.size() == 2);
     CHECK(chain.torque(q, v, a).dot(v) == Approx(of_all).epsilon(1e-12));
   }
@@ -248,16 +308,23 @@ TEST_CASE("what is always fitted takes nothing of a cause's size twice") {
 
 TEST_CASE("MuJoCo's mechanics ask for the efforts that ours do") {
   if (!mujoco_is_there()) return sinew::test::skip("this build has no MuJoCo");
-  for (const char* name : {"mujoco_arm", "mujoco_drive"}) {
-    const auto plant = plant_of(name, 4);
+  // Planted defect: a drive's load that is logged and does not act, as it once was: 0.69 < 0.016 at
+  // seed 2.
+  int loaded = 0;
+  for (const auto& [name, seed] :
+       {std::pair("mujoco_arm", 4), std::pair("mujoco_drive", 1), std::pair("mujoco_drive", 2),
+        std::pair("mujoco_drive", 3), std::pair("mujoco_drive", 4)}) {
+    const auto plant = plant_of(name, static_cast<std::uint64_t>(seed));
     Course course = plant->course({}, 0);
     const Log given = plant->replay(course, {}, 0);
+    loaded += given.names.back() == "load" ? 1 : 0;
     course.command.resize(0, 0);
     const Log ours = plant->replay(course, {}, 0);
     for (Index c = 0; c < given.columns.cols(); ++c) {
-      INFO(name << " " << given.names[static_cast<std::size_t>(c)]);
+      INFO(name << " " << seed << " " << given.names[static_cast<std::size_t>(c)]);
       CHECK(rms(given.columns.col(c) - ours.columns.col(c)) <
             0.02 * rms(given.columns.col(c)) + 1e-12);
     }
   }
+  CHECK(loaded > 0);
 }

@@ -5,14 +5,15 @@ import csv
 import json
 import math
 import random
+import shutil
 import subprocess
 import tomllib
 
+import gains
 import rigs
 from emitted import Emitted
-from filters import convolved, kernel
 
-BAND, MASKED = 60.0, 0.006  # Hz, s to each side of a reversal at that band, as `sinew diagnose` documents
+SIMULATED = 4.0  # s
 
 
 def read_log(file):
@@ -21,132 +22,6 @@ def read_log(file):
         header = next(rows)
         columns = list(zip(*[[float(x) for x in row] for row in rows]))
     return {name.split(" [")[0]: column for name, column in zip(header, columns)}
-
-
-def slope(x, step):
-    inner = [(b - a) / (2 * step) for a, b in zip(x, x[2:])]
-    return [inner[0], *inner, inner[-1]]
-
-
-def forces_of(log):
-    return [log[n] for n in (f"force_{i}" for i in range(1, 100)) if n in log]
-
-
-def smoothed_tension(force, step):
-    """As terms of a measured force take it: to 5 Hz, the ends held."""
-    half = math.ceil(1.2 / (5.0 * step))
-    held = [force[0]] * half + list(force) + [force[-1]] * half
-    return convolved(held, kernel(step, 1.25 * 5.0, half))
-
-
-def torques_of_tendons(c, log, joints):
-    """Of every joint, -P^T f with the emitted coupling matrix."""
-    forces, call, n = forces_of(log), c.caller("coupling_matrix"), len(joints)
-    torques = [[] for _ in joints]
-    for row in zip(*(log[j] for j in joints), *forces):
-        arms = call(row[:n])
-        for j, torque in enumerate(torques):
-            torque.append(-sum(arms[i * n + j] * f for i, f in enumerate(row[n:])))
-    return torques
-
-
-class Judge:
-    """One log through two models of driven joints."""
-
-    def __init__(self, log, names, step, below):
-        """below: where noise of a position cuts the comparison [Hz], or None."""
-        self.step = step
-        cutoff = min(BAND, 0.1 / step, below or BAND)
-        half = math.ceil(1.2 / (cutoff * step))
-        self.half = half
-        weights = kernel(step, 1.25 * cutoff, half)
-        self.q = [convolved(log[q], weights) for q, _ in names]
-        self.v = [slope(q, step) for q in self.q]
-        self.a = [slope(v, step) for v in self.v]
-        cut = slice(half, len(log[names[0][0]]) - half)
-        self.tau = [log[tau][cut] for _, tau in names]
-        self.load = log["load"][cut] if "load" in log else None
-        self.tension = list(zip(*(smoothed_tension(f, step)[cut] for f in forces_of(log))))
-        self.band = cutoff
-
-    def residual(self, effort):
-        """effort: from q, v, a, load of a row to a list of efforts; called row by row."""
-        rows = range(len(self.tau[0]))
-        said = [effort([q[k] for q in self.q], [v[k] for v in self.v], [a[k] for a in self.a],
-                       self.load[k] if self.load else 0.0, *self.tension[k:k + 1]) for k in rows]
-        half = math.ceil(3.3 / (self.band * self.step) / 2)
-        every = max(1, int(1.0 / (2.5 * self.band * self.step)))
-        weights = kernel(self.step, 1.25 * self.band, half)
-        result = []
-        for j, tau in enumerate(self.tau):
-            left = convolved([t - s[j] for t, s in zip(tau, said)], weights, every)
-            moving = self.moving(j)[half:len(tau) - half:every]
-            result.append([x for x, m in zip(left, moving) if m] or left)
-        return result
-
-    def moving(self, j):
-        v = self.v[j]
-        slow, reach = 0.01 * max(abs(x) for x in v), math.ceil(MASKED * BAND / self.band / self.step)
-        moves = [True] * len(v)
-        for k in range(len(v)):
-            if abs(v[k]) <= slow or (k and v[k] * v[k - 1] <= 0):
-                for i in range(max(0, k - reach), min(len(v), k + reach + 1)):
-                    moves[i] = False
-        return moves
-
-
-def driven(folder):
-    """Joints that follow no other one."""
-    mechanism = tomllib.loads((folder / "mechanism.toml").read_text())
-    follow = {c["dependent"] for c in mechanism.get("coupling", [])}
-    return [j for j in mechanism["joint"] if j["name"] not in follow]
-
-
-def nominal(folder, tools):
-    """The effort of the model as it was, its friction by the documented law."""
-    part = folder / "part.toml"
-    if part.exists():
-        m = {k: v["value"] for k, v in tomllib.loads(part.read_text())["motor"].items() if isinstance(v, dict)}
-        inertia = m["rotor_inertia"] / m["gear_ratio"] ** 2 + m["gearbox_inertia"]
-        return lambda q, v, a, load, *_: [inertia * a[0] + m["gamma2"] * math.atan(m["gamma1"] * v[0])
-                                      + m["gamma3"] * v[0] + load]
-    subprocess.run([tools["sinew"], "generate", folder, "--out", folder / "generated"], check=True,
-                   capture_output=True)
-    c = Emitted(next((folder / "generated").rglob("*_catalogue.c")).parent, tools["runtime"])
-    call = c.caller("inverse_dynamics")
-    joints = driven(folder)
-
-    def value(joint, key):
-        return joint[key]["value"] if key in joint else 0.0
-
-    def friction(joint, v):
-        speed = value(joint, "friction_speed")
-        side = 2 / math.pi * math.atan(v / speed) if speed else (v > 0) - (v < 0)
-        return value(joint, "friction") * side + value(joint, "damping") * v
-
-    def effort(q, v, a, load, *_):
-        return [t + friction(j, w) + value(j, "armature") * b + load
-                for t, j, w, b in zip(call([*q, *v, *a]), joints, v, a)]
-    return effort
-
-
-def extended(c, step):
-    """The emitted extended effort, with the states that it keeps; None where it takes what a log of
-    joints does not have."""
-    names = c.inputs("effort")
-    if any(n not in ("q", "qd", "qdd", "load", "tension", "step", "memory") for n, _ in names):
-        return None
-    call = c.caller("effort")
-    sizes = dict(names)
-    memory = [0.0] * sizes.get("memory", 0)
-
-    def effort(q, v, a, load, tension=()):
-        given = {"q": q, "qd": v, "qdd": a, "load": [load] + [0.0] * (sizes.get("load", 1) - 1),
-                 "tension": tension, "step": [step], "memory": memory}
-        result = call([x for n, _ in names for x in given[n]])
-        memory[:] = result[len(q):len(q) + len(memory)]
-        return result[:len(q)]
-    return effort
 
 
 def held_out_log(folder, before):
@@ -171,29 +46,13 @@ def together(was, now):
 
 def gain(tools, folder, findings, c):
     """The held-out gain by the runner's own means, and the one that is told."""
-    before = folder.with_name(folder.name + "_before")
-    if (before / "hand.toml").exists():
-        return None
-    log = held_out_log(folder, before)
-    if (before / "part.toml").exists():
-        names = [("theta", "tau_m")]
-    elif "x" in log:
-        names = [("x", "f")]
+    log = held_out_log(folder, folder.with_name(folder.name + "_before"))
+    if "observation" in c.functions:
+        was, now = rigs.residuals(log, [gains.before(tools, folder), c])
+    elif "effort" in c.functions:
+        was, now = gains.residuals(tools, folder, log, findings, c)
     else:
-        joints = [j["name"] for j in driven(before)]
-        # Motors of tendons are channels of their own, and no joints.
-        if forces_of(log) and "theta_1" not in log:
-            log.update({f"q_{j}": log[j] for j in joints})
-            log.update({f"tau_{j}": t for j, t in zip(joints, torques_of_tendons(c, log, joints))})
-        names = [(f"q_{j}", f"tau_{j}") for j in joints]
-    if any(n not in log for pair in names for n in pair):
         return None
-    step = log["time"][1] - log["time"][0]
-    after = extended(c, step)
-    if after is None:
-        return None
-    judge = Judge(log, names, step, findings["verdict"]["compared_below_hz"])
-    was, now = judge.residual(nominal(before, tools)), judge.residual(after)
     return {"recomputed": together(was, now), "told": findings["verdict"]["held_out"]["share"]}
 
 
@@ -245,12 +104,24 @@ def cad_body(row):
     return mass, [mass * x for x in c], moments
 
 
+def links_of(model):
+    """Rows of the mass properties by link; of a hand those of its fingers, which stand beside it."""
+    tables = {"": model / "mass_properties.csv"}
+    if (model / "hand.toml").exists():
+        fingers = tomllib.loads((model / "hand.toml").read_text())["finger"]
+        tables = {(model / f["model"]).name + "_": model / f["model"] / "mass_properties.csv" for f in fingers}
+    rows = {}
+    for before, table in tables.items():
+        if table.exists():
+            with open(table, encoding="utf-8") as lines:
+                rows.update({before + row["link"]: row for row in csv.DictReader(lines)})
+    return rows
+
+
 def bodies_are_possible(model, effects):
-    table = model / "mass_properties.csv"
-    if not table.exists():
+    rows = links_of(model)
+    if not rows:
         return None
-    with open(table, encoding="utf-8") as lines:
-        rows = {row["link"]: row for row in csv.DictReader(lines)}
     for effect in effects:
         link = effect["place"].removeprefix("link ")
         if effect["effect"] not in ("payload", "inertial_parameters") or link not in rows:
@@ -268,9 +139,23 @@ def bodies_are_possible(model, effects):
     return True
 
 
-def simulated(tools, folder, model):
-    """rms deviations of the held-out log played again, by channel; empty where it cannot be."""
-    done = subprocess.run([tools["sinew"], "simulate", model, "--log", folder / "holdout.csv", "--out",
+def shorter_log(folder):
+    """The beginning of the held-out log: simulating all of it would take longer than the diagnosis."""
+    short, end = folder / "short.csv", None
+    with open(folder / "holdout.csv", encoding="utf-8") as whole, open(short, "w", encoding="utf-8") as out:
+        out.write(next(whole))
+        for row in whole:
+            time = float(row.split(",", 1)[0])
+            end = time + SIMULATED if end is None else end
+            if time > end:
+                break
+            out.write(row)
+    return short
+
+
+def simulated(tools, folder, model, log):
+    """rms deviations of a log played again, by channel; empty where it cannot be."""
+    done = subprocess.run([tools["sinew"], "simulate", model, "--log", log, "--out",
                            folder / "again.csv", "--json"], capture_output=True, text=True, check=False,
                           timeout=tools["limit"])
     if done.returncode != 0:
@@ -297,13 +182,11 @@ def judged(tools, folder, findings):
         # A ripple's phase is an incremental encoder's, and another one in every log.
         if any("ripple" in effect["effect"] for effect in effects):
             return {**result, "phase_of_a_log": True}
-        if "observation" in c.functions:
-            log = held_out_log(folder, before)
-            result["gain"] = {"recomputed": together(*rigs.residuals(tools, folder, log, c)),
-                              "told": findings["verdict"]["held_out"]["share"]}
-        elif "effort" in c.functions:
-            result["gain"] = gain(tools, folder, findings, c)
-        was, now = simulated(tools, folder, before), simulated(tools, folder, model)
+        result["gain"] = gain(tools, folder, findings, c)
+        # A hand's fingers stand beside it.
+        nominal, short = folder / "nominal", shorter_log(folder)
+        shutil.copytree(before, nominal, dirs_exist_ok=True)
+        was, now = simulated(tools, folder, nominal, short), simulated(tools, folder, model, short)
         result["simulation"] = {n: [was[n], now[n]] for n in was if n in now and was[n] is not None}
     except Exception as error:  # a trial is never lost to its judging
         result["not_judged"] = f"{type(error).__name__}: {error}"[:300]

@@ -1,79 +1,49 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What levers and wrists leave over of a held-out log: what their sensors should read by the emitted C, as the
 model was and as it was extended."""
-import math
-import re
-import shutil
-import subprocess
+import statistics
 
-from emitted import Emitted
-from filters import convolved, kernel
+from filters import Comparison
 
-BAND = 60.0  # Hz, as `sinew diagnose` documents
+BAND, EDGE = 60.0, 0.25  # Hz, s left away at both ends, as docs/diagnose.md states
 
 
-def without_what_was_learnt(text):
-    """identified.toml with every coefficient at zero: its C says what the model said before."""
-    return re.sub(r"(\[\[effect\.coefficient\]\]\nname = \"[^\"]*\"\nvalue = )\S+", r"\g<1>0.0", text)
+def white_noise(x):
+    """rms, by the median of its third differences."""
+    third = [abs(d - 3 * c + 3 * b - a) for a, b, c, d in zip(x, x[1:], x[2:], x[3:])]
+    return statistics.median(third) / (0.674489750196 * 20**0.5)
 
 
-def before(tools, folder):
-    model = folder / "unlearnt"
-    shutil.rmtree(model, ignore_errors=True)
-    shutil.copytree(folder / "model", model)
-    file = model / "identified.toml"
-    file.write_text(without_what_was_learnt(file.read_text(encoding="utf-8")), encoding="utf-8")
-    subprocess.run([tools["sinew"], "generate", model, "--out", model / "generated"], check=True,
-                   capture_output=True)
-    return Emitted(next((model / "generated").rglob("*_catalogue.c")).parent, tools["runtime"])
+def steady_rate(count, step):
+    """Of a reading that a play of one step and three times its noise is taken from."""
+    play, steady, rate = 1.0 + 3.0 * white_noise(count), count[0], [0.0]
+    for x in count[1:]:
+        before, steady = steady, min(max(steady, x - play), x + play)
+        rate.append((steady - before) / step)
+    return rate
 
 
-def inputs_of(log, names, step):
-    """Rows of the observation's inputs but its memory. A rate is that of its own channel."""
-    columns = []
-    for name, size in names:
-        if name == "memory":
-            continue
-        if name == "step":
-            columns.append([step] * len(log["time"]))
-        elif name.endswith("_rate"):
-            x = log[name.removesuffix("_rate")]
-            columns.append([0.0, *((b - a) / step for a, b in zip(x, x[1:]))])
-        else:
-            columns.append(log.get(name, [0.0] * len(log["time"])))
-        if size != 1:
-            raise ValueError(f"observation takes {size} numbers for '{name}'")
-    return list(zip(*columns))
-
-
-def said(c, log, step):
-    """The observation at every row, a list a channel, with the states that it keeps."""
-    names, call = c.inputs("observation"), c.caller("observation")
-    size = dict(names).get("memory", 0)
-    memory, rows = [0.0] * size, []
-    for given in inputs_of(log, names, step):
-        result = call([*given, *memory])
-        channels = len(result) - size
-        memory = result[channels:]
-        rows.append(result[:channels])
-    return list(zip(*rows))
+def signals_of(log, names, step):
+    """The observation's inputs but its memory and the step."""
+    nothing = [0.0] * len(log["time"])
+    return {name: [steady_rate(log[name.removesuffix("_rate")], step) if name.endswith("_rate")
+                   else log.get(name, nothing)] for name, _ in names if name not in ("memory", "step")}
 
 
 def left_over(said_by_model, measured, step, free_zero):
     """Behind the documented filter; a motor that counts from anywhere has its zero taken out."""
-    band = min(BAND, 0.1 / step)
-    half, every = math.ceil(3.3 / (band * step) / 2), max(1, int(1.0 / (2.5 * band * step)))
-    weights, result = kernel(step, 1.25 * band, half), []
+    behind, edge, result = Comparison(step, BAND), round(EDGE / step), []
     for told, seen in zip(said_by_model, measured):
-        left = convolved([a - b for a, b in zip(seen, told)], weights, every)
+        left = behind([a - b for a, b in zip(seen, told)][edge:len(seen) - edge])
         zero = sum(left) / len(left) if free_zero else 0.0
         result.append([x - zero for x in left])
     return result
 
 
-def residuals(tools, folder, log, extended):
-    """Before and after, a list a channel each."""
+def residuals(log, models):
+    """Of each of the models, a list a channel."""
     step = log["time"][1] - log["time"][0]
     motors = [n for n in (f"theta_{i}" for i in range(1, 100)) if n in log]
     measured = [log[n] for n in motors or ("force", "elongation") if n in log]
-    return [left_over(said(c, log, step), measured, step, bool(motors)) for c in (before(tools, folder), extended)]
+    signals = signals_of(log, models[0].inputs("observation"), step)
+    return [left_over(c.rows("observation", signals, {"step": step}), measured, step, bool(motors)) for c in models]

@@ -42,8 +42,18 @@ def wanted(chosen, digest):
     table = trials.rows(ROOT / chosen.rows, 10 if chosen.full else 1)
     if chosen.plant:
         table = [r for r in table if r[0] in chosen.plant]
-    table = [(p, f, s, max(1, round(chosen.share * n)), *more) for p, f, s, n, *more in table]
-    return trials.listed(digest, table)
+    table = trials.in_turn(table, trials.causes_of(ROOT / "tests/blind/study/causes.csv"))
+    return shortened(trials.listed(digest, table), chosen.share)
+
+
+def shortened(everything, share):
+    """The first of every row as listed, so many of them; one at least of each."""
+    rows = {}
+    for trial in everything:
+        rows.setdefault((trial["plant"], trial["family"], trial["size"], trial["logs"],
+                         trials.EACH if trial["each"] else trial["cause"]), []).append(trial)
+    kept = {id(t) for row in rows.values() for t in row[:max(1, round(share * len(row)))]}
+    return [t for t in everything if id(t) in kept]
 
 
 def run(chosen, tools, todo, file, done, total):
@@ -101,6 +111,7 @@ def main():
     out = pathlib.Path(chosen.out)
     out.write_text(page.written(lines, facts, limits), encoding="utf-8")
     out.with_name("blind_rates.svg").write_text(page.picture(lines), encoding="utf-8")
+    out.with_name("blind_causes.svg").write_text(page.picture_of_causes(lines), encoding="utf-8")
     print(f"{len(lines)} of {len(everything)} trials: {out}")
 
 

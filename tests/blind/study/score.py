@@ -1,10 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What a verdict is worth, the seal being open: no files, no program, rules alone."""
 import itertools
+import re
 
 from names import hidden_key, key
 
-WANTED = {"null": 0, "fault": 0, "one": 1, "outside": 1, "two": 2}
+WANTED = {"null": 0, "fault": 0, "one": 1, "outside": 1, "pair": 1, "two": 2}
+FIRST_ROW = 2  # of a log's values
+APART = 0.3  # of the noise: what more than this is left of a cause, a log tells
 
 
 class BrokenTrial(Exception):
@@ -28,6 +31,17 @@ def check_seal(seal, family, size):
             raise BrokenTrial(f"{h['cause']} has the size {h['excess']:.2f}, asked for {size}")
     if family == "fault" and "fault" not in seal:
         raise BrokenTrial("no fault was planted")
+    if family == "pair":
+        check_pair(seal, hidden[0])
+
+
+def check_pair(seal, hidden):
+    """A pair is one where the truth is among several, and the motion does not tell it from the others."""
+    keys = {hidden_key(h) for h in seal.get("admissible", [])}
+    if seal["reachable"] and (len(keys) < 2 or hidden_key(hidden) not in keys):
+        raise BrokenTrial("a pair's truth has no others that the log could take it for")
+    if seal["reachable"] and not seal["apart"] < APART:
+        raise BrokenTrial(f"{hidden['cause']} is told from the others by {seal['apart']:.2f} of the noise")
 
 
 def matched(hidden, sets, accepts):
@@ -45,7 +59,7 @@ def score(seal, findings):
     hold no hidden cause, or one that another set has already."""
     verdict = findings["verdict"]
     told = [[key(m["name"], m["place"]) for m in cause["members"]] for cause in verdict["causes"]]
-    hidden = [hidden_key(h) for h in seal["hidden"]] if seal["family"] in ("one", "two") else []
+    hidden = [hidden_key(h) for h in seal["hidden"]] if seal["family"] in ("one", "two", "pair") else []
     # More sets than this are told by no program that works; matching all of them would take for ever.
     sets = told[:6]
     any_member = matched(hidden, sets, lambda h, s: h in s)
@@ -62,8 +76,40 @@ def score(seal, findings):
         "holds": [any(h in s for h in hidden) for s in told],
         "outcome": verdict["outcome"],
         "adopted": findings["extension"]["adopted"],
+        "alarms": len(faults_told(findings)),
         "seconds": findings["seconds"],
     }
+
+
+def told_keys(findings):
+    return [[key(m["name"], m["place"]) for m in cause["members"]] for cause in findings["verdict"]["causes"]]
+
+
+def pair_told(seal, findings):
+    """Of a log that cannot tell: one set, of several members, that holds the truth."""
+    told = told_keys(findings)
+    return len(told) == 1 and len(told[0]) > 1 and hidden_key(seal["hidden"][0]) in told[0]
+
+
+def settled(seal, findings):
+    """With the log of the proposed motion beside the first one: the truth, and nothing besides."""
+    return told_keys(findings) == [[hidden_key(seal["hidden"][0])]]
+
+
+def without_numbers(text):
+    """A message without file, row and column and without its numbers."""
+    return re.sub(r"[-+]?\d[\d.]*(e[-+]?\d+)?", "#", re.sub(r"^[^:]*:\d+:\d+: ", "", text))
+
+
+def row_of(text):
+    """Of "file:row:column: what"; 0: of none."""
+    found = re.match(r"[^:]*:(\d+):\d+: ", text)
+    return int(found[1]) if found else 0
+
+
+def faults_told(findings):
+    """In logs that nothing was done to: false alarms."""
+    return [f for log in findings["logs"] for f in log["faults"]]
 
 
 def fault_found(seal, findings, error, columns):
@@ -75,7 +121,12 @@ def fault_found(seal, findings, error, columns):
     names |= {columns.get(n, n) for n in names}
     texts = error.splitlines()
     if findings:
-        texts = [f for log in findings["logs"] for f in log["faults"] if not log["held_out"]]
+        # What is told of the held-out log as well is not what was done to the other one.
+        other = {without_numbers(f) for log in findings["logs"] for f in log["faults"] if log["held_out"]}
+        texts = [f for log in findings["logs"] for f in log["faults"]
+                 if not log["held_out"] and without_numbers(f) not in other]
+    # What was planted is wrong with the whole column: what is told of some row in it is something else.
+    texts = [t for t in texts if row_of(t) <= FIRST_ROW]
     return any(f"'{n}'" in t or f" {n} " in t or f"'{n} " in t or f'"{n}' in t
                for n in names for t in texts)
 

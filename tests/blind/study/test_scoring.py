@@ -4,16 +4,22 @@ place) lets a wrong place and a repeated name pass; right without len(told) lets
 check_seal() without its first rule lets a dropped cause pass; check_sealed() without its list of files
 lets a seal in the folder pass."""
 import copy
+import json
+import math
 import pathlib
 import sys
 import tempfile
 import unittest
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
+import compared  # noqa: E402
 import emitted  # noqa: E402,F401
+import filters  # noqa: E402
+import gains  # noqa: E402
 import page  # noqa: E402
 import physical  # noqa: E402
 import results  # noqa: E402
+import run_study  # noqa: E402
 import rigs  # noqa: E402
 import score  # noqa: E402
 import trials  # noqa: E402
@@ -187,12 +193,45 @@ class Counts(unittest.TestCase):
         one = {"plant": "joint", "family": "one", "size": 0.5, "cause": "", "number": 3, "logs": 1}
         self.assertNotEqual(trials.name_of(one), trials.name_of({**one, "logs": 2}))
         self.assertNotEqual(trials.seed_of("ab", "joint", "one", 0.5, 3), trials.seed_of("ab", "joint", "one", 0.5, 3, "", 2))
-        lines = [one, {**one, "logs": 2}, {**one, "cause": "delay"}]
-        self.assertEqual(page.standard(lines), [one])
+        in_turn = {**one, "cause": "delay", "each": True}
+        self.assertEqual(page.standard([one, {**one, "logs": 2}, {**one, "cause": "delay"}, in_turn]), [one, in_turn])
 
     def test_the_standard_table_keeps_its_size(self):
-        table = trials.rows(pathlib.Path(__file__).parent / "rows.csv", 1)
-        self.assertLessEqual(sum(count for _, _, _, count, _, _ in table), 1260)
+        here = pathlib.Path(__file__).parent
+        table = trials.in_turn(trials.rows(here / "rows.csv", 1), trials.causes_of(here / "causes.csv"))
+        self.assertLessEqual(sum(row[3] for row in table), 1700)
+
+    def test_every_cause_gets_its_trials_in_turn(self):
+        # Seen to fail: drawn, 22 causes share 220 trials as chance will, and some have four.
+        rows = trials.in_turn([("drive", "one", 1.0, 3, "each", 1), ("drive", "null", 1.0, 2, "", 1)],
+                              {"drive": ["delay", "offset"]})
+        listed = trials.listed("ab", rows)
+        self.assertEqual([t["cause"] for t in listed if t["each"]], ["delay", "offset"] * 3)
+        self.assertEqual(len({t["seed"] for t in listed}), 8)
+        self.assertEqual(len({trials.name_of(t) for t in listed}), 8)
+        self.assertEqual([t["cause"] for t in run_study.shortened(listed, 0.4)], ["", "delay", "offset"])
+
+    def test_standard_rows_hold_ten_of_each_cause_of_small_plants(self):
+        here = pathlib.Path(__file__).parent
+        for plant in ("drive", "joint", "lever", "wrist"):
+            counts = [n for p, f, _, n, cause, logs in trials.rows(here / "rows.csv", 1)
+                      if (p, f, cause, logs) == (plant, "one", "each", 1)]
+            self.assertGreaterEqual(sum(counts), 10)
+
+    def test_causes_with_fewer_than_ten_trials_are_told(self):
+        line = {"plant": "drive", "family": "one", "size": 1.0, "status": "ran", "right": True,
+                "seal": {"hidden": [{"cause": "delay"}], "traits": {}}}
+        self.assertIn("delay (9)", page.too_few([line] * 9))
+        # Seen to fail: counted with those that no dose reached, nine and one were ten.
+        self.assertIn("delay (9)", page.too_few([line] * 9 + [{**line, "status": "unreachable"}]))
+        self.assertNotIn("delay", page.too_few([line] * 10))
+
+    def test_the_picture_has_every_cause_with_its_interval(self):
+        lines = [{"plant": "drive", "family": "one", "size": 1.0, "status": "ran", "right": right, "cause": "",
+                  "seal": {"hidden": [{"cause": "delay"}], "traits": {}}} for right in (True, False)]
+        drawn = page.picture_of_causes(lines)
+        self.assertIn(">delay<", drawn)
+        self.assertIn("1 of 2", drawn)
 
     def test_the_engine_s_hash_follows_its_sources(self):
         root = pathlib.Path(self.enterContext(tempfile.TemporaryDirectory()))
@@ -220,6 +259,117 @@ class Counts(unittest.TestCase):
         self.assertFalse(score.fault_found(fault, None, "log.csv:1:2: 'q_j2' is in degrees\n", {}))
 
 
+    def test_what_is_told_of_the_other_log_as_well_is_no_fault_found(self):
+        # Seen to fail: what is wrong with both logs, and so with the model, counted as found whatever was planted.
+        fault = {**seal(family="fault"), "fault": {"fault": "unit", "channel": "bend", "factor": 1000.0}}
+        told = findings()
+        left = "of 'bend' the model leaves {} % over"
+        told["logs"] = [{"held_out": False, "faults": ["train.csv:0:5: " + left.format(71.2)]},
+                        {"held_out": True, "faults": ["holdout.csv:0:5: " + left.format(64)]}]
+        self.assertFalse(score.fault_found(fault, told, "", {}))
+        told["logs"][0]["faults"].append("train.csv:2:5: 'bend' is 1000 times too large")
+        self.assertTrue(score.fault_found(fault, told, "", {}))
+
+    def test_what_is_told_of_some_row_is_no_fault_of_the_column(self):
+        # Seen to fail: a bend that rests at its highest value in one of two logs counted as degrees found.
+        fault = {**seal(family="fault"), "fault": {"fault": "unit", "channel": "bend", "factor": 57.3}}
+        told = findings()
+        told["logs"] = [{"held_out": False, "faults": ["train.csv:9002:5: 'bend' stays at its limit 90.2"]}]
+        self.assertFalse(score.fault_found(fault, told, "", {}))
+        told["logs"][0]["faults"].append("train.csv:0:5: of 'bend' the model leaves 98 % over")
+        self.assertTrue(score.fault_found(fault, told, "", {}))
+
+    def test_a_refusal_is_read_from_standard_output(self):
+        # Seen to fail: with standard error alone, which --json leaves empty, refusals named no channel: 3 of 25.
+        text = json.dumps({"errors": [{"message": "'f' acts against 'x'", "file": "train.csv", "line": 2, "column": 3}]})
+        self.assertEqual(trials.errors_told(text, ""), "train.csv:2:3: 'f' acts against 'x'")
+        self.assertEqual(trials.errors_told("", "no model"), "no model")
+
+    def test_an_alarm_where_nothing_was_done_to_a_log_is_counted(self):
+        told = findings()
+        told["logs"] = [{"held_out": False, "faults": ["train.csv:2:5: 'bend' stays"]}]
+        self.assertEqual(score.score(seal(family="null"), told)["alarms"], 1)
+
+
+class Pairs(unittest.TestCase):
+    def pair(self, apart=0.05):
+        s = seal(("offset", "motor", 0), family="pair")
+        return {**s, "admissible": [{"cause": "offset", "place": "motor"},
+                                    {"cause": "coulomb_level", "place": "motor"}], "apart": apart}
+
+    def test_a_pair_that_the_log_tells_apart_is_no_trial(self):
+        score.check_seal(self.pair(), "pair", 1.0)
+        with self.assertRaisesRegex(score.BrokenTrial, "told from the others"):
+            score.check_seal(self.pair(0.7), "pair", 1.0)
+        alone = self.pair()
+        alone["admissible"] = alone["admissible"][1:]
+        with self.assertRaisesRegex(score.BrokenTrial, "no others"):
+            score.check_seal(alone, "pair", 1.0)
+
+    def test_a_pair_is_told_as_a_set_that_holds_the_truth(self):
+        offset, level = ("offset", "motor"), ("Coulomb friction level", "motor")
+        self.assertTrue(score.pair_told(self.pair(), findings([level, offset])))
+        # The truth alone is a guess, the other alone is wrong, and a second set is a false name.
+        self.assertFalse(score.pair_told(self.pair(), findings([offset])))
+        self.assertFalse(score.pair_told(self.pair(), findings([level, ("delay", "motor")])))
+        self.assertFalse(score.pair_told(self.pair(), findings([level, offset], [("delay", "motor")])))
+        self.assertFalse(score.pair_told(self.pair(), findings([level, ("offset", "joint j1")])))
+
+    def test_a_pair_s_set_is_not_one_that_is_too_large(self):
+        # Seen to fail: with pairs among them the mean of 1 and 3 is 2.
+        line = {"plant": "drive", "size": 1.0, "status": "ran", "seal": {"traits": {"motion": "one way"}}}
+        goals = page.goals([{**line, "family": "one", "sets": [["a"]]}, {**line, "family": "pair", "sets": [["a", "b", "c"]]}])
+        self.assertIn("| all | mean size of a set | ≤ 1.3 | 1.00 | met |", goals)
+
+    def test_settled_is_the_right_one_alone(self):
+        offset, level = ("offset", "motor"), ("Coulomb friction level", "motor")
+        self.assertTrue(score.settled(self.pair(), findings([offset])))
+        for left in ([[level]], [[offset, level]], [[offset], [level]], []):
+            self.assertFalse(score.settled(self.pair(), findings(*left)))
+
+    def test_the_motion_that_is_proposed_is_found(self):
+        told = findings([("offset", "motor"), ("Coulomb friction level", "motor")])
+        self.assertEqual(trials.proposed_motion(told), "")
+        told["verdict"]["causes"][0]["separating_motion"] = "experiment_1.csv"
+        self.assertEqual(trials.proposed_motion(told), "experiment_1.csv")
+
+
+class Compared(unittest.TestCase):
+    def test_derivatives_pass_what_is_below_the_band(self):
+        # Seen to fail: by differences of the smoothed position the acceleration at 25 Hz of 250 is 12 % short.
+        step, w = 0.004, 2 * math.pi * 20.0
+        x = [math.sin(w * step * k) for k in range(2000)]
+        a = filters.smoothed(x, step, 25.0, 2)
+        middle = range(200, 1800)
+        worst = max(abs(a[k] + w * w * x[k]) for k in middle)
+        self.assertLess(worst, 0.004 * w * w)
+        slope = filters.smoothed([0.5 * step * k for k in range(500)], step, 25.0, 1)
+        self.assertAlmostEqual(slope[250], 0.5)
+
+    def test_a_comparison_is_flat_in_its_band_and_stopped_above(self):
+        behind = filters.Comparison(0.002, 60.0)
+        self.assertEqual(behind.every, 3)
+        for hertz, low, high in ((60.0, 0.99, 1.01), (101.0, 0.0, 0.01)):
+            y = behind([math.sin(2 * math.pi * hertz * 0.002 * k) for k in range(4000)])
+            self.assertTrue(low < max(abs(v) for v in y) < high, hertz)
+
+    def test_as_many_samples_are_kept_as_are_quick_to_transform(self):
+        self.assertEqual([filters.quick_to_transform(n) for n in (658, 648, 1171, 33)], [648, 648, 1152, 32])
+
+    def test_standstill_counts_for_nothing_and_has_flanks(self):
+        step = 0.002
+        v = [math.copysign(1.0, math.sin(2 * math.pi * 0.5 * step * (k + 0.5))) for k in range(2000)]
+        still = compared.standstills([v, v], step, 50.0)
+        weights = compared.weights(still, range(2000), step)
+        self.assertEqual(weights[500], 0.0)  # a reversal
+        self.assertEqual(weights[250], 1.0)
+        self.assertTrue(0.0 < weights[500 + 4 + 5] < 1.0)
+        # At rest for a tenth of a second; slow motion is motion after that.
+        v = [1.0] * 500 + [0.0] * 50 + [1.0] * 500
+        weights = compared.weights(compared.standstills([v], step, 50.0), range(len(v)), step)
+        self.assertEqual((weights[525], weights[100]), (0.0, 1.0))
+
+
 class Physics(unittest.TestCase):
     def test_a_negative_mass_is_no_body(self):
         self.assertTrue(physical.positive_definite(physical.pseudo_inertia(1, [0, 0, 0], [1, 1, 1, 0, 0, 0]), 4))
@@ -236,17 +386,18 @@ class Physics(unittest.TestCase):
 
     def test_nothing_learnt_is_every_coefficient_at_zero(self):
         # Seen to fail: with shapes at zero as well a friction's speed divides by nothing.
-        text = ('[[effect]]\neffect = "direction"\n[[effect.shape]]\nname = "speed"\nvalue = 0.3\n'
+        text = ('[[effect]]\neffect = "stribeck"\n[[effect.shape]]\nname = "speed"\nvalue = 0.3\n'
                 '[[effect.coefficient]]\nname = "change"\nvalue = -2e-3\nstandard_error = 0.1\n')
-        self.assertEqual(rigs.without_what_was_learnt(text), text.replace("-2e-3", "0.0"))
+        self.assertEqual(gains.without_what_was_learnt(text), text.replace("-2e-3", "0.0"))
+
+    def test_a_law_that_was_learnt_is_taken_away(self):
+        # Seen to fail: it has no coefficient, and a bristle's friction stayed in the model as it was.
+        law = '[[effect]]\neffect = "direction"\nplace = "j1"\n[[effect.shape]]\nname = "presliding_length"\n'
+        rest = '[[effect]]\neffect = "offset"\n'
+        self.assertEqual(gains.without_what_was_learnt("# head\n" + law + rest), "# head\n" + rest)
 
     def test_a_tendon_pulls_against_its_moment_arm(self):
-        class Arms:
-            @staticmethod
-            def caller(_):
-                return lambda q: [0.01, 0.0, -0.02, 0.03]  # 2 tendons, 2 joints, row by row
-        log = {"a": [0.0], "b": [0.0], "force_1": [10.0], "force_2": [1.0]}
-        torques = physical.torques_of_tendons(Arms, log, ["a", "b"])
+        torques = gains.torques_of([[[0.01], [0.0]], [[-0.02], [0.03]]], [[10.0], [1.0]])
         self.assertAlmostEqual(torques[0][0], -0.08)
         self.assertAlmostEqual(torques[1][0], -0.03)
 
@@ -254,6 +405,20 @@ class Physics(unittest.TestCase):
         seen, told = [[3.0] * 200], [[1.0] * 200]
         self.assertLess(max(abs(x) for x in rigs.left_over(told, seen, 0.01, True)[0]), 1e-9)
         self.assertAlmostEqual(rigs.left_over(told, seen, 0.01, False)[0][0], 2.0)
+
+    def test_a_hand_s_links_are_those_of_its_fingers(self):
+        # Seen to fail: a hand has no table of its own, and no body of it was ever judged.
+        place = pathlib.Path(self.enterContext(tempfile.TemporaryDirectory()))
+        (place / "model").mkdir()
+        (place / "f2").mkdir()
+        (place / "model" / "hand.toml").write_text('[[finger]]\nmodel = "../f2"\n')
+        (place / "f2" / "mass_properties.csv").write_text("link,mass [kg]\nl1,0.01\n")
+        self.assertEqual(physical.links_of(place / "model")["f2_l1"]["mass [kg]"], "0.01")
+
+    def test_a_simulated_log_is_its_beginning(self):
+        place = pathlib.Path(self.enterContext(tempfile.TemporaryDirectory()))
+        (place / "holdout.csv").write_text("time [s],a\n" + "".join(f"{10 + 0.5 * k},1\n" for k in range(40)))
+        self.assertEqual(len(physical.shorter_log(place).read_text().splitlines()), 1 + 9)
 
     def test_an_interval_that_misses_is_counted(self):
         hidden = seal(("viscous_level", "joint j1", 0))

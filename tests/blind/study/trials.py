@@ -9,6 +9,7 @@ import pathlib
 import re
 import shutil
 import subprocess
+import tempfile
 import time
 
 import physical
@@ -16,6 +17,7 @@ import score
 
 ENGINE = ("symbolic", "generator", "identification", "simulation", "runtime", "cli")
 SUFFIXES = {".cpp", ".h", ".c", ".txt"}
+EACH = "each"  # a row of as many trials of every cause
 FIRST_SEED = 10**6  # below it is development's
 ALLOWED = re.compile(r"(train[23]?|holdout)\.csv|(model|motor|wrist|bar|f\d)/"
                      r"(mechanism\.toml|mass_properties\.csv|part\.toml|hand\.toml|channels\.toml)")
@@ -35,11 +37,31 @@ def engine_hash(root):
     return total.hexdigest()
 
 
-def rows(file, times):
+def read_table(file):
     with open(file, encoding="utf-8") as lines:
-        table = list(csv.DictReader(line for line in lines if not line.startswith("#")))
+        return list(csv.DictReader(line for line in lines if not line.startswith("#")))
+
+
+def causes_of(file):
+    """Of each plant, what it offers."""
+    offered = {}
+    for r in read_table(file):
+        offered.setdefault(r["plant"], []).append(r["cause"])
+    return offered
+
+
+def rows(file, times):
     return [(r["plant"], r["family"], float(r["size"]), int(r["trials"]) * times, r["cause"], int(r["logs"] or 1))
-            for r in table]
+            for r in read_table(file)]
+
+
+def in_turn(table, offered):
+    """A row of every cause is as many rows, each of one; the last two say which of how many."""
+    result = []
+    for plant, family, size, count, cause, logs in table:
+        each = offered[plant] if cause == EACH else [cause]
+        result += [(plant, family, size, count, c, logs, i, len(each)) for i, c in enumerate(each)]
+    return result
 
 
 def seed_of(digest, plant, family, size, number, cause="", logs=1):
@@ -48,17 +70,19 @@ def seed_of(digest, plant, family, size, number, cause="", logs=1):
 
 
 def listed(digest, table):
-    """All trials, mixed so that a study that is stopped has some of every row."""
-    trials = [(number / count, plant, family, size, number, cause, logs)
-              for plant, family, size, count, cause, logs in table for number in range(count)]
+    """All trials of rows in turn, mixed so that a study that is stopped has some of every row."""
+    trials = [((number + which / many) / count, plant, family, size, number, cause, logs, many > 1)
+              for plant, family, size, count, cause, logs, which, many in table for number in range(count)]
     trials.sort()
-    return [{"plant": p, "family": f, "size": s, "number": n, "cause": c, "logs": m,
-             "seed": seed_of(digest, p, f, s, n, c, m)} for _, p, f, s, n, c, m in trials]
+    return [{"plant": p, "family": f, "size": s, "number": n, "cause": c, "logs": m, "each": e,
+             "seed": seed_of(digest, p, f, s, n, c + (" in turn" if e else ""), m)}
+            for _, p, f, s, n, c, m, e in trials]
 
 
 def name_of(trial):
     logs = f"/{trial['logs']} logs" if trial["logs"] > 1 else ""
-    return f"{trial['plant']}/{trial['family']}/{trial['size']:g}/{trial['cause'] or 'drawn'}/{trial['number']}{logs}"
+    cause = (trial["cause"] or "drawn") + (" in turn" if trial.get("each") else "")
+    return f"{trial['plant']}/{trial['family']}/{trial['size']:g}/{cause}/{trial['number']}{logs}"
 
 
 def check_sealed(folder, seal):
@@ -82,12 +106,15 @@ def check_sealed(folder, seal):
                 raise Leak(f"{file}: says '{w}'")
 
 
+def drawing(trial):
+    """What a trial is drawn by, as words of the command line."""
+    return ["--plant", trial["plant"], "--family", trial["family"], "--size", str(trial["size"]), "--seed",
+            str(trial["seed"]), "--cause", trial["cause"], "--logs", str(trial["logs"])]
+
+
 def drawn(drawer, trial, folder):
-    done = subprocess.run(
-        [drawer, "draw", "--plant", trial["plant"], "--family", trial["family"], "--size",
-         str(trial["size"]), "--seed", str(trial["seed"]), "--folder", folder, "--cause", trial["cause"],
-         "--logs", str(trial["logs"])],
-        capture_output=True, text=True, check=False)
+    done = subprocess.run([drawer, "draw", *drawing(trial), "--folder", folder], capture_output=True, text=True,
+                          check=False)
     if done.returncode != 0:
         raise RuntimeError(f"{name_of(trial)} cannot be drawn: {done.stderr.strip()}")
     return json.loads(done.stdout)
@@ -111,7 +138,7 @@ def training_logs(folder, logs):
 
 
 def run_program(program, folder, limit, logs=1):
-    """The exit status (None: it took longer than the limit), findings or None, standard error."""
+    """The exit status (None: it took longer than the limit), findings or None, what it says of errors."""
     command = [program, "diagnose", "model", *training_logs(folder, logs), "--holdout", "holdout.csv", "--out",
                "found", "--json"]
     environment = {k: os.environ[k] for k in ("PATH", "HOME", "TMPDIR", "LANG") if k in os.environ}
@@ -126,7 +153,47 @@ def run_program(program, folder, limit, logs=1):
             findings = json.loads(done.stdout)
         except ValueError:
             return -1, None, "no findings: " + done.stderr[-500:]
-    return done.returncode, findings, done.stderr
+    return done.returncode, findings, done.stderr if findings else errors_told(done.stdout, done.stderr)
+
+
+def errors_told(output, error):
+    """With --json a refusal is on standard output: a line each, "file:row:column: what"."""
+    try:
+        told = json.loads(output)["errors"]
+    except (ValueError, KeyError, TypeError):
+        return error
+    return "\n".join(":".join(str(e.get(k) or 0) for k in ("file", "line", "column")) + ": " + e["message"]
+                     for e in told)
+
+
+def proposed_motion(findings):
+    """The file beside the findings that the program proposes to play; empty: none."""
+    return next((c["separating_motion"] for c in findings["verdict"]["causes"] if c.get("separating_motion")), "")
+
+
+def settle(tools, trial, folder, seal, findings):
+    """What became of a pair: told as one; the motion that the program proposes is played by the truth's own plant,
+    and the program has its log beside the first one, and the model as it was."""
+    motion = proposed_motion(findings)
+    result = {"told": score.pair_told(seal, findings), "proposed": bool(motion), "settled": False}
+    if not result["told"] or not motion:
+        return result
+    with tempfile.TemporaryDirectory() as beside:
+        played = pathlib.Path(beside) / "motion.csv"
+        shutil.copy2(folder / "found" / motion, played)
+        for made in ("found", "model"):
+            shutil.rmtree(folder / made)
+        shutil.copytree(folder.with_name(folder.name + "_before"), folder / "model")
+        # A plant is the same whenever its seed is asked for.
+        done = subprocess.run([tools["drawer"], "play", *drawing(trial), "--motion", played, "--out",
+                               folder / "train2.csv"], capture_output=True, text=True, check=False)
+    if done.returncode != 0:
+        raise RuntimeError(f"{name_of(trial)} cannot play what is proposed: {done.stderr.strip()}")
+    check_sealed(folder, seal)
+    status, second, error = run_program(tools["program"], folder, tools["limit"], 2)
+    if second is None:
+        return {**result, "after": "refused" if status == 2 else "crashed", "error": error[-600:]}
+    return {**result, "settled": score.settled(seal, second), "after": score.score(seal, second)["sets"]}
 
 
 def run_trial(tools, trial, place):
@@ -159,8 +226,14 @@ def run_trial(tools, trial, place):
         line.update(score.score(seal, findings))
         line["parameters"] = score.in_interval(seal, findings)
         line["bands_told"] = findings["verdict"].get("compared_below_hz")
-        if line["adopted"] and tools["physical"] and trial["family"] != "fault":
+        if trial["family"] == "pair":
+            started = time.monotonic()
+            line["pair"] = settle(tools, trial, folder, seal, findings)
+            line["settled_in"] = time.monotonic() - started
+        elif line["adopted"] and tools["physical"] and trial["family"] != "fault":
+            started = time.monotonic()
             line["physical"] = physical.judged(tools, folder, findings)
+            line["judged_in"] = time.monotonic() - started
         return line
     finally:
         shutil.rmtree(folder, ignore_errors=True)

@@ -26,6 +26,8 @@ Motion::Motion(Course course, double amplitude, double top_speed, double seconds
       sines_.push_back({std::min(reach * 2.0, fastest / rate), rate, draw.uniform(0.0, 2.0 * pi)});
     }
   }
+  if (course == Course::one_sine)
+    sines_.push_back({amplitude, top_speed / amplitude, draw.uniform(0.0, 2.0 * pi)});
   if (course == Course::one_way) drift_ = 0.55 * top_speed;
   if (!with_strokes) return;
   const double reach = course == Course::mixed ? 0.75 * amplitude : amplitude;

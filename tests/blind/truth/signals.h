@@ -19,6 +19,7 @@ enum class Course {
   strokes,    ///< strokes with trapezoidal speed
   one_speed,  ///< to and fro at one speed, quick turns
   one_way,    ///< always forward, speed changing
+  one_sine,   ///< one frequency
 };
 
 /// A motion drawn once, evaluated anywhere. Amplitude in rad or m, speeds below `top_speed`.

@@ -56,18 +56,32 @@ Recording stroke_log(const Mechanism& truth) {
   return r;
 }
 
-/// What stops the log, judged against the nominal joint.
-std::vector<DataFault> lone_stops(const Recording& logged) {
-  static const DrivenModel nominal = driven_model(lone_joint());
-  static const EffortModel effort(nominal, {}, SINEW_SOURCE_DIR "/runtime");
+/// The model that a log is judged against.
+struct Judged {
+  explicit Judged(const Mechanism& mechanism)
+      : nominal(driven_model(mechanism)), effort(nominal, {}, SINEW_SOURCE_DIR "/runtime") {}
+  DrivenModel nominal;
+  EffortModel effort;
+};
+
+std::vector<DataFault> stops_by(const Judged& model, const Recording& logged) {
   Log log;
-  log.channels.resize(2);
+  log.channels.resize(3);
   log.channels[0].name = "theta";
   log.channels[1].name = "tau_m";
+  log.channels[2].name = "load";
   log.segments.resize(1);
   FaultList faults("log.csv");
-  judge_lone_effort(log, {{0}, {1}, {}, -1}, logged, effort, nominal.joints.front(), faults);
+  const int load = logged.load.size() > 0 ? 2 : -1;
+  judge_lone_effort(log, {{0}, {1}, {}, load}, logged, model.effort, model.nominal.joints.front(),
+                    faults);
   return faults.all();
+}
+
+/// What stops the log, judged against the nominal joint.
+std::vector<DataFault> lone_stops(const Recording& logged) {
+  static const Judged nominal(lone_joint());
+  return stops_by(nominal, logged);
 }
 
 }  // namespace
@@ -98,6 +112,50 @@ TEST_CASE("a wrong unit of a single joint is found by the model and named") {
     CHECK(faults[0].channel == planted.channel);
     CHECK(faults[0].kind == FaultKind::unit_slip);
     CHECK(faults[0].meaning.find(planted.named) != std::string::npos);
+  }
+}
+
+TEST_CASE("a wrong factor of the load or of the clock is found by the model and named") {
+  // Seen to fail without judge_load(), and where damping is next to nothing for the clock: 0 == 1.
+  const Recording right = stroke_log(lone_joint());
+  Recording loaded = right;
+  loaded.load = (0.5 + 0.4 * (1.7 * loaded.time.array()).sin()).matrix();
+  loaded.target.front() += loaded.load.col(0);
+  CHECK(lone_stops(loaded).empty());
+  for (const double factor : {-1.0, 0.001, 1.0 / 3.0, 3.0}) {
+    INFO("load times " << factor);
+    Recording wrong = loaded;
+    wrong.load *= factor;
+    const std::vector<DataFault> faults = lone_stops(wrong);
+    REQUIRE(faults.size() == 1);
+    CHECK(faults[0].channel == "load");
+    CHECK(faults[0].severity == Severity::stop);
+  }
+  // An effort that is too small as a whole is no wrong load.
+  Recording half = loaded;
+  half.target.front() *= 0.5;
+  for (const DataFault& fault : lone_stops(half)) CHECK(fault.channel != "load");
+  // A clock changes inertia by the square of what it changes damping by. Where damping is next to
+  // nothing, a clock is a heavier or a lighter joint.
+  Mechanism damped = lone_joint();
+  damped.joints[0].damping = 0.4;
+  const Judged of_damped(damped);
+  const Recording steady = stroke_log(damped);
+  CHECK(stops_by(of_damped, steady).empty());
+  for (const double factor : {0.5, 2.0, 3.0}) {
+    INFO("time times " << factor);
+    const auto clocked = [&](Recording wrong) {
+      wrong.step *= factor;
+      wrong.time *= factor;
+      wrong.qd /= factor;
+      wrong.qdd /= factor * factor;
+      return wrong;
+    };
+    const std::vector<DataFault> faults = stops_by(of_damped, clocked(steady));
+    REQUIRE(faults.size() == 1);
+    CHECK(faults[0].channel == "time");
+    CHECK(faults[0].meaning.find(factor > 1.0 ? "too slow" : "too fast") != std::string::npos);
+    CHECK(lone_stops(clocked(right)).empty());
   }
 }
 

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <fstream>
 #include <stdexcept>
 
@@ -36,18 +37,41 @@ std::string value_text(double value, const char* unit) {
 
 }  // namespace
 
+Index Chain::size() const {
+  return std::count_if(links.begin(), links.end(), [](const Link& l) { return l.follows == 0.0; });
+}
+
+std::size_t Chain::link_of(Index axis) const {
+  std::size_t link = 0;
+  while (links.at(link).follows != 0.0 || axis_of(link) < axis) ++link;
+  return link;
+}
+
+Index Chain::axis_of(std::size_t link) const {
+  const auto end = links.begin() + static_cast<std::ptrdiff_t>(link) + 1;
+  return std::count_if(links.begin(), end, [](const Link& l) { return l.follows == 0.0; }) - 1;
+}
+
 VectorXd Chain::torque(const VectorXd& q, const VectorXd& v, const VectorXd& a) const {
-  if (coupled == 0.0) return torque_of_each(q, v, a);
-  // By virtual work: what the last joint takes comes through the loop that turns it.
-  const Index n = size();
+  if (size() == static_cast<Index>(links.size())) return torque_of_each(q, v, a);
+  // By virtual work: what a joint that follows takes comes through the loop that turns it.
   const auto all = [&](const VectorXd& x) {
-    VectorXd y(n + 1);
-    y << x, coupled * x(n - 1);
+    VectorXd y(static_cast<Index>(links.size()));
+    for (std::size_t i = 0; i < links.size(); ++i) {
+      const auto k = static_cast<Index>(i);
+      y(k) = links[i].follows != 0.0 ? links[i].follows * y(k - 1) : x(axis_of(i));
+    }
     return y;
   };
-  const VectorXd each = torque_of_each(all(q), all(v), all(a));
-  VectorXd result = each.head(n);
-  result(n - 1) += coupled * each(n);
+  VectorXd each = torque_of_each(all(q), all(v), all(a));
+  VectorXd result(size());
+  for (std::size_t i = links.size(); i-- > 0;) {
+    const auto k = static_cast<Index>(i);
+    if (links[i].follows != 0.0)
+      each(k - 1) += links[i].follows * each(k);
+    else
+      result(axis_of(i)) = each(k);
+  }
   return result;
 }
 
@@ -152,10 +176,11 @@ void write_mechanism(const Chain& chain, const std::filesystem::path& folder) {
       text += "armature = " + value_text(l.armature, l.slides ? "kg" : "kg*m^2") + "\n";
     if (l.motor_turn > 0.0) text += "motor_turn = " + value_text(l.motor_turn, unit) + "\n";
   }
-  if (chain.coupled != 0.0)
-    text += fmt::format("\n[[coupling]]\ndependent = \"{}\"\nindependent = \"{}\"\nratio = {}\n",
-                        chain.links.back().joint, chain.links[chain.links.size() - 2].joint,
-                        value_text(chain.coupled, "1"));
+  for (std::size_t i = 1; i < chain.links.size(); ++i)
+    if (chain.links[i].follows != 0.0)
+      text += fmt::format("\n[[coupling]]\ndependent = \"{}\"\nindependent = \"{}\"\nratio = {}\n",
+                          chain.links[i].joint, chain.links[i - 1].joint,
+                          value_text(chain.links[i].follows, "1"));
   for (const Tendon& t : chain.tendons) {
     std::string pulleys;
     for (std::size_t j = 0; j < static_cast<std::size_t>(t.radius.size()); ++j)

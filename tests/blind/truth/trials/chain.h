@@ -18,6 +18,7 @@ struct Link {
   Vector3d com{0, 0, 0};
   Eigen::Matrix3d inertia = Eigen::Matrix3d::Identity();  ///< about the centre of mass
   double low = -3.0, high = 3.0;
+  double follows = 0.0;  ///< turns this many times as far as the link before; 0: by itself
   double damping = 0.0, friction = 0.0, friction_speed = 0.0, armature = 0.0, motor_turn = 0.0;
 };
 
@@ -33,11 +34,12 @@ struct Chain {
   std::vector<Tendon> tendons;
   double payload = 0.0;  ///< kg, a small ball at `tip` of the last link
   Vector3d tip{0, 0, 0};
-  double coupled =
-      0.0;  ///< the last joint turns this many times as far as the one before; 0: by itself
 
-  /// Joints that move by themselves.
-  Index size() const { return static_cast<Index>(links.size()) - (coupled != 0.0 ? 1 : 0); }
+  /// Joints that move by themselves: the axes.
+  Index size() const;
+  /// The link that an axis moves first, and the axis that moves a link.
+  std::size_t link_of(Index axis) const;
+  Index axis_of(std::size_t link) const;
   /// Torques (forces) of the joints for a motion, armatures apart.
   VectorXd torque(const VectorXd& q, const VectorXd& v, const VectorXd& a) const;
   /// Inertia that joint j carries.

@@ -10,29 +10,32 @@
 
 namespace sinew::trials {
 
-/// Symmetric windowed sinc (Kaiser, 60 dB), flat up to `band`, stopped from 1.5 times that on,
-/// every sample of 2.5 times the band kept: docs/findings.md and the filter's own header say so.
+/// Symmetric windowed sinc (Kaiser, 60 dB), of which as few samples are kept as the band allows:
+/// flat to 0.4 of their rate, stopped from 0.6 on, as docs/diagnose.md states.
 class ComparedFilter {
  public:
   ComparedFilter(double step, double band);
   VectorXd operator()(const VectorXd& x) const;
-  /// 1 where a whole window of `moving` (1 or 0) lies in motion.
-  VectorXd mask(const VectorXd& moving) const;
+  /// The samples on which what is kept is centred.
+  VectorXd at_instants(const VectorXd& x) const;
   double band() const { return band_; }
 
  private:
+  Index kept(const VectorXd& x) const;
   double band_;
-  Index half_, every_;
+  Index every_, half_, edge_;
   VectorXd kernel_;
 };
 
 /// The band of a log of that step: 60 Hz, a tenth of the rate at most.
 double documented_band(double step);
+/// The same of a rig, whose readings are compared as they are.
+double rig_band(double step);
 
 struct Channel {
   VectorXd added;     ///< with the cause less without it, same motion
   VectorXd noise;     ///< measured less perfect, nothing hidden
-  VectorXd moving;    ///< 1 where it counts, 0 at rest
+  VectorXd moving;    ///< how much it counts: 1 in motion, 0 at rest
   MatrixXd fitted;    ///< columns of what is always fitted; may have none
   double band = 0.0;  ///< Hz
 };

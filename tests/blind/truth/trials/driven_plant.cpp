@@ -38,8 +38,22 @@ class DrivenPlant : public TrialPlant {
     const VectorXd load = known_load(log);
     if (setup_.mechanics == Mechanics::mujoco)
       return in_mujoco(setup_.jointed, hidden, r, load, draw);
-    if (axes() == 1) return in_closed_loop(setup_.jointed, hidden, r, load, draw);
+    if (axes() == 1)
+      return in_closed_loop(setup_.jointed, hidden, commanded(setup_.jointed, r, draw), load, draw);
     return commanded(setup_.jointed, r, draw);
+  }
+
+  Course played(const std::vector<Hidden>& hidden, const MatrixXd& reference,
+                const VectorXd& load) const override {
+    if (axes() != 1 || setup_.mechanics != Mechanics::own)
+      return TrialPlant::played(hidden, {}, {});
+    const Index inner = setup_.rhythm.inner;
+    VectorXd held(load.size() * inner);
+    for (Index i = 0; i < held.size(); ++i) held(i) = load(i / inner);
+    if (setup_.loaded && held.size() == 0)
+      held = VectorXd::Constant(reference.rows() * inner, setup_.load_mean);
+    return in_closed_loop(setup_.jointed, hidden, given(reference, setup_.rhythm), held,
+                          Draw(streams_[2]));
   }
 
   Log replay(const Course& course, const std::vector<Hidden>& all, int log) const override {
@@ -117,10 +131,9 @@ class DrivenPlant : public TrialPlant {
   }
 
   std::vector<VectorXd> moving(const Log& log) const override {
-    const MatrixXd motion = smooth(log);
     std::vector<VectorXd> all;
     for (std::size_t j = 0; j < axes(); ++j)
-      all.push_back(in_motion(motion.col(static_cast<Index>(axes() + j)), log.step));
+      all.push_back(in_motion(log.columns.col(static_cast<Index>(j)), log.step));
     return all;
   }
 

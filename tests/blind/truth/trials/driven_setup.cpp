@@ -39,11 +39,12 @@ void set_link(Link& link, const AxisModel& m) {
 
 }  // namespace
 
-std::unique_ptr<TrialPlant> draw_drive(Draw draw, Mechanics mechanics) {
+std::unique_ptr<TrialPlant> draw_drive(Draw draw, Mechanics mechanics, const Pairing* pairing) {
   DrivenSetup s;
   s.mechanics = mechanics;
-  s.kind = draw.chance(0.25) ? DrivenKind::slide : DrivenKind::motor;
+  s.kind = draw.chance(0.25) && !pairing ? DrivenKind::slide : DrivenKind::motor;
   s.loaded = draw.chance(0.6);
+  if (pairing) s.loaded = pairing->loaded, s.rhythm.kind = pairing->course;
   AxisModel m;
   if (s.kind == DrivenKind::slide) {
     m.inertia = draw.log_uniform(20.0, 150.0);
@@ -80,15 +81,17 @@ std::unique_ptr<TrialPlant> draw_drive(Draw draw, Mechanics mechanics) {
     const double usual = m.level * draw.uniform(0.8, 2.0);
     s.load_mean = usual * draw.uniform(0.5, 1.0);
     s.load_swing = usual * draw.uniform(0.4, 0.8);
+    if (pairing) s.load_swing = 0.0;
   }
   draw_bristles(s, draw);
   return driven_plant(std::move(s), draw);
 }
 
-std::unique_ptr<TrialPlant> draw_joint(Draw draw, double heavier) {
+std::unique_ptr<TrialPlant> draw_joint(Draw draw, double heavier, const Pairing* pairing) {
   DrivenSetup s;
   s.kind = DrivenKind::joint;
-  const int kind = draw.below(3);  // pendulum, flywheel, slide
+  const int drawn = draw.below(3);  // pendulum, flywheel, slide
+  const int kind = !pairing ? drawn : pairing->carries ? 0 : 1;
   const bool slides = kind == 2;
   AxisModel m;
   m.inertia = heavier * draw.log_uniform(0.5, 2.0) * (slides ? 60.0 : kind == 0 ? 0.05 : 0.02);
@@ -110,15 +113,17 @@ std::unique_ptr<TrialPlant> draw_joint(Draw draw, double heavier) {
     link.inertia = Eigen::Matrix3d::Identity() * (m.inertia - link.mass * arm * arm);
     gravity = Vector3d(0, 0, -9.81);
   }
-  link.low = -3.0 * m.range;
-  link.high = 3.0 * m.range;
+  // One that always goes forward turns round and round.
+  const double turns = pairing ? 60.0 : 3.0;
+  link.low = -turns * m.range;
+  link.high = turns * m.range;
   set_link(link, m);
   s.jointed.chain = {"joint", gravity, {link}, {}, 0.0, Vector3d(0.3, 0, 0)};
   s.jointed.axes = {m};
   s.jointed.middle = {kind == 0 ? draw.uniform(-0.4, 0.4) : 0.0};
   s.weighs = kind == 0;
   // A quarter of the pendulums is balanced, and their models know of no gravity.
-  if (draw.chance(0.25)) s.jointed.chain.gravity.setZero();
+  if (draw.chance(0.25) && !pairing) s.jointed.chain.gravity.setZero();
   s.jointed.carries = !s.jointed.chain.gravity.isZero();
   s.encoder = {(slides ? 1.28 : 2.0 * pi) * std::ldexp(1.0, -(17 + draw.below(4)))};
   const double rates[] = {250.0, 500.0, 1000.0};
@@ -127,6 +132,7 @@ std::unique_ptr<TrialPlant> draw_joint(Draw draw, double heavier) {
   s.rhythm.period = 1.0 / rates[draw.below(3)];
   s.rhythm.inner = static_cast<int>(std::lround(s.rhythm.period / 2.5e-4));
   s.rhythm.kind = draw.chance(0.4) ? truth::Course::strokes : truth::Course::mixed;
+  if (pairing) s.rhythm.kind = pairing->course;
   draw_bristles(s, draw);
   return driven_plant(std::move(s), draw);
 }

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "tests/blind/truth/trials/compared.h"
+#include "tests/blind/truth/trials/in_motion.h"
 #include "tests/blind/truth/trials/signal_path.h"
 
 namespace sinew::trials {
@@ -88,7 +89,8 @@ Chain true_chain(const Chain& chain, const std::vector<Hidden>& hidden) {
       const Eigen::Matrix3d turn = Eigen::AngleAxisd(h.dose, direction_of(h)).toRotationMatrix();
       inertia = (turn * inertia * turn.transpose()).eval();
     }
-    if (h.cause == "coupling_ratio") real.coupled *= 1.0 + h.dose;
+    if (h.cause == "coupling_ratio")
+      real.links[static_cast<std::size_t>(h.at)].follows *= 1.0 + h.dose;
     if (h.cause == "gravity_left_out") real.gravity += h.dose * direction_of(h);
     if (h.cause == "gravity") {
       const Vector3d about(std::cos(h.phase), std::sin(h.phase), 0.3 * std::sin(3.0 * h.phase));
@@ -140,7 +142,7 @@ MatrixXd needed_efforts(const Jointed& jointed, const Course& course,
     // What turns with the motor does not lag behind.
     if (behind) rigid(soft) += jointed.motor_share * carried * (motor(soft) - a(soft));
     for (Index j = 0; j < n; ++j) {
-      const Link& link = chain.links[static_cast<std::size_t>(j)];
+      const Link& link = chain.links[chain.link_of(j)];
       Axis& axis = axes[static_cast<std::size_t>(j)];
       const double load = (jointed.carries ? rigid(j) : 0.0) + known;
       for (int s = 0; s < course.inner; ++s) {
@@ -182,11 +184,30 @@ Course commanded(const Jointed& jointed, const Rhythm& rhythm, truth::Draw draw)
   return course;
 }
 
+Course given(const MatrixXd& reference, const Rhythm& rhythm) {
+  Course course;
+  course.inner = rhythm.inner;
+  course.step = rhythm.period / rhythm.inner;
+  const Index rows = reference.rows(), steps = rows * rhythm.inner;
+  MatrixXd speed = MatrixXd::Zero(rows, reference.cols());
+  for (Index k = 1; k + 1 < rows; ++k)
+    speed.row(k) = (reference.row(k + 1) - reference.row(k - 1)) / (2.0 * rhythm.period);
+  course.q = course.v = course.a = MatrixXd::Zero(steps, reference.cols());
+  course.q.row(0) = reference.row(0);
+  for (Index i = 0; i < steps; ++i) {
+    const Index k = i / rhythm.inner, next = std::min(k + 1, rows - 1);
+    const double share = static_cast<double>(i % rhythm.inner) / rhythm.inner;
+    course.v.row(i) = (1.0 - share) * speed.row(k) + share * speed.row(next);
+    course.q.row(i) = (1.0 - share) * reference.row(k) + share * reference.row(next);
+    course.a.row(i) = (speed.row(next) - speed.row(k)) / rhythm.period;
+  }
+  return course;
+}
+
 Course in_closed_loop(const Jointed& jointed, const std::vector<Hidden>& hidden,
-                      const Rhythm& rhythm, const VectorXd& load, truth::Draw draw) {
-  Course course = commanded(jointed, rhythm, draw);
+                      const Course& wanted, const VectorXd& load, truth::Draw draw) {
+  Course course = wanted;
   course.load = load;
-  const Course wanted = course;
   const AxisModel& model = jointed.axes.front();
   const Chain chain = true_chain(jointed.chain, hidden);
   Axis axis(model, jointed.bristles.front(), only_at(hidden, 0));
@@ -249,28 +270,19 @@ MatrixXd fitted_at(const AxisModel& model, const VectorXd& v, const VectorXd& a,
   return all;
 }
 
-VectorXd in_motion(const VectorXd& v, double step) {
-  VectorXd moving = VectorXd::Ones(v.size());
-  const double slow = 0.01 * v.cwiseAbs().maxCoeff();
-  const double spread = 0.006 * 60.0 / documented_band(step);
-  const auto reach = static_cast<Index>(std::ceil(spread / step));
-  for (Index k = 0; k < v.size(); ++k) {
-    const bool turns = k > 0 && v(k) * v(k - 1) <= 0.0;
-    if (!turns && std::abs(v(k)) > slow) continue;
-    const Index from = std::max<Index>(0, k - reach), to = std::min(v.size(), k + reach + 1);
-    moving.segment(from, to - from).setZero();
-  }
-  return moving;
+VectorXd in_motion(const VectorXd& q, double step) {
+  const double fast = documented_band(step), slow = std::min(18.0, fast);
+  return weight_of(rests_of(smoothed(q, step, fast).v, smoothed(q, step, slow).v, step, fast),
+                   q.size(), step);
 }
 
 double band_of(const VectorXd& perfect, const VectorXd& measured, double step, double band) {
   constexpr double low = 18.0;
   if (band <= low) return band;
-  const VectorXd noise = measured - perfect;
-  const auto above = [&](const VectorXd& x) -> VectorXd {
-    return smoothed(x, step, band).a - smoothed(x, step, low).a;
+  const auto above = [&](const VectorXd& x) {
+    return rms(smoothed(x, step, band).a - smoothed(x, step, low).a);
   };
-  return rms(above(noise)) > rms(above(perfect)) ? low : band;
+  return above(measured) < 2.0 * above(measured - perfect) ? low : band;
 }
 
 void learn_scales(Jointed& jointed, const Course& course) {
@@ -278,8 +290,8 @@ void learn_scales(Jointed& jointed, const Course& course) {
   for (std::size_t i = 0; i < jointed.axes.size(); ++i) {
     const auto j = static_cast<Index>(i);
     jointed.axes[i].effort = rms(efforts.col(j));
-    jointed.axes[i].inertia =
-        jointed.chain.carried(course.q.row(0), j) + jointed.chain.links[i].armature;
+    jointed.axes[i].inertia = jointed.chain.carried(course.q.row(0), j) +
+                              jointed.chain.links[jointed.chain.link_of(j)].armature;
   }
 }
 

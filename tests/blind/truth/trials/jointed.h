@@ -34,9 +34,11 @@ struct Rhythm {
 
 /// Every axis follows its reference as it is.
 Course commanded(const Jointed& jointed, const Rhythm& rhythm, truth::Draw draw);
-/// A lone axis in closed loop, integrated here in steps of period / inner.
+/// A reference of the log's rows, straight lines between its speeds.
+Course given(const MatrixXd& reference, const Rhythm& rhythm);
+/// A lone axis that follows what is wanted in closed loop, integrated here step by step.
 Course in_closed_loop(const Jointed& jointed, const std::vector<Hidden>& hidden,
-                      const Rhythm& rhythm, const VectorXd& load, truth::Draw draw);
+                      const Course& wanted, const VectorXd& load, truth::Draw draw);
 /// All axes in closed loop by MuJoCo's mechanics and integrator.
 Course in_mujoco(const Jointed& jointed, const std::vector<Hidden>& hidden, const Rhythm& rhythm,
                  const VectorXd& load, truth::Draw draw);
@@ -52,10 +54,10 @@ void offer_gravity(const Jointed& jointed, std::vector<Offer>& offers);
 
 /// Columns that are fitted with every model at an axis, along a smoothed motion.
 MatrixXd fitted_at(const AxisModel& model, const VectorXd& v, const VectorXd& a, unsigned which);
-/// 1 where the axis moves: above a hundredth of its top speed, and 6 ms off every reversal, at 60
-/// Hz.
-VectorXd in_motion(const VectorXd& v, double step);
-/// 18 Hz where what is left of the acceleration above is the noise of the position, else `band`.
+/// How much the samples of a perfect position count.
+VectorXd in_motion(const VectorXd& q, double step);
+/// 18 Hz where what is left of the acceleration above is no more than twice what the noise of the
+/// position makes, else `band`.
 double band_of(const VectorXd& perfect, const VectorXd& measured, double step, double band);
 
 /// Scales of the axes from a motion without anything hidden.

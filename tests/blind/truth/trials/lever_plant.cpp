@@ -142,7 +142,7 @@ class LeverPlant : public TrialPlant {
     return std::vector<VectorXd>(elongation_ ? 2 : 1, VectorXd::Ones(log.columns.rows()));
   }
   std::vector<double> bands(const Log& log, const Log&) const override {
-    return std::vector<double>(elongation_ ? 2 : 1, documented_band(log.step));
+    return std::vector<double>(elongation_ ? 2 : 1, rig_band(log.step));
   }
   std::map<std::string, std::string> traits() const override {
     return {{"pre-sliding", resolved_ ? "resolved" : "below a step"},

@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <iterator>
+#include <sstream>
 #include <stdexcept>
 
 #include "tests/blind/truth/trials/chain.h"
@@ -50,6 +52,44 @@ void write_channel_names(const Log& log, const std::filesystem::path& file) {
   for (std::size_t i = 0; i < log.names.size(); ++i)
     text += fmt::format("\"{}\" = \"{}\"\n", log.names[i], column_name(log, i, true));
   write_file(file, text);
+}
+
+PlannedMotion read_motion(const std::filesystem::path& file) {
+  std::ifstream in(file);
+  std::vector<std::string> names;
+  std::vector<std::vector<double>> rows;
+  int line = 0;
+  for (std::string text; std::getline(in, text);) {
+    ++line;
+    if (text.empty() || text.front() == '#') continue;
+    std::vector<std::string> cells;
+    std::stringstream stream(text);
+    for (std::string cell; std::getline(stream, cell, ',');) cells.push_back(cell);
+    if (names.empty()) {
+      names = cells;
+      continue;
+    }
+    if (cells.size() != names.size())
+      throw std::invalid_argument(
+          fmt::format("{}:{}:0: {} cells of {}", file.string(), line, cells.size(), names.size()));
+    rows.emplace_back();
+    for (const std::string& cell : cells) rows.back().push_back(std::stod(cell));
+  }
+  if (rows.size() < 2) throw std::invalid_argument(file.string() + ":0:0: no planned motion");
+  const auto is_load = [&](const std::string& name) {
+    return name.find("_ref") == std::string::npos;
+  };
+  const bool loaded = is_load(names.back());
+  const auto axes = static_cast<Index>(names.size()) - (loaded ? 2 : 1);
+  PlannedMotion motion{rows[1][0] - rows[0][0], MatrixXd(rows.size(), axes), {}};
+  if (loaded) motion.load.resize(motion.reference.rows());
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    const auto row = static_cast<Index>(k);
+    for (Index j = 0; j < axes; ++j)
+      motion.reference(row, j) = rows[k][static_cast<std::size_t>(j) + 1];
+    if (loaded) motion.load(row) = rows[k].back();
+  }
+  return motion;
 }
 
 nlohmann::json spoil_log(Log& log, truth::Draw& draw) {

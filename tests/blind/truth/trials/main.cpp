@@ -21,6 +21,8 @@ constexpr const char* usage =
     "--folder "
     "<folder> [--cause <cause>] [--logs <for training>]\n"
     "           writes model, channels and logs into the folder, the seal to standard output\n"
+    "       sinew_trials play <the same> --motion <planned motion> --out <log>\n"
+    "           plays a planned motion on the plant of that trial\n"
     "       sinew_trials offers --plant <plant> --seed <n>\n"
     "       sinew_trials limits\n";
 
@@ -55,14 +57,21 @@ int run(int count, char** words) {
   request.logs = std::stoi(take("--logs", "1"));
   request.seed = std::stoull(take("--seed", "1"));
   const std::string folder = take("--folder", "");
+  const std::string motion = take("--motion", ""), out = take("--out", "");
   if (!option.empty()) throw std::invalid_argument("no option is called " + option.begin()->first);
   if (command == "limits") {
     fmt::print("{}", limits_text());
     return 0;
   }
   if (command == "offers") return offers(request);
+  if (command == "play" && !motion.empty() && !out.empty()) {
+    play_motion(request, motion, out);
+    return 0;
+  }
   if (command != "draw" || folder.empty())
-    throw std::invalid_argument("draw needs a --folder; commands are draw, offers, limits");
+    throw std::invalid_argument(
+        "draw needs a --folder, play a --motion and --out; commands are draw, play, offers, "
+        "limits");
   fmt::print("{}\n", draw_trial(request, folder));
   return 0;
 }

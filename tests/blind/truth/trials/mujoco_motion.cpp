@@ -125,12 +125,15 @@ Course in_mujoco(const Jointed& jointed, const std::vector<Hidden>& hidden, cons
       const double turning = m.turning > 0.0 ? m.turning : 0.02 * m.top_speed;
       const double command = asked(j) + jointed.chain.links[i].armature * pursued(j) +
                              0.8 * m.level * std::tanh(wanted.v(k, j) / turning) +
-                             m.viscous * wanted.v(k, j);
-      if (k % course.inner == 0) course.command(k / course.inner, j) = command;
+                             m.viscous * wanted.v(k, j) + known;
+      // At a row's instant: the mean of what was given in the steps before and behind it.
+      if (k % course.inner == 0)
+        course.command(k / course.inner, j) = k > 0 ? 0.5 * (before(j) + command) : command;
+      before(j) = command;
       // Friction is steep near rest: its slope becomes MuJoCo's damping, taken implicitly.
       const double slope = axes[i].slope(v(j), course.step);
       model->dof_damping[j] = slope;
-      data->qfrc_applied[j] = command - resisting(j) + slope * v(j);
+      data->qfrc_applied[j] = command - known - resisting(j) + slope * v(j);
     }
     course.q.row(k) = q.transpose();
     course.v.row(k) = v.transpose();

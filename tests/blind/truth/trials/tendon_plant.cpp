@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "tests/blind/truth/trials/compared.h"
+#include "tests/blind/truth/trials/in_motion.h"
 #include "tests/blind/truth/trials/jointed.h"
 #include "tests/blind/truth/trials/signal_path.h"
 #include "tests/blind/truth/trials/tendon_setup.h"
@@ -30,11 +31,12 @@ class TendonPlant : public TrialPlant {
     for (auto& stream : streams_) stream = draw.bits();
     const Index m = tendons(), n = joints();
     radii_.resize(m, n);
-    for (Index i = 0; i < m; ++i) {
-      radii_.row(i) = tendon(i).radius.head(n).transpose();
-      // Over the pulley of a joint that follows, a tendon moves with the joint that leads.
-      if (coupled()) radii_(i, n - 1) += s_.jointed.chain.coupled * tendon(i).radius(n);
-    }
+    radii_.setZero();
+    // Over the pulley of a joint that follows, a tendon moves with the joint that leads.
+    const Chain& chain = s_.jointed.chain;
+    for (Index i = 0; i < m; ++i)
+      for (std::size_t l = 0; l < chain.links.size(); ++l)
+        radii_(i, chain.axis_of(l)) += share(l) * tendon(i).radius(static_cast<Index>(l));
     for (Index i = 0; i < m; ++i) {
       rate_.push_back(draw.uniform(0.8, 4.0));
       phase_.push_back(draw.uniform(0.0, 2.0 * pi));
@@ -69,8 +71,11 @@ class TendonPlant : public TrialPlant {
     for (Index j = 0; j < joints(); ++j)
       lowest = std::min(lowest, band_of(perfect.columns.col(j), measured.columns.col(j),
                                         perfect.step, documented_band(perfect.step)));
-    return std::vector<double>(static_cast<std::size_t>(joints() + (s_.motors ? tendons() : 0)),
-                               lowest);
+    std::vector<double> all(static_cast<std::size_t>(joints()), lowest);
+    for (Index i = joints(); s_.motors && i < joints() + tendons(); ++i)
+      all.push_back(band_of(perfect.columns.col(i), measured.columns.col(i), perfect.step,
+                            documented_band(perfect.step)));
+    return all;
   }
 
   std::map<std::string, std::string> traits() const override {
@@ -83,7 +88,11 @@ class TendonPlant : public TrialPlant {
 
  private:
   Index joints() const { return s_.jointed.chain.size(); }
-  bool coupled() const { return s_.jointed.chain.coupled != 0.0; }
+  /// Of its axis's motion that a link's joint has; behind one that follows none follows.
+  double share(std::size_t link) const {
+    const double follows = s_.jointed.chain.links[link].follows;
+    return follows != 0.0 ? follows : 1.0;
+  }
   Index tendons() const { return static_cast<Index>(s_.jointed.chain.tendons.size()); }
   const Tendon& tendon(Index i) const {
     return s_.jointed.chain.tendons[static_cast<std::size_t>(i)];
@@ -106,9 +115,12 @@ class TendonPlant : public TrialPlant {
     for (const Hidden& h : hidden) {
       if (h.cause == "pulley_radius") arms.col(h.at) *= 1.0 + h.dose;
       if (h.cause == "tendon_radius") arms.row(h.at) *= 1.0 + h.dose;
-      if (h.cause == "coupling_ratio")
+      if (h.cause == "coupling_ratio") {
+        const auto link = static_cast<std::size_t>(h.at);
         for (Index i = 0; i < tendons(); ++i)
-          arms(i, joints() - 1) += h.dose * s_.jointed.chain.coupled * tendon(i).radius(joints());
+          arms(i, s_.jointed.chain.axis_of(link)) +=
+              h.dose * share(link) * tendon(i).radius(static_cast<Index>(h.at));
+      }
       if (h.cause == "routing_offset")
         for (Index j = 0; j < joints(); ++j)
           if (arms(h.at, j) != 0.0) arms(h.at, j) += h.dose * std::sin(0.7 * q(j) + 0.4);
@@ -293,12 +305,24 @@ std::vector<MatrixXd> TendonPlant::fitted(const Log& log, unsigned which) const 
   return all;
 }
 
+/// A joint on tendons rests where one of them rests with it.
 std::vector<VectorXd> TendonPlant::moving(const Log& log) const {
+  const Index n = joints(), m = s_.motors ? tendons() : 0, rows = log.columns.rows();
+  const double fast = documented_band(log.step), slow = std::min(18.0, fast);
+  const MatrixXd quick = smooth(log, 0, n).middleCols(n, n);
   std::vector<VectorXd> all;
-  const Index n = joints(), m = s_.motors ? tendons() : 0;
-  const MatrixXd motion = smooth(log, 0, n), turning = m > 0 ? smooth(log, n, m) : MatrixXd();
-  for (Index j = 0; j < n; ++j) all.push_back(in_motion(motion.col(n + j), log.step));
-  for (Index i = 0; i < m; ++i) all.push_back(in_motion(turning.col(m + i), log.step));
+  for (Index j = 0; j < n; ++j) {
+    Rests of_tendons;
+    for (Index i = 0; i < tendons(); ++i) {
+      if (radii_(i, j) == 0.0) continue;
+      const Rests own = rests_of(quick * radii_.row(i).transpose(), {}, log.step, fast);
+      of_tendons.insert(of_tendons.end(), own.begin(), own.end());
+    }
+    const VectorXd calm = smoothed(log.columns.col(j), log.step, slow).v;
+    all.push_back(weight_of(overlapping(rests_of(quick.col(j), calm, log.step, fast), of_tendons),
+                            rows, log.step));
+  }
+  for (Index i = 0; i < m; ++i) all.push_back(in_motion(log.columns.col(n + i), log.step));
   return all;
 }
 
@@ -310,7 +334,7 @@ void TendonPlant::list_offers() {
         {cause, place, static_cast<int>(at), scale, false, fits_all, parameter, factor, 0});
   };
   for (Index j = 0; j < joints(); ++j) {
-    const std::string place = "joint " + jointed.chain.links[static_cast<std::size_t>(j)].joint;
+    const std::string place = "joint " + jointed.chain.links[jointed.chain.link_of(j)].joint;
     offer_axis(jointed, static_cast<std::size_t>(j), place, false, true, offers_);
     offer("pulley_radius", place, j, 1.0, "gain_change");
     offer("sensor_offset", place, j, 1.0, "zero_offset");
@@ -322,8 +346,9 @@ void TendonPlant::list_offers() {
     offer("sensor_quantisation", place, j, range);
     offer("sensor_hysteresis", place, j, range, "half_play", 0.5);
   }
-  if (coupled())
-    offer("coupling_ratio", "joint " + jointed.chain.links.back().joint, joints() - 1, 1.0);
+  for (std::size_t l = 0; l < jointed.chain.links.size(); ++l)
+    if (jointed.chain.links[l].follows != 0.0)
+      offer("coupling_ratio", "joint " + jointed.chain.links[l].joint, static_cast<Index>(l), 1.0);
   offer_links(jointed, false, offers_);
   offer_gravity(jointed, offers_);
   for (Index i = 0; i < tendons(); ++i) {

@@ -63,7 +63,7 @@ DrawnFinger drawn_finger(Draw& draw, const std::string& name, int joints, int fi
   f.chain.tip = Vector3d(length, 0, 0);
   // A pair of antagonists a joint; distal ones may pass the joint before, too.
   const int driven = coupled ? joints - 1 : joints;
-  if (coupled) f.chain.coupled = draw.uniform(0.6, 1.1);
+  if (coupled) f.chain.links.back().follows = draw.uniform(0.6, 1.1);
   for (int j = 0; j < driven; ++j)
     for (const double side : {1.0, -1.0}) {
       Tendon tendon{fmt::format("h{}", f.chain.tendons.size() + 1), VectorXd::Zero(joints)};
@@ -188,11 +188,13 @@ std::unique_ptr<TrialPlant> draw_hand(Draw draw) {
   const int fingers = 2 + draw.below(2);
   for (int k = 0; k < fingers; ++k) {
     const std::string name = fmt::format("f{}", k + 1);
-    DrawnFinger f = drawn_finger(draw, name, 2, 1);
+    // A third of the fingers has a third joint, which follows the one before.
+    const bool coupled = draw.chance(0.35);
+    DrawnFinger f = drawn_finger(draw, name, coupled ? 3 : 2, 1, coupled);
     const Vector3d base(0.07, 0.02 - 0.014 * k, 0.0);
     const auto first = static_cast<int>(whole.links.size());
     for (Link link : f.chain.links) {
-      s.channels.push_back(name + "." + link.joint);
+      if (link.follows == 0.0) s.channels.push_back(name + "." + link.joint);
       link.name = name + "_" + link.name;
       link.joint = name + "_" + link.joint;
       if (link.parent < 0)
@@ -202,7 +204,7 @@ std::unique_ptr<TrialPlant> draw_hand(Draw draw) {
       whole.links.push_back(link);
     }
     for (const Tendon& t : f.chain.tendons) {
-      Tendon longer{name + "_" + t.name, VectorXd::Zero(2 * fingers)};
+      Tendon longer{name + "_" + t.name, VectorXd::Zero(3 * fingers)};
       longer.radius.segment(first, t.radius.size()) = t.radius;
       whole.tendons.push_back(longer);
     }

@@ -9,6 +9,7 @@
 
 #include "tests/blind/truth/random_draw.h"
 #include "tests/blind/truth/trials/hidden.h"
+#include "tests/blind/truth/trials/pairs.h"
 
 namespace sinew::trials {
 
@@ -40,6 +41,10 @@ class TrialPlant {
   /// Log 0 is for training, 1 held out, 2 and 3 for training as well. In closed loop what is hidden
   /// changes the motion.
   virtual Course course(const std::vector<Hidden>& hidden, int log) const = 0;
+  /// A planned experiment, played: what follows reference and load [rows, of the log's period].
+  /// Throws std::invalid_argument where the plant plays none.
+  virtual Course played(const std::vector<Hidden>& hidden, const MatrixXd& reference,
+                        const VectorXd& load) const;
   /// The same motion by inverse dynamics: what perfect sensors show.
   virtual Log replay(const Course& course, const std::vector<Hidden>& hidden, int log) const = 0;
   /// Noise and the sensors' own steps; the same numbers whenever the log is the same.
@@ -57,8 +62,11 @@ class TrialPlant {
 
 enum class Mechanics { own, mujoco };
 
-std::unique_ptr<TrialPlant> draw_drive(truth::Draw draw, Mechanics mechanics);
-std::unique_ptr<TrialPlant> draw_joint(truth::Draw draw, double heavier = 1.0);
+/// `pairing`: as its logs have to be, or nullptr.
+std::unique_ptr<TrialPlant> draw_drive(truth::Draw draw, Mechanics mechanics,
+                                       const Pairing* pairing = nullptr);
+std::unique_ptr<TrialPlant> draw_joint(truth::Draw draw, double heavier = 1.0,
+                                       const Pairing* pairing = nullptr);
 std::unique_ptr<TrialPlant> draw_arm(truth::Draw draw, Mechanics mechanics);
 std::unique_ptr<TrialPlant> draw_finger(truth::Draw draw, Mechanics mechanics);
 std::unique_ptr<TrialPlant> draw_hand(truth::Draw draw);

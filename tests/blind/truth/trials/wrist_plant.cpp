@@ -205,7 +205,7 @@ class WristPlant : public TrialPlant {
                                  VectorXd::Ones(log.columns.rows()));
   }
   std::vector<double> bands(const Log& log, const Log&) const override {
-    return std::vector<double>(static_cast<std::size_t>(motors_), documented_band(log.step));
+    return std::vector<double>(static_cast<std::size_t>(motors_), rig_band(log.step));
   }
 
  private:

@@ -1,0 +1,84 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Which samples of a log count, and how much: standstill, as docs/diagnose.md states it."""
+import math
+
+STILL, UNDER_WAY = 5e-4, 1e-2  # of the largest speed
+SHORTEST, LONGEST_WAY, FLANK = 0.04, 0.1, 0.02  # s
+MOST = 0.7  # of a log
+
+
+def way_out(speed, at, direction, longest, fast):
+    way = 0
+    while way < longest and 0 <= at + direction * way < len(speed) and speed[at + direction * way] < fast:
+        way += 1
+    return way
+
+
+def reversing(velocity, step, cutoff):
+    """Samples within the smoother's reach of a change of sign, and until the joint is under way."""
+    periods = min(1.2, 0.36 * math.sqrt(60.0 / min(cutoff, 60.0)))
+    reach, longest = math.ceil(periods / (cutoff * step)), int(LONGEST_WAY / step)
+    speed = [abs(v) for v in velocity]
+    fast, near = UNDER_WAY * max(speed), [False] * len(speed)
+    for k in range(1, len(speed)):
+        if (velocity[k] > 0) == (velocity[k - 1] > 0):
+            continue
+        start = max(0, k - reach - way_out(speed, k - 1, -1, longest, fast))
+        end = min(len(speed), k + reach + way_out(speed, k, 1, longest, fast))
+        near[start:end] = [True] * (end - start)
+    return near
+
+
+def resting(velocity, step, cutoff):
+    """Samples of rest, with the ways into and out of it."""
+    speed = [abs(v) for v in velocity]
+    fastest, rest = max(speed), [False] * len(speed)
+    longest, smoothing = int(LONGEST_WAY / step), math.ceil(1.2 / (cutoff * step))
+    k = 0
+    while k < len(speed):
+        end = k
+        while end < len(speed) and speed[end] < STILL * fastest:
+            end += 1
+        if end - k >= math.ceil(SHORTEST / step):
+            start = max(0, k - smoothing - way_out(speed, k, -1, longest, UNDER_WAY * fastest))
+            stop = min(len(speed), end + smoothing + way_out(speed, end - 1, 1, longest, UNDER_WAY * fastest))
+            rest[start:stop] = [True] * (stop - start)
+        k = end + 1
+    return rest
+
+
+def stretches(flags):
+    found = []
+    for k, flag in enumerate(flags):
+        if flag and (k == 0 or not flags[k - 1]):
+            found.append([k, k])
+        if flag:
+            found[-1][1] = k
+    return found
+
+
+def standstills(velocities, step, cutoff):
+    """Stretches of samples [from, to] that count for nothing; the first velocity's reversals are among them."""
+    rest = [any(flags) for flags in zip(*(resting(v, step, cutoff) for v in velocities))]
+    both = [a or b for a, b in zip(rest, reversing(velocities[0], step, cutoff))]
+    for flags in (both, rest):
+        if sum(flags) <= MOST * len(flags):
+            return stretches(flags)
+    return []
+
+
+def overlapping(own, others):
+    return [s for s in own if any(o[0] <= s[1] and s[0] <= o[1] for o in others)]
+
+
+def weights(still, instants, step):
+    """1 in motion, 0 at standstill, flanks of a cosine between."""
+    result = []
+    for k in instants:
+        weight = 1.0
+        for start, end in still:
+            away = max(start - k, k - end) * step / FLANK
+            if away < 1:
+                weight *= 0.0 if away <= 0 else 0.5 - 0.5 * math.cos(math.pi * away)
+        result.append(weight)
+    return result
