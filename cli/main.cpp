@@ -17,6 +17,7 @@
 #include "cli/import.h"
 #include "cli/inspect.h"
 #include "cli/manual.h"
+#include "cli/parameters.h"
 #include "cli/simulate.h"
 #include "cli/terminal/terminal.h"
 #include "generator/outputs/interruption.h"
@@ -66,6 +67,7 @@ int main(int argc, char** argv) {
   sinew::add_dump_command(app, exit_status);
   sinew::add_import_command(app, exit_status);
   sinew::add_figures_command(app, exit_status);
+  sinew::add_parameters_command(app, exit_status);
   sinew::add_simulate_command(app, exit_status);
   sinew::add_identify_command(app, exit_status);
   sinew::add_diagnose_command(app, exit_status);
