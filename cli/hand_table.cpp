@@ -73,17 +73,19 @@ double value_at(const double* c, double u) {
   return value;
 }
 
-/// Polynomials of one lever over its counts, from the lever's closed form.
-hand_lever lever_of(const LeverParameters& p, HandTable& table) {
-  const Function state = lever_state(p);
+/// Polynomials of one lever and its tendon over the sensor's counts, from their closed forms.
+hand_lever lever_of(const TendonWithLever& from, HandTable& table) {
+  const LeverParameters& p = from.lever;
+  const double softness = from.tendon.free_length / from.tendon.axial_stiffness;
+  const Function state = lever_state(p), series = tendon_series_stiffness(from.tendon);
   std::vector<double> u, force, elongation, stiffness;
   for (int i = 0; i < lever_samples; ++i) {
     u.push_back(-std::cos(std::numbers::pi * (i + 0.5) / lever_samples));
     const double share = 0.5 * (u.back() + 1.0);
     const auto at = rounded_values(state, {p.free_angle + share * (p.end_angle - p.free_angle)});
-    elongation.push_back(at[1]);
+    elongation.push_back(at[1] + softness * at[2]);
     force.push_back(at[2]);
-    stiffness.push_back(at[3]);
+    stiffness.push_back(rounded_values(series, {at[3]})[0]);
   }
   hand_lever lever{};
   lever.centre = 0.5 * (p.count_free + p.count_end);
@@ -101,7 +103,7 @@ hand_lever lever_of(const LeverParameters& p, HandTable& table) {
 }
 
 /// Of lever and tendon at a force, on the polynomials [m].
-double elongation_at(const hand_lever& lever, double softness, double force) {
+double elongation_at(const hand_lever& lever, double force) {
   double low = -1.0, high = 1.0;
   if (value_at(lever.force, low) > force || value_at(lever.force, high) < force)
     throw std::invalid_argument("the pretension is beyond the lever's travel");
@@ -109,7 +111,7 @@ double elongation_at(const hand_lever& lever, double softness, double force) {
     const double middle = 0.5 * (low + high);
     (value_at(lever.force, middle) < force ? low : high) = middle;
   }
-  return value_at(lever.elongation, low) + softness * force;
+  return value_at(lever.elongation, low);
 }
 
 std::uint32_t ticks_of(double time, double period) {
@@ -164,7 +166,7 @@ void put_groups(const Hand& hand, hand_parameters& t) {
 
 /// R theta + h - x of every tendon, motors at 0, joints at 0 and the crank at its reference.
 void put_closure(const HandTableSources& from, hand_parameters& t) {
-  const double first = elongation_at(t.lever[0], t.tendon_softness, t.pretension);
+  const double first = elongation_at(t.lever[0], t.pretension);
   std::vector<double> at(HAND_COORDINATES, 0.0);
   at.back() = t.crank_reference;
   at.insert(at.end(), t.wrist_reference, t.wrist_reference + 2);
@@ -218,7 +220,6 @@ HandTable hand_table(const HandTableSources& from) {
   const StepSettings& s = from.settings;
   t.period = s.period;
   t.motor_radius = from.motor.pulley_radius;
-  t.tendon_softness = from.tendon.tendon.free_length / from.tendon.tendon.axial_stiffness;
   t.pretension = s.pretension;
   t.rate_share = rounded(1.0 - std::exp(-2.0 * std::numbers::pi * s.rate_filter * s.period));
   t.servo_gain = s.servo_gain;
@@ -227,10 +228,9 @@ HandTable hand_table(const HandTableSources& from) {
   t.reference_rate = s.reference_rate;
   t.crank_reference = from.hand.four_bar.reference_theta2;
   const LeverParameters& lever = from.tendon.lever;
-  t.lever[0] = lever_of(lever, result);
+  t.lever[0] = lever_of(from.tendon, result);
   for (hand_lever& each : t.lever) each = t.lever[0];
-  t.least_stiffness =
-      rounded(1.0 / (1.0 / value_at(t.lever[0].stiffness, -1.0) + t.tendon_softness));
+  t.least_stiffness = rounded(value_at(t.lever[0].stiffness, -1.0));
   t.motor_limits = limits_of(s.motor, t.period, 0.0);
   t.lever_limits = limits_of(s.lever, t.period, lever.count_free);
   put_wrist(from, t);
@@ -247,7 +247,6 @@ std::string hand_table_text(const hand_parameters& t, const std::string& origin)
   Writer w;
   w.number("period", t.period);
   w.number("motor_radius", t.motor_radius);
-  w.number("tendon_softness", t.tendon_softness);
   w.number("pretension", t.pretension);
   w.number("least_stiffness", t.least_stiffness);
   w.number("rate_share", t.rate_share);

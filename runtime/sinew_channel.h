@@ -11,6 +11,13 @@
 
 #include "sinew_limits.h"
 
+/* Kept out of the way of what happens in every tick. */
+#ifdef __GNUC__
+#define SINEW_RARE __attribute__((noinline, cold, unused))
+#else
+#define SINEW_RARE inline
+#endif
+
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -73,31 +80,45 @@ static inline uint32_t sinew_channel_fault(sinew_channel *channel,
     return sinew_is_within(sample - from, -step, step) ? SINEW_FINE : SINEW_JUMPED;
 }
 
-/* One tick: the value to use in *value, always finite; returns the status. A channel that is safe
- * comes back after `settle_ticks` good ticks in a row. */
-static inline uint32_t sinew_channel_tick(sinew_channel *channel,
-                                          const sinew_channel_limits *limits, double sample,
-                                          double *value) {
+/* A tick of a channel that is not fine, or whose sample moved in no ordinary way. */
+SINEW_RARE static double sinew_channel_judge(sinew_channel *channel,
+                                                    const sinew_channel_limits *limits,
+                                                    double sample) {
     uint32_t status = sinew_channel_fault(channel, limits, sample);
     const int was_safe = (channel->status & SINEW_SAFE) != 0U;
     if (status == SINEW_FINE && was_safe) {
         ++channel->good_ticks;
         if (channel->good_ticks < limits->settle_ticks) status = SINEW_SAFE;
     }
+    double value = sample;
     if (status == SINEW_FINE) {
         channel->good = sample;
         channel->bad_ticks = 0U;
         channel->good_ticks = 0U;
-        *value = sample;
     } else {
         if ((status & SINEW_SAFE) == 0U) channel->good_ticks = 0U;
         if (channel->bad_ticks < limits->hold_ticks) ++channel->bad_ticks;
         const int held = !was_safe && channel->bad_ticks < limits->hold_ticks;
         status |= held ? (uint32_t)SINEW_HELD : (uint32_t)SINEW_SAFE;
-        *value = held ? channel->good : limits->safe;
+        value = held ? channel->good : limits->safe;
     }
     channel->status = status;
-    return status;
+    return value;
+}
+
+/* One tick: returns the value to use, always finite; channel->status says what it is worth. A
+ * channel that is safe comes back after `settle_ticks` good ticks in a row. */
+static inline double sinew_channel_tick(sinew_channel *channel, const sinew_channel_limits *limits,
+                                        double sample) {
+    const double move = sample - channel->good;
+    if (channel->status != SINEW_FINE || move == 0.0 ||
+        !sinew_is_within(move, -limits->largest_step, limits->largest_step) ||
+        !sinew_is_within(sample, limits->low, limits->high))
+        return sinew_channel_judge(channel, limits, sample);
+    channel->good = sample;
+    channel->last = sample;
+    channel->same_ticks = 0U;
+    return sample;
 }
 
 #ifdef __cplusplus

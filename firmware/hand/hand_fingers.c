@@ -16,15 +16,3 @@ const hand_finger hand_fingers[HAND_FINGERS] = {
      middle_link_position},
     {3, 6, ring_tendon_lengths, ring_coupling_matrix, ring_joint_torque, ring_link_position},
     {3, 6, fifth_tendon_lengths, fifth_coupling_matrix, fifth_joint_torque, fifth_link_position}};
-
-uint32_t hand_tendons_of(const hand_parameters* p, uint32_t group) {
-  const uint32_t end =
-      group + 1U < HAND_GROUPS ? p->first_tendon[group + 1U] : (uint32_t)HAND_TENDONS;
-  return end - p->first_tendon[group];
-}
-
-uint32_t hand_coordinates_of(const hand_parameters* p, uint32_t group) {
-  const uint32_t end =
-      group + 1U < HAND_GROUPS ? p->first_coordinate[group + 1U] : (uint32_t)HAND_COORDINATES;
-  return end - p->first_coordinate[group];
-}

@@ -5,8 +5,6 @@
 #include "hand_parts.h"
 #include "thumb.h"
 
-enum { STIFFNESS_BYTES = (HAND_COORDINATES + 2) * (HAND_COORDINATES + 2) * (int)sizeof(double) };
-
 /* The base by one step of its search from the last tick's angles, the hinges directly (5.22, 5.24).
  */
 static uint32_t find_thumb(hand_state* s, const hand_parameters* p, const double* h, double* q) {
@@ -35,7 +33,8 @@ static uint32_t find_group(hand_state* s, const hand_parameters* p, uint32_t gro
     hand_fingers[group].position(h, q);
   else
     status = find_thumb(s, p, h, q);
-  for (uint32_t j = 0; j < hand_coordinates_of(p, group); ++j) {
+  const uint32_t count = hand_coordinates_of(p, group);
+  for (uint32_t j = 0; j < count; ++j) {
     const double low = p->joint_low[first + j], high = p->joint_high[first + j];
     if (!sinew_is_within(q[j], low, high)) status |= HAND_JOINT_RANGE;
     q[j] = sinew_limited(q[j], low, high, s->q[first + j]);
@@ -55,12 +54,12 @@ static void add_wrist_torque(const hand_output* out, const hand_tick* t, double*
 }
 
 static void take_stiffness(hand_state* s, const hand_parameters* p, hand_output* out) {
-  if (s->ticks % p->turns == 0U) {
-    hand_joint_stiffness(out->q, out->q_wrist, out->force, out->stiffness, s->stiffness);
-    s->stiffness_tick = s->ticks;
+  ++s->stiffness_age;
+  if (hand_is_turn(s, p, 0U)) {
+    hand_joint_stiffness(out->q, out->q_wrist, out->force, out->stiffness, out->joint_stiffness);
+    s->stiffness_age = 0U;
   }
-  memcpy(out->joint_stiffness, s->stiffness, STIFFNESS_BYTES);
-  out->stiffness_age = s->ticks - s->stiffness_tick;
+  out->stiffness_age = s->stiffness_age;
 }
 
 /* A group that is unsafe keeps its last angles. */

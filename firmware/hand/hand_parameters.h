@@ -28,19 +28,18 @@ enum {
   HAND_TABLE_VERSION = 1
 };
 
-/* One lever's sensor: polynomials, from the constant upwards, in (count - centre) * inverse, which
- * is held at -1 and 1 outside the counts that were calibrated. */
+/* One lever's sensor, its tendon included: polynomials, from the constant upwards, in
+ * (count - centre) * inverse, which is held at -1 and 1 outside the counts that were calibrated. */
 typedef struct {
   double centre, inverse;              /* counts, 1/counts */
   double force[HAND_LEVER_TERMS];      /* N */
-  double elongation[HAND_LEVER_TERMS]; /* m, of the lever's spring, 0 where it is free */
-  double stiffness[HAND_LEVER_TERMS];  /* N/m, of the lever alone */
+  double elongation[HAND_LEVER_TERMS]; /* m, of lever and tendon, 0 where both are free */
+  double stiffness[HAND_LEVER_TERMS];  /* N/m, of lever and tendon in series */
 } hand_lever;
 
 typedef struct {
   double period;                          /* s, of a tick */
   double motor_radius;                    /* m, of the motors' pulleys */
-  double tendon_softness;                 /* m/N, of the tendon itself: l0 / (E S) */
   double pretension;                      /* N, at which every tendon is held */
   double least_stiffness;                 /* N/m, of a tendon that is not slack */
   double rate_share;                      /* of a new difference in a filtered rate, 0..1 */

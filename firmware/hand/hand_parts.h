@@ -7,6 +7,12 @@
 
 #include "hand_step.h"
 
+/* What is not done in every tick is done in turns: the stiffness matrix in turn 0, friction and
+ * ripple of the motors in those between, the joints' feedforward in the last. One turn: all. */
+static inline int hand_is_turn(const hand_state* s, const hand_parameters* p, uint32_t turn) {
+  return p->turns < 2U || s->turn == turn;
+}
+
 /* What the parts of one tick hand on. */
 typedef struct {
   double motor[HAND_TENDONS];              /* rad, checked */
@@ -29,8 +35,17 @@ typedef struct {
 extern const hand_finger hand_fingers[HAND_FINGERS];
 
 /* Tendons and coordinates of a group. */
-uint32_t hand_tendons_of(const hand_parameters* p, uint32_t group);
-uint32_t hand_coordinates_of(const hand_parameters* p, uint32_t group);
+static inline uint32_t hand_tendons_of(const hand_parameters* p, uint32_t group) {
+  const uint32_t end =
+      group + 1U < HAND_GROUPS ? p->first_tendon[group + 1U] : (uint32_t)HAND_TENDONS;
+  return end - p->first_tendon[group];
+}
+
+static inline uint32_t hand_coordinates_of(const hand_parameters* p, uint32_t group) {
+  const uint32_t end =
+      group + 1U < HAND_GROUPS ? p->first_coordinate[group + 1U] : (uint32_t)HAND_COORDINATES;
+  return end - p->first_coordinate[group];
+}
 
 /* hand_start.c: -P (P^T P)^-1 of a finger at q, 8 numbers a joint; 1 where P has no full rank. */
 int hand_invert_coupling(const hand_finger* finger, const double* q, double* force_by_torque);

@@ -13,4 +13,5 @@ void hand_step(hand_state* state, const hand_parameters* parameters, const hand_
   hand_follow(state, parameters, input, output, &tick);
   hand_command(state, parameters, input, output, &tick);
   output->ticks = ++state->ticks;
+  state->turn = state->turn + 1U < parameters->turns ? state->turn + 1U : 0U;
 }

@@ -61,7 +61,8 @@ typedef struct {
   double q_wrist[2], qd_wrist[2];            /* rad, rad/s */
   double q[HAND_COORDINATES];                /* link positions [rad] */
   double joint_torque[HAND_COORDINATES + 2]; /* of the tendon forces, -P^T f [N m] */
-  double joint_stiffness[(HAND_COORDINATES + 2) * (HAND_COORDINATES + 2)]; /* N m/rad */
+  /* N m/rad; written in its turn, left as it is in the other ticks: pass the same output again. */
+  double joint_stiffness[(HAND_COORDINATES + 2) * (HAND_COORDINATES + 2)];
   double
       joint_feedforward[HAND_COORDINATES]; /* gravity and inverse dynamics of the wanted motion */
   /* Commands, per motor. */
@@ -91,8 +92,10 @@ typedef struct {
   double crank_coupling[2];                /* m/rad */
   double force_by_torque[HAND_JOINTS * 8]; /* N a N m: 8 a joint, of the fingers with constant P */
   double friction[HAND_TENDONS];           /* N m, until it is its turn again */
-  double stiffness[(HAND_COORDINATES + 2) * (HAND_COORDINATES + 2)];
-  uint32_t ticks, stiffness_tick, astray_ticks, driven; /* driven: groups that followed, as bits */
+  double joint_feedforward[HAND_COORDINATES], more[HAND_TENDONS]; /* until it is their turn again */
+  uint32_t ticks, turn, stiffness_age, astray_ticks;
+  uint32_t driven; /* groups that followed, as bits */
+  uint32_t reserved;
 } hand_state;
 
 enum { HAND_STATE_BYTES = sizeof(hand_state) };

@@ -21,6 +21,9 @@ struct HandAt {
   std::array<double, HAND_TENDONS> count{}, force{}, theta{};
 };
 
+/// l0 / (E S) of models/tendon [m/N].
+inline constexpr double tendon_softness = 0.5 / 10000;
+
 inline const hand_parameters& table() {
   return hand_parameters_table;
 }
@@ -47,7 +50,7 @@ inline HandAt hand_at(const std::array<double, HAND_COORDINATES>& share,
     double state[4];
     lever_state(&angle, state);
     at.force[i] = state[2];
-    const double elongation = state[1] + table().tendon_softness * state[2];
+    const double elongation = state[1] + tendon_softness * state[2];
     at.theta[i] = (elongation + table().closure[i] - h[i]) / table().motor_radius;
   }
   return at;

@@ -35,7 +35,10 @@ struct Channel {
     sinew_channel_start(&state, &l);
     for (int i = 0; i < 5; ++i) tick(first + 0.01 * i);
   }
-  std::uint32_t tick(double sample) { return sinew_channel_tick(&state, &l, sample, &value); }
+  std::uint32_t tick(double sample) {
+    value = sinew_channel_tick(&state, &l, sample);
+    return state.status;
+  }
 };
 
 }  // namespace
