@@ -49,3 +49,33 @@ sinew_image(hand_main hand_main.c)
 target_link_libraries(hand_main PRIVATE sinew_hand_loop)
 # Without the other side there is no mailbox: it says so and ends.
 sinew_image_test(hand_main 2)
+
+# Nobody writes frames: the board says so by its own timer, and its torques are 0.
+set(test "${SINEW_BOARD}: frames that do not come are late")
+add_test(NAME ${test} COMMAND ${PROJECT_SOURCE_DIR}/tests/firmware/late_frames ${SINEW_BOARD}
+  $<TARGET_FILE:hand_main>)
+set_tests_properties(${test} PROPERTIES TIMEOUT 120)
+
+# A simulated hand behind the mailbox; the program is that of the host's build.
+foreach(kind short.toml real_time.toml)
+  set(test "${SINEW_BOARD}: the hand moves under the board, ${kind}")
+  set(scenario ${PROJECT_SOURCE_DIR}/tests/firmware/scenarios/${kind})
+  if(kind STREQUAL real_time.toml)
+    set(scenario ${PROJECT_SOURCE_DIR}/models/hand/scenarios/${kind})
+  endif()
+  add_test(NAME ${test}
+    COMMAND ${PROJECT_SOURCE_DIR}/tests/firmware/board_loop ${SINEW_BOARD} $<TARGET_FILE:hand_main>
+      ${PROJECT_SOURCE_DIR}/build/release/simulation/sinew_fpga_side ${scenario}
+      ${CMAKE_CURRENT_BINARY_DIR}/${kind}.csv)
+  # Half a minute each, of which the most is the simulated hand being compiled.
+  set_tests_properties(${test} PROPERTIES TIMEOUT 600 SKIP_RETURN_CODE 77 LABELS "slow;thorough")
+endforeach()
+
+# The most that a tick takes, above which the test is red (counts, not cycles: docs/firmware.md).
+set(most_zynq_a9 30500)
+set(most_mps2_an500 31300)
+set(most_zcu102_r5 31800)
+set(test "${SINEW_BOARD}: hand_step takes at most ${most_${SINEW_BOARD}} instructions")
+add_test(NAME ${test} COMMAND ${PROJECT_SOURCE_DIR}/tests/firmware/most_instructions
+  ${CMAKE_CURRENT_BINARY_DIR} ${SINEW_BOARD} hand_step ${most_${SINEW_BOARD}})
+set_tests_properties(${test} PROPERTIES TIMEOUT 120)

@@ -154,8 +154,7 @@ void require_fine(const Soak& soak) {
 
 }  // namespace
 
-// Seen red with the sample given on instead of the last good value, with a rate that is taken over a
-// gap, and with a wanted position that is taken where it is no number.
+// Seen red with the sample given on instead of the last good value, and with torques not limited.
 TEST_CASE("random faults of sensors leave no trace", "[hand_step]") {
   Soak soak(1);
   for (int i = 0; i < 20000; ++i) soak.tick();
