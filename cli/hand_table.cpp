@@ -57,9 +57,10 @@ std::vector<double> fitted(const std::vector<double>& u, const std::vector<doubl
   Eigen::Matrix<long double, Eigen::Dynamic, 1> b(rows);
   for (Eigen::Index i = 0; i < rows; ++i) {
     long double power = 1.0L;
-    for (Eigen::Index j = 0; j < HAND_LEVER_TERMS; ++j, power *= u[static_cast<std::size_t>(i)])
+    for (Eigen::Index j = 0; j < HAND_LEVER_TERMS;
+         ++j, power *= static_cast<long double>(u[static_cast<std::size_t>(i)]))
       A(i, j) = power;
-    b(i) = values[static_cast<std::size_t>(i)];
+    b(i) = static_cast<long double>(values[static_cast<std::size_t>(i)]);
   }
   const auto x = A.householderQr().solve(b).eval();
   std::vector<double> result;

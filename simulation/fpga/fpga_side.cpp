@@ -117,7 +117,7 @@ int run(char** words) {
     Eigen::VectorXd torque(MAILBOX_TENDONS);
     for (int i = 0; i < MAILBOX_TENDONS; ++i) torque(i) = 1e-6 * answer.torque[i];
     plant.hold_torque(torque);
-    if (row.front() > 0.1) {
+    if (row.front() > 0.05) {
       status |= answer.status;
       for (int j = 0; j < MAILBOX_COORDINATES; ++j)
         largest = std::max(largest, std::abs(row[1 + static_cast<std::size_t>(j)] -
