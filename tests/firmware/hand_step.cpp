@@ -5,8 +5,13 @@
 #include <limits>
 #include <memory>
 
-#include "hand_parts.h"
+#include "fifth.h"
+#include "index.h"
+#include "middle.h"
+#include "ring.h"
 #include "tests/firmware/hand_at.h"
+#include "thumb.h"
+#include "wrist.h"
 
 using namespace sinew::test;
 
@@ -56,6 +61,49 @@ bool all_finite(const hand_output& out) {
 }
 
 }  // namespace
+
+// Seen red with a finger's gravity taken from the row of the finger before it.
+TEST_CASE("the hand's inverse dynamics is that of its fingers", "[hand_step]") {
+  std::mt19937_64 random(5);
+  std::uniform_real_distribution<double> share(-1.0, 1.0);
+  for (int trial = 0; trial < 20; ++trial) {
+    double q[HAND_JOINTS], qd[HAND_JOINTS], qdd[HAND_JOINTS], tau[HAND_JOINTS], own[HAND_JOINTS];
+    for (int j = 0; j < HAND_JOINTS; ++j) {
+      q[j] = share(random);
+      qd[j] = 5.0 * share(random);
+      qdd[j] = 50.0 * share(random);
+    }
+    double g[3 * HAND_FINGERS] = {};
+    for (int f = 0; f < HAND_FINGERS; ++f) g[3 * f + 2] = -9.81;  // as the fingers' models have it
+    hand_inverse_dynamics(q, qd, qdd, g, tau);
+    thumb_inverse_dynamics(q, qd, qdd, own);
+    index_inverse_dynamics(q + 4, qd + 4, qdd + 4, own + 4);
+    middle_inverse_dynamics(q + 8, qd + 8, qdd + 8, own + 8);
+    ring_inverse_dynamics(q + 12, qd + 12, qdd + 12, own + 12);
+    fifth_inverse_dynamics(q + 15, qd + 15, qdd + 15, own + 15);
+    CHECK(largest_difference(tau, own, HAND_JOINTS) < 1e-13);
+    // Turned about the whole hand, gravity does the same work: sideways and back cancel.
+    for (double& each : g) each = share(random) * 9.81;
+    double opposite[3 * HAND_FINGERS], other[HAND_JOINTS], none[HAND_JOINTS];
+    for (int k = 0; k < 3 * HAND_FINGERS; ++k) opposite[k] = -g[k];
+    const double zero[3 * HAND_FINGERS] = {};
+    hand_inverse_dynamics(q, qd, qdd, g, tau);
+    hand_inverse_dynamics(q, qd, qdd, opposite, other);
+    hand_inverse_dynamics(q, qd, qdd, zero, none);
+    for (int j = 0; j < HAND_JOINTS; ++j)
+      CHECK(std::abs(tau[j] + other[j] - 2.0 * none[j]) < 1e-13);
+  }
+}
+
+TEST_CASE("lengths and couplings through the wrist are the wrist's", "[hand_step]") {
+  const double bars[2] = {0.5, 1.0};
+  double h[HAND_TENDONS], P[2 * HAND_TENDONS], own_h[HAND_TENDONS], own_P[2 * HAND_TENDONS];
+  hand_wrist_passage(bars, h, P);
+  wrist_tendon_lengths(&bars[0], &bars[1], own_h);
+  wrist_tendon_jacobian(&bars[0], &bars[1], own_P);
+  CHECK(largest_difference(h, own_h, HAND_TENDONS) < 1e-15);
+  CHECK(largest_difference(P, own_P, 2 * HAND_TENDONS) < 1e-15);
+}
 
 // Seen red with the sign of R theta turned, with the wrist's length left out, and with the channels
 // of two fingers exchanged in the table.
