@@ -7,7 +7,7 @@ set(hand_catalogue ${CMAKE_CURRENT_SOURCE_DIR}/hand_step_catalogue.c)
 # The host's side, from the same sources under the same floating-point rules.
 file(GLOB host_sources CONFIGURE_DEPENDS ${hand_folder}/*.c)
 set(host_folders ${CMAKE_CURRENT_SOURCE_DIR} ${hand_folder} ${PROJECT_SOURCE_DIR}/runtime)
-foreach(model hand thumb index middle ring fifth hmc motor tendon)
+foreach(model hand thumb index middle ring fifth hmc motor)
   list(APPEND host_sources ${PROJECT_SOURCE_DIR}/generated/${model}/${model}.c)
   list(APPEND host_folders ${PROJECT_SOURCE_DIR}/generated/${model})
 endforeach()
