@@ -111,7 +111,7 @@ TEST_CASE("hand_step finds the state behind the sensors", "[hand_step]") {
   for (unsigned seed = 1; seed <= 20; ++seed) {
     const HandAt at = drawn(seed);
     Running hand(at);
-    CHECK((hand.out.status & ~HAND_JOINT_RANGE) == 0);
+    CHECK((hand.out.status & ~static_cast<std::uint32_t>(HAND_JOINT_RANGE)) == 0);
     // 7 mN by which the polynomials are off, a tendon's softness of 5e-5 m/N, a pulley of 3.6 mm.
     CHECK(largest_difference(hand.out.q, at.q.data(), HAND_COORDINATES) < 1e-4);
     CHECK(largest_difference(hand.out.q_wrist, at.q_wrist.data(), 2) < 1e-12);
@@ -177,7 +177,7 @@ TEST_CASE("the motors' references hold the wanted posture", "[hand_step]") {
   Running hand(at);
   hand.in.drive = 1;
   for (int i = 0; i < 20; ++i) hand.tick();
-  CHECK((hand.out.status & ~HAND_TORQUE_LIMITED) == 0);
+  CHECK((hand.out.status & ~static_cast<std::uint32_t>(HAND_TORQUE_LIMITED)) == 0);
   // What the feedforward adds to the forces gives the joints the torque that gravity takes.
   double more[HAND_TENDONS], tau[n], expected[HAND_JOINTS], g[HAND_FINGERS * 3];
   const double zero[HAND_COORDINATES] = {};
