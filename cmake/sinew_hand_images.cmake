@@ -71,6 +71,15 @@ foreach(kind short.toml real_time.toml)
   set_tests_properties(${test} PROPERTIES TIMEOUT 600 SKIP_RETURN_CODE 77 LABELS "slow;thorough")
 endforeach()
 
+# An effect hidden in that hand is found from the board's own log.
+set(test "${SINEW_BOARD}: hidden friction is named from the board's log")
+add_test(NAME ${test}
+  COMMAND ${PROJECT_SOURCE_DIR}/tests/firmware/hidden_effect ${SINEW_BOARD} $<TARGET_FILE:hand_main>
+    ${PROJECT_SOURCE_DIR}/build/release/simulation/sinew_fpga_side
+    ${PROJECT_SOURCE_DIR}/build/release/cli/sinew ${CMAKE_CURRENT_BINARY_DIR}/hidden_effect)
+# Minutes: four runs of a second under the emulator, two diagnoses.
+set_tests_properties(${test} PROPERTIES TIMEOUT 3000 SKIP_RETURN_CODE 77 LABELS "slow;thorough")
+
 # The most that a tick takes, above which the test is red (counts, not cycles: docs/firmware.md).
 set(most_zynq_a9 30500)
 set(most_mps2_an500 31300)
