@@ -50,6 +50,12 @@ target_link_libraries(hand_main PRIVATE sinew_hand_loop)
 # Without the other side there is no mailbox: it says so and ends.
 sinew_image_test(hand_main 2)
 
+# Of the three emulated boards one has a watchdog that resets (docs/firmware.md).
+if(SINEW_BOARD STREQUAL mps2_an500)
+  sinew_image(watchdog watchdog.c)
+  sinew_image_test(watchdog 0)
+endif()
+
 # Nobody writes frames: the board says so by its own timer, and its torques are 0.
 set(test "${SINEW_BOARD}: frames that do not come are late")
 add_test(NAME ${test} COMMAND ${PROJECT_SOURCE_DIR}/tests/firmware/late_frames ${SINEW_BOARD}

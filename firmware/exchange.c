@@ -13,7 +13,7 @@ static double counts_of(uint32_t word, uint32_t mask) {
   return (word & MAILBOX_VALID) != 0U ? (double)(word & mask) : missing();
 }
 
-void exchange_measured(const mailbox_measured* from, hand_input* to) {
+void exchange_measured(const mailbox_measured *from, hand_input *to) {
   for (uint32_t i = 0; i < HAND_TENDONS; ++i) {
     to->motor_angle[i] = (double)from->motor[i] * RADIANS_A_COUNT;
     to->lever_count[i] = counts_of(from->sensor[i], MAILBOX_LEVER_MASK);
@@ -22,7 +22,7 @@ void exchange_measured(const mailbox_measured* from, hand_input* to) {
     to->wrist_count[i] = counts_of(from->wrist[i], MAILBOX_COUNT_MASK);
 }
 
-void exchange_nothing(hand_input* to) {
+void exchange_nothing(hand_input *to) {
   for (uint32_t i = 0; i < HAND_TENDONS; ++i) {
     to->motor_angle[i] = missing();
     to->lever_count[i] = missing();
@@ -30,7 +30,7 @@ void exchange_nothing(hand_input* to) {
   for (uint32_t i = 0; i < 2U; ++i) to->wrist_count[i] = missing();
 }
 
-void exchange_setpoint(const mailbox_setpoint* from, uint32_t command, hand_input* to) {
+void exchange_setpoint(const mailbox_setpoint *from, uint32_t command, hand_input *to) {
   for (uint32_t i = 0; i < 3U; ++i) to->gravity[i] = (double)from->gravity[i];
   for (uint32_t j = 0; j < HAND_COORDINATES; ++j) {
     to->q[j] = (double)from->q[j];
@@ -44,7 +44,7 @@ static int32_t micro(double torque) {
   return (int32_t)(1.0e6 * sinew_limited(torque, -LARGEST_TORQUE, LARGEST_TORQUE, 0.0));
 }
 
-void exchange_answer(const hand_output* from, mailbox_answer* to) {
+void exchange_answer(const hand_output *from, mailbox_answer *to) {
   for (uint32_t i = 0; i < HAND_TENDONS; ++i) {
     to->torque[i] = micro(from->motor_torque[i]);
     to->feedforward[i] = micro(from->motor_feedforward[i]);
@@ -54,8 +54,8 @@ void exchange_answer(const hand_output* from, mailbox_answer* to) {
   to->status = from->status;
 }
 
-void exchange_record(const mailbox_measured* measured, const hand_output* from,
-                     const mailbox_answer* answer, mailbox_record* to) {
+void exchange_record(const mailbox_measured *measured, const hand_output *from,
+                     const mailbox_answer *answer, mailbox_record *to) {
   to->frame = answer->frame;
   to->status = answer->status;
   for (uint32_t i = 0; i < HAND_TENDONS; ++i) {

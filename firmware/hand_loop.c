@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-int hand_loop_start(hand_loop* loop, volatile mailbox* box, const hand_parameters* parameters) {
+int hand_loop_start(hand_loop *loop, volatile mailbox *box, const hand_parameters *parameters) {
   const int known = box->control.magic == MAILBOX_MAGIC && box->control.layout == MAILBOX_LAYOUT;
   memset(loop, 0, sizeof *loop);
   loop->box = box;
@@ -16,14 +16,14 @@ int hand_loop_start(hand_loop* loop, volatile mailbox* box, const hand_parameter
   return HAND_LOOP_FINE;
 }
 
-mailbox_reading hand_loop_look(hand_loop* loop) {
+mailbox_reading hand_loop_look(hand_loop *loop) {
   const mailbox_reading found = mailbox_read_measured(loop->box, &loop->reader, &loop->measured);
   if (found == MAILBOX_NEW) exchange_measured(&loop->measured, &loop->input);
   return found;
 }
 
-void hand_loop_tick(hand_loop* loop, int late) {
-  mailbox_answer* answer = &loop->answer;
+void hand_loop_tick(hand_loop *loop, int late) {
+  mailbox_answer *answer = &loop->answer;
   mailbox_record record;
   if (late) {
     exchange_nothing(&loop->input);
@@ -44,7 +44,7 @@ void hand_loop_tick(hand_loop* loop, int late) {
   if (!mailbox_put_record(loop->box, &record)) ++answer->lost_records;
 }
 
-void hand_loop_took(hand_loop* loop, uint32_t ticks, int overrun) {
+void hand_loop_took(hand_loop *loop, uint32_t ticks, int overrun) {
   if (ticks > loop->answer.longest) loop->answer.longest = ticks;
   if (overrun) ++loop->answer.overruns;
 }

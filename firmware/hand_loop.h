@@ -15,8 +15,8 @@ extern "C" {
 #endif
 
 typedef struct {
-  volatile mailbox* box;
-  const hand_parameters* parameters;
+  volatile mailbox *box;
+  const hand_parameters *parameters;
   hand_state state;
   hand_input input;
   hand_output output;
@@ -33,17 +33,17 @@ enum {
 };
 
 /* After power-on or a reset: everything starts anew but the count of starts in the mailbox. */
-int hand_loop_start(hand_loop* loop, volatile mailbox* box, const hand_parameters* parameters);
+int hand_loop_start(hand_loop *loop, volatile mailbox *box, const hand_parameters *parameters);
 
 /* Looks once for a new frame and takes it. What it found. */
-mailbox_reading hand_loop_look(hand_loop* loop);
+mailbox_reading hand_loop_look(hand_loop *loop);
 
 /* A tick with the frame that hand_loop_look has taken, or (`late`) without one: then all sensors
  * count as missing, and the torques become 0 when that has lasted. Answers and records. */
-void hand_loop_tick(hand_loop* loop, int late);
+void hand_loop_tick(hand_loop *loop, int late);
 
 /* After a tick that took `ticks` of the board's timer; `overrun` where that is above a period. */
-void hand_loop_took(hand_loop* loop, uint32_t ticks, int overrun);
+void hand_loop_took(hand_loop *loop, uint32_t ticks, int overrun);
 
 #ifdef __cplusplus
 }

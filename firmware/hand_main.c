@@ -15,7 +15,7 @@
 
 static hand_loop loop;
 
-static void print(const char* what, uint32_t value) {
+static void print(const char *what, uint32_t value) {
   console_text("  ");
   console_text(what);
   console_text(" ");
@@ -24,7 +24,7 @@ static void print(const char* what, uint32_t value) {
 }
 
 static void report(void) {
-  const mailbox_answer* answer = &loop.answer;
+  const mailbox_answer *answer = &loop.answer;
   console_text("hand loop stopped\n");
   print("ticks", answer->heartbeat);
   print("starts", answer->starts);
@@ -68,7 +68,7 @@ static void run(uint32_t period) {
 int main(void) {
   const uint32_t period = port_tick_rate() / RATE;
   const int started =
-      hand_loop_start(&loop, (volatile mailbox*)port_mailbox(), &hand_parameters_table);
+      hand_loop_start(&loop, (volatile mailbox *)port_mailbox(), &hand_parameters_table);
   if (started != HAND_LOOP_FINE) {
     console_text(started == HAND_LOOP_TABLE ? "FAIL: the table of parameters is damaged\n"
                                             : "FAIL: there is no mailbox of this layout\n");

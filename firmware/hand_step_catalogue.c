@@ -59,10 +59,10 @@ static void settle(void) {
 }
 
 /* The plugin leaves out what is named call_...; what it counts is hand_step. */
-static void call_hand_step(const void* in, void* out) {
-  const double* from = (const double*)in;
-  double *to = (double*)out, *place = (double*)&input;
-  const double* result = (const double*)&output;
+static void call_hand_step(const void *in, void *out) {
+  const double *from = (const double *)in;
+  double *to = (double *)out, *place = (double *)&input;
+  const double *result = (const double *)&output;
   if (settled.ticks == 0U) settle();
   for (int i = 0; i < INPUTS; ++i) place[i] = from[i];
   input.q[HAND_JOINTS] += hand_parameters_table.crank_reference;

@@ -133,24 +133,24 @@ typedef struct {
 
 /* Reads the measured block, trying a bounded number of times. *block is changed where the result is
  * MAILBOX_NEW. */
-mailbox_reading mailbox_read_measured(const volatile mailbox* box, mailbox_reader* reader,
-                                      mailbox_measured* block);
+mailbox_reading mailbox_read_measured(const volatile mailbox *box, mailbox_reader *reader,
+                                      mailbox_measured *block);
 
 /* 1 and the setpoint where it could be read whole; 0 leaves *block as it is. */
-int mailbox_read_setpoint(const volatile mailbox* box, mailbox_setpoint* block);
+int mailbox_read_setpoint(const volatile mailbox *box, mailbox_setpoint *block);
 
 /* Each writes a whole block under its sequence word; block->sequence does not matter. */
-void mailbox_write_measured(volatile mailbox* box, const mailbox_measured* block);
-void mailbox_write_setpoint(volatile mailbox* box, const mailbox_setpoint* block);
-void mailbox_write_answer(volatile mailbox* box, const mailbox_answer* block);
+void mailbox_write_measured(volatile mailbox *box, const mailbox_measured *block);
+void mailbox_write_setpoint(volatile mailbox *box, const mailbox_setpoint *block);
+void mailbox_write_answer(volatile mailbox *box, const mailbox_answer *block);
 
 /* For the FPGA's side: 1 and the answer where it could be read whole. */
-int mailbox_read_answer(const volatile mailbox* box, mailbox_answer* block);
+int mailbox_read_answer(const volatile mailbox *box, mailbox_answer *block);
 
 /* 0 where the recorder is full: the tick is not kept. */
-int mailbox_put_record(volatile mailbox* box, const mailbox_record* record);
+int mailbox_put_record(volatile mailbox *box, const mailbox_record *record);
 /* The other side's: 0 where there is none. */
-int mailbox_take_record(volatile mailbox* box, mailbox_record* record);
+int mailbox_take_record(volatile mailbox *box, mailbox_record *record);
 
 #ifdef __cplusplus
 }

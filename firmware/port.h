@@ -26,7 +26,7 @@ uint32_t port_ticks_since(uint32_t start);
 uint32_t port_tick_rate(void);
 
 /* Where the memory lies that the FPGA sees, too (mailbox.h); not initialised by the start-up. */
-volatile void* port_mailbox(void);
+volatile void *port_mailbox(void);
 
 /* From the start on the processor is reset unless the watchdog is kicked every so often. Where a
  * board has none, or the emulator none that resets, both do nothing; port.c says so. */

@@ -7,7 +7,7 @@
 
 /* The base by one step of its search from the last tick's angles, the hinges directly (5.22, 5.24).
  */
-static uint32_t find_thumb(hand_state* s, const hand_parameters* p, const double* h, double* q) {
+static uint32_t find_thumb(hand_state *s, const hand_parameters *p, const double *h, double *q) {
   static const double middle[2] = {0.0, 0.0};
   double correction, status;
   const int anew = s->astray_ticks >= p->restart_ticks;
@@ -18,13 +18,13 @@ static uint32_t find_thumb(hand_state* s, const hand_parameters* p, const double
 }
 
 /* The crank's angle by least squares from its two tendons. */
-static void find_crank(const hand_state* s, const hand_parameters* p, const double* h, double* q) {
+static void find_crank(const hand_state *s, const hand_parameters *p, const double *h, double *q) {
   const double a = s->crank_coupling[0], b = s->crank_coupling[1];
   q[0] = p->crank_reference + (a * h[0] + b * h[1]) / (a * a + b * b);
 }
 
-static uint32_t find_group(hand_state* s, const hand_parameters* p, uint32_t group, const double* h,
-                           double* q) {
+static uint32_t find_group(hand_state *s, const hand_parameters *p, uint32_t group, const double *h,
+                           double *q) {
   const uint32_t first = p->first_coordinate[group];
   uint32_t status = SINEW_FINE;
   if (group == HAND_FINGERS)
@@ -43,7 +43,7 @@ static uint32_t find_group(hand_state* s, const hand_parameters* p, uint32_t gro
   return status;
 }
 
-static void add_wrist_torque(const hand_output* out, const hand_tick* t, double* tau) {
+static void add_wrist_torque(const hand_output *out, const hand_tick *t, double *tau) {
   double first = 0.0, second = 0.0;
   for (uint32_t i = 0; i < HAND_TENDONS; ++i) {
     first -= t->wrist_coupling[2U * i] * out->force[i];
@@ -53,7 +53,7 @@ static void add_wrist_torque(const hand_output* out, const hand_tick* t, double*
   tau[1] = second;
 }
 
-static void take_stiffness(hand_state* s, const hand_parameters* p, hand_output* out) {
+static void take_stiffness(hand_state *s, const hand_parameters *p, hand_output *out) {
   ++s->stiffness_age;
   if (hand_is_turn(s, p, 0U)) {
     hand_joint_stiffness(out->q, out->q_wrist, out->force, out->stiffness, out->joint_stiffness);
@@ -63,7 +63,7 @@ static void take_stiffness(hand_state* s, const hand_parameters* p, hand_output*
 }
 
 /* A group that is unsafe keeps its last angles. */
-void hand_find_links(hand_state* s, const hand_parameters* p, hand_output* out, hand_tick* t) {
+void hand_find_links(hand_state *s, const hand_parameters *p, hand_output *out, hand_tick *t) {
   for (uint32_t group = 0; group < HAND_GROUPS; ++group) {
     const uint32_t first = p->first_coordinate[group], tendon = p->first_tendon[group];
     double *q = &out->q[first], *tau = &out->joint_torque[first];

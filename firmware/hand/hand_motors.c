@@ -3,7 +3,7 @@
 #include "motor.h"
 
 /* Friction and ripple of one motor, at the angle in the middle of the ticks they will stand for. */
-static void take_friction(hand_state* s, const hand_parameters* p, const hand_tick* t, uint32_t i) {
+static void take_friction(hand_state *s, const hand_parameters *p, const hand_tick *t, uint32_t i) {
   const double rate = t->motor_reference_rate[i];
   const double middle = t->motor[i] + 0.5 * (double)(p->turns - 1U) * p->period * rate;
   double margin;
@@ -12,7 +12,7 @@ static void take_friction(hand_state* s, const hand_parameters* p, const hand_ti
 
 /* The motors whose turn it is: all where there are fewer than three turns; else the turns between
  * the first and the last have an equal share each. */
-static void take_frictions(hand_state* s, const hand_parameters* p, const hand_tick* t) {
+static void take_frictions(hand_state *s, const hand_parameters *p, const hand_tick *t) {
   const uint32_t shares = p->turns < 3U ? 1U : p->turns - 2U;
   const uint32_t first = p->turns < 3U ? 0U : s->turn - 1U;
   if (p->turns >= 3U && (s->turn == 0U || s->turn == p->turns - 1U)) return;
@@ -20,8 +20,8 @@ static void take_frictions(hand_state* s, const hand_parameters* p, const hand_t
 }
 
 /* Servo and feedforward, limited; statuses of those that had to be. */
-static uint32_t command_motors(const hand_state* s, const hand_parameters* p, hand_output* out,
-                               const hand_tick* t, uint32_t first, uint32_t end) {
+static uint32_t command_motors(const hand_state *s, const hand_parameters *p, hand_output *out,
+                               const hand_tick *t, uint32_t first, uint32_t end) {
   const double gain = p->servo_gain, rate_gain = p->servo_rate_gain, limit = p->torque_limit;
   uint32_t status = SINEW_FINE;
   for (uint32_t k = first; k < end; ++k) {
@@ -40,7 +40,7 @@ static uint32_t command_motors(const hand_state* s, const hand_parameters* p, ha
   return status;
 }
 
-static void release_motors(const hand_state* s, const hand_parameters* p, hand_output* out,
+static void release_motors(const hand_state *s, const hand_parameters *p, hand_output *out,
                            uint32_t first, uint32_t end) {
   for (uint32_t k = first; k < end; ++k) {
     const uint32_t i = p->channel[k];
@@ -49,8 +49,8 @@ static void release_motors(const hand_state* s, const hand_parameters* p, hand_o
   }
 }
 
-void hand_command(hand_state* s, const hand_parameters* p, const hand_input* in, hand_output* out,
-                  const hand_tick* t) {
+void hand_command(hand_state *s, const hand_parameters *p, const hand_input *in, hand_output *out,
+                  const hand_tick *t) {
   (void)in;
   take_frictions(s, p, t);
   for (uint32_t group = 0; group < HAND_GROUPS; ++group) {

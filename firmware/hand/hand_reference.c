@@ -15,15 +15,15 @@ typedef struct {
   double qd[HAND_COORDINATES], qdd[HAND_COORDINATES];
 } wanted;
 
-static double wanted_value(double value, double size, uint32_t* status) {
+static double wanted_value(double value, double size, uint32_t *status) {
   if (sinew_is_within(value, -size, size)) return value;
   *status |= HAND_SETPOINT;
   return sinew_limited(value, -size, size, 0.0);
 }
 
 /* A group that does not follow: its reference is where the joints are. */
-static void leave_reference(hand_state* s, const hand_output* out, uint32_t first, uint32_t end,
-                            wanted* motion) {
+static void leave_reference(hand_state *s, const hand_output *out, uint32_t first, uint32_t end,
+                            wanted *motion) {
   for (uint32_t j = first; j < end; ++j) {
     motion->qd[j] = motion->qdd[j] = 0.0;
     s->reference[j] = out->q[j];
@@ -32,12 +32,12 @@ static void leave_reference(hand_state* s, const hand_output* out, uint32_t firs
 
 /* The reference goes towards the wanted position at a bounded rate; a group that begins to follow
  * goes on from where its joints are. */
-static void move_reference(hand_state* s, const hand_parameters* p, const hand_input* in,
-                           hand_output* out, uint32_t group, wanted* motion) {
+static void move_reference(hand_state *s, const hand_parameters *p, const hand_input *in,
+                           hand_output *out, uint32_t group, wanted *motion) {
   const uint32_t bit = 1U << group, first = p->first_coordinate[group];
   const uint32_t end = first + hand_coordinates_of(p, group);
   const double step = p->reference_rate * p->period;
-  const double* from = (s->driven & bit) != 0U ? s->reference : out->q;
+  const double *from = (s->driven & bit) != 0U ? s->reference : out->q;
   uint32_t status = SINEW_FINE;
   s->driven &= ~bit;
   if (in->drive != 1U || (out->group_status[group] & HAND_UNSAFE) != 0U) {
@@ -59,8 +59,8 @@ static void move_reference(hand_state* s, const hand_parameters* p, const hand_i
   out->group_status[group] |= status;
 }
 
-static void find_feedforward(hand_state* s, const hand_input* in, hand_output* out,
-                             const wanted* motion) {
+static void find_feedforward(hand_state *s, const hand_input *in, hand_output *out,
+                             const wanted *motion) {
   double gravity[3], of_finger[HAND_FINGERS * 3];
   for (uint32_t i = 0; i < 3U; ++i)
     gravity[i] = wanted_value(in->gravity[i], LARGEST_GRAVITY, &out->status);
@@ -70,10 +70,10 @@ static void find_feedforward(hand_state* s, const hand_input* in, hand_output* o
 }
 
 /* The smallest forces that give the joints of a finger their feedforward, above the pretension. */
-static void distribute(hand_state* s, const hand_parameters* p, uint32_t finger) {
+static void distribute(hand_state *s, const hand_parameters *p, uint32_t finger) {
   const uint32_t first = p->first_coordinate[finger], joints = hand_coordinates_of(p, finger);
   const uint32_t tendons = hand_tendons_of(p, finger);
-  const double* per_torque = &s->force_by_torque[MOST_TENDONS * first];
+  const double *per_torque = &s->force_by_torque[MOST_TENDONS * first];
   const double least = (SHARE_KEPT - 1.0) * p->pretension, most = p->torque_limit / p->motor_radius;
   for (uint32_t k = 0; k < tendons; ++k) {
     double force = 0.0;
@@ -83,7 +83,7 @@ static void distribute(hand_state* s, const hand_parameters* p, uint32_t finger)
   }
 }
 
-static void lengths_of(uint32_t group, const double* q, double* h) {
+static void lengths_of(uint32_t group, const double *q, double *h) {
   if (group < HAND_FINGERS)
     hand_fingers[group].lengths(q, h);
   else
@@ -91,8 +91,8 @@ static void lengths_of(uint32_t group, const double* q, double* h) {
 }
 
 /* Motor angles at which the tendons hold the reference posture with those forces, by (5.1). */
-static void find_motors(const hand_state* s, const hand_parameters* p, hand_output* out,
-                        hand_tick* t, uint32_t group, const wanted* motion) {
+static void find_motors(const hand_state *s, const hand_parameters *p, hand_output *out,
+                        hand_tick *t, uint32_t group, const wanted *motion) {
   const uint32_t first = p->first_coordinate[group], tendon = p->first_tendon[group];
   const uint32_t joints = hand_coordinates_of(p, group), tendons = hand_tendons_of(p, group);
   const double radius = p->motor_radius, per_radius = 1.0 / radius;
@@ -114,8 +114,8 @@ static void find_motors(const hand_state* s, const hand_parameters* p, hand_outp
   }
 }
 
-void hand_follow(hand_state* s, const hand_parameters* p, const hand_input* in, hand_output* out,
-                 hand_tick* t) {
+void hand_follow(hand_state *s, const hand_parameters *p, const hand_input *in, hand_output *out,
+                 hand_tick *t) {
   wanted motion;
   for (uint32_t group = 0; group < HAND_GROUPS; ++group)
     move_reference(s, p, in, out, group, &motion);

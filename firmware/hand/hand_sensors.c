@@ -18,8 +18,8 @@ static double rate_of(double rate, double share, double difference, uint32_t bef
   return (now & SINEW_SAFE) != 0U ? 0.0 : rate;
 }
 
-static void read_motors(hand_state* s, const hand_parameters* p, const hand_input* in,
-                        hand_output* out, hand_tick* t) {
+static void read_motors(hand_state *s, const hand_parameters *p, const hand_input *in,
+                        hand_output *out, hand_tick *t) {
   const double share = p->rate_share, per_period = 1.0 / p->period;
   for (uint32_t i = 0; i < HAND_TENDONS; ++i) {
     const uint32_t before = s->motor[i].status;
@@ -34,10 +34,10 @@ static void read_motors(hand_state* s, const hand_parameters* p, const hand_inpu
 }
 
 /* Force and stiffness; the elongation goes to out->displacement, where hand_read_wrist finds it. */
-static void read_levers(hand_state* s, const hand_parameters* p, const hand_input* in,
-                        hand_output* out) {
+static void read_levers(hand_state *s, const hand_parameters *p, const hand_input *in,
+                        hand_output *out) {
   for (uint32_t i = 0; i < HAND_TENDONS; ++i) {
-    const hand_lever* lever = &p->lever[i];
+    const hand_lever *lever = &p->lever[i];
     const double count = sinew_channel_tick(&s->lever[i], &p->lever_limits, in->lever_count[i]);
     const double u = sinew_normalised(count, lever->centre, lever->inverse);
     const double force = POLYNOMIAL(lever->force, u);
@@ -51,8 +51,8 @@ static void read_levers(hand_state* s, const hand_parameters* p, const hand_inpu
   }
 }
 
-static void read_potentiometer(hand_state* s, const hand_parameters* p, const hand_input* in,
-                               hand_output* out, uint32_t i) {
+static void read_potentiometer(hand_state *s, const hand_parameters *p, const hand_input *in,
+                               hand_output *out, uint32_t i) {
   const uint32_t before = s->wrist[i].status;
   const double count = sinew_channel_tick(&s->wrist[i], &p->wrist_limits, in->wrist_count[i]);
   const uint32_t now = s->wrist[i].status;
@@ -69,8 +69,8 @@ static void read_potentiometer(hand_state* s, const hand_parameters* p, const ha
   out->wrist_status[i] = now;
 }
 
-void hand_read_sensors(hand_state* s, const hand_parameters* p, const hand_input* in,
-                       hand_output* out, hand_tick* t) {
+void hand_read_sensors(hand_state *s, const hand_parameters *p, const hand_input *in,
+                       hand_output *out, hand_tick *t) {
   read_motors(s, p, in, out, t);
   read_levers(s, p, in, out);
   for (uint32_t i = 0; i < 2U; ++i) read_potentiometer(s, p, in, out, i);

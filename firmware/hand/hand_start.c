@@ -11,7 +11,7 @@
 #define MOST_TENDONS 8U
 #define LEAST_PIVOT 1e-12 /* m^2, of P^T P */
 
-static void start_channels(hand_state* s, const hand_parameters* p) {
+static void start_channels(hand_state *s, const hand_parameters *p) {
   for (uint32_t i = 0; i < HAND_TENDONS; ++i) {
     sinew_channel_start(&s->motor[i], &p->motor_limits);
     sinew_channel_start(&s->lever[i], &p->lever_limits);
@@ -24,7 +24,7 @@ static void start_channels(hand_state* s, const hand_parameters* p) {
 
 /* -P (P^T P)^-1: the smallest forces for torques on a finger's joints. 1 where P has no full rank.
  */
-int hand_invert_coupling(const hand_finger* finger, const double* q, double* force_by_torque) {
+int hand_invert_coupling(const hand_finger *finger, const double *q, double *force_by_torque) {
   double P[MOST_TENDONS * MOST_JOINTS], A[MOST_JOINTS * MOST_JOINTS];
   const int n = (int)finger->joints, m = (int)finger->tendons;
   finger->coupling(q, P);
@@ -49,10 +49,10 @@ int hand_invert_coupling(const hand_finger* finger, const double* q, double* for
 }
 
 /* Lengths and couplings at q = 0. */
-static int start_fingers(hand_state* s, const hand_parameters* p) {
+static int start_fingers(hand_state *s, const hand_parameters *p) {
   int singular = 0;
   for (uint32_t f = 0; f < HAND_FINGERS; ++f) {
-    const double* zero = &s->q[p->first_coordinate[f]];
+    const double *zero = &s->q[p->first_coordinate[f]];
     hand_fingers[f].lengths(zero, &s->finger_at_zero[p->first_tendon[f]]);
     singular |= hand_invert_coupling(&hand_fingers[f], zero,
                                      &s->force_by_torque[MOST_TENDONS * p->first_coordinate[f]]);
@@ -60,7 +60,7 @@ static int start_fingers(hand_state* s, const hand_parameters* p) {
   return singular;
 }
 
-static void start_crank(hand_state* s, const hand_parameters* p) {
+static void start_crank(hand_state *s, const hand_parameters *p) {
   const double further = p->crank_reference + 1.0;
   double *at_reference = &s->finger_at_zero[p->first_tendon[HAND_FINGERS]], h[2];
   hmc_tendon_lengths(&p->crank_reference, at_reference);
@@ -69,7 +69,7 @@ static void start_crank(hand_state* s, const hand_parameters* p) {
   s->q[HAND_JOINTS] = p->crank_reference;
 }
 
-int hand_start(hand_state* state, const hand_parameters* parameters) {
+int hand_start(hand_state *state, const hand_parameters *parameters) {
   double coupling[HAND_TENDONS * 2];
   memset(state, 0, sizeof *state);
   if (parameters->version != HAND_TABLE_VERSION || parameters->turns == 0U)

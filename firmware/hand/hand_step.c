@@ -3,8 +3,8 @@
 
 #include "hand_parts.h"
 
-void hand_step(hand_state* state, const hand_parameters* parameters, const hand_input* input,
-               hand_output* output) {
+void hand_step(hand_state *state, const hand_parameters *parameters, const hand_input *input,
+               hand_output *output) {
   hand_tick tick;
   output->status = SINEW_FINE;
   hand_read_sensors(state, parameters, input, output, &tick);

@@ -108,13 +108,13 @@ enum {
 };
 
 /* Tests the table and makes the state of the first tick. Takes as long as some ticks do. */
-int hand_start(hand_state* state, const hand_parameters* parameters);
+int hand_start(hand_state *state, const hand_parameters *parameters);
 
 /* One tick. Every output is finite for every input; the statuses say what it is worth. A faulty
  * channel keeps its last good value for hold_ticks of its limits and has the safe one from then on;
  * it comes back by itself. */
-void hand_step(hand_state* state, const hand_parameters* parameters, const hand_input* input,
-               hand_output* output);
+void hand_step(hand_state *state, const hand_parameters *parameters, const hand_input *input,
+               hand_output *output);
 
 #ifdef __cplusplus
 }

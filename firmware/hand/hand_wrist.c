@@ -3,7 +3,7 @@
 #include "hand_parts.h"
 
 /* What a group's sensors and the wrist's say of it. */
-static uint32_t sensors_of(const hand_parameters* p, const hand_output* out, uint32_t group) {
+static uint32_t sensors_of(const hand_parameters *p, const hand_output *out, uint32_t group) {
   const uint32_t first = p->first_tendon[group], end = first + hand_tendons_of(p, group);
   uint32_t status = out->wrist_status[0] | out->wrist_status[1];
   int slack = 0;
@@ -18,8 +18,8 @@ static uint32_t sensors_of(const hand_parameters* p, const hand_output* out, uin
 }
 
 /* (5.1): R theta + h_wrist + h_finger - elongation = const. */
-void hand_read_wrist(hand_state* s, const hand_parameters* p, const hand_input* in,
-                     hand_output* out, hand_tick* t) {
+void hand_read_wrist(hand_state *s, const hand_parameters *p, const hand_input *in,
+                     hand_output *out, hand_tick *t) {
   const double radius = p->motor_radius, per_radius = 1.0 / radius;
   const double rate71 = out->qd_wrist[0], rate73 = out->qd_wrist[1];
   (void)in;

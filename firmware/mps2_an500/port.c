@@ -6,14 +6,14 @@
 #include "port.h"
 #include "semihosting.h"
 
-#define UART ((volatile uint32_t*)0x40004000U)
+#define UART ((volatile uint32_t *)0x40004000U)
 #define UART_DATA 0
 #define UART_STATE 1
 #define UART_CONTROL 2
 #define UART_DIVIDER 4
 #define UART_FULL 1U
 
-#define TIMER ((volatile uint32_t*)0xE000E010U)
+#define TIMER ((volatile uint32_t *)0xE000E010U)
 #define TIMER_CONTROL 0
 #define TIMER_RELOAD 1
 #define TIMER_VALUE 2
@@ -38,19 +38,23 @@ __attribute__((naked)) void reset(void) {
       ".ltorg");
 }
 
-void fault(void) {
-  port_exit(PORT_STATUS_FAULT);
+void fault(void) { port_exit(PORT_STATUS_FAULT); }
+
+/* The watchdog's warning; its reset follows. */
+static void wait_for_reset(void) {
+  for (;;) {
+  }
 }
 
 typedef union {
-  char* stack;
+  char *stack;
   void (*handler)(void);
 } vector;
 
 extern const vector vectors[16];
 __attribute__((section(".vectors"), used)) const vector vectors[16] = {{.stack = image_stack_top},
                                                                        {.handler = reset},
-                                                                       {.handler = fault},
+                                                                       {.handler = wait_for_reset},
                                                                        {.handler = fault},
                                                                        {.handler = fault},
                                                                        {.handler = fault},
@@ -82,26 +86,16 @@ void port_put_character(char character) {
 }
 
 /* SysTick counts down and has 24 bits. */
-uint32_t port_ticks(void) {
-  return TIMER_MASK - TIMER[TIMER_VALUE];
-}
-uint32_t port_ticks_since(uint32_t start) {
-  return (port_ticks() - start) & TIMER_MASK;
-}
-uint32_t port_tick_rate(void) {
-  return TIMER_RATE;
-}
-_Noreturn void port_exit(int status) {
-  semihosting_exit(status);
-}
+uint32_t port_ticks(void) { return TIMER_MASK - TIMER[TIMER_VALUE]; }
+uint32_t port_ticks_since(uint32_t start) { return (port_ticks() - start) & TIMER_MASK; }
+uint32_t port_tick_rate(void) { return TIMER_RATE; }
+_Noreturn void port_exit(int status) { semihosting_exit(status); }
 
 /* The board's PSRAM, which the image does not use. */
-volatile void* port_mailbox(void) {
-  return (volatile void*)0x60000000U;
-}
+volatile void *port_mailbox(void) { return (volatile void *)0x60000000U; }
 
-/* The CMSDK's watchdog: an interrupt at 0, which nobody takes, and a reset at the next 0. */
-#define WATCHDOG ((volatile uint32_t*)0x40008000U)
+/* The CMSDK's watchdog: at 0 the interrupt that cannot be masked, and a reset at the next 0. */
+#define WATCHDOG ((volatile uint32_t *)0x40008000U)
 #define WATCHDOG_LOAD 0
 #define WATCHDOG_CONTROL 2
 #define WATCHDOG_CLEAR 3
@@ -114,6 +108,4 @@ void port_watchdog_start(uint32_t microseconds) {
   WATCHDOG[WATCHDOG_CONTROL] = 3U; /* counts, and resets */
 }
 
-void port_watchdog_kick(void) {
-  WATCHDOG[WATCHDOG_CLEAR] = 1U;
-}
+void port_watchdog_kick(void) { WATCHDOG[WATCHDOG_CLEAR] = 1U; }

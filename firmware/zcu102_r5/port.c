@@ -5,7 +5,7 @@
 #include "port.h"
 #include "semihosting.h"
 
-#define UART ((volatile uint32_t*)0xFF000000U)
+#define UART ((volatile uint32_t *)0xFF000000U)
 #define UART_CONTROL 0
 #define UART_STATUS 11
 #define UART_FIFO 12
@@ -34,24 +34,14 @@ uint32_t port_ticks(void) {
   return cycles;
 }
 
-uint32_t port_ticks_since(uint32_t start) {
-  return port_ticks() - start;
-}
-uint32_t port_tick_rate(void) {
-  return CYCLE_RATE;
-}
-_Noreturn void port_exit(int status) {
-  semihosting_exit(status);
-}
+uint32_t port_ticks_since(uint32_t start) { return port_ticks() - start; }
+uint32_t port_tick_rate(void) { return CYCLE_RATE; }
+_Noreturn void port_exit(int status) { semihosting_exit(status); }
 
 /* The last MiB of the emulator's 128: behind what board.ld gives to the image. On the chip: the
  * FPGA's window, in memory that the protection unit has as not cached. */
-volatile void* port_mailbox(void) {
-  return (volatile void*)0x07F00000U;
-}
+volatile void *port_mailbox(void) { return (volatile void *)0x07F00000U; }
 
 /* The system watchdog of the low-power domain is not in the emulator: here there is none. */
-void port_watchdog_start(uint32_t microseconds) {
-  (void)microseconds;
-}
+void port_watchdog_start(uint32_t microseconds) { (void)microseconds; }
 void port_watchdog_kick(void) {}
