@@ -18,6 +18,7 @@
 #include "cli/import.h"
 #include "cli/inspect.h"
 #include "cli/manual.h"
+#include "cli/parameters.h"
 #include "cli/report.h"
 #include "cli/simulate.h"
 #include "cli/terminal/terminal.h"
@@ -85,6 +86,7 @@ int main(int argc, char** argv) {
   sinew::add_import_command(app, exit_status);
   sinew::add_figures_command(app, exit_status);
   sinew::add_report_command(app, exit_status);
+  sinew::add_parameters_command(app, exit_status);
   sinew::add_simulate_command(app, exit_status);
   sinew::add_identify_command(app, exit_status);
   sinew::add_diagnose_command(app, exit_status);

@@ -14,6 +14,7 @@
 #include "cli/simulate_report.h"
 #include "cli/terminal/report_stream.h"
 #include "cli/terminal/terminal.h"
+#include "simulation/loop/hand_sensors.h"
 #include "simulation/plant/simulate.h"
 #include "simulation/plant/write_rows.h"
 
@@ -21,7 +22,7 @@ namespace sinew {
 namespace {
 
 struct SimulateOptions {
-  std::string model, scenario, log, out, report, runtime;
+  std::string model, scenario, log, out, report, runtime, controller;
   std::vector<std::string> map;
   bool json = false;
 };
@@ -164,6 +165,8 @@ void run_simulate(const SimulateOptions& o) {
                          : build_plant(o.model, o.scenario, runtime);
   for (const std::string& table : plant.scenario().tables) inputs.add(table);
   const double duration = plant.scenario().duration;
+  std::optional<HandController> controller;
+  if (!o.controller.empty()) controller.emplace(plant, hand_parameters_table);
   RowWriter out(o.out, output_columns(plant), inputs);
   std::optional<RunRecorder> page;
   if (!o.report.empty()) page.emplace(o.model, o.scenario.empty() ? o.log : o.scenario, plant);
@@ -175,6 +178,7 @@ void run_simulate(const SimulateOptions& o) {
         plant,
         [&](const std::vector<double>& row) {
           out.write(row);
+          if (controller) controller->tick(row);
           if (page) page->add_row(row);
           if (replayed) rows.push_back(row);
         },
@@ -197,10 +201,15 @@ void run_simulate(const SimulateOptions& o) {
     errors = diagnosis::replay_errors(replayed->replay, replayed->channels, rows, plant);
   if (replayed)
     for (const std::string& note : replayed->notes) warn("{}\n", note);
-  if (o.json)
-    tell_json(json_of(o, duration, result, errors));
-  else
-    print_summary(o, duration, result, errors);
+  if (o.json) {
+    nlohmann::ordered_json report = json_of(o, duration, result, errors);
+    if (controller) report["controller_status"] = controller->status();
+    return tell_json(report);
+  }
+  print_summary(o, duration, result, errors);
+  if (controller)
+    print_to(stream_of_report(o.out), "  {}: status {:#x} (firmware/hand/hand_step.h)\n",
+             o.controller, controller->status());
 }
 
 }  // namespace
@@ -217,6 +226,12 @@ void add_simulate_command(CLI::App& app, int&) {
   what->require_option(1);
   command->add_option("--map", options->map,
                       "Of a log: channel=column name [unit], or channel=#3 [unit]");
+  command
+      ->add_option("--controller", options->controller,
+                   "Of a hand in the drive mode torque: hand_step, the real-time step of "
+                   "firmware/hand; it follows the commands <joint>_ref")
+      ->check(CLI::IsMember({"hand_step"}))
+      ->needs("--scenario");
   command->add_option("--out", options->out, "CSV file of the log; - is standard output")
       ->required();
   command->add_option("--report", options->report,

@@ -40,11 +40,27 @@ foreach(SINEW_MODEL IN LISTS SINEW_MODELS)
     DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 endforeach()
 
+# hand_step as a library, and all that runs on a board as C: firmware has a compiler of its own.
+set_target_properties(sinew_hand_step PROPERTIES EXPORT_NAME hand_step)
+install(TARGETS sinew_hand_step EXPORT sinew ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+install(FILES ${PROJECT_SOURCE_DIR}/firmware/hand/hand_step.h
+  ${PROJECT_SOURCE_DIR}/firmware/hand/hand_parameters.h DESTINATION ${header_folder})
+set(SINEW_SOURCE_FOLDER ${CMAKE_INSTALL_DATADIR}/sinew)
+set(SINEW_HEADER_FOLDER ${header_folder})
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/firmware DESTINATION ${SINEW_SOURCE_FOLDER}
+  FILES_MATCHING PATTERN "*.[chS]" PATTERN "*.ld")
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/generated DESTINATION ${SINEW_SOURCE_FOLDER}
+  FILES_MATCHING PATTERN "*.[ch]" PATTERN "*_batch.*" EXCLUDE PATTERN "*_catalogue.*" EXCLUDE)
+configure_package_config_file(${template_folder}/sinew-sources.cmake.in
+  ${made_folder}/sinew-sources.cmake INSTALL_DESTINATION ${package_folder}
+  PATH_VARS SINEW_SOURCE_FOLDER SINEW_HEADER_FOLDER)
+install(FILES ${made_folder}/sinew-sources.cmake DESTINATION ${package_folder})
+
 install(EXPORT sinew NAMESPACE sinew:: FILE sinew-targets.cmake DESTINATION ${package_folder})
 configure_package_config_file(${template_folder}/sinew-config.cmake.in
   ${made_folder}/sinew-config.cmake INSTALL_DESTINATION ${package_folder})
 write_basic_package_version_file(${made_folder}/sinew-config-version.cmake
-  COMPATIBILITY SameMinorVersion)
+  COMPATIBILITY SameMinorVersion ARCH_INDEPENDENT)  # cross-compilers take its C
 install(FILES ${made_folder}/sinew-config.cmake ${made_folder}/sinew-config-version.cmake
   DESTINATION ${package_folder})
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/LICENSES DESTINATION ${CMAKE_INSTALL_DOCDIR})

@@ -49,3 +49,7 @@ target_link_libraries(sinew_function INTERFACE PkgConfig::ginac)
 # The runtime's headers for programs of the host, as "runtime/<header>".
 add_library(sinew_runtime_headers INTERFACE)
 sinew_room_headers(sinew_runtime_headers runtime)
+
+# The real-time step and the mailbox for programs of the host, as "firmware/<header>".
+add_library(sinew_firmware_headers INTERFACE)
+sinew_room_headers(sinew_firmware_headers firmware)

@@ -34,6 +34,8 @@ static void count_function(const sinew_function *function, int scalar_bytes) {
   console_text("group ");
   console_text(function->name);
   console_text("\n");
+  state_draw(function, scalar_bytes, 0U, input); /* what starts something does so before */
+  function->call(input, output);
   count_group();
   for (uint32_t state = 0; state < COUNT_STATES; ++state) {
     state_draw(function, scalar_bytes, state, input);

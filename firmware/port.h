@@ -25,6 +25,14 @@ uint32_t port_ticks(void);
 uint32_t port_ticks_since(uint32_t start);
 uint32_t port_tick_rate(void);
 
+/* Where the memory lies that the FPGA sees, too (mailbox.h); not initialised by the start-up. */
+volatile void *port_mailbox(void);
+
+/* From the start on the processor is reset unless the watchdog is kicked every so often. Where a
+ * board has none, or the emulator none that resets, both do nothing; port.c says so. */
+void port_watchdog_start(uint32_t microseconds);
+void port_watchdog_kick(void);
+
 /* Ends the program; the debugger or emulator gets the status. */
 _Noreturn void port_exit(int status);
 

@@ -40,17 +40,34 @@ __attribute__((naked)) void reset(void) {
 
 void fault(void) { port_exit(PORT_STATUS_FAULT); }
 
+/* The watchdog's warning; its reset follows. */
+static void wait_for_reset(void) {
+  for (;;) {
+  }
+}
+
 typedef union {
   char *stack;
   void (*handler)(void);
 } vector;
 
 extern const vector vectors[16];
-__attribute__((section(".vectors"), used)) const vector vectors[16] = {
-    {.stack = image_stack_top}, {.handler = reset}, {.handler = fault}, {.handler = fault},
-    {.handler = fault},         {.handler = fault}, {.handler = fault}, {.handler = 0},
-    {.handler = 0},             {.handler = 0},     {.handler = 0},     {.handler = fault},
-    {.handler = fault},         {.handler = 0},     {.handler = fault}, {.handler = fault}};
+__attribute__((section(".vectors"), used)) const vector vectors[16] = {{.stack = image_stack_top},
+                                                                       {.handler = reset},
+                                                                       {.handler = wait_for_reset},
+                                                                       {.handler = fault},
+                                                                       {.handler = fault},
+                                                                       {.handler = fault},
+                                                                       {.handler = fault},
+                                                                       {.handler = 0},
+                                                                       {.handler = 0},
+                                                                       {.handler = 0},
+                                                                       {.handler = 0},
+                                                                       {.handler = fault},
+                                                                       {.handler = fault},
+                                                                       {.handler = 0},
+                                                                       {.handler = fault},
+                                                                       {.handler = fault}};
 
 void port_init(void) {
   UART[UART_DIVIDER] = 16U;
@@ -73,3 +90,22 @@ uint32_t port_ticks(void) { return TIMER_MASK - TIMER[TIMER_VALUE]; }
 uint32_t port_ticks_since(uint32_t start) { return (port_ticks() - start) & TIMER_MASK; }
 uint32_t port_tick_rate(void) { return TIMER_RATE; }
 _Noreturn void port_exit(int status) { semihosting_exit(status); }
+
+/* The board's PSRAM, which the image does not use. */
+volatile void *port_mailbox(void) { return (volatile void *)0x60000000U; }
+
+/* The CMSDK's watchdog: at 0 the interrupt that cannot be masked, and a reset at the next 0. */
+#define WATCHDOG ((volatile uint32_t *)0x40008000U)
+#define WATCHDOG_LOAD 0
+#define WATCHDOG_CONTROL 2
+#define WATCHDOG_CLEAR 3
+#define WATCHDOG_LOCK 0x300
+#define WATCHDOG_KEY 0x1ACCE551U
+
+void port_watchdog_start(uint32_t microseconds) {
+  WATCHDOG[WATCHDOG_LOCK] = WATCHDOG_KEY;
+  WATCHDOG[WATCHDOG_LOAD] = microseconds * (TIMER_RATE / 1000000U) / 2U;
+  WATCHDOG[WATCHDOG_CONTROL] = 3U; /* counts, and resets */
+}
+
+void port_watchdog_kick(void) { WATCHDOG[WATCHDOG_CLEAR] = 1U; }

@@ -12,7 +12,8 @@
 #define UART_ENABLE 0x14U
 #define UART_FULL 0x10U
 
-/* One instruction is one nanosecond and one cycle in the emulator. On the chip: the core's clock. */
+/* One instruction is one nanosecond and one cycle in the emulator. On the chip: the core's clock.
+ */
 #define CYCLE_RATE 1000000000U
 
 void port_init(void) {
@@ -36,3 +37,11 @@ uint32_t port_ticks(void) {
 uint32_t port_ticks_since(uint32_t start) { return port_ticks() - start; }
 uint32_t port_tick_rate(void) { return CYCLE_RATE; }
 _Noreturn void port_exit(int status) { semihosting_exit(status); }
+
+/* The last MiB of the emulator's 128: behind what board.ld gives to the image. On the chip: the
+ * FPGA's window, in memory that the protection unit has as not cached. */
+volatile void *port_mailbox(void) { return (volatile void *)0x07F00000U; }
+
+/* The system watchdog of the low-power domain is not in the emulator: here there is none. */
+void port_watchdog_start(uint32_t microseconds) { (void)microseconds; }
+void port_watchdog_kick(void) {}

@@ -34,3 +34,23 @@ uint32_t port_ticks(void) { return TIMER[TIMER_LOW]; }
 uint32_t port_ticks_since(uint32_t start) { return port_ticks() - start; }
 uint32_t port_tick_rate(void) { return TIMER_RATE; }
 _Noreturn void port_exit(int status) { semihosting_exit(status); }
+
+/* The last MiB of the emulator's 128: behind what board.ld gives to the image. On the chip: the
+ * FPGA's window, in memory that is mapped as not cached. */
+volatile void *port_mailbox(void) { return (volatile void *)0x07F00000U; }
+
+/* The core's private watchdog. The emulator lets it run, but does not reset. */
+#define WATCHDOG ((volatile uint32_t *)0xF8F00620U)
+#define WATCHDOG_LOAD 0
+#define WATCHDOG_CONTROL 2
+#define WATCHDOG_MODE 9U /* watchdog, enabled, without prescaler */
+
+static uint32_t watchdog_load;
+
+void port_watchdog_start(uint32_t microseconds) {
+  watchdog_load = microseconds * (TIMER_RATE / 1000000U);
+  WATCHDOG[WATCHDOG_LOAD] = watchdog_load;
+  WATCHDOG[WATCHDOG_CONTROL] = WATCHDOG_MODE;
+}
+
+void port_watchdog_kick(void) { WATCHDOG[WATCHDOG_LOAD] = watchdog_load; }

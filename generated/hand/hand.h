@@ -127,6 +127,29 @@ void hand_feedforward(const double q_wrist[SINEW_AT_LEAST(2)],
 void hand_feedforward_rate(const double q_wrist[SINEW_AT_LEAST(2)],
     const double qd_wrist[SINEW_AT_LEAST(2)], double delta_theta_rate[SINEW_AT_LEAST(38)]);
 
+/* Lengths of all tendons through the wrist, and their derivatives by q71 and q73. (6.9)
+ *   in  q_wrist       2 [rad] bar angles q71, q73; made for 0.337..0.88, 0.725..1.269
+ *   out h            38 [m] without the fingers
+ *   out P          38x2 [m/rad] 
+ * 661 multiplications, 676 additions, 42 divisions, 40 square roots, 2 sincos, 12 other
+ *     functions. */
+void hand_wrist_passage(const double q_wrist[SINEW_AT_LEAST(2)], double h[SINEW_AT_LEAST(38)],
+    double P[SINEW_AT_LEAST(76)]);
+
+/* Joint torques that a motion of the fingers takes, each on a base at rest: M(q) qdd + C(q,qd) qd +
+ *     g(q). (2.1)
+ *   in  q            18 [rad] coordinates of the fingers; made for -0.6981..0.6981,
+ *     -0.6981..0.6981, -0.2..1.6, -0.2..1.6, -0.35..0.35, -0.2..1.6, -0.2..1.6, -0.2..1.6, ...
+ *   in  qd           18 [rad/s] their rates; made for -10..10
+ *   in  qdd          18 [rad/s^2] accelerations; made for -100..100
+ *   in  g           5x3 [m/s^2] gravity in the base frame of each finger, one row a finger; made
+ *     for -9.81..9.81
+ *   out tau          18 [N m] of the fingers, without a crank
+ * 469 multiplications, 354 additions, 20 sincos. */
+void hand_inverse_dynamics(const double q[SINEW_AT_LEAST(18)], const double qd[SINEW_AT_LEAST(18)],
+    const double qdd[SINEW_AT_LEAST(18)], const double g[SINEW_AT_LEAST(15)],
+    double tau[SINEW_AT_LEAST(18)]);
+
 #ifdef __cplusplus
 }
 #endif

@@ -5244,3 +5244,1490 @@ void hand_feedforward_rate_batch(int count, const double *SINEW_RESTRICT q_wrist
         delta_theta_rate[37 * n + state] = -(t67 * length_37_by_q71 - t57 * length_37_by_q73);
     }
 }
+
+void hand_wrist_passage_batch(int count, const double *SINEW_RESTRICT q_wrist,
+    double *SINEW_RESTRICT h, double *SINEW_RESTRICT P)
+{
+    const size_t n = (size_t)count;
+    SINEW_STATES_ARE_INDEPENDENT
+    for (size_t state = 0; state < n; ++state) {
+        double sin_q71, cos_q71;
+        sinew_sincos(q_wrist[state], &sin_q71, &cos_q71);
+        double sin_q73, cos_q73;
+        sinew_sincos(q_wrist[1 * n + state], &sin_q73, &cos_q73);
+        const double B_y = 0.074565407529229 * cos_q73;
+        const double B_to_C0_squared = 0.007324 - 0.084 * B_y;
+        const double t1 = 1.0 / B_to_C0_squared;
+        const double ratio = 0.003796 * t1;
+        const double B_e = 0.074565407529229 * sin_q73;
+        const double B_to_C0_squared_by_q73 = 0.084 * B_e;
+        const double ratio_by_q73 = ratio * B_to_C0_squared_by_q73 * t1;
+        const double t2 = 21.0 - 500.0 * B_y;
+        const double C_e = B_e * ratio;
+        const double C_y_by_q73 = C_e - 0.002 * ratio_by_q73 * t2;
+        const double t3 = 0.5 * B_e;
+        const double M_y_by_q73 = t3 + 0.5 * C_y_by_q73;
+        const double t4 = 23.80952380952381 * B_e;
+        const double u_e = t4 - 23.80952380952381 * C_e;
+        const double C_e_by_q73 = B_e * ratio_by_q73 - B_y * ratio;
+        const double t5 = 0.5 * B_y;
+        const double M_e_by_q73 = t5 - 0.5 * C_e_by_q73;
+        const double C_y = 0.002 * ratio * t2;
+        const double t6 = 23.80952380952381 * B_y;
+        const double u_y = t6 + 23.80952380952381 * C_y;
+        const double u_y_by_q73 = t4 - 23.80952380952381 * C_y_by_q73;
+        const double M_e = t3 + 0.5 * C_e;
+        const double p_z_by_q71 = 0.036 * sin_q71;
+        const double s_e = M_e - p_z_by_q71;
+        const double u_e_by_q73 = t6 + 23.80952380952381 * C_e_by_q73;
+        const double M_y = t5 - 0.5 * C_y;
+        const double s_y = 0.021 - M_y;
+        const double p_y_by_q73 = u_e * M_y_by_q73 + u_y * M_e_by_q73 - s_e * u_y_by_q73 + s_y
+            * u_e_by_q73;
+        const double p_y = u_e * s_y + u_y * s_e;
+        const double t7 = p_y + p_y;
+        const double t8 = p_y * p_y;
+        const double p_z = 0.036 * cos_q71;
+        const double t9 = p_z * p_z;
+        const double t10 = -(1.296e-15 - t8 - t9);
+        const double reach_squared_by_q73 = sinew_choose(t10, t7 * p_y_by_q73, 0.0);
+        const double p_x_by_q73 = u_e * M_e_by_q73 - u_y * M_y_by_q73 + s_e * u_e_by_q73 + s_y
+            * u_y_by_q73;
+        const double p_x = u_e * s_e - u_y * s_y;
+        const double t11 = 27.77777777777778 * p_x;
+        const double projection_by_q73 = 13.88888888888889 * reach_squared_by_q73 + t11
+            * p_x_by_q73;
+        const double reach_squared = sinew_max(t8 + t9, 1.296e-15);
+        const double projection = 0.034722222222222224 - 13.88888888888889 * (reach_squared + p_x
+            * p_x);
+        const double reach = sinew_sqrt(reach_squared);
+        const double t12 = reach - projection;
+        const double t13 = sinew_choose(t12, 1.0, 0.0);
+        const double t14 = 1.0 / reach;
+        const double reach_by_q73 = 0.5 * reach_squared_by_q73 * t14;
+        const double t15 = sinew_choose(t12, 0.0, 1.0);
+        const double t16 = sinew_max(-projection, -reach);
+        const double t17 = reach - t16;
+        const double limited_by_q73 = sinew_choose(t17, -(reach_by_q73 * t15 - projection_by_q73
+            * t13), reach_by_q73);
+        const double limited = sinew_min(t16, reach);
+        const double t18 = limited + limited;
+        const double t19 = reach + reach;
+        const double t20 = (reach + limited) * (reach - limited);
+        const double t21 = 1e-12 * reach_squared;
+        const double t22 = -(t21 - t20);
+        const double clearance_by_q73 = sinew_choose(t22, t19 * reach_by_q73 - t18 * limited_by_q73,
+            1e-12 * reach_squared_by_q73);
+        const double clearance = sinew_max(t20, t21);
+        const double root = sinew_sqrt(clearance);
+        const double t23 = 1.0 / root;
+        const double root_by_q73 = 0.5 * clearance_by_q73 * t23;
+        const double t24 = 1.0 / reach_squared;
+        const double cos_A = (p_y * limited + p_z * root) * t24;
+        const double t25 = p_y * limited_by_q73 + p_z * root_by_q73 + limited * p_y_by_q73 - cos_A
+            * reach_squared_by_q73;
+        const double cos_A_by_q73 = t25 * t24;
+        const double z_plane_x_by_q73 = u_y * cos_A_by_q73 - cos_A * u_y_by_q73;
+        const double sin_A = (p_y * root - p_z * limited) * t24;
+        const double t26 = p_y * root_by_q73 - p_z * limited_by_q73 + root * p_y_by_q73 - sin_A
+            * reach_squared_by_q73;
+        const double sin_A_by_q73 = t26 * t24;
+        const double z_x_by_q73 = cos_q71 * z_plane_x_by_q73 - sin_q71 * sin_A_by_q73;
+        const double M_x_by_q73 = cos_q71 * M_e_by_q73;
+        const double origin_x_by_q73 = M_x_by_q73 - 0.018 * z_x_by_q73;
+        const double x_plane_x_by_q73 = u_y * sin_A_by_q73 - sin_A * u_y_by_q73;
+        const double x_x_by_q73 = cos_q71 * x_plane_x_by_q73 + sin_q71 * cos_A_by_q73;
+        const double t27 = origin_x_by_q73 - 0.004 * x_x_by_q73;
+        const double t28 = 0.01 * z_x_by_q73;
+        const double layer_1_x_by_q73 = t27 - t28;
+        const double y_x_by_q73 = cos_q71 * u_e_by_q73;
+        const double t29 = 0.016 * y_x_by_q73;
+        const double strand_37_x_by_q73 = layer_1_x_by_q73 + t29;
+        const double x_plane_x = u_y * sin_A;
+        const double t30 = cos_q71 * x_plane_x;
+        const double t31 = sin_q71 * cos_A;
+        const double x_x = t30 + t31;
+        const double M_x = cos_q71 * M_e;
+        const double z_plane_x = u_y * cos_A;
+        const double t32 = cos_q71 * z_plane_x;
+        const double t33 = sin_q71 * sin_A;
+        const double z_x = t32 - t33;
+        const double t34 = 0.004 * (1.0 + x_x) - M_x + 0.018 * z_x;
+        const double t35 = 0.01 * z_x;
+        const double layer_1_x = t34 + t35;
+        const double y_x = cos_q71 * u_e;
+        const double t36 = 0.016 * y_x;
+        const double strand_37_x = layer_1_x - t36;
+        const double x_plane_y_by_q73 = u_e * sin_A_by_q73 + sin_A * u_e_by_q73;
+        const double z_plane_y_by_q73 = u_e * cos_A_by_q73 + cos_A * u_e_by_q73;
+        const double origin_y_by_q73 = M_y_by_q73 - 0.018 * z_plane_y_by_q73;
+        const double t37 = origin_y_by_q73 - 0.004 * x_plane_y_by_q73;
+        const double t38 = 0.01 * z_plane_y_by_q73;
+        const double layer_1_y_by_q73 = t37 - t38;
+        const double t39 = 0.016 * u_y_by_q73;
+        const double strand_37_y_by_q73 = layer_1_y_by_q73 + t39;
+        const double z_plane_y = u_e * cos_A;
+        const double origin_y = M_y + 0.018 * z_plane_y;
+        const double t40 = 0.004 * u_e;
+        const double t41 = origin_y + t40 * sin_A;
+        const double t42 = 0.01 * z_plane_y;
+        const double layer_1_y = t41 + t42;
+        const double t43 = 0.016 * u_y;
+        const double strand_37_y = 0.035 - layer_1_y - t43;
+        const double z_z_by_q73 = cos_q71 * sin_A_by_q73 + sin_q71 * z_plane_x_by_q73;
+        const double M_z_by_q73 = sin_q71 * M_e_by_q73;
+        const double origin_z_by_q73 = M_z_by_q73 - 0.018 * z_z_by_q73;
+        const double x_z_by_q73 = cos_q71 * cos_A_by_q73 - sin_q71 * x_plane_x_by_q73;
+        const double t44 = origin_z_by_q73 + 0.004 * x_z_by_q73;
+        const double t45 = 0.01 * z_z_by_q73;
+        const double layer_1_z_by_q73 = t44 - t45;
+        const double y_z_by_q73 = sin_q71 * u_e_by_q73;
+        const double t46 = 0.016 * y_z_by_q73;
+        const double strand_37_z_by_q73 = layer_1_z_by_q73 + t46;
+        const double t47 = sin_q71 * z_plane_x;
+        const double t48 = cos_q71 * sin_A;
+        const double z_z = t48 + t47;
+        const double M_z = sin_q71 * M_e;
+        const double origin_z = M_z - 0.018 * z_z;
+        const double t49 = sin_q71 * x_plane_x;
+        const double t50 = cos_q71 * cos_A;
+        const double x_z = t50 - t49;
+        const double t51 = 0.004 * x_z;
+        const double t52 = 0.01 * z_z;
+        const double layer_1_z = 0.028 - origin_z - t51 + t52;
+        const double y_z = sin_q71 * u_e;
+        const double t53 = 0.016 * y_z;
+        const double strand_37_z = layer_1_z - t53;
+        const double t54 = strand_37_x * strand_37_x_by_q73 - strand_37_y * strand_37_y_by_q73
+            + strand_37_z * strand_37_z_by_q73;
+        const double t55 = strand_37_x * strand_37_x + strand_37_y * strand_37_y + strand_37_z
+            * strand_37_z;
+        const double length_37 = sinew_sqrt(t55);
+        const double t56 = 1.0 / length_37;
+        const double length_37_by_q73 = t54 * t56;
+        const double p_y_by_q71 = u_y * p_z;
+        const double reach_squared_by_q71 = sinew_choose(t10, -(t7 * p_y_by_q71 + (p_z + p_z)
+            * p_z_by_q71), 0.0);
+        const double reach_by_q71 = 0.5 * reach_squared_by_q71 * t14;
+        const double projection_by_q71 = 13.88888888888889 * reach_squared_by_q71 - t11 * u_e * p_z;
+        const double limited_by_q71 = sinew_choose(t17, -(reach_by_q71 * t15 - projection_by_q71
+            * t13), reach_by_q71);
+        const double clearance_by_q71 = sinew_choose(t22, t19 * reach_by_q71 - t18 * limited_by_q71,
+            1e-12 * reach_squared_by_q71);
+        const double root_by_q71 = 0.5 * clearance_by_q71 * t23;
+        const double t57 = p_y * limited_by_q71 + p_z * root_by_q71 - limited * p_y_by_q71 - root
+            * p_z_by_q71;
+        const double cos_A_by_q71 = (t57 - cos_A * reach_squared_by_q71) * t24;
+        const double z_plane_x_by_q71 = u_y * cos_A_by_q71;
+        const double t58 = p_y * root_by_q71 - p_z * limited_by_q71 + limited * p_z_by_q71 - root
+            * p_y_by_q71;
+        const double sin_A_by_q71 = (t58 - sin_A * reach_squared_by_q71) * t24;
+        const double z_x_by_q71 = t48 - cos_q71 * z_plane_x_by_q71 + t47 + sin_q71 * sin_A_by_q71;
+        const double origin_x_by_q71 = M_z - 0.018 * z_x_by_q71;
+        const double x_plane_x_by_q71 = u_y * sin_A_by_q71;
+        const double x_x_by_q71 = t50 + cos_q71 * x_plane_x_by_q71 - t49 + sin_q71 * cos_A_by_q71;
+        const double t59 = origin_x_by_q71 + 0.004 * x_x_by_q71;
+        const double t60 = 0.01 * z_x_by_q71;
+        const double layer_1_x_by_q71 = t59 - t60;
+        const double strand_37_x_by_q71 = layer_1_x_by_q71 + t53;
+        const double z_plane_y_by_q71 = u_e * cos_A_by_q71;
+        const double origin_y_by_q71 = 0.018 * z_plane_y_by_q71;
+        const double t61 = origin_y_by_q71 + t40 * sin_A_by_q71;
+        const double t62 = 0.01 * z_plane_y_by_q71;
+        const double layer_1_y_by_q71 = t61 + t62;
+        const double z_z_by_q71 = t32 + cos_q71 * sin_A_by_q71 - t33 + sin_q71 * z_plane_x_by_q71;
+        const double origin_z_by_q71 = M_x - 0.018 * z_z_by_q71;
+        const double x_z_by_q71 = t30 - cos_q71 * cos_A_by_q71 + t31 + sin_q71 * x_plane_x_by_q71;
+        const double t63 = origin_z_by_q71 - 0.004 * x_z_by_q71;
+        const double t64 = 0.01 * z_z_by_q71;
+        const double layer_1_z_by_q71 = t63 - t64;
+        const double strand_37_z_by_q71 = layer_1_z_by_q71 + t36;
+        const double t65 = strand_37_x * strand_37_x_by_q71 - strand_37_y * layer_1_y_by_q71
+            - strand_37_z * strand_37_z_by_q71;
+        const double length_37_by_q71 = t65 * t56;
+        const double t66 = 0.014 * y_x_by_q73;
+        const double strand_36_x_by_q73 = layer_1_x_by_q73 + t66;
+        const double t67 = 0.014 * y_x;
+        const double strand_36_x = layer_1_x - t67;
+        const double t68 = 0.014 * u_y_by_q73;
+        const double strand_36_y_by_q73 = layer_1_y_by_q73 + t68;
+        const double t69 = 0.014 * u_y;
+        const double strand_36_y = 0.033 - layer_1_y - t69;
+        const double t70 = 0.014 * y_z_by_q73;
+        const double strand_36_z_by_q73 = layer_1_z_by_q73 + t70;
+        const double t71 = 0.014 * y_z;
+        const double strand_36_z = layer_1_z - t71;
+        const double t72 = strand_36_x * strand_36_x_by_q73 - strand_36_y * strand_36_y_by_q73
+            + strand_36_z * strand_36_z_by_q73;
+        const double t73 = strand_36_x * strand_36_x + strand_36_y * strand_36_y + strand_36_z
+            * strand_36_z;
+        const double length_36 = sinew_sqrt(t73);
+        const double t74 = 1.0 / length_36;
+        const double length_36_by_q73 = t72 * t74;
+        const double strand_36_x_by_q71 = layer_1_x_by_q71 + t71;
+        const double strand_36_z_by_q71 = layer_1_z_by_q71 + t67;
+        const double t75 = strand_36_x * strand_36_x_by_q71 - strand_36_y * layer_1_y_by_q71
+            - strand_36_z * strand_36_z_by_q71;
+        const double length_36_by_q71 = t75 * t74;
+        const double t76 = 0.013 * y_x_by_q73;
+        const double strand_35_x_by_q73 = layer_1_x_by_q73 + t76;
+        const double t77 = 0.013 * y_x;
+        const double strand_35_x = layer_1_x - t77;
+        const double t78 = 0.013 * u_y_by_q73;
+        const double strand_35_y_by_q73 = layer_1_y_by_q73 + t78;
+        const double t79 = 0.013 * u_y;
+        const double strand_35_y = 0.031 - layer_1_y - t79;
+        const double t80 = 0.013 * y_z_by_q73;
+        const double strand_35_z_by_q73 = layer_1_z_by_q73 + t80;
+        const double t81 = 0.013 * y_z;
+        const double strand_35_z = layer_1_z - t81;
+        const double t82 = strand_35_x * strand_35_x_by_q73 - strand_35_y * strand_35_y_by_q73
+            + strand_35_z * strand_35_z_by_q73;
+        const double t83 = strand_35_x * strand_35_x + strand_35_y * strand_35_y + strand_35_z
+            * strand_35_z;
+        const double length_35 = sinew_sqrt(t83);
+        const double t84 = 1.0 / length_35;
+        const double length_35_by_q73 = t82 * t84;
+        const double strand_35_x_by_q71 = layer_1_x_by_q71 + t81;
+        const double strand_35_z_by_q71 = layer_1_z_by_q71 + t77;
+        const double t85 = strand_35_x * strand_35_x_by_q71 - strand_35_y * layer_1_y_by_q71
+            - strand_35_z * strand_35_z_by_q71;
+        const double length_35_by_q71 = t85 * t84;
+        const double t86 = 0.011 * y_x_by_q73;
+        const double strand_34_x_by_q73 = layer_1_x_by_q73 + t86;
+        const double t87 = 0.011 * y_x;
+        const double strand_34_x = layer_1_x - t87;
+        const double t88 = 0.011 * u_y_by_q73;
+        const double strand_34_y_by_q73 = layer_1_y_by_q73 + t88;
+        const double t89 = 0.011 * u_y;
+        const double strand_34_y = 0.03 - layer_1_y - t89;
+        const double t90 = 0.011 * y_z_by_q73;
+        const double strand_34_z_by_q73 = layer_1_z_by_q73 + t90;
+        const double t91 = 0.011 * y_z;
+        const double strand_34_z = layer_1_z - t91;
+        const double t92 = strand_34_x * strand_34_x_by_q73 - strand_34_y * strand_34_y_by_q73
+            + strand_34_z * strand_34_z_by_q73;
+        const double t93 = strand_34_x * strand_34_x + strand_34_y * strand_34_y + strand_34_z
+            * strand_34_z;
+        const double length_34 = sinew_sqrt(t93);
+        const double t94 = 1.0 / length_34;
+        const double length_34_by_q73 = t92 * t94;
+        const double strand_34_x_by_q71 = layer_1_x_by_q71 + t91;
+        const double strand_34_z_by_q71 = layer_1_z_by_q71 + t87;
+        const double t95 = strand_34_x * strand_34_x_by_q71 - strand_34_y * layer_1_y_by_q71
+            - strand_34_z * strand_34_z_by_q71;
+        const double length_34_by_q71 = t95 * t94;
+        const double t96 = 0.01 * y_x_by_q73;
+        const double strand_33_x_by_q73 = layer_1_x_by_q73 + t96;
+        const double t97 = 0.01 * y_x;
+        const double strand_33_x = layer_1_x - t97;
+        const double t98 = 0.01 * u_y_by_q73;
+        const double strand_33_y_by_q73 = layer_1_y_by_q73 + t98;
+        const double t99 = 0.01 * u_y;
+        const double strand_33_y = 0.028 - layer_1_y - t99;
+        const double t100 = 0.01 * y_z_by_q73;
+        const double strand_33_z_by_q73 = layer_1_z_by_q73 + t100;
+        const double t101 = 0.01 * y_z;
+        const double strand_33_z = layer_1_z - t101;
+        const double t102 = strand_33_x * strand_33_x_by_q73 - strand_33_y * strand_33_y_by_q73
+            + strand_33_z * strand_33_z_by_q73;
+        const double t103 = strand_33_x * strand_33_x + strand_33_y * strand_33_y + strand_33_z
+            * strand_33_z;
+        const double length_33 = sinew_sqrt(t103);
+        const double t104 = 1.0 / length_33;
+        const double length_33_by_q73 = t102 * t104;
+        const double strand_33_x_by_q71 = layer_1_x_by_q71 + t101;
+        const double strand_33_z_by_q71 = layer_1_z_by_q71 + t97;
+        const double t105 = strand_33_x * strand_33_x_by_q71 - strand_33_y * layer_1_y_by_q71
+            - strand_33_z * strand_33_z_by_q71;
+        const double length_33_by_q71 = t105 * t104;
+        const double t106 = 0.008 * y_x_by_q73;
+        const double strand_32_x_by_q73 = layer_1_x_by_q73 + t106;
+        const double t107 = 0.008 * y_x;
+        const double strand_32_x = layer_1_x - t107;
+        const double t108 = 0.008 * u_y_by_q73;
+        const double strand_32_y_by_q73 = layer_1_y_by_q73 + t108;
+        const double t109 = 0.008 * u_y;
+        const double strand_32_y = 0.027 - layer_1_y - t109;
+        const double t110 = 0.008 * y_z_by_q73;
+        const double strand_32_z_by_q73 = layer_1_z_by_q73 + t110;
+        const double t111 = 0.008 * y_z;
+        const double strand_32_z = layer_1_z - t111;
+        const double t112 = strand_32_x * strand_32_x_by_q73 - strand_32_y * strand_32_y_by_q73
+            + strand_32_z * strand_32_z_by_q73;
+        const double t113 = strand_32_x * strand_32_x + strand_32_y * strand_32_y + strand_32_z
+            * strand_32_z;
+        const double length_32 = sinew_sqrt(t113);
+        const double t114 = 1.0 / length_32;
+        const double length_32_by_q73 = t112 * t114;
+        const double strand_32_x_by_q71 = layer_1_x_by_q71 + t111;
+        const double strand_32_z_by_q71 = layer_1_z_by_q71 + t107;
+        const double t115 = strand_32_x * strand_32_x_by_q71 - strand_32_y * layer_1_y_by_q71
+            - strand_32_z * strand_32_z_by_q71;
+        const double length_32_by_q71 = t115 * t114;
+        const double t116 = 0.006 * y_x_by_q73;
+        const double strand_31_x_by_q73 = layer_1_x_by_q73 + t116;
+        const double t117 = 0.006 * y_x;
+        const double strand_31_x = layer_1_x - t117;
+        const double t118 = 0.006 * u_y_by_q73;
+        const double strand_31_y_by_q73 = layer_1_y_by_q73 + t118;
+        const double t119 = 0.006 * u_y;
+        const double strand_31_y = 0.025 - layer_1_y - t119;
+        const double t120 = 0.006 * y_z_by_q73;
+        const double strand_31_z_by_q73 = layer_1_z_by_q73 + t120;
+        const double t121 = 0.006 * y_z;
+        const double strand_31_z = layer_1_z - t121;
+        const double t122 = strand_31_x * strand_31_x_by_q73 - strand_31_y * strand_31_y_by_q73
+            + strand_31_z * strand_31_z_by_q73;
+        const double t123 = strand_31_x * strand_31_x + strand_31_y * strand_31_y + strand_31_z
+            * strand_31_z;
+        const double length_31 = sinew_sqrt(t123);
+        const double t124 = 1.0 / length_31;
+        const double length_31_by_q73 = t122 * t124;
+        const double strand_31_x_by_q71 = layer_1_x_by_q71 + t121;
+        const double strand_31_z_by_q71 = layer_1_z_by_q71 + t117;
+        const double t125 = strand_31_x * strand_31_x_by_q71 - strand_31_y * layer_1_y_by_q71
+            - strand_31_z * strand_31_z_by_q71;
+        const double length_31_by_q71 = t125 * t124;
+        const double t126 = 0.005 * y_x_by_q73;
+        const double strand_30_x_by_q73 = layer_1_x_by_q73 + t126;
+        const double t127 = 0.005 * y_x;
+        const double strand_30_x = layer_1_x - t127;
+        const double t128 = 0.005 * u_y_by_q73;
+        const double strand_30_y_by_q73 = layer_1_y_by_q73 + t128;
+        const double t129 = 0.005 * u_y;
+        const double strand_30_y = 0.023 - layer_1_y - t129;
+        const double t130 = 0.005 * y_z_by_q73;
+        const double strand_30_z_by_q73 = layer_1_z_by_q73 + t130;
+        const double t131 = 0.005 * y_z;
+        const double strand_30_z = layer_1_z - t131;
+        const double t132 = strand_30_x * strand_30_x_by_q73 - strand_30_y * strand_30_y_by_q73
+            + strand_30_z * strand_30_z_by_q73;
+        const double t133 = strand_30_x * strand_30_x + strand_30_y * strand_30_y + strand_30_z
+            * strand_30_z;
+        const double length_30 = sinew_sqrt(t133);
+        const double t134 = 1.0 / length_30;
+        const double length_30_by_q73 = t132 * t134;
+        const double strand_30_x_by_q71 = layer_1_x_by_q71 + t131;
+        const double strand_30_z_by_q71 = layer_1_z_by_q71 + t127;
+        const double t135 = strand_30_x * strand_30_x_by_q71 - strand_30_y * layer_1_y_by_q71
+            - strand_30_z * strand_30_z_by_q71;
+        const double length_30_by_q71 = t135 * t134;
+        const double t136 = 0.003 * y_x_by_q73;
+        const double strand_29_x_by_q73 = layer_1_x_by_q73 + t136;
+        const double t137 = 0.003 * y_x;
+        const double strand_29_x = layer_1_x - t137;
+        const double t138 = 0.003 * u_y_by_q73;
+        const double strand_29_y_by_q73 = layer_1_y_by_q73 + t138;
+        const double t139 = 0.003 * u_y;
+        const double strand_29_y = 0.022 - layer_1_y - t139;
+        const double t140 = 0.003 * y_z_by_q73;
+        const double strand_29_z_by_q73 = layer_1_z_by_q73 + t140;
+        const double t141 = 0.003 * y_z;
+        const double strand_29_z = layer_1_z - t141;
+        const double t142 = strand_29_x * strand_29_x_by_q73 - strand_29_y * strand_29_y_by_q73
+            + strand_29_z * strand_29_z_by_q73;
+        const double t143 = strand_29_x * strand_29_x + strand_29_y * strand_29_y + strand_29_z
+            * strand_29_z;
+        const double length_29 = sinew_sqrt(t143);
+        const double t144 = 1.0 / length_29;
+        const double length_29_by_q73 = t142 * t144;
+        const double strand_29_x_by_q71 = layer_1_x_by_q71 + t141;
+        const double strand_29_z_by_q71 = layer_1_z_by_q71 + t137;
+        const double t145 = strand_29_x * strand_29_x_by_q71 - strand_29_y * layer_1_y_by_q71
+            - strand_29_z * strand_29_z_by_q71;
+        const double length_29_by_q71 = t145 * t144;
+        const double t146 = 0.002 * y_x_by_q73;
+        const double strand_28_x_by_q73 = layer_1_x_by_q73 + t146;
+        const double t147 = 0.002 * y_x;
+        const double strand_28_x = layer_1_x - t147;
+        const double t148 = 0.002 * u_y_by_q73;
+        const double strand_28_y_by_q73 = layer_1_y_by_q73 + t148;
+        const double t149 = 0.002 * u_y;
+        const double strand_28_y = 0.02 - layer_1_y - t149;
+        const double t150 = 0.002 * y_z_by_q73;
+        const double strand_28_z_by_q73 = layer_1_z_by_q73 + t150;
+        const double t151 = 0.002 * y_z;
+        const double strand_28_z = layer_1_z - t151;
+        const double t152 = strand_28_x * strand_28_x_by_q73 - strand_28_y * strand_28_y_by_q73
+            + strand_28_z * strand_28_z_by_q73;
+        const double t153 = strand_28_x * strand_28_x + strand_28_y * strand_28_y + strand_28_z
+            * strand_28_z;
+        const double length_28 = sinew_sqrt(t153);
+        const double t154 = 1.0 / length_28;
+        const double length_28_by_q73 = t152 * t154;
+        const double strand_28_x_by_q71 = layer_1_x_by_q71 + t151;
+        const double strand_28_z_by_q71 = layer_1_z_by_q71 + t147;
+        const double t155 = strand_28_x * strand_28_x_by_q71 - strand_28_y * layer_1_y_by_q71
+            - strand_28_z * strand_28_z_by_q71;
+        const double length_28_by_q71 = t155 * t154;
+        const double strand_27_y = 0.019 - layer_1_y;
+        const double t156 = layer_1_x * layer_1_x_by_q73 + layer_1_z * layer_1_z_by_q73
+            - strand_27_y * layer_1_y_by_q73;
+        const double t157 = layer_1_x * layer_1_x + layer_1_z * layer_1_z + strand_27_y
+            * strand_27_y;
+        const double length_27 = sinew_sqrt(t157);
+        const double t158 = 1.0 / length_27;
+        const double length_27_by_q73 = t156 * t158;
+        const double t159 = layer_1_x * layer_1_x_by_q71 - layer_1_z * layer_1_z_by_q71
+            - strand_27_y * layer_1_y_by_q71;
+        const double length_27_by_q71 = t159 * t158;
+        const double strand_26_x_by_q73 = layer_1_x_by_q73 - t146;
+        const double strand_26_x = layer_1_x + t147;
+        const double strand_26_y_by_q73 = layer_1_y_by_q73 - t148;
+        const double strand_26_y = 0.017 - layer_1_y + t149;
+        const double strand_26_z_by_q73 = layer_1_z_by_q73 - t150;
+        const double strand_26_z = layer_1_z + t151;
+        const double t160 = strand_26_x * strand_26_x_by_q73 - strand_26_y * strand_26_y_by_q73
+            + strand_26_z * strand_26_z_by_q73;
+        const double t161 = strand_26_x * strand_26_x + strand_26_y * strand_26_y + strand_26_z
+            * strand_26_z;
+        const double length_26 = sinew_sqrt(t161);
+        const double t162 = 1.0 / length_26;
+        const double length_26_by_q73 = t160 * t162;
+        const double strand_26_x_by_q71 = layer_1_x_by_q71 - t151;
+        const double strand_26_z_by_q71 = layer_1_z_by_q71 - t147;
+        const double t163 = strand_26_x * strand_26_x_by_q71 - strand_26_y * layer_1_y_by_q71
+            - strand_26_z * strand_26_z_by_q71;
+        const double length_26_by_q71 = t163 * t162;
+        const double strand_25_x_by_q73 = layer_1_x_by_q73 - t136;
+        const double strand_25_x = layer_1_x + t137;
+        const double strand_25_y_by_q73 = layer_1_y_by_q73 - t138;
+        const double strand_25_y = 0.015 - layer_1_y + t139;
+        const double strand_25_z_by_q73 = layer_1_z_by_q73 - t140;
+        const double strand_25_z = layer_1_z + t141;
+        const double t164 = strand_25_x * strand_25_x_by_q73 - strand_25_y * strand_25_y_by_q73
+            + strand_25_z * strand_25_z_by_q73;
+        const double t165 = strand_25_x * strand_25_x + strand_25_y * strand_25_y + strand_25_z
+            * strand_25_z;
+        const double length_25 = sinew_sqrt(t165);
+        const double t166 = 1.0 / length_25;
+        const double length_25_by_q73 = t164 * t166;
+        const double strand_25_x_by_q71 = layer_1_x_by_q71 - t141;
+        const double strand_25_z_by_q71 = layer_1_z_by_q71 - t137;
+        const double t167 = strand_25_x * strand_25_x_by_q71 - strand_25_y * layer_1_y_by_q71
+            - strand_25_z * strand_25_z_by_q71;
+        const double length_25_by_q71 = t167 * t166;
+        const double strand_24_x_by_q73 = layer_1_x_by_q73 - t126;
+        const double strand_24_x = layer_1_x + t127;
+        const double strand_24_y_by_q73 = layer_1_y_by_q73 - t128;
+        const double strand_24_y = 0.014 - layer_1_y + t129;
+        const double strand_24_z_by_q73 = layer_1_z_by_q73 - t130;
+        const double strand_24_z = layer_1_z + t131;
+        const double t168 = strand_24_x * strand_24_x_by_q73 - strand_24_y * strand_24_y_by_q73
+            + strand_24_z * strand_24_z_by_q73;
+        const double t169 = strand_24_x * strand_24_x + strand_24_y * strand_24_y + strand_24_z
+            * strand_24_z;
+        const double length_24 = sinew_sqrt(t169);
+        const double t170 = 1.0 / length_24;
+        const double length_24_by_q73 = t168 * t170;
+        const double strand_24_x_by_q71 = layer_1_x_by_q71 - t131;
+        const double strand_24_z_by_q71 = layer_1_z_by_q71 - t127;
+        const double t171 = strand_24_x * strand_24_x_by_q71 - strand_24_y * layer_1_y_by_q71
+            - strand_24_z * strand_24_z_by_q71;
+        const double length_24_by_q71 = t171 * t170;
+        const double strand_23_x_by_q73 = layer_1_x_by_q73 - t116;
+        const double strand_23_x = layer_1_x + t117;
+        const double strand_23_y_by_q73 = layer_1_y_by_q73 - t118;
+        const double strand_23_y = 0.012 - layer_1_y + t119;
+        const double strand_23_z_by_q73 = layer_1_z_by_q73 - t120;
+        const double strand_23_z = layer_1_z + t121;
+        const double t172 = strand_23_x * strand_23_x_by_q73 - strand_23_y * strand_23_y_by_q73
+            + strand_23_z * strand_23_z_by_q73;
+        const double t173 = strand_23_x * strand_23_x + strand_23_y * strand_23_y + strand_23_z
+            * strand_23_z;
+        const double length_23 = sinew_sqrt(t173);
+        const double t174 = 1.0 / length_23;
+        const double length_23_by_q73 = t172 * t174;
+        const double strand_23_x_by_q71 = layer_1_x_by_q71 - t121;
+        const double strand_23_z_by_q71 = layer_1_z_by_q71 - t117;
+        const double t175 = strand_23_x * strand_23_x_by_q71 - strand_23_y * layer_1_y_by_q71
+            - strand_23_z * strand_23_z_by_q71;
+        const double length_23_by_q71 = t175 * t174;
+        const double strand_22_x_by_q73 = layer_1_x_by_q73 - t106;
+        const double strand_22_x = layer_1_x + t107;
+        const double strand_22_y_by_q73 = layer_1_y_by_q73 - t108;
+        const double strand_22_y = 0.011 - layer_1_y + t109;
+        const double strand_22_z_by_q73 = layer_1_z_by_q73 - t110;
+        const double strand_22_z = layer_1_z + t111;
+        const double t176 = strand_22_x * strand_22_x_by_q73 - strand_22_y * strand_22_y_by_q73
+            + strand_22_z * strand_22_z_by_q73;
+        const double t177 = strand_22_x * strand_22_x + strand_22_y * strand_22_y + strand_22_z
+            * strand_22_z;
+        const double length_22 = sinew_sqrt(t177);
+        const double t178 = 1.0 / length_22;
+        const double length_22_by_q73 = t176 * t178;
+        const double strand_22_x_by_q71 = layer_1_x_by_q71 - t111;
+        const double strand_22_z_by_q71 = layer_1_z_by_q71 - t107;
+        const double t179 = strand_22_x * strand_22_x_by_q71 - strand_22_y * layer_1_y_by_q71
+            - strand_22_z * strand_22_z_by_q71;
+        const double length_22_by_q71 = t179 * t178;
+        const double strand_21_x_by_q73 = layer_1_x_by_q73 - t96;
+        const double strand_21_x = layer_1_x + t97;
+        const double strand_21_y_by_q73 = layer_1_y_by_q73 - t98;
+        const double strand_21_y = 0.009 - layer_1_y + t99;
+        const double strand_21_z_by_q73 = layer_1_z_by_q73 - t100;
+        const double strand_21_z = layer_1_z + t101;
+        const double t180 = strand_21_x * strand_21_x_by_q73 - strand_21_y * strand_21_y_by_q73
+            + strand_21_z * strand_21_z_by_q73;
+        const double t181 = strand_21_x * strand_21_x + strand_21_y * strand_21_y + strand_21_z
+            * strand_21_z;
+        const double length_21 = sinew_sqrt(t181);
+        const double t182 = 1.0 / length_21;
+        const double length_21_by_q73 = t180 * t182;
+        const double strand_21_x_by_q71 = layer_1_x_by_q71 - t101;
+        const double strand_21_z_by_q71 = layer_1_z_by_q71 - t97;
+        const double t183 = strand_21_x * strand_21_x_by_q71 - strand_21_y * layer_1_y_by_q71
+            - strand_21_z * strand_21_z_by_q71;
+        const double length_21_by_q71 = t183 * t182;
+        const double strand_20_x_by_q73 = layer_1_x_by_q73 - t86;
+        const double strand_20_x = layer_1_x + t87;
+        const double strand_20_y_by_q73 = layer_1_y_by_q73 - t88;
+        const double strand_20_y = 0.007 - layer_1_y + t89;
+        const double strand_20_z_by_q73 = layer_1_z_by_q73 - t90;
+        const double strand_20_z = layer_1_z + t91;
+        const double t184 = strand_20_x * strand_20_x_by_q73 - strand_20_y * strand_20_y_by_q73
+            + strand_20_z * strand_20_z_by_q73;
+        const double t185 = strand_20_x * strand_20_x + strand_20_y * strand_20_y + strand_20_z
+            * strand_20_z;
+        const double length_20 = sinew_sqrt(t185);
+        const double t186 = 1.0 / length_20;
+        const double length_20_by_q73 = t184 * t186;
+        const double strand_20_x_by_q71 = layer_1_x_by_q71 - t91;
+        const double strand_20_z_by_q71 = layer_1_z_by_q71 - t87;
+        const double t187 = strand_20_x * strand_20_x_by_q71 - strand_20_y * layer_1_y_by_q71
+            - strand_20_z * strand_20_z_by_q71;
+        const double length_20_by_q71 = t187 * t186;
+        const double strand_19_x_by_q73 = layer_1_x_by_q73 - t76;
+        const double strand_19_x = layer_1_x + t77;
+        const double strand_19_y_by_q73 = layer_1_y_by_q73 - t78;
+        const double strand_19_y = 0.006 - layer_1_y + t79;
+        const double strand_19_z_by_q73 = layer_1_z_by_q73 - t80;
+        const double strand_19_z = layer_1_z + t81;
+        const double t188 = strand_19_x * strand_19_x_by_q73 - strand_19_y * strand_19_y_by_q73
+            + strand_19_z * strand_19_z_by_q73;
+        const double t189 = strand_19_x * strand_19_x + strand_19_y * strand_19_y + strand_19_z
+            * strand_19_z;
+        const double length_19 = sinew_sqrt(t189);
+        const double t190 = 1.0 / length_19;
+        const double length_19_by_q73 = t188 * t190;
+        const double strand_19_x_by_q71 = layer_1_x_by_q71 - t81;
+        const double strand_19_z_by_q71 = layer_1_z_by_q71 - t77;
+        const double t191 = strand_19_x * strand_19_x_by_q71 - strand_19_y * layer_1_y_by_q71
+            - strand_19_z * strand_19_z_by_q71;
+        const double length_19_by_q71 = t191 * t190;
+        const double layer_0_x_by_q73 = t27 + t28;
+        const double strand_18_x_by_q73 = layer_0_x_by_q73 + 0.018 * y_x_by_q73;
+        const double layer_0_x = t34 - t35;
+        const double t192 = 0.018 * y_x;
+        const double strand_18_x = layer_0_x - t192;
+        const double layer_0_y_by_q73 = t37 + t38;
+        const double strand_18_y_by_q73 = layer_0_y_by_q73 + 0.018 * u_y_by_q73;
+        const double layer_0_y = t41 - t42;
+        const double strand_18_y = 0.035 - layer_0_y - 0.018 * u_y;
+        const double layer_0_z_by_q73 = t44 + t45;
+        const double strand_18_z_by_q73 = layer_0_z_by_q73 + 0.018 * y_z_by_q73;
+        const double layer_0_z = 0.008 - origin_z - t51 - t52;
+        const double t193 = 0.018 * y_z;
+        const double strand_18_z = layer_0_z - t193;
+        const double t194 = strand_18_x * strand_18_x_by_q73 - strand_18_y * strand_18_y_by_q73
+            + strand_18_z * strand_18_z_by_q73;
+        const double t195 = strand_18_x * strand_18_x + strand_18_y * strand_18_y + strand_18_z
+            * strand_18_z;
+        const double length_18 = sinew_sqrt(t195);
+        const double t196 = 1.0 / length_18;
+        const double length_18_by_q73 = t194 * t196;
+        const double layer_0_x_by_q71 = t59 + t60;
+        const double strand_18_x_by_q71 = layer_0_x_by_q71 + t193;
+        const double layer_0_y_by_q71 = t61 - t62;
+        const double layer_0_z_by_q71 = t63 + t64;
+        const double strand_18_z_by_q71 = layer_0_z_by_q71 + t192;
+        const double t197 = strand_18_x * strand_18_x_by_q71 - strand_18_y * layer_0_y_by_q71
+            - strand_18_z * strand_18_z_by_q71;
+        const double length_18_by_q71 = t197 * t196;
+        const double strand_17_x_by_q73 = layer_0_x_by_q73 + t29;
+        const double strand_17_x = layer_0_x - t36;
+        const double strand_17_y_by_q73 = layer_0_y_by_q73 + t39;
+        const double strand_17_y = 0.034 - layer_0_y - t43;
+        const double strand_17_z_by_q73 = layer_0_z_by_q73 + t46;
+        const double strand_17_z = layer_0_z - t53;
+        const double t198 = strand_17_x * strand_17_x_by_q73 - strand_17_y * strand_17_y_by_q73
+            + strand_17_z * strand_17_z_by_q73;
+        const double t199 = strand_17_x * strand_17_x + strand_17_y * strand_17_y + strand_17_z
+            * strand_17_z;
+        const double length_17 = sinew_sqrt(t199);
+        const double t200 = 1.0 / length_17;
+        const double length_17_by_q73 = t198 * t200;
+        const double strand_17_x_by_q71 = layer_0_x_by_q71 + t53;
+        const double strand_17_z_by_q71 = layer_0_z_by_q71 + t36;
+        const double t201 = strand_17_x * strand_17_x_by_q71 - strand_17_y * layer_0_y_by_q71
+            - strand_17_z * strand_17_z_by_q71;
+        const double length_17_by_q71 = t201 * t200;
+        const double strand_16_x_by_q73 = layer_0_x_by_q73 + t66;
+        const double strand_16_x = layer_0_x - t67;
+        const double strand_16_y_by_q73 = layer_0_y_by_q73 + t68;
+        const double strand_16_y = 0.032 - layer_0_y - t69;
+        const double strand_16_z_by_q73 = layer_0_z_by_q73 + t70;
+        const double strand_16_z = layer_0_z - t71;
+        const double t202 = strand_16_x * strand_16_x_by_q73 - strand_16_y * strand_16_y_by_q73
+            + strand_16_z * strand_16_z_by_q73;
+        const double t203 = strand_16_x * strand_16_x + strand_16_y * strand_16_y + strand_16_z
+            * strand_16_z;
+        const double length_16 = sinew_sqrt(t203);
+        const double t204 = 1.0 / length_16;
+        const double length_16_by_q73 = t202 * t204;
+        const double strand_16_x_by_q71 = layer_0_x_by_q71 + t71;
+        const double strand_16_z_by_q71 = layer_0_z_by_q71 + t67;
+        const double t205 = strand_16_x * strand_16_x_by_q71 - strand_16_y * layer_0_y_by_q71
+            - strand_16_z * strand_16_z_by_q71;
+        const double length_16_by_q71 = t205 * t204;
+        const double strand_15_x_by_q73 = layer_0_x_by_q73 + t76;
+        const double strand_15_x = layer_0_x - t77;
+        const double strand_15_y_by_q73 = layer_0_y_by_q73 + t78;
+        const double strand_15_y = 0.031 - layer_0_y - t79;
+        const double strand_15_z_by_q73 = layer_0_z_by_q73 + t80;
+        const double strand_15_z = layer_0_z - t81;
+        const double t206 = strand_15_x * strand_15_x_by_q73 - strand_15_y * strand_15_y_by_q73
+            + strand_15_z * strand_15_z_by_q73;
+        const double t207 = strand_15_x * strand_15_x + strand_15_y * strand_15_y + strand_15_z
+            * strand_15_z;
+        const double length_15 = sinew_sqrt(t207);
+        const double t208 = 1.0 / length_15;
+        const double length_15_by_q73 = t206 * t208;
+        const double strand_15_x_by_q71 = layer_0_x_by_q71 + t81;
+        const double strand_15_z_by_q71 = layer_0_z_by_q71 + t77;
+        const double t209 = strand_15_x * strand_15_x_by_q71 - strand_15_y * layer_0_y_by_q71
+            - strand_15_z * strand_15_z_by_q71;
+        const double length_15_by_q71 = t209 * t208;
+        const double strand_14_x_by_q73 = layer_0_x_by_q73 + t86;
+        const double strand_14_x = layer_0_x - t87;
+        const double strand_14_y_by_q73 = layer_0_y_by_q73 + t88;
+        const double strand_14_y = 0.029 - layer_0_y - t89;
+        const double strand_14_z_by_q73 = layer_0_z_by_q73 + t90;
+        const double strand_14_z = layer_0_z - t91;
+        const double t210 = strand_14_x * strand_14_x_by_q73 - strand_14_y * strand_14_y_by_q73
+            + strand_14_z * strand_14_z_by_q73;
+        const double t211 = strand_14_x * strand_14_x + strand_14_y * strand_14_y + strand_14_z
+            * strand_14_z;
+        const double length_14 = sinew_sqrt(t211);
+        const double t212 = 1.0 / length_14;
+        const double length_14_by_q73 = t210 * t212;
+        const double strand_14_x_by_q71 = layer_0_x_by_q71 + t91;
+        const double strand_14_z_by_q71 = layer_0_z_by_q71 + t87;
+        const double t213 = strand_14_x * strand_14_x_by_q71 - strand_14_y * layer_0_y_by_q71
+            - strand_14_z * strand_14_z_by_q71;
+        const double length_14_by_q71 = t213 * t212;
+        const double strand_13_x_by_q73 = layer_0_x_by_q73 + t96;
+        const double strand_13_x = layer_0_x - t97;
+        const double strand_13_y_by_q73 = layer_0_y_by_q73 + t98;
+        const double strand_13_y = 0.027 - layer_0_y - t99;
+        const double strand_13_z_by_q73 = layer_0_z_by_q73 + t100;
+        const double strand_13_z = layer_0_z - t101;
+        const double t214 = strand_13_x * strand_13_x_by_q73 - strand_13_y * strand_13_y_by_q73
+            + strand_13_z * strand_13_z_by_q73;
+        const double t215 = strand_13_x * strand_13_x + strand_13_y * strand_13_y + strand_13_z
+            * strand_13_z;
+        const double length_13 = sinew_sqrt(t215);
+        const double t216 = 1.0 / length_13;
+        const double length_13_by_q73 = t214 * t216;
+        const double strand_13_x_by_q71 = layer_0_x_by_q71 + t101;
+        const double strand_13_z_by_q71 = layer_0_z_by_q71 + t97;
+        const double t217 = strand_13_x * strand_13_x_by_q71 - strand_13_y * layer_0_y_by_q71
+            - strand_13_z * strand_13_z_by_q71;
+        const double length_13_by_q71 = t217 * t216;
+        const double strand_12_x_by_q73 = layer_0_x_by_q73 + t106;
+        const double strand_12_x = layer_0_x - t107;
+        const double strand_12_y_by_q73 = layer_0_y_by_q73 + t108;
+        const double strand_12_y = 0.026 - layer_0_y - t109;
+        const double strand_12_z_by_q73 = layer_0_z_by_q73 + t110;
+        const double strand_12_z = layer_0_z - t111;
+        const double t218 = strand_12_x * strand_12_x_by_q73 - strand_12_y * strand_12_y_by_q73
+            + strand_12_z * strand_12_z_by_q73;
+        const double t219 = strand_12_x * strand_12_x + strand_12_y * strand_12_y + strand_12_z
+            * strand_12_z;
+        const double length_12 = sinew_sqrt(t219);
+        const double t220 = 1.0 / length_12;
+        const double length_12_by_q73 = t218 * t220;
+        const double strand_12_x_by_q71 = layer_0_x_by_q71 + t111;
+        const double strand_12_z_by_q71 = layer_0_z_by_q71 + t107;
+        const double t221 = strand_12_x * strand_12_x_by_q71 - strand_12_y * layer_0_y_by_q71
+            - strand_12_z * strand_12_z_by_q71;
+        const double length_12_by_q71 = t221 * t220;
+        const double strand_11_x_by_q73 = layer_0_x_by_q73 + t116;
+        const double strand_11_x = layer_0_x - t117;
+        const double strand_11_y_by_q73 = layer_0_y_by_q73 + t118;
+        const double strand_11_y = 0.024 - layer_0_y - t119;
+        const double strand_11_z_by_q73 = layer_0_z_by_q73 + t120;
+        const double strand_11_z = layer_0_z - t121;
+        const double t222 = strand_11_x * strand_11_x_by_q73 - strand_11_y * strand_11_y_by_q73
+            + strand_11_z * strand_11_z_by_q73;
+        const double t223 = strand_11_x * strand_11_x + strand_11_y * strand_11_y + strand_11_z
+            * strand_11_z;
+        const double length_11 = sinew_sqrt(t223);
+        const double t224 = 1.0 / length_11;
+        const double length_11_by_q73 = t222 * t224;
+        const double strand_11_x_by_q71 = layer_0_x_by_q71 + t121;
+        const double strand_11_z_by_q71 = layer_0_z_by_q71 + t117;
+        const double t225 = strand_11_x * strand_11_x_by_q71 - strand_11_y * layer_0_y_by_q71
+            - strand_11_z * strand_11_z_by_q71;
+        const double length_11_by_q71 = t225 * t224;
+        const double strand_10_x_by_q73 = layer_0_x_by_q73 + t126;
+        const double strand_10_x = layer_0_x - t127;
+        const double strand_10_y_by_q73 = layer_0_y_by_q73 + t128;
+        const double strand_10_y = 0.023 - layer_0_y - t129;
+        const double strand_10_z_by_q73 = layer_0_z_by_q73 + t130;
+        const double strand_10_z = layer_0_z - t131;
+        const double t226 = strand_10_x * strand_10_x_by_q73 - strand_10_y * strand_10_y_by_q73
+            + strand_10_z * strand_10_z_by_q73;
+        const double t227 = strand_10_x * strand_10_x + strand_10_y * strand_10_y + strand_10_z
+            * strand_10_z;
+        const double length_10 = sinew_sqrt(t227);
+        const double t228 = 1.0 / length_10;
+        const double length_10_by_q73 = t226 * t228;
+        const double strand_10_x_by_q71 = layer_0_x_by_q71 + t131;
+        const double strand_10_z_by_q71 = layer_0_z_by_q71 + t127;
+        const double t229 = strand_10_x * strand_10_x_by_q71 - strand_10_y * layer_0_y_by_q71
+            - strand_10_z * strand_10_z_by_q71;
+        const double length_10_by_q71 = t229 * t228;
+        const double strand_9_x_by_q73 = layer_0_x_by_q73 + t136;
+        const double strand_9_x = layer_0_x - t137;
+        const double strand_9_y_by_q73 = layer_0_y_by_q73 + t138;
+        const double strand_9_y = 0.021 - layer_0_y - t139;
+        const double strand_9_z_by_q73 = layer_0_z_by_q73 + t140;
+        const double strand_9_z = layer_0_z - t141;
+        const double t230 = strand_9_x * strand_9_x_by_q73 - strand_9_y * strand_9_y_by_q73
+            + strand_9_z * strand_9_z_by_q73;
+        const double t231 = strand_9_x * strand_9_x + strand_9_y * strand_9_y + strand_9_z
+            * strand_9_z;
+        const double length_9 = sinew_sqrt(t231);
+        const double t232 = 1.0 / length_9;
+        const double length_9_by_q73 = t230 * t232;
+        const double strand_9_x_by_q71 = layer_0_x_by_q71 + t141;
+        const double strand_9_z_by_q71 = layer_0_z_by_q71 + t137;
+        const double t233 = strand_9_x * strand_9_x_by_q71 - strand_9_y * layer_0_y_by_q71
+            - strand_9_z * strand_9_z_by_q71;
+        const double length_9_by_q71 = t233 * t232;
+        const double strand_8_x_by_q73 = layer_0_x_by_q73 + t146;
+        const double strand_8_x = layer_0_x - t147;
+        const double strand_8_y_by_q73 = layer_0_y_by_q73 + t148;
+        const double strand_8_y = 0.019 - layer_0_y - t149;
+        const double strand_8_z_by_q73 = layer_0_z_by_q73 + t150;
+        const double strand_8_z = layer_0_z - t151;
+        const double t234 = strand_8_x * strand_8_x_by_q73 - strand_8_y * strand_8_y_by_q73
+            + strand_8_z * strand_8_z_by_q73;
+        const double t235 = strand_8_x * strand_8_x + strand_8_y * strand_8_y + strand_8_z
+            * strand_8_z;
+        const double length_8 = sinew_sqrt(t235);
+        const double t236 = 1.0 / length_8;
+        const double length_8_by_q73 = t234 * t236;
+        const double strand_8_x_by_q71 = layer_0_x_by_q71 + t151;
+        const double strand_8_z_by_q71 = layer_0_z_by_q71 + t147;
+        const double t237 = strand_8_x * strand_8_x_by_q71 - strand_8_y * layer_0_y_by_q71
+            - strand_8_z * strand_8_z_by_q71;
+        const double length_8_by_q71 = t237 * t236;
+        const double strand_7_y = 0.018 - layer_0_y;
+        const double t238 = layer_0_x * layer_0_x_by_q73 + layer_0_z * layer_0_z_by_q73 - strand_7_y
+            * layer_0_y_by_q73;
+        const double length_7 = sinew_sqrt(layer_0_x * layer_0_x + layer_0_z * layer_0_z
+            + strand_7_y * strand_7_y);
+        const double t239 = 1.0 / length_7;
+        const double length_7_by_q73 = t238 * t239;
+        const double t240 = layer_0_x * layer_0_x_by_q71 - layer_0_z * layer_0_z_by_q71 - strand_7_y
+            * layer_0_y_by_q71;
+        const double length_7_by_q71 = t240 * t239;
+        const double strand_6_x_by_q73 = layer_0_x_by_q73 - t146;
+        const double strand_6_x = layer_0_x + t147;
+        const double strand_6_y_by_q73 = layer_0_y_by_q73 - t148;
+        const double strand_6_y = 0.016 - layer_0_y + t149;
+        const double strand_6_z_by_q73 = layer_0_z_by_q73 - t150;
+        const double strand_6_z = layer_0_z + t151;
+        const double t241 = strand_6_x * strand_6_x_by_q73 - strand_6_y * strand_6_y_by_q73
+            + strand_6_z * strand_6_z_by_q73;
+        const double t242 = strand_6_x * strand_6_x + strand_6_y * strand_6_y + strand_6_z
+            * strand_6_z;
+        const double length_6 = sinew_sqrt(t242);
+        const double t243 = 1.0 / length_6;
+        const double length_6_by_q73 = t241 * t243;
+        const double strand_6_x_by_q71 = layer_0_x_by_q71 - t151;
+        const double strand_6_z_by_q71 = layer_0_z_by_q71 - t147;
+        const double t244 = strand_6_x * strand_6_x_by_q71 - strand_6_y * layer_0_y_by_q71
+            - strand_6_z * strand_6_z_by_q71;
+        const double length_6_by_q71 = t244 * t243;
+        const double strand_5_x_by_q73 = layer_0_x_by_q73 - t136;
+        const double strand_5_x = layer_0_x + t137;
+        const double strand_5_y_by_q73 = layer_0_y_by_q73 - t138;
+        const double strand_5_y = 0.015 - layer_0_y + t139;
+        const double strand_5_z_by_q73 = layer_0_z_by_q73 - t140;
+        const double strand_5_z = layer_0_z + t141;
+        const double t245 = strand_5_x * strand_5_x_by_q73 - strand_5_y * strand_5_y_by_q73
+            + strand_5_z * strand_5_z_by_q73;
+        const double t246 = strand_5_x * strand_5_x + strand_5_y * strand_5_y + strand_5_z
+            * strand_5_z;
+        const double length_5 = sinew_sqrt(t246);
+        const double t247 = 1.0 / length_5;
+        const double length_5_by_q73 = t245 * t247;
+        const double strand_5_x_by_q71 = layer_0_x_by_q71 - t141;
+        const double strand_5_z_by_q71 = layer_0_z_by_q71 - t137;
+        const double t248 = strand_5_x * strand_5_x_by_q71 - strand_5_y * layer_0_y_by_q71
+            - strand_5_z * strand_5_z_by_q71;
+        const double length_5_by_q71 = t248 * t247;
+        const double strand_4_x_by_q73 = layer_0_x_by_q73 - t126;
+        const double strand_4_x = layer_0_x + t127;
+        const double strand_4_y_by_q73 = layer_0_y_by_q73 - t128;
+        const double strand_4_y = 0.013 - layer_0_y + t129;
+        const double strand_4_z_by_q73 = layer_0_z_by_q73 - t130;
+        const double strand_4_z = layer_0_z + t131;
+        const double t249 = strand_4_x * strand_4_x_by_q73 - strand_4_y * strand_4_y_by_q73
+            + strand_4_z * strand_4_z_by_q73;
+        const double t250 = strand_4_x * strand_4_x + strand_4_y * strand_4_y + strand_4_z
+            * strand_4_z;
+        const double length_4 = sinew_sqrt(t250);
+        const double t251 = 1.0 / length_4;
+        const double length_4_by_q73 = t249 * t251;
+        const double strand_4_x_by_q71 = layer_0_x_by_q71 - t131;
+        const double strand_4_z_by_q71 = layer_0_z_by_q71 - t127;
+        const double t252 = strand_4_x * strand_4_x_by_q71 - strand_4_y * layer_0_y_by_q71
+            - strand_4_z * strand_4_z_by_q71;
+        const double length_4_by_q71 = t252 * t251;
+        const double strand_3_x_by_q73 = layer_0_x_by_q73 - t116;
+        const double strand_3_x = layer_0_x + t117;
+        const double strand_3_y_by_q73 = layer_0_y_by_q73 - t118;
+        const double strand_3_y = 0.011 - layer_0_y + t119;
+        const double strand_3_z_by_q73 = layer_0_z_by_q73 - t120;
+        const double strand_3_z = layer_0_z + t121;
+        const double t253 = strand_3_x * strand_3_x_by_q73 - strand_3_y * strand_3_y_by_q73
+            + strand_3_z * strand_3_z_by_q73;
+        const double t254 = strand_3_x * strand_3_x + strand_3_y * strand_3_y + strand_3_z
+            * strand_3_z;
+        const double length_3 = sinew_sqrt(t254);
+        const double t255 = 1.0 / length_3;
+        const double length_3_by_q73 = t253 * t255;
+        const double strand_3_x_by_q71 = layer_0_x_by_q71 - t121;
+        const double strand_3_z_by_q71 = layer_0_z_by_q71 - t117;
+        const double t256 = strand_3_x * strand_3_x_by_q71 - strand_3_y * layer_0_y_by_q71
+            - strand_3_z * strand_3_z_by_q71;
+        const double length_3_by_q71 = t256 * t255;
+        const double strand_2_x_by_q73 = layer_0_x_by_q73 - t106;
+        const double strand_2_x = layer_0_x + t107;
+        const double strand_2_y_by_q73 = layer_0_y_by_q73 - t108;
+        const double strand_2_y = 0.01 - layer_0_y + t109;
+        const double strand_2_z_by_q73 = layer_0_z_by_q73 - t110;
+        const double strand_2_z = layer_0_z + t111;
+        const double t257 = strand_2_x * strand_2_x_by_q73 - strand_2_y * strand_2_y_by_q73
+            + strand_2_z * strand_2_z_by_q73;
+        const double t258 = strand_2_x * strand_2_x + strand_2_y * strand_2_y + strand_2_z
+            * strand_2_z;
+        const double length_2 = sinew_sqrt(t258);
+        const double t259 = 1.0 / length_2;
+        const double length_2_by_q73 = t257 * t259;
+        const double strand_2_x_by_q71 = layer_0_x_by_q71 - t111;
+        const double strand_2_z_by_q71 = layer_0_z_by_q71 - t107;
+        const double t260 = strand_2_x * strand_2_x_by_q71 - strand_2_y * layer_0_y_by_q71
+            - strand_2_z * strand_2_z_by_q71;
+        const double length_2_by_q71 = t260 * t259;
+        const double strand_1_x_by_q73 = layer_0_x_by_q73 - t96;
+        const double strand_1_x = layer_0_x + t97;
+        const double strand_1_y_by_q73 = layer_0_y_by_q73 - t98;
+        const double strand_1_y = 0.008 - layer_0_y + t99;
+        const double strand_1_z_by_q73 = layer_0_z_by_q73 - t100;
+        const double strand_1_z = layer_0_z + t101;
+        const double t261 = strand_1_x * strand_1_x_by_q73 - strand_1_y * strand_1_y_by_q73
+            + strand_1_z * strand_1_z_by_q73;
+        const double t262 = strand_1_x * strand_1_x + strand_1_y * strand_1_y + strand_1_z
+            * strand_1_z;
+        const double length_1 = sinew_sqrt(t262);
+        const double t263 = 1.0 / length_1;
+        const double length_1_by_q73 = t261 * t263;
+        const double strand_1_x_by_q71 = layer_0_x_by_q71 - t101;
+        const double strand_1_z_by_q71 = layer_0_z_by_q71 - t97;
+        const double t264 = strand_1_x * strand_1_x_by_q71 - strand_1_y * layer_0_y_by_q71
+            - strand_1_z * strand_1_z_by_q71;
+        const double length_1_by_q71 = t264 * t263;
+        const double strand_0_x_by_q73 = layer_0_x_by_q73 - t86;
+        const double strand_0_x = layer_0_x + t87;
+        const double strand_0_y_by_q73 = layer_0_y_by_q73 - t88;
+        const double strand_0_y = 0.007 - layer_0_y + t89;
+        const double strand_0_z_by_q73 = layer_0_z_by_q73 - t90;
+        const double strand_0_z = layer_0_z + t91;
+        const double t265 = strand_0_x * strand_0_x_by_q73 - strand_0_y * strand_0_y_by_q73
+            + strand_0_z * strand_0_z_by_q73;
+        const double t266 = strand_0_x * strand_0_x + strand_0_y * strand_0_y + strand_0_z
+            * strand_0_z;
+        const double length_0 = sinew_sqrt(t266);
+        const double t267 = 1.0 / length_0;
+        const double length_0_by_q73 = t265 * t267;
+        const double strand_0_x_by_q71 = layer_0_x_by_q71 - t91;
+        const double strand_0_z_by_q71 = layer_0_z_by_q71 - t87;
+        const double t268 = strand_0_x * strand_0_x_by_q71 - strand_0_y * layer_0_y_by_q71
+            - strand_0_z * strand_0_z_by_q71;
+        const double length_0_by_q71 = t268 * t267;
+        h[state] = length_0;
+        h[1 * n + state] = length_1;
+        h[2 * n + state] = length_2;
+        h[3 * n + state] = length_3;
+        h[4 * n + state] = length_4;
+        h[5 * n + state] = length_5;
+        h[6 * n + state] = length_6;
+        h[7 * n + state] = length_7;
+        h[8 * n + state] = length_8;
+        h[9 * n + state] = length_9;
+        h[10 * n + state] = length_10;
+        h[11 * n + state] = length_11;
+        h[12 * n + state] = length_12;
+        h[13 * n + state] = length_13;
+        h[14 * n + state] = length_14;
+        h[15 * n + state] = length_15;
+        h[16 * n + state] = length_16;
+        h[17 * n + state] = length_17;
+        h[18 * n + state] = length_18;
+        h[19 * n + state] = length_19;
+        h[20 * n + state] = length_20;
+        h[21 * n + state] = length_21;
+        h[22 * n + state] = length_22;
+        h[23 * n + state] = length_23;
+        h[24 * n + state] = length_24;
+        h[25 * n + state] = length_25;
+        h[26 * n + state] = length_26;
+        h[27 * n + state] = length_27;
+        h[28 * n + state] = length_28;
+        h[29 * n + state] = length_29;
+        h[30 * n + state] = length_30;
+        h[31 * n + state] = length_31;
+        h[32 * n + state] = length_32;
+        h[33 * n + state] = length_33;
+        h[34 * n + state] = length_34;
+        h[35 * n + state] = length_35;
+        h[36 * n + state] = length_36;
+        h[37 * n + state] = length_37;
+        P[state] = length_0_by_q71;
+        P[1 * n + state] = -length_0_by_q73;
+        P[2 * n + state] = length_1_by_q71;
+        P[3 * n + state] = -length_1_by_q73;
+        P[4 * n + state] = length_2_by_q71;
+        P[5 * n + state] = -length_2_by_q73;
+        P[6 * n + state] = length_3_by_q71;
+        P[7 * n + state] = -length_3_by_q73;
+        P[8 * n + state] = length_4_by_q71;
+        P[9 * n + state] = -length_4_by_q73;
+        P[10 * n + state] = length_5_by_q71;
+        P[11 * n + state] = -length_5_by_q73;
+        P[12 * n + state] = length_6_by_q71;
+        P[13 * n + state] = -length_6_by_q73;
+        P[14 * n + state] = length_7_by_q71;
+        P[15 * n + state] = -length_7_by_q73;
+        P[16 * n + state] = length_8_by_q71;
+        P[17 * n + state] = -length_8_by_q73;
+        P[18 * n + state] = length_9_by_q71;
+        P[19 * n + state] = -length_9_by_q73;
+        P[20 * n + state] = length_10_by_q71;
+        P[21 * n + state] = -length_10_by_q73;
+        P[22 * n + state] = length_11_by_q71;
+        P[23 * n + state] = -length_11_by_q73;
+        P[24 * n + state] = length_12_by_q71;
+        P[25 * n + state] = -length_12_by_q73;
+        P[26 * n + state] = length_13_by_q71;
+        P[27 * n + state] = -length_13_by_q73;
+        P[28 * n + state] = length_14_by_q71;
+        P[29 * n + state] = -length_14_by_q73;
+        P[30 * n + state] = length_15_by_q71;
+        P[31 * n + state] = -length_15_by_q73;
+        P[32 * n + state] = length_16_by_q71;
+        P[33 * n + state] = -length_16_by_q73;
+        P[34 * n + state] = length_17_by_q71;
+        P[35 * n + state] = -length_17_by_q73;
+        P[36 * n + state] = length_18_by_q71;
+        P[37 * n + state] = -length_18_by_q73;
+        P[38 * n + state] = length_19_by_q71;
+        P[39 * n + state] = -length_19_by_q73;
+        P[40 * n + state] = length_20_by_q71;
+        P[41 * n + state] = -length_20_by_q73;
+        P[42 * n + state] = length_21_by_q71;
+        P[43 * n + state] = -length_21_by_q73;
+        P[44 * n + state] = length_22_by_q71;
+        P[45 * n + state] = -length_22_by_q73;
+        P[46 * n + state] = length_23_by_q71;
+        P[47 * n + state] = -length_23_by_q73;
+        P[48 * n + state] = length_24_by_q71;
+        P[49 * n + state] = -length_24_by_q73;
+        P[50 * n + state] = length_25_by_q71;
+        P[51 * n + state] = -length_25_by_q73;
+        P[52 * n + state] = length_26_by_q71;
+        P[53 * n + state] = -length_26_by_q73;
+        P[54 * n + state] = length_27_by_q71;
+        P[55 * n + state] = -length_27_by_q73;
+        P[56 * n + state] = length_28_by_q71;
+        P[57 * n + state] = -length_28_by_q73;
+        P[58 * n + state] = length_29_by_q71;
+        P[59 * n + state] = -length_29_by_q73;
+        P[60 * n + state] = length_30_by_q71;
+        P[61 * n + state] = -length_30_by_q73;
+        P[62 * n + state] = length_31_by_q71;
+        P[63 * n + state] = -length_31_by_q73;
+        P[64 * n + state] = length_32_by_q71;
+        P[65 * n + state] = -length_32_by_q73;
+        P[66 * n + state] = length_33_by_q71;
+        P[67 * n + state] = -length_33_by_q73;
+        P[68 * n + state] = length_34_by_q71;
+        P[69 * n + state] = -length_34_by_q73;
+        P[70 * n + state] = length_35_by_q71;
+        P[71 * n + state] = -length_35_by_q73;
+        P[72 * n + state] = length_36_by_q71;
+        P[73 * n + state] = -length_36_by_q73;
+        P[74 * n + state] = length_37_by_q71;
+        P[75 * n + state] = -length_37_by_q73;
+    }
+}
+
+void hand_inverse_dynamics_batch(int count, const double *SINEW_RESTRICT q,
+    const double *SINEW_RESTRICT qd, const double *SINEW_RESTRICT qdd,
+    const double *SINEW_RESTRICT g, double *SINEW_RESTRICT tau)
+{
+    const size_t n = (size_t)count;
+    SINEW_STATES_ARE_INDEPENDENT
+    for (size_t state = 0; state < n; ++state) {
+        const double phi3 = q[1 * n + state] + q[2 * n + state];
+        const double phi4 = q[3 * n + state] + phi3;
+        const double phi3_2 = q[5 * n + state] + q[6 * n + state];
+        const double phi4_2 = q[7 * n + state] + phi3_2;
+        const double phi3_4 = q[9 * n + state] + q[10 * n + state];
+        const double phi4_4 = q[11 * n + state] + phi3_4;
+        const double phi3_6 = q[13 * n + state] + q[14 * n + state];
+        const double phi4_6 = phi3_6 + 1.2222222222222223 * q[14 * n + state];
+        const double phi3_8 = q[16 * n + state] + q[17 * n + state];
+        const double phi4_8 = phi3_8 + 1.2222222222222223 * q[17 * n + state];
+        double s2, c2;
+        sinew_sincos(q[1 * n + state], &s2, &c2);
+        double s3, c3;
+        sinew_sincos(phi3, &s3, &c3);
+        double s4, c4;
+        sinew_sincos(phi4, &s4, &c4);
+        double s1, c1;
+        sinew_sincos(q[state], &s1, &c1);
+        double s4_2, c4_2;
+        sinew_sincos(phi4_2, &s4_2, &c4_2);
+        double s3_2, c3_2;
+        sinew_sincos(phi3_2, &s3_2, &c3_2);
+        double s2_2, c2_2;
+        sinew_sincos(q[5 * n + state], &s2_2, &c2_2);
+        double s1_2, c1_2;
+        sinew_sincos(q[4 * n + state], &s1_2, &c1_2);
+        double s4_4, c4_4;
+        sinew_sincos(phi4_4, &s4_4, &c4_4);
+        double s3_4, c3_4;
+        sinew_sincos(phi3_4, &s3_4, &c3_4);
+        double s2_4, c2_4;
+        sinew_sincos(q[9 * n + state], &s2_4, &c2_4);
+        double s1_4, c1_4;
+        sinew_sincos(q[8 * n + state], &s1_4, &c1_4);
+        double s4_6, c4_6;
+        sinew_sincos(phi4_6, &s4_6, &c4_6);
+        double s3_6, c3_6;
+        sinew_sincos(phi3_6, &s3_6, &c3_6);
+        double s2_6, c2_6;
+        sinew_sincos(q[13 * n + state], &s2_6, &c2_6);
+        double s1_6, c1_6;
+        sinew_sincos(q[12 * n + state], &s1_6, &c1_6);
+        double s4_8, c4_8;
+        sinew_sincos(phi4_8, &s4_8, &c4_8);
+        double s3_8, c3_8;
+        sinew_sincos(phi3_8, &s3_8, &c3_8);
+        double s2_8, c2_8;
+        sinew_sincos(q[16 * n + state], &s2_8, &c2_8);
+        double s1_8, c1_8;
+        sinew_sincos(q[15 * n + state], &s1_8, &c1_8);
+        const double a1x_8 = g[12 * n + state] * c1_8 + g[13 * n + state] * s1_8;
+        const double w1zz_8 = qd[15 * n + state] * qd[15 * n + state];
+        const double b2x_6 = a1x_8 + 0.0048 * w1zz_8;
+        const double w2zz_8 = qd[16 * n + state] * qd[16 * n + state];
+        const double e2x_8 = qdd[16 * n + state] * s2_8 + c2_8 * w2zz_8;
+        const double a3x_8 = b2x_6 + 0.032304 * e2x_8;
+        const double w3z_8 = qd[16 * n + state] + qd[17 * n + state];
+        const double w3zz_8 = w3z_8 * w3z_8;
+        const double al3z_8 = qdd[16 * n + state] + qdd[17 * n + state];
+        const double e3x_8 = c3_8 * w3zz_8 + s3_8 * al3z_8;
+        const double a4x_8 = a3x_8 + 0.02384 * e3x_8;
+        const double j4y1_8 = 1.234944e-05 * s4_8;
+        const double e3y_8 = c3_8 * al3z_8 - s3_8 * w3zz_8;
+        const double e2y_8 = qdd[16 * n + state] * c2_8 - s2_8 * w2zz_8;
+        const double a3y_8 = g[14 * n + state] - 0.032304 * e2y_8;
+        const double a4y_8 = a3y_8 - 0.02384 * e3y_8;
+        const double j4x1_8 = 1.234944e-05 * c4_8;
+        const double al4z_8 = al3z_8 + 1.2222222222222223 * qdd[17 * n + state];
+        const double n4_8 = 1.462099968e-07 * al4z_8 - j4x1_8 * a4y_8 + j4y1_8 * a4x_8;
+        const double j3x1_8 = 7.323648000000001e-05 * c3_8;
+        const double j3y1_8 = 7.323648000000001e-05 * s3_8;
+        const double t1 = 1.2222222222222223 * qd[17 * n + state];
+        const double w4z_8 = w3z_8 + t1;
+        const double w4zz_8 = w4z_8 * w4z_8;
+        const double e4y_8 = c4_8 * al4z_8 - s4_8 * w4zz_8;
+        const double F4y_8 = 1.234944e-05 * e4y_8;
+        const double l4x_8 = 0.02384 * c3_8;
+        const double t2 = n4_8 + 1.482612736e-06 * al3z_8 - j3x1_8 * a3y_8 + j3y1_8 * a3x_8 + l4x_8
+            * F4y_8;
+        const double e4x_8 = c4_8 * w4zz_8 + s4_8 * al4z_8;
+        const double F4x_8 = 1.234944e-05 * e4x_8;
+        const double l4y_8 = 0.02384 * s3_8;
+        const double n3_8 = t2 + l4y_8 * F4x_8;
+        const double j4yz_6 = 5.2855603200000006e-08 * s4_8;
+        const double j3yz_6 = 2.2996254720000002e-07 * s3_8;
+        const double K3yz_6 = j3yz_6 + j4yz_6;
+        const double l3x_8 = 0.032304 * c2_8;
+        const double o4x_8 = l3x_8 + l4x_8;
+        const double j4u_8 = 1.185619968e-07 * c4_8;
+        const double j4xy_8 = s4_8 * j4u_8;
+        const double K4yx_8 = j4xy_8 + o4x_8 * j4y1_8;
+        const double j3u_8 = 1.427316736e-06 * c3_8;
+        const double j3xy_8 = s3_8 * j3u_8;
+        const double K3yx_8 = j3xy_8 + K4yx_8 + l3x_8 * j3y1_8 + l4y_8 * j4x1_8;
+        const double t3_8 = n3_8 + qdd[15 * n + state] * K3yz_6 + w1zz_8 * K3yx_8;
+        const double t4_8 = n4_8 + qdd[15 * n + state] * j4yz_6 + w1zz_8 * K4yx_8;
+        const double j2x1_8 = 0.000223285248 * c2_8;
+        const double t3 = n3_8 + 6.45303346786e-06 * qdd[16 * n + state] - g[14 * n + state]
+            * j2x1_8;
+        const double j2y1_8 = 0.000223285248 * s2_8;
+        const double F3y_8 = F4y_8 + 7.323648000000001e-05 * e3y_8;
+        const double F3x_8 = F4x_8 + 7.323648000000001e-05 * e3x_8;
+        const double l3y_8 = 0.032304 * s2_8;
+        const double n2_8 = t3 + b2x_6 * j2y1_8 + l3x_8 * F3y_8 + l3y_8 * F3x_8;
+        const double j2yz_6 = 4.1084485632e-07 * s2_8;
+        const double K2yz_6 = j2yz_6 + K3yz_6;
+        const double j2u_8 = 6.37008946786e-06 * c2_8;
+        const double j2xy_8 = s2_8 * j2u_8;
+        const double S3x_8 = j3x1_8 + j4x1_8;
+        const double K2yx_8 = j2xy_8 + K3yx_8 + l3y_8 * S3x_8;
+        const double t2_8 = n2_8 + qdd[15 * n + state] * K2yz_6 + w1zz_8 * K2yx_8;
+        const double R2yx_8 = qd[16 * n + state] * K2yx_8 + qd[17 * n + state] * K3yx_8 + t1
+            * K4yx_8;
+        const double w_2y_8 = qd[15 * n + state] + qd[15 * n + state];
+        const double t4 = c2_8 * j2u_8 + c3_8 * j3u_8 + c4_8 * j4u_8 + o4x_8 * j4x1_8 + l3x_8
+            * j3x1_8;
+        const double t5 = qdd[15 * n + state] * (t4 + l4x_8 * j4x1_8 + l3x_8 * S3x_8
+            + 4.3573002239999995e-07);
+        const double t6 = t5 + 5.2855603200000006e-08 * e4x_8 + 2.2996254720000002e-07 * e3x_8
+            + 4.1084485632e-07 * e2x_8;
+        const double S2x_8 = j2x1_8 + S3x_8;
+        const double a1y_8 = g[12 * n + state] * s1_8 - g[13 * n + state] * c1_8;
+        const double b2y_6 = a1y_8 + 0.0048 * qdd[15 * n + state];
+        const double t7 = t6 + b2y_6 * S2x_8 - w_2y_8 * R2yx_8 + 1.271808e-05 * a1x_8 + 4.66944e-05
+            * a1y_8;
+        const double S3y_8 = j3y1_8 + j4y1_8;
+        const double S2y_8 = j2y1_8 + S3y_8;
+        const double R2y_8 = qd[16 * n + state] * S2y_8 + qd[17 * n + state] * S3y_8 + t1 * j4y1_8;
+        const double P2z_8 = qdd[15 * n + state] * S2x_8 - w_2y_8 * R2y_8;
+        const double N1z_8 = t7 + 0.0048 * P2z_8;
+        const double a1x_6 = g[9 * n + state] * c1_6 + g[10 * n + state] * s1_6;
+        const double w1zz_6 = qd[12 * n + state] * qd[12 * n + state];
+        const double b2x_4 = a1x_6 + 0.006 * w1zz_6;
+        const double w2zz_6 = qd[13 * n + state] * qd[13 * n + state];
+        const double e2x_6 = qdd[13 * n + state] * s2_6 + c2_6 * w2zz_6;
+        const double a3x_6 = b2x_4 + 0.04038 * e2x_6;
+        const double w3z_6 = qd[13 * n + state] + qd[14 * n + state];
+        const double w3zz_6 = w3z_6 * w3z_6;
+        const double al3z_6 = qdd[13 * n + state] + qdd[14 * n + state];
+        const double e3x_6 = c3_6 * w3zz_6 + s3_6 * al3z_6;
+        const double a4x_6 = a3x_6 + 0.0298 * e3x_6;
+        const double j4y1_6 = 3.015e-05 * s4_6;
+        const double e3y_6 = c3_6 * al3z_6 - s3_6 * w3zz_6;
+        const double e2y_6 = qdd[13 * n + state] * c2_6 - s2_6 * w2zz_6;
+        const double a3y_6 = g[11 * n + state] - 0.04038 * e2y_6;
+        const double a4y_6 = a3y_6 - 0.0298 * e3y_6;
+        const double j4x1_6 = 3.015e-05 * c4_6;
+        const double al4z_6 = al3z_6 + 1.2222222222222223 * qdd[14 * n + state];
+        const double n4_6 = 4.3101e-07 * al4z_6 - j4x1_6 * a4y_6 + j4y1_6 * a4x_6;
+        const double j3x1_6 = 0.0001788 * c3_6;
+        const double j3y1_6 = 0.0001788 * s3_6;
+        const double t8 = 1.2222222222222223 * qd[14 * n + state];
+        const double w4z_6 = w3z_6 + t8;
+        const double w4zz_6 = w4z_6 * w4z_6;
+        const double e4y_6 = c4_6 * al4z_6 - s4_6 * w4zz_6;
+        const double F4y_6 = 3.015e-05 * e4y_6;
+        const double l4x_6 = 0.0298 * c3_6;
+        const double t9 = n4_6 + 4.4942e-06 * al3z_6 - j3x1_6 * a3y_6 + j3y1_6 * a3x_6 + l4x_6
+            * F4y_6;
+        const double e4x_6 = c4_6 * w4zz_6 + s4_6 * al4z_6;
+        const double F4x_6 = 3.015e-05 * e4x_6;
+        const double l4y_6 = 0.0298 * s3_6;
+        const double n3_6 = t9 + l4y_6 * F4x_6;
+        const double j4yz_4 = 1.613025e-07 * s4_6;
+        const double j3yz_4 = 7.0179e-07 * s3_6;
+        const double K3yz_4 = j3yz_4 + j4yz_4;
+        const double l3x_6 = 0.04038 * c2_6;
+        const double o4x_6 = l3x_6 + l4x_6;
+        const double j4u_6 = 3.7701e-07 * c4_6;
+        const double j4xy_6 = s4_6 * j4u_6;
+        const double K4yx_6 = j4xy_6 + o4x_6 * j4y1_6;
+        const double j3u_6 = 4.3862e-06 * c3_6;
+        const double j3xy_6 = s3_6 * j3u_6;
+        const double K3yx_6 = j3xy_6 + K4yx_6 + l3x_6 * j3y1_6 + l4y_6 * j4x1_6;
+        const double t3_6 = n3_6 + qdd[12 * n + state] * K3yz_4 + w1zz_6 * K3yx_6;
+        const double t4_6 = n4_6 + qdd[12 * n + state] * j4yz_4 + w1zz_6 * K4yx_6;
+        const double j2x1_6 = 0.00054513 * c2_6;
+        const double j2y1_6 = 0.00054513 * s2_6;
+        const double t10 = n3_6 + 1.96475328e-05 * qdd[13 * n + state] - g[11 * n + state] * j2x1_6
+            + b2x_4 * j2y1_6;
+        const double F3y_6 = F4y_6 + 0.0001788 * e3y_6;
+        const double F3x_6 = F4x_6 + 0.0001788 * e3x_6;
+        const double l3y_6 = 0.04038 * s2_6;
+        const double n2_6 = t10 + l3x_6 * F3y_6 + l3y_6 * F3x_6;
+        const double j2yz_4 = 1.253799e-06 * s2_6;
+        const double K2yz_4 = j2yz_4 + K3yz_4;
+        const double j2u_6 = 1.94855328e-05 * c2_6;
+        const double j2xy_6 = s2_6 * j2u_6;
+        const double S3x_6 = j3x1_6 + j4x1_6;
+        const double K2yx_6 = j2xy_6 + K3yx_6 + l3y_6 * S3x_6;
+        const double t2_6 = n2_6 + qdd[12 * n + state] * K2yz_4 + w1zz_6 * K2yx_6;
+        const double R2yx_6 = qd[13 * n + state] * K2yx_6 + qd[14 * n + state] * K3yx_6 + t8
+            * K4yx_6;
+        const double w_2y_6 = qd[12 * n + state] + qd[12 * n + state];
+        const double t11 = c2_6 * j2u_6 + c3_6 * j3u_6 + c4_6 * j4u_6 + o4x_6 * j4x1_6 + l3x_6
+            * j3x1_6;
+        const double t12 = qdd[12 * n + state] * (t11 + l4x_6 * j4x1_6 + l3x_6 * S3x_6
+            + 1.1373675000000002e-06);
+        const double S2x_6 = j2x1_6 + S3x_6;
+        const double a1y_6 = g[9 * n + state] * s1_6 - g[10 * n + state] * c1_6;
+        const double b2y_4 = a1y_6 + 0.006 * qdd[12 * n + state];
+        const double t13 = t12 + 1.613025e-07 * e4x_6 + 7.0179e-07 * e3x_6 + 1.253799e-06 * e2x_6
+            + b2y_4 * S2x_6;
+        const double S3y_6 = j3y1_6 + j4y1_6;
+        const double S2y_6 = j2y1_6 + S3y_6;
+        const double R2y_6 = qd[13 * n + state] * S2y_6 + qd[14 * n + state] * S3y_6 + t8 * j4y1_6;
+        const double P2z_6 = qdd[12 * n + state] * S2x_6 - w_2y_6 * R2y_6;
+        const double N1z_6 = t13 - w_2y_6 * R2yx_6 + 3.105e-05 * a1x_6 + 0.000114 * a1y_6 + 0.006
+            * P2z_6;
+        const double a1x_4 = g[6 * n + state] * c1_4 + g[7 * n + state] * s1_4;
+        const double w1zz_4 = qd[8 * n + state] * qd[8 * n + state];
+        const double b2x_2 = a1x_4 + 0.00648 * w1zz_4;
+        const double w2zz_4 = qd[9 * n + state] * qd[9 * n + state];
+        const double e2x_4 = qdd[9 * n + state] * s2_4 + c2_4 * w2zz_4;
+        const double a3x_4 = b2x_2 + 0.0436104 * e2x_4;
+        const double w3z_4 = qd[9 * n + state] + qd[10 * n + state];
+        const double w3zz_4 = w3z_4 * w3z_4;
+        const double al3z_4 = qdd[9 * n + state] + qdd[10 * n + state];
+        const double e3x_4 = c3_4 * w3zz_4 + s3_4 * al3z_4;
+        const double a4x_4 = a3x_4 + 0.032184 * e3x_4;
+        const double j4y1_4 = 4.101874214400001e-05 * s4_4;
+        const double e3y_4 = c3_4 * al3z_4 - s3_4 * w3zz_4;
+        const double e2y_4 = qdd[9 * n + state] * c2_4 - s2_4 * w2zz_4;
+        const double a3y_4 = g[8 * n + state] - 0.0436104 * e2y_4;
+        const double a4y_4 = a3y_4 - 0.032184 * e3y_4;
+        const double j4x1_4 = 4.101874214400001e-05 * c4_4;
+        const double al4z_4 = qdd[11 * n + state] + al3z_4;
+        const double n4_4 = 6.27635460330976e-07 * al4z_4 - j4x1_4 * a4y_4 + j4y1_4 * a4x_4;
+        const double j4yz_2 = 2.3700629210803204e-07 * s4_4;
+        const double l4x_4 = 0.032184 * c3_4;
+        const double l3x_4 = 0.0436104 * c2_4;
+        const double o4x_4 = l3x_4 + l4x_4;
+        const double j4u_4 = 5.59611012330976e-07 * c4_4;
+        const double j4xy_4 = s4_4 * j4u_4;
+        const double K4yx_4 = j4xy_4 + o4x_4 * j4y1_4;
+        const double t4_4 = n4_4 + qdd[8 * n + state] * j4yz_2 + w1zz_4 * K4yx_4;
+        const double j3x1_4 = 0.000243255426048 * c3_4;
+        const double j3y1_4 = 0.000243255426048 * s3_4;
+        const double w4z_4 = qd[11 * n + state] + w3z_4;
+        const double w4zz_4 = w4z_4 * w4z_4;
+        const double e4y_4 = c4_4 * al4z_4 - s4_4 * w4zz_4;
+        const double F4y_4 = 4.101874214400001e-05 * e4y_4;
+        const double t14 = n4_4 + 6.592134974646623e-06 * al3z_4 - j3x1_4 * a3y_4 + j3y1_4 * a3x_4
+            + l4x_4 * F4y_4;
+        const double e4x_4 = c4_4 * w4zz_4 + s4_4 * al4z_4;
+        const double F4x_4 = 4.101874214400001e-05 * e4x_4;
+        const double l4y_4 = 0.032184 * s3_4;
+        const double n3_4 = t14 + l4y_4 * F4x_4;
+        const double j3yz_2 = 1.031159751017472e-06 * s3_4;
+        const double K3yz_2 = j3yz_2 + j4yz_2;
+        const double j3u_4 = 6.456086078646624e-06 * c3_4;
+        const double j3xy_4 = s3_4 * j3u_4;
+        const double K3yx_4 = j3xy_4 + K4yx_4 + l3x_4 * j3y1_4 + l4y_4 * j4x1_4;
+        const double t3_4 = n3_4 + qdd[8 * n + state] * K3yz_2 + w1zz_4 * K3yx_4;
+        const double j2x1_4 = 0.0007416433467648001 * c2_4;
+        const double t15 = n3_4 + 2.8851692681126364e-05 * qdd[9 * n + state] - g[8 * n + state]
+            * j2x1_4;
+        const double j2y1_4 = 0.0007416433467648001 * s2_4;
+        const double F3y_4 = F4y_4 + 0.000243255426048 * e3y_4;
+        const double F3x_4 = F4x_4 + 0.000243255426048 * e3x_4;
+        const double l3y_4 = 0.0436104 * s2_4;
+        const double n2_4 = t15 + b2x_2 * j2y1_4 + l3x_4 * F3y_4 + l3y_4 * F3x_4;
+        const double j2yz_2 = 1.8422420733637633e-06 * s2_4;
+        const double K2yz_2 = j2yz_2 + K3yz_2;
+        const double j2u_4 = 2.8647619337126362e-05 * c2_4;
+        const double j2xy_4 = s2_4 * j2u_4;
+        const double S3x_4 = j3x1_4 + j4x1_4;
+        const double K2yx_4 = j2xy_4 + K3yx_4 + l3y_4 * S3x_4;
+        const double t2_4 = n2_4 + qdd[8 * n + state] * K2yz_2 + w1zz_4 * K2yx_4;
+        const double R2yx_4 = qd[9 * n + state] * K2yx_4 + qd[10 * n + state] * K3yx_4 + qd[11 * n
+            + state] * K4yx_4;
+        const double w_2y_4 = qd[8 * n + state] + qd[8 * n + state];
+        const double t16 = c2_4 * j2u_4 + c3_4 * j3u_4 + c4_4 * j4u_4 + o4x_4 * j4x1_4 + l3x_4
+            * j3x1_4;
+        const double t17 = qdd[8 * n + state] * (t16 + l4x_4 * j4x1_4 + l3x_4 * S3x_4
+            + 1.599477303123424e-06);
+        const double t18 = t17 + 2.3700629210803204e-07 * e4x_4 + 1.031159751017472e-06 * e3x_4
+            + 1.8422420733637633e-06 * e2x_4;
+        const double S2x_4 = j2x1_4 + S3x_4;
+        const double a1y_4 = g[6 * n + state] * s1_4 - g[7 * n + state] * c1_4;
+        const double b2y_2 = a1y_4 + 0.00648 * qdd[8 * n + state];
+        const double t19 = t18 + b2y_2 * S2x_4 - w_2y_4 * R2yx_4 + 4.2243182208000006e-05 * a1x_4
+            + 0.00015509574144 * a1y_4;
+        const double S3y_4 = j3y1_4 + j4y1_4;
+        const double S2y_4 = j2y1_4 + S3y_4;
+        const double R2y_4 = qd[9 * n + state] * S2y_4 + qd[10 * n + state] * S3y_4 + qd[11 * n
+            + state] * j4y1_4;
+        const double P2z_4 = qdd[8 * n + state] * S2x_4 - w_2y_4 * R2y_4;
+        const double N1z_4 = t19 + 0.00648 * P2z_4;
+        const double a1x_2 = g[3 * n + state] * c1_2 + g[4 * n + state] * s1_2;
+        const double w1zz_2 = qd[4 * n + state] * qd[4 * n + state];
+        const double b2x = a1x_2 + 0.006 * w1zz_2;
+        const double w2zz_2 = qd[5 * n + state] * qd[5 * n + state];
+        const double e2x_2 = qdd[5 * n + state] * s2_2 + c2_2 * w2zz_2;
+        const double a3x_2 = b2x + 0.04038 * e2x_2;
+        const double w3z_2 = qd[5 * n + state] + qd[6 * n + state];
+        const double w3zz_2 = w3z_2 * w3z_2;
+        const double al3z_2 = qdd[5 * n + state] + qdd[6 * n + state];
+        const double e3x_2 = c3_2 * w3zz_2 + s3_2 * al3z_2;
+        const double a4x_2 = a3x_2 + 0.0298 * e3x_2;
+        const double j4y1_2 = 3.015e-05 * s4_2;
+        const double e3y_2 = c3_2 * al3z_2 - s3_2 * w3zz_2;
+        const double e2y_2 = qdd[5 * n + state] * c2_2 - s2_2 * w2zz_2;
+        const double a3y_2 = g[5 * n + state] - 0.04038 * e2y_2;
+        const double a4y_2 = a3y_2 - 0.0298 * e3y_2;
+        const double j4x1_2 = 3.015e-05 * c4_2;
+        const double al4z_2 = qdd[7 * n + state] + al3z_2;
+        const double n4_2 = 4.3101e-07 * al4z_2 - j4x1_2 * a4y_2 + j4y1_2 * a4x_2;
+        const double j4yz = 1.613025e-07 * s4_2;
+        const double l4x_2 = 0.0298 * c3_2;
+        const double l3x_2 = 0.04038 * c2_2;
+        const double o4x_2 = l3x_2 + l4x_2;
+        const double j4u_2 = 3.7701e-07 * c4_2;
+        const double j4xy_2 = s4_2 * j4u_2;
+        const double K4yx_2 = j4xy_2 + o4x_2 * j4y1_2;
+        const double t4_2 = n4_2 + qdd[4 * n + state] * j4yz + w1zz_2 * K4yx_2;
+        const double j3x1_2 = 0.0001788 * c3_2;
+        const double j3y1_2 = 0.0001788 * s3_2;
+        const double w4z_2 = qd[7 * n + state] + w3z_2;
+        const double w4zz_2 = w4z_2 * w4z_2;
+        const double e4y_2 = c4_2 * al4z_2 - s4_2 * w4zz_2;
+        const double F4y_2 = 3.015e-05 * e4y_2;
+        const double t20 = n4_2 + 4.4942e-06 * al3z_2 - j3x1_2 * a3y_2 + j3y1_2 * a3x_2 + l4x_2
+            * F4y_2;
+        const double e4x_2 = c4_2 * w4zz_2 + s4_2 * al4z_2;
+        const double F4x_2 = 3.015e-05 * e4x_2;
+        const double l4y_2 = 0.0298 * s3_2;
+        const double n3_2 = t20 + l4y_2 * F4x_2;
+        const double j3yz = 7.0179e-07 * s3_2;
+        const double K3yz = j3yz + j4yz;
+        const double j3u_2 = 4.3862e-06 * c3_2;
+        const double j3xy_2 = s3_2 * j3u_2;
+        const double K3yx_2 = j3xy_2 + K4yx_2 + l3x_2 * j3y1_2 + l4y_2 * j4x1_2;
+        const double t3_2 = n3_2 + qdd[4 * n + state] * K3yz + w1zz_2 * K3yx_2;
+        const double j2x1_2 = 0.00054513 * c2_2;
+        const double j2y1_2 = 0.00054513 * s2_2;
+        const double t21 = n3_2 + 1.96475328e-05 * qdd[5 * n + state] - g[5 * n + state] * j2x1_2
+            + b2x * j2y1_2;
+        const double F3y_2 = F4y_2 + 0.0001788 * e3y_2;
+        const double F3x_2 = F4x_2 + 0.0001788 * e3x_2;
+        const double l3y_2 = 0.04038 * s2_2;
+        const double n2_2 = t21 + l3x_2 * F3y_2 + l3y_2 * F3x_2;
+        const double j2yz = 1.253799e-06 * s2_2;
+        const double K2yz = j2yz + K3yz;
+        const double j2u_2 = 1.94855328e-05 * c2_2;
+        const double j2xy_2 = s2_2 * j2u_2;
+        const double S3x_2 = j3x1_2 + j4x1_2;
+        const double K2yx_2 = j2xy_2 + K3yx_2 + l3y_2 * S3x_2;
+        const double t2_2 = n2_2 + qdd[4 * n + state] * K2yz + w1zz_2 * K2yx_2;
+        const double R2yx_2 = qd[5 * n + state] * K2yx_2 + qd[6 * n + state] * K3yx_2 + qd[7 * n
+            + state] * K4yx_2;
+        const double w_2y_2 = qd[4 * n + state] + qd[4 * n + state];
+        const double t22 = c2_2 * j2u_2 + c3_2 * j3u_2 + c4_2 * j4u_2 + o4x_2 * j4x1_2 + l3x_2
+            * j3x1_2;
+        const double t23 = qdd[4 * n + state] * (t22 + l4x_2 * j4x1_2 + l3x_2 * S3x_2
+            + 1.1373675000000002e-06);
+        const double S2x_2 = j2x1_2 + S3x_2;
+        const double a1y_2 = g[3 * n + state] * s1_2 - g[4 * n + state] * c1_2;
+        const double b2y = a1y_2 + 0.006 * qdd[4 * n + state];
+        const double t24 = t23 + 1.613025e-07 * e4x_2 + 7.0179e-07 * e3x_2 + 1.253799e-06 * e2x_2
+            + b2y * S2x_2;
+        const double S3y_2 = j3y1_2 + j4y1_2;
+        const double S2y_2 = j2y1_2 + S3y_2;
+        const double R2y_2 = qd[5 * n + state] * S2y_2 + qd[6 * n + state] * S3y_2 + qd[7 * n
+            + state] * j4y1_2;
+        const double P2z_2 = qdd[4 * n + state] * S2x_2 - w_2y_2 * R2y_2;
+        const double N1z_2 = t24 - w_2y_2 * R2yx_2 + 3.105e-05 * a1x_2 + 0.000114 * a1y_2 + 0.006
+            * P2z_2;
+        const double w3z = qd[1 * n + state] + qd[2 * n + state];
+        const double w3zz = w3z * w3z;
+        const double al3z = qdd[1 * n + state] + qdd[2 * n + state];
+        const double e3y = c3 * al3z - s3 * w3zz;
+        const double w2zz = qd[1 * n + state] * qd[1 * n + state];
+        const double e2y = qdd[1 * n + state] * c2 - s2 * w2zz;
+        const double a3y = g[2 * n + state] - 0.045 * e2y;
+        const double a4y = a3y - 0.0298 * e3y;
+        const double j4x1 = 3.015e-05 * c4;
+        const double al4z = qdd[3 * n + state] + al3z;
+        const double e2x = qdd[1 * n + state] * s2 + c2 * w2zz;
+        const double a1x = g[state] * c1 + g[1 * n + state] * s1;
+        const double a3x = a1x + 0.045 * e2x;
+        const double e3x = c3 * w3zz + s3 * al3z;
+        const double a4x = a3x + 0.0298 * e3x;
+        const double j4y1 = 3.015e-05 * s4;
+        const double n4 = 4.3101e-07 * al4z - j4x1 * a4y + j4y1 * a4x;
+        const double l4x = 0.0298 * c3;
+        const double l3x = 0.045 * c2;
+        const double o4x = l3x + l4x;
+        const double j4u = 3.7701e-07 * s4;
+        const double j4xy = c4 * j4u;
+        const double K4yx = j4xy + o4x * j4y1;
+        const double w1zz = qd[state] * qd[state];
+        const double t4_3 = n4 + w1zz * K4yx;
+        const double j3x1 = 0.0001788 * c3;
+        const double j3y1 = 0.0001788 * s3;
+        const double w4z = qd[3 * n + state] + w3z;
+        const double w4zz = w4z * w4z;
+        const double e4x = c4 * al4z - s4 * w4zz;
+        const double F4y = 3.015e-05 * e4x;
+        const double e4y = c4 * w4zz + s4 * al4z;
+        const double F4x = 3.015e-05 * e4y;
+        const double l4y = 0.0298 * s3;
+        const double n3 = n4 + 4.4942e-06 * al3z - j3x1 * a3y + j3y1 * a3x + l4x * F4y + l4y * F4x;
+        const double j3u = 4.3862e-06 * c3;
+        const double j3xy = s3 * j3u;
+        const double K3yx = j3xy + K4yx + l3x * j3y1 + l4y * j4x1;
+        const double t3_3 = n3 + w1zz * K3yx;
+        const double j2x1 = 0.0006075 * c2;
+        const double t25 = n3 + 2.4381e-05 * qdd[1 * n + state] - g[2 * n + state] * j2x1 + a1x
+            * 0.0006075 * s2;
+        const double F3y = F4y + 0.0001788 * e3y;
+        const double F3x = F4x + 0.0001788 * e3x;
+        const double l3y = 0.045 * s2;
+        const double j2u = 2.4218999999999996e-05 * c2;
+        const double j2xy = s2 * j2u;
+        const double S3x = j3x1 + j4x1;
+        const double K2yx = j2xy + K3yx + l3y * S3x;
+        const double t2_3 = t25 + l3x * F3y + l3y * F3x + w1zz * K2yx;
+        const double R2yx = qd[1 * n + state] * K2yx + qd[2 * n + state] * K3yx + qd[3 * n + state]
+            * K4yx;
+        const double w_2y = qd[state] + qd[state];
+        const double t26 = c2 * j2u + c3 * j3u - s4 * j4u + o4x * j4x1 + l3x * j3x1 + l4x * j4x1
+            + l3x * S3x;
+        const double S2x = j2x1 + S3x;
+        const double a1y = g[state] * s1 - g[1 * n + state] * c1;
+        const double N1z = qdd[state] * (t26 + 7.2501e-07) + a1y * S2x - w_2y * R2yx;
+        tau[state] = N1z;
+        tau[1 * n + state] = t2_3;
+        tau[2 * n + state] = t3_3;
+        tau[3 * n + state] = t4_3;
+        tau[4 * n + state] = N1z_2;
+        tau[5 * n + state] = t2_2;
+        tau[6 * n + state] = t3_2;
+        tau[7 * n + state] = t4_2;
+        tau[8 * n + state] = N1z_4;
+        tau[9 * n + state] = t2_4;
+        tau[10 * n + state] = t3_4;
+        tau[11 * n + state] = t4_4;
+        tau[12 * n + state] = N1z_6;
+        tau[13 * n + state] = t2_6;
+        tau[14 * n + state] = t3_6 + 1.2222222222222223 * t4_6;
+        tau[15 * n + state] = N1z_8;
+        tau[16 * n + state] = t2_8;
+        tau[17 * n + state] = t3_8 + 1.2222222222222223 * t4_8;
+    }
+}

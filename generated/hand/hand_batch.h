@@ -38,6 +38,11 @@ void hand_feedforward_batch(int count, const double *SINEW_RESTRICT q_wrist,
     double *SINEW_RESTRICT delta_theta);
 void hand_feedforward_rate_batch(int count, const double *SINEW_RESTRICT q_wrist,
     const double *SINEW_RESTRICT qd_wrist, double *SINEW_RESTRICT delta_theta_rate);
+void hand_wrist_passage_batch(int count, const double *SINEW_RESTRICT q_wrist,
+    double *SINEW_RESTRICT h, double *SINEW_RESTRICT P);
+void hand_inverse_dynamics_batch(int count, const double *SINEW_RESTRICT q,
+    const double *SINEW_RESTRICT qd, const double *SINEW_RESTRICT qdd,
+    const double *SINEW_RESTRICT g, double *SINEW_RESTRICT tau);
 
 #ifdef __cplusplus
 }

@@ -199,6 +199,54 @@ static const sinew_argument feedforward_rate_outputs[] = {
     {"delta_theta_rate", "rad/s", 38, 1, 0, 0},
 };
 
+static void call_wrist_passage(const void *in, void *out)
+{
+    const double *x = (const double *)in;
+    double *y = (double *)out;
+    hand_wrist_passage(x + 0, y + 0, y + 38);
+}
+static const double wrist_passage_q_wrist_low[] = {0.337, 0.725};
+static const double wrist_passage_q_wrist_high[] = {0.88, 1.269};
+static const sinew_argument wrist_passage_inputs[] = {
+    {"q_wrist", "rad", 2, 1, wrist_passage_q_wrist_low, wrist_passage_q_wrist_high},
+};
+static const sinew_argument wrist_passage_outputs[] = {
+    {"h", "m", 38, 1, 0, 0},
+    {"P", "m/rad", 38, 2, 0, 0},
+};
+
+static void call_inverse_dynamics(const void *in, void *out)
+{
+    const double *x = (const double *)in;
+    double *y = (double *)out;
+    hand_inverse_dynamics(x + 0, x + 18, x + 36, x + 54, y + 0);
+}
+static const double inverse_dynamics_q_low[] = {-0.6981317007977318, -0.6981317007977318, -0.2,
+    -0.2, -0.35, -0.2, -0.2, -0.2, -0.35, -0.2, -0.2, -0.2, -0.35, -0.2, -0.2, -0.35, -0.2, -0.2};
+static const double inverse_dynamics_q_high[] = {0.6981317007977318, 0.6981317007977318, 1.6, 1.6,
+    0.35, 1.6, 1.6, 1.6, 0.35, 1.6, 1.6, 1.6, 0.35, 1.6, 1.6, 0.35, 1.6, 1.6};
+static const double inverse_dynamics_qd_low[] = {-10.0, -10.0, -10.0, -10.0, -10.0, -10.0, -10.0,
+    -10.0, -10.0, -10.0, -10.0, -10.0, -10.0, -10.0, -10.0, -10.0, -10.0, -10.0};
+static const double inverse_dynamics_qd_high[] = {10.0, 10.0, 10.0, 10.0, 10.0, 10.0, 10.0, 10.0,
+    10.0, 10.0, 10.0, 10.0, 10.0, 10.0, 10.0, 10.0, 10.0, 10.0};
+static const double inverse_dynamics_qdd_low[] = {-100.0, -100.0, -100.0, -100.0, -100.0, -100.0,
+    -100.0, -100.0, -100.0, -100.0, -100.0, -100.0, -100.0, -100.0, -100.0, -100.0, -100.0, -100.0};
+static const double inverse_dynamics_qdd_high[] = {100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0,
+    100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0, 100.0};
+static const double inverse_dynamics_g_low[] = {-9.81, -9.81, -9.81, -9.81, -9.81, -9.81, -9.81,
+    -9.81, -9.81, -9.81, -9.81, -9.81, -9.81, -9.81, -9.81};
+static const double inverse_dynamics_g_high[] = {9.81, 9.81, 9.81, 9.81, 9.81, 9.81, 9.81, 9.81,
+    9.81, 9.81, 9.81, 9.81, 9.81, 9.81, 9.81};
+static const sinew_argument inverse_dynamics_inputs[] = {
+    {"q", "rad", 18, 1, inverse_dynamics_q_low, inverse_dynamics_q_high},
+    {"qd", "rad/s", 18, 1, inverse_dynamics_qd_low, inverse_dynamics_qd_high},
+    {"qdd", "rad/s^2", 18, 1, inverse_dynamics_qdd_low, inverse_dynamics_qdd_high},
+    {"g", "m/s^2", 5, 3, inverse_dynamics_g_low, inverse_dynamics_g_high},
+};
+static const sinew_argument inverse_dynamics_outputs[] = {
+    {"tau", "N m", 18, 1, 0, 0},
+};
+
 static const sinew_function functions[] = {
     {"hand_fingertips", 2, 2, 21, 160, fingertips_inputs, fingertips_outputs, call_fingertips},
     {"hand_finger_gravity", 3, 1, 24, 15, finger_gravity_inputs, finger_gravity_outputs,
@@ -214,7 +262,11 @@ static const sinew_function functions[] = {
     {"hand_feedforward", 1, 1, 2, 38, feedforward_inputs, feedforward_outputs, call_feedforward},
     {"hand_feedforward_rate", 2, 1, 4, 38, feedforward_rate_inputs, feedforward_rate_outputs,
         call_feedforward_rate},
+    {"hand_wrist_passage", 1, 2, 2, 114, wrist_passage_inputs, wrist_passage_outputs,
+        call_wrist_passage},
+    {"hand_inverse_dynamics", 4, 1, 69, 18, inverse_dynamics_inputs, inverse_dynamics_outputs,
+        call_inverse_dynamics},
 };
 
 const sinew_catalogue hand_catalogue = {"hand",
-    "149bfdb172c9db83c03fe3a5f8e740421544677e415df28801df6237951eb00f", 8, 8, functions};
+    "149bfdb172c9db83c03fe3a5f8e740421544677e415df28801df6237951eb00f", 8, 10, functions};

@@ -69,6 +69,7 @@ class TendonModel {
   TendonModel(const TendonWithLever& parameters, const std::filesystem::path& runtime);
 
   double free_angle() const { return parameters_.lever.free_angle; }
+  const LeverParameters& lever() const { return parameters_.lever; }
   /// `guess`: lever angles from which the emitted searches start. What a search leaves over goes
   /// into the force by the stiffness there, which is worth one more step of Newton's.
   void at(int count, const double* elongation, const double* guess, TendonStates& states) const;

@@ -86,6 +86,10 @@ ScenarioChannels channels_of(DriveMode mode, const std::vector<JointChannel>& jo
   }
   if (top == TopOfModel::commanded_wrist)
     for (const char* name : {"flexion", "abduction"}) channels.commands[name] = Dimension::angle;
+  // For a controller (simulation/loop): where it shall bring the joints.
+  if (top == TopOfModel::commanded_wrist && mode == DriveMode::torque)
+    for (const JointChannel& joint : joints)
+      channels.commands[joint.name + "_ref"] = joint.slides ? Dimension::length : Dimension::angle;
   if (top == TopOfModel::fingertip)
     for (const char* name : {"tip_force_x", "tip_force_y", "tip_force_z"})
       channels.commands[name] = Dimension::force;

@@ -122,6 +122,12 @@ class Plant {
   void derivative(double time, const double* y, double* dy) const;
   /// Without the gradients of gravity, Coriolis terms and bending.
   void jacobian(double time, const double* y, MotionJacobian& J) const;
+  /// Torques [N·m] on the motors from now on, on top of the commanded ones; one a motor, drive mode
+  /// torque. What a controller outside of the scenario gives.
+  void hold_torque(const Eigen::VectorXd& torque) {
+    held_torque_ = torque;
+    scratch_time_ = -1.0;
+  }
   /// To be called after each accepted step: the next lever searches start there.
   void accept(double time, const double* y);
   /// Where the drives' effects act through the instants before: `y` at `time` is the last one now,
@@ -198,6 +204,7 @@ class Plant {
   bool elastic_ = false;  ///< tendons with lever, not commanded forces
   Eigen::VectorXd initial_, closure_, guess_, no_force_;
   Eigen::VectorXd damping_;            ///< of the coordinates that have no drives [N·m·s/rad]
+  Eigen::VectorXd held_torque_;        ///< N·m, from outside; empty: none
   double step_ = 0.0;                  ///< s
   EffortHistory history_;              ///< torques of tendons, torques of motors, forces
   Eigen::VectorXd first_feedforward_;  ///< rad: motors start at 0 wherever the wrist starts

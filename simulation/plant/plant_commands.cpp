@@ -50,6 +50,7 @@ void Plant::take_motor_commands(double time, Evaluation& e) const {
     for (int i = 0; i < motors_; ++i)
       e.command_torque(i) =
           at(motor_command_[static_cast<std::size_t>(i)], time - delay_of(n_ + i)).value;
+    if (held_torque_.size() == motors_) e.command_torque += held_torque_;
     return;
   }
   if (wrist_now_.feedforward.size() > 0) {

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "symbolic/hand/hand.h"
 
-#include "symbolic/expressions/argument.h"
 #include "symbolic/dynamics/coordinates.h"
+#include "symbolic/expressions/argument.h"
+#include "symbolic/expressions/inline_function.h"
+#include "symbolic/hand/hand_dynamics.h"
 #include "symbolic/hand/hand_members.h"
 #include "symbolic/hand/hand_poses.h"
-#include "symbolic/expressions/inline_function.h"
 #include "symbolic/tendons/tendons.h"
 
 namespace sinew {
@@ -44,22 +45,6 @@ std::vector<ex> whole_coupling(HandStart& start) {
   for (std::size_t i = 0; i < start.channels(); ++i)
     for (std::size_t j = 0; j < 2; ++j) P[i * columns + start.coordinates() + j] = wrist[2 * i + j];
   return P;
-}
-
-Function hand_tendon_lengths(const Hand& hand) {
-  HandStart start(hand);
-  start.add_tendons();
-  std::vector<ex> h =
-      inlined(start.list, wrist_tendon_lengths(hand.wrist), start.wrist_inputs())[0];
-  for (const HandMember& member : start.members)
-    for (std::size_t t = 0; t < member.channels.size(); ++t)
-      h[static_cast<std::size_t>(member.channels[t])] += member.lengths[t];
-  return {"tendon_lengths",
-          "Path lengths of all tendons, wrist and finger together.",
-          "(5.1)",
-          {start.q, start.q_wrist},
-          start.list.items(),
-          {{"h", static_cast<int>(start.channels()), 1, h, "m", "by wrist channel"}}};
 }
 
 Function hand_coupling_matrix(const Hand& hand) {
@@ -177,10 +162,27 @@ std::vector<std::string> coordinate_names(const Hand& hand) {
   return names;
 }
 
+Function hand_tendon_lengths(const Hand& hand) {
+  HandStart start(hand);
+  start.add_tendons();
+  std::vector<ex> h =
+      inlined(start.list, wrist_tendon_lengths(hand.wrist), start.wrist_inputs())[0];
+  for (const HandMember& member : start.members)
+    for (std::size_t t = 0; t < member.channels.size(); ++t)
+      h[static_cast<std::size_t>(member.channels[t])] += member.lengths[t];
+  return {"tendon_lengths",
+          "Path lengths of all tendons, wrist and finger together.",
+          "(5.1)",
+          {start.q, start.q_wrist},
+          start.list.items(),
+          {{"h", static_cast<int>(start.channels()), 1, h, "m", "by wrist channel"}}};
+}
+
 std::vector<Function> hand_functions(const Hand& hand) {
-  return {hand_fingertips(hand),      hand_finger_gravity(hand),  hand_tendon_lengths(hand),
-          hand_coupling_matrix(hand), hand_joint_torque(hand),    hand_joint_stiffness(hand),
-          hand_feedforward(hand),     hand_feedforward_rate(hand)};
+  return {hand_fingertips(hand),      hand_finger_gravity(hand),   hand_tendon_lengths(hand),
+          hand_coupling_matrix(hand), hand_joint_torque(hand),     hand_joint_stiffness(hand),
+          hand_feedforward(hand),     hand_feedforward_rate(hand), hand_wrist_passage(hand),
+          hand_inverse_dynamics(hand)};
 }
 
 }  // namespace sinew

@@ -38,10 +38,14 @@ struct Hand {
 /// Names of the coordinates q, in order.
 std::vector<std::string> coordinate_names(const Hand& hand);
 
+/// tendon_lengths(q, q_wrist -> h): of wrist and finger together (5.1).
+Function hand_tendon_lengths(const Hand& hand);
+
 /// tendon_lengths(q, q_wrist -> h), coupling_matrix(-> P, channels x coordinates + 2),
 /// joint_torque(q, q_wrist, f -> tau), joint_stiffness(q, q_wrist, f, kt -> K),
 /// feedforward(q_wrist -> delta_theta), feedforward_rate(q_wrist, qd_wrist -> rate),
-/// fingertips(q, q_wrist -> in_palm, in_forearm), finger_gravity(q, q_wrist, gravity -> g).
+/// fingertips(q, q_wrist -> in_palm, in_forearm), finger_gravity(q, q_wrist, gravity -> g), and
+/// those of hand_dynamics.h.
 /// Throws std::invalid_argument unless every tendon has a channel and every channel one tendon.
 std::vector<Function> hand_functions(const Hand& hand);
 

@@ -68,8 +68,9 @@ TEST_CASE("the manual knows every command, and a shell completes them", "[usage]
   const Ended page = here.sinew({"manual"});
   const Ended bash = here.sinew({"manual", "--bash"}), zsh = here.sinew({"manual", "--zsh"});
   REQUIRE(page.status == 0);
-  for (const char* command : {"generate", "check", "cost", "dump", "import", "simulate", "identify",
-                              "diagnose", "effects", "figures", "report", "manual"}) {
+  for (const char* command :
+       {"generate", "check", "cost", "dump", "import", "parameters", "simulate", "identify",
+        "diagnose", "effects", "figures", "report", "manual"}) {
     CHECK(page.says(std::string("\n.SS ") + command + "\n"));
     CHECK(bash.says(std::string("    ") + command + ") words="));
     CHECK(zsh.says(std::string("'") + command + ":"));
