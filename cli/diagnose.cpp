@@ -42,7 +42,7 @@ struct DiagnoseOptions {
   std::vector<std::string> logs, holdout, map, constants;
   double band = 0.0, material = diagnosis::Settings{}.material_share;
   unsigned seed = 1;
-  bool dry_run = false, json = false, by_rules = false;
+  bool dry_run = false, json = false, by_likelihood = false;
 };
 
 /// One line that is written over, on a terminal only.
@@ -75,7 +75,7 @@ void set_common(const DiagnoseOptions& o, const ModelFolder& folder, Request& re
   request.settings.band_hz = o.band > 0.0 ? o.band : diagnosis::driven_band;
   request.settings.seed = o.seed;
   request.settings.material_share = o.material;
-  request.settings.by_likelihood = !o.by_rules;
+  request.settings.by_likelihood = o.by_likelihood;
 }
 
 DiagnoseRequest request_for(const DiagnoseOptions& o, const ModelFolder& folder) {
@@ -215,7 +215,10 @@ void add_diagnose_command(CLI::App& app, int& exit_status) {
                    "Share of a channel's rms: errors below are not told (0.001)")
       ->check(CLI::Range(0.0, 1.0));
   command->add_option("--seed", o->seed, "Of the surrogates and intervals");
-  command->add_flag("--rules", o->by_rules, "Decide by the former engine, to compare with");
+  command->add_flag(
+      "--likelihood", o->by_likelihood,
+      "Decide by one likelihood where channels have noise of their own: being measured "
+      "against the rules");
   command->add_option("--runtime", o->runtime, "Folder of the runtime's headers");
   command->add_flag("--dry-run", o->dry_run, "Leave the model as it is");
   command->add_flag("--json", o->json, "findings.json on standard output");

@@ -179,7 +179,7 @@ struct Settings {
   int most_causes = 8;      ///< or one a channel, where there are more channels
   int most_deviations = 6;  ///< the same
   unsigned seed = 1;
-  bool by_likelihood = true;  ///< one likelihood and one search, beside the rules
+  bool by_likelihood = false;  ///< one likelihood and one search instead of the rules
 };
 
 }  // namespace sinew::diagnosis
