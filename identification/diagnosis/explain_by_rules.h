@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // From recordings and candidates to a verdict, by screening, selection and the rules that grew
-// around them: for comparison.
+// around them.
 #pragma once
 
 #include "identification/diagnosis/explanation.h"
