@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The noise's spectrum from bins of which a fit took a part.
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <random>
+
+#include "identification/likelihood/noise_spectrum_fit.h"
+
+namespace {
+
+using namespace sinew::diagnosis;
+
+constexpr double band = 60.0;
+
+double true_spectrum(double frequency) {
+  return 3.0 / (1.0 + std::pow(frequency / 12.0, 2.0)) + 0.2;
+}
+
+/// Bins of noise; the first `fitted` of them have kept a quarter of their rows.
+std::vector<BinEnergy> drawn(int count, int fitted, unsigned seed) {
+  std::mt19937_64 random(seed);
+  std::vector<BinEnergy> bins;
+  for (int b = 0; b < count; ++b) {
+    const double frequency = band * (b + 0.5) / count, freedom = b < fitted ? 0.5 : 2.0;
+    std::gamma_distribution<double> energy(0.5 * freedom, 2.0 * true_spectrum(frequency));
+    bins.push_back({frequency, energy(random), freedom});
+  }
+  return bins;
+}
+
+double worst(const SmoothSpectrum& spectrum) {
+  double most = 0.0;
+  for (double f = 1.0; f < band; f += 1.0)
+    most = std::max(most, std::abs(std::log(spectrum.at(f) / true_spectrum(f))));
+  return most;
+}
+
+}  // namespace
+
+// Seen red with the leverage left out: what the fit took of the lowest bins counted as no noise.
+TEST_CASE("the spectrum is that of the noise, whatever a fit has taken of it") {
+  CHECK(worst(fit_spectrum(drawn(4000, 0, 1), band)) < 0.25);
+  CHECK(worst(fit_spectrum(drawn(4000, 400, 2), band)) < 0.25);
+  std::vector<BinEnergy> forgotten = drawn(4000, 400, 2);
+  for (BinEnergy& bin : forgotten) bin.freedom = 2.0;
+  CHECK(worst(fit_spectrum(forgotten, band)) > 0.5);
+}
+
+TEST_CASE("a hum is no noise") {
+  std::vector<BinEnergy> bins = drawn(4000, 0, 3);
+  bins[1700].energy = bins[1701].energy = 1e5;
+  CHECK(worst(fit_spectrum(bins, band)) < 0.3);
+}
