@@ -53,7 +53,7 @@ std::string after_first_line(const std::string& text) {
 /// Of commands whose results are files; a command that only prints has nothing to be quiet about.
 void add_quiet_options(CLI::App& app) {
   for (const char* name : {"generate", "check", "import", "simulate", "identify", "diagnose",
-                           "figures", "channels", "report"})
+                           "figures", "channels", "parameters", "report"})
     app.get_subcommand(name)->add_flag_callback("--quiet", sinew::be_quiet,
                                                 "Say nothing but warnings and errors");
 }
