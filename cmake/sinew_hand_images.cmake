@@ -71,7 +71,7 @@ foreach(kind short.toml real_time.toml)
   endif()
   add_test(NAME ${test}
     COMMAND ${PROJECT_SOURCE_DIR}/tests/firmware/board_loop ${SINEW_BOARD} $<TARGET_FILE:hand_main>
-      ${PROJECT_SOURCE_DIR}/build/release/simulation/sinew_fpga_side ${scenario}
+      ${PROJECT_SOURCE_DIR}/build/release/cli/sinew_fpga_side ${scenario}
       ${CMAKE_CURRENT_BINARY_DIR}/${kind}.csv)
   # Half a minute each, of which the most is the simulated hand being compiled.
   set_tests_properties(${test} PROPERTIES TIMEOUT 600 SKIP_RETURN_CODE 77 LABELS "slow;thorough")
@@ -81,7 +81,7 @@ endforeach()
 set(test "${SINEW_BOARD}: hidden friction is named from the board's log")
 add_test(NAME ${test}
   COMMAND ${PROJECT_SOURCE_DIR}/tests/firmware/hidden_effect ${SINEW_BOARD} $<TARGET_FILE:hand_main>
-    ${PROJECT_SOURCE_DIR}/build/release/simulation/sinew_fpga_side
+    ${PROJECT_SOURCE_DIR}/build/release/cli/sinew_fpga_side
     ${PROJECT_SOURCE_DIR}/build/release/cli/sinew ${CMAKE_CURRENT_BINARY_DIR}/hidden_effect)
 # Minutes: four runs of a second under the emulator, two diagnoses.
 set_tests_properties(${test} PROPERTIES TIMEOUT 3000 SKIP_RETURN_CODE 77 LABELS "slow;thorough")

@@ -20,6 +20,9 @@ std::string first_bytes(const std::string& path) {
   std::string bytes(128, '\0');
   if (!file) return "";  // told where it is opened as text
   bytes.resize(std::fread(bytes.data(), 1, bytes.size(), file.get()));
+  if (std::ferror(file.get()) != 0)
+    throw std::runtime_error(fmt::format(
+        "{}:0:0: cannot be read to its end; expected a readable file", readable_line(path)));
   return bytes;
 }
 

@@ -17,6 +17,7 @@
 #include <string>
 #include <thread>
 
+#include "cli/terminal/terminal.h"
 #include "firmware/mailbox.h"
 #include "simulation/loop/hand_sensors.h"
 #include "simulation/plant/write_rows.h"
@@ -131,7 +132,7 @@ int run(char** words) {
     log.drain(box);
   box.control.command = MAILBOX_LOCKSTEP | MAILBOX_STOP;
   log.finish();
-  fmt::print(
+  tell(
       "{} frames answered, {} recorded, status {:#x}, joints off by {:.4f} rad at most; torn {}, "
       "skipped {}, "
       "repeated {}, overruns {}, longest {}\n",
@@ -144,12 +145,11 @@ int run(char** words) {
 
 int main(int count, char** words) try {
   if (count != 7) {
-    fmt::print(stderr,
-               "usage: fpga_side <model> <scenario> <memory file> <offset> <runtime> <log.csv>\n");
+    sinew::warn("usage: fpga_side <model> <scenario> <memory file> <offset> <runtime> <log.csv>\n");
     return 2;
   }
   return run(words);
 } catch (const std::exception& error) {
-  fmt::print(stderr, "fpga_side: {}\n", error.what());
+  sinew::warn("fpga_side: {}\n", error.what());
   return 1;
 }
