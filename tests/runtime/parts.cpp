@@ -94,6 +94,8 @@ TEST_CASE("small systems are solved as Eigen solves them", "[parts]") {
   double singular[4] = {1.0, 0.0, 2.0, 4.0}, x[2] = {1.0, 1.0};
   CHECK(sinew_solve(singular, 2, 1e-12, x, x) == 1);
   CHECK((sinew_is_finite(x[0]) && sinew_is_finite(x[1])));
+  double small[1] = {1e-6};
+  CHECK(sinew_factorise(small, 1, 1e-5) == 1);
   double no_number[1] = {no_value};
   CHECK(sinew_factorise(no_number, 1, 1e-12) == 1);
 }
@@ -150,7 +152,7 @@ TEST_CASE("a bad sample gives the last good value, then the safe one, and leaves
   }
 }
 
-// Seen red with the count started anew at every good tick, and with > for >=.
+// Seen red with the count of equal samples never growing, and with > for >=.
 TEST_CASE("a value that stays for too long is frozen, and one that moves is not", "[parts]") {
   Channel c(1.0);
   c.tick(1.5);
