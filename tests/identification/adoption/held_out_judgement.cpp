@@ -11,7 +11,7 @@ TEST_CASE("a name stands where its gain on held-out logs is surely one") {
     NamedCause c;
     c.members.emplace_back();
     c.members.front().name = name;
-    c.held_out = gain;
+    c.confirmed = gain;
     return c;
   };
   Verdict verdict;

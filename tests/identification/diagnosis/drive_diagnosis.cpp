@@ -6,9 +6,8 @@
 #include "tests/identification/diagnosis/drive_candidates.h"
 
 namespace sinew::test {
-namespace {
 
-Explanation diagnosed(const SyntheticDrive& drive, unsigned seed, bool by_likelihood) {
+Explanation diagnose_drive(const SyntheticDrive& drive, unsigned seed) {
   Problem problem;
   problem.training = {drive.log};
   DriveScales scales = drive_scales(problem.training);
@@ -17,21 +16,10 @@ Explanation diagnosed(const SyntheticDrive& drive, unsigned seed, bool by_likeli
   Settings settings;
   settings.edge_s = 0.2;
   settings.seed = seed;
-  settings.by_likelihood = by_likelihood;
   problem.baseline = drive_baseline(scales);
   scales.presliding = fitted_presliding(problem.training, scales, settings);
   problem.library = drive_library(scales);
   return explain(problem, settings);
-}
-
-}  // namespace
-
-Explanation diagnose_drive(const SyntheticDrive& drive, unsigned seed) {
-  return diagnosed(drive, seed, false);
-}
-
-Explanation diagnose_drive_by_likelihood(const SyntheticDrive& drive, unsigned seed) {
-  return diagnosed(drive, seed, true);
 }
 
 bool is_member(const NamedCause& cause, const std::string& name) {

@@ -12,7 +12,6 @@ namespace sinew::test {
 
 /// Diagnoses a simulated drive.
 Explanation diagnose_drive(const SyntheticDrive& drive, unsigned seed);
-Explanation diagnose_drive_by_likelihood(const SyntheticDrive& drive, unsigned seed);
 
 /// True where a cause has a member of that name.
 bool is_member(const NamedCause& cause, const std::string& name);
