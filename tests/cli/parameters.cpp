@@ -16,8 +16,6 @@ void copy_models(const Workplace& here) {
 
 }  // namespace
 
-// Seen red with one digit of the committed table changed, and with another pretension in
-// models/hand/real_time.toml.
 TEST_CASE("the committed table of the hand's step is what the model gives", "[parameters]") {
   const Workplace here;
   copy_models(here);

@@ -62,7 +62,6 @@ bool all_finite(const hand_output& out) {
 
 }  // namespace
 
-// Seen red with a finger's gravity taken from the row of the finger before it.
 TEST_CASE("the hand's inverse dynamics is that of its fingers", "[hand_step]") {
   std::mt19937_64 random(5);
   std::uniform_real_distribution<double> share(-1.0, 1.0);
@@ -105,8 +104,7 @@ TEST_CASE("lengths and couplings through the wrist are the wrist's", "[hand_step
   CHECK(largest_difference(P, own_P, 2 * HAND_TENDONS) < 1e-15);
 }
 
-// Seen red with the sign of R theta turned, with the wrist's length left out, and with the channels
-// of two fingers exchanged in the table.
+// Seen red with the sign of R theta turned, and with the wrist's length left out.
 TEST_CASE("hand_step finds the state behind the sensors", "[hand_step]") {
   for (unsigned seed = 1; seed <= 20; ++seed) {
     const HandAt at = drawn(seed);
@@ -129,7 +127,8 @@ TEST_CASE("hand_step finds the state behind the sensors", "[hand_step]") {
   }
 }
 
-// Seen red with the polynomial's last coefficient left out, and with the tendon's own softness.
+// Seen red with the polynomial's last coefficient left out, and with the tendon's own softness
+// put in series.
 TEST_CASE("stiffness is the derivative of the force along the elongation", "[hand_step]") {
   for (const double count : {300.0, 1500.0, 2600.0, 3800.0}) {
     std::array<double, HAND_TENDONS> counts;
@@ -147,7 +146,7 @@ TEST_CASE("stiffness is the derivative of the force along the elongation", "[han
   }
 }
 
-// Seen red with the rates taken from the tick before the last.
+// Seen red with rates that are 1 % off.
 TEST_CASE("the wrist's rates are those of its lengths", "[hand_step]") {
   const HandAt at = drawn(4, 0.3);
   Running hand(at);
@@ -168,7 +167,7 @@ TEST_CASE("the wrist's rates are those of its lengths", "[hand_step]") {
   }
 }
 
-// Seen red with the distribution's sign turned, and with the stretch left out.
+// Seen red with the feedforward's sign turned.
 TEST_CASE("the motors' references hold the wanted posture", "[hand_step]") {
   HandAt at = drawn(7, 0.5);
   std::array<double, HAND_TENDONS> counts;
@@ -192,7 +191,6 @@ TEST_CASE("the motors' references hold the wanted posture", "[hand_step]") {
   CHECK(largest_difference(hand.out.joint_feedforward, expected, HAND_JOINTS) < 1e-9);
 }
 
-// Seen red with the last tick's output used as state: a NaN stayed for ever.
 TEST_CASE("one bad sample changes one tick and none after it", "[hand_step]") {
   const HandAt at = drawn(11);
   for (const double bad : {no_value, 1e308, -1.0, std::numeric_limits<double>::infinity()}) {
@@ -224,7 +222,7 @@ TEST_CASE("one bad sample changes one tick and none after it", "[hand_step]") {
   }
 }
 
-// Seen red with hold_ticks ignored, and with the torque of the other motors of the finger kept.
+// Seen red with the torque of the finger's motors kept, and with the finger not told as unsafe.
 TEST_CASE("a lost sensor makes its finger safe after the stated time, and it comes back",
           "[hand_step]") {
   std::array<double, HAND_TENDONS> counts;
