@@ -36,7 +36,8 @@ constexpr std::string_view standard_headers =
     "wordexp ";
 
 // The runtime's headers all begin with sinew_; these are of the boards' programs (firmware/).
-constexpr std::string_view board_headers = " console equality evaluation port semihosting states ";
+constexpr std::string_view board_headers =
+    " console equality evaluation exchange hand_loop mailbox port semihosting states ";
 
 constexpr std::array<std::string_view, 2> emitted_endings{"_batch", "_catalogue"};
 
