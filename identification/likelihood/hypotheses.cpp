@@ -68,17 +68,6 @@ void share_priors(std::vector<Hypothesis>& list) {
   for (Hypothesis& h : list) h.log_prior -= std::log(forms[{h.source->name, h.source->place}]);
 }
 
-/// A shape's columns; none where most of their energy lies above the band: what is left of it below
-/// is noise of the position that they are made from.
-BandColumns seen_columns(const Design& design, const Candidate& source, const VectorXd& nonlinear) {
-  constexpr double kInBand = 0.5;
-  double in_band = 1.0;
-  BandColumns columns = design.columns(source, nonlinear, 0, &in_band);
-  if (in_band < kInBand && !source.broadband)
-    for (Eigen::MatrixXd& part : columns) part.resize(part.rows(), 0);
-  return columns;
-}
-
 /// A delay's column is the rate of what the model says.
 BandColumns delay_of_model(const Design& design, const Model& base, const Candidate& delay) {
   const VectorXd coefficients = solve(stack(base, even_weights(design))).coefficients;
@@ -119,8 +108,8 @@ Hypotheses make_hypotheses(const Design& design, const Model& baseline) {
   tbb::parallel_for(0, static_cast<int>(all.shapes.size()), [&](int i) {
     Shape& shape = all.shapes[static_cast<std::size_t>(i)];
     if (shape.columns.empty())
-      shape.columns = seen_columns(
-          design, *all.list[static_cast<std::size_t>(shape.hypothesis)].source, shape.nonlinear);
+      shape.columns = design.columns(*all.list[static_cast<std::size_t>(shape.hypothesis)].source,
+                                     shape.nonlinear);
   });
   return all;
 }
@@ -128,7 +117,7 @@ Hypotheses make_hypotheses(const Design& design, const Model& baseline) {
 void add_shape(const Design& design, int hypothesis, const VectorXd& nonlinear, Hypotheses& all) {
   Hypothesis& h = all.list[static_cast<std::size_t>(hypothesis)];
   h.shapes.push_back(static_cast<int>(all.shapes.size()));
-  all.shapes.push_back({hypothesis, nonlinear, seen_columns(design, *h.source, nonlinear), {}});
+  all.shapes.push_back({hypothesis, nonlinear, design.columns(*h.source, nonlinear), {}});
 }
 
 Term term_of(const Hypotheses& all, int shape) {

@@ -43,10 +43,6 @@ struct Rival {
   double probability = 0.0;  ///< among all rivals and nothing
 };
 
-/// Shares of its size by which the form of a cause may be off: friction's curves, drifts and
-/// springs of one name differ by 3 to 30 %.
-inline constexpr double kFormErrors[] = {0.03, 0.1, 0.3};
-
 class SlotSearch {
  public:
   /// `most`: slots at most. `banned`: hypotheses that are not to be taken.

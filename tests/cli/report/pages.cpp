@@ -160,7 +160,7 @@ TEST_CASE("pages of models and runs can be used on a desk and on a phone, in lig
   CHECK(shown.seen["motor_run"]["plots"].get<int>() >= 5);
 }
 
-TEST_CASE("the complete hand is shown within a second", "[slow]") {
+TEST_CASE("the complete hand is shown within a second", "[slow][thorough]") {
   if (no_browser()) return;
   const Workplace here;
   const std::string page = page_of(here, "hand");

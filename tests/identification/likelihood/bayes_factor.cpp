@@ -51,7 +51,6 @@ double averaged(double gram, double target, double low, double high) {
 
 }  // namespace
 
-// Seen red with the determinant's factor left out, and with the limits taken from the prior alone.
 TEST_CASE("a Bayes factor is the mean likelihood over the prior") {
   for (const double target : {0.0, 15.0, -40.0}) {
     CHECK(bayes_factor_of(one_column(400.0, target, -infinite, infinite)).logarithm ==

@@ -37,7 +37,7 @@ double worst(const SmoothSpectrum& spectrum) {
 
 }  // namespace
 
-// Seen red with the leverage left out: what the fit took of the lowest bins counted as no noise.
+// The last check plants the defect: what the fit took of the lowest bins counts as left over.
 TEST_CASE("the spectrum is that of the noise, whatever a fit has taken of it") {
   CHECK(worst(fit_spectrum(drawn(4000, 0, 1), band)) < 0.25);
   CHECK(worst(fit_spectrum(drawn(4000, 400, 2), band)) < 0.25);
