@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <memory>
 
-#include "cli/model_folder.h"
+#include "cli/models/model_folder.h"
 #include "cli/terminal/report_stream.h"
 #include "cli/terminal/terminal.h"
 #include "identification/logs/csv_rows.h"

@@ -10,9 +10,9 @@
 #include <memory>
 #include <sstream>
 
-#include "cli/diagnose_rig.h"
-#include "cli/driven_request.h"
-#include "cli/model_folder.h"
+#include "cli/logs/diagnose_rig.h"
+#include "cli/logs/driven_request.h"
+#include "cli/models/model_folder.h"
 #include "cli/runtime_folder.h"
 #include "cli/terminal/terminal.h"
 #include "generator/outputs/unfinished_run.h"

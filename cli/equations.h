@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "cli/model_folder.h"
+#include "cli/models/model_folder.h"
 
 namespace sinew {
 

@@ -10,11 +10,11 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "cli/change_summary.h"
-#include "cli/model_folder.h"
-#include "cli/model_set.h"
-#include "cli/plausibility.h"
-#include "cli/target_options.h"
+#include "cli/models/change_summary.h"
+#include "cli/models/model_folder.h"
+#include "cli/models/model_set.h"
+#include "cli/models/plausibility.h"
+#include "cli/models/target_options.h"
 #include "cli/terminal/terminal.h"
 #include "cli/wrapper_options.h"
 #include "generator/outputs/unfinished_run.h"

@@ -11,7 +11,7 @@
 
 #include "cli/identify_experiments.h"
 #include "cli/identify_logs.h"
-#include "cli/model_folder.h"
+#include "cli/models/model_folder.h"
 #include "cli/terminal/report_stream.h"
 #include "cli/terminal/terminal.h"
 #include "generator/outputs/unfinished_run.h"

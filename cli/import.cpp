@@ -11,7 +11,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "cli/plausibility.h"
+#include "cli/models/plausibility.h"
 #include "cli/terminal/terminal.h"
 #include "generator/outputs/outputs.h"
 #include "generator/outputs/unfinished_run.h"

@@ -9,9 +9,9 @@
 #include <set>
 
 #include "cli/equations.h"
-#include "cli/model_folder.h"
-#include "cli/reduced_models.h"
-#include "cli/target_options.h"
+#include "cli/models/model_folder.h"
+#include "cli/models/reduced_models.h"
+#include "cli/models/target_options.h"
 #include "cli/terminal/terminal.h"
 #include "generator/cost.h"
 #include "generator/dump.h"

@@ -5,7 +5,7 @@
 
 #include <numeric>
 
-#include "cli/plausibility.h"
+#include "cli/models/plausibility.h"
 #include "symbolic/dynamics/coordinates.h"
 
 namespace sinew {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "cli/model_folder.h"
+#include "cli/models/model_folder.h"
 #include "cli/report/model_report.h"
 
 namespace sinew {

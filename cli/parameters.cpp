@@ -8,8 +8,8 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "cli/hand_table.h"
-#include "cli/model_folder.h"
+#include "cli/hand/hand_table.h"
+#include "cli/models/model_folder.h"
 #include "cli/terminal/report_stream.h"
 #include "cli/terminal/terminal.h"
 #include "simulation/plant/learnt_model.h"

@@ -8,9 +8,9 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "cli/change_summary.h"
 #include "cli/equations.h"
 #include "cli/model_report_of.h"
+#include "cli/models/change_summary.h"
 #include "cli/terminal/report_stream.h"
 #include "cli/terminal/terminal.h"
 #include "generator/outputs/unfinished_run.h"

@@ -8,8 +8,8 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "cli/model_folder.h"
-#include "cli/replayed_log.h"
+#include "cli/logs/replayed_log.h"
+#include "cli/models/model_folder.h"
 #include "cli/runtime_folder.h"
 #include "cli/simulate_report.h"
 #include "cli/terminal/report_stream.h"

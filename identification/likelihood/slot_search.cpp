@@ -39,48 +39,6 @@ double log_sum(double a, double b) {
   return high == kNever ? kNever : high + std::log(std::exp(a - high) + std::exp(b - high));
 }
 
-/// Limits of a column's coefficient in the columns' scale.
-void add_limits(const Hypothesis& h, const Moments& m, Index column, ConditionalMoments& alone,
-                Index at) {
-  double low = kNever, high = -kNever;
-  if (h.source->kind == CandidateKind::delay) {
-    low = h.source->nonlinear.front().low;
-    high = h.source->nonlinear.front().high;
-  } else {
-    // A nuisance per log has no limits; all others stand in the order of the coefficients.
-    const auto& linear = h.source->linear;
-    const auto p = static_cast<std::size_t>(m.coefficient[static_cast<std::size_t>(column)]);
-    const bool per_log = std::any_of(linear.begin(), linear.end(),
-                                     [](const LinearParameter& l) { return l.per_log; });
-    if (!per_log && p < linear.size()) {
-      low = linear[p].low;
-      high = linear[p].high;
-    }
-  }
-  alone.low(at) = low / m.scale(column);
-  alone.high(at) = high / m.scale(column);
-}
-
-Entry make_entry(const Hypotheses& all, const SmallErrors& errors, int hypothesis,
-                 std::vector<int> shapes) {
-  const Moments& m = errors.moments();
-  Entry e;
-  e.hypothesis = hypothesis;
-  for (const int shape : shapes) {
-    const Moments::Range& range = m.of_shape[static_cast<std::size_t>(shape)];
-    for (Index c = 0; c < range.count; ++c) e.columns.push_back(range.first + c);
-  }
-  e.shapes = std::move(shapes);
-  const auto wide = static_cast<Index>(e.columns.size());
-  e.alone.low.resize(wide);
-  e.alone.high.resize(wide);
-  for (Index c = 0; c < wide; ++c)
-    add_limits(all.list[static_cast<std::size_t>(hypothesis)], m,
-               e.columns[static_cast<std::size_t>(c)], e.alone, c);
-  e.alone.target = errors.target()(e.columns);
-  return e;
-}
-
 }  // namespace
 
 /// The model with some entries.
@@ -98,64 +56,8 @@ SlotSearch::SlotSearch(const Hypotheses& all, const SmallErrors& errors, int mos
     : all_(all),
       errors_(errors),
       most_(static_cast<std::size_t>(most)),
-      form_error_(kFormErrors[0]) {
-  for (std::size_t h = 0; h < all.list.size(); ++h) {
-    if (banned[h]) continue;
-    const std::size_t first = entries_.size();
-    const auto add = [&](std::vector<int> shapes) {
-      Entry e = make_entry(all, errors, static_cast<int>(h), std::move(shapes));
-      if (!e.columns.empty()) entries_.push_back(std::move(e));
-    };
-    for (const int shape : all.list[h].shapes) {
-      add({shape});
-      for (const int next : all.shapes[static_cast<std::size_t>(shape)].neighbours)
-        add({shape, next});
-    }
-    for (std::size_t e = first; e < entries_.size(); ++e)
-      entries_[e].log_prior =
-          all.list[h].log_prior - std::log(static_cast<double>(entries_.size() - first));
-  }
-  tbb::parallel_for(0, static_cast<int>(entries_.size()), [&](int i) {
-    Entry& e = entries_[static_cast<std::size_t>(i)];
-    e.alone.gram = errors.gram(e.columns, e.columns);
-  });
-  find_kin();
-}
-
-/// Of every named entry the unnamed structure that its form is a part of: a smooth curve in
-/// position, velocity, load, time or way.
-void SlotSearch::find_kin() {
-  constexpr double kNear = 0.5;    // of the form's energy, the nearest one has
-  constexpr double kAlike = 0.02;  // of it, more than the nearest one lacks
-  struct Family {
-    std::vector<Index> columns;
-    MatrixXd inverse;
-  };
-  std::vector<Family> families;
-  for (const Entry& e : entries_) {
-    const Candidate& source = *all_.list[static_cast<std::size_t>(e.hypothesis)].source;
-    if (source.kind == CandidateKind::flexible && source.nonlinear.empty())
-      families.push_back({e.columns, scaled_pseudo_inverse(e.alone.gram)});
-  }
-  tbb::parallel_for(0, static_cast<int>(entries_.size()), [&](int i) {
-    Entry& e = entries_[static_cast<std::size_t>(i)];
-    if (!all_.list[static_cast<std::size_t>(e.hypothesis)].named) return;
-    std::vector<double> near;
-    for (const Family& family : families) {
-      const MatrixXd cross = errors_.gram(family.columns, e.columns);
-      near.push_back((cross.transpose() * family.inverse * cross).trace() /
-                     std::max(e.alone.gram.trace(), 1e-300));
-    }
-    const double nearest = near.empty() ? 0.0 : *std::max_element(near.begin(), near.end());
-    if (nearest < kNear) return;
-    for (std::size_t f = 0; f < families.size(); ++f) {
-      if (near[f] < nearest - kAlike) continue;
-      const auto& own = families[f].columns;
-      for (const Index column : own)
-        e.kin.push_back({column, 1.0 / static_cast<double>(own.size())});
-    }
-  });
-}
+      form_error_(kFormErrors[0]),
+      entries_(make_entries(all, errors, banned)) {}
 
 /// Prior precision of every column of a fit; appends the columns of the errors of form. Those are
 /// in proportion to what each entry is fitted to without them.

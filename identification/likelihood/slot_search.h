@@ -5,28 +5,9 @@
 #include <optional>
 #include <vector>
 
-#include "identification/likelihood/bayes_factor.h"
-#include "identification/likelihood/moments.h"
+#include "identification/likelihood/entries.h"
 
 namespace sinew::diagnosis {
-
-/// A column of structure without a name, and its share of that structure's variance.
-struct Kin {
-  Eigen::Index column = 0;
-  double share = 1.0;
-};
-
-/// One way a hypothesis enters a model: a shape, or two neighbouring ones for all between them.
-struct Entry {
-  int hypothesis = 0;
-  std::vector<int> shapes;
-  std::vector<Eigen::Index> columns;
-  double log_prior = 0.0;  ///< its part of its hypothesis' log prior odds
-  ConditionalMoments alone;
-  /// The unnamed structure that its form is a part of: no cause has exactly the form that the
-  /// library gives it. Empty: it is no part of any.
-  std::vector<Kin> kin;
-};
 
 /// The hypotheses a model holds, one entry each.
 struct Slots {
@@ -78,7 +59,6 @@ class SlotSearch {
   BayesFactor factor(int entry, const Fit& given) const;
   double form_error(const Entry& e, const Fit& given, const ConditionalMoments& m,
                     double variance) const;
-  void find_kin();
   Eigen::VectorXd precisions(const std::vector<int>& entries, Fit& f) const;
   bool is_possible(const std::vector<int>& entries) const;
   bool is_possible(int entry, const Eigen::VectorXd& coefficients,

@@ -203,7 +203,7 @@ TEST_CASE("an imported arm's payload and friction that were learnt act in its si
 }
 
 TEST_CASE("a joint that does not move stops nothing: it is held, and said", "[learnt]") {
-  // Planted defects: without hold_still_joints() (cli/driven_request.cpp) the log is refused for
+  // Planted defects: without hold_still_joints() (cli/logs/driven_request.cpp) the log is refused for
   // its constant channel; without Scenario::held the replay drops the lower link.
   const Loop loop("arm");
   fs::remove_all(loop.path("models"));

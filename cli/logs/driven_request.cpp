@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/driven_request.h"
+#include "cli/logs/driven_request.h"
 
 #include <stdexcept>
 

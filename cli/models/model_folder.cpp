@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/model_folder.h"
+#include "cli/models/model_folder.h"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "cli/model_set.h"
+#include "cli/models/model_set.h"
 #include "generator/outputs/unfinished_run.h"
 #include "identification/logs/sha256.h"
 #include "simulation/plant/checked_extension.h"

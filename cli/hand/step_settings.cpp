@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/step_settings.h"
+#include "cli/hand/step_settings.h"
 
 #include <cmath>
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/model_folder.h"
+#include "cli/models/model_folder.h"
 
 namespace sinew {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/target_options.h"
+#include "cli/models/target_options.h"
 
-#include "cli/model_folder.h"
+#include "cli/models/model_folder.h"
 
 namespace sinew {
 

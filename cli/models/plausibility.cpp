@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/plausibility.h"
+#include "cli/models/plausibility.h"
 
 #include <algorithm>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/hand_table.h"
+#include "cli/hand/hand_table.h"
 
 #include <fmt/format.h>
 

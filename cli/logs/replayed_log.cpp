@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/replayed_log.h"
+#include "cli/logs/replayed_log.h"
 
-#include "cli/diagnose_rig.h"
-#include "cli/driven_request.h"
+#include "cli/logs/diagnose_rig.h"
+#include "cli/logs/driven_request.h"
 #include "identification/logs/model_channels.h"
 #include "identification/logs/read_csv.h"
 

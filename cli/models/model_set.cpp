@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/model_set.h"
+#include "cli/models/model_set.h"
 
 #include <algorithm>
 

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "cli/step_settings.h"
+#include "cli/hand/step_settings.h"
 #include "firmware/hand/hand_parameters.h"
 #include "symbolic/hand/hand.h"
 #include "symbolic/parts/part.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/reduced_models.h"
+#include "cli/models/reduced_models.h"
 
 #include <algorithm>
 #include <cmath>

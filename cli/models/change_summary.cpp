@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/change_summary.h"
+#include "cli/models/change_summary.h"
 
 #include <fmt/format.h>
 

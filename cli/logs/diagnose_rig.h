@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/model_folder.h"
+#include "cli/models/model_folder.h"
 #include "identification/adoption/diagnose_observed.h"
 
 namespace sinew {

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "cli/model_folder.h"
+#include "cli/models/model_folder.h"
 #include "identification/adoption/diagnose.h"
 #include "symbolic/model/held_joints.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/diagnose_rig.h"
+#include "cli/logs/diagnose_rig.h"
 
 #include <fmt/format.h>
 
