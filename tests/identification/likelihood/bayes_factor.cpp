@@ -51,6 +51,7 @@ double averaged(double gram, double target, double low, double high) {
 
 }  // namespace
 
+// Seen red with the determinant left out, and with a mean of 0 where limits are looked at.
 TEST_CASE("a Bayes factor is the mean likelihood over the prior") {
   for (const double target : {0.0, 15.0, -40.0}) {
     CHECK(bayes_factor_of(one_column(400.0, target, -infinite, infinite)).logarithm ==
