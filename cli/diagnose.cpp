@@ -39,7 +39,7 @@ using diagnosis::Diagnosis;
 
 struct DiagnoseOptions {
   std::string folder, out, runtime;
-  std::vector<std::string> logs, holdout, map, constants;
+  std::vector<std::string> logs, holdout, map, constants, conditions;
   double band = 0.0, material = diagnosis::Settings{}.material_share;
   unsigned seed = 1;
   bool dry_run = false, json = false, by_likelihood = false;
@@ -82,6 +82,10 @@ DiagnoseRequest request_for(const DiagnoseOptions& o, const ModelFolder& folder)
   DiagnoseRequest request;
   set_common(o, folder, request);
   request.torque_constants = torque_constants(o.folder, o.constants);
+  for (const std::string& text : o.conditions) request.payloads.push_back(carried_payload(text));
+  std::vector<std::string> files = o.logs;
+  files.insert(files.end(), o.holdout.begin(), o.holdout.end());
+  check_payloads(request.payloads, files);
   set_driven_model(folder, request);
   return request;
 }
@@ -202,6 +206,8 @@ void add_diagnose_command(CLI::App& app, int& exit_status) {
   command->add_option("--map", o->map, "channel=column name [unit], or channel=#3 [unit]");
   command->add_option("--torque-constant", o->constants,
                       "joint=VALUE: effort of 1 A at the joint [N*m/A, N/A], of logged currents");
+  command->add_option("--condition", o->conditions,
+                      "[LOG:]payload[@LINK]=MASS kg [at X, Y, Z m]: a load that a log carried");
   command->add_option("--band", o->band, "Highest frequency looked at [Hz]")
       ->check([](const std::string& text) {
         double hertz = 0.0;

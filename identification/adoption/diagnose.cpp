@@ -94,13 +94,14 @@ class Run {
     for (std::size_t i = 0; i < logged.logs.size(); ++i)
       take(logged.logs[i], logged.channels[i], i >= request_.logs.size());
     refuse_held_out_twins(result_.findings.logs);
+    for (std::string& said : subject_.take_payloads()) notes.push_back(std::move(said));
     LogRecord& first = result_.findings.logs.front();
     for (const std::string& note : notes) first.faults.push_back(first.file + ": " + note);
   }
 
   void take(const Log& log, const DrivenChannels& channels, bool held_out) {
     const DrivenColumns columns = columns_in(log, channels);
-    subject_.add_log(log, columns, held_out);
+    subject_.add_log(log, columns, held_out, payload_of(request_.payloads, log.file));
     columns_[log.file] = judged_columns(log, columns);
     result_.findings.logs.push_back(log_record(log, held_out));
     for (const DataFault& doubt : check_columns(log, columns, held_out))

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "identification/logs/carried_payload.h"
 #include "identification/logs/channel_map.h"
 #include "identification/report/findings.h"
 #include "identification/subjects/driven_channels.h"
@@ -30,6 +31,7 @@ struct DiagnoseRequest {
   /// By joint or effort channel: the effort of 1 A [N·m/A, N/A], where efforts are logged as
   /// currents. Those that are not here are fitted.
   std::map<std::string, double> torque_constants;
+  std::vector<CarriedPayload> payloads;  ///< loads of known mass that logs were recorded with
   Settings settings;
   /// Told what is going on, 0..1; may be empty.
   std::function<void(const std::string& step, double share)> progress;

@@ -82,7 +82,7 @@ std::vector<double> listed(const VectorXd& values) {
   return {values.begin(), values.end()};
 }
 
-/// The log's efforts as commands of a driven_plant().
+/// The log's efforts as commands of a driven_plant(), without what a known payload takes of them.
 Plant plant_of(const EffortModel& model, const Recording& log) {
   Scenario scenario;
   scenario.file = log.name;
@@ -94,7 +94,9 @@ Plant plant_of(const EffortModel& model, const Recording& log) {
   std::vector<std::string> names;
   for (Index j = 0; j < log.q.cols(); ++j) {
     names.push_back(std::to_string(j));
-    add("tau_" + names.back(), log.target[static_cast<std::size_t>(j)]);
+    VectorXd effort = log.target[static_cast<std::size_t>(j)];
+    if (log.payload_effort.size() > 0) effort -= log.payload_effort.col(j);
+    add("tau_" + names.back(), effort);
     if (log.load.size() > 0) add("load_" + names.back(), log.load.col(j));
   }
   if (const auto found = log.signals.find("tension"); found != log.signals.end())

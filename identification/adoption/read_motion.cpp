@@ -60,7 +60,7 @@ DrivenColumns columns_in(const Log& log, const DrivenChannels& channels) {
     return columns;
   };
   return {found(channels.positions), found(channels.efforts), found(channels.forces),
-          channels.load.empty() ? -1 : log.channel(channels.load)};
+          channels.load.empty() ? -1 : log.channel(channels.load), log.channel("payload")};
 }
 
 std::vector<std::string> open_currents(const LoggedMotion& logged) {

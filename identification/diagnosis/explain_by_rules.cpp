@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "identification/diagnosis/confidence.h"
 #include "identification/diagnosis/deviation_terms.h"
@@ -141,6 +142,26 @@ DeviationSelection find_values(const Design& design, const Library& library,
   }
 }
 
+/// The term of a candidate of the library, or of another form of the same name at the same place.
+std::optional<std::size_t> term_of(const Design& design, int candidate, const Model& model) {
+  const Candidate& named = design.problem().library[static_cast<std::size_t>(candidate)];
+  std::optional<std::size_t> other;
+  for (std::size_t t = 0; t < model.terms.size(); ++t) {
+    const Term& term = model.terms[t];
+    if (term.baseline || term.deviation >= 0) continue;
+    if (library_index(design, term) == candidate) return t;
+    if (term.candidate->name == named.name && term.candidate->place == named.place) other = t;
+  }
+  return other;
+}
+
+/// The cause's term is that of another form of the same name.
+void take_form(int candidate, NamedCause& cause) {
+  for (RankedCause& member : cause.members)
+    if (member.candidate == cause.candidate) member.candidate = candidate;
+  cause.candidate = candidate;
+}
+
 /// Names the deviations the model's own values differ in, and lists the others as ruled out.
 void name_deviations(const Design& design, const Library& library, const Settings& settings,
                      const ExperimentPlanner& planner, DeviationSelection deviations,
@@ -176,12 +197,15 @@ void name_deviations(const Design& design, const Library& library, const Setting
   for (std::size_t i = 0; i < named.size(); ++i)
     result.verdict.causes[first + i].parameters = all[named[i]];
   // Told as the model is extended by them: beside values that are free a cause that does much the
-  // same as they do has hardly a size.
-  for (std::size_t i = 0; i < first; ++i)
-    for (std::size_t t = 0; t < state.model.terms.size(); ++t)
-      if (result.verdict.causes[i].candidate >= 0 &&
-          library_index(design, state.model.terms[t]) == result.verdict.causes[i].candidate)
-        result.verdict.causes[i].parameters = all[t];
+  // same as they do has hardly a size, and may have another form.
+  for (std::size_t i = 0; i < first; ++i) {
+    NamedCause& cause = result.verdict.causes[i];
+    if (cause.candidate < 0) continue;
+    const std::optional<std::size_t> t = term_of(design, cause.candidate, state.model);
+    if (!t) continue;
+    take_form(library_index(design, state.model.terms[*t]), cause);
+    cause.parameters = all[*t];
+  }
   const std::vector<ParameterDeviation>& causes = design.problem().deviations;
   for (std::size_t l = 0; l < causes.size(); ++l) {
     const int index = -1 - static_cast<int>(l);
@@ -212,7 +236,7 @@ Model model_before(const Design& design, const Model& found, const DeviationTerm
 }  // namespace
 
 Explanation explain_by_rules(const Problem& problem, const Settings& settings,
-                    const ExperimentPlanner& planner) {
+                             const ExperimentPlanner& planner) {
   Design design(problem, settings);
   if (!problem.shared_noise) design.set_units(left_over(design, baseline_model(design)));
   const Library library(design);

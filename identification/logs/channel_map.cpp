@@ -366,6 +366,9 @@ std::vector<ChannelSpec> robot_channels(const Mechanism& mechanism) {
     specs.push_back(r);
     ++group;
   }
+  ChannelSpec carried = spec("payload", "kg", ChannelRole::other, -1, false);
+  carried.low = 0.0;
+  specs.push_back(carried);
   return specs;
 }
 

@@ -46,7 +46,8 @@ std::vector<ChannelSpec> rotary_drive_channels(const DriveLimits& limits = {});
 /// x, f and optional x_ref, v, load, i.
 std::vector<ChannelSpec> linear_drive_channels(const DriveLimits& limits = {});
 /// The position (position_channel()), tau_<joint> and optional qd_<joint>, <position>_ref for every
-/// moving joint; those that follow another one are optional altogether.
+/// moving joint, those that follow another one optional altogether; optional payload, the mass of
+/// what the last link is known to carry.
 std::vector<ChannelSpec> robot_channels(const Mechanism& mechanism);
 /// Position of every coordinate (position_channel()), theta_1..m, tau_1..m of the m tendons'
 /// motors.

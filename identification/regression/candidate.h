@@ -29,6 +29,8 @@ struct Recording {
   Eigen::MatrixXd command;      ///< drive command
   Eigen::MatrixXd load;         ///< load on each axis, for instance tendon force
   Eigen::MatrixXd temperature;  ///< deg C
+  Eigen::VectorXd payload;      ///< mass [kg] of a load that is known to be carried; empty: none
+  Eigen::MatrixXd payload_effort;  ///< what it asks of the joints: samples x joints; empty: none
   std::map<std::string, Eigen::MatrixXd> signals;  ///< anything else a candidate wants
   std::vector<Eigen::VectorXd> target;             ///< per channel: what is measured, force domain
   /// Per channel: what the model under test says of the target; empty: nothing. It is subtracted,

@@ -113,7 +113,8 @@ void DrivenSubject::learn_steps(const Log& log, int position, std::size_t joint)
   }
 }
 
-void DrivenSubject::add_log(const Log& log, const DrivenColumns& columns, bool held_out) {
+void DrivenSubject::add_log(const Log& log, const DrivenColumns& columns, bool held_out,
+                            const CarriedPayload* carried) {
   for (std::size_t c = 0; c < quantum_.size(); ++c) learn_steps(log, columns.positions[c], c);
   int part = 0;
   for (const sinew::Segment& segment : log.segments) {
@@ -131,6 +132,7 @@ void DrivenSubject::add_log(const Log& log, const DrivenColumns& columns, bool h
     if (columns.load >= 0) r.load = columns_of(segment, {columns.load});
     if (tendons_) add_tendon_forces(columns_of(segment, columns.forces), measured, r);
     add_standstills(r);
+    add_payload(log, segment, columns, carried, r);
     (held_out ? problem_.holdout : problem_.training).push_back(std::move(r));
   }
 }
@@ -201,6 +203,7 @@ void DrivenSubject::set_signals(Recording& log) const {
   if (!model_.joints.front().carries_links) return;
   MatrixXd& carried = log.signals["carried"] = rigid_->effort(log);
   if (log.load.size() > 0) carried += log.load;
+  if (log.payload_effort.size() > 0) carried += log.payload_effort;
   add_link_signals(log);
 }
 

@@ -14,6 +14,7 @@
 #include "identification/regression/linear_fit.h"
 #include "identification/subjects/effect_candidate.h"
 #include "identification/subjects/effort_model.h"
+#include "identification/subjects/known_payload.h"
 #include "identification/subjects/rigid_candidates.h"
 #include "identification/subjects/tendon_candidates.h"
 #include "symbolic/extension/driven_model.h"
@@ -39,7 +40,8 @@ struct CandidateOrigin {
 /// are all, or the motors' where tendons drive the joints; forces of the tendons.
 struct DrivenColumns {
   std::vector<int> positions, efforts, forces;
-  int load = -1;  ///< -1: none
+  int load = -1;     ///< -1: none
+  int payload = -1;  ///< mass that is carried; -1: none is logged
 };
 
 class DrivenSubject {
@@ -48,8 +50,15 @@ class DrivenSubject {
   DrivenSubject(DrivenModel model, Identified identified, std::filesystem::path runtime,
                 std::shared_ptr<const RigidColumns> rigid = {});
 
-  /// Adds a log's segments.
-  void add_log(const Log& log, const DrivenColumns& columns, bool held_out);
+  /// Adds a log's segments. `carried`: the load of known mass that it was recorded with, or none.
+  /// Throws std::invalid_argument for a load that the model has no link for.
+  void add_log(const Log& log, const DrivenColumns& columns, bool held_out,
+               const CarriedPayload* carried = nullptr);
+
+  /// Takes loads of known mass into account, one whose centre is not known where least squares of
+  /// all parameters puts it. After the last log, before prepare(). What is to be said of it.
+  /// Throws std::invalid_argument where no log tells a centre.
+  std::vector<std::string> take_payloads();
 
   /// Baseline, library and deviations for the logs added so far. Throws std::invalid_argument where
   /// no stretch of a log is long enough.
@@ -117,6 +126,8 @@ class DrivenSubject {
   void add_sensor_errors(Recording& log) const;
   void set_bands();
   void add_standstills(Recording& log) const;
+  void add_payload(const Log& log, const sinew::Segment& segment, const DrivenColumns& columns,
+                   const CarriedPayload* carried, Recording& r);
   void add_motion(const Eigen::MatrixXd& positions, Recording& log) const;
   void add_model(Recording& log) const;
   void set_signals(Recording& log) const;
@@ -148,6 +159,7 @@ class DrivenSubject {
   std::vector<double> quantum_;      ///< of the logged positions; 0: no steps seen
   std::vector<bool> rounded_again_;  ///< their logs have a much finer grid than the sensor
   std::vector<double> presliding_;   ///< fitted length, where the direction is a bristle state
+  std::vector<KnownPayload> payloads_;
   Problem problem_;
   std::vector<CandidateOrigin> library_, baseline_, deviations_;
 };

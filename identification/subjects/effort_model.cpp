@@ -131,6 +131,8 @@ MatrixXd EffortModel::run(const std::string& name, const Recording& log, const M
       VectorXd none;
       block(b * kBlock, none);
     });
+  if (log.payload_effort.size() > 0)
+    efforts.leftCols(log.payload_effort.cols()) += log.payload_effort;
   return efforts;
 }
 

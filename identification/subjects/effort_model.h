@@ -23,7 +23,7 @@ class EffortModel {
               const std::filesystem::path& runtime);
 
   /// samples x joints. The recording needs q, qd, qdd, time; missing load, "jerk" and "jounce" are
-  /// zero.
+  /// zero. What a payload of known mass asks for is added as it is along the logged motion.
   Eigen::MatrixXd operator()(const Recording& log) const;
 
   /// The same for another motion, for derivatives with respect to it.

@@ -58,6 +58,12 @@ std::vector<MovingBody> moving_bodies(const Mechanism& mechanism) {
   return list;
 }
 
+double moving_mass(const Mechanism& mechanism) {
+  double mass = 0.0;
+  for (const MovingBody& m : moving_bodies(mechanism)) mass += mechanism.bodies[m.body].mass;
+  return mass;
+}
+
 }  // namespace
 
 double reach_of(const Mechanism& mechanism) {
@@ -142,7 +148,10 @@ void RigidColumns::add_inertial(const Mechanism& mechanism, std::size_t body, bo
   Group group = mass_of(carrier, static_cast<Index>(body));
   group.signal = "inertial parameters of " + carrier.name;
   describe("inertial_parameters", group);
+  // Where the motion does not tell a rotor's inertia from a link's mass a regression may take it
+  // for more than the whole robot weighs: that is no link of it.
   group.parameters.front().low = -carrier.mass;
+  group.parameters.front().high = moving_mass(mechanism);
   if (leaf) group.parameters.front().high = 0.0;
   if (leaf) group.limit = "it would carry something";
   group.unlikely = group.is_link = true;
@@ -184,6 +193,47 @@ void RigidColumns::add_gravity(const Mechanism& mechanism) {
     group.columns.push_back({nominal(Vector3d::Unit(k)), none, 1.0});
   }
   groups_.push_back(std::move(group));
+}
+
+std::size_t RigidColumns::body_of(const std::string& link) const {
+  for (const MovingBody& m : moving_bodies(mechanism_))
+    if (mechanism_.bodies[m.body].name == link) return m.body;
+  std::string links;
+  for (const std::string& name : moving_links()) links += (links.empty() ? "" : ", ") + name;
+  throw std::invalid_argument("there is no link '" + link + "' that moves; expected one of " +
+                              links);
+}
+
+std::vector<std::string> RigidColumns::moving_links() const {
+  std::vector<std::string> names;
+  for (const MovingBody& m : moving_bodies(mechanism_))
+    names.push_back(mechanism_.bodies[m.body].name);
+  return names;
+}
+
+std::vector<std::string> RigidColumns::last_links() const {
+  std::vector<std::string> names;
+  for (const MovingBody& m : moving_bodies(mechanism_))
+    if (m.leaf) names.push_back(mechanism_.bodies[m.body].name);
+  return names;
+}
+
+MatrixXd RigidColumns::mass_columns(const std::string& link, const Recording& log) const {
+  const std::size_t body = body_of(link);
+  return columns_of(mass_of(mechanism_.bodies[body], static_cast<Index>(body)), log);
+}
+
+MatrixXd RigidColumns::point_mass(const std::string& link, const Vector3d& centre,
+                                  const Recording& log) const {
+  const auto b = static_cast<Index>(body_of(link));
+  VectorXd mass = VectorXd::Zero(bodies_);
+  MatrixXd com = MatrixXd::Zero(bodies_, 3);
+  mass(b) = 1.0;
+  com.row(b) = centre.transpose();
+  Group group;
+  group.columns.push_back(
+      {parameters(mass, com, MatrixXd::Zero(bodies_, 6), mechanism_.gravity), {}, 1.0});
+  return columns_of(group, log);
 }
 
 MatrixXd RigidColumns::effort(const Recording& log) const {

@@ -18,10 +18,10 @@ namespace sinew::diagnosis {
 /// Twice what the links can reach [m]: no mass of theirs is farther from its frame.
 double reach_of(const Mechanism& mechanism);
 
-/// Inverse dynamics that is linear in mass properties and in gravity.
 /// Of a body's ten parameters, those without moments of inertia.
 inline constexpr int kMassAndFirstMoments = 4;
 
+/// Inverse dynamics that is linear in mass properties and in gravity.
 class RigidColumns {
  public:
   /// `runtime`: folder of the runtime's headers.
@@ -39,6 +39,17 @@ class RigidColumns {
   /// Mass matrix of the links at every sample: samples x (coordinates * coordinates), one column of
   /// it after the other.
   Eigen::MatrixXd mass_matrix(const Recording& log) const;
+
+  /// What ten parameters of a mass that moves with a link ask of the joints (mass, first moments x,
+  /// y, z, moments of inertia xx, yy, zz, xy, xz, yz): samples x (coordinates * 10), those of one
+  /// coordinate together. Throws std::invalid_argument for a link that does not move.
+  Eigen::MatrixXd mass_columns(const std::string& link, const Recording& log) const;
+  /// What a point mass of 1 kg at `centre` in the link's frame [m] asks: samples x coordinates.
+  Eigen::MatrixXd point_mass(const std::string& link, const Eigen::Vector3d& centre,
+                             const Recording& log) const;
+  /// Links that move with a joint, and of these the ones that carry no further link.
+  std::vector<std::string> moving_links() const;
+  std::vector<std::string> last_links() const;
 
   /// Candidates that act on all channels; they read what add_signals left in the recording.
   std::vector<Candidate> candidates() const;
@@ -61,6 +72,7 @@ class RigidColumns {
                              const Eigen::MatrixXd& inertia, const Eigen::Vector3d& gravity) const;
   Eigen::VectorXd nominal(const Eigen::Vector3d& gravity) const;
   Group mass_of(const Body& carrier, Eigen::Index body) const;
+  std::size_t body_of(const std::string& link) const;
   void add_payload(const Mechanism& mechanism, std::size_t body);
   void add_inertial(const Mechanism& mechanism, std::size_t body, bool leaf);
   Eigen::MatrixXd columns_of(const Group& group, const Recording& log) const;

@@ -34,6 +34,7 @@ Recording slow_recording(const Recording& recording) {
     return thinned(differentiate(x, recording.step, cutoff).q);
   };
   const Motion motion = differentiate(recording.q, recording.step, cutoff);
+  slow.name = recording.name;
   slow.q = thinned(motion.q);
   slow.qd = thinned(motion.qd);
   slow.qdd = thinned(motion.qdd);

@@ -20,10 +20,15 @@ const std::map<std::string, double> constants{
     {"shoulder_pan_joint", 14.87}, {"shoulder_lift_joint", 13.26}, {"elbow_joint", 11.13},
     {"wrist_1_joint", 10.62},      {"wrist_2_joint", 11.03},       {"wrist_3_joint", 11.47}};
 
-json diagnosed(const Workplace& here, const std::string& log, const std::string& holdout,
-               const std::string& out) {
-  std::vector<std::string> arguments{"diagnose",  "arm",   "--log", log,
-                                     "--holdout", holdout, "--out", out};
+json diagnosed(const Workplace& here, const std::vector<std::string>& logs,
+               const std::vector<std::string>& holdout, const std::string& out,
+               const std::vector<std::string>& conditions = {}) {
+  std::vector<std::string> arguments{"diagnose", "arm", "--out", out, "--log"};
+  arguments.insert(arguments.end(), logs.begin(), logs.end());
+  arguments.push_back("--holdout");
+  arguments.insert(arguments.end(), holdout.begin(), holdout.end());
+  for (const std::string& condition : conditions)
+    arguments.insert(arguments.end(), {"--condition", condition});
   for (const auto& [joint, value] : constants) {
     arguments.push_back("--torque-constant");
     arguments.push_back(joint + "=" + std::to_string(value));
@@ -52,8 +57,8 @@ TEST_CASE("a measured arm tells its rotors and its friction from currents", "[sl
     return sinew::test::skip("../shared/data/ur10e is absent");
   const Workplace here;
   REQUIRE(here.sinew({"import", data + "ur10e.urdf", "--out", "arm"}).status == 0);
-  const json found = diagnosed(here, data + "harmonics_unloaded.csv",
-                               data + "point_to_point_unloaded.csv", "found");
+  const json found = diagnosed(here, {data + "harmonics_unloaded.csv"},
+                               {data + "point_to_point_unloaded.csv"}, "found");
   CHECK(found["extension"]["adopted"].get<bool>());
   for (const json& channel : found["channels"]) {
     INFO(channel["name"].get<std::string>());
@@ -66,4 +71,25 @@ TEST_CASE("a measured arm tells its rotors and its friction from currents", "[sl
   for (const json& log : found["logs"])
     for (const json& fault : log["faults"])
       CHECK(fault.get<std::string>().find("keeps one value") == std::string::npos);
+}
+
+TEST_CASE("logs with and without a load of known mass share one model", "[slow][thorough]") {
+  // Seen to fail: with no limit to a link's mass the shoulder's rotor was 120 kg of upper arm,
+  // which no body has, and its joint kept 104 % of its standard deviation; so it did where the
+  // adopted fit took another form of the same friction, whose term was left out of the model
+  // without a word.
+  if (!std::filesystem::exists(data + "harmonics_loaded.csv"))
+    return sinew::test::skip("../shared/data/ur10e is absent");
+  const Workplace here;
+  REQUIRE(here.sinew({"import", data + "ur10e.urdf", "--out", "arm"}).status == 0);
+  const json found = diagnosed(
+      here, {data + "harmonics_unloaded.csv", data + "harmonics_loaded.csv"},
+      {data + "point_to_point_unloaded.csv"}, "found", {"harmonics_loaded.csv:payload=2.805kg"});
+  CHECK(found["extension"]["adopted"].get<bool>());
+  for (const json& channel : found["channels"]) {
+    INFO(channel["name"].get<std::string>());
+    CHECK(channel["relative_error_after"].get<double>() < 0.12);
+  }
+  CHECK(std::isnan(told(found, "payload", "link wrist_3_link")));
+  CHECK(told(found, "inertia", "joint shoulder_pan_joint") == Approx(7.0).margin(1.5));
 }

@@ -32,18 +32,22 @@ diagnosis::Findings diagnosed(const Mechanism& nominal, const std::string& train
 
 diagnosis::Diagnosis whole_diagnosis(const Mechanism& nominal, const std::string& train,
                                      const std::string& holdout) {
+  return diagnosis_of(nominal, {{"train.csv", train, false}, {"holdout.csv", holdout, true}});
+}
+
+diagnosis::Diagnosis diagnosis_of(const Mechanism& nominal, const std::vector<LogText>& logs,
+                                  const std::vector<std::string>& conditions) {
   const reference::TemporaryFolder folder;
-  const auto file = [&](const char* name, const std::string& text) {
-    reference::write_text(folder.path() / name, text);
-    return std::vector<std::string>{(folder.path() / name).string()};
-  };
   diagnosis::DiagnoseRequest request;
   request.model = driven_model(nominal);
   request.mechanism = nominal;
   request.name = nominal.name;
   request.runtime = SINEW_SOURCE_DIR "/runtime";
-  request.logs = file("train.csv", train);
-  request.holdout = file("holdout.csv", holdout);
+  for (const LogText& log : logs) {
+    reference::write_text(folder.path() / log.name, log.text);
+    (log.held_out ? request.holdout : request.logs).push_back((folder.path() / log.name).string());
+  }
+  for (const std::string& text : conditions) request.payloads.push_back(carried_payload(text));
   request.channels = [&](const std::string& log) {
     return diagnosis::robot_log_channels(nominal, log, {});
   };

@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "identification/subjects/known_payload.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <stdexcept>
+
+#include "identification/subjects/driven_subject.h"
+#include "identification/subjects/slow_recording.h"
+
+namespace sinew::diagnosis {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+constexpr Index kDriveColumns = 4;   // of each joint: inertia, viscous, Coulomb, offset
+constexpr Index kLinkColumns = 10;   // of each link
+constexpr Index kCentreColumns = 3;  // first moments of each load
+constexpr double kTurnShare = 0.01;  // of the top speed, over which friction turns
+constexpr double kRidge = 1e-8;      // of a column's square: what logs cannot tell stays small
+
+bool carries(const KnownPayload& payload, const Recording& log) {
+  return std::find(payload.recordings.begin(), payload.recordings.end(), log.name) !=
+         payload.recordings.end();
+}
+
+/// Columns of all that is fitted, for one joint of one log.
+class Columns {
+ public:
+  Columns(const Recording& log, const RigidColumns& rigid, const std::vector<KnownPayload>& loads)
+      : log_(log), loads_(loads) {
+    for (const std::string& link : rigid.moving_links())
+      links_.push_back(rigid.mass_columns(link, log));
+    for (const KnownPayload& load : loads)
+      if (carries(load, log)) own_.push_back(rigid.mass_columns(load.link, log));
+  }
+
+  Index count() const {
+    return kLinkColumns * static_cast<Index>(links_.size()) + kDriveColumns * log_.q.cols() +
+           kCentreColumns * static_cast<Index>(loads_.size());
+  }
+
+  /// What the loads ask at their links' frames, by their masses alone.
+  VectorXd weight(Index joint) const {
+    VectorXd sum = VectorXd::Zero(log_.q.rows());
+    std::size_t k = 0;
+    for (const KnownPayload& load : loads_)
+      if (carries(load, log_)) sum += load.mass * own_[k++].col(joint * kLinkColumns);
+    return sum;
+  }
+
+  MatrixXd of(Index joint) const {
+    MatrixXd x = MatrixXd::Zero(log_.q.rows(), count());
+    Index at = 0;
+    for (const MatrixXd& link : links_) {
+      x.middleCols(at, kLinkColumns) = link.middleCols(joint * kLinkColumns, kLinkColumns);
+      at += kLinkColumns;
+    }
+    const VectorXd speed = log_.qd.col(joint);
+    const double turn = kTurnShare * std::max(speed.cwiseAbs().maxCoeff(), 1e-12);
+    const VectorXd direction = (speed / turn).array().tanh();
+    x.middleCols(at + kDriveColumns * joint, kDriveColumns) << log_.qdd.col(joint), speed,
+        direction, VectorXd::Ones(speed.size());
+    at += kDriveColumns * log_.q.cols();
+    std::size_t k = 0;
+    for (const KnownPayload& load : loads_) {
+      if (carries(load, log_))
+        x.middleCols(at, kCentreColumns) =
+            own_[k++].middleCols(joint * kLinkColumns + 1, kCentreColumns);
+      at += kCentreColumns;
+    }
+    return x;
+  }
+
+ private:
+  const Recording& log_;
+  const std::vector<KnownPayload>& loads_;
+  std::vector<MatrixXd> links_, own_;
+};
+
+/// Every joint in units of its own effort.
+struct NormalEquations {
+  MatrixXd gram;
+  VectorXd right;
+
+  void add(const Columns& columns, const Recording& slow, const MatrixXd& said) {
+    if (gram.size() == 0) {
+      gram = MatrixXd::Zero(columns.count(), columns.count());
+      right = VectorXd::Zero(columns.count());
+    }
+    for (Index j = 0; j < slow.q.cols(); ++j) {
+      const VectorXd& measured = slow.target[static_cast<std::size_t>(j)];
+      const double scale = std::max(measured.norm() / std::sqrt(double(measured.size())), 1e-12);
+      const MatrixXd x = columns.of(j) / scale;
+      const VectorXd left = (measured - said.col(j) - columns.weight(j)) / scale;
+      gram.noalias() += x.transpose() * x;
+      right.noalias() += x.transpose() * left;
+    }
+  }
+
+  VectorXd solved() const {
+    const VectorXd size = gram.diagonal().cwiseMax(1e-30).cwiseSqrt();
+    MatrixXd scaled = size.cwiseInverse().asDiagonal() * gram * size.cwiseInverse().asDiagonal();
+    scaled.diagonal().array() += kRidge;
+    return size.cwiseInverse().asDiagonal() *
+           scaled.ldlt().solve(VectorXd(size.cwiseInverse().asDiagonal() * right));
+  }
+};
+
+}  // namespace
+
+KnownPayload known_payload(const CarriedPayload* told, const RigidColumns& rigid) {
+  KnownPayload payload;
+  const std::vector<std::string> last = rigid.last_links();
+  if (told) payload = {told->link, told->mass, told->centre, {}};
+  if (payload.link.empty() && last.size() != 1)
+    throw std::invalid_argument(
+        "a payload's link has to be said where several links may carry it: payload@LINK");
+  if (payload.link.empty()) payload.link = last.front();
+  const std::vector<std::string> links = rigid.moving_links();
+  if (std::find(links.begin(), links.end(), payload.link) == links.end())
+    throw std::invalid_argument(
+        fmt::format("the payload's link '{}' is none that moves; expected one of {}", payload.link,
+                    fmt::join(links, ", ")));
+  return payload;
+}
+
+void fit_centres(const std::vector<Recording>& training, const EffortModel& model,
+                 const RigidColumns& rigid, std::vector<KnownPayload>& payloads) {
+  std::vector<KnownPayload> open;
+  for (const KnownPayload& payload : payloads)
+    if (!payload.centre) open.push_back(payload);
+  if (open.empty()) return;
+  for (const KnownPayload& payload : open)
+    if (std::none_of(training.begin(), training.end(),
+                     [&](const Recording& log) { return carries(payload, log); }))
+      throw std::invalid_argument(fmt::format(
+          "no log to learn from carries the {:.4g} kg at {}, so that their centre stays unknown; "
+          "say it (payload={:.4g}kg at X, Y, Z m), or give such a log to --log",
+          payload.mass, payload.link, payload.mass));
+  NormalEquations equations;
+  for (const Recording& log : training) {
+    const Recording slow = slow_recording(log);
+    if (slow.q.size() > 0) equations.add(Columns(slow, rigid, open), slow, model(slow));
+  }
+  const VectorXd fitted = equations.solved();
+  Index at = fitted.size() - kCentreColumns * static_cast<Index>(open.size());
+  for (KnownPayload& payload : payloads) {
+    if (payload.centre) continue;
+    payload.centre = fitted.segment<3>(at) / payload.mass;
+    at += kCentreColumns;
+  }
+}
+
+/// The mass over time: a column's, or what was told of the whole log.
+void DrivenSubject::add_payload(const Log& log, const sinew::Segment& segment,
+                                const DrivenColumns& columns, const CarriedPayload* carried,
+                                Recording& r) {
+  if (columns.payload < 0 && !carried) return;
+  if (columns.payload >= 0 && carried && carried->mass > 0.0)
+    throw std::invalid_argument(log.file +
+                                ": its payload is told twice, by --condition and by its column "
+                                "'payload'; leave one out");
+  if (!rigid_ || tendons_)
+    throw std::invalid_argument(
+        "--condition payload: is for robots whose joints' efforts are "
+        "logged; this model has no link that carries one");
+  r.payload = columns.payload >= 0 ? VectorXd(segment.samples.col(columns.payload).matrix())
+                                   : VectorXd::Constant(r.q.rows(), carried->mass);
+  if (r.payload.isZero(0.0)) {
+    r.payload.resize(0);
+    return;
+  }
+  KnownPayload payload = known_payload(carried, *rigid_);
+  if (columns.payload >= 0) payload.mass = r.payload.maxCoeff();
+  const auto same = std::find_if(payloads_.begin(), payloads_.end(), [&](const KnownPayload& p) {
+    return p.link == payload.link && p.mass == payload.mass && p.centre == payload.centre;
+  });
+  KnownPayload& owner =
+      same != payloads_.end() ? *same : payloads_.emplace_back(std::move(payload));
+  owner.recordings.push_back(r.name);
+}
+
+std::vector<std::string> DrivenSubject::take_payloads() {
+  std::vector<std::string> said;
+  if (payloads_.empty()) return said;
+  std::vector<bool> told;
+  for (const KnownPayload& payload : payloads_) told.push_back(payload.centre.has_value());
+  fit_centres(problem_.training, effort_, *rigid_, payloads_);
+  for (std::size_t i = 0; i < payloads_.size(); ++i) {
+    const KnownPayload& payload = payloads_[i];
+    for (auto* logs : {&problem_.training, &problem_.holdout})
+      for (Recording& log : *logs)
+        if (carries(payload, log))
+          log.payload_effort =
+              log.payload.asDiagonal() * rigid_->point_mass(payload.link, *payload.centre, log);
+    const Vector3d& c = *payload.centre;
+    said.push_back(
+        fmt::format("a payload of {:.4g} kg at {} is taken off, as told, its centre at {:.3g}, "
+                    "{:.3g}, {:.3g} m "
+                    "in the link's frame, {}",
+                    payload.mass, payload.link, c.x(), c.y(), c.z(),
+                    told[i] ? "as told" : "fitted beside the parameters of every link and joint"));
+  }
+  return said;
+}
+
+}  // namespace sinew::diagnosis

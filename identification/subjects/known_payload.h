@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Loads of known mass that logs were recorded with: what they ask of the joints is no deviation.
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "identification/logs/carried_payload.h"
+#include "identification/regression/candidate.h"
+#include "identification/subjects/effort_model.h"
+#include "identification/subjects/rigid_candidates.h"
+
+namespace sinew::diagnosis {
+
+/// One load, which several logs may have carried.
+struct KnownPayload {
+  std::string link;
+  double mass = 0.0;                      ///< kg; 0: the log says it in a column
+  std::optional<Eigen::Vector3d> centre;  ///< in the link's frame [m]
+  std::vector<std::string> recordings;    ///< names
+};
+
+/// The load told, at the one link that can carry it. Throws std::invalid_argument where the link
+/// does not move, or several may be meant.
+KnownPayload known_payload(const CarriedPayload* told, const RigidColumns& rigid);
+
+/// Sets the centres that are not known. They are first moments beside everything else that least
+/// squares can fit: parameters of every link, and inertia, viscous and Coulomb friction and an
+/// offset of every joint. Without the links' parameters their errors would move the centre. Throws
+/// std::invalid_argument where the training logs do not carry the load.
+void fit_centres(const std::vector<Recording>& training, const EffortModel& model,
+                 const RigidColumns& rigid, std::vector<KnownPayload>& payloads);
+
+}  // namespace sinew::diagnosis

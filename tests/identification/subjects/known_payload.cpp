@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Logs that say which load they were recorded with.
+#include <catch2/catch.hpp>
+#include <stdexcept>
+
+#include "identification/logs/carried_payload.h"
+#include "tests/identification/subjects/arm_logs.h"
+#include "tests/identification/subjects/diagnosed_robot.h"
+
+namespace {
+
+using namespace sinew;
+using namespace sinew::test;
+using diagnosis::Findings;
+
+constexpr double kLoad = 0.6;  // kg
+const Eigen::Vector3d kCentre(0.05, -0.02, 0.03);
+
+/// The arm with a point mass in its hand.
+Mechanism loaded(Mechanism arm) {
+  Body& hand = arm.bodies.back();
+  const double mass = hand.mass + kLoad;
+  const Eigen::Vector3d centre = (hand.mass * hand.centre_of_mass + kLoad * kCentre) / mass;
+  const auto about = [&](double m, const Eigen::Vector3d& from) {
+    const Eigen::Vector3d d = from - centre;
+    return Eigen::Matrix3d(m * (d.squaredNorm() * Eigen::Matrix3d::Identity() - d * d.transpose()));
+  };
+  hand.inertia += about(hand.mass, hand.centre_of_mass) + about(kLoad, kCentre);
+  hand.mass = mass;
+  hand.centre_of_mass = centre;
+  return arm;
+}
+
+/// The same log with a column more.
+std::string with_column(const std::string& text, const std::string& name,
+                        const std::string& value) {
+  std::string out;
+  bool header = true;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = text.find('\n', at);
+    out += text.substr(at, end - at) + "," + (header ? name : value) + "\n";
+    header = false;
+    at = end + 1;
+  }
+  return out;
+}
+
+bool names_payload(const Findings& found) {
+  for (const auto& cause : found.verdict.causes)
+    for (const auto& member : cause.members)
+      if (member.name == "payload") return true;
+  return false;
+}
+
+std::string said(const Findings& found) {
+  std::string all;
+  for (const auto& log : found.logs)
+    for (const std::string& fault : log.faults) all += fault + "\n";
+  return all;
+}
+
+}  // namespace
+
+TEST_CASE("a load of known mass is no deviation, and friction beside it is found", "[slow]") {
+  const Mechanism arm = arm_of_five();
+  const ArmFriction friction{0.6, 0.4};
+  const std::vector<LogText> logs{{"bare.csv", csv(draw_log(arm, 1, friction)), false},
+                                  {"loaded.csv", csv(draw_log(loaded(arm), 2, friction)), false},
+                                  {"test.csv", csv(draw_log(loaded(arm), 3, friction)), true}};
+  const std::vector<std::string> conditions{"loaded.csv:payload=600 g", "test.csv: payload=0.6kg"};
+  const Findings found = diagnosis_of(arm, logs, conditions).findings;
+  INFO(found.headline << "\n" << said(found));
+  CHECK_FALSE(names_payload(found));
+  CHECK(found.verdict.causes.size() == 2 * kArmJoints);
+  CHECK(found.extension.adopted);
+  // The first moments are known to a few millimetres times the load.
+  CHECK(said(found).find("its centre at 0.05") != std::string::npos);
+  // What is left is noise, of which a hundredth of the effort was drawn.
+  for (const auto& channel : found.channels) CHECK(channel.relative_error_after < 0.02);
+}
+
+TEST_CASE("a column may say which load a log carried", "[slow]") {
+  const Mechanism arm = arm_of_five();
+  const auto log = [&](std::uint64_t seed) {
+    return with_column(csv(draw_log(loaded(arm), seed, {})), "payload [g]", "600");
+  };
+  const std::vector<LogText> logs{{"train.csv", log(1), false}, {"test.csv", log(2), true}};
+  const Findings found = diagnosis_of(arm, logs).findings;
+  INFO(found.headline << "\n" << said(found));
+  CHECK(found.verdict.nothing_beyond_noise());
+  // Nothing told: the load is found. Defect: without add_payload() it is so above, too.
+  const std::vector<LogText> bare{{"train.csv", csv(draw_log(loaded(arm), 1, {})), false},
+                                  {"test.csv", csv(draw_log(loaded(arm), 2, {})), true}};
+  CHECK(names_payload(diagnosis_of(arm, bare).findings));
+}
+
+TEST_CASE("a payload is read as people write it, and refused with what is expected") {
+  const CarriedPayload all = carried_payload("payload=2.805kg");
+  CHECK(all.log.empty());
+  CHECK(all.mass == Approx(2.805));
+  CHECK_FALSE(all.centre);
+  const CarriedPayload one =
+      carried_payload("logs/a b.csv: payload@tool0 = 500 g at 0, -10, 50 mm");
+  CHECK(one.log == "logs/a b.csv");
+  CHECK(one.link == "tool0");
+  CHECK(one.mass == Approx(0.5));
+  REQUIRE(one.centre);
+  CHECK(one.centre->isApprox(Eigen::Vector3d(0.0, -0.01, 0.05)));
+  for (const char* text : {"payload", "load=1kg", "payload=kg", "payload=1", "payload=1m",
+                           "payload=-1kg", "payload=1,2kg", "payload@=1kg", "payload=1kg at 0, 0 m",
+                           "payload=1kg at 0, 0, 1", "xpayload=1kg"})
+    CHECK_THROWS_AS(carried_payload(text), std::invalid_argument);
+  const std::vector<CarriedPayload> twice{all, one};
+  CHECK(payload_of(twice, "b.csv") == &twice[0]);
+  CHECK_THROWS_AS(payload_of(twice, "logs/a b.csv"), std::invalid_argument);
+  CHECK_THROWS_AS(check_payloads({one}, {"b.csv"}), std::invalid_argument);
+}
