@@ -2,7 +2,9 @@
 #include "identification/logs/channel_map.h"
 
 #include <fmt/format.h>
+
 #include <fmt/ranges.h>
+#include <numbers>
 
 #include <algorithm>
 #include <cctype>
@@ -400,12 +402,20 @@ std::vector<ChannelSpec> finger_channels(const Mechanism& mechanism,
   return specs;
 }
 
-std::vector<ChannelSpec> lever_channels() {
-  return {spec("count", "1", ChannelRole::other, -1, true),
-          spec("force", "N", ChannelRole::effort, -1, true),
-          spec("elongation", "m", ChannelRole::other, -1, false),
-          spec("lever", "rad", ChannelRole::other, -1, false),
-          spec("bend", "rad", ChannelRole::other, -1, false)};
+std::vector<ChannelSpec> lever_channels(double low, double high) {
+  std::vector<ChannelSpec> specs{spec("count", "1", ChannelRole::other, -1, true),
+                                 spec("force", "N", ChannelRole::effort, -1, true),
+                                 spec("elongation", "m", ChannelRole::other, -1, false),
+                                 spec("lever", "rad", ChannelRole::other, -1, false),
+                                 spec("bend", "rad", ChannelRole::other, -1, false)};
+  specs.front().low = low;
+  specs.front().high = high;
+  specs[3].low = -2.0 * std::numbers::pi;
+  specs[3].high = 2.0 * std::numbers::pi;
+  // No guide bends a tendon by more than a turn.
+  specs.back().low = 0.0;
+  specs.back().high = 2.0 * std::numbers::pi;
+  return specs;
 }
 
 std::vector<ChannelSpec> wrist_channels(int tendons) {

@@ -57,7 +57,9 @@ std::vector<ChannelSpec> finger_channels(const Mechanism& mechanism);
 std::vector<ChannelSpec> finger_channels(const Mechanism& mechanism,
                                          const std::vector<int>& numbers, bool motors, bool forces);
 /// count and force, optional elongation, lever, bend (of the tendon between lever and load cell).
-std::vector<ChannelSpec> lever_channels();
+/// The count's sensor goes from `low` to `high` where that is known.
+std::vector<ChannelSpec> lever_channels(double low = -std::numeric_limits<double>::infinity(),
+                                        double high = std::numeric_limits<double>::infinity());
 /// q71, q73, theta_1..m and optional force_1..m.
 std::vector<ChannelSpec> wrist_channels(int tendons);
 

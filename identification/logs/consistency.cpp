@@ -110,6 +110,17 @@ class Checker {
           return;
         }
     }
+    // A lever's count has no unit that a slip is known of.
+    constexpr double kNeverThere = 0.005;
+    if (spec.required && spec.unit == "1" && largest < kNeverThere * allowed) {
+      report(FaultKind::unit_slip, Severity::stop, static_cast<int>(i),
+             fmt::format("'{}' never exceeds {:.4g} where the model's sensor goes from {:.4g} to "
+                         "{:.4g}: counts taken for something else",
+                         info.name, largest, spec.low, spec.high),
+             fmt::format("units are converted only when told: --map \"{}=#{} [unit]\"", info.name,
+                         info.column));
+      return;
+    }
     if (info.low < spec.low - 0.25 * allowed || info.high > spec.high + 0.25 * allowed)
       report(FaultKind::out_of_range, Severity::doubtful, static_cast<int>(i),
              fmt::format("'{}' goes from {:.4g} to {:.4g} {}; the model allows {:.4g} to {:.4g}",

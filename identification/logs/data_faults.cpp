@@ -171,12 +171,22 @@ struct Judge {
     return rows * rows < kLonger * kLonger * 8.0 * channel.quantum() / deceleration;
   }
 
+  // What stands nearly all the time, wherever it stands, is set and not measured: a guide's angle, a
+  // load on a hook.
+  static bool is_setting(const ChannelInspector& channel) {
+    constexpr double kStands = 0.9;
+    long standing = 0;
+    for (const RunCandidate& run : channel.runs()) standing += run.length;
+    return static_cast<double>(standing) > kStands * static_cast<double>(channel.count());
+  }
+
   // Cut off: the value is reached at speed and then does not change. A motion that comes to rest
   // at its end slows down before it gets there; a commanded step gets there at once.
   static bool is_clipped(const ChannelInspector& channel, const ExtremeRuns& runs) {
     if (runs.samples < 5 || runs.counted_runs == 0) return false;
     if (runs.longest < 2 * channel.rows_a_value()) return false;
     if (is_noisy(channel)) return true;
+    if (is_setting(channel)) return false;
     const auto times = static_cast<double>(runs.counted_runs);
     const double entry = runs.entry_total / times, approach = runs.approach_total / times;
     if (entry > 4.0 * channel.step(0.98) || turns_round(channel, runs)) return false;

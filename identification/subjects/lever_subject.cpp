@@ -6,8 +6,8 @@
 #include <string>
 
 #include "identification/logs/dequantise.h"
-#include "identification/subjects/effect_candidate.h"
 #include "identification/logs/filter.h"
+#include "identification/subjects/effect_candidate.h"
 
 namespace sinew::diagnosis {
 namespace {
@@ -118,7 +118,8 @@ ObservedRig lever_rig(const LeverRig& rig, const std::string& model, bool with_e
   result.observation = lever_observation(rig, model);
   result.channels = {{"force", "N"}};
   if (with_elongation) result.channels.push_back({"elongation", "m"});
-  result.specs = lever_channels();
+  const auto [low, high] = std::minmax(rig.lever.count_free, rig.lever.count_end);
+  result.specs = lever_channels(low, high);
   result.position = "elongation";
   result.position_unit = "m";
   result.recording = [observation = result.observation, with_elongation](

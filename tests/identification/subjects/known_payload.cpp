@@ -75,8 +75,9 @@ TEST_CASE("a load of known mass is no deviation, and friction beside it is found
   CHECK(found.extension.adopted);
   // The first moments are known to a few millimetres times the load.
   CHECK(said(found).find("its centre at 0.05") != std::string::npos);
-  // What is left is noise, of which a hundredth of the effort was drawn.
-  for (const auto& channel : found.channels) CHECK(channel.relative_error_after < 0.02);
+  // What is left is noise, a hundredth of the effort, and how friction turns at its reversals.
+  for (const auto& channel : found.channels)
+    CHECK(channel.domains.front().after < 0.06 * channel.standard_deviation);
 }
 
 TEST_CASE("a column may say which load a log carried", "[slow]") {
