@@ -62,6 +62,7 @@ Recording recording_of(const Log& log, const sinew::Segment& segment, const Obse
   const double cutoff = std::min(calibration_cutoff, 0.1 / log.period);
   r.signals["count"] = count;
   r.signals["count_rate"] = steady_rate(count, log.period);
+  r.signals["count_speed"] = differentiate(count, log.period, cutoff).qd;
   const bool bent = log.channel("bend") >= 0;
   r.signals["bend"] = bent ? column_of(log, segment, "bend") : VectorXd::Zero(n);
   r.target.push_back(column_of(log, segment, "force"));

@@ -21,6 +21,10 @@ struct LeverEffects {
   ObservationEffect slack{"slack", "slack", "tendon", {}, {}, {1}};
   ObservationEffect scale{"sensor_scale", "scale of the lever sensor", "sensor", {}, {}, {}};
   ObservationEffect offset{"sensor_offset", "offset of the lever sensor", "sensor", {}, {}, {}};
+  ObservationEffect low_pass{
+      "sensor_low_pass", "low-pass of the lever sensor", "sensor", {}, {}, {}};
+  ObservationEffect play{
+      "sensor_hysteresis", "hysteresis of the lever sensor", "sensor", {}, {}, {}};
   ObservationEffect zero{
       "force_sensor_offset", "offset of the force sensor", "sensor", {}, {}, {0}};
   ObservationEffect capstan{
@@ -31,6 +35,7 @@ struct LeverEffects {
  private:
   void describe_lever();
   void describe_sensors(double counts);
+  void describe_late_sensors(double counts);
   void describe_guides();
   void write_equations();
 };

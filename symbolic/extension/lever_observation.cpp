@@ -7,9 +7,9 @@
 
 #include "symbolic/expressions/argument.h"
 #include "symbolic/expressions/exact_number.h"
+#include "symbolic/expressions/piecewise.h"
 #include "symbolic/extension/lever_effects.h"
 #include "symbolic/parts/lever_geometry.h"
-#include "symbolic/expressions/piecewise.h"
 
 namespace sinew {
 namespace {
@@ -28,12 +28,16 @@ class Reading {
       throw std::invalid_argument("the lever's sensor needs different counts at both ends");
     const double low = std::min(rig.lever.count_free, rig.lever.count_end);
     count_ = scalar_argument("count", "1", {low, low + std::abs(counts)}, "of the lever's sensor");
-    rate_ = scalar_argument("count_rate", "1/s", {-std::abs(counts), std::abs(counts)}, "");
+    rate_ = scalar_argument("count_rate", "1/s", {-std::abs(counts), std::abs(counts)},
+                            "without the sensor's flicker: zero where the lever rests");
+    speed_ = scalar_argument("count_speed", "1/s", {-std::abs(counts), std::abs(counts)},
+                             "the count's smooth derivative");
     bend_ = scalar_argument("bend", "rad", {0.0, 6.3},
                             "total bending angle between lever and load cell");
     step_ = scalar_argument("step", "s", {1e-4, 1e-2}, "to the next sample");
-    state_ = array_argument("memory", 2, 1, "1", {-1.0, 1.0},
-                            "of the hysteresis and of the guides, before this sample");
+    state_ = array_argument("memory", 3, 1, "1", {-1.0, 1.0},
+                            "of the hysteresis, of the guides and of the sensor's play, before "
+                            "this sample");
   }
 
   Function function() {
@@ -46,10 +50,10 @@ class Reading {
     return {"observation",
             "What the calibration rig's load cell and gauge read at a count of the lever's sensor.",
             "4.1",
-            {count_, rate_, bend_, step_, state_},
+            {count_, rate_, speed_, bend_, step_, state_},
             list_.items(),
             {{"measured", 2, 1, {guided, stretched}, "N, m", "force, elongation"},
-             {"next", 2, 1, {next_, guided_}, "1", "states for the next sample"}}};
+             {"next", 3, 1, {next_, guided_, played_}, "1", "states for the next sample"}}};
   }
 
  private:
@@ -59,8 +63,14 @@ class Reading {
     const numeric range = end - free,
                   counts = exact_number(rig_.lever.count_end) - exact_number(rig_.lever.count_free);
     per_count_ = range / counts / (1 + e_.scale.deviation());
+    const ex rate = clamped(rate_.symbols[0], -1000000, 1000000);
+    counted_ = list_.define("counted", rate * clamped(step_.symbols[0], 0, 1));
+    played_ = turned(2, counted_, 1, "play");
+    const ex late = e_.low_pass.deviation() * clamped(speed_.symbols[0], -1000000, 1000000);
+    const ex true_count =
+        list_.define("true_count", count_.symbols[0] + late + e_.play.deviation() * played_);
     const ex share = list_.define(
-        "share", (count_.symbols[0] - e_.offset.deviation() - exact_number(rig_.lever.count_free)) /
+        "share", (true_count - e_.offset.deviation() - exact_number(rig_.lever.count_free)) /
                      counts / (1 + e_.scale.deviation()));
     const ex limited =
         list_.define("share_limited", clamped(share, numeric(-1, 10), numeric(11, 10)));
@@ -74,23 +84,21 @@ class Reading {
         "pull", -(1 + e_.spring.deviation()) *
                     (g.energy_slope + e_.preload.deviation() * g.preload_slope) / g.safe_slope);
     force_ = list_.define("force", maximum(pull, 0));
-    const ex rate = clamped(rate_.symbols[0], -1000000, 1000000);
-    travel_ =
-        list_.define("travel", -g.slope * per_count_ * rate * clamped(step_.symbols[0], 0, 1));
-    next_ = turned(0, e_.hysteresis.shapes.front().symbol, "loop");
+    travel_ = list_.define("travel", -g.slope * per_count_ * counted_);
+    next_ = turned(0, travel_, e_.hysteresis.shapes.front().symbol, "loop");
   }
 
   /// Dahl's law: the way from one side of a loop to the other has a length of its own, at rest it
   /// stays where it is.
-  ex turned(int state, const ex& length, const std::string& name) {
+  ex turned(int state, const ex& travel, const ex& length, const std::string& name) {
     const ex z = clamped(state_.symbols[static_cast<std::size_t>(state)], -1, 1);
-    const ex way = list_.define(name + "_way", travel_ / length);
+    const ex way = list_.define(name + "_way", travel / length);
     const ex left = list_.define(name + "_left", GiNaC::exp(-magnitude(way)));
     return list_.define(name + "_next", choose(way, 1 - (1 - z) * left, (1 + z) * left - 1));
   }
 
   ex write_guides() {
-    guided_ = turned(1, guide_turns_over, "guide");
+    guided_ = turned(1, travel_, guide_turns_over, "guide");
     const ex bend = list_.define("bend_limited", clamped(bend_.symbols[0], 0, 100));
     const ex loop = list_.define("loop", force_ * (1 + e_.hysteresis.deviation() * next_));
     const ex exponent = clamped(e_.capstan.deviation() * bend * guided_, -10, 10);
@@ -102,8 +110,8 @@ class Reading {
   const LeverRig& rig_;
   LeverEffects& e_;
   DefinitionList list_;
-  Argument count_, rate_, bend_, step_, state_;
-  ex per_count_, theta_, elongation_, force_, travel_, next_, guided_;
+  Argument count_, rate_, speed_, bend_, step_, state_;
+  ex per_count_, theta_, elongation_, force_, counted_, travel_, next_, guided_, played_;
 };
 
 }  // namespace
