@@ -61,6 +61,11 @@ add_test(NAME ${test} COMMAND ${PROJECT_SOURCE_DIR}/tests/firmware/late_frames $
   $<TARGET_FILE:hand_main>)
 set_tests_properties(${test} PROPERTIES TIMEOUT 120)
 
+set(test "${SINEW_BOARD}: the board waits for an FPGA's side that is slow")
+add_test(NAME ${test} COMMAND ${PROJECT_SOURCE_DIR}/tests/firmware/slow_side ${SINEW_BOARD}
+  $<TARGET_FILE:hand_main>)
+set_tests_properties(${test} PROPERTIES TIMEOUT 300)
+
 # A simulated hand behind the mailbox; the program is that of the host's build.
 foreach(kind short.toml real_time.toml)
   set(test "${SINEW_BOARD}: the hand moves under the board, ${kind}")
