@@ -12,7 +12,8 @@ foreach(model hand thumb index middle ring fifth hmc motor)
   list(APPEND host_folders ${PROJECT_SOURCE_DIR}/generated/${model})
 endforeach()
 list(TRANSFORM host_folders PREPEND -I)
-list(APPEND host_sources ${hand_catalogue} ${CMAKE_CURRENT_SOURCE_DIR}/expected_table.c
+list(APPEND host_sources ${PROJECT_SOURCE_DIR}/generated/hand_step/hand_parameters.c
+  ${hand_catalogue} ${CMAKE_CURRENT_SOURCE_DIR}/expected_table.c
   ${CMAKE_CURRENT_SOURCE_DIR}/evaluation.c ${CMAKE_CURRENT_SOURCE_DIR}/states.c)
 file(GLOB host_headers CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.h ${hand_folder}/*.h
   ${PROJECT_SOURCE_DIR}/runtime/*.h)
