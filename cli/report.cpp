@@ -21,7 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 
 struct ReportOptions {
-  std::string model, out, generated, boards = "benchmarks/boards.csv";
+  std::string model, out, generated, boards = "firmware/budget.csv";
   bool json = false;
 };
 
@@ -122,7 +122,7 @@ void add_report_command(CLI::App& app, int&) {
   command->add_option("--generated", options->generated,
                       "Folder of the C that it is compared with (default: generated/<model>)");
   command->add_option("--boards", options->boards,
-                      "Table of what functions cost on boards (scripts/board_costs)");
+                      "Table of what functions cost on boards (scripts/accept_budget)");
   command->add_flag("--json", options->json, "Report for machines");
   command->callback([options] { run_report(*options); });
 }

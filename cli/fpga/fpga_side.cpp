@@ -99,13 +99,15 @@ mailbox_answer wait_for(volatile mailbox& box, std::uint32_t frame) {
 
 int run(char** words) {
   Memory memory(words[3], std::stol(words[4], nullptr, 0));
-  volatile mailbox& box = memory.box();
-  box.control.layout = MAILBOX_LAYOUT;
-  box.control.command = MAILBOX_LOCKSTEP | MAILBOX_DRIVE;
-  box.control.magic = MAILBOX_MAGIC;
   Plant plant = build_plant(words[1], std::filesystem::path(words[2]), words[5]);
   HandSensors sensors(plant, hand_parameters_table);
   BoardLog log(words[6], plant, hand_parameters_table.period);
+  volatile mailbox& box = memory.box();
+  box.control.layout = MAILBOX_LAYOUT;
+  box.control.command = MAILBOX_LOCKSTEP | MAILBOX_DRIVE;
+  // Last: the board, which has a limit of time, is started when this is seen, and the plant's C may
+  // take minutes to compile where others compile too.
+  box.control.magic = MAILBOX_MAGIC;
   std::uint32_t frame = 0, status = 0;
   mailbox_answer answer{};
   double largest = 0.0;

@@ -33,7 +33,7 @@ std::vector<BoardCost> read_board_costs(const std::string& file, const std::stri
     std::vector<std::string> cells;
     std::istringstream row(line + ",");
     for (std::string cell; std::getline(row, cell, ',');) cells.push_back(cell);
-    if (cells.size() != 4)
+    if (cells.size() < 4)
       throw std::runtime_error(where + ": expected board,function,instructions,bytes");
     if (cells[1].rfind(name + "_", 0) != 0) continue;
     costs.push_back({cells[0], cells[1], count_of(cells[2], where), count_of(cells[3], where)});

@@ -111,7 +111,7 @@ std::string function_section(const ModelReport& report, const std::vector<std::s
       "by computing again with 50 digits.</p>\n";
   text += boards.empty()
               ? "<p class=\"small soft\">Instructions and bytes on the boards are not in a table "
-                "here: <code>scripts/board_costs " +
+                "here: <code>scripts/accept_budget " +
                     escaped(report.emitted.name) + "</code> counts them.</p>\n"
               : "<p>Instructions of one call, counted in emulation, and bytes of its code, on " +
                     escaped(joined(boards)) + " in this order; from <code>" +

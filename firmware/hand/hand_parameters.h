@@ -3,7 +3,7 @@
  * What hand_step needs to know of one hand. hand_parameters.c holds the table, made from the model
  * by
  *
- *     sinew parameters models/hand --out firmware/hand/hand_parameters.c
+ *     sinew parameters models/hand --out generated/hand_step/hand_parameters.c
  *
  * SI units. The layout has no gaps and is the same on every target with 8-byte aligned doubles.
  */

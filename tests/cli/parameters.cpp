@@ -22,9 +22,9 @@ TEST_CASE("the committed table of the hand's step is what the model gives", "[pa
   const Ended made = here.sinew({"parameters", "models/hand", "--out", "table.c"});
   INFO(made.output);
   REQUIRE(made.status == 0);
-  INFO("to accept: sinew parameters models/hand --out firmware/hand/hand_parameters.c");
+  INFO("to accept: sinew parameters models/hand --out generated/hand_step/hand_parameters.c");
   CHECK(here.text("table.c") ==
-        reference::read_text(SINEW_SOURCE_DIR "/firmware/hand/hand_parameters.c"));
+        reference::read_text(SINEW_SOURCE_DIR "/generated/hand_step/hand_parameters.c"));
 }
 
 TEST_CASE("a change of the model or of the settings changes the table", "[parameters]") {
@@ -36,7 +36,7 @@ TEST_CASE("a change of the model or of the settings changes the table", "[parame
   REQUIRE(here.sinew({"parameters", "models/hand", "--out", "table.c"}).status == 0);
   const std::string table = here.text("table.c");
   CHECK(table.find(".servo_gain = 50,") != std::string::npos);
-  CHECK(table != reference::read_text(SINEW_SOURCE_DIR "/firmware/hand/hand_parameters.c"));
+  CHECK(table != reference::read_text(SINEW_SOURCE_DIR "/generated/hand_step/hand_parameters.c"));
 }
 
 TEST_CASE("mistakes in the settings are told with their place, and nothing is written",

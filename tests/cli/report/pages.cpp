@@ -30,7 +30,7 @@ bool no_browser() {
 std::string page_of(const Workplace& here, const std::string& model) {
   const Ended run =
       here.sinew({"report", source + "/models/" + model, "--out", model + ".html", "--generated",
-                  source + "/generated/" + model, "--boards", source + "/benchmarks/boards.csv"});
+                  source + "/generated/" + model, "--boards", source + "/firmware/budget.csv"});
   INFO(run.output);
   REQUIRE(run.status == 0);
   return here.text(model + ".html");
