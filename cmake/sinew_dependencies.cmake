@@ -18,3 +18,5 @@ find_package(Boost 1.74 REQUIRED)
 # Readers of logs that are no text; without them such a log is refused with that reason.
 pkg_check_modules(matio IMPORTED_TARGET GLOBAL matio)
 pkg_check_modules(hdf5 IMPORTED_TARGET GLOBAL hdf5-serial)
+pkg_check_modules(sqlite IMPORTED_TARGET GLOBAL sqlite3)
+pkg_check_modules(zstd IMPORTED_TARGET GLOBAL libzstd)

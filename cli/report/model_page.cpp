@@ -114,7 +114,9 @@ std::string force_controls(const ModelReport& report) {
   return text +
          "</fieldset>\n<p class=\"small soft\">Colours: the smallest tensions, none below the "
          "least "
-         "one, that hold the pose. <span id=\"magnified\"></span></p>\n";
+         "one, that hold the pose" +
+         (report.gravity.empty() && !report.held.empty() ? ", the bodies’ weight left out" : "") +
+         ". <span id=\"magnified\"></span></p>\n";
 }
 
 std::string controls(const ModelReport& report) {

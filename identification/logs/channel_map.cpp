@@ -265,8 +265,8 @@ class Mapper {
                          s.name, whole));
       return std::nullopt;
     }
-    const std::optional<Unit> given = parse_unit(text);
     const std::optional<Unit> wanted = parse_unit(s.unit);
+    const std::optional<Unit> given = text == kWhateverSi ? wanted : parse_unit(text);
     if (given && s.role == ChannelRole::effort && convertible(*given, *parse_unit("A")))
       return current(s, column, given->factor);
     if (!given || !convertible(*given, *wanted)) {

@@ -34,6 +34,33 @@ std::string cell_of(const std::string& name) {
   return cell + "\"";
 }
 
+/// Files that no reader here can read, but that people have of their logs.
+std::vector<LogColumn> refuse_ros1(const std::string& path) {
+  throw std::runtime_error(fmt::format(
+      "{}:0:0: is a recording of ROS 1; write it as one of ROS 2 (rosbags-convert), or as CSV",
+      readable_line(path)));
+}
+std::vector<LogColumn> refuse_packed(const std::string& path) {
+  throw std::runtime_error(fmt::format("{}:0:0: is compressed; unpack it first: unzstd, or gunzip",
+                                       readable_line(path)));
+}
+
+struct BinaryFormat {
+  std::string_view first_bytes;
+  std::vector<LogColumn> (*read)(const std::string& path);
+};
+
+constexpr BinaryFormat kFormats[] = {
+    {"\x89HDF\r\n\x1a\n", &read_hdf5},
+    {"MATLAB 5.0 MAT-file", &read_mat},
+    {"MATLAB 7.3 MAT", &read_mat},
+    {std::string_view("SQLite format 3\0", 16), &read_rosbag2},
+    {"\x89MCAP0\r\n", &read_mcap},
+    {"#ROSBAG V2.0", &refuse_ros1},
+    {"\x28\xb5\x2f\xfd", &refuse_packed},
+    {"\x1f\x8b\x08", &refuse_packed},
+};
+
 void write_text(std::FILE* to, const std::vector<LogColumn>& columns) {
   std::string line;
   for (const LogColumn& column : columns) line += (line.empty() ? "" : ",") + cell_of(column.name);
@@ -67,11 +94,11 @@ std::vector<LogColumn> of_one_length(std::vector<LogColumn> columns, const std::
 
 std::FILE* converted_log(const std::string& path) {
   const std::string bytes = first_bytes(path);
-  const bool hdf5 = bytes.starts_with("\x89HDF\r\n\x1a\n");
-  const bool mat = bytes.starts_with("MATLAB 5.0 MAT-file") || bytes.starts_with("MATLAB 7.3 MAT");
-  if (!hdf5 && !mat) return nullptr;
-  const std::vector<LogColumn> columns =
-      of_one_length(mat ? read_mat(path) : read_hdf5(path), path);
+  const BinaryFormat* format =
+      std::find_if(std::begin(kFormats), std::end(kFormats),
+                   [&](const BinaryFormat& f) { return bytes.starts_with(f.first_bytes); });
+  if (format == std::end(kFormats)) return nullptr;
+  const std::vector<LogColumn> columns = of_one_length(format->read(path), path);
   std::FILE* text = std::tmpfile();
   if (!text) throw std::runtime_error("no temporary file can be made; expected room in /tmp");
   write_text(text, columns);

@@ -15,15 +15,18 @@ struct LogColumn {
   std::vector<double> values;
 };
 
-/// CSV text of a MAT or HDF5 file in a temporary file without a name, at its beginning; nullptr for
-/// any other file. Throws std::runtime_error "file:0:0: ..." where the file cannot be understood,
-/// or its format needs a library that this program was built without.
+/// CSV text of a MAT, HDF5, rosbag2 or MCAP file in a temporary file without a name, at its
+/// beginning; nullptr for any other file. Throws std::runtime_error "file:0:0: ..." where the file
+/// cannot be understood, or its format needs a library that this program was built without.
 std::FILE* converted_log(const std::string& path);
 
 /// Columns of equal length: every real vector and every column of a matrix, the longest ones.
 /// Throw std::runtime_error as above. The second one reads HDF5, which newer MAT files (7.3) are.
 std::vector<LogColumn> read_mat(const std::string& path);
 std::vector<LogColumn> read_hdf5(const std::string& path);
+/// The joint states of a recording of ROS 2 (joint_states.h). Throw std::runtime_error as above.
+std::vector<LogColumn> read_rosbag2(const std::string& path);
+std::vector<LogColumn> read_mcap(const std::string& path);
 
 /// The columns of the length that most of them have, in their order; the others are left out.
 std::vector<LogColumn> of_one_length(std::vector<LogColumn> columns, const std::string& path);

@@ -32,7 +32,7 @@ struct CsvRow {
   int time_decimals = 0;  ///< digits after the decimal sign in the first column asked for
 };
 
-/// Reads a file once, front to back; a MAT or HDF5 file as the text it is converted to. Throws
+/// Reads a file once, front to back; another format as the text it is converted to. Throws
 /// std::runtime_error "file:row:column: ..." where the file cannot be opened, is no file (a folder,
 /// a pipe, a device), is larger than a log may be (symbolic/files/limits.h), is UTF-16, or has no
 /// header row.
@@ -63,7 +63,7 @@ class CsvReader {
   std::vector<char> buffer_;
   size_t begin_ = 0, end_ = 0;
   bool at_end_ = false;
-  bool converted_ = false;  ///< file_ is text made of a MAT or HDF5 file
+  bool converted_ = false;  ///< file_ is text made of a file of another format
   long line_ = 0;
   CsvDialect dialect_;
   std::vector<int> slot_;  ///< column index -> place in CsvRow, -1 unused

@@ -123,7 +123,9 @@ int score(const LogHeaderCell& cell, const ChannelSpec& spec, const ChannelPlace
   const Words& references = words_for(ChannelRole::reference);
   if ((spec.role == ChannelRole::reference) != any_of(cell.words, references)) return 0;
   if (!is_place(cell, place, from_zero)) return 0;
-  const std::optional<Unit> given = parse_unit(cell.unit), wanted = parse_unit(spec.unit);
+  const std::optional<Unit> wanted = parse_unit(spec.unit);
+  const bool si = cell.unit == kWhateverSi;
+  const std::optional<Unit> given = si ? wanted : parse_unit(cell.unit);
   const bool amperes =
       given && spec.role == ChannelRole::effort && convertible(*given, *parse_unit("A"));
   if (!cell.unit.empty() && !(given && wanted && convertible(*given, *wanted)) && !amperes)
@@ -131,7 +133,7 @@ int score(const LogHeaderCell& cell, const ChannelSpec& spec, const ChannelPlace
   const bool named =
       spec.role == ChannelRole::reference || any_of(cell.words, words_for(spec.role));
   // A count has the unit 1, which says nothing.
-  const bool by_unit = given && spec.unit != "1";
+  const bool by_unit = given && !si && spec.unit != "1";
   return (named ? 2 : 0) + (by_unit ? 1 : 0);
 }
 

@@ -19,6 +19,9 @@ struct Unit {
 /// Latin-1. Nothing when the text is no unit.
 std::optional<Unit> parse_unit(std::string_view text);
 
+/// The unit of a column whose file says only that it is in SI units, such as a message of ROS 2.
+inline constexpr std::string_view kWhateverSi = "SI";
+
 /// Whether a value in `given` can be converted to `wanted`. Radians count as a dimension except in
 /// units with mass (N·m/rad is N·m), so that counts are never taken for an angle.
 bool convertible(const Unit& given, const Unit& wanted);

@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <catch2/catch.hpp>
+#include <cstdlib>
 #include <map>
 #include <string>
 #include <vector>
@@ -145,53 +146,84 @@ Files written_by(const Command& command) {
   return bench.outputs();
 }
 
+/// What a command compiles is kept for all runs of one test: compiling it for each would be most of
+/// the test's time, and is no writing of outputs.
+class CompiledOnce {
+ public:
+  CompiledOnce() { ::setenv("SINEW_CACHE_DIR", (folder_.path() / "cache").c_str(), 1); }
+  ~CompiledOnce() { ::setenv("SINEW_CACHE_DIR", "", 1); }
+  CompiledOnce(const CompiledOnce&) = delete;
+  CompiledOnce& operator=(const CompiledOnce&) = delete;
+
+ private:
+  reference::TemporaryFolder folder_;
+};
+
 bool can_trace(const Workplace& here) {
   if (here.shell("strace -o /dev/null true").status == 0) return true;
   sinew::test::skip("strace cannot trace here");
   return false;
 }
 
+/// Kills the command at the first `most` of each of these calls, at `least` so many in all.
+void check_killed(const Command& command, const std::vector<std::string>& calls, int most,
+                  int least) {
+  const Files after = written_by(command);
+  const Bench bench(command);
+  int killed = 0;
+  for (const std::string& call : calls)
+    for (int count = 1; count <= most; ++count) {
+      bench.reset();
+      bench.traced(command, call + ":signal=SIGKILL:when=" + std::to_string(count));
+      if (!bench.injected()) break;
+      INFO(command.name << " " << call << " " << count);
+      ++killed;
+      int again = bench.shell(command.next).status;
+      if (command.next != command.run) {
+        CHECK((bench.is_old() || bench.is_new(after)));
+        again = bench.shell(command.run).status;
+      }
+      CHECK(again == 0);
+      CHECK(bench.is_new(after));
+      CHECK(bench.is_clean());
+    }
+  INFO(command.name);
+  CHECK(killed >= least);
+}
+
 }  // namespace
 
-TEST_CASE("every command, killed at each step of its writing: all old or all new",
+TEST_CASE("every command, killed as its outputs take their places: all old or all new",
           "[outputs][slow]") {
   // Planted defect: Outputs::commit() without a journal: neither old nor new are the outputs of
   // generate after "renameat2 2", those of identify after "rename 2" to "rename 7". import writes
   // one folder and simulate one file, which need none.
   // Planted defect: an interrupted run put right in commit(), after it was looked up what is there:
   // the run after figures was killed at "rename 2" ends with 2, for a file that is new no more.
-  for (const Command& command : commands()) {
-    const Workplace tools;
-    if (!can_trace(tools)) return;
-    const Files after = written_by(command);
-    const Bench bench(command);
-    int killed = 0;
-    for (const char* call : {"fsync", "rename", "renameat2", "ftruncate", "link"})
-      for (int count = 1; count <= 9; ++count) {
-        bench.reset();
-        bench.traced(command, std::string(call) + ":signal=SIGKILL:when=" + std::to_string(count));
-        if (!bench.injected()) break;
-        INFO(command.name << " " << call << " " << count);
-        ++killed;
-        int again = bench.shell(command.next).status;
-        if (command.next != command.run) {
-          CHECK((bench.is_old() || bench.is_new(after)));
-          again = bench.shell(command.run).status;
-        }
-        CHECK(again == 0);
-        CHECK(bench.is_new(after));
-        CHECK(bench.is_clean());
-      }
-    INFO(command.name);
-    CHECK(killed >= 2);
-  }
+  // Between two of these calls outputs are of two kinds; the calls at which they cannot be, and
+  // later ones of each, are killed at in the test below.
+  const Workplace tools;
+  if (!can_trace(tools)) return;
+  const CompiledOnce kept;
+  for (const Command& command : commands())
+    check_killed(command, {"rename", "renameat2", "link"}, 3, 1);
+}
+
+TEST_CASE("every command, killed at each step of its writing: all old or all new",
+          "[outputs][slow][thorough]") {
+  const Workplace tools;
+  if (!can_trace(tools)) return;
+  const CompiledOnce kept;
+  for (const Command& command : commands())
+    check_killed(command, {"fsync", "rename", "renameat2", "ftruncate", "link"}, 9, 2);
 }
 
 TEST_CASE("every command tells what of its writing fails, and leaves the old outputs",
           "[outputs][slow]") {
+  const Workplace tools;
+  if (!can_trace(tools)) return;
+  const CompiledOnce kept;
   for (const Command& command : commands()) {
-    const Workplace tools;
-    if (!can_trace(tools)) return;
     const Files after = written_by(command);
     const Bench bench(command);
     int failed = 0;
@@ -216,6 +248,7 @@ TEST_CASE("every command tells what of its writing fails, and leaves the old out
 }
 
 TEST_CASE("every command on a full disk ends with 2 and leaves the old outputs", "[outputs]") {
+  const CompiledOnce kept;
   for (const Command& command : commands()) {
     const Bench bench(command);
     const fs::path disk = bench.path("out");
