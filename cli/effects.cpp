@@ -112,7 +112,10 @@ void print_rigs() {
       "the "
       "lever's force, `x`\nits elongation, `z` the side of its hysteresis loop (from -1 to 1), "
       "`alpha` the angle by which the tendon is bent\nbetween lever and load cell, `direction` the "
-      "side that the guides' friction is on. A sensor whose steps are coarse\nis found as well.\n");
+      "side that the guides' friction is on,\n`count_speed` the count's smooth derivative, "
+      "`play_direction` the side of the sensor's play. A sensor whose steps\nare coarse is found "
+      "as "
+      "well.\n");
   for (const ObservationEffect& effect : LeverEffects(0.0).all()) tell("{}", entry(effect));
   tell(
       "\n# At a wrist\n\n"

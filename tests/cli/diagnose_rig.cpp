@@ -64,6 +64,21 @@ TEST_CASE("slack is named, which changes nothing but a mean") {
   CHECK(told.says("The model lacks: slack (tendon)."));
 }
 
+TEST_CASE("a lever's sensor that is slow or loose is named") {
+  // Seen to fail without either cause in LeverEffects: told as structure without a name.
+  const Workplace slow =
+      lever_that_has({"sensor_low_pass", "sensor", {}, {{"lag", 0.01, 0.0, "s"}}}, true);
+  const Ended late = slow.sinew(diagnose);
+  INFO(late.output);
+  CHECK(late.says("The model lacks: low-pass of the lever sensor (sensor)."));
+  const Workplace loose =
+      lever_that_has({"sensor_hysteresis", "sensor", {}, {{"half_width", 6.0, 0.0, "1"}}}, true);
+  const Ended behind = loose.sinew(diagnose);
+  INFO(behind.output);
+  CHECK(behind.says("The model lacks: hysteresis of the lever sensor (sensor)."));
+  CHECK(loose.sinew({"generate", "lever", "--out", "c"}).status == 0);
+}
+
 TEST_CASE("a wrist's log without motors is named with what its header has") {
   const Workplace place =
       lever_that_has({"slack", "tendon", {}, {{"slack", 1e-4, 0.0, "m"}}}, false);

@@ -29,7 +29,7 @@ class Calibration {
     std::normal_distribution<double> normal;
     std::string text = with_elongation ? "time [s],count [1],force [N],elongation [mm]\n"
                                        : "time [s],count [1],force [N]\n";
-    std::vector<double> memory{0.0, 0.0};
+    std::vector<double> memory{0.0, 0.0, 0.0};
     for (int k = 0; k < 3000; ++k) {
       const double t = 0.01 * k, phase = 0.4 * seed;
       const double count = std::round(2040.0 + 1500.0 * std::sin(0.9 * t + phase) +
@@ -37,8 +37,8 @@ class Calibration {
       const double rate =
           1350.0 * std::cos(0.9 * t + phase) + 690.0 * std::cos(2.3 * t + 2.0 * phase);
       const std::vector<double> out =
-          evaluate(reading_, {count, rate, 0.0, 0.01, memory[0], memory[1]});
-      memory = {out[2], out[3]};
+          evaluate(reading_, {count, rate, rate, 0.0, 0.01, memory[0], memory[1], memory[2]});
+      memory = {out[2], out[3], out[4]};
       text += fmt::format("{:.2f},{:.0f},{:.4f}", t, count, out[0] + 0.05 * normal(random));
       if (with_elongation) text += fmt::format(",{:.5f}", 1e3 * out[1] + 0.005 * normal(random));
       text += "\n";
