@@ -370,6 +370,7 @@ std::vector<ChannelSpec> robot_channels(const Mechanism& mechanism) {
   }
   ChannelSpec carried = spec("payload", "kg", ChannelRole::other, -1, false);
   carried.low = 0.0;
+  carried.is_set = true;
   specs.push_back(carried);
   return specs;
 }
@@ -412,6 +413,7 @@ std::vector<ChannelSpec> lever_channels(double low, double high) {
   specs.front().high = high;
   specs[3].low = -2.0 * std::numbers::pi;
   specs[3].high = 2.0 * std::numbers::pi;
+  specs.back().is_set = true;
   // No guide bends a tendon by more than a turn.
   specs.back().low = 0.0;
   specs.back().high = 2.0 * std::numbers::pi;

@@ -28,6 +28,7 @@ struct ChannelSpec {
   /// Effort channels: the torque constant, N·m/A or N/A at the joint, with which a column in A is
   /// read; 0: not known, such a column is refused.
   double per_ampere = 0.0;
+  bool is_set = false;       ///< not measured: one value in every row is no fault
   bool keep_ampere = false;  ///< a column in A without a known constant is read as it is, in A
 };
 

@@ -51,7 +51,7 @@ struct Judge {
       add(c, FaultKind::missing_cell, spec.required ? Severity::stop : Severity::doubtful, 0, 0,
           fmt::format("'{}' has no number in {} of {} rows", spec.name, missing, inspection.rows),
           "too many to go on with it");
-    if (channel.low() == channel.high() && channel.count() > 1)
+    if (channel.low() == channel.high() && channel.count() > 1 && !spec.is_set)
       add(c, FaultKind::constant_channel,
           spec.required && (spec.role == ChannelRole::position || spec.role == ChannelRole::effort)
               ? Severity::stop

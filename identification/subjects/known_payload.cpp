@@ -20,7 +20,8 @@ using Eigen::VectorXd;
 
 constexpr Index kDriveColumns = 4;   // of each joint: inertia, viscous, Coulomb, offset
 constexpr Index kLinkColumns = 10;   // of each link
-constexpr Index kCentreColumns = 3;  // first moments of each load
+constexpr Index kCentreColumns = 3;  // of each load's centre
+constexpr int kRounds = 3;           // the place's square is small beside the place
 constexpr double kTurnShare = 0.01;  // of the top speed, over which friction turns
 constexpr double kRidge = 1e-8;      // of a column's square: what logs cannot tell stays small
 
@@ -29,15 +30,34 @@ bool carries(const KnownPayload& payload, const Recording& log) {
          payload.recordings.end();
 }
 
+/// Links whose own parameters the logs tell beside the loads. Of a load that is always there they
+/// tell none: along a joint's axis its first moment is its neighbour's, too.
+std::vector<std::string> open_links(const std::vector<Recording>& training,
+                                    const RigidColumns& rigid,
+                                    const std::vector<KnownPayload>& loads) {
+  const auto is_always_there = [&](const KnownPayload& load) {
+    return std::all_of(training.begin(), training.end(), [&](const Recording& log) {
+      return carries(load, log) && log.payload.minCoeff() > 0.5 * load.mass;
+    });
+  };
+  if (std::any_of(loads.begin(), loads.end(), is_always_there)) return {};
+  return rigid.moving_links();
+}
+
 /// Columns of all that is fitted, for one joint of one log.
 class Columns {
  public:
-  Columns(const Recording& log, const RigidColumns& rigid, const std::vector<KnownPayload>& loads)
+  /// `links`: those whose own parameters are fitted.
+  Columns(const Recording& log, const RigidColumns& rigid, const std::vector<std::string>& links,
+          const std::vector<KnownPayload>& loads)
       : log_(log), loads_(loads) {
-    for (const std::string& link : rigid.moving_links())
-      links_.push_back(rigid.mass_columns(link, log));
-    for (const KnownPayload& load : loads)
-      if (carries(load, log)) own_.push_back(rigid.mass_columns(load.link, log));
+    for (const std::string& link : links) links_.push_back(rigid.mass_columns(link, log));
+    for (const KnownPayload& load : loads) {
+      if (!carries(load, log)) continue;
+      own_.push_back(log.payload.asDiagonal() * rigid.mass_columns(load.link, log));
+      asked_.push_back(log.payload.asDiagonal() *
+                       rigid.point_mass(load.link, load.centre.value_or(Vector3d::Zero()), log));
+    }
   }
 
   Index count() const {
@@ -45,12 +65,16 @@ class Columns {
            kCentreColumns * static_cast<Index>(loads_.size());
   }
 
-  /// What the loads ask at their links' frames, by their masses alone.
-  VectorXd weight(Index joint) const {
+  /// What the loads ask where they are thought to be, without what is linear in the place: their
+  /// weight at the links' frames, and the square of the distance in their moments of inertia.
+  VectorXd bent(Index joint) const {
     VectorXd sum = VectorXd::Zero(log_.q.rows());
     std::size_t k = 0;
-    for (const KnownPayload& load : loads_)
-      if (carries(load, log_)) sum += load.mass * own_[k++].col(joint * kLinkColumns);
+    for (const KnownPayload& load : loads_) {
+      if (!carries(load, log_)) continue;
+      const auto first = own_[k].middleCols(joint * kLinkColumns + 1, kCentreColumns);
+      sum += asked_[k++].col(joint) - first * load.centre.value_or(Vector3d::Zero());
+    }
     return sum;
   }
 
@@ -80,7 +104,7 @@ class Columns {
  private:
   const Recording& log_;
   const std::vector<KnownPayload>& loads_;
-  std::vector<MatrixXd> links_, own_;
+  std::vector<MatrixXd> links_, own_, asked_;
 };
 
 /// Every joint in units of its own effort.
@@ -97,7 +121,7 @@ struct NormalEquations {
       const VectorXd& measured = slow.target[static_cast<std::size_t>(j)];
       const double scale = std::max(measured.norm() / std::sqrt(double(measured.size())), 1e-12);
       const MatrixXd x = columns.of(j) / scale;
-      const VectorXd left = (measured - said.col(j) - columns.weight(j)) / scale;
+      const VectorXd left = (measured - said.col(j) - columns.bent(j)) / scale;
       gram.noalias() += x.transpose() * x;
       right.noalias() += x.transpose() * left;
     }
@@ -143,18 +167,23 @@ void fit_centres(const std::vector<Recording>& training, const EffortModel& mode
           "no log to learn from carries the {:.4g} kg at {}, so that their centre stays unknown; "
           "say it (payload={:.4g}kg at X, Y, Z m), or give such a log to --log",
           payload.mass, payload.link, payload.mass));
-  NormalEquations equations;
-  for (const Recording& log : training) {
-    const Recording slow = slow_recording(log);
-    if (slow.q.size() > 0) equations.add(Columns(slow, rigid, open), slow, model(slow));
+  const std::vector<std::string> links = open_links(training, rigid, open);
+  for (int round = 0; round < kRounds; ++round) {
+    NormalEquations equations;
+    for (const Recording& log : training) {
+      const Recording slow = slow_recording(log);
+      if (slow.q.size() > 0) equations.add(Columns(slow, rigid, links, open), slow, model(slow));
+    }
+    const VectorXd fitted = equations.solved();  // the centres come last
+    Index at = fitted.size() - kCentreColumns * static_cast<Index>(open.size());
+    for (KnownPayload& payload : open) {
+      payload.centre = fitted.segment<3>(at);
+      at += kCentreColumns;
+    }
   }
-  const VectorXd fitted = equations.solved();
-  Index at = fitted.size() - kCentreColumns * static_cast<Index>(open.size());
-  for (KnownPayload& payload : payloads) {
-    if (payload.centre) continue;
-    payload.centre = fitted.segment<3>(at) / payload.mass;
-    at += kCentreColumns;
-  }
+  std::size_t next = 0;
+  for (KnownPayload& payload : payloads)
+    if (!payload.centre) payload.centre = open[next++].centre;
 }
 
 /// The mass over time: a column's, or what was told of the whole log.

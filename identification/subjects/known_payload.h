@@ -26,10 +26,10 @@ struct KnownPayload {
 /// does not move, or several may be meant.
 KnownPayload known_payload(const CarriedPayload* told, const RigidColumns& rigid);
 
-/// Sets the centres that are not known. They are first moments beside everything else that least
-/// squares can fit: parameters of every link, and inertia, viscous and Coulomb friction and an
-/// offset of every joint. Without the links' parameters their errors would move the centre. Throws
-/// std::invalid_argument where the training logs do not carry the load.
+/// Sets the centres that are not known, by least squares beside everything else that the logs can
+/// tell: parameters of every link, where some log is without the load, and inertia, viscous and
+/// Coulomb friction and an offset of every joint. Without the links' parameters their errors would
+/// move the centre. Throws std::invalid_argument where the training logs do not carry the load.
 void fit_centres(const std::vector<Recording>& training, const EffortModel& model,
                  const RigidColumns& rigid, std::vector<KnownPayload>& payloads);
 

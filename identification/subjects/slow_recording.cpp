@@ -42,6 +42,7 @@ Recording slow_recording(const Recording& recording) {
   slow.time = VectorXd::LinSpaced(count, 0.0, slow.step * static_cast<double>(count - 1));
   for (const VectorXd& target : recording.target) slow.target.push_back(smooth(target));
   if (recording.load.size() > 0) slow.load = smooth(recording.load);
+  if (recording.payload.size() > 0) slow.payload = thinned(recording.payload);
   const auto found = [&](const char* name) { return recording.signals.find(name); };
   if (const auto tension = found("tension"); tension != recording.signals.end())
     slow.signals["tension"] = smooth(tension->second);
