@@ -128,6 +128,11 @@ def bodies_are_possible(model, effects):
             continue
         mass, first, moments = cad_body(rows[link])
         change = {c["name"]: c["value"] for c in effect["coefficient"]}
+        if not any(name.startswith("moment_") for name in change):
+            # docs/model_files.md: the link keeps its shape, a payload is a point.
+            if mass + change["mass"] <= 0.0 or (effect["effect"] == "payload" and change["mass"] < 0.0):
+                return False
+            continue
         mass += change["mass"]
         first = [f + change.get(f"first_moment_{a}", 0.0) for f, a in zip(first, "xyz")]
         moments = [m + change.get(f"moment_{a}", 0.0)

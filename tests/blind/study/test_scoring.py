@@ -371,6 +371,21 @@ class Compared(unittest.TestCase):
 
 
 class Physics(unittest.TestCase):
+    def test_a_link_of_which_mass_and_centre_change_keeps_its_shape(self):
+        """Planted defect, seen to fail: moments about the link's frame kept, as if they had been told."""
+        with tempfile.TemporaryDirectory() as place:
+            (pathlib.Path(place) / "mass_properties.csv").write_text(
+                "link,mass [kg],com_x [m],com_y [m],com_z [m],ixx [kg*m^2],iyy [kg*m^2],izz [kg*m^2],"
+                "ixy [kg*m^2],ixz [kg*m^2],iyz [kg*m^2]\nl1,1,0,0,0.1,0.0001,0.0001,0.0001,0,0,0\n")
+            change = {"mass": 0.0, "first_moment_x": 0.05, "first_moment_y": 0.0, "first_moment_z": 0.0}
+            effect = {"effect": "inertial_parameters", "place": "link l1",
+                      "coefficient": [{"name": n, "value": v} for n, v in change.items()]}
+            self.assertTrue(physical.bodies_are_possible(pathlib.Path(place), [effect]))
+            effect["coefficient"] += [{"name": "moment_xx", "value": 0.0}]
+            self.assertFalse(physical.bodies_are_possible(pathlib.Path(place), [effect]))
+            effect["coefficient"] = [{"name": "mass", "value": -1.0}]
+            self.assertFalse(physical.bodies_are_possible(pathlib.Path(place), [effect]))
+
     def test_a_negative_mass_is_no_body(self):
         self.assertTrue(physical.positive_definite(physical.pseudo_inertia(1, [0, 0, 0], [1, 1, 1, 0, 0, 0]), 4))
         self.assertFalse(physical.positive_definite(physical.pseudo_inertia(-1, [0, 0, 0], [1, 1, 1, 0, 0, 0]), 4))
