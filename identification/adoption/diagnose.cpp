@@ -87,14 +87,18 @@ class Run {
     LoggedMotion logged = read_logs(request_, constants);
     std::vector<std::string> notes = request_.notes;
     if (const std::vector<std::string> open = open_currents(logged); !open.empty()) {
-      for (std::string& note : fit_constants(logged, open, subject_, constants))
+      for (std::string& note : fit_constants(logged, request_.payloads, open, subject_, constants))
         notes.push_back(std::move(note));
       logged = read_logs(request_, constants);
     }
     for (std::size_t i = 0; i < logged.logs.size(); ++i)
       take(logged.logs[i], logged.channels[i], i >= request_.logs.size());
     refuse_held_out_twins(result_.findings.logs);
-    for (std::string& said : subject_.take_payloads()) notes.push_back(std::move(said));
+    // Before the efforts are compared with what the model says: it may carry a load.
+    const std::vector<PayloadNote> payloads = subject_.take_payloads();
+    for (std::size_t i = 0; i < logged.logs.size(); ++i)
+      check(logged.logs[i], logged.channels[i], payloads, i >= request_.logs.size(),
+            result_.findings.logs[i]);
     LogRecord& first = result_.findings.logs.front();
     for (const std::string& note : notes) first.faults.push_back(first.file + ": " + note);
   }
@@ -104,8 +108,15 @@ class Run {
     subject_.add_log(log, columns, held_out, payload_of(request_.payloads, log.file));
     columns_[log.file] = judged_columns(log, columns);
     result_.findings.logs.push_back(log_record(log, held_out));
-    for (const DataFault& doubt : check_columns(log, columns, held_out))
-      result_.findings.logs.back().faults.push_back(message(doubt));
+  }
+
+  /// Throws LogError where going on is not safe.
+  void check(const Log& log, const DrivenChannels& channels,
+             const std::vector<PayloadNote>& payloads, bool held_out, LogRecord& record) const {
+    for (const DataFault& doubt : check_columns(log, columns_in(log, channels), held_out))
+      record.faults.push_back(message(doubt));
+    for (const PayloadNote& note : payloads)
+      if (note.log == log.file) record.faults.push_back(log.file + ": " + note.text);
   }
 
   /// What each channel of the problem is measured by: forces of tendons stand for their joints.

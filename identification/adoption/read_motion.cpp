@@ -75,12 +75,19 @@ std::vector<std::string> open_currents(const LoggedMotion& logged) {
 }
 
 std::vector<std::string> fit_constants(const LoggedMotion& logged,
+                                       const std::vector<CarriedPayload>& payloads,
                                        const std::vector<std::string>& open,
                                        const DrivenSubject& subject,
                                        std::map<std::string, double>& constants) {
   DrivenSubject trial = subject;
+  const auto carries = [&](const Log& log) {
+    return payload_of(payloads, log.file) != nullptr || log.channel("payload") >= 0;
+  };
+  const auto end = logged.logs.begin() + static_cast<std::ptrdiff_t>(logged.training);
+  const bool all_carry = std::all_of(logged.logs.begin(), end, carries);
   for (std::size_t i = 0; i < logged.training; ++i)
-    trial.add_log(logged.logs[i], columns_in(logged.logs[i], logged.channels[i]), false);
+    if (all_carry || !carries(logged.logs[i]))
+      trial.add_log(logged.logs[i], columns_in(logged.logs[i], logged.channels[i]), false);
   const std::vector<std::string>& efforts = logged.channels.front().efforts;
   const std::size_t first = subject.model().joints.size() - efforts.size();
   std::vector<std::size_t> joints;

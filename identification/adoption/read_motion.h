@@ -28,8 +28,10 @@ DrivenColumns columns_in(const Log& log, const DrivenChannels& channels);
 std::vector<std::string> open_currents(const LoggedMotion& logged);
 
 /// Adds the constants of these channels, fitted to the training logs, and gives what is to be said
-/// of them. Throws LogError where the logs tell none. `subject`: without logs.
+/// of them. Throws LogError where the logs tell none. Logs with a load of `payloads` are looked at
+/// only where there are no others. `subject`: without logs.
 std::vector<std::string> fit_constants(const LoggedMotion& logged,
+                                       const std::vector<CarriedPayload>& payloads,
                                        const std::vector<std::string>& open,
                                        const DrivenSubject& subject,
                                        std::map<std::string, double>& constants);

@@ -162,30 +162,37 @@ void take_form(int candidate, NamedCause& cause) {
   cause.candidate = candidate;
 }
 
-/// Names the deviations the model's own values differ in, and lists the others as ruled out.
-void name_deviations(const Design& design, const Library& library, const Settings& settings,
-                     const ExperimentPlanner& planner, DeviationSelection deviations,
-                     Explanation& result) {
-  Selection& state = deviations.state;
-  std::vector<std::size_t> named;
-  for (std::size_t t = 0; t < state.model.terms.size(); ++t)
-    if (state.model.terms[t].deviation >= 0) named.push_back(t);
+/// Gains and forms of the causes as the model is extended by them: beside values that are free a
+/// cause may have another form.
+void follow_adopted(const Design& design, const Settings& settings, const Selection& state,
+                    Explanation& result) {
   // Beside values of the model that are free, a cause gains no more than they leave to it: of logs
   // under one load friction by the load would gain nothing. Where it takes most of what the model
   // as adopted leaves over, in which they are not free, that is what it gains; and so it is where
   // it took the place of such values.
   constexpr double kMost = 0.5;
-  const auto is_exchanged = [&](const NamedCause& cause) {
-    const std::vector<int>& list = result.selection.exchanged;
-    return std::find(list.begin(), list.end(), cause.candidate) != list.end();
-  };
-  for (NamedCause& cause : result.verdict.causes)
-    for (std::size_t t = 0; t < state.model.terms.size(); ++t) {
-      if (cause.candidate < 0 || library_index(design, state.model.terms[t]) != cause.candidate)
-        continue;
-      const Gain adopted = gain_on_held_out(design, settings, state, t);
-      if (adopted.low > kMost || is_exchanged(cause)) cause.held_out = cause.confirmed = adopted;
-    }
+  const std::vector<int>& exchanged = result.selection.exchanged;
+  for (NamedCause& cause : result.verdict.causes) {
+    if (cause.candidate < 0) continue;
+    const std::optional<std::size_t> t = term_of(design, cause.candidate, state.model);
+    if (!t) continue;
+    const bool is_exchanged =
+        std::find(exchanged.begin(), exchanged.end(), cause.candidate) != exchanged.end();
+    const Gain adopted = gain_on_held_out(design, settings, state, *t);
+    if (adopted.low > kMost || is_exchanged) cause.held_out = cause.confirmed = adopted;
+    take_form(library_index(design, state.model.terms[*t]), cause);
+  }
+}
+
+/// Names the deviations the model's own values differ in, and lists the others as ruled out.
+void name_deviations(const Design& design, const Library& library, const Settings& settings,
+                     const ExperimentPlanner& planner, DeviationSelection deviations,
+                     Explanation& result) {
+  Selection& state = deviations.state;
+  follow_adopted(design, settings, state, result);
+  std::vector<std::size_t> named;
+  for (std::size_t t = 0; t < state.model.terms.size(); ++t)
+    if (state.model.terms[t].deviation >= 0) named.push_back(t);
   const std::size_t first = result.verdict.causes.size();
   for (const std::size_t t : named) {
     NamedCause cause = name_cause(design, library, settings, planner, result.selection, t, state);
@@ -197,14 +204,11 @@ void name_deviations(const Design& design, const Library& library, const Setting
   for (std::size_t i = 0; i < named.size(); ++i)
     result.verdict.causes[first + i].parameters = all[named[i]];
   // Told as the model is extended by them: beside values that are free a cause that does much the
-  // same as they do has hardly a size, and may have another form.
+  // same as they do has hardly a size.
   for (std::size_t i = 0; i < first; ++i) {
     NamedCause& cause = result.verdict.causes[i];
     if (cause.candidate < 0) continue;
-    const std::optional<std::size_t> t = term_of(design, cause.candidate, state.model);
-    if (!t) continue;
-    take_form(library_index(design, state.model.terms[*t]), cause);
-    cause.parameters = all[*t];
+    if (const auto t = term_of(design, cause.candidate, state.model)) cause.parameters = all[*t];
   }
   const std::vector<ParameterDeviation>& causes = design.problem().deviations;
   for (std::size_t l = 0; l < causes.size(); ++l) {

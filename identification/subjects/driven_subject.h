@@ -44,6 +44,12 @@ struct DrivenColumns {
   int payload = -1;  ///< mass that is carried; -1: none is logged
 };
 
+/// What is to be said of a log's load.
+struct PayloadNote {
+  std::string log;  ///< file
+  std::string text;
+};
+
 class DrivenSubject {
  public:
   /// `runtime`: folder of the runtime's headers; `rigid`: the mechanism's own columns, or none.
@@ -56,9 +62,9 @@ class DrivenSubject {
                const CarriedPayload* carried = nullptr);
 
   /// Takes loads of known mass into account, one whose centre is not known where least squares of
-  /// all parameters puts it. After the last log, before prepare(). What is to be said of it.
-  /// Throws std::invalid_argument where no log tells a centre.
-  std::vector<std::string> take_payloads();
+  /// all parameters puts it. After the last log, before prepare(). Gives what is to be said of the
+  /// logs. Throws std::invalid_argument where no log tells a centre.
+  std::vector<PayloadNote> take_payloads();
 
   /// Baseline, library and deviations for the logs added so far. Throws std::invalid_argument where
   /// no stretch of a log is long enough.
@@ -128,6 +134,7 @@ class DrivenSubject {
   void add_standstills(Recording& log) const;
   void add_payload(const Log& log, const sinew::Segment& segment, const DrivenColumns& columns,
                    const CarriedPayload* carried, Recording& r);
+  void take(const KnownPayload& payload);
   void add_motion(const Eigen::MatrixXd& positions, Recording& log) const;
   void add_model(Recording& log) const;
   void set_signals(Recording& log) const;

@@ -141,16 +141,11 @@ struct NormalEquations {
 KnownPayload known_payload(const CarriedPayload* told, const RigidColumns& rigid) {
   KnownPayload payload;
   const std::vector<std::string> last = rigid.last_links();
-  if (told) payload = {told->link, told->mass, told->centre, {}};
+  if (told) payload = {told->link, told->mass, told->centre, {}, {}};
   if (payload.link.empty() && last.size() != 1)
     throw std::invalid_argument(
         "a payload's link has to be said where several links may carry it: payload@LINK");
   if (payload.link.empty()) payload.link = last.front();
-  const std::vector<std::string> links = rigid.moving_links();
-  if (std::find(links.begin(), links.end(), payload.link) == links.end())
-    throw std::invalid_argument(
-        fmt::format("the payload's link '{}' is none that moves; expected one of {}", payload.link,
-                    fmt::join(links, ", ")));
   return payload;
 }
 
@@ -213,30 +208,38 @@ void DrivenSubject::add_payload(const Log& log, const sinew::Segment& segment,
   KnownPayload& owner =
       same != payloads_.end() ? *same : payloads_.emplace_back(std::move(payload));
   owner.recordings.push_back(r.name);
+  if (owner.logs.empty() || owner.logs.back() != log.file) owner.logs.push_back(log.file);
 }
 
-std::vector<std::string> DrivenSubject::take_payloads() {
-  std::vector<std::string> said;
-  if (payloads_.empty()) return said;
+/// What it asks of the joints, in all logs that carry it.
+void DrivenSubject::take(const KnownPayload& payload) {
+  for (auto* logs : {&problem_.training, &problem_.holdout})
+    for (Recording& log : *logs)
+      if (carries(payload, log))
+        log.payload_effort =
+            log.payload.asDiagonal() * rigid_->point_mass(payload.link, *payload.centre, log);
+}
+
+std::vector<PayloadNote> DrivenSubject::take_payloads() {
+  std::vector<PayloadNote> notes;
+  if (payloads_.empty()) return notes;
   std::vector<bool> told;
   for (const KnownPayload& payload : payloads_) told.push_back(payload.centre.has_value());
+  for (const KnownPayload& payload : payloads_)
+    if (payload.centre) take(payload);
   fit_centres(problem_.training, effort_, *rigid_, payloads_);
   for (std::size_t i = 0; i < payloads_.size(); ++i) {
     const KnownPayload& payload = payloads_[i];
-    for (auto* logs : {&problem_.training, &problem_.holdout})
-      for (Recording& log : *logs)
-        if (carries(payload, log))
-          log.payload_effort =
-              log.payload.asDiagonal() * rigid_->point_mass(payload.link, *payload.centre, log);
+    if (!told[i]) take(payload);
     const Vector3d& c = *payload.centre;
-    said.push_back(
-        fmt::format("a payload of {:.4g} kg at {} is taken off, as told, its centre at {:.3g}, "
-                    "{:.3g}, {:.3g} m "
-                    "in the link's frame, {}",
-                    payload.mass, payload.link, c.x(), c.y(), c.z(),
-                    told[i] ? "as told" : "fitted beside the parameters of every link and joint"));
+    const std::string text = fmt::format(
+        "a payload of {:.4g} kg at {} is no deviation, as told; its centre is at {:.3g}, {:.3g}, "
+        "{:.3g} m in the link's frame, {}",
+        payload.mass, payload.link, c.x(), c.y(), c.z(),
+        told[i] ? "as told" : "which was fitted to the logs");
+    for (const std::string& log : payload.logs) notes.push_back({log, text});
   }
-  return said;
+  return notes;
 }
 
 }  // namespace sinew::diagnosis

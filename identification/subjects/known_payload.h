@@ -17,19 +17,21 @@ namespace sinew::diagnosis {
 /// One load, which several logs may have carried.
 struct KnownPayload {
   std::string link;
-  double mass = 0.0;                      ///< kg; 0: the log says it in a column
+  double mass = 0.0;                      ///< kg; of one that a column tells, its largest
   std::optional<Eigen::Vector3d> centre;  ///< in the link's frame [m]
   std::vector<std::string> recordings;    ///< names
+  std::vector<std::string> logs;          ///< files
 };
 
-/// The load told, at the one link that can carry it. Throws std::invalid_argument where the link
-/// does not move, or several may be meant.
+/// The load told, at the one link that can carry it. Throws std::invalid_argument where several
+/// may be meant.
 KnownPayload known_payload(const CarriedPayload* told, const RigidColumns& rigid);
 
 /// Sets the centres that are not known, by least squares beside everything else that the logs can
 /// tell: parameters of every link, where some log is without the load, and inertia, viscous and
 /// Coulomb friction and an offset of every joint. Without the links' parameters their errors would
-/// move the centre. Throws std::invalid_argument where the training logs do not carry the load.
+/// move the centre. Loads whose centre is known have their effort in the recordings. Throws
+/// std::invalid_argument where the training logs do not carry the load, or its link does not move.
 void fit_centres(const std::vector<Recording>& training, const EffortModel& model,
                  const RigidColumns& rigid, std::vector<KnownPayload>& payloads);
 

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
-#include "identification/subjects/driven_subject.h"
 #include "identification/logs/filter.h"
+#include "identification/subjects/driven_subject.h"
 
 namespace sinew::diagnosis {
 namespace {
@@ -43,6 +43,7 @@ Recording slow_recording(const Recording& recording) {
   for (const VectorXd& target : recording.target) slow.target.push_back(smooth(target));
   if (recording.load.size() > 0) slow.load = smooth(recording.load);
   if (recording.payload.size() > 0) slow.payload = thinned(recording.payload);
+  if (recording.payload_effort.size() > 0) slow.payload_effort = smooth(recording.payload_effort);
   const auto found = [&](const char* name) { return recording.signals.find(name); };
   if (const auto tension = found("tension"); tension != recording.signals.end())
     slow.signals["tension"] = smooth(tension->second);

@@ -6,8 +6,8 @@
 
 namespace sinew::diagnosis {
 
-/// Motion, targets, loads and tensions below 10 Hz, at most some 4000 samples, away from the ends.
-/// Moment arms go along. q is empty where too little is left.
+/// Motion, targets, loads, payloads and tensions below 10 Hz, at most some 4000 samples, away from
+/// the ends. Moment arms go along. q is empty where too little is left.
 Recording slow_recording(const Recording& recording);
 
 /// Share of the measured effort's square that the model leaves over, offset and all: 0 perfect, 1
