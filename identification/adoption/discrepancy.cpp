@@ -57,9 +57,14 @@ std::vector<DataFault> discrepant_channels(
     const auto* log = log_of(r.name, columns);
     if (!log) continue;
     const auto c = static_cast<std::size_t>(m.channel);
+    // What a joint holds while it rests is its friction's to tell: it counts here as in every gain.
+    const auto size = [&](const Eigen::VectorXd& x) {
+      const Eigen::ArrayXd changed = changes(x, free_zero);
+      return m.counts.size() > 0 ? rms(changed * m.counts.array()) : rms(changed);
+    };
     // An extension may do harm where it was not learnt; the log is as the better of both says.
     const auto rest = [&](const Eigen::VectorXd& said) {
-      return share(rms(changes(m.measured - said, free_zero)), rms(changes(m.measured, free_zero)));
+      return share(size(m.measured - said), size(m.measured));
     };
     const double left = std::min(rest(m.before), rest(m.after));
     const double noise =
