@@ -39,7 +39,10 @@ Course given(const MatrixXd& reference, const Rhythm& rhythm);
 /// A lone axis that follows what is wanted in closed loop, integrated here step by step.
 Course in_closed_loop(const Jointed& jointed, const std::vector<Hidden>& hidden,
                       const Course& wanted, const VectorXd& load, truth::Draw draw);
-/// All axes in closed loop by MuJoCo's mechanics and integrator.
+/// All axes in closed loop by the chain's own equations, integrated here step by step.
+Course in_joint_torques(const Jointed& jointed, const std::vector<Hidden>& hidden,
+                        const Rhythm& rhythm, truth::Draw draw);
+/// The same by MuJoCo's mechanics and integrator.
 Course in_mujoco(const Jointed& jointed, const std::vector<Hidden>& hidden, const Rhythm& rhythm,
                  const VectorXd& load, truth::Draw draw);
 

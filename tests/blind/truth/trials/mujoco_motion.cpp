@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The motion once more by MuJoCo's mechanics and integrator, in closed loop: friction and what is
-// hidden at the axes are applied, the controller knows the model under test only.
+// The motion in torque control once more by MuJoCo's mechanics and integrator.
 #include <fmt/format.h>
 
 #include <cmath>
 #include <stdexcept>
 
-#include "tests/blind/truth/trials/jointed.h"
-#include "tests/blind/truth/trials/signal_path.h"
+#include "tests/blind/truth/trials/torque_control.h"
 
 #ifdef SINEW_HAVE_MUJOCO
 #include <mujoco/mujoco.h>
@@ -83,73 +81,41 @@ bool mujoco_is_there() {
   return true;
 }
 
+namespace {
+
+class InMujoco : public Integrator {
+ public:
+  InMujoco(Chain chain, double step) {
+    // MuJoCo refuses a negative armature: an inertia that is less stays the model's in the motion.
+    for (Link& link : chain.links) link.armature = std::max(link.armature, 0.0);
+    model_ = load_text(model_text(chain, step));
+    data_.reset(mj_makeData(model_.get()));
+  }
+  void start(const VectorXd& q, const VectorXd& v) override {
+    VectorXd::Map(data_->qpos, q.size()) = q;
+    VectorXd::Map(data_->qvel, v.size()) = v;
+  }
+  VectorXd q() const override { return VectorXd::Map(data_->qpos, model_->nv); }
+  VectorXd v() const override { return VectorXd::Map(data_->qvel, model_->nv); }
+  void advance(const VectorXd& effort, const VectorXd& slope) override {
+    VectorXd::Map(model_->dof_damping, slope.size()) = slope;
+    VectorXd::Map(data_->qfrc_applied, effort.size()) = effort + slope.cwiseProduct(v());
+    mj_step(model_.get(), data_.get());
+  }
+
+ private:
+  std::unique_ptr<mjModel, DeleteModel> model_;
+  std::unique_ptr<mjData, DeleteData> data_;
+};
+
+}  // namespace
+
 Course in_mujoco(const Jointed& jointed, const std::vector<Hidden>& hidden, const Rhythm& rhythm,
                  const VectorXd& load, truth::Draw draw) {
-  Course course = commanded(jointed, rhythm, draw);
-  course.load = load;
-  const Course wanted = course;
-  const Index n = jointed.chain.size();
-  course.command.resize(course.rows(), n);
-  Chain real = true_chain(jointed.chain, hidden);
-  std::vector<double> extra(static_cast<std::size_t>(n), 0.0);
-  for (const Hidden& h : hidden)
-    if (h.cause == "inertia")
-      real.links[static_cast<std::size_t>(h.at)].armature +=
-          std::max(h.dose, -0.8 * jointed.axes[static_cast<std::size_t>(h.at)].inertia);
-  // MuJoCo refuses a negative armature: an inertia that is less stays the model's in the motion.
-  for (Link& link : real.links) link.armature = std::max(link.armature, 0.0);
-  const auto model = load_text(model_text(real, course.step));
-  const std::unique_ptr<mjData, DeleteData> data(mj_makeData(model.get()));
-  std::vector<Axis> axes;
-  for (Index j = 0; j < n; ++j) {
-    const auto i = static_cast<std::size_t>(j);
-    auto here = only_at(hidden, static_cast<int>(j));
-    std::erase_if(here, [](const Hidden& h) { return h.cause == "inertia"; });
-    axes.emplace_back(jointed.axes[i], jointed.bristles[i], here);
-    data->qpos[j] = wanted.q(0, j);
-    data->qvel[j] = wanted.v(0, j);
-  }
-  truth::Draw tuned = draw.fork();
-  const double bandwidth = 2.0 * pi * tuned.uniform(6.0, 10.0);
-  VectorXd asked(n), resisting = VectorXd::Zero(n), before = VectorXd::Zero(n);
-  for (Index k = 0; k < course.q.rows(); ++k) {
-    const VectorXd q = VectorXd::Map(data->qpos, n), v = VectorXd::Map(data->qvel, n);
-    const VectorXd pursued = wanted.a.row(k).transpose() +
-                             bandwidth * bandwidth * (wanted.q.row(k).transpose() - q) +
-                             1.8 * bandwidth * (wanted.v.row(k).transpose() - v);
-    asked = jointed.chain.torque(q, v, pursued);
-    const double known = load.size() > 0 ? load(k) : 0.0;
-    for (Index j = 0; j < n; ++j) {
-      const auto i = static_cast<std::size_t>(j);
-      const AxisModel& m = jointed.axes[i];
-      const double turning = m.turning > 0.0 ? m.turning : 0.02 * m.top_speed;
-      const double command = asked(j) + jointed.chain.links[i].armature * pursued(j) +
-                             0.8 * m.level * std::tanh(wanted.v(k, j) / turning) +
-                             m.viscous * wanted.v(k, j) + known;
-      // At a row's instant: the mean of what was given in the steps before and behind it.
-      if (k % course.inner == 0)
-        course.command(k / course.inner, j) = k > 0 ? 0.5 * (before(j) + command) : command;
-      before(j) = command;
-      // Friction is steep near rest: its slope becomes MuJoCo's damping, taken implicitly.
-      const double slope = axes[i].slope(v(j), course.step);
-      model->dof_damping[j] = slope;
-      data->qfrc_applied[j] = command - known - resisting(j) + slope * v(j);
-    }
-    course.q.row(k) = q.transpose();
-    course.v.row(k) = v.transpose();
-    mj_step(model.get(), data.get());
-    for (Index j = 0; j < n; ++j) {
-      course.a(k, j) = (data->qvel[j] - v(j)) / course.step;
-      const double carried = jointed.carries ? asked(j) : 0.0;
-      resisting(j) = axes[static_cast<std::size_t>(j)].resist(
-          {course.step * static_cast<double>(k + 1), data->qpos[j], data->qvel[j], course.a(k, j),
-           carried + known},
-          course.step);
-    }
-  }
-  if (!course.q.allFinite())
-    throw std::runtime_error("MuJoCo: the controlled motion is not finite");
-  return course;
+  const Course wanted = commanded(jointed, rhythm, draw);
+  InMujoco integrator(chain_in_motion(jointed, hidden), wanted.step);
+  const double bandwidth = 2.0 * pi * draw.fork().uniform(6.0, 10.0);
+  return in_torque_control(jointed, hidden, wanted, load, bandwidth, integrator);
 }
 
 #else

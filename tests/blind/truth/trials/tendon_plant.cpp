@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "tests/blind/truth/trials/compared.h"
 #include "tests/blind/truth/trials/in_motion.h"
@@ -25,6 +26,14 @@ VectorXd slope_of(const VectorXd& x, double step) {
   return d;
 }
 
+/// Forces without torque, each 0.6 of the pretension or more: projected in turn on both, which meet
+/// where every joint has antagonists.
+VectorXd balanced_forces(const MatrixXd& inner, double pretension) {
+  VectorXd forces = VectorXd::Constant(inner.rows(), pretension);
+  for (int i = 0; i < 1000; ++i) forces = (inner * forces).cwiseMax(0.6 * pretension);
+  return inner * forces;
+}
+
 class TendonPlant : public TrialPlant {
  public:
   TendonPlant(TendonSetup setup, Draw draw) : s_(std::move(setup)) {
@@ -42,6 +51,9 @@ class TendonPlant : public TrialPlant {
       phase_.push_back(draw.uniform(0.0, 2.0 * pi));
       guide_.push_back(draw.log_uniform(5e-6, 5e-4));
     }
+    inner_ = MatrixXd::Identity(m, m) -
+             radii_ * (radii_.transpose() * radii_).ldlt().solve(radii_.transpose());
+    balanced_ = balanced_forces(inner_, s_.pretension);
     force_noise_ = draw.uniform(0.003, 0.01);
     motor_noise_ = draw.uniform(0.005, 0.015);
     learn_scales(s_.jointed, course({}, 0));
@@ -55,9 +67,11 @@ class TendonPlant : public TrialPlant {
 
   Course course(const std::vector<Hidden>& hidden, int log) const override {
     const Draw draw(streams_[log]);
+    // A joint rests while its friction turns, and its tendons stay as smooth as the motors that pull
+    // them: motion that is prescribed would have them jump with it.
     if (s_.mechanics == Mechanics::mujoco)
       return in_mujoco(s_.jointed, at_joints(hidden), s_.rhythm, {}, draw);
-    return commanded(s_.jointed, s_.rhythm, draw);
+    return in_joint_torques(s_.jointed, at_joints(hidden), s_.rhythm, draw);
   }
 
   Log replay(const Course& course, const std::vector<Hidden>& hidden, int log) const override;
@@ -128,6 +142,17 @@ class TendonPlant : public TrialPlant {
     return arms;
   }
 
+  /// Moves no joint of the model, whatever its size: tendons that went slack on the way to a torque
+  /// would not give it.
+  VectorXd pretension_at(double time, int log) const {
+    VectorXd wandering(tendons());
+    for (Index i = 0; i < tendons(); ++i) {
+      const auto w = static_cast<std::size_t>(i);
+      wandering(i) = 0.25 * s_.pretension * std::sin(rate_[w] * time + phase_[w] + log);
+    }
+    return balanced_ + inner_ * wandering;
+  }
+
   void log_motors(const Course& course, const MatrixXd& pull, const MatrixXd& at_motor,
                   const MatrixXd& lengths, const std::vector<Hidden>& hidden, int log,
                   Log& result) const;
@@ -136,7 +161,8 @@ class TendonPlant : public TrialPlant {
 
   TendonSetup s_;
   std::uint64_t streams_[4] = {};
-  MatrixXd radii_;
+  MatrixXd radii_, inner_;  ///< inner_: projects on forces that move no joint
+  VectorXd balanced_;
   std::vector<double> rate_, phase_, guide_;
   double force_noise_ = 0.1, motor_noise_ = 0.01;
   std::vector<Offer> offers_;
@@ -153,15 +179,12 @@ Log TendonPlant::replay(const Course& course, const std::vector<Hidden>& hidden,
     const double t = course.period() * static_cast<double>(k);
     const VectorXd q = course.q.row(k * course.inner), v = course.v.row(k * course.inner);
     const MatrixXd arms = true_arms(hidden, q);
-    VectorXd tension(m);
-    for (Index i = 0; i < m; ++i) {
-      const auto w = static_cast<std::size_t>(i);
-      tension(i) = s_.pretension * (1.0 + 0.4 * std::sin(rate_[w] * t + phase_[w] + log));
-    }
+    VectorXd tension = pretension_at(t, log);
     // Smallest change of the pretension that gives the torque.
     const VectorXd lacking = torque.row(k).transpose() + arms.transpose() * tension;
     tension -= arms * (arms.transpose() * arms).ldlt().solve(lacking);
-    tension = tension.cwiseMax(0.5);
+    if (tension.minCoeff() <= 0.0)
+      throw std::runtime_error("a tendon would push: the pretension is too small");
     pull.row(k) = tension.transpose();
     at_motor.row(k) = tension.transpose();
     lengths.row(k) = (arms * q).transpose();
