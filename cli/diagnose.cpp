@@ -42,7 +42,7 @@ struct DiagnoseOptions {
   std::vector<std::string> logs, holdout, map, constants, conditions;
   double band = 0.0, material = diagnosis::Settings{}.material_share;
   unsigned seed = 1;
-  bool dry_run = false, json = false, by_likelihood = false;
+  bool dry_run = false, json = false, quick = false, by_likelihood = false;
 };
 
 /// One line that is written over, on a terminal only.
@@ -72,7 +72,9 @@ void set_common(const DiagnoseOptions& o, const ModelFolder& folder, Request& re
   request.holdout = o.holdout;
   request.map = o.map;
   request.settings.edge_s = diagnosis::driven_edge;
-  request.settings.band_hz = o.band > 0.0 ? o.band : diagnosis::driven_band;
+  const double band = o.quick ? kFirstLookBand : diagnosis::driven_band;
+  request.settings.band_hz = o.band > 0.0 ? o.band : band;
+  request.settings.first_look = o.quick;
   request.settings.seed = o.seed;
   request.settings.material_share = o.material;
   request.settings.by_likelihood = o.by_likelihood;
@@ -226,6 +228,8 @@ void add_diagnose_command(CLI::App& app, int& exit_status) {
       "Decide by one likelihood where channels have noise of their own: being measured "
       "against the rules");
   command->add_option("--runtime", o->runtime, "Folder of the runtime's headers");
+  command->add_flag("--quick", o->quick,
+                    "A first look at a part of the samples, up to 25 Hz: adopts nothing");
   command->add_flag("--dry-run", o->dry_run, "Leave the model as it is");
   command->add_flag("--json", o->json, "findings.json on standard output");
   command->callback([o, &exit_status] { exit_status = run(*o); });

@@ -71,6 +71,7 @@ class Run {
     report_discrepancies(discrepant_, f);
     tell_unquiet_channels(f);
     if (!ended.empty()) tell_ended_search(ended, f);
+    if (request_.settings.first_look) tell_first_look(f);
     f.next_step = next_step(f);
     f.seconds = std::chrono::duration<double>(Clock::now() - start).count();
     return std::move(result_);
@@ -160,7 +161,7 @@ class Run {
 
   Explanation search() {
     Explanation explanation = explain_subject(subject_);
-    look_at_standstills(explanation);
+    if (!request_.settings.first_look) look_at_standstills(explanation);
     merge_members(explanation.verdict);
     if (!is_explained_by_likelihood(subject_.problem(), request_.settings))
       remove_nuisances(explanation.verdict);
@@ -170,6 +171,7 @@ class Run {
   }
 
   Explanation explain_subject(const DrivenSubject& subject) const {
+    if (request_.settings.first_look) return explain(subject.problem(), request_.settings, {});
     std::map<int, std::vector<PlannedExperiment>> planned;
     const auto experiments = [&](int channel) -> const std::vector<PlannedExperiment>& {
       const auto [at, is_new] = planned.try_emplace(channel);
@@ -277,7 +279,7 @@ class Run {
       worse = harmed(e.measured);
     }
     tell_errors(explanation, design, e.measured, e.any);
-    add_predictions(subject_, e.effort, f.channels);
+    if (!request_.settings.first_look) add_predictions(subject_, e.effort, f.channels);
     result_.extended = extended(request_.identified, e.possible.terms);
     for (const LogRecord& log : f.logs)
       if (!log.held_out) result_.extended.logs.push_back({log.file, log.sha256});

@@ -60,6 +60,7 @@ class ObservedRun {
     f.headline = headline(f);
     report_discrepancies(discrepant_, f);
     if (!ended.empty()) tell_ended_search(ended, f);
+    if (request_.settings.first_look) tell_first_look(f);
     f.next_step = next_step(f);
     f.seconds = std::chrono::duration<double>(Clock::now() - start).count();
     return std::move(result_);
@@ -100,8 +101,10 @@ class ObservedRun {
     tell("reading the logs", 0.0);
     ReadOptions options;
     options.map = request_.map;
-    options.max_rate = kDiagnosisRate;
-    options.max_values = diagnosis_values(request_.logs.size() + request_.holdout.size());
+    const bool first_look = request_.settings.first_look;
+    options.max_rate = first_look ? kFirstLookRate : kDiagnosisRate;
+    options.max_values =
+        diagnosis_values(request_.logs.size() + request_.holdout.size(), first_look);
     std::vector<LogFile> files;
     for (const std::vector<std::string>& group : {request_.logs, request_.holdout})
       for (const std::string& file : group) files.push_back({file, request_.rig.specs});

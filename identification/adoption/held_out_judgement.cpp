@@ -98,6 +98,12 @@ void withhold(const std::string& because, Extension& extension) {
   extension.reason = because;
 }
 
+void tell_first_look(Findings& findings) {
+  withhold("a first look adopts nothing; without --quick all samples are looked at",
+           findings.extension);
+  findings.headline = "At a first look: " + findings.headline;
+}
+
 void add_remarks(const std::vector<std::string>& changed, const std::vector<std::string>& refused,
                  bool any_term, Extension& extension) {
   std::vector<std::string> remarks = refused;

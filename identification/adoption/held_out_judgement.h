@@ -27,6 +27,9 @@ void decide_adoption(bool any_term, bool held_out, const Gain& gain,
 /// Takes an adoption back. `because` follows "is left as it is: ".
 void withhold(const std::string& because, Extension& extension);
 
+/// A first look is said to be one, in the headline, and adopts nothing.
+void tell_first_look(Findings& findings);
+
 /// What was changed and what was left out so that the model stays one that there can be: said
 /// behind the reason; with no term left to adopt it is the reason.
 void add_remarks(const std::vector<std::string>& changed, const std::vector<std::string>& refused,

@@ -40,13 +40,16 @@ LoggedMotion read_logs(const DiagnoseRequest& request,
   std::vector<LogFile> files;
   ReadOptions options;
   options.map = request.map;
-  options.max_values = diagnosis_values(request.logs.size() + request.holdout.size());
+  const bool first_look = request.settings.first_look;
+  options.max_values =
+      diagnosis_values(request.logs.size() + request.holdout.size(), first_look);
   for (const std::vector<std::string>& group : {request.logs, request.holdout})
     for (const std::string& file : group) {
       logged.channels.push_back(request.channels(file));
       set_torque_constants(constants, logged.channels.back());
       files.push_back({file, logged.channels.back().specs});
       options.max_rate = logged.channels.back().forces.empty() ? kDiagnosisRate : kTendonRate;
+      if (first_look) options.max_rate = kFirstLookRate;
     }
   logged.training = request.logs.size();
   logged.logs = read_csv(files, options);

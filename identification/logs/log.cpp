@@ -81,10 +81,10 @@ std::string fault_name(FaultKind kind) {
   return "unknown";
 }
 
-long diagnosis_values(std::size_t logs) {
-  constexpr long kAll = 1'050'000;
+long diagnosis_values(std::size_t logs, bool first_look) {
+  const long all = first_look ? 130'000 : 1'050'000;
   constexpr std::size_t kMostShares = 3;
-  return kAll / static_cast<long>(std::clamp<std::size_t>(logs, 1, kMostShares));
+  return all / static_cast<long>(std::clamp<std::size_t>(logs, 1, kMostShares));
 }
 
 std::string severity_name(Severity severity) {

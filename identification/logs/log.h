@@ -98,10 +98,13 @@ inline constexpr double kDiagnosisRate = 1000.0;
 /// of the fastest motion looked at [Hz].
 inline constexpr double kTendonRate = 600.0;
 
+/// Of either in a first look: up to 25 Hz are looked at [Hz].
+inline constexpr double kFirstLookRate = 250.0, kFirstLookBand = 25.0;
+
 /// Values of all channels that a diagnosis keeps of a log that is one of `logs`, so that its memory
 /// and time do not grow with their length: one log of a finger with eight tendons and their motors
-/// is kept for a minute.
-long diagnosis_values(std::size_t logs);
+/// is kept for a minute, in a first look for ten seconds.
+long diagnosis_values(std::size_t logs, bool first_look = false);
 
 /// Samples of a segment that is worth diagnosing, at a sampling period [s]: the smoothers of the
 /// motion are longer than a few hundred where samples are dense.

@@ -181,6 +181,9 @@ struct Settings {
   int most_causes = 8;      ///< or one a channel, where there are more channels
   int most_deviations = 6;  ///< the same
   unsigned seed = 1;
+  /// A part of the samples at a lower rate, no planned motions: an answer in seconds. Nothing is
+  /// adopted.
+  bool first_look = false;
   bool by_likelihood = false;  ///< one likelihood and one search instead of the rules
 };
 

@@ -136,6 +136,19 @@ TEST_CASE("a dry run leaves the model as it is") {
   CHECK(fs::exists(bench.path("found/generated/slide/slide.c")));
 }
 
+TEST_CASE("a first look names what is large, says that it is one, and adopts nothing") {
+  // Planted defect: no tell_first_look(): the model is extended.
+  const Bench bench(1.5);
+  const Ended ended = bench.diagnose({"--quick"});
+  INFO(ended.output);
+  CHECK(ended.status == 1);
+  CHECK(ended.says("At a first look: "));
+  CHECK(ended.says("viscous asymmetry"));
+  CHECK(ended.says("a first look adopts nothing"));
+  CHECK_FALSE(fs::exists(bench.path("models/slide/identified.toml")));
+  CHECK_FALSE(fs::exists(bench.path("found/identified.toml")));
+}
+
 TEST_CASE("a payload on a finger is found in the forces of its tendons", "[slow]") {
   // The log comes from a copy whose distal link is heavier.
   const Workplace bench;

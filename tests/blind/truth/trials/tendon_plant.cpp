@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 #include "tests/blind/truth/trials/compared.h"
 #include "tests/blind/truth/trials/in_motion.h"
@@ -153,6 +152,22 @@ class TendonPlant : public TrialPlant {
     return balanced_ + inner_ * wandering;
   }
 
+  /// Smallest change of the pretension that gives the torque. Where a tendon would go slack, all
+  /// are pulled more.
+  VectorXd forces_for(const VectorXd& torque, const MatrixXd& arms, VectorXd tension) const {
+    const auto inverse = (arms.transpose() * arms).ldlt();
+    const auto give = [&] {
+      tension -= arms * inverse.solve(torque + arms.transpose() * tension);
+    };
+    give();
+    const double more = ((0.05 * s_.pretension - tension.array()) / balanced_.array()).maxCoeff();
+    if (more > 0.0) {
+      tension += 1.5 * more * balanced_;
+      give();
+    }
+    return tension;
+  }
+
   void log_motors(const Course& course, const MatrixXd& pull, const MatrixXd& at_motor,
                   const MatrixXd& lengths, const std::vector<Hidden>& hidden, int log,
                   Log& result) const;
@@ -179,12 +194,7 @@ Log TendonPlant::replay(const Course& course, const std::vector<Hidden>& hidden,
     const double t = course.period() * static_cast<double>(k);
     const VectorXd q = course.q.row(k * course.inner), v = course.v.row(k * course.inner);
     const MatrixXd arms = true_arms(hidden, q);
-    VectorXd tension = pretension_at(t, log);
-    // Smallest change of the pretension that gives the torque.
-    const VectorXd lacking = torque.row(k).transpose() + arms.transpose() * tension;
-    tension -= arms * (arms.transpose() * arms).ldlt().solve(lacking);
-    if (tension.minCoeff() <= 0.0)
-      throw std::runtime_error("a tendon would push: the pretension is too small");
+    const VectorXd tension = forces_for(torque.row(k), arms, pretension_at(t, log));
     pull.row(k) = tension.transpose();
     at_motor.row(k) = tension.transpose();
     lengths.row(k) = (arms * q).transpose();
