@@ -281,6 +281,19 @@ TEST_CASE("the same size is the same share of the motion's effort, however heavy
   CHECK(compared >= 3);
 }
 
+TEST_CASE("tendons pull, and give the joints what they move by") {
+  // Planted defect: a pretension of each tendon by itself, cut off at half a newton.
+  for (const char* name : {"finger", "hand"})
+    for (std::uint64_t seed = 1; seed < 7; ++seed) {
+      const std::unique_ptr<TrialPlant> plant = plant_of(name, seed);
+      INFO(name << " " << seed);
+      const Log log = plant->replay(plant->course({}, 0), {}, 0);
+      for (std::size_t c = 0; c < log.names.size(); ++c)
+        if (log.names[c].starts_with("force_"))
+          CHECK(log.columns.col(static_cast<Eigen::Index>(c)).minCoeff() > 0.9);
+    }
+}
+
 TEST_CASE("what is always fitted takes nothing of a cause's size twice") {
   // A column of what is fitted leaves nothing of itself; noise of unit rms is the unit.
   sinew::truth::Draw draw(1);
