@@ -134,8 +134,10 @@ void describe(const Hand& hand, ModelReport& report) {
   report.held = columns(coordinates);
   report.free = {coordinates, coordinates + 1};
   TableOfModel fingers{"Fingers", {"Finger", "#Joints", "#Tendons", "Rides on", "#Mass [g]"}, {}};
+  int weighed = 0;
   for (const HandFinger& finger : hand.fingers) {
     double mass = 0.0;
+    weighed += Coordinates(finger.mechanism).count();
     for (const Body& body : finger.mechanism.bodies) mass += body.mass;
     fingers.rows.push_back(
         {finger.mechanism.name, std::to_string(Coordinates(finger.mechanism).count()),
@@ -146,9 +148,13 @@ void describe(const Hand& hand, ModelReport& report) {
     report.stiffness_high = finger.mechanism.tendon_stiffness_high;
   }
   report.tables = {fingers};
+  report.weighed = {offered(report.emitted, "finger_gravity"),
+                    offered(report.emitted, "inverse_dynamics"), weighed};
   report.missing = {
-      "The bodies' weight in the tensions shown: a hand's dynamics are those of its fingers; sinew "
-      "report on one of them carries it, and sinew simulate moves the whole hand.",
+      report.weighed.torques.empty()
+          ? "The bodies' weight in the tensions shown: not every finger has masses."
+          : "What the weight of a finger on the four-bar asks of its crank, in the tensions shown: "
+            "the fingers' dynamics are of bases that are held.",
       "Where exactly a tendon runs over a pulley: the model knows its moment arm, and the drawing "
       "puts a pulley of that radius on the joint's axis.",
       "Shapes: each body is drawn as the box that has its mass and inertia."};

@@ -107,7 +107,8 @@ std::string force_controls(const ModelReport& report) {
     text += slider_row("stiffness", "Stiffness", report.stiffness_low / 1000.0,
                        report.stiffness_high / 1000.0,
                        std::sqrt(report.stiffness_low * report.stiffness_high) / 1000.0);
-  if (!report.gravity.empty())
+  const bool weighs = !report.gravity.empty() || !report.weighed.torques.empty();
+  if (weighs)
     text +=
         "<p><label><input type=\"checkbox\" id=\"weight\" checked> They carry the bodies’ "
         "weight</label></p>\n";
@@ -115,7 +116,7 @@ std::string force_controls(const ModelReport& report) {
          "</fieldset>\n<p class=\"small soft\">Colours: the smallest tensions, none below the "
          "least "
          "one, that hold the pose" +
-         (report.gravity.empty() && !report.held.empty() ? ", the bodies’ weight left out" : "") +
+         (!weighs && !report.held.empty() ? ", the bodies’ weight left out" : "") +
          ". <span id=\"magnified\"></span></p>\n";
 }
 

@@ -38,6 +38,13 @@ struct ModelReport {
   std::optional<DrawnScene> drawing;
   // Names of emitted functions; "" where the model does not have them.
   std::string lengths, coupling, stiffness, gravity;
+  /// Of a hand, instead of `gravity`: gravity in the fingers' base frames, and the torques of their
+  /// `coordinates`, the first ones held, that it takes.
+  struct Weighed {
+    std::string gravity, torques;
+    int coordinates = 0;
+  };
+  Weighed weighed;
   std::vector<int> held;      ///< coordinates that tendons have to hold
   std::vector<int> free;      ///< columns of the coupling that something else holds
   double force_high = 100.0;  ///< N

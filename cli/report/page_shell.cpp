@@ -148,6 +148,10 @@ nlohmann::ordered_json data_of(const ModelReport& report, const std::vector<Grap
       data[key] = nullptr;
     else
       data[key] = *name;
+  if (!report.weighed.torques.empty())
+    data["weighed"] = {{"gravity", report.weighed.gravity},
+                       {"torques", report.weighed.torques},
+                       {"coordinates", report.weighed.coordinates}};
   data["held"] = report.held;
   data["free"] = report.free;
   data["along"] = first_along(drawing);

@@ -8,6 +8,15 @@ let drawing = null, sliders = null, now = null;
 
 const slider = id => { const input = byId(id); return input ? Number(input.value) : NaN; };
 
+/// What the bodies' weight asks of the coordinates that are held.
+const weightAt = state => {
+  if (data.gravity) return call(data.gravity, state);
+  // Fingers on a palm that tilts: gravity in each one's base frame, and the torques that hold it at rest.
+  const { gravity, torques, coordinates } = data.weighed, still = Array(coordinates).fill(0);
+  const held = call(torques, [...state.slice(0, coordinates), ...still, ...still, ...call(gravity, [...state, 0, 0, -9.81])]);
+  return data.held.map((_, i) => i < coordinates ? held[i] : 0);
+};
+
 /// State, frames, P, tensions and compliances at the sliders' values.
 const computed = values => {
   const state = stateOf(values), frames = framesAt(state);
@@ -15,7 +24,7 @@ const computed = values => {
   if (!data.coupling) return result;
   result.least = slider('least');
   const P = couplingAt(state), weight = byId('weight');
-  const load = data.gravity && weight && weight.checked ? call(data.gravity, state) : data.held.map(() => 0);
+  const load = weight && weight.checked ? weightAt(state) : data.held.map(() => 0);
   result.forces = tensions(P, data.held, load, result.least);
   if (data.free.length && result.forces)
     result.rest = data.free.map(c => -P.reduce((s, row, i) => s + row[c] * result.forces[i], 0));

@@ -147,6 +147,12 @@ TEST_CASE("pages of models and runs can be used on a desk and on a phone, in lig
         std::string::npos);
   CHECK(shown.seen["index_dark"]["paper"] != one["paper"]);
   CHECK(shown.seen["hand"]["sliders"] == 21);
+  // Tensions carry the weight of a finger and of the hand's fingers, or not, as the box says.
+  for (const char* name : {"index", "hand"}) {
+    INFO(name);
+    CHECK(shown.seen[name]["weightFollows"] == true);
+    CHECK(shown.seen[name]["weightReturns"] == true);
+  }
   CHECK(shown.seen["wrist"]["sliders"] == 2);
   CHECK(shown.seen["wrist"]["frame"] == 6);
   // What a kind of model does not have is not there, and the page says so.

@@ -54,6 +54,14 @@ addEventListener('load', () => {
       seen.sliderMoves = drawn() !== before;
       seen.readoutFollows = one('#readout').textContent !== facts;
     }
+    const weight = one('#weight');
+    if (weight) {
+      const facts = one('#readout').textContent;
+      weight.click();
+      seen.weightFollows = one('#readout').textContent !== facts;
+      weight.click();
+      seen.weightReturns = one('#readout').textContent === facts;
+    }
     for (const folded of all('details')) folded.open = true;
     view.sinew.unfold();
     seen.boxes = all('#try-inputs input').length;
