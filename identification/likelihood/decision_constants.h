@@ -26,7 +26,7 @@ inline constexpr double kClipped = 9.0;
 inline constexpr double kPriceOfDecade = 20.0;
 
 /// Shares of its size by which the form of a found cause may be off, one of them by evidence: what
-/// the laws of one name differ by (tests/blind/truth/trials/axis.cpp). Not calibrated by a study.
+/// the laws of one name differ by (tests/blind/truth/axis.cpp). Not calibrated by a study.
 inline constexpr double kFormErrors[] = {0.03, 0.1, 0.3};
 
 /// Posterior probability of a set that cannot be told apart: a definition.

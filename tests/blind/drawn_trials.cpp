@@ -9,10 +9,10 @@
 #include <set>
 #include <sstream>
 
-#include "tests/blind/truth/trials/compared.h"
-#include "tests/blind/truth/trials/draw_trial.h"
-#include "tests/blind/truth/trials/jointed.h"
-#include "tests/blind/truth/trials/limits.h"
+#include "tests/blind/truth/compared.h"
+#include "tests/blind/truth/draw_trial.h"
+#include "tests/blind/truth/jointed.h"
+#include "tests/blind/truth/limits.h"
 #include "tests/reference/temporary_folder.h"
 #include "tests/skip.h"
 
@@ -292,6 +292,16 @@ TEST_CASE("tendons pull, and give the joints what they move by") {
         if (log.names[c].starts_with("force_"))
           CHECK(log.columns.col(static_cast<Eigen::Index>(c)).minCoeff() > 0.9);
     }
+}
+
+TEST_CASE("measurement noise has the size it says and a colour") {
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    sinew::truth::Noise noise{sinew::truth::Draw(seed)};
+    Eigen::ArrayXd x(200000);
+    for (double& v : x) v = noise.next();
+    CHECK(std::sqrt(x.square().mean()) == Approx(1.0).epsilon(0.08));
+    CHECK((x.tail(199999) * x.head(199999)).mean() > 0.02);
+  }
 }
 
 TEST_CASE("what is always fitted takes nothing of a cause's size twice") {

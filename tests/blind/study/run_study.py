@@ -90,7 +90,7 @@ def main():
     folder = ROOT / "build" / "study" / digest[:16] / program_hash[:16]
     folder.mkdir(parents=True, exist_ok=True)
     # Programs that are built anew while the study runs do not get into it.
-    for name, source in (("program", program), ("sinew_trials", ROOT / "build/release/tests/blind/truth/trials/sinew_trials"),
+    for name, source in (("program", program), ("sinew_trials", ROOT / "build/release/tests/blind/truth/sinew_trials"),
                          ("sinew", ROOT / "build/release/cli/sinew")):
         if not (folder / name).exists():
             shutil.copy2(source, folder / name)

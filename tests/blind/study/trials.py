@@ -141,7 +141,8 @@ def run_program(program, folder, limit, logs=1):
     """The exit status (None: it took longer than the limit), findings or None, what it says of errors."""
     command = [program, "diagnose", "model", *training_logs(folder, logs), "--holdout", "holdout.csv", "--out",
                "found", "--json"]
-    environment = {k: os.environ[k] for k in ("PATH", "HOME", "TMPDIR", "LANG") if k in os.environ}
+    environment = {k: os.environ[k] for k in ("PATH", "HOME", "TMPDIR", "LANG", "SINEW_CACHE_DIR")
+                   if k in os.environ}
     try:
         done = subprocess.run(command, cwd=folder, env=environment, capture_output=True, text=True,
                               timeout=limit, check=False)

@@ -1,285 +1,259 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A spring-loaded lever and its tendon on a calibration rig: the tendon is drawn slowly, a load
-// cell at its end and the lever's sensor are logged. The geometry is worked out here by itself.
+// Lever and tendon on a calibration rig: the tendon is drawn slowly, a load cell at its end and the
+// lever's sensor are logged.
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
-#include "tests/blind/truth/plant.h"
 #include "tests/blind/truth/signals.h"
+#include "tests/blind/truth/chain.h"
+#include "tests/blind/truth/compared.h"
+#include "tests/blind/truth/lever_shape.h"
+#include "tests/blind/truth/signal_path.h"
+#include "tests/blind/truth/trial_plant.h"
 
-namespace sinew::truth {
+namespace sinew::trials {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
+using truth::Draw;
 
-struct Point {
-  double x = 0.0, y = 0.0;
-};
-
-struct LeverModel {
-  double stiffness = 6400.0;  ///< N/m of the spring
-  double motor_radius = 0.005, lever_radius = 0.004, fixed_radius = 0.004;
-  Point motor{0.0, 0.0}, fixed{0.034, 0.0}, pivot{0.005, -0.005}, anchor{0.025, -0.017};
-  double arm = 0.014, spring_arm = 0.015, spring_angle = -130.0 * pi / 180.0;
-  double rest = 48.0 * pi / 180.0;  ///< the spring is free here
-  double reach = 9.5e-3;            ///< usual elongation, m
-};
-
-// One straight run between two round pulleys, touched on the given sides.
-struct Run {
-  double length, direction;
-};
-
-Run run_between(Point a, double side_radius_a, Point b, double side_radius_b) {
-  const double dx = b.x - a.x, dy = b.y - a.y, k = side_radius_a - side_radius_b;
-  const double length = std::sqrt(dx * dx + dy * dy - k * k);
-  return {length, std::atan2(dy, dx) + std::atan2(k, length)};
-}
-
-Point lever_pulley(const LeverModel& m, double angle) {
-  return {m.pivot.x + m.arm * std::cos(angle), m.pivot.y + m.arm * std::sin(angle)};
-}
-
-// Tendon from the motor pulley to the fixed one; straight parts and arcs, up to a constant.
-double path_length(const LeverModel& m, double angle) {
-  const Point c = lever_pulley(m, angle);
-  const double r1 = m.motor_radius, r2 = -m.lever_radius, r3 = m.fixed_radius;
-  const Run first = run_between(m.motor, r1, c, r2), second = run_between(c, r2, m.fixed, r3);
-  return first.length + second.length + r1 * first.direction +
-         r2 * (second.direction - first.direction) - r3 * second.direction;
-}
-
-double spring_length(const LeverModel& m, double angle) {
-  const double a = angle + m.spring_angle;
-  return std::hypot(m.pivot.x + m.spring_arm * std::cos(a) - m.anchor.x,
-                    m.pivot.y + m.spring_arm * std::sin(a) - m.anchor.y);
-}
-
-// Elongation and force against the lever's angle, tabulated from rest to the end of the reach.
-class LeverCurve {
+/// What the load cell shows that no cause of the library explains. Keeps what it remembers.
+class Cell {
  public:
-  LeverCurve(const LeverModel& m, double stiffness_gain, double preload) {
-    const double free = spring_length(m, m.rest) - preload, start = path_length(m, m.rest);
-    const double stiffness = m.stiffness * (1.0 + stiffness_gain);
-    // The lever gives way in the direction that shortens the path.
-    const double h = 1.0e-6;
-    const double sign = path_length(m, m.rest + h) < start ? 1.0 : -1.0;
-    for (int i = 0; i < 1600; ++i) {
-      const double angle = m.rest + sign * i * 1.0e-3;
-      const double slope = (path_length(m, angle + h) - path_length(m, angle - h)) / (2.0 * h);
-      const double stretch = spring_length(m, angle) - free;
-      const double spring_slope =
-          (spring_length(m, angle + h) - spring_length(m, angle - h)) / (2.0 * h);
-      const double x = start - path_length(m, angle);
-      if (!std::isfinite(x) || (i > 0 && x <= elongation_.back())) break;
-      angle_.push_back(angle);
-      elongation_.push_back(x);
-      force_.push_back(-stiffness * stretch * spring_slope / slope);
-      if (x > 1.6 * m.reach) break;
+  Cell(const std::vector<Hidden>& hidden, double peak, double reach)
+      : hidden_(hidden), peak_(peak), reach_(reach) {}
+
+  double shown(double force, double x, double rate, double time, double step) {
+    most_ = std::max(most_, x);
+    slow_ += step / 2.0 * (force - slow_);
+    warm_ += step / 8.0 * (4.0 * force * force / (peak_ * peak_) - warm_);
+    fastest_ = std::max(std::abs(rate), fastest_ * std::exp(-step / 4.0));
+    if (last_ * rate < 0.0) {
+      if (std::abs(x - turned_) > 0.25 * reach_) latched_ = last_ > 0.0 ? 1.0 : -1.0;
+      turned_ = x;
     }
+    if (rate != 0.0) last_ = rate;
+    double seen = force;
+    for (const Hidden& h : hidden_) {
+      const double u = force / peak_, place = x / reach_;
+      if (h.dose == 0.0) continue;
+      if (h.cause == "latch") seen += h.dose * latched_;
+      if (h.cause == "speed_memory") seen += h.dose * fastest_ / reach_ * std::tanh(rate / 1e-4);
+      if (h.cause == "other_stage")
+        seen +=
+            h.dose * std::sin(7.31 * pi * place + h.phase) * (1.0 + 0.5 * std::sin(3.7 * place));
+      if (h.cause == "supply_sag") seen -= h.dose * force * u * u;
+      if (h.cause == "saturation") seen = peak_ / h.dose * std::tanh(seen * h.dose / peak_);
+      if (h.cause == "heat") seen *= 1.0 - h.dose * std::min(warm_, 1.0);
+      if (h.cause == "filling") seen += h.dose * (force - slow_);
+      if (h.cause == "contact" && place > 0.5 && std::fmod(time, 5.1) < 2.6)
+        seen += h.dose * (x - 0.5 * reach_);
+      if (h.cause == "outer_force" && std::fmod(time, 4.6) < 2.3)
+        seen += h.dose * std::pow(std::sin(pi * std::fmod(time, 2.3) / 2.3), 2.0);
+      if (h.cause == "tight_under_load")
+        seen +=
+            h.dose * force * std::tanh(rate / 1e-4) * std::exp(-20.0 * std::pow(place - 0.5, 2.0));
+    }
+    return seen;
   }
-  double angle(double x) const { return read(elongation_, angle_, x); }
-  double force(double x) const { return read(elongation_, force_, x); }
-  double elongation_at(double angle) const {
-    const double sign = angle_.back() > angle_.front() ? 1.0 : -1.0;
-    const double step = 1.0e-3, at = sign * (angle - angle_.front()) / step;
-    return between(elongation_, at);
-  }
-  double last_angle(double reach) const { return angle(reach); }
 
  private:
-  static double between(const std::vector<double>& y, double at) {
-    const double top = static_cast<double>(y.size()) - 1.001;
-    at = std::clamp(at, 0.0, top);
-    const auto i = static_cast<size_t>(at);
-    const double s = at - static_cast<double>(i);
-    return (1.0 - s) * y[i] + s * y[i + 1];
-  }
-  static double read(const std::vector<double>& x, const std::vector<double>& y, double at) {
-    auto hit = std::upper_bound(x.begin() + 1, x.end() - 1, at);
-    const auto i = static_cast<size_t>(hit - x.begin());
-    const double s = (at - x[i - 1]) / (x[i] - x[i - 1]);
-    return (1.0 - s) * y[i - 1] + s * y[i];
-  }
-  std::vector<double> angle_, elongation_, force_;
+  const std::vector<Hidden>& hidden_;
+  double peak_, reach_;
+  double most_ = 0.0, slow_ = 0.0, warm_ = 0.0, fastest_ = 0.0, latched_ = 0.0, last_ = 0.0,
+         turned_ = 0.0;
 };
 
-struct LeverHidden {
-  double spring = 0.0, preload = 0.0, hysteresis = 0.0, series = 0.0, guiding = 0.0, slack = 0.0,
-         force_offset = 0.0;
-  double scale = 0.0, coarse = 0.0, creep = 0.0, wobble = 0.0;
-};
-
-struct LeverCause {
-  Cause cause;
-  double LeverHidden::*field;
-};
-
-// Which sample of a course is drawn at each row: some operators stop on their way every few
-// seconds.
-std::vector<size_t> stops(bool any, size_t rows, double period, Draw draw) {
-  std::vector<size_t> at(rows, 0);
-  const auto samples = [&](double low, double high) {
-    return static_cast<size_t>(draw.uniform(low, high) / period);
-  };
-  size_t stop = samples(1.0, 3.0), left = 0;
-  for (size_t k = 1; k < rows; ++k) {
-    at[k] = at[k - 1] + (left == 0 ? 1 : 0);
-    if (left > 0) --left;
-    if (!any || at[k] != stop || left > 0) continue;
-    left = samples(0.3, 1.2);
-    stop += samples(1.0, 3.0);
-  }
-  return at;
-}
-
-class LeverPlant : public Plant {
+class LeverPlant : public TrialPlant {
  public:
-  explicit LeverPlant(Draw draw) {
-    model_.stiffness *= draw.log_uniform(0.7, 1.4);
-    model_.arm *= draw.uniform(0.95, 1.05);
-    guided_ = draw.chance(0.5);
-    sigma_force_ = draw.uniform(0.3, 0.8);
-    sigma_length_ = draw.uniform(1.5e-5, 4.0e-5);
-    hysteresis_way_ = draw.uniform(2.0e-4, 6.0e-4);
-    creep_time_ = draw.uniform(1.0, 4.0);
-    wobble_rate_ = 2.0 * pi / draw.uniform(0.8e-3, 2.0e-3);
+  explicit LeverPlant(Draw draw) : curve_(shape_, 0.0, 0.0) {
     for (auto& s : streams_) s = draw.bits();
-    rests_ = draw.chance(0.5);
-    guide_way_ = draw.uniform(2.0e-5, 8.0e-5);
-    const LeverCurve curve(model_, 0.0, 0.0);
-    first_angle_ = model_.rest;
-    last_angle_ = curve.last_angle(1.15 * model_.reach);
-    using H = LeverHidden;
-    causes_ = {
-        {{"spring_constant", "lever", "1", 0.02, 0.5, -0.4, false, false}, &H::spring},
-        {{"preload_offset", "lever", "m", 5.0e-5, 3.0e-3, 0.0, false, false}, &H::preload},
-        {{"lever_hysteresis", "lever", "N", 1.0, 30.0, 0.0, false, false}, &H::hysteresis},
-        {{"series_tendon", "tendon", "m/N", 1.0e-6, 1.0e-4, 0.0, false, false}, &H::series},
-        {{"slack", "tendon", "m", 5.0e-5, 3.0e-3, 0.0, false, false}, &H::slack},
-        {{"sensor_scale", "sensor", "1", 0.01, 0.3, -0.3, false, false}, &H::scale},
-        {{"sensor_quantisation", "sensor", "1", 20.0, 400.0, 0.0, false, false}, &H::coarse},
-        {{"force_offset", "sensor", "N", 0.1, 30.0, -30.0, false, false}, &H::force_offset},
-        {{"creep", "lever", "N", 1.0, 30.0, 0.0, true, false}, &H::creep},
-        {{"wobble", "lever", "N", 1.0, 30.0, 0.0, true, false}, &H::wobble},
-    };
-    if (guided_)
-      causes_.push_back(
-          {{"guiding_friction", "tendon", "1", 0.02, 0.4, 0.0, false, false}, &H::guiding});
-    for (const LeverCause& c : causes_) listed_.push_back(c.cause);
+    shape_.stiffness *= draw.uniform(0.7, 1.4);
+    shape_.arm *= draw.uniform(0.97, 1.03);
+    curve_ = LeverCurve(shape_, 0.0, 0.0);
+    guided_ = draw.chance(0.5);
+    elongation_ = draw.chance(0.7);
+    travel_ = 1.12 * shape_.reach;
+    first_angle_ = shape_.rest;
+    last_angle_ = curve_.angle(travel_);
+    peak_ = curve_.force(shape_.reach);
+    force_noise_ = draw.uniform(0.004, 0.012) * peak_;
+    length_noise_ = draw.uniform(1e-5, 4e-5);
+    resolved_ = draw.chance(0.5);
+    grip_way_ = resolved_ ? draw.uniform(0.3e-4, 2e-4) : 1e-6;
+    loop_way_ = draw.log_uniform(1e-4, 2e-3);
+    list_offers();
   }
 
-  std::string kind() const override { return "lever"; }
-  std::string nominal() const override {
-    return fmt::format(
-        "{{\"spring\": {:.17g}, \"arm\": {:.17g}, \"rest\": {:.17g}, "
-        "\"count_first\": {:.17g}, \"count_last\": {:.17g}, \"bend\": {}}}",
-        model_.stiffness, model_.arm, model_.rest, first_angle_, last_angle_, guided_);
+  const std::vector<Offer>& offers() const override { return offers_; }
+  void write_model(const std::filesystem::path& folder) const override {
+    write_file(folder / "model" / "part.toml", lever_part(shape_, travel_, 40.0, 4040.0));
   }
-  const std::vector<Cause>& causes() const override { return listed_; }
 
-  Table simulate(const std::vector<Dose>& doses, int log) const override {
-    LeverHidden h;
-    for (const Dose& d : doses) h.*causes_[static_cast<size_t>(d.cause)].field = d.value;
-    const LeverCurve curve(model_, h.spring, h.preload);
-    const size_t rows = 15000;
-    const double period = 2.0e-3;
-    Draw draw(streams_[static_cast<size_t>(log) % std::size(streams_)]);
-    Motion motion(Course::mixed, 0.5 * model_.reach, 1.2 * model_.reach, 30.0, draw.fork());
-    const std::vector<Reference> course = motion.table(period, rows);
-    Table t;
-    t.header = {"time [s]", "count [1]", "force [N]", "elongation [m]"};
-    if (guided_) t.header.push_back("bend [rad]");
-    t.columns.assign(t.header.size(), std::vector<double>(rows));
-    const std::vector<size_t> at =
-        stops(rests_, rows, period, Draw(~streams_[0] + static_cast<std::uint64_t>(log)));
-    double grip = 0.0, held = 0.0, slow = 0.0, bend = 0.6, before = 0.5 * model_.reach,
-           lever_before = 0.5 * model_.reach;
-    for (size_t k = 0; k < rows; ++k) {
-      const double drawn = std::clamp(0.52 * model_.reach + course[at[k]].position,
-                                      0.02 * model_.reach, 1.1 * model_.reach);
+  Course course(const std::vector<Hidden>&, int log) const override {
+    Draw draw(streams_[log]);
+    Course c;
+    c.step = 0.002;
+    const Index rows = 14000;
+    c.q = MatrixXd::Zero(rows, 2);
+    const auto table = truth::Motion(truth::Course::mixed, 0.5 * shape_.reach, 1.2 * shape_.reach,
+                                     28.0, draw.fork())
+                           .table(c.step, static_cast<std::size_t>(rows));
+    double bend = 0.6;
+    for (Index k = 0; k < rows; ++k) {
       if (k % 3000 == 0) bend = draw.uniform(0.3, 3.0);
-      // Drawn length = slack + lever + stretch of the tendon itself; three rounds settle it.
-      double lever = lever_before, force = 0.0;
-      for (int i = 0; i < 4; ++i) {
-        force = std::max(0.0, curve.force(lever));
-        lever = std::max(0.0, drawn - h.slack - h.series * force);
-      }
-      const double way = k > 0 ? lever - lever_before : 0.0;
-      lever_before = lever;
-      const double sign = way < 0.0 ? -1.0 : 1.0;
-      const double part = std::abs(way) / hysteresis_way_;
-      const double hold = sign * grip > 0.0 ? grip * grip : 0.0;
-      grip = std::clamp(grip + sign * part * (1.0 - hold) / (1.0 + part), -1.0, 1.0);
-      double seen = force + h.hysteresis * grip * std::min(1.0, force / 70.0);
-      slow += period / creep_time_ * (force / 50.0 - slow);
-      seen += h.creep * (force / 50.0 - slow) + h.wobble * std::sin(wobble_rate_ * lever);
-      // The cell lies behind the bend: friction against the tendon's motion, kept where it stops.
-      const double drawn_way = k > 0 ? drawn - before : 0.0;
-      held = std::clamp(
-          held + drawn_way / guide_way_ * (1.0 - std::abs(held) * (held * drawn_way > 0.0)), -1.0,
-          1.0);
-      if (guided_) seen *= std::exp(h.guiding * bend * held);
-      before = drawn;
-      seen += h.force_offset;
-      const double share = (curve.angle(lever) - first_angle_) / (last_angle_ - first_angle_);
-      double count = 4000.0 * share * (1.0 + h.scale) + 40.0;
-      if (h.coarse > 0.0) count = h.coarse * std::round(count / h.coarse);
-      t.columns[0][k] = static_cast<double>(k) * period;
-      t.columns[1][k] = count;
-      t.columns[2][k] = seen;
-      t.columns[3][k] = drawn;
-      if (guided_) t.columns[4][k] = bend;
+      c.q(k, 0) = std::clamp(0.52 * shape_.reach + table[static_cast<std::size_t>(k)].position,
+                             0.02 * shape_.reach, 1.1 * shape_.reach);
+      c.q(k, 1) = bend;
     }
-    return t;
+    return c;
   }
 
-  std::vector<std::vector<double>> left_over(const Table& log,
-                                             const std::vector<Dose>&) const override {
-    const LeverCurve curve(model_, 0.0, 0.0);
-    std::vector<std::vector<double>> left(2);
-    for (size_t k = 0; k < log.columns[0].size(); k += 3) {
-      const double share = (log.columns[1][k] - 40.0) / 4000.0;
-      const double x = curve.elongation_at(first_angle_ + share * (last_angle_ - first_angle_));
-      left[0].push_back((log.columns[2][k] - std::max(0.0, curve.force(x))) / sigma_force_);
-      left[1].push_back((log.columns[3][k] - x) / sigma_length_);
+  Log replay(const Course& course, const std::vector<Hidden>& hidden, int log) const override;
+
+  void measure(Log& log, int number) const override {
+    Draw draw(streams_[number] ^ 0x5bd1e995u);
+    truth::Noise force(draw.fork()), length(draw.fork());
+    for (Index k = 0; k < log.columns.rows(); ++k) {
+      log.columns(k, 0) = std::round(log.columns(k, 0));
+      log.columns(k, 1) += force_noise_ * force.next();
+      if (elongation_) log.columns(k, 2) += length_noise_ * length.next();
+    }
+  }
+
+  std::vector<VectorXd> left_over(const Log& log) const override {
+    const Index rows = log.columns.rows();
+    std::vector<VectorXd> left(elongation_ ? 2 : 1, VectorXd(rows));
+    for (Index k = 0; k < rows; ++k) {
+      const double share = (log.columns(k, 0) - 40.0) / 4000.0;
+      const double angle = first_angle_ + share * (last_angle_ - first_angle_);
+      left[0](k) = log.columns(k, 1) - std::max(0.0, curve_.force_at(angle));
+      if (elongation_) left[1](k) = log.columns(k, 2) - curve_.elongation_at(angle);
     }
     return left;
   }
 
-  void scale_noise(double factor) override {
-    sigma_force_ *= factor;
-    sigma_length_ *= factor;
+  // Nothing is fitted to a rig in any case.
+  std::vector<MatrixXd> fitted(const Log& log, unsigned) const override {
+    return std::vector<MatrixXd>(elongation_ ? 2 : 1, MatrixXd(log.columns.rows(), 0));
   }
-
-  void measure(Table& log, int number) const override {
-    Draw draw(streams_[static_cast<size_t>(number) % std::size(streams_)] ^ 0x5bd1e995u);
-    Noise force(draw.fork()), length(draw.fork());
-    for (size_t k = 0; k < log.columns[0].size(); ++k) {
-      log.columns[1][k] = std::round(log.columns[1][k]);
-      log.columns[2][k] += sigma_force_ * force.next();
-      log.columns[3][k] += sigma_length_ * length.next();
-    }
+  std::vector<VectorXd> moving(const Log& log) const override {
+    return std::vector<VectorXd>(elongation_ ? 2 : 1, VectorXd::Ones(log.columns.rows()));
+  }
+  std::vector<double> bands(const Log& log, const Log&) const override {
+    return std::vector<double>(elongation_ ? 2 : 1, rig_band(log.step));
+  }
+  std::map<std::string, std::string> traits() const override {
+    return {{"pre-sliding", resolved_ ? "resolved" : "below a step"},
+            {"guide", guided_ ? "logged" : "none"},
+            {"elongation", elongation_ ? "logged" : "not logged"}};
   }
 
  private:
-  LeverModel model_;
-  bool guided_ = false, rests_ = false;
-  double guide_way_ = 4.0e-5;
-  double sigma_force_ = 0.5, sigma_length_ = 2.0e-5, hysteresis_way_ = 4.0e-4, creep_time_ = 2.0;
-  double wobble_rate_ = 1.0, first_angle_ = 0.0, last_angle_ = 1.0;
+  void list_offers() {
+    const auto offer = [&](const char* cause, const char* place, double scale,
+                           const char* parameter = "", bool outside = false) {
+      offers_.push_back({cause, place, 0, scale, outside, fits_all, parameter, 1.0, 0});
+    };
+    offer("spring_constant", "lever", 1.0, "spring_change");
+    offer("preload_offset", "lever", 1e-3, "preload");
+    offer("lever_hysteresis", "lever", 1.0);
+    if (elongation_) {
+      offer("series_tendon", "tendon", 1.0, "compliance");
+      offer("slack", "tendon", 1e-3, "slack");
+    }
+    offer("lever_scale", "sensor", 1.0, "scale_error");
+    offer("lever_offset", "sensor", 4000.0, "count_offset");
+    offer("sensor_quantisation", "sensor", 4.0e4);
+    offer("sensor_low_pass", "sensor", 1.0);
+    offer("sensor_hysteresis", "sensor", 4000.0);
+    offer("force_sensor_offset", "sensor", peak_, "force_offset");
+    if (guided_) offer("guiding_friction", "tendon", 1.0);
+    for (const char* cause : {"latch", "speed_memory", "other_stage", "outer_force"})
+      offer(cause, "lever", peak_, "", true);
+    for (const char* cause : {"supply_sag", "saturation", "heat", "filling", "tight_under_load"})
+      offer(cause, "lever", 1.0, "", true);
+    offer("contact", "lever", peak_ / shape_.reach, "", true);
+  }
+
+  LeverShape shape_;
+  LeverCurve curve_;
+  bool guided_ = false, elongation_ = true, resolved_ = false;
+  double travel_ = 0.01, first_angle_ = 0.0, last_angle_ = 1.0, peak_ = 80.0;
+  double force_noise_ = 0.5, length_noise_ = 2e-5, grip_way_ = 4e-5, loop_way_ = 4e-4;
   std::uint64_t streams_[4] = {};
-  std::vector<LeverCause> causes_;
-  std::vector<Cause> listed_;
+  std::vector<Offer> offers_;
 };
+
+Log LeverPlant::replay(const Course& course, const std::vector<Hidden>& hidden, int) const {
+  const auto dose = [&](const char* cause) {
+    for (const Hidden& h : hidden)
+      if (h.cause == cause) return h.dose;
+    return 0.0;
+  };
+  int law = 0;
+  std::vector<Hidden> of_sensor;
+  for (const Hidden& h : hidden) {
+    if (h.cause == "guiding_friction") law = h.law;
+    if (h.cause == "sensor_low_pass" || h.cause == "sensor_hysteresis") of_sensor.push_back(h);
+  }
+  const LeverCurve curve(shape_, dose("spring_constant"), dose("preload_offset"));
+  const double slack = dose("slack"), series = dose("series_tendon"),
+               loop = dose("lever_hysteresis"), guiding = dose("guiding_friction"),
+               scale = dose("lever_scale"), zero = dose("lever_offset"),
+               coarse = dose("sensor_quantisation"), force_zero = dose("force_sensor_offset");
+  Log log;
+  log.step = course.step;
+  log.names = {"count", "force"};
+  log.units = {"1", "N"};
+  if (elongation_) log.names.push_back("elongation"), log.units.push_back("m");
+  if (guided_) log.names.push_back("bend"), log.units.push_back("rad");
+  const Index rows = course.q.rows();
+  log.columns.resize(rows, static_cast<Index>(log.names.size()));
+  Cell cell(hidden, peak_, shape_.reach);
+  double lever = course.q(0, 0), before = lever, grip = 0.0, held = 0.0, last = lever;
+  for (Index k = 0; k < rows; ++k) {
+    const double drawn = course.q(k, 0), bend = course.q(k, 1);
+    // Drawn length = slack + lever + stretch of the tendon itself; some rounds settle it.
+    double force = 0.0;
+    for (int i = 0; i < 5; ++i) {
+      force = std::max(0.0, curve.force(lever));
+      lever = std::max(0.0, drawn - slack - series * force);
+    }
+    // Bouc-Wen's loop, as wide as the force; the guide's friction holds where the tendon stops.
+    const double way = lever - before, side = way < 0.0 ? -1.0 : 1.0;
+    const double part = std::abs(way) / loop_way_;
+    grip = std::clamp(
+        grip + side * part * (1.0 - (side * grip > 0.0 ? grip * grip : 0.0)) / (1.0 + part), -1.0,
+        1.0);
+    before = lever;
+    const double pulled = drawn - last, toward = pulled < 0.0 ? -1.0 : 1.0;
+    last = drawn;
+    held = toward + (held - toward) * std::exp(-std::abs(pulled) / grip_way_);
+    double seen = force * (1.0 + loop * grip);
+    if (guided_ && guiding != 0.0)
+      seen = law == 0 ? seen * std::exp(guiding * bend * held)
+                      : seen + guiding * peak_ * held * (1.0 - std::exp(-0.7 * bend));
+    seen = cell.shown(seen, lever, pulled / course.step, course.step * static_cast<double>(k),
+                      course.step) +
+           force_zero;
+    const double share = (curve.angle(lever) - first_angle_) / (last_angle_ - first_angle_);
+    log.columns(k, 0) = 4000.0 * share * (1.0 + scale) + 40.0 + zero;
+    log.columns(k, 1) = seen;
+    if (elongation_) log.columns(k, 2) = drawn;
+    if (guided_) log.columns(k, log.columns.cols() - 1) = bend;
+  }
+  log.columns.col(0) = sensed_position(log.columns.col(0), of_sensor, log.step);
+  if (coarse > 1.0)
+    for (double& count : log.columns.col(0)) count = coarse * std::round(count / coarse);
+  return log;
+}
 
 }  // namespace
 
-std::unique_ptr<Plant> draw_lever(Draw draw) {
+std::unique_ptr<TrialPlant> draw_lever(Draw draw) {
   return std::make_unique<LeverPlant>(draw);
 }
 
-}  // namespace sinew::truth
+}  // namespace sinew::trials

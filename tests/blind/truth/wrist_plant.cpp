@@ -1,203 +1,250 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The wrist moves, the fingers are held and the tendons kept at their force: the motors follow the
-// tendons. Double inverted parallelogram, worked out point by point.
+// tendons.
 #include <fmt/format.h>
 
-#include <Eigen/Dense>
-#include <array>
+#include <algorithm>
 #include <cmath>
 
-#include "tests/blind/truth/plant.h"
 #include "tests/blind/truth/signals.h"
+#include "tests/blind/truth/axis.h"
+#include "tests/blind/truth/chain.h"
+#include "tests/blind/truth/compared.h"
+#include "tests/blind/truth/signal_path.h"
+#include "tests/blind/truth/trial_plant.h"
+#include "tests/blind/truth/wrist_shape.h"
 
-namespace sinew::truth {
+namespace sinew::trials {
 namespace {
 
-using Eigen::Vector3d;
-constexpr double pi = 3.14159265358979323846;
-constexpr size_t tendons = 8;
+using truth::Draw;
 
-struct WristModel {
-  double a = 0.050, b = 0.042, c = 0.036, motor_radius = 0.005;
-};
-
-// Where tendons 1 to 8 leave the forearm and enter the palm.
-Vector3d forearm_point(size_t i) {
-  static constexpr std::array<double, tendons> y = {0.007, 0.008, 0.010, 0.011,
-                                                    0.013, 0.015, 0.016, 0.018};
-  return {0.004, y[i], 0.008};
-}
-Vector3d palm_point(size_t i) {
-  static constexpr std::array<double, tendons> y = {-0.011, -0.010, -0.008, -0.006,
-                                                    -0.005, -0.003, -0.002, 0.0};
-  return {-0.004, y[i], 0.010};
-}
-
-struct Pose {
-  Eigen::Matrix3d rotation;
-  Vector3d origin;
-};
-
-Pose palm_pose(const WristModel& m, double q71, double q73) {
-  const double r2 = m.a * m.a + m.b * m.b + m.c * m.c, r = std::sqrt(r2);
-  const Vector3d y(0.0, 1.0, 0.0), e(std::cos(q71), 0.0, std::sin(q71));
-  const double tb = 0.5 * pi - q73;
-  // Bars B0-B and C0-C cross: the angle of the second follows from the coupler's length.
-  const double tc =
-      std::atan2((r2 + m.b * m.b) * std::sin(tb) - 2.0 * r * m.b, (r2 - m.b * m.b) * std::cos(tb));
-  const Vector3d B = r * (std::cos(tb) * e + std::sin(tb) * y);
-  const Vector3d C = m.b * y + r * (std::cos(tc) * e + std::sin(tc) * y);
-  const Vector3d M = 0.5 * (B + C);
-  const Vector3d x_axis = (C - M).normalized(), z_axis(-std::sin(q71), 0.0, std::cos(q71));
-  const Vector3d y_axis = z_axis.cross(x_axis);
-  // A lies |AM| from M across BC and |AA0| from A0; of the two points the crossed one.
-  const Vector3d A0(0.0, 0.5 * m.b, m.c), d = A0 - M;
-  const double py = y_axis.dot(d), pz = z_axis.dot(d);
-  const double am = m.c, aa0 = std::sqrt(m.a * m.a + m.c * m.c);
-  const double k = (d.squaredNorm() + am * am - aa0 * aa0) / (2.0 * am);
-  const double ta = std::atan2(pz, py) + std::acos(k / std::hypot(py, pz));
-  const Vector3d A = M + am * (std::cos(ta) * y_axis + std::sin(ta) * z_axis);
-  Pose pose;
-  const Vector3d v = (B - C).normalized(), w = (M - A).normalized();
-  pose.rotation.col(0) = v.cross(w);
-  pose.rotation.col(1) = v;
-  pose.rotation.col(2) = w;
-  pose.origin = 0.5 * (A + M);
-  return pose;
-}
-
-struct WristHidden {
-  double left_uncompensated = 0.0, zero71 = 0.0, zero73 = 0.0, contact = 0.0, scale = 0.0,
-         coarse = 0.0;
-  double drag = 0.0, sag = 0.0, loose = 0.0;
-};
-
-struct WristCause {
-  Cause cause;
-  double WristHidden::*field;
-};
-
-class WristPlant : public Plant {
+/// What is outside at a wrist: an angle that one motor or all of them turn more than they should.
+/// Keeps what it remembers.
+class Disturbed {
  public:
-  explicit WristPlant(Draw draw) {
-    for (auto& s : streams_) s = draw.bits();
-    sigma_ = draw.uniform(4.0e-3, 1.5e-2);
-    zero71_ = std::atan2(model_.c, model_.a);
-    zero73_ = std::acos(model_.b /
-                        std::sqrt(model_.a * model_.a + model_.b * model_.b + model_.c * model_.c));
-    using H = WristHidden;
-    causes_ = {
-        {{"wrist_coupling", "wrist", "1", 0.02, 1.0, 0.0, false, false}, &H::left_uncompensated},
-        {{"wrist_zero", "q71", "rad", 0.01, 0.3, -0.3, false, false}, &H::zero71},
-        {{"wrist_zero", "q73", "rad", 0.01, 0.3, -0.3, false, false}, &H::zero73},
-        {{"contact_shift", "wrist", "m", 2.0e-4, 5.0e-3, 0.0, false, false}, &H::contact},
-        {{"sensor_scale", "q71", "1", 0.02, 0.4, -0.4, false, false}, &H::scale},
-        {{"sensor_quantisation", "q73", "rad", 2.0e-3, 0.1, 0.0, false, false}, &H::coarse},
-        {{"drag", "wrist", "rad", 0.01, 1.0, 0.0, true, false}, &H::drag},
-        {{"sag", "wrist", "rad", 0.01, 1.0, 0.0, true, false}, &H::sag},
-        {{"loose", "motor 5", "rad", 0.02, 1.0, 0.0, true, false}, &H::loose},
-    };
-    for (const WristCause& c : causes_) listed_.push_back(c.cause);
+  Disturbed(const std::vector<Hidden>& hidden, Index motors) : hidden_(hidden), played_(motors) {
+    played_.setZero();
   }
 
-  std::string kind() const override { return "wrist"; }
-  std::string nominal() const override {
-    return fmt::format(
-        "{{\"a\": {:.17g}, \"b\": {:.17g}, \"c\": {:.17g}, \"motor_radius\": {:.17g}, "
-        "\"tendons\": {}}}",
-        model_.a, model_.b, model_.c, model_.motor_radius, tendons);
-  }
-  const std::vector<Cause>& causes() const override { return listed_; }
-
-  // q71 and q73 in the log are the mechanism's own angles, reference pose at (35.75, 55.72)
-  // degrees.
-  Table simulate(const std::vector<Dose>& doses, int log) const override {
-    WristHidden h;
-    for (const Dose& d : doses) h.*causes_[static_cast<size_t>(d.cause)].field = d.value;
-    const size_t rows = 12000;
-    const double period = 1.0 / 600.0;
-    Draw draw(streams_[static_cast<size_t>(log) % std::size(streams_)]);
-    const auto flexion = Motion(Course::mixed, 0.24, 0.7, 20.0, draw.fork()).table(period, rows);
-    const auto abduction = Motion(Course::mixed, 0.3, 0.9, 20.0, draw.fork()).table(period, rows);
-    Table t;
-    t.header = {"time [s]", "q71 [rad]", "q73 [rad]"};
-    for (size_t i = 1; i <= tendons; ++i) t.header.push_back(fmt::format("theta_{} [rad]", i));
-    t.columns.assign(t.header.size(), std::vector<double>(rows));
-    std::array<double, tendons> start{}, lag{};
-    double played = 0.0;
-    std::array<Vector3d, tendons> first_direction;
-    for (size_t k = 0; k < rows; ++k) {
-      const double q71 = zero71_ + flexion[k].position, q73 = zero73_ + abduction[k].position;
-      const Pose pose = palm_pose(model_, q71 + h.zero71, q73 + h.zero73);
-      double seen71 = zero71_ + (q71 - zero71_) * (1.0 + h.scale), seen73 = q73;
-      if (h.coarse > 0.0) seen73 = h.coarse * std::round(seen73 / h.coarse);
-      t.columns[0][k] = static_cast<double>(k) * period;
-      t.columns[1][k] = seen71;
-      t.columns[2][k] = seen73;
-      for (size_t i = 0; i < tendons; ++i) {
-        const Vector3d span = pose.rotation * palm_point(i) + pose.origin - forearm_point(i);
-        const Vector3d direction = span.normalized();
-        if (k == 0) first_direction[i] = direction;
-        // The tendon winds on and off a small pulley at either end as its direction turns.
-        const double turned = std::acos(std::min(1.0, direction.dot(first_direction[i])));
-        double length = span.norm() + h.contact * turned;
-        if (k == 0) start[i] = length;
-        length = (length - start[i]) * (1.0 - h.left_uncompensated);
-        double theta = -length / model_.motor_radius;
-        lag[i] += 0.01 * (std::tanh(40.0 * abduction[k].velocity) - lag[i]);
-        theta +=
-            h.drag * lag[i] + h.sag * std::sin(6.0 * abduction[k].position) * flexion[k].velocity;
-        if (i == 4 && h.loose > 0.0) {
-          played = std::clamp(played, theta - 0.5 * h.loose, theta + 0.5 * h.loose);
-          theta = played;
-        }
-        t.columns[3 + i][k] = theta;
+  /// theta of motor i at this time, `speed` of the wrist's flexion and abduction.
+  double of(Index i, double theta, const Vector3d& where, const Vector3d& speed, double time,
+            double step) {
+    for (const Hidden& h : hidden_) {
+      if (h.cause == "heat") theta *= 1.0 + h.dose * warm_;
+      if (h.cause == "filling") theta += 0.02 * h.dose * where.y() * std::min(1.0, time / 10.0);
+      if (h.cause == "latch") theta += h.dose * latched_;
+      if (h.cause == "speed_memory") theta += h.dose * fastest_ * std::tanh(30.0 * speed.x());
+      if (h.cause == "tight_under_load")
+        theta += h.dose * std::sin(6.0 * where.y() + h.phase) * speed.x() * 0.2;
+      if (h.cause == "outer_force" && h.at == i)
+        theta += std::fmod(time, 4.6) < 2.3
+                     ? h.dose * std::pow(std::sin(pi * std::fmod(time, 2.3) / 2.3), 2.0)
+                     : 0.0;
+      if (h.cause == "other_stage" && h.at == i)
+        theta += h.dose * std::sin(0.5857 * 20.0 * theta + h.phase) *
+                 (1.0 + 0.5 * std::sin(0.1716 * 20.0 * theta));
+      if (h.cause == "loose_motor" && h.at == i && h.dose > 0.0) {
+        played_(i) = std::clamp(played_(i), theta - 0.5 * h.dose, theta + 0.5 * h.dose);
+        theta = played_(i);
       }
     }
-    return t;
-  }
-
-  std::vector<std::vector<double>> left_over(const Table& log,
-                                             const std::vector<Dose>&) const override {
-    std::vector<std::vector<double>> left(tendons);
-    for (size_t k = 0; k < log.columns[0].size(); k += 6) {
-      const Pose pose = palm_pose(model_, log.columns[1][k], log.columns[2][k]);
-      for (size_t i = 0; i < tendons; ++i) {
-        const double length =
-            (pose.rotation * palm_point(i) + pose.origin - forearm_point(i)).norm();
-        left[i].push_back((log.columns[3 + i][k] + length / model_.motor_radius) / sigma_);
-      }
-    }
-    // Each motor's zero is free.
-    for (auto& x : left) x = without_columns(x, {std::vector<double>(x.size(), 1.0)});
-    return left;
-  }
-
-  void scale_noise(double factor) override { sigma_ *= factor; }
-
-  void measure(Table& log, int number) const override {
-    Draw draw(streams_[static_cast<size_t>(number) % std::size(streams_)] ^ 0x5bd1e995u);
-    for (size_t i = 0; i < tendons; ++i) {
-      Noise noise(draw.fork());
-      const double zero = draw.uniform(-1.0, 1.0);
-      for (double& x : log.columns[3 + i]) x += zero + sigma_ * noise.next();
-    }
-    for (double& x : log.columns[1]) x += 2.0e-5 * draw.normal();
-    for (double& x : log.columns[2]) x += 2.0e-5 * draw.normal();
+    if (i == 0) remember(where, speed, step);
+    return theta;
   }
 
  private:
-  WristModel model_;
-  double sigma_ = 0.01, zero71_ = 0.0, zero73_ = 0.0;
+  void remember(const Vector3d& where, const Vector3d& speed, double step) {
+    warm_ += step / 8.0 * (speed.squaredNorm() - warm_);
+    fastest_ = std::max(speed.norm(), fastest_ * std::exp(-step / 3.0));
+    if (last_ * speed.y() < 0.0) {
+      if (std::abs(where.y() - turned_) > 0.15) latched_ = last_ > 0.0 ? 1.0 : -1.0;
+      turned_ = where.y();
+    }
+    last_ = speed.y();
+  }
+  const std::vector<Hidden>& hidden_;
+  VectorXd played_;
+  double warm_ = 0.0, fastest_ = 0.0, latched_ = 0.0, last_ = 0.0, turned_ = 0.0;
+};
+
+class WristPlant : public TrialPlant {
+ public:
+  explicit WristPlant(Draw draw) {
+    for (auto& s : streams_) s = draw.bits();
+    shape_.a *= draw.uniform(0.9, 1.1);
+    shape_.b *= draw.uniform(0.9, 1.1);
+    shape_.c *= draw.uniform(0.9, 1.1);
+    motors_ = 4 + draw.below(5);
+    noise_ = draw.uniform(4.0e-4, 2.0e-3);
+    zero71_ = reference_71(shape_);
+    zero73_ = reference_73(shape_);
+    list_offers();
+  }
+
+  const std::vector<Offer>& offers() const override { return offers_; }
+  void write_model(const std::filesystem::path& folder) const override {
+    write_file(folder / "model" / "part.toml", wrist_part(shape_, motors_));
+  }
+
+  Course course(const std::vector<Hidden>&, int log) const override {
+    Draw draw(streams_[log]);
+    Course c;
+    c.step = 0.002;
+    const Index rows = 9000;
+    c.q = c.v = c.a = MatrixXd::Zero(rows, 2);
+    const double reach[] = {0.24, 0.28};
+    for (Index j = 0; j < 2; ++j) {
+      const auto table =
+          truth::Motion(truth::Course::mixed, reach[j], 3.0 * reach[j], 18.0, draw.fork())
+              .table(c.step, static_cast<std::size_t>(rows));
+      for (Index k = 0; k < rows; ++k) {
+        const truth::Reference& r = table[static_cast<std::size_t>(k)];
+        c.q(k, j) = (j == 0 ? zero71_ : zero73_) + r.position;
+        c.v(k, j) = r.velocity;
+      }
+    }
+    return c;
+  }
+
+  Log replay(const Course& course, const std::vector<Hidden>& hidden, int number) const override {
+    Log log;
+    log.step = course.step;
+    const Index rows = course.q.rows(), m = motors_;
+    log.columns.resize(rows, 2 + m);
+    log.names = {"q71", "q73"};
+    for (Index i = 0; i < m; ++i) log.names.push_back(fmt::format("theta_{}", i + 1));
+    log.units.assign(log.names.size(), "rad");
+    Disturbed disturbed(hidden, m);
+    std::vector<Vector3d> first(static_cast<std::size_t>(m));
+    VectorXd start(m);
+    double share = 0.0, contact = 0.0;
+    std::array<double, 2> zero{}, scale{}, coarse{};
+    for (const Hidden& h : hidden) {
+      const auto at = static_cast<std::size_t>(std::min(h.at, 1));
+      if (h.cause == "wrist_coupling") share = h.dose;
+      if (h.cause == "contact_shift") contact = h.dose;
+      if (h.cause == "wrist_zero") zero[at] = h.dose;
+      if (h.cause == "sensor_scale") scale[at] = h.dose;
+      if (h.cause == "sensor_quantisation") coarse[at] = h.dose;
+    }
+    const double reference[] = {zero71_, zero73_};
+    // Where each motor counts from: it is fitted in any case, and no noise.
+    Draw counted(streams_[number] ^ 0x2545f491u);
+    VectorXd from(m);
+    for (double& x : from) x = counted.uniform(-1.0, 1.0);
+    // The reference pose, from which a tendon's bend at its guides counts.
+    const PalmPose rest = palm_pose(shape_, zero71_, zero73_);
+    for (Index k = 0; k < rows; ++k) {
+      const PalmPose pose = palm_pose(shape_, course.q(k, 0), course.q(k, 1));
+      for (std::size_t j = 0; j < 2; ++j) {
+        double q = course.q(k, static_cast<Index>(j)) - zero[j];
+        q = reference[j] + (q - reference[j]) * (1.0 + scale[j]);
+        if (coarse[j] > 0.0) q = coarse[j] * std::round(q / coarse[j]);
+        log.columns(k, static_cast<Index>(j)) = q;
+      }
+      for (Index i = 0; i < m; ++i) {
+        const auto span_of = [&](const PalmPose& p) -> Vector3d {
+          return p.rotation * palm_point(static_cast<int>(i)) + p.origin -
+                 forearm_point(static_cast<int>(i));
+        };
+        const Vector3d span = span_of(pose), before = span_of(rest);
+        const double turned = std::atan2(span.cross(before).norm(), span.dot(before));
+        double length = (span.norm() - before.norm()) + contact * turned;
+        length *= 1.0 - share;
+        double radius = shape_.motor_radius;
+        for (const Hidden& h : hidden)
+          if (h.cause == "tendon_radius" && h.at == i) radius *= 1.0 + h.dose;
+        const Vector3d where(course.q(k, 0) - zero71_, course.q(k, 1) - zero73_, 0.0);
+        const Vector3d speed(course.v(k, 0), course.v(k, 1), 0.0);
+        log.columns(k, 2 + i) =
+            from(i) + disturbed.of(i, -length / radius, where, speed,
+                                   course.step * static_cast<double>(k), course.step);
+      }
+    }
+    for (int j = 0; j < 2; ++j) {
+      std::vector<Hidden> here = only_at(hidden, j);
+      std::erase_if(here, [](const Hidden& h) {
+        return h.cause != "sensor_low_pass" && h.cause != "sensor_hysteresis";
+      });
+      log.columns.col(j) = sensed_position(log.columns.col(j), here, log.step);
+    }
+    return log;
+  }
+
+  void measure(Log& log, int number) const override {
+    Draw draw(streams_[number] ^ 0x5bd1e995u);
+    for (Index i = 0; i < motors_; ++i) {
+      truth::Noise noise(draw.fork());
+      for (double& x : log.columns.col(2 + i)) x += noise_ * noise.next();
+    }
+    for (Index j = 0; j < 2; ++j)
+      for (double& x : log.columns.col(j)) x += 2.0e-5 * draw.normal();
+  }
+
+  std::vector<VectorXd> left_over(const Log& log) const override {
+    std::vector<VectorXd> left(static_cast<std::size_t>(motors_), VectorXd(log.columns.rows()));
+    for (Index k = 0; k < log.columns.rows(); ++k) {
+      const PalmPose pose = palm_pose(shape_, log.columns(k, 0), log.columns(k, 1));
+      for (int i = 0; i < motors_; ++i) {
+        const double length =
+            (pose.rotation * palm_point(i) + pose.origin - forearm_point(i)).norm();
+        left[static_cast<std::size_t>(i)](k) = log.columns(k, 2 + i) + length / shape_.motor_radius;
+      }
+    }
+    return left;
+  }
+
+  std::vector<MatrixXd> fitted(const Log& log, unsigned) const override {
+    // Each motor's zero is free.
+    return std::vector<MatrixXd>(static_cast<std::size_t>(motors_),
+                                 MatrixXd::Ones(log.columns.rows(), 1));
+  }
+  std::vector<VectorXd> moving(const Log& log) const override {
+    return std::vector<VectorXd>(static_cast<std::size_t>(motors_),
+                                 VectorXd::Ones(log.columns.rows()));
+  }
+  std::vector<double> bands(const Log& log, const Log&) const override {
+    return std::vector<double>(static_cast<std::size_t>(motors_), rig_band(log.step));
+  }
+
+ private:
+  void list_offers() {
+    const auto offer = [&](const char* cause, const std::string& place, int at, double scale,
+                           bool outside, const char* parameter = "") {
+      offers_.push_back({cause, place, at, scale, outside, fits_all, parameter, 1.0, 0});
+    };
+    offer("wrist_coupling", "wrist", 0, 1.0, false, "share");
+    offer("contact_shift", "wrist", 0, 1e-3, false, "radius");
+    for (int j = 0; j < 2; ++j) {
+      const std::string place = j == 0 ? "q71" : "q73";
+      offer("wrist_zero", place, j, 1.0, false, "offset");
+      offer("sensor_scale", place, j, 1.0, false, "scale_error");
+      offer("sensor_quantisation", place, j, 1.0, false);
+      offer("sensor_low_pass", place, j, 1.0, false);
+      offer("sensor_hysteresis", place, j, 1.0, false);
+    }
+    for (int i = 0; i < motors_; ++i) {
+      const std::string place = fmt::format("motor {}", i + 1);
+      offer("tendon_radius", place, i, 1.0, false, "change");
+      for (const char* cause : {"outer_force", "other_stage", "loose_motor"})
+        offer(cause, place, i, 1.0, true);
+    }
+    for (const char* cause : {"heat", "filling", "latch", "speed_memory", "tight_under_load"})
+      offer(cause, "wrist", 0, cause == std::string("filling") ? 10.0 : 1.0, true);
+  }
+
+  WristShape shape_;
+  int motors_ = 8;
+  double noise_ = 0.005, zero71_ = 0.0, zero73_ = 0.0;
   std::uint64_t streams_[4] = {};
-  std::vector<WristCause> causes_;
-  std::vector<Cause> listed_;
+  std::vector<Offer> offers_;
 };
 
 }  // namespace
 
-std::unique_ptr<Plant> draw_wrist(Draw draw) {
+std::unique_ptr<TrialPlant> draw_wrist(Draw draw) {
   return std::make_unique<WristPlant>(draw);
 }
 
-}  // namespace sinew::truth
+}  // namespace sinew::trials

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which samples of a log count: at rest, and where a joint turns round, friction is whatever holds
+// it. The rule is the one that docs/diagnose.md states.
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include "tests/blind/truth/hidden.h"
+
+namespace sinew::trials {
+
+/// First and last sample of each stretch that does not count.
+using Rests = std::vector<std::pair<Index, Index>>;
+
+/// `fast`: velocity behind the smoother of `cutoff` [Hz], whose reversals are taken out; `slow`:
+/// behind a slower one, or empty. None where next to nothing would be left of the log.
+Rests rests_of(const VectorXd& fast, const VectorXd& slow, double step, double cutoff);
+
+/// Those that overlap one of the others.
+Rests overlapping(const Rests& own, const Rests& others);
+
+/// 1 in motion, 0 at rest, flanks of 20 ms between.
+VectorXd weight_of(const Rests& rests, Index rows, double step);
+
+}  // namespace sinew::trials
