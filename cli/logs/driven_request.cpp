@@ -22,13 +22,29 @@ DriveLimits limits_of(const DrivenJoint& joint) {
   return limits;
 }
 
-/// Joints by their own efforts, or by the forces of their tendons: what the first log has.
+/// What the first log has. Motors that another log lacks are left out, which is said.
+diagnosis::LoggedEfforts efforts_of_all(const Mechanism& mechanism, DiagnoseRequest& request) {
+  using diagnosis::LoggedEfforts;
+  const LoggedEfforts common =
+      diagnosis::logged_efforts(mechanism, request.logs.front(), request.map);
+  if (common != LoggedEfforts::tendon_forces_and_motors) return common;
+  for (const auto& group : {request.logs, request.holdout})
+    for (const std::string& file : group)
+      if (diagnosis::logged_efforts(mechanism, file, request.map) ==
+          LoggedEfforts::tendon_forces) {
+        request.notes.push_back("the motors are left out: '" + file +
+                                "' has no columns 'theta_1' and 'tau_1' of them");
+        return LoggedEfforts::tendon_forces;
+      }
+  return common;
+}
+
+/// Joints by their own efforts, or by the forces of their tendons.
 void set_robot(const std::filesystem::path& folder, const Mechanism& mechanism,
                DiagnoseRequest& request) {
   using diagnosis::LoggedEfforts;
   request.mechanism = mechanism;
-  const LoggedEfforts logged =
-      diagnosis::logged_efforts(mechanism, request.logs.front(), request.map);
+  const LoggedEfforts logged = efforts_of_all(mechanism, request);
   if (logged == LoggedEfforts::at_joints) {
     request.kind = "robot";
     request.model = driven_model(mechanism, emitted_cost);

@@ -95,6 +95,7 @@ class Run {
     for (std::size_t i = 0; i < logged.logs.size(); ++i)
       take(logged.logs[i], logged.channels[i], i >= request_.logs.size());
     refuse_held_out_twins(result_.findings.logs);
+    tell_missing_loads(subject_.complete_loads());
     // Before the efforts are compared with what the model says: it may carry a load.
     const std::vector<PayloadNote> payloads = subject_.take_payloads();
     for (std::size_t i = 0; i < logged.logs.size(); ++i)
@@ -109,6 +110,14 @@ class Run {
     subject_.add_log(log, columns, held_out, payload_of(request_.payloads, log.file));
     columns_[log.file] = judged_columns(log, columns);
     result_.findings.logs.push_back(log_record(log, held_out));
+  }
+
+  void tell_missing_loads(const std::vector<std::string>& recordings) {
+    for (LogRecord& log : result_.findings.logs)
+      if (std::any_of(recordings.begin(), recordings.end(),
+                      [&](const std::string& name) { return name.starts_with(log.file); }))
+        log.faults.push_back(log.file +
+                             ": has no column 'load', which another log has; it counts as 0");
   }
 
   /// Throws LogError where going on is not safe.

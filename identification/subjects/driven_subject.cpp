@@ -230,6 +230,21 @@ MatrixXd DrivenSubject::effort_of_smooth_load(Recording& log) const {
   return effort;
 }
 
+std::vector<std::string> DrivenSubject::complete_loads() {
+  std::vector<std::string> without;
+  Index columns = 0;
+  for (auto* logs : {&problem_.training, &problem_.holdout})
+    for (const Recording& log : *logs) columns = std::max(columns, log.load.cols());
+  if (columns == 0) return without;
+  for (auto* logs : {&problem_.training, &problem_.holdout})
+    for (Recording& log : *logs) {
+      if (log.load.size() > 0) continue;
+      log.load = MatrixXd::Zero(log.q.rows(), columns);
+      without.push_back(log.name);
+    }
+  return without;
+}
+
 void DrivenSubject::prepare(const Settings& settings) {
   set_bands();
   for (auto* logs : {&problem_.training, &problem_.holdout})

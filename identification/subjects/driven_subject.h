@@ -66,6 +66,10 @@ class DrivenSubject {
   /// logs. Throws std::invalid_argument where no log tells a centre.
   std::vector<PayloadNote> take_payloads();
 
+  /// A load that only some logs have is none in the others, where what acts by it is looked for.
+  /// After the last log. Gives the names of the recordings without a load of their own.
+  std::vector<std::string> complete_loads();
+
   /// Baseline, library and deviations for the logs added so far. Throws std::invalid_argument where
   /// no stretch of a log is long enough.
   void prepare(const Settings& settings);

@@ -136,6 +136,31 @@ TEST_CASE("a dry run leaves the model as it is") {
   CHECK(fs::exists(bench.path("found/generated/slide/slide.c")));
 }
 
+TEST_CASE("a load that only one log has counts as none in the other, which is said") {
+  // Planted defect: no complete_loads(): the library reads a load that is not there, and crashes.
+  const Workplace here;
+  for (const char* file : {"train.csv", "test.csv"})
+    fs::copy(std::string(SINEW_SOURCE_DIR "/examples/diagnosis/") + file, here.path(file));
+  fs::copy(SINEW_SOURCE_DIR "/models/motor", here.path("models/drive"), fs::copy_options::recursive);
+  std::istringstream lines(here.text("train.csv"));
+  std::string loaded, line;
+  std::getline(lines, line);
+  loaded = line + ",load [N*m]\n";
+  for (int row = 0; std::getline(lines, line); ++row)
+    loaded += fmt::format("{},{}\n", line, row % 400 < 200 ? 0.01 : -0.01);
+  reference::write_text(here.path("train.csv"), loaded);
+  std::vector<std::string> arguments{"diagnose", "models/drive", "--log", "train.csv", "--holdout",
+                                     "test.csv", "--out", "found", "--quick"};
+  for (const char* map : {"theta=Motor Position (rad)", "tau_m=Motor Torque (N·m)",
+                          "time=Time (s)"})
+    arguments.insert(arguments.end(), {"--map", map});
+  const Ended ended = here.sinew(arguments);
+  INFO(ended.output);
+  CHECK((ended.status == 0 || ended.status == 1));
+  CHECK(here.text("found/findings.json").find("test.csv: has no column 'load'") !=
+        std::string::npos);
+}
+
 TEST_CASE("a first look names what is large, says that it is one, and adopts nothing") {
   // Planted defect: no tell_first_look(): the model is extended.
   const Bench bench(1.5);
