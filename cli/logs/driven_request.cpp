@@ -30,8 +30,7 @@ diagnosis::LoggedEfforts efforts_of_all(const Mechanism& mechanism, DiagnoseRequ
   if (common != LoggedEfforts::tendon_forces_and_motors) return common;
   for (const auto& group : {request.logs, request.holdout})
     for (const std::string& file : group)
-      if (diagnosis::logged_efforts(mechanism, file, request.map) ==
-          LoggedEfforts::tendon_forces) {
+      if (diagnosis::logged_efforts(mechanism, file, request.map) == LoggedEfforts::tendon_forces) {
         request.notes.push_back("the motors are left out: '" + file +
                                 "' has no columns 'theta_1' and 'tau_1' of them");
         return LoggedEfforts::tendon_forces;

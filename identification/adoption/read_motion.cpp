@@ -41,8 +41,7 @@ LoggedMotion read_logs(const DiagnoseRequest& request,
   ReadOptions options;
   options.map = request.map;
   const bool first_look = request.settings.first_look;
-  options.max_values =
-      diagnosis_values(request.logs.size() + request.holdout.size(), first_look);
+  options.max_values = diagnosis_values(request.logs.size() + request.holdout.size(), first_look);
   for (const std::vector<std::string>& group : {request.logs, request.holdout})
     for (const std::string& file : group) {
       logged.channels.push_back(request.channels(file));

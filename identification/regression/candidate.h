@@ -25,11 +25,11 @@ struct Recording {
   Eigen::VectorXd time;  ///< s, of the log's own clock
   /// s: where the log begins of which this is a stretch; none: it is the whole log.
   std::optional<double> log_start;
-  Eigen::MatrixXd q, qd, qdd;   ///< motion, from differentiate() in filter.h or measured
-  Eigen::MatrixXd command;      ///< drive command
-  Eigen::MatrixXd load;         ///< load on each axis, for instance tendon force
-  Eigen::MatrixXd temperature;  ///< deg C
-  Eigen::VectorXd payload;      ///< mass [kg] of a load that is known to be carried; empty: none
+  Eigen::MatrixXd q, qd, qdd;      ///< motion, from differentiate() in filter.h or measured
+  Eigen::MatrixXd command;         ///< drive command
+  Eigen::MatrixXd load;            ///< load on each axis, for instance tendon force
+  Eigen::MatrixXd temperature;     ///< deg C
+  Eigen::VectorXd payload;         ///< mass [kg] of a load that is known to be carried; empty: none
   Eigen::MatrixXd payload_effort;  ///< what it asks of the joints: samples x joints; empty: none
   std::map<std::string, Eigen::MatrixXd> signals;  ///< anything else a candidate wants
   std::vector<Eigen::VectorXd> target;             ///< per channel: what is measured, force domain

@@ -281,8 +281,8 @@ TEST_CASE("the same size is the same share of the motion's effort, however heavy
   CHECK(compared >= 3);
 }
 
-TEST_CASE("tendons pull, and give the joints what they move by") {
-  // Planted defect: a pretension of each tendon by itself, cut off at half a newton.
+TEST_CASE("tendons of fingers and hands pull, none is cut off at a least force") {
+  // Planted defect: a pretension of each tendon by itself, cut off at half a newton (seed 3).
   for (const char* name : {"finger", "hand"})
     for (std::uint64_t seed = 1; seed < 7; ++seed) {
       const std::unique_ptr<TrialPlant> plant = plant_of(name, seed);

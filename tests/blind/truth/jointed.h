@@ -2,10 +2,10 @@
 // Links with driven axes: what drives, lone joints, arms, fingers and hands have in common.
 #pragma once
 
-#include "tests/blind/truth/random_draw.h"
-#include "tests/blind/truth/signals.h"
 #include "tests/blind/truth/axis.h"
 #include "tests/blind/truth/chain.h"
+#include "tests/blind/truth/random_draw.h"
+#include "tests/blind/truth/signals.h"
 #include "tests/blind/truth/trial_plant.h"
 
 namespace sinew::trials {

@@ -66,8 +66,8 @@ class TendonPlant : public TrialPlant {
 
   Course course(const std::vector<Hidden>& hidden, int log) const override {
     const Draw draw(streams_[log]);
-    // A joint rests while its friction turns, and its tendons stay as smooth as the motors that pull
-    // them: motion that is prescribed would have them jump with it.
+    // A joint rests while its friction turns, and its tendons stay as smooth as the motors that
+    // pull them: motion that is prescribed would have them jump with it.
     if (s_.mechanics == Mechanics::mujoco)
       return in_mujoco(s_.jointed, at_joints(hidden), s_.rhythm, {}, draw);
     return in_joint_torques(s_.jointed, at_joints(hidden), s_.rhythm, draw);
@@ -156,9 +156,7 @@ class TendonPlant : public TrialPlant {
   /// are pulled more.
   VectorXd forces_for(const VectorXd& torque, const MatrixXd& arms, VectorXd tension) const {
     const auto inverse = (arms.transpose() * arms).ldlt();
-    const auto give = [&] {
-      tension -= arms * inverse.solve(torque + arms.transpose() * tension);
-    };
+    const auto give = [&] { tension -= arms * inverse.solve(torque + arms.transpose() * tension); };
     give();
     const double more = ((0.05 * s_.pretension - tension.array()) / balanced_.array()).maxCoeff();
     if (more > 0.0) {

@@ -91,8 +91,7 @@ Course in_torque_control(const Jointed& jointed, const std::vector<Hidden>& hidd
                              1.8 * bandwidth * (wanted.v.row(k).transpose() - v);
     const VectorXd asked = jointed.chain.torque(q, v, pursued);
     const double known = load.size() > 0 ? load(k) : 0.0;
-    const VectorXd command =
-        command_of(jointed, asked, pursued, wanted.v.row(k)).array() + known;
+    const VectorXd command = command_of(jointed, asked, pursued, wanted.v.row(k)).array() + known;
     // At a row's instant: the mean of what was given in the steps before and behind it.
     if (k % course.inner == 0)
       course.command.row(k / course.inner) =

@@ -7,9 +7,9 @@
 #include <map>
 #include <memory>
 
-#include "tests/blind/truth/random_draw.h"
 #include "tests/blind/truth/hidden.h"
 #include "tests/blind/truth/pairs.h"
+#include "tests/blind/truth/random_draw.h"
 
 namespace sinew::trials {
 

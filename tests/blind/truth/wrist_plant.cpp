@@ -6,11 +6,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tests/blind/truth/signals.h"
 #include "tests/blind/truth/axis.h"
 #include "tests/blind/truth/chain.h"
 #include "tests/blind/truth/compared.h"
 #include "tests/blind/truth/signal_path.h"
+#include "tests/blind/truth/signals.h"
 #include "tests/blind/truth/trial_plant.h"
 #include "tests/blind/truth/wrist_shape.h"
 
