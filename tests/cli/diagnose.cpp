@@ -182,11 +182,11 @@ TEST_CASE("motors that the held-out log lacks are not asked of it") {
       add(fmt::format("force_{}", i), "N");
       if (motors) add(fmt::format("theta_{}", i), "rad"), add(fmt::format("tau_{}", i), "N*m");
     }
-    const auto columns = std::count(row.begin(), row.end(), ',');
+    const auto columns = static_cast<int>(std::count(row.begin(), row.end(), ','));
     std::string text = header + "\n";
     for (int k = 0; k < 20; ++k) {
       text += fmt::format("{}", 0.002 * k);
-      for (long c = 0; c < columns; ++c) text += fmt::format(",{}", 0.1 + 0.001 * k * (c + 1));
+      for (int c = 0; c < columns; ++c) text += fmt::format(",{}", 0.1 + 0.001 * k * (c + 1));
       text += "\n";
     }
     return text;
