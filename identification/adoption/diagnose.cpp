@@ -26,6 +26,7 @@
 #include "identification/report/log_record.h"
 #include "identification/report/verdict_text.h"
 #include "identification/report/wording.h"
+#include "identification/subjects/channel_factors.h"
 #include "identification/subjects/common_factors.h"
 #include "identification/subjects/effort_consistency.h"
 #include "identification/subjects/lone_consistency.h"
@@ -159,9 +160,12 @@ class Run {
     const DrivenModel& model = request_.model;
     if (!model.tendons.names.empty()) {
       judge_tendons(log, columns, *longest, model, subject_.effort(), request_.runtime, faults);
+      if (!faults.stops())
+        judge_force_factors(log, columns, *longest, model, subject_.effort(), faults);
     } else {
       judge_efforts(log, columns, *longest, subject_.effort(), faults);
       if (!faults.stops()) judge_common_factors(log, columns, *longest, subject_.effort(), faults);
+      if (!faults.stops()) judge_effort_factors(log, columns, *longest, subject_.effort(), faults);
       judge_lone_effort(log, columns, *longest, subject_.effort(), model.joints.front(), faults);
     }
     if (faults.stops()) throw LogError(faults.all());

@@ -17,7 +17,6 @@ using Eigen::VectorXd;
 
 constexpr double kHighest = 10.0;    // Hz
 constexpr Index kTimeBlocks = 10;    // of a log
-constexpr Index kDrive = 4;          // columns of a joint's own drive
 constexpr double kStandstill = 0.1;  // of the joint's rms speed: there its friction is anything
 
 }  // namespace
@@ -33,32 +32,44 @@ SmoothEfforts smooth_efforts(const Recording& log, const EffortModel& model) {
   const Motion efforts = differentiate(measured, log.step, cutoff);
   const MatrixXd none = MatrixXd::Zero(log.q.rows(), log.q.cols());
   const auto inner = [&](const MatrixXd& x) -> MatrixXd { return x.middleRows(end, rows); };
-  return {inner(motion.qd), inner(motion.qdd), inner(efforts.q),
+  return {inner(motion.qd),
+          inner(motion.qdd),
+          inner(efforts.q),
           inner(model(log, motion.q, motion.qd, motion.qdd)),
-          inner(model(log, motion.q, none, none))};
+          inner(model(log, motion.q, none, none)),
+          inner(model(log, motion.q, none, motion.qdd))};
 }
 
-void BlockRegression::add(const SmoothEfforts& log, Index joint, const MatrixXd& columns) {
-  const VectorXd speed = log.qd.col(joint);
-  const Index n = speed.size(), wide = own_ + kDrive;
-  const double usual = speed.norm() / std::sqrt(std::max(1.0, static_cast<double>(n)));
+MatrixXd own_drive(const VectorXd& speed, const VectorXd& acceleration) {
+  MatrixXd x(speed.size(), 4);
+  x << acceleration, speed, speed.cwiseSign(), VectorXd::Ones(speed.size());
+  return x;
+}
+
+VectorXd in_motion(const VectorXd& speed) {
+  const double usual = speed.norm() / std::sqrt(std::max(1.0, static_cast<double>(speed.size())));
+  return (speed.array().abs() >= kStandstill * usual).cast<double>().matrix();
+}
+
+void BlockRegression::add(const MatrixXd& columns, const VectorXd& target, const VectorXd& counts) {
+  const Index n = target.size();
   for (Index b = 0; b < kTimeBlocks; ++b) {
-    MatrixXd gram = MatrixXd::Zero(wide, wide);
-    VectorXd target = VectorXd::Zero(wide), x(wide);
-    for (Index k = n * b / kTimeBlocks; k < n * (b + 1) / kTimeBlocks; ++k) {
-      if (std::abs(speed(k)) < kStandstill * usual) continue;
-      x << columns.row(k).transpose(), log.qdd(k, joint), speed(k), speed(k) > 0.0 ? 1.0 : -1.0,
-          1.0;
-      gram += x * x.transpose();
-      target += x * log.measured(k, joint);
-    }
-    gram_.push_back(std::move(gram));
-    target_.push_back(std::move(target));
+    const Index first = n * b / kTimeBlocks, count = n * (b + 1) / kTimeBlocks - first;
+    const MatrixXd x = counts.segment(first, count).asDiagonal() * columns.middleRows(first, count);
+    gram_.push_back(x.transpose() * x);
+    target_.push_back(x.transpose() * target.segment(first, count));
+    square_ += counts.segment(first, count).cwiseProduct(target.segment(first, count)).squaredNorm();
   }
 }
 
+void BlockRegression::add_joint(const SmoothEfforts& log, Index joint, const MatrixXd& columns) {
+  MatrixXd all(columns.rows(), columns.cols() + 4);
+  all << columns, own_drive(log.qd.col(joint), log.qdd.col(joint));
+  add(all, log.measured.col(joint), in_motion(log.qd.col(joint)));
+}
+
 VectorXd BlockRegression::solved(int without) const {
-  const Index wide = own_ + kDrive;
+  const Index wide = gram_.front().cols();
   MatrixXd gram = MatrixXd::Zero(wide, wide);
   VectorXd target = VectorXd::Zero(wide);
   for (int b = 0; b < static_cast<int>(gram_.size()); ++b) {
@@ -70,18 +81,38 @@ VectorXd BlockRegression::solved(int without) const {
   const MatrixXd scaled = scale.asDiagonal() * gram * scale.asDiagonal();
   const VectorXd right = scale.asDiagonal() * target;
   const VectorXd solution = scaled.completeOrthogonalDecomposition().solve(right);
-  return scale.cwiseProduct(solution).head(own_);
+  return scale.cwiseProduct(solution);
+}
+
+template <typename Function>
+Share BlockRegression::estimated(const Function& of_coefficients) const {
+  const double all = of_coefficients(solved(-1));
+  double squares = 0.0;
+  for (int b = 0; b < static_cast<int>(gram_.size()); ++b) {
+    const double off = of_coefficients(solved(b)) - all;
+    squares += off * off;
+  }
+  const auto blocks = std::max(1.0, static_cast<double>(gram_.size()));
+  return {all, std::sqrt(squares * (blocks - 1.0) / blocks)};
 }
 
 std::vector<Share> BlockRegression::shares() const {
-  const VectorXd all = solved(-1);
-  VectorXd squares = VectorXd::Zero(own_);
-  for (int b = 0; b < static_cast<int>(gram_.size()); ++b) squares += (solved(b) - all).cwiseAbs2();
-  const auto blocks = std::max(1.0, static_cast<double>(gram_.size()));
   std::vector<Share> result;
-  for (Index k = 0; k < own_; ++k)
-    result.push_back({all(k), std::sqrt(squares(k) * (blocks - 1.0) / blocks)});
+  for (Index k = 0; k < asked_; ++k)
+    result.push_back(estimated([k](const VectorXd& c) { return c(k); }));
   return result;
+}
+
+Share BlockRegression::ratio() const {
+  return estimated([](const VectorXd& c) { return c(0) / c(1); });
+}
+
+double BlockRegression::left_over() const {
+  const VectorXd c = solved(-1);
+  double left = square_;
+  for (std::size_t b = 0; b < gram_.size(); ++b)
+    left += c.dot(gram_[b] * c) - 2.0 * c.dot(target_[b]);
+  return std::max(0.0, left);
 }
 
 }  // namespace sinew::diagnosis

@@ -14,8 +14,9 @@ namespace sinew::diagnosis {
 /// A log's motion and efforts below 10 Hz, away from its ends: samples x joints.
 struct SmoothEfforts {
   Eigen::MatrixXd qd, qdd, measured;
-  Eigen::MatrixXd said;     ///< by the model
-  Eigen::MatrixXd at_rest;  ///< by the model in the same poses, standing still
+  Eigen::MatrixXd said;      ///< by the model
+  Eigen::MatrixXd at_rest;   ///< by the model in the same poses, standing still
+  Eigen::MatrixXd starting;  ///< by the model at no speed, with the accelerations
 };
 
 SmoothEfforts smooth_efforts(const Recording& log, const EffortModel& model);
@@ -25,24 +26,41 @@ struct Share {
   double value = 0.0, standard_error = 0.0;
 };
 
-/// Least squares of one joint's effort on some columns beside an armature, viscous and Coulomb
-/// friction and an offset of its own, standstill aside. Neighbours in time are no new samples: the
-/// standard errors are those of leaving out one of ten blocks of each log.
+/// Least squares over blocks of time. Neighbours in time are no new samples: the standard errors
+/// are those of leaving out one of ten blocks of each stretch.
 class BlockRegression {
  public:
-  explicit BlockRegression(Eigen::Index columns) : own_(columns) {}
+  /// asked: how many of the columns, the first ones, are asked for.
+  explicit BlockRegression(Eigen::Index asked) : asked_(asked) {}
 
-  /// columns: samples x the columns asked for.
-  void add(const SmoothEfforts& log, Eigen::Index joint, const Eigen::MatrixXd& columns);
+  /// One stretch: samples x columns, as many columns every time. Where `counts` is 0 a sample is
+  /// left out.
+  void add(const Eigen::MatrixXd& columns, const Eigen::VectorXd& target,
+           const Eigen::VectorXd& counts);
+  /// A joint's measured effort on `columns`, all of them asked for, beside own_drive().
+  void add_joint(const SmoothEfforts& log, Eigen::Index joint, const Eigen::MatrixXd& columns);
   /// Of the columns asked for.
   std::vector<Share> shares() const;
+  /// The first of them over the second: what shifts both alike is no error of it.
+  Share ratio() const;
+  /// Sum of squares that all columns leave over.
+  double left_over() const;
 
  private:
+  template <typename Function>
+  Share estimated(const Function& of_coefficients) const;
   Eigen::VectorXd solved(int without) const;
 
-  Eigen::Index own_;
+  Eigen::Index asked_;
   std::vector<Eigen::MatrixXd> gram_;
   std::vector<Eigen::VectorXd> target_;
+  double square_ = 0.0;  ///< of all targets
 };
+
+/// An armature, viscous and Coulomb friction and an offset of a joint's own: samples x 4.
+Eigen::MatrixXd own_drive(const Eigen::VectorXd& speed, const Eigen::VectorXd& acceleration);
+
+/// 1 where a joint moves, 0 at standstill, where its friction may be anything.
+Eigen::VectorXd in_motion(const Eigen::VectorXd& speed);
 
 }  // namespace sinew::diagnosis

@@ -49,7 +49,7 @@ void judge_common_factors(const Log& log, const DrivenColumns& columns, const Re
     BlockRegression regression(2);
     MatrixXd parts(efforts.qd.rows(), 2);
     parts << efforts.at_rest.col(j), efforts.said.col(j) - efforts.at_rest.col(j);
-    regression.add(efforts, j, parts);
+    regression.add_joint(efforts, j, parts);
     const std::vector<Share> shares = regression.shares();
     of_weight.push_back(shares.front());
     of_inertia.push_back(shares.back());

@@ -42,8 +42,6 @@ void DrivenSubject::add_mechanism_candidates() {
         add_free_payload(std::move(c));
         continue;
       }
-      // A lone link's payloads and offset make every weight that a leaning base would.
-      if (effect == "gravity" && model_.joints.size() == 1) c.unlikely = true;
       take(std::move(c), {effect, 0, {}, {}});
     }
   if (tendons_)
@@ -88,7 +86,6 @@ void DrivenSubject::add(const std::string& effect, std::size_t joint, const std:
                                  fixed.size() ? std::optional(fixed) : std::nullopt);
   if (!name.empty()) c.name = name;
   c.kind = kind;
-  // Impacts are as short as a sample; what they leave in the band is enough.
   c.broadband = c.name == find_effect("inertial_backlash").name;
   if ((c.broadband || c.name == find_effect("gear_elasticity").name) &&
       noise_of_position(training(), static_cast<Index>(joint)))
@@ -156,7 +153,11 @@ void DrivenSubject::add_ripples(std::size_t joint) {
     const double rate = 2.0 * std::numbers::pi / turn;
     // A link that turns under gravity has its weight once a turn.
     const bool weight = is_lone_link() && shaft == "output";
+    // Less than a quarter of a period is a bend as any other.
+    const LogScale s = scale(joint);
+    const auto shows = [&](double order) { return order * (s.high - s.low) > 0.25 * turn; };
     for (const int k : {1, 2, 3}) {
+      if (!shows(k)) continue;
       add("ripple", joint,
           k == 1 ? fmt::format("ripple once per {} turn", shaft)
                  : fmt::format("ripple {} times per {} turn", k, shaft),
@@ -164,9 +165,10 @@ void DrivenSubject::add_ripples(std::size_t joint) {
       problem_.library.back().unlikely = weight && k == 1;
     }
     for (const double k : {0.73, 1.37, 2.41})
-      add("ripple", joint, fmt::format("ripple off every order of the {}", shaft), number(rate * k),
-          CandidateKind::decoy);
-    if (scale(joint).load > 0.0 || carries_links(joint))
+      if (shows(k))
+        add("ripple", joint, fmt::format("ripple off every order of the {}", shaft),
+            number(rate * k), CandidateKind::decoy);
+    if (shows(1.0) && (s.load > 0.0 || carries_links(joint)))
       add("load_ripple", joint, fmt::format("ripple proportional to load, once per {} turn", shaft),
           number(rate));
   };
@@ -174,10 +176,7 @@ void DrivenSubject::add_ripples(std::size_t joint) {
     orders(model_.joints[joint].motor_turn, "motor");
   else
     add_ripple_of_any_period(joint);
-  // An output that never makes a good part of a turn shows no order of its own.
-  const LogScale s = scale(joint);
-  if (s.high - s.low > 0.4 * model_.joints[joint].output_turn)
-    orders(model_.joints[joint].output_turn, "output");
+  orders(model_.joints[joint].output_turn, "output");
 }
 
 void DrivenSubject::add_model_candidates(std::size_t joint) {

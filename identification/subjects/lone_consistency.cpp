@@ -128,7 +128,7 @@ std::optional<double> load_shown(const LoneJudge& judge) {
   MatrixXd parts(slow.q.rows(), 2);
   parts << slow.load.col(0), judge.without_load();
   BlockRegression regression(2);
-  regression.add({slow.qd, slow.qdd, slow.target.front(), {}, {}}, 0, parts);
+  regression.add_joint({slow.qd, slow.qdd, slow.target.front(), {}, {}, {}}, 0, parts);
   const Share shown = regression.shares().front();
   const double size = std::abs(shown.value);
   if (!(size > 0.0) || !(shown.standard_error < kLoadWithin * size)) return std::nullopt;

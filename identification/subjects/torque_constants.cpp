@@ -29,7 +29,7 @@ std::vector<FittedConstant> fit_torque_constants(const std::vector<Recording>& l
     const SmoothEfforts efforts = smooth_efforts(log, model);
     for (std::size_t j = 0; j < joints.size(); ++j) {
       const auto joint = static_cast<Index>(joints[j]);
-      regressions[j].add(efforts, joint, efforts.said.col(joint));
+      regressions[j].add_joint(efforts, joint, efforts.said.col(joint));
     }
   }
   std::vector<std::optional<FittedConstant>> found;
