@@ -120,9 +120,10 @@ void print_rigs() {
   tell(
       "\n# At a wrist\n\n"
       "`theta` is a motor's angle, `h` a tendon's length, `turned` how far the tendon is bent from "
-      "the reference pose.\nA sensor whose steps are coarse is found as well. Each tendon has "
-      "these "
-      "effects; the first one stands for all.\n");
+      "the reference pose,\n`q71_speed`, `q73_speed` an angle's smooth derivative, "
+      "`play_direction` "
+      "the side of its sensor's play. A sensor whose\nsteps are coarse is found as well. Each "
+      "tendon has a pulley; the first one stands for all.\n");
   for (const ObservationEffect& effect : WristEffects(1).all()) tell("{}", entry(effect));
 }
 

@@ -2,12 +2,11 @@
 #include "identification/subjects/lever_subject.h"
 
 #include <algorithm>
-#include <map>
 #include <string>
 
-#include "identification/logs/dequantise.h"
 #include "identification/logs/filter.h"
 #include "identification/subjects/effect_candidate.h"
+#include "identification/subjects/sensor_reading.h"
 
 namespace sinew::diagnosis {
 namespace {
@@ -21,21 +20,6 @@ constexpr double coarse_count = 3.0;         // counts; finer steps are what a 1
 
 VectorXd column_of(const Log& log, const sinew::Segment& segment, const std::string& channel) {
   return segment.samples.col(log.channel(channel)).matrix();
-}
-
-/// Rate of the count without what its sensor flickers by while the lever rests: every flicker would
-/// turn the friction of guides over a little, and so would what a smoother swings over at a stop.
-/// Reversals come late by the flicker, a count where there is none.
-VectorXd steady_rate(const VectorXd& count, double step) {
-  const double play = 1.0 + 3.0 * white_noise_rms(count.array());
-  VectorXd rate = VectorXd::Zero(count.size());
-  double steady = count.size() > 0 ? count(0) : 0.0;
-  for (Index k = 1; k < count.size(); ++k) {
-    const double before = steady;
-    steady = std::clamp(steady, count(k) - play, count(k) + play);
-    rate(k) = (steady - before) / step;
-  }
-  return rate;
 }
 
 /// Neither deviations nor state: the force and the elongation of the lever as it should be.
@@ -58,11 +42,8 @@ Recording recording_of(const Log& log, const sinew::Segment& segment, const Obse
   r.time = VectorXd::LinSpaced(n, segment.start,
                                segment.start + log.period * static_cast<double>(n - 1));
   r.log_start = log.segments.front().start;
-  const VectorXd count = column_of(log, segment, "count");
   const double cutoff = std::min(calibration_cutoff, 0.1 / log.period);
-  r.signals["count"] = count;
-  r.signals["count_rate"] = steady_rate(count, log.period);
-  r.signals["count_speed"] = differentiate(count, log.period, cutoff).qd;
+  add_reading("count", column_of(log, segment, "count"), 1.0, cutoff, r);
   const bool bent = log.channel("bend") >= 0;
   r.signals["bend"] = bent ? column_of(log, segment, "bend") : VectorXd::Zero(n);
   r.target.push_back(column_of(log, segment, "force"));
@@ -76,33 +57,9 @@ Recording recording_of(const Log& log, const sinew::Segment& segment, const Obse
   return r;
 }
 
-/// What the model would say more, were the sensor not coarse. The reading between two changes is
-/// not causal: the model can hold no such term.
-Candidate coarse_sensor(const ObservedModel& model, const VectorXd& learnt,
-                        const VectorXd& shapes) {
-  Candidate c;
-  c.name = "quantisation of the lever sensor";
-  c.place = "sensor";
-  c.linear = {{"share", "1", 0.0, 3.0, false, {}}};
-  c.limit_meaning = "its steps would lie between the true values";
-  c.isolating_experiment = "a slow motion, the reading against a finer sensor";
-  c.columns = [model, learnt, shapes](const Recording& log, int channel,
-                                      const VectorXd&) -> MatrixXd {
-    std::map<std::string, MatrixXd> fine;
-    fine["count"] = dequantised(log.signals.at("count").col(0));
-    return (model(log, learnt, shapes, &fine) - model(log, learnt, shapes)).col(channel);
-  };
-  return c;
-}
-
 void complete_lever(ObservedSubject& subject, bool with_elongation) {
+  add_coarse_sensor(subject, {"count", "quantisation of the lever sensor", "sensor", coarse_count});
   const Problem& problem = subject.problem();
-  double step = 1e300;
-  for (const Recording& log : problem.training)
-    step = std::min(step, held_step(log.signals.at("count").col(0)));
-  if (step >= coarse_count && !problem.training.empty())
-    subject.add_candidate(coarse_sensor(subject.open(), subject.learnt(), subject.shapes()),
-                          "sensor_quantisation");
   const LogScale s = scale_of(problem.training, 0);
   for (int channel = 0; channel < (with_elongation ? 2 : 1); ++channel)
     for (Candidate& c :

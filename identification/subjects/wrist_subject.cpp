@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "identification/logs/dequantise.h"
-#include "identification/subjects/effect_candidate.h"
 #include "identification/logs/filter.h"
+#include "identification/subjects/effect_candidate.h"
+#include "identification/subjects/sensor_reading.h"
 
 namespace sinew::diagnosis {
 namespace {
@@ -30,33 +30,20 @@ Recording recording_of(const Log& log, const sinew::Segment& segment,
                                segment.start + log.period * static_cast<double>(n - 1));
   r.log_start = log.segments.front().start;
   MatrixXd q(n, 2);
+  const double cutoff = std::min(wrist_cutoff, 0.1 / log.period);
   for (Index j = 0; j < 2; ++j) {
-    q.col(j) = segment.samples.col(log.channel(angles[j])).matrix();
-    r.signals[angles[j]] = q.col(j);
+    const int channel = log.channel(angles[j]);
+    q.col(j) = segment.samples.col(channel).matrix();
+    add_reading(angles[j], q.col(j), log.channels[static_cast<std::size_t>(channel)].quantum,
+                cutoff, r);
   }
-  Motion motion = differentiate(q, log.period, std::min(wrist_cutoff, 0.1 / log.period));
+  Motion motion = differentiate(q, log.period, cutoff);
   r.q = std::move(motion.q);
   r.qd = std::move(motion.qd);
   r.qdd = std::move(motion.qdd);
   for (const int i : tendons)
     r.target.push_back(segment.samples.col(log.channel(fmt::format("theta_{}", i))).matrix());
   return r;
-}
-
-/// What the model would say more, were the sensor not coarse.
-Candidate coarse_angle_candidate(const ObservedSubject& subject, const std::string& angle) {
-  Candidate c;
-  c.name = "quantisation of the angle sensor";
-  c.place = angle;
-  c.linear = {{"share", "1", 0.0, 3.0, false, {}}};
-  c.limit_meaning = "its steps would lie between the true values";
-  c.isolating_experiment = "a slow motion, the reading against a finer sensor";
-  c.columns = [model = subject.open(), learnt = subject.learnt(), shapes = subject.shapes(), angle](
-                  const Recording& log, int channel, const VectorXd&) -> MatrixXd {
-    const auto cached = log.signals.find("change by a coarse " + angle);
-    return cached->second.col(channel);
-  };
-  return c;
 }
 
 /// A dependence that all motors share: friction or play of the wrist itself.
@@ -75,21 +62,8 @@ Candidate common(Candidate family, int axis, Index channels) {
 void complete_wrist(ObservedSubject& subject) {
   Problem& problem = subject.problem();
   const auto channels = static_cast<Index>(problem.channels);
-  for (const char* angle : angles) {
-    double step = 1e300;
-    for (const Recording& log : problem.training)
-      step = std::min(step, held_step(log.signals.at(angle).col(0)));
-    if (step < coarse_angle) continue;
-    for (auto* logs : {&problem.training, &problem.holdout})
-      for (Recording& log : *logs) {
-        std::map<std::string, MatrixXd> fine;
-        fine[angle] = dequantised(log.signals.at(angle).col(0));
-        log.signals[std::string("change by a coarse ") + angle] =
-            subject.open()(log, subject.learnt(), subject.shapes(), &fine) -
-            subject.open()(log, subject.learnt(), subject.shapes());
-      }
-    subject.add_candidate(coarse_angle_candidate(subject, angle), "sensor_quantisation");
-  }
+  for (const char* angle : angles)
+    add_coarse_sensor(subject, {angle, "quantisation of the angle sensor", angle, coarse_angle});
   for (int axis = 0; axis < 2; ++axis) {
     const LogScale s = scale_of(problem.training, axis);
     const FlexibleRanges ranges{s.low, s.high, s.speed, 0.0, s.duration};

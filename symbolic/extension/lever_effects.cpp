@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "symbolic/extension/lever_effects.h"
 
+#include "symbolic/extension/late_sensor.h"
+
 namespace sinew {
 
 using GiNaC::ex;
@@ -8,7 +10,8 @@ using GiNaC::ex;
 LeverEffects::LeverEffects(double counts) {
   describe_lever();
   describe_sensors(counts);
-  describe_late_sensors(counts);
+  describe_late_sensor({"count", "1", counts, 0.01, "force and elongation off together", "lever"},
+                       low_pass, play);
   describe_guides();
   write_equations();
 }
@@ -62,22 +65,6 @@ void LeverEffects::describe_sensors(double counts) {
   zero.excitation = "the start of travel, where the lever is at its stop";
 }
 
-/// What comes late with the motion, and late by the way.
-void LeverEffects::describe_late_sensors(double counts) {
-  low_pass.deviations = {observation_parameter("lag", "s", 0.0, 0.1, 1e-5)};
-  low_pass.limit = "the sensor would know the future";
-  low_pass.experiment = "the same travel slow and fast";
-  low_pass.signature = "force and elongation off together, in proportion to the speed";
-  low_pass.excitation = "several speeds";
-  play.deviations = {observation_parameter("half_width", "1", 0.0, counts, 0.01)};
-  play.limit = "the sensor would run ahead of the lever";
-  play.experiment = "slow triangular motion, the reading against a gauge at the lever";
-  play.signature =
-      "force and elongation off together by the same counts, the other way in each "
-      "direction";
-  play.excitation = "both directions, slowly";
-}
-
 void LeverEffects::describe_guides() {
   for (ObservationEffect* e : {&capstan, &fitted}) {
     e->limit = "friction would drive the tendon";
@@ -93,7 +80,7 @@ void LeverEffects::describe_guides() {
 
 void LeverEffects::write_equations() {
   const GiNaC::symbol f("f"), K("K"), x("x"), z("z"), alpha("alpha"), direction("direction"),
-      count("count"), leverage("leverage"), rate("count_speed"), turned("play_direction");
+      count("count"), leverage("leverage");
   const auto say = [](ObservationEffect& e, const char* left, const ex& term) {
     e.left = left;
     e.term = term;
@@ -105,8 +92,6 @@ void LeverEffects::write_equations() {
   say(slack, "elongation", x + slack.deviation());
   say(scale, "count", count / (1 + scale.deviation()));
   say(offset, "count", count - offset.deviation());
-  say(low_pass, "count", count + low_pass.deviation() * rate);
-  say(play, "count", count + play.deviation() * turned);
   say(zero, "force", f + zero.deviation());
   say(capstan, "force", f * GiNaC::exp(capstan.deviation() * alpha * direction));
   say(fitted, "force",

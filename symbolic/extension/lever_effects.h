@@ -35,7 +35,6 @@ struct LeverEffects {
  private:
   void describe_lever();
   void describe_sensors(double counts);
-  void describe_late_sensors(double counts);
   void describe_guides();
   void write_equations();
 };

@@ -8,6 +8,7 @@
 #include "symbolic/expressions/argument.h"
 #include "symbolic/expressions/exact_number.h"
 #include "symbolic/expressions/piecewise.h"
+#include "symbolic/extension/late_sensor.h"
 #include "symbolic/extension/lever_effects.h"
 #include "symbolic/parts/lever_geometry.h"
 
@@ -28,10 +29,7 @@ class Reading {
       throw std::invalid_argument("the lever's sensor needs different counts at both ends");
     const double low = std::min(rig.lever.count_free, rig.lever.count_end);
     count_ = scalar_argument("count", "1", {low, low + std::abs(counts)}, "of the lever's sensor");
-    rate_ = scalar_argument("count_rate", "1/s", {-std::abs(counts), std::abs(counts)},
-                            "without the sensor's flicker: zero where the lever rests");
-    speed_ = scalar_argument("count_speed", "1/s", {-std::abs(counts), std::abs(counts)},
-                             "the count's smooth derivative");
+    late_ = late_inputs("count", "1/s", std::abs(counts));
     bend_ = scalar_argument("bend", "rad", {0.0, 6.3},
                             "total bending angle between lever and load cell");
     step_ = scalar_argument("step", "s", {1e-4, 1e-2}, "to the next sample");
@@ -50,7 +48,7 @@ class Reading {
     return {"observation",
             "What the calibration rig's load cell and gauge read at a count of the lever's sensor.",
             "4.1",
-            {count_, rate_, speed_, bend_, step_, state_},
+            {count_, late_.rate, late_.speed, bend_, step_, state_},
             list_.items(),
             {{"measured", 2, 1, {guided, stretched}, "N, m", "force, elongation"},
              {"next", 3, 1, {next_, guided_, played_}, "1", "states for the next sample"}}};
@@ -63,12 +61,10 @@ class Reading {
     const numeric range = end - free,
                   counts = exact_number(rig_.lever.count_end) - exact_number(rig_.lever.count_free);
     per_count_ = range / counts / (1 + e_.scale.deviation());
-    const ex rate = clamped(rate_.symbols[0], -1000000, 1000000);
-    counted_ = list_.define("counted", rate * clamped(step_.symbols[0], 0, 1));
+    counted_ = list_.define("counted", moved_since(late_, step_));
     played_ = turned(2, counted_, 1, "play");
-    const ex late = e_.low_pass.deviation() * clamped(speed_.symbols[0], -1000000, 1000000);
-    const ex true_count =
-        list_.define("true_count", count_.symbols[0] + late + e_.play.deviation() * played_);
+    const ex true_count = list_.define(
+        "true_count", in_time(count_.symbols[0], late_, played_, e_.low_pass, e_.play));
     const ex share = list_.define(
         "share", (true_count - e_.offset.deviation() - exact_number(rig_.lever.count_free)) /
                      counts / (1 + e_.scale.deviation()));
@@ -88,13 +84,8 @@ class Reading {
     next_ = turned(0, travel_, e_.hysteresis.shapes.front().symbol, "loop");
   }
 
-  /// Dahl's law: the way from one side of a loop to the other has a length of its own, at rest it
-  /// stays where it is.
-  ex turned(int state, const ex& travel, const ex& length, const std::string& name) {
-    const ex z = clamped(state_.symbols[static_cast<std::size_t>(state)], -1, 1);
-    const ex way = list_.define(name + "_way", travel / length);
-    const ex left = list_.define(name + "_left", GiNaC::exp(-magnitude(way)));
-    return list_.define(name + "_next", choose(way, 1 - (1 - z) * left, (1 + z) * left - 1));
+  ex turned(std::size_t state, const ex& travel, const ex& length, const std::string& name) {
+    return turned_side(list_, name, state_.symbols[state], travel, length);
   }
 
   ex write_guides() {
@@ -110,7 +101,8 @@ class Reading {
   const LeverRig& rig_;
   LeverEffects& e_;
   DefinitionList list_;
-  Argument count_, rate_, speed_, bend_, step_, state_;
+  Argument count_, bend_, step_, state_;
+  LateInputs late_;
   ex per_count_, theta_, elongation_, force_, counted_, travel_, next_, guided_, played_;
 };
 

@@ -3,6 +3,8 @@
 
 #include <string>
 
+#include "symbolic/extension/late_sensor.h"
+
 namespace sinew {
 namespace {
 
@@ -29,7 +31,8 @@ WristEffects::WristEffects(std::size_t tendons) {
 }
 
 std::vector<ObservationEffect> WristEffects::all() const {
-  std::vector<ObservationEffect> list{coupling, zero71, zero73, contact, scale71, scale73};
+  std::vector<ObservationEffect> list{coupling, zero71,     zero73,     contact, scale71,
+                                      scale73,  low_pass71, low_pass73, play71,  play73};
   list.insert(list.end(), radii.begin(), radii.end());
   return list;
 }
@@ -54,6 +57,9 @@ void WristEffects::describe_angles() {
     e->signature = "lengths off by their slope over the angle";
   for (ObservationEffect* e : {&scale71, &scale73})
     e->signature = "lengths off in proportion to the angle";
+  const char* shows = "motor angles off as by another angle of the wrist";
+  describe_late_sensor({"q71", "rad", 0.5, 1e-5, shows, "wrist"}, low_pass71, play71);
+  describe_late_sensor({"q73", "rad", 0.5, 1e-5, shows, "wrist"}, low_pass73, play73);
 }
 
 void WristEffects::add_radius(std::size_t i) {

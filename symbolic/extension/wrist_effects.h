@@ -20,6 +20,14 @@ struct WristEffects {
   ObservationEffect contact{"contact_shift", "contact-point shift", "wrist", {}, {}, {}};
   ObservationEffect scale71{"sensor_scale", "scale of the angle sensor", "q71", {}, {}, {}};
   ObservationEffect scale73{"sensor_scale", "scale of the angle sensor", "q73", {}, {}, {}};
+  ObservationEffect low_pass71{
+      "sensor_low_pass", "low-pass of the angle sensor", "q71", {}, {}, {}};
+  ObservationEffect low_pass73{
+      "sensor_low_pass", "low-pass of the angle sensor", "q73", {}, {}, {}};
+  ObservationEffect play71{
+      "sensor_hysteresis", "hysteresis of the angle sensor", "q71", {}, {}, {}};
+  ObservationEffect play73{
+      "sensor_hysteresis", "hysteresis of the angle sensor", "q73", {}, {}, {}};
   std::vector<ObservationEffect> radii;
 
  private:

@@ -5,6 +5,7 @@
 
 #include "symbolic/expressions/argument.h"
 #include "symbolic/expressions/exact_number.h"
+#include "symbolic/extension/late_sensor.h"
 #include "symbolic/extension/wrist_effects.h"
 #include "symbolic/parts/wrist_geometry.h"
 
@@ -12,6 +13,8 @@ namespace sinew {
 namespace {
 
 using GiNaC::ex;
+
+const GiNaC::numeric play_turns_over(1, 20000);  // rad of the reading; it stays as it is at rest
 
 /// From the forearm point of a tendon to its palm point.
 Vector3 span(const WristParameters& p, std::size_t i, const WristPose& pose) {
@@ -25,12 +28,39 @@ Vector3 reference_span(const WristParameters& p, std::size_t i, const WristLinks
          Vector3{links.a, links.b / 2, links.c / 2};
 }
 
-ex true_angle(DefinitionList& list, const std::string& name, const ex& logged, double reference,
-              const ObservationEffect& scale, const ObservationEffect& zero) {
-  const ex zero_pose = exact_number(reference);
-  return list.define(name,
-                     zero_pose + (logged - zero_pose) / (1 + scale.deviation()) + zero.deviation());
-}
+struct AngleEffects {
+  const ObservationEffect &scale, &zero, &low_pass, &play;
+};
+
+/// One angle of the wrist: what its sensor reads, and where the wrist is.
+class Angle {
+ public:
+  Angle(const std::string& name, const Range& range, const AngleEffects& effects)
+      : reading(scalar_argument(name, "rad", range, "as logged")),
+        late(late_inputs(name, "rad/s", kFastest)),
+        name_(name),
+        e_(effects) {}
+
+  /// `memory`: side of the sensor's play before this sample.
+  ex true_angle(DefinitionList& list, const Argument& step, const ex& memory, double reference) {
+    const ex zero_pose = exact_number(reference);
+    const ex travel = list.define("moved_" + name_, moved_since(late, step));
+    played = turned_side(list, "play_" + name_, memory, travel, play_turns_over);
+    const ex logged = in_time(reading.symbols[0], late, played, e_.low_pass, e_.play);
+    return list.define(
+        "true_" + name_,
+        zero_pose + (logged - zero_pose) / (1 + e_.scale.deviation()) + e_.zero.deviation());
+  }
+
+  Argument reading;
+  LateInputs late;
+  ex played;  ///< side of the play behind this sample, once true_angle() has been called
+
+ private:
+  static constexpr double kFastest = 10.0;  // rad/s
+  std::string name_;
+  AngleEffects e_;
+};
 
 std::vector<ex> motor_angles(const WristParameters& p, const WristLinks& links,
                              const WristPose& pose, const WristEffects& e, DefinitionList& list) {
@@ -58,13 +88,16 @@ Observation wrist_observation(const WristParameters& parameters, const std::stri
   WristEffects effects(parameters.palm_points.size());
   const WristLinks links(parameters);
   const std::vector<Range> ranges = bar_ranges(parameters);
-  std::vector<Argument> inputs{scalar_argument("q71", "rad", ranges[0], "as logged"),
-                               scalar_argument("q73", "rad", ranges[1], "as logged")};
+  Angle first("q71", ranges[0],
+              {effects.scale71, effects.zero71, effects.low_pass71, effects.play71});
+  Angle second("q73", ranges[1],
+               {effects.scale73, effects.zero73, effects.low_pass73, effects.play73});
+  const Argument step = scalar_argument("step", "s", {1e-4, 1e-2}, "to the next sample");
+  const Argument memory =
+      array_argument("memory", 2, 1, "1", {-1.0, 1.0}, "of the sensors' play, before this sample");
   DefinitionList list;
-  const ex q71 = true_angle(list, "true_q71", inputs[0].symbols[0], reference_q71(parameters),
-                            effects.scale71, effects.zero71);
-  const ex q73 = true_angle(list, "true_q73", inputs[1].symbols[0], reference_q73(parameters),
-                            effects.scale73, effects.zero73);
+  const ex q71 = first.true_angle(list, step, memory.symbols[0], reference_q71(parameters));
+  const ex q73 = second.true_angle(list, step, memory.symbols[1], reference_q73(parameters));
   const BarAngles angles{
       list.define("cos_q71", GiNaC::cos(q71)), list.define("sin_q71", GiNaC::sin(q71)),
       list.define("cos_q73", GiNaC::cos(q73)), list.define("sin_q73", GiNaC::sin(q73))};
@@ -76,9 +109,11 @@ Observation wrist_observation(const WristParameters& parameters, const std::stri
           {"observation",
            "Where the motors stand that keep the tendons at their force while the wrist moves.",
            "(6.9)",
-           std::move(inputs),
+           {first.reading, second.reading, first.late.rate, second.late.rate, first.late.speed,
+            second.late.speed, step, memory},
            list.items(),
-           {measured}},
+           {measured,
+            {"next", 2, 1, {first.played, second.played}, "1", "states for the next sample"}}},
           effects.all()};
 }
 

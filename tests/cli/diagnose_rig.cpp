@@ -11,6 +11,7 @@
 #include "symbolic/extension/part_observation.h"
 #include "symbolic/parts/part.h"
 #include "tests/cli/lever_logs.h"
+#include "tests/cli/wrist_logs.h"
 
 using namespace sinew;
 
@@ -78,6 +79,30 @@ TEST_CASE("a lever's sensor that is slow or loose is named") {
   INFO(behind.output);
   CHECK(behind.says("The model lacks: hysteresis of the lever sensor (sensor)."));
   CHECK(loose.sinew({"generate", "lever", "--out", "c"}).status == 0);
+}
+
+TEST_CASE("a wrist's sensor that is slow or loose or coarse is named at its angle", "[slow]") {
+  // Planted defects, each seen red here: the speeds of both angles exchanged in the recording; the
+  // rates left at zero; a sensor's steps looked for in the other angle.
+  const auto told = [](const Workplace& place) {
+    return place.sinew({"diagnose", "wrist", "--log", "a.csv", "--holdout", "b.csv", "--out", "d"});
+  };
+  const Workplace slow =
+      wrist_that_has(WristLog({{"sensor_low_pass", "q71", {}, {{"lag", 0.01, 0.0, "s"}}}}));
+  const Ended late = told(slow);
+  INFO(late.output);
+  CHECK(late.says("The model lacks: low-pass of the angle sensor (q71)."));
+  CHECK(late.says("Extension  The model was extended"));
+  const Workplace loose = wrist_that_has(
+      WristLog({{"sensor_hysteresis", "q73", {}, {{"half_width", 0.003, 0.0, "rad"}}}}));
+  const Ended behind = told(loose);
+  INFO(behind.output);
+  CHECK(behind.says("The model lacks: hysteresis of the angle sensor (q73)."));
+  CHECK(behind.says("Extension  The model was extended"));
+  CHECK(loose.sinew({"generate", "wrist", "--out", "c"}).status == 0);
+  const Ended coarse = told(wrist_that_has(WristLog({}, 0.01)));
+  INFO(coarse.output);
+  CHECK(coarse.says("quantisation of the angle sensor (q73)"));
 }
 
 TEST_CASE("a wrist's log without motors is named with what its header has") {

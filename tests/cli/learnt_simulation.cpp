@@ -10,6 +10,7 @@
 #include <random>
 
 #include "tests/cli/lever_logs.h"
+#include "tests/cli/wrist_logs.h"
 
 using namespace sinew;
 using nlohmann::json;
@@ -203,8 +204,8 @@ TEST_CASE("an imported arm's payload and friction that were learnt act in its si
 }
 
 TEST_CASE("a joint that does not move stops nothing: it is held, and said", "[learnt]") {
-  // Planted defects: without hold_still_joints() (cli/logs/driven_request.cpp) the log is refused for
-  // its constant channel; without Scenario::held the replay drops the lower link.
+  // Planted defects: without hold_still_joints() (cli/logs/driven_request.cpp) the log is refused
+  // for its constant channel; without Scenario::held the replay drops the lower link.
   const Loop loop("arm");
   fs::remove_all(loop.path("models"));
   reference::write_text(loop.path("arm.urdf"), hanging_arm(fixed_elbow));
@@ -338,43 +339,6 @@ TEST_CASE("a payload that was learnt at a hand's finger acts in the hand's simul
   compare(findings, before, after, "window", "window", 0.05);
 }
 
-namespace {
-
-/// Logs of a wrist with one value that its model has not.
-class WristLog {
- public:
-  explicit WristLog(const IdentifiedEffect& hidden)
-      : observation_(*observation_of(read_part(SINEW_SOURCE_DIR "/models/wrist"))),
-        reading_(closed_observation(observation_, {{hidden}, {}})) {}
-
-  std::string log(unsigned seed) const {
-    std::mt19937 random(seed);
-    std::normal_distribution<double> normal;
-    const Argument &q71 = reading_.inputs[0], &q73 = reading_.inputs[1];
-    const auto along = [](const Range& range, double share) {
-      return 0.5 * (range.low + range.high) + 0.35 * share * (range.high - range.low);
-    };
-    const std::size_t motors = reading_.outputs.front().values.size();
-    std::string text = "time [s],q71 [rad],q73 [rad]";
-    for (std::size_t i = 1; i <= motors; ++i) text += fmt::format(",theta_{} [rad]", i);
-    for (int k = 0; k < 1500; ++k) {
-      const double t = 0.01 * k, phase = 0.7 * seed;
-      const double a = along(q71.ranges[0], std::sin(0.9 * t + phase));
-      const double b = along(q73.ranges[0], std::sin(1.4 * t + 2.0 * phase));
-      text += fmt::format("\n{:.3f},{:.8f},{:.8f}", t, a, b);
-      for (const double theta : evaluate(reading_, {a, b}))
-        text += fmt::format(",{:.7f}", theta + 1e-4 * normal(random));
-    }
-    return text + "\n";
-  }
-
- private:
-  Observation observation_;
-  Function reading_;
-};
-
-}  // namespace
-
 TEST_CASE("what a lever's and a wrist's calibration taught acts in what their models say",
           "[learnt][slow]") {
   // Planted defect: replayed_rig() without the folder's identified.toml: the same before and after.
@@ -391,6 +355,10 @@ TEST_CASE("what a lever's and a wrist's calibration taught acts in what their mo
   };
   const Calibration lever({"spring_constant", "lever", {}, {{"spring_change", 0.1, 0.0, "1"}}});
   learns("lever", [&](unsigned seed) { return lever.log(seed, true); });
-  const WristLog wrist({"pulley_radius", "motor 3", {}, {{"change", 0.05, 0.0, "1"}}});
+  const WristLog wrist({{"pulley_radius", "motor 3", {}, {{"change", 0.05, 0.0, "1"}}}});
   learns("wrist", [&](unsigned seed) { return wrist.log(seed); });
+  const WristLog slow({{"sensor_low_pass", "q71", {}, {{"lag", 0.01, 0.0, "s"}}}});
+  learns("wrist", [&](unsigned seed) { return slow.log(seed); });
+  const WristLog loose({{"sensor_hysteresis", "q73", {}, {{"half_width", 0.003, 0.0, "rad"}}}});
+  learns("wrist", [&](unsigned seed) { return loose.log(seed); });
 }

@@ -3,9 +3,10 @@
 model was and as it was extended."""
 import statistics
 
-from filters import Comparison
+from filters import Comparison, smoothed
 
 BAND, EDGE = 60.0, 0.25  # Hz, s left away at both ends, as docs/diagnose.md states
+SMOOTHED = {"count": 15.0, "q71": 30.0, "q73": 30.0}  # Hz, below which a reading's speed is told
 
 
 def white_noise(x):
@@ -14,20 +15,36 @@ def white_noise(x):
     return statistics.median(third) / (0.674489750196 * 20**0.5)
 
 
-def steady_rate(count, step):
-    """Of a reading that a play of one step and three times its noise is taken from."""
-    play, steady, rate = 1.0 + 3.0 * white_noise(count), count[0], [0.0]
-    for x in count[1:]:
+def steady_rate(reading, step, resolution):
+    """Of a reading that a play of one step of it and three times its noise is taken from."""
+    play, steady, rate = resolution + 3.0 * white_noise(reading), reading[0], [0.0]
+    for x in reading[1:]:
         before, steady = steady, min(max(steady, x - play), x + play)
         rate.append((steady - before) / step)
     return rate
 
 
+def resolution(name, reading):
+    """A count is a step; of an angle the smallest change between two samples, where most are none."""
+    changes = [abs(b - a) for a, b in zip(reading, reading[1:])]
+    some = [c for c in changes if c > 0.0]
+    return 1.0 if name == "count" else min(some, default=0.0) if 2 * len(some) < len(changes) else 0.0
+
+
+def signal_of(log, name, step):
+    """One input of the observation: a channel, or what is made of one."""
+    if name.endswith("_rate"):
+        name = name.removesuffix("_rate")
+        return steady_rate(log[name], step, resolution(name, log[name]))
+    if name.endswith("_speed"):
+        name = name.removesuffix("_speed")
+        return list(smoothed(log[name], step, min(SMOOTHED[name], 0.1 / step), 1))
+    return log.get(name, [0.0] * len(log["time"]))
+
+
 def signals_of(log, names, step):
     """The observation's inputs but its memory and the step."""
-    nothing = [0.0] * len(log["time"])
-    return {name: [steady_rate(log[name.removesuffix("_rate")], step) if name.endswith("_rate")
-                   else log.get(name, nothing)] for name, _ in names if name not in ("memory", "step")}
+    return {name: [signal_of(log, name, step)] for name, _ in names if name not in ("memory", "step")}
 
 
 def left_over(said_by_model, measured, step, free_zero):

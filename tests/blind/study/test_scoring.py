@@ -421,6 +421,17 @@ class Physics(unittest.TestCase):
         self.assertLess(max(abs(x) for x in rigs.left_over(told, seen, 0.01, True)[0]), 1e-9)
         self.assertAlmostEqual(rigs.left_over(told, seen, 0.01, False)[0][0], 2.0)
 
+    def test_what_a_slow_and_a_loose_sensor_are_told_by_is_made_of_the_reading(self):
+        # Seen to fail: only rates were, and a sensor's low-pass was judged with a speed of zero.
+        log = {"time": [0.002 * k for k in range(500)], "q71": [0.3 * 0.002 * k for k in range(500)]}
+        made = rigs.signals_of(log, [("q71", 1), ("q71_rate", 1), ("q71_speed", 1), ("step", 1)], 0.002)
+        self.assertEqual(sorted(made), ["q71", "q71_rate", "q71_speed"])
+        self.assertAlmostEqual(made["q71_speed"][0][250], 0.3)
+        self.assertAlmostEqual(made["q71_rate"][0][250], 0.3)
+        self.assertEqual(rigs.resolution("count", [0.0, 0.5]), 1.0)
+        self.assertEqual(rigs.resolution("q71", [0.0, 0.0, 0.0, 0.25, 0.25, 0.75]), 0.25)
+        self.assertEqual(rigs.resolution("q71", [0.0, 0.1, 0.2, 0.2]), 0.0)
+
     def test_a_hand_s_links_are_those_of_its_fingers(self):
         # Seen to fail: a hand has no table of its own, and no body of it was ever judged.
         place = pathlib.Path(self.enterContext(tempfile.TemporaryDirectory()))
