@@ -4,11 +4,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <map>
 #include <memory>
 #include <stdexcept>
 #include <string_view>
 
+#include "identification/logs/bag_folder.h"
 #include "symbolic/files/readable.h"
 
 namespace sinew {
@@ -61,6 +63,15 @@ constexpr BinaryFormat kFormats[] = {
     {"\x1f\x8b\x08", &refuse_packed},
 };
 
+/// nullptr: text, or nothing that is known.
+auto reader_of(const std::string& path) -> decltype(BinaryFormat::read) {
+  const std::string bytes = first_bytes(path);
+  const BinaryFormat* format =
+      std::find_if(std::begin(kFormats), std::end(kFormats),
+                   [&](const BinaryFormat& f) { return bytes.starts_with(f.first_bytes); });
+  return format == std::end(kFormats) ? nullptr : format->read;
+}
+
 void write_text(std::FILE* to, const std::vector<LogColumn>& columns) {
   std::string line;
   for (const LogColumn& column : columns) line += (line.empty() ? "" : ",") + cell_of(column.name);
@@ -92,13 +103,20 @@ std::vector<LogColumn> of_one_length(std::vector<LogColumn> columns, const std::
   return columns;
 }
 
+std::vector<std::string> files_of_log(const std::string& path) {
+  std::error_code error;
+  if (!std::filesystem::is_directory(path, error)) return {path};
+  const BagFolder bag = open_bag_folder(path);
+  std::vector<std::string> files{bag.metadata.string()};
+  files.insert(files.end(), bag.parts.begin(), bag.parts.end());
+  return files;
+}
+
 std::FILE* converted_log(const std::string& path) {
-  const std::string bytes = first_bytes(path);
-  const BinaryFormat* format =
-      std::find_if(std::begin(kFormats), std::end(kFormats),
-                   [&](const BinaryFormat& f) { return bytes.starts_with(f.first_bytes); });
-  if (format == std::end(kFormats)) return nullptr;
-  const std::vector<LogColumn> columns = of_one_length(format->read(path), path);
+  std::error_code error;
+  const auto read = std::filesystem::is_directory(path, error) ? &read_bag_folder : reader_of(path);
+  if (!read) return nullptr;
+  const std::vector<LogColumn> columns = of_one_length(read(path), path);
   std::FILE* text = std::tmpfile();
   if (!text) throw std::runtime_error("no temporary file can be made; expected room in /tmp");
   write_text(text, columns);

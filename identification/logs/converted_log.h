@@ -15,10 +15,15 @@ struct LogColumn {
   std::vector<double> values;
 };
 
-/// CSV text of a MAT, HDF5, rosbag2 or MCAP file in a temporary file without a name, at its
-/// beginning; nullptr for any other file. Throws std::runtime_error "file:0:0: ..." where the file
-/// cannot be understood, or its format needs a library that this program was built without.
+/// CSV text of a MAT, HDF5, rosbag2 or MCAP file, or of a rosbag2 folder (bag_folder.h), in a
+/// temporary file without a name, at its beginning; nullptr for any other file. Throws
+/// std::runtime_error "file:0:0: ..." where the file cannot be understood, or its format needs a
+/// library that this program was built without.
 std::FILE* converted_log(const std::string& path);
+
+/// The files that a log is made of, which its digest is of: itself, or those of a rosbag2 folder.
+/// Throws std::runtime_error as above.
+std::vector<std::string> files_of_log(const std::string& path);
 
 /// Columns of equal length: every real vector and every column of a matrix, the longest ones.
 /// Throw std::runtime_error as above. The second one reads HDF5, which newer MAT files (7.3) are.

@@ -97,13 +97,16 @@ int decimals_of(std::string_view cell, char decimal) {
 void require_log_file(const std::string& path) {
   namespace fs = std::filesystem;
   std::error_code error;
-  const fs::file_status status = fs::status(path, error);
-  if (!fs::exists(status)) return;  // told where it is opened
-  if (!fs::is_regular_file(status))
-    throw std::runtime_error(fmt::format(
-        "{}:0:0: is no file but {}; expected a log, written to a file", readable_line(path),
-        fs::is_directory(status) ? "a folder" : "a pipe or a device"));
-  const std::uintmax_t size = fs::file_size(path, error);
+  std::uintmax_t size = 0;
+  for (const std::string& file : files_of_log(path)) {
+    const fs::file_status status = fs::status(file, error);
+    if (!fs::exists(status)) return;  // told where it is opened
+    if (!fs::is_regular_file(status))
+      throw std::runtime_error(fmt::format(
+          "{}:0:0: is no file but a pipe or a device; expected a log, written to a file",
+          readable_line(file)));
+    size += fs::file_size(file, error);
+  }
   if (!error && size > limits::log_bytes)
     throw std::runtime_error(fmt::format("{}:0:0: holds {} bytes; expected at most {}: divide it",
                                          readable_line(path), size, limits::log_bytes));
@@ -164,27 +167,32 @@ CsvReader::CsvReader(const std::string& path) : path_(path), shown_path_(readabl
 
 void CsvReader::on_bytes(std::function<void(const char*, size_t)> listener) {
   listener_ = std::move(listener);
-  // What was read while the header was looked for.
-  std::FILE* again = std::fopen(path_.c_str(), "rb");
-  if (again == nullptr) fail_reading(path_);
-  const std::unique_ptr<std::FILE, Closer> closed(again);
-  std::vector<char> block(block_size);
-  if (converted_) {  // the digest is of the file as it is
-    while (const size_t got = std::fread(block.data(), 1, block.size(), again))
-      listener_(block.data(), got);
-    if (std::ferror(again) != 0) fail_reading(path_);
+  if (converted_) {  // the digest is of the files as they are
+    for (const std::string& file : files_of_log(path_)) pass_on(file, limits::log_bytes);
     listener_ = nullptr;
     return;
   }
-  const long already = std::ftell(file_.get());
-  for (long left = already; left > 0;) {
-    const size_t got =
-        std::fread(block.data(), 1, std::min(block.size(), static_cast<size_t>(left)), again);
-    // A digest of less than the file would be another file's.
-    if (got == 0 || std::ferror(again) != 0) fail_reading(path_);
+  // What was read while the header was looked for.
+  const auto already = static_cast<std::uintmax_t>(std::ftell(file_.get()));
+  // A digest of less than the file would be another file's.
+  if (pass_on(path_, already) != already) fail_reading(path_);
+}
+
+/// To the listener, from the beginning; returns how many bytes there were.
+std::uintmax_t CsvReader::pass_on(const std::string& path, std::uintmax_t most) {
+  const std::unique_ptr<std::FILE, Closer> file(std::fopen(path.c_str(), "rb"));
+  if (!file) fail_reading(path);
+  std::vector<char> block(block_size);
+  std::uintmax_t passed = 0;
+  while (passed < most) {
+    const size_t got = std::fread(
+        block.data(), 1, std::min<std::uintmax_t>(block.size(), most - passed), file.get());
+    if (got == 0) break;
     listener_(block.data(), got);
-    left -= static_cast<long>(got);
+    passed += got;
   }
+  if (std::ferror(file.get()) != 0) fail_reading(path);
+  return passed;
 }
 
 bool CsvReader::fill() {

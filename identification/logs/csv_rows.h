@@ -49,6 +49,7 @@ class CsvReader {
   void on_bytes(std::function<void(const char*, size_t)> listener);
 
  private:
+  std::uintmax_t pass_on(const std::string& path, std::uintmax_t most);
   struct Closer {
     void operator()(std::FILE* file) const { std::fclose(file); }
   };

@@ -168,4 +168,11 @@ std::string joint_state_topic(const std::vector<std::string>& topics, const std:
       readable_line(fmt::format("{}", fmt::join(candidates, ", ")))));
 }
 
+std::vector<LogColumn> joint_state_columns(const JointStateTopics& topics,
+                                           const std::string& path) {
+  std::vector<std::string> names;
+  for (const auto& [name, log] : topics) names.push_back(name);
+  return topics.at(joint_state_topic(names, path)).columns();
+}
+
 }  // namespace sinew

@@ -43,6 +43,18 @@ class JointStateLog {
   std::map<std::vector<std::string>, std::vector<Row>> groups_;  ///< by sorted names
 };
 
+/// All topics of the type that a recording has, also those without a message.
+using JointStateTopics = std::map<std::string, JointStateLog>;
+
+/// Adds the joint states of a file of a recording, behind those of the files before it. Throw
+/// std::runtime_error "file:0:0: ..." where the file cannot be understood, or its format needs a
+/// library that this program was built without.
+void add_sqlite_states(const std::string& path, JointStateTopics& topics);
+void add_mcap_states(const std::string& path, JointStateTopics& topics);
+
+/// The log of the topic that is read. `path`: the recording, for errors; throws as above.
+std::vector<LogColumn> joint_state_columns(const JointStateTopics& topics, const std::string& path);
+
 /// The topic that is read: the only one, or the one called joint_states. Throws
 /// std::runtime_error "file:0:0: ..." where there is none, or which one is meant is open.
 std::string joint_state_topic(const std::vector<std::string>& topics, const std::string& path);

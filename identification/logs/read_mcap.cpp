@@ -64,18 +64,14 @@ std::string unpacked(const std::string& how, std::string_view bytes, std::uint64
 
 class McapLog {
  public:
+  explicit McapLog(JointStateTopics& topics) : topics_(topics) {}
+
   void record(unsigned kind, std::string_view content) {
     McapBytes bytes(content);
     if (kind == 3) schema(bytes);
     if (kind == 4) channel(bytes);
     if (kind == 5) message(bytes);
     if (kind == 6) chunk(bytes);
-  }
-
-  std::vector<LogColumn> columns(const std::string& path) const {
-    std::vector<std::string> names;
-    for (const auto& [name, log] : topics_) names.push_back(name);
-    return topics_.at(joint_state_topic(names, path)).columns();
   }
 
  private:
@@ -125,7 +121,7 @@ class McapLog {
 
   std::set<std::uint64_t> schemas_;
   std::map<std::uint64_t, std::string> channels_;
-  std::map<std::string, JointStateLog> topics_;
+  JointStateTopics& topics_;
 };
 
 void read_records(std::FILE* file, std::uintmax_t left, McapLog& log) {
@@ -149,19 +145,27 @@ void read_records(std::FILE* file, std::uintmax_t left, McapLog& log) {
 
 }  // namespace
 
-std::vector<LogColumn> read_mcap(const std::string& path) {
-  constexpr long magic = 8;
+void add_mcap_states(const std::string& path, JointStateTopics& topics) {
+  constexpr std::string_view kMagic = "\x89MCAP0\r\n";
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"),
                                                              &std::fclose);
-  McapLog log;
+  McapLog log(topics);
   try {
-    if (!file || std::fseek(file.get(), magic, SEEK_SET) != 0)
-      throw std::runtime_error("cannot be opened; expected a log");
-    read_records(file.get(), std::filesystem::file_size(path) - magic, log);
+    char head[kMagic.size()];
+    if (!file) throw std::runtime_error("cannot be opened; expected a log");
+    if (std::fread(head, 1, sizeof head, file.get()) != sizeof head ||
+        std::string_view(head, sizeof head) != kMagic)
+      throw std::runtime_error("does not begin as MCAP does; expected a part of an MCAP recording");
+    read_records(file.get(), std::filesystem::file_size(path) - kMagic.size(), log);
   } catch (const std::runtime_error& wrong) {
     throw std::runtime_error(fmt::format("{}:0:0: {}", readable_line(path), wrong.what()));
   }
-  return log.columns(path);
+}
+
+std::vector<LogColumn> read_mcap(const std::string& path) {
+  JointStateTopics topics;
+  add_mcap_states(path, topics);
+  return joint_state_columns(topics, path);
 }
 
 }  // namespace sinew

@@ -70,34 +70,40 @@ std::string_view bytes_at(sqlite3_stmt* row, int column) {
 
 }  // namespace
 
-std::vector<LogColumn> read_rosbag2(const std::string& path) {
+void add_sqlite_states(const std::string& path, JointStateTopics& topics) {
   Database database(path);
-  std::vector<std::string> topics;
+  std::vector<std::string> names;
   database.ask("SELECT name FROM topics WHERE type = ? ORDER BY name", std::string(kJointStateType),
-               [&](sqlite3_stmt* row) { topics.push_back(text_at(row, 0)); });
-  const std::string topic = joint_state_topic(topics, path);
-  JointStateLog log;
-  database.ask(
-      "SELECT messages.id, timestamp, data FROM messages JOIN topics ON topic_id = topics.id "
-      "WHERE topics.name = ? ORDER BY timestamp, messages.id",
-      topic, [&](sqlite3_stmt* row) {
-        try {
-          log.add(sqlite3_column_int64(row, 1), parse_joint_state(bytes_at(row, 2)));
-        } catch (const std::runtime_error& wrong) {
-          throw std::runtime_error(fmt::format("{}:0:0: message {} of {} {}", readable_line(path),
-                                               sqlite3_column_int64(row, 0), readable_line(topic),
-                                               wrong.what()));
-        }
-      });
-  return log.columns();
+               [&](sqlite3_stmt* row) { names.push_back(text_at(row, 0)); });
+  for (const std::string& topic : names) {
+    JointStateLog& log = topics[topic];
+    database.ask(
+        "SELECT messages.id, timestamp, data FROM messages JOIN topics ON topic_id = topics.id "
+        "WHERE topics.name = ? ORDER BY timestamp, messages.id",
+        topic, [&](sqlite3_stmt* row) {
+          try {
+            log.add(sqlite3_column_int64(row, 1), parse_joint_state(bytes_at(row, 2)));
+          } catch (const std::runtime_error& wrong) {
+            throw std::runtime_error(fmt::format("{}:0:0: message {} of {} {}", readable_line(path),
+                                                 sqlite3_column_int64(row, 0), readable_line(topic),
+                                                 wrong.what()));
+          }
+        });
+  }
 }
 #else
-std::vector<LogColumn> read_rosbag2(const std::string& path) {
+void add_sqlite_states(const std::string& path, JointStateTopics&) {
   throw std::runtime_error(fmt::format(
       "{}:0:0: is an SQLite file, as ROS 2 records them, which this program was built without: "
       "install libsqlite3-dev and build again, or save the log as CSV",
       readable_line(path)));
 }
 #endif
+
+std::vector<LogColumn> read_rosbag2(const std::string& path) {
+  JointStateTopics topics;
+  add_sqlite_states(path, topics);
+  return joint_state_columns(topics, path);
+}
 
 }  // namespace sinew

@@ -20,7 +20,7 @@ namespace sinew {
 /// The wrist of models/wrist moved over its range, with one value that its model has not.
 class WristLog {
  public:
-  /// `quantum`: steps [rad] that both angles are read in; 0: none.
+  /// `quantum`: steps [rad] that q73 is read in; 0: none.
   explicit WristLog(const std::vector<IdentifiedEffect>& hidden, double quantum = 0.0)
       : observation_(*observation_of(read_part(SINEW_SOURCE_DIR "/models/wrist"))),
         reading_(closed_observation(observation_, {hidden, {}})),
@@ -41,7 +41,7 @@ class WristLog {
           reading_,
           {a.angle, b.angle, a.speed, b.speed, a.speed, b.speed, 0.01, memory[0], memory[1]});
       memory = {out[motors], out[motors + 1]};
-      text += fmt::format("\n{:.3f},{:.8f},{:.8f}", t, read(a.angle), read(b.angle));
+      text += fmt::format("\n{:.3f},{:.8f},{:.8f}", t, a.angle, read(b.angle));
       for (std::size_t i = 0; i < motors; ++i)
         text += fmt::format(",{:.7f}", out[i] + 1e-4 * normal(random));
     }
