@@ -31,7 +31,7 @@ class WristLog {
     std::normal_distribution<double> normal;
     const std::size_t motors = reading_.outputs.front().values.size();
     std::string text = "time [s],q71 [rad],q73 [rad]";
-    for (std::size_t i = 1; i <= motors; ++i) text += fmt::format(",theta_{} [rad]", i);
+    for (std::size_t i = 1; i <= kLogged; ++i) text += fmt::format(",theta_{} [rad]", i);
     std::vector<double> memory{0.0, 0.0};
     for (int k = 0; k < 1500; ++k) {
       const double t = 0.01 * k, phase = 0.7 * seed;
@@ -42,13 +42,14 @@ class WristLog {
           {a.angle, b.angle, a.speed, b.speed, a.speed, b.speed, 0.01, memory[0], memory[1]});
       memory = {out[motors], out[motors + 1]};
       text += fmt::format("\n{:.3f},{:.8f},{:.8f}", t, a.angle, read(b.angle));
-      for (std::size_t i = 0; i < motors; ++i)
+      for (std::size_t i = 0; i < kLogged; ++i)
         text += fmt::format(",{:.7f}", out[i] + 1e-4 * normal(random));
     }
     return text + "\n";
   }
 
  private:
+  static constexpr std::size_t kLogged = 5;  // motors: a log need not have all
   struct Moved {
     double angle, speed;
   };

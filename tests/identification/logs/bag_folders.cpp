@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Recordings of ROS 2 in several files: the folder that rosbag2 makes is read as one log.
-// Planted, and seen red here: parts in the order of their names; the first part alone; a digest of
-// metadata.yaml alone.
+// Planted, and seen red here: parts in the order of their names.
 #include <fmt/format.h>
 
 #include <catch2/catch.hpp>
