@@ -51,6 +51,8 @@ std::string reason_of(const Screened& screened, const Candidate& candidate, doub
   switch (screened.gate) {
     case Gate::not_excited:
       return "not excited by these logs beside the model";
+    case Gate::out_of_band:
+      return "mostly above the frequencies looked at";
     case Gate::limit_violated:
       return candidate.limit_meaning.empty() ? "outside its physical limits"
                                              : candidate.limit_meaning;

@@ -89,7 +89,7 @@ struct Candidate {
   std::vector<NonlinearParameter> nonlinear;
   std::vector<LinearParameter> linear;
   ColumnFunction columns;
-  bool broadband = false;    ///< short as impacts and steps are: its form is never known exactly
+  bool broadband = false;    ///< like noise: may lie mostly above the frequencies looked at
   double least_share = 0.0;  ///< where more than the settings': of the residual, or it is no cause
   /// Lags of a position only: the effort of its channel for a position error of one s^2 times the
   /// acceleration. A delay d and a lag d differ by d^2 / 2 of it (lag.h).

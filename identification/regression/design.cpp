@@ -25,6 +25,11 @@ bool acts_on(const Candidate& candidate, int channel) {
              candidate.channels.end();
 }
 
+/// Mean square with every column's mean taken out.
+double energy_per_sample(const MatrixXd& x) {
+  return (x.rowwise() - x.colwise().mean()).squaredNorm() / static_cast<double>(x.rows());
+}
+
 // Half the work of a frictional drive lies below 40 Hz; more band costs time and adds noise.
 constexpr double kBand = 100.0;
 
@@ -192,8 +197,9 @@ Index Design::width(const Candidate& candidate) const {
   return static_cast<Index>(coefficients(candidate).size());
 }
 
-BandColumns Design::columns(const Candidate& candidate, const VectorXd& nonlinear,
-                            int derivative) const {
+BandColumns Design::columns(const Candidate& candidate, const VectorXd& nonlinear, int derivative,
+                            double* in_band) const {
+  double raw_energy = 0.0, raw_power = 0.0, band_energy = 0.0;
   const std::vector<Coefficient> layout = coefficients(candidate);
   BandColumns result(segments_.size());
   for (std::size_t i = 0; i < segments_.size(); ++i) {
@@ -208,11 +214,17 @@ BandColumns Design::columns(const Candidate& candidate, const VectorXd& nonlinea
                                   candidate.name + "' are not finite everywhere");
     const MatrixXd band =
         seen_band(static_cast<int>(i), filtered(static_cast<int>(i), raw, 0.0, derivative));
+    raw_energy += energy_per_sample(raw);
+    raw_power += raw.squaredNorm() / static_cast<double>(raw.rows());
+    band_energy += band.bottomRows(band.rows() - 2).squaredNorm() / windows_[i].squaredNorm();
     result[i] = MatrixXd::Zero(band.rows(), static_cast<Index>(layout.size()));
     for (std::size_t c = 0; c < layout.size(); ++c)
       if (layout[c].recording < 0 || layout[c].recording == s.recording)
         result[i].col(static_cast<Index>(c)) = band.col(layout[c].parameter);
   }
+  // What never changes lies in the band, whatever rounding leaves of its changes.
+  constexpr double rounding = 1e-12;
+  if (in_band) *in_band = raw_energy > rounding * raw_power ? band_energy / raw_energy : 1.0;
   return result;
 }
 

@@ -7,8 +7,8 @@
 #include <optional>
 #include <vector>
 
-#include "identification/logs/filter.h"
 #include "identification/regression/candidate.h"
+#include "identification/logs/filter.h"
 
 namespace sinew::diagnosis {
 
@@ -55,9 +55,10 @@ class Design {
   };
   std::vector<Coefficient> coefficients(const Candidate& candidate) const;
 
-  /// Filtered columns (derivative = 1: their time derivative) of all segments.
+  /// Filtered columns (derivative = 1: their time derivative) of all segments. in_band: the share
+  /// of the raw columns' energy (means taken out) that is left after the filter.
   BandColumns columns(const Candidate& candidate, const Eigen::VectorXd& nonlinear,
-                      int derivative = 0) const;
+                      int derivative = 0, double* in_band = nullptr) const;
 
   /// Raw columns put through the segment's filter, decimated time domain. They may have the samples
   /// of the log as given or of recording().

@@ -14,6 +14,7 @@ using Eigen::MatrixXd;
 using Eigen::MatrixXf;
 using Eigen::VectorXd;
 
+constexpr double kInBand = 0.5;    // least share of a column's energy that must lie in the band
 constexpr double kExcited = 1e-5;  // least share of a column's energy outside the model's span
 
 double grid_value(const NonlinearParameter& p, int i) {
@@ -206,12 +207,12 @@ Library::Library(const Design& design) {
   for (std::size_t c = 0; c < library.size(); ++c) {
     if (library[c].kind == CandidateKind::delay) continue;
     for (const VectorXd& value : starting_values(library[c]))
-      slots_.push_back({static_cast<int>(c), value, {}});
+      slots_.push_back({static_cast<int>(c), value, {}, 1.0});
   }
   tbb::parallel_for(0, static_cast<int>(slots_.size()), [&](int i) {
     Slot& slot = slots_[static_cast<std::size_t>(i)];
-    slot.columns =
-        design.columns(library[static_cast<std::size_t>(slot.candidate)], slot.nonlinear);
+    slot.columns = design.columns(library[static_cast<std::size_t>(slot.candidate)], slot.nonlinear,
+                                  0, &slot.in_band);
   });
 }
 
@@ -239,7 +240,8 @@ Screening screen(const Design& design, const Library& library, const Model& mode
     if (candidates[c].kind == CandidateKind::delay) {
       if (rates.empty()) rates = term_rates(design, model);
       delays.push_back({static_cast<int>(c), VectorXd(),
-                        prediction_rate(design, model, rates, fit.coefficients, candidates[c])});
+                        prediction_rate(design, model, rates, fit.coefficients, candidates[c]),
+                        1.0});
     }
   const auto fixed = library.slots().size();
   std::vector<SlotResult> results(fixed + delays.size());
@@ -251,6 +253,10 @@ Screening screen(const Design& design, const Library& library, const Model& mode
     if (scope == Scope::nameable &&
         candidates[static_cast<std::size_t>(slot.candidate)].kind == CandidateKind::flexible)
       return;
+    if (slot.in_band < kInBand && !candidates[static_cast<std::size_t>(slot.candidate)].broadband) {
+      results[static_cast<std::size_t>(i)].data.gate = Gate::out_of_band;
+      return;
+    }
     results[static_cast<std::size_t>(i)] =
         test_slot(design, projected, candidates[static_cast<std::size_t>(slot.candidate)],
                   slot.nonlinear, slot.columns, weights);

@@ -15,6 +15,7 @@ struct Slot {
   int candidate = 0;
   Eigen::VectorXd nonlinear;
   BandColumns columns;
+  double in_band = 1.0;  ///< share of the raw columns' energy that the filter leaves
 };
 
 /// All slots of a library, evaluated once. Delays have no slot: their column follows the model.
@@ -33,6 +34,7 @@ class Library {
 enum class Gate {
   open,
   not_excited,  ///< inside the model's span, or zero
+  out_of_band,  ///< mostly above the band: what is left of it there is not the effect
   limit_violated
 };
 

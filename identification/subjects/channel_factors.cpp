@@ -47,6 +47,32 @@ std::optional<double> agreed(const std::vector<Share>& shares) {
   return high - low < kAgree * std::abs(mean) ? std::optional(mean) : std::nullopt;
 }
 
+/// Of each joint: what the measured effort has of the model's weight, of its inertia and of what
+/// depends on the speed.
+std::vector<std::vector<Share>> shares_of(const SmoothEfforts& efforts) {
+  const MatrixXd inertia = efforts.starting - efforts.at_rest;
+  const MatrixXd of_speed = efforts.said - efforts.starting;
+  std::vector<std::vector<Share>> joints;
+  for (Index j = 0; j < efforts.qd.cols(); ++j) {
+    MatrixXd parts(efforts.qd.rows(), 4);
+    parts << efforts.at_rest.col(j), inertia.col(j), of_speed.col(j),
+        VectorXd::Ones(efforts.qd.rows());
+    BlockRegression regression(3);
+    regression.add(parts, efforts.measured.col(j), in_motion(efforts.qd.col(j)));
+    joints.push_back(regression.shares());
+  }
+  return joints;
+}
+
+/// A link that is heavier than the model says is so for every joint that carries it.
+bool others_are_right(const std::vector<std::vector<Share>>& joints, std::size_t but) {
+  for (std::size_t j = 0; j < joints.size(); ++j)
+    for (std::size_t part = 0; part < 2; ++part)
+      if (j != but && is_known(joints[j][part]) && std::abs(joints[j][part].value - 1.0) > kAgree)
+        return false;
+  return true;
+}
+
 void stop(const Log& log, int column, double factor, const std::string& what, FaultList& faults) {
   const Channel& at = log.channels[static_cast<std::size_t>(column)];
   const long row = log.segments.front().first_row;
@@ -126,18 +152,11 @@ std::optional<std::pair<std::size_t, double>> force_that_is_off(
 void judge_effort_factors(const Log& log, const DrivenColumns& columns, const Recording& recording,
                           const EffortModel& model, FaultList& faults) {
   if (columns.efforts.size() < 2 || !columns.forces.empty()) return;
-  const SmoothEfforts efforts = smooth_efforts(recording, model);
-  const MatrixXd inertia = efforts.starting - efforts.at_rest;
-  const MatrixXd of_speed = efforts.said - efforts.starting;
-  for (Index j = 0; j < efforts.qd.cols(); ++j) {
-    MatrixXd parts(efforts.qd.rows(), 4);
-    parts << efforts.at_rest.col(j), inertia.col(j), of_speed.col(j),
-        VectorXd::Ones(efforts.qd.rows());
-    BlockRegression regression(3);
-    regression.add(parts, efforts.measured.col(j), in_motion(efforts.qd.col(j)));
-    const std::optional<double> factor = agreed(regression.shares());
-    if (factor && is_beyond(*factor))
-      stop(log, columns.efforts[static_cast<std::size_t>(j)], *factor,
+  const std::vector<std::vector<Share>> joints = shares_of(smooth_efforts(recording, model));
+  for (std::size_t j = 0; j < joints.size(); ++j) {
+    const std::optional<double> factor = agreed(joints[j]);
+    if (factor && is_beyond(*factor) && others_are_right(joints, j))
+      stop(log, columns.efforts[j], *factor,
            "what the model says of this motion, its weight, its inertia and its friction alike",
            faults);
   }

@@ -86,6 +86,7 @@ void DrivenSubject::add(const std::string& effect, std::size_t joint, const std:
                                  fixed.size() ? std::optional(fixed) : std::nullopt);
   if (!name.empty()) c.name = name;
   c.kind = kind;
+  // Impacts are as short as a sample; what they leave in the band is enough.
   c.broadband = c.name == find_effect("inertial_backlash").name;
   if ((c.broadband || c.name == find_effect("gear_elasticity").name) &&
       noise_of_position(training(), static_cast<Index>(joint)))

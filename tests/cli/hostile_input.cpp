@@ -151,7 +151,7 @@ TEST_CASE("a log that is no file, or has no end, is refused", "[hostile]") {
   REQUIRE(::mkfifo(here.path("pipe.csv").c_str(), 0600) == 0);
   check_refused(here, identify + "pipe.csv", "pipe.csv:0:0: is no file but a pipe or a device");
   check_refused(here, identify + "/dev/zero", "is no file but a pipe or a device");
-  check_refused(here, identify + "models", "is no file but a folder");
+  check_refused(here, identify + "models", "is a folder without metadata.yaml");
   check_refused(here, "diagnose " + motor + " --out o --log pipe.csv", "is no file but a pipe");
   check_refused(here, simulate("/dev/zero"), "cannot be read; expected a readable file");
   check_refused(here, "identify " + motor + " --experiment guiding --out o.json --log pipe.csv",

@@ -199,6 +199,20 @@ TEST_CASE("a level that points nowhere is refused") {
   CHECK_THROWS_AS(explain(c.problem, c.settings), std::invalid_argument);
 }
 
+TEST_CASE("a column that never changes lies in the band, whatever rounding makes of it") {
+  // Planted defect: without `rounding` in Design::columns only what a white noise has there does.
+  const Case c = make_case({}, 920, [](const Vector4d& values) -> Vector4d { return values; });
+  Candidate constant;
+  constant.name = "slack";
+  constant.linear = {{"slack", "m", -1.0, 1.0, false, {}}};
+  constant.columns = [](const Recording& log, int, const VectorXd&) -> MatrixXd {
+    return VectorXd::Ones(log.q.rows()) + 1e-14 * VectorXd::Random(log.q.rows());
+  };
+  double in_band = 0.0;
+  Design(c.problem, c.settings).columns(constant, VectorXd(), 0, &in_band);
+  CHECK(in_band == 1.0);
+}
+
 TEST_CASE("large errors that happen to cancel are none") {
   // Two values whose columns are nearly the same; what is left over is their difference, as the
   // noise that a measured regressor shares with the target would leave it. Planted defect: without

@@ -1,18 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A finger by the forces of its tendons and its motors: exchanged columns, wrong units and reversed
 // signs are found by the model. The last net: a channel that the model does not explain is told.
-#include <fmt/format.h>
-
-#include <Eigen/QR>
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <functional>
 #include <numbers>
 
 #include "identification/adoption/discrepancy.h"
-#include "identification/subjects/tendon_candidates.h"
 #include "identification/subjects/tendon_consistency.h"
-#include "tests/identification/subjects/finger_with_motors.h"
+#include "tests/identification/subjects/tendon_finger_log.h"
 #include "tests/reference/random_numbers.h"
 
 namespace {
@@ -24,86 +20,17 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using std::numbers::pi;
 
-constexpr Index kJoints = 4, kTendons = 8, kRows = 8000;
 const char* const kRuntime = SINEW_SOURCE_DIR "/runtime";
 
-/// A finger's log: all forces keep near 20 N and carry the joints, motors go their own ways.
-class TendonFinger {
- public:
-  TendonFinger() : model_(test::finger_with_motors()), effort_(model_, {}, kRuntime) {
-    for (Index c = 0; c < kJoints; ++c) columns_.positions.push_back(add("q", c, "rad"));
-    for (Index t = 0; t < kTendons; ++t) columns_.forces.push_back(add("force_", t, "N"));
-    for (Index t = 0; t < kTendons; ++t) columns_.positions.push_back(add("theta_", t, "rad"));
-    for (Index t = 0; t < kTendons; ++t) columns_.efforts.push_back(add("tau_", t, "N*m"));
-    log_.segments.resize(1);
-    move();
-    carry();
-  }
-
-  /// As add_log() would make it of these columns.
-  std::vector<DataFault> stops(const std::function<void(Recording&)>& plant) const {
-    Recording r = right_;
-    plant(r);
-    TendonColumns(model_, kRuntime).add_signals(r);
-    FaultList faults("log.csv");
-    judge_tendons(log_, columns_, r, model_, effort_, kRuntime, faults);
-    return faults.all();
-  }
-
- private:
-  int add(const std::string& name, Index number, const std::string& unit) {
-    Channel channel;
-    channel.name = fmt::format("{}{}", name, number + 1);
-    channel.unit = unit;
-    channel.column = static_cast<int>(log_.channels.size()) + 2;
-    log_.channels.push_back(channel);
-    return static_cast<int>(log_.channels.size()) - 1;
-  }
-
-  void move() {
-    reference::RandomNumbers random(3);
-    right_.step = 0.001;
-    right_.time = VectorXd::LinSpaced(kRows, 0.0, 0.001 * static_cast<double>(kRows - 1));
-    right_.q = right_.qd = right_.qdd = MatrixXd::Zero(kRows, kJoints + kTendons);
-    for (Index c = 0; c < right_.q.cols(); ++c)
-      for (int i = 0; i < 3; ++i) {
-        const double w = 2.0 * pi * random.uniform(0.2, 1.5), size = c == 0 ? 0.08 : 0.2;
-        const auto angle = (w * right_.time.array() + random.uniform(0.0, 6.28)).eval();
-        right_.q.col(c).array() += size * angle.sin();
-        right_.qd.col(c).array() += size * w * angle.cos();
-        right_.qdd.col(c).array() -= size * w * w * angle.sin();
-      }
-    right_.q.block(0, 1, kRows, kJoints - 1).array() += 0.8;
-  }
-
-  void carry() {
-    right_.signals["tension"] = MatrixXd::Constant(kRows, kTendons, 20.0);
-    right_.load = MatrixXd::Zero(kRows, kJoints + kTendons);
-    const TendonColumns tendons(model_, kRuntime);
-    tendons.add_signals(right_);
-    const MatrixXd asked = effort_(right_).leftCols(kJoints);
-    const MatrixXd missing = asked - tendons.joint_torque(right_);
-    const MatrixXd& arms = right_.signals.at("moment_arm");
-    for (Index k = 0; k < kRows; ++k) {
-      MatrixXd p(kJoints, kTendons);
-      for (Index t = 0; t < kTendons; ++t)
-        p.col(t) = -arms.row(k).segment(t * kJoints, kJoints).transpose();
-      right_.signals["tension"].row(k) +=
-          VectorXd(p.completeOrthogonalDecomposition().solve(missing.row(k).transpose()))
-              .transpose();
-    }
-    right_.load.rightCols(kTendons) =
-        model_.tendons.motor->pulley_radius * right_.signals["tension"];
-    const MatrixXd efforts = effort_(right_);
-    for (Index c = 0; c < efforts.cols(); ++c) right_.target.push_back(efforts.col(c));
-  }
-
-  DrivenModel model_;
-  EffortModel effort_;
-  Log log_;
-  DrivenColumns columns_;
-  Recording right_;
-};
+/// As add_log() would make it of these columns.
+std::vector<DataFault> stops(const test::TendonFingerLog& finger,
+                             const std::function<void(Recording&)>& plant) {
+  const Recording r = finger.with(plant);
+  FaultList faults("log.csv");
+  judge_tendons(finger.log(), finger.columns(), r, finger.model(), finger.effort(), kRuntime,
+                faults);
+  return faults.all();
+}
 
 }  // namespace
 
@@ -131,9 +58,9 @@ TEST_CASE("a wrong column of a tendon-driven finger is found by the model and na
       {"tau_3", "", FaultKind::reversed_sign, [](Recording& r) { r.target[6] *= -1.0; }},
       {"tau_3", "tau_4", FaultKind::swapped_columns,
        [](Recording& r) { r.target[6].swap(r.target[7]); }}};
-  const TendonFinger finger;
+  const test::TendonFingerLog finger;
   for (const Planted& planted : all) {
-    const std::vector<DataFault> faults = finger.stops(planted.plant);
+    const std::vector<DataFault> faults = stops(finger, planted.plant);
     INFO(planted.channel << " " << fault_name(planted.kind));
     for (const DataFault& fault : faults) UNSCOPED_INFO(message(fault));
     REQUIRE(faults.size() == 1);
@@ -144,16 +71,14 @@ TEST_CASE("a wrong column of a tendon-driven finger is found by the model and na
 }
 
 TEST_CASE("a finger that lacks something is no faulty log") {
-  const TendonFinger finger;
-  CHECK(finger.stops([](Recording&) {}).empty());
-  CHECK(finger.stops([](Recording& r) { r.signals.at("tension").col(4).array() += 8.0; }).empty());
-  CHECK(finger.stops([](Recording& r) { r.signals.at("tension").col(2) *= 1.3; }).empty());
-  CHECK(finger.stops([](Recording& r) { r.target[6] *= 2.5; }).empty());
-  CHECK(finger
-            .stops([](Recording& r) {
-              r.target[7].array() += 0.3 * (r.qd.col(7).array() / 0.02).tanh();
-            })
-            .empty());
+  const test::TendonFingerLog finger;
+  CHECK(stops(finger, [](Recording&) {}).empty());
+  CHECK(stops(finger, [](Recording& r) { r.signals.at("tension").col(4).array() += 8.0; }).empty());
+  CHECK(stops(finger, [](Recording& r) { r.signals.at("tension").col(2) *= 1.3; }).empty());
+  CHECK(stops(finger, [](Recording& r) { r.target[6] *= 2.5; }).empty());
+  CHECK(stops(finger, [](Recording& r) {
+          r.target[7].array() += 0.3 * (r.qd.col(7).array() / 0.02).tanh();
+        }).empty());
 }
 
 TEST_CASE("a channel of which the model explains less than half is told") {
