@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Which samples of a log count, and how much: standstill, as docs/diagnose.md states it."""
+"""Which samples of a log count, and how much: standstill, as docs/diagnosis_rules.md states it."""
 import math
 
 STILL, UNDER_WAY = 5e-4, 1e-2  # of the largest speed

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The zero-phase filters that docs/diagnose.md states, written a second time."""
+"""The zero-phase filters that docs/diagnosis_rules.md states, written a second time."""
 import array
 import ctypes
 import functools

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The held-out gain of driven joints, arms, fingers and hands, from the emitted C of the extended model and of the
-model as it was: filter, standstill and channels as docs/diagnose.md and docs/findings.md state them."""
+model as it was: filter, standstill and channels as docs/diagnosis_rules.md and docs/findings.md state them."""
 import re
 import shutil
 import subprocess

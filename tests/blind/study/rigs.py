@@ -5,7 +5,7 @@ import statistics
 
 from filters import Comparison, smoothed
 
-BAND, EDGE = 60.0, 0.25  # Hz, s left away at both ends, as docs/diagnose.md states
+BAND, EDGE = 60.0, 0.25  # Hz, s left away at both ends, as docs/diagnosis_rules.md states
 SMOOTHED = {"count": 15.0, "q71": 30.0, "q73": 30.0}  # Hz, below which a reading's speed is told
 
 

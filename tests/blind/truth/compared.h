@@ -11,7 +11,7 @@
 namespace sinew::trials {
 
 /// Symmetric windowed sinc (Kaiser, 60 dB), of which as few samples are kept as the band allows:
-/// flat to 0.4 of their rate, stopped from 0.6 on, as docs/diagnose.md states.
+/// flat to 0.4 of their rate, stopped from 0.6 on, as docs/diagnosis_rules.md states.
 class ComparedFilter {
  public:
   ComparedFilter(double step, double band);

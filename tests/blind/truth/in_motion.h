@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Which samples of a log count: at rest, and where a joint turns round, friction is whatever holds
-// it. The rule is the one that docs/diagnose.md states.
+// it. The rule is the one that docs/diagnosis_rules.md states.
 #pragma once
 
 #include <utility>
