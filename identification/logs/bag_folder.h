@@ -5,7 +5,6 @@
 
 #include <filesystem>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "identification/logs/converted_log.h"
@@ -21,10 +20,10 @@ struct BagMetadata {
   std::vector<std::string> files;  ///< relative_file_paths, at least one
 };
 
-/// Reads the keys above and passes over all others: machine-written YAML, in which keys of a table
-/// stand on lines of their own, indented alike, and a list's items behind dashes. Throws
-/// std::runtime_error "file:line:0: ..." where one of them is missing or written otherwise.
-BagMetadata parse_bag_metadata(std::string_view text, const std::string& path);
+/// Reads the keys above and passes over all others. Throws std::runtime_error "file:line:0: ..."
+/// where the text is no YAML, or one of them is missing or of another type, and where the program
+/// was built without yaml-cpp.
+BagMetadata parse_bag_metadata(const std::string& text, const std::string& path);
 
 /// A recording's folder: what its parts are kept in, and metadata.yaml and the parts themselves.
 struct BagFolder {

@@ -15,9 +15,11 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kHighest = 10.0;    // Hz
-constexpr Index kTimeBlocks = 10;    // of a log
-constexpr double kStandstill = 0.1;  // of the joint's rms speed: there its friction is anything
+constexpr double kHighest = 10.0;      // Hz
+constexpr Index kTimeBlocks = 10;      // of a log
+constexpr double kKnownWithin = 0.05;  // standard error, as a share
+constexpr double kAlike = 0.08;        // factors that are one
+constexpr double kStandstill = 0.1;    // of the joint's rms speed: there its friction is anything
 
 }  // namespace
 
@@ -40,6 +42,25 @@ SmoothEfforts smooth_efforts(const Recording& log, const EffortModel& model) {
           inner(model(log, motion.q, none, motion.qdd))};
 }
 
+bool is_known(const Share& share) {
+  return std::isfinite(share.value) && share.standard_error < kKnownWithin * std::abs(share.value);
+}
+
+std::optional<double> common_factor(const std::vector<Share>& shares) {
+  double low = 0.0, high = 0.0, sum = 0.0;
+  int count = 0;
+  for (const Share& s : shares) {
+    if (!is_known(s)) continue;
+    low = count == 0 ? s.value : std::min(low, s.value);
+    high = count == 0 ? s.value : std::max(high, s.value);
+    sum += s.value;
+    ++count;
+  }
+  if (count < 2) return std::nullopt;
+  const double mean = sum / count;
+  return high - low < kAlike * std::abs(mean) ? std::optional(mean) : std::nullopt;
+}
+
 MatrixXd own_drive(const VectorXd& speed, const VectorXd& acceleration) {
   MatrixXd x(speed.size(), 4);
   x << acceleration, speed, speed.cwiseSign(), VectorXd::Ones(speed.size());
@@ -58,7 +79,6 @@ void BlockRegression::add(const MatrixXd& columns, const VectorXd& target, const
     const MatrixXd x = counts.segment(first, count).asDiagonal() * columns.middleRows(first, count);
     gram_.push_back(x.transpose() * x);
     target_.push_back(x.transpose() * target.segment(first, count));
-    square_ += counts.segment(first, count).cwiseProduct(target.segment(first, count)).squaredNorm();
   }
 }
 
@@ -105,14 +125,6 @@ std::vector<Share> BlockRegression::shares() const {
 
 Share BlockRegression::ratio() const {
   return estimated([](const VectorXd& c) { return c(0) / c(1); });
-}
-
-double BlockRegression::left_over() const {
-  const VectorXd c = solved(-1);
-  double left = square_;
-  for (std::size_t b = 0; b < gram_.size(); ++b)
-    left += c.dot(gram_[b] * c) - 2.0 * c.dot(target_[b]);
-  return std::max(0.0, left);
 }
 
 }  // namespace sinew::diagnosis

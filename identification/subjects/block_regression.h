@@ -4,6 +4,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <vector>
 
 #include "identification/regression/candidate.h"
@@ -43,8 +44,6 @@ class BlockRegression {
   std::vector<Share> shares() const;
   /// The first of them over the second: what shifts both alike is no error of it.
   Share ratio() const;
-  /// Sum of squares that all columns leave over.
-  double left_over() const;
 
  private:
   template <typename Function>
@@ -54,8 +53,14 @@ class BlockRegression {
   Eigen::Index asked_;
   std::vector<Eigen::MatrixXd> gram_;
   std::vector<Eigen::VectorXd> target_;
-  double square_ = 0.0;  ///< of all targets
 };
+
+/// Told within a twentieth of itself.
+bool is_known(const Share& share);
+
+/// What those that are known have in common, within a twelfth; nothing where fewer than two are
+/// known or they do not agree.
+std::optional<double> common_factor(const std::vector<Share>& shares);
 
 /// An armature, viscous and Coulomb friction and an offset of a joint's own: samples x 4.
 Eigen::MatrixXd own_drive(const Eigen::VectorXd& speed, const Eigen::VectorXd& acceleration);

@@ -19,32 +19,15 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kKnownTo = 0.05;  // standard error, as a share
-constexpr double kAgree = 0.08;    // factors that are one
-constexpr double kBeyond = 1.8;    // pulleys, torque constants and sensors are off by less
-
-bool is_known(const Share& s) {
-  return std::isfinite(s.value) && s.standard_error < kKnownTo * std::abs(s.value);
-}
+// Gears, units and currents make factors of two and more. A machine's own torque constants, pulleys
+// and sensors are hardly ever off by so much, and where one is the log's reader is asked.
+constexpr double kBeyond = 1.8;
+// What a factor may be off by: a link of other mass changes the weight at the joints before it by
+// more, and the factors of known slips are apart by more.
+constexpr double kNear = 0.08;
 
 bool is_beyond(double factor) {
   return factor < 0.0 || std::max(factor, 1.0 / factor) > kBeyond;
-}
-
-/// What those that are told have in common; nothing of fewer than two.
-std::optional<double> agreed(const std::vector<Share>& shares) {
-  double low = 0.0, high = 0.0, sum = 0.0;
-  int count = 0;
-  for (const Share& s : shares) {
-    if (!is_known(s)) continue;
-    low = count == 0 ? s.value : std::min(low, s.value);
-    high = count == 0 ? s.value : std::max(high, s.value);
-    sum += s.value;
-    ++count;
-  }
-  if (count < 2) return std::nullopt;
-  const double mean = sum / count;
-  return high - low < kAgree * std::abs(mean) ? std::optional(mean) : std::nullopt;
 }
 
 /// Of each joint: what the measured effort has of the model's weight, of its inertia and of what
@@ -68,7 +51,7 @@ std::vector<std::vector<Share>> shares_of(const SmoothEfforts& efforts) {
 bool others_are_right(const std::vector<std::vector<Share>>& joints, std::size_t but) {
   for (std::size_t j = 0; j < joints.size(); ++j)
     for (std::size_t part = 0; part < 2; ++part)
-      if (j != but && is_known(joints[j][part]) && std::abs(joints[j][part].value - 1.0) > kAgree)
+      if (j != but && is_known(joints[j][part]) && std::abs(joints[j][part].value - 1.0) > kNear)
         return false;
   return true;
 }
@@ -77,7 +60,7 @@ void stop(const Log& log, int column, double factor, const std::string& what, Fa
   const Channel& at = log.channels[static_cast<std::size_t>(column)];
   const long row = log.segments.front().first_row;
   const bool turned = factor < 0.0;
-  const std::string known = unit_slip_of(std::abs(factor), at.unit, kAgree).meaning;
+  const std::string known = unit_slip_of(std::abs(factor), at.unit, kNear).meaning;
   faults.add(turned ? FaultKind::reversed_sign : FaultKind::unit_slip, Severity::stop, row, row,
              at.column, at.name,
              fmt::format("'{}' is {:.3g} times {}: {}", at.name, factor, what,
@@ -154,7 +137,7 @@ void judge_effort_factors(const Log& log, const DrivenColumns& columns, const Re
   if (columns.efforts.size() < 2 || !columns.forces.empty()) return;
   const std::vector<std::vector<Share>> joints = shares_of(smooth_efforts(recording, model));
   for (std::size_t j = 0; j < joints.size(); ++j) {
-    const std::optional<double> factor = agreed(joints[j]);
+    const std::optional<double> factor = common_factor(joints[j]);
     if (factor && is_beyond(*factor) && others_are_right(joints, j))
       stop(log, columns.efforts[j], *factor,
            "what the model says of this motion, its weight, its inertia and its friction alike",

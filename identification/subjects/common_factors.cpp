@@ -15,24 +15,7 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 
-constexpr double kKnownWithin = 0.05;  // standard error of a joint that tells, as a share
-constexpr double kAlike = 0.08;        // two joints' factors
-constexpr double kSlip = 1.4;          // no robot is off by that much everywhere alike
-
-/// Of the joints that tell it; nothing where fewer than two do or they do not agree.
-std::optional<double> common(const std::vector<Share>& shares) {
-  double low = 0.0, high = 0.0, sum = 0.0;
-  int count = 0;
-  for (const Share& s : shares) {
-    if (!(s.value > 0.0) || !(s.standard_error < kKnownWithin * s.value)) continue;
-    low = count == 0 ? s.value : std::min(low, s.value);
-    high = std::max(high, s.value);
-    sum += std::log(s.value);
-    ++count;
-  }
-  if (count < 2 || high > (1.0 + kAlike) * low) return std::nullopt;
-  return std::exp(sum / count);
-}
+constexpr double kSlip = 1.4;  // no robot is off by that much everywhere alike
 
 bool is_slip(double factor) {
   return std::max(factor, 1.0 / factor) > kSlip;
@@ -54,8 +37,9 @@ void judge_common_factors(const Log& log, const DrivenColumns& columns, const Re
     of_weight.push_back(shares.front());
     of_inertia.push_back(shares.back());
   }
-  const std::optional<double> weight = common(of_weight), inertia = common(of_inertia);
-  if (!weight) return;
+  const std::optional<double> weight = common_factor(of_weight),
+                              inertia = common_factor(of_inertia);
+  if (!weight || *weight <= 0.0) return;
   const long row = log.segments.front().first_row;
   const Channel& first = log.channels[static_cast<std::size_t>(columns.efforts.front())];
   if (is_slip(*weight)) {
@@ -64,7 +48,7 @@ void judge_common_factors(const Log& log, const DrivenColumns& columns, const Re
                            "their unit, the model's masses or its gravity",
                            *weight),
                "units are converted only when told: --map \"channel=column [unit]\"");
-  } else if (inertia && is_slip(*inertia / *weight)) {
+  } else if (inertia && *inertia > 0.0 && is_slip(*inertia / *weight)) {
     const double factor = std::sqrt(*inertia / *weight);
     faults.add(FaultKind::time_unit, Severity::stop, row, row, 1, "time",
                fmt::format("all joints' inertia is {:.3g} times the model's and their weight is "

@@ -77,6 +77,7 @@ def judge_model(folder, work, unproven):
     wrong = [f"{model}: {f}:{line}: {what}" for f, line, what in errors]
     open_ = alarms(sources, [HERE / "contracts", ROOT / "runtime", folder], "non-finite")
     functions = sorted({function_at(folder / f, line) for f, line, _ in open_ if f == f"{model}.c"})
+    wrong += [f"{model}: {f}:{line}: {what}" for f, line, what in open_ if f != f"{model}.c"]
     wrong += [f"{model}: {name} may be infinite or NaN, and is not in unproven.txt"
               for name in functions if name not in unproven]
     print(f"{model}: {len(manifest['functions'])} functions, {len(errors)} run-time errors; finite: all but "

@@ -1,4 +1,4 @@
-/* SPDX-License-Identifier: BSD-2-Clause
+/* SPDX-License-Identifier: GPL-3.0-or-later
  * What cppcheck's MISRA addon has to find: a goto (15.1) and a recursion (17.2). */
 int planted(int n);
 

@@ -1,4 +1,4 @@
-/* SPDX-License-Identifier: BSD-2-Clause
+/* SPDX-License-Identifier: GPL-3.0-or-later
  * What Eva has to find: an index beyond the end, a shift by too much, a value that was never set, a
  * number too large for an integer. */
 #include "__fc_builtin.h"

@@ -1,4 +1,4 @@
-/* SPDX-License-Identifier: BSD-2-Clause
+/* SPDX-License-Identifier: GPL-3.0-or-later
  * Every function of sinew_math.h, its arguments any bits: NaN and infinities, too. */
 #include "__fc_builtin.h"
 #include "sinew_math.h"

@@ -1,4 +1,4 @@
-/* SPDX-License-Identifier: BSD-2-Clause
+/* SPDX-License-Identifier: GPL-3.0-or-later
  *
  * What the runtime's functions promise (docs/trigonometry.md), in place of how they do it: an
  * analyser of intervals cannot follow selections by masks of bits. That the functions keep these

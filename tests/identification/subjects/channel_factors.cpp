@@ -9,11 +9,9 @@
 #include <string>
 #include <vector>
 
-#include "identification/logs/read_csv.h"
-#include "tests/identification/subjects/arm_logs.h"
+#include "tests/identification/subjects/judged_arm.h"
 #include "tests/identification/subjects/tendon_finger_log.h"
 #include "tests/reference/random_numbers.h"
-#include "tests/reference/temporary_folder.h"
 
 namespace {
 
@@ -23,22 +21,8 @@ using namespace sinew::diagnosis;
 using Eigen::Index;
 using Eigen::MatrixXd;
 
-/// What stops a log of the arm, for a single joint's sake.
 std::vector<DataFault> stops(const Mechanism& nominal, const ArmLog& logged) {
-  const reference::TemporaryFolder folder;
-  const std::string path = (folder.path() / "log.csv").string();
-  reference::write_text(path, csv(logged));
-  DrivenSubject subject(driven_model(nominal), {}, SINEW_SOURCE_DIR "/runtime");
-  const Log log = read_csv(path, robot_channels(nominal));
-  DrivenColumns columns;
-  for (std::size_t j = 1; j <= nominal.joints.size(); ++j) {
-    columns.positions.push_back(log.channel(fmt::format("q_j{}", j)));
-    columns.efforts.push_back(log.channel(fmt::format("tau_j{}", j)));
-  }
-  subject.add_log(log, columns, false);
-  FaultList faults(path);
-  judge_effort_factors(log, columns, subject.problem().training.back(), subject.effort(), faults);
-  return faults.all();
+  return faults_of(nominal, logged, &diagnosis::judge_effort_factors);
 }
 
 /// What stops a finger's log in which every force has a little noise.

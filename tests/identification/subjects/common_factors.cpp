@@ -7,34 +7,15 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "identification/logs/read_csv.h"
-#include "symbolic/extension/driven_model.h"
-#include "tests/identification/subjects/arm_logs.h"
-#include "tests/reference/temporary_folder.h"
+#include "tests/identification/subjects/judged_arm.h"
 
 namespace {
 
 using namespace sinew;
 using namespace sinew::test;
-using diagnosis::DrivenColumns;
-using diagnosis::DrivenSubject;
 
-/// What stops a log of the arm.
 std::vector<DataFault> stops(const Mechanism& nominal, const ArmLog& logged) {
-  const reference::TemporaryFolder folder;
-  const std::string path = (folder.path() / "log.csv").string();
-  reference::write_text(path, csv(logged));
-  DrivenSubject subject(driven_model(nominal), {}, SINEW_SOURCE_DIR "/runtime");
-  const Log log = read_csv(path, robot_channels(nominal));
-  DrivenColumns columns;
-  for (std::size_t j = 1; j <= nominal.joints.size(); ++j) {
-    columns.positions.push_back(log.channel(fmt::format("q_j{}", j)));
-    columns.efforts.push_back(log.channel(fmt::format("tau_j{}", j)));
-  }
-  subject.add_log(log, columns, false);
-  FaultList faults(path);
-  judge_common_factors(log, columns, subject.problem().training.back(), subject.effort(), faults);
-  return faults.stops() ? faults.all() : std::vector<DataFault>{};
+  return faults_of(nominal, logged, &diagnosis::judge_common_factors);
 }
 
 /// What is measured of an arm whose drives have rotors that the model does not know.
