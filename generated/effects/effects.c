@@ -297,6 +297,19 @@ void effects_motor_side_guiding(const double signals[SINEW_AT_LEAST(11)],
     columns[1] = signals[0] * signals[4] * signals[6];
 }
 
+void effects_guiding_presliding(const double signals[SINEW_AT_LEAST(11)],
+    const double shape[SINEW_AT_LEAST(1)], const double memory[SINEW_AT_LEAST(1)],
+    double columns[SINEW_AT_LEAST(2)], double next[SINEW_AT_LEAST(1)])
+{
+    const double t1 = signals[1] * signals[7] / shape[0];
+    const double t2 = sinew_one_exp(-sinew_max(t1, -t1));
+    const double t3 = sinew_choose(t1, 1.0 - (1.0 - memory[0]) * t2, -(1.0 - (1.0 + memory[0])
+        * t2));
+    columns[0] = signals[4] * t3;
+    columns[1] = signals[0] * signals[4] * t3;
+    next[0] = t3;
+}
+
 void effects_force_sensor_scale(const double signals[SINEW_AT_LEAST(11)],
     double columns[SINEW_AT_LEAST(1)])
 {
@@ -308,6 +321,22 @@ void effects_force_sensor_offset(const double signals[SINEW_AT_LEAST(11)],
 {
     (void)signals;
     columns[0] = 1.0;
+}
+
+void effects_tendon_radius(const double signals[SINEW_AT_LEAST(11)],
+    double columns[SINEW_AT_LEAST(1)])
+{
+    columns[0] = signals[4];
+}
+
+void effects_routing_offset(const double signals[SINEW_AT_LEAST(11)],
+    double columns[SINEW_AT_LEAST(2)])
+{
+    const struct sinew_sines sines1 = sinew_one_sincos(signals[0]);
+    const double s2 = sines1.s[0];
+    const double c3 = sines1.c[0];
+    columns[0] = signals[4] * s2;
+    columns[1] = signals[4] * c3;
 }
 
 void effects_presliding(const double signals[SINEW_AT_LEAST(11)],

@@ -406,6 +406,23 @@ void effects_motor_side_guiding_batch(int count, const double *SINEW_RESTRICT si
     }
 }
 
+void effects_guiding_presliding_batch(int count, const double *SINEW_RESTRICT signals,
+    const double *SINEW_RESTRICT shape, const double *SINEW_RESTRICT memory,
+    double *SINEW_RESTRICT columns, double *SINEW_RESTRICT next)
+{
+    const size_t n = (size_t)count;
+    SINEW_STATES_ARE_INDEPENDENT
+    for (size_t state = 0; state < n; ++state) {
+        const double t1 = signals[1 * n + state] * signals[7 * n + state] / shape[state];
+        const double t2 = sinew_exp(-sinew_max(t1, -t1));
+        const double t3 = sinew_choose(t1, 1.0 - (1.0 - memory[state]) * t2, -(1.0 - (1.0
+            + memory[state]) * t2));
+        columns[state] = signals[4 * n + state] * t3;
+        columns[1 * n + state] = signals[state] * signals[4 * n + state] * t3;
+        next[state] = t3;
+    }
+}
+
 void effects_force_sensor_scale_batch(int count, const double *SINEW_RESTRICT signals,
     double *SINEW_RESTRICT columns)
 {
@@ -424,6 +441,29 @@ void effects_force_sensor_offset_batch(int count, const double *SINEW_RESTRICT s
     SINEW_STATES_ARE_INDEPENDENT
     for (size_t state = 0; state < n; ++state) {
         columns[state] = 1.0;
+    }
+}
+
+void effects_tendon_radius_batch(int count, const double *SINEW_RESTRICT signals,
+    double *SINEW_RESTRICT columns)
+{
+    const size_t n = (size_t)count;
+    SINEW_STATES_ARE_INDEPENDENT
+    for (size_t state = 0; state < n; ++state) {
+        columns[state] = signals[4 * n + state];
+    }
+}
+
+void effects_routing_offset_batch(int count, const double *SINEW_RESTRICT signals,
+    double *SINEW_RESTRICT columns)
+{
+    const size_t n = (size_t)count;
+    SINEW_STATES_ARE_INDEPENDENT
+    for (size_t state = 0; state < n; ++state) {
+        double s1, c2;
+        sinew_sincos(signals[state], &s1, &c2);
+        columns[state] = signals[4 * n + state] * s1;
+        columns[1 * n + state] = signals[4 * n + state] * c2;
     }
 }
 

@@ -545,6 +545,30 @@ static const sinew_argument motor_side_guiding_outputs[] = {
     {"columns", "SI", 2, 1, 0, 0},
 };
 
+static void call_guiding_presliding(const void *in, void *out)
+{
+    const double *x = (const double *)in;
+    double *y = (double *)out;
+    effects_guiding_presliding(x + 0, x + 11, x + 12, y + 0, y + 2);
+}
+static const double guiding_presliding_signals_low[] = {-3.0, -5.0, -50.0, -10000.0, -10.0, 0.0,
+    -1.0, 1e-04, -50.0, 0.001, -10000.0};
+static const double guiding_presliding_signals_high[] = {3.0, 5.0, 50.0, 10000.0, 10.0, 100.0, 1.0,
+    0.01, 50.0, 10.0, 10000.0};
+static const double guiding_presliding_shape_low[] = {3e-06};
+static const double guiding_presliding_shape_high[] = {0.001};
+static const double guiding_presliding_memory_low[] = {-1.0};
+static const double guiding_presliding_memory_high[] = {1.0};
+static const sinew_argument guiding_presliding_inputs[] = {
+    {"signals", "SI", 11, 1, guiding_presliding_signals_low, guiding_presliding_signals_high},
+    {"shape", "SI", 1, 1, guiding_presliding_shape_low, guiding_presliding_shape_high},
+    {"memory", "1", 1, 1, guiding_presliding_memory_low, guiding_presliding_memory_high},
+};
+static const sinew_argument guiding_presliding_outputs[] = {
+    {"columns", "SI", 2, 1, 0, 0},
+    {"next", "1", 1, 1, 0, 0},
+};
+
 static void call_force_sensor_scale(const void *in, void *out)
 {
     const double *x = (const double *)in;
@@ -577,6 +601,40 @@ static const sinew_argument force_sensor_offset_inputs[] = {
 };
 static const sinew_argument force_sensor_offset_outputs[] = {
     {"columns", "SI", 1, 1, 0, 0},
+};
+
+static void call_tendon_radius(const void *in, void *out)
+{
+    const double *x = (const double *)in;
+    double *y = (double *)out;
+    effects_tendon_radius(x + 0, y + 0);
+}
+static const double tendon_radius_signals_low[] = {-3.0, -5.0, -50.0, -10000.0, -10.0, 0.0, -1.0,
+    1e-04, -50.0, 0.001, -10000.0};
+static const double tendon_radius_signals_high[] = {3.0, 5.0, 50.0, 10000.0, 10.0, 100.0, 1.0, 0.01,
+    50.0, 10.0, 10000.0};
+static const sinew_argument tendon_radius_inputs[] = {
+    {"signals", "SI", 11, 1, tendon_radius_signals_low, tendon_radius_signals_high},
+};
+static const sinew_argument tendon_radius_outputs[] = {
+    {"columns", "SI", 1, 1, 0, 0},
+};
+
+static void call_routing_offset(const void *in, void *out)
+{
+    const double *x = (const double *)in;
+    double *y = (double *)out;
+    effects_routing_offset(x + 0, y + 0);
+}
+static const double routing_offset_signals_low[] = {-3.0, -5.0, -50.0, -10000.0, -10.0, 0.0, -1.0,
+    1e-04, -50.0, 0.001, -10000.0};
+static const double routing_offset_signals_high[] = {3.0, 5.0, 50.0, 10000.0, 10.0, 100.0, 1.0,
+    0.01, 50.0, 10.0, 10000.0};
+static const sinew_argument routing_offset_inputs[] = {
+    {"signals", "SI", 11, 1, routing_offset_signals_low, routing_offset_signals_high},
+};
+static const sinew_argument routing_offset_outputs[] = {
+    {"columns", "SI", 2, 1, 0, 0},
 };
 
 static void call_presliding(const void *in, void *out)
@@ -699,10 +757,16 @@ static const sinew_function functions[] = {
         call_guiding_friction},
     {"effects_motor_side_guiding", 1, 1, 11, 2, motor_side_guiding_inputs,
         motor_side_guiding_outputs, call_motor_side_guiding},
+    {"effects_guiding_presliding", 3, 2, 13, 3, guiding_presliding_inputs,
+        guiding_presliding_outputs, call_guiding_presliding},
     {"effects_force_sensor_scale", 1, 1, 11, 1, force_sensor_scale_inputs,
         force_sensor_scale_outputs, call_force_sensor_scale},
     {"effects_force_sensor_offset", 1, 1, 11, 1, force_sensor_offset_inputs,
         force_sensor_offset_outputs, call_force_sensor_offset},
+    {"effects_tendon_radius", 1, 1, 11, 1, tendon_radius_inputs, tendon_radius_outputs,
+        call_tendon_radius},
+    {"effects_routing_offset", 1, 1, 11, 2, routing_offset_inputs, routing_offset_outputs,
+        call_routing_offset},
     {"effects_presliding", 3, 2, 13, 2, presliding_inputs, presliding_outputs, call_presliding},
     {"effects_soft_reversal", 2, 1, 12, 1, soft_reversal_inputs, soft_reversal_outputs,
         call_soft_reversal},
@@ -711,4 +775,4 @@ static const sinew_function functions[] = {
 };
 
 const sinew_catalogue effects_catalogue = {"effects",
-    "69c538edcbf3bf2f45779b1c8a2551790ff791915ec1f60e5b93999b2315532f", 8, 33, functions};
+    "69c538edcbf3bf2f45779b1c8a2551790ff791915ec1f60e5b93999b2315532f", 8, 36, functions};

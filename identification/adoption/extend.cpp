@@ -2,10 +2,12 @@
 #include "identification/adoption/extend.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "identification/adoption/physical_links.h"
 #include "identification/diagnosis/standard_errors.h"
 #include "identification/subjects/effect_candidate.h"
+#include "identification/subjects/rigid_candidates.h"
 #include "symbolic/effects/effects.h"
 #include "symbolic/extension/identified_mechanism.h"
 #include "symbolic/extension/learnt_entry.h"
@@ -66,6 +68,22 @@ bool fill_special(const std::vector<ParameterEstimate>& estimates, IdentifiedEff
     return true;
   }
   return false;
+}
+
+/// A link's mass told alone leaves the link its shape: the first moments go with it.
+void keep_centre(const Mechanism& mechanism, IdentifiedEffect& entry) {
+  if (entry.effect != "inertial_parameters" || entry.coefficients.size() != 1) return;
+  const auto body =
+      std::find_if(mechanism.bodies.begin(), mechanism.bodies.end(),
+                   [&](const Body& b) { return "link " + b.name == entry.place; });
+  if (body == mechanism.bodies.end()) return;
+  const IdentifiedValue mass = entry.coefficients.front();
+  const char* axes[] = {"x", "y", "z"};
+  for (Eigen::Index k = 0; k < 3; ++k) {
+    const double centre = body->centre_of_mass(k);
+    entry.coefficients.push_back({std::string("first_moment_") + axes[k], mass.value * centre,
+                                  mass.standard_error * std::abs(centre), "kg*m"});
+  }
 }
 
 /// An estimate may lie beyond its limit by what chance does.
@@ -191,6 +209,7 @@ ExtensionTerms extension_terms(const DrivenSubject& subject, const Design& desig
            term.nonlinear, all[t], entry.entry);
     else if (!fill_special(all[t], entry.entry))
       continue;
+    if (subject.rigid()) keep_centre(subject.rigid()->mechanism(), entry.entry);
     keep_within_limits(entry.entry);
     entry.per_log = term.deviation < 0 &&
                     std::any_of(term.candidate->linear.begin(), term.candidate->linear.end(),

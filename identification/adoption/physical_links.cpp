@@ -60,6 +60,7 @@ std::vector<LinkTerm> link_terms(const DrivenSubject& subject, const Model& mode
     if (term.baseline) continue;
     const std::string& effect = subject.origin_of(term).effect;
     if (effect != "payload" && effect != "inertial_parameters") continue;
+    if (estimates[t].size() == 1) continue;  // a mass that keeps the link's shape is a body's
     LinkTerm link{t, effect, term.candidate->place, {}};
     for (const ParameterEstimate& e : estimates[t])
       link.body.estimated.push_back(number_of(e.name));

@@ -242,7 +242,7 @@ Model model_before(const Design& design, const Model& found, const DeviationTerm
 Explanation explain_by_rules(const Problem& problem, const Settings& settings,
                              const ExperimentPlanner& planner) {
   Design design(problem, settings);
-  if (!problem.shared_noise) design.set_units(left_over(design, baseline_model(design)));
+  design.set_units(left_over(design, baseline_model(design)));
   const Library library(design);
   Explanation result;
   result.selection = select_causes(design, library, settings);

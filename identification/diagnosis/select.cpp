@@ -190,9 +190,10 @@ double least_share(const Search& s, std::size_t term) {
   return std::max(s.settings.least_share, s.state.model.terms[term].candidate->least_share);
 }
 
-/// Counted over all channels a cause of a few is a small share, which chance in the others blurs.
+/// Counted over all channels of a noise group a cause of a few is a small share, which chance in the
+/// others blurs.
 bool is_unsure(const Design& design, const Gain& gain) {
-  return design.problem().shared_noise && gain.low <= 0.0;
+  return !design.problem().noise_groups.empty() && gain.low <= 0.0;
 }
 
 /// Takes out causes that the others have made superfluous or impossible.

@@ -27,7 +27,7 @@ Problem planned_problem(const Problem& problem, const Recording& recording) {
   planned.library = problem.library;
   planned.deviations = problem.deviations;
   planned.channels = problem.channels;
-  planned.shared_noise = problem.shared_noise;
+  planned.noise_groups = problem.noise_groups;
   planned.unlike_channels = problem.unlike_channels;
   return planned;
 }

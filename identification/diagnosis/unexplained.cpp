@@ -163,9 +163,28 @@ void take_out_withdrawn(const Design& design, const Model& kept, Model& beside) 
   }
 }
 
+/// What the bins around a line hold, without the line: mean energy, and of how many bins.
+struct Surroundings {
+  double mean = 0.0, bins = 0.0;
+};
+
+Surroundings around_line(const VectorXd& energy, Index line, Index half) {
+  const Index low = std::max<Index>(0, line - half), high = std::min(energy.size(), line + half + 1);
+  const double bins = static_cast<double>(high - low - 5);
+  return {(energy.segment(low, high - low).sum() - energy.segment(line - 2, 5).sum()) / bins, bins};
+}
+
+/// Probability that a bin of such surroundings is as large by chance: an exponential variable over
+/// the mean of `bins` others.
+double chance_of_line(double peak, const Surroundings& beside) {
+  return beside.mean > 0.0 ? std::pow(1.0 + peak / (beside.bins * beside.mean), -beside.bins) : 0.0;
+}
+
 }  // namespace
 
 SpectralLine strongest_line(const Design& design, const Model& model) {
+  constexpr Index kNearest = 8, kWide = 12;  // bins to each side; the wide ones grow with frequency
+  constexpr double kGrowth = 0.12;
   SpectralLine best;
   double tests = 0.0, all = 0.0, in_line = 0.0;
   for (const Segment& s : design.segments())
@@ -176,18 +195,16 @@ SpectralLine strongest_line(const Design& design, const Model& model) {
     const double unit = design.unit(s.channel);
     const VectorXd energy = bin_energy(left_over_in(model, i)) / (unit * unit);
     all += energy.sum();
-    const VectorXd around = smooth_ratio(energy, VectorXd::Ones(s.bins), 12, 0.12);
     for (Index b = 2; b + 2 < s.bins; ++b) {
-      const double half = std::max(12.0, 0.12 * static_cast<double>(b));
       const double peak = energy.segment(b - 1, 3).maxCoeff();
-      // The neighbourhood without the line itself.
-      const double deviation = std::max(
-          (around(b) * (2.0 * half + 1.0) - energy.segment(b - 2, 5).sum()) / (2.0 * half - 4.0),
-          0.05 * around(b));
-      const double p =
-          -std::expm1(tests * std::log1p(-std::min(std::exp(-peak / deviation), 0.999999)));
+      const Index wide = std::max(kWide, static_cast<Index>(kGrowth * static_cast<double>(b)));
+      const Surroundings far = around_line(energy, b, wide);
+      // Where the noise rises towards slow frequencies the nearest bins say more than all.
+      const Surroundings near = around_line(energy, b, kNearest);
+      const double single = std::max(chance_of_line(peak, far), chance_of_line(peak, near));
+      const double p = -std::expm1(tests * std::log1p(-std::min(single, 0.999999)));
       if (p >= best.p_value) continue;
-      in_line = energy.segment(b - 1, 3).sum() - 3.0 * deviation;
+      in_line = energy.segment(b - 1, 3).sum() - 3.0 * std::max(far.mean, near.mean);
       best = {static_cast<double>(b) * s.rate_hz / static_cast<double>(s.samples), p,
               in_line / energy.sum(), 0.0};
     }

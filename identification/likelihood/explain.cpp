@@ -7,7 +7,7 @@
 namespace sinew::diagnosis {
 
 bool is_explained_by_likelihood(const Problem& problem, const Settings& settings) {
-  return settings.by_likelihood && !problem.shared_noise;
+  return settings.by_likelihood && problem.noise_groups.empty();
 }
 
 Explanation explain(const Problem& problem, const Settings& settings,

@@ -210,7 +210,7 @@ std::vector<NamedCause> measured_causes(const Measured& m, const std::vector<Nam
 Explanation explain_by_likelihood(const Problem& problem, const Settings& settings,
                                   const ExperimentPlanner& planner) {
   Design design(problem, settings);
-  if (!problem.shared_noise) design.set_units(left_over(design, baseline_model(design)));
+  design.set_units(left_over(design, baseline_model(design)));
   const Model baseline = fitted_baseline(design);
   const auto found = find_slots(design, settings, baseline);
   const std::vector<NamedCause> of_slot = name_slots(*found);

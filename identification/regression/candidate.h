@@ -152,9 +152,10 @@ struct Problem {
   std::vector<Candidate> baseline;
   std::vector<Candidate> library;
   int channels = 1;
-  /// The targets are made of the same measured forces, noise and all: their errors are counted
-  /// together, in the targets' unit, and not each channel's by itself.
-  bool shared_noise = false;
+  /// Of each channel the group whose targets are made of the same measured forces, noise and all:
+  /// their errors are counted together, in the targets' unit, and not each channel's by itself.
+  /// Empty: each channel is a group of its own.
+  std::vector<int> noise_groups;
   /// Channels measure different things (a force, an angle): each counts by its own size.
   bool unlike_channels = false;
   std::vector<ParameterDeviation>
@@ -163,6 +164,9 @@ struct Problem {
   /// empty.
   std::vector<double> quantum;
 };
+
+/// The channels whose errors are counted together with that one's.
+std::vector<int> noise_group(const Problem& problem, int channel);
 
 /// Signal with the model's effort of the logged motion, where the recording is as it was logged: of
 /// one that was thinned the filtered effort is no effort of its motion.

@@ -108,9 +108,10 @@ BlockLosses no_losses(const Design& design, int blocks) {
 
 VectorXd channels_of(const Design& design, const Term& term) {
   const Problem& problem = design.problem();
-  VectorXd channels = VectorXd::Constant(problem.channels, problem.shared_noise ? 1.0 : 0.0);
+  VectorXd channels = VectorXd::Zero(problem.channels);
   for (std::size_t s = 0; s < design.segments().size(); ++s)
-    if (term.columns[s].cols() > 0) channels(design.segments()[s].channel) = 1.0;
+    if (term.columns[s].cols() > 0)
+      for (const int c : noise_group(problem, design.segments()[s].channel)) channels(c) = 1.0;
   return channels;
 }
 

@@ -68,6 +68,23 @@ Recording thin(const Recording& log, const DecimatingFilter& filter) {
 
 }  // namespace
 
+std::vector<int> noise_group(const Problem& problem, int channel) {
+  if (problem.noise_groups.empty()) return {channel};
+  const int own = problem.noise_groups[static_cast<std::size_t>(channel)];
+  std::vector<int> group;
+  for (int c = 0; c < problem.channels; ++c)
+    if (problem.noise_groups[static_cast<std::size_t>(c)] == own) group.push_back(c);
+  return group;
+}
+
+void Design::set_units(const VectorXd& units) {
+  units_ = units;
+  for (int c = 0; c < problem_.channels; ++c) {
+    const std::vector<int> group = noise_group(problem_, c);
+    units_(c) = std::sqrt(units(group).squaredNorm() / static_cast<double>(group.size()));
+  }
+}
+
 Design::Design(const Problem& problem, const Settings& settings)
     : problem_(problem), settings_(settings), units_(VectorXd::Ones(problem.channels)) {
   add_segments(problem.training, 0, false);

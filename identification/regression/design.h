@@ -73,7 +73,8 @@ class Design {
   /// What errors of a channel are counted in, so that those of a heavy joint and of a light one,
   /// or of a force and a torque, can be added: 1 in the target's unit, or what was set.
   double unit(int channel) const { return units_(channel); }
-  void set_units(const Eigen::VectorXd& units) { units_ = units; }
+  /// Of each channel one; channels of one noise group get their root mean square.
+  void set_units(const Eigen::VectorXd& units);
 
   /// A signal of the recording at the decimated instants, unfiltered, for plots and splines.
   Eigen::VectorXd at_instants(int segment, const Eigen::VectorXd& raw) const;

@@ -60,8 +60,10 @@ bool noise_of_position(const std::vector<const Recording*>& logs, Index joint) {
   double found = 0.0, expected = 0.0;
   for (const Recording* log : logs) {
     expected += noise_of_acceleration(log->step) *
-                (log->signals.at("logged_q").col(joint) - log->q.col(joint)).squaredNorm();
-    found += (log->qdd.col(joint) - log->signals.at("smooth_qdd").col(joint)).squaredNorm();
+                (log->signals.at("logged_q").col(joint) - log->signals.at("read_q").col(joint))
+                    .squaredNorm();
+    found += (log->signals.at("read_qdd").col(joint) - log->signals.at("smooth_qdd").col(joint))
+                 .squaredNorm();
   }
   return expected > 0.0 && found < 4.0 * expected;
 }

@@ -16,8 +16,9 @@ double slow_cutoff(double step);
 double smooth_cutoff(double step);
 
 /// True where all that is left of a joint's acceleration above the smooth motion is what the
-/// position's noise at still higher frequencies makes of itself there. The recordings need qdd and
-/// the signals "logged_q" and "smooth_qdd".
+/// position's noise at still higher frequencies makes of itself there. The recordings need the
+/// signals "logged_q", "read_q" and "read_qdd" (the same, differentiated up to the motion's cutoff)
+/// and "smooth_qdd".
 bool noise_of_position(const std::vector<const Recording*>& logs, Eigen::Index joint);
 
 /// Share of the fourth derivative of a joint's position (signal "jounce") that is the position's

@@ -104,17 +104,6 @@ std::vector<Standstill> find_standstills(const VectorXd& time,
   return too_many(rest) ? std::vector<Standstill>{} : stretches(rest, time);
 }
 
-std::vector<Standstill> overlapping(const std::vector<Standstill>& stretches,
-                                    const std::vector<Standstill>& others) {
-  std::vector<Standstill> kept;
-  for (const Standstill& own : stretches)
-    if (std::any_of(others.begin(), others.end(), [&](const Standstill& other) {
-          return other.from <= own.to && own.from <= other.to;
-        }))
-      kept.push_back(own);
-  return kept;
-}
-
 VectorXd motion_window(const std::vector<Standstill>& stretches, const VectorXd& time) {
   VectorXd window = VectorXd::Ones(time.size());
   for (Index k = 0; k < time.size(); ++k)

@@ -19,10 +19,6 @@ std::vector<Standstill> find_standstills(const Eigen::VectorXd& time,
                                          const std::vector<Eigen::VectorXd>& velocities,
                                          double cutoff);
 
-/// Those of the stretches that overlap one of the others.
-std::vector<Standstill> overlapping(const std::vector<Standstill>& stretches,
-                                    const std::vector<Standstill>& others);
-
 /// 1 in motion, 0 at standstill, with smooth flanks between, at the times [s].
 Eigen::VectorXd motion_window(const std::vector<Standstill>& stretches,
                               const Eigen::VectorXd& time);

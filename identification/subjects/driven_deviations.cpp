@@ -118,20 +118,24 @@ void DrivenSubject::add_mechanism_deviations() {
     std::iota(all.begin(), all.end(), 0);
     add_delay_deviation(common_delay_candidate(), {"delay", 0, {}, {}, true}, all);
   }
-  if (is_lone_link()) add_payload_deviations();
+  if (is_lone_link()) add_carried_deviations();
   for (std::size_t i = 0; i < library_.size(); ++i) {
     const CandidateOrigin origin = library_[i];
     const Candidate candidate = problem_.library[i];
     const bool has_moments = candidate.linear.size() > kMassAndFirstMoments;
     if (origin.effect == "payload" || (origin.effect == "inertial_parameters" && has_moments))
       add_deviation(candidate, origin, kMassAndFirstMoments);
+    else if (origin.effect == "inertial_parameters" && candidate.linear.size() == 1)
+      add_deviation(candidate, origin);
     else if (origin.effect == "gravity" || !origin.tendon.empty())
       add_deviation(candidate, origin);
   }
 }
 
-/// The free payloads of a lone joint.
-void DrivenSubject::add_payload_deviations() {
+/// The free payloads of a lone joint, and its link's own mass.
+void DrivenSubject::add_carried_deviations() {
+  for (const auto& [candidate, effect] : rigid_->candidates())
+    if (effect == "inertial_parameters") add_deviation(candidate, {effect, 0, {}, {}});
   for (std::size_t t = 0; t < baseline_.size(); ++t) {
     if (baseline_[t].effect != "payload") continue;
     const Candidate& c = problem_.baseline[t];

@@ -34,15 +34,12 @@ void DrivenSubject::add_mechanism_candidates() {
   };
   if (model_.joints.size() > 1) take(common_delay_candidate(), {"delay", 0, {}, {}, true});
   if (rigid_)
-    for (Candidate& c : rigid_->candidates()) {
-      const std::string effect = c.place == "base" ? "gravity"
-                                 : c.unlikely      ? "inertial_parameters"
-                                                   : "payload";
-      if (effect == "payload" && is_lone_link()) {
-        add_free_payload(std::move(c));
-        continue;
-      }
-      take(std::move(c), {effect, 0, {}, {}});
+    for (auto& [candidate, effect] : rigid_->candidates()) {
+      if (effect == "payload" && is_lone_link())
+        add_free_payload(std::move(candidate));
+      // What a lone joint carries is free in the baseline: there it is a deviation alone.
+      else if (effect != "inertial_parameters" || !is_lone_link())
+        take(std::move(candidate), {effect, 0, {}, {}});
     }
   if (tendons_)
     for (TendonColumns::AtTendon& each : tendons_->candidates())

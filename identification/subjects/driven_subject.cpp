@@ -5,10 +5,12 @@
 
 #include <algorithm>
 #include <numbers>
+#include <numeric>
 
 #include "identification/diagnosis/select.h"
 #include "identification/logs/dequantise.h"
 #include "identification/regression/baseline.h"
+#include "identification/regression/expected_motion.h"
 #include "identification/regression/position_noise.h"
 #include "identification/regression/refine.h"
 #include "identification/regression/standstill.h"
@@ -42,6 +44,28 @@ DrivenModel without_open_friction(DrivenModel model) {
 
 }  // namespace
 
+namespace {
+
+/// Joints that one tendon passes feel one sensor's noise, and so do those that are joined by several;
+/// a motor's torque has a noise of its own, beside which that of the force is small.
+std::vector<int> joined_by_tendons(const DrivenModel& model) {
+  std::vector<int> group(model.joints.size());
+  std::iota(group.begin(), group.end(), 0);
+  const std::vector<GiNaC::ex>& arms = model.tendons.motion.outputs.front().values;
+  const auto n = static_cast<std::size_t>(model.tendons.coordinates());
+  for (std::size_t t = 0; t < model.tendons.names.size(); ++t) {
+    int first = -1;
+    for (std::size_t j = 0; j < n; ++j) {
+      if (arms[t * n + j].is_zero()) continue;
+      if (first < 0) first = group[j];
+      std::replace(group.begin(), group.end(), int{group[j]}, first);
+    }
+  }
+  return group;
+}
+
+}  // namespace
+
 DrivenSubject::DrivenSubject(DrivenModel model, Identified identified,
                              std::filesystem::path runtime,
                              std::shared_ptr<const RigidColumns> rigid)
@@ -58,7 +82,7 @@ DrivenSubject::DrivenSubject(DrivenModel model, Identified identified,
   quantum_.resize(bristle_.size(), 0.0);
   rounded_again_.resize(bristle_.size(), false);
   problem_.channels = static_cast<int>(bristle_.size());
-  problem_.shared_noise = tendons_ != nullptr;
+  if (tendons_) problem_.noise_groups = joined_by_tendons(model_);
 }
 
 EffortModel DrivenSubject::effort_with(const Identified& identified) const {
@@ -139,35 +163,27 @@ void DrivenSubject::add_log(const Log& log, const DrivenColumns& columns, bool h
 
 /// Positions as logged, and what follows from them.
 void DrivenSubject::add_motion(const MatrixXd& positions, Recording& log) const {
-  Motion motion = differentiate(positions, log.step, motion_cutoff(log.step));
+  const double cutoff = motion_cutoff(log.step);
+  Motion motion =
+      differentiate(expected_position(positions, log.step, 2.0 * cutoff), log.step, cutoff);
   log.q = std::move(motion.q);
   log.qd = std::move(motion.qd);
   log.qdd = std::move(motion.qdd);
   log.signals["logged_q"] = positions;
+  Motion read = differentiate(positions, log.step, cutoff);
+  log.signals["read_q"] = std::move(read.q);
+  log.signals["read_qdd"] = std::move(read.qdd);
   add_smooth_motion(log);
   add_derivatives(log);
   add_sensor_errors(log);
 }
 
-/// A joint turns round while its tendons go on: what is lost in their guides is then as well known
-/// as ever. It is not where one of its tendons rests with it.
+/// At rest a joint's friction is anything up to its level, whatever its tendons do.
 void DrivenSubject::add_standstills(Recording& log) const {
   const double cutoff = motion_cutoff(log.step);
-  for (Index c = 0; c < log.q.cols(); ++c) {
+  for (Index c = 0; c < log.q.cols(); ++c)
     log.standstills.push_back(
         find_standstills(log.time, {log.qd.col(c), log.signals["smooth_qd"].col(c)}, cutoff));
-    if (!tendon_driven(static_cast<std::size_t>(c))) continue;
-    std::vector<Standstill> of_tendons;
-    const MatrixXd& rates = log.signals.at("tendon_rate");
-    const MatrixXd& arms = log.signals.at("moment_arm");
-    const Index n = arms.cols() / rates.cols();
-    for (Index t = 0; t < rates.cols(); ++t) {
-      if (arms.col(t * n + c).isZero(0.0)) continue;
-      const auto own = find_standstills(log.time, {rates.col(t)}, cutoff);
-      of_tendons.insert(of_tendons.end(), own.begin(), own.end());
-    }
-    log.standstills.back() = overlapping(log.standstills.back(), of_tendons);
-  }
 }
 
 /// What the model says.

@@ -110,7 +110,7 @@ class DrivenSubject {
   void add_library(std::size_t joint);
   void add_free_payload(Candidate payload);
   void add_mechanism_candidates();
-  void add_payload_deviations();
+  void add_carried_deviations();
   void add_mechanism_deviations();
   /// The candidate's first columns (all: -1) as changes of the model's own values.
   void add_deviation(const Candidate& candidate, CandidateOrigin origin, int columns = -1);

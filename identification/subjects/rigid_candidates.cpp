@@ -20,7 +20,8 @@ using Eigen::VectorXd;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double strongest_gravity = 10.0;  // m/s²
 constexpr std::size_t most_payloads = 5;    // a hand's fingers
-constexpr std::size_t most_links = 8;       // of an arm, whose own masses are asked about
+constexpr std::size_t most_links = 8;       // whose own masses are asked about
+constexpr double lightest_link = 0.1;       // of its model's mass, where its shape is as drawn
 
 LinearParameter parameter(const std::string& name, const std::string& unit, double low) {
   LinearParameter p;
@@ -34,6 +35,7 @@ LinearParameter parameter(const std::string& name, const std::string& unit, doub
 template <class Group>
 void describe(const std::string& effect, Group& group) {
   const ModelEffect& e = *find_model_effect(effect);
+  group.effect = effect;
   group.name = e.name;
   group.experiment = e.experiment;
   group.limit = e.limit;
@@ -86,8 +88,11 @@ RigidColumns::RigidColumns(const Mechanism& mechanism, const std::filesystem::pa
   std::size_t payloads = 0;
   for (const MovingBody& m : moving)
     if (m.leaf && payloads++ < most_payloads) add_payload(mechanism, m.body);
-  if (mechanism.tendons.empty() && coordinates_ > 1 && moving.size() <= most_links)
+  const bool arm = mechanism.tendons.empty() && coordinates_ > 1;
+  if (arm && moving.size() <= most_links)
     for (const MovingBody& m : moving) add_inertial(mechanism, m.body, m.leaf);
+  if (!arm && moving.size() <= most_links)
+    for (const MovingBody& m : moving) add_density(mechanism, m.body, m.leaf);
   add_gravity(mechanism);
 }
 
@@ -158,6 +163,30 @@ void RigidColumns::add_inertial(const Mechanism& mechanism, std::size_t body, bo
   groups_.push_back(std::move(group));
 }
 
+/// A link of another mass and the drawing's shape: of another material, or with parts that the
+/// drawing left out all over it. All ten parameters go with the mass. What the last one has more is a
+/// payload.
+void RigidColumns::add_density(const Mechanism& mechanism, std::size_t body, bool leaf) {
+  const Body& link = mechanism.bodies[body];
+  if (!(link.mass > 0.0)) return;
+  Group group;
+  group.place = "link " + link.name;
+  group.signal = "mass of " + link.name;
+  describe("inertial_parameters", group);
+  const auto b = static_cast<Index>(body);
+  VectorXd mass = VectorXd::Zero(bodies_);
+  MatrixXd com = MatrixXd::Zero(bodies_, 3), inertia = MatrixXd::Zero(bodies_, 6);
+  const Eigen::Matrix3d I = link.inertia / link.mass;
+  mass(b) = 1.0;
+  com.row(b) = link.centre_of_mass.transpose();
+  inertia.row(b) << I(0, 0), I(1, 1), I(2, 2), I(0, 1), I(0, 2), I(1, 2);
+  group.columns.push_back({parameters(mass, com, inertia, mechanism.gravity), {}, 1.0});
+  group.parameters.push_back(parameter("mass", "kg", (lightest_link - 1.0) * link.mass));
+  group.parameters.back().high = leaf ? 0.0 : std::max(link.mass, moving_mass(mechanism));
+  if (leaf) group.limit = "it would carry something";
+  groups_.push_back(std::move(group));
+}
+
 /// The mechanism's own, under some gravity.
 VectorXd RigidColumns::nominal(const Vector3d& gravity) const {
   VectorXd mass(bodies_);
@@ -182,14 +211,11 @@ void RigidColumns::add_gravity(const Mechanism& mechanism) {
   group.place = "base";
   const VectorXd none = nominal(Vector3d::Zero());
   const char* axes[] = {"x", "y", "z"};
-  // Its size is known where it is there at all: a base that leans moves it sideways.
-  Index along = -1;
-  if (!absent) mechanism.gravity.cwiseAbs().maxCoeff(&along);
   for (int k = 0; k < 3; ++k) {
-    if (k == along) continue;
+    const double now = mechanism.gravity(k);
     group.parameters.push_back(
-        parameter(std::string("gravity_change_") + axes[k], "m/s^2", -strongest_gravity));
-    group.parameters.back().high = strongest_gravity;
+        parameter(std::string("gravity_change_") + axes[k], "m/s^2", -strongest_gravity - now));
+    group.parameters.back().high = strongest_gravity - now;
     group.columns.push_back({nominal(Vector3d::Unit(k)), none, 1.0});
   }
   groups_.push_back(std::move(group));
@@ -305,8 +331,8 @@ void RigidColumns::add_signals(Recording& log) const {
   for (std::size_t g = 0; g < all.size(); ++g) log.signals[groups_[g].signal] = std::move(all[g]);
 }
 
-std::vector<Candidate> RigidColumns::candidates() const {
-  std::vector<Candidate> list;
+std::vector<RigidColumns::OfMechanism> RigidColumns::candidates() const {
+  std::vector<OfMechanism> list;
   for (const Group& group : groups_) {
     Candidate c;
     c.name = group.name;
@@ -322,7 +348,7 @@ std::vector<Candidate> RigidColumns::candidates() const {
       if (channel >= n) return MatrixXd(log.q.rows(), 0);  // a motor
       return log.signals.at(signal).middleCols(channel * wide, wide);
     };
-    list.push_back(c);
+    list.push_back({c, group.effect});
     if (!group.is_link) continue;
     // The same cause without moments of its own, which rotors at the joints take the place of.
     c.linear.resize(kMassAndFirstMoments);
@@ -330,7 +356,7 @@ std::vector<Candidate> RigidColumns::candidates() const {
       MatrixXd x = all(log, channel, shape);
       return x.cols() == 0 ? x : MatrixXd(x.leftCols(kMassAndFirstMoments));
     };
-    list.push_back(std::move(c));
+    list.push_back({std::move(c), group.effect});
   }
   return list;
 }

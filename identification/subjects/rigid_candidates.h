@@ -51,8 +51,13 @@ class RigidColumns {
   std::vector<std::string> moving_links() const;
   std::vector<std::string> last_links() const;
 
+  /// A candidate and the model effect (model_effects.h) that it stands for.
+  struct OfMechanism {
+    Candidate candidate;
+    std::string effect;
+  };
   /// Candidates that act on all channels; they read what add_signals left in the recording.
-  std::vector<Candidate> candidates() const;
+  std::vector<OfMechanism> candidates() const;
 
  private:
   struct Column {
@@ -61,7 +66,7 @@ class RigidColumns {
     double scale = 1.0;
   };
   struct Group {
-    std::string signal, name, place, experiment, limit;
+    std::string effect, signal, name, place, experiment, limit;
     std::vector<LinearParameter> parameters;
     std::vector<Column> columns;
     bool unlikely = false;
@@ -75,6 +80,7 @@ class RigidColumns {
   std::size_t body_of(const std::string& link) const;
   void add_payload(const Mechanism& mechanism, std::size_t body);
   void add_inertial(const Mechanism& mechanism, std::size_t body, bool leaf);
+  void add_density(const Mechanism& mechanism, std::size_t body, bool leaf);
   Eigen::MatrixXd columns_of(const Group& group, const Recording& log) const;
   void add_gravity(const Mechanism& mechanism);
 

@@ -102,10 +102,16 @@ Candidate TendonColumns::candidate(const Effect& effect, Index tendon) const {
   c.channels.clear();
   const Index n = coordinates_;
   const double motor_arm = effect.felt_by_motor ? motor_radius_.value_or(0.0) : 0.0;
-  c.columns = [regressor = Regressor(effect), tendon, n, motor_arm, motor_side = effect.motor_side](
-                  const Recording& log, int channel, const VectorXd& shape) -> MatrixXd {
+  c.columns = [regressor = Regressor(effect), tendon, n, motor_arm, motor_side = effect.motor_side,
+               changes_arm = effect.changes_arm](const Recording& log, int channel,
+                                                 const VectorXd& shape) -> MatrixXd {
     const VectorXd arm = arm_at(log, tendon, n, channel, motor_arm);
     if (arm.isZero(0.0)) return MatrixXd(log.q.rows(), 0);
+    if (changes_arm) {
+      Recording r = at_tendon(log, tendon, motor_side);
+      r.q = log.q.col(channel);
+      return effect_columns(regressor, r, 0, shape);
+    }
     const MatrixXd lost = effect_columns(regressor, at_tendon(log, tendon, motor_side), 0, shape);
     return lost.array().colwise() * arm.array();
   };

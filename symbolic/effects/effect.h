@@ -105,6 +105,9 @@ struct Effect {
   bool motor_side = false;  ///< at a tendon: it moves there as its motor does
   /// At a tendon: its force is not as measured, so that its motor carries something else, too.
   bool felt_by_motor = false;
+  /// At a tendon: its term is the force times a change of the moment arm [m], at every joint that
+  /// the tendon passes; position is the joint's angle.
+  bool changes_arm = false;
   bool baseline_only = false;  ///< how the model's own friction turns: fitted, never named
   /// The links behind the joint's gear move otherwise than its sensor says. Other joints that carry
   /// them feel that, in the ratio of their column of the mass matrix.

@@ -36,8 +36,11 @@ Effect link_backlash();
 // At a tendon:
 Effect guiding_friction();
 Effect motor_side_guiding();
+Effect guiding_presliding();
 Effect force_sensor_scale();
 Effect force_sensor_offset();
+Effect tendon_radius();
+Effect routing_offset();
 // How the model's own friction turns:
 Effect presliding();
 Effect soft_reversal();

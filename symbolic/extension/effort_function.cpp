@@ -212,10 +212,13 @@ class EffortWriter {
     const ex rate = list_.define("tendon_rate", find_effect(each.effect).motor_side
                                                     ? rate_at_motor(each, tendon)
                                                     : tendon_rates_[tendon]);
-    return {{s.position, list_.define("bending", bending_[tendon])},
-            {s.velocity, rate},
-            {s.load, tension_.symbols[tendon]},
-            {s.direction, soft_sign(rate, model_.tendons.slip_speed)}};
+    GiNaC::exmap map{{s.position, list_.define("bending", bending_[tendon])},
+                     {s.velocity, rate},
+                     {s.load, tension_.symbols[tendon]},
+                     {s.step, step_.symbols[0]},
+                     {s.direction, soft_sign(rate, model_.tendons.slip_speed)}};
+    take_form(find_effect(each.effect), each.shape, map);
+    return map;
   }
 
   /// The effect's term, at its joint or with the moment arms of its tendon.
@@ -228,12 +231,27 @@ class EffortWriter {
       if (find_effect(each.effect).links_react) react(joint, effort, tau);
       return;
     }
-    const ex lost =
-        sum_of_columns(find_effect(each.effect), each, tendon_replacements(each, *tendon));
+    const Effect& effect = find_effect(each.effect);
     const auto n = static_cast<std::size_t>(model_.tendons.coordinates());
+    if (effect.changes_arm) {
+      add_arms(each, *tendon, tau);
+      return;
+    }
+    const ex lost = sum_of_columns(effect, each, tendon_replacements(each, *tendon));
     for (std::size_t j = 0; j < n; ++j) tau[j] += moment_arms_[*tendon * n + j] * lost;
-    if (find_effect(each.effect).felt_by_motor && model_.tendons.motor)
+    if (effect.felt_by_motor && model_.tendons.motor)
       tau[n + *tendon] += exact_number(model_.tendons.motor->pulley_radius) * lost;
+  }
+
+  /// Where the tendon passes a joint its moment arm changes with that joint's angle.
+  void add_arms(const IdentifiedEffect& each, std::size_t tendon, std::vector<ex>& tau) {
+    const auto n = static_cast<std::size_t>(model_.tendons.coordinates());
+    GiNaC::exmap map = tendon_replacements(each, tendon);
+    for (std::size_t j = 0; j < n; ++j) {
+      if (moment_arms_[tendon * n + j].is_zero()) continue;
+      map[effect_signals().position] = q_at_[j];
+      tau[j] += sum_of_columns(find_effect(each.effect), each, map);
+    }
   }
 
   ex soft_sign(const ex& velocity, double speed) {
@@ -271,6 +289,13 @@ class EffortWriter {
                      {s.step, step_.symbols[0]}};
     if (joint < directions_.size()) map[s.direction] = directions_[joint];
     if (acts_by_links(effect)) add_link_signals(joint, map);
+    take_form(effect, shape, map);
+    return map;
+  }
+
+  /// Values of the shapes, and the states, which are updated.
+  void take_form(const Effect& effect, const std::vector<IdentifiedValue>& shape,
+                 GiNaC::exmap& map) {
     for (std::size_t k = 0; k < effect.shapes.size(); ++k)
       map[effect.shapes[k].symbol] = exact_number(shape.at(k).value);
     const std::size_t first = next_.size();
@@ -278,7 +303,6 @@ class EffortWriter {
       map[effect.states[k].symbol] = states_.symbols[first + k];
     for (const EffectState& state : effect.states)
       next_.push_back(list_.define("next_state", state.next.subs(map)));
-    return map;
   }
 
   static bool acts_by_links(const Effect& effect) {

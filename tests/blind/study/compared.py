@@ -67,10 +67,6 @@ def standstills(velocities, step, cutoff):
     return []
 
 
-def overlapping(own, others):
-    return [s for s in own if any(o[0] <= s[1] and s[0] <= o[1] for o in others)]
-
-
 def weights(still, instants, step):
     """1 in motion, 0 at standstill, flanks of a cosine between."""
     result = []

@@ -141,20 +141,7 @@ class Played:
         return torques_of(self.arms, self.forces) + numbered(self.log, "tau")
 
     def standstills(self, cutoff):
-        found = []
-        for j, v in enumerate(self.v):
-            own = compared.standstills([v, self.slow[1][j]], self.step, cutoff)
-            if self.forces and j < len(self.joints):
-                # A joint on tendons rests where one of them rests with it.
-                of_tendons = []
-                for arms in self.arms:
-                    if any(arms[j]):
-                        rate = [sum(x) for x in zip(*([a * w for a, w in zip(arms[i], self.v[i])]
-                                                      for i in range(len(self.joints))))]
-                        of_tendons += compared.standstills([rate], self.step, cutoff)
-                own = compared.overlapping(own, of_tendons)
-            found.append(own)
-        return found
+        return [compared.standstills([v, self.slow[1][j]], self.step, cutoff) for j, v in enumerate(self.v)]
 
     def residuals(self, c, bands, counted):
         """A list a channel. bands: Hz; counted: share of the samples that count, 1 where rests do, too."""

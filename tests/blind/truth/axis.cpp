@@ -44,12 +44,12 @@ double Axis::sliding(double speed) const {
 
 void Axis::turn(double v, double step) {
   const double side = v < 0.0 ? -1.0 : 1.0, way = std::abs(v) * step / bristle_.way;
-  last_z_ = z_;
+  memory_.last_z = memory_.z;
   if (bristle_.law == 1) {
-    const double grip = side * z_ > 0.0 ? z_ * z_ : 0.0;
-    z_ = std::clamp(z_ + side * way * (1.0 - grip) / (1.0 + way), -1.0, 1.0);
+    const double grip = side * memory_.z > 0.0 ? memory_.z * memory_.z : 0.0;
+    memory_.z = std::clamp(memory_.z + side * way * (1.0 - grip) / (1.0 + way), -1.0, 1.0);
   } else {
-    z_ = side + (z_ - side) * std::exp(-way);
+    memory_.z = side + (memory_.z - side) * std::exp(-way);
   }
 }
 
@@ -60,22 +60,29 @@ double Axis::slope(double v, double step) const {
       model_.turning > 0.0 ? model_.level * 2.0 / pi / (model_.turning * (1.0 + s * s)) : 0.0;
   const double g = std::max(sliding(std::abs(v)), 0.0);
   return model_.viscous + over_speed +
-         g * std::max(0.0, 1.0 - side * z_) * step / bristle_.way * std::exp(-way);
+         g * std::max(0.0, 1.0 - side * memory_.z) * step / bristle_.way * std::exp(-way);
 }
 
 double Axis::resist(const Instant& now, double step) {
   turn(now.v, step);
-  double z = z_;
+  double z = memory_.z;
   // LuGre's bristles are damped: friction is a little ahead of their deflection.
-  if (bristle_.law == 2) z = std::clamp(z_ + 0.3 * (z_ - last_z_), -1.0, 1.0);
+  if (bristle_.law == 2) z = std::clamp(memory_.z + 0.3 * (memory_.z - memory_.last_z), -1.0, 1.0);
   double effort = sliding(std::abs(now.v)) * z + model_.viscous * now.v;
-  if (last_v_ * now.v < 0.0) {
-    if (std::abs(now.q - turned_at_) > 0.3 * model_.range) latched_ = last_v_ > 0.0 ? 1.0 : -1.0;
-    turned_at_ = now.q;
+  if (memory_.last_v * now.v < 0.0) {
+    if (std::abs(now.q - memory_.turned_at) > 0.3 * model_.range) memory_.latched = memory_.last_v > 0.0 ? 1.0 : -1.0;
+    memory_.turned_at = now.q;
   }
-  last_v_ = now.v;
-  fastest_ = std::max(std::abs(now.v), fastest_ * std::exp(-step / 4.0));
+  memory_.last_v = now.v;
+  memory_.fastest = std::max(std::abs(now.v), memory_.fastest * std::exp(-step / 4.0));
   for (const Hidden& h : hidden_) effort += of(h, now, step);
+  return effort;
+}
+
+double Axis::would_resist(const Instant& now, double step) {
+  const Memory before = memory_;
+  const double effort = resist(now, step);
+  memory_ = before;
   return effort;
 }
 
@@ -97,27 +104,27 @@ double Axis::of(const Hidden& h, const Instant& now, double) {
 /// Everything that friction's direction turns.
 double Axis::friction_of(const Hidden& h, const Instant& now) const {
   const double speed = std::abs(now.v), v = model_.top_speed;
-  if (h.cause == "coulomb_level") return h.dose * z_ * (sliding(speed) / model_.level);
-  if (h.cause == "coulomb_asymmetry") return h.dose * std::abs(z_) * sliding(speed) / model_.level;
-  if (h.cause == "load_friction") return h.dose * std::abs(now.load) * z_;
-  if (h.cause == "position_friction") return h.dose * z_ * now.q / model_.range;
+  if (h.cause == "coulomb_level") return h.dose * memory_.z * (sliding(speed) / model_.level);
+  if (h.cause == "coulomb_asymmetry") return h.dose * std::abs(memory_.z) * sliding(speed) / model_.level;
+  if (h.cause == "load_friction") return h.dose * std::abs(now.load) * memory_.z;
+  if (h.cause == "position_friction") return h.dose * memory_.z * now.q / model_.range;
   if (h.cause == "stribeck") {
     const double s = speed / (h.width * v);
-    return h.dose * z_ *
+    return h.dose * memory_.z *
            (h.law == 0   ? std::exp(-s * s)
             : h.law == 1 ? std::exp(-s)
                          : 1.0 / (1.0 + s * s));
   }
   if (h.cause == "concave_friction") {
     const double s = speed / v, bend = h.width;
-    return h.dose * z_ *
+    return h.dose * memory_.z *
            (h.law == 0   ? std::sqrt(s)
             : h.law == 1 ? std::tanh(s / bend)
                          : s / (s + bend));
   }
   // friction_drift
   const double t = now.time / h.width;
-  return h.dose * z_ * (h.law == 0 ? 1.0 - std::exp(-t) : t / (1.0 + t));
+  return h.dose * memory_.z * (h.law == 0 ? 1.0 - std::exp(-t) : t / (1.0 + t));
 }
 
 /// Everything that the position makes.
@@ -137,8 +144,8 @@ double Axis::place_of(const Hidden& h, const Instant& now) const {
 double Axis::outside_of(const Hidden& h, const Instant& now) {
   const double s = std::sin(h.phase) * 0.4;
   if (h.cause == "speed_memory")
-    return h.dose * z_ * (1.0 - std::exp(-fastest_ / (0.4 * model_.top_speed)));
-  if (h.cause == "latch") return h.dose * latched_;
+    return h.dose * memory_.z * (1.0 - std::exp(-memory_.fastest / (0.4 * model_.top_speed)));
+  if (h.cause == "latch") return h.dose * memory_.latched;
   if (h.cause == "other_stage") {
     // An order that no tooth count gives, swinging with a second one.
     const double x = 2.0 * pi * now.q / model_.motor_turn;
@@ -146,7 +153,7 @@ double Axis::outside_of(const Hidden& h, const Instant& now) {
   }
   if (h.cause == "tight_under_load") {
     const double x = now.q / model_.range - s;
-    return h.dose * z_ * std::abs(now.load) * std::exp(-8.0 * x * x);
+    return h.dose * memory_.z * std::abs(now.load) * std::exp(-8.0 * x * x);
   }
   if (h.cause == "filling") return h.dose * now.a * std::min(1.0, now.time / 10.0);
   if (h.cause == "contact") {

@@ -32,6 +32,8 @@ class Axis {
 
   /// Effort against the motion, inertia apart: to be called for one step after the other.
   double resist(const Instant& now, double step);
+  /// The same, and nothing has happened.
+  double would_resist(const Instant& now, double step);
   /// Derivative of the last effort by the speed, for steps that take friction implicitly.
   double slope(double v, double step) const;
   const AxisModel& model() const { return model_; }
@@ -47,8 +49,10 @@ class Axis {
   AxisModel model_;
   Bristle bristle_;
   std::vector<Hidden> hidden_;
-  double z_ = 0.0, last_z_ = 0.0;
-  double fastest_ = 0.0, latched_ = 0.0, turned_at_ = 0.0, last_v_ = 0.0;
+  struct Memory {
+    double z = 0.0, last_z = 0.0;
+    double fastest = 0.0, latched = 0.0, turned_at = 0.0, last_v = 0.0;
+  } memory_;
 };
 
 /// Whether this cause acts on the axis as an effort.

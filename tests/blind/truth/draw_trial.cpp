@@ -67,9 +67,11 @@ class Sizer {
     const auto bands = plant_.bands(without, measured);
     std::vector<Channel> channels;
     for (std::size_t c = 0; c < a.size(); ++c) {
-      const VectorXd added = a[c] - b[c], noise = noisy[c] - b[c];
-      channels.push_back({added, noise, moving[c], fitted[c], bands[c]});
+      VectorXd added = a[c] - b[c];
+      const VectorXd noise = noisy[c] - b[c];
       if (!added.allFinite()) return {};
+      if (!plant_.shows(hidden, c)) added.setZero();
+      channels.push_back({std::move(added), noise, moving[c], fitted[c], bands[c]});
     }
     return size_of(channels, without.step);
   }
@@ -152,6 +154,8 @@ const Offer& pick(const std::vector<const Offer*>& from, Draw& draw) {
 Course TrialPlant::played(const std::vector<Hidden>&, const MatrixXd&, const VectorXd&) const {
   throw std::invalid_argument("this plant plays no planned motion");
 }
+
+bool TrialPlant::shows(const Hidden&, std::size_t) const { return true; }
 
 std::unique_ptr<TrialPlant> draw_plant(const TrialRequest& request, Draw draw,
                                        const Pairing* pairing) {

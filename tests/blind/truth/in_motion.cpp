@@ -86,16 +86,6 @@ Rests rests_of(const VectorXd& fast, const VectorXd& slow, double step, double c
   return too_many(rest) ? Rests{} : stretches(rest);
 }
 
-Rests overlapping(const Rests& own, const Rests& others) {
-  Rests kept;
-  for (const auto& [from, to] : own)
-    if (std::any_of(others.begin(), others.end(), [from = from, to = to](const auto& other) {
-          return other.first <= to && from <= other.second;
-        }))
-      kept.emplace_back(from, to);
-  return kept;
-}
-
 VectorXd weight_of(const Rests& rests, Index rows, double step) {
   VectorXd weight = VectorXd::Ones(rows);
   const auto reach = static_cast<Index>(std::ceil(flank / step));

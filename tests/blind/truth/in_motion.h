@@ -17,9 +17,6 @@ using Rests = std::vector<std::pair<Index, Index>>;
 /// behind a slower one, or empty. None where next to nothing would be left of the log.
 Rests rests_of(const VectorXd& fast, const VectorXd& slow, double step, double cutoff);
 
-/// Those that overlap one of the others.
-Rests overlapping(const Rests& own, const Rests& others);
-
 /// 1 in motion, 0 at rest, flanks of 20 ms between.
 VectorXd weight_of(const Rests& rests, Index rows, double step);
 

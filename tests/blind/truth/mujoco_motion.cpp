@@ -97,9 +97,20 @@ class InMujoco : public Integrator {
   }
   VectorXd q() const override { return VectorXd::Map(data_->qpos, model_->nv); }
   VectorXd v() const override { return VectorXd::Map(data_->qvel, model_->nv); }
-  void advance(const VectorXd& effort, const VectorXd& slope) override {
-    VectorXd::Map(model_->dof_damping, slope.size()) = slope;
-    VectorXd::Map(data_->qfrc_applied, effort.size()) = effort + slope.cwiseProduct(v());
+  VectorXd speed_after(const VectorXd& effort) override {
+    VectorXd::Map(data_->qfrc_applied, effort.size()) = effort;
+    mj_forward(model_.get(), data_.get());
+    return v() + model_->opt.timestep * VectorXd::Map(data_->qacc, model_->nv);
+  }
+  /// Of the masses where mj_forward was last.
+  MatrixXd mobility() override {
+    const Index n = model_->nv;
+    MatrixXd columns = MatrixXd::Identity(n, n);
+    mj_solveM(model_.get(), data_.get(), columns.data(), columns.data(), static_cast<int>(n));
+    return model_->opt.timestep * columns;
+  }
+  void advance(const VectorXd& effort) override {
+    VectorXd::Map(data_->qfrc_applied, effort.size()) = effort;
     mj_step(model_.get(), data_.get());
   }
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "tests/blind/truth/compared.h"
 #include "tests/blind/truth/in_motion.h"
@@ -17,11 +18,18 @@ namespace {
 
 using truth::Draw;
 
+/// Of the eighth order: a difference of neighbours alone would make a motor lighter the faster it
+/// moves, which is what a soft gear does.
 VectorXd slope_of(const VectorXd& x, double step) {
-  VectorXd d = VectorXd::Zero(x.size());
-  for (Index k = 1; k + 1 < x.size(); ++k) d(k) = (x(k + 1) - x(k - 1)) / (2.0 * step);
-  d(0) = d(1);
-  d(x.size() - 1) = d(x.size() - 2);
+  constexpr double share[] = {4.0 / 5.0, -1.0 / 5.0, 4.0 / 105.0, -1.0 / 280.0};
+  constexpr Index reach = 4;
+  const Index n = x.size();
+  VectorXd d(n);
+  for (Index k = 0; k < n; ++k) {
+    const Index at = std::clamp(k, reach, n - 1 - reach);
+    d(k) = 0.0;
+    for (Index i = 1; i <= reach; ++i) d(k) += share[i - 1] * (x(at + i) - x(at - i)) / step;
+  }
   return d;
 }
 
@@ -76,6 +84,7 @@ class TendonPlant : public TrialPlant {
   Log replay(const Course& course, const std::vector<Hidden>& hidden, int log) const override;
   void measure(Log& log, int number) const override;
   std::vector<VectorXd> left_over(const Log& log) const override;
+  bool shows(const Hidden& hidden, std::size_t channel) const override;
   std::vector<MatrixXd> fitted(const Log& log, unsigned which) const override;
   std::vector<VectorXd> moving(const Log& log) const override;
 
@@ -324,6 +333,21 @@ std::vector<VectorXd> TendonPlant::left_over(const Log& log) const {
   return left;
 }
 
+/// A joint's cause moves its tendons' motors otherwise, and their friction turns elsewhere: the model
+/// knows that as it knows all friction. A motor shows what is at itself and at its force cell.
+bool TendonPlant::shows(const Hidden& hidden, std::size_t channel) const {
+  const Index motor = static_cast<Index>(channel) - joints();
+  if (motor < 0) return true;
+  static const std::set<std::string> elsewhere{"guiding_friction", "tendon_radius",
+                                               "routing_offset",   "pulley_radius",
+                                               "coupling_ratio",   "link_mass",
+                                               "link_centre",      "link_products"};
+  if (elsewhere.contains(hidden.cause)) return false;
+  if (hidden.cause == "force_sensor_scale" || hidden.cause == "force_sensor_offset")
+    return hidden.at == motor;
+  return hidden.at == motor_axis(motor) || hidden.at == force_cell(motor);
+}
+
 std::vector<MatrixXd> TendonPlant::fitted(const Log& log, unsigned which) const {
   std::vector<MatrixXd> all;
   const Index n = joints(), m = s_.motors ? tendons() : 0;
@@ -336,24 +360,10 @@ std::vector<MatrixXd> TendonPlant::fitted(const Log& log, unsigned which) const 
   return all;
 }
 
-/// A joint on tendons rests where one of them rests with it.
 std::vector<VectorXd> TendonPlant::moving(const Log& log) const {
-  const Index n = joints(), m = s_.motors ? tendons() : 0, rows = log.columns.rows();
-  const double fast = documented_band(log.step), slow = std::min(18.0, fast);
-  const MatrixXd quick = smooth(log, 0, n).middleCols(n, n);
   std::vector<VectorXd> all;
-  for (Index j = 0; j < n; ++j) {
-    Rests of_tendons;
-    for (Index i = 0; i < tendons(); ++i) {
-      if (radii_(i, j) == 0.0) continue;
-      const Rests own = rests_of(quick * radii_.row(i).transpose(), {}, log.step, fast);
-      of_tendons.insert(of_tendons.end(), own.begin(), own.end());
-    }
-    const VectorXd calm = smoothed(log.columns.col(j), log.step, slow).v;
-    all.push_back(weight_of(overlapping(rests_of(quick.col(j), calm, log.step, fast), of_tendons),
-                            rows, log.step));
-  }
-  for (Index i = 0; i < m; ++i) all.push_back(in_motion(log.columns.col(n + i), log.step));
+  for (Index i = 0; i < joints() + (s_.motors ? tendons() : 0); ++i)
+    all.push_back(in_motion(log.columns.col(i), log.step));
   return all;
 }
 

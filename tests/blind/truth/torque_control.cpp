@@ -21,23 +21,54 @@ class OwnIntegrator : public Integrator {
   }
   VectorXd q() const override { return q_; }
   VectorXd v() const override { return v_; }
-  void advance(const VectorXd& effort, const VectorXd& slope) override {
+  VectorXd speed_after(const VectorXd& effort) override {
+    return v_ + step_ * inertia().ldlt().solve(effort - chain_.torque(q_, v_, VectorXd::Zero(q_.size())));
+  }
+  MatrixXd mobility() override {
     const Index n = q_.size();
-    const VectorXd zero = VectorXd::Zero(n), rest = chain_.torque(q_, zero, zero);
-    MatrixXd inertia(n, n);
-    for (Index j = 0; j < n; ++j)
-      inertia.col(j) = chain_.torque(q_, zero, VectorXd::Unit(n, j)) - rest;
-    for (Index j = 0; j < n; ++j)
-      inertia(j, j) += chain_.links[chain_.link_of(j)].armature + step_ * slope(j);
-    v_ += step_ * inertia.ldlt().solve(effort - chain_.torque(q_, v_, zero));
+    return step_ * inertia().ldlt().solve(MatrixXd::Identity(n, n));
+  }
+  void advance(const VectorXd& effort) override {
+    v_ = speed_after(effort);
     q_ += step_ * v_;
   }
 
  private:
+  MatrixXd inertia() const {
+    const Index n = q_.size();
+    const VectorXd zero = VectorXd::Zero(n), rest = chain_.torque(q_, zero, zero);
+    MatrixXd inertia(n, n);
+    for (Index j = 0; j < n; ++j) {
+      inertia.col(j) = chain_.torque(q_, zero, VectorXd::Unit(n, j)) - rest;
+      inertia(j, j) += chain_.links[chain_.link_of(j)].armature;
+    }
+    return inertia;
+  }
+
   Chain chain_;
   double step_;
   VectorXd q_, v_;
 };
+
+/// Speed v with v + mobility * resisting(v) = free, resisting not falling with v: friction stops an
+/// axis within a step, and does not throw it back.
+template <class Resisting>
+double stopped_speed(double free, double mobility, const Resisting& resisting) {
+  const auto off = [&](double v) { return v + mobility * resisting(v) - free; };
+  const double first = off(free);
+  if (first == 0.0) return free;
+  // Further and further towards where the effort pushes, until it is too far.
+  double width = std::abs(first), low = free, high = free;
+  for (int i = 0; i < 60; ++i, width *= 2.0) {
+    (first > 0.0 ? low : high) = first > 0.0 ? free - width : free + width;
+    if ((off(first > 0.0 ? low : high) > 0.0) != (first > 0.0)) break;
+  }
+  for (int i = 0; i < 60 && high - low > 1e-13 * (1.0 + std::abs(free)); ++i) {
+    const double middle = 0.5 * (low + high);
+    (off(middle) > 0.0 ? high : low) = middle;
+  }
+  return 0.5 * (low + high);
+}
 
 std::vector<Axis> axes_of(const Jointed& jointed, const std::vector<Hidden>& hidden) {
   std::vector<Axis> axes;
@@ -83,7 +114,7 @@ Course in_torque_control(const Jointed& jointed, const std::vector<Hidden>& hidd
   course.command.resize(course.rows(), n);
   std::vector<Axis> axes = axes_of(jointed, hidden);
   integrator.start(wanted.q.row(0), wanted.v.row(0));
-  VectorXd resisting = VectorXd::Zero(n), before = VectorXd::Zero(n), slope(n);
+  VectorXd resisting = VectorXd::Zero(n), before = VectorXd::Zero(n);
   for (Index k = 0; k < course.q.rows(); ++k) {
     const VectorXd q = integrator.q(), v = integrator.v();
     const VectorXd pursued = wanted.a.row(k).transpose() +
@@ -97,19 +128,34 @@ Course in_torque_control(const Jointed& jointed, const std::vector<Hidden>& hidd
       course.command.row(k / course.inner) =
           (k > 0 ? VectorXd(0.5 * (before + command)) : command).transpose();
     before = command;
-    for (Index j = 0; j < n; ++j)
-      slope(j) = axes[static_cast<std::size_t>(j)].slope(v(j), course.step);
     course.q.row(k) = q.transpose();
     course.v.row(k) = v.transpose();
-    integrator.advance((command - resisting).array() - known, slope);
-    const VectorXd next = integrator.q(), speed = integrator.v();
-    for (Index j = 0; j < n; ++j) {
-      course.a(k, j) = (speed(j) - v(j)) / course.step;
+    const VectorXd given = command.array() - known;
+    const VectorXd free = integrator.speed_after(given);
+    const MatrixXd mobility = integrator.mobility();
+    const auto end_of_step = [&](Index j, double speed) -> Instant {
       const double carried = jointed.carries ? asked(j) : 0.0;
-      resisting(j) = axes[static_cast<std::size_t>(j)].resist(
-          {course.step * static_cast<double>(k + 1), next(j), speed(j), course.a(k, j),
-           carried + known},
-          course.step);
+      return {course.step * static_cast<double>(k + 1), q(j) + course.step * speed, speed,
+              (speed - v(j)) / course.step, carried + known};
+    };
+    // Axis after axis, until none moves any more.
+    VectorXd speed = v;
+    for (int sweep = 0; sweep < 40; ++sweep) {
+      const VectorXd last = speed;
+      for (Index j = 0; j < n; ++j) {
+        Axis& axis = axes[static_cast<std::size_t>(j)];
+        const double others = mobility.row(j).dot(resisting) - mobility(j, j) * resisting(j);
+        const auto at = [&](double x) { return axis.would_resist(end_of_step(j, x), course.step); };
+        speed(j) = stopped_speed(free(j) - others, mobility(j, j), at);
+        resisting(j) = at(speed(j));
+      }
+      if ((speed - last).cwiseAbs().maxCoeff() < 1e-9 * (1.0 + last.cwiseAbs().maxCoeff())) break;
+    }
+    integrator.advance(given - resisting);
+    const VectorXd now = integrator.v();
+    for (Index j = 0; j < n; ++j) {
+      course.a(k, j) = (now(j) - v(j)) / course.step;
+      axes[static_cast<std::size_t>(j)].resist(end_of_step(j, now(j)), course.step);
     }
   }
   if (!course.q.allFinite()) throw std::runtime_error("the controlled motion is not finite");

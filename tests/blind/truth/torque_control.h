@@ -14,9 +14,11 @@ class Integrator {
   virtual void start(const VectorXd& q, const VectorXd& v) = 0;
   virtual VectorXd q() const = 0;
   virtual VectorXd v() const = 0;
-  /// `slope`: of the efforts' friction over speed [N*m*s/rad], which is steep near rest and taken
-  /// implicitly.
-  virtual void advance(const VectorXd& effort, const VectorXd& slope) = 0;
+  /// Speeds at the end of a step under these efforts.
+  virtual VectorXd speed_after(const VectorXd& effort) = 0;
+  /// By how much an effort at one axis moves the speeds of all within a step: axes x axes.
+  virtual MatrixXd mobility() = 0;
+  virtual void advance(const VectorXd& effort) = 0;
 };
 
 /// The chain's bodies as they really are, inertias that are hidden at the axes among them.

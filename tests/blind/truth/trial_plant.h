@@ -51,6 +51,8 @@ class TrialPlant {
   virtual void measure(Log& log, int number) const = 0;
   /// What the model under test leaves over, a channel that the program compares each.
   virtual std::vector<VectorXd> left_over(const Log& log) const = 0;
+  /// Whether a channel shows the cause itself, and not only another motion under it.
+  virtual bool shows(const Hidden& hidden, std::size_t channel) const;
   /// What the program fits in any case, of these kinds, a channel each.
   virtual std::vector<MatrixXd> fitted(const Log& log, unsigned which) const = 0;
   /// 1 in motion, 0 at rest, a channel each; and the band in which it is compared [Hz].

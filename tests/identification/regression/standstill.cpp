@@ -91,16 +91,6 @@ TEST_CASE("where a joint lingers behind its reversals it is not under way") {
   for (const Standstill& each : linger(0.02)) CHECK(each.to - each.from < 0.015);
 }
 
-TEST_CASE("of a joint's standstills those count in which a tendon rests with it") {
-  const std::vector<Standstill> joint{{0.0, 1.0}, {2.0, 2.5}, {4.0, 4.2}};
-  const std::vector<Standstill> tendons{{0.9, 1.4}, {3.0, 3.9}, {4.2, 5.0}};
-  const std::vector<Standstill> both = overlapping(joint, tendons);
-  REQUIRE(both.size() == 2);
-  CHECK(both[0].to == 1.0);
-  CHECK(both[1].from == 4.0);
-  CHECK(overlapping(joint, {}).empty());
-}
-
 TEST_CASE("a log of next to nothing but rest is left as it is") {
   const VectorXd v = strokes(6.0, 4);
   CHECK(find_standstills(times(v), {v}, kCutoff).empty());
