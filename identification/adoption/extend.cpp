@@ -73,9 +73,8 @@ bool fill_special(const std::vector<ParameterEstimate>& estimates, IdentifiedEff
 /// A link's mass told alone leaves the link its shape: the first moments go with it.
 void keep_centre(const Mechanism& mechanism, IdentifiedEffect& entry) {
   if (entry.effect != "inertial_parameters" || entry.coefficients.size() != 1) return;
-  const auto body =
-      std::find_if(mechanism.bodies.begin(), mechanism.bodies.end(),
-                   [&](const Body& b) { return "link " + b.name == entry.place; });
+  const auto body = std::find_if(mechanism.bodies.begin(), mechanism.bodies.end(),
+                                 [&](const Body& b) { return "link " + b.name == entry.place; });
   if (body == mechanism.bodies.end()) return;
   const IdentifiedValue mass = entry.coefficients.front();
   const char* axes[] = {"x", "y", "z"};

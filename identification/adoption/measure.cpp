@@ -8,6 +8,7 @@
 #include <set>
 
 #include "identification/adoption/measure_plots.h"
+#include "identification/regression/position_noise.h"
 #include "identification/subjects/effect_candidate.h"
 #include "symbolic/effects/effects.h"
 
@@ -79,7 +80,9 @@ std::vector<MeasuredChannel> measure(const DrivenSubject& subject, const Design&
     const int segment = static_cast<int>(i);
     if (!efforts.contains(s.recording)) {
       const Recording seen = with_slow_tension(log);
-      efforts[s.recording] = {subject.effort()(seen), after(seen)};
+      const Motion read = motion_as_read(log);
+      efforts[s.recording] = {subject.effort()(seen, read.q, read.qd, read.qdd),
+                              after(seen, read.q, read.qd, read.qdd)};
     }
     const auto& [said_before, said_after] = efforts[s.recording];
     MeasuredChannel m;

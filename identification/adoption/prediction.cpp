@@ -9,6 +9,7 @@
 #include <string>
 
 #include "identification/regression/cross_validation.h"
+#include "identification/regression/position_noise.h"
 #include "simulation/plant/driven_plant.h"
 #include "simulation/plant/integrate.h"
 
@@ -29,7 +30,11 @@ VectorXd row_of(const MatrixXd& values, Index sample) {
 class Predicted {
  public:
   Predicted(Plant& plant, const Recording& log)
-      : log_(log), time_(log.time.array() - log.started()), drives_(plant.drives()), plant_(plant) {
+      : log_(log),
+        motion_(motion_as_read(log)),
+        time_(log.time.array() - log.started()),
+        drives_(plant.drives()),
+        plant_(plant) {
     drives_.forget();
     plant_.set_past(drives_.past());
   }
@@ -40,13 +45,13 @@ class Predicted {
     for (; followed_ < sample; ++followed_) {
       DrivenInstant now{time_(followed_),
                         log_.step,
-                        row_of(log_.q, followed_),
-                        row_of(log_.qd, followed_),
+                        row_of(motion_.q, followed_),
+                        row_of(motion_.qd, followed_),
                         {},
                         row_of(log_.load, followed_),
                         {}};
       now.tension = tensions(followed_);
-      drives_.remember(now, row_of(log_.qdd, followed_));
+      drives_.remember(now, row_of(motion_.qdd, followed_));
     }
     plant_.set_past(drives_.past());
   }
@@ -55,13 +60,13 @@ class Predicted {
   /// later one.
   void run(Index from, Index steps, const std::function<void(Index, const VectorXd&)>& at) {
     VectorXd state = plant_.initial_state();
-    state.head(log_.q.cols()) = row_of(log_.q, from);
-    state.segment(state.size() / 2, log_.q.cols()) = row_of(log_.qd, from);
+    state.head(log_.q.cols()) = row_of(motion_.q, from);
+    state.segment(state.size() / 2, log_.q.cols()) = row_of(motion_.qd, from);
     Index sample = from;
     integrate_stretch(plant_, time_(from), state, steps, [&](double, const double* y) {
       ++sample;
       const Eigen::Map<const VectorXd> q(y, log_.q.cols());
-      at(sample, (q - row_of(log_.q, sample)).array().square().matrix());
+      at(sample, (q - row_of(motion_.q, sample)).array().square().matrix());
     });
   }
 
@@ -72,6 +77,7 @@ class Predicted {
   }
 
   const Recording& log_;
+  Motion motion_;
   VectorXd time_;  ///< s, since the log's start
   Drives drives_;
   Plant& plant_;

@@ -169,7 +169,8 @@ struct Surroundings {
 };
 
 Surroundings around_line(const VectorXd& energy, Index line, Index half) {
-  const Index low = std::max<Index>(0, line - half), high = std::min(energy.size(), line + half + 1);
+  const Index low = std::max<Index>(0, line - half),
+              high = std::min(energy.size(), line + half + 1);
   const double bins = static_cast<double>(high - low - 5);
   return {(energy.segment(low, high - low).sum() - energy.segment(line - 2, 5).sum()) / bins, bins};
 }

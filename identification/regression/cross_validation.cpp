@@ -137,8 +137,8 @@ BlockLosses cross_validate(const Design& design, const Model& model, const Weigh
     const auto b = static_cast<std::size_t>(stretch.block);
     const auto rows = x.middleRows(stretch.first, stretch.count);
     whitened[b](at, at) += rows.transpose() * rows;
-    plain[b].push_back(plain_errors(
-        design, stretch, raw, at, design.unit(design.segments()[stretch.segment].channel)));
+    plain[b].push_back(plain_errors(design, stretch, raw, at,
+                                    design.unit(design.segments()[stretch.segment].channel)));
     losses.samples(stretch.block) += static_cast<double>(stretch.count);
   }
   MatrixXd all = none;
@@ -208,8 +208,7 @@ BlockLosses held_out(const Design& design, const Model& model, const LinearFit& 
       active = active_columns(model, stretch.segment);
       last = stretch.segment;
     }
-    const double unit =
-        whitening ? 1.0 : design.unit(design.segments()[stretch.segment].channel);
+    const double unit = whitening ? 1.0 : design.unit(design.segments()[stretch.segment].channel);
     const PlainErrors part = plain_errors(design, stretch, x, active, unit);
     all(active, active) += part.gram;
     plain[static_cast<std::size_t>(stretch.block)].push_back(part);

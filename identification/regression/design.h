@@ -7,8 +7,8 @@
 #include <optional>
 #include <vector>
 
-#include "identification/regression/candidate.h"
 #include "identification/logs/filter.h"
+#include "identification/regression/candidate.h"
 
 namespace sinew::diagnosis {
 

@@ -68,8 +68,8 @@ MatrixXd expected_position(const MatrixXd& reading, double step, double quiet_fr
     const VectorXd flat = without_line(whole.head(even));
     const Index bins = even / 2;
     const VectorXd share = share_of_motion(reading.col(c), step, quiet_from_hz, bins);
-    const VectorXd noise = from_band(
-        per_row(VectorXd::Ones(bins) - share).asDiagonal() * to_band(flat, bins), even);
+    const VectorXd noise =
+        from_band(per_row(VectorXd::Ones(bins) - share).asDiagonal() * to_band(flat, bins), even);
     // A last sample that made the length odd stays as it was read.
     VectorXd off = VectorXd::Zero(n);
     const Index known = std::min(n, even - more);

@@ -13,9 +13,9 @@ namespace sinew::diagnosis {
 Eigen::VectorXd share_of_motion(const Eigen::VectorXd& reading, double step, double quiet_from_hz,
                                 Eigen::Index bins);
 
-/// The expected position of every axis given its readings (Wiener's filter, zero-phase; a regression
-/// on it is calibrated). Both samples x axes; at the ends the reading is continued by point
-/// reflection.
+/// The expected position of every axis given its readings (Wiener's filter, zero-phase; a
+/// regression on it is calibrated). Both samples x axes; at the ends the reading is continued by
+/// point reflection.
 Eigen::MatrixXd expected_position(const Eigen::MatrixXd& reading, double step,
                                   double quiet_from_hz);
 

@@ -186,7 +186,9 @@ std::vector<Candidate> flexible_families(const FlexibleRanges& r, int axis, int 
   const Values position = [axis](const Recording& log) { return VectorXd(log.q.col(axis)); };
   const Values velocity = [axis](const Recording& log) { return VectorXd(log.qd.col(axis)); };
   const Values load = [axis](const Recording& log) { return VectorXd(log.load.col(axis)); };
-  const Values time = [](const Recording& log) { return VectorXd(log.time.array() - log.started()); };
+  const Values time = [](const Recording& log) {
+    return VectorXd(log.time.array() - log.started());
+  };
   const double reach = r.high - r.low;
   const Values way = [axis, soft, reach](const Recording& log) {
     const VectorXd w = way_since_reversal(log.q.col(axis), log.qd.col(axis), soft);

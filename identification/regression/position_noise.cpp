@@ -68,6 +68,13 @@ bool noise_of_position(const std::vector<const Recording*>& logs, Index joint) {
   return expected > 0.0 && found < 4.0 * expected;
 }
 
+Motion motion_as_read(const Recording& log) {
+  const auto read = log.signals.find("read_q");
+  if (read == log.signals.end() || read->second.rows() != log.q.rows())
+    return {log.q, log.qd, log.qdd};
+  return {read->second, log.signals.at("read_qd"), log.signals.at("read_qdd")};
+}
+
 double noise_of_jounce(const std::vector<const Recording*>& logs, Index joint, double quantum) {
   double found = 0.0, expected = 0.0;
   for (const Recording* log : logs) {

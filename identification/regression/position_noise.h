@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "identification/logs/filter.h"
 #include "identification/regression/candidate.h"
 
 namespace sinew::diagnosis {
@@ -20,6 +21,10 @@ double smooth_cutoff(double step);
 /// signals "logged_q", "read_q" and "read_qdd" (the same, differentiated up to the motion's cutoff)
 /// and "smooth_qdd".
 bool noise_of_position(const std::vector<const Recording*>& logs, Eigen::Index joint);
+
+/// The motion as it was read (signals "read_q", "read_qd", "read_qdd"), where the recording has
+/// that beside the expected one: what firmware and simulation will see of the next log.
+Motion motion_as_read(const Recording& log);
 
 /// Share of the fourth derivative of a joint's position (signal "jounce") that is the position's
 /// noise: 1 where the motion itself has none. `quantum`: step of the sensor, rad or m; 0 where none

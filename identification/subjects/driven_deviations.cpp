@@ -132,10 +132,24 @@ void DrivenSubject::add_mechanism_deviations() {
   }
 }
 
+/// Where no weight shows, a link's mass is its inertia about the joint, and a rotor's is likelier.
+bool DrivenSubject::shows_weight(const Candidate& mass) const {
+  constexpr double kLeast = 0.01;  // of the column's energy beside the acceleration
+  double own = 0.0, across = 0.0, acceleration = 0.0;
+  for (const Recording& log : problem_.training) {
+    const VectorXd x = mass.columns(log, 0, VectorXd()), a = log.acceleration().col(0);
+    own += x.squaredNorm();
+    across += x.dot(a);
+    acceleration += a.squaredNorm();
+  }
+  return own * acceleration - across * across > kLeast * own * acceleration;
+}
+
 /// The free payloads of a lone joint, and its link's own mass.
 void DrivenSubject::add_carried_deviations() {
   for (const auto& [candidate, effect] : rigid_->candidates())
-    if (effect == "inertial_parameters") add_deviation(candidate, {effect, 0, {}, {}});
+    if (effect == "inertial_parameters" && shows_weight(candidate))
+      add_deviation(candidate, {effect, 0, {}, {}});
   for (std::size_t t = 0; t < baseline_.size(); ++t) {
     if (baseline_[t].effect != "payload") continue;
     const Candidate& c = problem_.baseline[t];

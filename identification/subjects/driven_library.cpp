@@ -35,8 +35,7 @@ void DrivenSubject::add_mechanism_candidates() {
   if (model_.joints.size() > 1) take(common_delay_candidate(), {"delay", 0, {}, {}, true});
   if (rigid_)
     for (auto& [candidate, effect] : rigid_->candidates()) {
-      if (effect == "payload" && is_lone_link())
-        add_free_payload(std::move(candidate));
+      if (effect == "payload" && is_lone_link()) add_free_payload(std::move(candidate));
       // What a lone joint carries is free in the baseline: there it is a deviation alone.
       else if (effect != "inertial_parameters" || !is_lone_link())
         take(std::move(candidate), {effect, 0, {}, {}});

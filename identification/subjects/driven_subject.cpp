@@ -46,8 +46,8 @@ DrivenModel without_open_friction(DrivenModel model) {
 
 namespace {
 
-/// Joints that one tendon passes feel one sensor's noise, and so do those that are joined by several;
-/// a motor's torque has a noise of its own, beside which that of the force is small.
+/// Joints that one tendon passes feel one sensor's noise, and so do those that are joined by
+/// several; a motor's torque has a noise of its own, beside which that of the force is small.
 std::vector<int> joined_by_tendons(const DrivenModel& model) {
   std::vector<int> group(model.joints.size());
   std::iota(group.begin(), group.end(), 0);
@@ -172,6 +172,7 @@ void DrivenSubject::add_motion(const MatrixXd& positions, Recording& log) const 
   log.signals["logged_q"] = positions;
   Motion read = differentiate(positions, log.step, cutoff);
   log.signals["read_q"] = std::move(read.q);
+  log.signals["read_qd"] = std::move(read.qd);
   log.signals["read_qdd"] = std::move(read.qdd);
   add_smooth_motion(log);
   add_derivatives(log);

@@ -111,6 +111,7 @@ class DrivenSubject {
   void add_free_payload(Candidate payload);
   void add_mechanism_candidates();
   void add_carried_deviations();
+  bool shows_weight(const Candidate& mass) const;
   void add_mechanism_deviations();
   /// The candidate's first columns (all: -1) as changes of the model's own values.
   void add_deviation(const Candidate& candidate, CandidateOrigin origin, int columns = -1);

@@ -164,8 +164,8 @@ void RigidColumns::add_inertial(const Mechanism& mechanism, std::size_t body, bo
 }
 
 /// A link of another mass and the drawing's shape: of another material, or with parts that the
-/// drawing left out all over it. All ten parameters go with the mass. What the last one has more is a
-/// payload.
+/// drawing left out all over it. All ten parameters go with the mass. What the last one has more is
+/// a payload.
 void RigidColumns::add_density(const Mechanism& mechanism, std::size_t body, bool leaf) {
   const Body& link = mechanism.bodies[body];
   if (!(link.mass > 0.0)) return;

@@ -4,8 +4,8 @@
 #include <numbers>
 
 #include "generator/assemble.h"
-#include "identification/subjects/effect_candidate.h"
 #include "identification/logs/filter.h"
+#include "identification/subjects/effect_candidate.h"
 #include "identification/subjects/model_candidates.h"
 #include "symbolic/effects/effects.h"
 #include "symbolic/effects/model_effects.h"

@@ -10,8 +10,8 @@
 
 #include "identification/regression/candidate.h"
 #include "simulation/emitted/compiled_model.h"
-#include "symbolic/extension/driven_model.h"
 #include "symbolic/effects/effect.h"
+#include "symbolic/extension/driven_model.h"
 
 namespace sinew::diagnosis {
 

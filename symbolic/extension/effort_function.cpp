@@ -6,13 +6,13 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "symbolic/effects/effects.h"
 #include "symbolic/expressions/argument.h"
 #include "symbolic/expressions/definition_list.h"
-#include "symbolic/extension/driven_model.h"
-#include "symbolic/effects/effects.h"
 #include "symbolic/expressions/exact_number.h"
-#include "symbolic/extension/identified_mechanism.h"
 #include "symbolic/expressions/inline_function.h"
+#include "symbolic/extension/driven_model.h"
+#include "symbolic/extension/identified_mechanism.h"
 
 namespace sinew {
 namespace {

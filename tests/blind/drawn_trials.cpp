@@ -61,6 +61,34 @@ TEST_CASE("the list of every plant's causes has what is offered") {
     }
 }
 
+TEST_CASE("a light joint sticks, and is not thrown to and fro by its friction") {
+  // Planted defect: friction of the step before, as it was: every third step turns round, and what
+  // is left of the friction is half of it.
+  const std::unique_ptr<TrialPlant> finger = plant_of("finger", 5028);
+  const Course course = finger->course({}, 0);
+  for (Index j = 0; j < course.v.cols(); ++j) {
+    int thrown = 0;
+    for (Index k = 1; k + 1 < course.v.rows(); ++k)
+      thrown +=
+          course.v(k - 1, j) * course.v(k, j) < 0.0 && course.v(k, j) * course.v(k + 1, j) < 0.0;
+    INFO("joint " << j << ": " << thrown << " of " << course.v.rows());
+    CHECK(thrown * 1000 < course.v.rows());
+  }
+}
+
+TEST_CASE("what a joint's cause makes its motors do is no size of it") {
+  // Planted defect: every channel counts, as it was: channel 9, a motor.
+  const sinew::reference::TemporaryFolder folder;
+  TrialRequest request;
+  request.plant = "finger";
+  request.cause = "payload";
+  request.seed = 5102;
+  const json seal = seal_of(request, folder.path() / "trial");
+  REQUIRE(seal.at("traits").at("motors") == "logged");
+  REQUIRE(seal.at("reachable"));
+  CHECK(seal.at("hidden").at(0).at("channel") < 4);
+}
+
 TEST_CASE("what a pair's log does not tell, the motion that is played does") {
   // Planted defect: on a drawn motion, without draw_drive's `pairing->course`, it is told apart
   // by the log: not reachable.

@@ -70,7 +70,8 @@ double Axis::resist(const Instant& now, double step) {
   if (bristle_.law == 2) z = std::clamp(memory_.z + 0.3 * (memory_.z - memory_.last_z), -1.0, 1.0);
   double effort = sliding(std::abs(now.v)) * z + model_.viscous * now.v;
   if (memory_.last_v * now.v < 0.0) {
-    if (std::abs(now.q - memory_.turned_at) > 0.3 * model_.range) memory_.latched = memory_.last_v > 0.0 ? 1.0 : -1.0;
+    if (std::abs(now.q - memory_.turned_at) > 0.3 * model_.range)
+      memory_.latched = memory_.last_v > 0.0 ? 1.0 : -1.0;
     memory_.turned_at = now.q;
   }
   memory_.last_v = now.v;
@@ -105,7 +106,8 @@ double Axis::of(const Hidden& h, const Instant& now, double) {
 double Axis::friction_of(const Hidden& h, const Instant& now) const {
   const double speed = std::abs(now.v), v = model_.top_speed;
   if (h.cause == "coulomb_level") return h.dose * memory_.z * (sliding(speed) / model_.level);
-  if (h.cause == "coulomb_asymmetry") return h.dose * std::abs(memory_.z) * sliding(speed) / model_.level;
+  if (h.cause == "coulomb_asymmetry")
+    return h.dose * std::abs(memory_.z) * sliding(speed) / model_.level;
   if (h.cause == "load_friction") return h.dose * std::abs(now.load) * memory_.z;
   if (h.cause == "position_friction") return h.dose * memory_.z * now.q / model_.range;
   if (h.cause == "stribeck") {

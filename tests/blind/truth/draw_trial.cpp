@@ -155,7 +155,9 @@ Course TrialPlant::played(const std::vector<Hidden>&, const MatrixXd&, const Vec
   throw std::invalid_argument("this plant plays no planned motion");
 }
 
-bool TrialPlant::shows(const Hidden&, std::size_t) const { return true; }
+bool TrialPlant::shows(const Hidden&, std::size_t) const {
+  return true;
+}
 
 std::unique_ptr<TrialPlant> draw_plant(const TrialRequest& request, Draw draw,
                                        const Pairing* pairing) {

@@ -333,15 +333,15 @@ std::vector<VectorXd> TendonPlant::left_over(const Log& log) const {
   return left;
 }
 
-/// A joint's cause moves its tendons' motors otherwise, and their friction turns elsewhere: the model
-/// knows that as it knows all friction. A motor shows what is at itself and at its force cell.
+/// A joint's cause moves its tendons' motors otherwise, and their friction turns elsewhere: the
+/// model knows that as it knows all friction. A motor shows what is at itself and at its force
+/// cell.
 bool TendonPlant::shows(const Hidden& hidden, std::size_t channel) const {
   const Index motor = static_cast<Index>(channel) - joints();
   if (motor < 0) return true;
-  static const std::set<std::string> elsewhere{"guiding_friction", "tendon_radius",
-                                               "routing_offset",   "pulley_radius",
-                                               "coupling_ratio",   "link_mass",
-                                               "link_centre",      "link_products"};
+  static const std::set<std::string> elsewhere{
+      "guiding_friction", "tendon_radius", "routing_offset", "pulley_radius",
+      "coupling_ratio",   "link_mass",     "link_centre",    "link_products"};
   if (elsewhere.contains(hidden.cause)) return false;
   if (hidden.cause == "force_sensor_scale" || hidden.cause == "force_sensor_offset")
     return hidden.at == motor;
@@ -399,7 +399,7 @@ void TendonPlant::list_offers() {
     // less.
     offer("force_sensor_scale", place, i, 1.0, "force_excess", -1.0);
     offer("force_sensor_offset", place, i, s_.pretension, "force_offset", -1.0);
-    offer("tendon_radius", place, i, 1.0);
+    offer("tendon_radius", place, i, 1.0, "radius_change");
     // Its force cell warms up, saturates, sags with its supply or has coarse steps.
     for (const char* cause : {"heat", "saturation", "supply_sag", "coarse_command"})
       offers_.push_back({cause, place, force_cell(i),

@@ -22,7 +22,8 @@ class OwnIntegrator : public Integrator {
   VectorXd q() const override { return q_; }
   VectorXd v() const override { return v_; }
   VectorXd speed_after(const VectorXd& effort) override {
-    return v_ + step_ * inertia().ldlt().solve(effort - chain_.torque(q_, v_, VectorXd::Zero(q_.size())));
+    return v_ + step_ * inertia().ldlt().solve(effort -
+                                               chain_.torque(q_, v_, VectorXd::Zero(q_.size())));
   }
   MatrixXd mobility() override {
     const Index n = q_.size();

@@ -89,7 +89,7 @@ TEST_CASE("a cause at a light joint is named beside a heavy one") {
   // The share is that of its own joint.
   CHECK(e.verdict.causes[0].cross_validated.share > 0.3);
   // Planted: all errors in N·m together. The heavy joint's noise leaves the light one no share.
-  problem.shared_noise = true;
+  problem.noise_groups = {0, 0};
   CHECK(explain(problem, test::below_20_hz()).verdict.causes.empty());
 }
 
