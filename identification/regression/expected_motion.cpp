@@ -40,24 +40,31 @@ VectorXd continued(const VectorXd& x, Index more) {
 
 }  // namespace
 
-VectorXd share_of_motion(const VectorXd& reading, double step, double quiet_from_hz, Index bins) {
+VectorXd share_of_motion(const VectorXd& reading, double step, const MotionBand& band, Index bins) {
   const Index n = reading.size() - reading.size() % 2, own = n / 2;
-  const auto quiet = static_cast<Index>(std::ceil(quiet_from_hz * step * static_cast<double>(n)));
-  if (n < kLeastSamples || quiet >= own - 8) return VectorXd::Ones(bins);
+  const auto bin_of = [&](double hz) {
+    return static_cast<Index>(std::ceil(hz * step * static_cast<double>(n)));
+  };
+  const Index certain = bin_of(band.certain_to), quiet = bin_of(band.quiet_from);
+  if (n < kLeastSamples || quiet >= own - 8 || certain >= quiet) return VectorXd::Ones(bins);
   const VectorXd x = windowed(without_line(reading.head(n)));
   const VectorXd energy = bin_energy(to_band(x, own));
   const double noise = energy.tail(own - quiet).mean();
   const VectorXd around = smooth_ratio(energy, VectorXd::Ones(own), 6, 0.08);
-  VectorXd share(bins);
-  for (Index b = 0; b < bins; ++b) {
-    const double at = static_cast<double>(b) * static_cast<double>(own) / static_cast<double>(bins);
-    const double all = around(std::min(own - 1, static_cast<Index>(at)));
-    share(b) = all > 0.0 ? std::clamp(1.0 - noise / all, 0.0, 1.0) : 1.0;
-  }
-  return share;
+  VectorXd share = VectorXd::Ones(own);
+  for (Index b = certain; b < own; ++b)
+    share(b) = around(b) > 0.0 ? std::clamp(1.0 - noise / around(b), 0.0, 1.0) : 1.0;
+  // A filter that falls once and stays low is a short one.
+  Index last = own - 1;
+  while (last > certain && (last >= quiet || share(last) < 0.5)) --last;
+  for (Index b = last; b-- > certain;) share(b) = std::max(share(b), share(b + 1));
+  for (Index b = last + 1; b < own; ++b) share(b) = std::min(share(b), share(b - 1));
+  VectorXd result(bins);
+  for (Index b = 0; b < bins; ++b) result(b) = share(std::min(own - 1, b * own / bins));
+  return result;
 }
 
-MatrixXd expected_position(const MatrixXd& reading, double step, double quiet_from_hz) {
+MatrixXd expected_position(const MatrixXd& reading, double step, const MotionBand& band) {
   const Index n = reading.rows();
   if (n < kLeastSamples) return reading;
   const Index more = std::min(n - 1, static_cast<Index>(std::lround(kContinued / step)));
@@ -67,7 +74,7 @@ MatrixXd expected_position(const MatrixXd& reading, double step, double quiet_fr
     const Index even = whole.size() - whole.size() % 2;
     const VectorXd flat = without_line(whole.head(even));
     const Index bins = even / 2;
-    const VectorXd share = share_of_motion(reading.col(c), step, quiet_from_hz, bins);
+    const VectorXd share = share_of_motion(reading.col(c), step, band, bins);
     const VectorXd noise =
         from_band(per_row(VectorXd::Ones(bins) - share).asDiagonal() * to_band(flat, bins), even);
     // A last sample that made the length odd stays as it was read.

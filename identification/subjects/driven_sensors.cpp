@@ -160,4 +160,15 @@ bool DrivenSubject::coarse_sensor(std::size_t joint) const {
   return *middle < 0.4 * quantum_[joint];
 }
 
+/// Most of what no motion explains of its reading is the rounding to its steps.
+bool DrivenSubject::reads_in_steps(const Recording& log, Index joint) const {
+  const double step = quantum_[static_cast<std::size_t>(joint)];
+  VectorXd error =
+      (log.signals.at("logged_q").col(joint) - log.signals.at("read_q").col(joint)).cwiseAbs();
+  if (step <= 0.0 || error.size() == 0) return false;
+  const auto middle = error.begin() + error.size() / 2;
+  std::nth_element(error.begin(), middle, error.end());
+  return *middle < 0.4 * step;
+}
+
 }  // namespace sinew::diagnosis

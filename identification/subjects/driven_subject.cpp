@@ -164,19 +164,34 @@ void DrivenSubject::add_log(const Log& log, const DrivenColumns& columns, bool h
 /// Positions as logged, and what follows from them.
 void DrivenSubject::add_motion(const MatrixXd& positions, Recording& log) const {
   const double cutoff = motion_cutoff(log.step);
-  Motion motion =
-      differentiate(expected_position(positions, log.step, 2.0 * cutoff), log.step, cutoff);
-  log.q = std::move(motion.q);
-  log.qd = std::move(motion.qd);
-  log.qdd = std::move(motion.qdd);
+  const Motion read = differentiate(positions, log.step, cutoff);
   log.signals["logged_q"] = positions;
-  Motion read = differentiate(positions, log.step, cutoff);
-  log.signals["read_q"] = std::move(read.q);
-  log.signals["read_qd"] = std::move(read.qd);
-  log.signals["read_qdd"] = std::move(read.qdd);
+  log.signals["read_q"] = log.q = read.q;
+  log.signals["read_qd"] = log.qd = read.qd;
+  log.signals["read_qdd"] = log.qdd = read.qdd;
   add_smooth_motion(log);
+  expect_motion(log);
   add_derivatives(log);
   add_sensor_errors(log);
+}
+
+/// The motion to be expected takes the place of what was read, where both are in a joint's reading
+/// above what is certainly motion. Where that is noise alone nothing is compared there; the errors
+/// of a sensor's steps are known as they are.
+void DrivenSubject::expect_motion(Recording& log) const {
+  const double cutoff = motion_cutoff(log.step);
+  const MotionBand band{smooth_cutoff(log.step), 2.0 * cutoff};
+  if (band.certain_to >= cutoff) return;
+  std::vector<Index> mixed;
+  for (Index c = 0; c < log.q.cols(); ++c)
+    if (!noise_of_position({&log}, c) && !reads_in_steps(log, c)) mixed.push_back(c);
+  if (mixed.empty()) return;
+  const MatrixXd expected =
+      expected_position(log.signals.at("logged_q")(Eigen::all, mixed), log.step, band);
+  const Motion motion = differentiate(expected, log.step, cutoff);
+  log.q(Eigen::all, mixed) = motion.q;
+  log.qd(Eigen::all, mixed) = motion.qd;
+  log.qdd(Eigen::all, mixed) = motion.qdd;
 }
 
 /// At rest a joint's friction is anything up to its level, whatever its tendons do.

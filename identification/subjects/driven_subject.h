@@ -132,6 +132,8 @@ class DrivenSubject {
   void add_delay_deviation(const Candidate& delay, CandidateOrigin origin,
                            std::vector<int> channels);
   void fit_directions(const Settings& settings);
+  void expect_motion(Recording& log) const;
+  bool reads_in_steps(const Recording& log, Eigen::Index joint) const;
   void add_smooth_motion(Recording& log) const;
   void add_derivatives(Recording& log) const;
   void add_sensor_errors(Recording& log) const;
