@@ -259,10 +259,10 @@ def written(everything, facts, limits):
         f"{len(everything)} trials of {facts['wanted']}; {took / 3600:.1f} hours of the program's time, "
         f"{drawing / 3600:.2f} of drawing, {judging / 3600:.2f} of judging what was adopted; command:\n",
         f"    {facts['command']}\n",
-        "## Goals\n", goals(lines), "## One cause\n", "![rates over the size of a cause](blind_rates.svg)\n", singles(lines),
+        "## Goals\n", goals(lines), "## One cause\n", f"![rates over the size of a cause]({facts.get('rates', 'blind_rates.svg')})\n", singles(lines),
         "## Nothing, several, outside the library, faults\n", families(lines),
         "## Pairs that a log cannot tell apart\n", pairs(lines),
-        "## Each cause\n", "![rates of each cause](blind_causes.svg)\n", too_few(lines), causes(lines), "## Outside the library\n", outside(lines),
+        "## Each cause\n", f"![rates of each cause]({facts.get('causes', 'blind_causes.svg')})\n", too_few(lines), causes(lines), "## Outside the library\n", outside(lines),
         "## Friction that the log resolves\n", presliding(lines), "## Confidence\n", confidence(lines),
         "## The same size in light and in heavy joints\n", inertias(everything),
         "## Several logs for training\n", several_logs(everything),

@@ -109,9 +109,11 @@ def main():
              "date": datetime.date.today().isoformat(), "wanted": len(everything),
              "command": " ".join(["scripts/study", *sys.argv[1:]])}
     out = pathlib.Path(chosen.out)
+    own = "blind_causes" if out.stem == "blind_rates" else out.stem + "_causes"
+    facts |= {"rates": out.with_suffix(".svg").name, "causes": own + ".svg"}
     out.write_text(page.written(lines, facts, limits), encoding="utf-8")
-    out.with_name("blind_rates.svg").write_text(page.picture(lines), encoding="utf-8")
-    out.with_name("blind_causes.svg").write_text(page.picture_of_causes(lines), encoding="utf-8")
+    out.with_name(facts["rates"]).write_text(page.picture(lines), encoding="utf-8")
+    out.with_name(facts["causes"]).write_text(page.picture_of_causes(lines), encoding="utf-8")
     print(f"{len(lines)} of {len(everything)} trials: {out}")
 
 
