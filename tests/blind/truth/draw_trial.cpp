@@ -55,7 +55,12 @@ class Sizer {
 
   /// What the cause adds on the training log: both runs replay one motion.
   Size of(const Hidden& hidden, unsigned which) const {
-    Course course = plant_.course({hidden}, 0);
+    Course course;
+    try {
+      course = plant_.course({hidden}, 0);
+    } catch (const std::runtime_error&) {
+      return {};  // a dose with which no controller holds the machine has no size
+    }
     course.command.resize(0, 0);
     const Log with = plant_.replay(course, {hidden}, 0), without = plant_.replay(course, {}, 0);
     Log measured = without;
