@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "symbolic/effects/bristle.h"
 #include "symbolic/effects/effects.h"
 #include "symbolic/expressions/piecewise.h"
 
@@ -8,11 +9,7 @@ Effect late_reversal() {
   Effect e("late_reversal", "bristles of friction at reversals");
   const EffectSignals& s = effect_signals();
   const GiNaC::ex length = e.shape("bristle_length", "{position}", Scale::reach, 1e-7, 3e-3, 3);
-  const GiNaC::symbol z("z");
-  const GiNaC::ex travel = s.velocity * s.step / length;
-  const GiNaC::ex left = GiNaC::exp(-magnitude(travel));
-  const GiNaC::ex now = choose(travel, 1 - (1 - z) * left, (1 + z) * left - 1);
-  e.states = {{z, 0.0, now}};
+  const GiNaC::ex now = add_bristle(length, e);
   // Friction of a known law over the velocity turns only after the bristles have.
   e.column("level", "{effort}", Sign::positive,
            magnitude(s.direction) * (now - choose(s.velocity, 1, -1)));

@@ -19,7 +19,7 @@ constexpr double kStep = 0.002, kCutoff = 50.0;
 constexpr MotionBand kBand{18.0, 2.0 * kCutoff};
 constexpr Index kRows = 5000;
 
-/// Motion of every frequency, the faster the less.
+/// Motion of all frequencies up to 90 Hz, the faster the less.
 VectorXd moved() {
   VectorXd q = VectorXd::Zero(kRows);
   for (int line = 1; line <= 180; ++line) {
