@@ -69,6 +69,7 @@ std::string word(const std::string& text) {
 struct Derived {
   std::filesystem::path folder, out;
   EmittedModel model;
+  FileSet files;
   std::vector<FunctionChange> changes;
   double seconds = 0;
   std::vector<std::string> remarks{}, warnings{};
@@ -91,12 +92,15 @@ Derived derive(const GenerateOptions& o, const std::filesystem::path& path, bool
   const ModelFolder folder = open_model_folder(path);
   const std::vector<std::string> warnings = plausibility_warnings(folder);
   refuse_if_strict(warnings, o.strict);
-  Derived derived{path, default_output(folder), emit(o, folder), {}, 0, folder.remarks, warnings};
+  Derived derived{path, default_output(folder), emit(o, folder), {}, {},
+                  0,    folder.remarks,         warnings};
+  derived.files = emit_files(derived.model);
   if (!o.out.empty())
     derived.out = alone ? std::filesystem::path(o.out) : o.out / derived.out.filename();
-  derived.wrapped = wrapped_files(o.wrappers, derived.model);
+  derived.wrapped = wrapped_files(o.wrappers, derived.model.name, derived.files);
   recover_interrupted(output_folder(derived.out).parent_path());
-  derived.changes = function_changes(derived.out, derived.model);
+  derived.changes =
+      function_changes(derived.out, derived.model, derived.files.at(derived.model.name + ".c"));
   derived.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return derived;
 }
@@ -187,7 +191,7 @@ void run_generate(const GenerateOptions& o) {
   const std::vector<Derived> run = derive_all(o);
   Outputs outputs;
   for (const Derived& d : run) {
-    add_emitted(outputs, d.out, emit_files(d.model));
+    add_emitted(outputs, d.out, d.files);
     for (const auto& [folder, files] : d.wrapped) outputs.into_folder(folder, files);
   }
   outputs.commit();
@@ -221,7 +225,7 @@ int run_check(const GenerateOptions& o) {
   nlohmann::ordered_json models = nlohmann::ordered_json::array();
   std::string differing;
   for (const Derived& d : run) {
-    std::string diff = difference(d.out, emit_files(d.model));
+    std::string diff = difference(d.out, d.files);
     for (const auto& [folder, files] : d.wrapped) diff += wrapper_difference(folder, files);
     if (!o.json) tell_remarks(d);
     if (!diff.empty()) differing += (differing.empty() ? "" : ", ") + d.out.string();

@@ -13,6 +13,7 @@
 #include "cli/models/change_summary.h"
 #include "cli/terminal/report_stream.h"
 #include "cli/terminal/terminal.h"
+#include "generator/emit_c.h"
 #include "generator/outputs/unfinished_run.h"
 
 namespace sinew {
@@ -50,7 +51,7 @@ std::string detail_of(const FunctionChange& change) {
 
 std::vector<ChangedFunction> changes_of(const fs::path& before, const EmittedModel& model) {
   std::vector<ChangedFunction> changes;
-  for (const FunctionChange& change : function_changes(before, model)) {
+  for (const FunctionChange& change : function_changes(before, model, emit_c(model))) {
     if (change.kind == FunctionChange::Kind::unchanged) continue;
     const char* word = change.kind == FunctionChange::Kind::added     ? "new"
                        : change.kind == FunctionChange::Kind::removed ? "removed"

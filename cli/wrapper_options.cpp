@@ -5,7 +5,6 @@
 #include "generator/outputs/unfinished_run.h"
 #include "generator/unified_diff.h"
 #include "generator/wrappers/wrapped_model.h"
-#include "generator/write.h"
 
 namespace sinew {
 namespace {
@@ -47,14 +46,14 @@ void add_wrapper_options(CLI::App& command, WrapperOptions& options) {
   command.add_option("--runtime", options.runtime, "Folder of the runtime's headers");
 }
 
-std::map<fs::path, FileSet> wrapped_files(const WrapperOptions& options,
-                                          const EmittedModel& model) {
+std::map<fs::path, FileSet> wrapped_files(const WrapperOptions& options, const std::string& model,
+                                          const FileSet& emitted) {
   std::map<fs::path, FileSet> all;
   if (!options.any()) return all;
-  const WrappedModel wrapped = wrapped_model(emit_files(model), runtime_headers(options.runtime));
+  const WrappedModel wrapped = wrapped_model(emitted, runtime_headers(options.runtime));
   for (const Wrapper& wrapper : wrappers())
     if (options.wanted.at(wrapper.name))
-      all[fs::path(options.folder) / model.name / wrapper.name] = wrapper.files(wrapped);
+      all[fs::path(options.folder) / model / wrapper.name] = wrapper.files(wrapped);
   return all;
 }
 

@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "generator/model.h"
 #include "generator/outputs/outputs.h"
 
 namespace sinew {
@@ -24,10 +23,11 @@ struct WrapperOptions {
 
 void add_wrapper_options(CLI::App& command, WrapperOptions& options);
 
-/// Folder -> its files: <folder>/<model>/<wrapper>, of each wrapper that is wanted. Throws
-/// std::runtime_error where the model cannot be wrapped so.
+/// Folder -> its files: <folder>/<model>/<wrapper>, of each wrapper that is wanted. `emitted`: the
+/// model's files (emit_files). Throws std::runtime_error where the model cannot be wrapped so.
 std::map<std::filesystem::path, FileSet> wrapped_files(const WrapperOptions& options,
-                                                       const EmittedModel& model);
+                                                       const std::string& model,
+                                                       const FileSet& emitted);
 
 /// Unified diff from what stands in `folder` to `files`; what else is there does not count.
 std::string wrapper_difference(const std::filesystem::path& folder, const FileSet& files);

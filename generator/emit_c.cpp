@@ -3,6 +3,11 @@
 
 #include <fmt/format.h>
 
+#include <atomic>
+#include <future>
+#include <thread>
+#include <vector>
+
 #include "generator/cost.h"
 #include "generator/loops/find_loops.h"
 #include "generator/runtime_calls.h"
@@ -93,6 +98,9 @@ std::string signature(const EmittedModel& model, const Graph& graph) {
   return fmt::format("void {}_{}({})", model.name, graph.name, arguments);
 }
 
+namespace {
+
+/// Definition of one function.
 std::string emit_function(const EmittedModel& model, const Graph& graph) {
   ArrayNames names = array_names(graph);
   if (model.target.optimise == Optimise::size) names.side_by_side = false;
@@ -106,9 +114,27 @@ std::string emit_function(const EmittedModel& model, const Graph& graph) {
   return wrap_lines(text + "}\n");
 }
 
+/// Of every function, side by side: each depends on its own graph alone.
+std::vector<std::string> emit_functions(const EmittedModel& model) {
+  std::vector<std::string> texts(model.functions.size());
+  std::atomic<std::size_t> next = 0;
+  const auto work = [&] {
+    for (std::size_t i = next++; i < texts.size(); i = next++)
+      texts[i] = emit_function(model, model.functions[i]);
+  };
+  std::vector<std::future<void>> workers;
+  for (unsigned k = 1; k < std::thread::hardware_concurrency(); ++k)
+    workers.push_back(std::async(std::launch::async, work));
+  work();
+  for (std::future<void>& worker : workers) worker.get();
+  return texts;
+}
+
+}  // namespace
+
 std::string emit_c(const EmittedModel& model) {
   std::string functions;
-  for (const Graph& graph : model.functions) functions += "\n" + emit_function(model, graph);
+  for (const std::string& text : emit_functions(model)) functions += "\n" + text;
   return wrap_lines(
       file_comment(model, model.description) + fmt::format("#include \"{}.h\"\n\n", model.name) +
       runtime_includes(model.target) + shared_definitions(model, functions) + functions);

@@ -14,9 +14,6 @@ std::string runtime_includes(const Target& target);
 /// Text of <model>.c: every function of the model, straight-line, one value a statement.
 std::string emit_c(const EmittedModel& model);
 
-/// Definition of one function.
-std::string emit_function(const EmittedModel& model, const Graph& graph);
-
 /// "void index_bias(const double q[SINEW_AT_LEAST(4)], ..., double h[SINEW_AT_LEAST(4)])".
 std::string signature(const EmittedModel& model, const Graph& graph);
 

@@ -10,7 +10,6 @@
 #include <nlohmann/json.hpp>
 
 #include "generator/cost.h"
-#include "generator/emit_c.h"
 #include "generator/reference.h"
 
 namespace sinew {
@@ -47,6 +46,13 @@ struct Before {
     }
   }
 };
+
+/// Of a function in emitted C, "" where it has none.
+std::string definition_of(const std::string& function, const std::string& code) {
+  const std::size_t start = code.find("\nvoid " + function + "("),
+                    end = start == std::string::npos ? start : code.find("\n}\n", start);
+  return end == std::string::npos ? "" : code.substr(start, end - start);
+}
 
 ValueChange difference_of(const double* now, const Values& before) {
   ValueChange change;
@@ -158,7 +164,8 @@ nlohmann::ordered_json value_json(const ValueChange& change) {
 
 }  // namespace
 
-std::vector<FunctionChange> function_changes(const fs::path& folder, const EmittedModel& model) {
+std::vector<FunctionChange> function_changes(const fs::path& folder, const EmittedModel& model,
+                                             const std::string& code) {
   const Before before(folder, model);
   std::vector<FunctionChange> changes;
   std::map<std::string, std::optional<int>> gone = before.operations;
@@ -172,7 +179,7 @@ std::vector<FunctionChange> function_changes(const fs::path& folder, const Emitt
     } else {
       change.operations_before = known->second;
       gone.erase(change.name);
-      if (before.code.find(emit_function(model, graph)) == std::string::npos) {
+      if (definition_of(change.name, code) != definition_of(change.name, before.code)) {
         change.kind = Kind::changed;
         change.results = result_changes(change.name, before.values, graph, model.target);
       }

@@ -34,9 +34,9 @@ struct FunctionChange {
 };
 
 /// Every function of the model and those that are gone, in the order of the model. `folder` holds
-/// what was emitted before; where it is missing every function is added.
+/// what was emitted before; where it is missing every function is added. `code`: emit_c(model).
 std::vector<FunctionChange> function_changes(const std::filesystem::path& folder,
-                                             const EmittedModel& model);
+                                             const EmittedModel& model, const std::string& code);
 
 /// For people: the functions that changed, a line each, and how many did not.
 std::string summary_text(const std::vector<FunctionChange>& changes);

@@ -71,6 +71,7 @@ class Finder {
         for (Value v : leaf.reads()) read_.insert(v);
     forms_ = forms_of(graph_, kept_);
     candidates_.clear();
+    known_.clear();
     for (const Forms& keys : {exact_forms_of(graph_, kept_), forms_}) {
       keys_ = keys;
       for (std::size_t port = 0; port < graph_.outputs.size(); ++port)
@@ -109,7 +110,25 @@ class Finder {
     return builder;
   }
 
-  std::optional<LoopCandidate> candidate(const std::vector<LoopRoot>& roots) const {
+  /// What has one exact form has one form, too, and would be built twice.
+  std::optional<LoopCandidate> candidate(const std::vector<LoopRoot>& roots) {
+    const auto [known, is_new] = known_.try_emplace(key_of(roots));
+    if (is_new) known->second = built_candidate(roots);
+    return known->second;
+  }
+
+  static std::vector<int> key_of(const std::vector<LoopRoot>& roots) {
+    std::vector<int> key;
+    for (const LoopRoot& root : roots) {
+      key.insert(key.end(), {root.port, root.first, static_cast<int>(root.column.size()),
+                             static_cast<int>(root.elements.size())});
+      key.insert(key.end(), root.column.begin(), root.column.end());
+      key.insert(key.end(), root.elements.begin(), root.elements.end());
+    }
+    return key;
+  }
+
+  std::optional<LoopCandidate> built_candidate(const std::vector<LoopRoot>& roots) const {
     const std::optional<LoopBuilder> builder = built(roots);
     if (!builder || builder->loop.count < fewest_passes) return std::nullopt;
     LoopCandidate found{roots, builder->loop.count, operation_count(builder->loop.body),
@@ -182,7 +201,7 @@ class Finder {
 
   /// Any of a period's places may come first; that one is taken which leaves the smallest body.
   template <class Roots>
-  std::optional<LoopCandidate> smallest_of(const Repetition& run, const Roots& roots) const {
+  std::optional<LoopCandidate> smallest_of(const Repetition& run, const Roots& roots) {
     std::optional<LoopCandidate> best;
     for (int phase = 0; phase < run.period; ++phase) {
       const int count = phase == 0 ? run.count : (run.count * run.period - phase) / run.period;
@@ -192,21 +211,14 @@ class Finder {
     return best;
   }
 
-  bool depends(Value v, Value on, std::set<Value>& seen) const {
-    if (v <= on || !seen.insert(v).second) return v == on;
-    for (int i = 0; i < arity(graph_[v].op); ++i)
-      if (depends(graph_[v].operand(i), on, seen)) return true;
-    return false;
-  }
-
   /// A term computed from the sum so far, as an iteration's correction is, has the form it has
   /// where that sum is a leaf.
   std::uint64_t form_of_step(const Sum& sum, std::size_t i) const {
     const Value term = sum.terms[i], before = sum.partial[i - 1];
-    std::set<Value> seen;
-    return depends(term, before, seen)
-               ? forms_given(graph_, forms_, before)[static_cast<std::size_t>(term)]
-               : form(term) * 2 + (graph_[sum.partial[i]].op == Op::subtract);
+    FormsGiven forms(forms_);
+    forms.give(graph_, before, term);
+    return forms.needs_a_leaf(term) ? forms[static_cast<std::size_t>(term)]
+                                    : form(term) * 2 + (graph_[sum.partial[i]].op == Op::subtract);
   }
 
   /// Steps of a sum that repeat.
@@ -270,7 +282,7 @@ class Finder {
       }
   }
 
-  std::optional<LoopCandidate> joined(const LoopCandidate& a, const LoopCandidate& b) const {
+  std::optional<LoopCandidate> joined(const LoopCandidate& a, const LoopCandidate& b) {
     if (a.count != b.count) return std::nullopt;
     std::vector<LoopRoot> roots = a.roots;
     for (const LoopRoot& root : b.roots)
@@ -411,6 +423,7 @@ class Finder {
   Forms forms_;
   Forms keys_;  ///< what is looked for among: forms, or exact forms
   std::vector<LoopCandidate> candidates_;
+  std::map<std::vector<int>, std::optional<LoopCandidate>> known_;  ///< by their roots
 };
 
 }  // namespace

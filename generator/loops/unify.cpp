@@ -50,18 +50,32 @@ Value scaled_operand(const Graph& graph, const Node& node) {
   return graph.is_constant(node.a) ? node.b : node.a;
 }
 
-std::uint64_t form_of(const Graph& graph, const Node& node, const Forms& forms) {
+/// The forms of an operation's operands, 0 where it has fewer.
+template <class FormsOf>
+std::array<std::uint64_t, 3> operand_forms(const Node& node, const FormsOf& forms) {
+  std::array<std::uint64_t, 3> operands{};
+  for (int i = 0; i < arity(node.op); ++i)
+    operands[static_cast<std::size_t>(i)] = forms[static_cast<std::size_t>(node.operand(i))];
+  return operands;
+}
+
+std::uint64_t mixed_with(std::uint64_t h, const Node& node,
+                         const std::array<std::uint64_t, 3>& operands) {
+  if (node.op == Op::power) h = mixed(h, static_cast<std::uint64_t>(node.index));
+  for (int i = 0; i < arity(node.op); ++i) h = mixed(h, operands[static_cast<std::size_t>(i)]);
+  return h;
+}
+
+/// `forms[v]`: of the operands.
+template <class FormsOf>
+std::uint64_t form_of(const Graph& graph, const Node& node, const FormsOf& forms) {
   if (const Value scaled = scaled_operand(graph, node); scaled != no_value)
     return forms[static_cast<std::size_t>(scaled)];
-  std::vector<std::uint64_t> operands;
-  for (int i = 0; i < arity(node.op); ++i)
-    operands.push_back(forms[static_cast<std::size_t>(node.operand(i))]);
-  if (is_commutative(node.op) || is_addition(node)) std::sort(operands.begin(), operands.end());
+  std::array<std::uint64_t, 3> operands = operand_forms(node, forms);
+  if (is_commutative(node.op) || is_addition(node))
+    std::sort(operands.begin(), operands.begin() + arity(node.op));
   const Op op = is_addition(node) ? Op::add : node.op;
-  std::uint64_t h = mixed(1, static_cast<std::uint64_t>(op) + 1);
-  if (node.op == Op::power) h = mixed(h, static_cast<std::uint64_t>(node.index));
-  for (std::uint64_t operand : operands) h = mixed(h, operand);
-  return h;
+  return mixed_with(mixed(1, static_cast<std::uint64_t>(op) + 1), node, operands);
 }
 
 }  // namespace
@@ -75,14 +89,9 @@ Forms exact_forms_of(const Graph& graph, const KeptValues& kept) {
       continue;
     }
     const Node& node = graph[v];
-    std::vector<std::uint64_t> operands;
-    for (int i = 0; i < arity(node.op); ++i)
-      operands.push_back(forms[static_cast<std::size_t>(node.operand(i))]);
-    if (is_commutative(node.op)) std::sort(operands.begin(), operands.end());
-    std::uint64_t h = mixed(4, static_cast<std::uint64_t>(node.op) + 1);
-    if (node.op == Op::power) h = mixed(h, static_cast<std::uint64_t>(node.index));
-    for (std::uint64_t operand : operands) h = mixed(h, operand);
-    forms.push_back(h);
+    std::array<std::uint64_t, 3> operands = operand_forms(node, forms);
+    if (is_commutative(node.op)) std::sort(operands.begin(), operands.begin() + arity(node.op));
+    forms.push_back(mixed_with(mixed(4, static_cast<std::uint64_t>(node.op) + 1), node, operands));
   }
   return forms;
 }
@@ -98,24 +107,30 @@ Forms forms_of(const Graph& graph, const KeptValues& kept) {
   return forms;
 }
 
-Forms forms_given(const Graph& graph, Forms forms, Value leaf) {
-  std::vector<bool> changed(forms.size(), false);
-  forms[static_cast<std::size_t>(leaf)] = mixed(2, 0);
-  changed[static_cast<std::size_t>(leaf)] = true;
-  for (Value v = leaf + 1; v < graph.size(); ++v) {
+void FormsGiven::give(const Graph& graph, Value leaf, Value last) {
+  if (leaf > last) return;
+  std::vector<bool> needs_it(static_cast<std::size_t>(last - leaf) + 1, false);
+  changed_[static_cast<std::size_t>(leaf)] = mixed(2, 0);
+  needs_it[0] = true;
+  for (Value v = leaf + 1; v <= last; ++v) {
     const Node& node = graph[v];
-    for (int i = 0; i < arity(node.op); ++i)
-      if (changed[static_cast<std::size_t>(node.operand(i))])
-        changed[static_cast<std::size_t>(v)] = true;
-    if (changed[static_cast<std::size_t>(v)])
-      forms[static_cast<std::size_t>(v)] = form_of(graph, node, forms);
+    bool needs = false;
+    for (int i = 0; i < arity(node.op); ++i) {
+      const Value operand = node.operand(i);
+      needs = needs || (operand >= leaf && needs_it[static_cast<std::size_t>(operand - leaf)]);
+    }
+    if (!needs) continue;
+    needs_it[static_cast<std::size_t>(v - leaf)] = true;
+    changed_[static_cast<std::size_t>(v)] = form_of(graph, node, *this);
   }
-  return forms;
 }
 
 LoopBuilder::LoopBuilder(const Graph& graph, const Forms& forms, const KeptValues& kept,
                          const std::set<Value>& read, int count)
-    : graph_(graph), kept_(kept), read_(read), forms_(static_cast<std::size_t>(count), forms) {
+    : graph_(graph),
+      kept_(kept),
+      read_(read),
+      forms_(static_cast<std::size_t>(count), FormsGiven(forms)) {
   loop.count = count;
   loop.body.name = graph.name;
   loop.body.inputs = {{"leaf", 0, 1, "", "", {}, {}}};
@@ -130,8 +145,6 @@ void LoopBuilder::carry(Value first, const Column& column) {
   columns_.push_back(column);
   Column entry{first};
   entry.insert(entry.end(), column.begin(), column.end() - 1);
-  for (std::size_t pass = 0; pass < entry.size(); ++pass)
-    forms_[pass] = forms_given(graph_, std::move(forms_[pass]), entry[pass]);
   known_[entry] = leaf(before);
   entries_.push_back(entry);
 }
@@ -167,7 +180,17 @@ std::map<Value, Column> LoopBuilder::columns() const {
   return all;
 }
 
+/// What a pass is asked for is no later than its results.
+void LoopBuilder::set_forms() {
+  for (std::size_t pass = 0; pass < forms_.size(); ++pass) {
+    Value last = no_value;
+    for (const Column& column : columns_) last = std::max(last, column[pass]);
+    for (const Column& entry : entries_) forms_[pass].give(graph_, entry[pass], last);
+  }
+}
+
 bool LoopBuilder::build() {
+  set_forms();
   Port& results = loop.body.outputs[0];
   for (const Column& column : columns_) {
     const Value made = unify(column);

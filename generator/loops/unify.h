@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <map>
 #include <set>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -20,8 +21,27 @@ namespace sinew {
 /// whatever the order of a commutative operation's operands.
 using Forms = std::vector<std::uint64_t>;
 
-/// The forms where `leaf` counts as a leaf of its own kind.
-Forms forms_given(const Graph& graph, Forms forms, Value leaf);
+/// Forms of a graph where some values count as leaves, up to the last one that is asked for.
+class FormsGiven {
+ public:
+  explicit FormsGiven(const Forms& forms) : forms_(&forms) {}
+
+  /// `leaf` counts as a leaf of its own kind from here on: what needs it, up to `last`, has another
+  /// form.
+  void give(const Graph& graph, Value leaf, Value last);
+
+  /// Whether a value needs one of the leaves, or is one.
+  bool needs_a_leaf(Value v) const { return changed_.count(static_cast<std::size_t>(v)) > 0; }
+
+  std::uint64_t operator[](std::size_t v) const {
+    const auto found = changed_.find(v);
+    return found == changed_.end() ? (*forms_)[v] : found->second;
+  }
+
+ private:
+  const Forms* forms_;
+  std::unordered_map<std::size_t, std::uint64_t> changed_;
+};
 
 /// Values that take the same place in all passes, by pass.
 using Column = std::vector<Value>;
@@ -70,6 +90,7 @@ class LoopBuilder {
     bool negative = false;
   };
 
+  void set_forms();
   Value unify(const Column& column);
   Value make(const Column& column);
   Value unify_inputs(const Column& column);
@@ -98,7 +119,7 @@ class LoopBuilder {
   std::map<Column, Value> known_;                          ///< body's value of a column
   std::map<std::pair<Column, Scales>, Term> known_terms_;  ///< of columns with signs that differ
   std::map<Scales, Value> tables_;
-  std::vector<Forms> forms_;  ///< by pass: what is carried counts as a leaf
+  std::vector<FormsGiven> forms_;  ///< by pass: what is carried counts as a leaf
 };
 
 }  // namespace sinew

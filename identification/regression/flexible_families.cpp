@@ -61,6 +61,17 @@ Candidate spline_family(Candidate c, const Values& values, double low, double hi
   return c;
 }
 
+/// A term of the model times splines in time.
+Candidate changing_in_time(Candidate c, const Values& term, double duration) {
+  constexpr int count = 5;
+  add_coefficients(c, count);
+  c.columns = [=](const Recording& log, int, const VectorXd&) {
+    const VectorXd time = log.time.array() - log.started();
+    return MatrixXd(term(log).asDiagonal() * spline_basis(time, 0.0, duration, count));
+  };
+  return c;
+}
+
 /// Products of splines in position and in velocity.
 Candidate position_and_velocity(const FlexibleRanges& r, int axis, int channel) {
   Candidate c = unnamed(CandidateKind::flexible, "position and velocity together", axis, channel);
@@ -207,6 +218,21 @@ std::vector<Candidate> flexible_families(const FlexibleRanges& r, int axis, int 
   list.push_back(any_period_in_position(r, axis, channel));
   list.push_back(any_swing_of_friction(r, soft, axis, channel));
   return list;
+}
+
+std::vector<Candidate> varying_values(const FlexibleRanges& r, int axis, int channel) {
+  if (!(r.effort > 0.0)) return {};
+  const Values effort = [axis](const Recording& log) {
+    return VectorXd(log.signals.at("effort").col(axis));
+  };
+  const Values acceleration = [axis](const Recording& log) { return VectorXd(log.qdd.col(axis)); };
+  const auto shape = [&](const char* on) {
+    return unnamed(CandidateKind::flexible, on, axis, channel);
+  };
+  constexpr int laws = 8;
+  return {spline_family(shape("the model's effort"), effort, -r.effort, r.effort, laws, axis, 0.0),
+          changing_in_time(shape("time x the model's effort"), effort, r.duration),
+          changing_in_time(shape("time x acceleration"), acceleration, r.duration)};
 }
 
 std::vector<Candidate> local_decoys(const FlexibleRanges& r, int axis, int channel) {

@@ -14,6 +14,7 @@ struct FlexibleRanges {
   double speed = 1.0;            ///< largest |velocity|
   double load = 0.0;             ///< largest |load|; 0: no load channel
   double duration = 60.0;        ///< s
+  double effort = 0.0;           ///< largest |effort| that the model asks for; 0: it asks for none
 };
 
 /// Flexible families of one axis (column of the recording's matrices), acting on one channel:
@@ -22,6 +23,11 @@ struct FlexibleRanges {
 /// friction that waxes and wanes in time.
 std::vector<Candidate> flexible_families(const FlexibleRanges& ranges, int axis = 0,
                                          int channel = 0);
+
+/// Values of the model that are none: its effort by any law (B-splines in it), and its effort and
+/// what goes with the acceleration by a share that changes over the log (times B-splines in time).
+/// Reads the signal "effort".
+std::vector<Candidate> varying_values(const FlexibleRanges& ranges, int axis = 0, int channel = 0);
 
 /// Search for a sine over the position: from two periods over the range to what the band shows,
 /// in periods per rad or m.

@@ -204,7 +204,7 @@ void DrivenSubject::add_model_candidates(std::size_t joint) {
   // friction.
   take(sensor_scale_candidate(where, known_, coupled), "sensor_scale");
   const int axis = static_cast<int>(joint);
-  for (auto* shapes : {flexible_families, local_decoys})
+  for (auto* shapes : {flexible_families, varying_values, local_decoys})
     for (Candidate& c : shapes(ranges(joint), axis, axis)) {
       c.place = place(joint);
       take(std::move(c), "");

@@ -304,7 +304,11 @@ void DrivenSubject::prepare(const Settings& settings) {
 
 FlexibleRanges DrivenSubject::ranges(std::size_t joint) const {
   const LogScale s = scale(joint);
-  return {s.low, s.high, s.speed, s.load, s.duration};
+  double effort = 0.0;
+  for (const Recording& log : problem_.training)
+    effort = std::max(
+        effort, log.signals.at("effort").col(static_cast<Index>(joint)).cwiseAbs().maxCoeff());
+  return {s.low, s.high, s.speed, s.load, s.duration, effort};
 }
 
 bool DrivenSubject::moves_links(std::size_t joint) const {

@@ -76,6 +76,24 @@ TEST_CASE("a light joint sticks, and is not thrown to and fro by its friction") 
   }
 }
 
+TEST_CASE("position, speed and effort of a simulated motion are of one instant") {
+  // Planted defect: positions as semi-implicit steps leave them, half a step behind the speed, as
+  // it was: 0.5 of a step at every plant. It was a delay of 0.13 ms that programs rightly told.
+  for (const char* name : {"drive", "joint", "finger", "hand"}) {
+    const Course course = plant_of(name, 5)->course({}, 0);
+    const Index inside = course.q.rows() - 2;
+    for (Index j = 0; j < course.q.cols(); ++j) {
+      const VectorXd q = course.q.col(j), v = course.v.col(j), a = course.a.col(j);
+      const VectorXd late = (q.tail(inside) - q.head(inside)) / (2.0 * course.step);
+      const VectorXd centred = 0.5 * (a.head(inside) + a.segment(1, inside));
+      const double delay =
+          (late - v.segment(1, inside)).dot(centred) / centred.squaredNorm() / course.step;
+      INFO(name << ", axis " << j << ": position " << delay << " steps before the speed");
+      CHECK(std::abs(delay) < 0.05);
+    }
+  }
+}
+
 TEST_CASE("what a joint's cause makes its motors do is no size of it") {
   std::unique_ptr<TrialPlant> finger = plant_of("finger", 1);
   for (std::uint64_t seed = 2; finger->traits().at("motors") != "logged"; ++seed)

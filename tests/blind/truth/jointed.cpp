@@ -204,6 +204,10 @@ Course given(const MatrixXd& reference, const Rhythm& rhythm) {
   return course;
 }
 
+VectorXd at_its_speed(const VectorXd& q, const VectorXd& v, double step) {
+  return q - 0.5 * step * v;
+}
+
 Course in_closed_loop(const Jointed& jointed, const std::vector<Hidden>& hidden,
                       const Course& wanted, const VectorXd& load, truth::Draw draw) {
   Course course = wanted;
@@ -243,7 +247,7 @@ Course in_closed_loop(const Jointed& jointed, const std::vector<Hidden>& hidden,
     }
     const double a = (command - resisting - against) /
                      (inertia + std::max(extra, -0.8 * inertia) + step * axis.slope(v(0), step));
-    course.q(k, 0) = q(0);
+    course.q.row(k) = at_its_speed(q, v, step).transpose();
     course.v(k, 0) = v(0);
     course.a(k, 0) = a;
     v(0) += step * a;

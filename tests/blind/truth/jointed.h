@@ -36,6 +36,8 @@ struct Rhythm {
 Course commanded(const Jointed& jointed, const Rhythm& rhythm, truth::Draw draw);
 /// A reference of the log's rows, straight lines between its speeds.
 Course given(const MatrixXd& reference, const Rhythm& rhythm);
+/// Position at the instant of a speed that semi-implicit Euler steps leave half a step before it.
+VectorXd at_its_speed(const VectorXd& q, const VectorXd& v, double step);
 /// A lone axis that follows what is wanted in closed loop, integrated here step by step.
 Course in_closed_loop(const Jointed& jointed, const std::vector<Hidden>& hidden,
                       const Course& wanted, const VectorXd& load, truth::Draw draw);

@@ -129,7 +129,7 @@ Course in_torque_control(const Jointed& jointed, const std::vector<Hidden>& hidd
       course.command.row(k / course.inner) =
           (k > 0 ? VectorXd(0.5 * (before + command)) : command).transpose();
     before = command;
-    course.q.row(k) = q.transpose();
+    course.q.row(k) = at_its_speed(q, v, course.step).transpose();
     course.v.row(k) = v.transpose();
     const VectorXd given = command.array() - known;
     const VectorXd free = integrator.speed_after(given);

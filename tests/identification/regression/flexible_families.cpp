@@ -60,3 +60,29 @@ TEST_CASE("a tight spot and a soft stop have decoys of their own") {
     CHECK((x(200, 0) > 1e-9) == above);
   }
 }
+
+TEST_CASE("what the model asks for, by any law and by a share that changes over the log") {
+  CHECK(diagnosis::varying_values({-1.0, 1.0, 2.0, 0.0, 20.0}).empty());
+  const auto shapes = diagnosis::varying_values({-1.0, 1.0, 2.0, 0.0, 20.0, 3.0});
+  REQUIRE(shapes.size() == 3);
+  diagnosis::Recording log;
+  const Index count = 2001;
+  log.time = VectorXd::LinSpaced(count, 5.0, 25.0);
+  log.qdd = (3.0 * log.time.array()).sin().matrix();
+  log.signals["effort"] = (2.0 * log.time.array()).cos().matrix() * 3.0;
+  const VectorXd effort = log.signals["effort"].col(0), a = log.qdd.col(0);
+  const Eigen::ArrayXd begun = log.time.array() - log.started();
+  // A supply that sags, a torque constant that warms up, a vessel that fills.
+  const VectorXd hidden[] = {effort.array() * effort.array().square(),
+                             effort.array() * (1.0 - 0.3 * begun / 20.0),
+                             a.array() * (1.0 + begun / 20.0)};
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    INFO(shapes[i].depends_on);
+    CHECK(shapes[i].kind == diagnosis::CandidateKind::flexible);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Eigen::MatrixXd x = shapes[i].columns(log, 0, VectorXd());
+      const VectorXd left = hidden[k] - x * x.colPivHouseholderQr().solve(hidden[k]);
+      CHECK((left.norm() < 0.02 * hidden[k].norm()) == (i == k));
+    }
+  }
+}
