@@ -16,8 +16,8 @@ const char* const on_axis[] = {"coulomb_level",     "viscous_level",    "viscous
                                "input_ripple",      "output_ripple",    "load_ripple",
                                "inertia",           "offset",           "spring",
                                "cable_torque",      "speed_memory",     "latch",
-                               "other_stage",       "tight_under_load", "filling",
-                               "contact",           "outer_force"};
+                               "other_stage",       "tight_under_load", "handling",
+                               "contact",           "outer_force",      "grease"};
 
 /// 0 or 1 in stretches of about `length` seconds, the same whenever it is asked.
 double comes_and_goes(std::uint64_t seed, double time, double length) {
@@ -75,6 +75,9 @@ double Axis::resist(const Instant& now, double step) {
     memory_.turned_at = now.q;
   }
   memory_.last_v = now.v;
+  // Grease breaks down over a third of the way to and fro, and is stiff again after three seconds.
+  memory_.sheared += step * ((1.0 - memory_.sheared) * std::abs(now.v) / (0.6 * model_.range) -
+                             memory_.sheared / 3.0);
   memory_.fastest = std::max(std::abs(now.v), memory_.fastest * std::exp(-step / 4.0));
   for (const Hidden& h : hidden_) effort += of(h, now, step);
   return effort;
@@ -96,8 +99,8 @@ double Axis::of(const Hidden& h, const Instant& now, double) {
       h.cause == "cable_torque")
     return place_of(h, now);
   if (h.cause == "speed_memory" || h.cause == "latch" || h.cause == "other_stage" ||
-      h.cause == "tight_under_load" || h.cause == "filling" || h.cause == "contact" ||
-      h.cause == "outer_force")
+      h.cause == "tight_under_load" || h.cause == "handling" || h.cause == "contact" ||
+      h.cause == "outer_force" || h.cause == "grease")
     return outside_of(h, now);
   return friction_of(h, now);
 }
@@ -157,7 +160,8 @@ double Axis::outside_of(const Hidden& h, const Instant& now) {
     const double x = now.q / model_.range - s;
     return h.dose * memory_.z * std::abs(now.load) * std::exp(-8.0 * x * x);
   }
-  if (h.cause == "filling") return h.dose * now.a * std::min(1.0, now.time / 10.0);
+  if (h.cause == "handling") return h.dose * now.a * comes_and_goes(h.seed, now.time, 2.9);
+  if (h.cause == "grease") return h.dose * now.v * (1.0 - memory_.sheared);
   if (h.cause == "contact") {
     const double deep = now.q - (0.2 + s) * model_.range;
     return deep > 0.0 ? h.dose * deep * comes_and_goes(h.seed, now.time, 1.7) : 0.0;

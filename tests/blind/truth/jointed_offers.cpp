@@ -53,10 +53,8 @@ void offer_axis(const Jointed& jointed, std::size_t axis, const std::string& pla
     offer("sensor_quantisation", 2.0 * m.range);
     offer("sensor_hysteresis", 2.0 * m.range, "half_play", fits_all, 0.5);
     outside("other_stage", m.effort);
-    outside("supply_sag", 1.0);
     outside("coarse_command", m.effort);
-    outside("saturation", 1.0);
-    outside("heat", 1.0);
+    outside("foldback", 1.0);
   }
   if (jointed.carries) {
     offer("spring", m.effort / m.range, "stiffness");
@@ -65,7 +63,8 @@ void offer_axis(const Jointed& jointed, std::size_t axis, const std::string& pla
   }
   outside("speed_memory", m.level);
   outside("latch", m.effort);
-  outside("filling", m.inertia);
+  outside("handling", m.inertia);
+  outside("grease", m.viscous);
   outside("contact", m.effort / m.range);
   outside("outer_force", m.effort);
 }

@@ -37,11 +37,26 @@ VectorXd weakened(const VectorXd& needed, const Hidden& h, double step, double p
   return logged;
 }
 
+/// An amplifier that gives less once it has given much for a while, until it has rested.
+VectorXd folded_back(const VectorXd& needed, double dose, double step, double peak) {
+  VectorXd logged = needed;
+  double loaded = 0.0;
+  bool folded = false;
+  for (Index k = 0; k < needed.size(); ++k) {
+    const double u = needed(k) / peak;
+    loaded += step / 0.15 * (u * u - loaded);
+    folded = loaded > (folded ? 0.08 : 0.2);
+    if (folded) logged(k) = needed(k) / (1.0 - dose);
+  }
+  return logged;
+}
+
 }  // namespace
 
 bool acts_on_amplifier(const std::string& cause) {
   return cause == "torque_constant" || cause == "delay" || cause == "supply_sag" ||
-         cause == "heat" || cause == "saturation" || cause == "coarse_command";
+         cause == "heat" || cause == "saturation" || cause == "coarse_command" ||
+         cause == "foldback";
 }
 
 VectorXd logged_effort(const VectorXd& needed, const std::vector<Hidden>& hidden, double step,
@@ -51,6 +66,7 @@ VectorXd logged_effort(const VectorXd& needed, const std::vector<Hidden>& hidden
     if (h.dose == 0.0) continue;
     if (h.cause == "torque_constant") logged /= 1.0 + h.dose;
     if (h.cause == "supply_sag" || h.cause == "heat") logged = weakened(logged, h, step, peak);
+    if (h.cause == "foldback") logged = folded_back(logged, h.dose, step, peak);
     if (h.cause == "saturation")
       for (double& u : logged)
         u = peak / h.dose * std::atanh(std::clamp(u * h.dose / peak, -0.995, 0.995));
