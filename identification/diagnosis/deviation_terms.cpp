@@ -5,8 +5,6 @@
 #include <optional>
 #include <stdexcept>
 
-#include "identification/regression/refine.h"
-
 namespace sinew::diagnosis {
 namespace {
 
@@ -190,13 +188,6 @@ DeviationTerms take_apart(const Design& design, const Model& model) {
   for (int i = 0; i < static_cast<int>(problem.deviations.size()); ++i)
     parts.deviations.push_back(deviation_term(design, model, parts.base.fixed, i, parts.made));
   return parts;
-}
-
-Model without_causes(const Design& design, Model model) {
-  for (std::size_t t = model.terms.size(); t-- > 0;)
-    if (!model.terms[t].baseline && !model.terms[t].candidate->nuisance)
-      remove_term(design, t, model);
-  return model;
 }
 
 }  // namespace sinew::diagnosis

@@ -21,9 +21,6 @@ struct DeviationTerms {
 /// a share points to no baseline coefficient or to one per log.
 DeviationTerms take_apart(const Design& design, const Model& model);
 
-/// The model as it is, with what is in every measurement: no named cause and no unnamed shape.
-Model without_causes(const Design& design, Model model);
-
 /// What a delay of what the nominal model says adds to it, per second: its time derivative.
 /// channels: where it acts; empty: everywhere.
 BandColumns delay_columns(const Design& design, const std::vector<int>& channels,

@@ -23,6 +23,13 @@ double worth(const Design& design, const Settings& settings, const Model& model,
          cross_validate(design, model, noise.weights, settings.blocks).plain.sum();
 }
 
+Model without_causes(const Design& design, Model model) {
+  for (std::size_t t = model.terms.size(); t-- > 0;)
+    if (!model.terms[t].baseline && !model.terms[t].candidate->nuisance)
+      remove_term(design, t, model);
+  return model;
+}
+
 }  // namespace
 
 ExplainedStructure explained_structure_of(const Design& design, const Settings& settings,

@@ -12,7 +12,6 @@ namespace {
 
 constexpr std::size_t kRefits = 5;
 constexpr double kAnotherName = 4.0;  // deviance that one more name must be worth
-constexpr double kWorthIt = 4.0;      // deviance; less is chance
 
 bool is_cause(const Term& term) {
   return !term.baseline && (term.deviation >= 0 || term.candidate->kind == CandidateKind::named);
@@ -144,7 +143,7 @@ std::optional<Alternative> best_instead(const Reduction& s, const std::vector<st
   for (Alternative& trial : trials) {
     if (!trial.allowed) continue;
     withdraw_group(s, group, trial);
-    if (trial.causes.replaced.size() < 2 || trial.score > present - kWorthIt) continue;
+    if (trial.causes.replaced.size() < 2 || trial.score >= present) continue;
     if (!best || trial.score < best->score) best = std::move(trial);
   }
   return best;

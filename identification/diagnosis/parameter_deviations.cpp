@@ -215,11 +215,10 @@ DeviationSelection select_deviations(const Design& design, const Settings& setti
   const int most =
       std::max({settings.most_deviations, channels, std::min(3 * channels, kManyDeviations)});
   const DeviationSearch search(m, parameter_price(design), most);
-  const VectorXd nominal_loss =
-      cross_validate(design, without_causes(design, parts.base), weights, settings.blocks)
-          .plain.colwise()
-          .sum()
-          .transpose();
+  const VectorXd nominal_loss = cross_validate(design, parts.base, weights, settings.blocks)
+                                    .plain.colwise()
+                                    .sum()
+                                    .transpose();
   std::vector<bool> banned(parts.deviations.size(), false);
   for (std::size_t l = 0; l < banned.size(); ++l) {
     const Index own = m.first[l];

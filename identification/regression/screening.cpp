@@ -71,6 +71,7 @@ Projected project(const Design& design, const Model& model, const Weights& weigh
 /// Schur complement of one slot: what is left of it beside the model.
 struct Left {
   MatrixXd gram;    ///< projected
+  VectorXd whole;   ///< diagonal of the normal matrix before that
   VectorXd moment;  ///< projected columns' product with the residual
   MatrixXd null_moments;
   double excitation = 0.0;
@@ -96,19 +97,23 @@ Left leave(const Projected& p, const BandColumns& columns, const Weights& weight
       left.null_moments += (x.transpose().cast<float>() * p.surrogates[s]).cast<double>();
   }
   if (gram.size() == 0) return left;
+  left.whole = gram.diagonal();
   left.gram = gram - cross * p.inverse * cross.transpose();
   for (Index c = 0; c < gram.cols(); ++c)
     if (gram(c, c) > 0.0) left.excitation = std::max(left.excitation, left.gram(c, c) / gram(c, c));
   return left;
 }
 
-/// Statistics of one group for many moments: its normal matrix is inverted once.
+/// Statistics of one group for many moments: its normal matrix is inverted once. What of a group is
+/// in the model's span but for a millionth of its energy is not the group's: surrogates are single
+/// precision, and their rounding would count for it.
 class GroupStatistic {
  public:
-  explicit GroupStatistic(const MatrixXd& gram) : gram_(gram) {
+  GroupStatistic(const MatrixXd& gram, const VectorXd& whole)
+      : gram_(gram), scale_(whole.cwiseMax(0.0).cwiseSqrt()) {
     for (Index c = 0; c < gram.cols(); ++c)
       if (gram(c, c) > 0.0) all_.push_back(c);
-    inverse_ = scaled_pseudo_inverse(gram(all_, all_), kDependent);
+    inverse_ = inverse_of(all_);
   }
 
   /// Statistic and coefficients within the limits: coefficients outside are held at their limit of
@@ -119,9 +124,7 @@ class GroupStatistic {
     for (std::vector<Index> free = all_; !free.empty();) {
       const VectorXd own = moment(free);
       const VectorXd part =
-          free.size() == all_.size()
-              ? VectorXd(inverse_ * own)
-              : VectorXd(scaled_pseudo_inverse(gram_(free, free), kDependent) * own);
+          free.size() == all_.size() ? VectorXd(inverse_ * own) : VectorXd(inverse_of(free) * own);
       beta.setZero();
       for (std::size_t i = 0; i < free.size(); ++i) beta(free[i]) = part(static_cast<Index>(i));
       std::vector<Index> inside;
@@ -136,8 +139,19 @@ class GroupStatistic {
   }
 
  private:
-  static constexpr double kDependent = 1e-6;
+  MatrixXd inverse_of(const std::vector<Index>& columns) const {
+    constexpr double kDependent = 1e-6;
+    const VectorXd scale = scale_(columns).cwiseInverse();
+    const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(
+        scale.asDiagonal() * gram_(columns, columns) * scale.asDiagonal());
+    const VectorXd inverses = eigen.eigenvalues().unaryExpr(
+        [](double value) { return value > kDependent ? 1.0 / value : 0.0; });
+    const MatrixXd directions = scale.asDiagonal() * eigen.eigenvectors();
+    return directions * inverses.asDiagonal() * directions.transpose();
+  }
+
   const MatrixXd& gram_;
+  VectorXd scale_;
   std::vector<Index> all_;
   MatrixXd inverse_;
 };
@@ -175,7 +189,7 @@ SlotResult test_slot(const Design& design, const Projected& p, const Candidate& 
   const Limits limits = limits_of(design, candidate);
   const VectorXd open =
       VectorXd::Constant(left.moment.size(), std::numeric_limits<double>::infinity());
-  const GroupStatistic group(left.gram);
+  const GroupStatistic group(left.gram, left.whole);
   result.data.statistic =
       group.limited(left.moment, limits.low, limits.high, &result.data.coefficients);
   result.data.unrestricted = group.limited(left.moment, -open, open, nullptr);
