@@ -25,9 +25,7 @@ typedef struct {
 /* 0; 1 where the capacity is not a power of two or a size is 0, and nothing is changed. */
 static inline int sinew_ring_start(sinew_ring *ring, void *memory, uint32_t record_bytes,
                                    uint32_t capacity) {
-    if (capacity == 0U || (capacity & (capacity - 1U)) != 0U || capacity > 0x80000000U ||
-        record_bytes == 0U)
-        return 1;
+    if (capacity == 0U || (capacity & (capacity - 1U)) != 0U || record_bytes == 0U) return 1;
     ring->records = (unsigned char *)memory;
     ring->record_bytes = record_bytes;
     ring->capacity = capacity;
