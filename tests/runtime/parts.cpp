@@ -93,7 +93,8 @@ TEST_CASE("small systems are solved as Eigen solves them", "[parts]") {
   }
   double singular[4] = {1.0, 0.0, 2.0, 4.0}, x[2] = {1.0, 1.0};
   CHECK(sinew_solve(singular, 2, 1e-12, x, x) == 1);
-  CHECK((sinew_is_finite(x[0]) && sinew_is_finite(x[1])));
+  CHECK(sinew_is_finite(x[0]));
+  CHECK(sinew_is_finite(x[1]));
   double small[1] = {1e-6};
   CHECK(sinew_factorise(small, 1, 1e-5) == 1);
   double no_number[1] = {no_value};
@@ -114,6 +115,10 @@ TEST_CASE("Newton's method takes its steps and stays within its limits", "[parts
   CHECK(root.x == Approx(std::cbrt(2.0)).epsilon(1e-14));
   CHECK(counted.calls == 7);
   CHECK(sinew_newton(cube, &counted, no_value, 0.5, 2.0, 0).x == 0.5);
+  CHECK(sinew_newton(cube, &counted, 9.0, 0.5, 2.0, 0).x == 2.0);
+  const sinew_zero below = sinew_newton(cube, &counted, 1.9, 1.5, 2.0, 4);
+  CHECK(below.x == 1.5);  // the zero is below
+  CHECK(below.residual == 1.5 * 1.5 * 1.5 - 2.0);
   const sinew_zero from_flat = sinew_newton(cube, &counted, 0.0, 0.0, 1.0, 3);
   CHECK(from_flat.x == 1.0);  // the zero is beyond
   CHECK(from_flat.residual == -1.0);
@@ -164,6 +169,13 @@ TEST_CASE("a value that stays for too long is frozen, and one that moves is not"
   for (int i = 0; i < 50; ++i) CHECK(c.tick(1.6) == SINEW_FINE);
 }
 
+TEST_CASE("a sample out of the range is none, however small the step to it", "[parts]") {
+  Channel c(9.8);
+  CHECK(c.tick(10.0) == SINEW_FINE);
+  CHECK(c.tick(10.2) == (SINEW_OUT_OF_RANGE | SINEW_HELD));
+  CHECK(c.value == 10.0);
+}
+
 TEST_CASE("a move during missing samples is none that jumps", "[parts]") {
   Channel c(0.0);
   c.tick(no_value);
@@ -178,6 +190,7 @@ TEST_CASE("the ring hands records on in order and counts what it loses", "[parts
   sinew_ring ring{};
   CHECK(sinew_ring_start(&ring, memory, sizeof *memory, 3) == 1);
   CHECK(sinew_ring_start(&ring, memory, 0, 4) == 1);
+  CHECK(sinew_ring_start(&ring, memory, sizeof *memory, 0) == 1);
   REQUIRE(sinew_ring_start(&ring, memory, sizeof *memory, 4) == 0);
   std::uint64_t next = 0, expected = 0, got = 0;
   CHECK(sinew_ring_take(&ring, &got) == 0);
