@@ -7,23 +7,16 @@
 
 namespace sinew::diagnosis {
 
-/// Where a reading shows motion: below `certain_to` nothing else, above `quiet_from` nothing of it
-/// [Hz].
-struct MotionBand {
-  double certain_to = 0.0, quiet_from = 0.0;
-};
-
 /// Share of the energy of a reading that is motion, at frequencies 0 ... half the sampling rate,
-/// `bins` of them: 1 - noise / energy, the noise being white and as large as what is left where
-/// nothing moves. It never grows again once it has fallen below a half, nor falls before. 1
-/// everywhere where the log is too short to tell.
-Eigen::VectorXd share_of_motion(const Eigen::VectorXd& reading, double step, const MotionBand& band,
+/// `bins` of them: 1 - noise / energy, the noise being white and as large as what is left from
+/// `quiet_from` [Hz] on, where nothing moves. It never grows again once it has fallen below a half,
+/// nor falls before, and takes 4 Hz to fall. 1 everywhere where the log is too short to tell.
+Eigen::VectorXd share_of_motion(const Eigen::VectorXd& reading, double step, double quiet_from,
                                 Eigen::Index bins);
 
 /// The expected position of every axis given its readings (Wiener's filter, zero-phase; a
 /// regression on it is calibrated). Both samples x axes; at the ends the reading is continued by
 /// point reflection.
-Eigen::MatrixXd expected_position(const Eigen::MatrixXd& reading, double step,
-                                  const MotionBand& band);
+Eigen::MatrixXd expected_position(const Eigen::MatrixXd& reading, double step, double quiet_from);
 
 }  // namespace sinew::diagnosis

@@ -53,7 +53,8 @@ void DrivenSubject::add_derivatives(Recording& log) const {
   if (!clean.empty()) add(slow_cutoff(log.step), clean);
   if (noisy.empty()) return;
   add(smooth_cutoff(log.step), noisy);
-  seen(Eigen::all, noisy) = log.signals.at("smooth_qdd")(Eigen::all, noisy);
+  seen(Eigen::all, noisy) =
+      differentiate(log.q(Eigen::all, noisy), log.step, smooth_cutoff(log.step)).qdd;
 }
 
 /// Nothing is told from an effort at frequencies where all motion that it would need is noise of a

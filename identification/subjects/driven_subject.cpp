@@ -175,23 +175,22 @@ void DrivenSubject::add_motion(const MatrixXd& positions, Recording& log) const 
   add_sensor_errors(log);
 }
 
-/// The motion to be expected takes the place of what was read, where both are in a joint's reading
-/// above what is certainly motion. Where that is noise alone nothing is compared there; the errors
-/// of a sensor's steps are known as they are.
+/// The motion to be expected takes the place of what was read: what noise of a position makes of
+/// an acceleration is in the regressors and in what the model leaves over alike, and an effect that
+/// takes fast accelerations away would be told for it. The errors of a sensor's steps are no white
+/// noise, and known as they are.
 void DrivenSubject::expect_motion(Recording& log) const {
   const double cutoff = motion_cutoff(log.step);
-  const MotionBand band{smooth_cutoff(log.step), 2.0 * cutoff};
-  if (band.certain_to >= cutoff) return;
-  std::vector<Index> mixed;
+  std::vector<Index> noisy;
   for (Index c = 0; c < log.q.cols(); ++c)
-    if (!noise_of_position({&log}, c) && !reads_in_steps(log, c)) mixed.push_back(c);
-  if (mixed.empty()) return;
+    if (!reads_in_steps(log, c)) noisy.push_back(c);
+  if (noisy.empty()) return;
   const MatrixXd expected =
-      expected_position(log.signals.at("logged_q")(Eigen::all, mixed), log.step, band);
+      expected_position(log.signals.at("logged_q")(Eigen::all, noisy), log.step, 2.0 * cutoff);
   const Motion motion = differentiate(expected, log.step, cutoff);
-  log.q(Eigen::all, mixed) = motion.q;
-  log.qd(Eigen::all, mixed) = motion.qd;
-  log.qdd(Eigen::all, mixed) = motion.qdd;
+  log.q(Eigen::all, noisy) = motion.q;
+  log.qd(Eigen::all, noisy) = motion.qd;
+  log.qdd(Eigen::all, noisy) = motion.qdd;
 }
 
 /// At rest a joint's friction is anything up to its level, whatever its tendons do.
@@ -288,6 +287,11 @@ void DrivenSubject::prepare(const Settings& settings) {
   deviations_.clear();
   problem_.deviations.clear();
   for (std::size_t j = 0; j < bristle_.size(); ++j) add_baseline(j);
+  for (const KnownPayload& payload : payloads_) {
+    if (!payload.fitted) continue;
+    problem_.baseline.push_back(free_centre(payload));
+    baseline_.push_back({"payload_centre", 0, {}, {}});
+  }
   if (std::any_of(bristle_.begin(), bristle_.end(), [](bool b) { return b; }))
     fit_directions(settings);
   for (auto* logs : {&problem_.training, &problem_.holdout})

@@ -178,7 +178,31 @@ void fit_centres(const std::vector<Recording>& training, const EffortModel& mode
   }
   std::size_t next = 0;
   for (KnownPayload& payload : payloads)
-    if (!payload.centre) payload.centre = open[next++].centre;
+    if (!payload.centre) {
+      payload.centre = open[next++].centre;
+      payload.fitted = true;
+    }
+}
+
+std::string centre_signal(const KnownPayload& payload) {
+  return fmt::format("centre of {} kg at {}", payload.mass, payload.link);
+}
+
+Candidate free_centre(const KnownPayload& payload) {
+  Candidate c;
+  c.name = "centre of the payload";
+  c.place = "link " + payload.link;
+  for (const char* axis : {"x", "y", "z"}) {
+    LinearParameter moment;
+    moment.name = fmt::format("first_moment_{}", axis);
+    moment.unit = "kg*m";
+    c.linear.push_back(moment);
+  }
+  c.columns = [signal = centre_signal(payload)](const Recording& log, int channel,
+                                                const VectorXd&) -> MatrixXd {
+    return log.signals.at(signal).middleCols(channel * kCentreColumns, kCentreColumns);
+  };
+  return c;
 }
 
 /// The mass over time: a column's, or what was told of the whole log.
@@ -214,10 +238,18 @@ void DrivenSubject::add_payload(const Log& log, const sinew::Segment& segment,
 /// What it asks of the joints, in all logs that carry it.
 void DrivenSubject::take(const KnownPayload& payload) {
   for (auto* logs : {&problem_.training, &problem_.holdout})
-    for (Recording& log : *logs)
-      if (carries(payload, log))
+    for (Recording& log : *logs) {
+      MatrixXd moments = MatrixXd::Zero(log.q.rows(), kCentreColumns * log.q.cols());
+      if (carries(payload, log)) {
         log.payload_effort =
             log.payload.asDiagonal() * rigid_->point_mass(payload.link, *payload.centre, log);
+        const MatrixXd own = log.payload.asDiagonal() * rigid_->mass_columns(payload.link, log);
+        for (Index j = 0; j < log.q.cols(); ++j)
+          moments.middleCols(j * kCentreColumns, kCentreColumns) =
+              own.middleCols(j * kLinkColumns + 1, kCentreColumns) / payload.mass;
+      }
+      if (payload.fitted) log.signals[centre_signal(payload)] = std::move(moments);
+    }
 }
 
 std::vector<PayloadNote> DrivenSubject::take_payloads() {

@@ -21,6 +21,7 @@ struct KnownPayload {
   std::optional<Eigen::Vector3d> centre;  ///< in the link's frame [m]
   std::vector<std::string> recordings;    ///< names
   std::vector<std::string> logs;          ///< files
+  bool fitted = false;                    ///< its centre, by fit_centres
 };
 
 /// The load told, at the one link that can carry it. Throws std::invalid_argument where several
@@ -34,5 +35,13 @@ KnownPayload known_payload(const CarriedPayload* told, const RigidColumns& rigid
 /// std::invalid_argument where the training logs do not carry the load, or its link does not move.
 void fit_centres(const std::vector<Recording>& training, const EffortModel& model,
                  const RigidColumns& rigid, std::vector<KnownPayload>& payloads);
+
+/// What is still free of such a centre beside everything that is looked for: the load's first
+/// moments [kg m], of whose columns the recordings have the signal. Known as if without an error,
+/// it would make an offset of the joint that feels the load's weight.
+Candidate free_centre(const KnownPayload& payload);
+
+/// Signal of these columns: samples x 3 for each joint.
+std::string centre_signal(const KnownPayload& payload);
 
 }  // namespace sinew::diagnosis

@@ -16,7 +16,7 @@ using namespace sinew::diagnosis;
 namespace {
 
 constexpr double kStep = 0.002, kCutoff = 50.0;
-constexpr MotionBand kBand{18.0, 2.0 * kCutoff};
+constexpr double kQuiet = 2.0 * kCutoff;
 constexpr Index kRows = 5000;
 
 /// Motion of all frequencies up to 90 Hz, the faster the less.
@@ -54,24 +54,42 @@ TEST_CASE("a mass fitted to the expected motion is no smaller for the sensor's n
   const VectorXd q = moved(), reading = read(q, 3e-5);
   // As it was read: what all regressors were made of before.
   CHECK(missing_mass(q, reading) > 0.03);
-  CHECK(std::abs(missing_mass(q, expected_position(reading, kStep, kBand))) < 0.005);
+  CHECK(std::abs(missing_mass(q, expected_position(reading, kStep, kQuiet))) < 0.005);
 }
 
 TEST_CASE("a reading without noise is the motion itself") {
   const VectorXd q = moved();
-  const MatrixXd expected = expected_position(q, kStep, kBand);
+  const MatrixXd expected = expected_position(q, kStep, kQuiet);
   CHECK((expected.col(0) - q).cwiseAbs().maxCoeff() < 1e-5 * q.cwiseAbs().maxCoeff());
   const VectorXd still = VectorXd::Constant(kRows, 0.3);
-  CHECK((expected_position(still, kStep, kBand).col(0) - still).isZero(1e-12));
+  CHECK((expected_position(still, kStep, kQuiet).col(0) - still).isZero(1e-12));
 }
 
-TEST_CASE("of noise alone next to nothing is motion where it may be noise") {
-  const VectorXd share = share_of_motion(read(VectorXd::Zero(kRows), 1e-4), kStep, kBand, 1000);
+TEST_CASE("of noise alone next to nothing is motion") {
+  const VectorXd share = share_of_motion(read(VectorXd::Zero(kRows), 1e-4), kStep, kQuiet, 1000);
   REQUIRE(share.size() == 1000);
-  CHECK(share.head(70) == VectorXd::Ones(70));  // to 18 of 250 Hz
   CHECK(share.tail(900).mean() < 0.1);
   // A log too short to tell is taken as it is, and so is one that is sampled too slowly.
-  CHECK(share_of_motion(VectorXd::Ones(100), kStep, kBand, 10) == VectorXd::Ones(10));
-  CHECK(share_of_motion(read(VectorXd::Zero(kRows), 1e-4), 0.01, {10.0, 60.0}, 10) ==
-        VectorXd::Ones(10));
+  CHECK(share_of_motion(VectorXd::Ones(100), kStep, kQuiet, 10) == VectorXd::Ones(10));
+  CHECK(share_of_motion(read(VectorXd::Zero(kRows), 1e-4), 0.01, 60.0, 10) == VectorXd::Ones(10));
+}
+
+TEST_CASE(
+    "a slow motion's acceleration is free of noise, and nothing rings where the filter falls") {
+  const double omega = 2.0 * std::numbers::pi * 1.5;
+  VectorXd q(kRows);
+  for (Index k = 0; k < kRows; ++k)
+    q(k) = 7e-3 * (1.0 - std::cos(omega * kStep * static_cast<double>(k)));
+  const auto error = [&](const MatrixXd& position) {
+    const VectorXd off =
+        (differentiate(position, kStep, 18.0).qdd - differentiate(q, kStep, 18.0).qdd)
+            .col(0)
+            .segment(500, kRows - 1000);
+    return std::sqrt(off.squaredNorm() / static_cast<double>(off.size())) / (7e-3 * omega * omega);
+  };
+  const VectorXd reading = read(q, 1e-6);
+  // As it was read: 0.4 % of the acceleration, all of it faster than the motion.
+  CHECK(error(reading) > 3e-3);
+  // Planted: a filter that falls from one bin to the next leaves 2 % of it at that frequency.
+  CHECK(error(expected_position(reading, kStep, kQuiet)) < 5e-4);
 }

@@ -106,10 +106,15 @@ TEST_CASE("a column may say which load a log carried", "[slow]") {
   const auto log = [&](std::uint64_t seed) {
     return with_column(csv(draw_log(loaded(arm), seed, {})), "payload [g]", "600");
   };
-  const std::vector<LogText> logs{{"train.csv", log(1), false}, {"test.csv", log(2), true}};
-  const Findings found = diagnosis_of(arm, logs).findings;
-  INFO(found.headline << "\n" << said(found));
-  CHECK(found.verdict.nothing_beyond_noise());
+  // Planted: a fitted centre that is known from then on as if without an error. Both logs were told
+  // an offset of joint 4, which feels the load's weight.
+  for (const std::uint64_t seed : {1U, 17U}) {
+    const std::vector<LogText> logs{{"train.csv", log(seed), false},
+                                    {"test.csv", log(seed + 1), true}};
+    const Findings found = diagnosis_of(arm, logs).findings;
+    INFO(found.headline << "\n" << said(found));
+    CHECK(found.verdict.nothing_beyond_noise());
+  }
   // Nothing told: the load is found.
   const std::vector<LogText> bare{{"train.csv", csv(draw_log(loaded(arm), 1, {})), false},
                                   {"test.csv", csv(draw_log(loaded(arm), 2, {})), true}};
