@@ -11,6 +11,8 @@
 #include <cstring>
 #include <stdexcept>
 
+#include "generator/outputs/interruption.h"
+
 namespace sinew {
 
 namespace fs = std::filesystem;
@@ -47,9 +49,15 @@ void write_all(const Descriptor& file, std::string_view text, const fs::path& sh
   }
 }
 
-void write_new_file(const fs::path& path, std::string_view text, unsigned mode) {
+Descriptor created(const fs::path& path, unsigned mode) {
+  const NotInterrupted not_after_the_removal;
   Descriptor file(::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode));
   if (!file.is_open()) fail_with_errno(path, "cannot be created");
+  return file;
+}
+
+void write_new_file(const fs::path& path, std::string_view text, unsigned mode) {
+  Descriptor file = created(path, mode);
   write_all(file, text, path);
   if (::fsync(file.number()) != 0) fail_with_errno(path, "cannot be written");
   file.close(path);

@@ -32,8 +32,10 @@ class Descriptor {
 /// Writes all of `text`, or throws std::runtime_error naming `shown`.
 void write_all(const Descriptor& file, std::string_view text, const std::filesystem::path& shown);
 
-/// A new file with this text, on the disk when this returns. `mode`: its permissions, less the
-/// umask. Throws std::runtime_error, also where the file exists.
+/// A new file, opened to be written; none once an interruption removes what is unfinished. `mode`:
+/// its permissions, less the umask. Throws std::runtime_error, also where the file exists.
+Descriptor created(const std::filesystem::path& path, unsigned mode);
+/// The same with this text, on the disk when this returns.
 void write_new_file(const std::filesystem::path& path, std::string_view text, unsigned mode = 0666);
 
 /// Hands the names in a folder to the disk; not every file system can, which is no mistake.

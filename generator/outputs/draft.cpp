@@ -9,17 +9,25 @@
 #include <set>
 #include <stdexcept>
 
+#include "generator/outputs/interruption.h"
+
 namespace sinew {
 namespace {
 
 namespace fs = std::filesystem;
 
 void make_folder(const fs::path& folder) {
+  const NotInterrupted not_after_the_removal;
   if (::mkdir(folder.c_str(), 0777) != 0) fail_with_errno(folder, "cannot be created");
 }
 
+bool linked(const fs::path& file, const fs::path& to) {
+  const NotInterrupted not_after_the_removal;
+  return ::link(file.c_str(), to.c_str()) == 0;
+}
+
 void link_or_copy(const fs::path& file, const fs::path& to) {
-  if (::link(file.c_str(), to.c_str()) == 0) return;
+  if (linked(file, to)) return;
   struct stat is;
   if (::lstat(file.c_str(), &is) != 0 || !S_ISREG(is.st_mode))
     throw std::runtime_error(file.string() + ": is no regular file; expected one");
@@ -29,8 +37,7 @@ void link_or_copy(const fs::path& file, const fs::path& to) {
 }  // namespace
 
 Descriptor new_draft(const fs::path& draft, const fs::path& target) {
-  Descriptor file(::open(draft.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
-  if (!file.is_open()) fail_with_errno(draft, "cannot be created");
+  Descriptor file = created(draft, 0666);
   struct stat is;
   if (::stat(target.c_str(), &is) == 0) (void)::fchmod(file.number(), is.st_mode & 07777u);
   return file;

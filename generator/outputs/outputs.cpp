@@ -21,8 +21,8 @@ bool is_within(const fs::path& path, const fs::path& folder) {
   return !below.empty() && *below.begin() != "..";
 }
 
-// What an interrupted run left is put right before anything is asked of what is there: a file may be
-// new because of that run alone.
+// What an interrupted run left is put right before anything is asked of what is there: a file may
+// be new because of that run alone.
 
 /// What would have to be made first so that `folder` can be: itself, or a parent that is missing.
 fs::path first_missing(fs::path folder) {

@@ -104,6 +104,7 @@ void UnfinishedRun::enter(const fs::path& target) {
     interruptible_.emplace_back([&] { return path; });
   for (const Note& note : notes_)
     if (note.folder == folder) return;
+  const NotInterrupted not_after_the_removal;
   notes_.push_back({folder, new_note(folder, name_)});
 }
 
