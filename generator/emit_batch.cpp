@@ -42,7 +42,8 @@ std::string batch_function(const EmittedModel& model, const Graph& graph) {
 
 std::string what(const EmittedModel& model) {
   return fmt::format(
-      "The functions of the model {} over many states: element k of state i is at [k * count + i].",
+      "For a host with vector instructions: the functions of the model {} over many states; "
+      "element k of state i is at [k * count + i].",
       model.name);
 }
 

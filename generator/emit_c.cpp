@@ -89,12 +89,17 @@ std::string runtime_includes(const Target& target) {
 
 std::string signature(const EmittedModel& model, const Graph& graph) {
   std::string arguments;
+  const auto add = [&](const std::string& argument) {
+    arguments += (arguments.empty() ? "" : ", ") + argument;
+  };
+  const char* type = model.target.type();
   for (const Port& port : graph.inputs)
-    arguments += fmt::format("{}const {} {}[SINEW_AT_LEAST({})]", arguments.empty() ? "" : ", ",
-                             model.target.type(), port.name, port.size());
+    add(port.by_value
+            ? fmt::format("{} {}", type, port.name)
+            : fmt::format("const {} {}[SINEW_AT_LEAST({})]", type, port.name, port.size()));
   for (const Port& port : graph.outputs)
-    arguments += fmt::format("{}{} {}[SINEW_AT_LEAST({})]", arguments.empty() ? "" : ", ",
-                             model.target.type(), port.name, port.size());
+    add(port.states.empty() ? fmt::format("{} {}[SINEW_AT_LEAST({})]", type, port.name, port.size())
+                            : fmt::format("int *{}", port.name));
   return fmt::format("void {}_{}({})", model.name, graph.name, arguments);
 }
 
@@ -102,7 +107,7 @@ namespace {
 
 /// Definition of one function.
 std::string emit_function(const EmittedModel& model, const Graph& graph) {
-  ArrayNames names = array_names(graph);
+  ArrayNames names = array_names();
   if (model.target.optimise == Optimise::size) names.side_by_side = false;
   names.shared = true;
   std::string text = signature(model, graph) + "\n{\n";

@@ -16,26 +16,36 @@ int total_size(const std::vector<Port>& ports) {
   return total;
 }
 
+/// From one array to the arguments as the function takes them, and back.
 std::string wrapper(const EmittedModel& model, const Graph& graph) {
-  std::string arguments;
+  std::string arguments, statuses, results;
+  const auto add = [&](const std::string& argument) {
+    arguments += (arguments.empty() ? "" : ", ") + argument;
+  };
+  const char* type = model.target.type();
   int offset = 0;
   for (const Port& port : graph.inputs) {
-    arguments += fmt::format("{}x + {}", arguments.empty() ? "" : ", ", offset);
+    add(port.by_value ? fmt::format("x[{}]", offset) : fmt::format("x + {}", offset));
     offset += port.size();
   }
   offset = 0;
   for (const Port& port : graph.outputs) {
-    arguments += fmt::format("{}y + {}", arguments.empty() ? "" : ", ", offset);
+    if (port.states.empty()) {
+      add(fmt::format("y + {}", offset));
+    } else {
+      statuses += fmt::format("    int {};\n", port.name);
+      results += fmt::format("    y[{}] = ({}){};\n", offset, type, port.name);
+      add("&" + port.name);
+    }
     offset += port.size();
   }
-  const char* type = model.target.type();
   const std::string input = graph.inputs.empty()
                                 ? "    (void)in;\n"
                                 : fmt::format("    const {0} *x = (const {0} *)in;\n", type);
   return fmt::format(
-      "static void call_{1}(const void *in, void *out)\n{{\n{4}    {0} *y = ({0} *)out;\n    "
-      "{2}_{1}({3});\n}}\n",
-      type, graph.name, model.name, arguments, input);
+      "static void call_{1}(const void *in, void *out)\n{{\n{4}    {0} *y = ({0} *)out;\n{5}    "
+      "{2}_{1}({3});\n{6}}}\n",
+      type, graph.name, model.name, arguments, input, statuses, results);
 }
 
 std::string bounds(const std::string& name, const Port& port, double Range::*end) {

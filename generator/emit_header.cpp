@@ -45,6 +45,19 @@ std::string operations_text(const Cost& c) {
   return text;
 }
 
+/// What a function's statuses say, for the caller to compare with.
+std::string state_names(const EmittedModel& model, const Graph& graph) {
+  std::string text;
+  for (const Port& port : graph.outputs) {
+    std::string names;
+    for (std::size_t i = 0; i < port.states.size(); ++i)
+      names += fmt::format("{}{} = {}", i ? ", " : "",
+                           upper(model.name + "_" + graph.name + "_" + port.states[i]), i);
+    if (!names.empty()) text += "enum { " + names + " };\n";
+  }
+  return text;
+}
+
 std::string prototype(const EmittedModel& model, const Graph& graph) {
   std::string text =
       fmt::format("\n/* {}{}{}\n", graph.doc, graph.equation.empty() ? "" : " ", graph.equation);
@@ -56,7 +69,7 @@ std::string prototype(const EmittedModel& model, const Graph& graph) {
     text += fmt::format(" *   out {:<8} {:>6} {}{}\n", port.name, shape(port),
                         port.unit.empty() ? "" : "[" + port.unit + "] ", port.doc);
   text += fmt::format(" * {}. */\n", operations_text(count_operations(graph)));
-  return text + signature(model, graph) + ";\n";
+  return text + signature(model, graph) + ";\n" + state_names(model, graph);
 }
 
 }  // namespace

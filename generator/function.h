@@ -11,7 +11,7 @@
 
 namespace sinew {
 
-/// One array argument of an emitted function; row-major, `rows * cols` symbols.
+/// One argument of an emitted function; row-major, `rows * cols` symbols.
 struct Argument {
   std::string name;  ///< C identifier
   int rows = 1;
@@ -22,6 +22,8 @@ struct Argument {
   std::vector<Range> ranges;  ///< size rows*cols; where tests and the firmware check sample
   /// Size rows*cols: the model's reference pose; empty: reference_inputs' default.
   std::vector<double> reference = {};
+  /// A single number by its nature, passed as such; false: an array, of whatever size.
+  bool by_value = false;
 };
 
 /// A named intermediate: `symbol` stands for `value`, which may use the inputs and earlier
@@ -39,12 +41,16 @@ struct Output {
   std::vector<GiNaC::ex> values;  ///< size rows*cols
   std::string unit;
   std::string doc;
+  /// What 0, 1, ... mean where the result is a status (1 x 1): words for C identifiers, for
+  /// instance "fine", "not_reached". Such a result is an int in C.
+  std::vector<std::string> states = {};
 };
 
 /// A function to emit: `<model>_<name>(inputs..., outputs...)`.
 ///
 /// Expressions may use +, *, integer and half-integer powers, sin, cos, atan, atan2, acos, asin,
-/// exp, log, sqrt, abs and the functions of symbolic/expressions/piecewise.h (minimum, maximum, choose).
+/// exp, log, sqrt, abs and the functions of symbolic/expressions/piecewise.h (minimum, maximum,
+/// choose).
 struct Function {
   std::string name;      ///< without the model's prefix
   std::string doc;       ///< one or two sentences

@@ -69,9 +69,11 @@ struct Port {
   int cols = 1;
   std::string unit;
   std::string doc;
-  std::vector<Range> ranges;           ///< inputs only
-  std::vector<Value> values;           ///< outputs only, rows*cols
-  std::vector<double> reference = {};  ///< inputs only, as in Argument
+  std::vector<Range> ranges;             ///< inputs only
+  std::vector<Value> values;             ///< outputs only, rows*cols
+  std::vector<double> reference = {};    ///< inputs only, as in Argument
+  bool by_value = false;                 ///< inputs only, as in Argument
+  std::vector<std::string> states = {};  ///< outputs only, as in Output
   int size() const { return rows * cols; }
 };
 

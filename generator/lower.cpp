@@ -64,7 +64,11 @@ class Lowering {
                                argument.doc,
                                argument.ranges,
                                {},
-                               argument.reference});
+                               argument.reference,
+                               argument.by_value});
+      if (argument.by_value && argument.rows * argument.cols != 1)
+        fail(fmt::format("argument {} is {}x{} and by value", argument.name, argument.rows,
+                         argument.cols));
       if (static_cast<int>(argument.symbols.size()) != argument.rows * argument.cols)
         fail(fmt::format("argument {} has {} symbols for {}x{}", argument.name,
                          argument.symbols.size(), argument.rows, argument.cols));
@@ -72,8 +76,18 @@ class Lowering {
         symbols_[symbol] = {graph_.input(next++), false};
     }
     for (const Output& output : function_.outputs) {
-      graph_.outputs.push_back(
-          {output.name, output.rows, output.cols, output.unit, output.doc, {}, {}});
+      graph_.outputs.push_back({output.name,
+                                output.rows,
+                                output.cols,
+                                output.unit,
+                                output.doc,
+                                {},
+                                {},
+                                {},
+                                false,
+                                output.states});
+      if (!output.states.empty() && output.rows * output.cols != 1)
+        fail(fmt::format("status {} is {}x{}", output.name, output.rows, output.cols));
       if (static_cast<int>(output.values.size()) != output.rows * output.cols)
         fail(fmt::format("result {} has {} values for {}x{}", output.name, output.values.size(),
                          output.rows, output.cols));
@@ -89,7 +103,8 @@ class Lowering {
 
   Signed lower(const ex& e) {
     if (is_a<GiNaC::numeric>(e)) {
-      if (!ex_to<GiNaC::numeric>(e).is_real()) fail_expression("a complex number has no C form:", e);
+      if (!ex_to<GiNaC::numeric>(e).is_real())
+        fail_expression("a complex number has no C form:", e);
       return number(ex_to<GiNaC::numeric>(e));
     }
     if (is_a<GiNaC::symbol>(e)) return symbol(e);
@@ -149,9 +164,8 @@ class Lowering {
       result.negative = result.negative != factor.negative;
       // a bare sign is no factor: 1*x must be the very node x, or terms would sort by their sign
       if (graph_.is_constant(factor.value, 1.0)) continue;
-      result.value = result.value == no_value
-                         ? factor.value
-                         : in_order(Op::multiply, result.value, factor.value);
+      result.value = result.value == no_value ? factor.value
+                                              : in_order(Op::multiply, result.value, factor.value);
     }
     if (result.value == no_value) result.value = graph_.constant(1.0);
     return result;

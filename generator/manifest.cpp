@@ -16,6 +16,8 @@ using Json = nlohmann::ordered_json;
 Json port_json(const EmittedModel& model, const std::string& function, const Port& port) {
   Json json{{"name", port.name}, {"rows", port.rows}, {"cols", port.cols}, {"unit", port.unit}};
   if (!port.doc.empty()) json["doc"] = port.doc;
+  if (port.by_value) json["by_value"] = true;
+  if (!port.states.empty()) json["states"] = port.states;
   const std::string order = name_of(order_of(model.naming, function, port));
   if (!order.empty()) json["order"] = order;
   if (!port.ranges.empty()) {

@@ -129,8 +129,10 @@ class Writer {
 
   void store(const Element& element) {
     write(element.value());  // a constant may stand later
-    lines_.push_back(fmt::format("{} = {};", names_.element(*element.port, element.index),
-                                 text(element.value()).text));
+    const bool is_status = names_.int_statuses && !element.port->states.empty();
+    const std::string value = is_status ? "(int)" + in_parentheses(element.value(), binds_atom)
+                                        : text(element.value()).text;
+    lines_.push_back(fmt::format("{} = {};", names_.element(*element.port, element.index), value));
   }
 
   Text& text(Value v) { return texts_[static_cast<std::size_t>(v)]; }
@@ -401,9 +403,13 @@ class Writer {
 
 }  // namespace
 
-ArrayNames array_names(const Graph&) {
-  return {[](const Port& port, int element) { return fmt::format("{}[{}]", port.name, element); },
-          true};
+ArrayNames array_names() {
+  ArrayNames names{[](const Port& port, int element) {
+    if (port.by_value) return port.name;
+    return port.states.empty() ? fmt::format("{}[{}]", port.name, element) : "*" + port.name;
+  }};
+  names.int_statuses = true;
+  return names;
 }
 
 bool stores_early(const Graph& graph) {

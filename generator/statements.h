@@ -14,14 +14,15 @@ namespace sinew {
 /// How array elements are written: element k of an input or output.
 struct ArrayNames {
   std::function<std::string(const Port& port, int element)> element;
-  bool side_by_side = true;  ///< evaluate several angles by one call; off inside a loop over
-                             ///< states, where all results are stored at the end, too
-  bool stores_last = false;  ///< all results are stored at the end
-  bool shared = false;       ///< the file's copies of long functions are called (runtime_calls.h)
+  bool side_by_side = true;   ///< evaluate several angles by one call; off inside a loop over
+                              ///< states, where all results are stored at the end, too
+  bool stores_last = false;   ///< all results are stored at the end
+  bool shared = false;        ///< the file's copies of long functions are called (runtime_calls.h)
+  bool int_statuses = false;  ///< a status is an int, else a number as all results
 };
 
-/// q[2]: plain arrays.
-ArrayNames array_names(const Graph& graph);
+/// As the arguments of a function are: q[2], a number by its name, *status.
+ArrayNames array_names();
 
 /// Whether any element of the named input is used.
 bool reads_port(const Graph& graph, const std::string& name);

@@ -9,12 +9,13 @@
  */
 static uint32_t find_thumb(hand_state *s, const hand_parameters *p, const double *h, double *q) {
   static const double middle[2] = {0.0, 0.0};
-  double correction, status;
+  double correction;
+  int status;
   const int anew = s->astray_ticks >= p->restart_ticks;
   thumb_link_position_warm(h, anew ? middle : s->q, q, &correction, &status);
   thumb_hinge_position(&h[4], &q[2]);
-  s->astray_ticks = status == 0.0 || anew ? 0U : s->astray_ticks + 1U;
-  return status == 0.0 ? SINEW_FINE : HAND_NOT_CONVERGED;
+  s->astray_ticks = status == THUMB_LINK_POSITION_WARM_CONVERGED || anew ? 0U : s->astray_ticks + 1U;
+  return status == THUMB_LINK_POSITION_WARM_CONVERGED ? SINEW_FINE : HAND_NOT_CONVERGED;
 }
 
 /* The crank's angle by least squares from its two tendons. */

@@ -7,7 +7,7 @@ static void take_friction(hand_state *s, const hand_parameters *p, const hand_ti
   const double rate = t->motor_reference_rate[i];
   const double middle = t->motor[i] + 0.5 * (double)(p->turns - 1U) * p->period * rate;
   double margin;
-  motor_compensation_torque(&middle, &rate, &s->friction[i], &margin);
+  motor_compensation_torque(middle, rate, &s->friction[i], &margin);
 }
 
 /* The motors whose turn it is: all where there are fewer than three turns; else the turns between

@@ -87,7 +87,7 @@ static void lengths_of(uint32_t group, const double *q, double *h) {
   if (group < HAND_FINGERS)
     hand_fingers[group].lengths(q, h);
   else
-    hmc_tendon_lengths(q, h);
+    hmc_tendon_lengths(q[0], h);
 }
 
 /* Motor angles at which the tendons hold the reference posture with those forces, by (5.1). */

@@ -61,10 +61,9 @@ static int start_fingers(hand_state *s, const hand_parameters *p) {
 }
 
 static void start_crank(hand_state *s, const hand_parameters *p) {
-  const double further = p->crank_reference + 1.0;
   double *at_reference = &s->finger_at_zero[p->first_tendon[HAND_FINGERS]], h[2];
-  hmc_tendon_lengths(&p->crank_reference, at_reference);
-  hmc_tendon_lengths(&further, h);
+  hmc_tendon_lengths(p->crank_reference, at_reference);
+  hmc_tendon_lengths(p->crank_reference + 1.0, h);
   for (uint32_t i = 0; i < 2U; ++i) s->crank_coupling[i] = h[i] - at_reference[i];
   s->q[HAND_JOINTS] = p->crank_reference;
 }

@@ -21,26 +21,24 @@ SINEW_NOT_INLINE static double sinew_one_exp(double x)
     return sinew_exp(x);
 }
 
-void capstan_friction_force(const double tension[SINEW_AT_LEAST(1)],
-    const double bending[SINEW_AT_LEAST(1)], const double velocity[SINEW_AT_LEAST(1)],
+void capstan_friction_force(double tension, double bending, double velocity,
     double force[SINEW_AT_LEAST(1)])
 {
-    const double limited_velocity = sinew_min(sinew_max(velocity[0], -1e+05), 1e+05);
+    const double limited_velocity = sinew_min(sinew_max(velocity, -1e+05), 1e+05);
     const double direction = limited_velocity / sinew_sqrt(1e-08 + limited_velocity
         * limited_velocity);
-    const double pull = sinew_max(tension[0], 0.0);
-    const double angle = sinew_min(sinew_max(bending[0], 0.0), 100.0);
+    const double pull = sinew_max(tension, 0.0);
+    const double angle = sinew_min(sinew_max(bending, 0.0), 100.0);
     force[0] = -(direction * pull * (1.0 - sinew_one_exp(-(0.1 * angle))));
 }
 
-void capstan_transmitted_force(const double tension[SINEW_AT_LEAST(1)],
-    const double bending[SINEW_AT_LEAST(1)], const double velocity[SINEW_AT_LEAST(1)],
+void capstan_transmitted_force(double tension, double bending, double velocity,
     double force[SINEW_AT_LEAST(1)])
 {
-    const double limited_velocity = sinew_min(sinew_max(velocity[0], -1e+05), 1e+05);
+    const double limited_velocity = sinew_min(sinew_max(velocity, -1e+05), 1e+05);
     const double direction = limited_velocity / sinew_sqrt(1e-08 + limited_velocity
         * limited_velocity);
-    const double angle = sinew_min(sinew_max(bending[0], 0.0), 100.0);
-    const double pull = sinew_max(tension[0], 0.0);
+    const double angle = sinew_min(sinew_max(bending, 0.0), 100.0);
+    const double pull = sinew_max(tension, 0.0);
     force[0] = pull * sinew_one_exp(-(0.1 * angle * direction));
 }

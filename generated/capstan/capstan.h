@@ -30,8 +30,7 @@ extern "C" {
  *   in  velocity      1 [m/s] tendon velocity, towards the motor; made for -0.1..0.1
  *   out force         1 [N] on the tendon
  * 4 multiplications, 2 additions, 1 divisions, 1 square roots, 6 other functions. */
-void capstan_friction_force(const double tension[SINEW_AT_LEAST(1)],
-    const double bending[SINEW_AT_LEAST(1)], const double velocity[SINEW_AT_LEAST(1)],
+void capstan_friction_force(double tension, double bending, double velocity,
     double force[SINEW_AT_LEAST(1)]);
 
 /* Tension at the finger when the motor's side is known. (4.1)
@@ -40,8 +39,7 @@ void capstan_friction_force(const double tension[SINEW_AT_LEAST(1)],
  *   in  velocity      1 [m/s] tendon velocity, towards the motor; made for -0.1..0.1
  *   out force         1 [N] on the finger's side
  * 4 multiplications, 1 additions, 1 divisions, 1 square roots, 6 other functions. */
-void capstan_transmitted_force(const double tension[SINEW_AT_LEAST(1)],
-    const double bending[SINEW_AT_LEAST(1)], const double velocity[SINEW_AT_LEAST(1)],
+void capstan_transmitted_force(double tension, double bending, double velocity,
     double force[SINEW_AT_LEAST(1)]);
 
 #ifdef __cplusplus

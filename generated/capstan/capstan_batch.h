@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-2-Clause
  *
- * The functions of the model capstan over many states: element k of state i is at [k * count + i].
+ * For a host with vector instructions: the functions of the model capstan over many states; element
+ *     k of state i is at [k * count + i].
  *
  * Made by: sinew generate models/capstan
  * Model:   sha256 9937a616cfcfa046d6bebb92e5b90c960f3b39b95c0b66932a954a91e45aa2ea

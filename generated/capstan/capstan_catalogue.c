@@ -14,7 +14,7 @@ static void call_friction_force(const void *in, void *out)
 {
     const double *x = (const double *)in;
     double *y = (double *)out;
-    capstan_friction_force(x + 0, x + 1, x + 2, y + 0);
+    capstan_friction_force(x[0], x[1], x[2], y + 0);
 }
 static const double friction_force_tension_low[] = {0.0};
 static const double friction_force_tension_high[] = {100.0};
@@ -35,7 +35,7 @@ static void call_transmitted_force(const void *in, void *out)
 {
     const double *x = (const double *)in;
     double *y = (double *)out;
-    capstan_transmitted_force(x + 0, x + 1, x + 2, y + 0);
+    capstan_transmitted_force(x[0], x[1], x[2], y + 0);
 }
 static const double transmitted_force_tension_low[] = {0.0};
 static const double transmitted_force_tension_high[] = {100.0};

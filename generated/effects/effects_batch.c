@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-2-Clause
  *
- * The functions of the model effects over many states: element k of state i is at [k * count + i].
+ * For a host with vector instructions: the functions of the model effects over many states; element
+ *     k of state i is at [k * count + i].
  *
  * Made by: sinew generate models/effects
  * Model:   sha256 69c538edcbf3bf2f45779b1c8a2551790ff791915ec1f60e5b93999b2315532f

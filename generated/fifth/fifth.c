@@ -765,10 +765,9 @@ void fifth_link_position(const double h[SINEW_AT_LEAST(6)], double q[SINEW_AT_LE
     q[2] = 56.81818181818181 * (h[4] - h[5]);
 }
 
-void fifth_link_position_covariance(const double sigma[SINEW_AT_LEAST(1)],
-    double covariance[SINEW_AT_LEAST(9)])
+void fifth_link_position_covariance(double sigma, double covariance[SINEW_AT_LEAST(9)])
 {
-    const double variance = sigma[0] * sigma[0];
+    const double variance = sigma * sigma;
     const double t1 = 9245.562130177515 * variance;
     covariance[0] = t1;
     covariance[1] = 0.0;

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-2-Clause
  *
- * The functions of the model fifth over many states: element k of state i is at [k * count + i].
+ * For a host with vector instructions: the functions of the model fifth over many states; element k
+ *     of state i is at [k * count + i].
  *
  * Made by: sinew generate models/fifth
  * Model:   sha256 ae27d826145740fcb6e3f8c3b6f00dad5a582dbf0da2c06f617ce673f467b351

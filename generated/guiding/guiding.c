@@ -15,12 +15,11 @@ static double sinew_one_exp(double x)
     return sinew_exp(x);
 }
 
-void guiding_friction_force(const double bending[SINEW_AT_LEAST(1)],
-    const double velocity[SINEW_AT_LEAST(1)], double force[SINEW_AT_LEAST(1)])
+void guiding_friction_force(double bending, double velocity, double force[SINEW_AT_LEAST(1)])
 {
-    const double limited_velocity = sinew_min(sinew_max(velocity[0], -1e+05), 1e+05);
+    const double limited_velocity = sinew_min(sinew_max(velocity, -1e+05), 1e+05);
     const double direction = limited_velocity / sinew_sqrt(1e-08 + limited_velocity
         * limited_velocity);
-    const double angle = sinew_min(sinew_max(bending[0], 0.0), 100.0);
+    const double angle = sinew_min(sinew_max(bending, 0.0), 100.0);
     force[0] = -(6.0 * direction * (1.0 - sinew_one_exp(-(0.35 * angle))));
 }

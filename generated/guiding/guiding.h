@@ -29,8 +29,7 @@ extern "C" {
  *   in  velocity      1 [m/s] tendon velocity, towards the motor; made for -0.1..0.1
  *   out force         1 [N] on the tendon
  * 4 multiplications, 2 additions, 1 divisions, 1 square roots, 5 other functions. */
-void guiding_friction_force(const double bending[SINEW_AT_LEAST(1)],
-    const double velocity[SINEW_AT_LEAST(1)], double force[SINEW_AT_LEAST(1)]);
+void guiding_friction_force(double bending, double velocity, double force[SINEW_AT_LEAST(1)]);
 
 #ifdef __cplusplus
 }

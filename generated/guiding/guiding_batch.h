@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-2-Clause
  *
- * The functions of the model guiding over many states: element k of state i is at [k * count + i].
+ * For a host with vector instructions: the functions of the model guiding over many states; element
+ *     k of state i is at [k * count + i].
  *
  * Made by: sinew generate models/guiding
  * Model:   sha256 46008d1ec7c51e1a1f40582caaef4c99f74a4a0435168858e8014640103ff18b

@@ -14,7 +14,7 @@ static void call_friction_force(const void *in, void *out)
 {
     const double *x = (const double *)in;
     double *y = (double *)out;
-    guiding_friction_force(x + 0, x + 1, y + 0);
+    guiding_friction_force(x[0], x[1], y + 0);
 }
 static const double friction_force_bending_low[] = {0.0};
 static const double friction_force_bending_high[] = {6.3};

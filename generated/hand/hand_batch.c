@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-2-Clause
  *
- * The functions of the model hand over many states: element k of state i is at [k * count + i].
+ * For a host with vector instructions: the functions of the model hand over many states; element k
+ *     of state i is at [k * count + i].
  *
  * Made by: sinew generate models/hand
  * Model:   sha256 149bfdb172c9db83c03fe3a5f8e740421544677e415df28801df6237951eb00f

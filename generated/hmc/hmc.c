@@ -32,9 +32,9 @@ SINEW_NOT_INLINE static struct sinew_sines sinew_one_sincos(double x)
     return y;
 }
 
-void hmc_four_bar(const double theta2[SINEW_AT_LEAST(1)], double out[SINEW_AT_LEAST(4)])
+void hmc_four_bar(double theta2, double out[SINEW_AT_LEAST(4)])
 {
-    const struct sinew_sines sines1 = sinew_one_sincos(theta2[0]);
+    const struct sinew_sines sines1 = sinew_one_sincos(theta2);
     const double sin2 = sines1.s[0];
     const double cos2 = sines1.c[0];
     const double A = 1.2 - cos2;
@@ -61,10 +61,9 @@ void hmc_four_bar(const double theta2[SINEW_AT_LEAST(1)], double out[SINEW_AT_LE
     out[3] = 0.9090909090909091 * (cos2 * sin3 + sin2 * cos3) * t4;
 }
 
-void hmc_locking(const double theta2[SINEW_AT_LEAST(1)], double distance[SINEW_AT_LEAST(1)],
-    double status[SINEW_AT_LEAST(1)])
+void hmc_locking(double theta2, double distance[SINEW_AT_LEAST(1)], int *status)
 {
-    const struct sinew_sines sines1 = sinew_one_sincos(theta2[0]);
+    const struct sinew_sines sines1 = sinew_one_sincos(theta2);
     const double sin2 = sines1.s[0];
     const double cos2 = sines1.c[0];
     const double A = 1.2 - cos2;
@@ -76,12 +75,12 @@ void hmc_locking(const double theta2[SINEW_AT_LEAST(1)], double distance[SINEW_A
     const double slack = 0.6944444444444444 * (C + reach) * (C - reach);
     const double sine = sinew_sqrt(sinew_max(-slack, 0.0));
     distance[0] = sinew_one_atan2(sine, sinew_max(cos_34, -cos_34));
-    status[0] = sinew_choose(-(1e-12 + slack), 0.0, 1.0);
+    *status = (int)sinew_choose(-(1e-12 + slack), 0.0, 1.0);
 }
 
-void hmc_coupler_pose(const double theta2[SINEW_AT_LEAST(1)], double T[SINEW_AT_LEAST(16)])
+void hmc_coupler_pose(double theta2, double T[SINEW_AT_LEAST(16)])
 {
-    const struct sinew_sines sines1 = sinew_one_sincos(theta2[0]);
+    const struct sinew_sines sines1 = sinew_one_sincos(theta2);
     const double sin2 = sines1.s[0];
     const double cos2 = sines1.c[0];
     const double A = 1.2 - cos2;
@@ -121,9 +120,9 @@ void hmc_coupler_pose(const double theta2[SINEW_AT_LEAST(1)], double T[SINEW_AT_
     T[15] = 1.0;
 }
 
-void hmc_tendon_lengths(const double theta2[SINEW_AT_LEAST(1)], double h[SINEW_AT_LEAST(2)])
+void hmc_tendon_lengths(double theta2, double h[SINEW_AT_LEAST(2)])
 {
-    const double length = 0.007853981633974483 - 0.005 * theta2[0];
+    const double length = 0.007853981633974483 - 0.005 * theta2;
     h[0] = -length;
     h[1] = length;
 }

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-2-Clause
  *
- * The functions of the model hmc over many states: element k of state i is at [k * count + i].
+ * For a host with vector instructions: the functions of the model hmc over many states; element k
+ *     of state i is at [k * count + i].
  *
  * Made by: sinew generate models/hmc
  * Model:   sha256 c6b6b6fab0f68b853c57719fa8fd34070a670d46c78afafe5dbd5dc96995e9e7

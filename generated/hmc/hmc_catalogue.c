@@ -14,7 +14,7 @@ static void call_four_bar(const void *in, void *out)
 {
     const double *x = (const double *)in;
     double *y = (double *)out;
-    hmc_four_bar(x + 0, y + 0);
+    hmc_four_bar(x[0], y + 0);
 }
 static const double four_bar_theta2_low[] = {1.0471975511965976};
 static const double four_bar_theta2_high[] = {2.0943951023931953};
@@ -29,7 +29,9 @@ static void call_locking(const void *in, void *out)
 {
     const double *x = (const double *)in;
     double *y = (double *)out;
-    hmc_locking(x + 0, y + 0, y + 1);
+    int status;
+    hmc_locking(x[0], y + 0, &status);
+    y[1] = (double)status;
 }
 static const double locking_theta2_low[] = {1.0471975511965976};
 static const double locking_theta2_high[] = {2.0943951023931953};
@@ -45,7 +47,7 @@ static void call_coupler_pose(const void *in, void *out)
 {
     const double *x = (const double *)in;
     double *y = (double *)out;
-    hmc_coupler_pose(x + 0, y + 0);
+    hmc_coupler_pose(x[0], y + 0);
 }
 static const double coupler_pose_theta2_low[] = {1.0471975511965976};
 static const double coupler_pose_theta2_high[] = {2.0943951023931953};
@@ -60,7 +62,7 @@ static void call_tendon_lengths(const void *in, void *out)
 {
     const double *x = (const double *)in;
     double *y = (double *)out;
-    hmc_tendon_lengths(x + 0, y + 0);
+    hmc_tendon_lengths(x[0], y + 0);
 }
 static const double tendon_lengths_theta2_low[] = {1.0471975511965976};
 static const double tendon_lengths_theta2_high[] = {2.0943951023931953};

@@ -898,10 +898,9 @@ void index_link_position(const double h[SINEW_AT_LEAST(8)], double q[SINEW_AT_LE
     q[3] = 111.11111111111111 * (t5 - h[6] + h[7]);
 }
 
-void index_link_position_covariance(const double sigma[SINEW_AT_LEAST(1)],
-    double covariance[SINEW_AT_LEAST(16)])
+void index_link_position_covariance(double sigma, double covariance[SINEW_AT_LEAST(16)])
 {
-    const double variance = sigma[0] * sigma[0];
+    const double variance = sigma * sigma;
     const double t1 = 5917.15976331361 * variance;
     const double t2 = 20202.0202020202 * variance;
     covariance[0] = t1;

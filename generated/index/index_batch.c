@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-2-Clause
  *
- * The functions of the model index over many states: element k of state i is at [k * count + i].
+ * For a host with vector instructions: the functions of the model index over many states; element k
+ *     of state i is at [k * count + i].
  *
  * Made by: sinew generate models/index
  * Model:   sha256 87dae3bf2513ab5836c918f869de07d956d21148227d4e316059a4cbc5f06f25

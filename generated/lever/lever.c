@@ -32,9 +32,9 @@ SINEW_NOT_INLINE static struct sinew_sines sinew_one_sincos(double x)
     return y;
 }
 
-void lever_state(const double theta[SINEW_AT_LEAST(1)], double out[SINEW_AT_LEAST(4)])
+void lever_state(double theta, double out[SINEW_AT_LEAST(4)])
 {
-    const struct sinew_sines sines1 = sinew_one_sincos(theta[0]);
+    const struct sinew_sines sines1 = sinew_one_sincos(theta);
     const double sin_theta = sines1.s[0];
     const double cos_theta = sines1.c[0];
     const double C2_y_by_theta = 0.014 * cos_theta;
@@ -125,9 +125,9 @@ void lever_state(const double theta[SINEW_AT_LEAST(1)], double out[SINEW_AT_LEAS
     out[3] = force_by_theta * t12;
 }
 
-void lever_slope(const double theta[SINEW_AT_LEAST(1)], double out[SINEW_AT_LEAST(2)])
+void lever_slope(double theta, double out[SINEW_AT_LEAST(2)])
 {
-    const struct sinew_sines sines1 = sinew_one_sincos(theta[0]);
+    const struct sinew_sines sines1 = sinew_one_sincos(theta);
     const double sin_theta = sines1.s[0];
     const double cos_theta = sines1.c[0];
     const double t2 = 0.014 * cos_theta;
@@ -164,11 +164,10 @@ void lever_slope(const double theta[SINEW_AT_LEAST(1)], double out[SINEW_AT_LEAS
     out[1] = -energy_slope;
 }
 
-void lever_angle(const double elongation[SINEW_AT_LEAST(1)], const double theta[SINEW_AT_LEAST(1)],
-    double theta_lever[SINEW_AT_LEAST(1)], double residual[SINEW_AT_LEAST(1)])
+void lever_angle(double elongation, double theta, double theta_lever[SINEW_AT_LEAST(1)],
+    double residual[SINEW_AT_LEAST(1)])
 {
-    const double theta_start = sinew_min(sinew_max(theta[0], 0.09548248781986068),
-        0.8377580409572781);
+    const double theta_start = sinew_min(sinew_max(theta, 0.09548248781986068), 0.8377580409572781);
     const struct sinew_sines sines1 = sinew_one_sincos(theta_start);
     const double sin_theta = sines1.s[0];
     const double cos_theta = sines1.c[0];
@@ -198,7 +197,7 @@ void lever_angle(const double elongation[SINEW_AT_LEAST(1)], const double theta[
     const double dL_safe_slope = sinew_choose(dL_slope, sinew_max(dL_slope, 1.4e-08),
         sinew_min(dL_slope, -1.4e-08));
     const double s23_angle = sinew_one_atan2(-s23_v, s23_u);
-    const double limited_elongation = sinew_min(sinew_max(elongation[0], -1.0), 1.0);
+    const double limited_elongation = sinew_min(sinew_max(elongation, -1.0), 1.0);
     const double dL_target = 0.04541547683053999 - limited_elongation;
     const double s12_angle = sinew_one_atan2(s12_v, s12_u);
     const double t7 = dL_target - s12_length - s23_length + 0.008 * s23_angle - 0.009 * s12_angle;
@@ -374,9 +373,9 @@ void lever_angle(const double elongation[SINEW_AT_LEAST(1)], const double theta[
     residual[0] = t38;
 }
 
-void lever_status(const double theta[SINEW_AT_LEAST(1)], double status[SINEW_AT_LEAST(1)])
+void lever_status(double theta, int *status)
 {
-    const struct sinew_sines sines1 = sinew_one_sincos(theta[0]);
+    const struct sinew_sines sines1 = sinew_one_sincos(theta);
     const double sin_theta = sines1.s[0];
     const double cos_theta = sines1.c[0];
     const double t2 = 0.014 * cos_theta;
@@ -406,7 +405,6 @@ void lever_status(const double theta[SINEW_AT_LEAST(1)], double status[SINEW_AT_
     const double dL_slope = t2 * (s12_along_y + s23_along_y) - t3 * (s12_along_x - s23_along_x);
     const double t9 = sinew_choose(-(1.4e-08 - sinew_max(dL_slope, -dL_slope)),
         sinew_choose(sinew_min(t7, t5), 0.0, 1.0), 1.0);
-    const double t10 = theta[0] - sinew_min(sinew_max(theta[0], 0.09548248781986068),
-        0.8377580409572781);
-    status[0] = sinew_choose(-sinew_max(t10, -t10), t9, 1.0);
+    const double t10 = theta - sinew_min(sinew_max(theta, 0.09548248781986068), 0.8377580409572781);
+    *status = (int)sinew_choose(-sinew_max(t10, -t10), t9, 1.0);
 }

@@ -28,13 +28,13 @@ extern "C" {
  *   in  theta         1 [rad] lever angle; made for 0.09548..0.8378
  *   out out           4 [m, m, N, N/m] dL, elongation, force, stiffness
  * 75 multiplications, 57 additions, 7 divisions, 3 square roots, 1 sincos, 16 other functions. */
-void lever_state(const double theta[SINEW_AT_LEAST(1)], double out[SINEW_AT_LEAST(4)]);
+void lever_state(double theta, double out[SINEW_AT_LEAST(4)]);
 
 /* Derivatives of the tendon path and of the spring's energy by the lever angle. 4.1
  *   in  theta         1 [rad] lever angle; made for 0.09548..0.8378
  *   out out           2 [m/rad, N m/rad] dL', U'
  * 29 multiplications, 20 additions, 3 divisions, 3 square roots, 1 sincos, 4 other functions. */
-void lever_slope(const double theta[SINEW_AT_LEAST(1)], double out[SINEW_AT_LEAST(2)]);
+void lever_slope(double theta, double out[SINEW_AT_LEAST(2)]);
 
 /* Lever angle at an elongation of the tendon, by Newton's method. 4.1
  *   in  elongation      1 [m] tendon elongation; made for 0..0.01
@@ -44,14 +44,15 @@ void lever_slope(const double theta[SINEW_AT_LEAST(1)], double out[SINEW_AT_LEAS
  *   out residual      1 [m] what is left of the elongation
  * 120 multiplications, 111 additions, 15 divisions, 12 square roots, 6 sincos, 65 other
  *     functions. */
-void lever_angle(const double elongation[SINEW_AT_LEAST(1)], const double theta[SINEW_AT_LEAST(1)],
-    double theta_lever[SINEW_AT_LEAST(1)], double residual[SINEW_AT_LEAST(1)]);
+void lever_angle(double elongation, double theta, double theta_lever[SINEW_AT_LEAST(1)],
+    double residual[SINEW_AT_LEAST(1)]);
 
 /* Whether the lever is within its travel and transmits force.
  *   in  theta         1 [rad] lever angle; made for 0.09548..0.8378
  *   out status        1 [1] 0 fine, 1 outside the travel or at a dead centre
  * 19 multiplications, 16 additions, 2 divisions, 2 square roots, 1 sincos, 12 other functions. */
-void lever_status(const double theta[SINEW_AT_LEAST(1)], double status[SINEW_AT_LEAST(1)]);
+void lever_status(double theta, int *status);
+enum { LEVER_STATUS_FINE = 0, LEVER_STATUS_NOT_USABLE = 1 };
 
 #ifdef __cplusplus
 }

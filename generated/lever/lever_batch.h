@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-2-Clause
  *
- * The functions of the model lever over many states: element k of state i is at [k * count + i].
+ * For a host with vector instructions: the functions of the model lever over many states; element k
+ *     of state i is at [k * count + i].
  *
  * Made by: sinew generate models/lever
  * Model:   sha256 15dde9f611cf6f60b088af06e8cd7bbe07ac2edbefd53940e6f2012efb5af55c

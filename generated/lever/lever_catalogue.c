@@ -14,7 +14,7 @@ static void call_state(const void *in, void *out)
 {
     const double *x = (const double *)in;
     double *y = (double *)out;
-    lever_state(x + 0, y + 0);
+    lever_state(x[0], y + 0);
 }
 static const double state_theta_low[] = {0.09548248781986068};
 static const double state_theta_high[] = {0.8377580409572781};
@@ -29,7 +29,7 @@ static void call_slope(const void *in, void *out)
 {
     const double *x = (const double *)in;
     double *y = (double *)out;
-    lever_slope(x + 0, y + 0);
+    lever_slope(x[0], y + 0);
 }
 static const double slope_theta_low[] = {0.09548248781986068};
 static const double slope_theta_high[] = {0.8377580409572781};
@@ -44,7 +44,7 @@ static void call_angle(const void *in, void *out)
 {
     const double *x = (const double *)in;
     double *y = (double *)out;
-    lever_angle(x + 0, x + 1, y + 0, y + 1);
+    lever_angle(x[0], x[1], y + 0, y + 1);
 }
 static const double angle_elongation_low[] = {0.0};
 static const double angle_elongation_high[] = {0.01};
@@ -63,7 +63,9 @@ static void call_status(const void *in, void *out)
 {
     const double *x = (const double *)in;
     double *y = (double *)out;
-    lever_status(x + 0, y + 0);
+    int status;
+    lever_status(x[0], &status);
+    y[0] = (double)status;
 }
 static const double status_theta_low[] = {0.09548248781986068};
 static const double status_theta_high[] = {0.8377580409572781};

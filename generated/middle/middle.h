@@ -160,8 +160,7 @@ void middle_link_position(const double h[SINEW_AT_LEAST(8)], double q[SINEW_AT_L
  *   in  sigma         1 [m] standard deviation of a length; made for 0..0.002
  *   out covariance    4x4 [rad^2] symmetric
  * 5 multiplications, 0 additions. */
-void middle_link_position_covariance(const double sigma[SINEW_AT_LEAST(1)],
-    double covariance[SINEW_AT_LEAST(16)]);
+void middle_link_position_covariance(double sigma, double covariance[SINEW_AT_LEAST(16)]);
 
 /* Total bending of each tendon in the finger: what guiding friction grows with. 4.2
  *   in  q             4 [rad] joint positions; made for -0.35..0.35, -0.2..1.6, -0.2..1.6,

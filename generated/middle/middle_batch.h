@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-2-Clause
  *
- * The functions of the model middle over many states: element k of state i is at [k * count + i].
+ * For a host with vector instructions: the functions of the model middle over many states; element
+ *     k of state i is at [k * count + i].
  *
  * Made by: sinew generate models/middle
  * Model:   sha256 5178dcc126793c8544b85aef441fae055a412f16d86c338979b82e8fddc6e30d

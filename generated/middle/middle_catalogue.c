@@ -276,7 +276,7 @@ static void call_link_position_covariance(const void *in, void *out)
 {
     const double *x = (const double *)in;
     double *y = (double *)out;
-    middle_link_position_covariance(x + 0, y + 0);
+    middle_link_position_covariance(x[0], y + 0);
 }
 static const double link_position_covariance_sigma_low[] = {0.0};
 static const double link_position_covariance_sigma_high[] = {0.002};

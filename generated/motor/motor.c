@@ -33,72 +33,69 @@ SINEW_NOT_INLINE static struct sinew_sines2 sinew_one_sincos2(double x0, double 
     return y;
 }
 
-void motor_friction_torque(const double qd[SINEW_AT_LEAST(1)], double tau[SINEW_AT_LEAST(1)])
+void motor_friction_torque(double qd, double tau[SINEW_AT_LEAST(1)])
 {
-    const double friction = 0.0356 * qd[0] + 0.5586 * sinew_one_atan(10.0 * qd[0]);
+    const double friction = 0.0356 * qd + 0.5586 * sinew_one_atan(10.0 * qd);
     tau[0] = -friction;
 }
 
-void motor_ripple_torque(const double theta[SINEW_AT_LEAST(1)], double tau[SINEW_AT_LEAST(1)])
+void motor_ripple_torque(double theta, double tau[SINEW_AT_LEAST(1)])
 {
-    const struct sinew_sines2 sines1 = sinew_one_sincos2(0.3 + theta[0], 1.1 + 100.0 * theta[0]);
+    const struct sinew_sines2 sines1 = sinew_one_sincos2(0.3 + theta, 1.1 + 100.0 * theta);
     const double s2 = sines1.s[0];
     const double s4 = sines1.s[1];
     const double ripple = 0.02 * s2 + 0.04 * s4;
     tau[0] = -ripple;
 }
 
-void motor_acceleration(const double theta[SINEW_AT_LEAST(1)], const double qd[SINEW_AT_LEAST(1)],
-    const double tau_m[SINEW_AT_LEAST(1)], const double f[SINEW_AT_LEAST(1)],
+void motor_acceleration(double theta, double qd, double tau_m, double f,
     double qdd[SINEW_AT_LEAST(1)])
 {
-    const struct sinew_sines2 sines1 = sinew_one_sincos2(0.3 + theta[0], 1.1 + 100.0 * theta[0]);
+    const struct sinew_sines2 sines1 = sinew_one_sincos2(0.3 + theta, 1.1 + 100.0 * theta);
     const double s2 = sines1.s[0];
     const double s4 = sines1.s[1];
     const double ripple = 0.02 * s2 + 0.04 * s4;
-    const double friction = 0.0356 * qd[0] + 0.5586 * sinew_one_atan(10.0 * qd[0]);
-    const double acceleration = 487.8048780487805 * (friction - tau_m[0] + ripple)
-        + 2.4390243902439024 * f[0];
+    const double friction = 0.0356 * qd + 0.5586 * sinew_one_atan(10.0 * qd);
+    const double acceleration = 487.8048780487805 * (friction - tau_m + ripple) + 2.4390243902439024
+        * f;
     qdd[0] = -acceleration;
 }
 
-void motor_compensation_torque(const double theta[SINEW_AT_LEAST(1)],
-    const double qd[SINEW_AT_LEAST(1)], double tau[SINEW_AT_LEAST(1)],
+void motor_compensation_torque(double theta, double qd, double tau[SINEW_AT_LEAST(1)],
     double margin[SINEW_AT_LEAST(1)])
 {
-    const struct sinew_sines2 sines1 = sinew_one_sincos2(0.3 + theta[0], 1.1 + 100.0 * theta[0]);
+    const struct sinew_sines2 sines1 = sinew_one_sincos2(0.3 + theta, 1.1 + 100.0 * theta);
     const double s2 = sines1.s[0];
     const double s4 = sines1.s[1];
     const double ripple = 0.02 * s2 + 0.04 * s4;
-    const double friction = 0.0356 * qd[0] + 0.5586 * sinew_one_atan(10.0 * qd[0]);
+    const double friction = 0.0356 * qd + 0.5586 * sinew_one_atan(10.0 * qd);
     tau[0] = 0.9 * (friction + ripple);
-    margin[0] = 0.1 * qd[0] * friction;
+    margin[0] = 0.1 * qd * friction;
 }
 
-void motor_power_balance(const double theta[SINEW_AT_LEAST(1)], const double qd[SINEW_AT_LEAST(1)],
-    const double tau_m[SINEW_AT_LEAST(1)], const double f[SINEW_AT_LEAST(1)],
+void motor_power_balance(double theta, double qd, double tau_m, double f,
     double power[SINEW_AT_LEAST(5)])
 {
-    const struct sinew_sines2 sines1 = sinew_one_sincos2(0.3 + theta[0], 1.1 + 100.0 * theta[0]);
+    const struct sinew_sines2 sines1 = sinew_one_sincos2(0.3 + theta, 1.1 + 100.0 * theta);
     const double s2 = sines1.s[0];
     const double s4 = sines1.s[1];
-    const double friction = 0.0356 * qd[0] + 0.5586 * sinew_one_atan(10.0 * qd[0]);
+    const double friction = 0.0356 * qd + 0.5586 * sinew_one_atan(10.0 * qd);
     const double ripple = 0.02 * s2 + 0.04 * s4;
-    const double acceleration = 487.8048780487805 * (friction - tau_m[0] + ripple)
-        + 2.4390243902439024 * f[0];
-    power[0] = qd[0] * tau_m[0];
-    power[1] = -(qd[0] * friction);
-    power[2] = -(qd[0] * ripple);
-    power[3] = -(0.005 * qd[0] * f[0]);
-    power[4] = -(0.00205 * qd[0] * acceleration);
+    const double acceleration = 487.8048780487805 * (friction - tau_m + ripple) + 2.4390243902439024
+        * f;
+    power[0] = qd * tau_m;
+    power[1] = -(qd * friction);
+    power[2] = -(qd * ripple);
+    power[3] = -(0.005 * qd * f);
+    power[4] = -(0.00205 * qd * acceleration);
 }
 
-void motor_torque(const double current[SINEW_AT_LEAST(1)], double tau_m[SINEW_AT_LEAST(1)])
+void motor_torque(double current, double tau_m[SINEW_AT_LEAST(1)])
 {
-    tau_m[0] = 0.85 * current[0];
+    tau_m[0] = 0.85 * current;
 }
 
-void motor_current(const double tau_m[SINEW_AT_LEAST(1)], double current[SINEW_AT_LEAST(1)])
+void motor_current(double tau_m, double current[SINEW_AT_LEAST(1)])
 {
-    current[0] = 1.1764705882352942 * tau_m[0];
+    current[0] = 1.1764705882352942 * tau_m;
 }

@@ -28,13 +28,13 @@ extern "C" {
  *   in  qd            1 [rad/s] output velocity; made for -10..10
  *   out tau           1 [N m] acts on the output shaft
  * 3 multiplications, 1 additions, 1 other functions. */
-void motor_friction_torque(const double qd[SINEW_AT_LEAST(1)], double tau[SINEW_AT_LEAST(1)]);
+void motor_friction_torque(double qd, double tau[SINEW_AT_LEAST(1)]);
 
 /* Periodic torque of output and input shaft at an angle. (3.5)
  *   in  theta         1 [rad] output angle; made for -6.283..6.283
  *   out tau           1 [N m] acts on the output shaft
  * 3 multiplications, 3 additions, 2 sincos. */
-void motor_ripple_torque(const double theta[SINEW_AT_LEAST(1)], double tau[SINEW_AT_LEAST(1)]);
+void motor_ripple_torque(double theta, double tau[SINEW_AT_LEAST(1)]);
 
 /* Acceleration of the output shaft. (3.5)
  *   in  theta         1 [rad] output angle; made for -6.283..6.283
@@ -43,8 +43,7 @@ void motor_ripple_torque(const double theta[SINEW_AT_LEAST(1)], double tau[SINEW
  *   in  f             1 [N] tendon force; made for 0..100
  *   out qdd           1 [rad/s^2] 
  * 8 multiplications, 7 additions, 2 sincos, 1 other functions. */
-void motor_acceleration(const double theta[SINEW_AT_LEAST(1)], const double qd[SINEW_AT_LEAST(1)],
-    const double tau_m[SINEW_AT_LEAST(1)], const double f[SINEW_AT_LEAST(1)],
+void motor_acceleration(double theta, double qd, double tau_m, double f,
     double qdd[SINEW_AT_LEAST(1)]);
 
 /* Feedforward against friction and ripple, and what friction still dissipates. (3.8)
@@ -53,8 +52,7 @@ void motor_acceleration(const double theta[SINEW_AT_LEAST(1)], const double qd[S
  *   out tau           1 [N m] to be added to the commanded torque
  *   out margin        1 [W] never negative: the compensated motor is passive
  * 9 multiplications, 5 additions, 2 sincos, 1 other functions. */
-void motor_compensation_torque(const double theta[SINEW_AT_LEAST(1)],
-    const double qd[SINEW_AT_LEAST(1)], double tau[SINEW_AT_LEAST(1)],
+void motor_compensation_torque(double theta, double qd, double tau[SINEW_AT_LEAST(1)],
     double margin[SINEW_AT_LEAST(1)]);
 
 /* Where the motor's power goes; the last entry is the sum of the others. (3.5)
@@ -64,21 +62,20 @@ void motor_compensation_torque(const double theta[SINEW_AT_LEAST(1)],
  *   in  f             1 [N] tendon force; made for 0..100
  *   out power         5 [W] motor, friction, ripple, tendon, into kinetic energy
  * 15 multiplications, 7 additions, 2 sincos, 1 other functions. */
-void motor_power_balance(const double theta[SINEW_AT_LEAST(1)], const double qd[SINEW_AT_LEAST(1)],
-    const double tau_m[SINEW_AT_LEAST(1)], const double f[SINEW_AT_LEAST(1)],
+void motor_power_balance(double theta, double qd, double tau_m, double f,
     double power[SINEW_AT_LEAST(5)]);
 
 /* Torque at the output from the current.
  *   in  current       1 [A] motor current; made for -2.353..2.353
  *   out tau_m         1 [N m] at the output shaft
  * 1 multiplications, 0 additions. */
-void motor_torque(const double current[SINEW_AT_LEAST(1)], double tau_m[SINEW_AT_LEAST(1)]);
+void motor_torque(double current, double tau_m[SINEW_AT_LEAST(1)]);
 
 /* Current for a torque at the output.
  *   in  tau_m         1 [N m] torque at the output shaft; made for -2..2
  *   out current       1 [A] 
  * 1 multiplications, 0 additions. */
-void motor_current(const double tau_m[SINEW_AT_LEAST(1)], double current[SINEW_AT_LEAST(1)]);
+void motor_current(double tau_m, double current[SINEW_AT_LEAST(1)]);
 
 #ifdef __cplusplus
 }

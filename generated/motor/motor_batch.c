@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-2-Clause
  *
- * The functions of the model motor over many states: element k of state i is at [k * count + i].
+ * For a host with vector instructions: the functions of the model motor over many states; element k
+ *     of state i is at [k * count + i].
  *
  * Made by: sinew generate models/motor
  * Model:   sha256 2c199a43b98e0841badcd614a7ffc517e317754389edc12753b1bb278e566736

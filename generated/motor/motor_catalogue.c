@@ -14,7 +14,7 @@ static void call_friction_torque(const void *in, void *out)
 {
     const double *x = (const double *)in;
     double *y = (double *)out;
-    motor_friction_torque(x + 0, y + 0);
+    motor_friction_torque(x[0], y + 0);
 }
 static const double friction_torque_qd_low[] = {-10.0};
 static const double friction_torque_qd_high[] = {10.0};
@@ -29,7 +29,7 @@ static void call_ripple_torque(const void *in, void *out)
 {
     const double *x = (const double *)in;
     double *y = (double *)out;
-    motor_ripple_torque(x + 0, y + 0);
+    motor_ripple_torque(x[0], y + 0);
 }
 static const double ripple_torque_theta_low[] = {-6.283};
 static const double ripple_torque_theta_high[] = {6.283};
@@ -44,7 +44,7 @@ static void call_acceleration(const void *in, void *out)
 {
     const double *x = (const double *)in;
     double *y = (double *)out;
-    motor_acceleration(x + 0, x + 1, x + 2, x + 3, y + 0);
+    motor_acceleration(x[0], x[1], x[2], x[3], y + 0);
 }
 static const double acceleration_theta_low[] = {-6.283};
 static const double acceleration_theta_high[] = {6.283};
@@ -68,7 +68,7 @@ static void call_compensation_torque(const void *in, void *out)
 {
     const double *x = (const double *)in;
     double *y = (double *)out;
-    motor_compensation_torque(x + 0, x + 1, y + 0, y + 1);
+    motor_compensation_torque(x[0], x[1], y + 0, y + 1);
 }
 static const double compensation_torque_theta_low[] = {-6.283};
 static const double compensation_torque_theta_high[] = {6.283};
@@ -87,7 +87,7 @@ static void call_power_balance(const void *in, void *out)
 {
     const double *x = (const double *)in;
     double *y = (double *)out;
-    motor_power_balance(x + 0, x + 1, x + 2, x + 3, y + 0);
+    motor_power_balance(x[0], x[1], x[2], x[3], y + 0);
 }
 static const double power_balance_theta_low[] = {-6.283};
 static const double power_balance_theta_high[] = {6.283};
@@ -111,7 +111,7 @@ static void call_torque(const void *in, void *out)
 {
     const double *x = (const double *)in;
     double *y = (double *)out;
-    motor_torque(x + 0, y + 0);
+    motor_torque(x[0], y + 0);
 }
 static const double torque_current_low[] = {-2.3529411764705883};
 static const double torque_current_high[] = {2.3529411764705883};
@@ -126,7 +126,7 @@ static void call_current(const void *in, void *out)
 {
     const double *x = (const double *)in;
     double *y = (double *)out;
-    motor_current(x + 0, y + 0);
+    motor_current(x[0], y + 0);
 }
 static const double current_tau_m_low[] = {-2.0};
 static const double current_tau_m_high[] = {2.0};

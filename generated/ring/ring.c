@@ -762,10 +762,9 @@ void ring_link_position(const double h[SINEW_AT_LEAST(6)], double q[SINEW_AT_LEA
     q[2] = 45.45454545454545 * (h[4] - h[5]);
 }
 
-void ring_link_position_covariance(const double sigma[SINEW_AT_LEAST(1)],
-    double covariance[SINEW_AT_LEAST(9)])
+void ring_link_position_covariance(double sigma, double covariance[SINEW_AT_LEAST(9)])
 {
-    const double variance = sigma[0] * sigma[0];
+    const double variance = sigma * sigma;
     const double t1 = 5917.15976331361 * variance;
     covariance[0] = t1;
     covariance[1] = 0.0;

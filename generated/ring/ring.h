@@ -145,8 +145,7 @@ void ring_link_position(const double h[SINEW_AT_LEAST(6)], double q[SINEW_AT_LEA
  *   in  sigma         1 [m] standard deviation of a length; made for 0..0.002
  *   out covariance    3x3 [rad^2] symmetric
  * 3 multiplications, 0 additions. */
-void ring_link_position_covariance(const double sigma[SINEW_AT_LEAST(1)],
-    double covariance[SINEW_AT_LEAST(9)]);
+void ring_link_position_covariance(double sigma, double covariance[SINEW_AT_LEAST(9)]);
 
 /* Total bending of each tendon in the finger: what guiding friction grows with. 4.2
  *   in  q             3 [rad] joint positions; made for -0.35..0.35, -0.2..1.6, -0.2..1.6

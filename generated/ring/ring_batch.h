@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-2-Clause
  *
- * The functions of the model ring over many states: element k of state i is at [k * count + i].
+ * For a host with vector instructions: the functions of the model ring over many states; element k
+ *     of state i is at [k * count + i].
  *
  * Made by: sinew generate models/ring
  * Model:   sha256 a8bc321adefac22c0d65aa59ce2185ee47e4dfbbfa393b8abd0790fd9d4a1b7f

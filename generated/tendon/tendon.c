@@ -32,17 +32,16 @@ SINEW_NOT_INLINE static struct sinew_sines sinew_one_sincos(double x)
     return y;
 }
 
-void tendon_series_stiffness(const double k_lever[SINEW_AT_LEAST(1)], double k[SINEW_AT_LEAST(1)])
+void tendon_series_stiffness(double k_lever, double k[SINEW_AT_LEAST(1)])
 {
-    const double t1 = sinew_min(sinew_max(k_lever[0], 0.0), 1e+12);
+    const double t1 = sinew_min(sinew_max(k_lever, 0.0), 1e+12);
     k[0] = 20000.0 * t1 / (20000.0 + t1);
 }
 
-void tendon_force(const double elongation[SINEW_AT_LEAST(1)], const double theta[SINEW_AT_LEAST(1)],
-    double out[SINEW_AT_LEAST(3)], double residual[SINEW_AT_LEAST(1)])
+void tendon_force(double elongation, double theta, double out[SINEW_AT_LEAST(3)],
+    double residual[SINEW_AT_LEAST(1)])
 {
-    const double theta_start = sinew_min(sinew_max(theta[0], 0.09548248781986068),
-        0.8377580409572781);
+    const double theta_start = sinew_min(sinew_max(theta, 0.09548248781986068), 0.8377580409572781);
     const struct sinew_sines sines1 = sinew_one_sincos(theta_start);
     const double sin_theta = sines1.s[0];
     const double cos_theta = sines1.c[0];
@@ -127,7 +126,7 @@ void tendon_force(const double elongation[SINEW_AT_LEAST(1)], const double theta
     const double force_by_theta = (energy_slope_by_theta + force * dL_safe_slope_by_theta) * t12;
     const double elongation_slope = dL_safe_slope + 5e-05 * force_by_theta;
     const double s23_angle = sinew_one_atan2(-s23_v, s23_u);
-    const double limited_elongation = sinew_min(sinew_max(elongation[0], -1.0), 1.0);
+    const double limited_elongation = sinew_min(sinew_max(elongation, -1.0), 1.0);
     const double t15 = limited_elongation - 0.04541547683053999;
     const double s12_angle = sinew_one_atan2(s12_v, s12_u);
     const double t16 = t15 + s12_length + s23_length - 0.008 * s23_angle + 0.009 * s12_angle - 5e-05

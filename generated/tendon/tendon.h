@@ -28,7 +28,7 @@ extern "C" {
  *   in  k_lever       1 [N/m] stiffness of the lever; made for 0..5e+04
  *   out k             1 [N/m] 
  * 1 multiplications, 1 additions, 1 divisions, 2 other functions. */
-void tendon_series_stiffness(const double k_lever[SINEW_AT_LEAST(1)], double k[SINEW_AT_LEAST(1)]);
+void tendon_series_stiffness(double k_lever, double k[SINEW_AT_LEAST(1)]);
 
 /* Tendon force and stiffness from the elongation, 0 when slack. 5.1
  *   in  elongation      1 [m] of lever and tendon together; made for -0.001..0.01495
@@ -38,8 +38,8 @@ void tendon_series_stiffness(const double k_lever[SINEW_AT_LEAST(1)], double k[S
  *   out residual      1 [m] what is left of the elongation
  * 456 multiplications, 360 additions, 48 divisions, 18 square roots, 6 sincos, 113 other
  *     functions. */
-void tendon_force(const double elongation[SINEW_AT_LEAST(1)], const double theta[SINEW_AT_LEAST(1)],
-    double out[SINEW_AT_LEAST(3)], double residual[SINEW_AT_LEAST(1)]);
+void tendon_force(double elongation, double theta, double out[SINEW_AT_LEAST(3)],
+    double residual[SINEW_AT_LEAST(1)]);
 
 #ifdef __cplusplus
 }

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-2-Clause
  *
- * The functions of the model tendon over many states: element k of state i is at [k * count + i].
+ * For a host with vector instructions: the functions of the model tendon over many states; element
+ *     k of state i is at [k * count + i].
  *
  * Made by: sinew generate models/tendon
  * Model:   sha256 9fa49807a7e8a052fcdd9aca09d5e31e41ada5f891672ef877029e3417b31747

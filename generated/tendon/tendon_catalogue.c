@@ -14,7 +14,7 @@ static void call_series_stiffness(const void *in, void *out)
 {
     const double *x = (const double *)in;
     double *y = (double *)out;
-    tendon_series_stiffness(x + 0, y + 0);
+    tendon_series_stiffness(x[0], y + 0);
 }
 static const double series_stiffness_k_lever_low[] = {0.0};
 static const double series_stiffness_k_lever_high[] = {50000.0};
@@ -29,7 +29,7 @@ static void call_force(const void *in, void *out)
 {
     const double *x = (const double *)in;
     double *y = (double *)out;
-    tendon_force(x + 0, x + 1, y + 0, y + 3);
+    tendon_force(x[0], x[1], y + 0, y + 3);
 }
 static const double force_elongation_low[] = {-0.001};
 static const double force_elongation_high[] = {0.014953332035956196};

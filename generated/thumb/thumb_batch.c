@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-2-Clause
  *
- * The functions of the model thumb over many states: element k of state i is at [k * count + i].
+ * For a host with vector instructions: the functions of the model thumb over many states; element k
+ *     of state i is at [k * count + i].
  *
  * Made by: sinew generate models/thumb
  * Model:   sha256 a1887dfbbeca57cfa47ae5f680c6749b28b13c33cd3d097b0d35ffdcc7f65850

@@ -1297,7 +1297,7 @@ void thumb_table_5_2_tendon_hessian(const double q[SINEW_AT_LEAST(4)],
 
 void thumb_table_5_2_link_position(const double h[SINEW_AT_LEAST(4)],
     const double q_start[SINEW_AT_LEAST(2)], double q[SINEW_AT_LEAST(2)],
-    double correction[SINEW_AT_LEAST(1)], double status[SINEW_AT_LEAST(1)])
+    double correction[SINEW_AT_LEAST(1)], int *status)
 {
     const double start_q10 = sinew_min(sinew_max(q_start[0], -1.5), 1.5);
     const double start_q11 = sinew_min(sinew_max(q_start[1], -1.5), 1.5);
@@ -1866,12 +1866,12 @@ void thumb_table_5_2_link_position(const double h[SINEW_AT_LEAST(4)],
     q[0] = kept_54;
     q[1] = kept_56;
     correction[0] = correction_2;
-    status[0] = sinew_choose(1e-06 - correction_2, 0.0, 1.0);
+    *status = (int)sinew_choose(1e-06 - correction_2, 0.0, 1.0);
 }
 
 void thumb_table_5_2_link_position_warm(const double h[SINEW_AT_LEAST(4)],
     const double q_start[SINEW_AT_LEAST(2)], double q[SINEW_AT_LEAST(2)],
-    double correction[SINEW_AT_LEAST(1)], double status[SINEW_AT_LEAST(1)])
+    double correction[SINEW_AT_LEAST(1)], int *status)
 {
     const double start_q10 = sinew_min(sinew_max(q_start[0], -1.5), 1.5);
     const double start_q11 = sinew_min(sinew_max(q_start[1], -1.5), 1.5);
@@ -2083,7 +2083,7 @@ void thumb_table_5_2_link_position_warm(const double h[SINEW_AT_LEAST(4)],
     q[0] = kept;
     q[1] = kept_2;
     correction[0] = correction_2;
-    status[0] = sinew_choose(1e-06 - correction_2, 0.0, 1.0);
+    *status = (int)sinew_choose(1e-06 - correction_2, 0.0, 1.0);
 }
 
 void thumb_table_5_2_link_position_gradient_step(const double h[SINEW_AT_LEAST(4)],
@@ -2189,8 +2189,7 @@ void thumb_table_5_2_link_position_gradient_step(const double h[SINEW_AT_LEAST(4
 }
 
 void thumb_table_5_2_link_position_status(const double h[SINEW_AT_LEAST(4)],
-    const double q[SINEW_AT_LEAST(2)], double correction[SINEW_AT_LEAST(1)],
-    double status[SINEW_AT_LEAST(1)])
+    const double q[SINEW_AT_LEAST(2)], double correction[SINEW_AT_LEAST(1)], int *status)
 {
     const double start_q10 = sinew_min(sinew_max(q[0], -1.5), 1.5);
     const double start_q11 = sinew_min(sinew_max(q[1], -1.5), 1.5);
@@ -2289,12 +2288,11 @@ void thumb_table_5_2_link_position_status(const double h[SINEW_AT_LEAST(4)],
         0.5);
     const double correction_2 = sinew_sqrt(step * step + step_2 * step_2);
     correction[0] = correction_2;
-    status[0] = sinew_choose(1e-06 - correction_2, 0.0, 1.0);
+    *status = (int)sinew_choose(1e-06 - correction_2, 0.0, 1.0);
 }
 
-void thumb_table_5_2_link_position_covariance(const double q[SINEW_AT_LEAST(2)],
-    const double sigma[SINEW_AT_LEAST(1)], double covariance[SINEW_AT_LEAST(4)],
-    double status[SINEW_AT_LEAST(1)])
+void thumb_table_5_2_link_position_covariance(const double q[SINEW_AT_LEAST(2)], double sigma,
+    double covariance[SINEW_AT_LEAST(4)], int *status)
 {
     const struct sinew_sines2 sines1 = sinew_one_sincos2(q[1], q[0]);
     const double sin_q11 = sines1.s[0];
@@ -2373,7 +2371,7 @@ void thumb_table_5_2_link_position_covariance(const double q[SINEW_AT_LEAST(2)],
     const double H_01 = t25 - stretch_6_by_q10 * stretch_6_by_q11;
     const double determinant = H_00 * H_11 - H_01 * H_01;
     const double determinant_floor = 1e-24 + 1e-09 * H_00 * H_11;
-    const double deviation = sinew_min(sinew_max(sigma[0], 0.0), 1.0);
+    const double deviation = sinew_min(sinew_max(sigma, 0.0), 1.0);
     const double scale = deviation * deviation / sinew_max(determinant, determinant_floor);
     const double mixed = H_01 * scale;
     const double t26 = -mixed;
@@ -2381,7 +2379,7 @@ void thumb_table_5_2_link_position_covariance(const double q[SINEW_AT_LEAST(2)],
     covariance[1] = t26;
     covariance[2] = t26;
     covariance[3] = H_00 * scale;
-    status[0] = sinew_choose(determinant - determinant_floor, 0.0, 1.0);
+    *status = (int)sinew_choose(determinant - determinant_floor, 0.0, 1.0);
 }
 
 void thumb_table_5_2_hinge_position(const double h[SINEW_AT_LEAST(4)], double q[SINEW_AT_LEAST(2)])

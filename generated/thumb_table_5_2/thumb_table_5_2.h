@@ -165,7 +165,9 @@ void thumb_table_5_2_tendon_hessian(const double q[SINEW_AT_LEAST(4)],
  *     functions. */
 void thumb_table_5_2_link_position(const double h[SINEW_AT_LEAST(4)],
     const double q_start[SINEW_AT_LEAST(2)], double q[SINEW_AT_LEAST(2)],
-    double correction[SINEW_AT_LEAST(1)], double status[SINEW_AT_LEAST(1)]);
+    double correction[SINEW_AT_LEAST(1)], int *status);
+enum { THUMB_TABLE_5_2_LINK_POSITION_CONVERGED = 0, THUMB_TABLE_5_2_LINK_POSITION_NOT_CONVERGED
+    = 1 };
 
 /* Angles of the base by one Levenberg-Marquardt iteration, from a start a tick away. (5.24)
  *   in  h             4 [m] base tendon lengths; made for 0..0.1
@@ -178,7 +180,9 @@ void thumb_table_5_2_link_position(const double h[SINEW_AT_LEAST(4)],
  *     functions. */
 void thumb_table_5_2_link_position_warm(const double h[SINEW_AT_LEAST(4)],
     const double q_start[SINEW_AT_LEAST(2)], double q[SINEW_AT_LEAST(2)],
-    double correction[SINEW_AT_LEAST(1)], double status[SINEW_AT_LEAST(1)]);
+    double correction[SINEW_AT_LEAST(1)], int *status);
+enum { THUMB_TABLE_5_2_LINK_POSITION_WARM_CONVERGED = 0,
+    THUMB_TABLE_5_2_LINK_POSITION_WARM_NOT_CONVERGED = 1 };
 
 /* One iteration of the corrected gradient search. (5.24)
  *   in  h             4 [m] base tendon lengths; made for 0..0.1
@@ -196,8 +200,9 @@ void thumb_table_5_2_link_position_gradient_step(const double h[SINEW_AT_LEAST(4
  *   out status        1 [1] 0 converged, 1 not
  * 82 multiplications, 70 additions, 5 divisions, 5 square roots, 2 sincos, 10 other functions. */
 void thumb_table_5_2_link_position_status(const double h[SINEW_AT_LEAST(4)],
-    const double q[SINEW_AT_LEAST(2)], double correction[SINEW_AT_LEAST(1)],
-    double status[SINEW_AT_LEAST(1)]);
+    const double q[SINEW_AT_LEAST(2)], double correction[SINEW_AT_LEAST(1)], int *status);
+enum { THUMB_TABLE_5_2_LINK_POSITION_STATUS_CONVERGED = 0,
+    THUMB_TABLE_5_2_LINK_POSITION_STATUS_NOT_CONVERGED = 1 };
 
 /* Covariance of the thumb's base angles for noise on the lengths. (5.24)
  *   in  q             2 [rad] q10, q11; made for -0.6981..0.6981
@@ -205,9 +210,10 @@ void thumb_table_5_2_link_position_status(const double h[SINEW_AT_LEAST(4)],
  *   out covariance    2x2 [rad^2] sigma^2 (P^T P)^-1
  *   out status        1 [1] 0 fine, 1 where the lengths do not determine the angles
  * 70 multiplications, 57 additions, 5 divisions, 4 square roots, 2 sincos, 4 other functions. */
-void thumb_table_5_2_link_position_covariance(const double q[SINEW_AT_LEAST(2)],
-    const double sigma[SINEW_AT_LEAST(1)], double covariance[SINEW_AT_LEAST(4)],
-    double status[SINEW_AT_LEAST(1)]);
+void thumb_table_5_2_link_position_covariance(const double q[SINEW_AT_LEAST(2)], double sigma,
+    double covariance[SINEW_AT_LEAST(4)], int *status);
+enum { THUMB_TABLE_5_2_LINK_POSITION_COVARIANCE_FINE = 0,
+    THUMB_TABLE_5_2_LINK_POSITION_COVARIANCE_NOT_DETERMINED = 1 };
 
 /* Positions of the joints behind the base from their tendons' lengths. (5.22)
  *   in  h             4 [m] lengths of the tendons behind the base; made for -0.03..0.03

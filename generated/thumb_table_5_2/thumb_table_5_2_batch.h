@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-2-Clause
  *
- * The functions of the model thumb_table_5_2 over many states: element k of state i is at [k *
- *     count + i].
+ * For a host with vector instructions: the functions of the model thumb_table_5_2 over many states;
+ *     element k of state i is at [k * count + i].
  *
  * Made by: sinew generate models/thumb_table_5_2
  * Model:   sha256 bbe6ad946c25f79dfb874427de1b09ec5897fef90ad1f6d32550868697528da8

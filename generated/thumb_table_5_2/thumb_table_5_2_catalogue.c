@@ -268,7 +268,9 @@ static void call_link_position(const void *in, void *out)
 {
     const double *x = (const double *)in;
     double *y = (double *)out;
-    thumb_table_5_2_link_position(x + 0, x + 4, y + 0, y + 2, y + 3);
+    int status;
+    thumb_table_5_2_link_position(x + 0, x + 4, y + 0, y + 2, &status);
+    y[3] = (double)status;
 }
 static const double link_position_h_low[] = {0.0, 0.0, 0.0, 0.0};
 static const double link_position_h_high[] = {0.1, 0.1, 0.1, 0.1};
@@ -288,7 +290,9 @@ static void call_link_position_warm(const void *in, void *out)
 {
     const double *x = (const double *)in;
     double *y = (double *)out;
-    thumb_table_5_2_link_position_warm(x + 0, x + 4, y + 0, y + 2, y + 3);
+    int status;
+    thumb_table_5_2_link_position_warm(x + 0, x + 4, y + 0, y + 2, &status);
+    y[3] = (double)status;
 }
 static const double link_position_warm_h_low[] = {0.0, 0.0, 0.0, 0.0};
 static const double link_position_warm_h_high[] = {0.1, 0.1, 0.1, 0.1};
@@ -329,7 +333,9 @@ static void call_link_position_status(const void *in, void *out)
 {
     const double *x = (const double *)in;
     double *y = (double *)out;
-    thumb_table_5_2_link_position_status(x + 0, x + 4, y + 0, y + 1);
+    int status;
+    thumb_table_5_2_link_position_status(x + 0, x + 4, y + 0, &status);
+    y[1] = (double)status;
 }
 static const double link_position_status_h_low[] = {0.0, 0.0, 0.0, 0.0};
 static const double link_position_status_h_high[] = {0.1, 0.1, 0.1, 0.1};
@@ -348,7 +354,9 @@ static void call_link_position_covariance(const void *in, void *out)
 {
     const double *x = (const double *)in;
     double *y = (double *)out;
-    thumb_table_5_2_link_position_covariance(x + 0, x + 2, y + 0, y + 4);
+    int status;
+    thumb_table_5_2_link_position_covariance(x + 0, x[2], y + 0, &status);
+    y[4] = (double)status;
 }
 static const double link_position_covariance_q_low[] = {-0.6981317007977318, -0.6981317007977318};
 static const double link_position_covariance_q_high[] = {0.6981317007977318, 0.6981317007977318};

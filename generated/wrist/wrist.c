@@ -49,10 +49,9 @@ SINEW_NOT_INLINE static struct sinew_sines2 sinew_one_sincos2(double x0, double 
     return y;
 }
 
-void wrist_pose(const double q71[SINEW_AT_LEAST(1)], const double q73[SINEW_AT_LEAST(1)],
-    double T[SINEW_AT_LEAST(16)])
+void wrist_pose(double q71, double q73, double T[SINEW_AT_LEAST(16)])
 {
-    const struct sinew_sines2 sines1 = sinew_one_sincos2(q71[0], q73[0]);
+    const struct sinew_sines2 sines1 = sinew_one_sincos2(q71, q73);
     const double sin_q71 = sines1.s[0];
     const double cos_q71 = sines1.c[0];
     const double sin_q73 = sines1.s[1];
@@ -116,10 +115,9 @@ void wrist_pose(const double q71[SINEW_AT_LEAST(1)], const double q73[SINEW_AT_L
     T[15] = 1.0;
 }
 
-void wrist_points(const double q71[SINEW_AT_LEAST(1)], const double q73[SINEW_AT_LEAST(1)],
-    double ABC[SINEW_AT_LEAST(9)])
+void wrist_points(double q71, double q73, double ABC[SINEW_AT_LEAST(9)])
 {
-    const struct sinew_sines2 sines1 = sinew_one_sincos2(q71[0], q73[0]);
+    const struct sinew_sines2 sines1 = sinew_one_sincos2(q71, q73);
     const double sin_q71 = sines1.s[0];
     const double cos_q71 = sines1.c[0];
     const double sin_q73 = sines1.s[1];
@@ -170,10 +168,9 @@ void wrist_points(const double q71[SINEW_AT_LEAST(1)], const double q73[SINEW_AT
     ABC[8] = C_z;
 }
 
-void wrist_palm_angles(const double q71[SINEW_AT_LEAST(1)], const double q73[SINEW_AT_LEAST(1)],
-    double angles[SINEW_AT_LEAST(2)])
+void wrist_palm_angles(double q71, double q73, double angles[SINEW_AT_LEAST(2)])
 {
-    const struct sinew_sines2 sines1 = sinew_one_sincos2(q71[0], q73[0]);
+    const struct sinew_sines2 sines1 = sinew_one_sincos2(q71, q73);
     const double sin_q71 = sines1.s[0];
     const double cos_q71 = sines1.c[0];
     const double sin_q73 = sines1.s[1];
@@ -210,13 +207,12 @@ void wrist_palm_angles(const double q71[SINEW_AT_LEAST(1)], const double q73[SIN
     angles[1] = sinew_one_asin(sinew_min(sinew_max(-x_plane_y, -1.0), 1.0));
 }
 
-void wrist_bar_angles(const double flexion[SINEW_AT_LEAST(1)],
-    const double abduction[SINEW_AT_LEAST(1)], double q[SINEW_AT_LEAST(2)],
-    double residual[SINEW_AT_LEAST(1)], double status[SINEW_AT_LEAST(1)])
+void wrist_bar_angles(double flexion, double abduction, double q[SINEW_AT_LEAST(2)],
+    double residual[SINEW_AT_LEAST(1)], int *status)
 {
-    const double limited_flexion = sinew_min(sinew_max(flexion[0], -1.5), 1.5);
+    const double limited_flexion = sinew_min(sinew_max(flexion, -1.5), 1.5);
     const double t1 = 0.5 * limited_flexion;
-    const double limited_abduction = sinew_min(sinew_max(abduction[0], -1.5), 1.5);
+    const double limited_abduction = sinew_min(sinew_max(abduction, -1.5), 1.5);
     const struct sinew_sines2 sines2 = sinew_one_sincos2(t1, limited_abduction);
     const double c4 = sines2.c[0];
     const double v_y = sines2.s[1];
@@ -325,20 +321,19 @@ void wrist_bar_angles(const double flexion[SINEW_AT_LEAST(1)],
     const double aside_z = v_x * x_plane_y + v_y * x_x;
     const double error_sine = sinew_sqrt(aside_x * aside_x + aside_y * aside_y + aside_z * aside_z);
     const double residual_2 = sinew_one_atan2(error_sine, v_x * x_x - v_y * x_plane_y - v_z * x_z);
-    const double t55 = flexion[0] - limited_flexion;
-    const double t56 = abduction[0] - limited_abduction;
+    const double t55 = flexion - limited_flexion;
+    const double t56 = abduction - limited_abduction;
     const double t57 = sinew_choose(1e-06 - residual_2 - sinew_max(-t55, t55) - sinew_max(-t56,
         t56), sinew_choose(-(1e-06 - sin_q73_8), 0.0, 1.0), 1.0);
     q[0] = sum11;
     q[1] = sinew_one_atan2(sin_q73_8, cos_q73_8);
     residual[0] = residual_2;
-    status[0] = t57;
+    *status = (int)t57;
 }
 
-void wrist_singularity(const double q71[SINEW_AT_LEAST(1)], const double q73[SINEW_AT_LEAST(1)],
-    double distance[SINEW_AT_LEAST(2)])
+void wrist_singularity(double q71, double q73, double distance[SINEW_AT_LEAST(2)])
 {
-    const struct sinew_sines2 sines1 = sinew_one_sincos2(q73[0], q71[0]);
+    const struct sinew_sines2 sines1 = sinew_one_sincos2(q73, q71);
     const double sin_q73 = sines1.s[0];
     const double cos_q73 = sines1.c[0];
     const double sin_q71 = sines1.s[1];
@@ -366,10 +361,9 @@ void wrist_singularity(const double q71[SINEW_AT_LEAST(1)], const double q73[SIN
     distance[1] = sinew_one_atan2(height, sinew_max(-projection, projection));
 }
 
-void wrist_status(const double q71[SINEW_AT_LEAST(1)], const double q73[SINEW_AT_LEAST(1)],
-    double status[SINEW_AT_LEAST(1)])
+void wrist_status(double q71, double q73, int *status)
 {
-    const struct sinew_sines2 sines1 = sinew_one_sincos2(q73[0], q71[0]);
+    const struct sinew_sines2 sines1 = sinew_one_sincos2(q73, q71);
     const double sin_q73 = sines1.s[0];
     const double cos_q73 = sines1.c[0];
     const double sin_q71 = sines1.s[1];
@@ -393,13 +387,12 @@ void wrist_status(const double q71[SINEW_AT_LEAST(1)], const double q73[SINEW_AT
     const double reach = sinew_sqrt(reach_squared);
     const double t2 = sinew_choose(0.999999999999 * reach * reach - projection * projection, 0.0,
         1.0);
-    status[0] = sinew_choose(-(1e-06 - sin_q73), t2, 1.0);
+    *status = (int)sinew_choose(-(1e-06 - sin_q73), t2, 1.0);
 }
 
-void wrist_tendon_lengths(const double q71[SINEW_AT_LEAST(1)], const double q73[SINEW_AT_LEAST(1)],
-    double h[SINEW_AT_LEAST(38)])
+void wrist_tendon_lengths(double q71, double q73, double h[SINEW_AT_LEAST(38)])
 {
-    const struct sinew_sines2 sines1 = sinew_one_sincos2(q71[0], q73[0]);
+    const struct sinew_sines2 sines1 = sinew_one_sincos2(q71, q73);
     const double sin_q71 = sines1.s[0];
     const double cos_q71 = sines1.c[0];
     const double sin_q73 = sines1.s[1];
@@ -607,10 +600,9 @@ void wrist_tendon_lengths(const double q71[SINEW_AT_LEAST(1)], const double q73[
     }
 }
 
-void wrist_tendon_jacobian(const double q71[SINEW_AT_LEAST(1)], const double q73[SINEW_AT_LEAST(1)],
-    double P[SINEW_AT_LEAST(76)])
+void wrist_tendon_jacobian(double q71, double q73, double P[SINEW_AT_LEAST(76)])
 {
-    const struct sinew_sines2 sines1 = sinew_one_sincos2(q71[0], q73[0]);
+    const struct sinew_sines2 sines1 = sinew_one_sincos2(q71, q73);
     const double sin_q71 = sines1.s[0];
     const double cos_q71 = sines1.c[0];
     const double sin_q73 = sines1.s[1];
@@ -920,10 +912,9 @@ void wrist_tendon_jacobian(const double q71[SINEW_AT_LEAST(1)], const double q73
     }
 }
 
-void wrist_tendon_hessian(const double q71[SINEW_AT_LEAST(1)], const double q73[SINEW_AT_LEAST(1)],
-    double H[SINEW_AT_LEAST(152)])
+void wrist_tendon_hessian(double q71, double q73, double H[SINEW_AT_LEAST(152)])
 {
-    const struct sinew_sines2 sines1 = sinew_one_sincos2(q71[0], q73[0]);
+    const struct sinew_sines2 sines1 = sinew_one_sincos2(q71, q73);
     const double sin_q71 = sines1.s[0];
     const double cos_q71 = sines1.c[0];
     const double sin_q73 = sines1.s[1];
@@ -1839,10 +1830,9 @@ void wrist_tendon_hessian(const double q71[SINEW_AT_LEAST(1)], const double q73[
     }
 }
 
-void wrist_bending_angles(const double q71[SINEW_AT_LEAST(1)], const double q73[SINEW_AT_LEAST(1)],
-    double angles[SINEW_AT_LEAST(38)])
+void wrist_bending_angles(double q71, double q73, double angles[SINEW_AT_LEAST(38)])
 {
-    const struct sinew_sines2 sines1 = sinew_one_sincos2(q73[0], q71[0]);
+    const struct sinew_sines2 sines1 = sinew_one_sincos2(q73, q71);
     const double sin_q73 = sines1.s[0];
     const double cos_q73 = sines1.c[0];
     const double sin_q71 = sines1.s[1];
@@ -1962,10 +1952,9 @@ void wrist_bending_angles(const double q71[SINEW_AT_LEAST(1)], const double q73[
     }
 }
 
-void wrist_feedforward(const double q71[SINEW_AT_LEAST(1)], const double q73[SINEW_AT_LEAST(1)],
-    double delta_theta[SINEW_AT_LEAST(38)])
+void wrist_feedforward(double q71, double q73, double delta_theta[SINEW_AT_LEAST(38)])
 {
-    const struct sinew_sines2 sines1 = sinew_one_sincos2(q71[0], q73[0]);
+    const struct sinew_sines2 sines1 = sinew_one_sincos2(q71, q73);
     const double sin_q71 = sines1.s[0];
     const double cos_q71 = sines1.c[0];
     const double sin_q73 = sines1.s[1];
@@ -2093,11 +2082,10 @@ void wrist_feedforward(const double q71[SINEW_AT_LEAST(1)], const double q73[SIN
     }
 }
 
-void wrist_feedforward_rate(const double q71[SINEW_AT_LEAST(1)],
-    const double q73[SINEW_AT_LEAST(1)], const double dq71[SINEW_AT_LEAST(1)],
-    const double dq73[SINEW_AT_LEAST(1)], double delta_theta_rate[SINEW_AT_LEAST(38)])
+void wrist_feedforward_rate(double q71, double q73, double dq71, double dq73,
+    double delta_theta_rate[SINEW_AT_LEAST(38)])
 {
-    const struct sinew_sines2 sines1 = sinew_one_sincos2(q71[0], q73[0]);
+    const struct sinew_sines2 sines1 = sinew_one_sincos2(q71, q73);
     const double sin_q71 = sines1.s[0];
     const double cos_q71 = sines1.c[0];
     const double sin_q73 = sines1.s[1];
@@ -2232,7 +2220,7 @@ void wrist_feedforward_rate(const double q71[SINEW_AT_LEAST(1)],
     const double t48 = 0.01 * z_z;
     const double layer_0_z = 0.008 - origin_z - t47 - t48;
     const double y_z = sin_q71 * u_e;
-    const double t49 = 200.0 * dq73[0];
+    const double t49 = 200.0 * dq73;
     const double p_y_by_q71 = u_y * p_z;
     const double reach_squared_by_q71 = sinew_choose(t11, -(t8 * p_y_by_q71 + (p_z + p_z)
         * p_z_by_q71), 0.0);
@@ -2268,7 +2256,7 @@ void wrist_feedforward_rate(const double q71[SINEW_AT_LEAST(1)],
     const double t56 = origin_z_by_q71 - 0.004 * x_z_by_q71;
     const double t57 = 0.01 * z_z_by_q71;
     const double layer_0_z_by_q71 = t56 + t57;
-    const double t58 = 200.0 * dq71[0];
+    const double t58 = 200.0 * dq71;
     const double strand_7_y = 0.018 - layer_0_y;
     const double t59 = layer_0_x * layer_0_x_by_q73 + layer_0_z * layer_0_z_by_q73 - strand_7_y
         * layer_0_y_by_q73;
@@ -2403,10 +2391,10 @@ void wrist_feedforward_rate(const double q71[SINEW_AT_LEAST(1)],
     }
 }
 
-void wrist_joint_torque(const double q71[SINEW_AT_LEAST(1)], const double q73[SINEW_AT_LEAST(1)],
-    const double f[SINEW_AT_LEAST(38)], double tau[SINEW_AT_LEAST(2)])
+void wrist_joint_torque(double q71, double q73, const double f[SINEW_AT_LEAST(38)],
+    double tau[SINEW_AT_LEAST(2)])
 {
-    const struct sinew_sines2 sines1 = sinew_one_sincos2(q71[0], q73[0]);
+    const struct sinew_sines2 sines1 = sinew_one_sincos2(q71, q73);
     const double sin_q71 = sines1.s[0];
     const double cos_q71 = sines1.c[0];
     const double sin_q73 = sines1.s[1];
@@ -2913,11 +2901,10 @@ void wrist_joint_torque(const double q71[SINEW_AT_LEAST(1)], const double q73[SI
     tau[1] = t156 + f[36] * length_36_by_q73 + f[37] * length_37_by_q73;
 }
 
-void wrist_joint_stiffness(const double q71[SINEW_AT_LEAST(1)], const double q73[SINEW_AT_LEAST(1)],
-    const double f[SINEW_AT_LEAST(38)], const double k[SINEW_AT_LEAST(38)],
-    double K[SINEW_AT_LEAST(4)])
+void wrist_joint_stiffness(double q71, double q73, const double f[SINEW_AT_LEAST(38)],
+    const double k[SINEW_AT_LEAST(38)], double K[SINEW_AT_LEAST(4)])
 {
-    const struct sinew_sines2 sines1 = sinew_one_sincos2(q71[0], q73[0]);
+    const struct sinew_sines2 sines1 = sinew_one_sincos2(q71, q73);
     const double sin_q71 = sines1.s[0];
     const double cos_q71 = sines1.c[0];
     const double sin_q73 = sines1.s[1];

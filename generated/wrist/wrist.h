@@ -29,24 +29,21 @@ extern "C" {
  *   in  q73           1 [rad] swings the bars within their plane; made for 0.725..1.269
  *   out T           4x4 [1 and m] homogeneous transform
  * 48 multiplications, 24 additions, 2 divisions, 2 square roots, 2 sincos, 4 other functions. */
-void wrist_pose(const double q71[SINEW_AT_LEAST(1)], const double q73[SINEW_AT_LEAST(1)],
-    double T[SINEW_AT_LEAST(16)]);
+void wrist_pose(double q71, double q73, double T[SINEW_AT_LEAST(16)]);
 
 /* The palm's points A, B, C in the forearm frame. (6.4), (6.5)
  *   in  q71           1 [rad] turns the bar plane about y; made for 0.337..0.88
  *   in  q73           1 [rad] swings the bars within their plane; made for 0.725..1.269
  *   out ABC         3x3 [m] rows A, B, C
  * 44 multiplications, 22 additions, 2 divisions, 2 square roots, 2 sincos, 4 other functions. */
-void wrist_points(const double q71[SINEW_AT_LEAST(1)], const double q73[SINEW_AT_LEAST(1)],
-    double ABC[SINEW_AT_LEAST(9)]);
+void wrist_points(double q71, double q73, double ABC[SINEW_AT_LEAST(9)]);
 
 /* Direction of the palm from the bar angles.
  *   in  q71           1 [rad] turns the bar plane about y; made for 0.337..0.88
  *   in  q73           1 [rad] swings the bars within their plane; made for 0.725..1.269
  *   out angles        2 [rad] flexion, abduction
  * 35 multiplications, 19 additions, 2 divisions, 2 square roots, 2 sincos, 8 other functions. */
-void wrist_palm_angles(const double q71[SINEW_AT_LEAST(1)], const double q73[SINEW_AT_LEAST(1)],
-    double angles[SINEW_AT_LEAST(2)]);
+void wrist_palm_angles(double q71, double q73, double angles[SINEW_AT_LEAST(2)]);
 
 /* Bar angles that point the palm in a given direction.
  *   in  flexion       1 [rad] of the palm, about -y; made for -0.5236..0.5236
@@ -56,33 +53,31 @@ void wrist_palm_angles(const double q71[SINEW_AT_LEAST(1)], const double q73[SIN
  *   out status        1 [1] 0 fine, 1 not reached
  * 393 multiplications, 232 additions, 20 divisions, 18 square roots, 8 sincos, 53 other
  *     functions. */
-void wrist_bar_angles(const double flexion[SINEW_AT_LEAST(1)],
-    const double abduction[SINEW_AT_LEAST(1)], double q[SINEW_AT_LEAST(2)],
-    double residual[SINEW_AT_LEAST(1)], double status[SINEW_AT_LEAST(1)]);
+void wrist_bar_angles(double flexion, double abduction, double q[SINEW_AT_LEAST(2)],
+    double residual[SINEW_AT_LEAST(1)], int *status);
+enum { WRIST_BAR_ANGLES_FINE = 0, WRIST_BAR_ANGLES_NOT_REACHED = 1 };
 
 /* Distance to the singular poses.
  *   in  q71           1 [rad] turns the bar plane about y; made for 0.337..0.88
  *   in  q73           1 [rad] swings the bars within their plane; made for 0.725..1.269
  *   out distance      2 [rad] to the flat pose, to the dead centre
  * 23 multiplications, 14 additions, 1 divisions, 2 square roots, 2 sincos, 7 other functions. */
-void wrist_singularity(const double q71[SINEW_AT_LEAST(1)], const double q73[SINEW_AT_LEAST(1)],
-    double distance[SINEW_AT_LEAST(2)]);
+void wrist_singularity(double q71, double q73, double distance[SINEW_AT_LEAST(2)]);
 
 /* Whether the pose is regular.
  *   in  q71           1 [rad] turns the bar plane about y; made for 0.337..0.88
  *   in  q73           1 [rad] swings the bars within their plane; made for 0.725..1.269
  *   out status        1 [1] 0 fine, 1 at or beyond a singular pose
  * 24 multiplications, 15 additions, 1 divisions, 1 square roots, 2 sincos, 3 other functions. */
-void wrist_status(const double q71[SINEW_AT_LEAST(1)], const double q73[SINEW_AT_LEAST(1)],
-    double status[SINEW_AT_LEAST(1)]);
+void wrist_status(double q71, double q73, int *status);
+enum { WRIST_STATUS_FINE = 0, WRIST_STATUS_SINGULAR = 1 };
 
 /* Lengths of the tendons through the wrist. (6.9)
  *   in  q71           1 [rad] turns the bar plane about y; made for 0.337..0.88
  *   in  q73           1 [rad] swings the bars within their plane; made for 0.725..1.269
  *   out h            38 [m] tendon lengths
  * 201 multiplications, 259 additions, 2 divisions, 40 square roots, 2 sincos, 4 other functions. */
-void wrist_tendon_lengths(const double q71[SINEW_AT_LEAST(1)], const double q73[SINEW_AT_LEAST(1)],
-    double h[SINEW_AT_LEAST(38)]);
+void wrist_tendon_lengths(double q71, double q73, double h[SINEW_AT_LEAST(38)]);
 
 /* Derivatives of the lengths by q71 and q73.
  *   in  q71           1 [rad] turns the bar plane about y; made for 0.337..0.88
@@ -90,8 +85,7 @@ void wrist_tendon_lengths(const double q71[SINEW_AT_LEAST(1)], const double q73[
  *   out P          38x2 [m/rad] dh/dq
  * 661 multiplications, 676 additions, 42 divisions, 40 square roots, 2 sincos, 12 other
  *     functions. */
-void wrist_tendon_jacobian(const double q71[SINEW_AT_LEAST(1)], const double q73[SINEW_AT_LEAST(1)],
-    double P[SINEW_AT_LEAST(76)]);
+void wrist_tendon_jacobian(double q71, double q73, double P[SINEW_AT_LEAST(76)]);
 
 /* Second derivatives of the lengths by q71 and q73.
  *   in  q71           1 [rad] turns the bar plane about y; made for 0.337..0.88
@@ -99,8 +93,7 @@ void wrist_tendon_jacobian(const double q71[SINEW_AT_LEAST(1)], const double q73
  *   out H          38x4 [m/rad^2] each row a symmetric 2x2 matrix
  * 1789 multiplications, 1802 additions, 42 divisions, 40 square roots, 2 sincos, 21 other
  *     functions. */
-void wrist_tendon_hessian(const double q71[SINEW_AT_LEAST(1)], const double q73[SINEW_AT_LEAST(1)],
-    double H[SINEW_AT_LEAST(152)]);
+void wrist_tendon_hessian(double q71, double q73, double H[SINEW_AT_LEAST(152)]);
 
 /* Total bending of each tendon in the wrist.
  *   in  q71           1 [rad] turns the bar plane about y; made for 0.337..0.88
@@ -108,16 +101,14 @@ void wrist_tendon_hessian(const double q71[SINEW_AT_LEAST(1)], const double q73[
  *   out angles       38 [rad] against the forearm's and the palm's x axis
  * 619 multiplications, 525 additions, 2 divisions, 78 square roots, 2 sincos, 80 other
  *     functions. */
-void wrist_bending_angles(const double q71[SINEW_AT_LEAST(1)], const double q73[SINEW_AT_LEAST(1)],
-    double angles[SINEW_AT_LEAST(38)]);
+void wrist_bending_angles(double q71, double q73, double angles[SINEW_AT_LEAST(38)]);
 
 /* Motor angles that hold the fingers still while the wrist moves.
  *   in  q71           1 [rad] turns the bar plane about y; made for 0.337..0.88
  *   in  q73           1 [rad] swings the bars within their plane; made for 0.725..1.269
  *   out delta_theta     38 [rad] 0 in the reference pose
  * 239 multiplications, 297 additions, 2 divisions, 40 square roots, 2 sincos, 4 other functions. */
-void wrist_feedforward(const double q71[SINEW_AT_LEAST(1)], const double q73[SINEW_AT_LEAST(1)],
-    double delta_theta[SINEW_AT_LEAST(38)]);
+void wrist_feedforward(double q71, double q73, double delta_theta[SINEW_AT_LEAST(38)]);
 
 /* Rates of the motor angles of wrist_feedforward.
  *   in  q71           1 [rad] turns the bar plane about y; made for 0.337..0.88
@@ -127,9 +118,8 @@ void wrist_feedforward(const double q71[SINEW_AT_LEAST(1)], const double q73[SIN
  *   out delta_theta_rate     38 [rad/s] 
  * 739 multiplications, 714 additions, 42 divisions, 40 square roots, 2 sincos, 12 other
  *     functions. */
-void wrist_feedforward_rate(const double q71[SINEW_AT_LEAST(1)],
-    const double q73[SINEW_AT_LEAST(1)], const double dq71[SINEW_AT_LEAST(1)],
-    const double dq73[SINEW_AT_LEAST(1)], double delta_theta_rate[SINEW_AT_LEAST(38)]);
+void wrist_feedforward_rate(double q71, double q73, double dq71, double dq73,
+    double delta_theta_rate[SINEW_AT_LEAST(38)]);
 
 /* Torques of the tendons on q71, q73.
  *   in  q71           1 [rad] turns the bar plane about y; made for 0.337..0.88
@@ -138,8 +128,8 @@ void wrist_feedforward_rate(const double q71[SINEW_AT_LEAST(1)],
  *   out tau           2 [N m] -P^T f
  * 737 multiplications, 750 additions, 42 divisions, 40 square roots, 2 sincos, 12 other
  *     functions. */
-void wrist_joint_torque(const double q71[SINEW_AT_LEAST(1)], const double q73[SINEW_AT_LEAST(1)],
-    const double f[SINEW_AT_LEAST(38)], double tau[SINEW_AT_LEAST(2)]);
+void wrist_joint_torque(double q71, double q73, const double f[SINEW_AT_LEAST(38)],
+    double tau[SINEW_AT_LEAST(2)]);
 
 /* Stiffness of the wrist's bars, motors held.
  *   in  q71           1 [rad] turns the bar plane about y; made for 0.337..0.88
@@ -149,9 +139,8 @@ void wrist_joint_torque(const double q71[SINEW_AT_LEAST(1)], const double q73[SI
  *   out K           2x2 [N m/rad] sum of f d2h/dq2, plus P^T diag(k) P; symmetric
  * 2055 multiplications, 2027 additions, 42 divisions, 40 square roots, 2 sincos, 21 other
  *     functions. */
-void wrist_joint_stiffness(const double q71[SINEW_AT_LEAST(1)], const double q73[SINEW_AT_LEAST(1)],
-    const double f[SINEW_AT_LEAST(38)], const double k[SINEW_AT_LEAST(38)],
-    double K[SINEW_AT_LEAST(4)]);
+void wrist_joint_stiffness(double q71, double q73, const double f[SINEW_AT_LEAST(38)],
+    const double k[SINEW_AT_LEAST(38)], double K[SINEW_AT_LEAST(4)]);
 
 #ifdef __cplusplus
 }

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-2-Clause
  *
- * The functions of the model wrist over many states: element k of state i is at [k * count + i].
+ * For a host with vector instructions: the functions of the model wrist over many states; element k
+ *     of state i is at [k * count + i].
  *
  * Made by: sinew generate models/wrist
  * Model:   sha256 5646b07e7724f9dffd716a90d2124284950ee812515cbecbb3d964272a0f8011

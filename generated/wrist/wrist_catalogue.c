@@ -14,7 +14,7 @@ static void call_pose(const void *in, void *out)
 {
     const double *x = (const double *)in;
     double *y = (double *)out;
-    wrist_pose(x + 0, x + 1, y + 0);
+    wrist_pose(x[0], x[1], y + 0);
 }
 static const double pose_q71_low[] = {0.337};
 static const double pose_q71_high[] = {0.88};
@@ -32,7 +32,7 @@ static void call_points(const void *in, void *out)
 {
     const double *x = (const double *)in;
     double *y = (double *)out;
-    wrist_points(x + 0, x + 1, y + 0);
+    wrist_points(x[0], x[1], y + 0);
 }
 static const double points_q71_low[] = {0.337};
 static const double points_q71_high[] = {0.88};
@@ -50,7 +50,7 @@ static void call_palm_angles(const void *in, void *out)
 {
     const double *x = (const double *)in;
     double *y = (double *)out;
-    wrist_palm_angles(x + 0, x + 1, y + 0);
+    wrist_palm_angles(x[0], x[1], y + 0);
 }
 static const double palm_angles_q71_low[] = {0.337};
 static const double palm_angles_q71_high[] = {0.88};
@@ -68,7 +68,9 @@ static void call_bar_angles(const void *in, void *out)
 {
     const double *x = (const double *)in;
     double *y = (double *)out;
-    wrist_bar_angles(x + 0, x + 1, y + 0, y + 2, y + 3);
+    int status;
+    wrist_bar_angles(x[0], x[1], y + 0, y + 2, &status);
+    y[3] = (double)status;
 }
 static const double bar_angles_flexion_low[] = {-0.5235987755982988};
 static const double bar_angles_flexion_high[] = {0.5235987755982988};
@@ -88,7 +90,7 @@ static void call_singularity(const void *in, void *out)
 {
     const double *x = (const double *)in;
     double *y = (double *)out;
-    wrist_singularity(x + 0, x + 1, y + 0);
+    wrist_singularity(x[0], x[1], y + 0);
 }
 static const double singularity_q71_low[] = {0.337};
 static const double singularity_q71_high[] = {0.88};
@@ -106,7 +108,9 @@ static void call_status(const void *in, void *out)
 {
     const double *x = (const double *)in;
     double *y = (double *)out;
-    wrist_status(x + 0, x + 1, y + 0);
+    int status;
+    wrist_status(x[0], x[1], &status);
+    y[0] = (double)status;
 }
 static const double status_q71_low[] = {0.337};
 static const double status_q71_high[] = {0.88};
@@ -124,7 +128,7 @@ static void call_tendon_lengths(const void *in, void *out)
 {
     const double *x = (const double *)in;
     double *y = (double *)out;
-    wrist_tendon_lengths(x + 0, x + 1, y + 0);
+    wrist_tendon_lengths(x[0], x[1], y + 0);
 }
 static const double tendon_lengths_q71_low[] = {0.337};
 static const double tendon_lengths_q71_high[] = {0.88};
@@ -142,7 +146,7 @@ static void call_tendon_jacobian(const void *in, void *out)
 {
     const double *x = (const double *)in;
     double *y = (double *)out;
-    wrist_tendon_jacobian(x + 0, x + 1, y + 0);
+    wrist_tendon_jacobian(x[0], x[1], y + 0);
 }
 static const double tendon_jacobian_q71_low[] = {0.337};
 static const double tendon_jacobian_q71_high[] = {0.88};
@@ -160,7 +164,7 @@ static void call_tendon_hessian(const void *in, void *out)
 {
     const double *x = (const double *)in;
     double *y = (double *)out;
-    wrist_tendon_hessian(x + 0, x + 1, y + 0);
+    wrist_tendon_hessian(x[0], x[1], y + 0);
 }
 static const double tendon_hessian_q71_low[] = {0.337};
 static const double tendon_hessian_q71_high[] = {0.88};
@@ -178,7 +182,7 @@ static void call_bending_angles(const void *in, void *out)
 {
     const double *x = (const double *)in;
     double *y = (double *)out;
-    wrist_bending_angles(x + 0, x + 1, y + 0);
+    wrist_bending_angles(x[0], x[1], y + 0);
 }
 static const double bending_angles_q71_low[] = {0.337};
 static const double bending_angles_q71_high[] = {0.88};
@@ -196,7 +200,7 @@ static void call_feedforward(const void *in, void *out)
 {
     const double *x = (const double *)in;
     double *y = (double *)out;
-    wrist_feedforward(x + 0, x + 1, y + 0);
+    wrist_feedforward(x[0], x[1], y + 0);
 }
 static const double feedforward_q71_low[] = {0.337};
 static const double feedforward_q71_high[] = {0.88};
@@ -214,7 +218,7 @@ static void call_feedforward_rate(const void *in, void *out)
 {
     const double *x = (const double *)in;
     double *y = (double *)out;
-    wrist_feedforward_rate(x + 0, x + 1, x + 2, x + 3, y + 0);
+    wrist_feedforward_rate(x[0], x[1], x[2], x[3], y + 0);
 }
 static const double feedforward_rate_q71_low[] = {0.337};
 static const double feedforward_rate_q71_high[] = {0.88};
@@ -238,7 +242,7 @@ static void call_joint_torque(const void *in, void *out)
 {
     const double *x = (const double *)in;
     double *y = (double *)out;
-    wrist_joint_torque(x + 0, x + 1, x + 2, y + 0);
+    wrist_joint_torque(x[0], x[1], x + 2, y + 0);
 }
 static const double joint_torque_q71_low[] = {0.337};
 static const double joint_torque_q71_high[] = {0.88};
@@ -264,7 +268,7 @@ static void call_joint_stiffness(const void *in, void *out)
 {
     const double *x = (const double *)in;
     double *y = (double *)out;
-    wrist_joint_stiffness(x + 0, x + 1, x + 2, x + 40, y + 0);
+    wrist_joint_stiffness(x[0], x[1], x + 2, x + 40, y + 0);
 }
 static const double joint_stiffness_q71_low[] = {0.337};
 static const double joint_stiffness_q71_high[] = {0.88};

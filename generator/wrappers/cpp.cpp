@@ -107,12 +107,25 @@ std::string cpp_comment(const WrappedFunction& function) {
   return text;
 }
 
+bool is_status(const WrappedArray& array) {
+  return !array.states.empty();
+}
+
+/// As the emitted C takes a variable of that name.
+std::string argument(const WrappedArray& array, const std::string& name) {
+  if (array.by_value) return name;
+  return is_status(array) ? "&" + name : name + ".data()";
+}
+
 std::string span_form(const WrappedModel& model, const WrappedFunction& function) {
   std::string parameters, arguments;
   const auto add = [&](const WrappedArray& array, const char* constness) {
-    parameters += fmt::format("{}std::span<{}{}, {}> {}", parameters.empty() ? "" : ",\n    ",
-                              constness, model.scalar, array.size(), array.name);
-    arguments += (arguments.empty() ? "" : ", ") + array.name + ".data()";
+    const std::string type = array.by_value     ? model.scalar
+                             : is_status(array) ? "int&"
+                                                : fmt::format("std::span<{}{}, {}>", constness,
+                                                              model.scalar, array.size());
+    parameters += fmt::format("{}{} {}", parameters.empty() ? "" : ",\n    ", type, array.name);
+    arguments += (arguments.empty() ? "" : ", ") + argument(array, array.name);
   };
   for (const WrappedArray& array : function.inputs) add(array, "const ");
   for (const WrappedArray& array : function.outputs) add(array, "");
@@ -121,8 +134,10 @@ std::string span_form(const WrappedModel& model, const WrappedFunction& function
                                              arguments);
 }
 
-std::string matrix_type(const WrappedArray& array) {
-  return fmt::format("Matrix<{}, {}>", array.rows, array.cols);
+/// Of a variable that holds it, beside Eigen.
+std::string matrix_type(const WrappedModel& model, const WrappedArray& array) {
+  if (array.by_value) return model.scalar;
+  return is_status(array) ? "int" : fmt::format("Matrix<{}, {}>", array.rows, array.cols);
 }
 
 /// One result is returned itself, several in a struct of that function's name.
@@ -130,20 +145,22 @@ std::string eigen_form(const WrappedModel& model, const WrappedFunction& functio
   std::string parameters, arguments, result, text;
   for (const WrappedArray& array : function.inputs) {
     const std::string comma = parameters.empty() ? "" : ", ";
-    parameters += fmt::format("{}const {}& {}", comma, matrix_type(array), array.name);
-    arguments += comma + array.name + ".data()";
+    const std::string type = matrix_type(model, array);
+    parameters += comma + (array.by_value ? type : "const " + type + "&") + " " + array.name;
+    arguments += comma + argument(array, array.name);
   }
   const bool several = function.outputs.size() > 1;
-  const std::string type = several ? function.name + "_result" : matrix_type(function.outputs[0]);
+  const std::string type =
+      several ? function.name + "_result" : matrix_type(model, function.outputs[0]);
   if (several) {
     text += fmt::format("struct {} {{\n", type);
     for (const WrappedArray& array : function.outputs)
-      text += fmt::format("  {} {};\n", matrix_type(array), array.name);
+      text += fmt::format("  {} {};\n", matrix_type(model, array), array.name);
     text += "};\n";
   }
   for (const WrappedArray& array : function.outputs) {
     if (!arguments.empty()) arguments += ", ";
-    arguments += several ? "returned." + array.name + ".data()" : "returned.data()";
+    arguments += argument(array, several ? "returned." + array.name : "returned");
   }
   return text + fmt::format(
                     "inline {0} {1}({2}) {{\n  {0} returned;\n  ::{3}_{1}({4});\n  return "

@@ -120,6 +120,7 @@ if not os.path.exists(_path):
                       "compiles it")
 _library = ctypes.CDLL(_path)
 _Pointer = ctypes.c_void_p
+_Number = ctypes.c_float if SCALAR == np.float32 else ctypes.c_double
 
 
 class Shape(NamedTuple):
@@ -127,6 +128,8 @@ class Shape(NamedTuple):
 
     name: str
     shape: Tuple[int, ...]
+    by_value: bool = False  # as C takes it
+    status: bool = False  # an int in C, but for its form over many states
 
     @property
     def size(self) -> int:
@@ -141,7 +144,9 @@ class Function:
         self._one = getattr(_library, name)
         self._many = getattr(_library, name + "_batch") if batch else None
         pointers = [_Pointer] * (len(inputs) + len(outputs))
-        self._one.argtypes, self._one.restype = pointers, None
+        self._one.argtypes = [_Number if port.by_value else _Pointer
+                              for port in [*inputs, *outputs]]
+        self._one.restype = None
         if self._many is not None:
             self._many.argtypes, self._many.restype = [ctypes.c_int] + pointers, None
 
@@ -162,9 +167,14 @@ class Function:
 
     def _single(self, arrays):
         held = [np.ascontiguousarray(a) for a in arrays]
-        results = [np.empty(port.shape, SCALAR) for port in self.outputs]
-        self._one(*[a.ctypes.data for a in held + results])
+        results = [np.empty(port.shape, self._type(port)) for port in self.outputs]
+        self._one(*[a.item() if port.by_value else a.ctypes.data
+                    for a, port in zip(held, self.inputs)], *[r.ctypes.data for r in results])
         return results
+
+    @staticmethod
+    def _type(port: Shape):
+        return np.dtype(np.intc) if port.status else SCALAR
 
     def _all(self, arrays, states):
         count = int(np.prod(states, dtype=int))
@@ -176,18 +186,17 @@ class Function:
             held = [np.ascontiguousarray(r.T) for r in rows]
             made = [np.empty((port.size, count), SCALAR) for port in self.outputs]
             self._many(count, *[a.ctypes.data for a in held + made])
-            results = [m.T for m in made]
+            results = [m.T.astype(self._type(port)) for m, port in zip(made, self.outputs)]
         return [np.ascontiguousarray(r).reshape(states + port.shape)
                 for r, port in zip(results, self.outputs)]
 
     def _one_after_the_other(self, rows, count):
         held = [np.ascontiguousarray(r) for r in rows]
-        results = [np.empty((count, port.size), SCALAR) for port in self.outputs]
-        everything = held + results
-        start = [a.ctypes.data for a in everything]
-        step = [a.strides[0] for a in everything]
+        results = [np.empty((count, port.size), self._type(port)) for port in self.outputs]
         for state in range(count):
-            self._one(*[at + state * by for at, by in zip(start, step)])
+            self._one(*[a[state].item() if port.by_value else a[state].ctypes.data
+                        for a, port in zip(held, self.inputs)],
+                      *[r[state].ctypes.data for r in results])
         return results
 )PY";
 
@@ -251,7 +260,9 @@ std::string python_names(const std::vector<std::string>& names) {
 std::string python_ports(const std::vector<WrappedArray>& arrays) {
   std::string text = "(";
   for (const WrappedArray& array : arrays)
-    text += fmt::format("Shape(\"{}\", {}), ", array.name, python_shape(array));
+    text += fmt::format("Shape(\"{}\", {}{}{}), ", array.name, python_shape(array),
+                        array.by_value ? ", by_value=True" : "",
+                        array.states.empty() ? "" : ", status=True");
   return text + ")";
 }
 
@@ -277,18 +288,21 @@ std::string python_docstring(const WrappedFunction& function) {
   return text + "    \"\"\"\n";
 }
 
+std::string python_type(const WrappedModel& model, const WrappedArray& array) {
+  if (!array.states.empty()) return "NDArray[np.intc]";
+  return fmt::format("NDArray[np.{}]", model.scalar == "float" ? "float32" : "float64");
+}
+
 /// Several results come back by name.
-std::string python_result(const WrappedFunction& function, const std::string& type) {
+std::string python_result(const WrappedModel& model, const WrappedFunction& function) {
   std::string text = fmt::format("\n\nclass {}(NamedTuple):\n    \"\"\"Of {}.\"\"\"\n\n",
                                  python_class(function.name), function.name);
   for (const WrappedArray& array : function.outputs)
-    text += fmt::format("    {}: {}\n", python_name(array.name), type);
+    text += fmt::format("    {}: {}\n", python_name(array.name), python_type(model, array));
   return text;
 }
 
 std::string python_function(const WrappedModel& model, const WrappedFunction& function) {
-  const std::string type =
-      fmt::format("NDArray[np.{}]", model.scalar == "float" ? "float32" : "float64");
   const bool several = function.outputs.size() > 1;
   std::string parameters, arguments, text;
   for (const WrappedArray& array : function.inputs) {
@@ -296,12 +310,15 @@ std::string python_function(const WrappedModel& model, const WrappedFunction& fu
     parameters += comma + python_name(array.name) + ": ArrayLike";
     arguments += comma + python_name(array.name);
   }
-  if (several) text += python_result(function, type);
+  if (several) text += python_result(model, function);
   text += fmt::format("\n\n_{0} = Function(\"{1}_{0}\", {2}, {3}, {4})\n\n\n", function.name,
                       model.name, python_ports(function.inputs), python_ports(function.outputs),
                       function.has_batch ? "True" : "False");
   text += fmt::format("def {}({}) -> {}:\n{}", python_name(function.name), parameters,
-                      several ? python_class(function.name) : type, python_docstring(function));
+                      several                    ? python_class(function.name)
+                      : function.outputs.empty() ? std::string("None")
+                                                 : python_type(model, function.outputs.front()),
+                      python_docstring(function));
   const std::string call = fmt::format("_{}({})", function.name, arguments);
   return text + (several ? fmt::format("    return {}(*{})\n", python_class(function.name), call)
                          : fmt::format("    return {}\n", call));

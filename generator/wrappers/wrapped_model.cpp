@@ -17,7 +17,9 @@ WrappedArray array_of(const json& port) {
                      port.value("doc", ""),
                      port.value("order", ""),
                      {},
-                     {}};
+                     {},
+                     port.value("by_value", false),
+                     port.value("states", std::vector<std::string>{})};
   for (const auto& low : port.value("low", json::array())) array.low.push_back(low);
   for (const auto& high : port.value("high", json::array())) array.high.push_back(high);
   return array;

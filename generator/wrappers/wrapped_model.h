@@ -19,6 +19,8 @@ struct WrappedArray {
   std::string unit, doc;
   std::string order;              ///< "joints", "tendons", "wrist", "joints_and_wrist"; "" for none
   std::vector<double> low, high;  ///< inputs only; may be empty
+  bool by_value = false;          ///< inputs only: a number, not an array
+  std::vector<std::string> states;  ///< outputs only: what 0, 1, ... mean; C has an int then
   int size() const { return rows * cols; }
   bool is_scalar() const { return rows * cols == 1; }
   bool is_vector() const { return cols == 1; }

@@ -5,7 +5,7 @@ namespace sinew {
 
 Argument scalar_argument(const std::string& name, const std::string& unit, const Range& range,
                          const std::string& doc) {
-  return {name, 1, 1, {GiNaC::symbol(name)}, unit, doc, {range}};
+  return {name, 1, 1, {GiNaC::symbol(name)}, unit, doc, {range}, {}, true};
 }
 
 Argument array_argument(const std::string& name, int rows, int cols, const std::string& unit,

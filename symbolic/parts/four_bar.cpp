@@ -80,8 +80,8 @@ Linkage::Linkage(const FourBarParameters& p)
   sin3 = list.define("sin3", across / length);
 }
 
-/// LinkDirection of the joint's link at the reference crank angle: 50 digits, so that a joint's zero
-/// is the same on every machine.
+/// LinkDirection of the joint's link at the reference crank angle: 50 digits, so that a joint's
+/// zero is the same on every machine.
 struct LinkDirection {
   ex cosine, sine;
 };
@@ -126,7 +126,13 @@ Function four_bar_locking(const FourBarParameters& parameters) {
                     {GiNaC::atan2(sine, magnitude(k.cos_34))},
                     "rad",
                     "angle between coupler and rocker, folded to 0..pi/2"},
-                   {"status", 1, 1, {status}, "1", "0 fine, 1 at or beyond a locking pose"}});
+                   {"status",
+                    1,
+                    1,
+                    {status},
+                    "1",
+                    "0 fine, 1 at or beyond a locking pose",
+                    {"fine", "locked"}}});
 }
 
 Function four_bar_coupler_pose(const FourBarParameters& parameters) {

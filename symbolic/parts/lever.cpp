@@ -10,8 +10,8 @@
 #include "symbolic/expressions/evaluate_function.h"
 #include "symbolic/expressions/exact_number.h"
 #include "symbolic/expressions/horner.h"
-#include "symbolic/parts/lever_geometry.h"
 #include "symbolic/expressions/piecewise.h"
+#include "symbolic/parts/lever_geometry.h"
 
 namespace sinew {
 namespace {
@@ -102,7 +102,8 @@ Function lever_status(const LeverParameters& parameters) {
             1,
             {choose(-outside, choose(dead, choose(g.path_margin, 0, 1), 1), 1)},
             "1",
-            "0 fine, 1 outside the travel or at a dead centre"}}};
+            "0 fine, 1 outside the travel or at a dead centre",
+            {"fine", "not_usable"}}}};
 }
 
 std::vector<Function> lever_functions(const LeverParameters& p) {

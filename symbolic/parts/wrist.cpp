@@ -78,7 +78,13 @@ Function wrist_status(const WristParameters& parameters) {
   // Written so that a comparison that fails, whatever the reason, says 1.
   const ex status = choose(start.pose.sine_flat - margin, choose(slack, 0, 1), 1);
   return start.finish("status", "", "Whether the pose is regular.",
-                      {{"status", 1, 1, {status}, "1", "0 fine, 1 at or beyond a singular pose"}});
+                      {{"status",
+                        1,
+                        1,
+                        {status},
+                        "1",
+                        "0 fine, 1 at or beyond a singular pose",
+                        {"fine", "singular"}}});
 }
 
 std::vector<Function> wrist_functions(const WristParameters& p) {

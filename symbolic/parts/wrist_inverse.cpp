@@ -131,7 +131,7 @@ Function wrist_bar_angles(const WristParameters& parameters) {
             "rad",
             "q71, q73"},
            {"residual", 1, 1, {residual}, "rad", "between the wanted and the reached direction"},
-           {"status", 1, 1, {status}, "1", "0 fine, 1 not reached"}}};
+           {"status", 1, 1, {status}, "1", "0 fine, 1 not reached", {"fine", "not_reached"}}}};
 }
 
 std::vector<Range> bar_ranges(const WristParameters& parameters) {

@@ -164,14 +164,15 @@ class Search {
     const ex correction =
         list.define("correction", GiNaC::sqrt(left[0] * left[0] + left[1] * left[1]));
     const ex status = choose(exact_number(settings_.tolerance) - correction, 0, 1);
-    return {name,
-            doc,
-            "(5.24)",
-            {h, start},
-            list.items(),
-            {{"q", 2, 1, {found.q[0], found.q[1]}, "rad", "q10, q11"},
-             {"correction", 1, 1, {correction}, "rad", "next Gauss-Newton step"},
-             {"status", 1, 1, {status}, "1", "0 converged, 1 not"}}};
+    return {
+        name,
+        doc,
+        "(5.24)",
+        {h, start},
+        list.items(),
+        {{"q", 2, 1, {found.q[0], found.q[1]}, "rad", "q10, q11"},
+         {"correction", 1, 1, {correction}, "rad", "next Gauss-Newton step"},
+         {"status", 1, 1, {status}, "1", "0 converged, 1 not", {"converged", "not_converged"}}}};
   }
 
   Argument start() const {
@@ -277,7 +278,8 @@ Function link_position_status(const ThumbBaseParameters& base,
         1,
         {choose(exact_number(settings.tolerance) - correction, 0, 1)},
         "1",
-        "0 converged, 1 not"}}};
+        "0 converged, 1 not",
+        {"converged", "not_converged"}}}};
 }
 
 Function link_position_covariance(const ThumbBaseParameters& base,
@@ -308,7 +310,8 @@ Function link_position_covariance(const ThumbBaseParameters& base,
             1,
             {choose(normal.determinant - normal.floor, 0, 1)},
             "1",
-            "0 fine, 1 where the lengths do not determine the angles"}}};
+            "0 fine, 1 where the lengths do not determine the angles",
+            {"fine", "not_determined"}}}};
 }
 
 Function base_tendon_lengths(const ThumbBaseParameters& base) {

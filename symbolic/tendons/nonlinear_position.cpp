@@ -4,15 +4,15 @@
 #include <Eigen/LU>
 #include <string>
 
-#include "symbolic/expressions/argument.h"
 #include "symbolic/dynamics/coordinates.h"
+#include "symbolic/dynamics/joint_tree.h"
+#include "symbolic/dynamics/symbols.h"
+#include "symbolic/expressions/argument.h"
 #include "symbolic/expressions/definition_list.h"
 #include "symbolic/expressions/evaluate_function.h"
 #include "symbolic/expressions/exact_number.h"
 #include "symbolic/expressions/inline_function.h"
-#include "symbolic/dynamics/joint_tree.h"
 #include "symbolic/expressions/piecewise.h"
-#include "symbolic/dynamics/symbols.h"
 #include "symbolic/tendons/tendons.h"
 
 namespace sinew {
@@ -218,7 +218,13 @@ class PositionSearch {
             list_.items(),
             {{"q", q_.rows, 1, found.q, q_.unit, "joint positions"},
              {"correction", 1, 1, {correction}, q_.unit, "next Gauss-Newton step"},
-             {"status", 1, 1, {choose(worst, 0, 1)}, "1", "0 converged, 1 not"}}};
+             {"status",
+              1,
+              1,
+              {choose(worst, 0, 1)},
+              "1",
+              "0 converged, 1 not",
+              {"converged", "not_converged"}}}};
   }
 
   const Function& lengths_;
@@ -254,7 +260,8 @@ Function covariance(const Function& lengths, const NonlinearPositionSettings& se
             1,
             {choose(factors.least, 0, 1)},
             "1",
-            "0 fine, 1 where the lengths do not determine the positions"}}};
+            "0 fine, 1 where the lengths do not determine the positions",
+            {"fine", "not_determined"}}}};
 }
 
 }  // namespace

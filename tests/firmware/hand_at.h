@@ -48,7 +48,7 @@ inline HandAt hand_at(const std::array<double, HAND_COORDINATES>& share,
     const double free = travel.high[0], end = travel.low[0];
     const double angle = free + count[i] / 4095.0 * (end - free);
     double state[4];
-    lever_state(&angle, state);
+    lever_state(angle, state);
     at.force[i] = state[2];
     const double elongation = state[1] + tendon_softness * state[2];
     at.theta[i] = (elongation + table().closure[i] - h[i]) / table().motor_radius;

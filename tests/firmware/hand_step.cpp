@@ -98,8 +98,8 @@ TEST_CASE("lengths and couplings through the wrist are the wrist's", "[hand_step
   const double bars[2] = {0.5, 1.0};
   double h[HAND_TENDONS], P[2 * HAND_TENDONS], own_h[HAND_TENDONS], own_P[2 * HAND_TENDONS];
   hand_wrist_passage(bars, h, P);
-  wrist_tendon_lengths(&bars[0], &bars[1], own_h);
-  wrist_tendon_jacobian(&bars[0], &bars[1], own_P);
+  wrist_tendon_lengths(bars[0], bars[1], own_h);
+  wrist_tendon_jacobian(bars[0], bars[1], own_P);
   CHECK(largest_difference(h, own_h, HAND_TENDONS) < 1e-15);
   CHECK(largest_difference(P, own_P, 2 * HAND_TENDONS) < 1e-15);
 }

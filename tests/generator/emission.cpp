@@ -18,6 +18,7 @@
 #include "generator/literal.h"
 #include "generator/lower.h"
 #include "generator/write.h"
+#include "symbolic/expressions/piecewise.h"
 #include "symbolic/model/read_mechanism.h"
 #include "symbolic/tendons/functions.h"
 #include "tests/generator/every_operation.h"
@@ -320,4 +321,44 @@ TEST_CASE("the manifest lists files, arguments and the operations that are count
     CHECK(function["inputs"].size() == graph.inputs.size());
     CHECK(function["outputs"][0]["rows"] == graph.outputs[0].rows);
   }
+}
+
+TEST_CASE("a number is passed by its value, a status is an int whose values have names") {
+  const GiNaC::symbol x("x"), y("y");
+  Argument number{"x", 1, 1, {x}, "m", "a number", {{-1.0, 1.0}}};
+  number.by_value = true;
+  const Argument array{"y", 1, 1, {y}, "m", "an array of one", {{-1.0, 1.0}}};
+  const Function function{
+      "take",
+      "Takes both.",
+      "",
+      {number, array},
+      {},
+      {{"sum", 1, 1, {x + y}, "m", ""},
+       {"status", 1, 1, {choose(x - y, 0, 1)}, "1", "", {"fine", "too_small"}}}};
+  for (const Scalar scalar : {Scalar::binary64, Scalar::binary32}) {
+    const EmittedModel model =
+        assemble({"sample", "A sample.", std::string(64, '0'), {}}, {function}, {scalar});
+    const FileSet files = emit_files(model);
+    const std::string type = model.target.type();
+    const std::string& header = files.at("sample.h");
+    CHECK(header.find("sample_take(" + type + " x, const " + type + " y[SINEW_AT_LEAST(1)],") !=
+          std::string::npos);
+    CHECK(header.find("int *status);\nenum { SAMPLE_TAKE_FINE = 0, SAMPLE_TAKE_TOO_SMALL = 1 };") !=
+          std::string::npos);
+    const auto manifest = nlohmann::json::parse(files.at("manifest.json"))["functions"][0];
+    CHECK(manifest["inputs"][0]["by_value"] == true);
+    CHECK_FALSE(manifest["inputs"][1].contains("by_value"));
+    CHECK(manifest["outputs"][1]["states"] == nlohmann::json{"fine", "too_small"});
+    const reference::TemporaryFolder place;
+    replace_folder(place.path() / "sample", files);
+    const reference::EmittedModel compiled(place.path() / "sample");
+    // Planted: a catalogue that does not give the status back: NaN is in its place.
+    CHECK(compiled.call("take", {0.5, 0.25}) == std::vector<double>{0.75, 0.0});
+    CHECK(compiled.call("take", {0.25, 0.5}) == std::vector<double>{0.75, 1.0});
+  }
+  Function wrong = function;
+  wrong.inputs[0].rows = 2;
+  wrong.inputs[0].symbols.emplace_back("x2");
+  CHECK_THROWS_AS(lower(wrong), std::invalid_argument);
 }

@@ -29,7 +29,7 @@ int matches(const std::string& text, const std::string& pattern) {
 
 std::string body_of(const Graph& graph) {
   std::string text;
-  for (const std::string& line : statements(graph, straight_plan(graph), Target{}, array_names(graph)))
+  for (const std::string& line : statements(graph, straight_plan(graph), Target{}, array_names()))
     text += line + "\n";
   return text;
 }
