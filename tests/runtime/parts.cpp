@@ -4,6 +4,7 @@
 
 #include <Eigen/Cholesky>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <random>
 #include <thread>
@@ -53,6 +54,7 @@ TEST_CASE("a limit holds for every number", "[parts]") {
   CHECK(sinew_is_finite(1e308));
   for (const double x : {infinite, -infinite, no_value}) CHECK_FALSE(sinew_is_finite(x));
   CHECK(sinew_is_within(1.0, -1.0, 1.0));
+  CHECK(sinew_is_within(-1.0, -1.0, 1.0));
   for (const double x : {no_value, 1.0000001, -infinite})
     CHECK_FALSE(sinew_is_within(x, -1.0, 1.0));
   CHECK(sinew_approached(0.0, 5.0, 0.5) == 0.5);
@@ -73,6 +75,8 @@ TEST_CASE("polynomials and their slopes are those of the powers", "[parts]") {
   CHECK(sinew_normalised(infinite, 10.0, 0.1) == 1.0);
   CHECK(sinew_normalised(-1e9, 10.0, 0.1) == -1.0);
   CHECK(sinew_normalised(no_value, 10.0, 0.1) == 0.0);
+  CHECK(sinew_normalised(25.0, 10.0, 0.1) == 1.0);
+  CHECK(sinew_normalised(-5.0, 10.0, 0.1) == -1.0);
 }
 
 // Seen red with the upper triangle read instead of the lower one, and with `least` ignored.
@@ -97,8 +101,24 @@ TEST_CASE("small systems are solved as Eigen solves them", "[parts]") {
   CHECK(sinew_is_finite(x[1]));
   double small[1] = {1e-6};
   CHECK(sinew_factorise(small, 1, 1e-5) == 1);
+  CHECK(small[0] == 1.0);  // taken as 1
+  double least[1] = {1e-5};
+  CHECK(sinew_factorise(least, 1, 1e-5) == 1);  // not above it
   double no_number[1] = {no_value};
   CHECK(sinew_factorise(no_number, 1, 1e-12) == 1);
+}
+
+TEST_CASE("a substitution touches what is its own", "[parts]") {
+  // A, and what stands behind it in memory.
+  double A[9] = {4.0, 0.0, 2.0, 3.0, no_value, no_value, no_value, no_value, no_value};
+  const double b[3] = {2.0, 1.0, no_value};
+  double x[3] = {7.0, 7.0, no_value};
+  CHECK(sinew_solve(A, 2, 1e-12, b, x) == 0);
+  CHECK(x[0] == Approx(0.5));
+  CHECK(x[1] == Approx(0.0).margin(1e-15));
+  x[2] = 7.0;
+  sinew_substitute(A, 2, b, x);
+  CHECK(x[2] == 7.0);
 }
 
 // Seen red with `count + 1` steps and with a step that leaves the limits.
@@ -169,6 +189,67 @@ TEST_CASE("a value that stays for too long is frozen, and one that moves is not"
   for (int i = 0; i < 50; ++i) CHECK(c.tick(1.6) == SINEW_FINE);
 }
 
+TEST_CASE("the count of equal samples begins again with every move", "[parts]") {
+  Channel c(1.0);
+  c.tick(1.5);
+  for (int i = 1; i < 5; ++i) CHECK(c.tick(1.5) == SINEW_FINE);
+  CHECK(c.tick(1.6) == SINEW_FINE);
+  for (int i = 1; i < 5; ++i) CHECK(c.tick(1.6) == SINEW_FINE);
+  CHECK(c.tick(1.6) == (SINEW_FROZEN | SINEW_HELD));
+  // After a missing sample, too.
+  Channel d(1.0);
+  d.tick(no_value);
+  CHECK(d.tick(1.5) == SINEW_FINE);
+  for (int i = 1; i < 5; ++i) CHECK(d.tick(1.5) == SINEW_FINE);
+  CHECK(d.tick(1.5) == (SINEW_FROZEN | SINEW_HELD));
+  // It ends at the largest number, and one equal sample may be too many.
+  d.state.same_ticks = 0xffffffffU;
+  CHECK((d.tick(1.5) & SINEW_FROZEN) != 0U);
+  Channel strict(1.0);
+  strict.l.frozen_ticks = 1;
+  CHECK(strict.tick(1.1) == SINEW_FINE);
+  CHECK(strict.tick(1.1) == (SINEW_FROZEN | SINEW_HELD));
+}
+
+TEST_CASE("a channel starts safe whatever the memory held, and its bits are the documented ones",
+          "[parts]") {
+  sinew_channel channel;
+  std::memset(&channel, 0xff, sizeof channel);
+  const Channel reference;
+  sinew_channel_start(&channel, &reference.l);
+  CHECK(channel.good == reference.l.safe);
+  CHECK(channel.last == reference.l.safe);
+  CHECK(channel.bad_ticks == reference.l.hold_ticks);
+  CHECK(channel.same_ticks == 0U);
+  CHECK(channel.good_ticks == 0U);
+  CHECK(channel.status == SINEW_SAFE);
+  const std::pair<unsigned, unsigned> bits[] = {
+      {SINEW_FINE, 0},   {SINEW_NOT_FINITE, 1}, {SINEW_OUT_OF_RANGE, 2}, {SINEW_JUMPED, 4},
+      {SINEW_FROZEN, 8}, {SINEW_HELD, 32},      {SINEW_SAFE, 64}};
+  for (const auto& [bit, documented] : bits) CHECK(bit == documented);
+}
+
+TEST_CASE("a safe channel comes back after good samples in a row, each within a step of the last",
+          "[parts]") {
+  Channel c(1.0);
+  for (int i = 0; i < 4; ++i) c.tick(no_value);
+  REQUIRE((c.state.status & SINEW_SAFE) != 0U);
+  c.tick(5.0);
+  CHECK(c.tick(5.1) == SINEW_SAFE);
+  CHECK(c.tick(no_value) == (SINEW_NOT_FINITE | SINEW_SAFE));  // from the beginning
+  c.tick(5.2);
+  CHECK(c.tick(5.3) == SINEW_SAFE);
+  CHECK(c.tick(6.8) == (SINEW_JUMPED | SINEW_SAFE));  // 1.5 in one tick
+  CHECK(c.tick(6.9) == SINEW_SAFE);
+  CHECK(c.tick(7.0) == SINEW_SAFE);
+  CHECK(c.tick(7.1) == SINEW_FINE);
+}
+
+TEST_CASE("a jump over zero is a jump", "[parts]") {
+  Channel c(0.9);
+  CHECK(c.tick(-0.4) == (SINEW_JUMPED | SINEW_HELD));
+}
+
 TEST_CASE("a sample out of the range is none, however small the step to it", "[parts]") {
   Channel c(9.8);
   CHECK(c.tick(10.0) == SINEW_FINE);
@@ -191,7 +272,11 @@ TEST_CASE("the ring hands records on in order and counts what it loses", "[parts
   CHECK(sinew_ring_start(&ring, memory, sizeof *memory, 3) == 1);
   CHECK(sinew_ring_start(&ring, memory, 0, 4) == 1);
   CHECK(sinew_ring_start(&ring, memory, sizeof *memory, 0) == 1);
+  CHECK(sinew_ring_start(&ring, memory, sizeof *memory, 1) == 0);
+  std::memset(&ring, 0xff, sizeof ring);
   REQUIRE(sinew_ring_start(&ring, memory, sizeof *memory, 4) == 0);
+  CHECK(ring.written + ring.read + ring.lost == 0U);
+  CHECK(sinew_ring_waiting(&ring) == 0U);
   std::uint64_t next = 0, expected = 0, got = 0;
   CHECK(sinew_ring_take(&ring, &got) == 0);
   ring.written = ring.read = 0xfffffffeU;  // over the end of the numbers
@@ -207,6 +292,10 @@ TEST_CASE("the ring hands records on in order and counts what it loses", "[parts
     }
   }
   CHECK(ring.lost == 5);
+  for (int i = 0; i < 4; ++i) sinew_ring_put(&ring, &next);
+  ring.lost = 0xffffffffU;  // the count ends there
+  CHECK(sinew_ring_put(&ring, &next) == 0);
+  CHECK(ring.lost == 0xffffffffU);
 }
 
 TEST_CASE("one thread writes the ring while another reads it", "[parts]") {
@@ -240,11 +329,22 @@ TEST_CASE("one thread writes the ring while another reads it", "[parts]") {
   CHECK(wrong == 0);
 }
 
+/// By the polynomial's definition.
+std::uint32_t crc32_bit_by_bit(unsigned char byte) {
+  std::uint32_t sum = 0xffffffffU ^ byte;
+  for (int bit = 0; bit < 8; ++bit) sum = (sum & 1U) != 0U ? (sum >> 1) ^ 0xedb88320U : sum >> 1;
+  return ~sum;
+}
+
 // Seen red with the table's last word changed.
 TEST_CASE("the checksum is CRC-32 and sees every single bit", "[parts]") {
   CHECK(sinew_checksum(0, "123456789", 9) == 0xcbf43926U);
   CHECK(sinew_checksum(sinew_checksum(0, "1234", 4), "56789", 5) == 0xcbf43926U);
   CHECK(sinew_checksum(0, "", 0) == 0);
+  for (unsigned byte = 0; byte < 256; ++byte) {
+    const auto data = static_cast<unsigned char>(byte);
+    CHECK(sinew_checksum(0, &data, 1) == crc32_bit_by_bit(data));
+  }
   unsigned char data[64] = {};
   const std::uint32_t sum = sinew_checksum(0, data, sizeof data);
   int unseen = 0;
