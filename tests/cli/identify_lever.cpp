@@ -70,10 +70,10 @@ double horner(const json& coefficients, double u) {
 std::vector<std::vector<double>> compiled(const Workplace& here, const std::vector<int>& at) {
   std::string program =
       "#include <stdio.h>\n#include \"lever_calibration.h\"\nint main(void) {\n"
-      "  double out[3], count[1];\n";
+      "  double out[3];\n";
   for (const int count : at)
     program += fmt::format(
-        "  count[0] = {};\n  lever_calibration_calibrated_state(count, out);\n"
+        "  lever_calibration_calibrated_state({}, out);\n"
         "  printf(\"%.17g %.17g %.17g\\n\", out[0], out[1], out[2]);\n",
         count);
   reference::write_text(here.path("main.c"), program + "  return 0;\n}\n");
