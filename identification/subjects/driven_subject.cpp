@@ -288,7 +288,7 @@ void DrivenSubject::prepare(const Settings& settings) {
   problem_.deviations.clear();
   for (std::size_t j = 0; j < bristle_.size(); ++j) add_baseline(j);
   for (const KnownPayload& payload : payloads_) {
-    if (!payload.fitted) continue;
+    if (!payload.is_free) continue;
     problem_.baseline.push_back(free_centre(payload));
     baseline_.push_back({"payload_centre", 0, {}, {}});
   }

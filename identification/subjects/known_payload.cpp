@@ -180,7 +180,7 @@ void fit_centres(const std::vector<Recording>& training, const EffortModel& mode
   for (KnownPayload& payload : payloads)
     if (!payload.centre) {
       payload.centre = open[next++].centre;
-      payload.fitted = true;
+      payload.is_free = links.empty();
     }
 }
 
@@ -200,7 +200,10 @@ Candidate free_centre(const KnownPayload& payload) {
   }
   c.columns = [signal = centre_signal(payload)](const Recording& log, int channel,
                                                 const VectorXd&) -> MatrixXd {
-    return log.signals.at(signal).middleCols(channel * kCentreColumns, kCentreColumns);
+    const auto moments = log.signals.find(signal);
+    // A motion that is proposed carries no load.
+    if (moments == log.signals.end()) return MatrixXd::Zero(log.q.rows(), kCentreColumns);
+    return moments->second.middleCols(channel * kCentreColumns, kCentreColumns);
   };
   return c;
 }
@@ -248,7 +251,7 @@ void DrivenSubject::take(const KnownPayload& payload) {
           moments.middleCols(j * kCentreColumns, kCentreColumns) =
               own.middleCols(j * kLinkColumns + 1, kCentreColumns) / payload.mass;
       }
-      if (payload.fitted) log.signals[centre_signal(payload)] = std::move(moments);
+      if (payload.is_free) log.signals[centre_signal(payload)] = std::move(moments);
     }
 }
 

@@ -21,7 +21,9 @@ struct KnownPayload {
   std::optional<Eigen::Vector3d> centre;  ///< in the link's frame [m]
   std::vector<std::string> recordings;    ///< names
   std::vector<std::string> logs;          ///< files
-  bool fitted = false;                    ///< its centre, by fit_centres
+  /// Its centre was fitted to logs that all carry it: nothing else tells it from the joints'
+  /// offsets.
+  bool is_free = false;
 };
 
 /// The load told, at the one link that can carry it. Throws std::invalid_argument where several
