@@ -14,8 +14,9 @@ static uint32_t find_thumb(hand_state *s, const hand_parameters *p, const double
   const int anew = s->astray_ticks >= p->restart_ticks;
   thumb_link_position_warm(h, anew ? middle : s->q, q, &correction, &status);
   thumb_hinge_position(&h[4], &q[2]);
-  s->astray_ticks = status == THUMB_LINK_POSITION_WARM_CONVERGED || anew ? 0U : s->astray_ticks + 1U;
-  return status == THUMB_LINK_POSITION_WARM_CONVERGED ? SINEW_FINE : HAND_NOT_CONVERGED;
+  const int converged = status == THUMB_LINK_POSITION_WARM_CONVERGED;
+  s->astray_ticks = converged || anew ? 0U : s->astray_ticks + 1U;
+  return converged ? SINEW_FINE : HAND_NOT_CONVERGED;
 }
 
 /* The crank's angle by least squares from its two tendons. */

@@ -49,7 +49,7 @@ void write_all(const Descriptor& file, std::string_view text, const fs::path& sh
   }
 }
 
-Descriptor created(const fs::path& path, unsigned mode) {
+Descriptor new_file(const fs::path& path, unsigned mode) {
   const NotInterrupted not_after_the_removal;
   Descriptor file(::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode));
   if (!file.is_open()) fail_with_errno(path, "cannot be created");
@@ -57,7 +57,7 @@ Descriptor created(const fs::path& path, unsigned mode) {
 }
 
 void write_new_file(const fs::path& path, std::string_view text, unsigned mode) {
-  Descriptor file = created(path, mode);
+  Descriptor file = new_file(path, mode);
   write_all(file, text, path);
   if (::fsync(file.number()) != 0) fail_with_errno(path, "cannot be written");
   file.close(path);

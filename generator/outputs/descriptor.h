@@ -34,7 +34,7 @@ void write_all(const Descriptor& file, std::string_view text, const std::filesys
 
 /// A new file, opened to be written; none once an interruption removes what is unfinished. `mode`:
 /// its permissions, less the umask. Throws std::runtime_error, also where the file exists.
-Descriptor created(const std::filesystem::path& path, unsigned mode);
+Descriptor new_file(const std::filesystem::path& path, unsigned mode);
 /// The same with this text, on the disk when this returns.
 void write_new_file(const std::filesystem::path& path, std::string_view text, unsigned mode = 0666);
 

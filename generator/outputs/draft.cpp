@@ -37,7 +37,7 @@ void link_or_copy(const fs::path& file, const fs::path& to) {
 }  // namespace
 
 Descriptor new_draft(const fs::path& draft, const fs::path& target) {
-  Descriptor file = created(draft, 0666);
+  Descriptor file = new_file(draft, 0666);
   struct stat is;
   if (::stat(target.c_str(), &is) == 0) (void)::fchmod(file.number(), is.st_mode & 07777u);
   return file;

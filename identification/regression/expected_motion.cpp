@@ -16,7 +16,6 @@ using Eigen::VectorXd;
 
 constexpr Index kLeastSamples = 256;
 constexpr double kContinued = 0.5;  // s at each end
-constexpr double kSlope = 2.0;      // Hz on each side of a fall, so that the filter is that short
 
 VectorXd without_line(const VectorXd& x) {
   const Index n = x.size();
@@ -79,8 +78,9 @@ VectorXd share_of_motion(const VectorXd& reading, double step, double quiet_from
   for (Index b = last + 1; b < own; ++b) share(b) = std::min(share(b), share(b - 1));
   VectorXd result(bins);
   for (Index b = 0; b < bins; ++b) result(b) = share(std::min(own - 1, b * own / bins));
+  // As wide as makes the filter no longer than the reading is continued.
   const double per_hz = 2.0 * step * static_cast<double>(bins);
-  return without_edges(result, static_cast<Index>(std::lround(kSlope * per_hz)));
+  return without_edges(result, static_cast<Index>(std::lround(per_hz / kContinued)));
 }
 
 MatrixXd expected_position(const MatrixXd& reading, double step, double quiet_from) {

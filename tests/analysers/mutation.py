@@ -103,7 +103,7 @@ class Bench:
 
 def named():
     lines = (HERE / "survivors.txt").read_text(encoding="utf-8").splitlines()
-    return {tuple(part.strip() for part in line.split("|")[:3]): line for line in lines
+    return {tuple(part.strip() for part in line.split(" | ")[:3]): line for line in lines
             if line.strip() and not line.startswith("#")}
 
 
