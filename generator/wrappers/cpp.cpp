@@ -107,23 +107,19 @@ std::string cpp_comment(const WrappedFunction& function) {
   return text;
 }
 
-bool is_status(const WrappedArray& array) {
-  return !array.states.empty();
-}
-
 /// As the emitted C takes a variable of that name.
 std::string argument(const WrappedArray& array, const std::string& name) {
   if (array.by_value) return name;
-  return is_status(array) ? "&" + name : name + ".data()";
+  return array.is_status() ? "&" + name : name + ".data()";
 }
 
 std::string span_form(const WrappedModel& model, const WrappedFunction& function) {
   std::string parameters, arguments;
   const auto add = [&](const WrappedArray& array, const char* constness) {
-    const std::string type = array.by_value     ? model.scalar
-                             : is_status(array) ? "int&"
-                                                : fmt::format("std::span<{}{}, {}>", constness,
-                                                              model.scalar, array.size());
+    const std::string type = array.by_value      ? model.scalar
+                             : array.is_status() ? "int&"
+                                                 : fmt::format("std::span<{}{}, {}>", constness,
+                                                               model.scalar, array.size());
     parameters += fmt::format("{}{} {}", parameters.empty() ? "" : ",\n    ", type, array.name);
     arguments += (arguments.empty() ? "" : ", ") + argument(array, array.name);
   };
@@ -137,7 +133,7 @@ std::string span_form(const WrappedModel& model, const WrappedFunction& function
 /// Of a variable that holds it, beside Eigen.
 std::string matrix_type(const WrappedModel& model, const WrappedArray& array) {
   if (array.by_value) return model.scalar;
-  return is_status(array) ? "int" : fmt::format("Matrix<{}, {}>", array.rows, array.cols);
+  return array.is_status() ? "int" : fmt::format("Matrix<{}, {}>", array.rows, array.cols);
 }
 
 /// One result is returned itself, several in a struct of that function's name.

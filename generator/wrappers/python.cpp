@@ -262,7 +262,7 @@ std::string python_ports(const std::vector<WrappedArray>& arrays) {
   for (const WrappedArray& array : arrays)
     text += fmt::format("Shape(\"{}\", {}{}{}), ", array.name, python_shape(array),
                         array.by_value ? ", by_value=True" : "",
-                        array.states.empty() ? "" : ", status=True");
+                        array.is_status() ? ", status=True" : "");
   return text + ")";
 }
 
@@ -289,7 +289,7 @@ std::string python_docstring(const WrappedFunction& function) {
 }
 
 std::string python_type(const WrappedModel& model, const WrappedArray& array) {
-  if (!array.states.empty()) return "NDArray[np.intc]";
+  if (array.is_status()) return "NDArray[np.intc]";
   return fmt::format("NDArray[np.{}]", model.scalar == "float" ? "float32" : "float64");
 }
 

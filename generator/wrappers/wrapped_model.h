@@ -24,6 +24,7 @@ struct WrappedArray {
   int size() const { return rows * cols; }
   bool is_scalar() const { return rows * cols == 1; }
   bool is_vector() const { return cols == 1; }
+  bool is_status() const { return !states.empty(); }
 };
 
 struct WrappedFunction {

@@ -136,6 +136,17 @@ struct NormalEquations {
   }
 };
 
+/// Columns of the load's first moments, three a joint; zero where the log does not carry it.
+MatrixXd moments_of(const KnownPayload& payload, const RigidColumns& rigid, const Recording& log) {
+  MatrixXd moments = MatrixXd::Zero(log.q.rows(), kCentreColumns * log.q.cols());
+  if (!carries(payload, log)) return moments;
+  const MatrixXd own = log.payload.asDiagonal() * rigid.mass_columns(payload.link, log);
+  for (Index j = 0; j < log.q.cols(); ++j)
+    moments.middleCols(j * kCentreColumns, kCentreColumns) =
+        own.middleCols(j * kLinkColumns + 1, kCentreColumns) / payload.mass;
+  return moments;
+}
+
 }  // namespace
 
 KnownPayload known_payload(const CarriedPayload* told, const RigidColumns& rigid) {
@@ -242,16 +253,10 @@ void DrivenSubject::add_payload(const Log& log, const sinew::Segment& segment,
 void DrivenSubject::take(const KnownPayload& payload) {
   for (auto* logs : {&problem_.training, &problem_.holdout})
     for (Recording& log : *logs) {
-      MatrixXd moments = MatrixXd::Zero(log.q.rows(), kCentreColumns * log.q.cols());
-      if (carries(payload, log)) {
+      if (carries(payload, log))
         log.payload_effort =
             log.payload.asDiagonal() * rigid_->point_mass(payload.link, *payload.centre, log);
-        const MatrixXd own = log.payload.asDiagonal() * rigid_->mass_columns(payload.link, log);
-        for (Index j = 0; j < log.q.cols(); ++j)
-          moments.middleCols(j * kCentreColumns, kCentreColumns) =
-              own.middleCols(j * kLinkColumns + 1, kCentreColumns) / payload.mass;
-      }
-      if (payload.is_free) log.signals[centre_signal(payload)] = std::move(moments);
+      if (payload.is_free) log.signals[centre_signal(payload)] = moments_of(payload, *rigid_, log);
     }
 }
 
