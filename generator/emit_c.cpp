@@ -3,11 +3,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <atomic>
 #include <future>
 #include <thread>
 #include <vector>
 
+#include "generator/calls/find_calls.h"
 #include "generator/cost.h"
 #include "generator/loops/find_loops.h"
 #include "generator/runtime_calls.h"
@@ -105,27 +107,54 @@ std::string signature(const EmittedModel& model, const Graph& graph) {
 
 namespace {
 
-/// Definition of one function.
-std::string emit_function(const EmittedModel& model, const Graph& graph) {
+bool passes_port(const CallingFunction& function, const std::string& name) {
+  return std::any_of(function.calls.begin(), function.calls.end(), [&](const Call& call) {
+    return std::find(call.arguments.begin(), call.arguments.end(), name) != call.arguments.end();
+  });
+}
+
+/// The arrays that the calls fill, and the calls.
+std::string calls_text(const EmittedModel& model, const CallingFunction& function) {
+  std::string text;
+  for (const Call& call : function.calls) {
+    std::string arguments;
+    for (const std::string& name : call.arguments)
+      arguments += (arguments.empty() ? "" : ", ") + name;
+    for (const Port& array : call.results) {
+      text += fmt::format("    {} {}[{}];\n", model.target.type(), array.name, array.size());
+      arguments += ", " + array.name;
+    }
+    text += fmt::format("    {}_{}({});\n", model.name, call.function, arguments);
+  }
+  return text;
+}
+
+/// Definition of one function. `graph`: as the header has it.
+std::string emit_function(const EmittedModel& model, const Graph& graph,
+                          const CallingFunction& function) {
   ArrayNames names = array_names();
   if (model.target.optimise == Optimise::size) names.side_by_side = false;
   names.shared = true;
   std::string text = signature(model, graph) + "\n{\n";
   for (const Port& port : graph.inputs)
-    if (!reads_port(graph, port.name)) text += fmt::format("    (void){};\n", port.name);
-  for (const std::string& line :
-       statements(graph, plan_loops(graph, loop_limits(model.target)), model.target, names))
+    if (!reads_port(function.rest, port.name) && !passes_port(function, port.name))
+      text += fmt::format("    (void){};\n", port.name);
+  text += calls_text(model, function);
+  const PlannedGraph planned = plan_graph(function.rest, loop_limits(model.target));
+  for (const std::string& line : statements(planned.graph, planned.plan, model.target, names))
     text += "    " + line + "\n";
   return wrap_lines(text + "}\n");
 }
 
-/// Of every function, side by side: each depends on its own graph alone.
+/// Of every function, side by side.
 std::vector<std::string> emit_functions(const EmittedModel& model) {
+  const std::vector<CallingFunction> functions =
+      find_calls(model.functions, loop_limits(model.target));
   std::vector<std::string> texts(model.functions.size());
   std::atomic<std::size_t> next = 0;
   const auto work = [&] {
     for (std::size_t i = next++; i < texts.size(); i = next++)
-      texts[i] = emit_function(model, model.functions[i]);
+      texts[i] = emit_function(model, model.functions[i], functions[i]);
   };
   std::vector<std::future<void>> workers;
   for (unsigned k = 1; k < std::thread::hardware_concurrency(); ++k)

@@ -166,7 +166,7 @@ void effects_gear_resonance(const double signals[SINEW_AT_LEAST(11)],
     const double t4 = 4.0 * (signals[2] + shape[0] * shape[1] * (memory[1] + memory[1] + t1)) + (4.0
         * memory[0] + signals[7] * t2) * t3;
     const double t5 = signals[7] * signals[7];
-    const double t6 = 1.0 / (4.0 * (1.0 + signals[7] * shape[0] * shape[1]) + t5 * t3);
+    const double t6 = 1.0 / (4.0 + 4.0 * signals[7] * shape[0] * shape[1] + t5 * t3);
     const double t7 = -(t4 * t6);
     const double t8 = 0.5 * signals[7];
     columns[0] = t7;
@@ -206,7 +206,7 @@ void effects_cable_torque(const double signals[SINEW_AT_LEAST(11)],
     columns[4] = t6;
     columns[5] = t8;
     columns[6] = -t9;
-    columns[7] = -(t1 * (t9 + t9 + 1.0) + t7);
+    columns[7] = -(t7 + (t9 + t9) * t1 + t1);
 }
 
 void effects_cable_torque_cubic(const double signals[SINEW_AT_LEAST(11)],
@@ -217,7 +217,7 @@ void effects_cable_torque_cubic(const double signals[SINEW_AT_LEAST(11)],
     columns[0] = 1.0;
     columns[1] = t1;
     columns[2] = -t2;
-    columns[3] = -(t1 * (t2 + t2 + 1.0));
+    columns[3] = -((t2 + t2) * t1 + t1);
 }
 
 void effects_inertial_backlash(const double signals[SINEW_AT_LEAST(11)],
@@ -262,7 +262,7 @@ void effects_link_resonance(const double signals[SINEW_AT_LEAST(11)],
     const double t4 = 4.0 * (signals[8] + shape[0] * shape[1] * (memory[1] + memory[1] + t1)) + (4.0
         * memory[0] + signals[7] * t2) * t3;
     const double t5 = signals[7] * signals[7];
-    const double t6 = 1.0 / (4.0 * (1.0 + signals[7] * shape[0] * shape[1]) + t5 * t3);
+    const double t6 = 1.0 / (4.0 + 4.0 * signals[7] * shape[0] * shape[1] + t5 * t3);
     const double t7 = 0.5 * signals[7];
     columns[0] = -(signals[9] * t4 * t6);
     next[0] = memory[0] + 0.25 * signals[7] * t2 - 0.25 * t4 * t5 * t6;
@@ -301,13 +301,12 @@ void effects_guiding_presliding(const double signals[SINEW_AT_LEAST(11)],
     const double shape[SINEW_AT_LEAST(1)], const double memory[SINEW_AT_LEAST(1)],
     double columns[SINEW_AT_LEAST(2)], double next[SINEW_AT_LEAST(1)])
 {
-    const double t1 = signals[1] * signals[7] / shape[0];
-    const double t2 = sinew_one_exp(-sinew_max(t1, -t1));
-    const double t3 = sinew_choose(t1, 1.0 - (1.0 - memory[0]) * t2, -(1.0 - (1.0 + memory[0])
-        * t2));
-    columns[0] = signals[4] * t3;
-    columns[1] = signals[0] * signals[4] * t3;
-    next[0] = t3;
+    double presliding_columns[1];
+    double presliding_next[1];
+    effects_presliding(signals, shape, memory, presliding_columns, presliding_next);
+    columns[0] = signals[4] * presliding_columns[0];
+    columns[1] = signals[0] * signals[4] * presliding_columns[0];
+    next[0] = presliding_columns[0];
 }
 
 void effects_force_sensor_scale(const double signals[SINEW_AT_LEAST(11)],
@@ -362,12 +361,12 @@ void effects_late_reversal(const double signals[SINEW_AT_LEAST(11)],
     const double shape[SINEW_AT_LEAST(1)], const double memory[SINEW_AT_LEAST(1)],
     double columns[SINEW_AT_LEAST(1)], double next[SINEW_AT_LEAST(1)])
 {
-    const double t1 = signals[1] * signals[7] / shape[0];
-    const double t2 = sinew_one_exp(-sinew_max(t1, -t1));
-    const double t3 = sinew_choose(t1, 1.0 - (1.0 - memory[0]) * t2, -(1.0 - (1.0 + memory[0])
-        * t2));
-    const double t4 = (sinew_choose(signals[1], 1.0, -1.0) - t3) * sinew_max(signals[6],
-        -signals[6]);
-    columns[0] = -t4;
-    next[0] = t3;
+    double guiding_presliding_columns[2];
+    double guiding_presliding_next[1];
+    effects_guiding_presliding(signals, shape, memory, guiding_presliding_columns,
+        guiding_presliding_next);
+    const double t1 = (sinew_choose(signals[1], 1.0, -1.0) - guiding_presliding_next[0])
+        * sinew_max(signals[6], -signals[6]);
+    columns[0] = -t1;
+    next[0] = guiding_presliding_next[0];
 }

@@ -213,14 +213,14 @@ void effects_gear_resonance_batch(int count, const double *SINEW_RESTRICT signal
             * n + state] + t1);
         const double t5 = 4.0 * (signals[2 * n + state] + t4) + (4.0 * memory[state] + signals[7 * n
             + state] * t2) * t3;
-        const double t6 = 4.0 * (1.0 + signals[7 * n + state] * shape[state] * shape[1 * n
-            + state]);
-        const double t7 = signals[7 * n + state] * signals[7 * n + state];
-        const double t8 = 1.0 / (t6 + t7 * t3);
+        const double t6 = signals[7 * n + state] * signals[7 * n + state];
+        const double t7 = 4.0 + 4.0 * signals[7 * n + state] * shape[state] * shape[1 * n + state]
+            + t6 * t3;
+        const double t8 = 1.0 / t7;
         const double t9 = -(t5 * t8);
         const double t10 = 0.5 * signals[7 * n + state];
         columns[state] = t9;
-        next[state] = memory[state] + 0.25 * signals[7 * n + state] * t2 - 0.25 * t5 * t7 * t8;
+        next[state] = memory[state] + 0.25 * signals[7 * n + state] * t2 - 0.25 * t5 * t6 * t8;
         next[1 * n + state] = memory[1 * n + state] + t10 * memory[2 * n + state] - t10 * t5 * t8;
         next[2 * n + state] = t9;
     }
@@ -269,7 +269,7 @@ void effects_cable_torque_batch(int count, const double *SINEW_RESTRICT signals,
         columns[4 * n + state] = t6;
         columns[5 * n + state] = t8;
         columns[6 * n + state] = -t9;
-        columns[7 * n + state] = -(t1 * (t9 + t9 + 1.0) + t7);
+        columns[7 * n + state] = -(t7 + (t9 + t9) * t1 + t1);
     }
 }
 
@@ -285,7 +285,7 @@ void effects_cable_torque_cubic_batch(int count, const double *SINEW_RESTRICT si
         columns[state] = 1.0;
         columns[1 * n + state] = t1;
         columns[2 * n + state] = -t2;
-        columns[3 * n + state] = -(t1 * (t2 + t2 + 1.0));
+        columns[3 * n + state] = -((t2 + t2) * t1 + t1);
     }
 }
 
@@ -352,13 +352,13 @@ void effects_link_resonance_batch(int count, const double *SINEW_RESTRICT signal
             * n + state] + t1);
         const double t5 = 4.0 * (signals[8 * n + state] + t4) + (4.0 * memory[state] + signals[7 * n
             + state] * t2) * t3;
-        const double t6 = 4.0 * (1.0 + signals[7 * n + state] * shape[state] * shape[1 * n
-            + state]);
-        const double t7 = signals[7 * n + state] * signals[7 * n + state];
-        const double t8 = 1.0 / (t6 + t7 * t3);
+        const double t6 = signals[7 * n + state] * signals[7 * n + state];
+        const double t7 = 4.0 + 4.0 * signals[7 * n + state] * shape[state] * shape[1 * n + state]
+            + t6 * t3;
+        const double t8 = 1.0 / t7;
         const double t9 = 0.5 * signals[7 * n + state];
         columns[state] = -(signals[9 * n + state] * t5 * t8);
-        next[state] = memory[state] + 0.25 * signals[7 * n + state] * t2 - 0.25 * t5 * t7 * t8;
+        next[state] = memory[state] + 0.25 * signals[7 * n + state] * t2 - 0.25 * t5 * t6 * t8;
         next[1 * n + state] = memory[1 * n + state] + t9 * memory[2 * n + state] - t9 * t5 * t8;
         next[2 * n + state] = -(t5 * t8);
     }

@@ -596,371 +596,372 @@ void hand_tendon_lengths_batch(int count, const double *SINEW_RESTRICT q,
             * reach_squared);
         const double root = sinew_sqrt(clearance);
         const double t1 = 1.0 / reach_squared;
-        const double sin_A = (p_y * root - p_z * limited) * t1;
-        const double x_plane_x = u_y * sin_A;
         const double cos_A = (p_y * limited + p_z * root) * t1;
-        const double x_x = cos_q71 * x_plane_x + sin_q71 * cos_A;
-        const double M_x = cos_q71 * M_e;
         const double z_plane_x = u_y * cos_A;
+        const double sin_A = (p_y * root - p_z * limited) * t1;
         const double z_x = cos_q71 * z_plane_x - sin_q71 * sin_A;
-        const double t2 = 0.004 * (1.0 + x_x) - M_x + 0.018 * z_x;
+        const double M_x = cos_q71 * M_e;
+        const double x_plane_x = u_y * sin_A;
+        const double x_x = cos_q71 * x_plane_x + sin_q71 * cos_A;
+        const double t2 = 0.004 - M_x + 0.018 * z_x + 0.004 * x_x;
         const double t3 = 0.01 * z_x;
-        const double layer_0_x = t2 - t3;
         const double y_x = cos_q71 * u_e;
         const double t4 = 0.011 * y_x;
-        const double strand_0_x = layer_0_x + t4;
+        const double layer_0_x = t2 - t3 + t4;
         const double z_plane_y = u_e * cos_A;
         const double origin_y = M_y + 0.018 * z_plane_y;
-        const double t5 = origin_y + 0.004 * u_e * sin_A;
+        const double x_plane_y = u_e * sin_A;
+        const double t5 = 0.004 * x_plane_y;
         const double t6 = 0.01 * z_plane_y;
-        const double layer_0_y = t5 - t6;
         const double t7 = 0.011 * u_y;
-        const double strand_0_y = 0.007 - layer_0_y + t7;
+        const double layer_0_y = 0.007 - origin_y - t5 + t6 + t7;
         const double z_z = cos_q71 * sin_A + sin_q71 * z_plane_x;
         const double M_z = sin_q71 * M_e;
         const double origin_z = M_z - 0.018 * z_z;
         const double x_z = cos_q71 * cos_A - sin_q71 * x_plane_x;
         const double t8 = 0.004 * x_z;
         const double t9 = 0.01 * z_z;
-        const double layer_0_z = 0.008 - origin_z - t8 - t9;
         const double y_z = sin_q71 * u_e;
         const double t10 = 0.011 * y_z;
-        const double strand_0_z = layer_0_z + t10;
-        const double t11 = strand_0_x * strand_0_x + strand_0_y * strand_0_y + strand_0_z
-            * strand_0_z;
-        const double length_0 = sinew_sqrt(t11);
+        const double layer_0_z = 0.008 - origin_z - t8 - t9 + t10;
+        const double length_0 = sinew_sqrt(layer_0_x * layer_0_x + layer_0_y * layer_0_y + layer_0_z
+            * layer_0_z);
         const double R21y = c1 * s2;
-        const double t12 = 0.005 * R21y;
-        const double t13 = 0.006 * s1;
-        const double t14 = t12 - t13;
+        const double t11 = 0.005 * R21y;
+        const double t12 = 0.006 * s1;
+        const double t13 = t11 - t12;
         const double R21x = c1 * c2;
-        const double t15 = 0.047 * R21x;
-        const double A_lengthdx = 0.002 - t14 - t15;
+        const double t14 = 0.047 * R21x;
+        const double A_lengthdx = 0.002 - t13 - t14;
         const double R22y = s1 * s2;
-        const double t16 = 0.005 * R22y;
-        const double t17 = 0.006 * c1;
-        const double t18 = 0.03 - (t16 + t17);
+        const double t15 = 0.005 * R22y;
+        const double t16 = 0.006 * c1;
+        const double t17 = 0.03 - (t15 + t16);
         const double R22x = s1 * c2;
-        const double t19 = 0.047 * R22x;
-        const double A_lengthdy = t18 - t19;
-        const double t20 = 0.025 - 0.005 * c2;
-        const double t21 = 0.047 * s2;
-        const double A_lengthdz = t20 + t21;
-        const double t22 = A_lengthdz * A_lengthdz;
-        const double A_length = sinew_sqrt(A_lengthdx * A_lengthdx + A_lengthdy * A_lengthdy + t22);
-        const double t23 = 0.01 * y_x;
-        const double strand_1_x = layer_0_x + t23;
-        const double t24 = 0.01 * u_y;
-        const double strand_1_y = 0.008 - layer_0_y + t24;
-        const double t25 = 0.01 * y_z;
-        const double strand_1_z = layer_0_z + t25;
-        const double t26 = strand_1_x * strand_1_x + strand_1_y * strand_1_y + strand_1_z
+        const double t18 = 0.047 * R22x;
+        const double A_lengthdy = t17 - t18;
+        const double t19 = 0.025 - 0.005 * c2;
+        const double t20 = 0.047 * s2;
+        const double A_lengthdz = t19 + t20;
+        const double t21 = A_lengthdz * A_lengthdz;
+        const double A_length = sinew_sqrt(A_lengthdx * A_lengthdx + A_lengthdy * A_lengthdy + t21);
+        const double strand_1_x = layer_0_x - 0.001 * y_x;
+        const double strand_1_y = 0.001 + layer_0_y - 0.001 * u_y;
+        const double strand_1_z = layer_0_z - 0.001 * y_z;
+        const double t22 = strand_1_x * strand_1_x + strand_1_y * strand_1_y + strand_1_z
             * strand_1_z;
-        const double length_1 = sinew_sqrt(t26);
-        const double t27 = t12 + t13;
-        const double B_lengthdx = 0.002 + t27 - t15;
-        const double t28 = 0.03 + (t16 - t17);
-        const double B_lengthdy = t28 - t19;
-        const double B_lengthdz = t20 - t21;
-        const double t29 = B_lengthdz * B_lengthdz;
-        const double B_length = sinew_sqrt(B_lengthdx * B_lengthdx + B_lengthdy * B_lengthdy + t29);
-        const double t30 = 0.008 * y_x;
-        const double strand_2_x = layer_0_x + t30;
-        const double t31 = 0.008 * u_y;
-        const double strand_2_y = 0.01 - layer_0_y + t31;
-        const double t32 = 0.008 * y_z;
-        const double strand_2_z = layer_0_z + t32;
-        const double t33 = strand_2_x * strand_2_x + strand_2_y * strand_2_y + strand_2_z
+        const double length_1 = sinew_sqrt(t22);
+        const double t23 = t11 + t12;
+        const double B_lengthdx = 0.002 + t23 - t14;
+        const double t24 = 0.03 + (t15 - t16);
+        const double B_lengthdy = t24 - t18;
+        const double B_lengthdz = t19 - t20;
+        const double t25 = B_lengthdz * B_lengthdz;
+        const double B_length = sinew_sqrt(B_lengthdx * B_lengthdx + B_lengthdy * B_lengthdy + t25);
+        const double t26 = 0.003 * y_x;
+        const double strand_2_x = layer_0_x - t26;
+        const double t27 = 0.003 * u_y;
+        const double strand_2_y = 0.003 + layer_0_y - t27;
+        const double t28 = 0.003 * y_z;
+        const double strand_2_z = layer_0_z - t28;
+        const double t29 = strand_2_x * strand_2_x + strand_2_y * strand_2_y + strand_2_z
             * strand_2_z;
-        const double length_2 = sinew_sqrt(t33);
-        const double C_lengthdx = 0.002 - t27 - t15;
-        const double C_lengthdy = t28 + t19;
-        const double C_length = sinew_sqrt(t22 + C_lengthdx * C_lengthdx + C_lengthdy * C_lengthdy);
-        const double t34 = 0.006 * y_x;
-        const double strand_3_x = layer_0_x + t34;
-        const double t35 = 0.006 * u_y;
-        const double strand_3_y = 0.011 - layer_0_y + t35;
-        const double t36 = 0.006 * y_z;
-        const double strand_3_z = layer_0_z + t36;
-        const double t37 = strand_3_x * strand_3_x + strand_3_y * strand_3_y + strand_3_z
+        const double length_2 = sinew_sqrt(t29);
+        const double C_lengthdx = 0.002 - t23 - t14;
+        const double C_lengthdy = t24 + t18;
+        const double C_length = sinew_sqrt(t21 + C_lengthdx * C_lengthdx + C_lengthdy * C_lengthdy);
+        const double t30 = 0.005 * y_x;
+        const double strand_3_x = layer_0_x - t30;
+        const double t31 = 0.005 * u_y;
+        const double strand_3_y = 0.004 + layer_0_y - t31;
+        const double t32 = 0.005 * y_z;
+        const double strand_3_z = layer_0_z - t32;
+        const double t33 = strand_3_x * strand_3_x + strand_3_y * strand_3_y + strand_3_z
             * strand_3_z;
-        const double length_3 = sinew_sqrt(t37);
-        const double D_lengthdx = 0.002 + t14 - t15;
-        const double D_lengthdy = t18 + t19;
-        const double D_length = sinew_sqrt(t29 + D_lengthdx * D_lengthdx + D_lengthdy * D_lengthdy);
-        const double t38 = 0.005 * y_x;
-        const double strand_4_x = layer_0_x + t38;
-        const double t39 = 0.005 * u_y;
-        const double strand_4_y = 0.013 - layer_0_y + t39;
-        const double t40 = 0.005 * y_z;
-        const double strand_4_z = layer_0_z + t40;
-        const double t41 = strand_4_x * strand_4_x + strand_4_y * strand_4_y + strand_4_z
+        const double length_3 = sinew_sqrt(t33);
+        const double D_lengthdx = 0.002 + t13 - t14;
+        const double D_lengthdy = t17 + t18;
+        const double D_length = sinew_sqrt(t25 + D_lengthdx * D_lengthdx + D_lengthdy * D_lengthdy);
+        const double strand_4_x = layer_0_x - 0.006 * y_x;
+        const double strand_4_y = 0.006 + layer_0_y - 0.006 * u_y;
+        const double strand_4_z = layer_0_z - 0.006 * y_z;
+        const double t34 = strand_4_x * strand_4_x + strand_4_y * strand_4_y + strand_4_z
             * strand_4_z;
-        const double length_4 = sinew_sqrt(t41);
-        const double t42 = 0.0065 * q[2 * n + state];
-        const double t43 = 0.003 * y_x;
-        const double strand_5_x = layer_0_x + t43;
-        const double t44 = 0.003 * u_y;
-        const double strand_5_y = 0.015 - layer_0_y + t44;
-        const double t45 = 0.003 * y_z;
-        const double strand_5_z = layer_0_z + t45;
-        const double t46 = strand_5_x * strand_5_x + strand_5_y * strand_5_y + strand_5_z
+        const double length_4 = sinew_sqrt(t34);
+        const double t35 = 0.0065 * q[2 * n + state];
+        const double t36 = 0.008 * y_x;
+        const double strand_5_x = layer_0_x - t36;
+        const double t37 = 0.008 * u_y;
+        const double strand_5_y = 0.008 + layer_0_y - t37;
+        const double t38 = 0.008 * y_z;
+        const double strand_5_z = layer_0_z - t38;
+        const double t39 = strand_5_x * strand_5_x + strand_5_y * strand_5_y + strand_5_z
             * strand_5_z;
-        const double length_5 = sinew_sqrt(t46);
-        const double t47 = 0.002 * y_x;
-        const double strand_6_x = layer_0_x + t47;
-        const double t48 = 0.002 * u_y;
-        const double strand_6_y = 0.016 - layer_0_y + t48;
-        const double t49 = 0.002 * y_z;
-        const double strand_6_z = layer_0_z + t49;
-        const double t50 = strand_6_x * strand_6_x + strand_6_y * strand_6_y + strand_6_z
+        const double length_5 = sinew_sqrt(t39);
+        const double strand_6_x = layer_0_x - 0.009 * y_x;
+        const double strand_6_y = 0.009 + layer_0_y - 0.009 * u_y;
+        const double strand_6_z = layer_0_z - 0.009 * y_z;
+        const double t40 = strand_6_x * strand_6_x + strand_6_y * strand_6_y + strand_6_z
             * strand_6_z;
-        const double length_6 = sinew_sqrt(t50);
-        const double t51 = 0.0055 * q[3 * n + state];
-        const double strand_7_y = 0.018 - layer_0_y;
-        const double length_7 = sinew_sqrt(layer_0_x * layer_0_x + layer_0_z * layer_0_z
-            + strand_7_y * strand_7_y);
-        const double strand_8_x = layer_0_x - t47;
-        const double strand_8_y = 0.019 - layer_0_y - t48;
-        const double strand_8_z = layer_0_z - t49;
-        const double t52 = strand_8_x * strand_8_x + strand_8_y * strand_8_y + strand_8_z
+        const double length_6 = sinew_sqrt(t40);
+        const double t41 = 0.0055 * q[3 * n + state];
+        const double strand_7_x = layer_0_x - t4;
+        const double strand_7_y = 0.011 + layer_0_y - t7;
+        const double strand_7_z = layer_0_z - t10;
+        const double t42 = strand_7_x * strand_7_x + strand_7_y * strand_7_y + strand_7_z
+            * strand_7_z;
+        const double length_7 = sinew_sqrt(t42);
+        const double t43 = 0.013 * y_x;
+        const double strand_8_x = layer_0_x - t43;
+        const double t44 = 0.013 * u_y;
+        const double strand_8_y = 0.012 + layer_0_y - t44;
+        const double t45 = 0.013 * y_z;
+        const double strand_8_z = layer_0_z - t45;
+        const double t46 = strand_8_x * strand_8_x + strand_8_y * strand_8_y + strand_8_z
             * strand_8_z;
-        const double length_8 = sinew_sqrt(t52);
-        const double t53 = 0.0065 * q[4 * n + state];
-        const double t54 = 0.0065 * q[5 * n + state];
-        const double strand_9_x = layer_0_x - t43;
-        const double strand_9_y = 0.021 - layer_0_y - t44;
-        const double strand_9_z = layer_0_z - t45;
-        const double t55 = strand_9_x * strand_9_x + strand_9_y * strand_9_y + strand_9_z
+        const double length_8 = sinew_sqrt(t46);
+        const double t47 = 0.0065 * q[4 * n + state];
+        const double t48 = 0.0065 * q[5 * n + state];
+        const double strand_9_x = layer_0_x - 0.014 * y_x;
+        const double strand_9_y = 0.014 + layer_0_y - 0.014 * u_y;
+        const double strand_9_z = layer_0_z - 0.014 * y_z;
+        const double t49 = strand_9_x * strand_9_x + strand_9_y * strand_9_y + strand_9_z
             * strand_9_z;
-        const double length_9 = sinew_sqrt(t55);
-        const double strand_10_x = layer_0_x - t38;
-        const double strand_10_y = 0.023 - layer_0_y - t39;
-        const double strand_10_z = layer_0_z - t40;
-        const double t56 = strand_10_x * strand_10_x + strand_10_y * strand_10_y + strand_10_z
+        const double length_9 = sinew_sqrt(t49);
+        const double t50 = 0.016 * y_x;
+        const double strand_10_x = layer_0_x - t50;
+        const double t51 = 0.016 * u_y;
+        const double strand_10_y = 0.016 + layer_0_y - t51;
+        const double t52 = 0.016 * y_z;
+        const double strand_10_z = layer_0_z - t52;
+        const double t53 = strand_10_x * strand_10_x + strand_10_y * strand_10_y + strand_10_z
             * strand_10_z;
-        const double length_10 = sinew_sqrt(t56);
-        const double strand_11_x = layer_0_x - t34;
-        const double strand_11_y = 0.024 - layer_0_y - t35;
-        const double strand_11_z = layer_0_z - t36;
-        const double t57 = strand_11_x * strand_11_x + strand_11_y * strand_11_y + strand_11_z
+        const double length_10 = sinew_sqrt(t53);
+        const double strand_11_x = layer_0_x - 0.017 * y_x;
+        const double strand_11_y = 0.017 + layer_0_y - 0.017 * u_y;
+        const double strand_11_z = layer_0_z - 0.017 * y_z;
+        const double t54 = strand_11_x * strand_11_x + strand_11_y * strand_11_y + strand_11_z
             * strand_11_z;
-        const double length_11 = sinew_sqrt(t57);
-        const double strand_12_x = layer_0_x - t30;
-        const double strand_12_y = 0.026 - layer_0_y - t31;
-        const double strand_12_z = layer_0_z - t32;
+        const double length_11 = sinew_sqrt(t54);
+        const double t55 = 0.019 * y_x;
+        const double strand_12_x = layer_0_x - t55;
+        const double t56 = 0.019 * u_y;
+        const double strand_12_y = 0.019 + layer_0_y - t56;
+        const double t57 = 0.019 * y_z;
+        const double strand_12_z = layer_0_z - t57;
         const double t58 = strand_12_x * strand_12_x + strand_12_y * strand_12_y + strand_12_z
             * strand_12_z;
         const double length_12 = sinew_sqrt(t58);
         const double t59 = 0.0055 * q[6 * n + state];
-        const double strand_13_x = layer_0_x - t23;
-        const double strand_13_y = 0.027 - layer_0_y - t24;
-        const double strand_13_z = layer_0_z - t25;
-        const double t60 = strand_13_x * strand_13_x + strand_13_y * strand_13_y + strand_13_z
+        const double t60 = 0.021 * y_x;
+        const double strand_13_x = layer_0_x - t60;
+        const double t61 = 0.021 * u_y;
+        const double strand_13_y = 0.02 + layer_0_y - t61;
+        const double t62 = 0.021 * y_z;
+        const double strand_13_z = layer_0_z - t62;
+        const double t63 = strand_13_x * strand_13_x + strand_13_y * strand_13_y + strand_13_z
             * strand_13_z;
-        const double length_13 = sinew_sqrt(t60);
-        const double strand_14_x = layer_0_x - t4;
-        const double strand_14_y = 0.029 - layer_0_y - t7;
-        const double strand_14_z = layer_0_z - t10;
-        const double t61 = strand_14_x * strand_14_x + strand_14_y * strand_14_y + strand_14_z
+        const double length_13 = sinew_sqrt(t63);
+        const double strand_14_x = layer_0_x - 0.022 * y_x;
+        const double strand_14_y = 0.022 + layer_0_y - 0.022 * u_y;
+        const double strand_14_z = layer_0_z - 0.022 * y_z;
+        const double t64 = strand_14_x * strand_14_x + strand_14_y * strand_14_y + strand_14_z
             * strand_14_z;
-        const double length_14 = sinew_sqrt(t61);
-        const double t62 = 0.0045 * q[7 * n + state];
-        const double t63 = 0.013 * y_x;
-        const double strand_15_x = layer_0_x - t63;
-        const double t64 = 0.013 * u_y;
-        const double strand_15_y = 0.031 - layer_0_y - t64;
-        const double t65 = 0.013 * y_z;
-        const double strand_15_z = layer_0_z - t65;
-        const double t66 = strand_15_x * strand_15_x + strand_15_y * strand_15_y + strand_15_z
+        const double length_14 = sinew_sqrt(t64);
+        const double t65 = 0.0045 * q[7 * n + state];
+        const double t66 = 0.024 * y_x;
+        const double strand_15_x = layer_0_x - t66;
+        const double t67 = 0.024 * u_y;
+        const double strand_15_y = 0.024 + layer_0_y - t67;
+        const double t68 = 0.024 * y_z;
+        const double strand_15_z = layer_0_z - t68;
+        const double t69 = strand_15_x * strand_15_x + strand_15_y * strand_15_y + strand_15_z
             * strand_15_z;
-        const double length_15 = sinew_sqrt(t66);
-        const double t67 = 0.014 * y_x;
-        const double strand_16_x = layer_0_x - t67;
-        const double t68 = 0.014 * u_y;
-        const double strand_16_y = 0.032 - layer_0_y - t68;
-        const double t69 = 0.014 * y_z;
-        const double strand_16_z = layer_0_z - t69;
+        const double length_15 = sinew_sqrt(t69);
+        const double strand_16_x = layer_0_x - 0.025 * y_x;
+        const double strand_16_y = 0.025 + layer_0_y - 0.025 * u_y;
+        const double strand_16_z = layer_0_z - 0.025 * y_z;
         const double t70 = strand_16_x * strand_16_x + strand_16_y * strand_16_y + strand_16_z
             * strand_16_z;
         const double length_16 = sinew_sqrt(t70);
         const double t71 = 0.0065 * q[8 * n + state];
         const double t72 = 0.0065 * q[9 * n + state];
-        const double t73 = 0.016 * y_x;
+        const double t73 = 0.027 * y_x;
         const double strand_17_x = layer_0_x - t73;
-        const double t74 = 0.016 * u_y;
-        const double strand_17_y = 0.034 - layer_0_y - t74;
-        const double t75 = 0.016 * y_z;
+        const double t74 = 0.027 * u_y;
+        const double strand_17_y = 0.027 + layer_0_y - t74;
+        const double t75 = 0.027 * y_z;
         const double strand_17_z = layer_0_z - t75;
         const double t76 = strand_17_x * strand_17_x + strand_17_y * strand_17_y + strand_17_z
             * strand_17_z;
         const double length_17 = sinew_sqrt(t76);
-        const double strand_18_x = layer_0_x - 0.018 * y_x;
-        const double strand_18_y = 0.035 - layer_0_y - 0.018 * u_y;
-        const double strand_18_z = layer_0_z - 0.018 * y_z;
-        const double t77 = strand_18_x * strand_18_x + strand_18_y * strand_18_y + strand_18_z
+        const double t77 = 0.029 * y_x;
+        const double strand_18_x = layer_0_x - t77;
+        const double t78 = 0.029 * u_y;
+        const double strand_18_y = 0.028 + layer_0_y - t78;
+        const double t79 = 0.029 * y_z;
+        const double strand_18_z = layer_0_z - t79;
+        const double t80 = strand_18_x * strand_18_x + strand_18_y * strand_18_y + strand_18_z
             * strand_18_z;
-        const double length_18 = sinew_sqrt(t77);
-        const double layer_1_x = t2 + t3;
-        const double strand_19_x = layer_1_x + t63;
-        const double layer_1_y = t5 + t6;
-        const double strand_19_y = 0.006 - layer_1_y + t64;
-        const double layer_1_z = 0.028 - origin_z - t8 + t9;
-        const double strand_19_z = layer_1_z + t65;
-        const double t78 = strand_19_x * strand_19_x + strand_19_y * strand_19_y + strand_19_z
-            * strand_19_z;
-        const double length_19 = sinew_sqrt(t78);
-        const double strand_20_x = layer_1_x + t4;
-        const double strand_20_y = 0.007 - layer_1_y + t7;
-        const double strand_20_z = layer_1_z + t10;
-        const double t79 = strand_20_x * strand_20_x + strand_20_y * strand_20_y + strand_20_z
+        const double length_18 = sinew_sqrt(t80);
+        const double layer_1_x = t2 + t3 + t43;
+        const double layer_1_y = 0.006 - origin_y - t5 - t6 + t44;
+        const double layer_1_z = 0.028 - origin_z - t8 + t9 + t45;
+        const double length_19 = sinew_sqrt(layer_1_x * layer_1_x + layer_1_y * layer_1_y
+            + layer_1_z * layer_1_z);
+        const double strand_20_x = layer_1_x - 0.002 * y_x;
+        const double strand_20_y = 0.001 + layer_1_y - 0.002 * u_y;
+        const double strand_20_z = layer_1_z - 0.002 * y_z;
+        const double t81 = strand_20_x * strand_20_x + strand_20_y * strand_20_y + strand_20_z
             * strand_20_z;
-        const double length_20 = sinew_sqrt(t79);
-        const double t80 = 0.0055 * q[10 * n + state];
-        const double strand_21_x = layer_1_x + t23;
-        const double strand_21_y = 0.009 - layer_1_y + t24;
-        const double strand_21_z = layer_1_z + t25;
-        const double t81 = strand_21_x * strand_21_x + strand_21_y * strand_21_y + strand_21_z
+        const double length_20 = sinew_sqrt(t81);
+        const double t82 = 0.0055 * q[10 * n + state];
+        const double strand_21_x = layer_1_x - t26;
+        const double strand_21_y = 0.003 + layer_1_y - t27;
+        const double strand_21_z = layer_1_z - t28;
+        const double t83 = strand_21_x * strand_21_x + strand_21_y * strand_21_y + strand_21_z
             * strand_21_z;
-        const double length_21 = sinew_sqrt(t81);
-        const double strand_22_x = layer_1_x + t30;
-        const double strand_22_y = 0.011 - layer_1_y + t31;
-        const double strand_22_z = layer_1_z + t32;
-        const double t82 = strand_22_x * strand_22_x + strand_22_y * strand_22_y + strand_22_z
+        const double length_21 = sinew_sqrt(t83);
+        const double strand_22_x = layer_1_x - t30;
+        const double strand_22_y = 0.005 + layer_1_y - t31;
+        const double strand_22_z = layer_1_z - t32;
+        const double t84 = strand_22_x * strand_22_x + strand_22_y * strand_22_y + strand_22_z
             * strand_22_z;
-        const double length_22 = sinew_sqrt(t82);
-        const double t83 = 0.0045 * q[11 * n + state];
-        const double strand_23_x = layer_1_x + t34;
-        const double strand_23_y = 0.012 - layer_1_y + t35;
-        const double strand_23_z = layer_1_z + t36;
-        const double t84 = strand_23_x * strand_23_x + strand_23_y * strand_23_y + strand_23_z
+        const double length_22 = sinew_sqrt(t84);
+        const double t85 = 0.0045 * q[11 * n + state];
+        const double strand_23_x = layer_1_x - 0.007 * y_x;
+        const double strand_23_y = 0.006 + layer_1_y - 0.007 * u_y;
+        const double strand_23_z = layer_1_z - 0.007 * y_z;
+        const double t86 = strand_23_x * strand_23_x + strand_23_y * strand_23_y + strand_23_z
             * strand_23_z;
-        const double length_23 = sinew_sqrt(t84);
-        const double strand_24_x = layer_1_x + t38;
-        const double strand_24_y = 0.014 - layer_1_y + t39;
-        const double strand_24_z = layer_1_z + t40;
-        const double t85 = strand_24_x * strand_24_x + strand_24_y * strand_24_y + strand_24_z
+        const double length_23 = sinew_sqrt(t86);
+        const double strand_24_x = layer_1_x - t36;
+        const double strand_24_y = 0.008 + layer_1_y - t37;
+        const double strand_24_z = layer_1_z - t38;
+        const double t87 = strand_24_x * strand_24_x + strand_24_y * strand_24_y + strand_24_z
             * strand_24_z;
-        const double length_24 = sinew_sqrt(t85);
-        const double t86 = 0.0065 * q[12 * n + state];
-        const double t87 = 0.0065 * q[13 * n + state];
-        const double strand_25_x = layer_1_x + t43;
-        const double strand_25_y = 0.015 - layer_1_y + t44;
-        const double strand_25_z = layer_1_z + t45;
-        const double t88 = strand_25_x * strand_25_x + strand_25_y * strand_25_y + strand_25_z
+        const double length_24 = sinew_sqrt(t87);
+        const double t88 = 0.0065 * q[12 * n + state];
+        const double t89 = 0.0065 * q[13 * n + state];
+        const double strand_25_x = layer_1_x - 0.01 * y_x;
+        const double strand_25_y = 0.009 + layer_1_y - 0.01 * u_y;
+        const double strand_25_z = layer_1_z - 0.01 * y_z;
+        const double t90 = strand_25_x * strand_25_x + strand_25_y * strand_25_y + strand_25_z
             * strand_25_z;
-        const double length_25 = sinew_sqrt(t88);
-        const double strand_26_x = layer_1_x + t47;
-        const double strand_26_y = 0.017 - layer_1_y + t48;
-        const double strand_26_z = layer_1_z + t49;
-        const double t89 = strand_26_x * strand_26_x + strand_26_y * strand_26_y + strand_26_z
+        const double length_25 = sinew_sqrt(t90);
+        const double strand_26_x = layer_1_x - t4;
+        const double strand_26_y = 0.011 + layer_1_y - t7;
+        const double strand_26_z = layer_1_z - t10;
+        const double t91 = strand_26_x * strand_26_x + strand_26_y * strand_26_y + strand_26_z
             * strand_26_z;
-        const double length_26 = sinew_sqrt(t89);
-        const double strand_27_y = 0.019 - layer_1_y;
-        const double t90 = layer_1_x * layer_1_x + layer_1_z * layer_1_z + strand_27_y
-            * strand_27_y;
-        const double length_27 = sinew_sqrt(t90);
-        const double strand_28_x = layer_1_x - t47;
-        const double strand_28_y = 0.02 - layer_1_y - t48;
-        const double strand_28_z = layer_1_z - t49;
-        const double t91 = strand_28_x * strand_28_x + strand_28_y * strand_28_y + strand_28_z
+        const double length_26 = sinew_sqrt(t91);
+        const double strand_27_x = layer_1_x - t43;
+        const double strand_27_y = 0.013 + layer_1_y - t44;
+        const double strand_27_z = layer_1_z - t45;
+        const double t92 = strand_27_x * strand_27_x + strand_27_y * strand_27_y + strand_27_z
+            * strand_27_z;
+        const double length_27 = sinew_sqrt(t92);
+        const double strand_28_x = layer_1_x - 0.015 * y_x;
+        const double strand_28_y = 0.014 + layer_1_y - 0.015 * u_y;
+        const double strand_28_z = layer_1_z - 0.015 * y_z;
+        const double t93 = strand_28_x * strand_28_x + strand_28_y * strand_28_y + strand_28_z
             * strand_28_z;
-        const double length_28 = sinew_sqrt(t91);
-        const double t92 = 0.011000000000000001 * q[14 * n + state];
-        const double strand_29_x = layer_1_x - t43;
-        const double strand_29_y = 0.022 - layer_1_y - t44;
-        const double strand_29_z = layer_1_z - t45;
-        const double t93 = strand_29_x * strand_29_x + strand_29_y * strand_29_y + strand_29_z
+        const double length_28 = sinew_sqrt(t93);
+        const double t94 = 0.011000000000000001 * q[14 * n + state];
+        const double strand_29_x = layer_1_x - t50;
+        const double strand_29_y = 0.016 + layer_1_y - t51;
+        const double strand_29_z = layer_1_z - t52;
+        const double t95 = strand_29_x * strand_29_x + strand_29_y * strand_29_y + strand_29_z
             * strand_29_z;
-        const double length_29 = sinew_sqrt(t93);
-        const double strand_30_x = layer_1_x - t38;
-        const double strand_30_y = 0.023 - layer_1_y - t39;
-        const double strand_30_z = layer_1_z - t40;
-        const double t94 = strand_30_x * strand_30_x + strand_30_y * strand_30_y + strand_30_z
+        const double length_29 = sinew_sqrt(t95);
+        const double strand_30_x = layer_1_x - 0.018 * y_x;
+        const double strand_30_y = 0.017 + layer_1_y - 0.018 * u_y;
+        const double strand_30_z = layer_1_z - 0.018 * y_z;
+        const double t96 = strand_30_x * strand_30_x + strand_30_y * strand_30_y + strand_30_z
             * strand_30_z;
-        const double length_30 = sinew_sqrt(t94);
-        const double t95 = 0.0052 * q[15 * n + state];
-        const double t96 = 0.0052 * q[16 * n + state];
-        const double strand_31_x = layer_1_x - t34;
-        const double strand_31_y = 0.025 - layer_1_y - t35;
-        const double strand_31_z = layer_1_z - t36;
-        const double t97 = strand_31_x * strand_31_x + strand_31_y * strand_31_y + strand_31_z
+        const double length_30 = sinew_sqrt(t96);
+        const double t97 = 0.0052 * q[15 * n + state];
+        const double t98 = 0.0052 * q[16 * n + state];
+        const double strand_31_x = layer_1_x - t55;
+        const double strand_31_y = 0.019 + layer_1_y - t56;
+        const double strand_31_z = layer_1_z - t57;
+        const double t99 = strand_31_x * strand_31_x + strand_31_y * strand_31_y + strand_31_z
             * strand_31_z;
-        const double length_31 = sinew_sqrt(t97);
-        const double strand_32_x = layer_1_x - t30;
-        const double strand_32_y = 0.027 - layer_1_y - t31;
-        const double strand_32_z = layer_1_z - t32;
-        const double t98 = strand_32_x * strand_32_x + strand_32_y * strand_32_y + strand_32_z
+        const double length_31 = sinew_sqrt(t99);
+        const double strand_32_x = layer_1_x - t60;
+        const double strand_32_y = 0.021 + layer_1_y - t61;
+        const double strand_32_z = layer_1_z - t62;
+        const double t100 = strand_32_x * strand_32_x + strand_32_y * strand_32_y + strand_32_z
             * strand_32_z;
-        const double length_32 = sinew_sqrt(t98);
-        const double strand_33_x = layer_1_x - t23;
-        const double strand_33_y = 0.028 - layer_1_y - t24;
-        const double strand_33_z = layer_1_z - t25;
-        const double t99 = strand_33_x * strand_33_x + strand_33_y * strand_33_y + strand_33_z
+        const double length_32 = sinew_sqrt(t100);
+        const double strand_33_x = layer_1_x - 0.023 * y_x;
+        const double strand_33_y = 0.022 + layer_1_y - 0.023 * u_y;
+        const double strand_33_z = layer_1_z - 0.023 * y_z;
+        const double t101 = strand_33_x * strand_33_x + strand_33_y * strand_33_y + strand_33_z
             * strand_33_z;
-        const double length_33 = sinew_sqrt(t99);
-        const double strand_34_x = layer_1_x - t4;
-        const double strand_34_y = 0.03 - layer_1_y - t7;
-        const double strand_34_z = layer_1_z - t10;
-        const double t100 = strand_34_x * strand_34_x + strand_34_y * strand_34_y + strand_34_z
+        const double length_33 = sinew_sqrt(t101);
+        const double strand_34_x = layer_1_x - t66;
+        const double strand_34_y = 0.024 + layer_1_y - t67;
+        const double strand_34_z = layer_1_z - t68;
+        const double t102 = strand_34_x * strand_34_x + strand_34_y * strand_34_y + strand_34_z
             * strand_34_z;
-        const double length_34 = sinew_sqrt(t100);
-        const double t101 = 0.0088 * q[17 * n + state];
-        const double strand_35_x = layer_1_x - t63;
-        const double strand_35_y = 0.031 - layer_1_y - t64;
-        const double strand_35_z = layer_1_z - t65;
-        const double t102 = strand_35_x * strand_35_x + strand_35_y * strand_35_y + strand_35_z
+        const double length_34 = sinew_sqrt(t102);
+        const double t103 = 0.0088 * q[17 * n + state];
+        const double strand_35_x = layer_1_x - 0.026 * y_x;
+        const double strand_35_y = 0.025 + layer_1_y - 0.026 * u_y;
+        const double strand_35_z = layer_1_z - 0.026 * y_z;
+        const double t104 = strand_35_x * strand_35_x + strand_35_y * strand_35_y + strand_35_z
             * strand_35_z;
-        const double length_35 = sinew_sqrt(t102);
-        const double strand_36_x = layer_1_x - t67;
-        const double strand_36_y = 0.033 - layer_1_y - t68;
-        const double strand_36_z = layer_1_z - t69;
-        const double t103 = strand_36_x * strand_36_x + strand_36_y * strand_36_y + strand_36_z
+        const double length_35 = sinew_sqrt(t104);
+        const double strand_36_x = layer_1_x - t73;
+        const double strand_36_y = 0.027 + layer_1_y - t74;
+        const double strand_36_z = layer_1_z - t75;
+        const double t105 = strand_36_x * strand_36_x + strand_36_y * strand_36_y + strand_36_z
             * strand_36_z;
-        const double length_36 = sinew_sqrt(t103);
+        const double length_36 = sinew_sqrt(t105);
         const double length = 0.007853981633974483 - 0.005 * q[18 * n + state];
-        const double strand_37_x = layer_1_x - t73;
-        const double strand_37_y = 0.035 - layer_1_y - t74;
-        const double strand_37_z = layer_1_z - t75;
-        const double t104 = strand_37_x * strand_37_x + strand_37_y * strand_37_y + strand_37_z
+        const double strand_37_x = layer_1_x - t77;
+        const double strand_37_y = 0.029 + layer_1_y - t78;
+        const double strand_37_z = layer_1_z - t79;
+        const double t106 = strand_37_x * strand_37_x + strand_37_y * strand_37_y + strand_37_z
             * strand_37_z;
-        const double length_37 = sinew_sqrt(t104);
+        const double length_37 = sinew_sqrt(t106);
         h[state] = A_length + length_0;
         h[1 * n + state] = B_length + length_1;
         h[2 * n + state] = C_length + length_2;
         h[3 * n + state] = D_length + length_3;
-        h[4 * n + state] = length_4 + t42;
-        h[5 * n + state] = length_5 - t42;
-        h[6 * n + state] = length_6 + t51 - t42;
-        h[7 * n + state] = length_7 - t51 + t42;
-        h[8 * n + state] = length_8 + t53 + t54;
-        h[9 * n + state] = length_9 + t53 - t54;
-        h[10 * n + state] = length_10 - t53 + t54;
-        h[11 * n + state] = length_11 - t53 - t54;
+        h[4 * n + state] = length_4 + t35;
+        h[5 * n + state] = length_5 - t35;
+        h[6 * n + state] = length_6 + t41 - t35;
+        h[7 * n + state] = length_7 - t41 + t35;
+        h[8 * n + state] = length_8 + t47 + t48;
+        h[9 * n + state] = length_9 + t47 - t48;
+        h[10 * n + state] = length_10 - t47 + t48;
+        h[11 * n + state] = length_11 - t47 - t48;
         h[12 * n + state] = length_12 + t59;
         h[13 * n + state] = length_13 - t59;
-        h[14 * n + state] = length_14 - t62 + t59;
-        h[15 * n + state] = length_15 + t62 - t59;
+        h[14 * n + state] = length_14 - t65 + t59;
+        h[15 * n + state] = length_15 + t65 - t59;
         h[16 * n + state] = length_16 + t71 + t72;
         h[17 * n + state] = length_17 + t71 - t72;
         h[18 * n + state] = length_18 - t71 + t72;
         h[19 * n + state] = length_19 - t71 - t72;
-        h[20 * n + state] = length_20 + t80;
-        h[21 * n + state] = length_21 - t80;
-        h[22 * n + state] = length_22 - t83 + t80;
-        h[23 * n + state] = length_23 + t83 - t80;
-        h[24 * n + state] = length_24 + t86 + t87;
-        h[25 * n + state] = length_25 + t86 - t87;
-        h[26 * n + state] = length_26 - t86 + t87;
-        h[27 * n + state] = length_27 - t86 - t87;
-        h[28 * n + state] = length_28 + t92;
-        h[29 * n + state] = length_29 - t92;
-        h[30 * n + state] = length_30 + t95 + t96;
-        h[31 * n + state] = length_31 + t95 - t96;
-        h[32 * n + state] = length_32 - t95 + t96;
-        h[33 * n + state] = length_33 - t95 - t96;
-        h[34 * n + state] = length_34 + t101;
-        h[35 * n + state] = length_35 - t101;
+        h[20 * n + state] = length_20 + t82;
+        h[21 * n + state] = length_21 - t82;
+        h[22 * n + state] = length_22 - t85 + t82;
+        h[23 * n + state] = length_23 + t85 - t82;
+        h[24 * n + state] = length_24 + t88 + t89;
+        h[25 * n + state] = length_25 + t88 - t89;
+        h[26 * n + state] = length_26 - t88 + t89;
+        h[27 * n + state] = length_27 - t88 - t89;
+        h[28 * n + state] = length_28 + t94;
+        h[29 * n + state] = length_29 - t94;
+        h[30 * n + state] = length_30 + t97 + t98;
+        h[31 * n + state] = length_31 + t97 - t98;
+        h[32 * n + state] = length_32 - t97 + t98;
+        h[33 * n + state] = length_33 - t97 - t98;
+        h[34 * n + state] = length_34 + t103;
+        h[35 * n + state] = length_35 - t103;
         h[36 * n + state] = -(length - length_36);
         h[37 * n + state] = length + length_37;
     }
@@ -1064,72 +1065,78 @@ void hand_coupling_matrix_batch(int count, const double *SINEW_RESTRICT q,
         const double x_x_by_q73 = cos_q71 * x_plane_x_by_q73 + sin_q71 * cos_A_by_q73;
         const double t27 = origin_x_by_q73 - 0.004 * x_x_by_q73;
         const double t28 = 0.01 * z_x_by_q73;
-        const double layer_1_x_by_q73 = t27 - t28;
         const double y_x_by_q73 = cos_q71 * u_e_by_q73;
-        const double t29 = 0.016 * y_x_by_q73;
-        const double strand_37_x_by_q73 = layer_1_x_by_q73 + t29;
-        const double x_plane_x = u_y * sin_A;
-        const double t30 = cos_q71 * x_plane_x;
-        const double t31 = sin_q71 * cos_A;
-        const double x_x = t30 + t31;
-        const double M_x = cos_q71 * M_e;
+        const double t29 = 0.013 * y_x_by_q73;
+        const double layer_1_x_by_q73 = t27 - t28 - t29;
+        const double t30 = 0.029 * y_x_by_q73;
+        const double strand_37_x_by_q73 = layer_1_x_by_q73 + t30;
         const double z_plane_x = u_y * cos_A;
-        const double t32 = cos_q71 * z_plane_x;
-        const double t33 = sin_q71 * sin_A;
-        const double z_x = t32 - t33;
-        const double t34 = 0.004 * (1.0 + x_x) - M_x + 0.018 * z_x;
-        const double t35 = 0.01 * z_x;
-        const double layer_1_x = t34 + t35;
+        const double t31 = cos_q71 * z_plane_x;
+        const double t32 = sin_q71 * sin_A;
+        const double z_x = t31 - t32;
+        const double M_x = cos_q71 * M_e;
+        const double x_plane_x = u_y * sin_A;
+        const double t33 = cos_q71 * x_plane_x;
+        const double t34 = sin_q71 * cos_A;
+        const double x_x = t33 + t34;
+        const double t35 = 0.004 - M_x + 0.018 * z_x + 0.004 * x_x;
+        const double t36 = 0.01 * z_x;
         const double y_x = cos_q71 * u_e;
-        const double t36 = 0.016 * y_x;
-        const double strand_37_x = layer_1_x - t36;
+        const double t37 = 0.013 * y_x;
+        const double layer_1_x = t35 + t36 + t37;
+        const double t38 = 0.029 * y_x;
+        const double strand_37_x = layer_1_x - t38;
         const double x_plane_y_by_q73 = u_e * sin_A_by_q73 + sin_A * u_e_by_q73;
         const double z_plane_y_by_q73 = u_e * cos_A_by_q73 + cos_A * u_e_by_q73;
         const double origin_y_by_q73 = M_y_by_q73 - 0.018 * z_plane_y_by_q73;
-        const double t37 = origin_y_by_q73 - 0.004 * x_plane_y_by_q73;
-        const double t38 = 0.01 * z_plane_y_by_q73;
-        const double layer_1_y_by_q73 = t37 - t38;
-        const double t39 = 0.016 * u_y_by_q73;
-        const double strand_37_y_by_q73 = layer_1_y_by_q73 + t39;
+        const double t39 = origin_y_by_q73 - 0.004 * x_plane_y_by_q73;
+        const double t40 = 0.01 * z_plane_y_by_q73;
+        const double t41 = 0.013 * u_y_by_q73;
+        const double layer_1_y_by_q73 = t39 - t40 - t41;
+        const double t42 = 0.029 * u_y_by_q73;
+        const double strand_37_y_by_q73 = layer_1_y_by_q73 + t42;
         const double z_plane_y = u_e * cos_A;
         const double origin_y = M_y + 0.018 * z_plane_y;
-        const double t40 = 0.004 * u_e;
-        const double t41 = origin_y + t40 * sin_A;
-        const double t42 = 0.01 * z_plane_y;
-        const double layer_1_y = t41 + t42;
-        const double t43 = 0.016 * u_y;
-        const double strand_37_y = 0.035 - layer_1_y - t43;
+        const double x_plane_y = u_e * sin_A;
+        const double t43 = 0.004 * x_plane_y;
+        const double t44 = 0.01 * z_plane_y;
+        const double t45 = 0.013 * u_y;
+        const double layer_1_y = 0.006 - origin_y - t43 - t44 + t45;
+        const double t46 = 0.029 * u_y;
+        const double strand_37_y = 0.029 + layer_1_y - t46;
         const double z_z_by_q73 = cos_q71 * sin_A_by_q73 + sin_q71 * z_plane_x_by_q73;
         const double M_z_by_q73 = sin_q71 * M_e_by_q73;
         const double origin_z_by_q73 = M_z_by_q73 - 0.018 * z_z_by_q73;
         const double x_z_by_q73 = cos_q71 * cos_A_by_q73 - sin_q71 * x_plane_x_by_q73;
-        const double t44 = origin_z_by_q73 + 0.004 * x_z_by_q73;
-        const double t45 = 0.01 * z_z_by_q73;
-        const double layer_1_z_by_q73 = t44 - t45;
+        const double t47 = origin_z_by_q73 + 0.004 * x_z_by_q73;
+        const double t48 = 0.01 * z_z_by_q73;
         const double y_z_by_q73 = sin_q71 * u_e_by_q73;
-        const double t46 = 0.016 * y_z_by_q73;
-        const double strand_37_z_by_q73 = layer_1_z_by_q73 + t46;
-        const double t47 = sin_q71 * z_plane_x;
-        const double t48 = cos_q71 * sin_A;
-        const double z_z = t48 + t47;
+        const double t49 = 0.013 * y_z_by_q73;
+        const double layer_1_z_by_q73 = t47 - t48 - t49;
+        const double t50 = 0.029 * y_z_by_q73;
+        const double strand_37_z_by_q73 = layer_1_z_by_q73 + t50;
+        const double t51 = sin_q71 * z_plane_x;
+        const double t52 = cos_q71 * sin_A;
+        const double z_z = t52 + t51;
         const double M_z = sin_q71 * M_e;
         const double origin_z = M_z - 0.018 * z_z;
-        const double t49 = sin_q71 * x_plane_x;
-        const double t50 = cos_q71 * cos_A;
-        const double x_z = t50 - t49;
-        const double t51 = 0.004 * x_z;
-        const double t52 = 0.01 * z_z;
-        const double layer_1_z = 0.028 - origin_z - t51 + t52;
+        const double t53 = sin_q71 * x_plane_x;
+        const double t54 = cos_q71 * cos_A;
+        const double x_z = t54 - t53;
+        const double t55 = 0.004 * x_z;
+        const double t56 = 0.01 * z_z;
         const double y_z = sin_q71 * u_e;
-        const double t53 = 0.016 * y_z;
-        const double strand_37_z = layer_1_z - t53;
-        const double t54 = strand_37_x * strand_37_x_by_q73 - strand_37_y * strand_37_y_by_q73
+        const double t57 = 0.013 * y_z;
+        const double layer_1_z = 0.028 - origin_z - t55 + t56 + t57;
+        const double t58 = 0.029 * y_z;
+        const double strand_37_z = layer_1_z - t58;
+        const double t59 = strand_37_x * strand_37_x_by_q73 - strand_37_y * strand_37_y_by_q73
             + strand_37_z * strand_37_z_by_q73;
-        const double t55 = strand_37_x * strand_37_x + strand_37_y * strand_37_y + strand_37_z
+        const double t60 = strand_37_x * strand_37_x + strand_37_y * strand_37_y + strand_37_z
             * strand_37_z;
-        const double length_37 = sinew_sqrt(t55);
-        const double t56 = 1.0 / length_37;
-        const double length_37_by_q73 = t54 * t56;
+        const double length_37 = sinew_sqrt(t60);
+        const double t61 = 1.0 / length_37;
+        const double length_37_by_q73 = t59 * t61;
         const double p_y_by_q71 = u_y * p_z;
         const double reach_squared_by_q71 = sinew_choose(t10, -(t7 * p_y_by_q71 + (p_z + p_z)
             * p_z_by_q71), 0.0);
@@ -1140,834 +1147,857 @@ void hand_coupling_matrix_batch(int count, const double *SINEW_RESTRICT q,
         const double clearance_by_q71 = sinew_choose(t22, t19 * reach_by_q71 - t18 * limited_by_q71,
             1e-12 * reach_squared_by_q71);
         const double root_by_q71 = 0.5 * clearance_by_q71 * t23;
-        const double t57 = p_y * limited_by_q71 + p_z * root_by_q71 - limited * p_y_by_q71 - root
+        const double t62 = p_y * limited_by_q71 + p_z * root_by_q71 - limited * p_y_by_q71 - root
             * p_z_by_q71;
-        const double cos_A_by_q71 = (t57 - cos_A * reach_squared_by_q71) * t24;
+        const double cos_A_by_q71 = (t62 - cos_A * reach_squared_by_q71) * t24;
         const double z_plane_x_by_q71 = u_y * cos_A_by_q71;
-        const double t58 = p_y * root_by_q71 - p_z * limited_by_q71 + limited * p_z_by_q71 - root
+        const double t63 = p_y * root_by_q71 - p_z * limited_by_q71 + limited * p_z_by_q71 - root
             * p_y_by_q71;
-        const double sin_A_by_q71 = (t58 - sin_A * reach_squared_by_q71) * t24;
-        const double z_x_by_q71 = t48 - cos_q71 * z_plane_x_by_q71 + t47 + sin_q71 * sin_A_by_q71;
+        const double sin_A_by_q71 = (t63 - sin_A * reach_squared_by_q71) * t24;
+        const double z_x_by_q71 = t52 - cos_q71 * z_plane_x_by_q71 + t51 + sin_q71 * sin_A_by_q71;
         const double origin_x_by_q71 = M_z - 0.018 * z_x_by_q71;
         const double x_plane_x_by_q71 = u_y * sin_A_by_q71;
-        const double x_x_by_q71 = t50 + cos_q71 * x_plane_x_by_q71 - t49 + sin_q71 * cos_A_by_q71;
-        const double t59 = origin_x_by_q71 + 0.004 * x_x_by_q71;
-        const double t60 = 0.01 * z_x_by_q71;
-        const double layer_1_x_by_q71 = t59 - t60;
-        const double strand_37_x_by_q71 = layer_1_x_by_q71 + t53;
+        const double x_x_by_q71 = t54 + cos_q71 * x_plane_x_by_q71 - t53 + sin_q71 * cos_A_by_q71;
+        const double t64 = origin_x_by_q71 + 0.004 * x_x_by_q71;
+        const double t65 = 0.01 * z_x_by_q71;
+        const double layer_1_x_by_q71 = t64 - t65 - t57;
+        const double strand_37_x_by_q71 = layer_1_x_by_q71 + t58;
         const double z_plane_y_by_q71 = u_e * cos_A_by_q71;
         const double origin_y_by_q71 = 0.018 * z_plane_y_by_q71;
-        const double t61 = origin_y_by_q71 + t40 * sin_A_by_q71;
-        const double t62 = 0.01 * z_plane_y_by_q71;
-        const double layer_1_y_by_q71 = t61 + t62;
-        const double z_z_by_q71 = t32 + cos_q71 * sin_A_by_q71 - t33 + sin_q71 * z_plane_x_by_q71;
+        const double t66 = origin_y_by_q71 + 0.004 * u_e * sin_A_by_q71;
+        const double t67 = 0.01 * z_plane_y_by_q71;
+        const double layer_1_y_by_q71 = t66 + t67;
+        const double z_z_by_q71 = t31 + cos_q71 * sin_A_by_q71 - t32 + sin_q71 * z_plane_x_by_q71;
         const double origin_z_by_q71 = M_x - 0.018 * z_z_by_q71;
-        const double x_z_by_q71 = t30 - cos_q71 * cos_A_by_q71 + t31 + sin_q71 * x_plane_x_by_q71;
-        const double t63 = origin_z_by_q71 - 0.004 * x_z_by_q71;
-        const double t64 = 0.01 * z_z_by_q71;
-        const double layer_1_z_by_q71 = t63 - t64;
-        const double strand_37_z_by_q71 = layer_1_z_by_q71 + t36;
-        const double t65 = strand_37_x * strand_37_x_by_q71 - strand_37_y * layer_1_y_by_q71
+        const double x_z_by_q71 = t33 - cos_q71 * cos_A_by_q71 + t34 + sin_q71 * x_plane_x_by_q71;
+        const double t68 = origin_z_by_q71 - 0.004 * x_z_by_q71;
+        const double t69 = 0.01 * z_z_by_q71;
+        const double layer_1_z_by_q71 = t68 - t69 - t37;
+        const double strand_37_z_by_q71 = layer_1_z_by_q71 + t38;
+        const double t70 = strand_37_x * strand_37_x_by_q71 - strand_37_y * layer_1_y_by_q71
             - strand_37_z * strand_37_z_by_q71;
-        const double length_37_by_q71 = t65 * t56;
-        const double t66 = 0.014 * y_x_by_q73;
-        const double strand_36_x_by_q73 = layer_1_x_by_q73 + t66;
-        const double t67 = 0.014 * y_x;
-        const double strand_36_x = layer_1_x - t67;
-        const double t68 = 0.014 * u_y_by_q73;
-        const double strand_36_y_by_q73 = layer_1_y_by_q73 + t68;
-        const double t69 = 0.014 * u_y;
-        const double strand_36_y = 0.033 - layer_1_y - t69;
-        const double t70 = 0.014 * y_z_by_q73;
-        const double strand_36_z_by_q73 = layer_1_z_by_q73 + t70;
-        const double t71 = 0.014 * y_z;
-        const double strand_36_z = layer_1_z - t71;
-        const double t72 = strand_36_x * strand_36_x_by_q73 - strand_36_y * strand_36_y_by_q73
+        const double length_37_by_q71 = t70 * t61;
+        const double t71 = 0.027 * y_x_by_q73;
+        const double strand_36_x_by_q73 = layer_1_x_by_q73 + t71;
+        const double t72 = 0.027 * y_x;
+        const double strand_36_x = layer_1_x - t72;
+        const double t73 = 0.027 * u_y_by_q73;
+        const double strand_36_y_by_q73 = layer_1_y_by_q73 + t73;
+        const double t74 = 0.027 * u_y;
+        const double strand_36_y = 0.027 + layer_1_y - t74;
+        const double t75 = 0.027 * y_z_by_q73;
+        const double strand_36_z_by_q73 = layer_1_z_by_q73 + t75;
+        const double t76 = 0.027 * y_z;
+        const double strand_36_z = layer_1_z - t76;
+        const double t77 = strand_36_x * strand_36_x_by_q73 - strand_36_y * strand_36_y_by_q73
             + strand_36_z * strand_36_z_by_q73;
-        const double t73 = strand_36_x * strand_36_x + strand_36_y * strand_36_y + strand_36_z
+        const double t78 = strand_36_x * strand_36_x + strand_36_y * strand_36_y + strand_36_z
             * strand_36_z;
-        const double length_36 = sinew_sqrt(t73);
-        const double t74 = 1.0 / length_36;
-        const double length_36_by_q73 = t72 * t74;
-        const double strand_36_x_by_q71 = layer_1_x_by_q71 + t71;
-        const double strand_36_z_by_q71 = layer_1_z_by_q71 + t67;
-        const double t75 = strand_36_x * strand_36_x_by_q71 - strand_36_y * layer_1_y_by_q71
+        const double length_36 = sinew_sqrt(t78);
+        const double t79 = 1.0 / length_36;
+        const double length_36_by_q73 = t77 * t79;
+        const double strand_36_x_by_q71 = layer_1_x_by_q71 + t76;
+        const double strand_36_z_by_q71 = layer_1_z_by_q71 + t72;
+        const double t80 = strand_36_x * strand_36_x_by_q71 - strand_36_y * layer_1_y_by_q71
             - strand_36_z * strand_36_z_by_q71;
-        const double length_36_by_q71 = t75 * t74;
-        const double t76 = 0.013 * y_x_by_q73;
-        const double strand_35_x_by_q73 = layer_1_x_by_q73 + t76;
-        const double t77 = 0.013 * y_x;
-        const double strand_35_x = layer_1_x - t77;
-        const double t78 = 0.013 * u_y_by_q73;
-        const double strand_35_y_by_q73 = layer_1_y_by_q73 + t78;
-        const double t79 = 0.013 * u_y;
-        const double strand_35_y = 0.031 - layer_1_y - t79;
-        const double t80 = 0.013 * y_z_by_q73;
-        const double strand_35_z_by_q73 = layer_1_z_by_q73 + t80;
-        const double t81 = 0.013 * y_z;
-        const double strand_35_z = layer_1_z - t81;
-        const double t82 = strand_35_x * strand_35_x_by_q73 - strand_35_y * strand_35_y_by_q73
+        const double length_36_by_q71 = t80 * t79;
+        const double strand_35_x_by_q73 = layer_1_x_by_q73 + 0.026 * y_x_by_q73;
+        const double t81 = 0.026 * y_x;
+        const double strand_35_x = layer_1_x - t81;
+        const double strand_35_y_by_q73 = layer_1_y_by_q73 + 0.026 * u_y_by_q73;
+        const double strand_35_y = 0.025 + layer_1_y - 0.026 * u_y;
+        const double strand_35_z_by_q73 = layer_1_z_by_q73 + 0.026 * y_z_by_q73;
+        const double t82 = 0.026 * y_z;
+        const double strand_35_z = layer_1_z - t82;
+        const double t83 = strand_35_x * strand_35_x_by_q73 - strand_35_y * strand_35_y_by_q73
             + strand_35_z * strand_35_z_by_q73;
-        const double t83 = strand_35_x * strand_35_x + strand_35_y * strand_35_y + strand_35_z
+        const double t84 = strand_35_x * strand_35_x + strand_35_y * strand_35_y + strand_35_z
             * strand_35_z;
-        const double length_35 = sinew_sqrt(t83);
-        const double t84 = 1.0 / length_35;
-        const double length_35_by_q73 = t82 * t84;
-        const double strand_35_x_by_q71 = layer_1_x_by_q71 + t81;
-        const double strand_35_z_by_q71 = layer_1_z_by_q71 + t77;
-        const double t85 = strand_35_x * strand_35_x_by_q71 - strand_35_y * layer_1_y_by_q71
+        const double length_35 = sinew_sqrt(t84);
+        const double t85 = 1.0 / length_35;
+        const double length_35_by_q73 = t83 * t85;
+        const double strand_35_x_by_q71 = layer_1_x_by_q71 + t82;
+        const double strand_35_z_by_q71 = layer_1_z_by_q71 + t81;
+        const double t86 = strand_35_x * strand_35_x_by_q71 - strand_35_y * layer_1_y_by_q71
             - strand_35_z * strand_35_z_by_q71;
-        const double length_35_by_q71 = t85 * t84;
-        const double t86 = 0.011 * y_x_by_q73;
-        const double strand_34_x_by_q73 = layer_1_x_by_q73 + t86;
-        const double t87 = 0.011 * y_x;
-        const double strand_34_x = layer_1_x - t87;
-        const double t88 = 0.011 * u_y_by_q73;
-        const double strand_34_y_by_q73 = layer_1_y_by_q73 + t88;
-        const double t89 = 0.011 * u_y;
-        const double strand_34_y = 0.03 - layer_1_y - t89;
-        const double t90 = 0.011 * y_z_by_q73;
-        const double strand_34_z_by_q73 = layer_1_z_by_q73 + t90;
-        const double t91 = 0.011 * y_z;
-        const double strand_34_z = layer_1_z - t91;
-        const double t92 = strand_34_x * strand_34_x_by_q73 - strand_34_y * strand_34_y_by_q73
+        const double length_35_by_q71 = t86 * t85;
+        const double t87 = 0.024 * y_x_by_q73;
+        const double strand_34_x_by_q73 = layer_1_x_by_q73 + t87;
+        const double t88 = 0.024 * y_x;
+        const double strand_34_x = layer_1_x - t88;
+        const double t89 = 0.024 * u_y_by_q73;
+        const double strand_34_y_by_q73 = layer_1_y_by_q73 + t89;
+        const double t90 = 0.024 * u_y;
+        const double strand_34_y = 0.024 + layer_1_y - t90;
+        const double t91 = 0.024 * y_z_by_q73;
+        const double strand_34_z_by_q73 = layer_1_z_by_q73 + t91;
+        const double t92 = 0.024 * y_z;
+        const double strand_34_z = layer_1_z - t92;
+        const double t93 = strand_34_x * strand_34_x_by_q73 - strand_34_y * strand_34_y_by_q73
             + strand_34_z * strand_34_z_by_q73;
-        const double t93 = strand_34_x * strand_34_x + strand_34_y * strand_34_y + strand_34_z
+        const double t94 = strand_34_x * strand_34_x + strand_34_y * strand_34_y + strand_34_z
             * strand_34_z;
-        const double length_34 = sinew_sqrt(t93);
-        const double t94 = 1.0 / length_34;
-        const double length_34_by_q73 = t92 * t94;
-        const double strand_34_x_by_q71 = layer_1_x_by_q71 + t91;
-        const double strand_34_z_by_q71 = layer_1_z_by_q71 + t87;
-        const double t95 = strand_34_x * strand_34_x_by_q71 - strand_34_y * layer_1_y_by_q71
+        const double length_34 = sinew_sqrt(t94);
+        const double t95 = 1.0 / length_34;
+        const double length_34_by_q73 = t93 * t95;
+        const double strand_34_x_by_q71 = layer_1_x_by_q71 + t92;
+        const double strand_34_z_by_q71 = layer_1_z_by_q71 + t88;
+        const double t96 = strand_34_x * strand_34_x_by_q71 - strand_34_y * layer_1_y_by_q71
             - strand_34_z * strand_34_z_by_q71;
-        const double length_34_by_q71 = t95 * t94;
-        const double t96 = 0.01 * y_x_by_q73;
-        const double strand_33_x_by_q73 = layer_1_x_by_q73 + t96;
-        const double t97 = 0.01 * y_x;
+        const double length_34_by_q71 = t96 * t95;
+        const double strand_33_x_by_q73 = layer_1_x_by_q73 + 0.023 * y_x_by_q73;
+        const double t97 = 0.023 * y_x;
         const double strand_33_x = layer_1_x - t97;
-        const double t98 = 0.01 * u_y_by_q73;
-        const double strand_33_y_by_q73 = layer_1_y_by_q73 + t98;
-        const double t99 = 0.01 * u_y;
-        const double strand_33_y = 0.028 - layer_1_y - t99;
-        const double t100 = 0.01 * y_z_by_q73;
-        const double strand_33_z_by_q73 = layer_1_z_by_q73 + t100;
-        const double t101 = 0.01 * y_z;
-        const double strand_33_z = layer_1_z - t101;
-        const double t102 = strand_33_x * strand_33_x_by_q73 - strand_33_y * strand_33_y_by_q73
+        const double strand_33_y_by_q73 = layer_1_y_by_q73 + 0.023 * u_y_by_q73;
+        const double strand_33_y = 0.022 + layer_1_y - 0.023 * u_y;
+        const double strand_33_z_by_q73 = layer_1_z_by_q73 + 0.023 * y_z_by_q73;
+        const double t98 = 0.023 * y_z;
+        const double strand_33_z = layer_1_z - t98;
+        const double t99 = strand_33_x * strand_33_x_by_q73 - strand_33_y * strand_33_y_by_q73
             + strand_33_z * strand_33_z_by_q73;
-        const double t103 = strand_33_x * strand_33_x + strand_33_y * strand_33_y + strand_33_z
+        const double t100 = strand_33_x * strand_33_x + strand_33_y * strand_33_y + strand_33_z
             * strand_33_z;
-        const double length_33 = sinew_sqrt(t103);
-        const double t104 = 1.0 / length_33;
-        const double length_33_by_q73 = t102 * t104;
-        const double strand_33_x_by_q71 = layer_1_x_by_q71 + t101;
+        const double length_33 = sinew_sqrt(t100);
+        const double t101 = 1.0 / length_33;
+        const double length_33_by_q73 = t99 * t101;
+        const double strand_33_x_by_q71 = layer_1_x_by_q71 + t98;
         const double strand_33_z_by_q71 = layer_1_z_by_q71 + t97;
-        const double t105 = strand_33_x * strand_33_x_by_q71 - strand_33_y * layer_1_y_by_q71
+        const double t102 = strand_33_x * strand_33_x_by_q71 - strand_33_y * layer_1_y_by_q71
             - strand_33_z * strand_33_z_by_q71;
-        const double length_33_by_q71 = t105 * t104;
-        const double t106 = 0.008 * y_x_by_q73;
-        const double strand_32_x_by_q73 = layer_1_x_by_q73 + t106;
-        const double t107 = 0.008 * y_x;
-        const double strand_32_x = layer_1_x - t107;
-        const double t108 = 0.008 * u_y_by_q73;
-        const double strand_32_y_by_q73 = layer_1_y_by_q73 + t108;
-        const double t109 = 0.008 * u_y;
-        const double strand_32_y = 0.027 - layer_1_y - t109;
-        const double t110 = 0.008 * y_z_by_q73;
-        const double strand_32_z_by_q73 = layer_1_z_by_q73 + t110;
-        const double t111 = 0.008 * y_z;
-        const double strand_32_z = layer_1_z - t111;
-        const double t112 = strand_32_x * strand_32_x_by_q73 - strand_32_y * strand_32_y_by_q73
+        const double length_33_by_q71 = t102 * t101;
+        const double t103 = 0.021 * y_x_by_q73;
+        const double strand_32_x_by_q73 = layer_1_x_by_q73 + t103;
+        const double t104 = 0.021 * y_x;
+        const double strand_32_x = layer_1_x - t104;
+        const double t105 = 0.021 * u_y_by_q73;
+        const double strand_32_y_by_q73 = layer_1_y_by_q73 + t105;
+        const double t106 = 0.021 * u_y;
+        const double strand_32_y = 0.021 + layer_1_y - t106;
+        const double t107 = 0.021 * y_z_by_q73;
+        const double strand_32_z_by_q73 = layer_1_z_by_q73 + t107;
+        const double t108 = 0.021 * y_z;
+        const double strand_32_z = layer_1_z - t108;
+        const double t109 = strand_32_x * strand_32_x_by_q73 - strand_32_y * strand_32_y_by_q73
             + strand_32_z * strand_32_z_by_q73;
-        const double t113 = strand_32_x * strand_32_x + strand_32_y * strand_32_y + strand_32_z
+        const double t110 = strand_32_x * strand_32_x + strand_32_y * strand_32_y + strand_32_z
             * strand_32_z;
-        const double length_32 = sinew_sqrt(t113);
-        const double t114 = 1.0 / length_32;
-        const double length_32_by_q73 = t112 * t114;
-        const double strand_32_x_by_q71 = layer_1_x_by_q71 + t111;
-        const double strand_32_z_by_q71 = layer_1_z_by_q71 + t107;
-        const double t115 = strand_32_x * strand_32_x_by_q71 - strand_32_y * layer_1_y_by_q71
+        const double length_32 = sinew_sqrt(t110);
+        const double t111 = 1.0 / length_32;
+        const double length_32_by_q73 = t109 * t111;
+        const double strand_32_x_by_q71 = layer_1_x_by_q71 + t108;
+        const double strand_32_z_by_q71 = layer_1_z_by_q71 + t104;
+        const double t112 = strand_32_x * strand_32_x_by_q71 - strand_32_y * layer_1_y_by_q71
             - strand_32_z * strand_32_z_by_q71;
-        const double length_32_by_q71 = t115 * t114;
-        const double t116 = 0.006 * y_x_by_q73;
-        const double strand_31_x_by_q73 = layer_1_x_by_q73 + t116;
-        const double t117 = 0.006 * y_x;
-        const double strand_31_x = layer_1_x - t117;
-        const double t118 = 0.006 * u_y_by_q73;
-        const double strand_31_y_by_q73 = layer_1_y_by_q73 + t118;
-        const double t119 = 0.006 * u_y;
-        const double strand_31_y = 0.025 - layer_1_y - t119;
-        const double t120 = 0.006 * y_z_by_q73;
-        const double strand_31_z_by_q73 = layer_1_z_by_q73 + t120;
-        const double t121 = 0.006 * y_z;
-        const double strand_31_z = layer_1_z - t121;
-        const double t122 = strand_31_x * strand_31_x_by_q73 - strand_31_y * strand_31_y_by_q73
+        const double length_32_by_q71 = t112 * t111;
+        const double t113 = 0.019 * y_x_by_q73;
+        const double strand_31_x_by_q73 = layer_1_x_by_q73 + t113;
+        const double t114 = 0.019 * y_x;
+        const double strand_31_x = layer_1_x - t114;
+        const double t115 = 0.019 * u_y_by_q73;
+        const double strand_31_y_by_q73 = layer_1_y_by_q73 + t115;
+        const double t116 = 0.019 * u_y;
+        const double strand_31_y = 0.019 + layer_1_y - t116;
+        const double t117 = 0.019 * y_z_by_q73;
+        const double strand_31_z_by_q73 = layer_1_z_by_q73 + t117;
+        const double t118 = 0.019 * y_z;
+        const double strand_31_z = layer_1_z - t118;
+        const double t119 = strand_31_x * strand_31_x_by_q73 - strand_31_y * strand_31_y_by_q73
             + strand_31_z * strand_31_z_by_q73;
-        const double t123 = strand_31_x * strand_31_x + strand_31_y * strand_31_y + strand_31_z
+        const double t120 = strand_31_x * strand_31_x + strand_31_y * strand_31_y + strand_31_z
             * strand_31_z;
-        const double length_31 = sinew_sqrt(t123);
-        const double t124 = 1.0 / length_31;
-        const double length_31_by_q73 = t122 * t124;
-        const double strand_31_x_by_q71 = layer_1_x_by_q71 + t121;
-        const double strand_31_z_by_q71 = layer_1_z_by_q71 + t117;
-        const double t125 = strand_31_x * strand_31_x_by_q71 - strand_31_y * layer_1_y_by_q71
+        const double length_31 = sinew_sqrt(t120);
+        const double t121 = 1.0 / length_31;
+        const double length_31_by_q73 = t119 * t121;
+        const double strand_31_x_by_q71 = layer_1_x_by_q71 + t118;
+        const double strand_31_z_by_q71 = layer_1_z_by_q71 + t114;
+        const double t122 = strand_31_x * strand_31_x_by_q71 - strand_31_y * layer_1_y_by_q71
             - strand_31_z * strand_31_z_by_q71;
-        const double length_31_by_q71 = t125 * t124;
-        const double t126 = 0.005 * y_x_by_q73;
-        const double strand_30_x_by_q73 = layer_1_x_by_q73 + t126;
-        const double t127 = 0.005 * y_x;
-        const double strand_30_x = layer_1_x - t127;
-        const double t128 = 0.005 * u_y_by_q73;
-        const double strand_30_y_by_q73 = layer_1_y_by_q73 + t128;
-        const double t129 = 0.005 * u_y;
-        const double strand_30_y = 0.023 - layer_1_y - t129;
-        const double t130 = 0.005 * y_z_by_q73;
-        const double strand_30_z_by_q73 = layer_1_z_by_q73 + t130;
-        const double t131 = 0.005 * y_z;
-        const double strand_30_z = layer_1_z - t131;
-        const double t132 = strand_30_x * strand_30_x_by_q73 - strand_30_y * strand_30_y_by_q73
+        const double length_31_by_q71 = t122 * t121;
+        const double strand_30_x_by_q73 = layer_1_x_by_q73 + 0.018 * y_x_by_q73;
+        const double t123 = 0.018 * y_x;
+        const double strand_30_x = layer_1_x - t123;
+        const double strand_30_y_by_q73 = layer_1_y_by_q73 + 0.018 * u_y_by_q73;
+        const double strand_30_y = 0.017 + layer_1_y - 0.018 * u_y;
+        const double strand_30_z_by_q73 = layer_1_z_by_q73 + 0.018 * y_z_by_q73;
+        const double t124 = 0.018 * y_z;
+        const double strand_30_z = layer_1_z - t124;
+        const double t125 = strand_30_x * strand_30_x_by_q73 - strand_30_y * strand_30_y_by_q73
             + strand_30_z * strand_30_z_by_q73;
-        const double t133 = strand_30_x * strand_30_x + strand_30_y * strand_30_y + strand_30_z
+        const double t126 = strand_30_x * strand_30_x + strand_30_y * strand_30_y + strand_30_z
             * strand_30_z;
-        const double length_30 = sinew_sqrt(t133);
-        const double t134 = 1.0 / length_30;
-        const double length_30_by_q73 = t132 * t134;
-        const double strand_30_x_by_q71 = layer_1_x_by_q71 + t131;
-        const double strand_30_z_by_q71 = layer_1_z_by_q71 + t127;
-        const double t135 = strand_30_x * strand_30_x_by_q71 - strand_30_y * layer_1_y_by_q71
+        const double length_30 = sinew_sqrt(t126);
+        const double t127 = 1.0 / length_30;
+        const double length_30_by_q73 = t125 * t127;
+        const double strand_30_x_by_q71 = layer_1_x_by_q71 + t124;
+        const double strand_30_z_by_q71 = layer_1_z_by_q71 + t123;
+        const double t128 = strand_30_x * strand_30_x_by_q71 - strand_30_y * layer_1_y_by_q71
             - strand_30_z * strand_30_z_by_q71;
-        const double length_30_by_q71 = t135 * t134;
-        const double t136 = 0.003 * y_x_by_q73;
-        const double strand_29_x_by_q73 = layer_1_x_by_q73 + t136;
-        const double t137 = 0.003 * y_x;
-        const double strand_29_x = layer_1_x - t137;
-        const double t138 = 0.003 * u_y_by_q73;
-        const double strand_29_y_by_q73 = layer_1_y_by_q73 + t138;
-        const double t139 = 0.003 * u_y;
-        const double strand_29_y = 0.022 - layer_1_y - t139;
-        const double t140 = 0.003 * y_z_by_q73;
-        const double strand_29_z_by_q73 = layer_1_z_by_q73 + t140;
-        const double t141 = 0.003 * y_z;
-        const double strand_29_z = layer_1_z - t141;
-        const double t142 = strand_29_x * strand_29_x_by_q73 - strand_29_y * strand_29_y_by_q73
+        const double length_30_by_q71 = t128 * t127;
+        const double t129 = 0.016 * y_x_by_q73;
+        const double strand_29_x_by_q73 = layer_1_x_by_q73 + t129;
+        const double t130 = 0.016 * y_x;
+        const double strand_29_x = layer_1_x - t130;
+        const double t131 = 0.016 * u_y_by_q73;
+        const double strand_29_y_by_q73 = layer_1_y_by_q73 + t131;
+        const double t132 = 0.016 * u_y;
+        const double strand_29_y = 0.016 + layer_1_y - t132;
+        const double t133 = 0.016 * y_z_by_q73;
+        const double strand_29_z_by_q73 = layer_1_z_by_q73 + t133;
+        const double t134 = 0.016 * y_z;
+        const double strand_29_z = layer_1_z - t134;
+        const double t135 = strand_29_x * strand_29_x_by_q73 - strand_29_y * strand_29_y_by_q73
             + strand_29_z * strand_29_z_by_q73;
-        const double t143 = strand_29_x * strand_29_x + strand_29_y * strand_29_y + strand_29_z
+        const double t136 = strand_29_x * strand_29_x + strand_29_y * strand_29_y + strand_29_z
             * strand_29_z;
-        const double length_29 = sinew_sqrt(t143);
-        const double t144 = 1.0 / length_29;
-        const double length_29_by_q73 = t142 * t144;
-        const double strand_29_x_by_q71 = layer_1_x_by_q71 + t141;
-        const double strand_29_z_by_q71 = layer_1_z_by_q71 + t137;
-        const double t145 = strand_29_x * strand_29_x_by_q71 - strand_29_y * layer_1_y_by_q71
+        const double length_29 = sinew_sqrt(t136);
+        const double t137 = 1.0 / length_29;
+        const double length_29_by_q73 = t135 * t137;
+        const double strand_29_x_by_q71 = layer_1_x_by_q71 + t134;
+        const double strand_29_z_by_q71 = layer_1_z_by_q71 + t130;
+        const double t138 = strand_29_x * strand_29_x_by_q71 - strand_29_y * layer_1_y_by_q71
             - strand_29_z * strand_29_z_by_q71;
-        const double length_29_by_q71 = t145 * t144;
-        const double t146 = 0.002 * y_x_by_q73;
-        const double strand_28_x_by_q73 = layer_1_x_by_q73 + t146;
-        const double t147 = 0.002 * y_x;
-        const double strand_28_x = layer_1_x - t147;
-        const double t148 = 0.002 * u_y_by_q73;
-        const double strand_28_y_by_q73 = layer_1_y_by_q73 + t148;
-        const double t149 = 0.002 * u_y;
-        const double strand_28_y = 0.02 - layer_1_y - t149;
-        const double t150 = 0.002 * y_z_by_q73;
-        const double strand_28_z_by_q73 = layer_1_z_by_q73 + t150;
-        const double t151 = 0.002 * y_z;
-        const double strand_28_z = layer_1_z - t151;
-        const double t152 = strand_28_x * strand_28_x_by_q73 - strand_28_y * strand_28_y_by_q73
+        const double length_29_by_q71 = t138 * t137;
+        const double strand_28_x_by_q73 = layer_1_x_by_q73 + 0.015 * y_x_by_q73;
+        const double t139 = 0.015 * y_x;
+        const double strand_28_x = layer_1_x - t139;
+        const double strand_28_y_by_q73 = layer_1_y_by_q73 + 0.015 * u_y_by_q73;
+        const double strand_28_y = 0.014 + layer_1_y - 0.015 * u_y;
+        const double strand_28_z_by_q73 = layer_1_z_by_q73 + 0.015 * y_z_by_q73;
+        const double t140 = 0.015 * y_z;
+        const double strand_28_z = layer_1_z - t140;
+        const double t141 = strand_28_x * strand_28_x_by_q73 - strand_28_y * strand_28_y_by_q73
             + strand_28_z * strand_28_z_by_q73;
-        const double t153 = strand_28_x * strand_28_x + strand_28_y * strand_28_y + strand_28_z
+        const double t142 = strand_28_x * strand_28_x + strand_28_y * strand_28_y + strand_28_z
             * strand_28_z;
-        const double length_28 = sinew_sqrt(t153);
-        const double t154 = 1.0 / length_28;
-        const double length_28_by_q73 = t152 * t154;
-        const double strand_28_x_by_q71 = layer_1_x_by_q71 + t151;
-        const double strand_28_z_by_q71 = layer_1_z_by_q71 + t147;
-        const double t155 = strand_28_x * strand_28_x_by_q71 - strand_28_y * layer_1_y_by_q71
+        const double length_28 = sinew_sqrt(t142);
+        const double t143 = 1.0 / length_28;
+        const double length_28_by_q73 = t141 * t143;
+        const double strand_28_x_by_q71 = layer_1_x_by_q71 + t140;
+        const double strand_28_z_by_q71 = layer_1_z_by_q71 + t139;
+        const double t144 = strand_28_x * strand_28_x_by_q71 - strand_28_y * layer_1_y_by_q71
             - strand_28_z * strand_28_z_by_q71;
-        const double length_28_by_q71 = t155 * t154;
-        const double strand_27_y = 0.019 - layer_1_y;
-        const double t156 = layer_1_x * layer_1_x_by_q73 + layer_1_z * layer_1_z_by_q73
-            - strand_27_y * layer_1_y_by_q73;
-        const double t157 = layer_1_x * layer_1_x + layer_1_z * layer_1_z + strand_27_y
-            * strand_27_y;
-        const double length_27 = sinew_sqrt(t157);
-        const double t158 = 1.0 / length_27;
-        const double length_27_by_q73 = t156 * t158;
-        const double t159 = layer_1_x * layer_1_x_by_q71 - layer_1_z * layer_1_z_by_q71
-            - strand_27_y * layer_1_y_by_q71;
-        const double length_27_by_q71 = t159 * t158;
-        const double strand_26_x_by_q73 = layer_1_x_by_q73 - t146;
-        const double strand_26_x = layer_1_x + t147;
-        const double strand_26_y_by_q73 = layer_1_y_by_q73 - t148;
-        const double strand_26_y = 0.017 - layer_1_y + t149;
-        const double strand_26_z_by_q73 = layer_1_z_by_q73 - t150;
-        const double strand_26_z = layer_1_z + t151;
-        const double t160 = strand_26_x * strand_26_x_by_q73 - strand_26_y * strand_26_y_by_q73
+        const double length_28_by_q71 = t144 * t143;
+        const double strand_27_x_by_q73 = layer_1_x_by_q73 + t29;
+        const double strand_27_x = layer_1_x - t37;
+        const double strand_27_y_by_q73 = layer_1_y_by_q73 + t41;
+        const double strand_27_y = 0.013 + layer_1_y - t45;
+        const double strand_27_z_by_q73 = layer_1_z_by_q73 + t49;
+        const double strand_27_z = layer_1_z - t57;
+        const double t145 = strand_27_x * strand_27_x_by_q73 - strand_27_y * strand_27_y_by_q73
+            + strand_27_z * strand_27_z_by_q73;
+        const double t146 = strand_27_x * strand_27_x + strand_27_y * strand_27_y + strand_27_z
+            * strand_27_z;
+        const double length_27 = sinew_sqrt(t146);
+        const double t147 = 1.0 / length_27;
+        const double length_27_by_q73 = t145 * t147;
+        const double strand_27_x_by_q71 = layer_1_x_by_q71 + t57;
+        const double strand_27_z_by_q71 = layer_1_z_by_q71 + t37;
+        const double t148 = strand_27_x * strand_27_x_by_q71 - strand_27_y * layer_1_y_by_q71
+            - strand_27_z * strand_27_z_by_q71;
+        const double length_27_by_q71 = t148 * t147;
+        const double t149 = 0.011 * y_x_by_q73;
+        const double strand_26_x_by_q73 = layer_1_x_by_q73 + t149;
+        const double t150 = 0.011 * y_x;
+        const double strand_26_x = layer_1_x - t150;
+        const double t151 = 0.011 * u_y_by_q73;
+        const double strand_26_y_by_q73 = layer_1_y_by_q73 + t151;
+        const double t152 = 0.011 * u_y;
+        const double strand_26_y = 0.011 + layer_1_y - t152;
+        const double t153 = 0.011 * y_z_by_q73;
+        const double strand_26_z_by_q73 = layer_1_z_by_q73 + t153;
+        const double t154 = 0.011 * y_z;
+        const double strand_26_z = layer_1_z - t154;
+        const double t155 = strand_26_x * strand_26_x_by_q73 - strand_26_y * strand_26_y_by_q73
             + strand_26_z * strand_26_z_by_q73;
-        const double t161 = strand_26_x * strand_26_x + strand_26_y * strand_26_y + strand_26_z
+        const double t156 = strand_26_x * strand_26_x + strand_26_y * strand_26_y + strand_26_z
             * strand_26_z;
-        const double length_26 = sinew_sqrt(t161);
-        const double t162 = 1.0 / length_26;
-        const double length_26_by_q73 = t160 * t162;
-        const double strand_26_x_by_q71 = layer_1_x_by_q71 - t151;
-        const double strand_26_z_by_q71 = layer_1_z_by_q71 - t147;
-        const double t163 = strand_26_x * strand_26_x_by_q71 - strand_26_y * layer_1_y_by_q71
+        const double length_26 = sinew_sqrt(t156);
+        const double t157 = 1.0 / length_26;
+        const double length_26_by_q73 = t155 * t157;
+        const double strand_26_x_by_q71 = layer_1_x_by_q71 + t154;
+        const double strand_26_z_by_q71 = layer_1_z_by_q71 + t150;
+        const double t158 = strand_26_x * strand_26_x_by_q71 - strand_26_y * layer_1_y_by_q71
             - strand_26_z * strand_26_z_by_q71;
-        const double length_26_by_q71 = t163 * t162;
-        const double strand_25_x_by_q73 = layer_1_x_by_q73 - t136;
-        const double strand_25_x = layer_1_x + t137;
-        const double strand_25_y_by_q73 = layer_1_y_by_q73 - t138;
-        const double strand_25_y = 0.015 - layer_1_y + t139;
-        const double strand_25_z_by_q73 = layer_1_z_by_q73 - t140;
-        const double strand_25_z = layer_1_z + t141;
-        const double t164 = strand_25_x * strand_25_x_by_q73 - strand_25_y * strand_25_y_by_q73
+        const double length_26_by_q71 = t158 * t157;
+        const double strand_25_x_by_q73 = layer_1_x_by_q73 + 0.01 * y_x_by_q73;
+        const double t159 = 0.01 * y_x;
+        const double strand_25_x = layer_1_x - t159;
+        const double strand_25_y_by_q73 = layer_1_y_by_q73 + 0.01 * u_y_by_q73;
+        const double strand_25_y = 0.009 + layer_1_y - 0.01 * u_y;
+        const double strand_25_z_by_q73 = layer_1_z_by_q73 + 0.01 * y_z_by_q73;
+        const double t160 = 0.01 * y_z;
+        const double strand_25_z = layer_1_z - t160;
+        const double t161 = strand_25_x * strand_25_x_by_q73 - strand_25_y * strand_25_y_by_q73
             + strand_25_z * strand_25_z_by_q73;
-        const double t165 = strand_25_x * strand_25_x + strand_25_y * strand_25_y + strand_25_z
+        const double t162 = strand_25_x * strand_25_x + strand_25_y * strand_25_y + strand_25_z
             * strand_25_z;
-        const double length_25 = sinew_sqrt(t165);
-        const double t166 = 1.0 / length_25;
-        const double length_25_by_q73 = t164 * t166;
-        const double strand_25_x_by_q71 = layer_1_x_by_q71 - t141;
-        const double strand_25_z_by_q71 = layer_1_z_by_q71 - t137;
-        const double t167 = strand_25_x * strand_25_x_by_q71 - strand_25_y * layer_1_y_by_q71
+        const double length_25 = sinew_sqrt(t162);
+        const double t163 = 1.0 / length_25;
+        const double length_25_by_q73 = t161 * t163;
+        const double strand_25_x_by_q71 = layer_1_x_by_q71 + t160;
+        const double strand_25_z_by_q71 = layer_1_z_by_q71 + t159;
+        const double t164 = strand_25_x * strand_25_x_by_q71 - strand_25_y * layer_1_y_by_q71
             - strand_25_z * strand_25_z_by_q71;
-        const double length_25_by_q71 = t167 * t166;
-        const double strand_24_x_by_q73 = layer_1_x_by_q73 - t126;
-        const double strand_24_x = layer_1_x + t127;
-        const double strand_24_y_by_q73 = layer_1_y_by_q73 - t128;
-        const double strand_24_y = 0.014 - layer_1_y + t129;
-        const double strand_24_z_by_q73 = layer_1_z_by_q73 - t130;
-        const double strand_24_z = layer_1_z + t131;
-        const double t168 = strand_24_x * strand_24_x_by_q73 - strand_24_y * strand_24_y_by_q73
+        const double length_25_by_q71 = t164 * t163;
+        const double t165 = 0.008 * y_x_by_q73;
+        const double strand_24_x_by_q73 = layer_1_x_by_q73 + t165;
+        const double t166 = 0.008 * y_x;
+        const double strand_24_x = layer_1_x - t166;
+        const double t167 = 0.008 * u_y_by_q73;
+        const double strand_24_y_by_q73 = layer_1_y_by_q73 + t167;
+        const double t168 = 0.008 * u_y;
+        const double strand_24_y = 0.008 + layer_1_y - t168;
+        const double t169 = 0.008 * y_z_by_q73;
+        const double strand_24_z_by_q73 = layer_1_z_by_q73 + t169;
+        const double t170 = 0.008 * y_z;
+        const double strand_24_z = layer_1_z - t170;
+        const double t171 = strand_24_x * strand_24_x_by_q73 - strand_24_y * strand_24_y_by_q73
             + strand_24_z * strand_24_z_by_q73;
-        const double t169 = strand_24_x * strand_24_x + strand_24_y * strand_24_y + strand_24_z
+        const double t172 = strand_24_x * strand_24_x + strand_24_y * strand_24_y + strand_24_z
             * strand_24_z;
-        const double length_24 = sinew_sqrt(t169);
-        const double t170 = 1.0 / length_24;
-        const double length_24_by_q73 = t168 * t170;
-        const double strand_24_x_by_q71 = layer_1_x_by_q71 - t131;
-        const double strand_24_z_by_q71 = layer_1_z_by_q71 - t127;
-        const double t171 = strand_24_x * strand_24_x_by_q71 - strand_24_y * layer_1_y_by_q71
+        const double length_24 = sinew_sqrt(t172);
+        const double t173 = 1.0 / length_24;
+        const double length_24_by_q73 = t171 * t173;
+        const double strand_24_x_by_q71 = layer_1_x_by_q71 + t170;
+        const double strand_24_z_by_q71 = layer_1_z_by_q71 + t166;
+        const double t174 = strand_24_x * strand_24_x_by_q71 - strand_24_y * layer_1_y_by_q71
             - strand_24_z * strand_24_z_by_q71;
-        const double length_24_by_q71 = t171 * t170;
-        const double strand_23_x_by_q73 = layer_1_x_by_q73 - t116;
-        const double strand_23_x = layer_1_x + t117;
-        const double strand_23_y_by_q73 = layer_1_y_by_q73 - t118;
-        const double strand_23_y = 0.012 - layer_1_y + t119;
-        const double strand_23_z_by_q73 = layer_1_z_by_q73 - t120;
-        const double strand_23_z = layer_1_z + t121;
-        const double t172 = strand_23_x * strand_23_x_by_q73 - strand_23_y * strand_23_y_by_q73
+        const double length_24_by_q71 = t174 * t173;
+        const double strand_23_x_by_q73 = layer_1_x_by_q73 + 0.007 * y_x_by_q73;
+        const double t175 = 0.007 * y_x;
+        const double strand_23_x = layer_1_x - t175;
+        const double strand_23_y_by_q73 = layer_1_y_by_q73 + 0.007 * u_y_by_q73;
+        const double strand_23_y = 0.006 + layer_1_y - 0.007 * u_y;
+        const double strand_23_z_by_q73 = layer_1_z_by_q73 + 0.007 * y_z_by_q73;
+        const double t176 = 0.007 * y_z;
+        const double strand_23_z = layer_1_z - t176;
+        const double t177 = strand_23_x * strand_23_x_by_q73 - strand_23_y * strand_23_y_by_q73
             + strand_23_z * strand_23_z_by_q73;
-        const double t173 = strand_23_x * strand_23_x + strand_23_y * strand_23_y + strand_23_z
+        const double t178 = strand_23_x * strand_23_x + strand_23_y * strand_23_y + strand_23_z
             * strand_23_z;
-        const double length_23 = sinew_sqrt(t173);
-        const double t174 = 1.0 / length_23;
-        const double length_23_by_q73 = t172 * t174;
-        const double strand_23_x_by_q71 = layer_1_x_by_q71 - t121;
-        const double strand_23_z_by_q71 = layer_1_z_by_q71 - t117;
-        const double t175 = strand_23_x * strand_23_x_by_q71 - strand_23_y * layer_1_y_by_q71
+        const double length_23 = sinew_sqrt(t178);
+        const double t179 = 1.0 / length_23;
+        const double length_23_by_q73 = t177 * t179;
+        const double strand_23_x_by_q71 = layer_1_x_by_q71 + t176;
+        const double strand_23_z_by_q71 = layer_1_z_by_q71 + t175;
+        const double t180 = strand_23_x * strand_23_x_by_q71 - strand_23_y * layer_1_y_by_q71
             - strand_23_z * strand_23_z_by_q71;
-        const double length_23_by_q71 = t175 * t174;
-        const double strand_22_x_by_q73 = layer_1_x_by_q73 - t106;
-        const double strand_22_x = layer_1_x + t107;
-        const double strand_22_y_by_q73 = layer_1_y_by_q73 - t108;
-        const double strand_22_y = 0.011 - layer_1_y + t109;
-        const double strand_22_z_by_q73 = layer_1_z_by_q73 - t110;
-        const double strand_22_z = layer_1_z + t111;
-        const double t176 = strand_22_x * strand_22_x_by_q73 - strand_22_y * strand_22_y_by_q73
+        const double length_23_by_q71 = t180 * t179;
+        const double t181 = 0.005 * y_x_by_q73;
+        const double strand_22_x_by_q73 = layer_1_x_by_q73 + t181;
+        const double t182 = 0.005 * y_x;
+        const double strand_22_x = layer_1_x - t182;
+        const double t183 = 0.005 * u_y_by_q73;
+        const double strand_22_y_by_q73 = layer_1_y_by_q73 + t183;
+        const double t184 = 0.005 * u_y;
+        const double strand_22_y = 0.005 + layer_1_y - t184;
+        const double t185 = 0.005 * y_z_by_q73;
+        const double strand_22_z_by_q73 = layer_1_z_by_q73 + t185;
+        const double t186 = 0.005 * y_z;
+        const double strand_22_z = layer_1_z - t186;
+        const double t187 = strand_22_x * strand_22_x_by_q73 - strand_22_y * strand_22_y_by_q73
             + strand_22_z * strand_22_z_by_q73;
-        const double t177 = strand_22_x * strand_22_x + strand_22_y * strand_22_y + strand_22_z
+        const double t188 = strand_22_x * strand_22_x + strand_22_y * strand_22_y + strand_22_z
             * strand_22_z;
-        const double length_22 = sinew_sqrt(t177);
-        const double t178 = 1.0 / length_22;
-        const double length_22_by_q73 = t176 * t178;
-        const double strand_22_x_by_q71 = layer_1_x_by_q71 - t111;
-        const double strand_22_z_by_q71 = layer_1_z_by_q71 - t107;
-        const double t179 = strand_22_x * strand_22_x_by_q71 - strand_22_y * layer_1_y_by_q71
+        const double length_22 = sinew_sqrt(t188);
+        const double t189 = 1.0 / length_22;
+        const double length_22_by_q73 = t187 * t189;
+        const double strand_22_x_by_q71 = layer_1_x_by_q71 + t186;
+        const double strand_22_z_by_q71 = layer_1_z_by_q71 + t182;
+        const double t190 = strand_22_x * strand_22_x_by_q71 - strand_22_y * layer_1_y_by_q71
             - strand_22_z * strand_22_z_by_q71;
-        const double length_22_by_q71 = t179 * t178;
-        const double strand_21_x_by_q73 = layer_1_x_by_q73 - t96;
-        const double strand_21_x = layer_1_x + t97;
-        const double strand_21_y_by_q73 = layer_1_y_by_q73 - t98;
-        const double strand_21_y = 0.009 - layer_1_y + t99;
-        const double strand_21_z_by_q73 = layer_1_z_by_q73 - t100;
-        const double strand_21_z = layer_1_z + t101;
-        const double t180 = strand_21_x * strand_21_x_by_q73 - strand_21_y * strand_21_y_by_q73
+        const double length_22_by_q71 = t190 * t189;
+        const double t191 = 0.003 * y_x_by_q73;
+        const double strand_21_x_by_q73 = layer_1_x_by_q73 + t191;
+        const double t192 = 0.003 * y_x;
+        const double strand_21_x = layer_1_x - t192;
+        const double t193 = 0.003 * u_y_by_q73;
+        const double strand_21_y_by_q73 = layer_1_y_by_q73 + t193;
+        const double t194 = 0.003 * u_y;
+        const double strand_21_y = 0.003 + layer_1_y - t194;
+        const double t195 = 0.003 * y_z_by_q73;
+        const double strand_21_z_by_q73 = layer_1_z_by_q73 + t195;
+        const double t196 = 0.003 * y_z;
+        const double strand_21_z = layer_1_z - t196;
+        const double t197 = strand_21_x * strand_21_x_by_q73 - strand_21_y * strand_21_y_by_q73
             + strand_21_z * strand_21_z_by_q73;
-        const double t181 = strand_21_x * strand_21_x + strand_21_y * strand_21_y + strand_21_z
+        const double t198 = strand_21_x * strand_21_x + strand_21_y * strand_21_y + strand_21_z
             * strand_21_z;
-        const double length_21 = sinew_sqrt(t181);
-        const double t182 = 1.0 / length_21;
-        const double length_21_by_q73 = t180 * t182;
-        const double strand_21_x_by_q71 = layer_1_x_by_q71 - t101;
-        const double strand_21_z_by_q71 = layer_1_z_by_q71 - t97;
-        const double t183 = strand_21_x * strand_21_x_by_q71 - strand_21_y * layer_1_y_by_q71
+        const double length_21 = sinew_sqrt(t198);
+        const double t199 = 1.0 / length_21;
+        const double length_21_by_q73 = t197 * t199;
+        const double strand_21_x_by_q71 = layer_1_x_by_q71 + t196;
+        const double strand_21_z_by_q71 = layer_1_z_by_q71 + t192;
+        const double t200 = strand_21_x * strand_21_x_by_q71 - strand_21_y * layer_1_y_by_q71
             - strand_21_z * strand_21_z_by_q71;
-        const double length_21_by_q71 = t183 * t182;
-        const double strand_20_x_by_q73 = layer_1_x_by_q73 - t86;
-        const double strand_20_x = layer_1_x + t87;
-        const double strand_20_y_by_q73 = layer_1_y_by_q73 - t88;
-        const double strand_20_y = 0.007 - layer_1_y + t89;
-        const double strand_20_z_by_q73 = layer_1_z_by_q73 - t90;
-        const double strand_20_z = layer_1_z + t91;
-        const double t184 = strand_20_x * strand_20_x_by_q73 - strand_20_y * strand_20_y_by_q73
+        const double length_21_by_q71 = t200 * t199;
+        const double strand_20_x_by_q73 = layer_1_x_by_q73 + 0.002 * y_x_by_q73;
+        const double t201 = 0.002 * y_x;
+        const double strand_20_x = layer_1_x - t201;
+        const double strand_20_y_by_q73 = layer_1_y_by_q73 + 0.002 * u_y_by_q73;
+        const double strand_20_y = 0.001 + layer_1_y - 0.002 * u_y;
+        const double strand_20_z_by_q73 = layer_1_z_by_q73 + 0.002 * y_z_by_q73;
+        const double t202 = 0.002 * y_z;
+        const double strand_20_z = layer_1_z - t202;
+        const double t203 = strand_20_x * strand_20_x_by_q73 - strand_20_y * strand_20_y_by_q73
             + strand_20_z * strand_20_z_by_q73;
-        const double t185 = strand_20_x * strand_20_x + strand_20_y * strand_20_y + strand_20_z
+        const double t204 = strand_20_x * strand_20_x + strand_20_y * strand_20_y + strand_20_z
             * strand_20_z;
-        const double length_20 = sinew_sqrt(t185);
-        const double t186 = 1.0 / length_20;
-        const double length_20_by_q73 = t184 * t186;
-        const double strand_20_x_by_q71 = layer_1_x_by_q71 - t91;
-        const double strand_20_z_by_q71 = layer_1_z_by_q71 - t87;
-        const double t187 = strand_20_x * strand_20_x_by_q71 - strand_20_y * layer_1_y_by_q71
+        const double length_20 = sinew_sqrt(t204);
+        const double t205 = 1.0 / length_20;
+        const double length_20_by_q73 = t203 * t205;
+        const double strand_20_x_by_q71 = layer_1_x_by_q71 + t202;
+        const double strand_20_z_by_q71 = layer_1_z_by_q71 + t201;
+        const double t206 = strand_20_x * strand_20_x_by_q71 - strand_20_y * layer_1_y_by_q71
             - strand_20_z * strand_20_z_by_q71;
-        const double length_20_by_q71 = t187 * t186;
-        const double strand_19_x_by_q73 = layer_1_x_by_q73 - t76;
-        const double strand_19_x = layer_1_x + t77;
-        const double strand_19_y_by_q73 = layer_1_y_by_q73 - t78;
-        const double strand_19_y = 0.006 - layer_1_y + t79;
-        const double strand_19_z_by_q73 = layer_1_z_by_q73 - t80;
-        const double strand_19_z = layer_1_z + t81;
-        const double t188 = strand_19_x * strand_19_x_by_q73 - strand_19_y * strand_19_y_by_q73
-            + strand_19_z * strand_19_z_by_q73;
-        const double t189 = strand_19_x * strand_19_x + strand_19_y * strand_19_y + strand_19_z
-            * strand_19_z;
-        const double length_19 = sinew_sqrt(t189);
-        const double t190 = 1.0 / length_19;
-        const double length_19_by_q73 = t188 * t190;
-        const double strand_19_x_by_q71 = layer_1_x_by_q71 - t81;
-        const double strand_19_z_by_q71 = layer_1_z_by_q71 - t77;
-        const double t191 = strand_19_x * strand_19_x_by_q71 - strand_19_y * layer_1_y_by_q71
-            - strand_19_z * strand_19_z_by_q71;
-        const double length_19_by_q71 = t191 * t190;
-        const double layer_0_x_by_q73 = t27 + t28;
-        const double strand_18_x_by_q73 = layer_0_x_by_q73 + 0.018 * y_x_by_q73;
-        const double layer_0_x = t34 - t35;
-        const double t192 = 0.018 * y_x;
-        const double strand_18_x = layer_0_x - t192;
-        const double layer_0_y_by_q73 = t37 + t38;
-        const double strand_18_y_by_q73 = layer_0_y_by_q73 + 0.018 * u_y_by_q73;
-        const double layer_0_y = t41 - t42;
-        const double strand_18_y = 0.035 - layer_0_y - 0.018 * u_y;
-        const double layer_0_z_by_q73 = t44 + t45;
-        const double strand_18_z_by_q73 = layer_0_z_by_q73 + 0.018 * y_z_by_q73;
-        const double layer_0_z = 0.008 - origin_z - t51 - t52;
-        const double t193 = 0.018 * y_z;
-        const double strand_18_z = layer_0_z - t193;
-        const double t194 = strand_18_x * strand_18_x_by_q73 - strand_18_y * strand_18_y_by_q73
+        const double length_20_by_q71 = t206 * t205;
+        const double t207 = layer_1_x * layer_1_x_by_q73 - layer_1_y * layer_1_y_by_q73 + layer_1_z
+            * layer_1_z_by_q73;
+        const double length_19 = sinew_sqrt(layer_1_x * layer_1_x + layer_1_y * layer_1_y
+            + layer_1_z * layer_1_z);
+        const double t208 = 1.0 / length_19;
+        const double length_19_by_q73 = t207 * t208;
+        const double t209 = layer_1_x * layer_1_x_by_q71 - layer_1_y * layer_1_y_by_q71 - layer_1_z
+            * layer_1_z_by_q71;
+        const double length_19_by_q71 = t209 * t208;
+        const double layer_0_x_by_q73 = t27 + t28 - t149;
+        const double strand_18_x_by_q73 = layer_0_x_by_q73 + t30;
+        const double layer_0_x = t35 - t36 + t150;
+        const double strand_18_x = layer_0_x - t38;
+        const double layer_0_y_by_q73 = t39 + t40 - t151;
+        const double strand_18_y_by_q73 = layer_0_y_by_q73 + t42;
+        const double layer_0_y = 0.007 - origin_y - t43 + t44 + t152;
+        const double strand_18_y = 0.028 + layer_0_y - t46;
+        const double layer_0_z_by_q73 = t47 + t48 - t153;
+        const double strand_18_z_by_q73 = layer_0_z_by_q73 + t50;
+        const double layer_0_z = 0.008 - origin_z - t55 - t56 + t154;
+        const double strand_18_z = layer_0_z - t58;
+        const double t210 = strand_18_x * strand_18_x_by_q73 - strand_18_y * strand_18_y_by_q73
             + strand_18_z * strand_18_z_by_q73;
-        const double t195 = strand_18_x * strand_18_x + strand_18_y * strand_18_y + strand_18_z
+        const double t211 = strand_18_x * strand_18_x + strand_18_y * strand_18_y + strand_18_z
             * strand_18_z;
-        const double length_18 = sinew_sqrt(t195);
-        const double t196 = 1.0 / length_18;
-        const double length_18_by_q73 = t194 * t196;
-        const double layer_0_x_by_q71 = t59 + t60;
-        const double strand_18_x_by_q71 = layer_0_x_by_q71 + t193;
-        const double layer_0_y_by_q71 = t61 - t62;
-        const double layer_0_z_by_q71 = t63 + t64;
-        const double strand_18_z_by_q71 = layer_0_z_by_q71 + t192;
-        const double t197 = strand_18_x * strand_18_x_by_q71 - strand_18_y * layer_0_y_by_q71
+        const double length_18 = sinew_sqrt(t211);
+        const double t212 = 1.0 / length_18;
+        const double length_18_by_q73 = t210 * t212;
+        const double layer_0_x_by_q71 = t64 + t65 - t154;
+        const double strand_18_x_by_q71 = layer_0_x_by_q71 + t58;
+        const double layer_0_y_by_q71 = t66 - t67;
+        const double layer_0_z_by_q71 = t68 + t69 - t150;
+        const double strand_18_z_by_q71 = layer_0_z_by_q71 + t38;
+        const double t213 = strand_18_x * strand_18_x_by_q71 - strand_18_y * layer_0_y_by_q71
             - strand_18_z * strand_18_z_by_q71;
-        const double length_18_by_q71 = t197 * t196;
-        const double strand_17_x_by_q73 = layer_0_x_by_q73 + t29;
-        const double strand_17_x = layer_0_x - t36;
-        const double strand_17_y_by_q73 = layer_0_y_by_q73 + t39;
-        const double strand_17_y = 0.034 - layer_0_y - t43;
-        const double strand_17_z_by_q73 = layer_0_z_by_q73 + t46;
-        const double strand_17_z = layer_0_z - t53;
-        const double t198 = strand_17_x * strand_17_x_by_q73 - strand_17_y * strand_17_y_by_q73
+        const double length_18_by_q71 = t213 * t212;
+        const double strand_17_x_by_q73 = layer_0_x_by_q73 + t71;
+        const double strand_17_x = layer_0_x - t72;
+        const double strand_17_y_by_q73 = layer_0_y_by_q73 + t73;
+        const double strand_17_y = 0.027 + layer_0_y - t74;
+        const double strand_17_z_by_q73 = layer_0_z_by_q73 + t75;
+        const double strand_17_z = layer_0_z - t76;
+        const double t214 = strand_17_x * strand_17_x_by_q73 - strand_17_y * strand_17_y_by_q73
             + strand_17_z * strand_17_z_by_q73;
-        const double t199 = strand_17_x * strand_17_x + strand_17_y * strand_17_y + strand_17_z
+        const double t215 = strand_17_x * strand_17_x + strand_17_y * strand_17_y + strand_17_z
             * strand_17_z;
-        const double length_17 = sinew_sqrt(t199);
-        const double t200 = 1.0 / length_17;
-        const double length_17_by_q73 = t198 * t200;
-        const double strand_17_x_by_q71 = layer_0_x_by_q71 + t53;
-        const double strand_17_z_by_q71 = layer_0_z_by_q71 + t36;
-        const double t201 = strand_17_x * strand_17_x_by_q71 - strand_17_y * layer_0_y_by_q71
+        const double length_17 = sinew_sqrt(t215);
+        const double t216 = 1.0 / length_17;
+        const double length_17_by_q73 = t214 * t216;
+        const double strand_17_x_by_q71 = layer_0_x_by_q71 + t76;
+        const double strand_17_z_by_q71 = layer_0_z_by_q71 + t72;
+        const double t217 = strand_17_x * strand_17_x_by_q71 - strand_17_y * layer_0_y_by_q71
             - strand_17_z * strand_17_z_by_q71;
-        const double length_17_by_q71 = t201 * t200;
-        const double strand_16_x_by_q73 = layer_0_x_by_q73 + t66;
-        const double strand_16_x = layer_0_x - t67;
-        const double strand_16_y_by_q73 = layer_0_y_by_q73 + t68;
-        const double strand_16_y = 0.032 - layer_0_y - t69;
-        const double strand_16_z_by_q73 = layer_0_z_by_q73 + t70;
-        const double strand_16_z = layer_0_z - t71;
-        const double t202 = strand_16_x * strand_16_x_by_q73 - strand_16_y * strand_16_y_by_q73
+        const double length_17_by_q71 = t217 * t216;
+        const double strand_16_x_by_q73 = layer_0_x_by_q73 + 0.025 * y_x_by_q73;
+        const double t218 = 0.025 * y_x;
+        const double strand_16_x = layer_0_x - t218;
+        const double strand_16_y_by_q73 = layer_0_y_by_q73 + 0.025 * u_y_by_q73;
+        const double strand_16_y = 0.025 + layer_0_y - 0.025 * u_y;
+        const double strand_16_z_by_q73 = layer_0_z_by_q73 + 0.025 * y_z_by_q73;
+        const double t219 = 0.025 * y_z;
+        const double strand_16_z = layer_0_z - t219;
+        const double t220 = strand_16_x * strand_16_x_by_q73 - strand_16_y * strand_16_y_by_q73
             + strand_16_z * strand_16_z_by_q73;
-        const double t203 = strand_16_x * strand_16_x + strand_16_y * strand_16_y + strand_16_z
+        const double t221 = strand_16_x * strand_16_x + strand_16_y * strand_16_y + strand_16_z
             * strand_16_z;
-        const double length_16 = sinew_sqrt(t203);
-        const double t204 = 1.0 / length_16;
-        const double length_16_by_q73 = t202 * t204;
-        const double strand_16_x_by_q71 = layer_0_x_by_q71 + t71;
-        const double strand_16_z_by_q71 = layer_0_z_by_q71 + t67;
-        const double t205 = strand_16_x * strand_16_x_by_q71 - strand_16_y * layer_0_y_by_q71
+        const double length_16 = sinew_sqrt(t221);
+        const double t222 = 1.0 / length_16;
+        const double length_16_by_q73 = t220 * t222;
+        const double strand_16_x_by_q71 = layer_0_x_by_q71 + t219;
+        const double strand_16_z_by_q71 = layer_0_z_by_q71 + t218;
+        const double t223 = strand_16_x * strand_16_x_by_q71 - strand_16_y * layer_0_y_by_q71
             - strand_16_z * strand_16_z_by_q71;
-        const double length_16_by_q71 = t205 * t204;
-        const double strand_15_x_by_q73 = layer_0_x_by_q73 + t76;
-        const double strand_15_x = layer_0_x - t77;
-        const double strand_15_y_by_q73 = layer_0_y_by_q73 + t78;
-        const double strand_15_y = 0.031 - layer_0_y - t79;
-        const double strand_15_z_by_q73 = layer_0_z_by_q73 + t80;
-        const double strand_15_z = layer_0_z - t81;
-        const double t206 = strand_15_x * strand_15_x_by_q73 - strand_15_y * strand_15_y_by_q73
+        const double length_16_by_q71 = t223 * t222;
+        const double strand_15_x_by_q73 = layer_0_x_by_q73 + t87;
+        const double strand_15_x = layer_0_x - t88;
+        const double strand_15_y_by_q73 = layer_0_y_by_q73 + t89;
+        const double strand_15_y = 0.024 + layer_0_y - t90;
+        const double strand_15_z_by_q73 = layer_0_z_by_q73 + t91;
+        const double strand_15_z = layer_0_z - t92;
+        const double t224 = strand_15_x * strand_15_x_by_q73 - strand_15_y * strand_15_y_by_q73
             + strand_15_z * strand_15_z_by_q73;
-        const double t207 = strand_15_x * strand_15_x + strand_15_y * strand_15_y + strand_15_z
+        const double t225 = strand_15_x * strand_15_x + strand_15_y * strand_15_y + strand_15_z
             * strand_15_z;
-        const double length_15 = sinew_sqrt(t207);
-        const double t208 = 1.0 / length_15;
-        const double length_15_by_q73 = t206 * t208;
-        const double strand_15_x_by_q71 = layer_0_x_by_q71 + t81;
-        const double strand_15_z_by_q71 = layer_0_z_by_q71 + t77;
-        const double t209 = strand_15_x * strand_15_x_by_q71 - strand_15_y * layer_0_y_by_q71
+        const double length_15 = sinew_sqrt(t225);
+        const double t226 = 1.0 / length_15;
+        const double length_15_by_q73 = t224 * t226;
+        const double strand_15_x_by_q71 = layer_0_x_by_q71 + t92;
+        const double strand_15_z_by_q71 = layer_0_z_by_q71 + t88;
+        const double t227 = strand_15_x * strand_15_x_by_q71 - strand_15_y * layer_0_y_by_q71
             - strand_15_z * strand_15_z_by_q71;
-        const double length_15_by_q71 = t209 * t208;
-        const double strand_14_x_by_q73 = layer_0_x_by_q73 + t86;
-        const double strand_14_x = layer_0_x - t87;
-        const double strand_14_y_by_q73 = layer_0_y_by_q73 + t88;
-        const double strand_14_y = 0.029 - layer_0_y - t89;
-        const double strand_14_z_by_q73 = layer_0_z_by_q73 + t90;
-        const double strand_14_z = layer_0_z - t91;
-        const double t210 = strand_14_x * strand_14_x_by_q73 - strand_14_y * strand_14_y_by_q73
+        const double length_15_by_q71 = t227 * t226;
+        const double strand_14_x_by_q73 = layer_0_x_by_q73 + 0.022 * y_x_by_q73;
+        const double t228 = 0.022 * y_x;
+        const double strand_14_x = layer_0_x - t228;
+        const double strand_14_y_by_q73 = layer_0_y_by_q73 + 0.022 * u_y_by_q73;
+        const double strand_14_y = 0.022 + layer_0_y - 0.022 * u_y;
+        const double strand_14_z_by_q73 = layer_0_z_by_q73 + 0.022 * y_z_by_q73;
+        const double t229 = 0.022 * y_z;
+        const double strand_14_z = layer_0_z - t229;
+        const double t230 = strand_14_x * strand_14_x_by_q73 - strand_14_y * strand_14_y_by_q73
             + strand_14_z * strand_14_z_by_q73;
-        const double t211 = strand_14_x * strand_14_x + strand_14_y * strand_14_y + strand_14_z
+        const double t231 = strand_14_x * strand_14_x + strand_14_y * strand_14_y + strand_14_z
             * strand_14_z;
-        const double length_14 = sinew_sqrt(t211);
-        const double t212 = 1.0 / length_14;
-        const double length_14_by_q73 = t210 * t212;
-        const double strand_14_x_by_q71 = layer_0_x_by_q71 + t91;
-        const double strand_14_z_by_q71 = layer_0_z_by_q71 + t87;
-        const double t213 = strand_14_x * strand_14_x_by_q71 - strand_14_y * layer_0_y_by_q71
+        const double length_14 = sinew_sqrt(t231);
+        const double t232 = 1.0 / length_14;
+        const double length_14_by_q73 = t230 * t232;
+        const double strand_14_x_by_q71 = layer_0_x_by_q71 + t229;
+        const double strand_14_z_by_q71 = layer_0_z_by_q71 + t228;
+        const double t233 = strand_14_x * strand_14_x_by_q71 - strand_14_y * layer_0_y_by_q71
             - strand_14_z * strand_14_z_by_q71;
-        const double length_14_by_q71 = t213 * t212;
-        const double strand_13_x_by_q73 = layer_0_x_by_q73 + t96;
-        const double strand_13_x = layer_0_x - t97;
-        const double strand_13_y_by_q73 = layer_0_y_by_q73 + t98;
-        const double strand_13_y = 0.027 - layer_0_y - t99;
-        const double strand_13_z_by_q73 = layer_0_z_by_q73 + t100;
-        const double strand_13_z = layer_0_z - t101;
-        const double t214 = strand_13_x * strand_13_x_by_q73 - strand_13_y * strand_13_y_by_q73
+        const double length_14_by_q71 = t233 * t232;
+        const double strand_13_x_by_q73 = layer_0_x_by_q73 + t103;
+        const double strand_13_x = layer_0_x - t104;
+        const double strand_13_y_by_q73 = layer_0_y_by_q73 + t105;
+        const double strand_13_y = 0.02 + layer_0_y - t106;
+        const double strand_13_z_by_q73 = layer_0_z_by_q73 + t107;
+        const double strand_13_z = layer_0_z - t108;
+        const double t234 = strand_13_x * strand_13_x_by_q73 - strand_13_y * strand_13_y_by_q73
             + strand_13_z * strand_13_z_by_q73;
-        const double t215 = strand_13_x * strand_13_x + strand_13_y * strand_13_y + strand_13_z
+        const double t235 = strand_13_x * strand_13_x + strand_13_y * strand_13_y + strand_13_z
             * strand_13_z;
-        const double length_13 = sinew_sqrt(t215);
-        const double t216 = 1.0 / length_13;
-        const double length_13_by_q73 = t214 * t216;
-        const double strand_13_x_by_q71 = layer_0_x_by_q71 + t101;
-        const double strand_13_z_by_q71 = layer_0_z_by_q71 + t97;
-        const double t217 = strand_13_x * strand_13_x_by_q71 - strand_13_y * layer_0_y_by_q71
+        const double length_13 = sinew_sqrt(t235);
+        const double t236 = 1.0 / length_13;
+        const double length_13_by_q73 = t234 * t236;
+        const double strand_13_x_by_q71 = layer_0_x_by_q71 + t108;
+        const double strand_13_z_by_q71 = layer_0_z_by_q71 + t104;
+        const double t237 = strand_13_x * strand_13_x_by_q71 - strand_13_y * layer_0_y_by_q71
             - strand_13_z * strand_13_z_by_q71;
-        const double length_13_by_q71 = t217 * t216;
-        const double strand_12_x_by_q73 = layer_0_x_by_q73 + t106;
-        const double strand_12_x = layer_0_x - t107;
-        const double strand_12_y_by_q73 = layer_0_y_by_q73 + t108;
-        const double strand_12_y = 0.026 - layer_0_y - t109;
-        const double strand_12_z_by_q73 = layer_0_z_by_q73 + t110;
-        const double strand_12_z = layer_0_z - t111;
-        const double t218 = strand_12_x * strand_12_x_by_q73 - strand_12_y * strand_12_y_by_q73
+        const double length_13_by_q71 = t237 * t236;
+        const double strand_12_x_by_q73 = layer_0_x_by_q73 + t113;
+        const double strand_12_x = layer_0_x - t114;
+        const double strand_12_y_by_q73 = layer_0_y_by_q73 + t115;
+        const double strand_12_y = 0.019 + layer_0_y - t116;
+        const double strand_12_z_by_q73 = layer_0_z_by_q73 + t117;
+        const double strand_12_z = layer_0_z - t118;
+        const double t238 = strand_12_x * strand_12_x_by_q73 - strand_12_y * strand_12_y_by_q73
             + strand_12_z * strand_12_z_by_q73;
-        const double t219 = strand_12_x * strand_12_x + strand_12_y * strand_12_y + strand_12_z
+        const double t239 = strand_12_x * strand_12_x + strand_12_y * strand_12_y + strand_12_z
             * strand_12_z;
-        const double length_12 = sinew_sqrt(t219);
-        const double t220 = 1.0 / length_12;
-        const double length_12_by_q73 = t218 * t220;
-        const double strand_12_x_by_q71 = layer_0_x_by_q71 + t111;
-        const double strand_12_z_by_q71 = layer_0_z_by_q71 + t107;
-        const double t221 = strand_12_x * strand_12_x_by_q71 - strand_12_y * layer_0_y_by_q71
+        const double length_12 = sinew_sqrt(t239);
+        const double t240 = 1.0 / length_12;
+        const double length_12_by_q73 = t238 * t240;
+        const double strand_12_x_by_q71 = layer_0_x_by_q71 + t118;
+        const double strand_12_z_by_q71 = layer_0_z_by_q71 + t114;
+        const double t241 = strand_12_x * strand_12_x_by_q71 - strand_12_y * layer_0_y_by_q71
             - strand_12_z * strand_12_z_by_q71;
-        const double length_12_by_q71 = t221 * t220;
-        const double strand_11_x_by_q73 = layer_0_x_by_q73 + t116;
-        const double strand_11_x = layer_0_x - t117;
-        const double strand_11_y_by_q73 = layer_0_y_by_q73 + t118;
-        const double strand_11_y = 0.024 - layer_0_y - t119;
-        const double strand_11_z_by_q73 = layer_0_z_by_q73 + t120;
-        const double strand_11_z = layer_0_z - t121;
-        const double t222 = strand_11_x * strand_11_x_by_q73 - strand_11_y * strand_11_y_by_q73
+        const double length_12_by_q71 = t241 * t240;
+        const double strand_11_x_by_q73 = layer_0_x_by_q73 + 0.017 * y_x_by_q73;
+        const double t242 = 0.017 * y_x;
+        const double strand_11_x = layer_0_x - t242;
+        const double strand_11_y_by_q73 = layer_0_y_by_q73 + 0.017 * u_y_by_q73;
+        const double strand_11_y = 0.017 + layer_0_y - 0.017 * u_y;
+        const double strand_11_z_by_q73 = layer_0_z_by_q73 + 0.017 * y_z_by_q73;
+        const double t243 = 0.017 * y_z;
+        const double strand_11_z = layer_0_z - t243;
+        const double t244 = strand_11_x * strand_11_x_by_q73 - strand_11_y * strand_11_y_by_q73
             + strand_11_z * strand_11_z_by_q73;
-        const double t223 = strand_11_x * strand_11_x + strand_11_y * strand_11_y + strand_11_z
+        const double t245 = strand_11_x * strand_11_x + strand_11_y * strand_11_y + strand_11_z
             * strand_11_z;
-        const double length_11 = sinew_sqrt(t223);
-        const double t224 = 1.0 / length_11;
-        const double length_11_by_q73 = t222 * t224;
-        const double strand_11_x_by_q71 = layer_0_x_by_q71 + t121;
-        const double strand_11_z_by_q71 = layer_0_z_by_q71 + t117;
-        const double t225 = strand_11_x * strand_11_x_by_q71 - strand_11_y * layer_0_y_by_q71
+        const double length_11 = sinew_sqrt(t245);
+        const double t246 = 1.0 / length_11;
+        const double length_11_by_q73 = t244 * t246;
+        const double strand_11_x_by_q71 = layer_0_x_by_q71 + t243;
+        const double strand_11_z_by_q71 = layer_0_z_by_q71 + t242;
+        const double t247 = strand_11_x * strand_11_x_by_q71 - strand_11_y * layer_0_y_by_q71
             - strand_11_z * strand_11_z_by_q71;
-        const double length_11_by_q71 = t225 * t224;
-        const double strand_10_x_by_q73 = layer_0_x_by_q73 + t126;
-        const double strand_10_x = layer_0_x - t127;
-        const double strand_10_y_by_q73 = layer_0_y_by_q73 + t128;
-        const double strand_10_y = 0.023 - layer_0_y - t129;
-        const double strand_10_z_by_q73 = layer_0_z_by_q73 + t130;
-        const double strand_10_z = layer_0_z - t131;
-        const double t226 = strand_10_x * strand_10_x_by_q73 - strand_10_y * strand_10_y_by_q73
+        const double length_11_by_q71 = t247 * t246;
+        const double strand_10_x_by_q73 = layer_0_x_by_q73 + t129;
+        const double strand_10_x = layer_0_x - t130;
+        const double strand_10_y_by_q73 = layer_0_y_by_q73 + t131;
+        const double strand_10_y = 0.016 + layer_0_y - t132;
+        const double strand_10_z_by_q73 = layer_0_z_by_q73 + t133;
+        const double strand_10_z = layer_0_z - t134;
+        const double t248 = strand_10_x * strand_10_x_by_q73 - strand_10_y * strand_10_y_by_q73
             + strand_10_z * strand_10_z_by_q73;
-        const double t227 = strand_10_x * strand_10_x + strand_10_y * strand_10_y + strand_10_z
+        const double t249 = strand_10_x * strand_10_x + strand_10_y * strand_10_y + strand_10_z
             * strand_10_z;
-        const double length_10 = sinew_sqrt(t227);
-        const double t228 = 1.0 / length_10;
-        const double length_10_by_q73 = t226 * t228;
-        const double strand_10_x_by_q71 = layer_0_x_by_q71 + t131;
-        const double strand_10_z_by_q71 = layer_0_z_by_q71 + t127;
-        const double t229 = strand_10_x * strand_10_x_by_q71 - strand_10_y * layer_0_y_by_q71
+        const double length_10 = sinew_sqrt(t249);
+        const double t250 = 1.0 / length_10;
+        const double length_10_by_q73 = t248 * t250;
+        const double strand_10_x_by_q71 = layer_0_x_by_q71 + t134;
+        const double strand_10_z_by_q71 = layer_0_z_by_q71 + t130;
+        const double t251 = strand_10_x * strand_10_x_by_q71 - strand_10_y * layer_0_y_by_q71
             - strand_10_z * strand_10_z_by_q71;
-        const double length_10_by_q71 = t229 * t228;
-        const double strand_9_x_by_q73 = layer_0_x_by_q73 + t136;
-        const double strand_9_x = layer_0_x - t137;
-        const double strand_9_y_by_q73 = layer_0_y_by_q73 + t138;
-        const double strand_9_y = 0.021 - layer_0_y - t139;
-        const double strand_9_z_by_q73 = layer_0_z_by_q73 + t140;
-        const double strand_9_z = layer_0_z - t141;
-        const double t230 = strand_9_x * strand_9_x_by_q73 - strand_9_y * strand_9_y_by_q73
+        const double length_10_by_q71 = t251 * t250;
+        const double strand_9_x_by_q73 = layer_0_x_by_q73 + 0.014 * y_x_by_q73;
+        const double t252 = 0.014 * y_x;
+        const double strand_9_x = layer_0_x - t252;
+        const double strand_9_y_by_q73 = layer_0_y_by_q73 + 0.014 * u_y_by_q73;
+        const double strand_9_y = 0.014 + layer_0_y - 0.014 * u_y;
+        const double strand_9_z_by_q73 = layer_0_z_by_q73 + 0.014 * y_z_by_q73;
+        const double t253 = 0.014 * y_z;
+        const double strand_9_z = layer_0_z - t253;
+        const double t254 = strand_9_x * strand_9_x_by_q73 - strand_9_y * strand_9_y_by_q73
             + strand_9_z * strand_9_z_by_q73;
-        const double t231 = strand_9_x * strand_9_x + strand_9_y * strand_9_y + strand_9_z
+        const double t255 = strand_9_x * strand_9_x + strand_9_y * strand_9_y + strand_9_z
             * strand_9_z;
-        const double length_9 = sinew_sqrt(t231);
-        const double t232 = 1.0 / length_9;
-        const double length_9_by_q73 = t230 * t232;
-        const double strand_9_x_by_q71 = layer_0_x_by_q71 + t141;
-        const double strand_9_z_by_q71 = layer_0_z_by_q71 + t137;
-        const double t233 = strand_9_x * strand_9_x_by_q71 - strand_9_y * layer_0_y_by_q71
+        const double length_9 = sinew_sqrt(t255);
+        const double t256 = 1.0 / length_9;
+        const double length_9_by_q73 = t254 * t256;
+        const double strand_9_x_by_q71 = layer_0_x_by_q71 + t253;
+        const double strand_9_z_by_q71 = layer_0_z_by_q71 + t252;
+        const double t257 = strand_9_x * strand_9_x_by_q71 - strand_9_y * layer_0_y_by_q71
             - strand_9_z * strand_9_z_by_q71;
-        const double length_9_by_q71 = t233 * t232;
-        const double strand_8_x_by_q73 = layer_0_x_by_q73 + t146;
-        const double strand_8_x = layer_0_x - t147;
-        const double strand_8_y_by_q73 = layer_0_y_by_q73 + t148;
-        const double strand_8_y = 0.019 - layer_0_y - t149;
-        const double strand_8_z_by_q73 = layer_0_z_by_q73 + t150;
-        const double strand_8_z = layer_0_z - t151;
-        const double t234 = strand_8_x * strand_8_x_by_q73 - strand_8_y * strand_8_y_by_q73
+        const double length_9_by_q71 = t257 * t256;
+        const double strand_8_x_by_q73 = layer_0_x_by_q73 + t29;
+        const double strand_8_x = layer_0_x - t37;
+        const double strand_8_y_by_q73 = layer_0_y_by_q73 + t41;
+        const double strand_8_y = 0.012 + layer_0_y - t45;
+        const double strand_8_z_by_q73 = layer_0_z_by_q73 + t49;
+        const double strand_8_z = layer_0_z - t57;
+        const double t258 = strand_8_x * strand_8_x_by_q73 - strand_8_y * strand_8_y_by_q73
             + strand_8_z * strand_8_z_by_q73;
-        const double t235 = strand_8_x * strand_8_x + strand_8_y * strand_8_y + strand_8_z
+        const double t259 = strand_8_x * strand_8_x + strand_8_y * strand_8_y + strand_8_z
             * strand_8_z;
-        const double length_8 = sinew_sqrt(t235);
-        const double t236 = 1.0 / length_8;
-        const double length_8_by_q73 = t234 * t236;
-        const double strand_8_x_by_q71 = layer_0_x_by_q71 + t151;
-        const double strand_8_z_by_q71 = layer_0_z_by_q71 + t147;
-        const double t237 = strand_8_x * strand_8_x_by_q71 - strand_8_y * layer_0_y_by_q71
+        const double length_8 = sinew_sqrt(t259);
+        const double t260 = 1.0 / length_8;
+        const double length_8_by_q73 = t258 * t260;
+        const double strand_8_x_by_q71 = layer_0_x_by_q71 + t57;
+        const double strand_8_z_by_q71 = layer_0_z_by_q71 + t37;
+        const double t261 = strand_8_x * strand_8_x_by_q71 - strand_8_y * layer_0_y_by_q71
             - strand_8_z * strand_8_z_by_q71;
-        const double length_8_by_q71 = t237 * t236;
-        const double strand_7_y = 0.018 - layer_0_y;
-        const double t238 = layer_0_x * layer_0_x_by_q73 + layer_0_z * layer_0_z_by_q73 - strand_7_y
-            * layer_0_y_by_q73;
-        const double length_7 = sinew_sqrt(layer_0_x * layer_0_x + layer_0_z * layer_0_z
-            + strand_7_y * strand_7_y);
-        const double t239 = 1.0 / length_7;
-        const double length_7_by_q73 = t238 * t239;
-        const double t240 = layer_0_x * layer_0_x_by_q71 - layer_0_z * layer_0_z_by_q71 - strand_7_y
-            * layer_0_y_by_q71;
-        const double length_7_by_q71 = t240 * t239;
-        const double strand_6_x_by_q73 = layer_0_x_by_q73 - t146;
-        const double strand_6_x = layer_0_x + t147;
-        const double strand_6_y_by_q73 = layer_0_y_by_q73 - t148;
-        const double strand_6_y = 0.016 - layer_0_y + t149;
-        const double strand_6_z_by_q73 = layer_0_z_by_q73 - t150;
-        const double strand_6_z = layer_0_z + t151;
-        const double t241 = strand_6_x * strand_6_x_by_q73 - strand_6_y * strand_6_y_by_q73
+        const double length_8_by_q71 = t261 * t260;
+        const double strand_7_x_by_q73 = layer_0_x_by_q73 + t149;
+        const double strand_7_x = layer_0_x - t150;
+        const double strand_7_y_by_q73 = layer_0_y_by_q73 + t151;
+        const double strand_7_y = 0.011 + layer_0_y - t152;
+        const double strand_7_z_by_q73 = layer_0_z_by_q73 + t153;
+        const double strand_7_z = layer_0_z - t154;
+        const double t262 = strand_7_x * strand_7_x_by_q73 - strand_7_y * strand_7_y_by_q73
+            + strand_7_z * strand_7_z_by_q73;
+        const double t263 = strand_7_x * strand_7_x + strand_7_y * strand_7_y + strand_7_z
+            * strand_7_z;
+        const double length_7 = sinew_sqrt(t263);
+        const double t264 = 1.0 / length_7;
+        const double length_7_by_q73 = t262 * t264;
+        const double strand_7_x_by_q71 = layer_0_x_by_q71 + t154;
+        const double strand_7_z_by_q71 = layer_0_z_by_q71 + t150;
+        const double t265 = strand_7_x * strand_7_x_by_q71 - strand_7_y * layer_0_y_by_q71
+            - strand_7_z * strand_7_z_by_q71;
+        const double length_7_by_q71 = t265 * t264;
+        const double strand_6_x_by_q73 = layer_0_x_by_q73 + 0.009 * y_x_by_q73;
+        const double t266 = 0.009 * y_x;
+        const double strand_6_x = layer_0_x - t266;
+        const double strand_6_y_by_q73 = layer_0_y_by_q73 + 0.009 * u_y_by_q73;
+        const double strand_6_y = 0.009 + layer_0_y - 0.009 * u_y;
+        const double strand_6_z_by_q73 = layer_0_z_by_q73 + 0.009 * y_z_by_q73;
+        const double t267 = 0.009 * y_z;
+        const double strand_6_z = layer_0_z - t267;
+        const double t268 = strand_6_x * strand_6_x_by_q73 - strand_6_y * strand_6_y_by_q73
             + strand_6_z * strand_6_z_by_q73;
-        const double t242 = strand_6_x * strand_6_x + strand_6_y * strand_6_y + strand_6_z
+        const double t269 = strand_6_x * strand_6_x + strand_6_y * strand_6_y + strand_6_z
             * strand_6_z;
-        const double length_6 = sinew_sqrt(t242);
-        const double t243 = 1.0 / length_6;
-        const double length_6_by_q73 = t241 * t243;
-        const double strand_6_x_by_q71 = layer_0_x_by_q71 - t151;
-        const double strand_6_z_by_q71 = layer_0_z_by_q71 - t147;
-        const double t244 = strand_6_x * strand_6_x_by_q71 - strand_6_y * layer_0_y_by_q71
+        const double length_6 = sinew_sqrt(t269);
+        const double t270 = 1.0 / length_6;
+        const double length_6_by_q73 = t268 * t270;
+        const double strand_6_x_by_q71 = layer_0_x_by_q71 + t267;
+        const double strand_6_z_by_q71 = layer_0_z_by_q71 + t266;
+        const double t271 = strand_6_x * strand_6_x_by_q71 - strand_6_y * layer_0_y_by_q71
             - strand_6_z * strand_6_z_by_q71;
-        const double length_6_by_q71 = t244 * t243;
-        const double strand_5_x_by_q73 = layer_0_x_by_q73 - t136;
-        const double strand_5_x = layer_0_x + t137;
-        const double strand_5_y_by_q73 = layer_0_y_by_q73 - t138;
-        const double strand_5_y = 0.015 - layer_0_y + t139;
-        const double strand_5_z_by_q73 = layer_0_z_by_q73 - t140;
-        const double strand_5_z = layer_0_z + t141;
-        const double t245 = strand_5_x * strand_5_x_by_q73 - strand_5_y * strand_5_y_by_q73
+        const double length_6_by_q71 = t271 * t270;
+        const double strand_5_x_by_q73 = layer_0_x_by_q73 + t165;
+        const double strand_5_x = layer_0_x - t166;
+        const double strand_5_y_by_q73 = layer_0_y_by_q73 + t167;
+        const double strand_5_y = 0.008 + layer_0_y - t168;
+        const double strand_5_z_by_q73 = layer_0_z_by_q73 + t169;
+        const double strand_5_z = layer_0_z - t170;
+        const double t272 = strand_5_x * strand_5_x_by_q73 - strand_5_y * strand_5_y_by_q73
             + strand_5_z * strand_5_z_by_q73;
-        const double t246 = strand_5_x * strand_5_x + strand_5_y * strand_5_y + strand_5_z
+        const double t273 = strand_5_x * strand_5_x + strand_5_y * strand_5_y + strand_5_z
             * strand_5_z;
-        const double length_5 = sinew_sqrt(t246);
-        const double t247 = 1.0 / length_5;
-        const double length_5_by_q73 = t245 * t247;
-        const double strand_5_x_by_q71 = layer_0_x_by_q71 - t141;
-        const double strand_5_z_by_q71 = layer_0_z_by_q71 - t137;
-        const double t248 = strand_5_x * strand_5_x_by_q71 - strand_5_y * layer_0_y_by_q71
+        const double length_5 = sinew_sqrt(t273);
+        const double t274 = 1.0 / length_5;
+        const double length_5_by_q73 = t272 * t274;
+        const double strand_5_x_by_q71 = layer_0_x_by_q71 + t170;
+        const double strand_5_z_by_q71 = layer_0_z_by_q71 + t166;
+        const double t275 = strand_5_x * strand_5_x_by_q71 - strand_5_y * layer_0_y_by_q71
             - strand_5_z * strand_5_z_by_q71;
-        const double length_5_by_q71 = t248 * t247;
-        const double strand_4_x_by_q73 = layer_0_x_by_q73 - t126;
-        const double strand_4_x = layer_0_x + t127;
-        const double strand_4_y_by_q73 = layer_0_y_by_q73 - t128;
-        const double strand_4_y = 0.013 - layer_0_y + t129;
-        const double strand_4_z_by_q73 = layer_0_z_by_q73 - t130;
-        const double strand_4_z = layer_0_z + t131;
-        const double t249 = strand_4_x * strand_4_x_by_q73 - strand_4_y * strand_4_y_by_q73
+        const double length_5_by_q71 = t275 * t274;
+        const double strand_4_x_by_q73 = layer_0_x_by_q73 + 0.006 * y_x_by_q73;
+        const double t276 = 0.006 * y_x;
+        const double strand_4_x = layer_0_x - t276;
+        const double strand_4_y_by_q73 = layer_0_y_by_q73 + 0.006 * u_y_by_q73;
+        const double strand_4_y = 0.006 + layer_0_y - 0.006 * u_y;
+        const double strand_4_z_by_q73 = layer_0_z_by_q73 + 0.006 * y_z_by_q73;
+        const double t277 = 0.006 * y_z;
+        const double strand_4_z = layer_0_z - t277;
+        const double t278 = strand_4_x * strand_4_x_by_q73 - strand_4_y * strand_4_y_by_q73
             + strand_4_z * strand_4_z_by_q73;
-        const double t250 = strand_4_x * strand_4_x + strand_4_y * strand_4_y + strand_4_z
+        const double t279 = strand_4_x * strand_4_x + strand_4_y * strand_4_y + strand_4_z
             * strand_4_z;
-        const double length_4 = sinew_sqrt(t250);
-        const double t251 = 1.0 / length_4;
-        const double length_4_by_q73 = t249 * t251;
-        const double strand_4_x_by_q71 = layer_0_x_by_q71 - t131;
-        const double strand_4_z_by_q71 = layer_0_z_by_q71 - t127;
-        const double t252 = strand_4_x * strand_4_x_by_q71 - strand_4_y * layer_0_y_by_q71
+        const double length_4 = sinew_sqrt(t279);
+        const double t280 = 1.0 / length_4;
+        const double length_4_by_q73 = t278 * t280;
+        const double strand_4_x_by_q71 = layer_0_x_by_q71 + t277;
+        const double strand_4_z_by_q71 = layer_0_z_by_q71 + t276;
+        const double t281 = strand_4_x * strand_4_x_by_q71 - strand_4_y * layer_0_y_by_q71
             - strand_4_z * strand_4_z_by_q71;
-        const double length_4_by_q71 = t252 * t251;
-        const double strand_3_x_by_q73 = layer_0_x_by_q73 - t116;
-        const double strand_3_x = layer_0_x + t117;
-        const double strand_3_y_by_q73 = layer_0_y_by_q73 - t118;
-        const double strand_3_y = 0.011 - layer_0_y + t119;
-        const double strand_3_z_by_q73 = layer_0_z_by_q73 - t120;
-        const double strand_3_z = layer_0_z + t121;
-        const double t253 = strand_3_x * strand_3_x_by_q73 - strand_3_y * strand_3_y_by_q73
+        const double length_4_by_q71 = t281 * t280;
+        const double strand_3_x_by_q73 = layer_0_x_by_q73 + t181;
+        const double strand_3_x = layer_0_x - t182;
+        const double strand_3_y_by_q73 = layer_0_y_by_q73 + t183;
+        const double strand_3_y = 0.004 + layer_0_y - t184;
+        const double strand_3_z_by_q73 = layer_0_z_by_q73 + t185;
+        const double strand_3_z = layer_0_z - t186;
+        const double t282 = strand_3_x * strand_3_x_by_q73 - strand_3_y * strand_3_y_by_q73
             + strand_3_z * strand_3_z_by_q73;
-        const double t254 = strand_3_x * strand_3_x + strand_3_y * strand_3_y + strand_3_z
+        const double t283 = strand_3_x * strand_3_x + strand_3_y * strand_3_y + strand_3_z
             * strand_3_z;
-        const double length_3 = sinew_sqrt(t254);
-        const double t255 = 1.0 / length_3;
-        const double length_3_by_q73 = t253 * t255;
-        const double strand_3_x_by_q71 = layer_0_x_by_q71 - t121;
-        const double strand_3_z_by_q71 = layer_0_z_by_q71 - t117;
-        const double t256 = strand_3_x * strand_3_x_by_q71 - strand_3_y * layer_0_y_by_q71
+        const double length_3 = sinew_sqrt(t283);
+        const double t284 = 1.0 / length_3;
+        const double length_3_by_q73 = t282 * t284;
+        const double strand_3_x_by_q71 = layer_0_x_by_q71 + t186;
+        const double strand_3_z_by_q71 = layer_0_z_by_q71 + t182;
+        const double t285 = strand_3_x * strand_3_x_by_q71 - strand_3_y * layer_0_y_by_q71
             - strand_3_z * strand_3_z_by_q71;
-        const double length_3_by_q71 = t256 * t255;
+        const double length_3_by_q71 = t285 * t284;
         const double R21y = c1 * s2;
-        const double t257 = 0.005 * R21y;
-        const double t258 = 0.006 * s1;
-        const double t259 = t257 - t258;
+        const double t286 = 0.005 * R21y;
+        const double t287 = 0.006 * s1;
+        const double t288 = t286 - t287;
         const double R21x = c1 * c2;
-        const double t260 = 0.047 * R21x;
-        const double pD_length_tox = t259 - t260;
+        const double t289 = 0.047 * R21x;
+        const double pD_length_tox = t288 - t289;
         const double D_lengthdx = 0.002 + pD_length_tox;
-        const double t261 = 0.025 - 0.005 * c2;
-        const double t262 = 0.047 * s2;
-        const double B_lengthdz = t261 - t262;
-        const double t263 = B_lengthdz * B_lengthdz;
+        const double t290 = 0.025 - 0.005 * c2;
+        const double t291 = 0.047 * s2;
+        const double B_lengthdz = t290 - t291;
+        const double t292 = B_lengthdz * B_lengthdz;
         const double R22y = s1 * s2;
-        const double t264 = 0.005 * R22y;
-        const double t265 = 0.006 * c1;
-        const double t266 = t264 + t265;
+        const double t293 = 0.005 * R22y;
+        const double t294 = 0.006 * c1;
+        const double t295 = t293 + t294;
         const double R22x = s1 * c2;
-        const double t267 = 0.047 * R22x;
-        const double pD_length_toy = t266 - t267;
+        const double t296 = 0.047 * R22x;
+        const double pD_length_toy = t295 - t296;
         const double D_lengthdy = 0.03 - pD_length_toy;
-        const double D_length = sinew_sqrt(t263 + D_lengthdx * D_lengthdx + D_lengthdy
+        const double D_length = sinew_sqrt(t292 + D_lengthdx * D_lengthdx + D_lengthdy
             * D_lengthdy);
-        const double t268 = 1.0 / D_length;
-        const double t269 = 0.005 * R21x;
-        const double t270 = 0.047 * R21y;
-        const double pB_length_tox_by_q_1 = t269 + t270;
-        const double t271 = 0.005 * s2;
-        const double t272 = 0.047 * c2;
-        const double pB_length_toz_by_q_1 = t271 - t272;
-        const double t273 = B_lengthdz * pB_length_toz_by_q_1;
-        const double t274 = 0.005 * R22x;
-        const double t275 = 0.047 * R22y;
-        const double pB_length_toy_by_q_1 = t274 + t275;
-        const double t276 = t273 + D_lengthdx * pB_length_tox_by_q_1 - D_lengthdy
+        const double t297 = 1.0 / D_length;
+        const double t298 = 0.005 * R21x;
+        const double t299 = 0.047 * R21y;
+        const double pB_length_tox_by_q_1 = t298 + t299;
+        const double t300 = 0.005 * s2;
+        const double t301 = 0.047 * c2;
+        const double pB_length_toz_by_q_1 = t300 - t301;
+        const double t302 = B_lengthdz * pB_length_toz_by_q_1;
+        const double t303 = 0.005 * R22x;
+        const double t304 = 0.047 * R22y;
+        const double pB_length_toy_by_q_1 = t303 + t304;
+        const double t305 = t302 + D_lengthdx * pB_length_tox_by_q_1 - D_lengthdy
             * pB_length_toy_by_q_1;
-        const double D_length_by_q_1 = t276 * t268;
+        const double D_length_by_q_1 = t305 * t297;
         const double D_length_by_q_0 = (pD_length_tox * D_lengthdy + pD_length_toy * D_lengthdx)
-            * t268;
-        const double strand_2_x_by_q73 = layer_0_x_by_q73 - t106;
-        const double strand_2_x = layer_0_x + t107;
-        const double strand_2_y_by_q73 = layer_0_y_by_q73 - t108;
-        const double strand_2_y = 0.01 - layer_0_y + t109;
-        const double strand_2_z_by_q73 = layer_0_z_by_q73 - t110;
-        const double strand_2_z = layer_0_z + t111;
-        const double t277 = strand_2_x * strand_2_x_by_q73 - strand_2_y * strand_2_y_by_q73
+            * t297;
+        const double strand_2_x_by_q73 = layer_0_x_by_q73 + t191;
+        const double strand_2_x = layer_0_x - t192;
+        const double strand_2_y_by_q73 = layer_0_y_by_q73 + t193;
+        const double strand_2_y = 0.003 + layer_0_y - t194;
+        const double strand_2_z_by_q73 = layer_0_z_by_q73 + t195;
+        const double strand_2_z = layer_0_z - t196;
+        const double t306 = strand_2_x * strand_2_x_by_q73 - strand_2_y * strand_2_y_by_q73
             + strand_2_z * strand_2_z_by_q73;
-        const double t278 = strand_2_x * strand_2_x + strand_2_y * strand_2_y + strand_2_z
+        const double t307 = strand_2_x * strand_2_x + strand_2_y * strand_2_y + strand_2_z
             * strand_2_z;
-        const double length_2 = sinew_sqrt(t278);
-        const double t279 = 1.0 / length_2;
-        const double length_2_by_q73 = t277 * t279;
-        const double strand_2_x_by_q71 = layer_0_x_by_q71 - t111;
-        const double strand_2_z_by_q71 = layer_0_z_by_q71 - t107;
-        const double t280 = strand_2_x * strand_2_x_by_q71 - strand_2_y * layer_0_y_by_q71
+        const double length_2 = sinew_sqrt(t307);
+        const double t308 = 1.0 / length_2;
+        const double length_2_by_q73 = t306 * t308;
+        const double strand_2_x_by_q71 = layer_0_x_by_q71 + t196;
+        const double strand_2_z_by_q71 = layer_0_z_by_q71 + t192;
+        const double t309 = strand_2_x * strand_2_x_by_q71 - strand_2_y * layer_0_y_by_q71
             - strand_2_z * strand_2_z_by_q71;
-        const double length_2_by_q71 = t280 * t279;
-        const double t281 = t257 + t258;
-        const double pC_length_tox = t281 + t260;
+        const double length_2_by_q71 = t309 * t308;
+        const double t310 = t286 + t287;
+        const double pC_length_tox = t310 + t289;
         const double C_lengthdx = 0.002 - pC_length_tox;
-        const double A_lengthdz = t261 + t262;
-        const double t282 = A_lengthdz * A_lengthdz;
-        const double t283 = t264 - t265;
-        const double pC_length_toy = t283 + t267;
+        const double A_lengthdz = t290 + t291;
+        const double t311 = A_lengthdz * A_lengthdz;
+        const double t312 = t293 - t294;
+        const double pC_length_toy = t312 + t296;
         const double C_lengthdy = 0.03 + pC_length_toy;
-        const double C_length = sinew_sqrt(t282 + C_lengthdx * C_lengthdx + C_lengthdy
+        const double C_length = sinew_sqrt(t311 + C_lengthdx * C_lengthdx + C_lengthdy
             * C_lengthdy);
-        const double t284 = 1.0 / C_length;
-        const double pA_length_tox_by_q_1 = t269 - t270;
-        const double pA_length_toz_by_q_1 = t271 + t272;
-        const double t285 = A_lengthdz * pA_length_toz_by_q_1;
-        const double pA_length_toy_by_q_1 = t274 - t275;
-        const double t286 = t285 - C_lengthdx * pA_length_tox_by_q_1 + C_lengthdy
+        const double t313 = 1.0 / C_length;
+        const double pA_length_tox_by_q_1 = t298 - t299;
+        const double pA_length_toz_by_q_1 = t300 + t301;
+        const double t314 = A_lengthdz * pA_length_toz_by_q_1;
+        const double pA_length_toy_by_q_1 = t303 - t304;
+        const double t315 = t314 - C_lengthdx * pA_length_tox_by_q_1 + C_lengthdy
             * pA_length_toy_by_q_1;
-        const double C_length_by_q_1 = t286 * t284;
+        const double C_length_by_q_1 = t315 * t313;
         const double C_length_by_q_0 = (pC_length_tox * C_lengthdy + pC_length_toy * C_lengthdx)
-            * t284;
-        const double strand_1_x_by_q73 = layer_0_x_by_q73 - t96;
-        const double strand_1_x = layer_0_x + t97;
-        const double strand_1_y_by_q73 = layer_0_y_by_q73 - t98;
-        const double strand_1_y = 0.008 - layer_0_y + t99;
-        const double strand_1_z_by_q73 = layer_0_z_by_q73 - t100;
-        const double strand_1_z = layer_0_z + t101;
-        const double t287 = strand_1_x * strand_1_x_by_q73 - strand_1_y * strand_1_y_by_q73
+            * t313;
+        const double strand_1_x_by_q73 = layer_0_x_by_q73 + 0.001 * y_x_by_q73;
+        const double t316 = 0.001 * y_x;
+        const double strand_1_x = layer_0_x - t316;
+        const double strand_1_y_by_q73 = layer_0_y_by_q73 + 0.001 * u_y_by_q73;
+        const double strand_1_y = 0.001 + layer_0_y - 0.001 * u_y;
+        const double strand_1_z_by_q73 = layer_0_z_by_q73 + 0.001 * y_z_by_q73;
+        const double t317 = 0.001 * y_z;
+        const double strand_1_z = layer_0_z - t317;
+        const double t318 = strand_1_x * strand_1_x_by_q73 - strand_1_y * strand_1_y_by_q73
             + strand_1_z * strand_1_z_by_q73;
-        const double t288 = strand_1_x * strand_1_x + strand_1_y * strand_1_y + strand_1_z
+        const double t319 = strand_1_x * strand_1_x + strand_1_y * strand_1_y + strand_1_z
             * strand_1_z;
-        const double length_1 = sinew_sqrt(t288);
-        const double t289 = 1.0 / length_1;
-        const double length_1_by_q73 = t287 * t289;
-        const double strand_1_x_by_q71 = layer_0_x_by_q71 - t101;
-        const double strand_1_z_by_q71 = layer_0_z_by_q71 - t97;
-        const double t290 = strand_1_x * strand_1_x_by_q71 - strand_1_y * layer_0_y_by_q71
+        const double length_1 = sinew_sqrt(t319);
+        const double t320 = 1.0 / length_1;
+        const double length_1_by_q73 = t318 * t320;
+        const double strand_1_x_by_q71 = layer_0_x_by_q71 + t317;
+        const double strand_1_z_by_q71 = layer_0_z_by_q71 + t316;
+        const double t321 = strand_1_x * strand_1_x_by_q71 - strand_1_y * layer_0_y_by_q71
             - strand_1_z * strand_1_z_by_q71;
-        const double length_1_by_q71 = t290 * t289;
-        const double pB_length_tox = t281 - t260;
+        const double length_1_by_q71 = t321 * t320;
+        const double pB_length_tox = t310 - t289;
         const double B_lengthdx = 0.002 + pB_length_tox;
-        const double pB_length_toy = t283 - t267;
+        const double pB_length_toy = t312 - t296;
         const double B_lengthdy = 0.03 + pB_length_toy;
         const double B_length = sinew_sqrt(B_lengthdx * B_lengthdx + B_lengthdy * B_lengthdy
-            + t263);
-        const double t291 = 1.0 / B_length;
-        const double t292 = B_lengthdx * pB_length_tox_by_q_1 + B_lengthdy * pB_length_toy_by_q_1
-            + t273;
-        const double B_length_by_q_1 = t292 * t291;
+            + t292);
+        const double t322 = 1.0 / B_length;
+        const double t323 = B_lengthdx * pB_length_tox_by_q_1 + B_lengthdy * pB_length_toy_by_q_1
+            + t302;
+        const double B_length_by_q_1 = t323 * t322;
         const double B_length_by_q_0 = (pB_length_tox * B_lengthdy - pB_length_toy * B_lengthdx)
-            * t291;
-        const double strand_0_x_by_q73 = layer_0_x_by_q73 - t86;
-        const double strand_0_x = layer_0_x + t87;
-        const double strand_0_y_by_q73 = layer_0_y_by_q73 - t88;
-        const double strand_0_y = 0.007 - layer_0_y + t89;
-        const double strand_0_z_by_q73 = layer_0_z_by_q73 - t90;
-        const double strand_0_z = layer_0_z + t91;
-        const double t293 = strand_0_x * strand_0_x_by_q73 - strand_0_y * strand_0_y_by_q73
-            + strand_0_z * strand_0_z_by_q73;
-        const double t294 = strand_0_x * strand_0_x + strand_0_y * strand_0_y + strand_0_z
-            * strand_0_z;
-        const double length_0 = sinew_sqrt(t294);
-        const double t295 = 1.0 / length_0;
-        const double length_0_by_q73 = t293 * t295;
-        const double strand_0_x_by_q71 = layer_0_x_by_q71 - t91;
-        const double strand_0_z_by_q71 = layer_0_z_by_q71 - t87;
-        const double t296 = strand_0_x * strand_0_x_by_q71 - strand_0_y * layer_0_y_by_q71
-            - strand_0_z * strand_0_z_by_q71;
-        const double length_0_by_q71 = t296 * t295;
-        const double pA_length_tox = t259 + t260;
+            * t322;
+        const double t324 = layer_0_x * layer_0_x_by_q73 - layer_0_y * layer_0_y_by_q73 + layer_0_z
+            * layer_0_z_by_q73;
+        const double length_0 = sinew_sqrt(layer_0_x * layer_0_x + layer_0_y * layer_0_y + layer_0_z
+            * layer_0_z);
+        const double t325 = 1.0 / length_0;
+        const double length_0_by_q73 = t324 * t325;
+        const double t326 = layer_0_x * layer_0_x_by_q71 - layer_0_y * layer_0_y_by_q71 - layer_0_z
+            * layer_0_z_by_q71;
+        const double length_0_by_q71 = t326 * t325;
+        const double pA_length_tox = t288 + t289;
         const double A_lengthdx = 0.002 - pA_length_tox;
-        const double pA_length_toy = t266 + t267;
+        const double pA_length_toy = t295 + t296;
         const double A_lengthdy = 0.03 - pA_length_toy;
         const double A_length = sinew_sqrt(A_lengthdx * A_lengthdx + A_lengthdy * A_lengthdy
-            + t282);
-        const double t297 = 1.0 / A_length;
-        const double t298 = A_lengthdx * pA_length_tox_by_q_1 + A_lengthdy * pA_length_toy_by_q_1
-            - t285;
-        const double A_length_by_q_1 = t298 * t297;
+            + t311);
+        const double t327 = 1.0 / A_length;
+        const double t328 = A_lengthdx * pA_length_tox_by_q_1 + A_lengthdy * pA_length_toy_by_q_1
+            - t314;
+        const double A_length_by_q_1 = t328 * t327;
         const double A_length_by_q_0 = (pA_length_tox * A_lengthdy - pA_length_toy * A_lengthdx)
-            * t297;
+            * t327;
         P[state] = -A_length_by_q_0;
         P[1 * n + state] = -A_length_by_q_1;
         P[2 * n + state] = 0.0;
@@ -2863,72 +2893,65 @@ void hand_joint_torque_batch(int count, const double *SINEW_RESTRICT q,
         const double x_x_by_q71 = t29 + cos_q71 * x_plane_x_by_q71 - t30 + sin_q71 * cos_A_by_q71;
         const double t31 = origin_x_by_q71 + 0.004 * x_x_by_q71;
         const double t32 = 0.01 * z_x_by_q71;
-        const double layer_0_x_by_q71 = t31 + t32;
         const double y_z = sin_q71 * u_e;
         const double t33 = 0.011 * y_z;
-        const double strand_0_x_by_q71 = layer_0_x_by_q71 - t33;
-        const double t34 = cos_q71 * x_plane_x;
-        const double t35 = sin_q71 * cos_A;
-        const double x_x = t34 + t35;
+        const double layer_0_x_by_q71 = t31 + t32 - t33;
+        const double t34 = 0.001 * y_z;
+        const double strand_1_x_by_q71 = layer_0_x_by_q71 + t34;
+        const double t35 = cos_q71 * z_plane_x;
+        const double t36 = sin_q71 * sin_A;
+        const double z_x = t35 - t36;
         const double M_x = cos_q71 * M_e;
-        const double t36 = cos_q71 * z_plane_x;
-        const double t37 = sin_q71 * sin_A;
-        const double z_x = t36 - t37;
-        const double t38 = 0.004 * (1.0 + x_x) - M_x + 0.018 * z_x;
-        const double t39 = 0.01 * z_x;
-        const double layer_0_x = t38 - t39;
+        const double t37 = cos_q71 * x_plane_x;
+        const double t38 = sin_q71 * cos_A;
+        const double x_x = t37 + t38;
+        const double t39 = 0.004 - M_x + 0.018 * z_x + 0.004 * x_x;
+        const double t40 = 0.01 * z_x;
         const double y_x = cos_q71 * u_e;
-        const double t40 = 0.011 * y_x;
-        const double strand_0_x = layer_0_x + t40;
+        const double t41 = 0.011 * y_x;
+        const double layer_0_x = t39 - t40 + t41;
+        const double t42 = 0.001 * y_x;
+        const double strand_1_x = layer_0_x - t42;
         const double z_plane_y_by_q71 = u_e * cos_A_by_q71;
         const double origin_y_by_q71 = 0.018 * z_plane_y_by_q71;
-        const double t41 = 0.004 * u_e;
-        const double t42 = origin_y_by_q71 + t41 * sin_A_by_q71;
-        const double t43 = 0.01 * z_plane_y_by_q71;
-        const double layer_0_y_by_q71 = t42 - t43;
+        const double t43 = origin_y_by_q71 + 0.004 * u_e * sin_A_by_q71;
+        const double t44 = 0.01 * z_plane_y_by_q71;
+        const double layer_0_y_by_q71 = t43 - t44;
         const double z_plane_y = u_e * cos_A;
         const double origin_y = M_y + 0.018 * z_plane_y;
-        const double t44 = origin_y + t41 * sin_A;
-        const double t45 = 0.01 * z_plane_y;
-        const double layer_0_y = t44 - t45;
-        const double t46 = 0.011 * u_y;
-        const double strand_0_y = 0.007 - layer_0_y + t46;
-        const double z_z_by_q71 = t36 + cos_q71 * sin_A_by_q71 - t37 + sin_q71 * z_plane_x_by_q71;
+        const double x_plane_y = u_e * sin_A;
+        const double t45 = 0.004 * x_plane_y;
+        const double t46 = 0.01 * z_plane_y;
+        const double t47 = 0.011 * u_y;
+        const double layer_0_y = 0.007 - origin_y - t45 + t46 + t47;
+        const double strand_1_y = 0.001 + layer_0_y - 0.001 * u_y;
+        const double z_z_by_q71 = t35 + cos_q71 * sin_A_by_q71 - t36 + sin_q71 * z_plane_x_by_q71;
         const double origin_z_by_q71 = M_x - 0.018 * z_z_by_q71;
-        const double x_z_by_q71 = t34 - cos_q71 * cos_A_by_q71 + t35 + sin_q71 * x_plane_x_by_q71;
-        const double t47 = origin_z_by_q71 - 0.004 * x_z_by_q71;
-        const double t48 = 0.01 * z_z_by_q71;
-        const double layer_0_z_by_q71 = t47 + t48;
-        const double strand_0_z_by_q71 = layer_0_z_by_q71 - t40;
+        const double x_z_by_q71 = t37 - cos_q71 * cos_A_by_q71 + t38 + sin_q71 * x_plane_x_by_q71;
+        const double t48 = origin_z_by_q71 - 0.004 * x_z_by_q71;
+        const double t49 = 0.01 * z_z_by_q71;
+        const double layer_0_z_by_q71 = t48 + t49 - t41;
+        const double strand_1_z_by_q71 = layer_0_z_by_q71 + t42;
         const double z_z = t26 + t27;
         const double origin_z = M_z - 0.018 * z_z;
         const double x_z = t29 - t30;
-        const double t49 = 0.004 * x_z;
-        const double t50 = 0.01 * z_z;
-        const double layer_0_z = 0.008 - origin_z - t49 - t50;
-        const double strand_0_z = layer_0_z + t33;
-        const double t51 = strand_0_x * strand_0_x_by_q71 - strand_0_y * layer_0_y_by_q71
-            - strand_0_z * strand_0_z_by_q71;
-        const double t52 = strand_0_x * strand_0_x + strand_0_y * strand_0_y + strand_0_z
-            * strand_0_z;
-        const double length_0 = sinew_sqrt(t52);
-        const double t53 = 1.0 / length_0;
-        const double length_0_by_q71 = t51 * t53;
-        const double t54 = 0.01 * y_z;
-        const double strand_1_x_by_q71 = layer_0_x_by_q71 - t54;
-        const double t55 = 0.01 * y_x;
-        const double strand_1_x = layer_0_x + t55;
-        const double t56 = 0.01 * u_y;
-        const double strand_1_y = 0.008 - layer_0_y + t56;
-        const double strand_1_z_by_q71 = layer_0_z_by_q71 - t55;
-        const double strand_1_z = layer_0_z + t54;
-        const double t57 = strand_1_x * strand_1_x_by_q71 - strand_1_y * layer_0_y_by_q71
+        const double t50 = 0.004 * x_z;
+        const double t51 = 0.01 * z_z;
+        const double layer_0_z = 0.008 - origin_z - t50 - t51 + t33;
+        const double strand_1_z = layer_0_z - t34;
+        const double t52 = strand_1_x * strand_1_x_by_q71 - strand_1_y * layer_0_y_by_q71
             - strand_1_z * strand_1_z_by_q71;
-        const double t58 = strand_1_x * strand_1_x + strand_1_y * strand_1_y + strand_1_z
+        const double t53 = strand_1_x * strand_1_x + strand_1_y * strand_1_y + strand_1_z
             * strand_1_z;
-        const double length_1 = sinew_sqrt(t58);
-        const double t59 = 1.0 / length_1;
-        const double length_1_by_q71 = t57 * t59;
+        const double length_1 = sinew_sqrt(t53);
+        const double t54 = 1.0 / length_1;
+        const double length_1_by_q71 = t52 * t54;
+        const double t55 = layer_0_x * layer_0_x_by_q71 - layer_0_y * layer_0_y_by_q71 - layer_0_z
+            * layer_0_z_by_q71;
+        const double length_0 = sinew_sqrt(layer_0_x * layer_0_x + layer_0_y * layer_0_y + layer_0_z
+            * layer_0_z);
+        const double t56 = 1.0 / length_0;
+        const double length_0_by_q71 = t55 * t56;
         const double B_to_C0_squared_by_q73 = 0.084 * B_e;
         const double ratio_by_q73 = ratio * B_to_C0_squared_by_q73 * t1;
         const double C_y_by_q73 = C_e - 0.002 * ratio_by_q73 * t2;
@@ -2950,947 +2973,983 @@ void hand_joint_torque_batch(int count, const double *SINEW_RESTRICT q,
         const double clearance_by_q73 = sinew_choose(t22, t19 * reach_by_q73 - t18 * limited_by_q73,
             1e-12 * reach_squared_by_q73);
         const double root_by_q73 = 0.5 * clearance_by_q73 * t23;
-        const double t60 = p_y * limited_by_q73 + p_z * root_by_q73 + limited * p_y_by_q73 - cos_A
+        const double t57 = p_y * limited_by_q73 + p_z * root_by_q73 + limited * p_y_by_q73 - cos_A
             * reach_squared_by_q73;
-        const double cos_A_by_q73 = t60 * t25;
+        const double cos_A_by_q73 = t57 * t25;
         const double z_plane_x_by_q73 = u_y * cos_A_by_q73 - cos_A * u_y_by_q73;
-        const double t61 = p_y * root_by_q73 - p_z * limited_by_q73 + root * p_y_by_q73 - sin_A
+        const double t58 = p_y * root_by_q73 - p_z * limited_by_q73 + root * p_y_by_q73 - sin_A
             * reach_squared_by_q73;
-        const double sin_A_by_q73 = t61 * t25;
+        const double sin_A_by_q73 = t58 * t25;
         const double z_x_by_q73 = cos_q71 * z_plane_x_by_q73 - sin_q71 * sin_A_by_q73;
         const double M_x_by_q73 = cos_q71 * M_e_by_q73;
         const double origin_x_by_q73 = M_x_by_q73 - 0.018 * z_x_by_q73;
         const double x_plane_x_by_q73 = u_y * sin_A_by_q73 - sin_A * u_y_by_q73;
         const double x_x_by_q73 = cos_q71 * x_plane_x_by_q73 + sin_q71 * cos_A_by_q73;
-        const double t62 = origin_x_by_q73 - 0.004 * x_x_by_q73;
-        const double t63 = 0.01 * z_x_by_q73;
-        const double layer_0_x_by_q73 = t62 + t63;
+        const double t59 = origin_x_by_q73 - 0.004 * x_x_by_q73;
+        const double t60 = 0.01 * z_x_by_q73;
         const double y_x_by_q73 = cos_q71 * u_e_by_q73;
-        const double t64 = 0.011 * y_x_by_q73;
-        const double strand_0_x_by_q73 = layer_0_x_by_q73 - t64;
+        const double t61 = 0.011 * y_x_by_q73;
+        const double layer_0_x_by_q73 = t59 + t60 - t61;
+        const double strand_1_x_by_q73 = layer_0_x_by_q73 + 0.001 * y_x_by_q73;
         const double x_plane_y_by_q73 = u_e * sin_A_by_q73 + sin_A * u_e_by_q73;
         const double z_plane_y_by_q73 = u_e * cos_A_by_q73 + cos_A * u_e_by_q73;
         const double origin_y_by_q73 = M_y_by_q73 - 0.018 * z_plane_y_by_q73;
-        const double t65 = origin_y_by_q73 - 0.004 * x_plane_y_by_q73;
-        const double t66 = 0.01 * z_plane_y_by_q73;
-        const double layer_0_y_by_q73 = t65 + t66;
-        const double t67 = 0.011 * u_y_by_q73;
-        const double strand_0_y_by_q73 = layer_0_y_by_q73 - t67;
+        const double t62 = origin_y_by_q73 - 0.004 * x_plane_y_by_q73;
+        const double t63 = 0.01 * z_plane_y_by_q73;
+        const double t64 = 0.011 * u_y_by_q73;
+        const double layer_0_y_by_q73 = t62 + t63 - t64;
+        const double strand_1_y_by_q73 = layer_0_y_by_q73 + 0.001 * u_y_by_q73;
         const double z_z_by_q73 = cos_q71 * sin_A_by_q73 + sin_q71 * z_plane_x_by_q73;
         const double M_z_by_q73 = sin_q71 * M_e_by_q73;
         const double origin_z_by_q73 = M_z_by_q73 - 0.018 * z_z_by_q73;
         const double x_z_by_q73 = cos_q71 * cos_A_by_q73 - sin_q71 * x_plane_x_by_q73;
-        const double t68 = origin_z_by_q73 + 0.004 * x_z_by_q73;
-        const double t69 = 0.01 * z_z_by_q73;
-        const double layer_0_z_by_q73 = t68 + t69;
+        const double t65 = origin_z_by_q73 + 0.004 * x_z_by_q73;
+        const double t66 = 0.01 * z_z_by_q73;
         const double y_z_by_q73 = sin_q71 * u_e_by_q73;
-        const double t70 = 0.011 * y_z_by_q73;
-        const double strand_0_z_by_q73 = layer_0_z_by_q73 - t70;
-        const double t71 = strand_0_x * strand_0_x_by_q73 - strand_0_y * strand_0_y_by_q73
-            + strand_0_z * strand_0_z_by_q73;
-        const double length_0_by_q73 = t71 * t53;
-        const double t72 = 0.01 * y_x_by_q73;
-        const double strand_1_x_by_q73 = layer_0_x_by_q73 - t72;
-        const double t73 = 0.01 * u_y_by_q73;
-        const double strand_1_y_by_q73 = layer_0_y_by_q73 - t73;
-        const double t74 = 0.01 * y_z_by_q73;
-        const double strand_1_z_by_q73 = layer_0_z_by_q73 - t74;
-        const double t75 = strand_1_x * strand_1_x_by_q73 - strand_1_y * strand_1_y_by_q73
+        const double t67 = 0.011 * y_z_by_q73;
+        const double layer_0_z_by_q73 = t65 + t66 - t67;
+        const double strand_1_z_by_q73 = layer_0_z_by_q73 + 0.001 * y_z_by_q73;
+        const double t68 = strand_1_x * strand_1_x_by_q73 - strand_1_y * strand_1_y_by_q73
             + strand_1_z * strand_1_z_by_q73;
-        const double length_1_by_q73 = t75 * t59;
-        const double t76 = 0.008 * y_z;
-        const double strand_2_x_by_q71 = layer_0_x_by_q71 - t76;
-        const double t77 = 0.008 * y_x;
-        const double strand_2_x = layer_0_x + t77;
-        const double t78 = 0.008 * u_y;
-        const double strand_2_y = 0.01 - layer_0_y + t78;
-        const double strand_2_z_by_q71 = layer_0_z_by_q71 - t77;
-        const double strand_2_z = layer_0_z + t76;
-        const double t79 = strand_2_x * strand_2_x_by_q71 - strand_2_y * layer_0_y_by_q71
+        const double length_1_by_q73 = t68 * t54;
+        const double t69 = layer_0_x * layer_0_x_by_q73 - layer_0_y * layer_0_y_by_q73 + layer_0_z
+            * layer_0_z_by_q73;
+        const double length_0_by_q73 = t69 * t56;
+        const double t70 = 0.003 * y_z;
+        const double strand_2_x_by_q71 = layer_0_x_by_q71 + t70;
+        const double t71 = 0.003 * y_x;
+        const double strand_2_x = layer_0_x - t71;
+        const double t72 = 0.003 * u_y;
+        const double strand_2_y = 0.003 + layer_0_y - t72;
+        const double strand_2_z_by_q71 = layer_0_z_by_q71 + t71;
+        const double strand_2_z = layer_0_z - t70;
+        const double t73 = strand_2_x * strand_2_x_by_q71 - strand_2_y * layer_0_y_by_q71
             - strand_2_z * strand_2_z_by_q71;
-        const double t80 = strand_2_x * strand_2_x + strand_2_y * strand_2_y + strand_2_z
+        const double t74 = strand_2_x * strand_2_x + strand_2_y * strand_2_y + strand_2_z
             * strand_2_z;
-        const double length_2 = sinew_sqrt(t80);
-        const double t81 = 1.0 / length_2;
-        const double length_2_by_q71 = t79 * t81;
-        const double t82 = f[state] * length_0_by_q71 + f[1 * n + state] * length_1_by_q71 + f[2 * n
+        const double length_2 = sinew_sqrt(t74);
+        const double t75 = 1.0 / length_2;
+        const double length_2_by_q71 = t73 * t75;
+        const double t76 = f[state] * length_0_by_q71 + f[1 * n + state] * length_1_by_q71 + f[2 * n
             + state] * length_2_by_q71;
-        const double t83 = 0.008 * y_x_by_q73;
-        const double strand_2_x_by_q73 = layer_0_x_by_q73 - t83;
-        const double t84 = 0.008 * u_y_by_q73;
-        const double strand_2_y_by_q73 = layer_0_y_by_q73 - t84;
-        const double t85 = 0.008 * y_z_by_q73;
-        const double strand_2_z_by_q73 = layer_0_z_by_q73 - t85;
-        const double t86 = strand_2_x * strand_2_x_by_q73 - strand_2_y * strand_2_y_by_q73
+        const double t77 = 0.003 * y_x_by_q73;
+        const double strand_2_x_by_q73 = layer_0_x_by_q73 + t77;
+        const double t78 = 0.003 * u_y_by_q73;
+        const double strand_2_y_by_q73 = layer_0_y_by_q73 + t78;
+        const double t79 = 0.003 * y_z_by_q73;
+        const double strand_2_z_by_q73 = layer_0_z_by_q73 + t79;
+        const double t80 = strand_2_x * strand_2_x_by_q73 - strand_2_y * strand_2_y_by_q73
             + strand_2_z * strand_2_z_by_q73;
-        const double length_2_by_q73 = t86 * t81;
-        const double t87 = f[state] * length_0_by_q73 + f[1 * n + state] * length_1_by_q73 + f[2 * n
+        const double length_2_by_q73 = t80 * t75;
+        const double t81 = f[state] * length_0_by_q73 + f[1 * n + state] * length_1_by_q73 + f[2 * n
             + state] * length_2_by_q73;
-        const double t88 = 0.006 * y_z;
-        const double strand_3_x_by_q71 = layer_0_x_by_q71 - t88;
-        const double t89 = 0.006 * y_x;
-        const double strand_3_x = layer_0_x + t89;
-        const double t90 = 0.006 * u_y;
-        const double strand_3_y = 0.011 - layer_0_y + t90;
-        const double strand_3_z_by_q71 = layer_0_z_by_q71 - t89;
-        const double strand_3_z = layer_0_z + t88;
-        const double t91 = strand_3_x * strand_3_x_by_q71 - strand_3_y * layer_0_y_by_q71
+        const double t82 = 0.005 * y_z;
+        const double strand_3_x_by_q71 = layer_0_x_by_q71 + t82;
+        const double t83 = 0.005 * y_x;
+        const double strand_3_x = layer_0_x - t83;
+        const double t84 = 0.005 * u_y;
+        const double strand_3_y = 0.004 + layer_0_y - t84;
+        const double strand_3_z_by_q71 = layer_0_z_by_q71 + t83;
+        const double strand_3_z = layer_0_z - t82;
+        const double t85 = strand_3_x * strand_3_x_by_q71 - strand_3_y * layer_0_y_by_q71
             - strand_3_z * strand_3_z_by_q71;
-        const double t92 = strand_3_x * strand_3_x + strand_3_y * strand_3_y + strand_3_z
+        const double t86 = strand_3_x * strand_3_x + strand_3_y * strand_3_y + strand_3_z
             * strand_3_z;
-        const double length_3 = sinew_sqrt(t92);
-        const double t93 = 1.0 / length_3;
-        const double length_3_by_q71 = t91 * t93;
-        const double t94 = 0.006 * y_x_by_q73;
-        const double strand_3_x_by_q73 = layer_0_x_by_q73 - t94;
-        const double t95 = 0.006 * u_y_by_q73;
-        const double strand_3_y_by_q73 = layer_0_y_by_q73 - t95;
-        const double t96 = 0.006 * y_z_by_q73;
-        const double strand_3_z_by_q73 = layer_0_z_by_q73 - t96;
-        const double t97 = strand_3_x * strand_3_x_by_q73 - strand_3_y * strand_3_y_by_q73
+        const double length_3 = sinew_sqrt(t86);
+        const double t87 = 1.0 / length_3;
+        const double length_3_by_q71 = t85 * t87;
+        const double t88 = 0.005 * y_x_by_q73;
+        const double strand_3_x_by_q73 = layer_0_x_by_q73 + t88;
+        const double t89 = 0.005 * u_y_by_q73;
+        const double strand_3_y_by_q73 = layer_0_y_by_q73 + t89;
+        const double t90 = 0.005 * y_z_by_q73;
+        const double strand_3_z_by_q73 = layer_0_z_by_q73 + t90;
+        const double t91 = strand_3_x * strand_3_x_by_q73 - strand_3_y * strand_3_y_by_q73
             + strand_3_z * strand_3_z_by_q73;
-        const double length_3_by_q73 = t97 * t93;
-        const double t98 = 0.005 * y_z;
-        const double strand_4_x_by_q71 = layer_0_x_by_q71 - t98;
-        const double t99 = 0.005 * y_x;
-        const double strand_4_x = layer_0_x + t99;
-        const double t100 = 0.005 * u_y;
-        const double strand_4_y = 0.013 - layer_0_y + t100;
-        const double strand_4_z_by_q71 = layer_0_z_by_q71 - t99;
-        const double strand_4_z = layer_0_z + t98;
-        const double t101 = strand_4_x * strand_4_x_by_q71 - strand_4_y * layer_0_y_by_q71
+        const double length_3_by_q73 = t91 * t87;
+        const double t92 = 0.006 * y_z;
+        const double strand_4_x_by_q71 = layer_0_x_by_q71 + t92;
+        const double t93 = 0.006 * y_x;
+        const double strand_4_x = layer_0_x - t93;
+        const double strand_4_y = 0.006 + layer_0_y - 0.006 * u_y;
+        const double strand_4_z_by_q71 = layer_0_z_by_q71 + t93;
+        const double strand_4_z = layer_0_z - t92;
+        const double t94 = strand_4_x * strand_4_x_by_q71 - strand_4_y * layer_0_y_by_q71
             - strand_4_z * strand_4_z_by_q71;
-        const double t102 = strand_4_x * strand_4_x + strand_4_y * strand_4_y + strand_4_z
+        const double t95 = strand_4_x * strand_4_x + strand_4_y * strand_4_y + strand_4_z
             * strand_4_z;
-        const double length_4 = sinew_sqrt(t102);
-        const double t103 = 1.0 / length_4;
-        const double length_4_by_q71 = t101 * t103;
-        const double t104 = t82 + f[3 * n + state] * length_3_by_q71 + f[4 * n + state]
+        const double length_4 = sinew_sqrt(t95);
+        const double t96 = 1.0 / length_4;
+        const double length_4_by_q71 = t94 * t96;
+        const double t97 = t76 + f[3 * n + state] * length_3_by_q71 + f[4 * n + state]
             * length_4_by_q71;
-        const double t105 = 0.005 * y_x_by_q73;
-        const double strand_4_x_by_q73 = layer_0_x_by_q73 - t105;
-        const double t106 = 0.005 * u_y_by_q73;
-        const double strand_4_y_by_q73 = layer_0_y_by_q73 - t106;
-        const double t107 = 0.005 * y_z_by_q73;
-        const double strand_4_z_by_q73 = layer_0_z_by_q73 - t107;
-        const double t108 = strand_4_x * strand_4_x_by_q73 - strand_4_y * strand_4_y_by_q73
+        const double strand_4_x_by_q73 = layer_0_x_by_q73 + 0.006 * y_x_by_q73;
+        const double strand_4_y_by_q73 = layer_0_y_by_q73 + 0.006 * u_y_by_q73;
+        const double strand_4_z_by_q73 = layer_0_z_by_q73 + 0.006 * y_z_by_q73;
+        const double t98 = strand_4_x * strand_4_x_by_q73 - strand_4_y * strand_4_y_by_q73
             + strand_4_z * strand_4_z_by_q73;
-        const double length_4_by_q73 = t108 * t103;
-        const double t109 = t87 + f[3 * n + state] * length_3_by_q73 + f[4 * n + state]
+        const double length_4_by_q73 = t98 * t96;
+        const double t99 = t81 + f[3 * n + state] * length_3_by_q73 + f[4 * n + state]
             * length_4_by_q73;
-        const double t110 = 0.003 * y_z;
-        const double strand_5_x_by_q71 = layer_0_x_by_q71 - t110;
-        const double t111 = 0.003 * y_x;
-        const double strand_5_x = layer_0_x + t111;
-        const double t112 = 0.003 * u_y;
-        const double strand_5_y = 0.015 - layer_0_y + t112;
-        const double strand_5_z_by_q71 = layer_0_z_by_q71 - t111;
-        const double strand_5_z = layer_0_z + t110;
-        const double t113 = strand_5_x * strand_5_x_by_q71 - strand_5_y * layer_0_y_by_q71
+        const double t100 = 0.008 * y_z;
+        const double strand_5_x_by_q71 = layer_0_x_by_q71 + t100;
+        const double t101 = 0.008 * y_x;
+        const double strand_5_x = layer_0_x - t101;
+        const double t102 = 0.008 * u_y;
+        const double strand_5_y = 0.008 + layer_0_y - t102;
+        const double strand_5_z_by_q71 = layer_0_z_by_q71 + t101;
+        const double strand_5_z = layer_0_z - t100;
+        const double t103 = strand_5_x * strand_5_x_by_q71 - strand_5_y * layer_0_y_by_q71
             - strand_5_z * strand_5_z_by_q71;
-        const double t114 = strand_5_x * strand_5_x + strand_5_y * strand_5_y + strand_5_z
+        const double t104 = strand_5_x * strand_5_x + strand_5_y * strand_5_y + strand_5_z
             * strand_5_z;
-        const double length_5 = sinew_sqrt(t114);
-        const double t115 = 1.0 / length_5;
-        const double length_5_by_q71 = t113 * t115;
-        const double t116 = 0.003 * y_x_by_q73;
-        const double strand_5_x_by_q73 = layer_0_x_by_q73 - t116;
-        const double t117 = 0.003 * u_y_by_q73;
-        const double strand_5_y_by_q73 = layer_0_y_by_q73 - t117;
-        const double t118 = 0.003 * y_z_by_q73;
-        const double strand_5_z_by_q73 = layer_0_z_by_q73 - t118;
-        const double t119 = strand_5_x * strand_5_x_by_q73 - strand_5_y * strand_5_y_by_q73
+        const double length_5 = sinew_sqrt(t104);
+        const double t105 = 1.0 / length_5;
+        const double length_5_by_q71 = t103 * t105;
+        const double t106 = 0.008 * y_x_by_q73;
+        const double strand_5_x_by_q73 = layer_0_x_by_q73 + t106;
+        const double t107 = 0.008 * u_y_by_q73;
+        const double strand_5_y_by_q73 = layer_0_y_by_q73 + t107;
+        const double t108 = 0.008 * y_z_by_q73;
+        const double strand_5_z_by_q73 = layer_0_z_by_q73 + t108;
+        const double t109 = strand_5_x * strand_5_x_by_q73 - strand_5_y * strand_5_y_by_q73
             + strand_5_z * strand_5_z_by_q73;
-        const double length_5_by_q73 = t119 * t115;
-        const double t120 = 0.002 * y_z;
-        const double strand_6_x_by_q71 = layer_0_x_by_q71 - t120;
-        const double t121 = 0.002 * y_x;
-        const double strand_6_x = layer_0_x + t121;
-        const double t122 = 0.002 * u_y;
-        const double strand_6_y = 0.016 - layer_0_y + t122;
-        const double strand_6_z_by_q71 = layer_0_z_by_q71 - t121;
-        const double strand_6_z = layer_0_z + t120;
-        const double t123 = strand_6_x * strand_6_x_by_q71 - strand_6_y * layer_0_y_by_q71
+        const double length_5_by_q73 = t109 * t105;
+        const double t110 = 0.009 * y_z;
+        const double strand_6_x_by_q71 = layer_0_x_by_q71 + t110;
+        const double t111 = 0.009 * y_x;
+        const double strand_6_x = layer_0_x - t111;
+        const double strand_6_y = 0.009 + layer_0_y - 0.009 * u_y;
+        const double strand_6_z_by_q71 = layer_0_z_by_q71 + t111;
+        const double strand_6_z = layer_0_z - t110;
+        const double t112 = strand_6_x * strand_6_x_by_q71 - strand_6_y * layer_0_y_by_q71
             - strand_6_z * strand_6_z_by_q71;
-        const double t124 = strand_6_x * strand_6_x + strand_6_y * strand_6_y + strand_6_z
+        const double t113 = strand_6_x * strand_6_x + strand_6_y * strand_6_y + strand_6_z
             * strand_6_z;
-        const double length_6 = sinew_sqrt(t124);
-        const double t125 = 1.0 / length_6;
-        const double length_6_by_q71 = t123 * t125;
-        const double t126 = t104 + f[5 * n + state] * length_5_by_q71 + f[6 * n + state]
+        const double length_6 = sinew_sqrt(t113);
+        const double t114 = 1.0 / length_6;
+        const double length_6_by_q71 = t112 * t114;
+        const double t115 = t97 + f[5 * n + state] * length_5_by_q71 + f[6 * n + state]
             * length_6_by_q71;
-        const double t127 = 0.002 * y_x_by_q73;
-        const double strand_6_x_by_q73 = layer_0_x_by_q73 - t127;
-        const double t128 = 0.002 * u_y_by_q73;
-        const double strand_6_y_by_q73 = layer_0_y_by_q73 - t128;
-        const double t129 = 0.002 * y_z_by_q73;
-        const double strand_6_z_by_q73 = layer_0_z_by_q73 - t129;
-        const double t130 = strand_6_x * strand_6_x_by_q73 - strand_6_y * strand_6_y_by_q73
+        const double strand_6_x_by_q73 = layer_0_x_by_q73 + 0.009 * y_x_by_q73;
+        const double strand_6_y_by_q73 = layer_0_y_by_q73 + 0.009 * u_y_by_q73;
+        const double strand_6_z_by_q73 = layer_0_z_by_q73 + 0.009 * y_z_by_q73;
+        const double t116 = strand_6_x * strand_6_x_by_q73 - strand_6_y * strand_6_y_by_q73
             + strand_6_z * strand_6_z_by_q73;
-        const double length_6_by_q73 = t130 * t125;
-        const double t131 = t109 + f[5 * n + state] * length_5_by_q73 + f[6 * n + state]
+        const double length_6_by_q73 = t116 * t114;
+        const double t117 = t99 + f[5 * n + state] * length_5_by_q73 + f[6 * n + state]
             * length_6_by_q73;
-        const double strand_7_y = 0.018 - layer_0_y;
-        const double t132 = layer_0_x * layer_0_x_by_q71 - layer_0_z * layer_0_z_by_q71 - strand_7_y
-            * layer_0_y_by_q71;
-        const double length_7 = sinew_sqrt(layer_0_x * layer_0_x + layer_0_z * layer_0_z
-            + strand_7_y * strand_7_y);
-        const double t133 = 1.0 / length_7;
-        const double length_7_by_q71 = t132 * t133;
-        const double t134 = layer_0_x * layer_0_x_by_q73 + layer_0_z * layer_0_z_by_q73 - strand_7_y
-            * layer_0_y_by_q73;
-        const double length_7_by_q73 = t134 * t133;
-        const double t135 = f[4 * n + state] - f[5 * n + state] - f[6 * n + state] + f[7 * n
+        const double strand_7_x_by_q71 = layer_0_x_by_q71 + t33;
+        const double strand_7_x = layer_0_x - t41;
+        const double strand_7_y = 0.011 + layer_0_y - t47;
+        const double strand_7_z_by_q71 = layer_0_z_by_q71 + t41;
+        const double strand_7_z = layer_0_z - t33;
+        const double t118 = strand_7_x * strand_7_x_by_q71 - strand_7_y * layer_0_y_by_q71
+            - strand_7_z * strand_7_z_by_q71;
+        const double t119 = strand_7_x * strand_7_x + strand_7_y * strand_7_y + strand_7_z
+            * strand_7_z;
+        const double length_7 = sinew_sqrt(t119);
+        const double t120 = 1.0 / length_7;
+        const double length_7_by_q71 = t118 * t120;
+        const double strand_7_x_by_q73 = layer_0_x_by_q73 + t61;
+        const double strand_7_y_by_q73 = layer_0_y_by_q73 + t64;
+        const double strand_7_z_by_q73 = layer_0_z_by_q73 + t67;
+        const double t121 = strand_7_x * strand_7_x_by_q73 - strand_7_y * strand_7_y_by_q73
+            + strand_7_z * strand_7_z_by_q73;
+        const double length_7_by_q73 = t121 * t120;
+        const double t122 = f[4 * n + state] - f[5 * n + state] - f[6 * n + state] + f[7 * n
             + state];
-        const double strand_8_x_by_q71 = layer_0_x_by_q71 + t120;
-        const double strand_8_x = layer_0_x - t121;
-        const double strand_8_y = 0.019 - layer_0_y - t122;
-        const double strand_8_z_by_q71 = layer_0_z_by_q71 + t121;
-        const double strand_8_z = layer_0_z - t120;
-        const double t136 = strand_8_x * strand_8_x_by_q71 - strand_8_y * layer_0_y_by_q71
+        const double t123 = 0.013 * y_z;
+        const double strand_8_x_by_q71 = layer_0_x_by_q71 + t123;
+        const double t124 = 0.013 * y_x;
+        const double strand_8_x = layer_0_x - t124;
+        const double t125 = 0.013 * u_y;
+        const double strand_8_y = 0.012 + layer_0_y - t125;
+        const double strand_8_z_by_q71 = layer_0_z_by_q71 + t124;
+        const double strand_8_z = layer_0_z - t123;
+        const double t126 = strand_8_x * strand_8_x_by_q71 - strand_8_y * layer_0_y_by_q71
             - strand_8_z * strand_8_z_by_q71;
-        const double t137 = strand_8_x * strand_8_x + strand_8_y * strand_8_y + strand_8_z
+        const double t127 = strand_8_x * strand_8_x + strand_8_y * strand_8_y + strand_8_z
             * strand_8_z;
-        const double length_8 = sinew_sqrt(t137);
-        const double t138 = 1.0 / length_8;
-        const double length_8_by_q71 = t136 * t138;
-        const double t139 = t126 + f[7 * n + state] * length_7_by_q71 + f[8 * n + state]
+        const double length_8 = sinew_sqrt(t127);
+        const double t128 = 1.0 / length_8;
+        const double length_8_by_q71 = t126 * t128;
+        const double t129 = t115 + f[7 * n + state] * length_7_by_q71 + f[8 * n + state]
             * length_8_by_q71;
-        const double strand_8_x_by_q73 = layer_0_x_by_q73 + t127;
-        const double strand_8_y_by_q73 = layer_0_y_by_q73 + t128;
-        const double strand_8_z_by_q73 = layer_0_z_by_q73 + t129;
-        const double t140 = strand_8_x * strand_8_x_by_q73 - strand_8_y * strand_8_y_by_q73
+        const double t130 = 0.013 * y_x_by_q73;
+        const double strand_8_x_by_q73 = layer_0_x_by_q73 + t130;
+        const double t131 = 0.013 * u_y_by_q73;
+        const double strand_8_y_by_q73 = layer_0_y_by_q73 + t131;
+        const double t132 = 0.013 * y_z_by_q73;
+        const double strand_8_z_by_q73 = layer_0_z_by_q73 + t132;
+        const double t133 = strand_8_x * strand_8_x_by_q73 - strand_8_y * strand_8_y_by_q73
             + strand_8_z * strand_8_z_by_q73;
-        const double length_8_by_q73 = t140 * t138;
-        const double t141 = t131 + f[7 * n + state] * length_7_by_q73 + f[8 * n + state]
+        const double length_8_by_q73 = t133 * t128;
+        const double t134 = t117 + f[7 * n + state] * length_7_by_q73 + f[8 * n + state]
             * length_8_by_q73;
-        const double t142 = 0.0065 * f[8 * n + state];
-        const double strand_9_x_by_q71 = layer_0_x_by_q71 + t110;
-        const double strand_9_x = layer_0_x - t111;
-        const double strand_9_y = 0.021 - layer_0_y - t112;
-        const double strand_9_z_by_q71 = layer_0_z_by_q71 + t111;
-        const double strand_9_z = layer_0_z - t110;
-        const double t143 = strand_9_x * strand_9_x_by_q71 - strand_9_y * layer_0_y_by_q71
+        const double t135 = 0.0065 * f[8 * n + state];
+        const double t136 = 0.014 * y_z;
+        const double strand_9_x_by_q71 = layer_0_x_by_q71 + t136;
+        const double t137 = 0.014 * y_x;
+        const double strand_9_x = layer_0_x - t137;
+        const double strand_9_y = 0.014 + layer_0_y - 0.014 * u_y;
+        const double strand_9_z_by_q71 = layer_0_z_by_q71 + t137;
+        const double strand_9_z = layer_0_z - t136;
+        const double t138 = strand_9_x * strand_9_x_by_q71 - strand_9_y * layer_0_y_by_q71
             - strand_9_z * strand_9_z_by_q71;
-        const double t144 = strand_9_x * strand_9_x + strand_9_y * strand_9_y + strand_9_z
+        const double t139 = strand_9_x * strand_9_x + strand_9_y * strand_9_y + strand_9_z
             * strand_9_z;
-        const double length_9 = sinew_sqrt(t144);
-        const double t145 = 1.0 / length_9;
-        const double length_9_by_q71 = t143 * t145;
-        const double strand_9_x_by_q73 = layer_0_x_by_q73 + t116;
-        const double strand_9_y_by_q73 = layer_0_y_by_q73 + t117;
-        const double strand_9_z_by_q73 = layer_0_z_by_q73 + t118;
-        const double t146 = strand_9_x * strand_9_x_by_q73 - strand_9_y * strand_9_y_by_q73
+        const double length_9 = sinew_sqrt(t139);
+        const double t140 = 1.0 / length_9;
+        const double length_9_by_q71 = t138 * t140;
+        const double strand_9_x_by_q73 = layer_0_x_by_q73 + 0.014 * y_x_by_q73;
+        const double strand_9_y_by_q73 = layer_0_y_by_q73 + 0.014 * u_y_by_q73;
+        const double strand_9_z_by_q73 = layer_0_z_by_q73 + 0.014 * y_z_by_q73;
+        const double t141 = strand_9_x * strand_9_x_by_q73 - strand_9_y * strand_9_y_by_q73
             + strand_9_z * strand_9_z_by_q73;
-        const double length_9_by_q73 = t146 * t145;
-        const double t147 = 0.0065 * f[9 * n + state];
-        const double strand_10_x_by_q71 = layer_0_x_by_q71 + t98;
-        const double strand_10_x = layer_0_x - t99;
-        const double strand_10_y = 0.023 - layer_0_y - t100;
-        const double strand_10_z_by_q71 = layer_0_z_by_q71 + t99;
-        const double strand_10_z = layer_0_z - t98;
-        const double t148 = strand_10_x * strand_10_x_by_q71 - strand_10_y * layer_0_y_by_q71
+        const double length_9_by_q73 = t141 * t140;
+        const double t142 = 0.0065 * f[9 * n + state];
+        const double t143 = 0.016 * y_z;
+        const double strand_10_x_by_q71 = layer_0_x_by_q71 + t143;
+        const double t144 = 0.016 * y_x;
+        const double strand_10_x = layer_0_x - t144;
+        const double t145 = 0.016 * u_y;
+        const double strand_10_y = 0.016 + layer_0_y - t145;
+        const double strand_10_z_by_q71 = layer_0_z_by_q71 + t144;
+        const double strand_10_z = layer_0_z - t143;
+        const double t146 = strand_10_x * strand_10_x_by_q71 - strand_10_y * layer_0_y_by_q71
             - strand_10_z * strand_10_z_by_q71;
-        const double t149 = strand_10_x * strand_10_x + strand_10_y * strand_10_y + strand_10_z
+        const double t147 = strand_10_x * strand_10_x + strand_10_y * strand_10_y + strand_10_z
             * strand_10_z;
-        const double length_10 = sinew_sqrt(t149);
-        const double t150 = 1.0 / length_10;
-        const double length_10_by_q71 = t148 * t150;
-        const double t151 = t139 + f[9 * n + state] * length_9_by_q71 + f[10 * n + state]
+        const double length_10 = sinew_sqrt(t147);
+        const double t148 = 1.0 / length_10;
+        const double length_10_by_q71 = t146 * t148;
+        const double t149 = t129 + f[9 * n + state] * length_9_by_q71 + f[10 * n + state]
             * length_10_by_q71;
-        const double strand_10_x_by_q73 = layer_0_x_by_q73 + t105;
-        const double strand_10_y_by_q73 = layer_0_y_by_q73 + t106;
-        const double strand_10_z_by_q73 = layer_0_z_by_q73 + t107;
-        const double t152 = strand_10_x * strand_10_x_by_q73 - strand_10_y * strand_10_y_by_q73
+        const double t150 = 0.016 * y_x_by_q73;
+        const double strand_10_x_by_q73 = layer_0_x_by_q73 + t150;
+        const double t151 = 0.016 * u_y_by_q73;
+        const double strand_10_y_by_q73 = layer_0_y_by_q73 + t151;
+        const double t152 = 0.016 * y_z_by_q73;
+        const double strand_10_z_by_q73 = layer_0_z_by_q73 + t152;
+        const double t153 = strand_10_x * strand_10_x_by_q73 - strand_10_y * strand_10_y_by_q73
             + strand_10_z * strand_10_z_by_q73;
-        const double length_10_by_q73 = t152 * t150;
-        const double t153 = t141 + f[9 * n + state] * length_9_by_q73 + f[10 * n + state]
+        const double length_10_by_q73 = t153 * t148;
+        const double t154 = t134 + f[9 * n + state] * length_9_by_q73 + f[10 * n + state]
             * length_10_by_q73;
-        const double t154 = 0.0065 * f[10 * n + state];
-        const double strand_11_x_by_q71 = layer_0_x_by_q71 + t88;
-        const double strand_11_x = layer_0_x - t89;
-        const double strand_11_y = 0.024 - layer_0_y - t90;
-        const double strand_11_z_by_q71 = layer_0_z_by_q71 + t89;
-        const double strand_11_z = layer_0_z - t88;
-        const double t155 = strand_11_x * strand_11_x_by_q71 - strand_11_y * layer_0_y_by_q71
+        const double t155 = 0.0065 * f[10 * n + state];
+        const double t156 = 0.017 * y_z;
+        const double strand_11_x_by_q71 = layer_0_x_by_q71 + t156;
+        const double t157 = 0.017 * y_x;
+        const double strand_11_x = layer_0_x - t157;
+        const double strand_11_y = 0.017 + layer_0_y - 0.017 * u_y;
+        const double strand_11_z_by_q71 = layer_0_z_by_q71 + t157;
+        const double strand_11_z = layer_0_z - t156;
+        const double t158 = strand_11_x * strand_11_x_by_q71 - strand_11_y * layer_0_y_by_q71
             - strand_11_z * strand_11_z_by_q71;
-        const double t156 = strand_11_x * strand_11_x + strand_11_y * strand_11_y + strand_11_z
+        const double t159 = strand_11_x * strand_11_x + strand_11_y * strand_11_y + strand_11_z
             * strand_11_z;
-        const double length_11 = sinew_sqrt(t156);
-        const double t157 = 1.0 / length_11;
-        const double length_11_by_q71 = t155 * t157;
-        const double strand_11_x_by_q73 = layer_0_x_by_q73 + t94;
-        const double strand_11_y_by_q73 = layer_0_y_by_q73 + t95;
-        const double strand_11_z_by_q73 = layer_0_z_by_q73 + t96;
-        const double t158 = strand_11_x * strand_11_x_by_q73 - strand_11_y * strand_11_y_by_q73
+        const double length_11 = sinew_sqrt(t159);
+        const double t160 = 1.0 / length_11;
+        const double length_11_by_q71 = t158 * t160;
+        const double strand_11_x_by_q73 = layer_0_x_by_q73 + 0.017 * y_x_by_q73;
+        const double strand_11_y_by_q73 = layer_0_y_by_q73 + 0.017 * u_y_by_q73;
+        const double strand_11_z_by_q73 = layer_0_z_by_q73 + 0.017 * y_z_by_q73;
+        const double t161 = strand_11_x * strand_11_x_by_q73 - strand_11_y * strand_11_y_by_q73
             + strand_11_z * strand_11_z_by_q73;
-        const double length_11_by_q73 = t158 * t157;
-        const double t159 = 0.0065 * f[11 * n + state];
-        const double strand_12_x_by_q71 = layer_0_x_by_q71 + t76;
-        const double strand_12_x = layer_0_x - t77;
-        const double strand_12_y = 0.026 - layer_0_y - t78;
-        const double strand_12_z_by_q71 = layer_0_z_by_q71 + t77;
-        const double strand_12_z = layer_0_z - t76;
-        const double t160 = strand_12_x * strand_12_x_by_q71 - strand_12_y * layer_0_y_by_q71
+        const double length_11_by_q73 = t161 * t160;
+        const double t162 = 0.0065 * f[11 * n + state];
+        const double t163 = 0.019 * y_z;
+        const double strand_12_x_by_q71 = layer_0_x_by_q71 + t163;
+        const double t164 = 0.019 * y_x;
+        const double strand_12_x = layer_0_x - t164;
+        const double t165 = 0.019 * u_y;
+        const double strand_12_y = 0.019 + layer_0_y - t165;
+        const double strand_12_z_by_q71 = layer_0_z_by_q71 + t164;
+        const double strand_12_z = layer_0_z - t163;
+        const double t166 = strand_12_x * strand_12_x_by_q71 - strand_12_y * layer_0_y_by_q71
             - strand_12_z * strand_12_z_by_q71;
-        const double t161 = strand_12_x * strand_12_x + strand_12_y * strand_12_y + strand_12_z
+        const double t167 = strand_12_x * strand_12_x + strand_12_y * strand_12_y + strand_12_z
             * strand_12_z;
-        const double length_12 = sinew_sqrt(t161);
-        const double t162 = 1.0 / length_12;
-        const double length_12_by_q71 = t160 * t162;
-        const double t163 = t151 + f[11 * n + state] * length_11_by_q71 + f[12 * n + state]
+        const double length_12 = sinew_sqrt(t167);
+        const double t168 = 1.0 / length_12;
+        const double length_12_by_q71 = t166 * t168;
+        const double t169 = t149 + f[11 * n + state] * length_11_by_q71 + f[12 * n + state]
             * length_12_by_q71;
-        const double strand_12_x_by_q73 = layer_0_x_by_q73 + t83;
-        const double strand_12_y_by_q73 = layer_0_y_by_q73 + t84;
-        const double strand_12_z_by_q73 = layer_0_z_by_q73 + t85;
-        const double t164 = strand_12_x * strand_12_x_by_q73 - strand_12_y * strand_12_y_by_q73
+        const double t170 = 0.019 * y_x_by_q73;
+        const double strand_12_x_by_q73 = layer_0_x_by_q73 + t170;
+        const double t171 = 0.019 * u_y_by_q73;
+        const double strand_12_y_by_q73 = layer_0_y_by_q73 + t171;
+        const double t172 = 0.019 * y_z_by_q73;
+        const double strand_12_z_by_q73 = layer_0_z_by_q73 + t172;
+        const double t173 = strand_12_x * strand_12_x_by_q73 - strand_12_y * strand_12_y_by_q73
             + strand_12_z * strand_12_z_by_q73;
-        const double length_12_by_q73 = t164 * t162;
-        const double t165 = t153 + f[11 * n + state] * length_11_by_q73 + f[12 * n + state]
+        const double length_12_by_q73 = t173 * t168;
+        const double t174 = t154 + f[11 * n + state] * length_11_by_q73 + f[12 * n + state]
             * length_12_by_q73;
-        const double strand_13_x_by_q71 = layer_0_x_by_q71 + t54;
-        const double strand_13_x = layer_0_x - t55;
-        const double strand_13_y = 0.027 - layer_0_y - t56;
-        const double strand_13_z_by_q71 = layer_0_z_by_q71 + t55;
-        const double strand_13_z = layer_0_z - t54;
-        const double t166 = strand_13_x * strand_13_x_by_q71 - strand_13_y * layer_0_y_by_q71
+        const double t175 = 0.021 * y_z;
+        const double strand_13_x_by_q71 = layer_0_x_by_q71 + t175;
+        const double t176 = 0.021 * y_x;
+        const double strand_13_x = layer_0_x - t176;
+        const double t177 = 0.021 * u_y;
+        const double strand_13_y = 0.02 + layer_0_y - t177;
+        const double strand_13_z_by_q71 = layer_0_z_by_q71 + t176;
+        const double strand_13_z = layer_0_z - t175;
+        const double t178 = strand_13_x * strand_13_x_by_q71 - strand_13_y * layer_0_y_by_q71
             - strand_13_z * strand_13_z_by_q71;
-        const double t167 = strand_13_x * strand_13_x + strand_13_y * strand_13_y + strand_13_z
+        const double t179 = strand_13_x * strand_13_x + strand_13_y * strand_13_y + strand_13_z
             * strand_13_z;
-        const double length_13 = sinew_sqrt(t167);
-        const double t168 = 1.0 / length_13;
-        const double length_13_by_q71 = t166 * t168;
-        const double strand_13_x_by_q73 = layer_0_x_by_q73 + t72;
-        const double strand_13_y_by_q73 = layer_0_y_by_q73 + t73;
-        const double strand_13_z_by_q73 = layer_0_z_by_q73 + t74;
-        const double t169 = strand_13_x * strand_13_x_by_q73 - strand_13_y * strand_13_y_by_q73
+        const double length_13 = sinew_sqrt(t179);
+        const double t180 = 1.0 / length_13;
+        const double length_13_by_q71 = t178 * t180;
+        const double t181 = 0.021 * y_x_by_q73;
+        const double strand_13_x_by_q73 = layer_0_x_by_q73 + t181;
+        const double t182 = 0.021 * u_y_by_q73;
+        const double strand_13_y_by_q73 = layer_0_y_by_q73 + t182;
+        const double t183 = 0.021 * y_z_by_q73;
+        const double strand_13_z_by_q73 = layer_0_z_by_q73 + t183;
+        const double t184 = strand_13_x * strand_13_x_by_q73 - strand_13_y * strand_13_y_by_q73
             + strand_13_z * strand_13_z_by_q73;
-        const double length_13_by_q73 = t169 * t168;
-        const double strand_14_x_by_q71 = layer_0_x_by_q71 + t33;
-        const double strand_14_x = layer_0_x - t40;
-        const double strand_14_y = 0.029 - layer_0_y - t46;
-        const double strand_14_z_by_q71 = layer_0_z_by_q71 + t40;
-        const double strand_14_z = layer_0_z - t33;
-        const double t170 = strand_14_x * strand_14_x_by_q71 - strand_14_y * layer_0_y_by_q71
+        const double length_13_by_q73 = t184 * t180;
+        const double t185 = 0.022 * y_z;
+        const double strand_14_x_by_q71 = layer_0_x_by_q71 + t185;
+        const double t186 = 0.022 * y_x;
+        const double strand_14_x = layer_0_x - t186;
+        const double strand_14_y = 0.022 + layer_0_y - 0.022 * u_y;
+        const double strand_14_z_by_q71 = layer_0_z_by_q71 + t186;
+        const double strand_14_z = layer_0_z - t185;
+        const double t187 = strand_14_x * strand_14_x_by_q71 - strand_14_y * layer_0_y_by_q71
             - strand_14_z * strand_14_z_by_q71;
-        const double t171 = strand_14_x * strand_14_x + strand_14_y * strand_14_y + strand_14_z
+        const double t188 = strand_14_x * strand_14_x + strand_14_y * strand_14_y + strand_14_z
             * strand_14_z;
-        const double length_14 = sinew_sqrt(t171);
-        const double t172 = 1.0 / length_14;
-        const double length_14_by_q71 = t170 * t172;
-        const double t173 = t163 + f[13 * n + state] * length_13_by_q71 + f[14 * n + state]
+        const double length_14 = sinew_sqrt(t188);
+        const double t189 = 1.0 / length_14;
+        const double length_14_by_q71 = t187 * t189;
+        const double t190 = t169 + f[13 * n + state] * length_13_by_q71 + f[14 * n + state]
             * length_14_by_q71;
-        const double strand_14_x_by_q73 = layer_0_x_by_q73 + t64;
-        const double strand_14_y_by_q73 = layer_0_y_by_q73 + t67;
-        const double strand_14_z_by_q73 = layer_0_z_by_q73 + t70;
-        const double t174 = strand_14_x * strand_14_x_by_q73 - strand_14_y * strand_14_y_by_q73
+        const double strand_14_x_by_q73 = layer_0_x_by_q73 + 0.022 * y_x_by_q73;
+        const double strand_14_y_by_q73 = layer_0_y_by_q73 + 0.022 * u_y_by_q73;
+        const double strand_14_z_by_q73 = layer_0_z_by_q73 + 0.022 * y_z_by_q73;
+        const double t191 = strand_14_x * strand_14_x_by_q73 - strand_14_y * strand_14_y_by_q73
             + strand_14_z * strand_14_z_by_q73;
-        const double length_14_by_q73 = t174 * t172;
-        const double t175 = t165 + f[13 * n + state] * length_13_by_q73 + f[14 * n + state]
+        const double length_14_by_q73 = t191 * t189;
+        const double t192 = t174 + f[13 * n + state] * length_13_by_q73 + f[14 * n + state]
             * length_14_by_q73;
-        const double t176 = 0.013 * y_z;
-        const double strand_15_x_by_q71 = layer_0_x_by_q71 + t176;
-        const double t177 = 0.013 * y_x;
-        const double strand_15_x = layer_0_x - t177;
-        const double t178 = 0.013 * u_y;
-        const double strand_15_y = 0.031 - layer_0_y - t178;
-        const double strand_15_z_by_q71 = layer_0_z_by_q71 + t177;
-        const double strand_15_z = layer_0_z - t176;
-        const double t179 = strand_15_x * strand_15_x_by_q71 - strand_15_y * layer_0_y_by_q71
+        const double t193 = 0.024 * y_z;
+        const double strand_15_x_by_q71 = layer_0_x_by_q71 + t193;
+        const double t194 = 0.024 * y_x;
+        const double strand_15_x = layer_0_x - t194;
+        const double t195 = 0.024 * u_y;
+        const double strand_15_y = 0.024 + layer_0_y - t195;
+        const double strand_15_z_by_q71 = layer_0_z_by_q71 + t194;
+        const double strand_15_z = layer_0_z - t193;
+        const double t196 = strand_15_x * strand_15_x_by_q71 - strand_15_y * layer_0_y_by_q71
             - strand_15_z * strand_15_z_by_q71;
-        const double t180 = strand_15_x * strand_15_x + strand_15_y * strand_15_y + strand_15_z
+        const double t197 = strand_15_x * strand_15_x + strand_15_y * strand_15_y + strand_15_z
             * strand_15_z;
-        const double length_15 = sinew_sqrt(t180);
-        const double t181 = 1.0 / length_15;
-        const double length_15_by_q71 = t179 * t181;
-        const double t182 = 0.013 * y_x_by_q73;
-        const double strand_15_x_by_q73 = layer_0_x_by_q73 + t182;
-        const double t183 = 0.013 * u_y_by_q73;
-        const double strand_15_y_by_q73 = layer_0_y_by_q73 + t183;
-        const double t184 = 0.013 * y_z_by_q73;
-        const double strand_15_z_by_q73 = layer_0_z_by_q73 + t184;
-        const double t185 = strand_15_x * strand_15_x_by_q73 - strand_15_y * strand_15_y_by_q73
+        const double length_15 = sinew_sqrt(t197);
+        const double t198 = 1.0 / length_15;
+        const double length_15_by_q71 = t196 * t198;
+        const double t199 = 0.024 * y_x_by_q73;
+        const double strand_15_x_by_q73 = layer_0_x_by_q73 + t199;
+        const double t200 = 0.024 * u_y_by_q73;
+        const double strand_15_y_by_q73 = layer_0_y_by_q73 + t200;
+        const double t201 = 0.024 * y_z_by_q73;
+        const double strand_15_z_by_q73 = layer_0_z_by_q73 + t201;
+        const double t202 = strand_15_x * strand_15_x_by_q73 - strand_15_y * strand_15_y_by_q73
             + strand_15_z * strand_15_z_by_q73;
-        const double length_15_by_q73 = t185 * t181;
-        const double t186 = f[12 * n + state] - f[13 * n + state] + f[14 * n + state] - f[15 * n
+        const double length_15_by_q73 = t202 * t198;
+        const double t203 = f[12 * n + state] - f[13 * n + state] + f[14 * n + state] - f[15 * n
             + state];
-        const double t187 = 0.014 * y_z;
-        const double strand_16_x_by_q71 = layer_0_x_by_q71 + t187;
-        const double t188 = 0.014 * y_x;
-        const double strand_16_x = layer_0_x - t188;
-        const double t189 = 0.014 * u_y;
-        const double strand_16_y = 0.032 - layer_0_y - t189;
-        const double strand_16_z_by_q71 = layer_0_z_by_q71 + t188;
-        const double strand_16_z = layer_0_z - t187;
-        const double t190 = strand_16_x * strand_16_x_by_q71 - strand_16_y * layer_0_y_by_q71
+        const double t204 = 0.025 * y_z;
+        const double strand_16_x_by_q71 = layer_0_x_by_q71 + t204;
+        const double t205 = 0.025 * y_x;
+        const double strand_16_x = layer_0_x - t205;
+        const double strand_16_y = 0.025 + layer_0_y - 0.025 * u_y;
+        const double strand_16_z_by_q71 = layer_0_z_by_q71 + t205;
+        const double strand_16_z = layer_0_z - t204;
+        const double t206 = strand_16_x * strand_16_x_by_q71 - strand_16_y * layer_0_y_by_q71
             - strand_16_z * strand_16_z_by_q71;
-        const double t191 = strand_16_x * strand_16_x + strand_16_y * strand_16_y + strand_16_z
+        const double t207 = strand_16_x * strand_16_x + strand_16_y * strand_16_y + strand_16_z
             * strand_16_z;
-        const double length_16 = sinew_sqrt(t191);
-        const double t192 = 1.0 / length_16;
-        const double length_16_by_q71 = t190 * t192;
-        const double t193 = t173 + f[15 * n + state] * length_15_by_q71 + f[16 * n + state]
+        const double length_16 = sinew_sqrt(t207);
+        const double t208 = 1.0 / length_16;
+        const double length_16_by_q71 = t206 * t208;
+        const double t209 = t190 + f[15 * n + state] * length_15_by_q71 + f[16 * n + state]
             * length_16_by_q71;
-        const double t194 = 0.014 * y_x_by_q73;
-        const double strand_16_x_by_q73 = layer_0_x_by_q73 + t194;
-        const double t195 = 0.014 * u_y_by_q73;
-        const double strand_16_y_by_q73 = layer_0_y_by_q73 + t195;
-        const double t196 = 0.014 * y_z_by_q73;
-        const double strand_16_z_by_q73 = layer_0_z_by_q73 + t196;
-        const double t197 = strand_16_x * strand_16_x_by_q73 - strand_16_y * strand_16_y_by_q73
+        const double strand_16_x_by_q73 = layer_0_x_by_q73 + 0.025 * y_x_by_q73;
+        const double strand_16_y_by_q73 = layer_0_y_by_q73 + 0.025 * u_y_by_q73;
+        const double strand_16_z_by_q73 = layer_0_z_by_q73 + 0.025 * y_z_by_q73;
+        const double t210 = strand_16_x * strand_16_x_by_q73 - strand_16_y * strand_16_y_by_q73
             + strand_16_z * strand_16_z_by_q73;
-        const double length_16_by_q73 = t197 * t192;
-        const double t198 = t175 + f[15 * n + state] * length_15_by_q73 + f[16 * n + state]
+        const double length_16_by_q73 = t210 * t208;
+        const double t211 = t192 + f[15 * n + state] * length_15_by_q73 + f[16 * n + state]
             * length_16_by_q73;
-        const double t199 = 0.0065 * f[16 * n + state];
-        const double t200 = 0.016 * y_z;
-        const double strand_17_x_by_q71 = layer_0_x_by_q71 + t200;
-        const double t201 = 0.016 * y_x;
-        const double strand_17_x = layer_0_x - t201;
-        const double t202 = 0.016 * u_y;
-        const double strand_17_y = 0.034 - layer_0_y - t202;
-        const double strand_17_z_by_q71 = layer_0_z_by_q71 + t201;
-        const double strand_17_z = layer_0_z - t200;
-        const double t203 = strand_17_x * strand_17_x_by_q71 - strand_17_y * layer_0_y_by_q71
-            - strand_17_z * strand_17_z_by_q71;
-        const double t204 = strand_17_x * strand_17_x + strand_17_y * strand_17_y + strand_17_z
-            * strand_17_z;
-        const double length_17 = sinew_sqrt(t204);
-        const double t205 = 1.0 / length_17;
-        const double length_17_by_q71 = t203 * t205;
-        const double t206 = 0.016 * y_x_by_q73;
-        const double strand_17_x_by_q73 = layer_0_x_by_q73 + t206;
-        const double t207 = 0.016 * u_y_by_q73;
-        const double strand_17_y_by_q73 = layer_0_y_by_q73 + t207;
-        const double t208 = 0.016 * y_z_by_q73;
-        const double strand_17_z_by_q73 = layer_0_z_by_q73 + t208;
-        const double t209 = strand_17_x * strand_17_x_by_q73 - strand_17_y * strand_17_y_by_q73
-            + strand_17_z * strand_17_z_by_q73;
-        const double length_17_by_q73 = t209 * t205;
-        const double t210 = 0.0065 * f[17 * n + state];
-        const double t211 = 0.018 * y_z;
-        const double strand_18_x_by_q71 = layer_0_x_by_q71 + t211;
-        const double t212 = 0.018 * y_x;
-        const double strand_18_x = layer_0_x - t212;
-        const double strand_18_y = 0.035 - layer_0_y - 0.018 * u_y;
-        const double strand_18_z_by_q71 = layer_0_z_by_q71 + t212;
-        const double strand_18_z = layer_0_z - t211;
-        const double t213 = strand_18_x * strand_18_x_by_q71 - strand_18_y * layer_0_y_by_q71
-            - strand_18_z * strand_18_z_by_q71;
-        const double t214 = strand_18_x * strand_18_x + strand_18_y * strand_18_y + strand_18_z
-            * strand_18_z;
-        const double length_18 = sinew_sqrt(t214);
-        const double t215 = 1.0 / length_18;
-        const double length_18_by_q71 = t213 * t215;
-        const double t216 = t193 + f[17 * n + state] * length_17_by_q71 + f[18 * n + state]
-            * length_18_by_q71;
-        const double strand_18_x_by_q73 = layer_0_x_by_q73 + 0.018 * y_x_by_q73;
-        const double strand_18_y_by_q73 = layer_0_y_by_q73 + 0.018 * u_y_by_q73;
-        const double strand_18_z_by_q73 = layer_0_z_by_q73 + 0.018 * y_z_by_q73;
-        const double t217 = strand_18_x * strand_18_x_by_q73 - strand_18_y * strand_18_y_by_q73
-            + strand_18_z * strand_18_z_by_q73;
-        const double length_18_by_q73 = t217 * t215;
-        const double t218 = t198 + f[17 * n + state] * length_17_by_q73 + f[18 * n + state]
-            * length_18_by_q73;
-        const double t219 = 0.0065 * f[18 * n + state];
-        const double layer_1_x_by_q71 = t31 - t32;
-        const double strand_19_x_by_q71 = layer_1_x_by_q71 - t176;
-        const double layer_1_x = t38 + t39;
-        const double strand_19_x = layer_1_x + t177;
-        const double layer_1_y_by_q71 = t42 + t43;
-        const double layer_1_y = t44 + t45;
-        const double strand_19_y = 0.006 - layer_1_y + t178;
-        const double layer_1_z_by_q71 = t47 - t48;
-        const double strand_19_z_by_q71 = layer_1_z_by_q71 - t177;
-        const double layer_1_z = 0.028 - origin_z - t49 + t50;
-        const double strand_19_z = layer_1_z + t176;
-        const double t220 = strand_19_x * strand_19_x_by_q71 - strand_19_y * layer_1_y_by_q71
-            - strand_19_z * strand_19_z_by_q71;
-        const double t221 = strand_19_x * strand_19_x + strand_19_y * strand_19_y + strand_19_z
-            * strand_19_z;
-        const double length_19 = sinew_sqrt(t221);
-        const double t222 = 1.0 / length_19;
-        const double length_19_by_q71 = t220 * t222;
-        const double layer_1_x_by_q73 = t62 - t63;
-        const double strand_19_x_by_q73 = layer_1_x_by_q73 - t182;
-        const double layer_1_y_by_q73 = t65 - t66;
-        const double strand_19_y_by_q73 = layer_1_y_by_q73 - t183;
-        const double layer_1_z_by_q73 = t68 - t69;
-        const double strand_19_z_by_q73 = layer_1_z_by_q73 - t184;
-        const double t223 = strand_19_x * strand_19_x_by_q73 - strand_19_y * strand_19_y_by_q73
-            + strand_19_z * strand_19_z_by_q73;
-        const double length_19_by_q73 = t223 * t222;
-        const double t224 = 0.0065 * f[19 * n + state];
-        const double strand_20_x_by_q71 = layer_1_x_by_q71 - t33;
-        const double strand_20_x = layer_1_x + t40;
-        const double strand_20_y = 0.007 - layer_1_y + t46;
-        const double strand_20_z_by_q71 = layer_1_z_by_q71 - t40;
-        const double strand_20_z = layer_1_z + t33;
-        const double t225 = strand_20_x * strand_20_x_by_q71 - strand_20_y * layer_1_y_by_q71
-            - strand_20_z * strand_20_z_by_q71;
-        const double t226 = strand_20_x * strand_20_x + strand_20_y * strand_20_y + strand_20_z
-            * strand_20_z;
-        const double length_20 = sinew_sqrt(t226);
-        const double t227 = 1.0 / length_20;
-        const double length_20_by_q71 = t225 * t227;
-        const double t228 = t216 + f[19 * n + state] * length_19_by_q71 + f[20 * n + state]
-            * length_20_by_q71;
-        const double strand_20_x_by_q73 = layer_1_x_by_q73 - t64;
-        const double strand_20_y_by_q73 = layer_1_y_by_q73 - t67;
-        const double strand_20_z_by_q73 = layer_1_z_by_q73 - t70;
-        const double t229 = strand_20_x * strand_20_x_by_q73 - strand_20_y * strand_20_y_by_q73
-            + strand_20_z * strand_20_z_by_q73;
-        const double length_20_by_q73 = t229 * t227;
-        const double t230 = t218 + f[19 * n + state] * length_19_by_q73 + f[20 * n + state]
-            * length_20_by_q73;
-        const double strand_21_x_by_q71 = layer_1_x_by_q71 - t54;
-        const double strand_21_x = layer_1_x + t55;
-        const double strand_21_y = 0.009 - layer_1_y + t56;
-        const double strand_21_z_by_q71 = layer_1_z_by_q71 - t55;
-        const double strand_21_z = layer_1_z + t54;
-        const double t231 = strand_21_x * strand_21_x_by_q71 - strand_21_y * layer_1_y_by_q71
-            - strand_21_z * strand_21_z_by_q71;
-        const double t232 = strand_21_x * strand_21_x + strand_21_y * strand_21_y + strand_21_z
-            * strand_21_z;
-        const double length_21 = sinew_sqrt(t232);
-        const double t233 = 1.0 / length_21;
-        const double length_21_by_q71 = t231 * t233;
-        const double strand_21_x_by_q73 = layer_1_x_by_q73 - t72;
-        const double strand_21_y_by_q73 = layer_1_y_by_q73 - t73;
-        const double strand_21_z_by_q73 = layer_1_z_by_q73 - t74;
-        const double t234 = strand_21_x * strand_21_x_by_q73 - strand_21_y * strand_21_y_by_q73
-            + strand_21_z * strand_21_z_by_q73;
-        const double length_21_by_q73 = t234 * t233;
-        const double strand_22_x_by_q71 = layer_1_x_by_q71 - t76;
-        const double strand_22_x = layer_1_x + t77;
-        const double strand_22_y = 0.011 - layer_1_y + t78;
-        const double strand_22_z_by_q71 = layer_1_z_by_q71 - t77;
-        const double strand_22_z = layer_1_z + t76;
-        const double t235 = strand_22_x * strand_22_x_by_q71 - strand_22_y * layer_1_y_by_q71
-            - strand_22_z * strand_22_z_by_q71;
-        const double t236 = strand_22_x * strand_22_x + strand_22_y * strand_22_y + strand_22_z
-            * strand_22_z;
-        const double length_22 = sinew_sqrt(t236);
-        const double t237 = 1.0 / length_22;
-        const double length_22_by_q71 = t235 * t237;
-        const double t238 = t228 + f[21 * n + state] * length_21_by_q71 + f[22 * n + state]
-            * length_22_by_q71;
-        const double strand_22_x_by_q73 = layer_1_x_by_q73 - t83;
-        const double strand_22_y_by_q73 = layer_1_y_by_q73 - t84;
-        const double strand_22_z_by_q73 = layer_1_z_by_q73 - t85;
-        const double t239 = strand_22_x * strand_22_x_by_q73 - strand_22_y * strand_22_y_by_q73
-            + strand_22_z * strand_22_z_by_q73;
-        const double length_22_by_q73 = t239 * t237;
-        const double t240 = t230 + f[21 * n + state] * length_21_by_q73 + f[22 * n + state]
-            * length_22_by_q73;
-        const double strand_23_x_by_q71 = layer_1_x_by_q71 - t88;
-        const double strand_23_x = layer_1_x + t89;
-        const double strand_23_y = 0.012 - layer_1_y + t90;
-        const double strand_23_z_by_q71 = layer_1_z_by_q71 - t89;
-        const double strand_23_z = layer_1_z + t88;
-        const double t241 = strand_23_x * strand_23_x_by_q71 - strand_23_y * layer_1_y_by_q71
-            - strand_23_z * strand_23_z_by_q71;
-        const double t242 = strand_23_x * strand_23_x + strand_23_y * strand_23_y + strand_23_z
-            * strand_23_z;
-        const double length_23 = sinew_sqrt(t242);
-        const double t243 = 1.0 / length_23;
-        const double length_23_by_q71 = t241 * t243;
-        const double strand_23_x_by_q73 = layer_1_x_by_q73 - t94;
-        const double strand_23_y_by_q73 = layer_1_y_by_q73 - t95;
-        const double strand_23_z_by_q73 = layer_1_z_by_q73 - t96;
-        const double t244 = strand_23_x * strand_23_x_by_q73 - strand_23_y * strand_23_y_by_q73
-            + strand_23_z * strand_23_z_by_q73;
-        const double length_23_by_q73 = t244 * t243;
-        const double t245 = f[20 * n + state] - f[21 * n + state] + f[22 * n + state] - f[23 * n
-            + state];
-        const double strand_24_x_by_q71 = layer_1_x_by_q71 - t98;
-        const double strand_24_x = layer_1_x + t99;
-        const double strand_24_y = 0.014 - layer_1_y + t100;
-        const double strand_24_z_by_q71 = layer_1_z_by_q71 - t99;
-        const double strand_24_z = layer_1_z + t98;
-        const double t246 = strand_24_x * strand_24_x_by_q71 - strand_24_y * layer_1_y_by_q71
-            - strand_24_z * strand_24_z_by_q71;
-        const double t247 = strand_24_x * strand_24_x + strand_24_y * strand_24_y + strand_24_z
-            * strand_24_z;
-        const double length_24 = sinew_sqrt(t247);
-        const double t248 = 1.0 / length_24;
-        const double length_24_by_q71 = t246 * t248;
-        const double t249 = t238 + f[23 * n + state] * length_23_by_q71 + f[24 * n + state]
-            * length_24_by_q71;
-        const double strand_24_x_by_q73 = layer_1_x_by_q73 - t105;
-        const double strand_24_y_by_q73 = layer_1_y_by_q73 - t106;
-        const double strand_24_z_by_q73 = layer_1_z_by_q73 - t107;
-        const double t250 = strand_24_x * strand_24_x_by_q73 - strand_24_y * strand_24_y_by_q73
-            + strand_24_z * strand_24_z_by_q73;
-        const double length_24_by_q73 = t250 * t248;
-        const double t251 = t240 + f[23 * n + state] * length_23_by_q73 + f[24 * n + state]
-            * length_24_by_q73;
-        const double t252 = 0.0065 * f[24 * n + state];
-        const double strand_25_x_by_q71 = layer_1_x_by_q71 - t110;
-        const double strand_25_x = layer_1_x + t111;
-        const double strand_25_y = 0.015 - layer_1_y + t112;
-        const double strand_25_z_by_q71 = layer_1_z_by_q71 - t111;
-        const double strand_25_z = layer_1_z + t110;
-        const double t253 = strand_25_x * strand_25_x_by_q71 - strand_25_y * layer_1_y_by_q71
-            - strand_25_z * strand_25_z_by_q71;
-        const double t254 = strand_25_x * strand_25_x + strand_25_y * strand_25_y + strand_25_z
-            * strand_25_z;
-        const double length_25 = sinew_sqrt(t254);
-        const double t255 = 1.0 / length_25;
-        const double length_25_by_q71 = t253 * t255;
-        const double strand_25_x_by_q73 = layer_1_x_by_q73 - t116;
-        const double strand_25_y_by_q73 = layer_1_y_by_q73 - t117;
-        const double strand_25_z_by_q73 = layer_1_z_by_q73 - t118;
-        const double t256 = strand_25_x * strand_25_x_by_q73 - strand_25_y * strand_25_y_by_q73
-            + strand_25_z * strand_25_z_by_q73;
-        const double length_25_by_q73 = t256 * t255;
-        const double t257 = 0.0065 * f[25 * n + state];
-        const double strand_26_x_by_q71 = layer_1_x_by_q71 - t120;
-        const double strand_26_x = layer_1_x + t121;
-        const double strand_26_y = 0.017 - layer_1_y + t122;
-        const double strand_26_z_by_q71 = layer_1_z_by_q71 - t121;
-        const double strand_26_z = layer_1_z + t120;
-        const double t258 = strand_26_x * strand_26_x_by_q71 - strand_26_y * layer_1_y_by_q71
-            - strand_26_z * strand_26_z_by_q71;
-        const double t259 = strand_26_x * strand_26_x + strand_26_y * strand_26_y + strand_26_z
-            * strand_26_z;
-        const double length_26 = sinew_sqrt(t259);
-        const double t260 = 1.0 / length_26;
-        const double length_26_by_q71 = t258 * t260;
-        const double t261 = t249 + f[25 * n + state] * length_25_by_q71 + f[26 * n + state]
-            * length_26_by_q71;
-        const double strand_26_x_by_q73 = layer_1_x_by_q73 - t127;
-        const double strand_26_y_by_q73 = layer_1_y_by_q73 - t128;
-        const double strand_26_z_by_q73 = layer_1_z_by_q73 - t129;
-        const double t262 = strand_26_x * strand_26_x_by_q73 - strand_26_y * strand_26_y_by_q73
-            + strand_26_z * strand_26_z_by_q73;
-        const double length_26_by_q73 = t262 * t260;
-        const double t263 = t251 + f[25 * n + state] * length_25_by_q73 + f[26 * n + state]
-            * length_26_by_q73;
-        const double t264 = 0.0065 * f[26 * n + state];
-        const double strand_27_y = 0.019 - layer_1_y;
-        const double t265 = layer_1_x * layer_1_x_by_q71 - layer_1_z * layer_1_z_by_q71
-            - strand_27_y * layer_1_y_by_q71;
-        const double t266 = layer_1_x * layer_1_x + layer_1_z * layer_1_z + strand_27_y
-            * strand_27_y;
-        const double length_27 = sinew_sqrt(t266);
-        const double t267 = 1.0 / length_27;
-        const double length_27_by_q71 = t265 * t267;
-        const double t268 = layer_1_x * layer_1_x_by_q73 + layer_1_z * layer_1_z_by_q73
-            - strand_27_y * layer_1_y_by_q73;
-        const double length_27_by_q73 = t268 * t267;
-        const double t269 = 0.0065 * f[27 * n + state];
-        const double strand_28_x_by_q71 = layer_1_x_by_q71 + t120;
-        const double strand_28_x = layer_1_x - t121;
-        const double strand_28_y = 0.02 - layer_1_y - t122;
-        const double strand_28_z_by_q71 = layer_1_z_by_q71 + t121;
-        const double strand_28_z = layer_1_z - t120;
-        const double t270 = strand_28_x * strand_28_x_by_q71 - strand_28_y * layer_1_y_by_q71
-            - strand_28_z * strand_28_z_by_q71;
-        const double t271 = strand_28_x * strand_28_x + strand_28_y * strand_28_y + strand_28_z
-            * strand_28_z;
-        const double length_28 = sinew_sqrt(t271);
-        const double t272 = 1.0 / length_28;
-        const double length_28_by_q71 = t270 * t272;
-        const double t273 = t261 + f[27 * n + state] * length_27_by_q71 + f[28 * n + state]
-            * length_28_by_q71;
-        const double strand_28_x_by_q73 = layer_1_x_by_q73 + t127;
-        const double strand_28_y_by_q73 = layer_1_y_by_q73 + t128;
-        const double strand_28_z_by_q73 = layer_1_z_by_q73 + t129;
-        const double t274 = strand_28_x * strand_28_x_by_q73 - strand_28_y * strand_28_y_by_q73
-            + strand_28_z * strand_28_z_by_q73;
-        const double length_28_by_q73 = t274 * t272;
-        const double t275 = t263 + f[27 * n + state] * length_27_by_q73 + f[28 * n + state]
-            * length_28_by_q73;
-        const double strand_29_x_by_q71 = layer_1_x_by_q71 + t110;
-        const double strand_29_x = layer_1_x - t111;
-        const double strand_29_y = 0.022 - layer_1_y - t112;
-        const double strand_29_z_by_q71 = layer_1_z_by_q71 + t111;
-        const double strand_29_z = layer_1_z - t110;
-        const double t276 = strand_29_x * strand_29_x_by_q71 - strand_29_y * layer_1_y_by_q71
-            - strand_29_z * strand_29_z_by_q71;
-        const double t277 = strand_29_x * strand_29_x + strand_29_y * strand_29_y + strand_29_z
-            * strand_29_z;
-        const double length_29 = sinew_sqrt(t277);
-        const double t278 = 1.0 / length_29;
-        const double length_29_by_q71 = t276 * t278;
-        const double strand_29_x_by_q73 = layer_1_x_by_q73 + t116;
-        const double strand_29_y_by_q73 = layer_1_y_by_q73 + t117;
-        const double strand_29_z_by_q73 = layer_1_z_by_q73 + t118;
-        const double t279 = strand_29_x * strand_29_x_by_q73 - strand_29_y * strand_29_y_by_q73
-            + strand_29_z * strand_29_z_by_q73;
-        const double length_29_by_q73 = t279 * t278;
-        const double strand_30_x_by_q71 = layer_1_x_by_q71 + t98;
-        const double strand_30_x = layer_1_x - t99;
-        const double strand_30_y = 0.023 - layer_1_y - t100;
-        const double strand_30_z_by_q71 = layer_1_z_by_q71 + t99;
-        const double strand_30_z = layer_1_z - t98;
-        const double t280 = strand_30_x * strand_30_x_by_q71 - strand_30_y * layer_1_y_by_q71
-            - strand_30_z * strand_30_z_by_q71;
-        const double t281 = strand_30_x * strand_30_x + strand_30_y * strand_30_y + strand_30_z
-            * strand_30_z;
-        const double length_30 = sinew_sqrt(t281);
-        const double t282 = 1.0 / length_30;
-        const double length_30_by_q71 = t280 * t282;
-        const double t283 = t273 + f[29 * n + state] * length_29_by_q71 + f[30 * n + state]
-            * length_30_by_q71;
-        const double strand_30_x_by_q73 = layer_1_x_by_q73 + t105;
-        const double strand_30_y_by_q73 = layer_1_y_by_q73 + t106;
-        const double strand_30_z_by_q73 = layer_1_z_by_q73 + t107;
-        const double t284 = strand_30_x * strand_30_x_by_q73 - strand_30_y * strand_30_y_by_q73
-            + strand_30_z * strand_30_z_by_q73;
-        const double length_30_by_q73 = t284 * t282;
-        const double t285 = t275 + f[29 * n + state] * length_29_by_q73 + f[30 * n + state]
-            * length_30_by_q73;
-        const double t286 = 0.0052 * f[30 * n + state];
-        const double strand_31_x_by_q71 = layer_1_x_by_q71 + t88;
-        const double strand_31_x = layer_1_x - t89;
-        const double strand_31_y = 0.025 - layer_1_y - t90;
-        const double strand_31_z_by_q71 = layer_1_z_by_q71 + t89;
-        const double strand_31_z = layer_1_z - t88;
-        const double t287 = strand_31_x * strand_31_x_by_q71 - strand_31_y * layer_1_y_by_q71
-            - strand_31_z * strand_31_z_by_q71;
-        const double t288 = strand_31_x * strand_31_x + strand_31_y * strand_31_y + strand_31_z
-            * strand_31_z;
-        const double length_31 = sinew_sqrt(t288);
-        const double t289 = 1.0 / length_31;
-        const double length_31_by_q71 = t287 * t289;
-        const double strand_31_x_by_q73 = layer_1_x_by_q73 + t94;
-        const double strand_31_y_by_q73 = layer_1_y_by_q73 + t95;
-        const double strand_31_z_by_q73 = layer_1_z_by_q73 + t96;
-        const double t290 = strand_31_x * strand_31_x_by_q73 - strand_31_y * strand_31_y_by_q73
-            + strand_31_z * strand_31_z_by_q73;
-        const double length_31_by_q73 = t290 * t289;
-        const double t291 = 0.0052 * f[31 * n + state];
-        const double strand_32_x_by_q71 = layer_1_x_by_q71 + t76;
-        const double strand_32_x = layer_1_x - t77;
-        const double strand_32_y = 0.027 - layer_1_y - t78;
-        const double strand_32_z_by_q71 = layer_1_z_by_q71 + t77;
-        const double strand_32_z = layer_1_z - t76;
-        const double t292 = strand_32_x * strand_32_x_by_q71 - strand_32_y * layer_1_y_by_q71
-            - strand_32_z * strand_32_z_by_q71;
-        const double t293 = strand_32_x * strand_32_x + strand_32_y * strand_32_y + strand_32_z
-            * strand_32_z;
-        const double length_32 = sinew_sqrt(t293);
-        const double t294 = 1.0 / length_32;
-        const double length_32_by_q71 = t292 * t294;
-        const double t295 = t283 + f[31 * n + state] * length_31_by_q71 + f[32 * n + state]
-            * length_32_by_q71;
-        const double strand_32_x_by_q73 = layer_1_x_by_q73 + t83;
-        const double strand_32_y_by_q73 = layer_1_y_by_q73 + t84;
-        const double strand_32_z_by_q73 = layer_1_z_by_q73 + t85;
-        const double t296 = strand_32_x * strand_32_x_by_q73 - strand_32_y * strand_32_y_by_q73
-            + strand_32_z * strand_32_z_by_q73;
-        const double length_32_by_q73 = t296 * t294;
-        const double t297 = t285 + f[31 * n + state] * length_31_by_q73 + f[32 * n + state]
-            * length_32_by_q73;
-        const double t298 = 0.0052 * f[32 * n + state];
-        const double strand_33_x_by_q71 = layer_1_x_by_q71 + t54;
-        const double strand_33_x = layer_1_x - t55;
-        const double strand_33_y = 0.028 - layer_1_y - t56;
-        const double strand_33_z_by_q71 = layer_1_z_by_q71 + t55;
-        const double strand_33_z = layer_1_z - t54;
-        const double t299 = strand_33_x * strand_33_x_by_q71 - strand_33_y * layer_1_y_by_q71
-            - strand_33_z * strand_33_z_by_q71;
-        const double t300 = strand_33_x * strand_33_x + strand_33_y * strand_33_y + strand_33_z
-            * strand_33_z;
-        const double length_33 = sinew_sqrt(t300);
-        const double t301 = 1.0 / length_33;
-        const double length_33_by_q71 = t299 * t301;
-        const double strand_33_x_by_q73 = layer_1_x_by_q73 + t72;
-        const double strand_33_y_by_q73 = layer_1_y_by_q73 + t73;
-        const double strand_33_z_by_q73 = layer_1_z_by_q73 + t74;
-        const double t302 = strand_33_x * strand_33_x_by_q73 - strand_33_y * strand_33_y_by_q73
-            + strand_33_z * strand_33_z_by_q73;
-        const double length_33_by_q73 = t302 * t301;
-        const double t303 = 0.0052 * f[33 * n + state];
-        const double strand_34_x_by_q71 = layer_1_x_by_q71 + t33;
-        const double strand_34_x = layer_1_x - t40;
-        const double strand_34_y = 0.03 - layer_1_y - t46;
-        const double strand_34_z_by_q71 = layer_1_z_by_q71 + t40;
-        const double strand_34_z = layer_1_z - t33;
-        const double t304 = strand_34_x * strand_34_x_by_q71 - strand_34_y * layer_1_y_by_q71
-            - strand_34_z * strand_34_z_by_q71;
-        const double t305 = strand_34_x * strand_34_x + strand_34_y * strand_34_y + strand_34_z
-            * strand_34_z;
-        const double length_34 = sinew_sqrt(t305);
-        const double t306 = 1.0 / length_34;
-        const double length_34_by_q71 = t304 * t306;
-        const double t307 = t295 + f[33 * n + state] * length_33_by_q71 + f[34 * n + state]
-            * length_34_by_q71;
-        const double strand_34_x_by_q73 = layer_1_x_by_q73 + t64;
-        const double strand_34_y_by_q73 = layer_1_y_by_q73 + t67;
-        const double strand_34_z_by_q73 = layer_1_z_by_q73 + t70;
-        const double t308 = strand_34_x * strand_34_x_by_q73 - strand_34_y * strand_34_y_by_q73
-            + strand_34_z * strand_34_z_by_q73;
-        const double length_34_by_q73 = t308 * t306;
-        const double t309 = t297 + f[33 * n + state] * length_33_by_q73 + f[34 * n + state]
-            * length_34_by_q73;
+        const double t212 = 0.0065 * f[16 * n + state];
         const double R21y = c1 * s2;
-        const double t310 = 0.005 * R21y;
-        const double t311 = 0.006 * s1;
-        const double t312 = t310 - t311;
+        const double t213 = 0.005 * R21y;
+        const double t214 = 0.006 * s1;
+        const double t215 = t213 - t214;
         const double R21x = c1 * c2;
-        const double t313 = 0.047 * R21x;
-        const double pA_length_tox = t312 + t313;
+        const double t216 = 0.047 * R21x;
+        const double pA_length_tox = t215 + t216;
         const double A_lengthdx = 0.002 - pA_length_tox;
         const double R22y = s1 * s2;
-        const double t314 = 0.005 * R22y;
-        const double t315 = 0.006 * c1;
-        const double t316 = t314 + t315;
+        const double t217 = 0.005 * R22y;
+        const double t218 = 0.006 * c1;
+        const double t219 = t217 + t218;
         const double R22x = s1 * c2;
-        const double t317 = 0.047 * R22x;
-        const double pA_length_toy = t316 + t317;
+        const double t220 = 0.047 * R22x;
+        const double pA_length_toy = t219 + t220;
         const double A_lengthdy = 0.03 - pA_length_toy;
-        const double t318 = 0.025 - 0.005 * c2;
-        const double t319 = 0.047 * s2;
-        const double A_lengthdz = t318 + t319;
-        const double t320 = A_lengthdz * A_lengthdz;
+        const double t221 = 0.025 - 0.005 * c2;
+        const double t222 = 0.047 * s2;
+        const double A_lengthdz = t221 + t222;
+        const double t223 = A_lengthdz * A_lengthdz;
         const double A_length = sinew_sqrt(A_lengthdx * A_lengthdx + A_lengthdy * A_lengthdy
-            + t320);
-        const double t321 = 1.0 / A_length;
-        const double t322 = 0.005 * R21x;
-        const double t323 = 0.047 * R21y;
-        const double pA_length_tox_by_q_1 = t322 - t323;
-        const double t324 = 0.005 * R22x;
-        const double t325 = 0.047 * R22y;
-        const double pA_length_toy_by_q_1 = t324 - t325;
-        const double t326 = 0.005 * s2;
-        const double t327 = 0.047 * c2;
-        const double pA_length_toz_by_q_1 = t326 + t327;
-        const double t328 = A_lengthdz * pA_length_toz_by_q_1;
-        const double t329 = A_lengthdx * pA_length_tox_by_q_1 + A_lengthdy * pA_length_toy_by_q_1
-            - t328;
-        const double A_length_by_q_1 = t329 * t321;
-        const double t330 = t310 + t311;
-        const double pB_length_tox = t330 - t313;
+            + t223);
+        const double t224 = 1.0 / A_length;
+        const double t225 = 0.005 * R21x;
+        const double t226 = 0.047 * R21y;
+        const double pA_length_tox_by_q_1 = t225 - t226;
+        const double t227 = 0.005 * R22x;
+        const double t228 = 0.047 * R22y;
+        const double pA_length_toy_by_q_1 = t227 - t228;
+        const double t229 = 0.005 * s2;
+        const double t230 = 0.047 * c2;
+        const double pA_length_toz_by_q_1 = t229 + t230;
+        const double t231 = A_lengthdz * pA_length_toz_by_q_1;
+        const double t232 = A_lengthdx * pA_length_tox_by_q_1 + A_lengthdy * pA_length_toy_by_q_1
+            - t231;
+        const double A_length_by_q_1 = t232 * t224;
+        const double t233 = t213 + t214;
+        const double pB_length_tox = t233 - t216;
         const double B_lengthdx = 0.002 + pB_length_tox;
-        const double t331 = t314 - t315;
-        const double pB_length_toy = t331 - t317;
+        const double t234 = t217 - t218;
+        const double pB_length_toy = t234 - t220;
         const double B_lengthdy = 0.03 + pB_length_toy;
-        const double B_lengthdz = t318 - t319;
-        const double t332 = B_lengthdz * B_lengthdz;
+        const double B_lengthdz = t221 - t222;
+        const double t235 = B_lengthdz * B_lengthdz;
         const double B_length = sinew_sqrt(B_lengthdx * B_lengthdx + B_lengthdy * B_lengthdy
-            + t332);
-        const double t333 = 1.0 / B_length;
-        const double pB_length_tox_by_q_1 = t322 + t323;
-        const double pB_length_toy_by_q_1 = t324 + t325;
-        const double pB_length_toz_by_q_1 = t326 - t327;
-        const double t334 = B_lengthdz * pB_length_toz_by_q_1;
-        const double t335 = B_lengthdx * pB_length_tox_by_q_1 + B_lengthdy * pB_length_toy_by_q_1
-            + t334;
-        const double B_length_by_q_1 = t335 * t333;
-        const double pC_length_tox = t330 + t313;
+            + t235);
+        const double t236 = 1.0 / B_length;
+        const double pB_length_tox_by_q_1 = t225 + t226;
+        const double pB_length_toy_by_q_1 = t227 + t228;
+        const double pB_length_toz_by_q_1 = t229 - t230;
+        const double t237 = B_lengthdz * pB_length_toz_by_q_1;
+        const double t238 = B_lengthdx * pB_length_tox_by_q_1 + B_lengthdy * pB_length_toy_by_q_1
+            + t237;
+        const double B_length_by_q_1 = t238 * t236;
+        const double pC_length_tox = t233 + t216;
         const double C_lengthdx = 0.002 - pC_length_tox;
-        const double pC_length_toy = t331 + t317;
+        const double pC_length_toy = t234 + t220;
         const double C_lengthdy = 0.03 + pC_length_toy;
-        const double C_length = sinew_sqrt(t320 + C_lengthdx * C_lengthdx + C_lengthdy
+        const double C_length = sinew_sqrt(t223 + C_lengthdx * C_lengthdx + C_lengthdy
             * C_lengthdy);
-        const double t336 = 1.0 / C_length;
-        const double t337 = t328 - C_lengthdx * pA_length_tox_by_q_1 + C_lengthdy
+        const double t239 = 1.0 / C_length;
+        const double t240 = t231 - C_lengthdx * pA_length_tox_by_q_1 + C_lengthdy
             * pA_length_toy_by_q_1;
-        const double C_length_by_q_1 = t337 * t336;
-        const double t338 = f[state] * A_length_by_q_1 - f[1 * n + state] * B_length_by_q_1 - f[2
+        const double C_length_by_q_1 = t240 * t239;
+        const double t241 = f[state] * A_length_by_q_1 - f[1 * n + state] * B_length_by_q_1 - f[2
             * n + state] * C_length_by_q_1;
-        const double pD_length_tox = t312 - t313;
+        const double pD_length_tox = t215 - t216;
         const double D_lengthdx = 0.002 + pD_length_tox;
-        const double pD_length_toy = t316 - t317;
+        const double pD_length_toy = t219 - t220;
         const double D_lengthdy = 0.03 - pD_length_toy;
-        const double D_length = sinew_sqrt(t332 + D_lengthdx * D_lengthdx + D_lengthdy
+        const double D_length = sinew_sqrt(t235 + D_lengthdx * D_lengthdx + D_lengthdy
             * D_lengthdy);
-        const double t339 = 1.0 / D_length;
-        const double t340 = t334 + D_lengthdx * pB_length_tox_by_q_1 - D_lengthdy
+        const double t242 = 1.0 / D_length;
+        const double t243 = t237 + D_lengthdx * pB_length_tox_by_q_1 - D_lengthdy
             * pB_length_toy_by_q_1;
-        const double D_length_by_q_1 = t340 * t339;
+        const double D_length_by_q_1 = t243 * t242;
         const double A_length_by_q_0 = (pA_length_tox * A_lengthdy - pA_length_toy * A_lengthdx)
-            * t321;
+            * t224;
         const double B_length_by_q_0 = (pB_length_tox * B_lengthdy - pB_length_toy * B_lengthdx)
-            * t333;
+            * t236;
         const double C_length_by_q_0 = (pC_length_tox * C_lengthdy + pC_length_toy * C_lengthdx)
-            * t336;
-        const double t341 = f[state] * A_length_by_q_0 - f[1 * n + state] * B_length_by_q_0 - f[2
+            * t239;
+        const double t244 = f[state] * A_length_by_q_0 - f[1 * n + state] * B_length_by_q_0 - f[2
             * n + state] * C_length_by_q_0;
         const double D_length_by_q_0 = (pD_length_tox * D_lengthdy + pD_length_toy * D_lengthdx)
-            * t339;
-        const double strand_35_x_by_q71 = layer_1_x_by_q71 + t176;
-        const double strand_35_x = layer_1_x - t177;
-        const double strand_35_y = 0.031 - layer_1_y - t178;
-        const double strand_35_z_by_q71 = layer_1_z_by_q71 + t177;
-        const double strand_35_z = layer_1_z - t176;
-        const double t342 = strand_35_x * strand_35_x_by_q71 - strand_35_y * layer_1_y_by_q71
+            * t242;
+        const double t245 = 0.027 * y_z;
+        const double strand_17_x_by_q71 = layer_0_x_by_q71 + t245;
+        const double t246 = 0.027 * y_x;
+        const double strand_17_x = layer_0_x - t246;
+        const double t247 = 0.027 * u_y;
+        const double strand_17_y = 0.027 + layer_0_y - t247;
+        const double strand_17_z_by_q71 = layer_0_z_by_q71 + t246;
+        const double strand_17_z = layer_0_z - t245;
+        const double t248 = strand_17_x * strand_17_x_by_q71 - strand_17_y * layer_0_y_by_q71
+            - strand_17_z * strand_17_z_by_q71;
+        const double t249 = strand_17_x * strand_17_x + strand_17_y * strand_17_y + strand_17_z
+            * strand_17_z;
+        const double length_17 = sinew_sqrt(t249);
+        const double t250 = 1.0 / length_17;
+        const double length_17_by_q71 = t248 * t250;
+        const double t251 = 0.027 * y_x_by_q73;
+        const double strand_17_x_by_q73 = layer_0_x_by_q73 + t251;
+        const double t252 = 0.027 * u_y_by_q73;
+        const double strand_17_y_by_q73 = layer_0_y_by_q73 + t252;
+        const double t253 = 0.027 * y_z_by_q73;
+        const double strand_17_z_by_q73 = layer_0_z_by_q73 + t253;
+        const double t254 = strand_17_x * strand_17_x_by_q73 - strand_17_y * strand_17_y_by_q73
+            + strand_17_z * strand_17_z_by_q73;
+        const double length_17_by_q73 = t254 * t250;
+        const double t255 = 0.0065 * f[17 * n + state];
+        const double t256 = 0.029 * y_z;
+        const double strand_18_x_by_q71 = layer_0_x_by_q71 + t256;
+        const double t257 = 0.029 * y_x;
+        const double strand_18_x = layer_0_x - t257;
+        const double t258 = 0.029 * u_y;
+        const double strand_18_y = 0.028 + layer_0_y - t258;
+        const double strand_18_z_by_q71 = layer_0_z_by_q71 + t257;
+        const double strand_18_z = layer_0_z - t256;
+        const double t259 = strand_18_x * strand_18_x_by_q71 - strand_18_y * layer_0_y_by_q71
+            - strand_18_z * strand_18_z_by_q71;
+        const double t260 = strand_18_x * strand_18_x + strand_18_y * strand_18_y + strand_18_z
+            * strand_18_z;
+        const double length_18 = sinew_sqrt(t260);
+        const double t261 = 1.0 / length_18;
+        const double length_18_by_q71 = t259 * t261;
+        const double t262 = t209 + f[17 * n + state] * length_17_by_q71 + f[18 * n + state]
+            * length_18_by_q71;
+        const double t263 = 0.029 * y_x_by_q73;
+        const double strand_18_x_by_q73 = layer_0_x_by_q73 + t263;
+        const double t264 = 0.029 * u_y_by_q73;
+        const double strand_18_y_by_q73 = layer_0_y_by_q73 + t264;
+        const double t265 = 0.029 * y_z_by_q73;
+        const double strand_18_z_by_q73 = layer_0_z_by_q73 + t265;
+        const double t266 = strand_18_x * strand_18_x_by_q73 - strand_18_y * strand_18_y_by_q73
+            + strand_18_z * strand_18_z_by_q73;
+        const double length_18_by_q73 = t266 * t261;
+        const double t267 = t211 + f[17 * n + state] * length_17_by_q73 + f[18 * n + state]
+            * length_18_by_q73;
+        const double t268 = 0.0065 * f[18 * n + state];
+        const double layer_1_x_by_q71 = t31 - t32 - t123;
+        const double layer_1_x = t39 + t40 + t124;
+        const double layer_1_y_by_q71 = t43 + t44;
+        const double layer_1_y = 0.006 - origin_y - t45 - t46 + t125;
+        const double layer_1_z_by_q71 = t48 - t49 - t124;
+        const double layer_1_z = 0.028 - origin_z - t50 + t51 + t123;
+        const double t269 = layer_1_x * layer_1_x_by_q71 - layer_1_y * layer_1_y_by_q71 - layer_1_z
+            * layer_1_z_by_q71;
+        const double length_19 = sinew_sqrt(layer_1_x * layer_1_x + layer_1_y * layer_1_y
+            + layer_1_z * layer_1_z);
+        const double t270 = 1.0 / length_19;
+        const double length_19_by_q71 = t269 * t270;
+        const double layer_1_x_by_q73 = t59 - t60 - t130;
+        const double layer_1_y_by_q73 = t62 - t63 - t131;
+        const double layer_1_z_by_q73 = t65 - t66 - t132;
+        const double t271 = layer_1_x * layer_1_x_by_q73 - layer_1_y * layer_1_y_by_q73 + layer_1_z
+            * layer_1_z_by_q73;
+        const double length_19_by_q73 = t271 * t270;
+        const double t272 = 0.0065 * f[19 * n + state];
+        const double t273 = 0.002 * y_z;
+        const double strand_20_x_by_q71 = layer_1_x_by_q71 + t273;
+        const double t274 = 0.002 * y_x;
+        const double strand_20_x = layer_1_x - t274;
+        const double strand_20_y = 0.001 + layer_1_y - 0.002 * u_y;
+        const double strand_20_z_by_q71 = layer_1_z_by_q71 + t274;
+        const double strand_20_z = layer_1_z - t273;
+        const double t275 = strand_20_x * strand_20_x_by_q71 - strand_20_y * layer_1_y_by_q71
+            - strand_20_z * strand_20_z_by_q71;
+        const double t276 = strand_20_x * strand_20_x + strand_20_y * strand_20_y + strand_20_z
+            * strand_20_z;
+        const double length_20 = sinew_sqrt(t276);
+        const double t277 = 1.0 / length_20;
+        const double length_20_by_q71 = t275 * t277;
+        const double t278 = t262 + f[19 * n + state] * length_19_by_q71 + f[20 * n + state]
+            * length_20_by_q71;
+        const double strand_20_x_by_q73 = layer_1_x_by_q73 + 0.002 * y_x_by_q73;
+        const double strand_20_y_by_q73 = layer_1_y_by_q73 + 0.002 * u_y_by_q73;
+        const double strand_20_z_by_q73 = layer_1_z_by_q73 + 0.002 * y_z_by_q73;
+        const double t279 = strand_20_x * strand_20_x_by_q73 - strand_20_y * strand_20_y_by_q73
+            + strand_20_z * strand_20_z_by_q73;
+        const double length_20_by_q73 = t279 * t277;
+        const double t280 = t267 + f[19 * n + state] * length_19_by_q73 + f[20 * n + state]
+            * length_20_by_q73;
+        const double strand_21_x_by_q71 = layer_1_x_by_q71 + t70;
+        const double strand_21_x = layer_1_x - t71;
+        const double strand_21_y = 0.003 + layer_1_y - t72;
+        const double strand_21_z_by_q71 = layer_1_z_by_q71 + t71;
+        const double strand_21_z = layer_1_z - t70;
+        const double t281 = strand_21_x * strand_21_x_by_q71 - strand_21_y * layer_1_y_by_q71
+            - strand_21_z * strand_21_z_by_q71;
+        const double t282 = strand_21_x * strand_21_x + strand_21_y * strand_21_y + strand_21_z
+            * strand_21_z;
+        const double length_21 = sinew_sqrt(t282);
+        const double t283 = 1.0 / length_21;
+        const double length_21_by_q71 = t281 * t283;
+        const double strand_21_x_by_q73 = layer_1_x_by_q73 + t77;
+        const double strand_21_y_by_q73 = layer_1_y_by_q73 + t78;
+        const double strand_21_z_by_q73 = layer_1_z_by_q73 + t79;
+        const double t284 = strand_21_x * strand_21_x_by_q73 - strand_21_y * strand_21_y_by_q73
+            + strand_21_z * strand_21_z_by_q73;
+        const double length_21_by_q73 = t284 * t283;
+        const double strand_22_x_by_q71 = layer_1_x_by_q71 + t82;
+        const double strand_22_x = layer_1_x - t83;
+        const double strand_22_y = 0.005 + layer_1_y - t84;
+        const double strand_22_z_by_q71 = layer_1_z_by_q71 + t83;
+        const double strand_22_z = layer_1_z - t82;
+        const double t285 = strand_22_x * strand_22_x_by_q71 - strand_22_y * layer_1_y_by_q71
+            - strand_22_z * strand_22_z_by_q71;
+        const double t286 = strand_22_x * strand_22_x + strand_22_y * strand_22_y + strand_22_z
+            * strand_22_z;
+        const double length_22 = sinew_sqrt(t286);
+        const double t287 = 1.0 / length_22;
+        const double length_22_by_q71 = t285 * t287;
+        const double t288 = t278 + f[21 * n + state] * length_21_by_q71 + f[22 * n + state]
+            * length_22_by_q71;
+        const double strand_22_x_by_q73 = layer_1_x_by_q73 + t88;
+        const double strand_22_y_by_q73 = layer_1_y_by_q73 + t89;
+        const double strand_22_z_by_q73 = layer_1_z_by_q73 + t90;
+        const double t289 = strand_22_x * strand_22_x_by_q73 - strand_22_y * strand_22_y_by_q73
+            + strand_22_z * strand_22_z_by_q73;
+        const double length_22_by_q73 = t289 * t287;
+        const double t290 = t280 + f[21 * n + state] * length_21_by_q73 + f[22 * n + state]
+            * length_22_by_q73;
+        const double t291 = 0.007 * y_z;
+        const double strand_23_x_by_q71 = layer_1_x_by_q71 + t291;
+        const double t292 = 0.007 * y_x;
+        const double strand_23_x = layer_1_x - t292;
+        const double strand_23_y = 0.006 + layer_1_y - 0.007 * u_y;
+        const double strand_23_z_by_q71 = layer_1_z_by_q71 + t292;
+        const double strand_23_z = layer_1_z - t291;
+        const double t293 = strand_23_x * strand_23_x_by_q71 - strand_23_y * layer_1_y_by_q71
+            - strand_23_z * strand_23_z_by_q71;
+        const double t294 = strand_23_x * strand_23_x + strand_23_y * strand_23_y + strand_23_z
+            * strand_23_z;
+        const double length_23 = sinew_sqrt(t294);
+        const double t295 = 1.0 / length_23;
+        const double length_23_by_q71 = t293 * t295;
+        const double strand_23_x_by_q73 = layer_1_x_by_q73 + 0.007 * y_x_by_q73;
+        const double strand_23_y_by_q73 = layer_1_y_by_q73 + 0.007 * u_y_by_q73;
+        const double strand_23_z_by_q73 = layer_1_z_by_q73 + 0.007 * y_z_by_q73;
+        const double t296 = strand_23_x * strand_23_x_by_q73 - strand_23_y * strand_23_y_by_q73
+            + strand_23_z * strand_23_z_by_q73;
+        const double length_23_by_q73 = t296 * t295;
+        const double t297 = f[20 * n + state] - f[21 * n + state] + f[22 * n + state] - f[23 * n
+            + state];
+        const double strand_24_x_by_q71 = layer_1_x_by_q71 + t100;
+        const double strand_24_x = layer_1_x - t101;
+        const double strand_24_y = 0.008 + layer_1_y - t102;
+        const double strand_24_z_by_q71 = layer_1_z_by_q71 + t101;
+        const double strand_24_z = layer_1_z - t100;
+        const double t298 = strand_24_x * strand_24_x_by_q71 - strand_24_y * layer_1_y_by_q71
+            - strand_24_z * strand_24_z_by_q71;
+        const double t299 = strand_24_x * strand_24_x + strand_24_y * strand_24_y + strand_24_z
+            * strand_24_z;
+        const double length_24 = sinew_sqrt(t299);
+        const double t300 = 1.0 / length_24;
+        const double length_24_by_q71 = t298 * t300;
+        const double t301 = t288 + f[23 * n + state] * length_23_by_q71 + f[24 * n + state]
+            * length_24_by_q71;
+        const double strand_24_x_by_q73 = layer_1_x_by_q73 + t106;
+        const double strand_24_y_by_q73 = layer_1_y_by_q73 + t107;
+        const double strand_24_z_by_q73 = layer_1_z_by_q73 + t108;
+        const double t302 = strand_24_x * strand_24_x_by_q73 - strand_24_y * strand_24_y_by_q73
+            + strand_24_z * strand_24_z_by_q73;
+        const double length_24_by_q73 = t302 * t300;
+        const double t303 = t290 + f[23 * n + state] * length_23_by_q73 + f[24 * n + state]
+            * length_24_by_q73;
+        const double t304 = 0.0065 * f[24 * n + state];
+        const double t305 = 0.01 * y_z;
+        const double strand_25_x_by_q71 = layer_1_x_by_q71 + t305;
+        const double t306 = 0.01 * y_x;
+        const double strand_25_x = layer_1_x - t306;
+        const double strand_25_y = 0.009 + layer_1_y - 0.01 * u_y;
+        const double strand_25_z_by_q71 = layer_1_z_by_q71 + t306;
+        const double strand_25_z = layer_1_z - t305;
+        const double t307 = strand_25_x * strand_25_x_by_q71 - strand_25_y * layer_1_y_by_q71
+            - strand_25_z * strand_25_z_by_q71;
+        const double t308 = strand_25_x * strand_25_x + strand_25_y * strand_25_y + strand_25_z
+            * strand_25_z;
+        const double length_25 = sinew_sqrt(t308);
+        const double t309 = 1.0 / length_25;
+        const double length_25_by_q71 = t307 * t309;
+        const double strand_25_x_by_q73 = layer_1_x_by_q73 + 0.01 * y_x_by_q73;
+        const double strand_25_y_by_q73 = layer_1_y_by_q73 + 0.01 * u_y_by_q73;
+        const double strand_25_z_by_q73 = layer_1_z_by_q73 + 0.01 * y_z_by_q73;
+        const double t310 = strand_25_x * strand_25_x_by_q73 - strand_25_y * strand_25_y_by_q73
+            + strand_25_z * strand_25_z_by_q73;
+        const double length_25_by_q73 = t310 * t309;
+        const double t311 = 0.0065 * f[25 * n + state];
+        const double strand_26_x_by_q71 = layer_1_x_by_q71 + t33;
+        const double strand_26_x = layer_1_x - t41;
+        const double strand_26_y = 0.011 + layer_1_y - t47;
+        const double strand_26_z_by_q71 = layer_1_z_by_q71 + t41;
+        const double strand_26_z = layer_1_z - t33;
+        const double t312 = strand_26_x * strand_26_x_by_q71 - strand_26_y * layer_1_y_by_q71
+            - strand_26_z * strand_26_z_by_q71;
+        const double t313 = strand_26_x * strand_26_x + strand_26_y * strand_26_y + strand_26_z
+            * strand_26_z;
+        const double length_26 = sinew_sqrt(t313);
+        const double t314 = 1.0 / length_26;
+        const double length_26_by_q71 = t312 * t314;
+        const double t315 = t301 + f[25 * n + state] * length_25_by_q71 + f[26 * n + state]
+            * length_26_by_q71;
+        const double strand_26_x_by_q73 = layer_1_x_by_q73 + t61;
+        const double strand_26_y_by_q73 = layer_1_y_by_q73 + t64;
+        const double strand_26_z_by_q73 = layer_1_z_by_q73 + t67;
+        const double t316 = strand_26_x * strand_26_x_by_q73 - strand_26_y * strand_26_y_by_q73
+            + strand_26_z * strand_26_z_by_q73;
+        const double length_26_by_q73 = t316 * t314;
+        const double t317 = t303 + f[25 * n + state] * length_25_by_q73 + f[26 * n + state]
+            * length_26_by_q73;
+        const double t318 = 0.0065 * f[26 * n + state];
+        const double strand_27_x_by_q71 = layer_1_x_by_q71 + t123;
+        const double strand_27_x = layer_1_x - t124;
+        const double strand_27_y = 0.013 + layer_1_y - t125;
+        const double strand_27_z_by_q71 = layer_1_z_by_q71 + t124;
+        const double strand_27_z = layer_1_z - t123;
+        const double t319 = strand_27_x * strand_27_x_by_q71 - strand_27_y * layer_1_y_by_q71
+            - strand_27_z * strand_27_z_by_q71;
+        const double t320 = strand_27_x * strand_27_x + strand_27_y * strand_27_y + strand_27_z
+            * strand_27_z;
+        const double length_27 = sinew_sqrt(t320);
+        const double t321 = 1.0 / length_27;
+        const double length_27_by_q71 = t319 * t321;
+        const double strand_27_x_by_q73 = layer_1_x_by_q73 + t130;
+        const double strand_27_y_by_q73 = layer_1_y_by_q73 + t131;
+        const double strand_27_z_by_q73 = layer_1_z_by_q73 + t132;
+        const double t322 = strand_27_x * strand_27_x_by_q73 - strand_27_y * strand_27_y_by_q73
+            + strand_27_z * strand_27_z_by_q73;
+        const double length_27_by_q73 = t322 * t321;
+        const double t323 = 0.0065 * f[27 * n + state];
+        const double t324 = 0.015 * y_z;
+        const double strand_28_x_by_q71 = layer_1_x_by_q71 + t324;
+        const double t325 = 0.015 * y_x;
+        const double strand_28_x = layer_1_x - t325;
+        const double strand_28_y = 0.014 + layer_1_y - 0.015 * u_y;
+        const double strand_28_z_by_q71 = layer_1_z_by_q71 + t325;
+        const double strand_28_z = layer_1_z - t324;
+        const double t326 = strand_28_x * strand_28_x_by_q71 - strand_28_y * layer_1_y_by_q71
+            - strand_28_z * strand_28_z_by_q71;
+        const double t327 = strand_28_x * strand_28_x + strand_28_y * strand_28_y + strand_28_z
+            * strand_28_z;
+        const double length_28 = sinew_sqrt(t327);
+        const double t328 = 1.0 / length_28;
+        const double length_28_by_q71 = t326 * t328;
+        const double t329 = t315 + f[27 * n + state] * length_27_by_q71 + f[28 * n + state]
+            * length_28_by_q71;
+        const double strand_28_x_by_q73 = layer_1_x_by_q73 + 0.015 * y_x_by_q73;
+        const double strand_28_y_by_q73 = layer_1_y_by_q73 + 0.015 * u_y_by_q73;
+        const double strand_28_z_by_q73 = layer_1_z_by_q73 + 0.015 * y_z_by_q73;
+        const double t330 = strand_28_x * strand_28_x_by_q73 - strand_28_y * strand_28_y_by_q73
+            + strand_28_z * strand_28_z_by_q73;
+        const double length_28_by_q73 = t330 * t328;
+        const double t331 = t317 + f[27 * n + state] * length_27_by_q73 + f[28 * n + state]
+            * length_28_by_q73;
+        const double strand_29_x_by_q71 = layer_1_x_by_q71 + t143;
+        const double strand_29_x = layer_1_x - t144;
+        const double strand_29_y = 0.016 + layer_1_y - t145;
+        const double strand_29_z_by_q71 = layer_1_z_by_q71 + t144;
+        const double strand_29_z = layer_1_z - t143;
+        const double t332 = strand_29_x * strand_29_x_by_q71 - strand_29_y * layer_1_y_by_q71
+            - strand_29_z * strand_29_z_by_q71;
+        const double t333 = strand_29_x * strand_29_x + strand_29_y * strand_29_y + strand_29_z
+            * strand_29_z;
+        const double length_29 = sinew_sqrt(t333);
+        const double t334 = 1.0 / length_29;
+        const double length_29_by_q71 = t332 * t334;
+        const double strand_29_x_by_q73 = layer_1_x_by_q73 + t150;
+        const double strand_29_y_by_q73 = layer_1_y_by_q73 + t151;
+        const double strand_29_z_by_q73 = layer_1_z_by_q73 + t152;
+        const double t335 = strand_29_x * strand_29_x_by_q73 - strand_29_y * strand_29_y_by_q73
+            + strand_29_z * strand_29_z_by_q73;
+        const double length_29_by_q73 = t335 * t334;
+        const double t336 = 0.018 * y_z;
+        const double strand_30_x_by_q71 = layer_1_x_by_q71 + t336;
+        const double t337 = 0.018 * y_x;
+        const double strand_30_x = layer_1_x - t337;
+        const double strand_30_y = 0.017 + layer_1_y - 0.018 * u_y;
+        const double strand_30_z_by_q71 = layer_1_z_by_q71 + t337;
+        const double strand_30_z = layer_1_z - t336;
+        const double t338 = strand_30_x * strand_30_x_by_q71 - strand_30_y * layer_1_y_by_q71
+            - strand_30_z * strand_30_z_by_q71;
+        const double t339 = strand_30_x * strand_30_x + strand_30_y * strand_30_y + strand_30_z
+            * strand_30_z;
+        const double length_30 = sinew_sqrt(t339);
+        const double t340 = 1.0 / length_30;
+        const double length_30_by_q71 = t338 * t340;
+        const double t341 = t329 + f[29 * n + state] * length_29_by_q71 + f[30 * n + state]
+            * length_30_by_q71;
+        const double strand_30_x_by_q73 = layer_1_x_by_q73 + 0.018 * y_x_by_q73;
+        const double strand_30_y_by_q73 = layer_1_y_by_q73 + 0.018 * u_y_by_q73;
+        const double strand_30_z_by_q73 = layer_1_z_by_q73 + 0.018 * y_z_by_q73;
+        const double t342 = strand_30_x * strand_30_x_by_q73 - strand_30_y * strand_30_y_by_q73
+            + strand_30_z * strand_30_z_by_q73;
+        const double length_30_by_q73 = t342 * t340;
+        const double t343 = t331 + f[29 * n + state] * length_29_by_q73 + f[30 * n + state]
+            * length_30_by_q73;
+        const double t344 = 0.0052 * f[30 * n + state];
+        const double strand_31_x_by_q71 = layer_1_x_by_q71 + t163;
+        const double strand_31_x = layer_1_x - t164;
+        const double strand_31_y = 0.019 + layer_1_y - t165;
+        const double strand_31_z_by_q71 = layer_1_z_by_q71 + t164;
+        const double strand_31_z = layer_1_z - t163;
+        const double t345 = strand_31_x * strand_31_x_by_q71 - strand_31_y * layer_1_y_by_q71
+            - strand_31_z * strand_31_z_by_q71;
+        const double t346 = strand_31_x * strand_31_x + strand_31_y * strand_31_y + strand_31_z
+            * strand_31_z;
+        const double length_31 = sinew_sqrt(t346);
+        const double t347 = 1.0 / length_31;
+        const double length_31_by_q71 = t345 * t347;
+        const double strand_31_x_by_q73 = layer_1_x_by_q73 + t170;
+        const double strand_31_y_by_q73 = layer_1_y_by_q73 + t171;
+        const double strand_31_z_by_q73 = layer_1_z_by_q73 + t172;
+        const double t348 = strand_31_x * strand_31_x_by_q73 - strand_31_y * strand_31_y_by_q73
+            + strand_31_z * strand_31_z_by_q73;
+        const double length_31_by_q73 = t348 * t347;
+        const double t349 = 0.0052 * f[31 * n + state];
+        const double strand_32_x_by_q71 = layer_1_x_by_q71 + t175;
+        const double strand_32_x = layer_1_x - t176;
+        const double strand_32_y = 0.021 + layer_1_y - t177;
+        const double strand_32_z_by_q71 = layer_1_z_by_q71 + t176;
+        const double strand_32_z = layer_1_z - t175;
+        const double t350 = strand_32_x * strand_32_x_by_q71 - strand_32_y * layer_1_y_by_q71
+            - strand_32_z * strand_32_z_by_q71;
+        const double t351 = strand_32_x * strand_32_x + strand_32_y * strand_32_y + strand_32_z
+            * strand_32_z;
+        const double length_32 = sinew_sqrt(t351);
+        const double t352 = 1.0 / length_32;
+        const double length_32_by_q71 = t350 * t352;
+        const double t353 = t341 + f[31 * n + state] * length_31_by_q71 + f[32 * n + state]
+            * length_32_by_q71;
+        const double strand_32_x_by_q73 = layer_1_x_by_q73 + t181;
+        const double strand_32_y_by_q73 = layer_1_y_by_q73 + t182;
+        const double strand_32_z_by_q73 = layer_1_z_by_q73 + t183;
+        const double t354 = strand_32_x * strand_32_x_by_q73 - strand_32_y * strand_32_y_by_q73
+            + strand_32_z * strand_32_z_by_q73;
+        const double length_32_by_q73 = t354 * t352;
+        const double t355 = t343 + f[31 * n + state] * length_31_by_q73 + f[32 * n + state]
+            * length_32_by_q73;
+        const double t356 = 0.0052 * f[32 * n + state];
+        const double t357 = 0.023 * y_z;
+        const double strand_33_x_by_q71 = layer_1_x_by_q71 + t357;
+        const double t358 = 0.023 * y_x;
+        const double strand_33_x = layer_1_x - t358;
+        const double strand_33_y = 0.022 + layer_1_y - 0.023 * u_y;
+        const double strand_33_z_by_q71 = layer_1_z_by_q71 + t358;
+        const double strand_33_z = layer_1_z - t357;
+        const double t359 = strand_33_x * strand_33_x_by_q71 - strand_33_y * layer_1_y_by_q71
+            - strand_33_z * strand_33_z_by_q71;
+        const double t360 = strand_33_x * strand_33_x + strand_33_y * strand_33_y + strand_33_z
+            * strand_33_z;
+        const double length_33 = sinew_sqrt(t360);
+        const double t361 = 1.0 / length_33;
+        const double length_33_by_q71 = t359 * t361;
+        const double strand_33_x_by_q73 = layer_1_x_by_q73 + 0.023 * y_x_by_q73;
+        const double strand_33_y_by_q73 = layer_1_y_by_q73 + 0.023 * u_y_by_q73;
+        const double strand_33_z_by_q73 = layer_1_z_by_q73 + 0.023 * y_z_by_q73;
+        const double t362 = strand_33_x * strand_33_x_by_q73 - strand_33_y * strand_33_y_by_q73
+            + strand_33_z * strand_33_z_by_q73;
+        const double length_33_by_q73 = t362 * t361;
+        const double t363 = 0.0052 * f[33 * n + state];
+        const double strand_34_x_by_q71 = layer_1_x_by_q71 + t193;
+        const double strand_34_x = layer_1_x - t194;
+        const double strand_34_y = 0.024 + layer_1_y - t195;
+        const double strand_34_z_by_q71 = layer_1_z_by_q71 + t194;
+        const double strand_34_z = layer_1_z - t193;
+        const double t364 = strand_34_x * strand_34_x_by_q71 - strand_34_y * layer_1_y_by_q71
+            - strand_34_z * strand_34_z_by_q71;
+        const double t365 = strand_34_x * strand_34_x + strand_34_y * strand_34_y + strand_34_z
+            * strand_34_z;
+        const double length_34 = sinew_sqrt(t365);
+        const double t366 = 1.0 / length_34;
+        const double length_34_by_q71 = t364 * t366;
+        const double t367 = t353 + f[33 * n + state] * length_33_by_q71 + f[34 * n + state]
+            * length_34_by_q71;
+        const double strand_34_x_by_q73 = layer_1_x_by_q73 + t199;
+        const double strand_34_y_by_q73 = layer_1_y_by_q73 + t200;
+        const double strand_34_z_by_q73 = layer_1_z_by_q73 + t201;
+        const double t368 = strand_34_x * strand_34_x_by_q73 - strand_34_y * strand_34_y_by_q73
+            + strand_34_z * strand_34_z_by_q73;
+        const double length_34_by_q73 = t368 * t366;
+        const double t369 = t355 + f[33 * n + state] * length_33_by_q73 + f[34 * n + state]
+            * length_34_by_q73;
+        const double t370 = 0.026 * y_z;
+        const double strand_35_x_by_q71 = layer_1_x_by_q71 + t370;
+        const double t371 = 0.026 * y_x;
+        const double strand_35_x = layer_1_x - t371;
+        const double strand_35_y = 0.025 + layer_1_y - 0.026 * u_y;
+        const double strand_35_z_by_q71 = layer_1_z_by_q71 + t371;
+        const double strand_35_z = layer_1_z - t370;
+        const double t372 = strand_35_x * strand_35_x_by_q71 - strand_35_y * layer_1_y_by_q71
             - strand_35_z * strand_35_z_by_q71;
-        const double t343 = strand_35_x * strand_35_x + strand_35_y * strand_35_y + strand_35_z
+        const double t373 = strand_35_x * strand_35_x + strand_35_y * strand_35_y + strand_35_z
             * strand_35_z;
-        const double length_35 = sinew_sqrt(t343);
-        const double t344 = 1.0 / length_35;
-        const double length_35_by_q71 = t342 * t344;
-        const double strand_35_x_by_q73 = layer_1_x_by_q73 + t182;
-        const double strand_35_y_by_q73 = layer_1_y_by_q73 + t183;
-        const double strand_35_z_by_q73 = layer_1_z_by_q73 + t184;
-        const double t345 = strand_35_x * strand_35_x_by_q73 - strand_35_y * strand_35_y_by_q73
+        const double length_35 = sinew_sqrt(t373);
+        const double t374 = 1.0 / length_35;
+        const double length_35_by_q71 = t372 * t374;
+        const double strand_35_x_by_q73 = layer_1_x_by_q73 + 0.026 * y_x_by_q73;
+        const double strand_35_y_by_q73 = layer_1_y_by_q73 + 0.026 * u_y_by_q73;
+        const double strand_35_z_by_q73 = layer_1_z_by_q73 + 0.026 * y_z_by_q73;
+        const double t375 = strand_35_x * strand_35_x_by_q73 - strand_35_y * strand_35_y_by_q73
             + strand_35_z * strand_35_z_by_q73;
-        const double length_35_by_q73 = t345 * t344;
-        const double strand_36_x_by_q71 = layer_1_x_by_q71 + t187;
-        const double strand_36_x = layer_1_x - t188;
-        const double strand_36_y = 0.033 - layer_1_y - t189;
-        const double strand_36_z_by_q71 = layer_1_z_by_q71 + t188;
-        const double strand_36_z = layer_1_z - t187;
-        const double t346 = strand_36_x * strand_36_x_by_q71 - strand_36_y * layer_1_y_by_q71
+        const double length_35_by_q73 = t375 * t374;
+        const double strand_36_x_by_q71 = layer_1_x_by_q71 + t245;
+        const double strand_36_x = layer_1_x - t246;
+        const double strand_36_y = 0.027 + layer_1_y - t247;
+        const double strand_36_z_by_q71 = layer_1_z_by_q71 + t246;
+        const double strand_36_z = layer_1_z - t245;
+        const double t376 = strand_36_x * strand_36_x_by_q71 - strand_36_y * layer_1_y_by_q71
             - strand_36_z * strand_36_z_by_q71;
-        const double t347 = strand_36_x * strand_36_x + strand_36_y * strand_36_y + strand_36_z
+        const double t377 = strand_36_x * strand_36_x + strand_36_y * strand_36_y + strand_36_z
             * strand_36_z;
-        const double length_36 = sinew_sqrt(t347);
-        const double t348 = 1.0 / length_36;
-        const double length_36_by_q71 = t346 * t348;
-        const double t349 = t307 + f[35 * n + state] * length_35_by_q71 + f[36 * n + state]
+        const double length_36 = sinew_sqrt(t377);
+        const double t378 = 1.0 / length_36;
+        const double length_36_by_q71 = t376 * t378;
+        const double t379 = t367 + f[35 * n + state] * length_35_by_q71 + f[36 * n + state]
             * length_36_by_q71;
-        const double strand_36_x_by_q73 = layer_1_x_by_q73 + t194;
-        const double strand_36_y_by_q73 = layer_1_y_by_q73 + t195;
-        const double strand_36_z_by_q73 = layer_1_z_by_q73 + t196;
-        const double t350 = strand_36_x * strand_36_x_by_q73 - strand_36_y * strand_36_y_by_q73
+        const double strand_36_x_by_q73 = layer_1_x_by_q73 + t251;
+        const double strand_36_y_by_q73 = layer_1_y_by_q73 + t252;
+        const double strand_36_z_by_q73 = layer_1_z_by_q73 + t253;
+        const double t380 = strand_36_x * strand_36_x_by_q73 - strand_36_y * strand_36_y_by_q73
             + strand_36_z * strand_36_z_by_q73;
-        const double length_36_by_q73 = t350 * t348;
-        const double t351 = t309 + f[35 * n + state] * length_35_by_q73 + f[36 * n + state]
+        const double length_36_by_q73 = t380 * t378;
+        const double t381 = t369 + f[35 * n + state] * length_35_by_q73 + f[36 * n + state]
             * length_36_by_q73;
-        const double strand_37_x_by_q71 = layer_1_x_by_q71 + t200;
-        const double strand_37_x = layer_1_x - t201;
-        const double strand_37_y = 0.035 - layer_1_y - t202;
-        const double strand_37_z_by_q71 = layer_1_z_by_q71 + t201;
-        const double strand_37_z = layer_1_z - t200;
-        const double t352 = strand_37_x * strand_37_x_by_q71 - strand_37_y * layer_1_y_by_q71
+        const double strand_37_x_by_q71 = layer_1_x_by_q71 + t256;
+        const double strand_37_x = layer_1_x - t257;
+        const double strand_37_y = 0.029 + layer_1_y - t258;
+        const double strand_37_z_by_q71 = layer_1_z_by_q71 + t257;
+        const double strand_37_z = layer_1_z - t256;
+        const double t382 = strand_37_x * strand_37_x_by_q71 - strand_37_y * layer_1_y_by_q71
             - strand_37_z * strand_37_z_by_q71;
-        const double t353 = strand_37_x * strand_37_x + strand_37_y * strand_37_y + strand_37_z
+        const double t383 = strand_37_x * strand_37_x + strand_37_y * strand_37_y + strand_37_z
             * strand_37_z;
-        const double length_37 = sinew_sqrt(t353);
-        const double t354 = 1.0 / length_37;
-        const double length_37_by_q71 = t352 * t354;
-        const double strand_37_x_by_q73 = layer_1_x_by_q73 + t206;
-        const double strand_37_y_by_q73 = layer_1_y_by_q73 + t207;
-        const double strand_37_z_by_q73 = layer_1_z_by_q73 + t208;
-        const double t355 = strand_37_x * strand_37_x_by_q73 - strand_37_y * strand_37_y_by_q73
+        const double length_37 = sinew_sqrt(t383);
+        const double t384 = 1.0 / length_37;
+        const double length_37_by_q71 = t382 * t384;
+        const double strand_37_x_by_q73 = layer_1_x_by_q73 + t263;
+        const double strand_37_y_by_q73 = layer_1_y_by_q73 + t264;
+        const double strand_37_z_by_q73 = layer_1_z_by_q73 + t265;
+        const double t385 = strand_37_x * strand_37_x_by_q73 - strand_37_y * strand_37_y_by_q73
             + strand_37_z * strand_37_z_by_q73;
-        const double length_37_by_q73 = t355 * t354;
-        tau[state] = t341 + f[3 * n + state] * D_length_by_q_0;
-        tau[1 * n + state] = t338 - f[3 * n + state] * D_length_by_q_1;
-        tau[2 * n + state] = -(0.0065 * t135);
+        const double length_37_by_q73 = t385 * t384;
+        tau[state] = t244 + f[3 * n + state] * D_length_by_q_0;
+        tau[1 * n + state] = t241 - f[3 * n + state] * D_length_by_q_1;
+        tau[2 * n + state] = -(0.0065 * t122);
         tau[3 * n + state] = -(0.0055 * (f[6 * n + state] - f[7 * n + state]));
-        tau[4 * n + state] = -(t142 + t147 - t154 - t159);
-        tau[5 * n + state] = -(t142 - t147 + t154 - t159);
-        tau[6 * n + state] = -(0.0055 * t186);
+        tau[4 * n + state] = -(t135 + t142 - t155 - t162);
+        tau[5 * n + state] = -(t135 - t142 + t155 - t162);
+        tau[6 * n + state] = -(0.0055 * t203);
         tau[7 * n + state] = 0.0045 * (f[14 * n + state] - f[15 * n + state]);
-        tau[8 * n + state] = -(t199 + t210 - t219 - t224);
-        tau[9 * n + state] = -(t199 - t210 + t219 - t224);
-        tau[10 * n + state] = -(0.0055 * t245);
+        tau[8 * n + state] = -(t212 + t255 - t268 - t272);
+        tau[9 * n + state] = -(t212 - t255 + t268 - t272);
+        tau[10 * n + state] = -(0.0055 * t297);
         tau[11 * n + state] = 0.0045 * (f[22 * n + state] - f[23 * n + state]);
-        tau[12 * n + state] = -(t252 + t257 - t264 - t269);
-        tau[13 * n + state] = -(t252 - t257 + t264 - t269);
+        tau[12 * n + state] = -(t304 + t311 - t318 - t323);
+        tau[13 * n + state] = -(t304 - t311 + t318 - t323);
         tau[14 * n + state] = -(0.011000000000000001 * (f[28 * n + state] - f[29 * n + state]));
-        tau[15 * n + state] = -(t286 + t291 - t298 - t303);
-        tau[16 * n + state] = -(t286 - t291 + t298 - t303);
+        tau[15 * n + state] = -(t344 + t349 - t356 - t363);
+        tau[16 * n + state] = -(t344 - t349 + t356 - t363);
         tau[17 * n + state] = -(0.0088 * (f[34 * n + state] - f[35 * n + state]));
         tau[18 * n + state] = -(0.005 * (f[36 * n + state] - f[37 * n + state]));
-        tau[19 * n + state] = -(t349 + f[37 * n + state] * length_37_by_q71);
-        tau[20 * n + state] = t351 + f[37 * n + state] * length_37_by_q73;
+        tau[19 * n + state] = -(t379 + f[37 * n + state] * length_37_by_q71);
+        tau[20 * n + state] = t381 + f[37 * n + state] * length_37_by_q73;
     }
 }
 
@@ -3928,323 +3987,324 @@ void hand_feedforward_batch(int count, const double *SINEW_RESTRICT q_wrist,
             * reach_squared);
         const double root = sinew_sqrt(clearance);
         const double t1 = 1.0 / reach_squared;
-        const double sin_A = (p_y * root - p_z * limited) * t1;
-        const double x_plane_x = u_y * sin_A;
         const double cos_A = (p_y * limited + p_z * root) * t1;
-        const double x_x = cos_q71 * x_plane_x + sin_q71 * cos_A;
-        const double M_x = cos_q71 * M_e;
         const double z_plane_x = u_y * cos_A;
+        const double sin_A = (p_y * root - p_z * limited) * t1;
         const double z_x = cos_q71 * z_plane_x - sin_q71 * sin_A;
-        const double t2 = 0.004 * (1.0 + x_x) - M_x + 0.018 * z_x;
+        const double M_x = cos_q71 * M_e;
+        const double x_plane_x = u_y * sin_A;
+        const double x_x = cos_q71 * x_plane_x + sin_q71 * cos_A;
+        const double t2 = 0.004 - M_x + 0.018 * z_x + 0.004 * x_x;
         const double t3 = 0.01 * z_x;
-        const double layer_0_x = t2 - t3;
         const double y_x = cos_q71 * u_e;
         const double t4 = 0.011 * y_x;
-        const double strand_0_x = layer_0_x + t4;
+        const double layer_0_x = t2 - t3 + t4;
         const double z_plane_y = u_e * cos_A;
         const double origin_y = M_y + 0.018 * z_plane_y;
-        const double t5 = origin_y + 0.004 * u_e * sin_A;
+        const double x_plane_y = u_e * sin_A;
+        const double t5 = 0.004 * x_plane_y;
         const double t6 = 0.01 * z_plane_y;
-        const double layer_0_y = t5 - t6;
         const double t7 = 0.011 * u_y;
-        const double strand_0_y = 0.007 - layer_0_y + t7;
+        const double layer_0_y = 0.007 - origin_y - t5 + t6 + t7;
         const double z_z = cos_q71 * sin_A + sin_q71 * z_plane_x;
         const double M_z = sin_q71 * M_e;
         const double origin_z = M_z - 0.018 * z_z;
         const double x_z = cos_q71 * cos_A - sin_q71 * x_plane_x;
         const double t8 = 0.004 * x_z;
         const double t9 = 0.01 * z_z;
-        const double layer_0_z = 0.008 - origin_z - t8 - t9;
         const double y_z = sin_q71 * u_e;
         const double t10 = 0.011 * y_z;
-        const double strand_0_z = layer_0_z + t10;
-        const double t11 = strand_0_x * strand_0_x + strand_0_y * strand_0_y + strand_0_z
-            * strand_0_z;
-        const double length_0 = sinew_sqrt(t11);
+        const double layer_0_z = 0.008 - origin_z - t8 - t9 + t10;
+        const double length_0 = sinew_sqrt(layer_0_x * layer_0_x + layer_0_y * layer_0_y + layer_0_z
+            * layer_0_z);
         const double change_0 = 0.04661544808322666 - length_0;
-        const double t12 = 0.01 * y_x;
-        const double strand_1_x = layer_0_x + t12;
-        const double t13 = 0.01 * u_y;
-        const double strand_1_y = 0.008 - layer_0_y + t13;
-        const double t14 = 0.01 * y_z;
-        const double strand_1_z = layer_0_z + t14;
-        const double t15 = strand_1_x * strand_1_x + strand_1_y * strand_1_y + strand_1_z
+        const double strand_1_x = layer_0_x - 0.001 * y_x;
+        const double strand_1_y = 0.001 + layer_0_y - 0.001 * u_y;
+        const double strand_1_z = layer_0_z - 0.001 * y_z;
+        const double t11 = strand_1_x * strand_1_x + strand_1_y * strand_1_y + strand_1_z
             * strand_1_z;
-        const double length_1 = sinew_sqrt(t15);
+        const double length_1 = sinew_sqrt(t11);
         const double change_1 = 0.04661544808322666 - length_1;
-        const double t16 = 0.008 * y_x;
-        const double strand_2_x = layer_0_x + t16;
-        const double t17 = 0.008 * u_y;
-        const double strand_2_y = 0.01 - layer_0_y + t17;
-        const double t18 = 0.008 * y_z;
-        const double strand_2_z = layer_0_z + t18;
-        const double t19 = strand_2_x * strand_2_x + strand_2_y * strand_2_y + strand_2_z
+        const double t12 = 0.003 * y_x;
+        const double strand_2_x = layer_0_x - t12;
+        const double t13 = 0.003 * u_y;
+        const double strand_2_y = 0.003 + layer_0_y - t13;
+        const double t14 = 0.003 * y_z;
+        const double strand_2_z = layer_0_z - t14;
+        const double t15 = strand_2_x * strand_2_x + strand_2_y * strand_2_y + strand_2_z
             * strand_2_z;
-        const double length_2 = sinew_sqrt(t19);
+        const double length_2 = sinew_sqrt(t15);
         const double change_2 = 0.04661544808322666 - length_2;
-        const double t20 = 0.006 * y_x;
-        const double strand_3_x = layer_0_x + t20;
-        const double t21 = 0.006 * u_y;
-        const double strand_3_y = 0.011 - layer_0_y + t21;
-        const double t22 = 0.006 * y_z;
-        const double strand_3_z = layer_0_z + t22;
-        const double t23 = strand_3_x * strand_3_x + strand_3_y * strand_3_y + strand_3_z
+        const double t16 = 0.005 * y_x;
+        const double strand_3_x = layer_0_x - t16;
+        const double t17 = 0.005 * u_y;
+        const double strand_3_y = 0.004 + layer_0_y - t17;
+        const double t18 = 0.005 * y_z;
+        const double strand_3_z = layer_0_z - t18;
+        const double t19 = strand_3_x * strand_3_x + strand_3_y * strand_3_y + strand_3_z
             * strand_3_z;
-        const double length_3 = sinew_sqrt(t23);
+        const double length_3 = sinew_sqrt(t19);
         const double change_3 = 0.04669047011971501 - length_3;
-        const double t24 = 0.005 * y_x;
-        const double strand_4_x = layer_0_x + t24;
-        const double t25 = 0.005 * u_y;
-        const double strand_4_y = 0.013 - layer_0_y + t25;
-        const double t26 = 0.005 * y_z;
-        const double strand_4_z = layer_0_z + t26;
-        const double t27 = strand_4_x * strand_4_x + strand_4_y * strand_4_y + strand_4_z
+        const double strand_4_x = layer_0_x - 0.006 * y_x;
+        const double strand_4_y = 0.006 + layer_0_y - 0.006 * u_y;
+        const double strand_4_z = layer_0_z - 0.006 * y_z;
+        const double t20 = strand_4_x * strand_4_x + strand_4_y * strand_4_y + strand_4_z
             * strand_4_z;
-        const double length_4 = sinew_sqrt(t27);
+        const double length_4 = sinew_sqrt(t20);
         const double change_4 = 0.04661544808322666 - length_4;
-        const double t28 = 0.003 * y_x;
-        const double strand_5_x = layer_0_x + t28;
-        const double t29 = 0.003 * u_y;
-        const double strand_5_y = 0.015 - layer_0_y + t29;
-        const double t30 = 0.003 * y_z;
-        const double strand_5_z = layer_0_z + t30;
-        const double t31 = strand_5_x * strand_5_x + strand_5_y * strand_5_y + strand_5_z
+        const double t21 = 0.008 * y_x;
+        const double strand_5_x = layer_0_x - t21;
+        const double t22 = 0.008 * u_y;
+        const double strand_5_y = 0.008 + layer_0_y - t22;
+        const double t23 = 0.008 * y_z;
+        const double strand_5_z = layer_0_z - t23;
+        const double t24 = strand_5_x * strand_5_x + strand_5_y * strand_5_y + strand_5_z
             * strand_5_z;
-        const double length_5 = sinew_sqrt(t31);
+        const double length_5 = sinew_sqrt(t24);
         const double change_5 = 0.04661544808322666 - length_5;
-        const double t32 = 0.002 * y_x;
-        const double strand_6_x = layer_0_x + t32;
-        const double t33 = 0.002 * u_y;
-        const double strand_6_y = 0.016 - layer_0_y + t33;
-        const double t34 = 0.002 * y_z;
-        const double strand_6_z = layer_0_z + t34;
-        const double t35 = strand_6_x * strand_6_x + strand_6_y * strand_6_y + strand_6_z
+        const double strand_6_x = layer_0_x - 0.009 * y_x;
+        const double strand_6_y = 0.009 + layer_0_y - 0.009 * u_y;
+        const double strand_6_z = layer_0_z - 0.009 * y_z;
+        const double t25 = strand_6_x * strand_6_x + strand_6_y * strand_6_y + strand_6_z
             * strand_6_z;
-        const double length_6 = sinew_sqrt(t35);
+        const double length_6 = sinew_sqrt(t25);
         const double change_6 = 0.04661544808322666 - length_6;
-        const double strand_7_y = 0.018 - layer_0_y;
-        const double length_7 = sinew_sqrt(layer_0_x * layer_0_x + layer_0_z * layer_0_z
-            + strand_7_y * strand_7_y);
+        const double strand_7_x = layer_0_x - t4;
+        const double strand_7_y = 0.011 + layer_0_y - t7;
+        const double strand_7_z = layer_0_z - t10;
+        const double t26 = strand_7_x * strand_7_x + strand_7_y * strand_7_y + strand_7_z
+            * strand_7_z;
+        const double length_7 = sinew_sqrt(t26);
         const double change_7 = 0.04661544808322666 - length_7;
-        const double strand_8_x = layer_0_x - t32;
-        const double strand_8_y = 0.019 - layer_0_y - t33;
-        const double strand_8_z = layer_0_z - t34;
-        const double t36 = strand_8_x * strand_8_x + strand_8_y * strand_8_y + strand_8_z
+        const double t27 = 0.013 * y_x;
+        const double strand_8_x = layer_0_x - t27;
+        const double t28 = 0.013 * u_y;
+        const double strand_8_y = 0.012 + layer_0_y - t28;
+        const double t29 = 0.013 * y_z;
+        const double strand_8_z = layer_0_z - t29;
+        const double t30 = strand_8_x * strand_8_x + strand_8_y * strand_8_y + strand_8_z
             * strand_8_z;
-        const double length_8 = sinew_sqrt(t36);
+        const double length_8 = sinew_sqrt(t30);
         const double change_8 = 0.04669047011971501 - length_8;
-        const double strand_9_x = layer_0_x - t28;
-        const double strand_9_y = 0.021 - layer_0_y - t29;
-        const double strand_9_z = layer_0_z - t30;
-        const double t37 = strand_9_x * strand_9_x + strand_9_y * strand_9_y + strand_9_z
+        const double strand_9_x = layer_0_x - 0.014 * y_x;
+        const double strand_9_y = 0.014 + layer_0_y - 0.014 * u_y;
+        const double strand_9_z = layer_0_z - 0.014 * y_z;
+        const double t31 = strand_9_x * strand_9_x + strand_9_y * strand_9_y + strand_9_z
             * strand_9_z;
-        const double length_9 = sinew_sqrt(t37);
+        const double length_9 = sinew_sqrt(t31);
         const double change_9 = 0.04661544808322666 - length_9;
-        const double strand_10_x = layer_0_x - t24;
-        const double strand_10_y = 0.023 - layer_0_y - t25;
-        const double strand_10_z = layer_0_z - t26;
-        const double t38 = strand_10_x * strand_10_x + strand_10_y * strand_10_y + strand_10_z
+        const double t32 = 0.016 * y_x;
+        const double strand_10_x = layer_0_x - t32;
+        const double t33 = 0.016 * u_y;
+        const double strand_10_y = 0.016 + layer_0_y - t33;
+        const double t34 = 0.016 * y_z;
+        const double strand_10_z = layer_0_z - t34;
+        const double t35 = strand_10_x * strand_10_x + strand_10_y * strand_10_y + strand_10_z
             * strand_10_z;
-        const double length_10 = sinew_sqrt(t38);
+        const double length_10 = sinew_sqrt(t35);
         const double change_10 = 0.04661544808322666 - length_10;
-        const double strand_11_x = layer_0_x - t20;
-        const double strand_11_y = 0.024 - layer_0_y - t21;
-        const double strand_11_z = layer_0_z - t22;
-        const double t39 = strand_11_x * strand_11_x + strand_11_y * strand_11_y + strand_11_z
+        const double strand_11_x = layer_0_x - 0.017 * y_x;
+        const double strand_11_y = 0.017 + layer_0_y - 0.017 * u_y;
+        const double strand_11_z = layer_0_z - 0.017 * y_z;
+        const double t36 = strand_11_x * strand_11_x + strand_11_y * strand_11_y + strand_11_z
             * strand_11_z;
-        const double length_11 = sinew_sqrt(t39);
+        const double length_11 = sinew_sqrt(t36);
         const double change_11 = 0.04661544808322666 - length_11;
-        const double strand_12_x = layer_0_x - t16;
-        const double strand_12_y = 0.026 - layer_0_y - t17;
-        const double strand_12_z = layer_0_z - t18;
+        const double t37 = 0.019 * y_x;
+        const double strand_12_x = layer_0_x - t37;
+        const double t38 = 0.019 * u_y;
+        const double strand_12_y = 0.019 + layer_0_y - t38;
+        const double t39 = 0.019 * y_z;
+        const double strand_12_z = layer_0_z - t39;
         const double t40 = strand_12_x * strand_12_x + strand_12_y * strand_12_y + strand_12_z
             * strand_12_z;
         const double length_12 = sinew_sqrt(t40);
         const double change_12 = 0.04661544808322666 - length_12;
-        const double strand_13_x = layer_0_x - t12;
-        const double strand_13_y = 0.027 - layer_0_y - t13;
-        const double strand_13_z = layer_0_z - t14;
-        const double t41 = strand_13_x * strand_13_x + strand_13_y * strand_13_y + strand_13_z
+        const double t41 = 0.021 * y_x;
+        const double strand_13_x = layer_0_x - t41;
+        const double t42 = 0.021 * u_y;
+        const double strand_13_y = 0.02 + layer_0_y - t42;
+        const double t43 = 0.021 * y_z;
+        const double strand_13_z = layer_0_z - t43;
+        const double t44 = strand_13_x * strand_13_x + strand_13_y * strand_13_y + strand_13_z
             * strand_13_z;
-        const double length_13 = sinew_sqrt(t41);
+        const double length_13 = sinew_sqrt(t44);
         const double change_13 = 0.04669047011971501 - length_13;
-        const double strand_14_x = layer_0_x - t4;
-        const double strand_14_y = 0.029 - layer_0_y - t7;
-        const double strand_14_z = layer_0_z - t10;
-        const double t42 = strand_14_x * strand_14_x + strand_14_y * strand_14_y + strand_14_z
+        const double strand_14_x = layer_0_x - 0.022 * y_x;
+        const double strand_14_y = 0.022 + layer_0_y - 0.022 * u_y;
+        const double strand_14_z = layer_0_z - 0.022 * y_z;
+        const double t45 = strand_14_x * strand_14_x + strand_14_y * strand_14_y + strand_14_z
             * strand_14_z;
-        const double length_14 = sinew_sqrt(t42);
+        const double length_14 = sinew_sqrt(t45);
         const double change_14 = 0.04661544808322666 - length_14;
-        const double t43 = 0.013 * y_x;
-        const double strand_15_x = layer_0_x - t43;
-        const double t44 = 0.013 * u_y;
-        const double strand_15_y = 0.031 - layer_0_y - t44;
-        const double t45 = 0.013 * y_z;
-        const double strand_15_z = layer_0_z - t45;
-        const double t46 = strand_15_x * strand_15_x + strand_15_y * strand_15_y + strand_15_z
+        const double t46 = 0.024 * y_x;
+        const double strand_15_x = layer_0_x - t46;
+        const double t47 = 0.024 * u_y;
+        const double strand_15_y = 0.024 + layer_0_y - t47;
+        const double t48 = 0.024 * y_z;
+        const double strand_15_z = layer_0_z - t48;
+        const double t49 = strand_15_x * strand_15_x + strand_15_y * strand_15_y + strand_15_z
             * strand_15_z;
-        const double length_15 = sinew_sqrt(t46);
+        const double length_15 = sinew_sqrt(t49);
         const double change_15 = 0.04661544808322666 - length_15;
-        const double t47 = 0.014 * y_x;
-        const double strand_16_x = layer_0_x - t47;
-        const double t48 = 0.014 * u_y;
-        const double strand_16_y = 0.032 - layer_0_y - t48;
-        const double t49 = 0.014 * y_z;
-        const double strand_16_z = layer_0_z - t49;
+        const double strand_16_x = layer_0_x - 0.025 * y_x;
+        const double strand_16_y = 0.025 + layer_0_y - 0.025 * u_y;
+        const double strand_16_z = layer_0_z - 0.025 * y_z;
         const double t50 = strand_16_x * strand_16_x + strand_16_y * strand_16_y + strand_16_z
             * strand_16_z;
         const double length_16 = sinew_sqrt(t50);
         const double change_16 = 0.04661544808322666 - length_16;
-        const double t51 = 0.016 * y_x;
+        const double t51 = 0.027 * y_x;
         const double strand_17_x = layer_0_x - t51;
-        const double t52 = 0.016 * u_y;
-        const double strand_17_y = 0.034 - layer_0_y - t52;
-        const double t53 = 0.016 * y_z;
+        const double t52 = 0.027 * u_y;
+        const double strand_17_y = 0.027 + layer_0_y - t52;
+        const double t53 = 0.027 * y_z;
         const double strand_17_z = layer_0_z - t53;
         const double t54 = strand_17_x * strand_17_x + strand_17_y * strand_17_y + strand_17_z
             * strand_17_z;
         const double length_17 = sinew_sqrt(t54);
         const double change_17 = 0.04661544808322666 - length_17;
-        const double strand_18_x = layer_0_x - 0.018 * y_x;
-        const double strand_18_y = 0.035 - layer_0_y - 0.018 * u_y;
-        const double strand_18_z = layer_0_z - 0.018 * y_z;
-        const double t55 = strand_18_x * strand_18_x + strand_18_y * strand_18_y + strand_18_z
+        const double t55 = 0.029 * y_x;
+        const double strand_18_x = layer_0_x - t55;
+        const double t56 = 0.029 * u_y;
+        const double strand_18_y = 0.028 + layer_0_y - t56;
+        const double t57 = 0.029 * y_z;
+        const double strand_18_z = layer_0_z - t57;
+        const double t58 = strand_18_x * strand_18_x + strand_18_y * strand_18_y + strand_18_z
             * strand_18_z;
-        const double length_18 = sinew_sqrt(t55);
+        const double length_18 = sinew_sqrt(t58);
         const double change_18 = 0.04669047011971501 - length_18;
-        const double layer_1_x = t2 + t3;
-        const double strand_19_x = layer_1_x + t43;
-        const double layer_1_y = t5 + t6;
-        const double strand_19_y = 0.006 - layer_1_y + t44;
-        const double layer_1_z = 0.028 - origin_z - t8 + t9;
-        const double strand_19_z = layer_1_z + t45;
-        const double t56 = strand_19_x * strand_19_x + strand_19_y * strand_19_y + strand_19_z
-            * strand_19_z;
-        const double length_19 = sinew_sqrt(t56);
+        const double layer_1_x = t2 + t3 + t27;
+        const double layer_1_y = 0.006 - origin_y - t5 - t6 + t28;
+        const double layer_1_z = 0.028 - origin_z - t8 + t9 + t29;
+        const double length_19 = sinew_sqrt(layer_1_x * layer_1_x + layer_1_y * layer_1_y
+            + layer_1_z * layer_1_z);
         const double change_19 = 0.046561786907291264 - length_19;
-        const double strand_20_x = layer_1_x + t4;
-        const double strand_20_y = 0.007 - layer_1_y + t7;
-        const double strand_20_z = layer_1_z + t10;
-        const double t57 = strand_20_x * strand_20_x + strand_20_y * strand_20_y + strand_20_z
+        const double strand_20_x = layer_1_x - 0.002 * y_x;
+        const double strand_20_y = 0.001 + layer_1_y - 0.002 * u_y;
+        const double strand_20_z = layer_1_z - 0.002 * y_z;
+        const double t59 = strand_20_x * strand_20_x + strand_20_y * strand_20_y + strand_20_z
             * strand_20_z;
-        const double length_20 = sinew_sqrt(t57);
+        const double length_20 = sinew_sqrt(t59);
         const double change_20 = 0.04661544808322666 - length_20;
-        const double strand_21_x = layer_1_x + t12;
-        const double strand_21_y = 0.009 - layer_1_y + t13;
-        const double strand_21_z = layer_1_z + t14;
-        const double t58 = strand_21_x * strand_21_x + strand_21_y * strand_21_y + strand_21_z
+        const double strand_21_x = layer_1_x - t12;
+        const double strand_21_y = 0.003 + layer_1_y - t13;
+        const double strand_21_z = layer_1_z - t14;
+        const double t60 = strand_21_x * strand_21_x + strand_21_y * strand_21_y + strand_21_z
             * strand_21_z;
-        const double length_21 = sinew_sqrt(t58);
+        const double length_21 = sinew_sqrt(t60);
         const double change_21 = 0.046561786907291264 - length_21;
-        const double strand_22_x = layer_1_x + t16;
-        const double strand_22_y = 0.011 - layer_1_y + t17;
-        const double strand_22_z = layer_1_z + t18;
-        const double t59 = strand_22_x * strand_22_x + strand_22_y * strand_22_y + strand_22_z
+        const double strand_22_x = layer_1_x - t16;
+        const double strand_22_y = 0.005 + layer_1_y - t17;
+        const double strand_22_z = layer_1_z - t18;
+        const double t61 = strand_22_x * strand_22_x + strand_22_y * strand_22_y + strand_22_z
             * strand_22_z;
-        const double length_22 = sinew_sqrt(t59);
+        const double length_22 = sinew_sqrt(t61);
         const double change_22 = 0.046561786907291264 - length_22;
-        const double strand_23_x = layer_1_x + t20;
-        const double strand_23_y = 0.012 - layer_1_y + t21;
-        const double strand_23_z = layer_1_z + t22;
-        const double t60 = strand_23_x * strand_23_x + strand_23_y * strand_23_y + strand_23_z
+        const double strand_23_x = layer_1_x - 0.007 * y_x;
+        const double strand_23_y = 0.006 + layer_1_y - 0.007 * u_y;
+        const double strand_23_z = layer_1_z - 0.007 * y_z;
+        const double t62 = strand_23_x * strand_23_x + strand_23_y * strand_23_y + strand_23_z
             * strand_23_z;
-        const double length_23 = sinew_sqrt(t60);
+        const double length_23 = sinew_sqrt(t62);
         const double change_23 = 0.04661544808322666 - length_23;
-        const double strand_24_x = layer_1_x + t24;
-        const double strand_24_y = 0.014 - layer_1_y + t25;
-        const double strand_24_z = layer_1_z + t26;
-        const double t61 = strand_24_x * strand_24_x + strand_24_y * strand_24_y + strand_24_z
+        const double strand_24_x = layer_1_x - t21;
+        const double strand_24_y = 0.008 + layer_1_y - t22;
+        const double strand_24_z = layer_1_z - t23;
+        const double t63 = strand_24_x * strand_24_x + strand_24_y * strand_24_y + strand_24_z
             * strand_24_z;
-        const double length_24 = sinew_sqrt(t61);
+        const double length_24 = sinew_sqrt(t63);
         const double change_24 = 0.046561786907291264 - length_24;
-        const double strand_25_x = layer_1_x + t28;
-        const double strand_25_y = 0.015 - layer_1_y + t29;
-        const double strand_25_z = layer_1_z + t30;
-        const double t62 = strand_25_x * strand_25_x + strand_25_y * strand_25_y + strand_25_z
+        const double strand_25_x = layer_1_x - 0.01 * y_x;
+        const double strand_25_y = 0.009 + layer_1_y - 0.01 * u_y;
+        const double strand_25_z = layer_1_z - 0.01 * y_z;
+        const double t64 = strand_25_x * strand_25_x + strand_25_y * strand_25_y + strand_25_z
             * strand_25_z;
-        const double length_25 = sinew_sqrt(t62);
+        const double length_25 = sinew_sqrt(t64);
         const double change_25 = 0.04661544808322666 - length_25;
-        const double strand_26_x = layer_1_x + t32;
-        const double strand_26_y = 0.017 - layer_1_y + t33;
-        const double strand_26_z = layer_1_z + t34;
-        const double t63 = strand_26_x * strand_26_x + strand_26_y * strand_26_y + strand_26_z
+        const double strand_26_x = layer_1_x - t4;
+        const double strand_26_y = 0.011 + layer_1_y - t7;
+        const double strand_26_z = layer_1_z - t10;
+        const double t65 = strand_26_x * strand_26_x + strand_26_y * strand_26_y + strand_26_z
             * strand_26_z;
-        const double length_26 = sinew_sqrt(t63);
+        const double length_26 = sinew_sqrt(t65);
         const double change_26 = 0.046561786907291264 - length_26;
-        const double strand_27_y = 0.019 - layer_1_y;
-        const double t64 = layer_1_x * layer_1_x + layer_1_z * layer_1_z + strand_27_y
-            * strand_27_y;
-        const double length_27 = sinew_sqrt(t64);
+        const double strand_27_x = layer_1_x - t27;
+        const double strand_27_y = 0.013 + layer_1_y - t28;
+        const double strand_27_z = layer_1_z - t29;
+        const double t66 = strand_27_x * strand_27_x + strand_27_y * strand_27_y + strand_27_z
+            * strand_27_z;
+        const double length_27 = sinew_sqrt(t66);
         const double change_27 = 0.046561786907291264 - length_27;
-        const double strand_28_x = layer_1_x - t32;
-        const double strand_28_y = 0.02 - layer_1_y - t33;
-        const double strand_28_z = layer_1_z - t34;
-        const double t65 = strand_28_x * strand_28_x + strand_28_y * strand_28_y + strand_28_z
+        const double strand_28_x = layer_1_x - 0.015 * y_x;
+        const double strand_28_y = 0.014 + layer_1_y - 0.015 * u_y;
+        const double strand_28_z = layer_1_z - 0.015 * y_z;
+        const double t67 = strand_28_x * strand_28_x + strand_28_y * strand_28_y + strand_28_z
             * strand_28_z;
-        const double length_28 = sinew_sqrt(t65);
+        const double length_28 = sinew_sqrt(t67);
         const double change_28 = 0.04661544808322666 - length_28;
-        const double strand_29_x = layer_1_x - t28;
-        const double strand_29_y = 0.022 - layer_1_y - t29;
-        const double strand_29_z = layer_1_z - t30;
-        const double t66 = strand_29_x * strand_29_x + strand_29_y * strand_29_y + strand_29_z
+        const double strand_29_x = layer_1_x - t32;
+        const double strand_29_y = 0.016 + layer_1_y - t33;
+        const double strand_29_z = layer_1_z - t34;
+        const double t68 = strand_29_x * strand_29_x + strand_29_y * strand_29_y + strand_29_z
             * strand_29_z;
-        const double length_29 = sinew_sqrt(t66);
+        const double length_29 = sinew_sqrt(t68);
         const double change_29 = 0.046561786907291264 - length_29;
-        const double strand_30_x = layer_1_x - t24;
-        const double strand_30_y = 0.023 - layer_1_y - t25;
-        const double strand_30_z = layer_1_z - t26;
-        const double t67 = strand_30_x * strand_30_x + strand_30_y * strand_30_y + strand_30_z
+        const double strand_30_x = layer_1_x - 0.018 * y_x;
+        const double strand_30_y = 0.017 + layer_1_y - 0.018 * u_y;
+        const double strand_30_z = layer_1_z - 0.018 * y_z;
+        const double t69 = strand_30_x * strand_30_x + strand_30_y * strand_30_y + strand_30_z
             * strand_30_z;
-        const double length_30 = sinew_sqrt(t67);
+        const double length_30 = sinew_sqrt(t69);
         const double change_30 = 0.04661544808322666 - length_30;
-        const double strand_31_x = layer_1_x - t20;
-        const double strand_31_y = 0.025 - layer_1_y - t21;
-        const double strand_31_z = layer_1_z - t22;
-        const double t68 = strand_31_x * strand_31_x + strand_31_y * strand_31_y + strand_31_z
+        const double strand_31_x = layer_1_x - t37;
+        const double strand_31_y = 0.019 + layer_1_y - t38;
+        const double strand_31_z = layer_1_z - t39;
+        const double t70 = strand_31_x * strand_31_x + strand_31_y * strand_31_y + strand_31_z
             * strand_31_z;
-        const double length_31 = sinew_sqrt(t68);
+        const double length_31 = sinew_sqrt(t70);
         const double change_31 = 0.046561786907291264 - length_31;
-        const double strand_32_x = layer_1_x - t16;
-        const double strand_32_y = 0.027 - layer_1_y - t17;
-        const double strand_32_z = layer_1_z - t18;
-        const double t69 = strand_32_x * strand_32_x + strand_32_y * strand_32_y + strand_32_z
+        const double strand_32_x = layer_1_x - t41;
+        const double strand_32_y = 0.021 + layer_1_y - t42;
+        const double strand_32_z = layer_1_z - t43;
+        const double t71 = strand_32_x * strand_32_x + strand_32_y * strand_32_y + strand_32_z
             * strand_32_z;
-        const double length_32 = sinew_sqrt(t69);
+        const double length_32 = sinew_sqrt(t71);
         const double change_32 = 0.046561786907291264 - length_32;
-        const double strand_33_x = layer_1_x - t12;
-        const double strand_33_y = 0.028 - layer_1_y - t13;
-        const double strand_33_z = layer_1_z - t14;
-        const double t70 = strand_33_x * strand_33_x + strand_33_y * strand_33_y + strand_33_z
+        const double strand_33_x = layer_1_x - 0.023 * y_x;
+        const double strand_33_y = 0.022 + layer_1_y - 0.023 * u_y;
+        const double strand_33_z = layer_1_z - 0.023 * y_z;
+        const double t72 = strand_33_x * strand_33_x + strand_33_y * strand_33_y + strand_33_z
             * strand_33_z;
-        const double length_33 = sinew_sqrt(t70);
+        const double length_33 = sinew_sqrt(t72);
         const double change_33 = 0.04661544808322666 - length_33;
-        const double strand_34_x = layer_1_x - t4;
-        const double strand_34_y = 0.03 - layer_1_y - t7;
-        const double strand_34_z = layer_1_z - t10;
-        const double t71 = strand_34_x * strand_34_x + strand_34_y * strand_34_y + strand_34_z
+        const double strand_34_x = layer_1_x - t46;
+        const double strand_34_y = 0.024 + layer_1_y - t47;
+        const double strand_34_z = layer_1_z - t48;
+        const double t73 = strand_34_x * strand_34_x + strand_34_y * strand_34_y + strand_34_z
             * strand_34_z;
-        const double length_34 = sinew_sqrt(t71);
+        const double length_34 = sinew_sqrt(t73);
         const double change_34 = 0.046561786907291264 - length_34;
-        const double strand_35_x = layer_1_x - t43;
-        const double strand_35_y = 0.031 - layer_1_y - t44;
-        const double strand_35_z = layer_1_z - t45;
-        const double t72 = strand_35_x * strand_35_x + strand_35_y * strand_35_y + strand_35_z
+        const double strand_35_x = layer_1_x - 0.026 * y_x;
+        const double strand_35_y = 0.025 + layer_1_y - 0.026 * u_y;
+        const double strand_35_z = layer_1_z - 0.026 * y_z;
+        const double t74 = strand_35_x * strand_35_x + strand_35_y * strand_35_y + strand_35_z
             * strand_35_z;
-        const double length_35 = sinew_sqrt(t72);
+        const double length_35 = sinew_sqrt(t74);
         const double change_35 = 0.04661544808322666 - length_35;
-        const double strand_36_x = layer_1_x - t47;
-        const double strand_36_y = 0.033 - layer_1_y - t48;
-        const double strand_36_z = layer_1_z - t49;
-        const double t73 = strand_36_x * strand_36_x + strand_36_y * strand_36_y + strand_36_z
+        const double strand_36_x = layer_1_x - t51;
+        const double strand_36_y = 0.027 + layer_1_y - t52;
+        const double strand_36_z = layer_1_z - t53;
+        const double t75 = strand_36_x * strand_36_x + strand_36_y * strand_36_y + strand_36_z
             * strand_36_z;
-        const double length_36 = sinew_sqrt(t73);
+        const double length_36 = sinew_sqrt(t75);
         const double change_36 = 0.046561786907291264 - length_36;
-        const double strand_37_x = layer_1_x - t51;
-        const double strand_37_y = 0.035 - layer_1_y - t52;
-        const double strand_37_z = layer_1_z - t53;
-        const double t74 = strand_37_x * strand_37_x + strand_37_y * strand_37_y + strand_37_z
+        const double strand_37_x = layer_1_x - t55;
+        const double strand_37_y = 0.029 + layer_1_y - t56;
+        const double strand_37_z = layer_1_z - t57;
+        const double t76 = strand_37_x * strand_37_x + strand_37_y * strand_37_y + strand_37_z
             * strand_37_z;
-        const double length_37 = sinew_sqrt(t74);
+        const double length_37 = sinew_sqrt(t76);
         const double change_37 = 0.046561786907291264 - length_37;
         delta_theta[state] = 200.0 * change_0;
         delta_theta[1 * n + state] = 200.0 * change_1;
@@ -4301,948 +4361,674 @@ void hand_feedforward_rate_batch(int count, const double *SINEW_RESTRICT q_wrist
         const double B_to_C0_squared = 0.007324 - 0.084 * B_y;
         const double t1 = 1.0 / B_to_C0_squared;
         const double ratio = 0.003796 * t1;
+        const double cos_q73_by_t = qd_wrist[1 * n + state] * sin_q73;
+        const double B_y_by_t = 0.074565407529229 * cos_q73_by_t;
+        const double B_to_C0_squared_by_t = 0.084 * B_y_by_t;
+        const double ratio_by_t = ratio * B_to_C0_squared_by_t * t1;
         const double B_e = 0.074565407529229 * sin_q73;
-        const double B_to_C0_squared_by_q73 = 0.084 * B_e;
-        const double ratio_by_q73 = ratio * B_to_C0_squared_by_q73 * t1;
+        const double sin_q73_by_t = qd_wrist[1 * n + state] * cos_q73;
+        const double B_e_by_t = 0.074565407529229 * sin_q73_by_t;
+        const double C_e_by_t = B_e * ratio_by_t - ratio * B_e_by_t;
+        const double M_e_by_t = 0.5 * (B_e_by_t - C_e_by_t);
+        const double sin_q71_by_t = qd_wrist[state] * cos_q71;
+        const double s_e_by_t = M_e_by_t - 0.036 * sin_q71_by_t;
         const double t2 = 21.0 - 500.0 * B_y;
-        const double C_e = B_e * ratio;
-        const double C_y_by_q73 = C_e - 0.002 * ratio_by_q73 * t2;
-        const double t3 = 0.5 * B_e;
-        const double M_y_by_q73 = t3 + 0.5 * C_y_by_q73;
-        const double t4 = 23.80952380952381 * B_e;
-        const double u_e = t4 - 23.80952380952381 * C_e;
-        const double C_e_by_q73 = B_e * ratio_by_q73 - B_y * ratio;
-        const double t5 = 0.5 * B_y;
-        const double M_e_by_q73 = t5 - 0.5 * C_e_by_q73;
         const double C_y = 0.002 * ratio * t2;
-        const double t6 = 23.80952380952381 * B_y;
-        const double u_y = t6 + 23.80952380952381 * C_y;
-        const double u_y_by_q73 = t4 - 23.80952380952381 * C_y_by_q73;
-        const double M_e = t3 + 0.5 * C_e;
-        const double p_z_by_q71 = 0.036 * sin_q71;
-        const double s_e = M_e - p_z_by_q71;
-        const double u_e_by_q73 = t6 + 23.80952380952381 * C_e_by_q73;
-        const double M_y = t5 - 0.5 * C_y;
+        const double u_y = 23.80952380952381 * (B_y + C_y);
+        const double C_y_by_t = ratio * B_y_by_t - 0.002 * ratio_by_t * t2;
+        const double M_y_by_t = 0.5 * (B_y_by_t + C_y_by_t);
+        const double C_e = B_e * ratio;
+        const double u_e = 23.80952380952381 * (B_e - C_e);
+        const double u_y_by_t = 23.80952380952381 * (B_y_by_t - C_y_by_t);
+        const double M_e = 0.5 * (B_e + C_e);
+        const double s_e = M_e - 0.036 * sin_q71;
+        const double u_e_by_t = 23.80952380952381 * (B_e_by_t + C_e_by_t);
+        const double M_y = 0.5 * (B_y - C_y);
         const double s_y = 0.021 - M_y;
-        const double p_y_by_q73 = u_e * M_y_by_q73 + u_y * M_e_by_q73 - s_e * u_y_by_q73 + s_y
-            * u_e_by_q73;
+        const double p_y_by_t = u_e * M_y_by_t + u_y * s_e_by_t - s_e * u_y_by_t + s_y * u_e_by_t;
         const double p_y = u_e * s_y + u_y * s_e;
-        const double t7 = p_y + p_y;
-        const double t8 = p_y * p_y;
+        const double cos_q71_by_t = qd_wrist[state] * sin_q71;
+        const double p_z_by_t = 0.036 * cos_q71_by_t;
         const double p_z = 0.036 * cos_q71;
-        const double t9 = p_z * p_z;
-        const double t10 = -(1.296e-15 - t8 - t9);
-        const double reach_squared_by_q73 = sinew_choose(t10, t7 * p_y_by_q73, 0.0);
-        const double p_x_by_q73 = u_e * M_e_by_q73 - u_y * M_y_by_q73 + s_e * u_e_by_q73 + s_y
-            * u_y_by_q73;
+        const double t3 = p_y * p_y_by_t - p_z * p_z_by_t;
+        const double t4 = p_y * p_y;
+        const double t5 = p_z * p_z;
+        const double reach_squared_by_t = sinew_choose(-(1.296e-15 - t4 - t5), t3 + t3, 0.0);
+        const double p_x_by_t = u_e * s_e_by_t - u_y * M_y_by_t + s_e * u_e_by_t + s_y * u_y_by_t;
         const double p_x = u_e * s_e - u_y * s_y;
-        const double t11 = 27.77777777777778 * p_x;
-        const double projection_by_q73 = 13.88888888888889 * reach_squared_by_q73 + t11
-            * p_x_by_q73;
-        const double reach_squared = sinew_max(t8 + t9, 1.296e-15);
+        const double projection_by_t = 13.88888888888889 * reach_squared_by_t + 27.77777777777778
+            * p_x * p_x_by_t;
+        const double reach_squared = sinew_max(t4 + t5, 1.296e-15);
         const double projection = 0.034722222222222224 - 13.88888888888889 * (reach_squared + p_x
             * p_x);
         const double reach = sinew_sqrt(reach_squared);
-        const double t12 = reach - projection;
-        const double t13 = sinew_choose(t12, 1.0, 0.0);
-        const double t14 = 1.0 / reach;
-        const double reach_by_q73 = 0.5 * reach_squared_by_q73 * t14;
-        const double t15 = sinew_choose(t12, 0.0, 1.0);
-        const double t16 = sinew_max(-projection, -reach);
-        const double t17 = reach - t16;
-        const double limited_by_q73 = sinew_choose(t17, -(reach_by_q73 * t15 - projection_by_q73
-            * t13), reach_by_q73);
-        const double limited = sinew_min(t16, reach);
-        const double t18 = limited + limited;
-        const double t19 = reach + reach;
-        const double t20 = (reach + limited) * (reach - limited);
-        const double t21 = 1e-12 * reach_squared;
-        const double t22 = -(t21 - t20);
-        const double clearance_by_q73 = sinew_choose(t22, t19 * reach_by_q73 - t18 * limited_by_q73,
-            1e-12 * reach_squared_by_q73);
-        const double clearance = sinew_max(t20, t21);
+        const double t6 = reach - projection;
+        const double reach_by_t = 0.5 * reach_squared_by_t / reach;
+        const double t7 = reach_by_t * sinew_choose(t6, 0.0, 1.0) - projection_by_t
+            * sinew_choose(t6, 1.0, 0.0);
+        const double t8 = sinew_max(-projection, -reach);
+        const double limited_by_t = sinew_choose(reach - t8, -t7, reach_by_t);
+        const double limited = sinew_min(t8, reach);
+        const double t9 = reach * reach_by_t - limited * limited_by_t;
+        const double t10 = (reach + limited) * (reach - limited);
+        const double t11 = 1e-12 * reach_squared;
+        const double clearance_by_t = sinew_choose(-(t11 - t10), t9 + t9, 1e-12
+            * reach_squared_by_t);
+        const double clearance = sinew_max(t10, t11);
         const double root = sinew_sqrt(clearance);
-        const double t23 = 1.0 / root;
-        const double root_by_q73 = 0.5 * clearance_by_q73 * t23;
-        const double t24 = 1.0 / reach_squared;
-        const double cos_A = (p_y * limited + p_z * root) * t24;
-        const double t25 = p_y * limited_by_q73 + p_z * root_by_q73 + limited * p_y_by_q73 - cos_A
-            * reach_squared_by_q73;
-        const double cos_A_by_q73 = t25 * t24;
-        const double z_plane_x_by_q73 = u_y * cos_A_by_q73 - cos_A * u_y_by_q73;
-        const double sin_A = (p_y * root - p_z * limited) * t24;
-        const double t26 = p_y * root_by_q73 - p_z * limited_by_q73 + root * p_y_by_q73 - sin_A
-            * reach_squared_by_q73;
-        const double sin_A_by_q73 = t26 * t24;
-        const double z_x_by_q73 = cos_q71 * z_plane_x_by_q73 - sin_q71 * sin_A_by_q73;
-        const double M_x_by_q73 = cos_q71 * M_e_by_q73;
-        const double origin_x_by_q73 = M_x_by_q73 - 0.018 * z_x_by_q73;
-        const double x_plane_x_by_q73 = u_y * sin_A_by_q73 - sin_A * u_y_by_q73;
-        const double x_x_by_q73 = cos_q71 * x_plane_x_by_q73 + sin_q71 * cos_A_by_q73;
-        const double t27 = origin_x_by_q73 - 0.004 * x_x_by_q73;
-        const double t28 = 0.01 * z_x_by_q73;
-        const double layer_0_x_by_q73 = t27 + t28;
-        const double y_x_by_q73 = cos_q71 * u_e_by_q73;
-        const double t29 = 0.011 * y_x_by_q73;
-        const double strand_0_x_by_q73 = layer_0_x_by_q73 - t29;
-        const double x_plane_x = u_y * sin_A;
-        const double t30 = cos_q71 * x_plane_x;
-        const double t31 = sin_q71 * cos_A;
-        const double x_x = t30 + t31;
-        const double M_x = cos_q71 * M_e;
+        const double root_by_t = 0.5 * clearance_by_t / root;
+        const double t12 = p_y * limited_by_t + p_z * root_by_t + limited * p_y_by_t - root
+            * p_z_by_t;
+        const double t13 = 1.0 / reach_squared;
+        const double cos_A = (p_y * limited + p_z * root) * t13;
+        const double cos_A_by_t = (t12 - cos_A * reach_squared_by_t) * t13;
+        const double z_plane_x_by_t = u_y * cos_A_by_t - cos_A * u_y_by_t;
+        const double t14 = p_y * root_by_t - p_z * limited_by_t + limited * p_z_by_t + root
+            * p_y_by_t;
+        const double sin_A = (p_y * root - p_z * limited) * t13;
+        const double sin_A_by_t = (t14 - sin_A * reach_squared_by_t) * t13;
         const double z_plane_x = u_y * cos_A;
-        const double t32 = cos_q71 * z_plane_x;
-        const double t33 = sin_q71 * sin_A;
-        const double z_x = t32 - t33;
-        const double t34 = 0.004 * (1.0 + x_x) - M_x + 0.018 * z_x;
-        const double t35 = 0.01 * z_x;
-        const double layer_0_x = t34 - t35;
+        const double z_x_by_t = cos_q71 * z_plane_x_by_t - sin_q71 * sin_A_by_t - sin_A
+            * sin_q71_by_t - z_plane_x * cos_q71_by_t;
+        const double M_x_by_t = cos_q71 * M_e_by_t - M_e * cos_q71_by_t;
+        const double origin_x_by_t = M_x_by_t - 0.018 * z_x_by_t;
+        const double x_plane_x_by_t = u_y * sin_A_by_t - sin_A * u_y_by_t;
+        const double x_plane_x = u_y * sin_A;
+        const double x_x_by_t = cos_q71 * x_plane_x_by_t + sin_q71 * cos_A_by_t + cos_A
+            * sin_q71_by_t - x_plane_x * cos_q71_by_t;
+        const double t15 = origin_x_by_t - 0.004 * x_x_by_t;
+        const double t16 = 0.01 * z_x_by_t;
+        const double y_x_by_t = cos_q71 * u_e_by_t - u_e * cos_q71_by_t;
+        const double t17 = 0.011 * y_x_by_t;
+        const double layer_0_x_by_t = t15 + t16 - t17;
+        const double z_x = cos_q71 * z_plane_x - sin_q71 * sin_A;
+        const double M_x = cos_q71 * M_e;
+        const double x_x = cos_q71 * x_plane_x + sin_q71 * cos_A;
+        const double t18 = 0.004 - M_x + 0.018 * z_x + 0.004 * x_x;
+        const double t19 = 0.01 * z_x;
         const double y_x = cos_q71 * u_e;
-        const double t36 = 0.011 * y_x;
-        const double strand_0_x = layer_0_x + t36;
-        const double x_plane_y_by_q73 = u_e * sin_A_by_q73 + sin_A * u_e_by_q73;
-        const double z_plane_y_by_q73 = u_e * cos_A_by_q73 + cos_A * u_e_by_q73;
-        const double origin_y_by_q73 = M_y_by_q73 - 0.018 * z_plane_y_by_q73;
-        const double t37 = origin_y_by_q73 - 0.004 * x_plane_y_by_q73;
-        const double t38 = 0.01 * z_plane_y_by_q73;
-        const double layer_0_y_by_q73 = t37 + t38;
-        const double t39 = 0.011 * u_y_by_q73;
-        const double strand_0_y_by_q73 = layer_0_y_by_q73 - t39;
+        const double t20 = 0.011 * y_x;
+        const double layer_0_x = t18 - t19 + t20;
+        const double z_plane_y_by_t = u_e * cos_A_by_t + cos_A * u_e_by_t;
+        const double origin_y_by_t = M_y_by_t - 0.018 * z_plane_y_by_t;
+        const double x_plane_y_by_t = u_e * sin_A_by_t + sin_A * u_e_by_t;
+        const double t21 = origin_y_by_t - 0.004 * x_plane_y_by_t;
+        const double t22 = 0.01 * z_plane_y_by_t;
+        const double t23 = 0.011 * u_y_by_t;
+        const double layer_0_y_by_t = t21 + t22 - t23;
         const double z_plane_y = u_e * cos_A;
         const double origin_y = M_y + 0.018 * z_plane_y;
-        const double t40 = 0.004 * u_e;
-        const double t41 = origin_y + t40 * sin_A;
-        const double t42 = 0.01 * z_plane_y;
-        const double layer_0_y = t41 - t42;
-        const double t43 = 0.011 * u_y;
-        const double strand_0_y = 0.007 - layer_0_y + t43;
-        const double z_z_by_q73 = cos_q71 * sin_A_by_q73 + sin_q71 * z_plane_x_by_q73;
-        const double M_z_by_q73 = sin_q71 * M_e_by_q73;
-        const double origin_z_by_q73 = M_z_by_q73 - 0.018 * z_z_by_q73;
-        const double x_z_by_q73 = cos_q71 * cos_A_by_q73 - sin_q71 * x_plane_x_by_q73;
-        const double t44 = origin_z_by_q73 + 0.004 * x_z_by_q73;
-        const double t45 = 0.01 * z_z_by_q73;
-        const double layer_0_z_by_q73 = t44 + t45;
-        const double y_z_by_q73 = sin_q71 * u_e_by_q73;
-        const double t46 = 0.011 * y_z_by_q73;
-        const double strand_0_z_by_q73 = layer_0_z_by_q73 - t46;
-        const double t47 = sin_q71 * z_plane_x;
-        const double t48 = cos_q71 * sin_A;
-        const double z_z = t48 + t47;
+        const double x_plane_y = u_e * sin_A;
+        const double t24 = 0.004 * x_plane_y;
+        const double t25 = 0.01 * z_plane_y;
+        const double t26 = 0.011 * u_y;
+        const double layer_0_y = 0.007 - origin_y - t24 + t25 + t26;
+        const double z_z_by_t = cos_q71 * sin_A_by_t + sin_q71 * z_plane_x_by_t - sin_A
+            * cos_q71_by_t + z_plane_x * sin_q71_by_t;
+        const double M_z_by_t = sin_q71 * M_e_by_t + M_e * sin_q71_by_t;
+        const double origin_z_by_t = M_z_by_t - 0.018 * z_z_by_t;
+        const double x_z_by_t = cos_q71 * cos_A_by_t - sin_q71 * x_plane_x_by_t - cos_A
+            * cos_q71_by_t - x_plane_x * sin_q71_by_t;
+        const double t27 = origin_z_by_t + 0.004 * x_z_by_t;
+        const double t28 = 0.01 * z_z_by_t;
+        const double y_z_by_t = sin_q71 * u_e_by_t + u_e * sin_q71_by_t;
+        const double t29 = 0.011 * y_z_by_t;
+        const double layer_0_z_by_t = t27 + t28 - t29;
+        const double z_z = cos_q71 * sin_A + sin_q71 * z_plane_x;
         const double M_z = sin_q71 * M_e;
         const double origin_z = M_z - 0.018 * z_z;
-        const double t49 = sin_q71 * x_plane_x;
-        const double t50 = cos_q71 * cos_A;
-        const double x_z = t50 - t49;
-        const double t51 = 0.004 * x_z;
-        const double t52 = 0.01 * z_z;
-        const double layer_0_z = 0.008 - origin_z - t51 - t52;
+        const double x_z = cos_q71 * cos_A - sin_q71 * x_plane_x;
+        const double t30 = 0.004 * x_z;
+        const double t31 = 0.01 * z_z;
         const double y_z = sin_q71 * u_e;
-        const double t53 = 0.011 * y_z;
-        const double strand_0_z = layer_0_z + t53;
-        const double t54 = strand_0_x * strand_0_x_by_q73 - strand_0_y * strand_0_y_by_q73
-            + strand_0_z * strand_0_z_by_q73;
-        const double t55 = strand_0_x * strand_0_x + strand_0_y * strand_0_y + strand_0_z
-            * strand_0_z;
-        const double length_0 = sinew_sqrt(t55);
-        const double t56 = 1.0 / length_0;
-        const double length_0_by_q73 = t54 * t56;
-        const double t57 = 200.0 * qd_wrist[1 * n + state];
-        const double p_y_by_q71 = u_y * p_z;
-        const double reach_squared_by_q71 = sinew_choose(t10, -(t7 * p_y_by_q71 + (p_z + p_z)
-            * p_z_by_q71), 0.0);
-        const double reach_by_q71 = 0.5 * reach_squared_by_q71 * t14;
-        const double projection_by_q71 = 13.88888888888889 * reach_squared_by_q71 - t11 * u_e * p_z;
-        const double limited_by_q71 = sinew_choose(t17, -(reach_by_q71 * t15 - projection_by_q71
-            * t13), reach_by_q71);
-        const double clearance_by_q71 = sinew_choose(t22, t19 * reach_by_q71 - t18 * limited_by_q71,
-            1e-12 * reach_squared_by_q71);
-        const double root_by_q71 = 0.5 * clearance_by_q71 * t23;
-        const double t58 = p_y * limited_by_q71 + p_z * root_by_q71 - limited * p_y_by_q71 - root
-            * p_z_by_q71;
-        const double cos_A_by_q71 = (t58 - cos_A * reach_squared_by_q71) * t24;
-        const double z_plane_x_by_q71 = u_y * cos_A_by_q71;
-        const double t59 = p_y * root_by_q71 - p_z * limited_by_q71 + limited * p_z_by_q71 - root
-            * p_y_by_q71;
-        const double sin_A_by_q71 = (t59 - sin_A * reach_squared_by_q71) * t24;
-        const double z_x_by_q71 = t48 - cos_q71 * z_plane_x_by_q71 + t47 + sin_q71 * sin_A_by_q71;
-        const double origin_x_by_q71 = M_z - 0.018 * z_x_by_q71;
-        const double x_plane_x_by_q71 = u_y * sin_A_by_q71;
-        const double x_x_by_q71 = t50 + cos_q71 * x_plane_x_by_q71 - t49 + sin_q71 * cos_A_by_q71;
-        const double t60 = origin_x_by_q71 + 0.004 * x_x_by_q71;
-        const double t61 = 0.01 * z_x_by_q71;
-        const double layer_0_x_by_q71 = t60 + t61;
-        const double strand_0_x_by_q71 = layer_0_x_by_q71 - t53;
-        const double z_plane_y_by_q71 = u_e * cos_A_by_q71;
-        const double origin_y_by_q71 = 0.018 * z_plane_y_by_q71;
-        const double t62 = origin_y_by_q71 + t40 * sin_A_by_q71;
-        const double t63 = 0.01 * z_plane_y_by_q71;
-        const double layer_0_y_by_q71 = t62 - t63;
-        const double z_z_by_q71 = t32 + cos_q71 * sin_A_by_q71 - t33 + sin_q71 * z_plane_x_by_q71;
-        const double origin_z_by_q71 = M_x - 0.018 * z_z_by_q71;
-        const double x_z_by_q71 = t30 - cos_q71 * cos_A_by_q71 + t31 + sin_q71 * x_plane_x_by_q71;
-        const double t64 = origin_z_by_q71 - 0.004 * x_z_by_q71;
-        const double t65 = 0.01 * z_z_by_q71;
-        const double layer_0_z_by_q71 = t64 + t65;
-        const double strand_0_z_by_q71 = layer_0_z_by_q71 - t36;
-        const double t66 = strand_0_x * strand_0_x_by_q71 - strand_0_y * layer_0_y_by_q71
-            - strand_0_z * strand_0_z_by_q71;
-        const double length_0_by_q71 = t66 * t56;
-        const double t67 = 200.0 * qd_wrist[state];
-        const double t68 = 0.01 * y_x_by_q73;
-        const double strand_1_x_by_q73 = layer_0_x_by_q73 - t68;
-        const double t69 = 0.01 * y_x;
-        const double strand_1_x = layer_0_x + t69;
-        const double t70 = 0.01 * u_y_by_q73;
-        const double strand_1_y_by_q73 = layer_0_y_by_q73 - t70;
-        const double t71 = 0.01 * u_y;
-        const double strand_1_y = 0.008 - layer_0_y + t71;
-        const double t72 = 0.01 * y_z_by_q73;
-        const double strand_1_z_by_q73 = layer_0_z_by_q73 - t72;
-        const double t73 = 0.01 * y_z;
-        const double strand_1_z = layer_0_z + t73;
-        const double t74 = strand_1_x * strand_1_x_by_q73 - strand_1_y * strand_1_y_by_q73
-            + strand_1_z * strand_1_z_by_q73;
-        const double t75 = strand_1_x * strand_1_x + strand_1_y * strand_1_y + strand_1_z
+        const double t32 = 0.011 * y_z;
+        const double layer_0_z = 0.008 - origin_z - t30 - t31 + t32;
+        const double t33 = layer_0_x * layer_0_x_by_t - layer_0_y * layer_0_y_by_t + layer_0_z
+            * layer_0_z_by_t;
+        const double length_0 = sinew_sqrt(layer_0_x * layer_0_x + layer_0_y * layer_0_y + layer_0_z
+            * layer_0_z);
+        const double length_0_by_t = t33 / length_0;
+        const double strand_1_x_by_t = layer_0_x_by_t + 0.001 * y_x_by_t;
+        const double strand_1_x = layer_0_x - 0.001 * y_x;
+        const double strand_1_y_by_t = layer_0_y_by_t + 0.001 * u_y_by_t;
+        const double strand_1_y = 0.001 + layer_0_y - 0.001 * u_y;
+        const double strand_1_z_by_t = layer_0_z_by_t + 0.001 * y_z_by_t;
+        const double strand_1_z = layer_0_z - 0.001 * y_z;
+        const double t34 = strand_1_x * strand_1_x_by_t - strand_1_y * strand_1_y_by_t + strand_1_z
+            * strand_1_z_by_t;
+        const double t35 = strand_1_x * strand_1_x + strand_1_y * strand_1_y + strand_1_z
             * strand_1_z;
-        const double length_1 = sinew_sqrt(t75);
-        const double t76 = 1.0 / length_1;
-        const double length_1_by_q73 = t74 * t76;
-        const double strand_1_x_by_q71 = layer_0_x_by_q71 - t73;
-        const double strand_1_z_by_q71 = layer_0_z_by_q71 - t69;
-        const double t77 = strand_1_x * strand_1_x_by_q71 - strand_1_y * layer_0_y_by_q71
-            - strand_1_z * strand_1_z_by_q71;
-        const double length_1_by_q71 = t77 * t76;
-        const double t78 = 0.008 * y_x_by_q73;
-        const double strand_2_x_by_q73 = layer_0_x_by_q73 - t78;
-        const double t79 = 0.008 * y_x;
-        const double strand_2_x = layer_0_x + t79;
-        const double t80 = 0.008 * u_y_by_q73;
-        const double strand_2_y_by_q73 = layer_0_y_by_q73 - t80;
-        const double t81 = 0.008 * u_y;
-        const double strand_2_y = 0.01 - layer_0_y + t81;
-        const double t82 = 0.008 * y_z_by_q73;
-        const double strand_2_z_by_q73 = layer_0_z_by_q73 - t82;
-        const double t83 = 0.008 * y_z;
-        const double strand_2_z = layer_0_z + t83;
-        const double t84 = strand_2_x * strand_2_x_by_q73 - strand_2_y * strand_2_y_by_q73
-            + strand_2_z * strand_2_z_by_q73;
-        const double t85 = strand_2_x * strand_2_x + strand_2_y * strand_2_y + strand_2_z
+        const double length_1 = sinew_sqrt(t35);
+        const double length_1_by_t = t34 / length_1;
+        const double t36 = 0.003 * y_x_by_t;
+        const double strand_2_x_by_t = layer_0_x_by_t + t36;
+        const double t37 = 0.003 * y_x;
+        const double strand_2_x = layer_0_x - t37;
+        const double t38 = 0.003 * u_y_by_t;
+        const double strand_2_y_by_t = layer_0_y_by_t + t38;
+        const double t39 = 0.003 * u_y;
+        const double strand_2_y = 0.003 + layer_0_y - t39;
+        const double t40 = 0.003 * y_z_by_t;
+        const double strand_2_z_by_t = layer_0_z_by_t + t40;
+        const double t41 = 0.003 * y_z;
+        const double strand_2_z = layer_0_z - t41;
+        const double t42 = strand_2_x * strand_2_x_by_t - strand_2_y * strand_2_y_by_t + strand_2_z
+            * strand_2_z_by_t;
+        const double t43 = strand_2_x * strand_2_x + strand_2_y * strand_2_y + strand_2_z
             * strand_2_z;
-        const double length_2 = sinew_sqrt(t85);
-        const double t86 = 1.0 / length_2;
-        const double length_2_by_q73 = t84 * t86;
-        const double strand_2_x_by_q71 = layer_0_x_by_q71 - t83;
-        const double strand_2_z_by_q71 = layer_0_z_by_q71 - t79;
-        const double t87 = strand_2_x * strand_2_x_by_q71 - strand_2_y * layer_0_y_by_q71
-            - strand_2_z * strand_2_z_by_q71;
-        const double length_2_by_q71 = t87 * t86;
-        const double t88 = 0.006 * y_x_by_q73;
-        const double strand_3_x_by_q73 = layer_0_x_by_q73 - t88;
-        const double t89 = 0.006 * y_x;
-        const double strand_3_x = layer_0_x + t89;
-        const double t90 = 0.006 * u_y_by_q73;
-        const double strand_3_y_by_q73 = layer_0_y_by_q73 - t90;
-        const double t91 = 0.006 * u_y;
-        const double strand_3_y = 0.011 - layer_0_y + t91;
-        const double t92 = 0.006 * y_z_by_q73;
-        const double strand_3_z_by_q73 = layer_0_z_by_q73 - t92;
-        const double t93 = 0.006 * y_z;
-        const double strand_3_z = layer_0_z + t93;
-        const double t94 = strand_3_x * strand_3_x_by_q73 - strand_3_y * strand_3_y_by_q73
-            + strand_3_z * strand_3_z_by_q73;
-        const double t95 = strand_3_x * strand_3_x + strand_3_y * strand_3_y + strand_3_z
+        const double length_2 = sinew_sqrt(t43);
+        const double length_2_by_t = t42 / length_2;
+        const double t44 = 0.005 * y_x_by_t;
+        const double strand_3_x_by_t = layer_0_x_by_t + t44;
+        const double t45 = 0.005 * y_x;
+        const double strand_3_x = layer_0_x - t45;
+        const double t46 = 0.005 * u_y_by_t;
+        const double strand_3_y_by_t = layer_0_y_by_t + t46;
+        const double t47 = 0.005 * u_y;
+        const double strand_3_y = 0.004 + layer_0_y - t47;
+        const double t48 = 0.005 * y_z_by_t;
+        const double strand_3_z_by_t = layer_0_z_by_t + t48;
+        const double t49 = 0.005 * y_z;
+        const double strand_3_z = layer_0_z - t49;
+        const double t50 = strand_3_x * strand_3_x_by_t - strand_3_y * strand_3_y_by_t + strand_3_z
+            * strand_3_z_by_t;
+        const double t51 = strand_3_x * strand_3_x + strand_3_y * strand_3_y + strand_3_z
             * strand_3_z;
-        const double length_3 = sinew_sqrt(t95);
-        const double t96 = 1.0 / length_3;
-        const double length_3_by_q73 = t94 * t96;
-        const double strand_3_x_by_q71 = layer_0_x_by_q71 - t93;
-        const double strand_3_z_by_q71 = layer_0_z_by_q71 - t89;
-        const double t97 = strand_3_x * strand_3_x_by_q71 - strand_3_y * layer_0_y_by_q71
-            - strand_3_z * strand_3_z_by_q71;
-        const double length_3_by_q71 = t97 * t96;
-        const double t98 = 0.005 * y_x_by_q73;
-        const double strand_4_x_by_q73 = layer_0_x_by_q73 - t98;
-        const double t99 = 0.005 * y_x;
-        const double strand_4_x = layer_0_x + t99;
-        const double t100 = 0.005 * u_y_by_q73;
-        const double strand_4_y_by_q73 = layer_0_y_by_q73 - t100;
-        const double t101 = 0.005 * u_y;
-        const double strand_4_y = 0.013 - layer_0_y + t101;
-        const double t102 = 0.005 * y_z_by_q73;
-        const double strand_4_z_by_q73 = layer_0_z_by_q73 - t102;
-        const double t103 = 0.005 * y_z;
-        const double strand_4_z = layer_0_z + t103;
-        const double t104 = strand_4_x * strand_4_x_by_q73 - strand_4_y * strand_4_y_by_q73
-            + strand_4_z * strand_4_z_by_q73;
-        const double t105 = strand_4_x * strand_4_x + strand_4_y * strand_4_y + strand_4_z
+        const double length_3 = sinew_sqrt(t51);
+        const double length_3_by_t = t50 / length_3;
+        const double strand_4_x_by_t = layer_0_x_by_t + 0.006 * y_x_by_t;
+        const double strand_4_x = layer_0_x - 0.006 * y_x;
+        const double strand_4_y_by_t = layer_0_y_by_t + 0.006 * u_y_by_t;
+        const double strand_4_y = 0.006 + layer_0_y - 0.006 * u_y;
+        const double strand_4_z_by_t = layer_0_z_by_t + 0.006 * y_z_by_t;
+        const double strand_4_z = layer_0_z - 0.006 * y_z;
+        const double t52 = strand_4_x * strand_4_x_by_t - strand_4_y * strand_4_y_by_t + strand_4_z
+            * strand_4_z_by_t;
+        const double t53 = strand_4_x * strand_4_x + strand_4_y * strand_4_y + strand_4_z
             * strand_4_z;
-        const double length_4 = sinew_sqrt(t105);
-        const double t106 = 1.0 / length_4;
-        const double length_4_by_q73 = t104 * t106;
-        const double strand_4_x_by_q71 = layer_0_x_by_q71 - t103;
-        const double strand_4_z_by_q71 = layer_0_z_by_q71 - t99;
-        const double t107 = strand_4_x * strand_4_x_by_q71 - strand_4_y * layer_0_y_by_q71
-            - strand_4_z * strand_4_z_by_q71;
-        const double length_4_by_q71 = t107 * t106;
-        const double t108 = 0.003 * y_x_by_q73;
-        const double strand_5_x_by_q73 = layer_0_x_by_q73 - t108;
-        const double t109 = 0.003 * y_x;
-        const double strand_5_x = layer_0_x + t109;
-        const double t110 = 0.003 * u_y_by_q73;
-        const double strand_5_y_by_q73 = layer_0_y_by_q73 - t110;
-        const double t111 = 0.003 * u_y;
-        const double strand_5_y = 0.015 - layer_0_y + t111;
-        const double t112 = 0.003 * y_z_by_q73;
-        const double strand_5_z_by_q73 = layer_0_z_by_q73 - t112;
-        const double t113 = 0.003 * y_z;
-        const double strand_5_z = layer_0_z + t113;
-        const double t114 = strand_5_x * strand_5_x_by_q73 - strand_5_y * strand_5_y_by_q73
-            + strand_5_z * strand_5_z_by_q73;
-        const double t115 = strand_5_x * strand_5_x + strand_5_y * strand_5_y + strand_5_z
+        const double length_4 = sinew_sqrt(t53);
+        const double length_4_by_t = t52 / length_4;
+        const double t54 = 0.008 * y_x_by_t;
+        const double strand_5_x_by_t = layer_0_x_by_t + t54;
+        const double t55 = 0.008 * y_x;
+        const double strand_5_x = layer_0_x - t55;
+        const double t56 = 0.008 * u_y_by_t;
+        const double strand_5_y_by_t = layer_0_y_by_t + t56;
+        const double t57 = 0.008 * u_y;
+        const double strand_5_y = 0.008 + layer_0_y - t57;
+        const double t58 = 0.008 * y_z_by_t;
+        const double strand_5_z_by_t = layer_0_z_by_t + t58;
+        const double t59 = 0.008 * y_z;
+        const double strand_5_z = layer_0_z - t59;
+        const double t60 = strand_5_x * strand_5_x_by_t - strand_5_y * strand_5_y_by_t + strand_5_z
+            * strand_5_z_by_t;
+        const double t61 = strand_5_x * strand_5_x + strand_5_y * strand_5_y + strand_5_z
             * strand_5_z;
-        const double length_5 = sinew_sqrt(t115);
-        const double t116 = 1.0 / length_5;
-        const double length_5_by_q73 = t114 * t116;
-        const double strand_5_x_by_q71 = layer_0_x_by_q71 - t113;
-        const double strand_5_z_by_q71 = layer_0_z_by_q71 - t109;
-        const double t117 = strand_5_x * strand_5_x_by_q71 - strand_5_y * layer_0_y_by_q71
-            - strand_5_z * strand_5_z_by_q71;
-        const double length_5_by_q71 = t117 * t116;
-        const double t118 = 0.002 * y_x_by_q73;
-        const double strand_6_x_by_q73 = layer_0_x_by_q73 - t118;
-        const double t119 = 0.002 * y_x;
-        const double strand_6_x = layer_0_x + t119;
-        const double t120 = 0.002 * u_y_by_q73;
-        const double strand_6_y_by_q73 = layer_0_y_by_q73 - t120;
-        const double t121 = 0.002 * u_y;
-        const double strand_6_y = 0.016 - layer_0_y + t121;
-        const double t122 = 0.002 * y_z_by_q73;
-        const double strand_6_z_by_q73 = layer_0_z_by_q73 - t122;
-        const double t123 = 0.002 * y_z;
-        const double strand_6_z = layer_0_z + t123;
-        const double t124 = strand_6_x * strand_6_x_by_q73 - strand_6_y * strand_6_y_by_q73
-            + strand_6_z * strand_6_z_by_q73;
-        const double t125 = strand_6_x * strand_6_x + strand_6_y * strand_6_y + strand_6_z
+        const double length_5 = sinew_sqrt(t61);
+        const double length_5_by_t = t60 / length_5;
+        const double strand_6_x_by_t = layer_0_x_by_t + 0.009 * y_x_by_t;
+        const double strand_6_x = layer_0_x - 0.009 * y_x;
+        const double strand_6_y_by_t = layer_0_y_by_t + 0.009 * u_y_by_t;
+        const double strand_6_y = 0.009 + layer_0_y - 0.009 * u_y;
+        const double strand_6_z_by_t = layer_0_z_by_t + 0.009 * y_z_by_t;
+        const double strand_6_z = layer_0_z - 0.009 * y_z;
+        const double t62 = strand_6_x * strand_6_x_by_t - strand_6_y * strand_6_y_by_t + strand_6_z
+            * strand_6_z_by_t;
+        const double t63 = strand_6_x * strand_6_x + strand_6_y * strand_6_y + strand_6_z
             * strand_6_z;
-        const double length_6 = sinew_sqrt(t125);
-        const double t126 = 1.0 / length_6;
-        const double length_6_by_q73 = t124 * t126;
-        const double strand_6_x_by_q71 = layer_0_x_by_q71 - t123;
-        const double strand_6_z_by_q71 = layer_0_z_by_q71 - t119;
-        const double t127 = strand_6_x * strand_6_x_by_q71 - strand_6_y * layer_0_y_by_q71
-            - strand_6_z * strand_6_z_by_q71;
-        const double length_6_by_q71 = t127 * t126;
-        const double strand_7_y = 0.018 - layer_0_y;
-        const double t128 = layer_0_x * layer_0_x_by_q73 + layer_0_z * layer_0_z_by_q73 - strand_7_y
-            * layer_0_y_by_q73;
-        const double length_7 = sinew_sqrt(layer_0_x * layer_0_x + layer_0_z * layer_0_z
-            + strand_7_y * strand_7_y);
-        const double t129 = 1.0 / length_7;
-        const double length_7_by_q73 = t128 * t129;
-        const double t130 = layer_0_x * layer_0_x_by_q71 - layer_0_z * layer_0_z_by_q71 - strand_7_y
-            * layer_0_y_by_q71;
-        const double length_7_by_q71 = t130 * t129;
-        const double strand_8_x_by_q73 = layer_0_x_by_q73 + t118;
-        const double strand_8_x = layer_0_x - t119;
-        const double strand_8_y_by_q73 = layer_0_y_by_q73 + t120;
-        const double strand_8_y = 0.019 - layer_0_y - t121;
-        const double strand_8_z_by_q73 = layer_0_z_by_q73 + t122;
-        const double strand_8_z = layer_0_z - t123;
-        const double t131 = strand_8_x * strand_8_x_by_q73 - strand_8_y * strand_8_y_by_q73
-            + strand_8_z * strand_8_z_by_q73;
-        const double t132 = strand_8_x * strand_8_x + strand_8_y * strand_8_y + strand_8_z
+        const double length_6 = sinew_sqrt(t63);
+        const double length_6_by_t = t62 / length_6;
+        const double strand_7_x_by_t = layer_0_x_by_t + t17;
+        const double strand_7_x = layer_0_x - t20;
+        const double strand_7_y_by_t = layer_0_y_by_t + t23;
+        const double strand_7_y = 0.011 + layer_0_y - t26;
+        const double strand_7_z_by_t = layer_0_z_by_t + t29;
+        const double strand_7_z = layer_0_z - t32;
+        const double t64 = strand_7_x * strand_7_x_by_t - strand_7_y * strand_7_y_by_t + strand_7_z
+            * strand_7_z_by_t;
+        const double t65 = strand_7_x * strand_7_x + strand_7_y * strand_7_y + strand_7_z
+            * strand_7_z;
+        const double length_7 = sinew_sqrt(t65);
+        const double length_7_by_t = t64 / length_7;
+        const double t66 = 0.013 * y_x_by_t;
+        const double strand_8_x_by_t = layer_0_x_by_t + t66;
+        const double t67 = 0.013 * y_x;
+        const double strand_8_x = layer_0_x - t67;
+        const double t68 = 0.013 * u_y_by_t;
+        const double strand_8_y_by_t = layer_0_y_by_t + t68;
+        const double t69 = 0.013 * u_y;
+        const double strand_8_y = 0.012 + layer_0_y - t69;
+        const double t70 = 0.013 * y_z_by_t;
+        const double strand_8_z_by_t = layer_0_z_by_t + t70;
+        const double t71 = 0.013 * y_z;
+        const double strand_8_z = layer_0_z - t71;
+        const double t72 = strand_8_x * strand_8_x_by_t - strand_8_y * strand_8_y_by_t + strand_8_z
+            * strand_8_z_by_t;
+        const double t73 = strand_8_x * strand_8_x + strand_8_y * strand_8_y + strand_8_z
             * strand_8_z;
-        const double length_8 = sinew_sqrt(t132);
-        const double t133 = 1.0 / length_8;
-        const double length_8_by_q73 = t131 * t133;
-        const double strand_8_x_by_q71 = layer_0_x_by_q71 + t123;
-        const double strand_8_z_by_q71 = layer_0_z_by_q71 + t119;
-        const double t134 = strand_8_x * strand_8_x_by_q71 - strand_8_y * layer_0_y_by_q71
-            - strand_8_z * strand_8_z_by_q71;
-        const double length_8_by_q71 = t134 * t133;
-        const double strand_9_x_by_q73 = layer_0_x_by_q73 + t108;
-        const double strand_9_x = layer_0_x - t109;
-        const double strand_9_y_by_q73 = layer_0_y_by_q73 + t110;
-        const double strand_9_y = 0.021 - layer_0_y - t111;
-        const double strand_9_z_by_q73 = layer_0_z_by_q73 + t112;
-        const double strand_9_z = layer_0_z - t113;
-        const double t135 = strand_9_x * strand_9_x_by_q73 - strand_9_y * strand_9_y_by_q73
-            + strand_9_z * strand_9_z_by_q73;
-        const double t136 = strand_9_x * strand_9_x + strand_9_y * strand_9_y + strand_9_z
+        const double length_8 = sinew_sqrt(t73);
+        const double length_8_by_t = t72 / length_8;
+        const double strand_9_x_by_t = layer_0_x_by_t + 0.014 * y_x_by_t;
+        const double strand_9_x = layer_0_x - 0.014 * y_x;
+        const double strand_9_y_by_t = layer_0_y_by_t + 0.014 * u_y_by_t;
+        const double strand_9_y = 0.014 + layer_0_y - 0.014 * u_y;
+        const double strand_9_z_by_t = layer_0_z_by_t + 0.014 * y_z_by_t;
+        const double strand_9_z = layer_0_z - 0.014 * y_z;
+        const double t74 = strand_9_x * strand_9_x_by_t - strand_9_y * strand_9_y_by_t + strand_9_z
+            * strand_9_z_by_t;
+        const double t75 = strand_9_x * strand_9_x + strand_9_y * strand_9_y + strand_9_z
             * strand_9_z;
-        const double length_9 = sinew_sqrt(t136);
-        const double t137 = 1.0 / length_9;
-        const double length_9_by_q73 = t135 * t137;
-        const double strand_9_x_by_q71 = layer_0_x_by_q71 + t113;
-        const double strand_9_z_by_q71 = layer_0_z_by_q71 + t109;
-        const double t138 = strand_9_x * strand_9_x_by_q71 - strand_9_y * layer_0_y_by_q71
-            - strand_9_z * strand_9_z_by_q71;
-        const double length_9_by_q71 = t138 * t137;
-        const double strand_10_x_by_q73 = layer_0_x_by_q73 + t98;
-        const double strand_10_x = layer_0_x - t99;
-        const double strand_10_y_by_q73 = layer_0_y_by_q73 + t100;
-        const double strand_10_y = 0.023 - layer_0_y - t101;
-        const double strand_10_z_by_q73 = layer_0_z_by_q73 + t102;
-        const double strand_10_z = layer_0_z - t103;
-        const double t139 = strand_10_x * strand_10_x_by_q73 - strand_10_y * strand_10_y_by_q73
-            + strand_10_z * strand_10_z_by_q73;
-        const double t140 = strand_10_x * strand_10_x + strand_10_y * strand_10_y + strand_10_z
+        const double length_9 = sinew_sqrt(t75);
+        const double length_9_by_t = t74 / length_9;
+        const double t76 = 0.016 * y_x_by_t;
+        const double strand_10_x_by_t = layer_0_x_by_t + t76;
+        const double t77 = 0.016 * y_x;
+        const double strand_10_x = layer_0_x - t77;
+        const double t78 = 0.016 * u_y_by_t;
+        const double strand_10_y_by_t = layer_0_y_by_t + t78;
+        const double t79 = 0.016 * u_y;
+        const double strand_10_y = 0.016 + layer_0_y - t79;
+        const double t80 = 0.016 * y_z_by_t;
+        const double strand_10_z_by_t = layer_0_z_by_t + t80;
+        const double t81 = 0.016 * y_z;
+        const double strand_10_z = layer_0_z - t81;
+        const double t82 = strand_10_x * strand_10_x_by_t - strand_10_y * strand_10_y_by_t
+            + strand_10_z * strand_10_z_by_t;
+        const double t83 = strand_10_x * strand_10_x + strand_10_y * strand_10_y + strand_10_z
             * strand_10_z;
-        const double length_10 = sinew_sqrt(t140);
-        const double t141 = 1.0 / length_10;
-        const double length_10_by_q73 = t139 * t141;
-        const double strand_10_x_by_q71 = layer_0_x_by_q71 + t103;
-        const double strand_10_z_by_q71 = layer_0_z_by_q71 + t99;
-        const double t142 = strand_10_x * strand_10_x_by_q71 - strand_10_y * layer_0_y_by_q71
-            - strand_10_z * strand_10_z_by_q71;
-        const double length_10_by_q71 = t142 * t141;
-        const double strand_11_x_by_q73 = layer_0_x_by_q73 + t88;
-        const double strand_11_x = layer_0_x - t89;
-        const double strand_11_y_by_q73 = layer_0_y_by_q73 + t90;
-        const double strand_11_y = 0.024 - layer_0_y - t91;
-        const double strand_11_z_by_q73 = layer_0_z_by_q73 + t92;
-        const double strand_11_z = layer_0_z - t93;
-        const double t143 = strand_11_x * strand_11_x_by_q73 - strand_11_y * strand_11_y_by_q73
-            + strand_11_z * strand_11_z_by_q73;
-        const double t144 = strand_11_x * strand_11_x + strand_11_y * strand_11_y + strand_11_z
+        const double length_10 = sinew_sqrt(t83);
+        const double length_10_by_t = t82 / length_10;
+        const double strand_11_x_by_t = layer_0_x_by_t + 0.017 * y_x_by_t;
+        const double strand_11_x = layer_0_x - 0.017 * y_x;
+        const double strand_11_y_by_t = layer_0_y_by_t + 0.017 * u_y_by_t;
+        const double strand_11_y = 0.017 + layer_0_y - 0.017 * u_y;
+        const double strand_11_z_by_t = layer_0_z_by_t + 0.017 * y_z_by_t;
+        const double strand_11_z = layer_0_z - 0.017 * y_z;
+        const double t84 = strand_11_x * strand_11_x_by_t - strand_11_y * strand_11_y_by_t
+            + strand_11_z * strand_11_z_by_t;
+        const double t85 = strand_11_x * strand_11_x + strand_11_y * strand_11_y + strand_11_z
             * strand_11_z;
-        const double length_11 = sinew_sqrt(t144);
-        const double t145 = 1.0 / length_11;
-        const double length_11_by_q73 = t143 * t145;
-        const double strand_11_x_by_q71 = layer_0_x_by_q71 + t93;
-        const double strand_11_z_by_q71 = layer_0_z_by_q71 + t89;
-        const double t146 = strand_11_x * strand_11_x_by_q71 - strand_11_y * layer_0_y_by_q71
-            - strand_11_z * strand_11_z_by_q71;
-        const double length_11_by_q71 = t146 * t145;
-        const double strand_12_x_by_q73 = layer_0_x_by_q73 + t78;
-        const double strand_12_x = layer_0_x - t79;
-        const double strand_12_y_by_q73 = layer_0_y_by_q73 + t80;
-        const double strand_12_y = 0.026 - layer_0_y - t81;
-        const double strand_12_z_by_q73 = layer_0_z_by_q73 + t82;
-        const double strand_12_z = layer_0_z - t83;
-        const double t147 = strand_12_x * strand_12_x_by_q73 - strand_12_y * strand_12_y_by_q73
-            + strand_12_z * strand_12_z_by_q73;
-        const double t148 = strand_12_x * strand_12_x + strand_12_y * strand_12_y + strand_12_z
+        const double length_11 = sinew_sqrt(t85);
+        const double length_11_by_t = t84 / length_11;
+        const double t86 = 0.019 * y_x_by_t;
+        const double strand_12_x_by_t = layer_0_x_by_t + t86;
+        const double t87 = 0.019 * y_x;
+        const double strand_12_x = layer_0_x - t87;
+        const double t88 = 0.019 * u_y_by_t;
+        const double strand_12_y_by_t = layer_0_y_by_t + t88;
+        const double t89 = 0.019 * u_y;
+        const double strand_12_y = 0.019 + layer_0_y - t89;
+        const double t90 = 0.019 * y_z_by_t;
+        const double strand_12_z_by_t = layer_0_z_by_t + t90;
+        const double t91 = 0.019 * y_z;
+        const double strand_12_z = layer_0_z - t91;
+        const double t92 = strand_12_x * strand_12_x_by_t - strand_12_y * strand_12_y_by_t
+            + strand_12_z * strand_12_z_by_t;
+        const double t93 = strand_12_x * strand_12_x + strand_12_y * strand_12_y + strand_12_z
             * strand_12_z;
-        const double length_12 = sinew_sqrt(t148);
-        const double t149 = 1.0 / length_12;
-        const double length_12_by_q73 = t147 * t149;
-        const double strand_12_x_by_q71 = layer_0_x_by_q71 + t83;
-        const double strand_12_z_by_q71 = layer_0_z_by_q71 + t79;
-        const double t150 = strand_12_x * strand_12_x_by_q71 - strand_12_y * layer_0_y_by_q71
-            - strand_12_z * strand_12_z_by_q71;
-        const double length_12_by_q71 = t150 * t149;
-        const double strand_13_x_by_q73 = layer_0_x_by_q73 + t68;
-        const double strand_13_x = layer_0_x - t69;
-        const double strand_13_y_by_q73 = layer_0_y_by_q73 + t70;
-        const double strand_13_y = 0.027 - layer_0_y - t71;
-        const double strand_13_z_by_q73 = layer_0_z_by_q73 + t72;
-        const double strand_13_z = layer_0_z - t73;
-        const double t151 = strand_13_x * strand_13_x_by_q73 - strand_13_y * strand_13_y_by_q73
-            + strand_13_z * strand_13_z_by_q73;
-        const double t152 = strand_13_x * strand_13_x + strand_13_y * strand_13_y + strand_13_z
+        const double length_12 = sinew_sqrt(t93);
+        const double length_12_by_t = t92 / length_12;
+        const double t94 = 0.021 * y_x_by_t;
+        const double strand_13_x_by_t = layer_0_x_by_t + t94;
+        const double t95 = 0.021 * y_x;
+        const double strand_13_x = layer_0_x - t95;
+        const double t96 = 0.021 * u_y_by_t;
+        const double strand_13_y_by_t = layer_0_y_by_t + t96;
+        const double t97 = 0.021 * u_y;
+        const double strand_13_y = 0.02 + layer_0_y - t97;
+        const double t98 = 0.021 * y_z_by_t;
+        const double strand_13_z_by_t = layer_0_z_by_t + t98;
+        const double t99 = 0.021 * y_z;
+        const double strand_13_z = layer_0_z - t99;
+        const double t100 = strand_13_x * strand_13_x_by_t - strand_13_y * strand_13_y_by_t
+            + strand_13_z * strand_13_z_by_t;
+        const double t101 = strand_13_x * strand_13_x + strand_13_y * strand_13_y + strand_13_z
             * strand_13_z;
-        const double length_13 = sinew_sqrt(t152);
-        const double t153 = 1.0 / length_13;
-        const double length_13_by_q73 = t151 * t153;
-        const double strand_13_x_by_q71 = layer_0_x_by_q71 + t73;
-        const double strand_13_z_by_q71 = layer_0_z_by_q71 + t69;
-        const double t154 = strand_13_x * strand_13_x_by_q71 - strand_13_y * layer_0_y_by_q71
-            - strand_13_z * strand_13_z_by_q71;
-        const double length_13_by_q71 = t154 * t153;
-        const double strand_14_x_by_q73 = layer_0_x_by_q73 + t29;
-        const double strand_14_x = layer_0_x - t36;
-        const double strand_14_y_by_q73 = layer_0_y_by_q73 + t39;
-        const double strand_14_y = 0.029 - layer_0_y - t43;
-        const double strand_14_z_by_q73 = layer_0_z_by_q73 + t46;
-        const double strand_14_z = layer_0_z - t53;
-        const double t155 = strand_14_x * strand_14_x_by_q73 - strand_14_y * strand_14_y_by_q73
-            + strand_14_z * strand_14_z_by_q73;
-        const double t156 = strand_14_x * strand_14_x + strand_14_y * strand_14_y + strand_14_z
+        const double length_13 = sinew_sqrt(t101);
+        const double length_13_by_t = t100 / length_13;
+        const double strand_14_x_by_t = layer_0_x_by_t + 0.022 * y_x_by_t;
+        const double strand_14_x = layer_0_x - 0.022 * y_x;
+        const double strand_14_y_by_t = layer_0_y_by_t + 0.022 * u_y_by_t;
+        const double strand_14_y = 0.022 + layer_0_y - 0.022 * u_y;
+        const double strand_14_z_by_t = layer_0_z_by_t + 0.022 * y_z_by_t;
+        const double strand_14_z = layer_0_z - 0.022 * y_z;
+        const double t102 = strand_14_x * strand_14_x_by_t - strand_14_y * strand_14_y_by_t
+            + strand_14_z * strand_14_z_by_t;
+        const double t103 = strand_14_x * strand_14_x + strand_14_y * strand_14_y + strand_14_z
             * strand_14_z;
-        const double length_14 = sinew_sqrt(t156);
-        const double t157 = 1.0 / length_14;
-        const double length_14_by_q73 = t155 * t157;
-        const double strand_14_x_by_q71 = layer_0_x_by_q71 + t53;
-        const double strand_14_z_by_q71 = layer_0_z_by_q71 + t36;
-        const double t158 = strand_14_x * strand_14_x_by_q71 - strand_14_y * layer_0_y_by_q71
-            - strand_14_z * strand_14_z_by_q71;
-        const double length_14_by_q71 = t158 * t157;
-        const double t159 = 0.013 * y_x_by_q73;
-        const double strand_15_x_by_q73 = layer_0_x_by_q73 + t159;
-        const double t160 = 0.013 * y_x;
-        const double strand_15_x = layer_0_x - t160;
-        const double t161 = 0.013 * u_y_by_q73;
-        const double strand_15_y_by_q73 = layer_0_y_by_q73 + t161;
-        const double t162 = 0.013 * u_y;
-        const double strand_15_y = 0.031 - layer_0_y - t162;
-        const double t163 = 0.013 * y_z_by_q73;
-        const double strand_15_z_by_q73 = layer_0_z_by_q73 + t163;
-        const double t164 = 0.013 * y_z;
-        const double strand_15_z = layer_0_z - t164;
-        const double t165 = strand_15_x * strand_15_x_by_q73 - strand_15_y * strand_15_y_by_q73
-            + strand_15_z * strand_15_z_by_q73;
-        const double t166 = strand_15_x * strand_15_x + strand_15_y * strand_15_y + strand_15_z
+        const double length_14 = sinew_sqrt(t103);
+        const double length_14_by_t = t102 / length_14;
+        const double t104 = 0.024 * y_x_by_t;
+        const double strand_15_x_by_t = layer_0_x_by_t + t104;
+        const double t105 = 0.024 * y_x;
+        const double strand_15_x = layer_0_x - t105;
+        const double t106 = 0.024 * u_y_by_t;
+        const double strand_15_y_by_t = layer_0_y_by_t + t106;
+        const double t107 = 0.024 * u_y;
+        const double strand_15_y = 0.024 + layer_0_y - t107;
+        const double t108 = 0.024 * y_z_by_t;
+        const double strand_15_z_by_t = layer_0_z_by_t + t108;
+        const double t109 = 0.024 * y_z;
+        const double strand_15_z = layer_0_z - t109;
+        const double t110 = strand_15_x * strand_15_x_by_t - strand_15_y * strand_15_y_by_t
+            + strand_15_z * strand_15_z_by_t;
+        const double t111 = strand_15_x * strand_15_x + strand_15_y * strand_15_y + strand_15_z
             * strand_15_z;
-        const double length_15 = sinew_sqrt(t166);
-        const double t167 = 1.0 / length_15;
-        const double length_15_by_q73 = t165 * t167;
-        const double strand_15_x_by_q71 = layer_0_x_by_q71 + t164;
-        const double strand_15_z_by_q71 = layer_0_z_by_q71 + t160;
-        const double t168 = strand_15_x * strand_15_x_by_q71 - strand_15_y * layer_0_y_by_q71
-            - strand_15_z * strand_15_z_by_q71;
-        const double length_15_by_q71 = t168 * t167;
-        const double t169 = 0.014 * y_x_by_q73;
-        const double strand_16_x_by_q73 = layer_0_x_by_q73 + t169;
-        const double t170 = 0.014 * y_x;
-        const double strand_16_x = layer_0_x - t170;
-        const double t171 = 0.014 * u_y_by_q73;
-        const double strand_16_y_by_q73 = layer_0_y_by_q73 + t171;
-        const double t172 = 0.014 * u_y;
-        const double strand_16_y = 0.032 - layer_0_y - t172;
-        const double t173 = 0.014 * y_z_by_q73;
-        const double strand_16_z_by_q73 = layer_0_z_by_q73 + t173;
-        const double t174 = 0.014 * y_z;
-        const double strand_16_z = layer_0_z - t174;
-        const double t175 = strand_16_x * strand_16_x_by_q73 - strand_16_y * strand_16_y_by_q73
-            + strand_16_z * strand_16_z_by_q73;
-        const double t176 = strand_16_x * strand_16_x + strand_16_y * strand_16_y + strand_16_z
+        const double length_15 = sinew_sqrt(t111);
+        const double length_15_by_t = t110 / length_15;
+        const double strand_16_x_by_t = layer_0_x_by_t + 0.025 * y_x_by_t;
+        const double strand_16_x = layer_0_x - 0.025 * y_x;
+        const double strand_16_y_by_t = layer_0_y_by_t + 0.025 * u_y_by_t;
+        const double strand_16_y = 0.025 + layer_0_y - 0.025 * u_y;
+        const double strand_16_z_by_t = layer_0_z_by_t + 0.025 * y_z_by_t;
+        const double strand_16_z = layer_0_z - 0.025 * y_z;
+        const double t112 = strand_16_x * strand_16_x_by_t - strand_16_y * strand_16_y_by_t
+            + strand_16_z * strand_16_z_by_t;
+        const double t113 = strand_16_x * strand_16_x + strand_16_y * strand_16_y + strand_16_z
             * strand_16_z;
-        const double length_16 = sinew_sqrt(t176);
-        const double t177 = 1.0 / length_16;
-        const double length_16_by_q73 = t175 * t177;
-        const double strand_16_x_by_q71 = layer_0_x_by_q71 + t174;
-        const double strand_16_z_by_q71 = layer_0_z_by_q71 + t170;
-        const double t178 = strand_16_x * strand_16_x_by_q71 - strand_16_y * layer_0_y_by_q71
-            - strand_16_z * strand_16_z_by_q71;
-        const double length_16_by_q71 = t178 * t177;
-        const double t179 = 0.016 * y_x_by_q73;
-        const double strand_17_x_by_q73 = layer_0_x_by_q73 + t179;
-        const double t180 = 0.016 * y_x;
-        const double strand_17_x = layer_0_x - t180;
-        const double t181 = 0.016 * u_y_by_q73;
-        const double strand_17_y_by_q73 = layer_0_y_by_q73 + t181;
-        const double t182 = 0.016 * u_y;
-        const double strand_17_y = 0.034 - layer_0_y - t182;
-        const double t183 = 0.016 * y_z_by_q73;
-        const double strand_17_z_by_q73 = layer_0_z_by_q73 + t183;
-        const double t184 = 0.016 * y_z;
-        const double strand_17_z = layer_0_z - t184;
-        const double t185 = strand_17_x * strand_17_x_by_q73 - strand_17_y * strand_17_y_by_q73
-            + strand_17_z * strand_17_z_by_q73;
-        const double t186 = strand_17_x * strand_17_x + strand_17_y * strand_17_y + strand_17_z
+        const double length_16 = sinew_sqrt(t113);
+        const double length_16_by_t = t112 / length_16;
+        const double t114 = 0.027 * y_x_by_t;
+        const double strand_17_x_by_t = layer_0_x_by_t + t114;
+        const double t115 = 0.027 * y_x;
+        const double strand_17_x = layer_0_x - t115;
+        const double t116 = 0.027 * u_y_by_t;
+        const double strand_17_y_by_t = layer_0_y_by_t + t116;
+        const double t117 = 0.027 * u_y;
+        const double strand_17_y = 0.027 + layer_0_y - t117;
+        const double t118 = 0.027 * y_z_by_t;
+        const double strand_17_z_by_t = layer_0_z_by_t + t118;
+        const double t119 = 0.027 * y_z;
+        const double strand_17_z = layer_0_z - t119;
+        const double t120 = strand_17_x * strand_17_x_by_t - strand_17_y * strand_17_y_by_t
+            + strand_17_z * strand_17_z_by_t;
+        const double t121 = strand_17_x * strand_17_x + strand_17_y * strand_17_y + strand_17_z
             * strand_17_z;
-        const double length_17 = sinew_sqrt(t186);
-        const double t187 = 1.0 / length_17;
-        const double length_17_by_q73 = t185 * t187;
-        const double strand_17_x_by_q71 = layer_0_x_by_q71 + t184;
-        const double strand_17_z_by_q71 = layer_0_z_by_q71 + t180;
-        const double t188 = strand_17_x * strand_17_x_by_q71 - strand_17_y * layer_0_y_by_q71
-            - strand_17_z * strand_17_z_by_q71;
-        const double length_17_by_q71 = t188 * t187;
-        const double strand_18_x_by_q73 = layer_0_x_by_q73 + 0.018 * y_x_by_q73;
-        const double t189 = 0.018 * y_x;
-        const double strand_18_x = layer_0_x - t189;
-        const double strand_18_y_by_q73 = layer_0_y_by_q73 + 0.018 * u_y_by_q73;
-        const double strand_18_y = 0.035 - layer_0_y - 0.018 * u_y;
-        const double strand_18_z_by_q73 = layer_0_z_by_q73 + 0.018 * y_z_by_q73;
-        const double t190 = 0.018 * y_z;
-        const double strand_18_z = layer_0_z - t190;
-        const double t191 = strand_18_x * strand_18_x_by_q73 - strand_18_y * strand_18_y_by_q73
-            + strand_18_z * strand_18_z_by_q73;
-        const double t192 = strand_18_x * strand_18_x + strand_18_y * strand_18_y + strand_18_z
+        const double length_17 = sinew_sqrt(t121);
+        const double length_17_by_t = t120 / length_17;
+        const double t122 = 0.029 * y_x_by_t;
+        const double strand_18_x_by_t = layer_0_x_by_t + t122;
+        const double t123 = 0.029 * y_x;
+        const double strand_18_x = layer_0_x - t123;
+        const double t124 = 0.029 * u_y_by_t;
+        const double strand_18_y_by_t = layer_0_y_by_t + t124;
+        const double t125 = 0.029 * u_y;
+        const double strand_18_y = 0.028 + layer_0_y - t125;
+        const double t126 = 0.029 * y_z_by_t;
+        const double strand_18_z_by_t = layer_0_z_by_t + t126;
+        const double t127 = 0.029 * y_z;
+        const double strand_18_z = layer_0_z - t127;
+        const double t128 = strand_18_x * strand_18_x_by_t - strand_18_y * strand_18_y_by_t
+            + strand_18_z * strand_18_z_by_t;
+        const double t129 = strand_18_x * strand_18_x + strand_18_y * strand_18_y + strand_18_z
             * strand_18_z;
-        const double length_18 = sinew_sqrt(t192);
-        const double t193 = 1.0 / length_18;
-        const double length_18_by_q73 = t191 * t193;
-        const double strand_18_x_by_q71 = layer_0_x_by_q71 + t190;
-        const double strand_18_z_by_q71 = layer_0_z_by_q71 + t189;
-        const double t194 = strand_18_x * strand_18_x_by_q71 - strand_18_y * layer_0_y_by_q71
-            - strand_18_z * strand_18_z_by_q71;
-        const double length_18_by_q71 = t194 * t193;
-        const double layer_1_x_by_q73 = t27 - t28;
-        const double strand_19_x_by_q73 = layer_1_x_by_q73 - t159;
-        const double layer_1_x = t34 + t35;
-        const double strand_19_x = layer_1_x + t160;
-        const double layer_1_y_by_q73 = t37 - t38;
-        const double strand_19_y_by_q73 = layer_1_y_by_q73 - t161;
-        const double layer_1_y = t41 + t42;
-        const double strand_19_y = 0.006 - layer_1_y + t162;
-        const double layer_1_z_by_q73 = t44 - t45;
-        const double strand_19_z_by_q73 = layer_1_z_by_q73 - t163;
-        const double layer_1_z = 0.028 - origin_z - t51 + t52;
-        const double strand_19_z = layer_1_z + t164;
-        const double t195 = strand_19_x * strand_19_x_by_q73 - strand_19_y * strand_19_y_by_q73
-            + strand_19_z * strand_19_z_by_q73;
-        const double t196 = strand_19_x * strand_19_x + strand_19_y * strand_19_y + strand_19_z
-            * strand_19_z;
-        const double length_19 = sinew_sqrt(t196);
-        const double t197 = 1.0 / length_19;
-        const double length_19_by_q73 = t195 * t197;
-        const double layer_1_x_by_q71 = t60 - t61;
-        const double strand_19_x_by_q71 = layer_1_x_by_q71 - t164;
-        const double layer_1_y_by_q71 = t62 + t63;
-        const double layer_1_z_by_q71 = t64 - t65;
-        const double strand_19_z_by_q71 = layer_1_z_by_q71 - t160;
-        const double t198 = strand_19_x * strand_19_x_by_q71 - strand_19_y * layer_1_y_by_q71
-            - strand_19_z * strand_19_z_by_q71;
-        const double length_19_by_q71 = t198 * t197;
-        const double strand_20_x_by_q73 = layer_1_x_by_q73 - t29;
-        const double strand_20_x = layer_1_x + t36;
-        const double strand_20_y_by_q73 = layer_1_y_by_q73 - t39;
-        const double strand_20_y = 0.007 - layer_1_y + t43;
-        const double strand_20_z_by_q73 = layer_1_z_by_q73 - t46;
-        const double strand_20_z = layer_1_z + t53;
-        const double t199 = strand_20_x * strand_20_x_by_q73 - strand_20_y * strand_20_y_by_q73
-            + strand_20_z * strand_20_z_by_q73;
-        const double t200 = strand_20_x * strand_20_x + strand_20_y * strand_20_y + strand_20_z
+        const double length_18 = sinew_sqrt(t129);
+        const double length_18_by_t = t128 / length_18;
+        const double layer_1_x_by_t = t15 - t16 - t66;
+        const double layer_1_x = t18 + t19 + t67;
+        const double layer_1_y_by_t = t21 - t22 - t68;
+        const double layer_1_y = 0.006 - origin_y - t24 - t25 + t69;
+        const double layer_1_z_by_t = t27 - t28 - t70;
+        const double layer_1_z = 0.028 - origin_z - t30 + t31 + t71;
+        const double t130 = layer_1_x * layer_1_x_by_t - layer_1_y * layer_1_y_by_t + layer_1_z
+            * layer_1_z_by_t;
+        const double length_19 = sinew_sqrt(layer_1_x * layer_1_x + layer_1_y * layer_1_y
+            + layer_1_z * layer_1_z);
+        const double length_19_by_t = t130 / length_19;
+        const double strand_20_x_by_t = layer_1_x_by_t + 0.002 * y_x_by_t;
+        const double strand_20_x = layer_1_x - 0.002 * y_x;
+        const double strand_20_y_by_t = layer_1_y_by_t + 0.002 * u_y_by_t;
+        const double strand_20_y = 0.001 + layer_1_y - 0.002 * u_y;
+        const double strand_20_z_by_t = layer_1_z_by_t + 0.002 * y_z_by_t;
+        const double strand_20_z = layer_1_z - 0.002 * y_z;
+        const double t131 = strand_20_x * strand_20_x_by_t - strand_20_y * strand_20_y_by_t
+            + strand_20_z * strand_20_z_by_t;
+        const double t132 = strand_20_x * strand_20_x + strand_20_y * strand_20_y + strand_20_z
             * strand_20_z;
-        const double length_20 = sinew_sqrt(t200);
-        const double t201 = 1.0 / length_20;
-        const double length_20_by_q73 = t199 * t201;
-        const double strand_20_x_by_q71 = layer_1_x_by_q71 - t53;
-        const double strand_20_z_by_q71 = layer_1_z_by_q71 - t36;
-        const double t202 = strand_20_x * strand_20_x_by_q71 - strand_20_y * layer_1_y_by_q71
-            - strand_20_z * strand_20_z_by_q71;
-        const double length_20_by_q71 = t202 * t201;
-        const double strand_21_x_by_q73 = layer_1_x_by_q73 - t68;
-        const double strand_21_x = layer_1_x + t69;
-        const double strand_21_y_by_q73 = layer_1_y_by_q73 - t70;
-        const double strand_21_y = 0.009 - layer_1_y + t71;
-        const double strand_21_z_by_q73 = layer_1_z_by_q73 - t72;
-        const double strand_21_z = layer_1_z + t73;
-        const double t203 = strand_21_x * strand_21_x_by_q73 - strand_21_y * strand_21_y_by_q73
-            + strand_21_z * strand_21_z_by_q73;
-        const double t204 = strand_21_x * strand_21_x + strand_21_y * strand_21_y + strand_21_z
+        const double length_20 = sinew_sqrt(t132);
+        const double length_20_by_t = t131 / length_20;
+        const double strand_21_x_by_t = layer_1_x_by_t + t36;
+        const double strand_21_x = layer_1_x - t37;
+        const double strand_21_y_by_t = layer_1_y_by_t + t38;
+        const double strand_21_y = 0.003 + layer_1_y - t39;
+        const double strand_21_z_by_t = layer_1_z_by_t + t40;
+        const double strand_21_z = layer_1_z - t41;
+        const double t133 = strand_21_x * strand_21_x_by_t - strand_21_y * strand_21_y_by_t
+            + strand_21_z * strand_21_z_by_t;
+        const double t134 = strand_21_x * strand_21_x + strand_21_y * strand_21_y + strand_21_z
             * strand_21_z;
-        const double length_21 = sinew_sqrt(t204);
-        const double t205 = 1.0 / length_21;
-        const double length_21_by_q73 = t203 * t205;
-        const double strand_21_x_by_q71 = layer_1_x_by_q71 - t73;
-        const double strand_21_z_by_q71 = layer_1_z_by_q71 - t69;
-        const double t206 = strand_21_x * strand_21_x_by_q71 - strand_21_y * layer_1_y_by_q71
-            - strand_21_z * strand_21_z_by_q71;
-        const double length_21_by_q71 = t206 * t205;
-        const double strand_22_x_by_q73 = layer_1_x_by_q73 - t78;
-        const double strand_22_x = layer_1_x + t79;
-        const double strand_22_y_by_q73 = layer_1_y_by_q73 - t80;
-        const double strand_22_y = 0.011 - layer_1_y + t81;
-        const double strand_22_z_by_q73 = layer_1_z_by_q73 - t82;
-        const double strand_22_z = layer_1_z + t83;
-        const double t207 = strand_22_x * strand_22_x_by_q73 - strand_22_y * strand_22_y_by_q73
-            + strand_22_z * strand_22_z_by_q73;
-        const double t208 = strand_22_x * strand_22_x + strand_22_y * strand_22_y + strand_22_z
+        const double length_21 = sinew_sqrt(t134);
+        const double length_21_by_t = t133 / length_21;
+        const double strand_22_x_by_t = layer_1_x_by_t + t44;
+        const double strand_22_x = layer_1_x - t45;
+        const double strand_22_y_by_t = layer_1_y_by_t + t46;
+        const double strand_22_y = 0.005 + layer_1_y - t47;
+        const double strand_22_z_by_t = layer_1_z_by_t + t48;
+        const double strand_22_z = layer_1_z - t49;
+        const double t135 = strand_22_x * strand_22_x_by_t - strand_22_y * strand_22_y_by_t
+            + strand_22_z * strand_22_z_by_t;
+        const double t136 = strand_22_x * strand_22_x + strand_22_y * strand_22_y + strand_22_z
             * strand_22_z;
-        const double length_22 = sinew_sqrt(t208);
-        const double t209 = 1.0 / length_22;
-        const double length_22_by_q73 = t207 * t209;
-        const double strand_22_x_by_q71 = layer_1_x_by_q71 - t83;
-        const double strand_22_z_by_q71 = layer_1_z_by_q71 - t79;
-        const double t210 = strand_22_x * strand_22_x_by_q71 - strand_22_y * layer_1_y_by_q71
-            - strand_22_z * strand_22_z_by_q71;
-        const double length_22_by_q71 = t210 * t209;
-        const double strand_23_x_by_q73 = layer_1_x_by_q73 - t88;
-        const double strand_23_x = layer_1_x + t89;
-        const double strand_23_y_by_q73 = layer_1_y_by_q73 - t90;
-        const double strand_23_y = 0.012 - layer_1_y + t91;
-        const double strand_23_z_by_q73 = layer_1_z_by_q73 - t92;
-        const double strand_23_z = layer_1_z + t93;
-        const double t211 = strand_23_x * strand_23_x_by_q73 - strand_23_y * strand_23_y_by_q73
-            + strand_23_z * strand_23_z_by_q73;
-        const double t212 = strand_23_x * strand_23_x + strand_23_y * strand_23_y + strand_23_z
+        const double length_22 = sinew_sqrt(t136);
+        const double length_22_by_t = t135 / length_22;
+        const double strand_23_x_by_t = layer_1_x_by_t + 0.007 * y_x_by_t;
+        const double strand_23_x = layer_1_x - 0.007 * y_x;
+        const double strand_23_y_by_t = layer_1_y_by_t + 0.007 * u_y_by_t;
+        const double strand_23_y = 0.006 + layer_1_y - 0.007 * u_y;
+        const double strand_23_z_by_t = layer_1_z_by_t + 0.007 * y_z_by_t;
+        const double strand_23_z = layer_1_z - 0.007 * y_z;
+        const double t137 = strand_23_x * strand_23_x_by_t - strand_23_y * strand_23_y_by_t
+            + strand_23_z * strand_23_z_by_t;
+        const double t138 = strand_23_x * strand_23_x + strand_23_y * strand_23_y + strand_23_z
             * strand_23_z;
-        const double length_23 = sinew_sqrt(t212);
-        const double t213 = 1.0 / length_23;
-        const double length_23_by_q73 = t211 * t213;
-        const double strand_23_x_by_q71 = layer_1_x_by_q71 - t93;
-        const double strand_23_z_by_q71 = layer_1_z_by_q71 - t89;
-        const double t214 = strand_23_x * strand_23_x_by_q71 - strand_23_y * layer_1_y_by_q71
-            - strand_23_z * strand_23_z_by_q71;
-        const double length_23_by_q71 = t214 * t213;
-        const double strand_24_x_by_q73 = layer_1_x_by_q73 - t98;
-        const double strand_24_x = layer_1_x + t99;
-        const double strand_24_y_by_q73 = layer_1_y_by_q73 - t100;
-        const double strand_24_y = 0.014 - layer_1_y + t101;
-        const double strand_24_z_by_q73 = layer_1_z_by_q73 - t102;
-        const double strand_24_z = layer_1_z + t103;
-        const double t215 = strand_24_x * strand_24_x_by_q73 - strand_24_y * strand_24_y_by_q73
-            + strand_24_z * strand_24_z_by_q73;
-        const double t216 = strand_24_x * strand_24_x + strand_24_y * strand_24_y + strand_24_z
+        const double length_23 = sinew_sqrt(t138);
+        const double length_23_by_t = t137 / length_23;
+        const double strand_24_x_by_t = layer_1_x_by_t + t54;
+        const double strand_24_x = layer_1_x - t55;
+        const double strand_24_y_by_t = layer_1_y_by_t + t56;
+        const double strand_24_y = 0.008 + layer_1_y - t57;
+        const double strand_24_z_by_t = layer_1_z_by_t + t58;
+        const double strand_24_z = layer_1_z - t59;
+        const double t139 = strand_24_x * strand_24_x_by_t - strand_24_y * strand_24_y_by_t
+            + strand_24_z * strand_24_z_by_t;
+        const double t140 = strand_24_x * strand_24_x + strand_24_y * strand_24_y + strand_24_z
             * strand_24_z;
-        const double length_24 = sinew_sqrt(t216);
-        const double t217 = 1.0 / length_24;
-        const double length_24_by_q73 = t215 * t217;
-        const double strand_24_x_by_q71 = layer_1_x_by_q71 - t103;
-        const double strand_24_z_by_q71 = layer_1_z_by_q71 - t99;
-        const double t218 = strand_24_x * strand_24_x_by_q71 - strand_24_y * layer_1_y_by_q71
-            - strand_24_z * strand_24_z_by_q71;
-        const double length_24_by_q71 = t218 * t217;
-        const double strand_25_x_by_q73 = layer_1_x_by_q73 - t108;
-        const double strand_25_x = layer_1_x + t109;
-        const double strand_25_y_by_q73 = layer_1_y_by_q73 - t110;
-        const double strand_25_y = 0.015 - layer_1_y + t111;
-        const double strand_25_z_by_q73 = layer_1_z_by_q73 - t112;
-        const double strand_25_z = layer_1_z + t113;
-        const double t219 = strand_25_x * strand_25_x_by_q73 - strand_25_y * strand_25_y_by_q73
-            + strand_25_z * strand_25_z_by_q73;
-        const double t220 = strand_25_x * strand_25_x + strand_25_y * strand_25_y + strand_25_z
+        const double length_24 = sinew_sqrt(t140);
+        const double length_24_by_t = t139 / length_24;
+        const double strand_25_x_by_t = layer_1_x_by_t + 0.01 * y_x_by_t;
+        const double strand_25_x = layer_1_x - 0.01 * y_x;
+        const double strand_25_y_by_t = layer_1_y_by_t + 0.01 * u_y_by_t;
+        const double strand_25_y = 0.009 + layer_1_y - 0.01 * u_y;
+        const double strand_25_z_by_t = layer_1_z_by_t + 0.01 * y_z_by_t;
+        const double strand_25_z = layer_1_z - 0.01 * y_z;
+        const double t141 = strand_25_x * strand_25_x_by_t - strand_25_y * strand_25_y_by_t
+            + strand_25_z * strand_25_z_by_t;
+        const double t142 = strand_25_x * strand_25_x + strand_25_y * strand_25_y + strand_25_z
             * strand_25_z;
-        const double length_25 = sinew_sqrt(t220);
-        const double t221 = 1.0 / length_25;
-        const double length_25_by_q73 = t219 * t221;
-        const double strand_25_x_by_q71 = layer_1_x_by_q71 - t113;
-        const double strand_25_z_by_q71 = layer_1_z_by_q71 - t109;
-        const double t222 = strand_25_x * strand_25_x_by_q71 - strand_25_y * layer_1_y_by_q71
-            - strand_25_z * strand_25_z_by_q71;
-        const double length_25_by_q71 = t222 * t221;
-        const double strand_26_x_by_q73 = layer_1_x_by_q73 - t118;
-        const double strand_26_x = layer_1_x + t119;
-        const double strand_26_y_by_q73 = layer_1_y_by_q73 - t120;
-        const double strand_26_y = 0.017 - layer_1_y + t121;
-        const double strand_26_z_by_q73 = layer_1_z_by_q73 - t122;
-        const double strand_26_z = layer_1_z + t123;
-        const double t223 = strand_26_x * strand_26_x_by_q73 - strand_26_y * strand_26_y_by_q73
-            + strand_26_z * strand_26_z_by_q73;
-        const double t224 = strand_26_x * strand_26_x + strand_26_y * strand_26_y + strand_26_z
+        const double length_25 = sinew_sqrt(t142);
+        const double length_25_by_t = t141 / length_25;
+        const double strand_26_x_by_t = layer_1_x_by_t + t17;
+        const double strand_26_x = layer_1_x - t20;
+        const double strand_26_y_by_t = layer_1_y_by_t + t23;
+        const double strand_26_y = 0.011 + layer_1_y - t26;
+        const double strand_26_z_by_t = layer_1_z_by_t + t29;
+        const double strand_26_z = layer_1_z - t32;
+        const double t143 = strand_26_x * strand_26_x_by_t - strand_26_y * strand_26_y_by_t
+            + strand_26_z * strand_26_z_by_t;
+        const double t144 = strand_26_x * strand_26_x + strand_26_y * strand_26_y + strand_26_z
             * strand_26_z;
-        const double length_26 = sinew_sqrt(t224);
-        const double t225 = 1.0 / length_26;
-        const double length_26_by_q73 = t223 * t225;
-        const double strand_26_x_by_q71 = layer_1_x_by_q71 - t123;
-        const double strand_26_z_by_q71 = layer_1_z_by_q71 - t119;
-        const double t226 = strand_26_x * strand_26_x_by_q71 - strand_26_y * layer_1_y_by_q71
-            - strand_26_z * strand_26_z_by_q71;
-        const double length_26_by_q71 = t226 * t225;
-        const double strand_27_y = 0.019 - layer_1_y;
-        const double t227 = layer_1_x * layer_1_x_by_q73 + layer_1_z * layer_1_z_by_q73
-            - strand_27_y * layer_1_y_by_q73;
-        const double t228 = layer_1_x * layer_1_x + layer_1_z * layer_1_z + strand_27_y
-            * strand_27_y;
-        const double length_27 = sinew_sqrt(t228);
-        const double t229 = 1.0 / length_27;
-        const double length_27_by_q73 = t227 * t229;
-        const double t230 = layer_1_x * layer_1_x_by_q71 - layer_1_z * layer_1_z_by_q71
-            - strand_27_y * layer_1_y_by_q71;
-        const double length_27_by_q71 = t230 * t229;
-        const double strand_28_x_by_q73 = layer_1_x_by_q73 + t118;
-        const double strand_28_x = layer_1_x - t119;
-        const double strand_28_y_by_q73 = layer_1_y_by_q73 + t120;
-        const double strand_28_y = 0.02 - layer_1_y - t121;
-        const double strand_28_z_by_q73 = layer_1_z_by_q73 + t122;
-        const double strand_28_z = layer_1_z - t123;
-        const double t231 = strand_28_x * strand_28_x_by_q73 - strand_28_y * strand_28_y_by_q73
-            + strand_28_z * strand_28_z_by_q73;
-        const double t232 = strand_28_x * strand_28_x + strand_28_y * strand_28_y + strand_28_z
+        const double length_26 = sinew_sqrt(t144);
+        const double length_26_by_t = t143 / length_26;
+        const double strand_27_x_by_t = layer_1_x_by_t + t66;
+        const double strand_27_x = layer_1_x - t67;
+        const double strand_27_y_by_t = layer_1_y_by_t + t68;
+        const double strand_27_y = 0.013 + layer_1_y - t69;
+        const double strand_27_z_by_t = layer_1_z_by_t + t70;
+        const double strand_27_z = layer_1_z - t71;
+        const double t145 = strand_27_x * strand_27_x_by_t - strand_27_y * strand_27_y_by_t
+            + strand_27_z * strand_27_z_by_t;
+        const double t146 = strand_27_x * strand_27_x + strand_27_y * strand_27_y + strand_27_z
+            * strand_27_z;
+        const double length_27 = sinew_sqrt(t146);
+        const double length_27_by_t = t145 / length_27;
+        const double strand_28_x_by_t = layer_1_x_by_t + 0.015 * y_x_by_t;
+        const double strand_28_x = layer_1_x - 0.015 * y_x;
+        const double strand_28_y_by_t = layer_1_y_by_t + 0.015 * u_y_by_t;
+        const double strand_28_y = 0.014 + layer_1_y - 0.015 * u_y;
+        const double strand_28_z_by_t = layer_1_z_by_t + 0.015 * y_z_by_t;
+        const double strand_28_z = layer_1_z - 0.015 * y_z;
+        const double t147 = strand_28_x * strand_28_x_by_t - strand_28_y * strand_28_y_by_t
+            + strand_28_z * strand_28_z_by_t;
+        const double t148 = strand_28_x * strand_28_x + strand_28_y * strand_28_y + strand_28_z
             * strand_28_z;
-        const double length_28 = sinew_sqrt(t232);
-        const double t233 = 1.0 / length_28;
-        const double length_28_by_q73 = t231 * t233;
-        const double strand_28_x_by_q71 = layer_1_x_by_q71 + t123;
-        const double strand_28_z_by_q71 = layer_1_z_by_q71 + t119;
-        const double t234 = strand_28_x * strand_28_x_by_q71 - strand_28_y * layer_1_y_by_q71
-            - strand_28_z * strand_28_z_by_q71;
-        const double length_28_by_q71 = t234 * t233;
-        const double strand_29_x_by_q73 = layer_1_x_by_q73 + t108;
-        const double strand_29_x = layer_1_x - t109;
-        const double strand_29_y_by_q73 = layer_1_y_by_q73 + t110;
-        const double strand_29_y = 0.022 - layer_1_y - t111;
-        const double strand_29_z_by_q73 = layer_1_z_by_q73 + t112;
-        const double strand_29_z = layer_1_z - t113;
-        const double t235 = strand_29_x * strand_29_x_by_q73 - strand_29_y * strand_29_y_by_q73
-            + strand_29_z * strand_29_z_by_q73;
-        const double t236 = strand_29_x * strand_29_x + strand_29_y * strand_29_y + strand_29_z
+        const double length_28 = sinew_sqrt(t148);
+        const double length_28_by_t = t147 / length_28;
+        const double strand_29_x_by_t = layer_1_x_by_t + t76;
+        const double strand_29_x = layer_1_x - t77;
+        const double strand_29_y_by_t = layer_1_y_by_t + t78;
+        const double strand_29_y = 0.016 + layer_1_y - t79;
+        const double strand_29_z_by_t = layer_1_z_by_t + t80;
+        const double strand_29_z = layer_1_z - t81;
+        const double t149 = strand_29_x * strand_29_x_by_t - strand_29_y * strand_29_y_by_t
+            + strand_29_z * strand_29_z_by_t;
+        const double t150 = strand_29_x * strand_29_x + strand_29_y * strand_29_y + strand_29_z
             * strand_29_z;
-        const double length_29 = sinew_sqrt(t236);
-        const double t237 = 1.0 / length_29;
-        const double length_29_by_q73 = t235 * t237;
-        const double strand_29_x_by_q71 = layer_1_x_by_q71 + t113;
-        const double strand_29_z_by_q71 = layer_1_z_by_q71 + t109;
-        const double t238 = strand_29_x * strand_29_x_by_q71 - strand_29_y * layer_1_y_by_q71
-            - strand_29_z * strand_29_z_by_q71;
-        const double length_29_by_q71 = t238 * t237;
-        const double strand_30_x_by_q73 = layer_1_x_by_q73 + t98;
-        const double strand_30_x = layer_1_x - t99;
-        const double strand_30_y_by_q73 = layer_1_y_by_q73 + t100;
-        const double strand_30_y = 0.023 - layer_1_y - t101;
-        const double strand_30_z_by_q73 = layer_1_z_by_q73 + t102;
-        const double strand_30_z = layer_1_z - t103;
-        const double t239 = strand_30_x * strand_30_x_by_q73 - strand_30_y * strand_30_y_by_q73
-            + strand_30_z * strand_30_z_by_q73;
-        const double t240 = strand_30_x * strand_30_x + strand_30_y * strand_30_y + strand_30_z
+        const double length_29 = sinew_sqrt(t150);
+        const double length_29_by_t = t149 / length_29;
+        const double strand_30_x_by_t = layer_1_x_by_t + 0.018 * y_x_by_t;
+        const double strand_30_x = layer_1_x - 0.018 * y_x;
+        const double strand_30_y_by_t = layer_1_y_by_t + 0.018 * u_y_by_t;
+        const double strand_30_y = 0.017 + layer_1_y - 0.018 * u_y;
+        const double strand_30_z_by_t = layer_1_z_by_t + 0.018 * y_z_by_t;
+        const double strand_30_z = layer_1_z - 0.018 * y_z;
+        const double t151 = strand_30_x * strand_30_x_by_t - strand_30_y * strand_30_y_by_t
+            + strand_30_z * strand_30_z_by_t;
+        const double t152 = strand_30_x * strand_30_x + strand_30_y * strand_30_y + strand_30_z
             * strand_30_z;
-        const double length_30 = sinew_sqrt(t240);
-        const double t241 = 1.0 / length_30;
-        const double length_30_by_q73 = t239 * t241;
-        const double strand_30_x_by_q71 = layer_1_x_by_q71 + t103;
-        const double strand_30_z_by_q71 = layer_1_z_by_q71 + t99;
-        const double t242 = strand_30_x * strand_30_x_by_q71 - strand_30_y * layer_1_y_by_q71
-            - strand_30_z * strand_30_z_by_q71;
-        const double length_30_by_q71 = t242 * t241;
-        const double strand_31_x_by_q73 = layer_1_x_by_q73 + t88;
-        const double strand_31_x = layer_1_x - t89;
-        const double strand_31_y_by_q73 = layer_1_y_by_q73 + t90;
-        const double strand_31_y = 0.025 - layer_1_y - t91;
-        const double strand_31_z_by_q73 = layer_1_z_by_q73 + t92;
-        const double strand_31_z = layer_1_z - t93;
-        const double t243 = strand_31_x * strand_31_x_by_q73 - strand_31_y * strand_31_y_by_q73
-            + strand_31_z * strand_31_z_by_q73;
-        const double t244 = strand_31_x * strand_31_x + strand_31_y * strand_31_y + strand_31_z
+        const double length_30 = sinew_sqrt(t152);
+        const double length_30_by_t = t151 / length_30;
+        const double strand_31_x_by_t = layer_1_x_by_t + t86;
+        const double strand_31_x = layer_1_x - t87;
+        const double strand_31_y_by_t = layer_1_y_by_t + t88;
+        const double strand_31_y = 0.019 + layer_1_y - t89;
+        const double strand_31_z_by_t = layer_1_z_by_t + t90;
+        const double strand_31_z = layer_1_z - t91;
+        const double t153 = strand_31_x * strand_31_x_by_t - strand_31_y * strand_31_y_by_t
+            + strand_31_z * strand_31_z_by_t;
+        const double t154 = strand_31_x * strand_31_x + strand_31_y * strand_31_y + strand_31_z
             * strand_31_z;
-        const double length_31 = sinew_sqrt(t244);
-        const double t245 = 1.0 / length_31;
-        const double length_31_by_q73 = t243 * t245;
-        const double strand_31_x_by_q71 = layer_1_x_by_q71 + t93;
-        const double strand_31_z_by_q71 = layer_1_z_by_q71 + t89;
-        const double t246 = strand_31_x * strand_31_x_by_q71 - strand_31_y * layer_1_y_by_q71
-            - strand_31_z * strand_31_z_by_q71;
-        const double length_31_by_q71 = t246 * t245;
-        const double strand_32_x_by_q73 = layer_1_x_by_q73 + t78;
-        const double strand_32_x = layer_1_x - t79;
-        const double strand_32_y_by_q73 = layer_1_y_by_q73 + t80;
-        const double strand_32_y = 0.027 - layer_1_y - t81;
-        const double strand_32_z_by_q73 = layer_1_z_by_q73 + t82;
-        const double strand_32_z = layer_1_z - t83;
-        const double t247 = strand_32_x * strand_32_x_by_q73 - strand_32_y * strand_32_y_by_q73
-            + strand_32_z * strand_32_z_by_q73;
-        const double t248 = strand_32_x * strand_32_x + strand_32_y * strand_32_y + strand_32_z
+        const double length_31 = sinew_sqrt(t154);
+        const double length_31_by_t = t153 / length_31;
+        const double strand_32_x_by_t = layer_1_x_by_t + t94;
+        const double strand_32_x = layer_1_x - t95;
+        const double strand_32_y_by_t = layer_1_y_by_t + t96;
+        const double strand_32_y = 0.021 + layer_1_y - t97;
+        const double strand_32_z_by_t = layer_1_z_by_t + t98;
+        const double strand_32_z = layer_1_z - t99;
+        const double t155 = strand_32_x * strand_32_x_by_t - strand_32_y * strand_32_y_by_t
+            + strand_32_z * strand_32_z_by_t;
+        const double t156 = strand_32_x * strand_32_x + strand_32_y * strand_32_y + strand_32_z
             * strand_32_z;
-        const double length_32 = sinew_sqrt(t248);
-        const double t249 = 1.0 / length_32;
-        const double length_32_by_q73 = t247 * t249;
-        const double strand_32_x_by_q71 = layer_1_x_by_q71 + t83;
-        const double strand_32_z_by_q71 = layer_1_z_by_q71 + t79;
-        const double t250 = strand_32_x * strand_32_x_by_q71 - strand_32_y * layer_1_y_by_q71
-            - strand_32_z * strand_32_z_by_q71;
-        const double length_32_by_q71 = t250 * t249;
-        const double strand_33_x_by_q73 = layer_1_x_by_q73 + t68;
-        const double strand_33_x = layer_1_x - t69;
-        const double strand_33_y_by_q73 = layer_1_y_by_q73 + t70;
-        const double strand_33_y = 0.028 - layer_1_y - t71;
-        const double strand_33_z_by_q73 = layer_1_z_by_q73 + t72;
-        const double strand_33_z = layer_1_z - t73;
-        const double t251 = strand_33_x * strand_33_x_by_q73 - strand_33_y * strand_33_y_by_q73
-            + strand_33_z * strand_33_z_by_q73;
-        const double t252 = strand_33_x * strand_33_x + strand_33_y * strand_33_y + strand_33_z
+        const double length_32 = sinew_sqrt(t156);
+        const double length_32_by_t = t155 / length_32;
+        const double strand_33_x_by_t = layer_1_x_by_t + 0.023 * y_x_by_t;
+        const double strand_33_x = layer_1_x - 0.023 * y_x;
+        const double strand_33_y_by_t = layer_1_y_by_t + 0.023 * u_y_by_t;
+        const double strand_33_y = 0.022 + layer_1_y - 0.023 * u_y;
+        const double strand_33_z_by_t = layer_1_z_by_t + 0.023 * y_z_by_t;
+        const double strand_33_z = layer_1_z - 0.023 * y_z;
+        const double t157 = strand_33_x * strand_33_x_by_t - strand_33_y * strand_33_y_by_t
+            + strand_33_z * strand_33_z_by_t;
+        const double t158 = strand_33_x * strand_33_x + strand_33_y * strand_33_y + strand_33_z
             * strand_33_z;
-        const double length_33 = sinew_sqrt(t252);
-        const double t253 = 1.0 / length_33;
-        const double length_33_by_q73 = t251 * t253;
-        const double strand_33_x_by_q71 = layer_1_x_by_q71 + t73;
-        const double strand_33_z_by_q71 = layer_1_z_by_q71 + t69;
-        const double t254 = strand_33_x * strand_33_x_by_q71 - strand_33_y * layer_1_y_by_q71
-            - strand_33_z * strand_33_z_by_q71;
-        const double length_33_by_q71 = t254 * t253;
-        const double strand_34_x_by_q73 = layer_1_x_by_q73 + t29;
-        const double strand_34_x = layer_1_x - t36;
-        const double strand_34_y_by_q73 = layer_1_y_by_q73 + t39;
-        const double strand_34_y = 0.03 - layer_1_y - t43;
-        const double strand_34_z_by_q73 = layer_1_z_by_q73 + t46;
-        const double strand_34_z = layer_1_z - t53;
-        const double t255 = strand_34_x * strand_34_x_by_q73 - strand_34_y * strand_34_y_by_q73
-            + strand_34_z * strand_34_z_by_q73;
-        const double t256 = strand_34_x * strand_34_x + strand_34_y * strand_34_y + strand_34_z
+        const double length_33 = sinew_sqrt(t158);
+        const double length_33_by_t = t157 / length_33;
+        const double strand_34_x_by_t = layer_1_x_by_t + t104;
+        const double strand_34_x = layer_1_x - t105;
+        const double strand_34_y_by_t = layer_1_y_by_t + t106;
+        const double strand_34_y = 0.024 + layer_1_y - t107;
+        const double strand_34_z_by_t = layer_1_z_by_t + t108;
+        const double strand_34_z = layer_1_z - t109;
+        const double t159 = strand_34_x * strand_34_x_by_t - strand_34_y * strand_34_y_by_t
+            + strand_34_z * strand_34_z_by_t;
+        const double t160 = strand_34_x * strand_34_x + strand_34_y * strand_34_y + strand_34_z
             * strand_34_z;
-        const double length_34 = sinew_sqrt(t256);
-        const double t257 = 1.0 / length_34;
-        const double length_34_by_q73 = t255 * t257;
-        const double strand_34_x_by_q71 = layer_1_x_by_q71 + t53;
-        const double strand_34_z_by_q71 = layer_1_z_by_q71 + t36;
-        const double t258 = strand_34_x * strand_34_x_by_q71 - strand_34_y * layer_1_y_by_q71
-            - strand_34_z * strand_34_z_by_q71;
-        const double length_34_by_q71 = t258 * t257;
-        const double strand_35_x_by_q73 = layer_1_x_by_q73 + t159;
-        const double strand_35_x = layer_1_x - t160;
-        const double strand_35_y_by_q73 = layer_1_y_by_q73 + t161;
-        const double strand_35_y = 0.031 - layer_1_y - t162;
-        const double strand_35_z_by_q73 = layer_1_z_by_q73 + t163;
-        const double strand_35_z = layer_1_z - t164;
-        const double t259 = strand_35_x * strand_35_x_by_q73 - strand_35_y * strand_35_y_by_q73
-            + strand_35_z * strand_35_z_by_q73;
-        const double t260 = strand_35_x * strand_35_x + strand_35_y * strand_35_y + strand_35_z
+        const double length_34 = sinew_sqrt(t160);
+        const double length_34_by_t = t159 / length_34;
+        const double strand_35_x_by_t = layer_1_x_by_t + 0.026 * y_x_by_t;
+        const double strand_35_x = layer_1_x - 0.026 * y_x;
+        const double strand_35_y_by_t = layer_1_y_by_t + 0.026 * u_y_by_t;
+        const double strand_35_y = 0.025 + layer_1_y - 0.026 * u_y;
+        const double strand_35_z_by_t = layer_1_z_by_t + 0.026 * y_z_by_t;
+        const double strand_35_z = layer_1_z - 0.026 * y_z;
+        const double t161 = strand_35_x * strand_35_x_by_t - strand_35_y * strand_35_y_by_t
+            + strand_35_z * strand_35_z_by_t;
+        const double t162 = strand_35_x * strand_35_x + strand_35_y * strand_35_y + strand_35_z
             * strand_35_z;
-        const double length_35 = sinew_sqrt(t260);
-        const double t261 = 1.0 / length_35;
-        const double length_35_by_q73 = t259 * t261;
-        const double strand_35_x_by_q71 = layer_1_x_by_q71 + t164;
-        const double strand_35_z_by_q71 = layer_1_z_by_q71 + t160;
-        const double t262 = strand_35_x * strand_35_x_by_q71 - strand_35_y * layer_1_y_by_q71
-            - strand_35_z * strand_35_z_by_q71;
-        const double length_35_by_q71 = t262 * t261;
-        const double strand_36_x_by_q73 = layer_1_x_by_q73 + t169;
-        const double strand_36_x = layer_1_x - t170;
-        const double strand_36_y_by_q73 = layer_1_y_by_q73 + t171;
-        const double strand_36_y = 0.033 - layer_1_y - t172;
-        const double strand_36_z_by_q73 = layer_1_z_by_q73 + t173;
-        const double strand_36_z = layer_1_z - t174;
-        const double t263 = strand_36_x * strand_36_x_by_q73 - strand_36_y * strand_36_y_by_q73
-            + strand_36_z * strand_36_z_by_q73;
-        const double t264 = strand_36_x * strand_36_x + strand_36_y * strand_36_y + strand_36_z
+        const double length_35 = sinew_sqrt(t162);
+        const double length_35_by_t = t161 / length_35;
+        const double strand_36_x_by_t = layer_1_x_by_t + t114;
+        const double strand_36_x = layer_1_x - t115;
+        const double strand_36_y_by_t = layer_1_y_by_t + t116;
+        const double strand_36_y = 0.027 + layer_1_y - t117;
+        const double strand_36_z_by_t = layer_1_z_by_t + t118;
+        const double strand_36_z = layer_1_z - t119;
+        const double t163 = strand_36_x * strand_36_x_by_t - strand_36_y * strand_36_y_by_t
+            + strand_36_z * strand_36_z_by_t;
+        const double t164 = strand_36_x * strand_36_x + strand_36_y * strand_36_y + strand_36_z
             * strand_36_z;
-        const double length_36 = sinew_sqrt(t264);
-        const double t265 = 1.0 / length_36;
-        const double length_36_by_q73 = t263 * t265;
-        const double strand_36_x_by_q71 = layer_1_x_by_q71 + t174;
-        const double strand_36_z_by_q71 = layer_1_z_by_q71 + t170;
-        const double t266 = strand_36_x * strand_36_x_by_q71 - strand_36_y * layer_1_y_by_q71
-            - strand_36_z * strand_36_z_by_q71;
-        const double length_36_by_q71 = t266 * t265;
-        const double strand_37_x_by_q73 = layer_1_x_by_q73 + t179;
-        const double strand_37_x = layer_1_x - t180;
-        const double strand_37_y_by_q73 = layer_1_y_by_q73 + t181;
-        const double strand_37_y = 0.035 - layer_1_y - t182;
-        const double strand_37_z_by_q73 = layer_1_z_by_q73 + t183;
-        const double strand_37_z = layer_1_z - t184;
-        const double t267 = strand_37_x * strand_37_x_by_q73 - strand_37_y * strand_37_y_by_q73
-            + strand_37_z * strand_37_z_by_q73;
-        const double t268 = strand_37_x * strand_37_x + strand_37_y * strand_37_y + strand_37_z
+        const double length_36 = sinew_sqrt(t164);
+        const double length_36_by_t = t163 / length_36;
+        const double strand_37_x_by_t = layer_1_x_by_t + t122;
+        const double strand_37_x = layer_1_x - t123;
+        const double strand_37_y_by_t = layer_1_y_by_t + t124;
+        const double strand_37_y = 0.029 + layer_1_y - t125;
+        const double strand_37_z_by_t = layer_1_z_by_t + t126;
+        const double strand_37_z = layer_1_z - t127;
+        const double t165 = strand_37_x * strand_37_x_by_t - strand_37_y * strand_37_y_by_t
+            + strand_37_z * strand_37_z_by_t;
+        const double t166 = strand_37_x * strand_37_x + strand_37_y * strand_37_y + strand_37_z
             * strand_37_z;
-        const double length_37 = sinew_sqrt(t268);
-        const double t269 = 1.0 / length_37;
-        const double length_37_by_q73 = t267 * t269;
-        const double strand_37_x_by_q71 = layer_1_x_by_q71 + t184;
-        const double strand_37_z_by_q71 = layer_1_z_by_q71 + t180;
-        const double t270 = strand_37_x * strand_37_x_by_q71 - strand_37_y * layer_1_y_by_q71
-            - strand_37_z * strand_37_z_by_q71;
-        const double length_37_by_q71 = t270 * t269;
-        delta_theta_rate[state] = -(t67 * length_0_by_q71 - t57 * length_0_by_q73);
-        delta_theta_rate[1 * n + state] = -(t67 * length_1_by_q71 - t57 * length_1_by_q73);
-        delta_theta_rate[2 * n + state] = -(t67 * length_2_by_q71 - t57 * length_2_by_q73);
-        delta_theta_rate[3 * n + state] = -(t67 * length_3_by_q71 - t57 * length_3_by_q73);
-        delta_theta_rate[4 * n + state] = -(t67 * length_4_by_q71 - t57 * length_4_by_q73);
-        delta_theta_rate[5 * n + state] = -(t67 * length_5_by_q71 - t57 * length_5_by_q73);
-        delta_theta_rate[6 * n + state] = -(t67 * length_6_by_q71 - t57 * length_6_by_q73);
-        delta_theta_rate[7 * n + state] = -(t67 * length_7_by_q71 - t57 * length_7_by_q73);
-        delta_theta_rate[8 * n + state] = -(t67 * length_8_by_q71 - t57 * length_8_by_q73);
-        delta_theta_rate[9 * n + state] = -(t67 * length_9_by_q71 - t57 * length_9_by_q73);
-        delta_theta_rate[10 * n + state] = -(t67 * length_10_by_q71 - t57 * length_10_by_q73);
-        delta_theta_rate[11 * n + state] = -(t67 * length_11_by_q71 - t57 * length_11_by_q73);
-        delta_theta_rate[12 * n + state] = -(t67 * length_12_by_q71 - t57 * length_12_by_q73);
-        delta_theta_rate[13 * n + state] = -(t67 * length_13_by_q71 - t57 * length_13_by_q73);
-        delta_theta_rate[14 * n + state] = -(t67 * length_14_by_q71 - t57 * length_14_by_q73);
-        delta_theta_rate[15 * n + state] = -(t67 * length_15_by_q71 - t57 * length_15_by_q73);
-        delta_theta_rate[16 * n + state] = -(t67 * length_16_by_q71 - t57 * length_16_by_q73);
-        delta_theta_rate[17 * n + state] = -(t67 * length_17_by_q71 - t57 * length_17_by_q73);
-        delta_theta_rate[18 * n + state] = -(t67 * length_18_by_q71 - t57 * length_18_by_q73);
-        delta_theta_rate[19 * n + state] = -(t67 * length_19_by_q71 - t57 * length_19_by_q73);
-        delta_theta_rate[20 * n + state] = -(t67 * length_20_by_q71 - t57 * length_20_by_q73);
-        delta_theta_rate[21 * n + state] = -(t67 * length_21_by_q71 - t57 * length_21_by_q73);
-        delta_theta_rate[22 * n + state] = -(t67 * length_22_by_q71 - t57 * length_22_by_q73);
-        delta_theta_rate[23 * n + state] = -(t67 * length_23_by_q71 - t57 * length_23_by_q73);
-        delta_theta_rate[24 * n + state] = -(t67 * length_24_by_q71 - t57 * length_24_by_q73);
-        delta_theta_rate[25 * n + state] = -(t67 * length_25_by_q71 - t57 * length_25_by_q73);
-        delta_theta_rate[26 * n + state] = -(t67 * length_26_by_q71 - t57 * length_26_by_q73);
-        delta_theta_rate[27 * n + state] = -(t67 * length_27_by_q71 - t57 * length_27_by_q73);
-        delta_theta_rate[28 * n + state] = -(t67 * length_28_by_q71 - t57 * length_28_by_q73);
-        delta_theta_rate[29 * n + state] = -(t67 * length_29_by_q71 - t57 * length_29_by_q73);
-        delta_theta_rate[30 * n + state] = -(t67 * length_30_by_q71 - t57 * length_30_by_q73);
-        delta_theta_rate[31 * n + state] = -(t67 * length_31_by_q71 - t57 * length_31_by_q73);
-        delta_theta_rate[32 * n + state] = -(t67 * length_32_by_q71 - t57 * length_32_by_q73);
-        delta_theta_rate[33 * n + state] = -(t67 * length_33_by_q71 - t57 * length_33_by_q73);
-        delta_theta_rate[34 * n + state] = -(t67 * length_34_by_q71 - t57 * length_34_by_q73);
-        delta_theta_rate[35 * n + state] = -(t67 * length_35_by_q71 - t57 * length_35_by_q73);
-        delta_theta_rate[36 * n + state] = -(t67 * length_36_by_q71 - t57 * length_36_by_q73);
-        delta_theta_rate[37 * n + state] = -(t67 * length_37_by_q71 - t57 * length_37_by_q73);
+        const double length_37 = sinew_sqrt(t166);
+        const double length_37_by_t = t165 / length_37;
+        delta_theta_rate[state] = 200.0 * length_0_by_t;
+        delta_theta_rate[1 * n + state] = 200.0 * length_1_by_t;
+        delta_theta_rate[2 * n + state] = 200.0 * length_2_by_t;
+        delta_theta_rate[3 * n + state] = 200.0 * length_3_by_t;
+        delta_theta_rate[4 * n + state] = 200.0 * length_4_by_t;
+        delta_theta_rate[5 * n + state] = 200.0 * length_5_by_t;
+        delta_theta_rate[6 * n + state] = 200.0 * length_6_by_t;
+        delta_theta_rate[7 * n + state] = 200.0 * length_7_by_t;
+        delta_theta_rate[8 * n + state] = 200.0 * length_8_by_t;
+        delta_theta_rate[9 * n + state] = 200.0 * length_9_by_t;
+        delta_theta_rate[10 * n + state] = 200.0 * length_10_by_t;
+        delta_theta_rate[11 * n + state] = 200.0 * length_11_by_t;
+        delta_theta_rate[12 * n + state] = 200.0 * length_12_by_t;
+        delta_theta_rate[13 * n + state] = 200.0 * length_13_by_t;
+        delta_theta_rate[14 * n + state] = 200.0 * length_14_by_t;
+        delta_theta_rate[15 * n + state] = 200.0 * length_15_by_t;
+        delta_theta_rate[16 * n + state] = 200.0 * length_16_by_t;
+        delta_theta_rate[17 * n + state] = 200.0 * length_17_by_t;
+        delta_theta_rate[18 * n + state] = 200.0 * length_18_by_t;
+        delta_theta_rate[19 * n + state] = 200.0 * length_19_by_t;
+        delta_theta_rate[20 * n + state] = 200.0 * length_20_by_t;
+        delta_theta_rate[21 * n + state] = 200.0 * length_21_by_t;
+        delta_theta_rate[22 * n + state] = 200.0 * length_22_by_t;
+        delta_theta_rate[23 * n + state] = 200.0 * length_23_by_t;
+        delta_theta_rate[24 * n + state] = 200.0 * length_24_by_t;
+        delta_theta_rate[25 * n + state] = 200.0 * length_25_by_t;
+        delta_theta_rate[26 * n + state] = 200.0 * length_26_by_t;
+        delta_theta_rate[27 * n + state] = 200.0 * length_27_by_t;
+        delta_theta_rate[28 * n + state] = 200.0 * length_28_by_t;
+        delta_theta_rate[29 * n + state] = 200.0 * length_29_by_t;
+        delta_theta_rate[30 * n + state] = 200.0 * length_30_by_t;
+        delta_theta_rate[31 * n + state] = 200.0 * length_31_by_t;
+        delta_theta_rate[32 * n + state] = 200.0 * length_32_by_t;
+        delta_theta_rate[33 * n + state] = 200.0 * length_33_by_t;
+        delta_theta_rate[34 * n + state] = 200.0 * length_34_by_t;
+        delta_theta_rate[35 * n + state] = 200.0 * length_35_by_t;
+        delta_theta_rate[36 * n + state] = 200.0 * length_36_by_t;
+        delta_theta_rate[37 * n + state] = 200.0 * length_37_by_t;
     }
 }
 
@@ -5340,72 +5126,78 @@ void hand_wrist_passage_batch(int count, const double *SINEW_RESTRICT q_wrist,
         const double x_x_by_q73 = cos_q71 * x_plane_x_by_q73 + sin_q71 * cos_A_by_q73;
         const double t27 = origin_x_by_q73 - 0.004 * x_x_by_q73;
         const double t28 = 0.01 * z_x_by_q73;
-        const double layer_1_x_by_q73 = t27 - t28;
         const double y_x_by_q73 = cos_q71 * u_e_by_q73;
-        const double t29 = 0.016 * y_x_by_q73;
-        const double strand_37_x_by_q73 = layer_1_x_by_q73 + t29;
-        const double x_plane_x = u_y * sin_A;
-        const double t30 = cos_q71 * x_plane_x;
-        const double t31 = sin_q71 * cos_A;
-        const double x_x = t30 + t31;
-        const double M_x = cos_q71 * M_e;
+        const double t29 = 0.013 * y_x_by_q73;
+        const double layer_1_x_by_q73 = t27 - t28 - t29;
+        const double t30 = 0.029 * y_x_by_q73;
+        const double strand_37_x_by_q73 = layer_1_x_by_q73 + t30;
         const double z_plane_x = u_y * cos_A;
-        const double t32 = cos_q71 * z_plane_x;
-        const double t33 = sin_q71 * sin_A;
-        const double z_x = t32 - t33;
-        const double t34 = 0.004 * (1.0 + x_x) - M_x + 0.018 * z_x;
-        const double t35 = 0.01 * z_x;
-        const double layer_1_x = t34 + t35;
+        const double t31 = cos_q71 * z_plane_x;
+        const double t32 = sin_q71 * sin_A;
+        const double z_x = t31 - t32;
+        const double M_x = cos_q71 * M_e;
+        const double x_plane_x = u_y * sin_A;
+        const double t33 = cos_q71 * x_plane_x;
+        const double t34 = sin_q71 * cos_A;
+        const double x_x = t33 + t34;
+        const double t35 = 0.004 - M_x + 0.018 * z_x + 0.004 * x_x;
+        const double t36 = 0.01 * z_x;
         const double y_x = cos_q71 * u_e;
-        const double t36 = 0.016 * y_x;
-        const double strand_37_x = layer_1_x - t36;
+        const double t37 = 0.013 * y_x;
+        const double layer_1_x = t35 + t36 + t37;
+        const double t38 = 0.029 * y_x;
+        const double strand_37_x = layer_1_x - t38;
         const double x_plane_y_by_q73 = u_e * sin_A_by_q73 + sin_A * u_e_by_q73;
         const double z_plane_y_by_q73 = u_e * cos_A_by_q73 + cos_A * u_e_by_q73;
         const double origin_y_by_q73 = M_y_by_q73 - 0.018 * z_plane_y_by_q73;
-        const double t37 = origin_y_by_q73 - 0.004 * x_plane_y_by_q73;
-        const double t38 = 0.01 * z_plane_y_by_q73;
-        const double layer_1_y_by_q73 = t37 - t38;
-        const double t39 = 0.016 * u_y_by_q73;
-        const double strand_37_y_by_q73 = layer_1_y_by_q73 + t39;
+        const double t39 = origin_y_by_q73 - 0.004 * x_plane_y_by_q73;
+        const double t40 = 0.01 * z_plane_y_by_q73;
+        const double t41 = 0.013 * u_y_by_q73;
+        const double layer_1_y_by_q73 = t39 - t40 - t41;
+        const double t42 = 0.029 * u_y_by_q73;
+        const double strand_37_y_by_q73 = layer_1_y_by_q73 + t42;
         const double z_plane_y = u_e * cos_A;
         const double origin_y = M_y + 0.018 * z_plane_y;
-        const double t40 = 0.004 * u_e;
-        const double t41 = origin_y + t40 * sin_A;
-        const double t42 = 0.01 * z_plane_y;
-        const double layer_1_y = t41 + t42;
-        const double t43 = 0.016 * u_y;
-        const double strand_37_y = 0.035 - layer_1_y - t43;
+        const double x_plane_y = u_e * sin_A;
+        const double t43 = 0.004 * x_plane_y;
+        const double t44 = 0.01 * z_plane_y;
+        const double t45 = 0.013 * u_y;
+        const double layer_1_y = 0.006 - origin_y - t43 - t44 + t45;
+        const double t46 = 0.029 * u_y;
+        const double strand_37_y = 0.029 + layer_1_y - t46;
         const double z_z_by_q73 = cos_q71 * sin_A_by_q73 + sin_q71 * z_plane_x_by_q73;
         const double M_z_by_q73 = sin_q71 * M_e_by_q73;
         const double origin_z_by_q73 = M_z_by_q73 - 0.018 * z_z_by_q73;
         const double x_z_by_q73 = cos_q71 * cos_A_by_q73 - sin_q71 * x_plane_x_by_q73;
-        const double t44 = origin_z_by_q73 + 0.004 * x_z_by_q73;
-        const double t45 = 0.01 * z_z_by_q73;
-        const double layer_1_z_by_q73 = t44 - t45;
+        const double t47 = origin_z_by_q73 + 0.004 * x_z_by_q73;
+        const double t48 = 0.01 * z_z_by_q73;
         const double y_z_by_q73 = sin_q71 * u_e_by_q73;
-        const double t46 = 0.016 * y_z_by_q73;
-        const double strand_37_z_by_q73 = layer_1_z_by_q73 + t46;
-        const double t47 = sin_q71 * z_plane_x;
-        const double t48 = cos_q71 * sin_A;
-        const double z_z = t48 + t47;
+        const double t49 = 0.013 * y_z_by_q73;
+        const double layer_1_z_by_q73 = t47 - t48 - t49;
+        const double t50 = 0.029 * y_z_by_q73;
+        const double strand_37_z_by_q73 = layer_1_z_by_q73 + t50;
+        const double t51 = sin_q71 * z_plane_x;
+        const double t52 = cos_q71 * sin_A;
+        const double z_z = t52 + t51;
         const double M_z = sin_q71 * M_e;
         const double origin_z = M_z - 0.018 * z_z;
-        const double t49 = sin_q71 * x_plane_x;
-        const double t50 = cos_q71 * cos_A;
-        const double x_z = t50 - t49;
-        const double t51 = 0.004 * x_z;
-        const double t52 = 0.01 * z_z;
-        const double layer_1_z = 0.028 - origin_z - t51 + t52;
+        const double t53 = sin_q71 * x_plane_x;
+        const double t54 = cos_q71 * cos_A;
+        const double x_z = t54 - t53;
+        const double t55 = 0.004 * x_z;
+        const double t56 = 0.01 * z_z;
         const double y_z = sin_q71 * u_e;
-        const double t53 = 0.016 * y_z;
-        const double strand_37_z = layer_1_z - t53;
-        const double t54 = strand_37_x * strand_37_x_by_q73 - strand_37_y * strand_37_y_by_q73
+        const double t57 = 0.013 * y_z;
+        const double layer_1_z = 0.028 - origin_z - t55 + t56 + t57;
+        const double t58 = 0.029 * y_z;
+        const double strand_37_z = layer_1_z - t58;
+        const double t59 = strand_37_x * strand_37_x_by_q73 - strand_37_y * strand_37_y_by_q73
             + strand_37_z * strand_37_z_by_q73;
-        const double t55 = strand_37_x * strand_37_x + strand_37_y * strand_37_y + strand_37_z
+        const double t60 = strand_37_x * strand_37_x + strand_37_y * strand_37_y + strand_37_z
             * strand_37_z;
-        const double length_37 = sinew_sqrt(t55);
-        const double t56 = 1.0 / length_37;
-        const double length_37_by_q73 = t54 * t56;
+        const double length_37 = sinew_sqrt(t60);
+        const double t61 = 1.0 / length_37;
+        const double length_37_by_q73 = t59 * t61;
         const double p_y_by_q71 = u_y * p_z;
         const double reach_squared_by_q71 = sinew_choose(t10, -(t7 * p_y_by_q71 + (p_z + p_z)
             * p_z_by_q71), 0.0);
@@ -5416,752 +5208,775 @@ void hand_wrist_passage_batch(int count, const double *SINEW_RESTRICT q_wrist,
         const double clearance_by_q71 = sinew_choose(t22, t19 * reach_by_q71 - t18 * limited_by_q71,
             1e-12 * reach_squared_by_q71);
         const double root_by_q71 = 0.5 * clearance_by_q71 * t23;
-        const double t57 = p_y * limited_by_q71 + p_z * root_by_q71 - limited * p_y_by_q71 - root
+        const double t62 = p_y * limited_by_q71 + p_z * root_by_q71 - limited * p_y_by_q71 - root
             * p_z_by_q71;
-        const double cos_A_by_q71 = (t57 - cos_A * reach_squared_by_q71) * t24;
+        const double cos_A_by_q71 = (t62 - cos_A * reach_squared_by_q71) * t24;
         const double z_plane_x_by_q71 = u_y * cos_A_by_q71;
-        const double t58 = p_y * root_by_q71 - p_z * limited_by_q71 + limited * p_z_by_q71 - root
+        const double t63 = p_y * root_by_q71 - p_z * limited_by_q71 + limited * p_z_by_q71 - root
             * p_y_by_q71;
-        const double sin_A_by_q71 = (t58 - sin_A * reach_squared_by_q71) * t24;
-        const double z_x_by_q71 = t48 - cos_q71 * z_plane_x_by_q71 + t47 + sin_q71 * sin_A_by_q71;
+        const double sin_A_by_q71 = (t63 - sin_A * reach_squared_by_q71) * t24;
+        const double z_x_by_q71 = t52 - cos_q71 * z_plane_x_by_q71 + t51 + sin_q71 * sin_A_by_q71;
         const double origin_x_by_q71 = M_z - 0.018 * z_x_by_q71;
         const double x_plane_x_by_q71 = u_y * sin_A_by_q71;
-        const double x_x_by_q71 = t50 + cos_q71 * x_plane_x_by_q71 - t49 + sin_q71 * cos_A_by_q71;
-        const double t59 = origin_x_by_q71 + 0.004 * x_x_by_q71;
-        const double t60 = 0.01 * z_x_by_q71;
-        const double layer_1_x_by_q71 = t59 - t60;
-        const double strand_37_x_by_q71 = layer_1_x_by_q71 + t53;
+        const double x_x_by_q71 = t54 + cos_q71 * x_plane_x_by_q71 - t53 + sin_q71 * cos_A_by_q71;
+        const double t64 = origin_x_by_q71 + 0.004 * x_x_by_q71;
+        const double t65 = 0.01 * z_x_by_q71;
+        const double layer_1_x_by_q71 = t64 - t65 - t57;
+        const double strand_37_x_by_q71 = layer_1_x_by_q71 + t58;
         const double z_plane_y_by_q71 = u_e * cos_A_by_q71;
         const double origin_y_by_q71 = 0.018 * z_plane_y_by_q71;
-        const double t61 = origin_y_by_q71 + t40 * sin_A_by_q71;
-        const double t62 = 0.01 * z_plane_y_by_q71;
-        const double layer_1_y_by_q71 = t61 + t62;
-        const double z_z_by_q71 = t32 + cos_q71 * sin_A_by_q71 - t33 + sin_q71 * z_plane_x_by_q71;
+        const double t66 = origin_y_by_q71 + 0.004 * u_e * sin_A_by_q71;
+        const double t67 = 0.01 * z_plane_y_by_q71;
+        const double layer_1_y_by_q71 = t66 + t67;
+        const double z_z_by_q71 = t31 + cos_q71 * sin_A_by_q71 - t32 + sin_q71 * z_plane_x_by_q71;
         const double origin_z_by_q71 = M_x - 0.018 * z_z_by_q71;
-        const double x_z_by_q71 = t30 - cos_q71 * cos_A_by_q71 + t31 + sin_q71 * x_plane_x_by_q71;
-        const double t63 = origin_z_by_q71 - 0.004 * x_z_by_q71;
-        const double t64 = 0.01 * z_z_by_q71;
-        const double layer_1_z_by_q71 = t63 - t64;
-        const double strand_37_z_by_q71 = layer_1_z_by_q71 + t36;
-        const double t65 = strand_37_x * strand_37_x_by_q71 - strand_37_y * layer_1_y_by_q71
+        const double x_z_by_q71 = t33 - cos_q71 * cos_A_by_q71 + t34 + sin_q71 * x_plane_x_by_q71;
+        const double t68 = origin_z_by_q71 - 0.004 * x_z_by_q71;
+        const double t69 = 0.01 * z_z_by_q71;
+        const double layer_1_z_by_q71 = t68 - t69 - t37;
+        const double strand_37_z_by_q71 = layer_1_z_by_q71 + t38;
+        const double t70 = strand_37_x * strand_37_x_by_q71 - strand_37_y * layer_1_y_by_q71
             - strand_37_z * strand_37_z_by_q71;
-        const double length_37_by_q71 = t65 * t56;
-        const double t66 = 0.014 * y_x_by_q73;
-        const double strand_36_x_by_q73 = layer_1_x_by_q73 + t66;
-        const double t67 = 0.014 * y_x;
-        const double strand_36_x = layer_1_x - t67;
-        const double t68 = 0.014 * u_y_by_q73;
-        const double strand_36_y_by_q73 = layer_1_y_by_q73 + t68;
-        const double t69 = 0.014 * u_y;
-        const double strand_36_y = 0.033 - layer_1_y - t69;
-        const double t70 = 0.014 * y_z_by_q73;
-        const double strand_36_z_by_q73 = layer_1_z_by_q73 + t70;
-        const double t71 = 0.014 * y_z;
-        const double strand_36_z = layer_1_z - t71;
-        const double t72 = strand_36_x * strand_36_x_by_q73 - strand_36_y * strand_36_y_by_q73
+        const double length_37_by_q71 = t70 * t61;
+        const double t71 = 0.027 * y_x_by_q73;
+        const double strand_36_x_by_q73 = layer_1_x_by_q73 + t71;
+        const double t72 = 0.027 * y_x;
+        const double strand_36_x = layer_1_x - t72;
+        const double t73 = 0.027 * u_y_by_q73;
+        const double strand_36_y_by_q73 = layer_1_y_by_q73 + t73;
+        const double t74 = 0.027 * u_y;
+        const double strand_36_y = 0.027 + layer_1_y - t74;
+        const double t75 = 0.027 * y_z_by_q73;
+        const double strand_36_z_by_q73 = layer_1_z_by_q73 + t75;
+        const double t76 = 0.027 * y_z;
+        const double strand_36_z = layer_1_z - t76;
+        const double t77 = strand_36_x * strand_36_x_by_q73 - strand_36_y * strand_36_y_by_q73
             + strand_36_z * strand_36_z_by_q73;
-        const double t73 = strand_36_x * strand_36_x + strand_36_y * strand_36_y + strand_36_z
+        const double t78 = strand_36_x * strand_36_x + strand_36_y * strand_36_y + strand_36_z
             * strand_36_z;
-        const double length_36 = sinew_sqrt(t73);
-        const double t74 = 1.0 / length_36;
-        const double length_36_by_q73 = t72 * t74;
-        const double strand_36_x_by_q71 = layer_1_x_by_q71 + t71;
-        const double strand_36_z_by_q71 = layer_1_z_by_q71 + t67;
-        const double t75 = strand_36_x * strand_36_x_by_q71 - strand_36_y * layer_1_y_by_q71
+        const double length_36 = sinew_sqrt(t78);
+        const double t79 = 1.0 / length_36;
+        const double length_36_by_q73 = t77 * t79;
+        const double strand_36_x_by_q71 = layer_1_x_by_q71 + t76;
+        const double strand_36_z_by_q71 = layer_1_z_by_q71 + t72;
+        const double t80 = strand_36_x * strand_36_x_by_q71 - strand_36_y * layer_1_y_by_q71
             - strand_36_z * strand_36_z_by_q71;
-        const double length_36_by_q71 = t75 * t74;
-        const double t76 = 0.013 * y_x_by_q73;
-        const double strand_35_x_by_q73 = layer_1_x_by_q73 + t76;
-        const double t77 = 0.013 * y_x;
-        const double strand_35_x = layer_1_x - t77;
-        const double t78 = 0.013 * u_y_by_q73;
-        const double strand_35_y_by_q73 = layer_1_y_by_q73 + t78;
-        const double t79 = 0.013 * u_y;
-        const double strand_35_y = 0.031 - layer_1_y - t79;
-        const double t80 = 0.013 * y_z_by_q73;
-        const double strand_35_z_by_q73 = layer_1_z_by_q73 + t80;
-        const double t81 = 0.013 * y_z;
-        const double strand_35_z = layer_1_z - t81;
-        const double t82 = strand_35_x * strand_35_x_by_q73 - strand_35_y * strand_35_y_by_q73
+        const double length_36_by_q71 = t80 * t79;
+        const double strand_35_x_by_q73 = layer_1_x_by_q73 + 0.026 * y_x_by_q73;
+        const double t81 = 0.026 * y_x;
+        const double strand_35_x = layer_1_x - t81;
+        const double strand_35_y_by_q73 = layer_1_y_by_q73 + 0.026 * u_y_by_q73;
+        const double strand_35_y = 0.025 + layer_1_y - 0.026 * u_y;
+        const double strand_35_z_by_q73 = layer_1_z_by_q73 + 0.026 * y_z_by_q73;
+        const double t82 = 0.026 * y_z;
+        const double strand_35_z = layer_1_z - t82;
+        const double t83 = strand_35_x * strand_35_x_by_q73 - strand_35_y * strand_35_y_by_q73
             + strand_35_z * strand_35_z_by_q73;
-        const double t83 = strand_35_x * strand_35_x + strand_35_y * strand_35_y + strand_35_z
+        const double t84 = strand_35_x * strand_35_x + strand_35_y * strand_35_y + strand_35_z
             * strand_35_z;
-        const double length_35 = sinew_sqrt(t83);
-        const double t84 = 1.0 / length_35;
-        const double length_35_by_q73 = t82 * t84;
-        const double strand_35_x_by_q71 = layer_1_x_by_q71 + t81;
-        const double strand_35_z_by_q71 = layer_1_z_by_q71 + t77;
-        const double t85 = strand_35_x * strand_35_x_by_q71 - strand_35_y * layer_1_y_by_q71
+        const double length_35 = sinew_sqrt(t84);
+        const double t85 = 1.0 / length_35;
+        const double length_35_by_q73 = t83 * t85;
+        const double strand_35_x_by_q71 = layer_1_x_by_q71 + t82;
+        const double strand_35_z_by_q71 = layer_1_z_by_q71 + t81;
+        const double t86 = strand_35_x * strand_35_x_by_q71 - strand_35_y * layer_1_y_by_q71
             - strand_35_z * strand_35_z_by_q71;
-        const double length_35_by_q71 = t85 * t84;
-        const double t86 = 0.011 * y_x_by_q73;
-        const double strand_34_x_by_q73 = layer_1_x_by_q73 + t86;
-        const double t87 = 0.011 * y_x;
-        const double strand_34_x = layer_1_x - t87;
-        const double t88 = 0.011 * u_y_by_q73;
-        const double strand_34_y_by_q73 = layer_1_y_by_q73 + t88;
-        const double t89 = 0.011 * u_y;
-        const double strand_34_y = 0.03 - layer_1_y - t89;
-        const double t90 = 0.011 * y_z_by_q73;
-        const double strand_34_z_by_q73 = layer_1_z_by_q73 + t90;
-        const double t91 = 0.011 * y_z;
-        const double strand_34_z = layer_1_z - t91;
-        const double t92 = strand_34_x * strand_34_x_by_q73 - strand_34_y * strand_34_y_by_q73
+        const double length_35_by_q71 = t86 * t85;
+        const double t87 = 0.024 * y_x_by_q73;
+        const double strand_34_x_by_q73 = layer_1_x_by_q73 + t87;
+        const double t88 = 0.024 * y_x;
+        const double strand_34_x = layer_1_x - t88;
+        const double t89 = 0.024 * u_y_by_q73;
+        const double strand_34_y_by_q73 = layer_1_y_by_q73 + t89;
+        const double t90 = 0.024 * u_y;
+        const double strand_34_y = 0.024 + layer_1_y - t90;
+        const double t91 = 0.024 * y_z_by_q73;
+        const double strand_34_z_by_q73 = layer_1_z_by_q73 + t91;
+        const double t92 = 0.024 * y_z;
+        const double strand_34_z = layer_1_z - t92;
+        const double t93 = strand_34_x * strand_34_x_by_q73 - strand_34_y * strand_34_y_by_q73
             + strand_34_z * strand_34_z_by_q73;
-        const double t93 = strand_34_x * strand_34_x + strand_34_y * strand_34_y + strand_34_z
+        const double t94 = strand_34_x * strand_34_x + strand_34_y * strand_34_y + strand_34_z
             * strand_34_z;
-        const double length_34 = sinew_sqrt(t93);
-        const double t94 = 1.0 / length_34;
-        const double length_34_by_q73 = t92 * t94;
-        const double strand_34_x_by_q71 = layer_1_x_by_q71 + t91;
-        const double strand_34_z_by_q71 = layer_1_z_by_q71 + t87;
-        const double t95 = strand_34_x * strand_34_x_by_q71 - strand_34_y * layer_1_y_by_q71
+        const double length_34 = sinew_sqrt(t94);
+        const double t95 = 1.0 / length_34;
+        const double length_34_by_q73 = t93 * t95;
+        const double strand_34_x_by_q71 = layer_1_x_by_q71 + t92;
+        const double strand_34_z_by_q71 = layer_1_z_by_q71 + t88;
+        const double t96 = strand_34_x * strand_34_x_by_q71 - strand_34_y * layer_1_y_by_q71
             - strand_34_z * strand_34_z_by_q71;
-        const double length_34_by_q71 = t95 * t94;
-        const double t96 = 0.01 * y_x_by_q73;
-        const double strand_33_x_by_q73 = layer_1_x_by_q73 + t96;
-        const double t97 = 0.01 * y_x;
+        const double length_34_by_q71 = t96 * t95;
+        const double strand_33_x_by_q73 = layer_1_x_by_q73 + 0.023 * y_x_by_q73;
+        const double t97 = 0.023 * y_x;
         const double strand_33_x = layer_1_x - t97;
-        const double t98 = 0.01 * u_y_by_q73;
-        const double strand_33_y_by_q73 = layer_1_y_by_q73 + t98;
-        const double t99 = 0.01 * u_y;
-        const double strand_33_y = 0.028 - layer_1_y - t99;
-        const double t100 = 0.01 * y_z_by_q73;
-        const double strand_33_z_by_q73 = layer_1_z_by_q73 + t100;
-        const double t101 = 0.01 * y_z;
-        const double strand_33_z = layer_1_z - t101;
-        const double t102 = strand_33_x * strand_33_x_by_q73 - strand_33_y * strand_33_y_by_q73
+        const double strand_33_y_by_q73 = layer_1_y_by_q73 + 0.023 * u_y_by_q73;
+        const double strand_33_y = 0.022 + layer_1_y - 0.023 * u_y;
+        const double strand_33_z_by_q73 = layer_1_z_by_q73 + 0.023 * y_z_by_q73;
+        const double t98 = 0.023 * y_z;
+        const double strand_33_z = layer_1_z - t98;
+        const double t99 = strand_33_x * strand_33_x_by_q73 - strand_33_y * strand_33_y_by_q73
             + strand_33_z * strand_33_z_by_q73;
-        const double t103 = strand_33_x * strand_33_x + strand_33_y * strand_33_y + strand_33_z
+        const double t100 = strand_33_x * strand_33_x + strand_33_y * strand_33_y + strand_33_z
             * strand_33_z;
-        const double length_33 = sinew_sqrt(t103);
-        const double t104 = 1.0 / length_33;
-        const double length_33_by_q73 = t102 * t104;
-        const double strand_33_x_by_q71 = layer_1_x_by_q71 + t101;
+        const double length_33 = sinew_sqrt(t100);
+        const double t101 = 1.0 / length_33;
+        const double length_33_by_q73 = t99 * t101;
+        const double strand_33_x_by_q71 = layer_1_x_by_q71 + t98;
         const double strand_33_z_by_q71 = layer_1_z_by_q71 + t97;
-        const double t105 = strand_33_x * strand_33_x_by_q71 - strand_33_y * layer_1_y_by_q71
+        const double t102 = strand_33_x * strand_33_x_by_q71 - strand_33_y * layer_1_y_by_q71
             - strand_33_z * strand_33_z_by_q71;
-        const double length_33_by_q71 = t105 * t104;
-        const double t106 = 0.008 * y_x_by_q73;
-        const double strand_32_x_by_q73 = layer_1_x_by_q73 + t106;
-        const double t107 = 0.008 * y_x;
-        const double strand_32_x = layer_1_x - t107;
-        const double t108 = 0.008 * u_y_by_q73;
-        const double strand_32_y_by_q73 = layer_1_y_by_q73 + t108;
-        const double t109 = 0.008 * u_y;
-        const double strand_32_y = 0.027 - layer_1_y - t109;
-        const double t110 = 0.008 * y_z_by_q73;
-        const double strand_32_z_by_q73 = layer_1_z_by_q73 + t110;
-        const double t111 = 0.008 * y_z;
-        const double strand_32_z = layer_1_z - t111;
-        const double t112 = strand_32_x * strand_32_x_by_q73 - strand_32_y * strand_32_y_by_q73
+        const double length_33_by_q71 = t102 * t101;
+        const double t103 = 0.021 * y_x_by_q73;
+        const double strand_32_x_by_q73 = layer_1_x_by_q73 + t103;
+        const double t104 = 0.021 * y_x;
+        const double strand_32_x = layer_1_x - t104;
+        const double t105 = 0.021 * u_y_by_q73;
+        const double strand_32_y_by_q73 = layer_1_y_by_q73 + t105;
+        const double t106 = 0.021 * u_y;
+        const double strand_32_y = 0.021 + layer_1_y - t106;
+        const double t107 = 0.021 * y_z_by_q73;
+        const double strand_32_z_by_q73 = layer_1_z_by_q73 + t107;
+        const double t108 = 0.021 * y_z;
+        const double strand_32_z = layer_1_z - t108;
+        const double t109 = strand_32_x * strand_32_x_by_q73 - strand_32_y * strand_32_y_by_q73
             + strand_32_z * strand_32_z_by_q73;
-        const double t113 = strand_32_x * strand_32_x + strand_32_y * strand_32_y + strand_32_z
+        const double t110 = strand_32_x * strand_32_x + strand_32_y * strand_32_y + strand_32_z
             * strand_32_z;
-        const double length_32 = sinew_sqrt(t113);
-        const double t114 = 1.0 / length_32;
-        const double length_32_by_q73 = t112 * t114;
-        const double strand_32_x_by_q71 = layer_1_x_by_q71 + t111;
-        const double strand_32_z_by_q71 = layer_1_z_by_q71 + t107;
-        const double t115 = strand_32_x * strand_32_x_by_q71 - strand_32_y * layer_1_y_by_q71
+        const double length_32 = sinew_sqrt(t110);
+        const double t111 = 1.0 / length_32;
+        const double length_32_by_q73 = t109 * t111;
+        const double strand_32_x_by_q71 = layer_1_x_by_q71 + t108;
+        const double strand_32_z_by_q71 = layer_1_z_by_q71 + t104;
+        const double t112 = strand_32_x * strand_32_x_by_q71 - strand_32_y * layer_1_y_by_q71
             - strand_32_z * strand_32_z_by_q71;
-        const double length_32_by_q71 = t115 * t114;
-        const double t116 = 0.006 * y_x_by_q73;
-        const double strand_31_x_by_q73 = layer_1_x_by_q73 + t116;
-        const double t117 = 0.006 * y_x;
-        const double strand_31_x = layer_1_x - t117;
-        const double t118 = 0.006 * u_y_by_q73;
-        const double strand_31_y_by_q73 = layer_1_y_by_q73 + t118;
-        const double t119 = 0.006 * u_y;
-        const double strand_31_y = 0.025 - layer_1_y - t119;
-        const double t120 = 0.006 * y_z_by_q73;
-        const double strand_31_z_by_q73 = layer_1_z_by_q73 + t120;
-        const double t121 = 0.006 * y_z;
-        const double strand_31_z = layer_1_z - t121;
-        const double t122 = strand_31_x * strand_31_x_by_q73 - strand_31_y * strand_31_y_by_q73
+        const double length_32_by_q71 = t112 * t111;
+        const double t113 = 0.019 * y_x_by_q73;
+        const double strand_31_x_by_q73 = layer_1_x_by_q73 + t113;
+        const double t114 = 0.019 * y_x;
+        const double strand_31_x = layer_1_x - t114;
+        const double t115 = 0.019 * u_y_by_q73;
+        const double strand_31_y_by_q73 = layer_1_y_by_q73 + t115;
+        const double t116 = 0.019 * u_y;
+        const double strand_31_y = 0.019 + layer_1_y - t116;
+        const double t117 = 0.019 * y_z_by_q73;
+        const double strand_31_z_by_q73 = layer_1_z_by_q73 + t117;
+        const double t118 = 0.019 * y_z;
+        const double strand_31_z = layer_1_z - t118;
+        const double t119 = strand_31_x * strand_31_x_by_q73 - strand_31_y * strand_31_y_by_q73
             + strand_31_z * strand_31_z_by_q73;
-        const double t123 = strand_31_x * strand_31_x + strand_31_y * strand_31_y + strand_31_z
+        const double t120 = strand_31_x * strand_31_x + strand_31_y * strand_31_y + strand_31_z
             * strand_31_z;
-        const double length_31 = sinew_sqrt(t123);
-        const double t124 = 1.0 / length_31;
-        const double length_31_by_q73 = t122 * t124;
-        const double strand_31_x_by_q71 = layer_1_x_by_q71 + t121;
-        const double strand_31_z_by_q71 = layer_1_z_by_q71 + t117;
-        const double t125 = strand_31_x * strand_31_x_by_q71 - strand_31_y * layer_1_y_by_q71
+        const double length_31 = sinew_sqrt(t120);
+        const double t121 = 1.0 / length_31;
+        const double length_31_by_q73 = t119 * t121;
+        const double strand_31_x_by_q71 = layer_1_x_by_q71 + t118;
+        const double strand_31_z_by_q71 = layer_1_z_by_q71 + t114;
+        const double t122 = strand_31_x * strand_31_x_by_q71 - strand_31_y * layer_1_y_by_q71
             - strand_31_z * strand_31_z_by_q71;
-        const double length_31_by_q71 = t125 * t124;
-        const double t126 = 0.005 * y_x_by_q73;
-        const double strand_30_x_by_q73 = layer_1_x_by_q73 + t126;
-        const double t127 = 0.005 * y_x;
-        const double strand_30_x = layer_1_x - t127;
-        const double t128 = 0.005 * u_y_by_q73;
-        const double strand_30_y_by_q73 = layer_1_y_by_q73 + t128;
-        const double t129 = 0.005 * u_y;
-        const double strand_30_y = 0.023 - layer_1_y - t129;
-        const double t130 = 0.005 * y_z_by_q73;
-        const double strand_30_z_by_q73 = layer_1_z_by_q73 + t130;
-        const double t131 = 0.005 * y_z;
-        const double strand_30_z = layer_1_z - t131;
-        const double t132 = strand_30_x * strand_30_x_by_q73 - strand_30_y * strand_30_y_by_q73
+        const double length_31_by_q71 = t122 * t121;
+        const double strand_30_x_by_q73 = layer_1_x_by_q73 + 0.018 * y_x_by_q73;
+        const double t123 = 0.018 * y_x;
+        const double strand_30_x = layer_1_x - t123;
+        const double strand_30_y_by_q73 = layer_1_y_by_q73 + 0.018 * u_y_by_q73;
+        const double strand_30_y = 0.017 + layer_1_y - 0.018 * u_y;
+        const double strand_30_z_by_q73 = layer_1_z_by_q73 + 0.018 * y_z_by_q73;
+        const double t124 = 0.018 * y_z;
+        const double strand_30_z = layer_1_z - t124;
+        const double t125 = strand_30_x * strand_30_x_by_q73 - strand_30_y * strand_30_y_by_q73
             + strand_30_z * strand_30_z_by_q73;
-        const double t133 = strand_30_x * strand_30_x + strand_30_y * strand_30_y + strand_30_z
+        const double t126 = strand_30_x * strand_30_x + strand_30_y * strand_30_y + strand_30_z
             * strand_30_z;
-        const double length_30 = sinew_sqrt(t133);
-        const double t134 = 1.0 / length_30;
-        const double length_30_by_q73 = t132 * t134;
-        const double strand_30_x_by_q71 = layer_1_x_by_q71 + t131;
-        const double strand_30_z_by_q71 = layer_1_z_by_q71 + t127;
-        const double t135 = strand_30_x * strand_30_x_by_q71 - strand_30_y * layer_1_y_by_q71
+        const double length_30 = sinew_sqrt(t126);
+        const double t127 = 1.0 / length_30;
+        const double length_30_by_q73 = t125 * t127;
+        const double strand_30_x_by_q71 = layer_1_x_by_q71 + t124;
+        const double strand_30_z_by_q71 = layer_1_z_by_q71 + t123;
+        const double t128 = strand_30_x * strand_30_x_by_q71 - strand_30_y * layer_1_y_by_q71
             - strand_30_z * strand_30_z_by_q71;
-        const double length_30_by_q71 = t135 * t134;
-        const double t136 = 0.003 * y_x_by_q73;
-        const double strand_29_x_by_q73 = layer_1_x_by_q73 + t136;
-        const double t137 = 0.003 * y_x;
-        const double strand_29_x = layer_1_x - t137;
-        const double t138 = 0.003 * u_y_by_q73;
-        const double strand_29_y_by_q73 = layer_1_y_by_q73 + t138;
-        const double t139 = 0.003 * u_y;
-        const double strand_29_y = 0.022 - layer_1_y - t139;
-        const double t140 = 0.003 * y_z_by_q73;
-        const double strand_29_z_by_q73 = layer_1_z_by_q73 + t140;
-        const double t141 = 0.003 * y_z;
-        const double strand_29_z = layer_1_z - t141;
-        const double t142 = strand_29_x * strand_29_x_by_q73 - strand_29_y * strand_29_y_by_q73
+        const double length_30_by_q71 = t128 * t127;
+        const double t129 = 0.016 * y_x_by_q73;
+        const double strand_29_x_by_q73 = layer_1_x_by_q73 + t129;
+        const double t130 = 0.016 * y_x;
+        const double strand_29_x = layer_1_x - t130;
+        const double t131 = 0.016 * u_y_by_q73;
+        const double strand_29_y_by_q73 = layer_1_y_by_q73 + t131;
+        const double t132 = 0.016 * u_y;
+        const double strand_29_y = 0.016 + layer_1_y - t132;
+        const double t133 = 0.016 * y_z_by_q73;
+        const double strand_29_z_by_q73 = layer_1_z_by_q73 + t133;
+        const double t134 = 0.016 * y_z;
+        const double strand_29_z = layer_1_z - t134;
+        const double t135 = strand_29_x * strand_29_x_by_q73 - strand_29_y * strand_29_y_by_q73
             + strand_29_z * strand_29_z_by_q73;
-        const double t143 = strand_29_x * strand_29_x + strand_29_y * strand_29_y + strand_29_z
+        const double t136 = strand_29_x * strand_29_x + strand_29_y * strand_29_y + strand_29_z
             * strand_29_z;
-        const double length_29 = sinew_sqrt(t143);
-        const double t144 = 1.0 / length_29;
-        const double length_29_by_q73 = t142 * t144;
-        const double strand_29_x_by_q71 = layer_1_x_by_q71 + t141;
-        const double strand_29_z_by_q71 = layer_1_z_by_q71 + t137;
-        const double t145 = strand_29_x * strand_29_x_by_q71 - strand_29_y * layer_1_y_by_q71
+        const double length_29 = sinew_sqrt(t136);
+        const double t137 = 1.0 / length_29;
+        const double length_29_by_q73 = t135 * t137;
+        const double strand_29_x_by_q71 = layer_1_x_by_q71 + t134;
+        const double strand_29_z_by_q71 = layer_1_z_by_q71 + t130;
+        const double t138 = strand_29_x * strand_29_x_by_q71 - strand_29_y * layer_1_y_by_q71
             - strand_29_z * strand_29_z_by_q71;
-        const double length_29_by_q71 = t145 * t144;
-        const double t146 = 0.002 * y_x_by_q73;
-        const double strand_28_x_by_q73 = layer_1_x_by_q73 + t146;
-        const double t147 = 0.002 * y_x;
-        const double strand_28_x = layer_1_x - t147;
-        const double t148 = 0.002 * u_y_by_q73;
-        const double strand_28_y_by_q73 = layer_1_y_by_q73 + t148;
-        const double t149 = 0.002 * u_y;
-        const double strand_28_y = 0.02 - layer_1_y - t149;
-        const double t150 = 0.002 * y_z_by_q73;
-        const double strand_28_z_by_q73 = layer_1_z_by_q73 + t150;
-        const double t151 = 0.002 * y_z;
-        const double strand_28_z = layer_1_z - t151;
-        const double t152 = strand_28_x * strand_28_x_by_q73 - strand_28_y * strand_28_y_by_q73
+        const double length_29_by_q71 = t138 * t137;
+        const double strand_28_x_by_q73 = layer_1_x_by_q73 + 0.015 * y_x_by_q73;
+        const double t139 = 0.015 * y_x;
+        const double strand_28_x = layer_1_x - t139;
+        const double strand_28_y_by_q73 = layer_1_y_by_q73 + 0.015 * u_y_by_q73;
+        const double strand_28_y = 0.014 + layer_1_y - 0.015 * u_y;
+        const double strand_28_z_by_q73 = layer_1_z_by_q73 + 0.015 * y_z_by_q73;
+        const double t140 = 0.015 * y_z;
+        const double strand_28_z = layer_1_z - t140;
+        const double t141 = strand_28_x * strand_28_x_by_q73 - strand_28_y * strand_28_y_by_q73
             + strand_28_z * strand_28_z_by_q73;
-        const double t153 = strand_28_x * strand_28_x + strand_28_y * strand_28_y + strand_28_z
+        const double t142 = strand_28_x * strand_28_x + strand_28_y * strand_28_y + strand_28_z
             * strand_28_z;
-        const double length_28 = sinew_sqrt(t153);
-        const double t154 = 1.0 / length_28;
-        const double length_28_by_q73 = t152 * t154;
-        const double strand_28_x_by_q71 = layer_1_x_by_q71 + t151;
-        const double strand_28_z_by_q71 = layer_1_z_by_q71 + t147;
-        const double t155 = strand_28_x * strand_28_x_by_q71 - strand_28_y * layer_1_y_by_q71
+        const double length_28 = sinew_sqrt(t142);
+        const double t143 = 1.0 / length_28;
+        const double length_28_by_q73 = t141 * t143;
+        const double strand_28_x_by_q71 = layer_1_x_by_q71 + t140;
+        const double strand_28_z_by_q71 = layer_1_z_by_q71 + t139;
+        const double t144 = strand_28_x * strand_28_x_by_q71 - strand_28_y * layer_1_y_by_q71
             - strand_28_z * strand_28_z_by_q71;
-        const double length_28_by_q71 = t155 * t154;
-        const double strand_27_y = 0.019 - layer_1_y;
-        const double t156 = layer_1_x * layer_1_x_by_q73 + layer_1_z * layer_1_z_by_q73
-            - strand_27_y * layer_1_y_by_q73;
-        const double t157 = layer_1_x * layer_1_x + layer_1_z * layer_1_z + strand_27_y
-            * strand_27_y;
-        const double length_27 = sinew_sqrt(t157);
-        const double t158 = 1.0 / length_27;
-        const double length_27_by_q73 = t156 * t158;
-        const double t159 = layer_1_x * layer_1_x_by_q71 - layer_1_z * layer_1_z_by_q71
-            - strand_27_y * layer_1_y_by_q71;
-        const double length_27_by_q71 = t159 * t158;
-        const double strand_26_x_by_q73 = layer_1_x_by_q73 - t146;
-        const double strand_26_x = layer_1_x + t147;
-        const double strand_26_y_by_q73 = layer_1_y_by_q73 - t148;
-        const double strand_26_y = 0.017 - layer_1_y + t149;
-        const double strand_26_z_by_q73 = layer_1_z_by_q73 - t150;
-        const double strand_26_z = layer_1_z + t151;
-        const double t160 = strand_26_x * strand_26_x_by_q73 - strand_26_y * strand_26_y_by_q73
+        const double length_28_by_q71 = t144 * t143;
+        const double strand_27_x_by_q73 = layer_1_x_by_q73 + t29;
+        const double strand_27_x = layer_1_x - t37;
+        const double strand_27_y_by_q73 = layer_1_y_by_q73 + t41;
+        const double strand_27_y = 0.013 + layer_1_y - t45;
+        const double strand_27_z_by_q73 = layer_1_z_by_q73 + t49;
+        const double strand_27_z = layer_1_z - t57;
+        const double t145 = strand_27_x * strand_27_x_by_q73 - strand_27_y * strand_27_y_by_q73
+            + strand_27_z * strand_27_z_by_q73;
+        const double t146 = strand_27_x * strand_27_x + strand_27_y * strand_27_y + strand_27_z
+            * strand_27_z;
+        const double length_27 = sinew_sqrt(t146);
+        const double t147 = 1.0 / length_27;
+        const double length_27_by_q73 = t145 * t147;
+        const double strand_27_x_by_q71 = layer_1_x_by_q71 + t57;
+        const double strand_27_z_by_q71 = layer_1_z_by_q71 + t37;
+        const double t148 = strand_27_x * strand_27_x_by_q71 - strand_27_y * layer_1_y_by_q71
+            - strand_27_z * strand_27_z_by_q71;
+        const double length_27_by_q71 = t148 * t147;
+        const double t149 = 0.011 * y_x_by_q73;
+        const double strand_26_x_by_q73 = layer_1_x_by_q73 + t149;
+        const double t150 = 0.011 * y_x;
+        const double strand_26_x = layer_1_x - t150;
+        const double t151 = 0.011 * u_y_by_q73;
+        const double strand_26_y_by_q73 = layer_1_y_by_q73 + t151;
+        const double t152 = 0.011 * u_y;
+        const double strand_26_y = 0.011 + layer_1_y - t152;
+        const double t153 = 0.011 * y_z_by_q73;
+        const double strand_26_z_by_q73 = layer_1_z_by_q73 + t153;
+        const double t154 = 0.011 * y_z;
+        const double strand_26_z = layer_1_z - t154;
+        const double t155 = strand_26_x * strand_26_x_by_q73 - strand_26_y * strand_26_y_by_q73
             + strand_26_z * strand_26_z_by_q73;
-        const double t161 = strand_26_x * strand_26_x + strand_26_y * strand_26_y + strand_26_z
+        const double t156 = strand_26_x * strand_26_x + strand_26_y * strand_26_y + strand_26_z
             * strand_26_z;
-        const double length_26 = sinew_sqrt(t161);
-        const double t162 = 1.0 / length_26;
-        const double length_26_by_q73 = t160 * t162;
-        const double strand_26_x_by_q71 = layer_1_x_by_q71 - t151;
-        const double strand_26_z_by_q71 = layer_1_z_by_q71 - t147;
-        const double t163 = strand_26_x * strand_26_x_by_q71 - strand_26_y * layer_1_y_by_q71
+        const double length_26 = sinew_sqrt(t156);
+        const double t157 = 1.0 / length_26;
+        const double length_26_by_q73 = t155 * t157;
+        const double strand_26_x_by_q71 = layer_1_x_by_q71 + t154;
+        const double strand_26_z_by_q71 = layer_1_z_by_q71 + t150;
+        const double t158 = strand_26_x * strand_26_x_by_q71 - strand_26_y * layer_1_y_by_q71
             - strand_26_z * strand_26_z_by_q71;
-        const double length_26_by_q71 = t163 * t162;
-        const double strand_25_x_by_q73 = layer_1_x_by_q73 - t136;
-        const double strand_25_x = layer_1_x + t137;
-        const double strand_25_y_by_q73 = layer_1_y_by_q73 - t138;
-        const double strand_25_y = 0.015 - layer_1_y + t139;
-        const double strand_25_z_by_q73 = layer_1_z_by_q73 - t140;
-        const double strand_25_z = layer_1_z + t141;
-        const double t164 = strand_25_x * strand_25_x_by_q73 - strand_25_y * strand_25_y_by_q73
+        const double length_26_by_q71 = t158 * t157;
+        const double strand_25_x_by_q73 = layer_1_x_by_q73 + 0.01 * y_x_by_q73;
+        const double t159 = 0.01 * y_x;
+        const double strand_25_x = layer_1_x - t159;
+        const double strand_25_y_by_q73 = layer_1_y_by_q73 + 0.01 * u_y_by_q73;
+        const double strand_25_y = 0.009 + layer_1_y - 0.01 * u_y;
+        const double strand_25_z_by_q73 = layer_1_z_by_q73 + 0.01 * y_z_by_q73;
+        const double t160 = 0.01 * y_z;
+        const double strand_25_z = layer_1_z - t160;
+        const double t161 = strand_25_x * strand_25_x_by_q73 - strand_25_y * strand_25_y_by_q73
             + strand_25_z * strand_25_z_by_q73;
-        const double t165 = strand_25_x * strand_25_x + strand_25_y * strand_25_y + strand_25_z
+        const double t162 = strand_25_x * strand_25_x + strand_25_y * strand_25_y + strand_25_z
             * strand_25_z;
-        const double length_25 = sinew_sqrt(t165);
-        const double t166 = 1.0 / length_25;
-        const double length_25_by_q73 = t164 * t166;
-        const double strand_25_x_by_q71 = layer_1_x_by_q71 - t141;
-        const double strand_25_z_by_q71 = layer_1_z_by_q71 - t137;
-        const double t167 = strand_25_x * strand_25_x_by_q71 - strand_25_y * layer_1_y_by_q71
+        const double length_25 = sinew_sqrt(t162);
+        const double t163 = 1.0 / length_25;
+        const double length_25_by_q73 = t161 * t163;
+        const double strand_25_x_by_q71 = layer_1_x_by_q71 + t160;
+        const double strand_25_z_by_q71 = layer_1_z_by_q71 + t159;
+        const double t164 = strand_25_x * strand_25_x_by_q71 - strand_25_y * layer_1_y_by_q71
             - strand_25_z * strand_25_z_by_q71;
-        const double length_25_by_q71 = t167 * t166;
-        const double strand_24_x_by_q73 = layer_1_x_by_q73 - t126;
-        const double strand_24_x = layer_1_x + t127;
-        const double strand_24_y_by_q73 = layer_1_y_by_q73 - t128;
-        const double strand_24_y = 0.014 - layer_1_y + t129;
-        const double strand_24_z_by_q73 = layer_1_z_by_q73 - t130;
-        const double strand_24_z = layer_1_z + t131;
-        const double t168 = strand_24_x * strand_24_x_by_q73 - strand_24_y * strand_24_y_by_q73
+        const double length_25_by_q71 = t164 * t163;
+        const double t165 = 0.008 * y_x_by_q73;
+        const double strand_24_x_by_q73 = layer_1_x_by_q73 + t165;
+        const double t166 = 0.008 * y_x;
+        const double strand_24_x = layer_1_x - t166;
+        const double t167 = 0.008 * u_y_by_q73;
+        const double strand_24_y_by_q73 = layer_1_y_by_q73 + t167;
+        const double t168 = 0.008 * u_y;
+        const double strand_24_y = 0.008 + layer_1_y - t168;
+        const double t169 = 0.008 * y_z_by_q73;
+        const double strand_24_z_by_q73 = layer_1_z_by_q73 + t169;
+        const double t170 = 0.008 * y_z;
+        const double strand_24_z = layer_1_z - t170;
+        const double t171 = strand_24_x * strand_24_x_by_q73 - strand_24_y * strand_24_y_by_q73
             + strand_24_z * strand_24_z_by_q73;
-        const double t169 = strand_24_x * strand_24_x + strand_24_y * strand_24_y + strand_24_z
+        const double t172 = strand_24_x * strand_24_x + strand_24_y * strand_24_y + strand_24_z
             * strand_24_z;
-        const double length_24 = sinew_sqrt(t169);
-        const double t170 = 1.0 / length_24;
-        const double length_24_by_q73 = t168 * t170;
-        const double strand_24_x_by_q71 = layer_1_x_by_q71 - t131;
-        const double strand_24_z_by_q71 = layer_1_z_by_q71 - t127;
-        const double t171 = strand_24_x * strand_24_x_by_q71 - strand_24_y * layer_1_y_by_q71
+        const double length_24 = sinew_sqrt(t172);
+        const double t173 = 1.0 / length_24;
+        const double length_24_by_q73 = t171 * t173;
+        const double strand_24_x_by_q71 = layer_1_x_by_q71 + t170;
+        const double strand_24_z_by_q71 = layer_1_z_by_q71 + t166;
+        const double t174 = strand_24_x * strand_24_x_by_q71 - strand_24_y * layer_1_y_by_q71
             - strand_24_z * strand_24_z_by_q71;
-        const double length_24_by_q71 = t171 * t170;
-        const double strand_23_x_by_q73 = layer_1_x_by_q73 - t116;
-        const double strand_23_x = layer_1_x + t117;
-        const double strand_23_y_by_q73 = layer_1_y_by_q73 - t118;
-        const double strand_23_y = 0.012 - layer_1_y + t119;
-        const double strand_23_z_by_q73 = layer_1_z_by_q73 - t120;
-        const double strand_23_z = layer_1_z + t121;
-        const double t172 = strand_23_x * strand_23_x_by_q73 - strand_23_y * strand_23_y_by_q73
+        const double length_24_by_q71 = t174 * t173;
+        const double strand_23_x_by_q73 = layer_1_x_by_q73 + 0.007 * y_x_by_q73;
+        const double t175 = 0.007 * y_x;
+        const double strand_23_x = layer_1_x - t175;
+        const double strand_23_y_by_q73 = layer_1_y_by_q73 + 0.007 * u_y_by_q73;
+        const double strand_23_y = 0.006 + layer_1_y - 0.007 * u_y;
+        const double strand_23_z_by_q73 = layer_1_z_by_q73 + 0.007 * y_z_by_q73;
+        const double t176 = 0.007 * y_z;
+        const double strand_23_z = layer_1_z - t176;
+        const double t177 = strand_23_x * strand_23_x_by_q73 - strand_23_y * strand_23_y_by_q73
             + strand_23_z * strand_23_z_by_q73;
-        const double t173 = strand_23_x * strand_23_x + strand_23_y * strand_23_y + strand_23_z
+        const double t178 = strand_23_x * strand_23_x + strand_23_y * strand_23_y + strand_23_z
             * strand_23_z;
-        const double length_23 = sinew_sqrt(t173);
-        const double t174 = 1.0 / length_23;
-        const double length_23_by_q73 = t172 * t174;
-        const double strand_23_x_by_q71 = layer_1_x_by_q71 - t121;
-        const double strand_23_z_by_q71 = layer_1_z_by_q71 - t117;
-        const double t175 = strand_23_x * strand_23_x_by_q71 - strand_23_y * layer_1_y_by_q71
+        const double length_23 = sinew_sqrt(t178);
+        const double t179 = 1.0 / length_23;
+        const double length_23_by_q73 = t177 * t179;
+        const double strand_23_x_by_q71 = layer_1_x_by_q71 + t176;
+        const double strand_23_z_by_q71 = layer_1_z_by_q71 + t175;
+        const double t180 = strand_23_x * strand_23_x_by_q71 - strand_23_y * layer_1_y_by_q71
             - strand_23_z * strand_23_z_by_q71;
-        const double length_23_by_q71 = t175 * t174;
-        const double strand_22_x_by_q73 = layer_1_x_by_q73 - t106;
-        const double strand_22_x = layer_1_x + t107;
-        const double strand_22_y_by_q73 = layer_1_y_by_q73 - t108;
-        const double strand_22_y = 0.011 - layer_1_y + t109;
-        const double strand_22_z_by_q73 = layer_1_z_by_q73 - t110;
-        const double strand_22_z = layer_1_z + t111;
-        const double t176 = strand_22_x * strand_22_x_by_q73 - strand_22_y * strand_22_y_by_q73
+        const double length_23_by_q71 = t180 * t179;
+        const double t181 = 0.005 * y_x_by_q73;
+        const double strand_22_x_by_q73 = layer_1_x_by_q73 + t181;
+        const double t182 = 0.005 * y_x;
+        const double strand_22_x = layer_1_x - t182;
+        const double t183 = 0.005 * u_y_by_q73;
+        const double strand_22_y_by_q73 = layer_1_y_by_q73 + t183;
+        const double t184 = 0.005 * u_y;
+        const double strand_22_y = 0.005 + layer_1_y - t184;
+        const double t185 = 0.005 * y_z_by_q73;
+        const double strand_22_z_by_q73 = layer_1_z_by_q73 + t185;
+        const double t186 = 0.005 * y_z;
+        const double strand_22_z = layer_1_z - t186;
+        const double t187 = strand_22_x * strand_22_x_by_q73 - strand_22_y * strand_22_y_by_q73
             + strand_22_z * strand_22_z_by_q73;
-        const double t177 = strand_22_x * strand_22_x + strand_22_y * strand_22_y + strand_22_z
+        const double t188 = strand_22_x * strand_22_x + strand_22_y * strand_22_y + strand_22_z
             * strand_22_z;
-        const double length_22 = sinew_sqrt(t177);
-        const double t178 = 1.0 / length_22;
-        const double length_22_by_q73 = t176 * t178;
-        const double strand_22_x_by_q71 = layer_1_x_by_q71 - t111;
-        const double strand_22_z_by_q71 = layer_1_z_by_q71 - t107;
-        const double t179 = strand_22_x * strand_22_x_by_q71 - strand_22_y * layer_1_y_by_q71
+        const double length_22 = sinew_sqrt(t188);
+        const double t189 = 1.0 / length_22;
+        const double length_22_by_q73 = t187 * t189;
+        const double strand_22_x_by_q71 = layer_1_x_by_q71 + t186;
+        const double strand_22_z_by_q71 = layer_1_z_by_q71 + t182;
+        const double t190 = strand_22_x * strand_22_x_by_q71 - strand_22_y * layer_1_y_by_q71
             - strand_22_z * strand_22_z_by_q71;
-        const double length_22_by_q71 = t179 * t178;
-        const double strand_21_x_by_q73 = layer_1_x_by_q73 - t96;
-        const double strand_21_x = layer_1_x + t97;
-        const double strand_21_y_by_q73 = layer_1_y_by_q73 - t98;
-        const double strand_21_y = 0.009 - layer_1_y + t99;
-        const double strand_21_z_by_q73 = layer_1_z_by_q73 - t100;
-        const double strand_21_z = layer_1_z + t101;
-        const double t180 = strand_21_x * strand_21_x_by_q73 - strand_21_y * strand_21_y_by_q73
+        const double length_22_by_q71 = t190 * t189;
+        const double t191 = 0.003 * y_x_by_q73;
+        const double strand_21_x_by_q73 = layer_1_x_by_q73 + t191;
+        const double t192 = 0.003 * y_x;
+        const double strand_21_x = layer_1_x - t192;
+        const double t193 = 0.003 * u_y_by_q73;
+        const double strand_21_y_by_q73 = layer_1_y_by_q73 + t193;
+        const double t194 = 0.003 * u_y;
+        const double strand_21_y = 0.003 + layer_1_y - t194;
+        const double t195 = 0.003 * y_z_by_q73;
+        const double strand_21_z_by_q73 = layer_1_z_by_q73 + t195;
+        const double t196 = 0.003 * y_z;
+        const double strand_21_z = layer_1_z - t196;
+        const double t197 = strand_21_x * strand_21_x_by_q73 - strand_21_y * strand_21_y_by_q73
             + strand_21_z * strand_21_z_by_q73;
-        const double t181 = strand_21_x * strand_21_x + strand_21_y * strand_21_y + strand_21_z
+        const double t198 = strand_21_x * strand_21_x + strand_21_y * strand_21_y + strand_21_z
             * strand_21_z;
-        const double length_21 = sinew_sqrt(t181);
-        const double t182 = 1.0 / length_21;
-        const double length_21_by_q73 = t180 * t182;
-        const double strand_21_x_by_q71 = layer_1_x_by_q71 - t101;
-        const double strand_21_z_by_q71 = layer_1_z_by_q71 - t97;
-        const double t183 = strand_21_x * strand_21_x_by_q71 - strand_21_y * layer_1_y_by_q71
+        const double length_21 = sinew_sqrt(t198);
+        const double t199 = 1.0 / length_21;
+        const double length_21_by_q73 = t197 * t199;
+        const double strand_21_x_by_q71 = layer_1_x_by_q71 + t196;
+        const double strand_21_z_by_q71 = layer_1_z_by_q71 + t192;
+        const double t200 = strand_21_x * strand_21_x_by_q71 - strand_21_y * layer_1_y_by_q71
             - strand_21_z * strand_21_z_by_q71;
-        const double length_21_by_q71 = t183 * t182;
-        const double strand_20_x_by_q73 = layer_1_x_by_q73 - t86;
-        const double strand_20_x = layer_1_x + t87;
-        const double strand_20_y_by_q73 = layer_1_y_by_q73 - t88;
-        const double strand_20_y = 0.007 - layer_1_y + t89;
-        const double strand_20_z_by_q73 = layer_1_z_by_q73 - t90;
-        const double strand_20_z = layer_1_z + t91;
-        const double t184 = strand_20_x * strand_20_x_by_q73 - strand_20_y * strand_20_y_by_q73
+        const double length_21_by_q71 = t200 * t199;
+        const double strand_20_x_by_q73 = layer_1_x_by_q73 + 0.002 * y_x_by_q73;
+        const double t201 = 0.002 * y_x;
+        const double strand_20_x = layer_1_x - t201;
+        const double strand_20_y_by_q73 = layer_1_y_by_q73 + 0.002 * u_y_by_q73;
+        const double strand_20_y = 0.001 + layer_1_y - 0.002 * u_y;
+        const double strand_20_z_by_q73 = layer_1_z_by_q73 + 0.002 * y_z_by_q73;
+        const double t202 = 0.002 * y_z;
+        const double strand_20_z = layer_1_z - t202;
+        const double t203 = strand_20_x * strand_20_x_by_q73 - strand_20_y * strand_20_y_by_q73
             + strand_20_z * strand_20_z_by_q73;
-        const double t185 = strand_20_x * strand_20_x + strand_20_y * strand_20_y + strand_20_z
+        const double t204 = strand_20_x * strand_20_x + strand_20_y * strand_20_y + strand_20_z
             * strand_20_z;
-        const double length_20 = sinew_sqrt(t185);
-        const double t186 = 1.0 / length_20;
-        const double length_20_by_q73 = t184 * t186;
-        const double strand_20_x_by_q71 = layer_1_x_by_q71 - t91;
-        const double strand_20_z_by_q71 = layer_1_z_by_q71 - t87;
-        const double t187 = strand_20_x * strand_20_x_by_q71 - strand_20_y * layer_1_y_by_q71
+        const double length_20 = sinew_sqrt(t204);
+        const double t205 = 1.0 / length_20;
+        const double length_20_by_q73 = t203 * t205;
+        const double strand_20_x_by_q71 = layer_1_x_by_q71 + t202;
+        const double strand_20_z_by_q71 = layer_1_z_by_q71 + t201;
+        const double t206 = strand_20_x * strand_20_x_by_q71 - strand_20_y * layer_1_y_by_q71
             - strand_20_z * strand_20_z_by_q71;
-        const double length_20_by_q71 = t187 * t186;
-        const double strand_19_x_by_q73 = layer_1_x_by_q73 - t76;
-        const double strand_19_x = layer_1_x + t77;
-        const double strand_19_y_by_q73 = layer_1_y_by_q73 - t78;
-        const double strand_19_y = 0.006 - layer_1_y + t79;
-        const double strand_19_z_by_q73 = layer_1_z_by_q73 - t80;
-        const double strand_19_z = layer_1_z + t81;
-        const double t188 = strand_19_x * strand_19_x_by_q73 - strand_19_y * strand_19_y_by_q73
-            + strand_19_z * strand_19_z_by_q73;
-        const double t189 = strand_19_x * strand_19_x + strand_19_y * strand_19_y + strand_19_z
-            * strand_19_z;
-        const double length_19 = sinew_sqrt(t189);
-        const double t190 = 1.0 / length_19;
-        const double length_19_by_q73 = t188 * t190;
-        const double strand_19_x_by_q71 = layer_1_x_by_q71 - t81;
-        const double strand_19_z_by_q71 = layer_1_z_by_q71 - t77;
-        const double t191 = strand_19_x * strand_19_x_by_q71 - strand_19_y * layer_1_y_by_q71
-            - strand_19_z * strand_19_z_by_q71;
-        const double length_19_by_q71 = t191 * t190;
-        const double layer_0_x_by_q73 = t27 + t28;
-        const double strand_18_x_by_q73 = layer_0_x_by_q73 + 0.018 * y_x_by_q73;
-        const double layer_0_x = t34 - t35;
-        const double t192 = 0.018 * y_x;
-        const double strand_18_x = layer_0_x - t192;
-        const double layer_0_y_by_q73 = t37 + t38;
-        const double strand_18_y_by_q73 = layer_0_y_by_q73 + 0.018 * u_y_by_q73;
-        const double layer_0_y = t41 - t42;
-        const double strand_18_y = 0.035 - layer_0_y - 0.018 * u_y;
-        const double layer_0_z_by_q73 = t44 + t45;
-        const double strand_18_z_by_q73 = layer_0_z_by_q73 + 0.018 * y_z_by_q73;
-        const double layer_0_z = 0.008 - origin_z - t51 - t52;
-        const double t193 = 0.018 * y_z;
-        const double strand_18_z = layer_0_z - t193;
-        const double t194 = strand_18_x * strand_18_x_by_q73 - strand_18_y * strand_18_y_by_q73
+        const double length_20_by_q71 = t206 * t205;
+        const double t207 = layer_1_x * layer_1_x_by_q73 - layer_1_y * layer_1_y_by_q73 + layer_1_z
+            * layer_1_z_by_q73;
+        const double length_19 = sinew_sqrt(layer_1_x * layer_1_x + layer_1_y * layer_1_y
+            + layer_1_z * layer_1_z);
+        const double t208 = 1.0 / length_19;
+        const double length_19_by_q73 = t207 * t208;
+        const double t209 = layer_1_x * layer_1_x_by_q71 - layer_1_y * layer_1_y_by_q71 - layer_1_z
+            * layer_1_z_by_q71;
+        const double length_19_by_q71 = t209 * t208;
+        const double layer_0_x_by_q73 = t27 + t28 - t149;
+        const double strand_18_x_by_q73 = layer_0_x_by_q73 + t30;
+        const double layer_0_x = t35 - t36 + t150;
+        const double strand_18_x = layer_0_x - t38;
+        const double layer_0_y_by_q73 = t39 + t40 - t151;
+        const double strand_18_y_by_q73 = layer_0_y_by_q73 + t42;
+        const double layer_0_y = 0.007 - origin_y - t43 + t44 + t152;
+        const double strand_18_y = 0.028 + layer_0_y - t46;
+        const double layer_0_z_by_q73 = t47 + t48 - t153;
+        const double strand_18_z_by_q73 = layer_0_z_by_q73 + t50;
+        const double layer_0_z = 0.008 - origin_z - t55 - t56 + t154;
+        const double strand_18_z = layer_0_z - t58;
+        const double t210 = strand_18_x * strand_18_x_by_q73 - strand_18_y * strand_18_y_by_q73
             + strand_18_z * strand_18_z_by_q73;
-        const double t195 = strand_18_x * strand_18_x + strand_18_y * strand_18_y + strand_18_z
+        const double t211 = strand_18_x * strand_18_x + strand_18_y * strand_18_y + strand_18_z
             * strand_18_z;
-        const double length_18 = sinew_sqrt(t195);
-        const double t196 = 1.0 / length_18;
-        const double length_18_by_q73 = t194 * t196;
-        const double layer_0_x_by_q71 = t59 + t60;
-        const double strand_18_x_by_q71 = layer_0_x_by_q71 + t193;
-        const double layer_0_y_by_q71 = t61 - t62;
-        const double layer_0_z_by_q71 = t63 + t64;
-        const double strand_18_z_by_q71 = layer_0_z_by_q71 + t192;
-        const double t197 = strand_18_x * strand_18_x_by_q71 - strand_18_y * layer_0_y_by_q71
+        const double length_18 = sinew_sqrt(t211);
+        const double t212 = 1.0 / length_18;
+        const double length_18_by_q73 = t210 * t212;
+        const double layer_0_x_by_q71 = t64 + t65 - t154;
+        const double strand_18_x_by_q71 = layer_0_x_by_q71 + t58;
+        const double layer_0_y_by_q71 = t66 - t67;
+        const double layer_0_z_by_q71 = t68 + t69 - t150;
+        const double strand_18_z_by_q71 = layer_0_z_by_q71 + t38;
+        const double t213 = strand_18_x * strand_18_x_by_q71 - strand_18_y * layer_0_y_by_q71
             - strand_18_z * strand_18_z_by_q71;
-        const double length_18_by_q71 = t197 * t196;
-        const double strand_17_x_by_q73 = layer_0_x_by_q73 + t29;
-        const double strand_17_x = layer_0_x - t36;
-        const double strand_17_y_by_q73 = layer_0_y_by_q73 + t39;
-        const double strand_17_y = 0.034 - layer_0_y - t43;
-        const double strand_17_z_by_q73 = layer_0_z_by_q73 + t46;
-        const double strand_17_z = layer_0_z - t53;
-        const double t198 = strand_17_x * strand_17_x_by_q73 - strand_17_y * strand_17_y_by_q73
+        const double length_18_by_q71 = t213 * t212;
+        const double strand_17_x_by_q73 = layer_0_x_by_q73 + t71;
+        const double strand_17_x = layer_0_x - t72;
+        const double strand_17_y_by_q73 = layer_0_y_by_q73 + t73;
+        const double strand_17_y = 0.027 + layer_0_y - t74;
+        const double strand_17_z_by_q73 = layer_0_z_by_q73 + t75;
+        const double strand_17_z = layer_0_z - t76;
+        const double t214 = strand_17_x * strand_17_x_by_q73 - strand_17_y * strand_17_y_by_q73
             + strand_17_z * strand_17_z_by_q73;
-        const double t199 = strand_17_x * strand_17_x + strand_17_y * strand_17_y + strand_17_z
+        const double t215 = strand_17_x * strand_17_x + strand_17_y * strand_17_y + strand_17_z
             * strand_17_z;
-        const double length_17 = sinew_sqrt(t199);
-        const double t200 = 1.0 / length_17;
-        const double length_17_by_q73 = t198 * t200;
-        const double strand_17_x_by_q71 = layer_0_x_by_q71 + t53;
-        const double strand_17_z_by_q71 = layer_0_z_by_q71 + t36;
-        const double t201 = strand_17_x * strand_17_x_by_q71 - strand_17_y * layer_0_y_by_q71
+        const double length_17 = sinew_sqrt(t215);
+        const double t216 = 1.0 / length_17;
+        const double length_17_by_q73 = t214 * t216;
+        const double strand_17_x_by_q71 = layer_0_x_by_q71 + t76;
+        const double strand_17_z_by_q71 = layer_0_z_by_q71 + t72;
+        const double t217 = strand_17_x * strand_17_x_by_q71 - strand_17_y * layer_0_y_by_q71
             - strand_17_z * strand_17_z_by_q71;
-        const double length_17_by_q71 = t201 * t200;
-        const double strand_16_x_by_q73 = layer_0_x_by_q73 + t66;
-        const double strand_16_x = layer_0_x - t67;
-        const double strand_16_y_by_q73 = layer_0_y_by_q73 + t68;
-        const double strand_16_y = 0.032 - layer_0_y - t69;
-        const double strand_16_z_by_q73 = layer_0_z_by_q73 + t70;
-        const double strand_16_z = layer_0_z - t71;
-        const double t202 = strand_16_x * strand_16_x_by_q73 - strand_16_y * strand_16_y_by_q73
+        const double length_17_by_q71 = t217 * t216;
+        const double strand_16_x_by_q73 = layer_0_x_by_q73 + 0.025 * y_x_by_q73;
+        const double t218 = 0.025 * y_x;
+        const double strand_16_x = layer_0_x - t218;
+        const double strand_16_y_by_q73 = layer_0_y_by_q73 + 0.025 * u_y_by_q73;
+        const double strand_16_y = 0.025 + layer_0_y - 0.025 * u_y;
+        const double strand_16_z_by_q73 = layer_0_z_by_q73 + 0.025 * y_z_by_q73;
+        const double t219 = 0.025 * y_z;
+        const double strand_16_z = layer_0_z - t219;
+        const double t220 = strand_16_x * strand_16_x_by_q73 - strand_16_y * strand_16_y_by_q73
             + strand_16_z * strand_16_z_by_q73;
-        const double t203 = strand_16_x * strand_16_x + strand_16_y * strand_16_y + strand_16_z
+        const double t221 = strand_16_x * strand_16_x + strand_16_y * strand_16_y + strand_16_z
             * strand_16_z;
-        const double length_16 = sinew_sqrt(t203);
-        const double t204 = 1.0 / length_16;
-        const double length_16_by_q73 = t202 * t204;
-        const double strand_16_x_by_q71 = layer_0_x_by_q71 + t71;
-        const double strand_16_z_by_q71 = layer_0_z_by_q71 + t67;
-        const double t205 = strand_16_x * strand_16_x_by_q71 - strand_16_y * layer_0_y_by_q71
+        const double length_16 = sinew_sqrt(t221);
+        const double t222 = 1.0 / length_16;
+        const double length_16_by_q73 = t220 * t222;
+        const double strand_16_x_by_q71 = layer_0_x_by_q71 + t219;
+        const double strand_16_z_by_q71 = layer_0_z_by_q71 + t218;
+        const double t223 = strand_16_x * strand_16_x_by_q71 - strand_16_y * layer_0_y_by_q71
             - strand_16_z * strand_16_z_by_q71;
-        const double length_16_by_q71 = t205 * t204;
-        const double strand_15_x_by_q73 = layer_0_x_by_q73 + t76;
-        const double strand_15_x = layer_0_x - t77;
-        const double strand_15_y_by_q73 = layer_0_y_by_q73 + t78;
-        const double strand_15_y = 0.031 - layer_0_y - t79;
-        const double strand_15_z_by_q73 = layer_0_z_by_q73 + t80;
-        const double strand_15_z = layer_0_z - t81;
-        const double t206 = strand_15_x * strand_15_x_by_q73 - strand_15_y * strand_15_y_by_q73
+        const double length_16_by_q71 = t223 * t222;
+        const double strand_15_x_by_q73 = layer_0_x_by_q73 + t87;
+        const double strand_15_x = layer_0_x - t88;
+        const double strand_15_y_by_q73 = layer_0_y_by_q73 + t89;
+        const double strand_15_y = 0.024 + layer_0_y - t90;
+        const double strand_15_z_by_q73 = layer_0_z_by_q73 + t91;
+        const double strand_15_z = layer_0_z - t92;
+        const double t224 = strand_15_x * strand_15_x_by_q73 - strand_15_y * strand_15_y_by_q73
             + strand_15_z * strand_15_z_by_q73;
-        const double t207 = strand_15_x * strand_15_x + strand_15_y * strand_15_y + strand_15_z
+        const double t225 = strand_15_x * strand_15_x + strand_15_y * strand_15_y + strand_15_z
             * strand_15_z;
-        const double length_15 = sinew_sqrt(t207);
-        const double t208 = 1.0 / length_15;
-        const double length_15_by_q73 = t206 * t208;
-        const double strand_15_x_by_q71 = layer_0_x_by_q71 + t81;
-        const double strand_15_z_by_q71 = layer_0_z_by_q71 + t77;
-        const double t209 = strand_15_x * strand_15_x_by_q71 - strand_15_y * layer_0_y_by_q71
+        const double length_15 = sinew_sqrt(t225);
+        const double t226 = 1.0 / length_15;
+        const double length_15_by_q73 = t224 * t226;
+        const double strand_15_x_by_q71 = layer_0_x_by_q71 + t92;
+        const double strand_15_z_by_q71 = layer_0_z_by_q71 + t88;
+        const double t227 = strand_15_x * strand_15_x_by_q71 - strand_15_y * layer_0_y_by_q71
             - strand_15_z * strand_15_z_by_q71;
-        const double length_15_by_q71 = t209 * t208;
-        const double strand_14_x_by_q73 = layer_0_x_by_q73 + t86;
-        const double strand_14_x = layer_0_x - t87;
-        const double strand_14_y_by_q73 = layer_0_y_by_q73 + t88;
-        const double strand_14_y = 0.029 - layer_0_y - t89;
-        const double strand_14_z_by_q73 = layer_0_z_by_q73 + t90;
-        const double strand_14_z = layer_0_z - t91;
-        const double t210 = strand_14_x * strand_14_x_by_q73 - strand_14_y * strand_14_y_by_q73
+        const double length_15_by_q71 = t227 * t226;
+        const double strand_14_x_by_q73 = layer_0_x_by_q73 + 0.022 * y_x_by_q73;
+        const double t228 = 0.022 * y_x;
+        const double strand_14_x = layer_0_x - t228;
+        const double strand_14_y_by_q73 = layer_0_y_by_q73 + 0.022 * u_y_by_q73;
+        const double strand_14_y = 0.022 + layer_0_y - 0.022 * u_y;
+        const double strand_14_z_by_q73 = layer_0_z_by_q73 + 0.022 * y_z_by_q73;
+        const double t229 = 0.022 * y_z;
+        const double strand_14_z = layer_0_z - t229;
+        const double t230 = strand_14_x * strand_14_x_by_q73 - strand_14_y * strand_14_y_by_q73
             + strand_14_z * strand_14_z_by_q73;
-        const double t211 = strand_14_x * strand_14_x + strand_14_y * strand_14_y + strand_14_z
+        const double t231 = strand_14_x * strand_14_x + strand_14_y * strand_14_y + strand_14_z
             * strand_14_z;
-        const double length_14 = sinew_sqrt(t211);
-        const double t212 = 1.0 / length_14;
-        const double length_14_by_q73 = t210 * t212;
-        const double strand_14_x_by_q71 = layer_0_x_by_q71 + t91;
-        const double strand_14_z_by_q71 = layer_0_z_by_q71 + t87;
-        const double t213 = strand_14_x * strand_14_x_by_q71 - strand_14_y * layer_0_y_by_q71
+        const double length_14 = sinew_sqrt(t231);
+        const double t232 = 1.0 / length_14;
+        const double length_14_by_q73 = t230 * t232;
+        const double strand_14_x_by_q71 = layer_0_x_by_q71 + t229;
+        const double strand_14_z_by_q71 = layer_0_z_by_q71 + t228;
+        const double t233 = strand_14_x * strand_14_x_by_q71 - strand_14_y * layer_0_y_by_q71
             - strand_14_z * strand_14_z_by_q71;
-        const double length_14_by_q71 = t213 * t212;
-        const double strand_13_x_by_q73 = layer_0_x_by_q73 + t96;
-        const double strand_13_x = layer_0_x - t97;
-        const double strand_13_y_by_q73 = layer_0_y_by_q73 + t98;
-        const double strand_13_y = 0.027 - layer_0_y - t99;
-        const double strand_13_z_by_q73 = layer_0_z_by_q73 + t100;
-        const double strand_13_z = layer_0_z - t101;
-        const double t214 = strand_13_x * strand_13_x_by_q73 - strand_13_y * strand_13_y_by_q73
+        const double length_14_by_q71 = t233 * t232;
+        const double strand_13_x_by_q73 = layer_0_x_by_q73 + t103;
+        const double strand_13_x = layer_0_x - t104;
+        const double strand_13_y_by_q73 = layer_0_y_by_q73 + t105;
+        const double strand_13_y = 0.02 + layer_0_y - t106;
+        const double strand_13_z_by_q73 = layer_0_z_by_q73 + t107;
+        const double strand_13_z = layer_0_z - t108;
+        const double t234 = strand_13_x * strand_13_x_by_q73 - strand_13_y * strand_13_y_by_q73
             + strand_13_z * strand_13_z_by_q73;
-        const double t215 = strand_13_x * strand_13_x + strand_13_y * strand_13_y + strand_13_z
+        const double t235 = strand_13_x * strand_13_x + strand_13_y * strand_13_y + strand_13_z
             * strand_13_z;
-        const double length_13 = sinew_sqrt(t215);
-        const double t216 = 1.0 / length_13;
-        const double length_13_by_q73 = t214 * t216;
-        const double strand_13_x_by_q71 = layer_0_x_by_q71 + t101;
-        const double strand_13_z_by_q71 = layer_0_z_by_q71 + t97;
-        const double t217 = strand_13_x * strand_13_x_by_q71 - strand_13_y * layer_0_y_by_q71
+        const double length_13 = sinew_sqrt(t235);
+        const double t236 = 1.0 / length_13;
+        const double length_13_by_q73 = t234 * t236;
+        const double strand_13_x_by_q71 = layer_0_x_by_q71 + t108;
+        const double strand_13_z_by_q71 = layer_0_z_by_q71 + t104;
+        const double t237 = strand_13_x * strand_13_x_by_q71 - strand_13_y * layer_0_y_by_q71
             - strand_13_z * strand_13_z_by_q71;
-        const double length_13_by_q71 = t217 * t216;
-        const double strand_12_x_by_q73 = layer_0_x_by_q73 + t106;
-        const double strand_12_x = layer_0_x - t107;
-        const double strand_12_y_by_q73 = layer_0_y_by_q73 + t108;
-        const double strand_12_y = 0.026 - layer_0_y - t109;
-        const double strand_12_z_by_q73 = layer_0_z_by_q73 + t110;
-        const double strand_12_z = layer_0_z - t111;
-        const double t218 = strand_12_x * strand_12_x_by_q73 - strand_12_y * strand_12_y_by_q73
+        const double length_13_by_q71 = t237 * t236;
+        const double strand_12_x_by_q73 = layer_0_x_by_q73 + t113;
+        const double strand_12_x = layer_0_x - t114;
+        const double strand_12_y_by_q73 = layer_0_y_by_q73 + t115;
+        const double strand_12_y = 0.019 + layer_0_y - t116;
+        const double strand_12_z_by_q73 = layer_0_z_by_q73 + t117;
+        const double strand_12_z = layer_0_z - t118;
+        const double t238 = strand_12_x * strand_12_x_by_q73 - strand_12_y * strand_12_y_by_q73
             + strand_12_z * strand_12_z_by_q73;
-        const double t219 = strand_12_x * strand_12_x + strand_12_y * strand_12_y + strand_12_z
+        const double t239 = strand_12_x * strand_12_x + strand_12_y * strand_12_y + strand_12_z
             * strand_12_z;
-        const double length_12 = sinew_sqrt(t219);
-        const double t220 = 1.0 / length_12;
-        const double length_12_by_q73 = t218 * t220;
-        const double strand_12_x_by_q71 = layer_0_x_by_q71 + t111;
-        const double strand_12_z_by_q71 = layer_0_z_by_q71 + t107;
-        const double t221 = strand_12_x * strand_12_x_by_q71 - strand_12_y * layer_0_y_by_q71
+        const double length_12 = sinew_sqrt(t239);
+        const double t240 = 1.0 / length_12;
+        const double length_12_by_q73 = t238 * t240;
+        const double strand_12_x_by_q71 = layer_0_x_by_q71 + t118;
+        const double strand_12_z_by_q71 = layer_0_z_by_q71 + t114;
+        const double t241 = strand_12_x * strand_12_x_by_q71 - strand_12_y * layer_0_y_by_q71
             - strand_12_z * strand_12_z_by_q71;
-        const double length_12_by_q71 = t221 * t220;
-        const double strand_11_x_by_q73 = layer_0_x_by_q73 + t116;
-        const double strand_11_x = layer_0_x - t117;
-        const double strand_11_y_by_q73 = layer_0_y_by_q73 + t118;
-        const double strand_11_y = 0.024 - layer_0_y - t119;
-        const double strand_11_z_by_q73 = layer_0_z_by_q73 + t120;
-        const double strand_11_z = layer_0_z - t121;
-        const double t222 = strand_11_x * strand_11_x_by_q73 - strand_11_y * strand_11_y_by_q73
+        const double length_12_by_q71 = t241 * t240;
+        const double strand_11_x_by_q73 = layer_0_x_by_q73 + 0.017 * y_x_by_q73;
+        const double t242 = 0.017 * y_x;
+        const double strand_11_x = layer_0_x - t242;
+        const double strand_11_y_by_q73 = layer_0_y_by_q73 + 0.017 * u_y_by_q73;
+        const double strand_11_y = 0.017 + layer_0_y - 0.017 * u_y;
+        const double strand_11_z_by_q73 = layer_0_z_by_q73 + 0.017 * y_z_by_q73;
+        const double t243 = 0.017 * y_z;
+        const double strand_11_z = layer_0_z - t243;
+        const double t244 = strand_11_x * strand_11_x_by_q73 - strand_11_y * strand_11_y_by_q73
             + strand_11_z * strand_11_z_by_q73;
-        const double t223 = strand_11_x * strand_11_x + strand_11_y * strand_11_y + strand_11_z
+        const double t245 = strand_11_x * strand_11_x + strand_11_y * strand_11_y + strand_11_z
             * strand_11_z;
-        const double length_11 = sinew_sqrt(t223);
-        const double t224 = 1.0 / length_11;
-        const double length_11_by_q73 = t222 * t224;
-        const double strand_11_x_by_q71 = layer_0_x_by_q71 + t121;
-        const double strand_11_z_by_q71 = layer_0_z_by_q71 + t117;
-        const double t225 = strand_11_x * strand_11_x_by_q71 - strand_11_y * layer_0_y_by_q71
+        const double length_11 = sinew_sqrt(t245);
+        const double t246 = 1.0 / length_11;
+        const double length_11_by_q73 = t244 * t246;
+        const double strand_11_x_by_q71 = layer_0_x_by_q71 + t243;
+        const double strand_11_z_by_q71 = layer_0_z_by_q71 + t242;
+        const double t247 = strand_11_x * strand_11_x_by_q71 - strand_11_y * layer_0_y_by_q71
             - strand_11_z * strand_11_z_by_q71;
-        const double length_11_by_q71 = t225 * t224;
-        const double strand_10_x_by_q73 = layer_0_x_by_q73 + t126;
-        const double strand_10_x = layer_0_x - t127;
-        const double strand_10_y_by_q73 = layer_0_y_by_q73 + t128;
-        const double strand_10_y = 0.023 - layer_0_y - t129;
-        const double strand_10_z_by_q73 = layer_0_z_by_q73 + t130;
-        const double strand_10_z = layer_0_z - t131;
-        const double t226 = strand_10_x * strand_10_x_by_q73 - strand_10_y * strand_10_y_by_q73
+        const double length_11_by_q71 = t247 * t246;
+        const double strand_10_x_by_q73 = layer_0_x_by_q73 + t129;
+        const double strand_10_x = layer_0_x - t130;
+        const double strand_10_y_by_q73 = layer_0_y_by_q73 + t131;
+        const double strand_10_y = 0.016 + layer_0_y - t132;
+        const double strand_10_z_by_q73 = layer_0_z_by_q73 + t133;
+        const double strand_10_z = layer_0_z - t134;
+        const double t248 = strand_10_x * strand_10_x_by_q73 - strand_10_y * strand_10_y_by_q73
             + strand_10_z * strand_10_z_by_q73;
-        const double t227 = strand_10_x * strand_10_x + strand_10_y * strand_10_y + strand_10_z
+        const double t249 = strand_10_x * strand_10_x + strand_10_y * strand_10_y + strand_10_z
             * strand_10_z;
-        const double length_10 = sinew_sqrt(t227);
-        const double t228 = 1.0 / length_10;
-        const double length_10_by_q73 = t226 * t228;
-        const double strand_10_x_by_q71 = layer_0_x_by_q71 + t131;
-        const double strand_10_z_by_q71 = layer_0_z_by_q71 + t127;
-        const double t229 = strand_10_x * strand_10_x_by_q71 - strand_10_y * layer_0_y_by_q71
+        const double length_10 = sinew_sqrt(t249);
+        const double t250 = 1.0 / length_10;
+        const double length_10_by_q73 = t248 * t250;
+        const double strand_10_x_by_q71 = layer_0_x_by_q71 + t134;
+        const double strand_10_z_by_q71 = layer_0_z_by_q71 + t130;
+        const double t251 = strand_10_x * strand_10_x_by_q71 - strand_10_y * layer_0_y_by_q71
             - strand_10_z * strand_10_z_by_q71;
-        const double length_10_by_q71 = t229 * t228;
-        const double strand_9_x_by_q73 = layer_0_x_by_q73 + t136;
-        const double strand_9_x = layer_0_x - t137;
-        const double strand_9_y_by_q73 = layer_0_y_by_q73 + t138;
-        const double strand_9_y = 0.021 - layer_0_y - t139;
-        const double strand_9_z_by_q73 = layer_0_z_by_q73 + t140;
-        const double strand_9_z = layer_0_z - t141;
-        const double t230 = strand_9_x * strand_9_x_by_q73 - strand_9_y * strand_9_y_by_q73
+        const double length_10_by_q71 = t251 * t250;
+        const double strand_9_x_by_q73 = layer_0_x_by_q73 + 0.014 * y_x_by_q73;
+        const double t252 = 0.014 * y_x;
+        const double strand_9_x = layer_0_x - t252;
+        const double strand_9_y_by_q73 = layer_0_y_by_q73 + 0.014 * u_y_by_q73;
+        const double strand_9_y = 0.014 + layer_0_y - 0.014 * u_y;
+        const double strand_9_z_by_q73 = layer_0_z_by_q73 + 0.014 * y_z_by_q73;
+        const double t253 = 0.014 * y_z;
+        const double strand_9_z = layer_0_z - t253;
+        const double t254 = strand_9_x * strand_9_x_by_q73 - strand_9_y * strand_9_y_by_q73
             + strand_9_z * strand_9_z_by_q73;
-        const double t231 = strand_9_x * strand_9_x + strand_9_y * strand_9_y + strand_9_z
+        const double t255 = strand_9_x * strand_9_x + strand_9_y * strand_9_y + strand_9_z
             * strand_9_z;
-        const double length_9 = sinew_sqrt(t231);
-        const double t232 = 1.0 / length_9;
-        const double length_9_by_q73 = t230 * t232;
-        const double strand_9_x_by_q71 = layer_0_x_by_q71 + t141;
-        const double strand_9_z_by_q71 = layer_0_z_by_q71 + t137;
-        const double t233 = strand_9_x * strand_9_x_by_q71 - strand_9_y * layer_0_y_by_q71
+        const double length_9 = sinew_sqrt(t255);
+        const double t256 = 1.0 / length_9;
+        const double length_9_by_q73 = t254 * t256;
+        const double strand_9_x_by_q71 = layer_0_x_by_q71 + t253;
+        const double strand_9_z_by_q71 = layer_0_z_by_q71 + t252;
+        const double t257 = strand_9_x * strand_9_x_by_q71 - strand_9_y * layer_0_y_by_q71
             - strand_9_z * strand_9_z_by_q71;
-        const double length_9_by_q71 = t233 * t232;
-        const double strand_8_x_by_q73 = layer_0_x_by_q73 + t146;
-        const double strand_8_x = layer_0_x - t147;
-        const double strand_8_y_by_q73 = layer_0_y_by_q73 + t148;
-        const double strand_8_y = 0.019 - layer_0_y - t149;
-        const double strand_8_z_by_q73 = layer_0_z_by_q73 + t150;
-        const double strand_8_z = layer_0_z - t151;
-        const double t234 = strand_8_x * strand_8_x_by_q73 - strand_8_y * strand_8_y_by_q73
+        const double length_9_by_q71 = t257 * t256;
+        const double strand_8_x_by_q73 = layer_0_x_by_q73 + t29;
+        const double strand_8_x = layer_0_x - t37;
+        const double strand_8_y_by_q73 = layer_0_y_by_q73 + t41;
+        const double strand_8_y = 0.012 + layer_0_y - t45;
+        const double strand_8_z_by_q73 = layer_0_z_by_q73 + t49;
+        const double strand_8_z = layer_0_z - t57;
+        const double t258 = strand_8_x * strand_8_x_by_q73 - strand_8_y * strand_8_y_by_q73
             + strand_8_z * strand_8_z_by_q73;
-        const double t235 = strand_8_x * strand_8_x + strand_8_y * strand_8_y + strand_8_z
+        const double t259 = strand_8_x * strand_8_x + strand_8_y * strand_8_y + strand_8_z
             * strand_8_z;
-        const double length_8 = sinew_sqrt(t235);
-        const double t236 = 1.0 / length_8;
-        const double length_8_by_q73 = t234 * t236;
-        const double strand_8_x_by_q71 = layer_0_x_by_q71 + t151;
-        const double strand_8_z_by_q71 = layer_0_z_by_q71 + t147;
-        const double t237 = strand_8_x * strand_8_x_by_q71 - strand_8_y * layer_0_y_by_q71
+        const double length_8 = sinew_sqrt(t259);
+        const double t260 = 1.0 / length_8;
+        const double length_8_by_q73 = t258 * t260;
+        const double strand_8_x_by_q71 = layer_0_x_by_q71 + t57;
+        const double strand_8_z_by_q71 = layer_0_z_by_q71 + t37;
+        const double t261 = strand_8_x * strand_8_x_by_q71 - strand_8_y * layer_0_y_by_q71
             - strand_8_z * strand_8_z_by_q71;
-        const double length_8_by_q71 = t237 * t236;
-        const double strand_7_y = 0.018 - layer_0_y;
-        const double t238 = layer_0_x * layer_0_x_by_q73 + layer_0_z * layer_0_z_by_q73 - strand_7_y
-            * layer_0_y_by_q73;
-        const double length_7 = sinew_sqrt(layer_0_x * layer_0_x + layer_0_z * layer_0_z
-            + strand_7_y * strand_7_y);
-        const double t239 = 1.0 / length_7;
-        const double length_7_by_q73 = t238 * t239;
-        const double t240 = layer_0_x * layer_0_x_by_q71 - layer_0_z * layer_0_z_by_q71 - strand_7_y
-            * layer_0_y_by_q71;
-        const double length_7_by_q71 = t240 * t239;
-        const double strand_6_x_by_q73 = layer_0_x_by_q73 - t146;
-        const double strand_6_x = layer_0_x + t147;
-        const double strand_6_y_by_q73 = layer_0_y_by_q73 - t148;
-        const double strand_6_y = 0.016 - layer_0_y + t149;
-        const double strand_6_z_by_q73 = layer_0_z_by_q73 - t150;
-        const double strand_6_z = layer_0_z + t151;
-        const double t241 = strand_6_x * strand_6_x_by_q73 - strand_6_y * strand_6_y_by_q73
+        const double length_8_by_q71 = t261 * t260;
+        const double strand_7_x_by_q73 = layer_0_x_by_q73 + t149;
+        const double strand_7_x = layer_0_x - t150;
+        const double strand_7_y_by_q73 = layer_0_y_by_q73 + t151;
+        const double strand_7_y = 0.011 + layer_0_y - t152;
+        const double strand_7_z_by_q73 = layer_0_z_by_q73 + t153;
+        const double strand_7_z = layer_0_z - t154;
+        const double t262 = strand_7_x * strand_7_x_by_q73 - strand_7_y * strand_7_y_by_q73
+            + strand_7_z * strand_7_z_by_q73;
+        const double t263 = strand_7_x * strand_7_x + strand_7_y * strand_7_y + strand_7_z
+            * strand_7_z;
+        const double length_7 = sinew_sqrt(t263);
+        const double t264 = 1.0 / length_7;
+        const double length_7_by_q73 = t262 * t264;
+        const double strand_7_x_by_q71 = layer_0_x_by_q71 + t154;
+        const double strand_7_z_by_q71 = layer_0_z_by_q71 + t150;
+        const double t265 = strand_7_x * strand_7_x_by_q71 - strand_7_y * layer_0_y_by_q71
+            - strand_7_z * strand_7_z_by_q71;
+        const double length_7_by_q71 = t265 * t264;
+        const double strand_6_x_by_q73 = layer_0_x_by_q73 + 0.009 * y_x_by_q73;
+        const double t266 = 0.009 * y_x;
+        const double strand_6_x = layer_0_x - t266;
+        const double strand_6_y_by_q73 = layer_0_y_by_q73 + 0.009 * u_y_by_q73;
+        const double strand_6_y = 0.009 + layer_0_y - 0.009 * u_y;
+        const double strand_6_z_by_q73 = layer_0_z_by_q73 + 0.009 * y_z_by_q73;
+        const double t267 = 0.009 * y_z;
+        const double strand_6_z = layer_0_z - t267;
+        const double t268 = strand_6_x * strand_6_x_by_q73 - strand_6_y * strand_6_y_by_q73
             + strand_6_z * strand_6_z_by_q73;
-        const double t242 = strand_6_x * strand_6_x + strand_6_y * strand_6_y + strand_6_z
+        const double t269 = strand_6_x * strand_6_x + strand_6_y * strand_6_y + strand_6_z
             * strand_6_z;
-        const double length_6 = sinew_sqrt(t242);
-        const double t243 = 1.0 / length_6;
-        const double length_6_by_q73 = t241 * t243;
-        const double strand_6_x_by_q71 = layer_0_x_by_q71 - t151;
-        const double strand_6_z_by_q71 = layer_0_z_by_q71 - t147;
-        const double t244 = strand_6_x * strand_6_x_by_q71 - strand_6_y * layer_0_y_by_q71
+        const double length_6 = sinew_sqrt(t269);
+        const double t270 = 1.0 / length_6;
+        const double length_6_by_q73 = t268 * t270;
+        const double strand_6_x_by_q71 = layer_0_x_by_q71 + t267;
+        const double strand_6_z_by_q71 = layer_0_z_by_q71 + t266;
+        const double t271 = strand_6_x * strand_6_x_by_q71 - strand_6_y * layer_0_y_by_q71
             - strand_6_z * strand_6_z_by_q71;
-        const double length_6_by_q71 = t244 * t243;
-        const double strand_5_x_by_q73 = layer_0_x_by_q73 - t136;
-        const double strand_5_x = layer_0_x + t137;
-        const double strand_5_y_by_q73 = layer_0_y_by_q73 - t138;
-        const double strand_5_y = 0.015 - layer_0_y + t139;
-        const double strand_5_z_by_q73 = layer_0_z_by_q73 - t140;
-        const double strand_5_z = layer_0_z + t141;
-        const double t245 = strand_5_x * strand_5_x_by_q73 - strand_5_y * strand_5_y_by_q73
+        const double length_6_by_q71 = t271 * t270;
+        const double strand_5_x_by_q73 = layer_0_x_by_q73 + t165;
+        const double strand_5_x = layer_0_x - t166;
+        const double strand_5_y_by_q73 = layer_0_y_by_q73 + t167;
+        const double strand_5_y = 0.008 + layer_0_y - t168;
+        const double strand_5_z_by_q73 = layer_0_z_by_q73 + t169;
+        const double strand_5_z = layer_0_z - t170;
+        const double t272 = strand_5_x * strand_5_x_by_q73 - strand_5_y * strand_5_y_by_q73
             + strand_5_z * strand_5_z_by_q73;
-        const double t246 = strand_5_x * strand_5_x + strand_5_y * strand_5_y + strand_5_z
+        const double t273 = strand_5_x * strand_5_x + strand_5_y * strand_5_y + strand_5_z
             * strand_5_z;
-        const double length_5 = sinew_sqrt(t246);
-        const double t247 = 1.0 / length_5;
-        const double length_5_by_q73 = t245 * t247;
-        const double strand_5_x_by_q71 = layer_0_x_by_q71 - t141;
-        const double strand_5_z_by_q71 = layer_0_z_by_q71 - t137;
-        const double t248 = strand_5_x * strand_5_x_by_q71 - strand_5_y * layer_0_y_by_q71
+        const double length_5 = sinew_sqrt(t273);
+        const double t274 = 1.0 / length_5;
+        const double length_5_by_q73 = t272 * t274;
+        const double strand_5_x_by_q71 = layer_0_x_by_q71 + t170;
+        const double strand_5_z_by_q71 = layer_0_z_by_q71 + t166;
+        const double t275 = strand_5_x * strand_5_x_by_q71 - strand_5_y * layer_0_y_by_q71
             - strand_5_z * strand_5_z_by_q71;
-        const double length_5_by_q71 = t248 * t247;
-        const double strand_4_x_by_q73 = layer_0_x_by_q73 - t126;
-        const double strand_4_x = layer_0_x + t127;
-        const double strand_4_y_by_q73 = layer_0_y_by_q73 - t128;
-        const double strand_4_y = 0.013 - layer_0_y + t129;
-        const double strand_4_z_by_q73 = layer_0_z_by_q73 - t130;
-        const double strand_4_z = layer_0_z + t131;
-        const double t249 = strand_4_x * strand_4_x_by_q73 - strand_4_y * strand_4_y_by_q73
+        const double length_5_by_q71 = t275 * t274;
+        const double strand_4_x_by_q73 = layer_0_x_by_q73 + 0.006 * y_x_by_q73;
+        const double t276 = 0.006 * y_x;
+        const double strand_4_x = layer_0_x - t276;
+        const double strand_4_y_by_q73 = layer_0_y_by_q73 + 0.006 * u_y_by_q73;
+        const double strand_4_y = 0.006 + layer_0_y - 0.006 * u_y;
+        const double strand_4_z_by_q73 = layer_0_z_by_q73 + 0.006 * y_z_by_q73;
+        const double t277 = 0.006 * y_z;
+        const double strand_4_z = layer_0_z - t277;
+        const double t278 = strand_4_x * strand_4_x_by_q73 - strand_4_y * strand_4_y_by_q73
             + strand_4_z * strand_4_z_by_q73;
-        const double t250 = strand_4_x * strand_4_x + strand_4_y * strand_4_y + strand_4_z
+        const double t279 = strand_4_x * strand_4_x + strand_4_y * strand_4_y + strand_4_z
             * strand_4_z;
-        const double length_4 = sinew_sqrt(t250);
-        const double t251 = 1.0 / length_4;
-        const double length_4_by_q73 = t249 * t251;
-        const double strand_4_x_by_q71 = layer_0_x_by_q71 - t131;
-        const double strand_4_z_by_q71 = layer_0_z_by_q71 - t127;
-        const double t252 = strand_4_x * strand_4_x_by_q71 - strand_4_y * layer_0_y_by_q71
+        const double length_4 = sinew_sqrt(t279);
+        const double t280 = 1.0 / length_4;
+        const double length_4_by_q73 = t278 * t280;
+        const double strand_4_x_by_q71 = layer_0_x_by_q71 + t277;
+        const double strand_4_z_by_q71 = layer_0_z_by_q71 + t276;
+        const double t281 = strand_4_x * strand_4_x_by_q71 - strand_4_y * layer_0_y_by_q71
             - strand_4_z * strand_4_z_by_q71;
-        const double length_4_by_q71 = t252 * t251;
-        const double strand_3_x_by_q73 = layer_0_x_by_q73 - t116;
-        const double strand_3_x = layer_0_x + t117;
-        const double strand_3_y_by_q73 = layer_0_y_by_q73 - t118;
-        const double strand_3_y = 0.011 - layer_0_y + t119;
-        const double strand_3_z_by_q73 = layer_0_z_by_q73 - t120;
-        const double strand_3_z = layer_0_z + t121;
-        const double t253 = strand_3_x * strand_3_x_by_q73 - strand_3_y * strand_3_y_by_q73
+        const double length_4_by_q71 = t281 * t280;
+        const double strand_3_x_by_q73 = layer_0_x_by_q73 + t181;
+        const double strand_3_x = layer_0_x - t182;
+        const double strand_3_y_by_q73 = layer_0_y_by_q73 + t183;
+        const double strand_3_y = 0.004 + layer_0_y - t184;
+        const double strand_3_z_by_q73 = layer_0_z_by_q73 + t185;
+        const double strand_3_z = layer_0_z - t186;
+        const double t282 = strand_3_x * strand_3_x_by_q73 - strand_3_y * strand_3_y_by_q73
             + strand_3_z * strand_3_z_by_q73;
-        const double t254 = strand_3_x * strand_3_x + strand_3_y * strand_3_y + strand_3_z
+        const double t283 = strand_3_x * strand_3_x + strand_3_y * strand_3_y + strand_3_z
             * strand_3_z;
-        const double length_3 = sinew_sqrt(t254);
-        const double t255 = 1.0 / length_3;
-        const double length_3_by_q73 = t253 * t255;
-        const double strand_3_x_by_q71 = layer_0_x_by_q71 - t121;
-        const double strand_3_z_by_q71 = layer_0_z_by_q71 - t117;
-        const double t256 = strand_3_x * strand_3_x_by_q71 - strand_3_y * layer_0_y_by_q71
+        const double length_3 = sinew_sqrt(t283);
+        const double t284 = 1.0 / length_3;
+        const double length_3_by_q73 = t282 * t284;
+        const double strand_3_x_by_q71 = layer_0_x_by_q71 + t186;
+        const double strand_3_z_by_q71 = layer_0_z_by_q71 + t182;
+        const double t285 = strand_3_x * strand_3_x_by_q71 - strand_3_y * layer_0_y_by_q71
             - strand_3_z * strand_3_z_by_q71;
-        const double length_3_by_q71 = t256 * t255;
-        const double strand_2_x_by_q73 = layer_0_x_by_q73 - t106;
-        const double strand_2_x = layer_0_x + t107;
-        const double strand_2_y_by_q73 = layer_0_y_by_q73 - t108;
-        const double strand_2_y = 0.01 - layer_0_y + t109;
-        const double strand_2_z_by_q73 = layer_0_z_by_q73 - t110;
-        const double strand_2_z = layer_0_z + t111;
-        const double t257 = strand_2_x * strand_2_x_by_q73 - strand_2_y * strand_2_y_by_q73
+        const double length_3_by_q71 = t285 * t284;
+        const double strand_2_x_by_q73 = layer_0_x_by_q73 + t191;
+        const double strand_2_x = layer_0_x - t192;
+        const double strand_2_y_by_q73 = layer_0_y_by_q73 + t193;
+        const double strand_2_y = 0.003 + layer_0_y - t194;
+        const double strand_2_z_by_q73 = layer_0_z_by_q73 + t195;
+        const double strand_2_z = layer_0_z - t196;
+        const double t286 = strand_2_x * strand_2_x_by_q73 - strand_2_y * strand_2_y_by_q73
             + strand_2_z * strand_2_z_by_q73;
-        const double t258 = strand_2_x * strand_2_x + strand_2_y * strand_2_y + strand_2_z
+        const double t287 = strand_2_x * strand_2_x + strand_2_y * strand_2_y + strand_2_z
             * strand_2_z;
-        const double length_2 = sinew_sqrt(t258);
-        const double t259 = 1.0 / length_2;
-        const double length_2_by_q73 = t257 * t259;
-        const double strand_2_x_by_q71 = layer_0_x_by_q71 - t111;
-        const double strand_2_z_by_q71 = layer_0_z_by_q71 - t107;
-        const double t260 = strand_2_x * strand_2_x_by_q71 - strand_2_y * layer_0_y_by_q71
+        const double length_2 = sinew_sqrt(t287);
+        const double t288 = 1.0 / length_2;
+        const double length_2_by_q73 = t286 * t288;
+        const double strand_2_x_by_q71 = layer_0_x_by_q71 + t196;
+        const double strand_2_z_by_q71 = layer_0_z_by_q71 + t192;
+        const double t289 = strand_2_x * strand_2_x_by_q71 - strand_2_y * layer_0_y_by_q71
             - strand_2_z * strand_2_z_by_q71;
-        const double length_2_by_q71 = t260 * t259;
-        const double strand_1_x_by_q73 = layer_0_x_by_q73 - t96;
-        const double strand_1_x = layer_0_x + t97;
-        const double strand_1_y_by_q73 = layer_0_y_by_q73 - t98;
-        const double strand_1_y = 0.008 - layer_0_y + t99;
-        const double strand_1_z_by_q73 = layer_0_z_by_q73 - t100;
-        const double strand_1_z = layer_0_z + t101;
-        const double t261 = strand_1_x * strand_1_x_by_q73 - strand_1_y * strand_1_y_by_q73
+        const double length_2_by_q71 = t289 * t288;
+        const double strand_1_x_by_q73 = layer_0_x_by_q73 + 0.001 * y_x_by_q73;
+        const double t290 = 0.001 * y_x;
+        const double strand_1_x = layer_0_x - t290;
+        const double strand_1_y_by_q73 = layer_0_y_by_q73 + 0.001 * u_y_by_q73;
+        const double strand_1_y = 0.001 + layer_0_y - 0.001 * u_y;
+        const double strand_1_z_by_q73 = layer_0_z_by_q73 + 0.001 * y_z_by_q73;
+        const double t291 = 0.001 * y_z;
+        const double strand_1_z = layer_0_z - t291;
+        const double t292 = strand_1_x * strand_1_x_by_q73 - strand_1_y * strand_1_y_by_q73
             + strand_1_z * strand_1_z_by_q73;
-        const double t262 = strand_1_x * strand_1_x + strand_1_y * strand_1_y + strand_1_z
+        const double t293 = strand_1_x * strand_1_x + strand_1_y * strand_1_y + strand_1_z
             * strand_1_z;
-        const double length_1 = sinew_sqrt(t262);
-        const double t263 = 1.0 / length_1;
-        const double length_1_by_q73 = t261 * t263;
-        const double strand_1_x_by_q71 = layer_0_x_by_q71 - t101;
-        const double strand_1_z_by_q71 = layer_0_z_by_q71 - t97;
-        const double t264 = strand_1_x * strand_1_x_by_q71 - strand_1_y * layer_0_y_by_q71
+        const double length_1 = sinew_sqrt(t293);
+        const double t294 = 1.0 / length_1;
+        const double length_1_by_q73 = t292 * t294;
+        const double strand_1_x_by_q71 = layer_0_x_by_q71 + t291;
+        const double strand_1_z_by_q71 = layer_0_z_by_q71 + t290;
+        const double t295 = strand_1_x * strand_1_x_by_q71 - strand_1_y * layer_0_y_by_q71
             - strand_1_z * strand_1_z_by_q71;
-        const double length_1_by_q71 = t264 * t263;
-        const double strand_0_x_by_q73 = layer_0_x_by_q73 - t86;
-        const double strand_0_x = layer_0_x + t87;
-        const double strand_0_y_by_q73 = layer_0_y_by_q73 - t88;
-        const double strand_0_y = 0.007 - layer_0_y + t89;
-        const double strand_0_z_by_q73 = layer_0_z_by_q73 - t90;
-        const double strand_0_z = layer_0_z + t91;
-        const double t265 = strand_0_x * strand_0_x_by_q73 - strand_0_y * strand_0_y_by_q73
-            + strand_0_z * strand_0_z_by_q73;
-        const double t266 = strand_0_x * strand_0_x + strand_0_y * strand_0_y + strand_0_z
-            * strand_0_z;
-        const double length_0 = sinew_sqrt(t266);
-        const double t267 = 1.0 / length_0;
-        const double length_0_by_q73 = t265 * t267;
-        const double strand_0_x_by_q71 = layer_0_x_by_q71 - t91;
-        const double strand_0_z_by_q71 = layer_0_z_by_q71 - t87;
-        const double t268 = strand_0_x * strand_0_x_by_q71 - strand_0_y * layer_0_y_by_q71
-            - strand_0_z * strand_0_z_by_q71;
-        const double length_0_by_q71 = t268 * t267;
+        const double length_1_by_q71 = t295 * t294;
+        const double t296 = layer_0_x * layer_0_x_by_q73 - layer_0_y * layer_0_y_by_q73 + layer_0_z
+            * layer_0_z_by_q73;
+        const double length_0 = sinew_sqrt(layer_0_x * layer_0_x + layer_0_y * layer_0_y + layer_0_z
+            * layer_0_z);
+        const double t297 = 1.0 / length_0;
+        const double length_0_by_q73 = t296 * t297;
+        const double t298 = layer_0_x * layer_0_x_by_q71 - layer_0_y * layer_0_y_by_q71 - layer_0_z
+            * layer_0_z_by_q71;
+        const double length_0_by_q71 = t298 * t297;
         h[state] = length_0;
         h[1 * n + state] = length_1;
         h[2 * n + state] = length_2;
@@ -6699,11 +6514,12 @@ void hand_inverse_dynamics_batch(int count, const double *SINEW_RESTRICT q,
         const double F3y = F4y + 0.0001788 * e3y;
         const double F3x = F4x + 0.0001788 * e3x;
         const double l3y = 0.045 * s2;
+        const double n2 = t25 + l3x * F3y + l3y * F3x;
         const double j2u = 2.4218999999999996e-05 * c2;
         const double j2xy = s2 * j2u;
         const double S3x = j3x1 + j4x1;
         const double K2yx = j2xy + K3yx + l3y * S3x;
-        const double t2_3 = t25 + l3x * F3y + l3y * F3x + w1zz * K2yx;
+        const double t2_3 = n2 + w1zz * K2yx;
         const double R2yx = qd[1 * n + state] * K2yx + qd[2 * n + state] * K3yx + qd[3 * n + state]
             * K4yx;
         const double w_2y = qd[state] + qd[state];

@@ -25,7 +25,7 @@ struct sinew_sines2 {
     double s[2], c[2];
 };
 
-SINEW_NOT_INLINE static struct sinew_sines2 sinew_one_sincos2(double x0, double x1)
+static struct sinew_sines2 sinew_one_sincos2(double x0, double x1)
 {
     struct sinew_sines2 y;
     const double x[2] = {x0, x1};
@@ -51,41 +51,36 @@ void motor_ripple_torque(double theta, double tau[SINEW_AT_LEAST(1)])
 void motor_acceleration(double theta, double qd, double tau_m, double f,
     double qdd[SINEW_AT_LEAST(1)])
 {
-    const struct sinew_sines2 sines1 = sinew_one_sincos2(0.3 + theta, 1.1 + 100.0 * theta);
-    const double s2 = sines1.s[0];
-    const double s4 = sines1.s[1];
-    const double ripple = 0.02 * s2 + 0.04 * s4;
+    double ripple_torque_tau[1];
+    motor_ripple_torque(theta, ripple_torque_tau);
     const double friction = 0.0356 * qd + 0.5586 * sinew_one_atan(10.0 * qd);
-    const double acceleration = 487.8048780487805 * (friction - tau_m + ripple) + 2.4390243902439024
-        * f;
+    const double acceleration = 487.8048780487805 * (friction - tau_m + -ripple_torque_tau[0])
+        + 2.4390243902439024 * f;
     qdd[0] = -acceleration;
 }
 
 void motor_compensation_torque(double theta, double qd, double tau[SINEW_AT_LEAST(1)],
     double margin[SINEW_AT_LEAST(1)])
 {
-    const struct sinew_sines2 sines1 = sinew_one_sincos2(0.3 + theta, 1.1 + 100.0 * theta);
-    const double s2 = sines1.s[0];
-    const double s4 = sines1.s[1];
-    const double ripple = 0.02 * s2 + 0.04 * s4;
+    double ripple_torque_tau[1];
+    motor_ripple_torque(theta, ripple_torque_tau);
     const double friction = 0.0356 * qd + 0.5586 * sinew_one_atan(10.0 * qd);
-    tau[0] = 0.9 * (friction + ripple);
+    tau[0] = 0.9 * (friction + -ripple_torque_tau[0]);
     margin[0] = 0.1 * qd * friction;
 }
 
 void motor_power_balance(double theta, double qd, double tau_m, double f,
     double power[SINEW_AT_LEAST(5)])
 {
-    const struct sinew_sines2 sines1 = sinew_one_sincos2(0.3 + theta, 1.1 + 100.0 * theta);
-    const double s2 = sines1.s[0];
-    const double s4 = sines1.s[1];
+    double ripple_torque_tau[1];
+    motor_ripple_torque(theta, ripple_torque_tau);
     const double friction = 0.0356 * qd + 0.5586 * sinew_one_atan(10.0 * qd);
-    const double ripple = 0.02 * s2 + 0.04 * s4;
-    const double acceleration = 487.8048780487805 * (friction - tau_m + ripple) + 2.4390243902439024
+    const double t1 = -ripple_torque_tau[0];
+    const double acceleration = 487.8048780487805 * (friction - tau_m + t1) + 2.4390243902439024
         * f;
     power[0] = qd * tau_m;
     power[1] = -(qd * friction);
-    power[2] = -(qd * ripple);
+    power[2] = -(qd * t1);
     power[3] = -(0.005 * qd * f);
     power[4] = -(0.00205 * qd * acceleration);
 }

@@ -7,7 +7,9 @@
 #include <set>
 #include <stdexcept>
 
+#include "generator/loops/constant_stores.h"
 #include "generator/loops/runs.h"
+#include "generator/loops/started_sums.h"
 #include "generator/loops/sums.h"
 #include "generator/loops/unify.h"
 
@@ -72,8 +74,9 @@ class Finder {
     forms_ = forms_of(graph_, kept_);
     candidates_.clear();
     known_.clear();
-    for (const Forms& keys : {exact_forms_of(graph_, kept_), forms_}) {
-      keys_ = keys;
+    for (const bool exact : {true, false}) {
+      exact_ = exact;
+      keys_ = exact ? exact_forms_of(graph_, kept_) : forms_;
       for (std::size_t port = 0; port < graph_.outputs.size(); ++port)
         find_stores(static_cast<int>(port));
       for (const Sum& sum : sums_) find_steps(sum);
@@ -204,7 +207,7 @@ class Finder {
   std::optional<LoopCandidate> smallest_of(const Repetition& run, const Roots& roots) {
     std::optional<LoopCandidate> best;
     for (int phase = 0; phase < run.period; ++phase) {
-      const int count = phase == 0 ? run.count : (run.count * run.period - phase) / run.period;
+      const int count = (run.length - phase) / run.period;
       const std::optional<LoopCandidate> now = candidate(roots(run.start + phase, count));
       if (now && (!best || now->operations < best->operations)) best = now;
     }
@@ -217,8 +220,9 @@ class Finder {
     const Value term = sum.terms[i], before = sum.partial[i - 1];
     FormsGiven forms(forms_);
     forms.give(graph_, before, term);
-    return forms.needs_a_leaf(term) ? forms[static_cast<std::size_t>(term)]
-                                    : form(term) * 2 + (graph_[sum.partial[i]].op == Op::subtract);
+    return forms.needs_a_leaf(term)
+               ? forms[static_cast<std::size_t>(term)]
+               : form(term) * 2 + (exact_ && graph_[sum.partial[i]].op == Op::subtract);
   }
 
   /// Steps of a sum that repeat.
@@ -268,11 +272,18 @@ class Finder {
     if (candidates_.size() > most) candidates_.resize(most);
   }
 
-  /// Loops of as many passes become one where their bodies have operations in common.
+  /// Loops of as many passes become one where their bodies have operations in common, and then
+  /// where they are small.
   void merge() {
+    constexpr int small = 40;  // larger bodies without a common operation crowd the registers
+    merge(0);
+    merge(small);
+  }
+
+  void merge(int small) {
     for (std::size_t i = 0; i < candidates_.size(); ++i)
       for (std::size_t k = i + 1; k < candidates_.size();) {
-        const std::optional<LoopCandidate> both = joined(candidates_[i], candidates_[k]);
+        const std::optional<LoopCandidate> both = joined(candidates_[i], candidates_[k], small);
         if (both) {
           candidates_[i] = *both;
           candidates_.erase(candidates_.begin() + static_cast<std::ptrdiff_t>(k));
@@ -282,14 +293,14 @@ class Finder {
       }
   }
 
-  std::optional<LoopCandidate> joined(const LoopCandidate& a, const LoopCandidate& b) {
+  /// `small`: what bodies without a common operation may have together.
+  std::optional<LoopCandidate> joined(const LoopCandidate& a, const LoopCandidate& b, int small) {
     if (a.count != b.count) return std::nullopt;
     std::vector<LoopRoot> roots = a.roots;
     for (const LoopRoot& root : b.roots)
       if (std::find(roots.begin(), roots.end(), root) == roots.end()) roots.push_back(root);
     if (roots.size() == a.roots.size()) return a;
     std::optional<LoopCandidate> both = candidate(roots);
-    constexpr int small = 40;  // larger bodies without a common operation crowd the registers
     const int apart = a.operations + b.operations;
     if (both && both->written < a.written + b.written &&
         (both->operations < apart || apart < small))
@@ -312,7 +323,7 @@ class Finder {
       const double growth = std::max(now.executed - before.executed, 0);
       const double value = saved / (growth + idle_growth * straight_.executed);
       if (arrays_of(*plan) > limits_.arrays || saved < limits_.saving || value <= highest ||
-          now.executed > limits_.growth * straight_.executed)
+          is_dear(now, straight_, limits_))
         continue;
       highest = value;
       best = std::move(plan);
@@ -421,12 +432,17 @@ class Finder {
   std::set<Value> read_;  ///< by the loops of best_
   std::set<Value> carried_;
   Forms forms_;
-  Forms keys_;  ///< what is looked for among: forms, or exact forms
+  Forms keys_;         ///< what is looked for among: forms, or exact forms
+  bool exact_ = true;  ///< which of them
   std::vector<LoopCandidate> candidates_;
   std::map<std::vector<int>, std::optional<LoopCandidate>> known_;  ///< by their roots
 };
 
 }  // namespace
+
+bool is_dear(const PlanSize& now, const PlanSize& before, const LoopLimits& limits) {
+  return now.executed > before.executed * limits.growth;
+}
 
 LoopLimits loop_limits(const Target& target) {
   LoopLimits limits;
@@ -440,7 +456,23 @@ Plan plan_loops(const Graph& graph, const LoopLimits& limits) {
     Plan plan = Finder(graph, limits, families).run();
     if (size_of(graph, plan).written < size_of(graph, best).written) best = std::move(plan);
   }
-  return best;
+  if (const std::vector<Loop> constants = loops_of_constants(graph, best); !constants.empty()) {
+    std::vector<Loop> loops = best.loops;
+    loops.insert(loops.end(), constants.begin(), constants.end());
+    best = plan_with(graph, std::move(loops));
+  }
+  return with_fewest_waiting(graph, best);
+}
+
+PlannedGraph plan_graph(const Graph& graph, const LoopLimits& limits) {
+  PlannedGraph plain{graph, plan_loops(graph, limits)};
+  PlannedGraph started{with_started_sums(graph), {}};
+  if (started.graph.size() == graph.size()) return plain;
+  started.plan = plan_loops(started.graph, limits);
+  const auto written = [](const PlannedGraph& each) {
+    return size_of(each.graph, each.plan).written;
+  };
+  return written(started) < written(plain) ? started : plain;
 }
 
 }  // namespace sinew

@@ -12,11 +12,15 @@ struct LoopLimits {
   /// What a loop must save: operations written in it fewer than without.
   int saving = 24;
   /// What loops may cost: instructions executed over those without loops, as size_of estimates
-  /// them. A pass reads from tables what straight code has in its instructions.
-  double growth = 1.05;
+  /// them, were nothing left to write; of what saves half of the code half as much. A pass reads
+  /// from tables what straight code has in its instructions.
+  double growth = 1.1;
   /// Elements that the arrays of a function's loops may have together: they are on the stack.
   std::size_t arrays = 128;
 };
+
+/// Whether executing more is not worth what is written less.
+bool is_dear(const PlanSize& now, const PlanSize& before, const LoopLimits& limits);
 
 /// The usual ones; where a target is short of room for code, loops may cost more.
 /// docs/performance.md has the measurement.
@@ -26,5 +30,14 @@ LoopLimits loop_limits(const Target& target);
 /// other values whose computations have the same form and differ in constants, signs and input
 /// elements alone. Results have the bits of the graph evaluated value by value.
 Plan plan_loops(const Graph& graph, const LoopLimits& limits);
+
+/// A graph and the plan for it.
+struct PlannedGraph {
+  Graph graph;
+  Plan plan;
+};
+
+/// The same of the graph or of that with its sums started, whichever leaves less to write.
+PlannedGraph plan_graph(const Graph& graph, const LoopLimits& limits);
 
 }  // namespace sinew

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "generator/loops/plan.h"
 
+#include <algorithm>
 #include <set>
 #include <stdexcept>
+
+#include "generator/loops/early_values.h"
 
 namespace sinew {
 namespace {
@@ -25,15 +28,34 @@ class StepOrder {
         for (Value v : result.given()) given_by_[static_cast<std::size_t>(v)] = static_cast<int>(k);
   }
 
+  /// In the graph's order.
   void run() {
     const std::vector<bool> needed = needed_values();
-    for (Value v = 0; v < graph_.size(); ++v)
-      if (needed[static_cast<std::size_t>(v)]) place(v);
-    for (std::size_t k = 0; k < plan_.loops.size(); ++k) place_loop(static_cast<int>(k));
+    place_all(needed);
+    place_loops();
+  }
+
+  /// What is better computed before the loops first.
+  void run_early_first() {
+    const std::vector<bool> needed = needed_values();
+    std::vector<bool> early = early_values(graph_, plan_.loops, needed);
+    for (std::size_t v = 0; v < early.size(); ++v) early[v] = early[v] && needed[v];
+    place_all(early);
+    place_loops();
+    place_all(needed);
   }
 
  private:
   enum class State { waiting, open, done };
+
+  void place_all(const std::vector<bool>& chosen) {
+    for (Value v = 0; v < graph_.size(); ++v)
+      if (chosen[static_cast<std::size_t>(v)]) place(v);
+  }
+
+  void place_loops() {
+    for (std::size_t k = 0; k < plan_.loops.size(); ++k) place_loop(static_cast<int>(k));
+  }
 
   void use(Value v, int times, std::vector<bool>& needed) {
     plan_.uses[static_cast<std::size_t>(v)] += times;
@@ -107,8 +129,10 @@ Plan straight_plan(const Graph& graph) {
   return plan;
 }
 
-Plan plan_with(const Graph& graph, std::vector<Loop> loops) {
-  if (loops.empty()) return straight_plan(graph);
+namespace {
+
+/// With everything but the steps and the uses, which the order of steps counts.
+Plan plan_without_steps(const Graph& graph, std::vector<Loop> loops) {
   Plan plan;
   plan.loops = std::move(loops);
   plan.uses.assign(static_cast<std::size_t>(graph.size()), 0);
@@ -118,7 +142,22 @@ Plan plan_with(const Graph& graph, std::vector<Loop> loops) {
       for (int element : result.elements)
         plan.stored[static_cast<std::size_t>(result.port)][static_cast<std::size_t>(element)] =
             true;
+  return plan;
+}
+
+}  // namespace
+
+Plan plan_with(const Graph& graph, std::vector<Loop> loops) {
+  if (loops.empty()) return straight_plan(graph);
+  Plan plan = plan_without_steps(graph, std::move(loops));
   StepOrder(graph, plan).run();
+  return plan;
+}
+
+Plan with_fewest_waiting(const Graph& graph, const Plan& planned) {
+  if (planned.loops.empty()) return planned;
+  Plan plan = plan_without_steps(graph, planned.loops);
+  StepOrder(graph, plan).run_early_first();
   return plan;
 }
 
@@ -210,7 +249,12 @@ bool is_even(const std::vector<int>& elements) {
 /// the same.
 int beside_of_pass(const Loop& loop) {
   constexpr int counter = 5, lookup = 4;
-  std::size_t moved = loop.results.size();
+  constexpr std::ptrdiff_t in_registers = 8;  // half of the fewest that the boards have
+  const std::ptrdiff_t carried =
+      std::count_if(loop.results.begin(), loop.results.end(),
+                    [](const LoopResult& result) { return result.is_carried(); });
+  std::size_t moved =
+      loop.results.size() - static_cast<std::size_t>(std::min(carried, in_registers));
   std::set<std::vector<int>> tables;
   for (const LoopResult& result : loop.results)
     if (!is_even(result.elements)) tables.insert(result.elements);

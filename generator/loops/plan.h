@@ -78,6 +78,9 @@ Plan straight_plan(const Graph& graph);
 /// The steps for these loops. Throws std::logic_error where two need each other's results.
 Plan plan_with(const Graph& graph, std::vector<Loop> loops);
 
+/// The same loops with the steps in the order in which the fewest values wait for the loops to end.
+Plan with_fewest_waiting(const Graph& graph, const Plan& plan);
+
 /// Operations of the graph, inputs and constants left out.
 int operation_count(const Graph& graph);
 

@@ -7,11 +7,13 @@
 
 namespace sinew {
 
-/// `count` times the same `period` keys, from `start`.
+/// `count` times the same `period` keys from `start`, and the beginning of one time more: `length`
+/// keys in all.
 struct Repetition {
   int start = 0;
   int period = 0;
   int count = 0;
+  int length = 0;
 };
 
 /// The longest run from each place on that is in no run before it; at least three times.

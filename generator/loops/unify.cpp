@@ -318,8 +318,36 @@ LoopBuilder::Term LoopBuilder::unify_term(const Column& column, const Scales& si
   return known_terms_[key] = signed_value(column, signs);
 }
 
+/// A product takes the sign into a factor that has a constant factor itself; no_value where no
+/// factor has.
+LoopBuilder::Term LoopBuilder::signed_product(const Column& column, const Scales& signs) {
+  const auto is_product = [&](Value v) {
+    return graph_[v].op == Op::multiply && scaled_operand(graph_, graph_[v]) == no_value;
+  };
+  if (!std::all_of(column.begin(), column.end(), is_product)) return {};
+  std::array<Column, 2> factors;
+  for (std::size_t pass = 0; pass < column.size(); ++pass) {
+    const Node& node = graph_[column[pass]];
+    const bool swapped = is_swapped(pass, graph_[column[0]], node);
+    factors[0].push_back(swapped ? node.b : node.a);
+    factors[1].push_back(swapped ? node.a : node.b);
+  }
+  for (const std::size_t place : {0U, 1U}) {
+    Column bases = factors[place];
+    const Scales scales = taken_out(bases);
+    if (std::any_of(scales.begin(), scales.end(), [](double s) { return std::abs(s) == 1.0; }))
+      continue;
+    const Term factor = unify_term(factors[place], signs);
+    const Value other = unify(factors[1 - place]);
+    if (factor.value == no_value || other == no_value) return {};
+    return {loop.body.make(Op::multiply, factor.value, other), factor.negative};
+  }
+  return {};
+}
+
 /// One of two columns that differ in all signs is the other one, subtracted.
 LoopBuilder::Term LoopBuilder::signed_value(const Column& column, Scales signs) {
+  if (const Term product = signed_product(column, signs); product.value != no_value) return product;
   Column bases = column;
   const bool constant = std::all_of(column.begin(), column.end(),
                                     [&](Value v) { return graph_[v].op == Op::constant; });

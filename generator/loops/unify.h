@@ -96,6 +96,7 @@ class LoopBuilder {
   Value unify_inputs(const Column& column);
   Value unify_operands(const Column& column);
   Term unify_term(const Column& column, const Scales& signs);
+  Term signed_product(const Column& column, const Scales& signs);
   Term signed_value(const Column& column, Scales signs);
   Value make_sum(const std::array<Column, 3>& operands, const std::array<Scales, 3>& signs);
   Value make_node(const Node& model, const std::array<Column, 3>& operands);

@@ -10,10 +10,20 @@ bool used_once(const std::vector<int>& uses, Value v) {
   return uses[static_cast<std::size_t>(v)] == 1;
 }
 
+/// A long sum that the derivation named stays one: its terms repeat one form and become a loop,
+/// which saves more than signs and factors that are taken out across its end.
+bool stays_a_sum(const Graph& g, Value v) {
+  constexpr int long_sum = 12;
+  if (g.label(v).empty()) return false;
+  int terms = 1;
+  for (Value rest = v; is_sum(g[rest]) && terms < long_sum; rest = g[rest].a) ++terms;
+  return terms >= long_sum;
+}
+
 void collect_terms(const Graph& g, const std::vector<int>& uses, Value v, bool negative, bool top,
                    std::vector<Term>& terms) {
   const Node& n = g[v];
-  if (!is_sum(n) || (!top && !used_once(uses, v))) {
+  if (!is_sum(n) || (!top && (!used_once(uses, v) || stays_a_sum(g, v)))) {
     terms.push_back({v, negative});
     return;
   }
@@ -51,8 +61,8 @@ std::vector<bool> inner_links(const Graph& graph, const std::vector<int>& uses) 
   for (const Node& n : graph.nodes())
     for (int i = 0; i < arity(n.op); ++i) {
       const Value v = n.operand(i);
-      const bool same_kind =
-          (is_sum(n) && is_sum(graph[v])) || (n.op == Op::multiply && graph[v].op == Op::multiply);
+      const bool same_kind = (is_sum(n) && is_sum(graph[v]) && !stays_a_sum(graph, v)) ||
+                             (n.op == Op::multiply && graph[v].op == Op::multiply);
       if (same_kind && used_once(uses, v)) inner[static_cast<std::size_t>(v)] = true;
     }
   return inner;

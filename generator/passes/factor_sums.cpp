@@ -49,9 +49,11 @@ class SumFactoring {
     return {v, false};
   }
 
+  /// Of products: a + a*b has as many operations as a * (1 + b).
   Value most_frequent(const std::vector<Product>& terms) const {
     std::map<Value, int> counts;
     for (const Product& term : terms) {
+      if (term.factors.size() < 2) continue;
       std::vector<Value> seen;
       for (Value f : term.factors)
         if (std::find(seen.begin(), seen.end(), f) == seen.end()) {

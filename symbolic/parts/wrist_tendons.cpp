@@ -21,17 +21,35 @@ constexpr Range rate_range{-3.0, 3.0};          // rad/s
 constexpr Range moment_arm_range{-0.02, 0.02};  // m/rad
 
 /// From the palm point of each tendon to its forearm point. Within a layer the points differ in y
-/// only: what the layer has in common is defined once.
+/// only: a strand is its layer's first one, a constant along y, and -y times the palm's y axis, y
+/// from the first one's palm point. So all but the first have one form, and are emitted as a loop.
 class Strands {
  public:
   Strands(const WristParameters& parameters, WristStart& start) : start_(start) {
     const auto &forearm = parameters.forearm_points, &palm = parameters.palm_points;
     if (forearm.size() != palm.size())
       throw std::invalid_argument("each wrist tendon needs a forearm point and a palm point");
-    for (std::size_t i = 0; i < palm.size(); ++i) add(forearm[i], palm[i]);
+    std::map<std::array<double, 4>, std::size_t> index;
+    for (std::size_t i = 0; i < palm.size(); ++i) {
+      const std::array<double, 4> key{forearm[i][0], forearm[i][2], palm[i][0], palm[i][2]};
+      const auto [place, is_new] = index.try_emplace(key, layers_.size());
+      const Vector3 F = exact_vector(forearm[i]), P = exact_vector(palm[i]);
+      if (is_new) add_layer(F, P);
+      add(layers_[place->second], F[1], P[1]);
+    }
   }
 
+  /// The strands of one layer.
+  struct Layer {
+    Vector3 first;
+    ex forearm_y, palm_y;  ///< of the first one
+    std::vector<std::size_t> tendons = {};
+  };
+  const std::vector<Layer>& layers() const { return layers_; }
+  const Vector3& operator[](std::size_t tendon) const { return strands_[tendon]; }
   const std::vector<Vector3>& all() const { return strands_; }
+  /// Of a palm point, from that of the layer's first tendon.
+  const ex& y(std::size_t tendon) const { return y_[tendon]; }
 
   std::vector<ex> lengths() {
     std::vector<ex> result;
@@ -42,20 +60,26 @@ class Strands {
   }
 
  private:
-  void add(const Eigen::Vector3d& forearm, const Eigen::Vector3d& palm) {
-    const Vector3 F = exact_vector(forearm), P = exact_vector(palm);
-    const std::array<double, 4> key{forearm[0], forearm[2], palm[0], palm[2]};
-    if (!layers_.count(key))
-      layers_[key] = define(start_.list, "layer_" + std::to_string(layers_.size()),
-                            Vector3{F[0], 0, F[2]} - start_.pose.origin -
-                                (P[0] * start_.pose.x + P[2] * start_.pose.z));
+  void add_layer(const Vector3& forearm, const Vector3& palm) {
+    const WristPose& pose = start_.pose;
+    const Vector3 first =
+        forearm - pose.origin - (palm[0] * pose.x + palm[2] * pose.z) - palm[1] * pose.y;
+    layers_.push_back({define(start_.list, "layer_" + std::to_string(layers_.size()), first),
+                       forearm[1], palm[1]});
+  }
+
+  void add(Layer& layer, const ex& forearm_y, const ex& palm_y) {
+    layer.tendons.push_back(strands_.size());
+    y_.push_back(palm_y - layer.palm_y);
+    const Vector3 along_y{0, forearm_y - layer.forearm_y, 0};
     strands_.push_back(define(start_.list, "strand_" + std::to_string(strands_.size()),
-                              layers_[key] + Vector3{0, F[1], 0} - P[1] * start_.pose.y));
+                              layer.first + along_y - y_.back() * start_.pose.y));
   }
 
   WristStart& start_;
-  std::map<std::array<double, 4>, Vector3> layers_;
+  std::vector<Layer> layers_;
   std::vector<Vector3> strands_;
+  std::vector<ex> y_;
 };
 
 int tendon_count(const WristParameters& parameters) {
@@ -66,7 +90,8 @@ int tendon_count(const WristParameters& parameters) {
 struct Lengths {
   explicit Lengths(const WristParameters& parameters)
       : start(parameters),
-        h(Strands(parameters, start).lengths()),
+        strands(parameters, start),
+        h(strands.lengths()),
         by_q71(start.list, start.q71(), "q71"),
         by_q73(start.list, start.q73(), "q73") {}
 
@@ -78,8 +103,73 @@ struct Lengths {
   ForwardDerivative& derivative(int j) { return j == 0 ? by_q71 : by_q73; }
 
   WristStart start;
+  Strands strands;
   std::vector<ex> h;
   ForwardDerivative by_q71, by_q73;
+};
+
+/// Sums of forces over the tendons of each layer, taken before anything is differentiated: the
+/// pose's derivatives are multiplied once instead of once a tendon. With the pulls p = f s/|s|,
+///   Σ f d|s| = Σ over the layers (Σ p) · d(layer) - (Σ y p) · d(palm's y axis).
+class Pulls {
+ public:
+  Pulls(Lengths& lengths, const std::vector<GiNaC::symbol>& f)
+      : lengths_(lengths), per_length_(f.size()) {
+    for (const Strands::Layer& layer : lengths.strands.layers()) {
+      Vector3 sum, by_y;
+      for (std::size_t i : layer.tendons) {
+        const std::string index = std::to_string(i);
+        per_length_[i] = list().define("per_length_" + index, f[i] / lengths.h[i]);
+        const ex by_y_of_it =
+            list().define("by_y_per_length_" + index, lengths.strands.y(i) * per_length_[i]);
+        // Named, so that the terms of a sum keep this order.
+        const Vector3& strand = lengths.strands[i];
+        sum = sum + define(list(), "pull_" + index, per_length_[i] * strand);
+        by_y = by_y + define(list(), "pull_by_y_" + index, by_y_of_it * strand);
+      }
+      sums_.push_back({define(list(), "pull", sum), define(list(), "pull_by_y", by_y)});
+    }
+  }
+
+  /// f/|s| of a tendon.
+  const ex& per_length(std::size_t tendon) const { return per_length_[tendon]; }
+
+  /// Σ f ∂|s|/∂q_j.
+  ex slope(int j) const {
+    return weighted([&](const ex& value) { return lengths_.derivative(j).of(value); });
+  }
+  /// Σ p · ∂²s/(∂q_i ∂q_j).
+  ex curvature(int i, int j) const {
+    return weighted([&](const ex& value) {
+      return lengths_.derivative(std::max(i, j)).of(lengths_.derivative(std::min(i, j)).of(value));
+    });
+  }
+
+ private:
+  struct Sums {
+    Vector3 of_pulls, by_y;
+  };
+
+  template <class Derivative>
+  ex weighted(const Derivative& derivative) const {
+    ex sum = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      ex by_y = 0;
+      for (std::size_t layer = 0; layer < sums_.size(); ++layer) {
+        const ex moved = derivative(lengths_.strands.layers()[layer].first[k]);
+        sum += sums_[layer].of_pulls[k] * moved;
+        by_y += sums_[layer].by_y[k];
+      }
+      const ex turned = derivative(lengths_.start.pose.y[k]);
+      sum -= list().define("pull_by_y", by_y) * turned;
+    }
+    return sum;
+  }
+  DefinitionList& list() const { return lengths_.start.list; }
+
+  Lengths& lengths_;
+  std::vector<ex> per_length_;
+  std::vector<Sums> sums_;
 };
 
 Argument forces(const WristParameters& parameters) {
@@ -173,11 +263,11 @@ Function wrist_feedforward_rate(const WristParameters& parameters) {
   Lengths lengths(parameters);
   const Argument dq71 = scalar_argument("dq71", "rad/s", rate_range, "rate of q71");
   const Argument dq73 = scalar_argument("dq73", "rad/s", rate_range, "rate of q73");
+  ForwardDerivative rate(lengths.start.list, GiNaC::symbol("t"), "t");
+  rate.seed(lengths.start.q71(), dq71.symbols[0]);
+  rate.seed(lengths.start.q73(), dq73.symbols[0]);
   std::vector<ex> rates;
-  for (std::size_t i = 0; i < lengths.h.size(); ++i) {
-    const ex by_q71 = lengths.slope(i, 0), by_q73 = lengths.slope(i, 1);
-    rates.push_back(by_q71 * dq71.symbols[0] + by_q73 * dq73.symbols[0]);
-  }
+  for (const ex& length : lengths.h) rates.push_back(rate.of(length));
   Function function = lengths.start.finish("feedforward_rate", "",
                                            "Rates of the motor angles of wrist_feedforward.",
                                            {{"delta_theta_rate", tendon_count(parameters), 1,
@@ -189,9 +279,9 @@ Function wrist_feedforward_rate(const WristParameters& parameters) {
 Function wrist_joint_torque(const WristParameters& parameters) {
   Lengths lengths(parameters);
   const Argument f = forces(parameters);
-  std::vector<ex> tau(2);
-  for (std::size_t i = 0; i < lengths.h.size(); ++i)
-    for (int j = 0; j < 2; ++j) tau[std::size_t(j)] -= lengths.slope(i, j) * f.symbols[i];
+  Pulls pulls(lengths, f.symbols);
+  std::vector<ex> tau;
+  for (int j = 0; j < 2; ++j) tau.push_back(-pulls.slope(j));
   Function function =
       lengths.start.finish("joint_torque", "", "Torques of the tendons on q71, q73.",
                            {{"tau", 2, 1, tau, "N m", "-P^T f"}});
@@ -199,19 +289,49 @@ Function wrist_joint_torque(const WristParameters& parameters) {
   return function;
 }
 
+namespace {
+
+/// Σ (f/|s|) ∂s/∂q_i · ∂s/∂q_j + (k - f/|s|) P_i P_j, over a layer. The first product is a
+/// polynomial in the tendon's y.
+ex stiffness_of_layer(Lengths& lengths, const Pulls& pulls, const Strands::Layer& layer,
+                      const std::vector<GiNaC::symbol>& k, int i, int j) {
+  DefinitionList& list = lengths.start.list;
+  const auto by = [&](const Vector3& vector, int variable) {
+    Vector3 derivative;
+    for (std::size_t c = 0; c < 3; ++c) derivative[c] = lengths.derivative(variable).of(vector[c]);
+    return derivative;
+  };
+  const Vector3 layer_i = by(layer.first, i), layer_j = by(layer.first, j);
+  const Vector3 axis_i = by(lengths.start.pose.y, i), axis_j = by(lengths.start.pose.y, j);
+  const ex constant = list.define("along", dot(layer_i, layer_j));
+  const ex linear = list.define("along_by_y", dot(layer_i, axis_j) + dot(axis_i, layer_j));
+  const ex square = list.define("along_by_y_squared", dot(axis_i, axis_j));
+  ex sum = 0;
+  for (std::size_t t : layer.tendons) {
+    // What they need is written down in this order, whatever the compiler's order of operands.
+    const ex by_i = lengths.slope(t, i), by_j = lengths.slope(t, j);
+    const ex &y = lengths.strands.y(t), per_length = pulls.per_length(t);
+    const std::string index = std::to_string(t);
+    const ex slope = list.define("slope_" + index, linear - y * square);
+    const ex along = list.define("along_" + index, constant - y * slope);
+    const ex across = list.define("across_" + index, k[t] - per_length);
+    sum += list.define("K_" + index,  // named, so that a tendon's terms stay together
+                       per_length * along + across * by_i * by_j);
+  }
+  return list.define("K_of_layer", sum);
+}
+
+}  // namespace
+
+/// ∂²|s| = (∂s · ∂s - ∂|s| ∂|s| + s · ∂²s)/|s|.
 Function wrist_joint_stiffness(const WristParameters& parameters) {
   Lengths lengths(parameters);
   const Argument f = forces(parameters), k = stiffnesses(tendon_count(parameters));
-  const auto entry = [&](int row, int col) {
-    ex sum = 0;
-    for (std::size_t i = 0; i < lengths.h.size(); ++i) {
-      // What they need is written down in this order, whatever the compiler's order of operands.
-      const ex by_row = lengths.slope(i, row), by_col = lengths.slope(i, col);
-      const ex curvature = lengths.curvature(i, row, col);
-      // Named, so that a tendon's terms stay together.
-      sum += lengths.start.list.define("K_" + std::to_string(i),
-                                       f.symbols[i] * curvature + k.symbols[i] * by_row * by_col);
-    }
+  Pulls pulls(lengths, f.symbols);
+  const auto entry = [&](int row, int col) -> ex {
+    ex sum = pulls.curvature(row, col);
+    for (const Strands::Layer& layer : lengths.strands.layers())
+      sum += stiffness_of_layer(lengths, pulls, layer, k.symbols, row, col);
     return sum;
   };
   const ex mixed = lengths.start.list.define("K_01", entry(0, 1));

@@ -5,11 +5,13 @@
 
 #include <bit>
 #include <regex>
+#include <set>
 
 #include "generator/emit_c.h"
 #include "generator/evaluate.h"
 #include "generator/loops/find_loops.h"
 #include "generator/loops/runs.h"
+#include "generator/loops/started_sums.h"
 #include "generator/write.h"
 #include "tests/generator/evaluate_plan.h"
 #include "tests/generator/every_operation.h"
@@ -221,6 +223,149 @@ TEST_CASE("a plan has the graph's bits") {
     REQUIRE(!plan.loops.empty());
     CHECK(differing(graph, plan) == 0);
   }
+}
+
+namespace {
+
+/// A matrix of 12 rows and 10 columns with the same zeros in the rows, but for one.
+Graph mostly_zero() {
+  Graph graph;
+  graph.name = "mostly_zero";
+  graph.inputs = {{"q", 12, 1, "", "", std::vector<Range>(12, {-1.0, 1.0}), {}}};
+  std::vector<Value> values;
+  for (int row = 0; row < 12; ++row)
+    for (int col = 0; col < 10; ++col)
+      values.push_back(col == 3 || (row == 5 && col == 7) ? graph.make(Op::sine, graph.input(row))
+                                                          : graph.constant(col == 9 ? 2.0 : 0.0));
+  graph.outputs = {{"M", 12, 10, "", "", {}, values}};
+  return graph;
+}
+
+/// The sum of strands' moments on either side, so that a term's constant factor has either sign.
+/// `height` makes what the strands have in common.
+template <class Height>
+Graph moments(int count, const Height& height) {
+  Graph graph;
+  graph.name = "moments";
+  graph.inputs = {{"q", 2, 1, "", "", std::vector<Range>(2, {-1.0, 1.0}), {}},
+                  {"f",
+                   count,
+                   1,
+                   "",
+                   "",
+                   std::vector<Range>(static_cast<std::size_t>(count), {-3.0, 3.0}),
+                   {}}};
+  const Value x = graph.make(Op::sine, graph.input(0)), y = height(graph);
+  Value sum = no_value;
+  for (int i = 0; i < count; ++i) {
+    const Value place =
+        graph.make(Op::add, y, graph.make(Op::multiply, graph.constant(0.3 * (i + 1)), x));
+    const Value share =
+        graph.make(Op::divide, graph.input(2 + i),
+                   graph.make(Op::square_root, graph.make(Op::multiply, place, place)));
+    const Value weight = graph.make(Op::multiply, graph.constant(0.01 * (count - i)), share);
+    const Value term = graph.make(Op::multiply, place, weight);
+    sum = i == 0 ? term : graph.make(i < count / 2 ? Op::add : Op::subtract, sum, term);
+  }
+  graph.outputs = {{"moment", 1, 1, "", "", {}, {sum}}};
+  return graph;
+}
+
+Value cosine_of_second(Graph& graph) {
+  return graph.make(Op::cosine, graph.input(1));
+}
+
+/// Twelve intermediates; a loop needs the last of them, and what follows from all of them is needed
+/// after it.
+Graph much_beside_a_loop() {
+  std::vector<Value> intermediates;
+  Graph graph = moments(14, [&](Graph& made) {
+    Value chain = made.input(0);
+    for (int i = 0; i < 12; ++i) {
+      chain = made.make(Op::multiply, made.make(Op::add, chain, made.input(1)), chain);
+      intermediates.push_back(chain);
+    }
+    return chain;
+  });
+  graph.name = "much_beside_a_loop";
+  Value all = intermediates.front();
+  for (const Value each : intermediates) all = graph.make(Op::add, graph.make(Op::sine, all), each);
+  Value& moment = graph.outputs[0].values[0];
+  moment = graph.make(Op::multiply, moment, all);
+  return graph;
+}
+
+/// The most values that wait while a loop runs.
+int waiting(const Graph& graph, const Plan& plan) {
+  std::set<Value> done;
+  std::size_t last = 0;
+  for (std::size_t i = 0; i < plan.steps.size(); ++i)
+    if (plan.steps[i].loop >= 0) last = i;
+  for (std::size_t i = 0; i < last; ++i)
+    if (plan.steps[i].loop < 0) done.insert(plan.steps[i].value);
+  std::set<Value> wait;
+  for (std::size_t i = last; i < plan.steps.size(); ++i) {
+    const Value v = plan.steps[i].value;
+    for (int k = 0; v != no_value && k < arity(graph[v].op); ++k)
+      if (done.count(graph[v].operand(k)) && arity(graph[graph[v].operand(k)].op) > 0)
+        wait.insert(graph[v].operand(k));
+  }
+  return static_cast<int>(wait.size());
+}
+
+}  // namespace
+
+TEST_CASE("a long sum's first term is a pass of its loop, too") {
+  const Graph graph = moments(14, cosine_of_second);
+  const PlannedGraph planned = plan_graph(graph, generous);
+  CHECK(passes_of(planned.plan) == std::vector<int>{14});
+  for (const std::vector<double>& state : states_of(graph, 20, 4))
+    CHECK(bits_of(evaluate(graph, state)) ==
+          bits_of(evaluate_plan(planned.graph, planned.plan, state)));
+}
+
+// Begun at 0.0 instead, -0.0 became 0.0: planted, seen red.
+TEST_CASE("a sum that is begun keeps the sign of a zero") {
+  Graph graph;
+  graph.name = "zeros";
+  graph.inputs = {{"q", 12, 1, "", "", std::vector<Range>(12, {-1.0, 1.0}), {}}};
+  Value sum = no_value;
+  for (int i = 0; i < 12; ++i) {
+    const Value term = graph.make(Op::multiply, graph.constant(1.0 + i), graph.input(i));
+    sum = i == 0 ? term : graph.make(Op::add, sum, term);
+  }
+  graph.outputs = {{"sum", 1, 1, "", "", {}, {sum}}};
+  const Graph started = with_started_sums(graph);
+  REQUIRE(started.size() > graph.size());
+  const std::vector<double> zeros(12, -0.0);
+  CHECK(bits_of(evaluate(started, zeros)) == bits_of(evaluate(graph, zeros)));
+}
+
+TEST_CASE("rows with the same constants are stored by a loop, the row that differs beside it") {
+  const Graph graph = mostly_zero();
+  const Plan plan = plan_loops(graph, generous);
+  REQUIRE(plan.loops.size() == 1);
+  CHECK(plan.loops[0].count == 12);
+  CHECK(plan.loops[0].results.size() == 8);
+  CHECK(differing(graph, plan) == 0);
+  CHECK(differing<double>(graph, emit_files(model_of({graph}, Scalar::binary64))) == 0);
+}
+
+TEST_CASE("a sign that changes within a sum goes into a table, not into an operation") {
+  const Graph graph = moments(14, cosine_of_second);
+  const Plan plan = plan_loops(graph, generous);
+  REQUIRE(passes_of(plan) == std::vector<int>{13});
+  CHECK(operation_count(plan.loops[0].body) == 8);
+  CHECK(differing(graph, plan) == 0);
+}
+
+TEST_CASE("what waits for a loop to end is as little as possible") {
+  const Graph graph = much_beside_a_loop();
+  const Plan plan = plan_loops(graph, generous);
+  REQUIRE(plan.loops.size() == 1);
+  // Their result, and not they themselves.
+  CHECK(waiting(graph, plan) == 1);
+  CHECK(differing(graph, plan) == 0);
 }
 
 // Planted: entries 0 and 1 of one table of constants, places or elements exchanged. All 20 states

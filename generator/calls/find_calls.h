@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a function computes that another function of its model gives: emitted as a call of that one.
+// The graphs themselves stay as they are, as with loops: only emission follows.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "generator/graph.h"
+#include "generator/loops/find_loops.h"
+
+namespace sinew {
+
+/// A call at the start of a function's body.
+struct Call {
+  std::string function;                ///< without the model's prefix
+  std::vector<std::string> arguments;  ///< inputs of the caller by name, in the callee's order
+  std::vector<Port> results;           ///< local arrays, in the callee's order
+};
+
+/// A function as it is emitted: calls, and then what is left to compute.
+struct CallingFunction {
+  std::vector<Call> calls;
+  /// The same signature, and after its inputs the arrays of the calls, in their order.
+  Graph rest;
+};
+
+/// A function calls another one, with fewer operations, where that leaves clearly fewer operations
+/// to write and costs hardly more instructions, by size_of. Results have the bits of the graphs.
+std::vector<CallingFunction> find_calls(const std::vector<Graph>& functions,
+                                        const LoopLimits& limits);
+
+}  // namespace sinew
