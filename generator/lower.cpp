@@ -142,13 +142,20 @@ class Lowering {
 
   Signed product(const ex& e) {
     std::vector<Signed> above, below;
+    GiNaC::numeric constant = 1;
     for (std::size_t i = 0; i < e.nops(); ++i) {
       const ex factor = e.op(i);
-      if (is_a<GiNaC::power>(factor) && is_negative_number(factor.op(1)))
-        below.push_back(power(factor.op(0), -factor.op(1)));
-      else
+      if (is_a<GiNaC::power>(factor) && is_negative_number(factor.op(1))) {
+        const Denominator denominator = reduced(factor.op(0), -factor.op(1));
+        constant = constant / denominator.taken_out;
+        below.push_back(power(denominator.base, -factor.op(1)));
+      } else if (is_a<GiNaC::numeric>(factor)) {
+        constant = constant * ex_to<GiNaC::numeric>(factor);
+      } else {
         above.push_back(lower(factor));
+      }
     }
+    if (!constant.is_equal(1)) above.push_back(lower(constant));
     if (above.empty()) above.push_back({graph_.constant(1.0), false});
     const Signed numerator = multiply(above);
     if (below.empty()) return numerator;
@@ -175,12 +182,36 @@ class Lowering {
     return is_a<GiNaC::numeric>(e) && ex_to<GiNaC::numeric>(e).is_negative();
   }
 
+  /// A denominator is base^n times `taken_out`.
+  struct Denominator {
+    ex base;
+    GiNaC::numeric taken_out = 1;
+  };
+
+  /// GiNaC clears fractions from sums in denominators, which may leave integers that no float
+  /// holds: 1e43/(1e43 x + 6e36) instead of 1/(x + 6e-7). The largest is taken out.
+  static Denominator reduced(const ex& base, const ex& exponent) {
+    if (!is_a<GiNaC::add>(base) || !exponent.info(GiNaC::info_flags::posint)) return {base};
+    static const GiNaC::numeric too_large("1000000000000000");
+    GiNaC::numeric largest = 0;
+    for (std::size_t i = 0; i < base.nops(); ++i) {
+      const ex term = base.op(i);
+      const ex number = is_a<GiNaC::mul>(term) ? term.op(term.nops() - 1) : term;
+      if (!is_a<GiNaC::numeric>(number) || !ex_to<GiNaC::numeric>(number).is_real()) continue;
+      largest = std::max(largest, GiNaC::abs(ex_to<GiNaC::numeric>(number)));
+    }
+    if (largest < too_large) return {base};
+    return {(base / largest).expand(), largest.power(ex_to<GiNaC::numeric>(exponent))};
+  }
+
   Signed power(const ex& base, const ex& exponent) {
     if (!is_a<GiNaC::numeric>(exponent)) fail_expression("exponent is not a number:", exponent);
     GiNaC::numeric n = ex_to<GiNaC::numeric>(exponent);
     if (n.is_negative()) {
-      const Signed below = power(base, -n);
-      return {graph_.make(Op::divide, graph_.constant(1.0), below.value), below.negative};
+      const Denominator denominator = reduced(base, -n);
+      const Signed below = power(denominator.base, -n);
+      const Signed above = number(denominator.taken_out.inverse());
+      return {graph_.make(Op::divide, above.value, below.value), below.negative != above.negative};
     }
     Signed root = lower(base);
     if (!n.is_integer()) {

@@ -86,7 +86,7 @@ void fifth_mass_matrix_and_bias(const double q[SINEW_AT_LEAST(3)],
  *   in  qd            3 [rad/s] joint velocities; made for -10..10
  *   in  tau           3 [N m] joint torques; made for -1..1
  *   out qdd           3 [rad/s^2] joint accelerations
- * 94 multiplications, 76 additions, 3 divisions, 3 sincos. */
+ * 93 multiplications, 76 additions, 3 divisions, 3 sincos. */
 void fifth_forward_dynamics(const double q[SINEW_AT_LEAST(3)], const double qd[SINEW_AT_LEAST(3)],
     const double tau[SINEW_AT_LEAST(3)], double qdd[SINEW_AT_LEAST(3)]);
 

@@ -484,11 +484,10 @@ void fifth_forward_dynamics_batch(int count, const double *SINEW_RESTRICT q,
         const double lS4 = t2 + l4y * j4y1;
         const double M = 1.462099968e-07 + lS4;
         const double Z3 = 1.6288227328e-06 + (lS4 + lS4);
-        const double t5 = 2.6661677777777783e+37 + 1.220703125e+44 * Z3 + 2.9839409722222224e+44
-            * M;
-        const double r3 = 1.220703125e+44 / t5;
-        const double t6 = 1e-16 * r3;
-        const double L3_1 = t6 * t4;
+        const double r3 = 0.40909090909090906 / (8.935055360000001e-08 + M + 0.40909090909090906
+            * Z3);
+        const double t5 = 1e-16 * r3;
+        const double L3_1 = t5 * t4;
         const double j2yz = 4.1084485632e-07 * s2;
         const double K2yz = j2yz + K3yz;
         const double l3y = 0.032304 * s2;
@@ -497,12 +496,12 @@ void fifth_forward_dynamics_batch(int count, const double *SINEW_RESTRICT q,
         const double S3y = j3y1 + j4y1;
         const double lS3 = t1 + l3y * S3y;
         const double M_4 = Z3 + lS3;
-        const double t7 = 1e+16 * M_4 + 12222222222222224.0 * M_2;
-        const double L3_2 = t6 * t7;
-        const double t8 = 1e-16 * L3_2;
-        const double A2_1 = K2yz - t8 * t4;
+        const double t6 = 1e+16 * M_4 + 12222222222222224.0 * M_2;
+        const double L3_2 = t5 * t6;
+        const double t7 = 1e-16 * L3_2;
+        const double A2_1 = K2yz - t7 * t4;
         const double Z2 = 6.45303346786e-06 + Z3 + (lS3 + lS3);
-        const double A2_2 = Z2 - t8 * t7;
+        const double A2_2 = Z2 - t7 * t6;
         const double r2 = 1.0 / A2_2;
         const double L2_1 = A2_1 * r2;
         const double A1_1_2 = t3 + t1 + 0.0048 * S2x - 1e-16 * L3_1 * t4 - A2_1 * L2_1
@@ -511,32 +510,31 @@ void fifth_forward_dynamics_batch(int count, const double *SINEW_RESTRICT q,
         const double w2zz = qd[1 * n + state] * qd[1 * n + state];
         const double w3z = qd[1 * n + state] + qd[2 * n + state];
         const double w3zz = w3z * w3z;
-        const double t9 = 1.2222222222222223 * qd[2 * n + state];
-        const double w4z = w3z + t9;
+        const double t8 = 1.2222222222222223 * qd[2 * n + state];
+        const double w4z = w3z + t8;
         const double w4zz = w4z * w4z;
-        const double t10 = tau[state] - 5.2855603200000006e-08 * c4 * w4zz - 2.2996254720000002e-07
+        const double t9 = tau[state] - 5.2855603200000006e-08 * c4 * w4zz - 2.2996254720000002e-07
             * c3 * w3zz;
         const double w_2y = qd[state] + qd[state];
         const double j4xy = s4 * j4u;
         const double K4yx = j4xy + o4x * j4y1;
-        const double t11 = l4y * j4x1;
+        const double t10 = l4y * j4x1;
         const double j3xy = s3 * j3u;
-        const double K3yx = j3xy + K4yx + o3x * j3y1 + t11;
+        const double K3yx = j3xy + K4yx + o3x * j3y1 + t10;
         const double K2yx = s2 * (j2u + 1.0717691904e-06) + K3yx + l3y * S3x;
-        const double R2yx = qd[1 * n + state] * K2yx + qd[2 * n + state] * K3yx + t9 * K4yx;
+        const double R2yx = qd[1 * n + state] * K2yx + qd[2 * n + state] * K3yx + t8 * K4yx;
         const double w1zz = qd[state] * qd[state];
-        const double X3_4 = l4x * j4y1 - t11;
+        const double X3_4 = l4x * j4y1 - t10;
         const double X2_4 = l3x * j4y1 - l3y * j4x1;
         const double n4 = 9.81 * j4x1 + w2zz * X2_4 + w3zz * X3_4;
         const double t4_2 = n4 + K4yx * w1zz;
         const double X2_3 = l3x * j3y1 - l3y * j3x1;
         const double n3 = n4 + 9.81 * j3x1 + w2zz * X2_3 - w4zz * X3_4;
         const double y3 = tau[2 * n + state] - n3 - K3yx * w1zz - 1.2222222222222223 * t4_2;
-        const double t12 = tau[1 * n + state] - n3 - 9.81 * j2x1 + w3zz * X2_3 + w4zz * X2_4 - K2yx
+        const double t11 = tau[1 * n + state] - n3 - 9.81 * j2x1 + w3zz * X2_3 + w4zz * X2_4 - K2yx
             * w1zz;
-        const double b2 = t12 - y3 * L3_2;
-        const double b1_2 = t10 - 4.1084485632e-07 * c2 * w2zz + w_2y * R2yx - y3 * L3_1 - b2
-            * L2_1;
+        const double b2 = t11 - y3 * L3_2;
+        const double b1_2 = t9 - 4.1084485632e-07 * c2 * w2zz + w_2y * R2yx - y3 * L3_1 - b2 * L2_1;
         const double x1 = b1_2 * r1;
         const double x2 = b2 * r2 - L2_1 * x1;
         const double x3 = y3 * r3 - L3_2 * x2 - L3_1 * x1;

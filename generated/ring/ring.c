@@ -481,7 +481,7 @@ void ring_forward_dynamics(const double q[SINEW_AT_LEAST(3)], const double qd[SI
     const double lS4 = t4 + l4y * j4y1;
     const double M = 4.3101e-07 + lS4;
     const double Z3 = 4.92521e-06 + (lS4 + lS4);
-    const double r3 = 1e+43 / (6.438544444444445e+36 + 1e+43 * Z3 + 2.4444444444444447e+43 * M);
+    const double r3 = 0.40909090909090906 / (2.63395e-07 + M + 0.40909090909090906 * Z3);
     const double t7 = 1e-16 * r3;
     const double L3_1 = t7 * t6;
     const double j2yz = 1.253799e-06 * s2;

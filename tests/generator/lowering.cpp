@@ -3,6 +3,7 @@
 // none.
 #include <catch2/catch.hpp>
 
+#include <cmath>
 #include <set>
 
 #include "generator/cost.h"
@@ -100,6 +101,23 @@ TEST_CASE("constants are the nearest doubles, exact or transcendental") {
   CHECK(value_of(GiNaC::Pi) == 3.14159265358979323846);
   CHECK(value_of(GiNaC::numeric("1e22")) == 1e22);
   CHECK(value_of(0) == 0.0);
+}
+
+// Without it 1e43 stood in the C, which a model in float refused.
+TEST_CASE("integers that cleared fractions leave in a denominator are taken out") {
+  const ex large = GiNaC::pow(ex(10), 43);
+  for (const ex& value : {large / (large * x + large * y / 2 + 3),
+                          large * z / pow(large * x + 7, 2), 1 / (large * x + 3)}) {
+    const Graph graph = lower(function_of(value));
+    for (const Node& node : graph.nodes())
+      if (node.op == Op::constant) CHECK(std::abs(node.constant) < 1e15);
+    const double expected =
+        GiNaC::ex_to<GiNaC::numeric>(
+            value.subs(GiNaC::lst{x == ex(3) / 4, y == ex(1) / 4, z == ex(5) / 4}).evalf())
+            .to_double();
+    CHECK(evaluate(graph, std::vector<double>{0.75, 0.25, 1.25})[0] ==
+          Approx(expected).epsilon(1e-14));
+  }
 }
 
 TEST_CASE("what has no form in C is refused with function and expression") {
