@@ -55,15 +55,6 @@ static void add_wrist_torque(const hand_output *out, const hand_tick *t, double 
   tau[1] = second;
 }
 
-static void take_stiffness(hand_state *s, const hand_parameters *p, hand_output *out) {
-  ++s->stiffness_age;
-  if (hand_is_turn(s, p, 0U)) {
-    hand_joint_stiffness(out->q, out->q_wrist, out->force, out->stiffness, out->joint_stiffness);
-    s->stiffness_age = 0U;
-  }
-  out->stiffness_age = s->stiffness_age;
-}
-
 /* A group that is unsafe keeps its last angles. */
 void hand_find_links(hand_state *s, const hand_parameters *p, hand_output *out, hand_tick *t) {
   for (uint32_t group = 0; group < HAND_GROUPS; ++group) {
@@ -80,5 +71,13 @@ void hand_find_links(hand_state *s, const hand_parameters *p, hand_output *out, 
           -(s->crank_coupling[0] * t->force[tendon] + s->crank_coupling[1] * t->force[tendon + 1U]);
   }
   add_wrist_torque(out, t, &out->joint_torque[HAND_COORDINATES]);
-  take_stiffness(s, p, out);
+}
+
+void hand_take_stiffness(hand_state *s, const hand_parameters *p, hand_output *out) {
+  ++s->stiffness_age;
+  if (hand_is_turn(s, p, 0U)) {
+    hand_joint_stiffness(out->q, out->q_wrist, out->force, out->stiffness, out->joint_stiffness);
+    s->stiffness_age = 0U;
+  }
+  out->stiffness_age = s->stiffness_age;
 }

@@ -13,21 +13,11 @@ static inline int hand_is_turn(const hand_state *s, const hand_parameters *p, ui
   return p->turns < 2U || s->turn == turn;
 }
 
-/* What the parts of one tick hand on. */
-typedef struct {
-  double motor[HAND_TENDONS];              /* rad, checked */
-  double wrist_coupling[HAND_TENDONS * 2]; /* m/rad */
-  double displacement[HAND_TENDONS];       /* m, the groups' tendons in a row */
-  double force[HAND_TENDONS];              /* N, likewise */
-  double motor_reference[HAND_TENDONS];    /* rad, by channel */
-  double motor_reference_rate[HAND_TENDONS];
-} hand_tick;
-
 /* A finger's emitted functions. */
 typedef struct {
   uint32_t joints, tendons;
   void (*lengths)(const double *q, double *h);
-  void (*coupling)(const double *q, double *P);
+  void (*coupling)(const double *q, double* P);
   void (*torque)(const double *q, const double *f, double *tau);
   void (*position)(const double *h, double *q); /* null for the thumb, whose P depends on q */
 } hand_finger;
@@ -57,8 +47,9 @@ void hand_read_sensors(hand_state *s, const hand_parameters *p, const hand_input
  * feedforward. */
 void hand_read_wrist(hand_state *s, const hand_parameters *p, const hand_input *in,
                      hand_output *out, hand_tick *t);
-/* hand_links.c: link positions, torques, and in its turn the stiffness matrix. */
+/* hand_links.c: link positions and torques; in its turn the stiffness matrix. */
 void hand_find_links(hand_state *s, const hand_parameters *p, hand_output *out, hand_tick *t);
+void hand_take_stiffness(hand_state *s, const hand_parameters *p, hand_output *out);
 /* hand_reference.c: where the motors have to be for the wanted motion, and the joints' feedforward.
  */
 void hand_follow(hand_state *s, const hand_parameters *p, const hand_input *in, hand_output *out,

@@ -5,13 +5,14 @@
 
 void hand_step(hand_state *state, const hand_parameters *parameters, const hand_input *input,
                hand_output *output) {
-  hand_tick tick;
+  hand_tick *tick = &state->tick;
   output->status = SINEW_FINE;
-  hand_read_sensors(state, parameters, input, output, &tick);
-  hand_read_wrist(state, parameters, input, output, &tick);
-  hand_find_links(state, parameters, output, &tick);
-  hand_follow(state, parameters, input, output, &tick);
-  hand_command(state, parameters, input, output, &tick);
+  hand_read_sensors(state, parameters, input, output, tick);
+  hand_read_wrist(state, parameters, input, output, tick);
+  hand_find_links(state, parameters, output, tick);
+  hand_take_stiffness(state, parameters, output);
+  hand_follow(state, parameters, input, output, tick);
+  hand_command(state, parameters, input, output, tick);
   output->ticks = ++state->ticks;
   state->turn = state->turn + 1U < parameters->turns ? state->turn + 1U : 0U;
 }

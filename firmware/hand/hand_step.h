@@ -79,6 +79,16 @@ typedef struct {
   uint32_t ticks;                     /* since the start, this one included */
 } hand_output;
 
+/* What the parts of one tick hand on; means nothing between ticks. */
+typedef struct {
+  double motor[HAND_TENDONS];              /* rad, checked */
+  double wrist_coupling[HAND_TENDONS * 2]; /* m/rad */
+  double displacement[HAND_TENDONS];       /* m, the groups' tendons in a row */
+  double force[HAND_TENDONS];              /* N, likewise */
+  double motor_reference[HAND_TENDONS];    /* rad, by channel */
+  double motor_reference_rate[HAND_TENDONS];
+} hand_tick;
+
 /* The caller's; nothing in it is to be read or written by others. */
 typedef struct {
   sinew_channel motor[HAND_TENDONS], lever[HAND_TENDONS], wrist[2];
@@ -96,6 +106,7 @@ typedef struct {
   uint32_t ticks, turn, stiffness_age, astray_ticks;
   uint32_t driven; /* groups that followed, as bits */
   uint32_t reserved;
+  hand_tick tick; /* here, so that it is not on the stack */
 } hand_state;
 
 enum { HAND_STATE_BYTES = sizeof(hand_state) };
