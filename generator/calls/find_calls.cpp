@@ -99,11 +99,15 @@ class Caller {
  private:
   const Graph& graph() const { return *graph_; }
 
-  /// That no argument of the caller has.
+  /// That no argument of the caller has, and no array of its calls.
   std::string free_name(std::string name) const {
-    const auto is_taken = [&](const Port& port) { return port.name == name; };
-    while (std::any_of(graph().inputs.begin(), graph().inputs.end(), is_taken) ||
-           std::any_of(graph().outputs.begin(), graph().outputs.end(), is_taken))
+    const auto is_among = [&](const std::vector<Port>& ports) {
+      return std::any_of(ports.begin(), ports.end(),
+                         [&](const Port& port) { return port.name == name; });
+    };
+    const auto is_array = [&](const Call& call) { return is_among(call.results); };
+    while (is_among(graph().inputs) || is_among(graph().outputs) ||
+           std::any_of(calls_.begin(), calls_.end(), is_array))
       name += "_";
     return name;
   }
