@@ -111,10 +111,17 @@ SINEW_RARE static double sinew_channel_judge(sinew_channel *channel,
 static inline double sinew_channel_tick(sinew_channel *channel, const sinew_channel_limits *limits,
                                         double sample) {
     const double move = sample - channel->good;
-    if (channel->status != SINEW_FINE || move == 0.0 ||
+    if (channel->status != SINEW_FINE ||
         !sinew_is_within(move, -limits->largest_step, limits->largest_step) ||
         !sinew_is_within(sample, limits->low, limits->high))
         return sinew_channel_judge(channel, limits, sample);
+    if (move == 0.0) {
+        if (limits->frozen_ticks == 0U) return sample; /* it may rest */
+        if (channel->same_ticks + 1U >= limits->frozen_ticks)
+            return sinew_channel_judge(channel, limits, sample);
+        ++channel->same_ticks;
+        return sample;
+    }
     channel->good = sample;
     channel->last = sample;
     channel->same_ticks = 0U;

@@ -187,6 +187,9 @@ TEST_CASE("a value that stays for too long is frozen, and one that moves is not"
   CHECK(c.tick(1.6) == SINEW_FINE);
   c.l.frozen_ticks = 0;
   for (int i = 0; i < 50; ++i) CHECK(c.tick(1.6) == SINEW_FINE);
+  // And where a sample was missing in between.
+  CHECK(c.tick(no_value) == (SINEW_NOT_FINITE | SINEW_HELD));
+  CHECK(c.tick(1.6) == SINEW_FINE);
 }
 
 TEST_CASE("the count of equal samples begins again with every move", "[parts]") {
