@@ -301,12 +301,13 @@ void effects_guiding_presliding(const double signals[SINEW_AT_LEAST(11)],
     const double shape[SINEW_AT_LEAST(1)], const double memory[SINEW_AT_LEAST(1)],
     double columns[SINEW_AT_LEAST(2)], double next[SINEW_AT_LEAST(1)])
 {
-    double presliding_columns[1];
-    double presliding_next[1];
-    effects_presliding(signals, shape, memory, presliding_columns, presliding_next);
-    columns[0] = signals[4] * presliding_columns[0];
-    columns[1] = signals[0] * signals[4] * presliding_columns[0];
-    next[0] = presliding_columns[0];
+    const double t1 = signals[1] * signals[7] / shape[0];
+    const double t2 = sinew_one_exp(-sinew_max(t1, -t1));
+    const double t3 = sinew_choose(t1, 1.0 - (1.0 - memory[0]) * t2, -(1.0 - (1.0 + memory[0])
+        * t2));
+    columns[0] = signals[4] * t3;
+    columns[1] = signals[0] * signals[4] * t3;
+    next[0] = t3;
 }
 
 void effects_force_sensor_scale(const double signals[SINEW_AT_LEAST(11)],
@@ -361,12 +362,12 @@ void effects_late_reversal(const double signals[SINEW_AT_LEAST(11)],
     const double shape[SINEW_AT_LEAST(1)], const double memory[SINEW_AT_LEAST(1)],
     double columns[SINEW_AT_LEAST(1)], double next[SINEW_AT_LEAST(1)])
 {
-    double guiding_presliding_columns[2];
-    double guiding_presliding_next[1];
-    effects_guiding_presliding(signals, shape, memory, guiding_presliding_columns,
-        guiding_presliding_next);
-    const double t1 = (sinew_choose(signals[1], 1.0, -1.0) - guiding_presliding_next[0])
-        * sinew_max(signals[6], -signals[6]);
-    columns[0] = -t1;
-    next[0] = guiding_presliding_next[0];
+    const double t1 = signals[1] * signals[7] / shape[0];
+    const double t2 = sinew_one_exp(-sinew_max(t1, -t1));
+    const double t3 = sinew_choose(t1, 1.0 - (1.0 - memory[0]) * t2, -(1.0 - (1.0 + memory[0])
+        * t2));
+    const double t4 = (sinew_choose(signals[1], 1.0, -1.0) - t3) * sinew_max(signals[6],
+        -signals[6]);
+    columns[0] = -t4;
+    next[0] = t3;
 }

@@ -202,8 +202,9 @@ class CallFinder {
     const Caller more = now.calling(functions_[callee], keys_[callee]);
     if (more.elements() > limits_.arrays) return std::nullopt;
     const PlanSize rest = straight_size(more.made().rest);
+    constexpr int entry = 16;  // a call, what it saves on the stack, its return: Cortex-A9
     const int passed = static_cast<int>(functions_[callee].results().size());  // read again
-    const Sizes after{rest.written, size.in_calls + sizes_[callee].executed + passed};
+    const Sizes after{rest.written, size.in_calls + sizes_[callee].executed + passed + entry};
     const bool saves = size.written - after.written >= limits_.saving;
     const bool is_dear = rest.executed + after.in_calls > limits_.growth * sizes_[caller].executed;
     if (!saves || is_dear) return std::nullopt;
