@@ -15,7 +15,7 @@ using namespace sinew;
 
 namespace {
 
-constexpr int points = 20;
+constexpr int points = 40;
 
 Port argument(const std::string& name, int size) {
   return {name, size, 1, "", "", std::vector<Range>(static_cast<std::size_t>(size), {0.2, 1.0}),
