@@ -17,7 +17,7 @@ static inline int hand_is_turn(const hand_state *s, const hand_parameters *p, ui
 typedef struct {
   uint32_t joints, tendons;
   void (*lengths)(const double *q, double *h);
-  void (*coupling)(const double *q, double* P);
+  void (*coupling)(const double *q, double *P);
   void (*torque)(const double *q, const double *f, double *tau);
   void (*position)(const double *h, double *q); /* null for the thumb, whose P depends on q */
 } hand_finger;

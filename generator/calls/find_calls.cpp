@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <map>
 #include <optional>
-#include <set>
 
 #include "generator/calls/value_keys.h"
 
@@ -45,12 +44,12 @@ class Caller {
     Call call{callee.name, {}, {}};
     for (const Port& port : callee.inputs) call.arguments.push_back(port.name);
     std::map<int, Given> found;
+    const auto key = [&](Value v) { return callee_keys[static_cast<std::size_t>(v)]; };
     for (const Port& port : callee.outputs) {
       Port array{
           free_name(callee.name + "_" + port.name), port.rows, port.cols, port.unit, "", {}, {}};
       for (int i = 0; i < port.size(); ++i) {
         const Value result = port.values[static_cast<std::size_t>(i)];
-        const auto key = [&](Value v) { return callee_keys[static_cast<std::size_t>(v)]; };
         found.try_emplace(key(result), Given{more.arrays_, i, false});
         if (callee[result].op == Op::negate)
           found.try_emplace(key(callee[result].a), Given{more.arrays_, i, true});
@@ -66,12 +65,7 @@ class Caller {
     return more;
   }
 
-  std::size_t elements() const {
-    std::size_t count = 0;
-    for (const Call& call : calls_)
-      for (const Port& array : call.results) count += static_cast<std::size_t>(array.size());
-    return count;
-  }
+  std::size_t elements() const { return array_elements(calls_); }
 
   CallingFunction made() const {
     CallingFunction function{calls_, graph().empty_like()};
@@ -206,8 +200,8 @@ class CallFinder {
     const int passed = static_cast<int>(functions_[callee].results().size());  // read again
     const Sizes after{rest.written, size.in_calls + sizes_[callee].executed + passed + entry};
     const bool saves = size.written - after.written >= limits_.saving;
-    const bool is_dear = rest.executed + after.in_calls > limits_.growth * sizes_[caller].executed;
-    if (!saves || is_dear) return std::nullopt;
+    const PlanSize whole{after.written, rest.executed + after.in_calls};
+    if (!saves || is_dear(whole, sizes_[caller], limits_)) return std::nullopt;
     return Choice{more, after};
   }
 
@@ -218,6 +212,13 @@ class CallFinder {
 };
 
 }  // namespace
+
+std::size_t array_elements(const std::vector<Call>& calls) {
+  std::size_t count = 0;
+  for (const Call& call : calls)
+    for (const Port& array : call.results) count += static_cast<std::size_t>(array.size());
+  return count;
+}
 
 std::vector<CallingFunction> find_calls(const std::vector<Graph>& functions,
                                         const LoopLimits& limits) {

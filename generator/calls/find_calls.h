@@ -18,6 +18,9 @@ struct Call {
   std::vector<Port> results;           ///< local arrays, in the callee's order
 };
 
+/// Elements of all arrays that the calls fill.
+std::size_t array_elements(const std::vector<Call>& calls);
+
 /// A function as it is emitted: calls, and then what is left to compute.
 struct CallingFunction {
   std::vector<Call> calls;

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "generator/loops/constant_stores.h"
+#include "generator/loops/kept_columns.h"
 #include "generator/loops/runs.h"
 #include "generator/loops/started_sums.h"
 #include "generator/loops/sums.h"
@@ -243,8 +244,7 @@ class Finder {
 
   /// Values of one form, wherever they are used.
   void find_families() {
-    std::vector<bool> given(static_cast<std::size_t>(graph_.size()), false);
-    for (const Loop& loop : best_.loops) mark_given(loop, given);
+    const std::vector<bool> given = given_by(graph_, best_.loops);
     std::map<std::uint64_t, Column> families;
     for (const Step& step : best_.steps)
       if (step.loop < 0 && arity(graph_[step.value].op) > 0 &&
@@ -348,7 +348,7 @@ class Finder {
 
   std::optional<Plan> with(const LoopCandidate& each) const {
     std::optional<LoopBuilder> builder = built(each.roots);
-    keep_needed(*builder);
+    keep_needed(graph_, best_, *builder);
     std::vector<Loop> loops = best_.loops;
     loops.push_back(std::move(builder->loop));
     try {  // loops may need each other's results
@@ -356,69 +356,6 @@ class Finder {
     } catch (const std::logic_error&) {
       return std::nullopt;
     }
-  }
-
-  /// Values that statements beside the loop use, and other loops.
-  std::vector<bool> used_beside(const Loop& loop) const {
-    std::vector<bool> used(static_cast<std::size_t>(graph_.size()), false);
-    std::vector<std::vector<bool>> stored = best_.stored;
-    const auto use = [&](const Loop& each) {
-      for (const LoopLeaf& leaf : each.leaves)
-        for (Value v : leaf.reads()) used[static_cast<std::size_t>(v)] = true;
-      for (const LoopResult& result : each.results) {
-        if (result.is_carried()) used[static_cast<std::size_t>(result.first)] = true;
-        for (int element : result.elements)
-          stored[static_cast<std::size_t>(result.port)][static_cast<std::size_t>(element)] = true;
-      }
-    };
-    for (const Loop& each : best_.loops) use(each);
-    use(loop);
-    for (std::size_t p = 0; p < graph_.outputs.size(); ++p)
-      for (std::size_t i = 0; i < stored[p].size(); ++i)
-        if (!stored[p][i]) used[static_cast<std::size_t>(graph_.outputs[p].values[i])] = true;
-    return used;
-  }
-
-  /// Columns of a loop's body to keep: values that are needed beside the loop and would take
-  /// several operations to compute again. Kept columns that nothing needs are left out.
-  void keep_needed(LoopBuilder& builder) const {
-    constexpr int cheap = 3;
-    std::vector<bool> used = used_beside(builder.loop), given(used.size(), false);
-    for (const Loop& loop : best_.loops) mark_given(loop, given);
-    for (const LoopResult& result : builder.loop.results)
-      if (result.is_carried()) given[static_cast<std::size_t>(result.last)] = true;
-    std::map<Value, Column> columns;
-    for (const auto& [made, column] : builder.columns())
-      if (operations_below(builder.loop.body, made) > cheap)
-        for (Value v : column) columns[v] = column;
-    std::set<Column> needed;
-    for (Value v = graph_.size() - 1; v >= 0; --v) {
-      if (!used[static_cast<std::size_t>(v)] || given[static_cast<std::size_t>(v)]) continue;
-      if (const auto found = columns.find(v); found != columns.end())
-        needed.insert(found->second);
-      else
-        for (int i = 0; i < arity(graph_[v].op); ++i)
-          used[static_cast<std::size_t>(graph_[v].operand(i))] = true;
-    }
-    builder.keep_only(needed);
-  }
-
-  static void mark_given(const Loop& loop, std::vector<bool>& given) {
-    for (const LoopResult& result : loop.results)
-      for (Value v : result.given()) given[static_cast<std::size_t>(v)] = true;
-  }
-
-  static int operations_below(const Graph& body, Value top) {
-    std::vector<bool> below(static_cast<std::size_t>(top) + 1, false);
-    below.back() = true;
-    int count = 0;
-    for (Value v = top; v >= 0; --v) {
-      if (!below[static_cast<std::size_t>(v)]) continue;
-      count += arity(body[v].op) > 0;
-      for (int i = 0; i < arity(body[v].op); ++i)
-        below[static_cast<std::size_t>(body[v].operand(i))] = true;
-    }
-    return count;
   }
 
   const Graph& graph_;

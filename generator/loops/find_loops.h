@@ -12,14 +12,14 @@ struct LoopLimits {
   /// What a loop must save: operations written in it fewer than without.
   int saving = 24;
   /// What loops may cost: instructions executed over those without loops, as size_of estimates
-  /// them, were nothing left to write; of what saves half of the code half as much. A pass reads
-  /// from tables what straight code has in its instructions.
+  /// them. A pass reads from tables what straight code has in its instructions.
   double growth = 1.1;
-  /// Elements that the arrays of a function's loops may have together: they are on the stack.
+  /// Elements that the arrays of a function's calls and loops may have together: they are on the
+  /// stack.
   std::size_t arrays = 128;
 };
 
-/// Whether executing more is not worth what is written less.
+/// Whether more is executed than the limits allow.
 bool is_dear(const PlanSize& now, const PlanSize& before, const LoopLimits& limits);
 
 /// The usual ones; where a target is short of room for code, loops may cost more.

@@ -5,11 +5,10 @@
 
 #include "generator/loops/sums.h"
 #include "generator/loops/unify.h"
+#include "generator/passes/chains.h"
 
 namespace sinew {
 namespace {
-
-constexpr std::size_t fewest_terms = 12;
 
 /// By the second partial sum: the first term.
 std::map<Value, Value> first_terms(const Graph& graph) {
@@ -17,7 +16,7 @@ std::map<Value, Value> first_terms(const Graph& graph) {
   std::map<Value, Value> first;
   for (const Sum& sum : long_sums(graph)) {
     const Value a = sum.terms[0], b = sum.terms[1];
-    if (sum.terms.size() >= fewest_terms && arity(graph[a].op) > 0 &&
+    if (sum.terms.size() >= terms_of_a_long_sum && arity(graph[a].op) > 0 &&
         forms[static_cast<std::size_t>(a)] == forms[static_cast<std::size_t>(b)])
       first[sum.partial[1]] = a;
   }

@@ -10,14 +10,12 @@ bool used_once(const std::vector<int>& uses, Value v) {
   return uses[static_cast<std::size_t>(v)] == 1;
 }
 
-/// A long sum that the derivation named stays one: its terms repeat one form and become a loop,
-/// which saves more than signs and factors that are taken out across its end.
+/// A loop saves more than signs and factors that are taken out across a long sum's end.
 bool stays_a_sum(const Graph& g, Value v) {
-  constexpr int long_sum = 12;
   if (g.label(v).empty()) return false;
-  int terms = 1;
-  for (Value rest = v; is_sum(g[rest]) && terms < long_sum; rest = g[rest].a) ++terms;
-  return terms >= long_sum;
+  std::size_t terms = 1;
+  for (Value rest = v; is_sum(g[rest]) && terms < terms_of_a_long_sum; rest = g[rest].a) ++terms;
+  return terms >= terms_of_a_long_sum;
 }
 
 void collect_terms(const Graph& g, const std::vector<int>& uses, Value v, bool negative, bool top,

@@ -2,11 +2,16 @@
 // Sums and products of any length, seen through the two-operand nodes they are stored as.
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "generator/graph.h"
 
 namespace sinew {
+
+/// From so many terms on a sum that the derivation named is not opened into another one: its terms
+/// repeat one form and become a loop (generator/loops/).
+inline constexpr std::size_t terms_of_a_long_sum = 12;
 
 /// A term of a sum: value, and whether it is subtracted.
 struct Term {

@@ -310,7 +310,8 @@ ex stiffness_of_layer(Lengths& lengths, const Pulls& pulls, const Strands::Layer
   for (std::size_t t : layer.tendons) {
     // What they need is written down in this order, whatever the compiler's order of operands.
     const ex by_i = lengths.slope(t, i), by_j = lengths.slope(t, j);
-    const ex &y = lengths.strands.y(t), per_length = pulls.per_length(t);
+    const ex& y = lengths.strands.y(t);
+    const ex& per_length = pulls.per_length(t);
     const std::string index = std::to_string(t);
     const ex slope = list.define("slope_" + index, linear - y * square);
     const ex along = list.define("along_" + index, constant - y * slope);
