@@ -20,6 +20,7 @@
 #include "identification/adoption/prediction.h"
 #include "identification/adoption/read_motion.h"
 #include "identification/adoption/unquiet_channels.h"
+#include "identification/contacts/undisturbed.h"
 #include "identification/diagnosis/explanation.h"
 #include "identification/diagnosis/sensor_play.h"
 #include "identification/likelihood/explain.h"
@@ -174,12 +175,18 @@ class Run {
 
   Explanation search() {
     Explanation explanation = explain_subject(subject_);
-    if (!request_.settings.first_look) look_at_standstills(explanation);
+    std::optional<NamedCause> force;
+    if (!request_.settings.first_look) {
+      force = find_undisturbed([&](const DrivenSubject& rest) { return explain_subject(rest); },
+                               request_.settings, subject_, explanation);
+      look_at_standstills(explanation);
+    }
     merge_members(explanation.verdict);
     if (!is_explained_by_likelihood(subject_.problem(), request_.settings))
       remove_nuisances(explanation.verdict);
     if (!request_.holdout.empty()) confirm_on_held_out(explanation.verdict);
     write_motions(explanation.verdict);
+    if (force) explanation.verdict.causes.push_back(std::move(*force));
     return explanation;
   }
 
@@ -271,9 +278,12 @@ class Run {
 
   /// A channel of the held-out logs of which the extended model leaves surely more over.
   std::optional<int> harmed(const std::vector<MeasuredChannel>& measured) const {
+    constexpr double kLeast = 0.5;  // s: less motion of a joint judges nothing
     if (!judged_on_held_out(measured)) return std::nullopt;
     for (int c = 0; c < subject_.problem().channels; ++c)
-      if (measured_gain(measured, c, request_.settings.seed).high < 0.0) return c;
+      if (judged_seconds(measured, c) > kLeast &&
+          measured_gain(measured, c, request_.settings.seed).high < 0.0)
+        return c;
     return std::nullopt;
   }
 
@@ -412,6 +422,7 @@ class Run {
   }
 
   std::string origin_of(int candidate) const {
+    if (candidate == kNoTerm) return "unlogged_force";
     if (candidate >= 0)
       return subject_.library_origins()[static_cast<std::size_t>(candidate)].effect;
     return subject_.deviation_origin(-1 - candidate).effect;

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "identification/logs/signal_relations.h"
+#include "identification/regression/standstill.h"
 
 namespace sinew::diagnosis {
 namespace {
@@ -67,8 +68,9 @@ std::vector<DataFault> discrepant_channels(
       return share(size(m.measured - said), size(m.measured));
     };
     const double left = std::min(rest(m.before), rest(m.after));
-    const double noise =
-        share(white_noise_rms(r.target[c].array()), rms(changes(r.target[c], free_zero)));
+    const Eigen::ArrayXd undisturbed = motion_window(r.disturbed, r.time).array();
+    const double noise = share(white_noise_rms(r.target[c].array()),
+                               rms(changes(r.target[c], free_zero) * undisturbed));
     if (left < kHalf || noise > kHardlyNoise * left) continue;
     if (told.insert({log->first, m.channel}).second)
       faults.push_back(discrepancy(log->first, log->second[c], left, noise));

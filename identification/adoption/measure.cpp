@@ -162,6 +162,13 @@ ErrorSums error_sums(const std::vector<MeasuredChannel>& measured, int channel) 
 
 }  // namespace
 
+double judged_seconds(const std::vector<MeasuredChannel>& measured, int channel) {
+  double seconds = 0.0;
+  for (const MeasuredChannel* m : judged(measured, channel))
+    seconds += counts_of(*m).squaredNorm() * m->step;
+  return seconds;
+}
+
 Gain measured_gain(const std::vector<MeasuredChannel>& measured, int channel, unsigned seed) {
   constexpr int kBlocks = 12;
   std::map<int, std::pair<double, double>> left;  // of each channel, before and after

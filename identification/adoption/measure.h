@@ -36,6 +36,9 @@ std::vector<MeasuredChannel> measure(const DrivenSubject& subject, const Design&
 /// The logs that errors and gains are told of: held-out ones where there are any.
 bool judged_on_held_out(const std::vector<MeasuredChannel>& measured);
 
+/// For how long [s] a channel's errors count in the logs that they are told of.
+double judged_seconds(const std::vector<MeasuredChannel>& measured, int channel);
+
 /// Gain of the mean square, standstill aside, on the logs judged on, with its interval from twelve
 /// blocks of each. channel = -1: of all, each in units of what is left of it at best.
 Gain measured_gain(const std::vector<MeasuredChannel>& measured, int channel, unsigned seed);

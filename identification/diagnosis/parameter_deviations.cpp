@@ -24,7 +24,7 @@ using Eigen::VectorXd;
 // Deviance that one more wrong value must be worth: one that explains as much as two is likelier.
 constexpr double kAnother = 4.0;
 // A model without friction lacks two values at every joint, and more may be wrong with it.
-constexpr int kManyDeviations = 24;
+constexpr int kMostAtJoint = 6, kManyDeviations = 48;
 
 /// What small changes of the causes' nonlinear parameters add, a term each; they have no candidate.
 /// The parameters were fitted with every deviation free: what they can take up beside a deviation
@@ -212,8 +212,8 @@ DeviationSelection select_deviations(const Design& design, const Settings& setti
   const std::vector<Term> shapes = shape_changes(design, selection.model, weights);
   const DeviationMoments m = moments(design, parts, shapes, state.noise);
   const int channels = design.problem().channels;
-  const int most =
-      std::max({settings.most_deviations, channels, std::min(3 * channels, kManyDeviations)});
+  const int most = std::max(
+      {settings.most_deviations, channels, std::min(kMostAtJoint * channels, kManyDeviations)});
   const DeviationSearch search(m, parameter_price(design), most);
   const VectorXd nominal_loss = cross_validate(design, parts.base, weights, settings.blocks)
                                     .plain.colwise()

@@ -20,9 +20,9 @@ constexpr double kSeparated = 3.0;  // standard errors: less is no proposal
 constexpr double kPlenty = 10.0;    // with as much, the shorter motion is the better one
 
 /// The problem with the planned recording in the logs' place.
-Problem planned_problem(const Problem& problem, const Recording& recording) {
+Problem planned_problem(const Problem& problem, Recording recording) {
   Problem planned;
-  planned.training = {recording};
+  planned.training.push_back(std::move(recording));
   planned.baseline = problem.baseline;
   planned.library = problem.library;
   planned.deviations = problem.deviations;
@@ -61,8 +61,9 @@ bool is_restricted(const Selection& state) {
 class PlannedFit {
  public:
   PlannedFit(const Design& design, const Settings& settings, const Selection& found,
-             const Selection& state, std::size_t term, const Recording& recording)
-      : problem_(planned_problem(design.problem(), recording)), design_(problem_, settings) {
+             const Selection& state, std::size_t term, Recording recording)
+      : problem_(planned_problem(design.problem(), std::move(recording))),
+        design_(problem_, settings) {
     std::vector<NoiseModel> noise;
     for (const Segment& s : design_.segments())
       noise.push_back(expected_noise(design, state.noise.noise, s));
@@ -209,7 +210,7 @@ Separation separate(const Design& design, const Settings& settings, const Select
   if (members.size() < 2) return best;
   if (planner)
     for (const PlannedExperiment& each : planner(first_channel(design, state.model.terms[term]))) {
-      const PlannedFit fit(design, settings, found, state, term, each.recording);
+      const PlannedFit fit(design, settings, found, state, term, each.recording());
       Separation now = judged(fit, each.motion, state.evidence[term].statistic, members);
       if (is_better(now, best)) best = std::move(now);
     }

@@ -11,10 +11,11 @@
 
 namespace sinew::diagnosis {
 
-/// A planned experiment: what is played, and what a log of it would hold, all targets zero.
+/// A planned experiment: what is played, and what a log of it would hold, all targets zero. An
+/// arm's is large, so that it is made when it is asked for.
 struct PlannedExperiment {
   PlannedMotion motion;
-  Recording recording;
+  std::function<Recording()> recording;
 };
 
 /// Experiments that a channel's causes may be told apart by.

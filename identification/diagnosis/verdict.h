@@ -2,6 +2,7 @@
 // What a diagnosis says, and what every statement rests on.
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -41,10 +42,13 @@ struct Separation {
   std::string file;                     ///< the motion's, beside the findings; may be empty
 };
 
+/// Instead of a candidate: the cause is no term of a model.
+inline constexpr int kNoTerm = std::numeric_limits<int>::max();
+
 /// One cause, or a set that these logs cannot tell apart (best first).
 struct NamedCause {
   std::vector<RankedCause> members;
-  int candidate = 0;        ///< of the term that the model takes: one of the members
+  int candidate = 0;        ///< of the term that the model takes: one of the members, or kNoTerm
   std::vector<int> also;    ///< of more terms that the same name stands for best
   double confidence = 0.0;  ///< that the truth is among the members: confidence.h
   double statistic = 0.0;   ///< drop of the whitened deviance

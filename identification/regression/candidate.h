@@ -13,7 +13,7 @@
 
 namespace sinew::diagnosis {
 
-/// A stretch of a log's time [s] in which a joint rests.
+/// A stretch of a log's time [s], for instance one in which a joint rests.
 struct Standstill {
   double from = 0.0, to = 0.0;
 };
@@ -38,6 +38,8 @@ struct Recording {
   std::vector<Eigen::VectorXd> known;
   /// Per channel, or empty: nothing is told from what is measured there (standstill.h).
   std::vector<std::vector<Standstill>> standstills;
+  /// While something pushes that no log has: nothing is told from any channel (contacts/).
+  std::vector<Standstill> disturbed;
   /// Per channel, or empty: highest frequency [Hz] at which anything is told from it.
   std::vector<double> band_hz;
 
@@ -188,6 +190,7 @@ struct Settings {
   /// A part of the samples at a lower rate, no planned motions: an answer in seconds. Nothing is
   /// adopted.
   bool first_look = false;
+  bool every_sample = false;   ///< standstills and what is disturbed count as the rest does
   bool by_likelihood = false;  ///< one likelihood and one search instead of the rules
 };
 

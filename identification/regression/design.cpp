@@ -62,6 +62,7 @@ Recording thin(const Recording& log, const DecimatingFilter& filter) {
   for (const VectorXd& x : log.target) r.target.push_back(take(x));
   for (const VectorXd& x : log.known) r.known.push_back(take(x));
   r.standstills = log.standstills;
+  r.disturbed = log.disturbed;
   r.band_hz = log.band_hz;
   return r;
 }
@@ -126,18 +127,24 @@ void Design::add_segments(const std::vector<Recording>& recordings, int first, b
                                                         static_cast<double>(segment.samples)) +
                                          1);
       segments_.push_back(segment);
-      windows_.push_back(window_of(static_cast<int>(segments_.size()) - 1));
+      windows_.push_back(settings_.every_sample
+                             ? VectorXd(VectorXd::Ones(segment.samples))
+                             : motion_window_of(static_cast<int>(segments_.size()) - 1));
     }
   }
 }
 
 /// 1 where what is measured counts, at the decimated instants.
-VectorXd Design::window_of(int segment) const {
+VectorXd Design::motion_window_of(int segment) const {
   const Segment& s = segments_[static_cast<std::size_t>(segment)];
   const Recording& log = recording(s.recording);
   const auto channel = static_cast<std::size_t>(s.channel);
-  if (log.standstills.size() <= channel) return VectorXd::Ones(s.samples);
-  return motion_window(log.standstills[channel], at_instants(segment, log.time));
+  std::vector<Standstill> left_out = log.disturbed;
+  if (log.standstills.size() > channel)
+    left_out.insert(left_out.end(), log.standstills[channel].begin(),
+                    log.standstills[channel].end());
+  if (left_out.empty()) return VectorXd::Ones(s.samples);
+  return motion_window(left_out, at_instants(segment, log.time));
 }
 
 MatrixXd Design::seen_band(int segment, const MatrixXd& samples) const {

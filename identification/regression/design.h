@@ -70,6 +70,9 @@ class Design {
     return windows_[static_cast<std::size_t>(segment)];
   }
 
+  /// The same where every sample counts, as it would be.
+  Eigen::VectorXd motion_window_of(int segment) const;
+
   /// What errors of a channel are counted in, so that those of a heavy joint and of a light one,
   /// or of a force and a torque, can be added: 1 in the target's unit, or what was set.
   double unit(int channel) const { return units_(channel); }
@@ -80,7 +83,6 @@ class Design {
   Eigen::VectorXd at_instants(int segment, const Eigen::VectorXd& raw) const;
 
  private:
-  Eigen::VectorXd window_of(int segment) const;
   Eigen::MatrixXd seen_band(int segment, const Eigen::MatrixXd& samples) const;
   void add_segments(const std::vector<Recording>& recordings, int first, bool holdout);
   const Recording& given(int index) const;

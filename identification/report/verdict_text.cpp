@@ -95,6 +95,10 @@ std::string next_step(const Findings& f) {
     return "See that all logs are of one machine in one state; what changes from log to log is "
            "named where every log shows it.";
   if (f.verdict.causes.empty()) return "Nothing to do.";
+  if (std::all_of(f.verdict.causes.begin(), f.verdict.causes.end(),
+                  [](const NamedCause& cause) { return cause.candidate == kNoTerm; }))
+    return fmt::format("What the model says stands; for more, log {}.",
+                       experiment_text(f.verdict.causes.front().separation));
   if (f.extension.adopted && f.extension.dry_run)
     return "The model was left as it is; without --dry-run it takes the terms named here.";
   if (f.extension.adopted) return "Generate the model again; it now holds the terms named here.";

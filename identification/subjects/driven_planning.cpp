@@ -58,10 +58,8 @@ std::vector<PlannedExperiment> DrivenSubject::experiments(int channel) const {
   const auto joint = static_cast<std::size_t>(channel);
   const MotionRange& own = joints[joint];
   if (!(own.high > own.low && own.speed > 0.0 && own.acceleration > 0.0)) return list;
-  for (PlannedMotion& motion : planned_motions(joints, joint, problem_.training.front().step)) {
-    Recording recording = planned(motion);
-    list.push_back({std::move(motion), std::move(recording)});
-  }
+  for (PlannedMotion& motion : planned_motions(joints, joint, problem_.training.front().step))
+    list.push_back({motion, [this, motion] { return planned(motion); }});
   return list;
 }
 

@@ -94,6 +94,12 @@ void DrivenSubject::look_at_standstills(const std::vector<int>& named) {
   library_ = std::move(origins);
 }
 
+void DrivenSubject::leave_out(const std::vector<std::vector<Standstill>>& disturbed) {
+  std::size_t next = 0;
+  for (auto* logs : {&problem_.training, &problem_.holdout})
+    for (Recording& log : *logs) log.disturbed = disturbed[next++];
+}
+
 /// Where in its play a loose position sensor is, and the errors of one with steps: no error is
 /// larger than half a step. Smoothed and differentiated as the position is.
 void DrivenSubject::add_sensor_errors(Recording& log) const {

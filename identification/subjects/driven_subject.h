@@ -94,6 +94,8 @@ class DrivenSubject {
   /// Rests and reversals count again, which prepare() leaves aside. The library keeps the
   /// candidates `named`, the plays of the sensors, and what has no name.
   void look_at_standstills(const std::vector<int>& named);
+  /// Nothing is told any more from these stretches of the training logs, then the held-out ones.
+  void leave_out(const std::vector<std::vector<Standstill>>& disturbed);
   /// Experiments that causes at a channel may be told apart by, within what the logs cover; none
   /// where tendons drive the joints. After prepare().
   std::vector<PlannedExperiment> experiments(int channel) const;
@@ -102,6 +104,8 @@ class DrivenSubject {
   const std::vector<CandidateOrigin>& baseline_origins() const { return baseline_; }
   /// What a parameter deviation changes.
   const CandidateOrigin& deviation_origin(int deviation) const;
+  /// As causes at a channel have it, "joint elbow" or "motor 3".
+  std::string place(std::size_t joint) const;
   /// What is known of a joint's friction direction: true where it is a bristle state.
   bool bristle(std::size_t joint) const { return bristle_[joint]; }
 
@@ -159,7 +163,6 @@ class DrivenSubject {
   FlexibleRanges ranges(std::size_t joint) const;
   void add(const std::string& effect, std::size_t joint, const std::string& name = {},
            const Eigen::VectorXd& fixed = {}, CandidateKind kind = CandidateKind::named);
-  std::string place(std::size_t joint) const;
   LogScale scale(std::size_t joint) const;
 
   DrivenModel model_;

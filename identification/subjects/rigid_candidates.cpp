@@ -262,6 +262,42 @@ MatrixXd RigidColumns::point_mass(const std::string& link, const Vector3d& centr
   return columns_of(group, log);
 }
 
+MatrixXd RigidColumns::force_columns(const std::string& link, const Vector3d& point,
+                                     const Recording& log) const {
+  const sinew_function& function = compiled_->find("inverse_dynamics");
+  const Index n = coordinates_;
+  const auto b = static_cast<Index>(body_of(link));
+  VectorXd mass = VectorXd::Zero(bodies_);
+  MatrixXd com = MatrixXd::Zero(bodies_, 3);
+  mass(b) = 1.0;
+  com.row(b) = point.transpose();
+  VectorXd in = VectorXd::Zero(function.input_size), out(n);
+  MatrixXd x(log.q.rows(), 3 * n);
+  // The weight of 1 kg under a gravity of 1 m/s^2 along an axis is that force.
+  for (Index axis = 0; axis < 3; ++axis) {
+    in.tail(in.size() - 3 * n) =
+        parameters(mass, com, MatrixXd::Zero(bodies_, 6), Vector3d::Unit(axis));
+    for (Index k = 0; k < x.rows(); ++k) {
+      in.head(n) = log.q.row(k).head(n).transpose();
+      function.call(in.data(), out.data());
+      x.row(k).segment(axis * n, n) = out.transpose();
+    }
+  }
+  return x;
+}
+
+std::pair<Vector3d, double> RigidColumns::extent_of(const std::string& link) const {
+  const std::size_t body = body_of(link);
+  const Vector3d centre = mechanism_.bodies[body].centre_of_mass;
+  double farthest = centre.norm();  // its own joint
+  for (const Joint& joint : mechanism_.joints)
+    if (joint.parent == static_cast<int>(body))
+      farthest = std::max(farthest, (joint.origin.translation - centre).norm());
+  for (const Frame& frame : mechanism_.frames)
+    if (frame.body == link) farthest = std::max(farthest, (frame.pose.translation - centre).norm());
+  return {centre, farthest};
+}
+
 MatrixXd RigidColumns::effort(const Recording& log) const {
   const sinew_function& function = compiled_->find("inverse_dynamics");
   const Index n = coordinates_;

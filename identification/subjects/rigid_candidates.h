@@ -47,6 +47,15 @@ class RigidColumns {
   /// What a point mass of 1 kg at `centre` in the link's frame [m] asks: samples x coordinates.
   Eigen::MatrixXd point_mass(const std::string& link, const Eigen::Vector3d& centre,
                              const Recording& log) const;
+  /// What an external force at a point of the link ([m], its frame) asks of the resting joints,
+  /// -J^T e: samples x (3 * coordinates), those of a force along x of the base's frame together,
+  /// then y and z. Reads the positions.
+  Eigen::MatrixXd force_columns(const std::string& link, const Eigen::Vector3d& point,
+                                const Recording& log) const;
+  /// A link's centre of mass, its frame [m], and how far from there the farthest of the joints and
+  /// frames is that it carries.
+  std::pair<Eigen::Vector3d, double> extent_of(const std::string& link) const;
+  Eigen::Index coordinates() const { return coordinates_; }
   /// Links that move with a joint, and of these the ones that carry no further link.
   std::vector<std::string> moving_links() const;
   std::vector<std::string> last_links() const;

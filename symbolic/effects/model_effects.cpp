@@ -79,7 +79,8 @@ std::vector<ModelCoefficient> of_gravity() {
 
 std::vector<ModelEffect> of_links() {
   const symbol regressor("regressor_of_the_link"), change("change_of_its_inertial_parameters"),
-      weight("model_for_each_axis_of_gravity"), gravity("gravity_change");
+      weight("model_for_each_axis_of_gravity"), gravity("gravity_change"),
+      push("jacobian_of_the_point"), force("force");
   return {
       {"payload", "payload", model() + regressor * change,
        "effort left over with the link's weight and its acceleration",
@@ -92,6 +93,15 @@ std::vector<ModelEffect> of_links() {
        "motion of all joints that the link moves with",
        "motion of all joints that it moves with, slow and fast",
        "its mass would be negative, or the change more than the whole robot weighs", of_a_body({}),
+       ModelPlace::link},
+      {"unlogged_force",
+       "unlogged force",
+       model() - push * force,
+       "much more left over now and then than at the same motion elsewhere",
+       "",
+       "the same motion again, nothing near the robot, or the force logged",
+       "",
+       {},
        ModelPlace::link},
       {"gravity", "gravity left out, or its direction", model() + weight * gravity,
        "effort left over with the posture, the same both ways", "several postures",

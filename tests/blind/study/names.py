@@ -37,6 +37,7 @@ CAUSES = {
     "radius of one tendon's pulley": "tendon_radius",
     "routing offset": "routing_offset",
     "ratio of coupled joints": "coupling_ratio",
+    "unlogged force": "unlogged_force",
     "low-pass of the lever sensor": "sensor_low_pass",
     "hysteresis of the lever sensor": "sensor_hysteresis",
     "low-pass of the angle sensor": "sensor_low_pass",

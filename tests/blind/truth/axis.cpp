@@ -10,20 +10,44 @@
 namespace sinew::trials {
 namespace {
 
-const char* const on_axis[] = {"coulomb_level",     "viscous_level",    "viscous_asymmetry",
-                               "coulomb_asymmetry", "stribeck",         "concave_friction",
-                               "load_friction",     "friction_drift",   "position_friction",
-                               "input_ripple",      "output_ripple",    "load_ripple",
-                               "inertia",           "offset",           "spring",
-                               "cable_torque",      "speed_memory",     "latch",
-                               "other_stage",       "tight_under_load", "handling",
-                               "contact",           "outer_force",      "grease"};
+const char* const on_axis[] = {"coulomb_level",
+                               "viscous_level",
+                               "viscous_asymmetry",
+                               "coulomb_asymmetry",
+                               "stribeck",
+                               "concave_friction",
+                               "load_friction",
+                               "friction_drift",
+                               "position_friction",
+                               "input_ripple",
+                               "output_ripple",
+                               "load_ripple",
+                               "inertia",
+                               "offset",
+                               "spring",
+                               "cable_torque",
+                               "speed_memory",
+                               "latch",
+                               "other_stage",
+                               "tight_under_load",
+                               "handling",
+                               "grease",
+                               "unlogged_force"};
 
 /// 0 or 1 in stretches of about `length` seconds, the same whenever it is asked.
 double comes_and_goes(std::uint64_t seed, double time, double length) {
   const double at = std::floor(time / length);
   truth::Draw draw(seed + static_cast<std::uint64_t>(at < 0.0 ? 0.0 : at) * 7919u);
   return draw.chance(0.5) ? 1.0 : 0.0;
+}
+
+/// Somebody knocks against it: every other time or so, for a third of a second.
+double push_of(const Hidden& h, const Instant& now) {
+  const double pi = std::numbers::pi;
+  constexpr double block = 2.1, begins = 0.9, length = 0.33;
+  const double since = std::fmod(now.time, block) - begins;
+  if (since < 0.0 || since > length) return 0.0;
+  return h.dose * comes_and_goes(h.seed, now.time, block) * std::sin(pi * since / length);
 }
 
 }  // namespace
@@ -95,12 +119,12 @@ double Axis::of(const Hidden& h, const Instant& now, double) {
   if (h.cause == "viscous_asymmetry") return h.dose * std::abs(now.v);
   if (h.cause == "inertia") return h.dose * now.a;
   if (h.cause == "offset") return h.dose;
+  if (h.cause == "unlogged_force") return push_of(h, now);
   if (h.cause.find("ripple") != std::string::npos || h.cause == "spring" ||
       h.cause == "cable_torque")
     return place_of(h, now);
   if (h.cause == "speed_memory" || h.cause == "latch" || h.cause == "other_stage" ||
-      h.cause == "tight_under_load" || h.cause == "handling" || h.cause == "contact" ||
-      h.cause == "outer_force" || h.cause == "grease")
+      h.cause == "tight_under_load" || h.cause == "handling" || h.cause == "grease")
     return outside_of(h, now);
   return friction_of(h, now);
 }
@@ -161,14 +185,7 @@ double Axis::outside_of(const Hidden& h, const Instant& now) {
     return h.dose * memory_.z * std::abs(now.load) * std::exp(-8.0 * x * x);
   }
   if (h.cause == "handling") return h.dose * now.a * comes_and_goes(h.seed, now.time, 2.9);
-  if (h.cause == "grease") return h.dose * now.v * (1.0 - memory_.sheared);
-  if (h.cause == "contact") {
-    const double deep = now.q - (0.2 + s) * model_.range;
-    return deep > 0.0 ? h.dose * deep * comes_and_goes(h.seed, now.time, 1.7) : 0.0;
-  }
-  // outer_force: somebody leans on it and lets go.
-  const double on = comes_and_goes(h.seed, now.time, 2.3);
-  return on * h.dose * std::pow(std::sin(pi * std::fmod(now.time, 2.3) / 2.3), 2.0);
+  return h.dose * now.v * (1.0 - memory_.sheared);  // grease
 }
 
 }  // namespace sinew::trials

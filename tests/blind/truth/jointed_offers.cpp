@@ -61,12 +61,11 @@ void offer_axis(const Jointed& jointed, std::size_t axis, const std::string& pla
     offer("cable_torque", m.effort);
     offer("position_friction", m.level, "slope", fits_all, 1.0 / m.range);
   }
+  offer("unlogged_force", m.effort);
   outside("speed_memory", m.level);
   outside("latch", m.effort);
   outside("handling", m.inertia);
   outside("grease", m.viscous);
-  outside("contact", m.effort / m.range);
-  outside("outer_force", m.effort);
 }
 
 void offer_links(const Jointed& jointed, bool products, std::vector<Offer>& offers) {

@@ -59,6 +59,7 @@ const std::vector<Limit>& limits() {
       {"wrist_coupling", 0.0, 1.0, "1", "all of the coupling"},
       {"wrist_zero", -0.35, 0.35, "rad", "a palm set by the eye is within 20 degrees"},
       {"contact_shift", 0.0, 6.0, "mm", "the guide's own radius"},
+      {"unlogged_force", 0.0, 2.0, "effort", "a knock is soon stronger than the work"},
       // Outside: as strong as what they disturb.
       {"speed_memory", 0.0, 2.0, "friction", "grease that was thrown off comes back slowly"},
       {"latch", 0.0, 1.0, "effort", "a detent with half of the work's torque each way"},

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <random>
 
-#include "identification/regression/baseline.h"
 #include "identification/diagnosis/confounding.h"
 #include "identification/likelihood/explain.h"
+#include "identification/regression/baseline.h"
 #include "tests/identification/diagnosis/two_joints.h"
 
 namespace {
@@ -107,11 +107,10 @@ TEST_CASE("the planned motion that separates a set is the one proposed") {
   // separate them, and the first one is proposed.
   const Problem problem = arm(1, 0.3, 6);
   const auto planned = [&](const std::string& name, double bend) {
-    PlannedExperiment each{{name, problem.training[0].step, {}, {}}, problem.training[0]};
-    each.recording.target[0].setZero();
-    each.recording.command.col(0) = each.recording.q.col(0).array().cos() +
-                                    bend * (each.recording.q.col(0).array() * 3.0).sin();
-    return each;
+    Recording log = problem.training[0];
+    log.target[0].setZero();
+    log.command.col(0) = log.q.col(0).array().cos() + bend * (log.q.col(0).array() * 3.0).sin();
+    return PlannedExperiment{{name, problem.training[0].step, {}, {}}, [log] { return log; }};
   };
   const std::vector<PlannedExperiment> all{planned("as it was", 0.0), planned("a little", 0.3),
                                            planned("much", 0.9), planned("some", 0.5)};
@@ -127,8 +126,10 @@ TEST_CASE("the planned motion that separates a set is the one proposed") {
 
 TEST_CASE("where no planned motion would settle a set, what isolates a member is proposed") {
   const Problem problem = arm(1, 0.3, 6);
-  PlannedExperiment same{{"as it was", problem.training[0].step, {}, {}}, problem.training[0]};
-  same.recording.target[0].setZero();
+  Recording log = problem.training[0];
+  log.target[0].setZero();
+  const PlannedExperiment same{{"as it was", problem.training[0].step, {}, {}},
+                               [log] { return log; }};
   const std::vector<PlannedExperiment> all{same};
   const Explanation e = explain(problem, test::below_20_hz(),
                                 [&](int) -> const std::vector<PlannedExperiment>& { return all; });

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "identification/contacts/left_over.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "identification/regression/spectrum.h"
+
+namespace sinew::diagnosis {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+/// A term as the design sees it, its rows samples.
+Term in_time(const Design& design, const Term& term) {
+  Term moved = term;
+  moved.columns = design.columns(*term.candidate, term.nonlinear);
+  for (std::size_t i = 0; i < moved.columns.size(); ++i)
+    if (moved.columns[i].size() > 0)
+      moved.columns[i] = from_band(moved.columns[i], design.segments()[i].samples);
+  return moved;
+}
+
+LeftOver empty_recording(const Design& design, std::size_t segment) {
+  const Segment& s = design.segments()[segment];
+  const int channels = design.problem().channels;
+  LeftOver r;
+  r.recording = s.recording;
+  r.held_out = s.holdout;
+  r.time = design.at_instants(static_cast<int>(segment), design.recording(s.recording).time);
+  r.measured = r.residual = r.counts = r.position = r.velocity =
+      MatrixXd::Zero(s.samples, channels);
+  r.rate_hz = s.rate_hz;
+  r.band_hz = s.filter.band_hz;
+  r.reach = static_cast<double>(s.filter.half_width) * s.filter.step;
+  return r;
+}
+
+}  // namespace
+
+Design evenly_banded(const Problem& problem, Settings settings) {
+  for (const auto* logs : {&problem.training, &problem.holdout})
+    for (const Recording& log : *logs)
+      for (const double band : log.band_hz)
+        settings.band_hz = settings.band_hz > 0.0 ? std::min(settings.band_hz, band) : band;
+  settings.every_sample = true;
+  return {problem, settings};
+}
+
+FitInTime::FitInTime(const Design& design, const Model& model) {
+  for (const Term& term : model.terms)  // what a delay moves is in the target
+    if (term.candidate->kind != CandidateKind::delay) model_.terms.push_back(in_time(design, term));
+  for (std::size_t i = 0; i < design.segments().size(); ++i) {
+    const Segment& s = design.segments()[i];
+    if (recordings_.empty() || recordings_.back().recording != s.recording)
+      recordings_.push_back(empty_recording(design, i));
+    LeftOver& r = recordings_.back();
+    if (s.samples != r.time.size())
+      throw std::invalid_argument("channels of one log have different lengths");
+    const double advance = i < model.advance.size() ? model.advance[i] : 0.0;
+    const int segment = static_cast<int>(i);
+    model_.target.push_back(from_band(design.target(segment, advance), s.samples));
+    const Recording& log = design.recording(s.recording);
+    r.measured.col(s.channel) =
+        design.filtered(segment, log.target[static_cast<std::size_t>(s.channel)]);
+    r.position.col(s.channel) = design.at_instants(segment, log.q.col(s.channel));
+    r.velocity.col(s.channel) = design.at_instants(segment, log.qd.col(s.channel));
+    r.counts.col(s.channel) = design.motion_window_of(segment);
+    place_.emplace_back(recordings_.size() - 1, s.channel);
+  }
+}
+
+VectorXd FitInTime::measured_rms() const {
+  VectorXd sum = VectorXd::Zero(recordings_.front().measured.cols());
+  double count = 0.0;
+  for (const LeftOver& r : recordings_) {
+    if (r.held_out) continue;
+    sum += r.measured.colwise().squaredNorm().transpose();
+    count += static_cast<double>(r.time.size());
+  }
+  return (sum / std::max(count, 1.0)).cwiseSqrt();
+}
+
+std::vector<LeftOver> FitInTime::operator()(const std::vector<SetAside>& aside,
+                                            const VectorXd& sizes) const {
+  Weights weights;
+  for (const auto& [recording, channel] : place_) {
+    const LeftOver& r = recordings_[recording];
+    const VectorXd in = (!aside[recording]).cast<double>().matrix();
+    weights.push_back(r.held_out
+                          ? VectorXd()
+                          : VectorXd(r.counts.col(channel).cwiseProduct(in) / sizes(channel)));
+  }
+  const VectorXd coefficients = solve(stack(model_, weights)).coefficients;
+  std::vector<const BandColumns*> columns;
+  for (const Term& term : model_.terms) columns.push_back(&term.columns);
+  std::vector<LeftOver> result = recordings_;
+  for (std::size_t i = 0; i < place_.size(); ++i) {
+    const auto& [recording, channel] = place_[i];
+    VectorXd rest = model_.target[i];
+    const VectorXd said = predict(columns, coefficients, i);
+    if (said.size() > 0) rest -= said;
+    result[recording].residual.col(channel) = rest;
+  }
+  return result;
+}
+
+}  // namespace sinew::diagnosis

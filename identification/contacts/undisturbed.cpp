@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "identification/contacts/undisturbed.h"
+
+#include "identification/contacts/unlogged_force.h"
+#include "identification/regression/screening.h"
+
+namespace sinew::diagnosis {
+namespace {
+
+double numbers_of(const Verdict& verdict) {
+  double sum = 0.0;
+  for (const NamedCause& cause : verdict.causes)
+    sum += static_cast<double>(cause.parameters.size());
+  return sum;
+}
+
+/// The model with every named cause of the library, each in two of its forms: what disturbances
+/// leave over is seen before it is known which causes there are.
+Model saturated(const Problem& problem, Model model) {
+  for (const Candidate& candidate : problem.library) {
+    if (candidate.kind != CandidateKind::named) continue;
+    const std::vector<Eigen::VectorXd> starts = starting_values(candidate);
+    for (const std::size_t i : {starts.size() / 3, 2 * starts.size() / 3}) {
+      if (i > 0 && i == starts.size() / 3 && model.terms.back().candidate == &candidate) continue;
+      model.terms.push_back({&candidate, false, starts[i], {}});
+      if (starts.size() < 3) break;
+    }
+  }
+  return model;
+}
+
+std::vector<ForcePlace> places_of(const DrivenSubject& subject, const Disturbances& disturbances) {
+  std::vector<std::string> names, units;
+  for (int c = 0; c < subject.problem().channels; ++c) {
+    const auto joint = static_cast<std::size_t>(c);
+    names.push_back(subject.place(joint));
+    units.push_back(subject.model().joints[joint].revolute ? "N*m" : "N");
+  }
+  std::vector<ForcePlace> places = channel_places(disturbances, names, units);
+  if (!subject.rigid() || subject.problem().channels == 1) return places;
+  for (ForcePlace& place : link_places(disturbances, *subject.rigid()))
+    places.push_back(std::move(place));
+  return places;
+}
+
+std::vector<std::string> recording_names(const Problem& problem) {
+  std::vector<std::string> names;
+  for (const auto* logs : {&problem.training, &problem.holdout})
+    for (const Recording& log : *logs) names.push_back(log.name);
+  return names;
+}
+
+constexpr int kMostSearches = 2;
+
+}  // namespace
+
+std::optional<NamedCause> find_undisturbed(const Search& search, const Settings& settings,
+                                           DrivenSubject& subject, Explanation& explanation) {
+  const Model& found = explanation.selection.model;
+  if (found.terms.empty()) return std::nullopt;
+  const Problem& problem = subject.problem();
+  const Design design = evenly_banded(problem, settings);
+  const FitInTime whole(design, found);
+  Disturbances seen = find_disturbances(whole);
+  if (Disturbances other = find_disturbances(FitInTime(design, saturated(problem, found)));
+      other.score < seen.score) {
+    seen = std::move(other);
+  }
+  for (int left = kMostSearches; seen.any() && left > 0; --left) {
+    DrivenSubject rest = subject;
+    rest.leave_out(stretches_in_time(seen));
+    Explanation other = search(rest);
+    const FitInTime outside(design, other.selection.model);
+    // With causes that no push has spoilt it is plainer what is disturbed, in held-out logs too.
+    if (Disturbances plainer = find_disturbances(outside);
+        left > 1 && plainer.any() && differ(plainer, seen)) {
+      seen = std::move(plainer);
+      continue;
+    }
+    leave_over(outside, seen);
+    std::optional<NamedCause> force =
+        find_unlogged_force({whole, numbers_of(explanation.verdict)}, numbers_of(other.verdict),
+                            seen, places_of(subject, seen), recording_names(problem), settings);
+    if (!force) return std::nullopt;
+    subject = std::move(rest);
+    explanation = std::move(other);
+    return force;
+  }
+  return std::nullopt;
+}
+
+}  // namespace sinew::diagnosis
