@@ -68,9 +68,9 @@ std::vector<DataFault> discrepant_channels(
       return share(size(m.measured - said), size(m.measured));
     };
     const double left = std::min(rest(m.before), rest(m.after));
-    const Eigen::ArrayXd undisturbed = motion_window(r.disturbed, r.time).array();
-    const double noise = share(white_noise_rms(r.target[c].array()),
-                               rms(changes(r.target[c], free_zero) * undisturbed));
+    Eigen::ArrayXd whole = changes(r.target[c], free_zero);
+    if (!r.disturbed.empty()) whole *= motion_window(r.disturbed, r.time).array();
+    const double noise = share(white_noise_rms(r.target[c].array()), rms(whole));
     if (left < kHalf || noise > kHardlyNoise * left) continue;
     if (told.insert({log->first, m.channel}).second)
       faults.push_back(discrepancy(log->first, log->second[c], left, noise));

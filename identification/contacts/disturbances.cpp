@@ -11,7 +11,7 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kTimesUsual = 3.0;  // rms
+constexpr double kTimesUsual = 4.0;  // rms
 constexpr double kCell = 0.05;       // s
 constexpr double kPeriods = 1.5;     // of the band's edge that a cell has at least
 constexpr double kFriction = 0.8;    // of the cells in which it holds a joint
@@ -40,8 +40,13 @@ bool moves(const LeftOver& r, int channel, Index first, Index length) {
   return (r.counts.col(channel).segment(from, to - from).array() == 1.0).all();
 }
 
+double rms_in(const MatrixXd& x, int channel, Index first, Index length) {
+  return x.col(channel).segment(first, length).norm() / std::sqrt(static_cast<double>(length));
+}
+
 double mean_square(const LeftOver& r, int channel, Index first, Index length) {
-  return r.residual.col(channel).segment(first, length).squaredNorm() / static_cast<double>(length);
+  const double rms = rms_in(r.residual, channel, first, length);
+  return rms * rms;
 }
 
 /// The value that a share of the others is below.
@@ -111,7 +116,7 @@ SetAside disturbed(const LeftOver& r, const UsualLevels& usual, const VectorXd& 
     for (int c = 0; c < static_cast<int>(material.size()); ++c) {
       const double level = moves(r, c, k, length) ? usual.moving(c) : usual.standing(c);
       const double least = std::max(kTimesUsual * level, material(c));
-      if (mean_square(r, c, k, length) > least * least) aside.segment(k, length) = true;
+      if (rms_in(r.residual, c, k, length) > least) aside.segment(k, length) = true;
     }
   widen(r, aside);
   return aside;
@@ -204,22 +209,6 @@ double told_by_state(const Disturbances& d) {
   return count > by_chance ? std::max(0.0, (sum - by_chance) / (count - by_chance)) : 0.0;
 }
 
-double score_of(const Disturbances& d, double numbers) {
-  double independent = 0.0, set = 0.0;
-  VectorXd count = VectorXd::Zero(d.training.moving.size());
-  for (std::size_t i = 0; i < d.left_over.size(); ++i) {
-    const LeftOver& r = d.left_over[i];
-    if (r.held_out) continue;
-    const double share = std::min(1.0, 2.0 * r.band_hz / r.rate_hz);
-    count += share * r.counts.colwise().sum().transpose();
-    independent += share * static_cast<double>(r.time.size());
-    set += share * static_cast<double>(d.aside[i].count());
-  }
-  const auto channels = static_cast<double>(count.size());
-  const VectorXd logs = d.training.moving.cwiseMax(1e-300).array().log().matrix();
-  return 2.0 * count.dot(logs) + std::log(std::max(independent, 2.0)) * (numbers + channels * set);
-}
-
 }  // namespace
 
 bool differ(const Disturbances& one, const Disturbances& other) {
@@ -251,7 +240,6 @@ Disturbances find_disturbances(const FitInTime& fit) {
     leave_over(fit, found);
   }
   found.list = stretches(found.aside);
-  found.score = score_of(found, fit.numbers());
   if (share_aside(found.left_over, found.aside) > kMost || told_by_state(found) > kComesBack)
     found.list.clear();
   return found;

@@ -3,6 +3,7 @@
 // that no log has pushes.
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "identification/contacts/left_over.h"
@@ -25,17 +26,17 @@ struct Disturbances {
   std::vector<LeftOver> left_over;  ///< by a fit to the rest of the training logs
   std::vector<SetAside> aside;
   UsualLevels training, held_out;  ///< of the rest
-  /// Bayes' information criterion of the training logs, where every independent sample of a
-  /// disturbance is a number of its own: the smaller, the better are both the model and what was
-  /// set aside.
-  double score = 0.0;
 
   const UsualLevels& levels_of(const LeftOver& r) const { return r.held_out ? held_out : training; }
 
-  bool any() const { return !list.empty(); }
+  /// What happens in held-out logs alone is no cause: the logs disagree.
+  bool in_training() const {
+    return std::any_of(list.begin(), list.end(),
+                       [this](const Disturbance& d) { return !left_over[d.recording].held_out; });
+  }
 };
 
-/// A stretch is disturbed where a twentieth of a second leaves three times the usual rms over in
+/// A stretch is disturbed where a twentieth of a second leaves four times the usual rms over in
 /// some channel, and that is worth telling. Usual is what the undisturbed rest leaves over, in
 /// motion or at standstill as the case may be, found in turns. None are told where they come back
 /// with the state of the motion, as what a friction or a stop leaves over does, or where they make

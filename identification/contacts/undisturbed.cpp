@@ -61,19 +61,17 @@ std::optional<NamedCause> find_undisturbed(const Search& search, const Settings&
   const Problem& problem = subject.problem();
   const Design design = evenly_banded(problem, settings);
   const FitInTime whole(design, found);
-  Disturbances seen = find_disturbances(whole);
-  if (Disturbances other = find_disturbances(FitInTime(design, saturated(problem, found)));
-      other.score < seen.score) {
-    seen = std::move(other);
-  }
-  for (int left = kMostSearches; seen.any() && left > 0; --left) {
+  // What no known causes together explain is plainest; few of them may hide less of it.
+  Disturbances seen = find_disturbances(FitInTime(design, saturated(problem, found)));
+  if (!seen.in_training()) seen = find_disturbances(whole);
+  for (int left = kMostSearches; seen.in_training() && left > 0; --left) {
     DrivenSubject rest = subject;
     rest.leave_out(stretches_in_time(seen));
     Explanation other = search(rest);
     const FitInTime outside(design, other.selection.model);
     // With causes that no push has spoilt it is plainer what is disturbed, in held-out logs too.
     if (Disturbances plainer = find_disturbances(outside);
-        left > 1 && plainer.any() && differ(plainer, seen)) {
+        left > 1 && plainer.in_training() && differ(plainer, seen)) {
       seen = std::move(plainer);
       continue;
     }

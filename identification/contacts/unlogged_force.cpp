@@ -59,6 +59,15 @@ Gain gain_between(const std::vector<LeftOver>& before, const std::vector<LeftOve
   return gain;
 }
 
+/// In held-out logs alone it is none: the logs disagree.
+bool is_pushed_in_training(const ForceFit& fit, const Disturbances& disturbances) {
+  for (std::size_t d = 0; d < fit.forces.size(); ++d)
+    if (fit.forces[d].worth > kPrior &&
+        !disturbances.left_over[disturbances.list[d].recording].held_out)
+      return true;
+  return false;
+}
+
 std::vector<RankedCause> members_of(const std::vector<ForceFit>& fits) {
   const std::string name = find_model_effect("unlogged_force")->name;
   std::vector<RankedCause> members;
@@ -125,9 +134,9 @@ std::optional<NamedCause> find_unlogged_force(const Alternative& alternative, do
     if (force.worth > kPrior) with_force -= force.worth - kPrior;
   const double without = deviance_of(by_whole, noise) + noise.price * alternative.numbers;
   const double statistic = without - with_force;
-  const bool pushed = std::any_of(fits.front().forces.begin(), fits.front().forces.end(),
-                                  [](const FittedForce& force) { return force.worth > kPrior; });
-  if (!pushed || !(statistic > -2.0 * std::log(settings.significance))) return std::nullopt;
+  if (!is_pushed_in_training(fits.front(), disturbances) ||
+      !(statistic > -2.0 * std::log(settings.significance)))
+    return std::nullopt;
 
   NamedCause cause;
   cause.candidate = kNoTerm;
@@ -138,8 +147,7 @@ std::optional<NamedCause> find_unlogged_force(const Alternative& alternative, do
   cause.cross_validated = gain_between(by_whole, rest, disturbances.training.moving, false);
   cause.held_out = cause.confirmed =
       gain_between(by_whole, rest, disturbances.training.moving, true);
-  if (std::max(cause.cross_validated.share, cause.held_out.share) < settings.least_share)
-    return std::nullopt;
+  if (cause.cross_validated.share < settings.least_share) return std::nullopt;
   const double margin = cause.members.size() < fits.size()
                             ? fits[cause.members.size()].score() - fits.front().score()
                             : cause.statistic;

@@ -97,6 +97,7 @@ double Axis::resist(const Instant& now, double step) {
     if (std::abs(now.q - memory_.turned_at) > 0.3 * model_.range)
       memory_.latched = memory_.last_v > 0.0 ? 1.0 : -1.0;
     memory_.turned_at = now.q;
+    ++memory_.strokes;
   }
   memory_.last_v = now.v;
   // Grease breaks down over a third of the way to and fro, and is stiff again after three seconds.
@@ -124,7 +125,8 @@ double Axis::of(const Hidden& h, const Instant& now, double) {
       h.cause == "cable_torque")
     return place_of(h, now);
   if (h.cause == "speed_memory" || h.cause == "latch" || h.cause == "other_stage" ||
-      h.cause == "tight_under_load" || h.cause == "handling" || h.cause == "grease")
+      h.cause == "tight_under_load" || h.cause == "handling" || h.cause == "grease" ||
+      h.cause == "debris")
     return outside_of(h, now);
   return friction_of(h, now);
 }
@@ -185,7 +187,10 @@ double Axis::outside_of(const Hidden& h, const Instant& now) {
     return h.dose * memory_.z * std::abs(now.load) * std::exp(-8.0 * x * x);
   }
   if (h.cause == "handling") return h.dose * now.a * comes_and_goes(h.seed, now.time, 2.9);
-  return h.dose * now.v * (1.0 - memory_.sheared);  // grease
+  if (h.cause == "grease") return h.dose * now.v * (1.0 - memory_.sheared);
+  // debris: a chip that is caught in one stroke and not in the next.
+  truth::Draw draw(h.seed + memory_.strokes * 7919u);
+  return h.dose * memory_.z * draw.uniform(0.0, 1.0);
 }
 
 }  // namespace sinew::trials

@@ -52,7 +52,8 @@ class Axis {
   struct Memory {
     double z = 0.0, last_z = 0.0;
     double fastest = 0.0, latched = 0.0, turned_at = 0.0, last_v = 0.0;
-    double sheared = 0.0;  ///< share of the grease that motion has broken down
+    std::uint64_t strokes = 0;  ///< since the start: changes of the direction
+    double sheared = 0.0;       ///< share of the grease that motion has broken down
   } memory_;
 };
 

@@ -66,6 +66,7 @@ void offer_axis(const Jointed& jointed, std::size_t axis, const std::string& pla
   outside("latch", m.effort);
   outside("handling", m.inertia);
   outside("grease", m.viscous);
+  outside("debris", m.level);
 }
 
 void offer_links(const Jointed& jointed, bool products, std::vector<Offer>& offers) {

@@ -69,6 +69,7 @@ const std::vector<Limit>& limits() {
       {"filling", -0.8, 4.0, "inertia", "a vessel is filled, or emptied"},
       {"handling", -0.8, 4.0, "inertia", "something is taken up and put down again"},
       {"grease", 0.0, 5.0, "viscous friction", "stiff grease in the cold, until it has moved"},
+      {"debris", 0.0, 2.0, "friction", "a chip between two teeth"},
       {"foldback", 0.0, 0.6, "1", "an amplifier protects itself with 40 % of its current"},
       {"contact", 0.0, 20.0, "effort over range", "a soft bumper that is not always there"},
       {"coarse_command", 0.0, 0.5, "effort", "six bits of a converter"},
