@@ -282,6 +282,7 @@ class Run {
     if (!judged_on_held_out(measured)) return std::nullopt;
     for (int c = 0; c < subject_.problem().channels; ++c)
       if (judged_seconds(measured, c) > kLeast &&
+          leaves_more_than(request_.settings.material_share, measured, c) &&
           measured_gain(measured, c, request_.settings.seed).high < 0.0)
         return c;
     return std::nullopt;

@@ -162,6 +162,11 @@ ErrorSums error_sums(const std::vector<MeasuredChannel>& measured, int channel) 
 
 }  // namespace
 
+bool leaves_more_than(double share, const std::vector<MeasuredChannel>& measured, int channel) {
+  const ErrorSums sums = error_sums(measured, channel);
+  return sums.after > share * share * sums.energy;
+}
+
 double judged_seconds(const std::vector<MeasuredChannel>& measured, int channel) {
   double seconds = 0.0;
   for (const MeasuredChannel* m : judged(measured, channel))

@@ -36,6 +36,9 @@ std::vector<MeasuredChannel> measure(const DrivenSubject& subject, const Design&
 /// The logs that errors and gains are told of: held-out ones where there are any.
 bool judged_on_held_out(const std::vector<MeasuredChannel>& measured);
 
+/// Whether what the extended model leaves of a channel is more than that share of what is measured.
+bool leaves_more_than(double share, const std::vector<MeasuredChannel>& measured, int channel);
+
 /// For how long [s] a channel's errors count in the logs that they are told of.
 double judged_seconds(const std::vector<MeasuredChannel>& measured, int channel);
 
