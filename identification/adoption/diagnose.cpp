@@ -10,6 +10,7 @@
 #include <set>
 
 #include "identification/adoption/adopted_fit.h"
+#include "identification/adoption/cause_terms.h"
 #include "identification/adoption/discrepancy.h"
 #include "identification/adoption/ended_early.h"
 #include "identification/adoption/extend.h"
@@ -33,7 +34,6 @@
 #include "identification/subjects/lone_consistency.h"
 #include "identification/subjects/tendon_consistency.h"
 #include "symbolic/effects/effects.h"
-#include "symbolic/notation/print_mathml.h"
 
 namespace sinew::diagnosis {
 namespace {
@@ -68,7 +68,7 @@ class Run {
     f.verdict = explanation.verdict;
     tell("extending and measuring", 0.9);
     extend_or_measure(explanation);
-    describe_terms(f.verdict);
+    describe_terms(subject_, f);
     f.headline = headline(f);
     report_discrepancies(discrepant_, f);
     tell_unquiet_channels(f);
@@ -368,7 +368,7 @@ class Run {
   void remove_nuisances(Verdict& verdict) const {
     constexpr double good_part = 0.2, fast_part = 0.08;
     const auto is_noise = [&](const NamedCause& cause) {
-      const std::string origin = origin_of(cause.candidate);
+      const std::string origin = effect_of(subject_, cause.candidate);
       return origin == "sensor_noise" || origin == "sensor_quantisation";
     };
     const auto is_always_there = [&](const NamedCause& cause) {
@@ -394,52 +394,6 @@ class Run {
                                      "no more than the position's noise, as in every measurement",
                                      cause.statistic, cause.p_family});
     std::erase_if(verdict.causes, nuisance);
-  }
-
-  void describe_terms(Verdict& verdict) {
-    for (std::size_t c = 0; c < verdict.causes.size(); ++c) {
-      const int candidate = verdict.causes[c].candidate;
-      const std::string id = origin_of(candidate);
-      tell_gain_change(id, verdict.causes[c].parameters);
-      CauseTerm term;
-      term.cause = static_cast<int>(c);
-      term.effect = id;
-      fill_term(id, term);
-      result_.findings.terms.push_back(std::move(term));
-    }
-  }
-
-  /// The search fits by how much the logged effort exceeds what the motion took; people, the
-  /// equation and the model know the change of the radius or of the constant itself.
-  static void tell_gain_change(const std::string& id, std::vector<ParameterEstimate>& parameters) {
-    if (id != "torque_constant" && id != "pulley_radius") return;
-    for (ParameterEstimate& p : parameters) {
-      if (p.name != "gain") continue;
-      const double whole = 1.0 + p.value;
-      p.name = "gain_change";
-      p.value = 1.0 / whole - 1.0;
-      p.standard_error /= whole * whole;
-    }
-  }
-
-  std::string origin_of(int candidate) const {
-    if (candidate == kNoTerm) return "unlogged_force";
-    if (candidate >= 0)
-      return subject_.library_origins()[static_cast<std::size_t>(candidate)].effect;
-    return subject_.deviation_origin(-1 - candidate).effect;
-  }
-
-  static void fill_term(const std::string& id, CauseTerm& term) {
-    for (const Effect& effect : effects()) {
-      if (effect.id != id) continue;
-      term.mathml = mathml_equation("effort", effort(effect));
-      term.text = plain_equation("effort", effort(effect));
-      term.signature = effect.signature;
-      term.excitation = effect.excitation;
-      term.compensable = effect.compensable;
-      return;
-    }
-    describe_model_term(id, term);
   }
 
   const DiagnoseRequest& request_;

@@ -19,7 +19,6 @@ using Eigen::Vector3d;
 using Eigen::VectorXd;
 
 constexpr double kOwnError = 0.03;     // of what is left over: lever arms are known no better
-constexpr double kFormError = 0.1;     // of a found cause: none has exactly its law's form
 constexpr double kMostSamples = 1500;  // that a point is fitted to
 constexpr double kLooser = 3.0;        // than their rms over a disturbance, most of it flanks
 constexpr double kRankLimit = 1e-9;
@@ -36,7 +35,6 @@ struct Sample {
 MatrixXd covariance_at(const ForceNoise& noise, const LeftOver& r, Index sample) {
   MatrixXd covariance = noise.covariance;
   covariance.diagonal() += (kOwnError * r.residual.row(sample).transpose()).cwiseAbs2();
-  covariance.diagonal() += (kFormError * r.explained.row(sample).transpose()).cwiseAbs2();
   covariance.diagonal() += noise.standing.cwiseAbs2().cwiseProduct(
       (1.0 - r.counts.row(sample).array().square()).matrix().transpose());
   return covariance;

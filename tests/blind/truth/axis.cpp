@@ -32,6 +32,7 @@ const char* const on_axis[] = {"coulomb_level",
                                "tight_under_load",
                                "handling",
                                "grease",
+                               "debris",
                                "unlogged_force"};
 
 /// 0 or 1 in stretches of about `length` seconds, the same whenever it is asked.
