@@ -18,7 +18,11 @@ using Eigen::MatrixXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-constexpr double kOwnError = 0.03;     // of what is left over: lever arms are known no better
+constexpr double kOwnError = 0.03;  // of what is left over: lever arms are known no better
+// Of a found cause, none of which has exactly its law's form: without it impacts in a gear are
+// pushes (tests/identification/subjects/geared_joints.cpp). The likelihood has the same
+// (kFormErrors).
+constexpr double kFormError = 0.1;
 constexpr double kMostSamples = 1500;  // that a point is fitted to
 constexpr double kLooser = 3.0;        // than their rms over a disturbance, most of it flanks
 constexpr double kRankLimit = 1e-9;
@@ -35,6 +39,7 @@ struct Sample {
 MatrixXd covariance_at(const ForceNoise& noise, const LeftOver& r, Index sample) {
   MatrixXd covariance = noise.covariance;
   covariance.diagonal() += (kOwnError * r.residual.row(sample).transpose()).cwiseAbs2();
+  covariance.diagonal() += (kFormError * r.explained.row(sample).transpose()).cwiseAbs2();
   covariance.diagonal() += noise.standing.cwiseAbs2().cwiseProduct(
       (1.0 - r.counts.row(sample).array().square()).matrix().transpose());
   return covariance;

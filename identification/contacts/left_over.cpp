@@ -30,7 +30,7 @@ LeftOver empty_recording(const Design& design, std::size_t segment) {
   r.recording = s.recording;
   r.held_out = s.holdout;
   r.time = design.at_instants(static_cast<int>(segment), design.recording(s.recording).time);
-  r.measured = r.residual = r.counts = r.position = r.velocity =
+  r.measured = r.residual = r.explained = r.counts = r.position = r.velocity =
       MatrixXd::Zero(s.samples, channels);
   r.rate_hz = s.rate_hz;
   r.band_hz = s.filter.band_hz;
@@ -96,6 +96,10 @@ std::vector<LeftOver> FitInTime::operator()(const std::vector<SetAside>& aside,
   const VectorXd coefficients = solve(stack(model_, weights)).coefficients;
   std::vector<const BandColumns*> columns;
   for (const Term& term : model_.terms) columns.push_back(&term.columns);
+  VectorXd of_causes = coefficients;
+  const std::vector<Index> first = first_columns(model_);
+  for (std::size_t t = 0; t < model_.terms.size(); ++t)
+    if (model_.terms[t].baseline) of_causes.segment(first[t], first[t + 1] - first[t]).setZero();
   std::vector<LeftOver> result = recordings_;
   for (std::size_t i = 0; i < place_.size(); ++i) {
     const auto& [recording, channel] = place_[i];
@@ -103,6 +107,8 @@ std::vector<LeftOver> FitInTime::operator()(const std::vector<SetAside>& aside,
     const VectorXd said = predict(columns, coefficients, i);
     if (said.size() > 0) rest -= said;
     result[recording].residual.col(channel) = rest;
+    const VectorXd explained = predict(columns, of_causes, i);
+    if (explained.size() > 0) result[recording].explained.col(channel) = explained;
   }
   return result;
 }

@@ -19,6 +19,7 @@ struct LeftOver {
   Eigen::VectorXd time;                ///< s, of the log's own clock
   Eigen::MatrixXd measured;            ///< samples x channels, N m or N
   Eigen::MatrixXd residual;            ///< the same: measured less what the model says
+  Eigen::MatrixXd explained;           ///< the same: what the named causes of the model make of it
   Eigen::MatrixXd counts;              ///< the same: 1, and down to 0 where a joint stands still
   Eigen::MatrixXd position, velocity;  ///< of the channels' coordinates: rad or m, and per s
   double rate_hz = 0.0;                ///< of the samples
