@@ -9,6 +9,7 @@
 #include "identification/subjects/effect_candidate.h"
 #include "identification/subjects/rigid_candidates.h"
 #include "symbolic/effects/effects.h"
+#include "symbolic/effects/model_effects.h"
 #include "symbolic/extension/identified_mechanism.h"
 #include "symbolic/extension/learnt_entry.h"
 #include "symbolic/model/pseudo_inertia.h"
@@ -179,6 +180,22 @@ void add_to(std::vector<IdentifiedValue>& values, const IdentifiedValue& more) {
   same->standard_error = more.standard_error;
 }
 
+/// The model divides a joint's whole effort by what its torque constant or pulley changed; the fit
+/// has that change of the model as it was, and what is added to it beside it.
+void put_before_gains(std::vector<ExtensionTerm>& terms) {
+  for (const ExtensionTerm& gain : terms) {
+    if (gain.entry.effect != "torque_constant" && gain.entry.effect != "pulley_radius") continue;
+    const double whole = 1.0 + gain.entry.coefficient("gain_change");
+    for (ExtensionTerm& term : terms) {
+      if (term.entry.place != gain.entry.place || !in_catalogue(term.entry.effect)) continue;
+      for (IdentifiedValue& value : term.entry.coefficients) {
+        value.value *= whole;
+        value.standard_error *= whole;
+      }
+    }
+  }
+}
+
 }  // namespace
 
 ExtensionTerms extension_terms(const DrivenSubject& subject, const Design& design,
@@ -200,9 +217,10 @@ ExtensionTerms extension_terms(const DrivenSubject& subject, const Design& desig
     entry.cause = cause_of(explanation.verdict, candidate);
     if (entry.cause < 0) continue;
     entry.entry.effect = origin.effect;
-    entry.entry.place = changes_mechanism(entry.entry) ? term.candidate->place
-                        : origin.tendon.empty()        ? subject.model().joints[origin.joint].name
-                                                       : origin.tendon;
+    const ModelEffect* of_model = find_model_effect(origin.effect);
+    entry.entry.place = of_model && of_model->place != ModelPlace::joint ? term.candidate->place
+                        : origin.tendon.empty() ? subject.model().joints[origin.joint].name
+                                                : origin.tendon;
     if (in_catalogue(origin.effect))
       fill(origin, origin.tendon.empty() && subject.model().joints[origin.joint].revolute,
            term.nonlinear, all[t], entry.entry);
@@ -221,6 +239,7 @@ ExtensionTerms extension_terms(const DrivenSubject& subject, const Design& desig
       }
     result.push_back(std::move(entry));
   }
+  put_before_gains(result);
   return extension;
 }
 

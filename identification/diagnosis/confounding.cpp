@@ -113,6 +113,11 @@ bool is_unlikely(const Design& design, const Trial& trial) {
              : problem.library[static_cast<std::size_t>(trial.candidate)].unlikely;
 }
 
+bool is_told_only(const Design& design, const Trial& trial) {
+  return trial.candidate >= 0 &&
+         design.problem().library[static_cast<std::size_t>(trial.candidate)].told_only;
+}
+
 /// Fitted models with the term replaced by whatever comes near it.
 std::vector<Trial> contenders(const Design& design, const Library& library, const Selection& state,
                               std::size_t term) {
@@ -157,8 +162,10 @@ std::vector<Trial> contenders(const Design& design, const Library& library, cons
       own < 0 && ahead >= 0 && !library_of[static_cast<std::size_t>(ahead)].value;
   if (chosen->score <= trials.front().score + (value_against_form ? kByChance : kStays))
     std::rotate(trials.begin(), chosen, chosen + 1);
-  const auto likely = std::find_if(trials.begin(), trials.end(),
-                                   [&](const Trial& t) { return !is_unlikely(design, t); });
+  // What cannot be adopted would leave the model without what the other one explains.
+  const auto likely = std::find_if(trials.begin(), trials.end(), [&](const Trial& t) {
+    return !is_unlikely(design, t) && !is_told_only(design, t);
+  });
   if (likely != trials.end() && likely->score <= trials.front().score + kByChance)
     std::rotate(trials.begin(), likely, likely + 1);
   return trials;

@@ -107,8 +107,9 @@ Term deviation_term(const Design& design, const Model& model, const FixedPart& n
   c->place = deviation.place;
   c->limit_meaning = deviation.limit_meaning;
   c->isolating_experiment = deviation.isolating_experiment;
+  c->of_body = deviation.of_body;
   for (const DeviationParameter& p : deviation.parameters)
-    c->linear.push_back({p.name, p.unit, p.low, p.high, false, {}});
+    c->linear.push_back({p.name, p.unit, p.low, p.high, false, {}, p.spread});
   std::vector<VectorXd> nonlinear(problem.baseline.size());
   for (const Term& term : model.terms)
     if (term.baseline)

@@ -30,7 +30,7 @@ struct Reduction {
     const double freedom =
         term.deviation >= 0 ? term.freedom : adopted.freedom[static_cast<std::size_t>(index)];
     return freedom * parameter_price(design) +
-           (term.candidate->unlikely ? kUnlikely : kAnotherName);
+           (term.candidate->unlikely && !term.candidate->of_body ? kUnlikely : kAnotherName);
   }
   double score(const Model& model) const {
     double sum = deviance(model, weights());

@@ -11,6 +11,7 @@
 #include "identification/diagnosis/deviation_search.h"
 #include "identification/diagnosis/deviation_terms.h"
 #include "identification/diagnosis/verdict.h"
+#include "identification/regression/held_bodies.h"
 #include "identification/regression/refine.h"
 
 namespace sinew::diagnosis {
@@ -46,6 +47,22 @@ std::vector<Term> shape_changes(const Design& design, const Model& model, const 
   return changes;
 }
 
+/// A prior is one more row: what was known is 0, weighed by the inverse of its spread.
+MatrixXd with_prior_rows(const Stack& stack) {
+  std::vector<Index> known;
+  for (Index c = 0; c < stack.prior.size(); ++c)
+    if (stack.prior(c) > 0.0) known.push_back(c);
+  MatrixXd rows = stack.dense();
+  const Index of_logs = rows.rows();
+  rows.conservativeResize(of_logs + static_cast<Index>(known.size()), Eigen::NoChange);
+  for (std::size_t i = 0; i < known.size(); ++i) {
+    const Index row = of_logs + static_cast<Index>(i);
+    rows.row(row).setZero();
+    rows(row, known[i]) = std::sqrt(stack.prior(known[i]));
+  }
+  return rows;
+}
+
 DeviationMoments moments(const Design& design, const DeviationTerms& parts,
                          const std::vector<Term>& shapes, const NoiseView& noise) {
   Model all = parts.base;
@@ -61,18 +78,20 @@ DeviationMoments moments(const Design& design, const DeviationTerms& parts,
     m.first.push_back(m.first.back() + wide);
   }
   const Stack s = stack(all, noise.weights);
-  const MatrixXd dense = s.dense();
+  const MatrixXd dense = with_prior_rows(s);
+  VectorXd y = VectorXd::Zero(dense.rows());
+  y.head(s.y.size()) = s.y;
   const MatrixXd x0 = dense.leftCols(own);
   MatrixXd x = dense.rightCols(dense.cols() - own);
   if (own > 0) {
     const MatrixXd inverse = scaled_pseudo_inverse(x0.transpose() * x0);
     x -= x0 * (inverse * (x0.transpose() * x));
-    m.base = (s.y - x0 * (inverse * (x0.transpose() * s.y))).squaredNorm();
+    m.base = (y - x0 * (inverse * (x0.transpose() * y))).squaredNorm();
   } else {
-    m.base = s.y.squaredNorm();
+    m.base = y.squaredNorm();
   }
   m.gram = x.transpose() * x;
-  m.target = x.transpose() * s.y;
+  m.target = x.transpose() * y;
   for (std::size_t i = 0; i < noise.surrogates.size(); ++i) {
     const MatrixXf& draws = noise.surrogates[i];
     if (draws.cols() == 0) continue;
@@ -81,7 +100,7 @@ DeviationMoments moments(const Design& design, const DeviationTerms& parts,
     m.surrogates += (part.transpose() * draws).cast<double>();
   }
   for (const ParameterDeviation& deviation : design.problem().deviations) {
-    m.dearer.push_back(deviation.unlikely ? kUnlikely : kAnother);
+    m.dearer.push_back(deviation.unlikely && !deviation.of_body ? kUnlikely : kAnother);
     m.body_within.push_back(deviation.body_within);
   }
   m.low = VectorXd::Zero(x.cols());
@@ -131,19 +150,39 @@ struct Judged {
   std::string against;
 };
 
-/// A set of deviations, its model and what that loses on left-out blocks.
+/// A set of deviations, its model and what that loses on left-out blocks; both once more with
+/// bodies held (held_bodies.h).
 struct FittedSet {
   DeviationSet set;
-  Model model;
-  BlockLosses losses;
+  Model model, held;
+  BlockLosses losses, held_losses;
 };
 
+FittedSet fit_set(const Design& design, const Settings& settings, const Weights& weights,
+                  const DeviationSet& set, Model model) {
+  FittedSet all;
+  all.set = set;
+  all.held = hold_bodies(design, model, weights);
+  all.losses = all.held_losses = cross_validate(design, model, weights, settings.blocks);
+  if (all.held.terms.size() < model.terms.size())
+    all.held_losses = cross_validate(design, all.held, weights, settings.blocks);
+  all.model = std::move(model);
+  return all;
+}
+
+Model without_deviation(Model model, int deviation) {
+  std::erase_if(model.terms, [&](const Term& t) { return t.deviation == deviation; });
+  return model;
+}
+
 /// Much of what the model's own values leave over, or plainly much of what is left beside all
-/// others: large friction must not hide a rotor that is plain once the friction is known.
-bool is_worth_naming(const Evidence& evidence, const Settings& settings) {
+/// others: large friction must not hide a rotor that is plain once the friction is known. What
+/// links change has its form exactly, and is told by less.
+bool is_worth_naming(const Evidence& evidence, bool is_exact, const Settings& settings) {
   constexpr double kMuchOfTheRest = 0.1;
+  const double much = is_exact ? settings.least_share : kMuchOfTheRest;
   return evidence.validated > 0.0 && evidence.gain.share >= settings.least_share &&
-         (evidence.of_baseline >= settings.least_of_baseline || evidence.gain.low > kMuchOfTheRest);
+         (evidence.of_baseline >= settings.least_of_baseline || evidence.gain.low > much);
 }
 
 Judged judge_deviation(const Design& design, const Settings& settings, const DeviationTerms& parts,
@@ -157,11 +196,16 @@ Judged judge_deviation(const Design& design, const Settings& settings, const Dev
   j.evidence.p_family = p_value(m, all.set, deviation, j.evidence.statistic);
   const Model before =
       given_deviations(design, weights, model_of(design, weights, parts, search, others));
-  const BlockLosses b = cross_validate(design, before, weights, settings.blocks);
-  j.evidence.validated = b.whitened.sum() - all.losses.whitened.sum();
+  const bool is_exact = is_of_body(parts.deviations[static_cast<std::size_t>(deviation)]);
+  const bool held = all.held.terms.size() < all.model.terms.size() && !is_exact;
+  const Model without_it =
+      held ? given_deviations(design, weights, without_deviation(all.held, deviation)) : before;
+  const BlockLosses b = cross_validate(design, without_it, weights, settings.blocks);
+  const BlockLosses& a = held ? all.held_losses : all.losses;
+  j.evidence.validated = b.whitened.sum() - a.whitened.sum();
   const VectorXd channels =
       channels_of(design, parts.deviations[static_cast<std::size_t>(deviation)]);
-  const VectorXd losses_before = b.plain * channels, losses_after = all.losses.plain * channels;
+  const VectorXd losses_before = b.plain * channels, losses_after = a.plain * channels;
   j.evidence.gain = block_bootstrap_gain(losses_before, losses_after, 0.95, settings.seed);
   j.evidence.of_baseline = (losses_before - losses_after).sum() / nominal_loss.dot(channels);
   const double worth = parameter_price(design) * j.evidence.freedom + kAnother;
@@ -169,11 +213,11 @@ Judged judge_deviation(const Design& design, const Settings& settings, const Dev
     j.against = "too little to be told from noise";
   else if (deviance(before, weights) - deviance(all.model, weights) < worth)
     j.against = "another form of the named causes says as much";
-  else if (!is_worth_naming(j.evidence, settings))
+  else if (!is_worth_naming(j.evidence, is_exact, settings))
     j.against = "no gain worth naming on left-out blocks";
   // What is plain here and nowhere there is for the verdict: the logs disagree.
   else if (!design.problem().holdout.empty() && !is_plain(j.evidence.gain, j.evidence.p_family) &&
-           held_out_drop(design, settings, before, all.model, weights) <= 0.0)
+           held_out_drop(design, settings, without_it, held ? all.held : all.model, weights) <= 0.0)
     j.against = "no gain on the held-out logs";
   return j;
 }
@@ -242,9 +286,9 @@ DeviationSelection select_deviations(const Design& design, const Settings& setti
     settled = true;
     double weakest = std::numeric_limits<double>::infinity();
     Refusal refusal;
-    FittedSet all{
-        set, given_deviations(design, weights, model_of(design, weights, parts, search, set)), {}};
-    all.losses = cross_validate(design, all.model, weights, settings.blocks);
+    const FittedSet all =
+        fit_set(design, settings, weights, set,
+                given_deviations(design, weights, model_of(design, weights, parts, search, set)));
     std::vector<Judged> judged(set.size());
     tbb::parallel_for(0, static_cast<int>(set.size()), [&](int i) {
       const auto k = static_cast<std::size_t>(i);

@@ -190,8 +190,8 @@ double least_share(const Search& s, std::size_t term) {
   return std::max(s.settings.least_share, s.state.model.terms[term].candidate->least_share);
 }
 
-/// Counted over all channels of a noise group a cause of a few is a small share, which chance in the
-/// others blurs.
+/// Counted over all channels of a noise group a cause of a few is a small share, which chance in
+/// the others blurs.
 bool is_unsure(const Design& design, const Gain& gain) {
   return !design.problem().noise_groups.empty() && gain.low <= 0.0;
 }

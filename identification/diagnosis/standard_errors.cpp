@@ -74,8 +74,11 @@ std::vector<std::vector<ParameterEstimate>> estimates(const Design& design, cons
       columns[t].push_back(a.cols() - 1);
     }
   }
-  const MatrixXd inverse = scaled_pseudo_inverse(a.transpose() * a);
-  const MatrixXd spread = a.transpose() * row_noise(noise, stacked).asDiagonal() * a;
+  MatrixXd gram = a.transpose() * a;
+  MatrixXd spread = a.transpose() * row_noise(noise, stacked).asDiagonal() * a;
+  gram.diagonal().head(stacked.coefficients) += stacked.prior;
+  spread.diagonal().head(stacked.coefficients) += stacked.prior;
+  const MatrixXd inverse = scaled_pseudo_inverse(gram);
   const MatrixXd covariance = inverse * spread * inverse;
   for (std::size_t t = 0; t < result.size(); ++t)
     for (std::size_t i = 0; i < result[t].size(); ++i)

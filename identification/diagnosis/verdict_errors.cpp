@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "identification/diagnosis/materiality.h"
+#include "identification/regression/held_bodies.h"
 #include "identification/regression/refine.h"
 
 namespace sinew::diagnosis {
@@ -61,7 +62,8 @@ double cut_of(const Problem& problem, const Settings& settings) {
 /// Root mean square of what a model leaves of each channel in the training logs, all frequencies
 /// alike.
 VectorXd left_over(const Design& design, const Model& model) {
-  const Stack rows = stack(model, even_weights(design));
+  Stack rows = stack(model, even_weights(design));
+  rows.prior.setZero();  // is in units of the noise
   const LinearFit fit = solve(rows);
   VectorXd energy = VectorXd::Zero(design.problem().channels), count = energy;
   for (std::size_t s = 0; s < design.segments().size(); ++s) {
@@ -77,11 +79,20 @@ VectorXd left_over(const Design& design, const Model& model) {
 Gain gain_on_held_out(const Design& design, const Settings& settings, const Selection& selection,
                       std::size_t term) {
   const Weights& weights = selection.noise.weights;
-  Model without = selection.model;
+  const Term& own = selection.model.terms[term];
+  Model with = selection.model, without = with;
   remove_term(design, term, without);
-  const VectorXd channels = channels_of(design, selection.model.terms[term]);
+  if (own.deviation >= 0 && !is_of_body(own)) {
+    with = hold_bodies(design, with, weights);
+    const auto before = selection.model.terms.begin();
+    const auto place = before + static_cast<std::ptrdiff_t>(term);
+    without = with;
+    remove_term(design, term - static_cast<std::size_t>(std::count_if(before, place, is_of_body)),
+                without);
+  }
+  const VectorXd channels = channels_of(design, own);
   const BlockLosses before = held_out_losses(design, settings, without, weights);
-  const BlockLosses after = held_out_losses(design, settings, selection.model, weights);
+  const BlockLosses after = held_out_losses(design, settings, with, weights);
   return block_bootstrap_gain(before.plain * channels, after.plain * channels, 0.95, settings.seed);
 }
 

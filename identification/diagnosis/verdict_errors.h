@@ -11,7 +11,8 @@ namespace sinew::diagnosis {
 /// alike.
 Eigen::VectorXd left_over(const Design& design, const Model& model);
 
-/// What a term gains on held-out logs beside the rest of the model.
+/// What a term gains on held-out logs beside the rest of the model. Beside a value of the model
+/// itself bodies are held (held_bodies.h).
 Gain gain_on_held_out(const Design& design, const Settings& settings, const Selection& selection,
                       std::size_t term);
 

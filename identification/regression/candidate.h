@@ -69,6 +69,8 @@ struct LinearParameter {
   bool per_log = false;  ///< a nuisance such as a ripple's phase: one value for each log
   /// Baseline terms only: the value the model under test uses, in so far as it is not in `known`.
   std::optional<double> nominal;
+  /// Standard deviation of what it is before any log was seen, about 0; 0: nothing is known of it.
+  double spread = 0.0;
 };
 
 enum class CandidateKind {
@@ -100,7 +102,10 @@ struct Candidate {
   /// refine() makes the coefficient itself; without nonlinear parameters, the tangent.
   bool secant = false;
   bool value = false;  ///< changes a value that the model has, where no deviation can stand for it
-  bool unlikely = false;  ///< named only where no other cause explains as much
+  bool unlikely = false;   ///< named only where no other cause explains as much
+  bool told_only = false;  ///< no model has a place for it: it is told, and nothing is adopted
+  bool of_body =
+      false;  ///< parameters of a body: their columns are exact, unlike a friction law\'s
   std::string contains;   ///< deviation at the same place that is a part of it; may be empty
   bool nuisance = false;  ///< is in every measurement: fitted, and no name for what is wrong
   /// false: a fit with these coefficients and nonlinear parameters is not this effect; may be
@@ -130,6 +135,7 @@ struct DeviationParameter {
   };
   std::vector<Share> shares;
   ColumnFunction also;  ///< one column that no baseline coefficient has; may be empty
+  double spread = 0.0;  ///< as a linear parameter's
 };
 
 /// A value of the model itself that differs from its nominal value: "viscous level", "inertia",
@@ -146,6 +152,7 @@ struct ParameterDeviation {
   std::optional<std::vector<int>> delayed;
   bool unlikely = false;                   ///< as a candidate's
   std::optional<double> body_within = {};  ///< as a candidate's, of mass and first moments
+  bool of_body = false;                    ///< as a candidate's
 };
 
 /// Everything one diagnosis works on. The baseline's coefficients are re-fitted with every cause.

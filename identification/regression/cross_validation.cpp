@@ -142,6 +142,7 @@ BlockLosses cross_validate(const Design& design, const Model& model, const Weigh
     losses.samples(stretch.block) += static_cast<double>(stretch.count);
   }
   MatrixXd all = none;
+  all.diagonal().head(wide) = prior_precision(model);
   for (const MatrixXd& gram : whitened) all += gram;
   for (int b = 0; b < total; ++b) {
     const MatrixXd others = all - whitened[static_cast<std::size_t>(b)];

@@ -46,10 +46,26 @@ Weights even_weights(const Design& design) {
   return even;
 }
 
+VectorXd prior_precision(const Model& model) {
+  const std::vector<Index> first = first_columns(model);
+  VectorXd precision = VectorXd::Zero(first.back());
+  for (std::size_t t = 0; t < model.terms.size(); ++t) {
+    if (!model.terms[t].candidate) continue;
+    const std::vector<LinearParameter>& linear = model.terms[t].candidate->linear;
+    // Priors are of values that all logs share: a coefficient for each parameter.
+    if (first[t + 1] - first[t] != static_cast<Index>(linear.size())) continue;
+    for (std::size_t p = 0; p < linear.size(); ++p)
+      if (linear[p].spread > 0.0)
+        precision(first[t] + static_cast<Index>(p)) = 1.0 / (linear[p].spread * linear[p].spread);
+  }
+  return precision;
+}
+
 Stack stack(const Model& model, const Weights& weights) {
   Stack result;
   const std::vector<Index> first = first_columns(model);
   result.coefficients = first.back();
+  result.prior = prior_precision(model);
   result.first_row.push_back(0);
   for (const VectorXd& weight : weights)
     result.first_row.push_back(result.first_row.back() + weight.size());
@@ -87,6 +103,7 @@ MatrixXd Stack::gram() const {
   MatrixXd sum = MatrixXd::Zero(coefficients, coefficients);
   for (std::size_t s = 0; s < a.size(); ++s)
     if (!at[s].empty()) sum(at[s], at[s]) += a[s].transpose() * a[s];
+  sum.diagonal() += prior;
   return sum;
 }
 
@@ -117,7 +134,7 @@ LinearFit solve(const Stack& stack) {
     fit.covariance = scaled_pseudo_inverse(stack.gram());
     // Twice, for refinement: the normal equations square the condition number.
     for (int round = 0; round < 2; ++round) {
-      VectorXd moment = VectorXd::Zero(stack.coefficients);
+      VectorXd moment = -stack.prior.cwiseProduct(fit.coefficients);
       for (std::size_t s = 0; s < stack.a.size(); ++s)
         if (!stack.at[s].empty())
           moment(stack.at[s]) +=
@@ -130,7 +147,7 @@ LinearFit solve(const Stack& stack) {
               stack.a[s] * step(stack.at[s]);
     }
   }
-  fit.deviance = fit.residual.squaredNorm();
+  fit.deviance = fit.residual.squaredNorm() + stack.prior.dot(fit.coefficients.cwiseAbs2());
   return fit;
 }
 

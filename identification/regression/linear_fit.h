@@ -11,7 +11,7 @@ namespace sinew::diagnosis {
 
 /// A group that takes part in the fit, at given nonlinear parameters.
 struct Term {
-  const Candidate* candidate = nullptr;
+  const Candidate* candidate = nullptr;  ///< null: columns alone
   bool baseline = false;
   Eigen::VectorXd nonlinear;
   BandColumns columns;   ///< unwhitened
@@ -45,18 +45,22 @@ struct Stack {
   std::vector<Eigen::MatrixXd> a;             ///< per segment: its rows x its columns
   std::vector<std::vector<Eigen::Index>> at;  ///< per segment: the columns' coefficients, ascending
   Eigen::VectorXd y;                          ///< all rows
+  Eigen::VectorXd prior;                      ///< prior_precision() of the model
   std::vector<Eigen::Index> first_row;        ///< of each segment, and the total at the end
   Eigen::Index coefficients = 0;
   Eigen::MatrixXd dense() const;  ///< all rows x all coefficients
-  Eigen::MatrixXd gram() const;   ///< dense()' dense()
+  Eigen::MatrixXd gram() const;   ///< dense()' dense(), and the priors' precisions
 };
+
+/// Of every coefficient what is known before the logs: 1 / spread^2 (candidate.h), or 0.
+Eigen::VectorXd prior_precision(const Model& model);
 
 /// Result of a fit. Coefficients follow the terms, each term's as Design::coefficients lists them.
 struct LinearFit {
   Eigen::VectorXd coefficients;
-  Eigen::MatrixXd covariance;  ///< pseudo-inverse of the whitened normal matrix
+  Eigen::MatrixXd covariance;  ///< pseudo-inverse of the whitened normal matrix and the priors
   Eigen::VectorXd residual;    ///< whitened, stacked
-  double deviance = 0.0;       ///< residual' residual
+  double deviance = 0.0;       ///< residual' residual + coefficients' prior coefficients
 };
 
 /// Column of each term's first coefficient, and the total at the end.
@@ -68,7 +72,7 @@ void set_advance(const Design& design, std::size_t segment, double advance, Mode
 /// Whitened training rows of all terms and the target.
 Stack stack(const Model& model, const Weights& weights);
 
-/// Least squares; columns that are zero or linearly dependent get the minimum-norm coefficients.
+/// Least squares beside the priors; columns that are zero or linearly dependent get the minimum-norm coefficients.
 LinearFit solve(const Stack& stack);
 
 /// Symmetric pseudo-inverse after scaling to a unit diagonal; relative eigenvalues below

@@ -96,7 +96,7 @@ void DrivenSubject::add_deviation(const Candidate& c, CandidateOrigin origin, in
   const std::size_t count = columns < 0 ? c.linear.size() : static_cast<std::size_t>(columns);
   for (std::size_t k = 0; k < count; ++k) {
     const LinearParameter& p = c.linear[k];
-    DeviationParameter parameter{p.name, p.unit, p.low, p.high, {}, {}};
+    DeviationParameter parameter{p.name, p.unit, p.low, p.high, {}, {}, p.spread};
     parameter.also = [columns_of_all = c.columns, k](const Recording& log, int channel,
                                                      const VectorXd& shape) -> MatrixXd {
       const MatrixXd all = columns_of_all(log, channel, shape);
@@ -107,6 +107,7 @@ void DrivenSubject::add_deviation(const Candidate& c, CandidateOrigin origin, in
   }
   deviation.unlikely = c.unlikely;
   deviation.body_within = c.body_within;
+  deviation.of_body = c.of_body;
   problem_.deviations.push_back(std::move(deviation));
   deviations_.push_back(std::move(origin));
 }

@@ -13,6 +13,7 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
+constexpr double kTolerance = 0.1;  // of a torque constant, as data sheets have it
 constexpr double kSmallScale = 1e-4, kSmallTime = 1e-3;  // of the derivatives; 1, s
 
 /// Named, limited and told apart as the effect says.
@@ -25,6 +26,7 @@ Candidate of_effect(const std::string& id, const EffectPlace& place, LinearParam
   c.place = place.name;
   c.channels = {place.axis};
   c.linear = {std::move(parameter)};
+  c.told_only = effect.coefficients.empty();
   return c;
 }
 
@@ -150,7 +152,8 @@ Candidate common_delay_candidate() {
 }
 
 Candidate torque_constant_candidate(const EffectPlace& place) {
-  Candidate c = of_effect("torque_constant", place, {"gain", "1", -0.6, 1.5, false, {}});
+  Candidate c =
+      of_effect("torque_constant", place, {"gain", "1", -0.6, 1.5, false, {}, kTolerance});
   c.value = true;
   c.columns = [axis = place.axis](const Recording& log, int channel, const VectorXd&) -> MatrixXd {
     if (channel != axis) return {};

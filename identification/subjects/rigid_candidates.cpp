@@ -21,6 +21,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double strongest_gravity = 10.0;  // m/s²
 constexpr std::size_t most_payloads = 5;    // a hand's fingers
 constexpr std::size_t most_links = 8;       // whose own masses are asked about
+constexpr double kOwnSpread = 0.2;          // of a link's mass, what its drawing is off by
 constexpr double lightest_link = 0.1;       // of its model's mass, where its shape is as drawn
 
 LinearParameter parameter(const std::string& name, const std::string& unit, double low) {
@@ -39,6 +40,20 @@ void describe(const std::string& effect, Group& group) {
   group.name = e.name;
   group.experiment = e.experiment;
   group.limit = e.limit;
+}
+
+/// Before any log was seen a body's mass is known to be within `mass` [kg], and its moments those
+/// of as much mass about `radius` [m] from the origin.
+void expect(double mass, double radius, std::vector<LinearParameter>& parameters) {
+  for (std::size_t k = 0; k < parameters.size(); ++k)
+    parameters[k].spread = mass * (k == 0                     ? 1.0
+                                   : k < kMassAndFirstMoments ? radius
+                                                              : radius * radius);
+}
+
+/// How far from its frame's origin a body's mass is, as a root of the mean square.
+double radius_of(const Body& body) {
+  return std::sqrt(body.centre_of_mass.squaredNorm() + 0.5 * body.inertia.trace() / body.mass);
 }
 
 struct MovingBody {
@@ -159,6 +174,7 @@ void RigidColumns::add_inertial(const Mechanism& mechanism, std::size_t body, bo
   group.parameters.front().high = moving_mass(mechanism);
   if (leaf) group.parameters.front().high = 0.0;
   if (leaf) group.limit = "it would carry something";
+  if (carrier.mass > 0.0) expect(kOwnSpread * carrier.mass, radius_of(carrier), group.parameters);
   group.unlikely = group.is_link = true;
   groups_.push_back(std::move(group));
 }
@@ -378,6 +394,7 @@ std::vector<RigidColumns::OfMechanism> RigidColumns::candidates() const {
     c.isolating_experiment = group.experiment;
     c.unlikely = group.unlikely;
     c.body_within = group.body_within;
+    c.of_body = group.effect != "gravity";
     const auto wide = static_cast<Index>(group.columns.size());
     c.columns = [signal = group.signal, wide, n = coordinates_](const Recording& log, int channel,
                                                                 const VectorXd&) -> MatrixXd {

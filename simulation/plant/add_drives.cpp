@@ -71,11 +71,16 @@ void add_drives(const HeldHand& held, const Identified& identified, const Scenar
 
 Hand with_identified(Hand hand, const Identified& identified) {
   for (HandFinger& finger : hand.fingers) {
-    const std::string prefix = "link " + finger.mechanism.name + "_";
+    const std::string joint = finger.mechanism.name + "_", link = "link " + joint;
     Identified own;
     for (IdentifiedEffect entry : identified.effects) {
-      if (!changes_mechanism(entry) || !entry.place.starts_with(prefix)) continue;
-      entry.place = "link " + entry.place.substr(prefix.size());
+      if (!changes_mechanism(entry)) continue;
+      if (entry.place.starts_with(link))
+        entry.place = "link " + entry.place.substr(link.size());
+      else if (entry.place.starts_with(joint))
+        entry.place.erase(0, joint.size());
+      else
+        continue;
       own.effects.push_back(std::move(entry));
     }
     finger.mechanism = with_identified(std::move(finger.mechanism), own);

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <Eigen/Dense>
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <map>
 #include <stdexcept>
@@ -67,6 +68,29 @@ Matrix4d change_of(const IdentifiedEffect& entry, const Body& body) {
                                                          : keeping_shape(entry, body);
 }
 
+/// A sensor that reads `zero_offset` too much: the joint's zero is where it reads that. Throws
+/// where another joint moves with its coordinate.
+void move_zero(const IdentifiedEffect& entry, Mechanism& mechanism) {
+  const auto joint = std::find_if(mechanism.joints.begin(), mechanism.joints.end(),
+                                  [&](const Joint& j) { return j.name == entry.place; });
+  if (joint == mechanism.joints.end())
+    refuse(entry, fmt::format("there is no joint '{}'", entry.place),
+           "expected a joint of the model");
+  const auto couples = [&](const auto& c) {
+    return c.dependent == entry.place || c.independent == entry.place;
+  };
+  if (std::any_of(mechanism.couplings.begin(), mechanism.couplings.end(), couples) ||
+      std::any_of(mechanism.four_bars.begin(), mechanism.four_bars.end(), couples))
+    refuse(entry, fmt::format("joint '{}' is coupled with another one", entry.place),
+           "expected the zero offset of a joint that moves alone");
+  const double back = -entry_sum(entry, "zero_offset");
+  Transform& origin = joint->origin;
+  if (joint->type == JointType::prismatic)
+    origin.translation += origin.rotation * (back * joint->axis);
+  else
+    origin.rotation = origin.rotation * Eigen::AngleAxisd(back, joint->axis).toRotationMatrix();
+}
+
 /// What the entries change of one body.
 struct BodyChange {
   Matrix4d J = Matrix4d::Zero();
@@ -98,7 +122,7 @@ bool changes_link(const IdentifiedEffect& entry) {
 }
 
 bool changes_mechanism(const IdentifiedEffect& entry) {
-  return changes_link(entry) || entry.effect == "gravity";
+  return changes_link(entry) || entry.effect == "gravity" || entry.effect == "sensor_offset";
 }
 
 Identified mechanism_changes(const Identified& before, const Identified& after) {
@@ -132,6 +156,7 @@ Mechanism with_identified(Mechanism mechanism, const Identified& identified) {
     if (entry.effect == "gravity")
       for (const IdentifiedValue& change : entry.coefficients)
         mechanism.gravity += change.value * changed_axis(change.name);
+    if (entry.effect == "sensor_offset") move_zero(entry, mechanism);
     if (!changes_link(entry)) continue;
     const auto body = std::find_if(mechanism.bodies.begin(), mechanism.bodies.end(),
                                    [&](const Body& b) { return "link " + b.name == entry.place; });

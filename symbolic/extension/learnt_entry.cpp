@@ -37,11 +37,11 @@ PlaceKind kind_of(ModelPlace place) {
   return PlaceKind::joint;
 }
 
-DeclaredEntry entry_of_model_effect(const ModelEffect& effect) {
+DeclaredEntry entry_of_model_effect(const ModelEffect& effect, bool revolute) {
   DeclaredEntry entry;
   entry.place = kind_of(effect.place);
   for (const ModelCoefficient& c : effect.coefficients)
-    entry.coefficients.push_back({c.name, c.unit, c.limits, c.required});
+    entry.coefficients.push_back({c.name, unit_at(c.unit, revolute), c.limits, c.required});
   entry.limit = effect.limit;
   entry.single = true;
   return entry;
@@ -63,7 +63,7 @@ std::optional<DeclaredEntry> declared_entry(const std::string& effect, bool revo
     if (each.id == effect) return entry_of_effect(each, revolute);
   const ModelEffect* of_model = find_model_effect(effect);
   if (!of_model || of_model->coefficients.empty()) return std::nullopt;
-  return entry_of_model_effect(*of_model);
+  return entry_of_model_effect(*of_model, revolute);
 }
 
 std::optional<DeclaredEntry> declared_entry(const std::string& effect) {

@@ -87,6 +87,8 @@ ArmLog draw_log(const Mechanism& arm, std::uint64_t seed, const ArmFriction& fri
             .inverse_dynamics(q.row(k).transpose(), qd.row(k).transpose(), qdd.row(k).transpose())
             .transpose();
   tau.array() += friction.coulomb * (qd.array() / 0.01).tanh() + friction.viscous * qd.array();
+  for (std::size_t j = 0; j < friction.rotors.size(); ++j)
+    tau.col(static_cast<Index>(j)) += friction.rotors[j] * qdd.col(static_cast<Index>(j));
   for (Index j = 0; j < joints; ++j) {
     const double noise = 0.01 * std::sqrt(tau.col(j).squaredNorm() / double(samples));
     for (Index k = 0; k < samples; ++k) {

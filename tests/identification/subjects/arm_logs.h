@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "symbolic/model/mechanism.h"
 
@@ -19,9 +20,10 @@ Mechanism arm_of_five();
 /// Two links in a vertical plane; no friction.
 Mechanism upper_and_lower_arm();
 
-/// Friction of every joint, [N·m] and [N·m·s/rad].
+/// Friction of every joint, [N·m] and [N·m·s/rad], and each one's rotor [kg·m²]; empty: none.
 struct ArmFriction {
   double coulomb = 0.0, viscous = 0.0;
+  std::vector<double> rotors = {};
 };
 
 /// samples x joints; rad, N·m.

@@ -3,6 +3,7 @@
 // positive, and a mass matrix that accelerates the way it is pushed.
 #include <fmt/format.h>
 #include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
 #include <catch2/catch.hpp>
 #include <numbers>
 
@@ -12,6 +13,7 @@
 #include "symbolic/model/pseudo_inertia.h"
 #include "symbolic/model/read_mechanism.h"
 #include "symbolic/model/singular_mass_matrix.h"
+#include "tests/reference/newton_euler.h"
 
 using namespace sinew;
 
@@ -200,4 +202,33 @@ TEST_CASE("a finger with a four-bar and coupled joints is looked at as it moves"
     CHECK(refusal(finger, entry("payload", link, {{"mass", 0.02}, {"first_moment_x", 1e-4}})) ==
           "");
   }
+}
+
+TEST_CASE("a joint whose sensor reads too much stands where it is") {
+  // Planted defect: the offset with the other sign, or of a slide along the parent's axis.
+  for (const JointType type : {JointType::revolute, JointType::prismatic}) {
+    Mechanism arm = two_links();
+    arm.joints[1].type = type;
+    arm.joints[1].axis = Eigen::Vector3d(0.6, 0.0, 0.8);
+    arm.joints[1].origin.rotation =
+        Eigen::AngleAxisd(0.4, Eigen::Vector3d::UnitX()).toRotationMatrix();
+    const double offset = 0.07;
+    const Mechanism learnt_arm =
+        with_identified(arm, learnt(entry("sensor_offset", "q2", {{"zero_offset", offset}})));
+    const reference::NewtonEuler<double> as_drawn(arm), as_learnt(learnt_arm);
+    const Eigen::Vector2d q(0.5, 0.9), qd(0.3, -0.7), qdd(1.1, 0.4);
+    const Eigen::Vector2d read = q + Eigen::Vector2d(0.0, offset);
+    const Eigen::VectorXd expected = as_drawn.inverse_dynamics(q, qd, qdd);
+    CHECK((as_learnt.inverse_dynamics(read, qd, qdd) - expected).norm() < 1e-12 * expected.norm());
+  }
+}
+
+TEST_CASE("the zero of a joint that moves another one is not adopted") {
+  Mechanism arm = two_links();
+  arm.couplings.push_back({"q2", "q1", 0.8, 0.0, {}});
+  for (const char* joint : {"q1", "q2"})
+    CHECK(refusal(arm, entry("sensor_offset", joint, {{"zero_offset", 0.05}}))
+              .find("is coupled with another one") != std::string::npos);
+  CHECK(refusal(two_links(), entry("sensor_offset", "q9", {{"zero_offset", 0.05}}))
+            .find("there is no joint 'q9'") != std::string::npos);
 }
