@@ -118,6 +118,24 @@ bool is_told_only(const Design& design, const Trial& trial) {
          design.problem().library[static_cast<std::size_t>(trial.candidate)].told_only;
 }
 
+/// Terms of the present model, the replaced one aside, that are within their limits.
+std::vector<bool> within_limits(const Design& design, const Selection& state, std::size_t term) {
+  const LinearFit fit = solve(stack(state.model, state.noise.weights));
+  std::vector<bool> within;
+  for (std::size_t t = 0; t < state.model.terms.size(); ++t)
+    if (t != term) within.push_back(!violates_limits(design, state.model, fit, t));
+  return within;
+}
+
+/// Beside a rival every other term has to stay possible, its own as well.
+bool is_possible(const Design& design, const Weights& weights, const std::vector<bool>& within,
+                 const Model& model) {
+  const LinearFit fit = solve(stack(model, weights));
+  for (std::size_t t = 0; t < model.terms.size(); ++t)
+    if ((t >= within.size() || within[t]) && violates_limits(design, model, fit, t)) return false;
+  return true;
+}
+
 /// Fitted models with the term replaced by whatever comes near it.
 std::vector<Trial> contenders(const Design& design, const Library& library, const Selection& state,
                               std::size_t term) {
@@ -152,6 +170,10 @@ std::vector<Trial> contenders(const Design& design, const Library& library, cons
   trials.push_back(std::move(present));
   rank_trials(design, state.freedom, state.noise.weights, trials);
   refit_close_ones(design, state, deviance(without, state.noise.weights), trials);
+  const std::vector<bool> within = within_limits(design, state, term);
+  std::erase_if(trials, [&](const Trial& t) {
+    return t.candidate != own && !is_possible(design, state.noise.weights, within, t.model);
+  });
   std::sort(trials.begin(), trials.end(),
             [](const Trial& a, const Trial& b) { return a.score < b.score; });
   // The search's own choice stays first unless another one is better by more than chance.

@@ -119,6 +119,7 @@ Term deviation_term(const Design& design, const Model& model, const FixedPart& n
   Term term;
   term.candidate = c.get();
   term.deviation = index;
+  term.with_prior = true;
   term.columns = deviation.delayed ? delay_columns(design, *deviation.delayed, nominal)
                                    : design.columns(*c, VectorXd());
   made.push_back(std::move(c));
@@ -180,6 +181,7 @@ DeviationTerms take_apart(const Design& design, const Model& model) {
   for (const Term& term : model.terms) {
     if (!term.baseline) {
       parts.base.terms.push_back(term);
+      parts.base.terms.back().with_prior = true;
       continue;
     }
     const auto& mine = covered[static_cast<std::size_t>(term.candidate - problem.baseline.data())];

@@ -162,6 +162,19 @@ void take_form(int candidate, NamedCause& cause) {
   cause.candidate = candidate;
 }
 
+/// Of a set the member that the model is extended by goes first: beside values that are free
+/// another one may have been ahead.
+void put_adopted_first(const Design& design, const Model& model, NamedCause& cause) {
+  if (cause.candidate < 0 || term_of(design, cause.candidate, model)) return;
+  const auto is_adopted = [&](const RankedCause& member) {
+    return member.candidate >= 0 && term_of(design, member.candidate, model);
+  };
+  const auto adopted = std::find_if(cause.members.begin(), cause.members.end(), is_adopted);
+  if (adopted == cause.members.end()) return;
+  std::rotate(cause.members.begin(), adopted, adopted + 1);
+  cause.candidate = cause.members.front().candidate;
+}
+
 /// Gains and forms of the causes as the model is extended by them: beside values that are free a
 /// cause may have another form.
 void follow_adopted(const Design& design, const Settings& settings, const Selection& state,
@@ -174,6 +187,7 @@ void follow_adopted(const Design& design, const Settings& settings, const Select
   const std::vector<int>& exchanged = result.selection.exchanged;
   for (NamedCause& cause : result.verdict.causes) {
     if (cause.candidate < 0) continue;
+    put_adopted_first(design, state.model, cause);
     const std::optional<std::size_t> t = term_of(design, cause.candidate, state.model);
     if (!t) continue;
     const bool is_exchanged =

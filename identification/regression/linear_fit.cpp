@@ -50,7 +50,7 @@ VectorXd prior_precision(const Model& model) {
   const std::vector<Index> first = first_columns(model);
   VectorXd precision = VectorXd::Zero(first.back());
   for (std::size_t t = 0; t < model.terms.size(); ++t) {
-    if (!model.terms[t].candidate) continue;
+    if (!model.terms[t].with_prior) continue;
     const std::vector<LinearParameter>& linear = model.terms[t].candidate->linear;
     // Priors are of values that all logs share: a coefficient for each parameter.
     if (first[t + 1] - first[t] != static_cast<Index>(linear.size())) continue;

@@ -11,12 +11,14 @@ namespace sinew::diagnosis {
 
 /// A group that takes part in the fit, at given nonlinear parameters.
 struct Term {
-  const Candidate* candidate = nullptr;  ///< null: columns alone
+  const Candidate* candidate = nullptr;
   bool baseline = false;
   Eigen::VectorXd nonlinear;
   BandColumns columns;   ///< unwhitened
   double freedom = 0.0;  ///< deviations only: effective number of parameters
   int deviation = -1;    ///< index into the problem's deviations
+  /// What was known of its parameters before the logs counts: it competes with values of the model.
+  bool with_prior = false;
 };
 
 /// What a model says with coefficients that are not fitted, per segment in the band.
@@ -52,7 +54,8 @@ struct Stack {
   Eigen::MatrixXd gram() const;   ///< dense()' dense(), and the priors' precisions
 };
 
-/// Of every coefficient what is known before the logs: 1 / spread^2 (candidate.h), or 0.
+/// Of every coefficient what was known before the logs, in so far as it counts: 1 / spread^2
+/// (candidate.h), or 0.
 Eigen::VectorXd prior_precision(const Model& model);
 
 /// Result of a fit. Coefficients follow the terms, each term's as Design::coefficients lists them.

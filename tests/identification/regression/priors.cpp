@@ -30,6 +30,7 @@ TEST_CASE("of terms that no log tells apart each takes its share by what was kno
     model.terms.emplace_back();
     model.terms.back().candidate = &c;
     model.terms.back().columns = {x};
+    model.terms.back().with_prior = true;
   };
   add(narrow);
   add(wide);
