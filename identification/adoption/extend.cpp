@@ -181,7 +181,8 @@ void add_to(std::vector<IdentifiedValue>& values, const IdentifiedValue& more) {
 }
 
 /// The model divides a joint's whole effort by what its torque constant or pulley changed; the fit
-/// has that change of the model as it was, and what is added to it beside it.
+/// has that change of the model as it was, and what is added to it beside it. What changes bodies
+/// acts on several joints and stays as it was fitted: off by the change at those joints.
 void put_before_gains(std::vector<ExtensionTerm>& terms) {
   for (const ExtensionTerm& gain : terms) {
     if (gain.entry.effect != "torque_constant" && gain.entry.effect != "pulley_radius") continue;

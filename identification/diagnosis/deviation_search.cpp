@@ -70,13 +70,13 @@ DeviationSet without(DeviationSet set, int deviation) {
   return set;
 }
 
-DeviationSearch::DeviationSearch(const DeviationMoments& m, double price, int most)
+DeviationSearch::DeviationSearch(const DeviationMoments& m, const Price& price, int most)
     : m_(m), most_(static_cast<std::size_t>(most)) {
   for (int l = 0; l + 1 < static_cast<int>(m.first.size()); ++l) {
     const double freedom =
         m.surrogates.size() ? std::max(0.5, drops_by_chance(m, {l}).mean()) : 1.0;
     freedom_.push_back(freedom);
-    price_.push_back(price * freedom + m.dearer[static_cast<std::size_t>(l)]);
+    price_.push_back(price.each_parameter * freedom + price.each_deviation);
   }
 }
 

@@ -21,8 +21,7 @@ struct DeviationMoments {
   Eigen::MatrixXd surrogates;
   Eigen::VectorXd low, high;
   std::vector<std::optional<double>> body_within;  ///< each deviation's; see candidate.h
-  std::vector<double> dearer;  ///< what each deviation costs beside its parameters
-  double base = 0.0;           ///< deviance with every deviation at its nominal value
+  double base = 0.0;  ///< deviance with every deviation at its nominal value
 };
 
 /// Drop of the deviance by a set; negative where a change lies beyond its limit by more than two
@@ -34,8 +33,12 @@ DeviationSet without(DeviationSet set, int deviation);
 /// The sparse search over sets of allowed deviations.
 class DeviationSearch {
  public:
-  /// `price` per effective parameter; at most `most` deviations.
-  DeviationSearch(const DeviationMoments& m, double price, int most);
+  /// Deviance that a deviation has to be worth.
+  struct Price {
+    double each_parameter, each_deviation;
+  };
+  /// Parameters count as effective ones; at most `most` deviations.
+  DeviationSearch(const DeviationMoments& m, const Price& price, int most);
 
   /// Effective parameters of a deviation: what it takes of a surrogate's deviance on average.
   double freedom(int deviation) const { return freedom_[static_cast<std::size_t>(deviation)]; }

@@ -99,10 +99,8 @@ DeviationMoments moments(const Design& design, const DeviationTerms& parts,
     const MatrixXf part = x.middleRows(s.first_row[i], draws.rows()).cast<float>();
     m.surrogates += (part.transpose() * draws).cast<double>();
   }
-  for (const ParameterDeviation& deviation : design.problem().deviations) {
-    m.dearer.push_back(deviation.unlikely && !deviation.of_body ? kUnlikely : kAnother);
+  for (const ParameterDeviation& deviation : design.problem().deviations)
     m.body_within.push_back(deviation.body_within);
-  }
   m.low = VectorXd::Zero(x.cols());
   m.high = VectorXd::Zero(x.cols());
   for (std::size_t l = 0; l < parts.deviations.size(); ++l)
@@ -176,13 +174,11 @@ Model without_deviation(Model model, int deviation) {
 }
 
 /// Much of what the model's own values leave over, or plainly much of what is left beside all
-/// others: large friction must not hide a rotor that is plain once the friction is known. What
-/// links change has its form exactly, and is told by less.
-bool is_worth_naming(const Evidence& evidence, bool is_exact, const Settings& settings) {
+/// others: large friction must not hide a rotor that is plain once the friction is known.
+bool is_worth_naming(const Evidence& evidence, const Settings& settings) {
   constexpr double kMuchOfTheRest = 0.1;
-  const double much = is_exact ? settings.least_share : kMuchOfTheRest;
   return evidence.validated > 0.0 && evidence.gain.share >= settings.least_share &&
-         (evidence.of_baseline >= settings.least_of_baseline || evidence.gain.low > much);
+         (evidence.of_baseline >= settings.least_of_baseline || evidence.gain.low > kMuchOfTheRest);
 }
 
 Judged judge_deviation(const Design& design, const Settings& settings, const DeviationTerms& parts,
@@ -196,8 +192,8 @@ Judged judge_deviation(const Design& design, const Settings& settings, const Dev
   j.evidence.p_family = p_value(m, all.set, deviation, j.evidence.statistic);
   const Model before =
       given_deviations(design, weights, model_of(design, weights, parts, search, others));
-  const bool is_exact = is_of_body(parts.deviations[static_cast<std::size_t>(deviation)]);
-  const bool held = all.held.terms.size() < all.model.terms.size() && !is_exact;
+  const bool held = all.held.terms.size() < all.model.terms.size() &&
+                    !is_of_body(parts.deviations[static_cast<std::size_t>(deviation)]);
   const Model without_it =
       held ? given_deviations(design, weights, without_deviation(all.held, deviation)) : before;
   const BlockLosses b = cross_validate(design, without_it, weights, settings.blocks);
@@ -213,7 +209,7 @@ Judged judge_deviation(const Design& design, const Settings& settings, const Dev
     j.against = "too little to be told from noise";
   else if (deviance(before, weights) - deviance(all.model, weights) < worth)
     j.against = "another form of the named causes says as much";
-  else if (!is_worth_naming(j.evidence, is_exact, settings))
+  else if (!is_worth_naming(j.evidence, settings))
     j.against = "no gain worth naming on left-out blocks";
   // What is plain here and nowhere there is for the verdict: the logs disagree.
   else if (!design.problem().holdout.empty() && !is_plain(j.evidence.gain, j.evidence.p_family) &&
@@ -258,7 +254,7 @@ DeviationSelection select_deviations(const Design& design, const Settings& setti
   const int channels = design.problem().channels;
   const int most = std::max(
       {settings.most_deviations, channels, std::min(kMostAtJoint * channels, kManyDeviations)});
-  const DeviationSearch search(m, parameter_price(design), most);
+  const DeviationSearch search(m, {parameter_price(design), kAnother}, most);
   const VectorXd nominal_loss = cross_validate(design, parts.base, weights, settings.blocks)
                                     .plain.colwise()
                                     .sum()

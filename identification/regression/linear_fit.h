@@ -75,7 +75,8 @@ void set_advance(const Design& design, std::size_t segment, double advance, Mode
 /// Whitened training rows of all terms and the target.
 Stack stack(const Model& model, const Weights& weights);
 
-/// Least squares beside the priors; columns that are zero or linearly dependent get the minimum-norm coefficients.
+/// Least squares beside the priors; columns that are zero or linearly dependent get the
+/// minimum-norm coefficients.
 LinearFit solve(const Stack& stack);
 
 /// Symmetric pseudo-inverse after scaling to a unit diagonal; relative eigenvalues below
