@@ -205,7 +205,8 @@ TEST_CASE("a finger with a four-bar and coupled joints is looked at as it moves"
 }
 
 TEST_CASE("a joint whose sensor reads too much stands where it is") {
-  // Planted defect: the offset with the other sign, or of a slide along the parent's axis.
+  // Planted defects, each seen to fail: the offset with the other sign; a slide along the parent's
+  // axis.
   for (const JointType type : {JointType::revolute, JointType::prismatic}) {
     Mechanism arm = two_links();
     arm.joints[1].type = type;
@@ -224,6 +225,7 @@ TEST_CASE("a joint whose sensor reads too much stands where it is") {
 }
 
 TEST_CASE("the zero of a joint that moves another one is not adopted") {
+  // Planted defect, seen to fail: the joint that moves the other one is not asked about.
   Mechanism arm = two_links();
   arm.couplings.push_back({"q2", "q1", 0.8, 0.0, {}});
   for (const char* joint : {"q1", "q2"})
