@@ -17,9 +17,13 @@ struct AdoptedFit {
   std::vector<std::string> refused;  ///< a sentence for each cause that was left out
 };
 
+/// Of a verdict's causes, the one that this candidate's term stands for; -1: none.
+int cause_of(const Verdict& verdict, int candidate);
+
 /// The fit that the verdict's gains stand for, without causes that it puts beyond their limits or
 /// of which it leaves no finite standard error: what was possible when a cause was named may have
-/// become impossible beside the others.
+/// become impossible beside the others. Without bodies, too, that no cause tells: another one's
+/// mass would be what only both together have.
 AdoptedFit possible_fit(const Design& design, const Explanation& explanation);
 
 /// Leaves out the cause without which the fit predicts this channel of the held-out logs best.

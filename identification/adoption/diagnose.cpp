@@ -24,6 +24,7 @@
 #include "identification/contacts/undisturbed.h"
 #include "identification/diagnosis/explanation.h"
 #include "identification/diagnosis/sensor_play.h"
+#include "identification/diagnosis/separation.h"
 #include "identification/likelihood/explain.h"
 #include "identification/report/log_record.h"
 #include "identification/report/verdict_text.h"
@@ -174,31 +175,27 @@ class Run {
   }
 
   Explanation search() {
-    Explanation explanation = explain_subject(subject_);
+    Explanation explanation = explain(subject_.problem(), request_.settings);
     std::optional<NamedCause> force;
     if (!request_.settings.first_look) {
-      force = find_undisturbed([&](const DrivenSubject& rest) { return explain_subject(rest); },
-                               request_.settings, subject_, explanation);
+      force = find_undisturbed(
+          [&](const DrivenSubject& rest) { return explain(rest.problem(), request_.settings); },
+          request_.settings, subject_, explanation);
       look_at_standstills(explanation);
     }
     merge_members(explanation.verdict);
     if (!is_explained_by_likelihood(subject_.problem(), request_.settings))
       remove_nuisances(explanation.verdict);
     if (!request_.holdout.empty()) confirm_on_held_out(explanation.verdict);
+    propose_experiments(
+        subject_.problem(), request_.settings,
+        request_.settings.first_look
+            ? ExperimentPlanner()
+            : [this](int channel) { return subject_.experiments(channel); },
+        explanation);
     write_motions(explanation.verdict);
     if (force) explanation.verdict.causes.push_back(std::move(*force));
     return explanation;
-  }
-
-  Explanation explain_subject(const DrivenSubject& subject) const {
-    if (request_.settings.first_look) return explain(subject.problem(), request_.settings, {});
-    std::map<int, std::vector<PlannedExperiment>> planned;
-    const auto experiments = [&](int channel) -> const std::vector<PlannedExperiment>& {
-      const auto [at, is_new] = planned.try_emplace(channel);
-      if (is_new) at->second = subject.experiments(channel);
-      return at->second;
-    };
-    return explain(subject.problem(), request_.settings, experiments);
   }
 
   /// Motions that would settle what is told as a set, as files.
@@ -226,7 +223,7 @@ class Run {
     if (!may_have_play(Design(subject.problem(), request_.settings), explanation.selection.model,
                        plays))
       return;
-    Explanation other = explain_subject(subject);
+    Explanation other = explain(subject.problem(), request_.settings);
     const auto is_play = [&](const NamedCause& cause) {
       if (cause.candidate < 0) return false;
       const CandidateOrigin& origin =

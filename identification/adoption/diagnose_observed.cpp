@@ -14,6 +14,7 @@
 #include "identification/adoption/measure_plots.h"
 #include "identification/adoption/observed_extension.h"
 #include "identification/adoption/possible_terms.h"
+#include "identification/diagnosis/separation.h"
 #include "identification/likelihood/explain.h"
 #include "identification/logs/read_csv.h"
 #include "identification/report/log_record.h"
@@ -48,8 +49,9 @@ class ObservedRun {
     tell("searching for causes", 0.3);
     Explanation explanation;
     const std::string ended = why_ended([&] {
-      explanation = explain(subject_.problem(), request_.settings, {});
+      explanation = explain(subject_.problem(), request_.settings);
       merge_members(explanation.verdict);
+      propose_experiments(subject_.problem(), request_.settings, {}, explanation);
       if (!request_.holdout.empty()) confirm_on_held_out(explanation.verdict);
     });
     if (!ended.empty()) explanation = {};

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "identification/adoption/adopted_fit.h"
 #include "identification/adoption/physical_links.h"
 #include "identification/diagnosis/standard_errors.h"
 #include "identification/subjects/effect_candidate.h"
@@ -136,17 +137,6 @@ void add_directions(const DrivenSubject& subject, const Selection& selection,
                                                  subject.model().joints[origin.joint].revolute);
     if (!is_learnt(subject, direction)) result.push_back(std::move(direction));
   }
-}
-
-/// Of the causes, the one that this candidate's term stands for.
-int cause_of(const Verdict& verdict, int candidate) {
-  for (std::size_t c = 0; c < verdict.causes.size(); ++c) {
-    const NamedCause& cause = verdict.causes[c];
-    if (cause.candidate == candidate ||
-        std::find(cause.also.begin(), cause.also.end(), candidate) != cause.also.end())
-      return static_cast<int>(c);
-  }
-  return -1;
 }
 
 bool same_values(const std::vector<IdentifiedValue>& a, const std::vector<IdentifiedValue>& b) {

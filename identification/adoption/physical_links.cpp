@@ -35,7 +35,27 @@ struct LinkTerm {
   std::size_t term = 0;
   std::string effect, place;
   EstimatedBody body;
+  const Candidate* all_numbers = nullptr;  ///< of a payload that is adopted as a point
 };
+
+/// The payload of a link with its moments; nullptr where there is none.
+const Candidate* payload_with_moments(const DrivenSubject& subject, const std::string& place) {
+  const std::vector<Candidate>& library = subject.problem().library;
+  for (std::size_t i = 0; i < library.size(); ++i)
+    if (subject.library_origins()[i].effect == "payload" && library[i].place == place)
+      return &library[i];
+  return nullptr;
+}
+
+/// A payload told by its mass and first moments alone is adopted as a point, whose moments ask for
+/// efforts as well: it is looked for among points with all ten numbers.
+void look_for_point(const DrivenSubject& subject, LinkTerm& link) {
+  if (link.effect != "payload" || link.body.has_moments() || link.body.before(0) > 0.0) return;
+  link.all_numbers = payload_with_moments(subject, link.place);
+  if (!link.all_numbers) return;
+  link.body.as_point = true;
+  link.body.estimated = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9};
+}
 
 /// What the estimates of a term are added to: of a payload what was learnt of it before, of a link
 /// itself all of it.
@@ -66,6 +86,7 @@ std::vector<LinkTerm> link_terms(const DrivenSubject& subject, const Model& mode
       link.body.estimated.push_back(number_of(e.name));
     link.body.before = before_of(subject, effect, link.place);
     link.body.reach = std::max(least_reach, reach_of(subject.rigid()->mechanism()));
+    look_for_point(subject, link);
     links.push_back(std::move(link));
   }
   return links;
@@ -81,9 +102,9 @@ Split split_columns(const Model& model, const std::vector<LinkTerm>& links) {
   Split split;
   std::vector<bool> of_link(static_cast<std::size_t>(first.back()), false);
   for (const LinkTerm& link : links)
-    for (std::size_t k = 0; k < link.body.estimated.size(); ++k) {
-      split.links.push_back(first[link.term] + static_cast<Index>(k));
-      of_link[static_cast<std::size_t>(split.links.back())] = true;
+    for (Index c = first[link.term]; c < first[link.term + 1]; ++c) {
+      split.links.push_back(c);
+      of_link[static_cast<std::size_t>(c)] = true;
     }
   for (Index c = 0; c < first.back(); ++c)
     if (!of_link[static_cast<std::size_t>(c)]) split.others.push_back(c);
@@ -109,11 +130,22 @@ void follow(const Design& design, const Model& model, const Split& split, const 
   }
 }
 
+/// The model with all numbers of the payloads that are adopted as points.
+Model with_all_numbers(const Design& design, const std::vector<LinkTerm>& links, Model model) {
+  for (const LinkTerm& link : links) {
+    if (!link.all_numbers) continue;
+    Term& term = model.terms[link.term];
+    term.columns = design.columns(*link.all_numbers, VectorXd());
+    term.candidate = link.all_numbers;
+  }
+  return model;
+}
+
 /// The term's numbers as they have to be; moments that no log told of join them.
 void take(const LinkTerm& link, const BodyParameters& change,
           std::vector<ParameterEstimate>& estimates) {
   const auto& declared = find_model_effect("payload")->coefficients;
-  for (int k = 0; k < 10; ++k) {
+  for (int k = 0; k < (link.body.as_point ? 4 : 10); ++k) {
     const auto at = std::find(link.body.estimated.begin(), link.body.estimated.end(), k);
     if (at != link.body.estimated.end())
       estimates[static_cast<std::size_t>(at - link.body.estimated.begin())].value = change(k);
@@ -126,11 +158,12 @@ void take(const LinkTerm& link, const BodyParameters& change,
   }
 }
 
-std::string sentence_of(const std::vector<LinkTerm>& links, double misfit) {
+/// Those that are told apart from a body by more than chance leaves open.
+std::string sentence_of(const std::vector<const LinkTerm*>& links, double misfit) {
   std::string names;
-  for (const LinkTerm& link : links)
+  for (const LinkTerm* link : links)
     names += fmt::format("{}{} ({})", names.empty() ? "" : ", ",
-                         find_model_effect(link.effect)->name, link.place);
+                         find_model_effect(link->effect)->name, link->place);
   return fmt::format(
       "the mass properties fitted for {} are none that a body has; the nearest that one has, "
       "{:.2g} "
@@ -138,27 +171,54 @@ std::string sentence_of(const std::vector<LinkTerm>& links, double misfit) {
       names, std::sqrt(misfit));
 }
 
+/// Links with moments that no body has as they were fitted.
+std::vector<const LinkTerm*> impossible(const std::vector<LinkTerm>& links,
+                                        const VectorXd& values) {
+  std::vector<const LinkTerm*> list;
+  Index at = 0;
+  for (const LinkTerm& link : links) {
+    const auto wide = static_cast<Index>(link.body.estimated.size());
+    if (!link.body.as_point && !are_bodies({link.body}, values.segment(at, wide)))
+      list.push_back(&link);
+    at += wide;
+  }
+  return list;
+}
+
+/// What was fitted beside the links, and how it follows them.
+struct Beside {
+  MatrixXd information;  ///< of the links' numbers, all else free
+  MatrixXd follows;      ///< change of all else over that of the links', both signs turned
+};
+
+Beside all_beside(const Model& model, const Split& split, const Weights& weights) {
+  const MatrixXd gram = stack(model, weights).gram();
+  const MatrixXd across = gram(split.others, split.links);
+  Beside beside;
+  beside.follows = scaled_pseudo_inverse(gram(split.others, split.others)) * across;
+  beside.information = gram(split.links, split.links) - across.transpose() * beside.follows;
+  return beside;
+}
+
 }  // namespace
 
 std::vector<std::string> make_links_physical(const DrivenSubject& subject, const Design& design,
                                              const Selection& selection, Estimates& estimates) {
-  const Model& model = selection.model;
-  const std::vector<LinkTerm> links = link_terms(subject, model, estimates);
+  const std::vector<LinkTerm> links = link_terms(subject, selection.model, estimates);
   if (links.empty()) return {};
+  const Model model = with_all_numbers(design, links, selection.model);
+  const Weights& weights = selection.noise.weights;
+  const Split split = split_columns(model, links), told = split_columns(selection.model, links);
+  const VectorXd fitted = solve(stack(model, weights)).coefficients;
+  const VectorXd values = fitted(split.links);
+  const std::vector<const LinkTerm*> wrong = impossible(links, values);
+  const bool points = std::any_of(links.begin(), links.end(),
+                                  [](const LinkTerm& link) { return link.body.as_point; });
+  if (wrong.empty() && !points) return {};
+  const Beside beside = all_beside(model, split, weights);
   std::vector<EstimatedBody> bodies;
-  std::vector<double> list;
-  for (const LinkTerm& link : links) {
-    bodies.push_back(link.body);
-    for (const ParameterEstimate& e : estimates[link.term]) list.push_back(e.value);
-  }
-  const VectorXd values = VectorXd::Map(list.data(), static_cast<Index>(list.size()));
-  if (are_bodies(bodies, values)) return {};
-  const Split split = split_columns(model, links);
-  const MatrixXd gram = stack(model, selection.noise.weights).gram();
-  const MatrixXd across = gram(split.others, split.links);
-  const MatrixXd follows = scaled_pseudo_inverse(gram(split.others, split.others)) * across;
-  const MatrixXd information = gram(split.links, split.links) - across.transpose() * follows;
-  const NearestBodies nearest = nearest_bodies(bodies, values, information);
+  for (const LinkTerm& link : links) bodies.push_back(link.body);
+  const NearestBodies nearest = nearest_bodies(bodies, values, beside.information);
   VectorXd moved(values.size());
   Index at = 0;
   for (std::size_t b = 0; b < links.size(); ++b)
@@ -166,11 +226,13 @@ std::vector<std::string> make_links_physical(const DrivenSubject& subject, const
       moved(at) = nearest.changes[b](k) - values(at);
       ++at;
     }
-  follow(design, model, split, -follows * moved, estimates);
+  const VectorXd before = solve(stack(selection.model, weights)).coefficients(told.others);
+  follow(design, selection.model, told, fitted(split.others) - before - beside.follows * moved,
+         estimates);
   for (std::size_t b = 0; b < links.size(); ++b)
     take(links[b], nearest.changes[b], estimates[links[b].term]);
-  if (nearest.misfit < worth_saying * worth_saying) return {};
-  return {sentence_of(links, nearest.misfit)};
+  if (wrong.empty() || nearest.misfit < worth_saying * worth_saying) return {};
+  return {sentence_of(wrong, nearest.misfit)};
 }
 
 }  // namespace sinew::diagnosis

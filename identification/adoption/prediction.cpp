@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "identification/adoption/prediction.h"
 
+#include <tbb/parallel_for.h>
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -136,14 +137,16 @@ void add_domain(const std::string& domain, const Errors& errors, const DrivenSub
   const Problem& problem = subject.problem();
   const auto& logs = problem.holdout.empty() ? problem.training : problem.holdout;
   const auto joints = static_cast<Index>(channels.size());
+  std::vector<StretchErrors> parts(2 * logs.size());  // before and after, log by log
+  tbb::parallel_for(0, static_cast<int>(parts.size()), [&](int i) {
+    const auto k = static_cast<std::size_t>(i);
+    parts[k] = errors(i % 2 == 0 ? subject.effort() : after, logs[k / 2]);
+  });
   StretchErrors was(0, joints), is(0, joints);
-  const auto append = [joints](const StretchErrors& more, StretchErrors& all) {
-    all.conservativeResize(all.rows() + more.rows(), joints);
-    all.bottomRows(more.rows()) = more;
-  };
-  for (const Recording& log : logs) {
-    append(errors(subject.effort(), log), was);
-    append(errors(after, log), is);
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    StretchErrors& all = k % 2 == 0 ? was : is;
+    all.conservativeResize(all.rows() + parts[k].rows(), joints);
+    all.bottomRows(parts[k].rows()) = parts[k];
   }
   if (was.rows() == 0) return;
   for (Index j = 0; j < joints; ++j) {

@@ -11,7 +11,6 @@
 #include "identification/diagnosis/explained_structure.h"
 #include "identification/diagnosis/fewer_causes.h"
 #include "identification/diagnosis/parameter_deviations.h"
-#include "identification/diagnosis/separation.h"
 #include "identification/diagnosis/standard_errors.h"
 #include "identification/diagnosis/unexplained.h"
 #include "identification/diagnosis/verdict_errors.h"
@@ -27,8 +26,7 @@ using Eigen::VectorXd;
 /// The cause of a term. Where another one turns out to be better by more than chance, the model
 /// takes that one instead: what is named is what the model is extended by.
 NamedCause name_cause(const Design& design, const Library& library, const Settings& settings,
-                      const ExperimentPlanner& planner, const Selection& found, std::size_t term,
-                      Selection& selection) {
+                      std::size_t term, Selection& selection) {
   const Evidence& evidence = selection.evidence[term];
   Rivals rivals = find_rivals(design, library, settings, selection, term);
   NamedCause cause;
@@ -43,7 +41,6 @@ NamedCause name_cause(const Design& design, const Library& library, const Settin
   cause.cross_validated = evidence.gain;
   cause.confidence = rivals.margin;  // weighed once the left-over structure is known
   cause.held_out = cause.confirmed = gain_on_held_out(design, settings, selection, term);
-  cause.separation = separate(design, settings, found, selection, term, cause.members, planner);
   return cause;
 }
 
@@ -200,8 +197,7 @@ void follow_adopted(const Design& design, const Settings& settings, const Select
 
 /// Names the deviations the model's own values differ in, and lists the others as ruled out.
 void name_deviations(const Design& design, const Library& library, const Settings& settings,
-                     const ExperimentPlanner& planner, DeviationSelection deviations,
-                     Explanation& result) {
+                     DeviationSelection deviations, Explanation& result) {
   Selection& state = deviations.state;
   follow_adopted(design, settings, state, result);
   std::vector<std::size_t> named;
@@ -209,7 +205,7 @@ void name_deviations(const Design& design, const Library& library, const Setting
     if (state.model.terms[t].deviation >= 0) named.push_back(t);
   const std::size_t first = result.verdict.causes.size();
   for (const std::size_t t : named) {
-    NamedCause cause = name_cause(design, library, settings, planner, result.selection, t, state);
+    NamedCause cause = name_cause(design, library, settings, t, state);
     cause.confidence =
         confidence_of({cause.confidence, cause.p_family, cause.cross_validated.share, 0.0});
     result.verdict.causes.push_back(std::move(cause));
@@ -253,8 +249,7 @@ Model model_before(const Design& design, const Model& found, const DeviationTerm
 
 }  // namespace
 
-Explanation explain_by_rules(const Problem& problem, const Settings& settings,
-                             const ExperimentPlanner& planner) {
+Explanation explain_by_rules(const Problem& problem, const Settings& settings) {
   Design design(problem, settings);
   design.set_units(left_over(design, baseline_model(design)));
   const Library library(design);
@@ -272,7 +267,7 @@ Explanation explain_by_rules(const Problem& problem, const Settings& settings,
       named.push_back(t);
   }
   for (const std::size_t t : named) {
-    NamedCause cause = name_cause(design, library, settings, planner, selection, t, selection);
+    NamedCause cause = name_cause(design, library, settings, t, selection);
     cause.confidence = confidence_of({cause.confidence, cause.p_family, cause.cross_validated.share,
                                       1.0 - verdict.unexplained.named_share});
     verdict.causes.push_back(std::move(cause));
@@ -286,7 +281,7 @@ Explanation explain_by_rules(const Problem& problem, const Settings& settings,
         verdict.baseline.push_back(estimate);
   list_ruled_out(design, selection, verdict);
   if (!problem.deviations.empty())
-    name_deviations(design, library, settings, planner, std::move(deviations), result);
+    name_deviations(design, library, settings, std::move(deviations), result);
   std::stable_sort(verdict.causes.begin(), verdict.causes.end(),
                    [](const NamedCause& a, const NamedCause& b) {
                      return a.cross_validated.share > b.cross_validated.share;

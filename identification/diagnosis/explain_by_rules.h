@@ -8,7 +8,6 @@
 namespace sinew::diagnosis {
 
 /// As explain() in likelihood/explain.h.
-Explanation explain_by_rules(const Problem& problem, const Settings& settings,
-                             const ExperimentPlanner& planner = {});
+Explanation explain_by_rules(const Problem& problem, const Settings& settings);
 
 }  // namespace sinew::diagnosis

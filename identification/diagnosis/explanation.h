@@ -3,7 +3,6 @@
 #pragma once
 
 #include "identification/diagnosis/select.h"
-#include "identification/diagnosis/separation.h"
 #include "identification/diagnosis/verdict.h"
 
 namespace sinew::diagnosis {

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <optional>
 
 #include "identification/diagnosis/confounding.h"
 #include "identification/diagnosis/deviation_terms.h"
@@ -57,19 +59,37 @@ bool is_restricted(const Selection& state) {
                      [](const Term& t) { return t.deviation >= 0; });
 }
 
-/// A planned recording as the fit sees it.
+/// A planned recording in the logs' place.
+struct PlannedLog {
+  PlannedLog(const Problem& logged, const Settings& settings, Recording recording)
+      : problem(planned_problem(logged, std::move(recording))), design(problem, settings) {}
+  PlannedLog(const PlannedLog&) = delete;
+  PlannedLog& operator=(const PlannedLog&) = delete;
+
+  const Problem problem;
+  const Design design;
+};
+
+/// A set with several members: the term of its first one in the model it was fitted in.
+struct OpenSet {
+  NamedCause* cause;
+  const Selection* state;
+  std::size_t term;
+};
+
+/// A planned recording as the fit sees it. `found`: the selection that the nonlinear parameters of
+/// the baseline are taken from.
 class PlannedFit {
  public:
-  PlannedFit(const Design& design, const Settings& settings, const Selection& found,
-             const Selection& state, std::size_t term, Recording recording)
-      : problem_(planned_problem(design.problem(), std::move(recording))),
-        design_(problem_, settings) {
+  PlannedFit(const Design& design, const Selection& found, const OpenSet& set,
+             const PlannedLog& planned)
+      : problem_(planned.problem), design_(planned.design) {
     std::vector<NoiseModel> noise;
     for (const Segment& s : design_.segments())
-      noise.push_back(expected_noise(design, state.noise.noise, s));
+      noise.push_back(expected_noise(design, set.state->noise.noise, s));
     weights_ = whitening(noise);
-    set_base(design, found, state, term);
-    set_signal(design, state, term);
+    set_base(design, found, *set.state, set.term);
+    set_signal(design, *set.state, set.term);
   }
 
   /// Deviance that the first cause would make.
@@ -149,8 +169,8 @@ class PlannedFit {
     }
   }
 
-  Problem problem_;
-  Design design_;
+  const Problem& problem_;
+  const Design& design_;
   Weights weights_;
   Model base_;
   DeviationTerms deviations_;
@@ -201,23 +221,57 @@ bool is_better(const Separation& one, const Separation& other) {
   return one.expected > other.expected;
 }
 
+/// A cause's term: of the library in the model whose values are free, as its set was made; of the
+/// model's own values in the adopted one.
+std::optional<OpenSet> open_set(const Design& design, const Explanation& explanation,
+                                NamedCause& cause) {
+  for (const Selection* state : {&explanation.selection, &explanation.adopted})
+    for (std::size_t t = 0; t < state->model.terms.size(); ++t)
+      if (!state->model.terms[t].baseline &&
+          library_index(design, state->model.terms[t]) == cause.candidate)
+        return OpenSet{&cause, state, t};
+  return std::nullopt;
+}
+
+/// The sets that a motion may settle, by the channel that it is planned for.
+std::map<int, std::vector<OpenSet>> open_sets(const Design& design, Explanation& explanation) {
+  std::map<int, std::vector<OpenSet>> sets;
+  for (NamedCause& cause : explanation.verdict.causes) {
+    if (cause.members.size() < 2) continue;
+    if (const auto set = open_set(design, explanation, cause))
+      sets[first_channel(design, set->state->model.terms[set->term])].push_back(*set);
+  }
+  return sets;
+}
+
+void plan_motions(const Design& design, const Settings& settings, const ExperimentPlanner& planner,
+                  Explanation& explanation) {
+  for (const auto& [channel, sets] : open_sets(design, explanation))
+    for (const PlannedExperiment& each : planner(channel)) {
+      const PlannedLog planned(design.problem(), settings, each.recording());
+      for (const OpenSet& set : sets) {
+        const PlannedFit fit(design, explanation.selection, set, planned);
+        NamedCause& cause = *set.cause;
+        Separation now = judged(fit, each.motion, cause.statistic, cause.members);
+        if (is_better(now, cause.separation)) cause.separation = std::move(now);
+      }
+    }
+}
+
 }  // namespace
 
-Separation separate(const Design& design, const Settings& settings, const Selection& found,
-                    const Selection& state, std::size_t term,
-                    const std::vector<RankedCause>& members, const ExperimentPlanner& planner) {
-  Separation best;
-  if (members.size() < 2) return best;
-  if (planner)
-    for (const PlannedExperiment& each : planner(first_channel(design, state.model.terms[term]))) {
-      const PlannedFit fit(design, settings, found, state, term, each.recording());
-      Separation now = judged(fit, each.motion, state.evidence[term].statistic, members);
-      if (is_better(now, best)) best = std::move(now);
-    }
-  for (const RankedCause& member : members)
-    if (best.experiment.empty())
-      best.experiment = isolating_experiment(design.problem(), member.candidate);
-  return best;
+void propose_experiments(const Problem& problem, const Settings& settings,
+                         const ExperimentPlanner& planner, Explanation& explanation) {
+  std::vector<NamedCause>& causes = explanation.verdict.causes;
+  const auto is_open = [](const NamedCause& cause) { return cause.members.size() > 1; };
+  if (planner && std::any_of(causes.begin(), causes.end(), is_open))
+    plan_motions(Design(problem, settings), settings, planner, explanation);
+  for (NamedCause& cause : causes) {
+    if (!is_open(cause)) continue;
+    for (const RankedCause& member : cause.members)
+      if (cause.separation.experiment.empty() && member.candidate != kNoTerm)
+        cause.separation.experiment = isolating_experiment(problem, member.candidate);
+  }
 }
 
 }  // namespace sinew::diagnosis

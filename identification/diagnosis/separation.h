@@ -5,9 +5,8 @@
 #include <functional>
 #include <vector>
 
+#include "identification/diagnosis/explanation.h"
 #include "identification/diagnosis/planned_motion.h"
-#include "identification/diagnosis/select.h"
-#include "identification/diagnosis/verdict.h"
 
 namespace sinew::diagnosis {
 
@@ -19,15 +18,15 @@ struct PlannedExperiment {
 };
 
 /// Experiments that a channel's causes may be told apart by.
-using ExperimentPlanner = std::function<const std::vector<PlannedExperiment>&(int channel)>;
+using ExperimentPlanner = std::function<std::vector<PlannedExperiment>(int channel)>;
 
-/// The experiment by which the first of `members`, as it is fitted in term `term` of `state`, and
-/// the others differ most: what is left of the first one's effort on the planned motion after
-/// everything else that is free is fitted to it, against the noise of these logs. `found`: the
-/// selection that the nonlinear parameters of the baseline are taken from. Where no planned motion
-/// tells them apart, the isolating experiment of the first one that has any.
-Separation separate(const Design& design, const Settings& settings, const Selection& found,
-                    const Selection& state, std::size_t term,
-                    const std::vector<RankedCause>& members, const ExperimentPlanner& planner);
+/// Gives every set of an explanation the experiment by which its first member, as it is fitted,
+/// and the others differ most: what is left of the first one's effort on the planned motion after
+/// everything else that is free is fitted to it, against the noise of these logs. Where no planned
+/// motion tells them apart, or there is no planner, the isolating experiment of the first member
+/// that has any. For the explanation that stands: an arm's planned motions take as long as a
+/// search.
+void propose_experiments(const Problem& problem, const Settings& settings,
+                         const ExperimentPlanner& planner, Explanation& explanation);
 
 }  // namespace sinew::diagnosis

@@ -10,10 +10,9 @@ bool is_explained_by_likelihood(const Problem& problem, const Settings& settings
   return settings.by_likelihood && problem.noise_groups.empty();
 }
 
-Explanation explain(const Problem& problem, const Settings& settings,
-                    const ExperimentPlanner& planner) {
+Explanation explain(const Problem& problem, const Settings& settings) {
   return (is_explained_by_likelihood(problem, settings) ? explain_by_likelihood : explain_by_rules)(
-      problem, settings, planner);
+      problem, settings);
 }
 
 }  // namespace sinew::diagnosis

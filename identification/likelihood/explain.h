@@ -9,11 +9,10 @@ namespace sinew::diagnosis {
 /// Names what the baseline leaves over, by the rules (explain_by_rules.h) or, where the settings
 /// ask for it, by one likelihood (explain_by_likelihood.h). Channels that share their noise, as the
 /// joints of a finger whose forces are logged, are always explained by the rules: the likelihood
-/// does not know the spectral matrix of such channels. `planner` (may be empty): what the
-/// separating experiment is chosen from; without it a candidate's isolating experiment is proposed.
-/// Deterministic for given settings. Throws std::invalid_argument where no log is long enough.
-Explanation explain(const Problem& problem, const Settings& settings,
-                    const ExperimentPlanner& planner = {});
+/// does not know the spectral matrix of such channels. What would settle its sets is proposed
+/// afterwards (propose_experiments, diagnosis/separation.h). Deterministic for given settings.
+/// Throws std::invalid_argument where no log is long enough.
+Explanation explain(const Problem& problem, const Settings& settings);
 
 /// Which of the two it is.
 bool is_explained_by_likelihood(const Problem& problem, const Settings& settings);

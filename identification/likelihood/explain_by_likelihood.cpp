@@ -165,7 +165,6 @@ struct Measured {
   const Settings& settings;
   const FoundSlots& found;
   const Selection& adopted;
-  const Selection& free;
 };
 
 /// The whitened error on the held-out logs with a term and without it.
@@ -183,8 +182,7 @@ Gain confirmed_gain(const Measured& m, std::size_t term) {
 }
 
 /// Names with what they gain, largest gain first.
-std::vector<NamedCause> measured_causes(const Measured& m, const std::vector<NamedCause>& of_slot,
-                                        const ExperimentPlanner& planner) {
+std::vector<NamedCause> measured_causes(const Measured& m, const std::vector<NamedCause>& of_slot) {
   std::vector<NamedCause> list;
   for (const NamedCause& cause : of_slot)
     if (!cause.members.empty()) list.push_back(cause);
@@ -196,8 +194,6 @@ std::vector<NamedCause> measured_causes(const Measured& m, const std::vector<Nam
     cause.cross_validated = cross_validated_gain(m.design, m.settings, m.adopted, first + i);
     cause.held_out = gain_on_held_out(m.design, m.settings, m.adopted, first + i);
     cause.confirmed = confirmed_gain(m, first + i);
-    cause.separation =
-        separate(m.design, m.settings, m.free, m.adopted, first + i, cause.members, planner);
   }
   std::stable_sort(list.begin(), list.end(), [](const NamedCause& a, const NamedCause& b) {
     return a.cross_validated.share > b.cross_validated.share;
@@ -207,8 +203,7 @@ std::vector<NamedCause> measured_causes(const Measured& m, const std::vector<Nam
 
 }  // namespace
 
-Explanation explain_by_likelihood(const Problem& problem, const Settings& settings,
-                                  const ExperimentPlanner& planner) {
+Explanation explain_by_likelihood(const Problem& problem, const Settings& settings) {
   Design design(problem, settings);
   design.set_units(left_over(design, baseline_model(design)));
   const Model baseline = fitted_baseline(design);
@@ -224,8 +219,7 @@ Explanation explain_by_likelihood(const Problem& problem, const Settings& settin
       problem.deviations.empty() ? adopted : free_selection(design, baseline, adopted.model);
   tell_baseline(design, result);
   Verdict& verdict = result.verdict;
-  verdict.causes =
-      measured_causes({design, settings, *found, adopted, result.selection}, of_slot, planner);
+  verdict.causes = measured_causes({design, settings, *found, adopted}, of_slot);
   tell_unnamed(*found, verdict.unexplained);
   list_ruled_out(*found, verdict);
   tell_errors(design, settings, found->all.parts.base, adopted, verdict);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "identification/regression/cross_validation.h"
 
+#include <tbb/parallel_for.h>
 #include <algorithm>
 #include <cmath>
 #include <random>
@@ -99,6 +100,31 @@ PlainErrors plain_errors(const Design& design, const Stretch& stretch, const Mat
   return {stretch.block, channel, at, rows.transpose() * rows / (unit * unit)};
 }
 
+/// A segment's share of every block's moments.
+struct SegmentMoments {
+  std::vector<Index> at;           ///< its active columns
+  std::vector<MatrixXd> whitened;  ///< gram of each of its stretches
+  std::vector<PlainErrors> plain;
+};
+
+/// `stretches`: the segment's own.
+SegmentMoments segment_moments(const Design& design, const Model& model, const VectorXd& weight,
+                               const std::vector<Stretch>& stretches) {
+  SegmentMoments moments;
+  if (stretches.empty()) return moments;
+  const std::size_t segment = stretches.front().segment;
+  const MatrixXd x = time_columns(design, model, &weight, segment);
+  const MatrixXd raw = time_columns(design, model, nullptr, segment);
+  const double unit = design.unit(design.segments()[segment].channel);
+  moments.at = active_columns(model, segment);
+  for (const Stretch& stretch : stretches) {
+    const auto rows = x.middleRows(stretch.first, stretch.count);
+    moments.whitened.push_back(rows.transpose() * rows);
+    moments.plain.push_back(plain_errors(design, stretch, raw, moments.at, unit));
+  }
+  return moments;
+}
+
 BlockLosses no_losses(const Design& design, int blocks) {
   return {VectorXd::Zero(blocks), MatrixXd::Zero(blocks, design.problem().channels),
           VectorXd::Zero(blocks)};
@@ -124,27 +150,24 @@ BlockLosses cross_validate(const Design& design, const Model& model, const Weigh
   std::vector<MatrixXd> whitened(static_cast<std::size_t>(total), none);
   std::vector<std::vector<PlainErrors>> plain(whitened.size());
   BlockLosses losses = no_losses(design, total);
-  std::size_t last = design.segments().size();
-  MatrixXd x, raw;
-  std::vector<Index> at;
-  for (const Stretch& stretch : stretches) {
-    if (stretch.segment != last) {
-      x = time_columns(design, model, &weights[stretch.segment], stretch.segment);
-      raw = time_columns(design, model, nullptr, stretch.segment);
-      at = active_columns(model, stretch.segment);
-      last = stretch.segment;
+  std::vector<std::vector<Stretch>> own(design.segments().size());
+  for (const Stretch& stretch : stretches) own[stretch.segment].push_back(stretch);
+  std::vector<SegmentMoments> moments(own.size());
+  tbb::parallel_for(0, static_cast<int>(own.size()), [&](int i) {
+    const auto s = static_cast<std::size_t>(i);
+    moments[s] = segment_moments(design, model, weights[s], own[s]);
+  });
+  for (std::size_t s = 0; s < own.size(); ++s)
+    for (std::size_t k = 0; k < own[s].size(); ++k) {
+      const auto b = static_cast<std::size_t>(own[s][k].block);
+      whitened[b](moments[s].at, moments[s].at) += moments[s].whitened[k];
+      plain[b].push_back(std::move(moments[s].plain[k]));
+      losses.samples(own[s][k].block) += static_cast<double>(own[s][k].count);
     }
-    const auto b = static_cast<std::size_t>(stretch.block);
-    const auto rows = x.middleRows(stretch.first, stretch.count);
-    whitened[b](at, at) += rows.transpose() * rows;
-    plain[b].push_back(plain_errors(design, stretch, raw, at,
-                                    design.unit(design.segments()[stretch.segment].channel)));
-    losses.samples(stretch.block) += static_cast<double>(stretch.count);
-  }
   MatrixXd all = none;
   all.diagonal().head(wide) = prior_precision(model);
   for (const MatrixXd& gram : whitened) all += gram;
-  for (int b = 0; b < total; ++b) {
+  tbb::parallel_for(0, total, [&](int b) {
     const MatrixXd others = all - whitened[static_cast<std::size_t>(b)];
     VectorXd error(wide + 1);
     error.head(wide) = -scaled_pseudo_inverse(others.topLeftCorner(wide, wide), 1e-9) *
@@ -152,7 +175,7 @@ BlockLosses cross_validate(const Design& design, const Model& model, const Weigh
     error(wide) = 1.0;
     losses.whitened(b) = error.dot(whitened[static_cast<std::size_t>(b)] * error);
     for (const PlainErrors& part : plain[static_cast<std::size_t>(b)]) part.add_to(losses, error);
-  }
+  });
   return losses;
 }
 

@@ -101,8 +101,12 @@ MatrixXd Stack::dense() const {
 
 MatrixXd Stack::gram() const {
   MatrixXd sum = MatrixXd::Zero(coefficients, coefficients);
-  for (std::size_t s = 0; s < a.size(); ++s)
-    if (!at[s].empty()) sum(at[s], at[s]) += a[s].transpose() * a[s];
+  for (std::size_t s = 0; s < a.size(); ++s) {
+    if (at[s].empty()) continue;
+    MatrixXd own = MatrixXd::Zero(a[s].cols(), a[s].cols());
+    own.selfadjointView<Eigen::Lower>().rankUpdate(a[s].transpose());
+    sum(at[s], at[s]) += MatrixXd(own.selfadjointView<Eigen::Lower>());
+  }
   sum.diagonal() += prior;
   return sum;
 }
@@ -112,9 +116,10 @@ MatrixXd scaled_pseudo_inverse(const MatrixXd& gram, double tolerance) {
   const VectorXd scale =
       gram.diagonal().unaryExpr([](double d) { return d > 0.0 ? 1.0 / std::sqrt(d) : 0.0; });
   const MatrixXd unit = scale.asDiagonal() * gram * scale.asDiagonal();
-  // The decomposition takes ten times as long and is for what is nearly dependent.
+  // The decomposition takes ten times as long and is for what is nearly dependent: no eigenvalue is
+  // below rcond times the largest one, and rcond is estimated within a factor of ten or so.
   const Eigen::LLT<MatrixXd> factor(unit);
-  if (factor.info() == Eigen::Success && factor.rcond() > 1e3 * tolerance) {
+  if (factor.info() == Eigen::Success && factor.rcond() > 30.0 * tolerance) {
     const MatrixXd half = factor.matrixL().solve(MatrixXd(scale.asDiagonal()));
     return half.transpose() * half;
   }

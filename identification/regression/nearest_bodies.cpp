@@ -56,7 +56,10 @@ class BodyChart {
     body(0) = mass_ * std::exp(u(0));
     const Vector3d v = u.tail<3>();
     body.segment<3>(1) = body(0) * link_.reach * v / std::sqrt(1.0 + v.squaredNorm());
-    return body;
+    if (!link_.as_point) return body;
+    const Vector3d centre = body.segment<3>(1) / body(0);
+    const Vector4d point(centre.x(), centre.y(), centre.z(), 1.0);
+    return body_parameters(body(0) * point * point.transpose());
   }
 
  private:
@@ -209,7 +212,7 @@ BodyParameters body_parameters(const Matrix4d& J) {
 }
 
 bool EstimatedBody::has_moments() const {
-  return std::any_of(estimated.begin(), estimated.end(), [](int k) { return k > 3; });
+  return !as_point && std::any_of(estimated.begin(), estimated.end(), [](int k) { return k > 3; });
 }
 
 bool are_bodies(const std::vector<EstimatedBody>& links, const VectorXd& estimates) {

@@ -20,7 +20,9 @@ struct EstimatedBody {
   std::vector<int> estimated;  ///< which of the ten, in the order of the estimates
   BodyParameters before = BodyParameters::Zero();
   double reach = 1.0;  ///< m: its mass is no farther from its origin
-  bool has_moments() const;
+  /// All ten were estimated, but it is a mass at one point of a link that carried nothing before.
+  bool as_point = false;
+  bool has_moments() const;  ///< of its own
 };
 
 /// Whether each is a body with these changes; those not estimated are 0. Where no moment was, there

@@ -124,9 +124,9 @@ void DrivenSubject::add_mechanism_deviations() {
     const CandidateOrigin origin = library_[i];
     const Candidate candidate = problem_.library[i];
     const bool has_moments = candidate.linear.size() > kMassAndFirstMoments;
-    if (origin.effect == "payload" || (origin.effect == "inertial_parameters" && has_moments))
+    if (origin.effect == "payload")
       add_deviation(candidate, origin, kMassAndFirstMoments);
-    else if (origin.effect == "inertial_parameters" && candidate.linear.size() == 1)
+    else if (origin.effect == "inertial_parameters" && !has_moments)
       add_deviation(candidate, origin);
     else if (origin.effect == "gravity" || !origin.tendon.empty())
       add_deviation(candidate, origin);

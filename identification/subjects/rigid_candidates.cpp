@@ -58,6 +58,25 @@ double radius_of(const Body& body) {
   return std::sqrt(body.centre_of_mass.squaredNorm() + 0.5 * body.inertia.trace() / body.mass);
 }
 
+/// What a change of a link's mass [kg] and of its first moments [kg m] makes of its moments of
+/// inertia about its frame's origin [kg m^2] where it keeps its shape about its centre: to first
+/// order, as the model is extended by it (symbolic/extension). 6 x 4.
+MatrixXd moments_as_drawn(const Body& link) {
+  using Eigen::Matrix3d;
+  const Vector3d& c = link.centre_of_mass;
+  MatrixXd moments(6, kMassAndFirstMoments);
+  const auto set = [&](Index column, const Matrix3d& I) {
+    moments.col(column) << I(0, 0), I(1, 1), I(2, 2), I(0, 1), I(0, 2), I(1, 2);
+  };
+  const Matrix3d about_origin = c.squaredNorm() * Matrix3d::Identity() - c * c.transpose();
+  set(0, link.inertia / link.mass - about_origin);
+  for (Index k = 0; k < 3; ++k) {
+    const Vector3d e = Vector3d::Unit(k);
+    set(1 + k, 2.0 * c(k) * Matrix3d::Identity() - e * c.transpose() - c * e.transpose());
+  }
+  return moments;
+}
+
 struct MovingBody {
   std::size_t body = 0;
   bool leaf = true;  ///< carries no further one
@@ -176,8 +195,10 @@ void RigidColumns::add_inertial(const Mechanism& mechanism, std::size_t body, bo
   group.parameters.front().high = moving_mass(mechanism);
   if (leaf) group.parameters.front().high = 0.0;
   if (leaf) group.limit = "it would carry something";
-  if (carrier.mass > 0.0) expect(kOwnSpread * carrier.mass, radius_of(carrier), group.parameters);
-  group.unlikely = group.is_link = true;
+  const bool has_mass = carrier.mass > 0.0;
+  if (has_mass) expect(kOwnSpread * carrier.mass, radius_of(carrier), group.parameters);
+  group.as_drawn = has_mass ? moments_as_drawn(carrier) : MatrixXd::Zero(6, kMassAndFirstMoments);
+  group.unlikely = true;
   groups_.push_back(std::move(group));
 }
 
@@ -404,12 +425,14 @@ std::vector<RigidColumns::OfMechanism> RigidColumns::candidates() const {
       return log.signals.at(signal).middleCols(channel * wide, wide);
     };
     list.push_back({c, group.effect});
-    if (!group.is_link) continue;
-    // The same cause without moments of its own, which rotors at the joints take the place of.
+    if (!group.as_drawn) continue;
+    // The same cause with the drawing's shape: of moments of its own rotors take the place.
     c.linear.resize(kMassAndFirstMoments);
-    c.columns = [all = c.columns](const Recording& log, int channel, const VectorXd& shape) {
+    c.columns = [all = c.columns, moments = *group.as_drawn](const Recording& log, int channel,
+                                                             const VectorXd& shape) {
       MatrixXd x = all(log, channel, shape);
-      return x.cols() == 0 ? x : MatrixXd(x.leftCols(kMassAndFirstMoments));
+      if (x.cols() == 0) return x;
+      return MatrixXd(x.leftCols(kMassAndFirstMoments) + x.rightCols(moments.rows()) * moments);
     };
     list.push_back({std::move(c), group.effect});
   }

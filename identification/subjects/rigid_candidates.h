@@ -79,7 +79,8 @@ class RigidColumns {
     std::vector<LinearParameter> parameters;
     std::vector<Column> columns;
     bool unlikely = false;
-    bool is_link = false;  ///< a link's own parameters
+    /// Of a link's own parameters: its moments per mass and first moment, 6 x 4.
+    std::optional<Eigen::MatrixXd> as_drawn;
     std::optional<double> body_within;
   };
   Eigen::VectorXd parameters(const Eigen::VectorXd& mass, const Eigen::MatrixXd& com,

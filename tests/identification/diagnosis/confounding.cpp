@@ -5,6 +5,7 @@
 #include <random>
 
 #include "identification/diagnosis/confounding.h"
+#include "identification/diagnosis/separation.h"
 #include "identification/likelihood/explain.h"
 #include "identification/regression/baseline.h"
 #include "tests/identification/diagnosis/two_joints.h"
@@ -67,10 +68,16 @@ Problem arm(int channels, double payload, unsigned seed) {
   return problem;
 }
 
+Explanation explained(const Problem& problem, const ExperimentPlanner& planner) {
+  Explanation e = explain(problem, test::below_20_hz());
+  propose_experiments(problem, test::below_20_hz(), planner, e);
+  return e;
+}
+
 }  // namespace
 
 TEST_CASE("one joint cannot tell a payload from a torque gain, and says so") {
-  const Explanation e = explain(arm(1, 0.3, 4), test::below_20_hz());
+  const Explanation e = explained(arm(1, 0.3, 4), {});
   REQUIRE(e.verdict.causes.size() == 1);
   CHECK(e.verdict.causes[0].members.size() == 2);
   CHECK(e.verdict.causes[0].separation.experiment == "hold payload");
@@ -114,8 +121,7 @@ TEST_CASE("the planned motion that separates a set is the one proposed") {
   };
   const std::vector<PlannedExperiment> all{planned("as it was", 0.0), planned("a little", 0.3),
                                            planned("much", 0.9), planned("some", 0.5)};
-  const Explanation e = explain(problem, test::below_20_hz(),
-                                [&](int) -> const std::vector<PlannedExperiment>& { return all; });
+  const Explanation e = explained(problem, [&](int) { return all; });
   REQUIRE(e.verdict.causes.size() == 1);
   const Separation& separation = e.verdict.causes[0].separation;
   CHECK(separation.experiment == "much");
@@ -131,8 +137,7 @@ TEST_CASE("where no planned motion would settle a set, what isolates a member is
   const PlannedExperiment same{{"as it was", problem.training[0].step, {}, {}},
                                [log] { return log; }};
   const std::vector<PlannedExperiment> all{same};
-  const Explanation e = explain(problem, test::below_20_hz(),
-                                [&](int) -> const std::vector<PlannedExperiment>& { return all; });
+  const Explanation e = explained(problem, [&](int) { return all; });
   REQUIRE(e.verdict.causes.size() == 1);
   CHECK(e.verdict.causes[0].separation.experiment == "hold payload");
   CHECK_FALSE(e.verdict.causes[0].separation.motion);

@@ -127,6 +127,24 @@ TEST_CASE("mass and first moments alone: a positive mass within reach") {
   CHECK(are_bodies({point}, Eigen::Vector4d(0.02, 0.002, 0, 0)));
 }
 
+TEST_CASE("a point's moments tell how far away it is") {
+  // First moments are known well, the mass hardly, moments somewhat. Planted defect: no moments for
+  // a point: the least mass that is within reach.
+  const double mass = 0.3;
+  const Eigen::Vector4d place(0.1, -0.02, 0.05, 1.0);
+  const BodyParameters point = body_parameters(mass * place * place.transpose());
+  VectorXd error(10);
+  error << 1.0, 1e-4, 1e-4, 1e-4, 2e-4, 2e-4, 2e-4, 2e-4, 2e-4, 2e-4;
+  EstimatedBody link{all_ten, BodyParameters::Zero(), 2.5};
+  link.as_point = true;
+  VectorXd estimate = point;
+  estimate(0) = -0.1;
+  const NearestBodies nearest =
+      nearest_bodies({link}, estimate, error.cwiseAbs2().cwiseInverse().asDiagonal());
+  CHECK((nearest.changes.front().tail<9>() - point.tail<9>()).norm() < 2e-4);
+  CHECK(nearest.changes.front()(0) == Approx(mass).epsilon(0.1));
+}
+
 TEST_CASE("two links are fitted together") {
   const std::vector<EstimatedBody> both{{all_ten, BodyParameters::Zero(), 0.5},
                                         {{0, 1, 2, 3}, BodyParameters::Zero(), 0.5}};
