@@ -60,11 +60,16 @@ void refuse_foreign_files(const fs::path& folder) {
   }
 }
 
+std::string batch_file(const EmittedModel& model, const char* ending) {
+  return fmt::format("{}{}_batch{}", host_folder, model.name, ending);
+}
+
 }  // namespace
 
 std::vector<std::string> emitted_file_names(const EmittedModel& model) {
-  std::set<std::string> names{"manifest.json", "reference.csv"};
-  for (const char* ending : {".h", ".c", "_batch.h", "_batch.c", "_catalogue.h", "_catalogue.c"})
+  std::set<std::string> names{"manifest.json", "reference.csv", batch_file(model, ".h"),
+                              batch_file(model, ".c")};
+  for (const char* ending : {".h", ".c", "_catalogue.h", "_catalogue.c"})
     names.insert(model.name + ending);
   return {names.begin(), names.end()};
 }
@@ -72,8 +77,8 @@ std::vector<std::string> emitted_file_names(const EmittedModel& model) {
 FileSet emit_files(const EmittedModel& model) {
   return {{model.name + ".h", emit_header(model)},
           {model.name + ".c", emit_c(model)},
-          {model.name + "_batch.h", emit_batch_header(model)},
-          {model.name + "_batch.c", emit_batch(model)},
+          {batch_file(model, ".h"), emit_batch_header(model)},
+          {batch_file(model, ".c"), emit_batch(model)},
           {model.name + "_catalogue.h", emit_catalogue_header(model)},
           {model.name + "_catalogue.c", emit_catalogue(model)},
           {"manifest.json", emit_manifest(model)},

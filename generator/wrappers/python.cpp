@@ -25,7 +25,7 @@ dependencies = ["numpy"]
 )";
 
 const char* const python_backend = R"PY(# SPDX-License-Identifier: BSD-2-Clause
-"""Builds the wheel: compiles source/*.c with the C compiler (CC, or cc) and packs it.
+"""Builds the wheel: compiles the C of source/ with the C compiler (CC, or cc) and packs it.
 
 Nothing is fetched. The floating-point options are those under which the emitted C gives the same
 bits on every machine.
@@ -43,7 +43,9 @@ import zipfile
 
 MODULE = "sinew_@MODEL@"
 NAME = "sinew_@MODEL@-0.1.0"
-OPTIONS = ["-std=c11", "-fPIC", "-ffp-contract=off", "-fno-math-errno", "-fno-tree-slp-vectorize"]
+SOURCES = ["@MODEL@.c", "@MODEL@_catalogue.c", "host/@MODEL@_batch.c"]
+OPTIONS = ["-std=c11", "-fPIC", "-ffp-contract=off", "-fno-math-errno", "-fno-tree-slp-vectorize",
+           "-Isource"]
 METADATA = """Metadata-Version: 2.1
 Name: sinew-@MODEL@
 Version: 0.1.0
@@ -53,14 +55,14 @@ Requires-Dist: numpy
 
 
 def compile_library(path):
-    """Compiles every source of the folder source/ into the shared library `path`."""
+    """Compiles SOURCES, of the folder source/, into the shared library `path`."""
     compiler = shlex.split(os.environ.get("CC", "cc"))
     with tempfile.TemporaryDirectory() as folder:
         objects = []
-        for source in sorted(glob.glob("source/*.c")):
+        for source in SOURCES:
             made = os.path.join(folder, os.path.basename(source) + ".o")
-            level = "-O3" if source.endswith("_batch.c") else "-O2"
-            run(compiler + OPTIONS + [level, "-c", source, "-o", made])
+            level = "-O3" if source.startswith("host/") else "-O2"
+            run(compiler + OPTIONS + [level, "-c", "source/" + source, "-o", made])
             objects.append(made)
         run(compiler + ["-shared", "-o", path] + objects)
 

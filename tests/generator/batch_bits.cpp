@@ -46,7 +46,7 @@ class Library {
     const int status =
         run_program({"cc", "-std=c11", "-O3", "-fno-tree-slp-vectorize", "-ffp-contract=off",
                      "-fno-math-errno", "-shared", "-fPIC", "-I", SINEW_SOURCE_DIR "/runtime", "-o",
-                     file, (place_.path() / "sample" / "sample_batch.c").string()},
+                     file, (place_.path() / "sample" / "host" / "sample_batch.c").string()},
                     output);
     if (status != 0) throw std::runtime_error(output);
     handle_ = ::dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
