@@ -17,7 +17,8 @@ inline constexpr std::string_view host_folder = "host/";
 
 /// Text of <model>_batch.h and <model>_batch.c: every function over `count` states at once, as a
 /// structure of arrays (element k of state i at [k * count + i]), in a loop without branch or call
-/// that compilers vectorise whole. The results are the bits of the single functions.
+/// that compilers vectorise whole. The results are the bits of the single functions; a status is an
+/// int, as there.
 std::string emit_batch_header(const EmittedModel& model);
 std::string emit_batch(const EmittedModel& model);
 

@@ -131,7 +131,7 @@ class Shape(NamedTuple):
     name: str
     shape: Tuple[int, ...]
     by_value: bool = False  # as C takes it
-    status: bool = False  # an int in C, but for its form over many states
+    status: bool = False  # an int in C
 
     @property
     def size(self) -> int:
@@ -186,9 +186,9 @@ class Function:
             results = self._one_after_the_other(rows, count)
         else:  # element k of state i is at [k * count + i]
             held = [np.ascontiguousarray(r.T) for r in rows]
-            made = [np.empty((port.size, count), SCALAR) for port in self.outputs]
+            made = [np.empty((port.size, count), self._type(port)) for port in self.outputs]
             self._many(count, *[a.ctypes.data for a in held + made])
-            results = [m.T.astype(self._type(port)) for m, port in zip(made, self.outputs)]
+            results = [m.T for m in made]
         return [np.ascontiguousarray(r).reshape(states + port.shape)
                 for r, port in zip(results, self.outputs)]
 

@@ -1358,7 +1358,7 @@ void thumb_tendon_hessian_batch(int count, const double *SINEW_RESTRICT q, doubl
 
 void thumb_link_position_batch(int count, const double *SINEW_RESTRICT h,
     const double *SINEW_RESTRICT q_start, double *SINEW_RESTRICT q,
-    double *SINEW_RESTRICT correction, double *SINEW_RESTRICT status)
+    double *SINEW_RESTRICT correction, int *SINEW_RESTRICT status)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
@@ -1927,13 +1927,13 @@ void thumb_link_position_batch(int count, const double *SINEW_RESTRICT h,
         q[state] = kept_54;
         q[1 * n + state] = kept_56;
         correction[state] = correction_2;
-        status[state] = sinew_choose(1e-06 - correction_2, 0.0, 1.0);
+        status[state] = (int)sinew_choose(1e-06 - correction_2, 0.0, 1.0);
     }
 }
 
 void thumb_link_position_warm_batch(int count, const double *SINEW_RESTRICT h,
     const double *SINEW_RESTRICT q_start, double *SINEW_RESTRICT q,
-    double *SINEW_RESTRICT correction, double *SINEW_RESTRICT status)
+    double *SINEW_RESTRICT correction, int *SINEW_RESTRICT status)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
@@ -2150,7 +2150,7 @@ void thumb_link_position_warm_batch(int count, const double *SINEW_RESTRICT h,
         q[state] = kept;
         q[1 * n + state] = kept_2;
         correction[state] = correction_2;
-        status[state] = sinew_choose(1e-06 - correction_2, 0.0, 1.0);
+        status[state] = (int)sinew_choose(1e-06 - correction_2, 0.0, 1.0);
     }
 }
 
@@ -2265,8 +2265,7 @@ void thumb_link_position_gradient_step_batch(int count, const double *SINEW_REST
 }
 
 void thumb_link_position_status_batch(int count, const double *SINEW_RESTRICT h,
-    const double *SINEW_RESTRICT q, double *SINEW_RESTRICT correction,
-    double *SINEW_RESTRICT status)
+    const double *SINEW_RESTRICT q, double *SINEW_RESTRICT correction, int *SINEW_RESTRICT status)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
@@ -2368,13 +2367,13 @@ void thumb_link_position_status_batch(int count, const double *SINEW_RESTRICT h,
             -0.5), 0.5);
         const double correction_2 = sinew_sqrt(step * step + step_2 * step_2);
         correction[state] = correction_2;
-        status[state] = sinew_choose(1e-06 - correction_2, 0.0, 1.0);
+        status[state] = (int)sinew_choose(1e-06 - correction_2, 0.0, 1.0);
     }
 }
 
 void thumb_link_position_covariance_batch(int count, const double *SINEW_RESTRICT q,
     const double *SINEW_RESTRICT sigma, double *SINEW_RESTRICT covariance,
-    double *SINEW_RESTRICT status)
+    int *SINEW_RESTRICT status)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
@@ -2464,7 +2463,7 @@ void thumb_link_position_covariance_batch(int count, const double *SINEW_RESTRIC
         covariance[1 * n + state] = t25;
         covariance[2 * n + state] = t25;
         covariance[3 * n + state] = H_00 * scale;
-        status[state] = sinew_choose(determinant - determinant_floor, 0.0, 1.0);
+        status[state] = (int)sinew_choose(determinant - determinant_floor, 0.0, 1.0);
     }
 }
 

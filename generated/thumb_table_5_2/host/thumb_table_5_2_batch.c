@@ -1363,7 +1363,7 @@ void thumb_table_5_2_tendon_hessian_batch(int count, const double *SINEW_RESTRIC
 
 void thumb_table_5_2_link_position_batch(int count, const double *SINEW_RESTRICT h,
     const double *SINEW_RESTRICT q_start, double *SINEW_RESTRICT q,
-    double *SINEW_RESTRICT correction, double *SINEW_RESTRICT status)
+    double *SINEW_RESTRICT correction, int *SINEW_RESTRICT status)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
@@ -1932,13 +1932,13 @@ void thumb_table_5_2_link_position_batch(int count, const double *SINEW_RESTRICT
         q[state] = kept_54;
         q[1 * n + state] = kept_56;
         correction[state] = correction_2;
-        status[state] = sinew_choose(1e-06 - correction_2, 0.0, 1.0);
+        status[state] = (int)sinew_choose(1e-06 - correction_2, 0.0, 1.0);
     }
 }
 
 void thumb_table_5_2_link_position_warm_batch(int count, const double *SINEW_RESTRICT h,
     const double *SINEW_RESTRICT q_start, double *SINEW_RESTRICT q,
-    double *SINEW_RESTRICT correction, double *SINEW_RESTRICT status)
+    double *SINEW_RESTRICT correction, int *SINEW_RESTRICT status)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
@@ -2155,7 +2155,7 @@ void thumb_table_5_2_link_position_warm_batch(int count, const double *SINEW_RES
         q[state] = kept;
         q[1 * n + state] = kept_2;
         correction[state] = correction_2;
-        status[state] = sinew_choose(1e-06 - correction_2, 0.0, 1.0);
+        status[state] = (int)sinew_choose(1e-06 - correction_2, 0.0, 1.0);
     }
 }
 
@@ -2270,8 +2270,7 @@ void thumb_table_5_2_link_position_gradient_step_batch(int count, const double *
 }
 
 void thumb_table_5_2_link_position_status_batch(int count, const double *SINEW_RESTRICT h,
-    const double *SINEW_RESTRICT q, double *SINEW_RESTRICT correction,
-    double *SINEW_RESTRICT status)
+    const double *SINEW_RESTRICT q, double *SINEW_RESTRICT correction, int *SINEW_RESTRICT status)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
@@ -2373,13 +2372,13 @@ void thumb_table_5_2_link_position_status_batch(int count, const double *SINEW_R
             -0.5), 0.5);
         const double correction_2 = sinew_sqrt(step * step + step_2 * step_2);
         correction[state] = correction_2;
-        status[state] = sinew_choose(1e-06 - correction_2, 0.0, 1.0);
+        status[state] = (int)sinew_choose(1e-06 - correction_2, 0.0, 1.0);
     }
 }
 
 void thumb_table_5_2_link_position_covariance_batch(int count, const double *SINEW_RESTRICT q,
     const double *SINEW_RESTRICT sigma, double *SINEW_RESTRICT covariance,
-    double *SINEW_RESTRICT status)
+    int *SINEW_RESTRICT status)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
@@ -2469,7 +2468,7 @@ void thumb_table_5_2_link_position_covariance_batch(int count, const double *SIN
         covariance[1 * n + state] = t25;
         covariance[2 * n + state] = t25;
         covariance[3 * n + state] = H_00 * scale;
-        status[state] = sinew_choose(determinant - determinant_floor, 0.0, 1.0);
+        status[state] = (int)sinew_choose(determinant - determinant_floor, 0.0, 1.0);
     }
 }
 
