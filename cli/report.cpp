@@ -66,7 +66,7 @@ Inputs inputs_of(const ReportOptions& o, const fs::path& generated) {
   add_model(inputs, o.model);
   inputs.add(o.boards);
   std::error_code ignored;
-  for (const fs::directory_entry& file : fs::directory_iterator(generated, ignored))
+  for (const fs::directory_entry& file : fs::recursive_directory_iterator(generated, ignored))
     inputs.add(file.path());
   return inputs;
 }

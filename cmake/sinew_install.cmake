@@ -24,9 +24,12 @@ install(FILES ${made_folder}/sinew.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgcon
 foreach(SINEW_MODEL IN LISTS SINEW_MODELS)
   file(GLOB headers CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/generated/${SINEW_MODEL}/*.h)
   install(FILES ${headers} DESTINATION ${header_folder})
+  install(FILES ${PROJECT_SOURCE_DIR}/generated/${SINEW_MODEL}/host/${SINEW_MODEL}_batch.h
+    DESTINATION ${header_folder}/host)
   set_target_properties(sinew_model_${SINEW_MODEL} PROPERTIES EXPORT_NAME model_${SINEW_MODEL})
   install(TARGETS sinew_model_${SINEW_MODEL} EXPORT sinew
     ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+  set(SINEW_PC_CFLAGS "")
   configure_file(${template_folder}/sinew_model.pc.in ${made_folder}/sinew_model_${SINEW_MODEL}.pc @ONLY)
   # Its loops over many states, a library of their own: model_<m>_batch.
   set_target_properties(sinew_model_${SINEW_MODEL}_batch PROPERTIES
@@ -35,6 +38,7 @@ foreach(SINEW_MODEL IN LISTS SINEW_MODELS)
     ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
   set(model ${SINEW_MODEL})
   set(SINEW_MODEL ${model}_batch)
+  set(SINEW_PC_CFLAGS "Cflags: -I\${prefix}/${header_folder}/host")
   configure_file(${template_folder}/sinew_model.pc.in ${made_folder}/sinew_model_${SINEW_MODEL}.pc @ONLY)
   install(FILES ${made_folder}/sinew_model_${model}.pc ${made_folder}/sinew_model_${SINEW_MODEL}.pc
     DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
@@ -50,7 +54,7 @@ set(SINEW_HEADER_FOLDER ${header_folder})
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/firmware DESTINATION ${SINEW_SOURCE_FOLDER}
   FILES_MATCHING PATTERN "*.[chS]" PATTERN "*.ld")
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/generated DESTINATION ${SINEW_SOURCE_FOLDER}
-  FILES_MATCHING PATTERN "*.[ch]" PATTERN "*_batch.*" EXCLUDE PATTERN "*_catalogue.*" EXCLUDE)
+  FILES_MATCHING PATTERN "*.[ch]" PATTERN "host" EXCLUDE PATTERN "*_catalogue.*" EXCLUDE)
 configure_package_config_file(${template_folder}/sinew-sources.cmake.in
   ${made_folder}/sinew-sources.cmake INSTALL_DESTINATION ${package_folder}
   PATH_VARS SINEW_SOURCE_FOLDER SINEW_HEADER_FOLDER)

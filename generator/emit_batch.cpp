@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "generator/cost.h"
 #include "generator/emit_c.h"
 #include "generator/statements.h"
@@ -15,22 +17,34 @@ bool has_batch_form(const Graph& graph) {
   return count_operations(graph).operations() <= longest_batch_function;
 }
 
+bool is_status(const Port& port) {
+  return !port.states.empty();
+}
+
+bool has_status(const EmittedModel& model) {
+  return std::any_of(model.functions.begin(), model.functions.end(), [](const Graph& graph) {
+    return has_batch_form(graph) &&
+           std::any_of(graph.outputs.begin(), graph.outputs.end(), is_status);
+  });
+}
+
 std::string batch_signature(const EmittedModel& model, const Graph& graph) {
   std::string text = fmt::format("void {}_{}_batch(int count", model.name, graph.name);
   for (const Port& port : graph.inputs)
     text += fmt::format(", const {} *SINEW_RESTRICT {}", model.target.type(), port.name);
   for (const Port& port : graph.outputs)
-    text += fmt::format(", {} *SINEW_RESTRICT {}", model.target.type(), port.name);
+    text += fmt::format(", {} *SINEW_RESTRICT {}", is_status(port) ? "int" : model.target.type(),
+                        port.name);
   return text + ")";
 }
 
 std::string batch_function(const EmittedModel& model, const Graph& graph) {
-  const ArrayNames names{[](const Port& port, int element) {
-                           return element == 0
-                                      ? fmt::format("{}[state]", port.name)
-                                      : fmt::format("{}[{} * n + state]", port.name, element);
-                         },
-                         false};
+  ArrayNames names{[](const Port& port, int element) {
+                     return element == 0 ? fmt::format("{}[state]", port.name)
+                                         : fmt::format("{}[{} * n + state]", port.name, element);
+                   },
+                   false};
+  names.int_statuses = true;
   std::string text = batch_signature(model, graph) + "\n{\n    const size_t n = (size_t)count;\n";
   for (const Port& port : graph.inputs)
     if (!reads_port(graph, port.name)) text += fmt::format("    (void){};\n", port.name);
@@ -54,9 +68,12 @@ std::string emit_batch_header(const EmittedModel& model) {
   text += fmt::format(
       "#ifndef SINEW_{0}_BATCH_H\n#define SINEW_{0}_BATCH_H\n\n#ifndef SINEW_RESTRICT\n#ifdef "
       "__cplusplus\n"
-      "#define SINEW_RESTRICT\n#else\n#define SINEW_RESTRICT restrict\n#endif\n#endif\n\n"
-      "#ifdef __cplusplus\nextern \"C\" {{\n#endif\n\n",
+      "#define SINEW_RESTRICT\n#else\n#define SINEW_RESTRICT restrict\n#endif\n#endif\n\n",
       model.name);
+  if (has_status(model))
+    text += fmt::format("#include \"../{}.h\" /* what the values of a status are called */\n\n",
+                        model.name);
+  text += "#ifdef __cplusplus\nextern \"C\" {\n#endif\n\n";
   for (const Graph& graph : model.functions)
     if (has_batch_form(graph)) text += batch_signature(model, graph) + ";\n";
   return wrap_lines(text + "\n#ifdef __cplusplus\n}\n#endif\n#endif\n");

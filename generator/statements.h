@@ -18,7 +18,7 @@ struct ArrayNames {
                               ///< states, where all results are stored at the end, too
   bool stores_last = false;   ///< all results are stored at the end
   bool shared = false;        ///< the file's copies of long functions are called (runtime_calls.h)
-  bool int_statuses = false;  ///< a status is an int, else a number as all results
+  bool int_statuses = false;  ///< a status is an int, else (in a loop's body) a number
 };
 
 /// As the arguments of a function are: q[2], a number by its name, *status.

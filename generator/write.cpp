@@ -37,25 +37,39 @@ std::set<std::string> listed_files(const fs::path& folder) {
   return names;
 }
 
+/// Whether one of `ours` lies in `folder`; both are relative to the same folder.
+bool holds_ours(const std::set<std::string>& ours, const fs::path& folder) {
+  const auto first = ours.lower_bound((folder / "").string());
+  return first != ours.end() && first->starts_with((folder / "").string());
+}
+
 void refuse_foreign_files(const fs::path& folder) {
   if (!fs::exists(folder)) return;
   if (!fs::is_directory(folder))
     throw std::runtime_error(
         fmt::format("{}: is not a folder; give a folder to write into", folder.string()));
   const std::set<std::string> ours = listed_files(folder);
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder))
-    if (!ours.count(entry.path().filename().string()))
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
+    const fs::path name = entry.path().lexically_relative(folder);
+    const bool is_folder = fs::is_directory(entry.symlink_status());
+    if (is_folder ? !holds_ours(ours, name) : !ours.count(name.string()))
       throw std::runtime_error(
           fmt::format("{}: not a file that sinew wrote; generating would remove it. Move it away "
                       "or choose another folder",
                       entry.path().string()));
+  }
+}
+
+std::string batch_file(const EmittedModel& model, const char* ending) {
+  return fmt::format("{}{}_batch{}", host_folder, model.name, ending);
 }
 
 }  // namespace
 
 std::vector<std::string> emitted_file_names(const EmittedModel& model) {
-  std::set<std::string> names{"manifest.json", "reference.csv"};
-  for (const char* ending : {".h", ".c", "_batch.h", "_batch.c", "_catalogue.h", "_catalogue.c"})
+  std::set<std::string> names{"manifest.json", "reference.csv", batch_file(model, ".h"),
+                              batch_file(model, ".c")};
+  for (const char* ending : {".h", ".c", "_catalogue.h", "_catalogue.c"})
     names.insert(model.name + ending);
   return {names.begin(), names.end()};
 }
@@ -63,8 +77,8 @@ std::vector<std::string> emitted_file_names(const EmittedModel& model) {
 FileSet emit_files(const EmittedModel& model) {
   return {{model.name + ".h", emit_header(model)},
           {model.name + ".c", emit_c(model)},
-          {model.name + "_batch.h", emit_batch_header(model)},
-          {model.name + "_batch.c", emit_batch(model)},
+          {batch_file(model, ".h"), emit_batch_header(model)},
+          {batch_file(model, ".c"), emit_batch(model)},
           {model.name + "_catalogue.h", emit_catalogue_header(model)},
           {model.name + "_catalogue.c", emit_catalogue(model)},
           {"manifest.json", emit_manifest(model)},
@@ -88,8 +102,8 @@ std::string difference(const fs::path& folder, const FileSet& files) {
   std::string text;
   std::set<std::string> names;
   if (fs::is_directory(folder))
-    for (const fs::directory_entry& entry : fs::directory_iterator(folder))
-      names.insert(entry.path().filename().string());
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder))
+      if (!entry.is_directory()) names.insert(entry.path().lexically_relative(folder).string());
   for (const auto& [name, content] : files) names.insert(name);
   for (const std::string& name : names) {
     const auto now = files.find(name);

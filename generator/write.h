@@ -10,7 +10,7 @@
 
 namespace sinew {
 
-/// Names of the files of an emitted model, sorted.
+/// Names of the files of an emitted model, sorted; those below a folder with the folder.
 std::vector<std::string> emitted_file_names(const EmittedModel& model);
 
 /// Everything that `generate` writes, in memory.

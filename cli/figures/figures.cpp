@@ -83,7 +83,8 @@ Inputs inputs_of(const FiguresOptions& o) {
       inputs.add(model.path());
       if (!model.is_directory(ignored)) continue;
       recover_interrupted(model.path());
-      for (const fs::directory_entry& file : fs::directory_iterator(model.path(), ignored))
+      for (const fs::directory_entry& file :
+           fs::recursive_directory_iterator(model.path(), ignored))
         inputs.add(file.path());
     }
   }

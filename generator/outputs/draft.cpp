@@ -67,8 +67,13 @@ void write_draft_folder(const fs::path& draft, const FileSet& files) {
 void keep_way_back(const fs::path& target, const fs::path& old) {
   if (!fs::is_directory(target)) return link_or_copy(target, old);
   make_folder(old);
-  for (const fs::directory_entry& entry : fs::directory_iterator(target))
-    link_or_copy(entry.path(), old / entry.path().filename());
+  for (const fs::directory_entry& entry : fs::directory_iterator(target)) {
+    const fs::path kept = old / entry.path().filename();
+    if (fs::is_directory(entry.symlink_status()))
+      keep_way_back(entry.path(), kept);
+    else
+      link_or_copy(entry.path(), kept);
+  }
   flush_folder(old);
 }
 

@@ -15,8 +15,8 @@ void write_draft_file(const std::filesystem::path& draft, const std::string& tex
                       const std::filesystem::path& target);
 void write_draft_folder(const std::filesystem::path& draft, const FileSet& files);
 
-/// A second name of the file, or a folder of second names; copies where there can be none. Throws
-/// std::runtime_error.
+/// A second name of the file, or a folder of second names, folders in it included; copies where
+/// there can be none. Throws std::runtime_error.
 void keep_way_back(const std::filesystem::path& target, const std::filesystem::path& old);
 
 }  // namespace sinew

@@ -48,7 +48,7 @@ void Outputs::folder(const fs::path& given, const FileSet& files) {
   const fs::path folder = output_folder(given);
   recover_interrupted(first_missing(folder).parent_path());
   if (!entry_exists(folder)) return new_folder(folder, files);
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder))
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder))
     inputs_.refuse(entry.path());
   add({folder, true, true, files});
 }
@@ -59,7 +59,12 @@ void Outputs::into_folder(const fs::path& given, const FileSet& files) {
   if (!entry_exists(folder)) return new_folder(folder, files);
   recover_interrupted(folder);
   for (const auto& [name, text] : files) {
-    const fs::path real = replaceable_file(folder / name);
+    const fs::path target = folder / name, parent = real_path(target.parent_path());
+    if (!entry_exists(parent)) {
+      new_folder(parent, {{target.filename(), text}});
+      continue;
+    }
+    const fs::path real = replaceable_file(target);
     inputs_.refuse(real);
     add({real, false, entry_exists(real), {{"", text}}});
   }

@@ -60,9 +60,10 @@ project(sinew_cpp_@MODEL@ LANGUAGES C CXX)
 add_library(sinew_cpp_@MODEL@ STATIC source/@MODEL@.c)
 set_target_properties(sinew_cpp_@MODEL@ PROPERTIES C_STANDARD 11 POSITION_INDEPENDENT_CODE ON)
 # The loops over many states, @MODEL@_batch.h, for those who link to them: they take longer to compile.
-add_library(sinew_cpp_@MODEL@_batch STATIC EXCLUDE_FROM_ALL source/@MODEL@_batch.c)
+add_library(sinew_cpp_@MODEL@_batch STATIC EXCLUDE_FROM_ALL source/host/@MODEL@_batch.c)
 set_target_properties(sinew_cpp_@MODEL@_batch PROPERTIES C_STANDARD 11 POSITION_INDEPENDENT_CODE ON)
-target_include_directories(sinew_cpp_@MODEL@_batch PUBLIC ${CMAKE_CURRENT_SOURCE_DIR}/source)
+target_include_directories(sinew_cpp_@MODEL@_batch PUBLIC ${CMAKE_CURRENT_SOURCE_DIR}/source
+                                                         ${CMAKE_CURRENT_SOURCE_DIR}/source/host)
 target_compile_options(sinew_cpp_@MODEL@_batch PRIVATE -O3 -ffp-contract=off -fno-math-errno
                                                       -fno-tree-slp-vectorize)
 target_include_directories(sinew_cpp_@MODEL@ PUBLIC ${CMAKE_CURRENT_SOURCE_DIR}

@@ -25,7 +25,7 @@ dependencies = ["numpy"]
 )";
 
 const char* const python_backend = R"PY(# SPDX-License-Identifier: BSD-2-Clause
-"""Builds the wheel: compiles source/*.c with the C compiler (CC, or cc) and packs it.
+"""Builds the wheel: compiles the C of source/ with the C compiler (CC, or cc) and packs it.
 
 Nothing is fetched. The floating-point options are those under which the emitted C gives the same
 bits on every machine.
@@ -43,7 +43,9 @@ import zipfile
 
 MODULE = "sinew_@MODEL@"
 NAME = "sinew_@MODEL@-0.1.0"
-OPTIONS = ["-std=c11", "-fPIC", "-ffp-contract=off", "-fno-math-errno", "-fno-tree-slp-vectorize"]
+SOURCES = ["@MODEL@.c", "@MODEL@_catalogue.c", "host/@MODEL@_batch.c"]
+OPTIONS = ["-std=c11", "-fPIC", "-ffp-contract=off", "-fno-math-errno", "-fno-tree-slp-vectorize",
+           "-Isource"]
 METADATA = """Metadata-Version: 2.1
 Name: sinew-@MODEL@
 Version: 0.1.0
@@ -53,14 +55,14 @@ Requires-Dist: numpy
 
 
 def compile_library(path):
-    """Compiles every source of the folder source/ into the shared library `path`."""
+    """Compiles SOURCES, of the folder source/, into the shared library `path`."""
     compiler = shlex.split(os.environ.get("CC", "cc"))
     with tempfile.TemporaryDirectory() as folder:
         objects = []
-        for source in sorted(glob.glob("source/*.c")):
+        for source in SOURCES:
             made = os.path.join(folder, os.path.basename(source) + ".o")
-            level = "-O3" if source.endswith("_batch.c") else "-O2"
-            run(compiler + OPTIONS + [level, "-c", source, "-o", made])
+            level = "-O3" if source.startswith("host/") else "-O2"
+            run(compiler + OPTIONS + [level, "-c", "source/" + source, "-o", made])
             objects.append(made)
         run(compiler + ["-shared", "-o", path] + objects)
 
@@ -129,7 +131,7 @@ class Shape(NamedTuple):
     name: str
     shape: Tuple[int, ...]
     by_value: bool = False  # as C takes it
-    status: bool = False  # an int in C, but for its form over many states
+    status: bool = False  # an int in C
 
     @property
     def size(self) -> int:
@@ -184,9 +186,9 @@ class Function:
             results = self._one_after_the_other(rows, count)
         else:  # element k of state i is at [k * count + i]
             held = [np.ascontiguousarray(r.T) for r in rows]
-            made = [np.empty((port.size, count), SCALAR) for port in self.outputs]
+            made = [np.empty((port.size, count), self._type(port)) for port in self.outputs]
             self._many(count, *[a.ctypes.data for a in held + made])
-            results = [m.T.astype(self._type(port)) for m, port in zip(made, self.outputs)]
+            results = [m.T for m in made]
         return [np.ascontiguousarray(r).reshape(states + port.shape)
                 for r, port in zip(results, self.outputs)]
 

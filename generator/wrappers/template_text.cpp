@@ -39,7 +39,7 @@ std::string filled(const std::string& text, const WrappedModel& model,
 
 void add_sources(FileSet& files, const WrappedModel& model, const std::string& folder, bool batch) {
   for (const auto& [name, text] : model.sources)
-    if (batch || name.find("_batch.") == name.npos) files[folder + name] = text;
+    if (batch || !name.starts_with(host_sources)) files[folder + name] = text;
   for (const auto& [name, text] : model.runtime) files[folder + name] = text;
 }
 

@@ -56,7 +56,7 @@ WrappedModel understood(const json& manifest, const FileSet& emitted) {
   for (const json& frame : manifest.value("frames", json::array()))
     model.frames.push_back(frame.at("name"));
   for (const json& angle : manifest.value("wrist", json::array())) model.wrist.push_back(angle);
-  const auto batch = emitted.find(model.name + "_batch.h");
+  const auto batch = emitted.find(std::string(host_sources) + model.name + "_batch.h");
   for (const json& entry : manifest.at("functions"))
     model.functions.push_back(
         function_of(entry, model.name, batch == emitted.end() ? "" : batch->second));

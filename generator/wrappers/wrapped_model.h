@@ -6,11 +6,15 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "generator/outputs/outputs.h"
 
 namespace sinew {
+
+/// Folder of the sources that are for a host alone: the batch files.
+inline constexpr std::string_view host_sources = "host/";
 
 /// An argument or a result of an emitted function; row-major.
 struct WrappedArray {
@@ -45,7 +49,7 @@ struct WrappedModel {
   std::vector<WrappedJoint> joints;
   std::vector<std::string> tendons, frames, wrist;
   std::vector<WrappedFunction> functions;
-  FileSet sources;  ///< the emitted C and its headers, by name
+  FileSet sources;  ///< the emitted C and its headers, by name ("host/index_batch.c")
   FileSet runtime;  ///< the runtime's headers, by name
   std::string manifest;
 

@@ -55,15 +55,15 @@ WristDrive::WristDrive(const WristParameters& parameters, const std::filesystem:
       feedforward_rate_(&model_.find("feedforward_rate")) {}
 
 WristMotion WristDrive::at(const Sample& flexion, const Sample& abduction) const {
-  double f[vector_width], a[vector_width], q[2 * vector_width], residual[vector_width],
-      status[vector_width];
+  double f[vector_width], a[vector_width], q[2 * vector_width], residual[vector_width];
+  int status[vector_width];
   for (int i = 0; i < vector_width; ++i) {
     const double time = i < points ? (i - middle) * spacing : 0.0;
     f[i] = along(flexion, time);
     a[i] = along(abduction, time);
   }
   bar_angles_(vector_width, f, a, q, residual, status);
-  if (status[middle] != 0.0)
+  if (status[middle] != 0)
     throw std::domain_error(
         fmt::format("the wrist cannot reach flexion {:.4g} rad, abduction {:.4g} rad",
                     flexion.value, abduction.value));

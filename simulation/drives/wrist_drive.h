@@ -20,7 +20,7 @@ class WristDrive {
   void feedforward(const WristMotion& wrist, double* delta, double* rate) const;
 
  private:
-  using BarAngles = void(int, const double*, const double*, double*, double*, double*);
+  using BarAngles = void(int, const double*, const double*, double*, double*, int*);
 
   CompiledModel model_;
   BarAngles* bar_angles_;

@@ -13,6 +13,7 @@
 #include <iterator>
 #include <stdexcept>
 
+#include "generator/emit_batch.h"
 #include "generator/outputs/scratch_folder.h"
 #include "generator/write.h"
 #include "simulation/emitted/compiling.h"
@@ -61,8 +62,8 @@ void require(int status, const fs::path& folder) {
   if (status != 0) throw std::runtime_error(folder.string() + ": the emitted C does not compile");
 }
 
-/// One source of `folder`, by its name alone: what is compiled is then the same wherever the folder
-/// lies, and ccache, where it is installed, finds what was compiled before.
+/// One source of `folder`, by its name there alone: what is compiled is then the same wherever the
+/// folder lies, and ccache, where it is installed, finds what was compiled before.
 void compile(const fs::path& folder, const fs::path& runtime, const std::string& source,
              const fs::path& object, const std::vector<std::string>& optimisation) {
   // The rules of the package (runtime/CMakeLists.txt), so that the bits are those of the boards.
@@ -116,12 +117,14 @@ std::string text_of(const fs::path& path) {
 std::vector<std::string> texts_of(const fs::path& folder, const fs::path& runtime,
                                   const std::string& name) {
   std::vector<fs::path> paths;
-  for (const fs::path& place : {folder, runtime})
+  for (const fs::path& place : {folder, folder / host_folder, runtime}) {
+    if (place != runtime && !fs::exists(place)) continue;  // scalar C alone will do
     for (const fs::directory_entry& entry : fs::directory_iterator(place)) {
       const std::string file = entry.path().filename().string();
       const bool source = entry.path().extension() == ".h" || entry.path().extension() == ".c";
       if (source && (place == runtime || file.starts_with(name))) paths.push_back(entry.path());
     }
+  }
   std::sort(paths.begin(), paths.end());
   std::vector<std::string> texts;
   for (const fs::path& path : paths) {
@@ -147,6 +150,7 @@ CompiledModel::CompiledModel(const fs::path& folder, const fs::path& runtime)
 CompiledModel::CompiledModel(const EmittedModel& model, const fs::path& runtime, bool with_batch)
     : name_(model.name) {
   const ScratchFolder scratch;
+  fs::create_directory(scratch.path() / host_folder);
   for (const auto& [file, text] : emit_files(model)) {
     std::ofstream out(scratch.path() / file, std::ios::binary);
     out << text;
@@ -176,20 +180,21 @@ void CompiledModel::load(const fs::path& folder, const fs::path& runtime,
   if (!library_ || (with_batch && !batch_)) {
     const Told told(name_);
     const ScratchFolder scratch;
-    const auto made = [&](const std::vector<std::string>& parts,
+    const auto made = [&](const std::vector<std::string>& sources,
                           const std::vector<std::string>& options, const LibraryCache& cache) {
       std::vector<fs::path> objects;
-      for (const std::string& part : parts) {
-        objects.push_back(scratch.path() / (part + ".o"));
-        compile(folder, runtime, name_ + part + ".c", objects.back(), options);
+      for (const std::string& source : sources) {
+        objects.push_back(scratch.path() / (fs::path(source).stem().string() + ".o"));
+        compile(folder, runtime, source, objects.back(), options);
       }
-      const fs::path library = scratch.path() / (parts.front() + "model.so");
+      const fs::path library = fs::path(objects.front()).replace_extension(".so");
       link(objects, library);
       cache.keep(library);
       return open_library(library);
     };
-    if (!library_) library_ = made({"", "_catalogue"}, apart, one);
-    if (with_batch && !batch_) batch_ = made({"_batch"}, optimisation, many);
+    const std::string batch = std::string(host_folder) + name_ + "_batch.c";
+    if (!library_) library_ = made({name_ + ".c", name_ + "_catalogue.c"}, apart, one);
+    if (with_batch && !batch_) batch_ = made({batch}, optimisation, many);
   }
   catalogue_ =
       static_cast<const sinew_catalogue*>(::dlsym(library_.get(), (name_ + "_catalogue").c_str()));

@@ -33,7 +33,8 @@ class CompiledModel {
   const sinew_function& find(const std::string& name) const;
 
   /// The loop over many states of an emitted function: its arguments are a count and one array for
-  /// each input and each result (<model>_batch.h). Throws std::runtime_error where there is none.
+  /// each input and each result (host/<model>_batch.h). Throws std::runtime_error where there is
+  /// none.
   template <typename Loop>
   Loop* batch(const std::string& name) const {
     return reinterpret_cast<Loop*>(find_batch(name));

@@ -39,8 +39,7 @@ def broken_rules(source, work):
 def sources(work):
     whole = work / "whole_runtime.c"
     whole.write_text(RUNTIME, encoding="utf-8")
-    emitted = [f for f in sorted((ROOT / "generated").glob("*/*.c")) if not f.stem.endswith("_batch")]
-    return [whole, *emitted, *sorted((ROOT / "firmware/hand").glob("*.c"))]
+    return [whole, *sorted((ROOT / "generated").glob("*/*.c")), *sorted((ROOT / "firmware/hand").glob("*.c"))]
 
 
 def main():

@@ -41,7 +41,7 @@ TEST_CASE("generate writes what check then accepts") {
   CHECK(generated.status == 0);
   CHECK(generated.says("generated/index"));
   CHECK(here.sinew({"check", model}).status == 0);
-  for (const char* file : {"index.c", "index.h"})
+  for (const char* file : {"index.c", "index.h", "host/index_batch.c", "host/index_batch.h"})
     CHECK(here.text(std::string("generated/index/") + file) ==
           reference::read_text(fs::path(SINEW_SOURCE_DIR "/generated/index") / file));
 }
@@ -77,6 +77,10 @@ TEST_CASE("an edited, a missing and an added file of the output are findings") {
   reference::write_text(here.path("generated/index/more.c"), "int more;\n");
   CHECK(here.sinew({"check", model}).status == 1);
   fs::remove(here.path("generated/index/more.c"));
+  reference::write_text(here.path("generated/index/host/more.c"), "int more;\n");
+  CHECK(here.sinew({"check", model}).says("a/index/host/more.c"));
+  CHECK(here.sinew({"generate", model}).says("host/more.c: not a file that sinew wrote"));
+  fs::remove(here.path("generated/index/host/more.c"));
   CHECK(here.sinew({"check", model}).status == 0);
 }
 

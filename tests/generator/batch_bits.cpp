@@ -10,6 +10,7 @@
 #include "generator/emit_batch.h"
 #include "generator/evaluate.h"
 #include "generator/write.h"
+#include "symbolic/expressions/piecewise.h"
 #include "symbolic/model/read_mechanism.h"
 #include "symbolic/tendons/functions.h"
 #include "tests/generator/every_operation.h"
@@ -46,7 +47,7 @@ class Library {
     const int status =
         run_program({"cc", "-std=c11", "-O3", "-fno-tree-slp-vectorize", "-ffp-contract=off",
                      "-fno-math-errno", "-shared", "-fPIC", "-I", SINEW_SOURCE_DIR "/runtime", "-o",
-                     file, (place_.path() / "sample" / "sample_batch.c").string()},
+                     file, (place_.path() / "sample" / "host" / "sample_batch.c").string()},
                     output);
     if (status != 0) throw std::runtime_error(output);
     handle_ = ::dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
@@ -102,7 +103,80 @@ int differing(const Graph& graph, const Library& library) {
   return found;
 }
 
+/// `place(x, y, sum, status)`: which of three ranges x - y is in.
+Function place_by_gap() {
+  const GiNaC::symbol x("x"), y("y");
+  Function function;
+  function.name = "place";
+  function.inputs = {{"x", 1, 1, {x}, "m", "", {{-1.0, 1.0}}},
+                     {"y", 1, 1, {y}, "m", "", {{-1.0, 1.0}}}};
+  const GiNaC::ex gap = x - y;
+  const GiNaC::numeric half(1, 2);
+  function.outputs = {{"sum", 1, 1, {x + y}, "m", ""},
+                      {"status",
+                       1,
+                       1,
+                       {choose(gap, choose(gap - half, 2, 1), 0)},
+                       "1",
+                       "",
+                       {"below", "near", "far"}}};
+  return function;
+}
+
+/// What knows the batch header and nothing else: whether the statuses are those by name, in as many
+/// `int`s as there are states.
+constexpr const char* status_user = R"(
+int all_right(void);
+int all_right(void) {
+    enum { count = 37 };
+    SCALAR x[count], y[count], sum[count];
+    int status[2 * count], right = 1;
+    for (int i = 0; i < count; ++i) {
+        x[i] = (SCALAR)(7 * i % count) / (SCALAR)count;
+        y[i] = (SCALAR)(11 * i % count) / (SCALAR)count;
+        status[i] = status[count + i] = -1;
+    }
+    sample_place_batch(count, x, y, sum, status);
+    for (int i = 0; i < count; ++i) {
+        const SCALAR gap = x[i] - y[i];
+        const int expected = gap < 0             ? SAMPLE_PLACE_BELOW
+                             : 2 * gap < 1 ? SAMPLE_PLACE_NEAR
+                                           : SAMPLE_PLACE_FAR;
+        right = right && status[i] == expected && status[count + i] == -1;
+    }
+    return right;
+}
+)";
+
 }  // namespace
+
+TEST_CASE("a status over many states is an int that the batch header alone has the names of") {
+  // Planted defects: a status of doubles, and a header without the names (it does not compile
+  // then); every value one too high.
+  for (const Scalar scalar : {Scalar::binary64, Scalar::binary32}) {
+    const EmittedModel model =
+        assemble({"sample", "A sample.", std::string(64, '0'), {}}, {place_by_gap()}, {scalar});
+    const reference::TemporaryFolder place;
+    const std::filesystem::path folder = place.path() / "sample";
+    replace_folder(folder, emit_files(model));
+    reference::write_text(place.path() / "user.c",
+                          std::string("#include \"sample_batch.h\"\n") + status_user);
+    const std::string file = (place.path() / "user.so").string();
+    std::string output;
+    const int status = run_program(
+        {"cc", "-std=c11", "-O3", "-Wall", "-Wextra", "-Werror", "-ffp-contract=off",
+         "-fno-math-errno", "-shared", "-fPIC", std::string("-DSCALAR=") + model.target.type(),
+         "-I", SINEW_SOURCE_DIR "/runtime", "-I", (folder / "host").string(), "-o", file,
+         (place.path() / "user.c").string(), (folder / "host" / "sample_batch.c").string()},
+        output);
+    INFO(output);
+    REQUIRE(status == 0);
+    void* handle = ::dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
+    REQUIRE(handle != nullptr);
+    CHECK(reinterpret_cast<int (*)()>(::dlsym(handle, "all_right"))() == 1);
+    ::dlclose(handle);
+  }
+}
 
 TEST_CASE("the batch form of every function has the bits of the single function",
           "[slow][thorough]") {

@@ -19,8 +19,9 @@ const std::string model_folder = SINEW_SOURCE_DIR "/models/index";
 /// Names and contents of all files of a folder.
 std::map<std::string, std::string> content_of(const fs::path& folder) {
   std::map<std::string, std::string> content;
-  for (const auto& entry : fs::directory_iterator(folder))
-    content[entry.path().filename().string()] = read_text(entry.path());
+  for (const auto& entry : fs::recursive_directory_iterator(folder))
+    if (!entry.is_directory())
+      content[entry.path().lexically_relative(folder).string()] = read_text(entry.path());
   return content;
 }
 

@@ -209,8 +209,9 @@ TEST_CASE("headers and code compile without a warning as C11, headers as C++17",
       if (!name.ends_with(".h")) continue;
       const std::string twice =
           "#include \"" + name + "\"\n#include \"" + name + "\"\nint unused;\n";
-      reference::write_text(folder / ("use_" + name + ".c"), twice);
-      reference::write_text(folder / ("use_" + name + ".cpp"), twice);
+      const std::string user = "use_" + fs::path(name).filename().string();
+      reference::write_text(folder / (user + ".c"), twice);
+      reference::write_text(folder / (user + ".cpp"), twice);
     }
     const std::vector<std::string> strict{"-O1",      "-Wall",        "-Wextra", "-Wpedantic",
                                           "-Wshadow", "-Wconversion", "-Werror"};
@@ -219,8 +220,8 @@ TEST_CASE("headers and code compile without a warning as C11, headers as C++17",
         test::skip(compiler + " is not installed");
         continue;
       }
-      for (const auto& entry : fs::directory_iterator(folder)) {
-        const std::string name = entry.path().filename().string();
+      for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+        const std::string name = entry.path().lexically_relative(folder).string();
         if (!name.ends_with(".c") && !name.ends_with(".cpp")) continue;
         std::vector<std::string> command{compiler,
                                          name.ends_with(".c") ? "-std=c11" : "-std=c++17"};
@@ -291,6 +292,21 @@ TEST_CASE("every emitted file opens with its licence and names no place or time"
     CHECK(content.find(SINEW_SOURCE_DIR) == std::string::npos);
     CHECK(!std::regex_search(content, std::regex(R"(\b20[0-9][0-9]-[01][0-9]-)")));
   }
+}
+
+TEST_CASE("what is for a host lies in a folder of its own, and its first line says so") {
+  // Planted defect: the batch files beside the others, where a board's build takes all C.
+  int found = 0;
+  for (const auto& [name, content] : emit_files(model_of(Scalar::binary64))) {
+    INFO(name);
+    const bool has_loops = content.find("_batch(int count") != std::string::npos;
+    CHECK(name.starts_with("host/") == has_loops);
+    const std::string first =
+        "/* SPDX-License-Identifier: BSD-2-Clause\n *\n * For a host with vector";
+    CHECK(content.starts_with(first) == has_loops);
+    found += has_loops;
+  }
+  CHECK(found == 2);
 }
 
 TEST_CASE("the manifest lists files, arguments and the operations that are counted") {

@@ -225,6 +225,34 @@ TEST_CASE("permissions of a file that is replaced stay; one that may not be writ
   CHECK(entries_in(place.path()) == 1);
 }
 
+TEST_CASE("what goes into a folder brings the folders that are missing in it") {
+  // Planted defect: the folder of a file taken for there: "nothing can be written there".
+  const TemporaryFolder place;
+  Outputs first, second;
+  first.into_folder(place.path() / "wrapper", {{"source/a.c", "1"}});
+  first.commit();
+  second.into_folder(place.path() / "wrapper",
+                     {{"source/a.c", "2"}, {"source/host/b.c", "2"}, {"source/host/b.h", "2"}});
+  second.commit();
+  CHECK(tree(place.path(), false) == FileSet{{"wrapper/source/a.c", "2"},
+                                             {"wrapper/source/host/b.c", "2"},
+                                             {"wrapper/source/host/b.h", "2"}});
+  CHECK(tree(place.path(), true).empty());
+}
+
+TEST_CASE("no output is an input that lies deep in the folder that is replaced") {
+  // Planted defect: the folders in it not looked into: the input was replaced.
+  const TemporaryFolder place;
+  const fs::path log = place.path() / "output" / "host" / "e.c";
+  replace_folder(place.path() / "output", lettered_files('o'));
+  Inputs inputs;
+  inputs.add(log);
+  Outputs outputs;
+  outputs.protect(std::move(inputs));
+  CHECK_THROWS_WITH(outputs.folder(place.path() / "output", lettered_files('n')),
+                    Catch::Contains("e.c"));
+}
+
 TEST_CASE("one place for two outputs is refused before anything is written") {
   const TemporaryFolder place;
   Outputs outputs;

@@ -249,6 +249,17 @@ TEST_CASE("a folder with a file that is not ours is refused and untouched") {
   CHECK(error.find("notes.txt") != std::string::npos);
   fs::remove(folder / "notes.txt");
   check_untouched(place.path());
+  // Planted defect: folders in it not looked into: "years" were gone.
+  for (const char* foreign : {"host/notes.txt", "thesis/chapter.c", "host/host/e.c"}) {
+    fs::create_directories((folder / foreign).parent_path());
+    reference::write_text(folder / foreign, "years");
+    CHECK(error_of(folder, lettered_files('n')).find(fs::path(foreign).parent_path().string()) !=
+          std::string::npos);
+    CHECK(reference::read_text(folder / foreign) == "years");
+    fs::remove_all(folder / (foreign[0] == 't' ? "thesis" : foreign));
+    fs::remove(folder / "host" / "host");
+  }
+  check_untouched(place.path());
 
   fs::create_directory(place.path() / "foreign");
   reference::write_text(place.path() / "foreign" / "a.c", "mine");
@@ -267,6 +278,32 @@ TEST_CASE("files that are no longer emitted go") {
   fewer.erase("c.c");
   replace_folder(folder, fewer);
   CHECK(files_in(folder) == fewer);
+}
+
+TEST_CASE("what an older version wrote beside the other files goes from there") {
+  const TemporaryFolder place;
+  const fs::path folder = place.path() / "output";
+  FileSet before = lettered_files('o');
+  before["e.c"] = before.extract("host/e.c").mapped();
+  std::string& manifest = before["manifest.json"];
+  manifest.replace(manifest.find("host/e.c"), 8, "e.c");
+  replace_folder(folder, before);
+  REQUIRE(files_in(folder) == before);
+  CHECK(error_of(folder, lettered_files('n')) == "");
+  CHECK(files_in(folder) == lettered_files('n'));
+}
+
+TEST_CASE("a folder differs where one in it does") {
+  // Planted defect: folders in it not looked into: what is there without being asked for is none.
+  const TemporaryFolder place;
+  const fs::path folder = place.path() / "output";
+  const FileSet files = lettered_files('o');
+  replace_folder(folder, files);
+  CHECK(difference(folder, files).empty());
+  reference::write_text(folder / "host" / "more.c", "int more;\n");
+  CHECK(difference(folder, files).find("a/output/host/more.c") != std::string::npos);
+  fs::remove_all(folder / "host");
+  CHECK(difference(folder, files).find("b/output/host/e.c") != std::string::npos);
 }
 
 TEST_CASE("relative, nested and unusual paths name the folder they name everywhere else") {

@@ -12,8 +12,9 @@ using reference::TemporaryFolder;
 
 FileSet files_in(const fs::path& folder) {
   FileSet files;
-  for (const auto& entry : fs::directory_iterator(folder))
-    files[entry.path().filename().string()] = reference::read_text(entry.path());
+  for (const auto& entry : fs::recursive_directory_iterator(folder))
+    if (!entry.is_directory())
+      files[entry.path().lexically_relative(folder).string()] = reference::read_text(entry.path());
   return files;
 }
 

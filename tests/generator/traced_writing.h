@@ -11,6 +11,7 @@
 
 namespace sinew {
 
+/// All files below, by relative path.
 FileSet files_in(const std::filesystem::path& folder);
 std::size_t entries_in(const std::filesystem::path& folder);
 

@@ -15,8 +15,7 @@ constexpr const char* kCatalogueEnding = "_catalogue.c";
 std::vector<std::string> c_files(const std::filesystem::path& folder) {
   std::vector<std::string> files;
   for (const auto& entry : std::filesystem::directory_iterator(folder))
-    if (entry.path().extension() == ".c" && !entry.path().stem().string().ends_with("_batch"))
-      files.push_back(entry.path().string());
+    if (entry.path().extension() == ".c") files.push_back(entry.path().string());
   std::sort(files.begin(), files.end());
   return files;
 }

@@ -191,7 +191,7 @@ void wrist_palm_angles_batch(int count, const double *SINEW_RESTRICT q71,
 
 void wrist_bar_angles_batch(int count, const double *SINEW_RESTRICT flexion,
     const double *SINEW_RESTRICT abduction, double *SINEW_RESTRICT q,
-    double *SINEW_RESTRICT residual, double *SINEW_RESTRICT status)
+    double *SINEW_RESTRICT residual, int *SINEW_RESTRICT status)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
@@ -525,7 +525,7 @@ void wrist_bar_angles_batch(int count, const double *SINEW_RESTRICT flexion,
         q[state] = q71_6;
         q[1 * n + state] = sinew_atan2(sin_q73_8, cos_q73_8);
         residual[state] = residual_2;
-        status[state] = t60;
+        status[state] = (int)t60;
     }
 }
 
@@ -563,7 +563,7 @@ void wrist_singularity_batch(int count, const double *SINEW_RESTRICT q71,
 }
 
 void wrist_status_batch(int count, const double *SINEW_RESTRICT q71,
-    const double *SINEW_RESTRICT q73, double *SINEW_RESTRICT status)
+    const double *SINEW_RESTRICT q73, int *SINEW_RESTRICT status)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
@@ -591,7 +591,7 @@ void wrist_status_batch(int count, const double *SINEW_RESTRICT q71,
         const double reach = sinew_sqrt(reach_squared);
         const double t1 = sinew_choose(0.999999999999 * reach * reach - projection * projection,
             0.0, 1.0);
-        status[state] = sinew_choose(-(1e-06 - sin_q73), t1, 1.0);
+        status[state] = (int)sinew_choose(-(1e-06 - sin_q73), t1, 1.0);
     }
 }
 

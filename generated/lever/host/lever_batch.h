@@ -18,6 +18,8 @@
 #endif
 #endif
 
+#include "../lever.h" /* what the values of a status are called */
+
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -27,8 +29,7 @@ void lever_slope_batch(int count, const double *SINEW_RESTRICT theta, double *SI
 void lever_angle_batch(int count, const double *SINEW_RESTRICT elongation,
     const double *SINEW_RESTRICT theta, double *SINEW_RESTRICT theta_lever,
     double *SINEW_RESTRICT residual);
-void lever_status_batch(int count, const double *SINEW_RESTRICT theta,
-    double *SINEW_RESTRICT status);
+void lever_status_batch(int count, const double *SINEW_RESTRICT theta, int *SINEW_RESTRICT status);
 
 #ifdef __cplusplus
 }

@@ -369,8 +369,7 @@ void lever_angle_batch(int count, const double *SINEW_RESTRICT elongation,
     }
 }
 
-void lever_status_batch(int count, const double *SINEW_RESTRICT theta,
-    double *SINEW_RESTRICT status)
+void lever_status_batch(int count, const double *SINEW_RESTRICT theta, int *SINEW_RESTRICT status)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
@@ -407,6 +406,6 @@ void lever_status_batch(int count, const double *SINEW_RESTRICT theta,
         const double t9 = sinew_min(sinew_max(theta[state], 0.09548248781986068),
             0.8377580409572781);
         const double t10 = theta[state] - t9;
-        status[state] = sinew_choose(-sinew_max(t10, -t10), t8, 1.0);
+        status[state] = (int)sinew_choose(-sinew_max(t10, -t10), t8, 1.0);
     }
 }

@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: BSD-2-Clause
  *
- * For a host with vector instructions: the functions of the model thumb over many states; element k
- *     of state i is at [k * count + i].
+ * For a host with vector instructions: the functions of the model thumb_table_5_2 over many states;
+ *     element k of state i is at [k * count + i].
  *
- * Made by: sinew generate models/thumb
- * Model:   sha256 a1887dfbbeca57cfa47ae5f680c6749b28b13c33cd3d097b0d35ffdcc7f65850
+ * Made by: sinew generate models/thumb_table_5_2
+ * Model:   sha256 bbe6ad946c25f79dfb874427de1b09ec5897fef90ad1f6d32550868697528da8
  * Do not edit: change the model and generate again.
  */
-#include "thumb_batch.h"
+#include "thumb_table_5_2_batch.h"
 
 #include <stddef.h>
 
@@ -19,7 +19,7 @@
 #define SINEW_STATES_ARE_INDEPENDENT
 #endif
 
-void thumb_forward_kinematics_batch(int count, const double *SINEW_RESTRICT q,
+void thumb_table_5_2_forward_kinematics_batch(int count, const double *SINEW_RESTRICT q,
     double *SINEW_RESTRICT T)
 {
     const size_t n = (size_t)count;
@@ -69,7 +69,8 @@ void thumb_forward_kinematics_batch(int count, const double *SINEW_RESTRICT q,
     }
 }
 
-void thumb_tip_jacobian_batch(int count, const double *SINEW_RESTRICT q, double *SINEW_RESTRICT J)
+void thumb_table_5_2_tip_jacobian_batch(int count, const double *SINEW_RESTRICT q,
+    double *SINEW_RESTRICT J)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
@@ -131,7 +132,8 @@ void thumb_tip_jacobian_batch(int count, const double *SINEW_RESTRICT q, double 
     }
 }
 
-void thumb_mass_matrix_batch(int count, const double *SINEW_RESTRICT q, double *SINEW_RESTRICT M)
+void thumb_table_5_2_mass_matrix_batch(int count, const double *SINEW_RESTRICT q,
+    double *SINEW_RESTRICT M)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
@@ -188,7 +190,7 @@ void thumb_mass_matrix_batch(int count, const double *SINEW_RESTRICT q, double *
     }
 }
 
-void thumb_coriolis_matrix_batch(int count, const double *SINEW_RESTRICT q,
+void thumb_table_5_2_coriolis_matrix_batch(int count, const double *SINEW_RESTRICT q,
     const double *SINEW_RESTRICT qd, double *SINEW_RESTRICT C)
 {
     const size_t n = (size_t)count;
@@ -261,7 +263,8 @@ void thumb_coriolis_matrix_batch(int count, const double *SINEW_RESTRICT q,
     }
 }
 
-void thumb_gravity_batch(int count, const double *SINEW_RESTRICT q, double *SINEW_RESTRICT g)
+void thumb_table_5_2_gravity_batch(int count, const double *SINEW_RESTRICT q,
+    double *SINEW_RESTRICT g)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
@@ -284,8 +287,8 @@ void thumb_gravity_batch(int count, const double *SINEW_RESTRICT q, double *SINE
     }
 }
 
-void thumb_bias_batch(int count, const double *SINEW_RESTRICT q, const double *SINEW_RESTRICT qd,
-    double *SINEW_RESTRICT h)
+void thumb_table_5_2_bias_batch(int count, const double *SINEW_RESTRICT q,
+    const double *SINEW_RESTRICT qd, double *SINEW_RESTRICT h)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
@@ -339,7 +342,7 @@ void thumb_bias_batch(int count, const double *SINEW_RESTRICT q, const double *S
     }
 }
 
-void thumb_mass_matrix_and_bias_batch(int count, const double *SINEW_RESTRICT q,
+void thumb_table_5_2_mass_matrix_and_bias_batch(int count, const double *SINEW_RESTRICT q,
     const double *SINEW_RESTRICT qd, double *SINEW_RESTRICT M, double *SINEW_RESTRICT h)
 {
     const size_t n = (size_t)count;
@@ -428,7 +431,7 @@ void thumb_mass_matrix_and_bias_batch(int count, const double *SINEW_RESTRICT q,
     }
 }
 
-void thumb_forward_dynamics_batch(int count, const double *SINEW_RESTRICT q,
+void thumb_table_5_2_forward_dynamics_batch(int count, const double *SINEW_RESTRICT q,
     const double *SINEW_RESTRICT qd, const double *SINEW_RESTRICT tau, double *SINEW_RESTRICT qdd)
 {
     const size_t n = (size_t)count;
@@ -517,7 +520,7 @@ void thumb_forward_dynamics_batch(int count, const double *SINEW_RESTRICT q,
     }
 }
 
-void thumb_inverse_dynamics_batch(int count, const double *SINEW_RESTRICT q,
+void thumb_table_5_2_inverse_dynamics_batch(int count, const double *SINEW_RESTRICT q,
     const double *SINEW_RESTRICT qd, const double *SINEW_RESTRICT qdd, double *SINEW_RESTRICT tau)
 {
     const size_t n = (size_t)count;
@@ -593,7 +596,8 @@ void thumb_inverse_dynamics_batch(int count, const double *SINEW_RESTRICT q,
     }
 }
 
-void thumb_tendon_lengths_batch(int count, const double *SINEW_RESTRICT q, double *SINEW_RESTRICT h)
+void thumb_table_5_2_tendon_lengths_batch(int count, const double *SINEW_RESTRICT q,
+    double *SINEW_RESTRICT h)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
@@ -603,20 +607,20 @@ void thumb_tendon_lengths_batch(int count, const double *SINEW_RESTRICT q, doubl
         double s2, c2;
         sinew_sincos(q[1 * n + state], &s2, &c2);
         const double R21y = c1 * s2;
-        const double t1 = 0.005 * R21y;
-        const double t2 = 0.006 * s1;
+        const double t1 = 0.025 * R21y;
+        const double t2 = 0.03 * s1;
         const double t3 = t1 - t2;
         const double R21x = c1 * c2;
         const double t4 = 0.047 * R21x;
         const double A_lengthdx = 0.002 - t3 - t4;
         const double R22y = s1 * s2;
-        const double t5 = 0.005 * R22y;
-        const double t6 = 0.006 * c1;
+        const double t5 = 0.025 * R22y;
+        const double t6 = 0.03 * c1;
         const double t7 = 0.03 - (t5 + t6);
         const double R22x = s1 * c2;
         const double t8 = 0.047 * R22x;
         const double A_lengthdy = t7 - t8;
-        const double t9 = 0.025 - 0.005 * c2;
+        const double t9 = 0.025 - 0.025 * c2;
         const double t10 = 0.047 * s2;
         const double A_lengthdz = t9 + t10;
         const double t11 = A_lengthdz * A_lengthdz;
@@ -647,7 +651,7 @@ void thumb_tendon_lengths_batch(int count, const double *SINEW_RESTRICT q, doubl
     }
 }
 
-void thumb_coupling_matrix_batch(int count, const double *SINEW_RESTRICT q,
+void thumb_table_5_2_coupling_matrix_batch(int count, const double *SINEW_RESTRICT q,
     double *SINEW_RESTRICT P)
 {
     const size_t n = (size_t)count;
@@ -659,36 +663,36 @@ void thumb_coupling_matrix_batch(int count, const double *SINEW_RESTRICT q,
         sinew_sincos(q[1 * n + state], &s2, &c2);
         const double R21x = c1 * c2;
         const double t1 = 0.047 * R21x;
-        const double t2 = 0.006 * s1;
+        const double t2 = 0.03 * s1;
         const double R21y = c1 * s2;
-        const double t3 = 0.005 * R21y;
+        const double t3 = 0.025 * R21y;
         const double t4 = t3 - t2;
         const double pA_length_tox = t4 + t1;
         const double R22x = s1 * c2;
         const double t5 = 0.047 * R22x;
-        const double t6 = 0.006 * c1;
+        const double t6 = 0.03 * c1;
         const double R22y = s1 * s2;
-        const double t7 = 0.005 * R22y;
+        const double t7 = 0.025 * R22y;
         const double t8 = t7 + t6;
         const double pA_length_toy = t8 + t5;
         const double A_lengthdy = 0.03 - pA_length_toy;
         const double A_lengthdx = 0.002 - pA_length_tox;
         const double t9 = 0.047 * s2;
-        const double t10 = 0.025 - 0.005 * c2;
+        const double t10 = 0.025 - 0.025 * c2;
         const double A_lengthdz = t10 + t9;
         const double t11 = A_lengthdz * A_lengthdz;
         const double A_length = sinew_sqrt(A_lengthdx * A_lengthdx + A_lengthdy * A_lengthdy + t11);
         const double t12 = 1.0 / A_length;
         const double A_length_by_q0 = (pA_length_tox * A_lengthdy - pA_length_toy * A_lengthdx)
             * t12;
-        const double t13 = 0.005 * s2;
+        const double t13 = 0.025 * s2;
         const double t14 = 0.047 * c2;
         const double pA_length_toz_by_q1 = t13 + t14;
         const double t15 = A_lengthdz * pA_length_toz_by_q1;
-        const double t16 = 0.005 * R21x;
+        const double t16 = 0.025 * R21x;
         const double t17 = 0.047 * R21y;
         const double pA_length_tox_by_q1 = t16 - t17;
-        const double t18 = 0.005 * R22x;
+        const double t18 = 0.025 * R22x;
         const double t19 = 0.047 * R22y;
         const double pA_length_toy_by_q1 = t18 - t19;
         const double t20 = A_lengthdx * pA_length_tox_by_q1 + A_lengthdy * pA_length_toy_by_q1
@@ -770,7 +774,7 @@ void thumb_coupling_matrix_batch(int count, const double *SINEW_RESTRICT q,
     }
 }
 
-void thumb_joint_torque_batch(int count, const double *SINEW_RESTRICT q,
+void thumb_table_5_2_joint_torque_batch(int count, const double *SINEW_RESTRICT q,
     const double *SINEW_RESTRICT f, double *SINEW_RESTRICT tau)
 {
     const size_t n = (size_t)count;
@@ -782,22 +786,22 @@ void thumb_joint_torque_batch(int count, const double *SINEW_RESTRICT q,
         sinew_sincos(q[1 * n + state], &s2, &c2);
         const double R21x = c1 * c2;
         const double t1 = 0.047 * R21x;
-        const double t2 = 0.006 * s1;
+        const double t2 = 0.03 * s1;
         const double R21y = c1 * s2;
-        const double t3 = 0.005 * R21y;
+        const double t3 = 0.025 * R21y;
         const double t4 = t3 - t2;
         const double pD_length_tox = t4 - t1;
         const double R22x = s1 * c2;
         const double t5 = 0.047 * R22x;
-        const double t6 = 0.006 * c1;
+        const double t6 = 0.03 * c1;
         const double R22y = s1 * s2;
-        const double t7 = 0.005 * R22y;
+        const double t7 = 0.025 * R22y;
         const double t8 = t7 + t6;
         const double pD_length_toy = t8 - t5;
         const double D_lengthdy = 0.03 - pD_length_toy;
         const double D_lengthdx = 0.002 + pD_length_tox;
         const double t9 = 0.047 * s2;
-        const double t10 = 0.025 - 0.005 * c2;
+        const double t10 = 0.025 - 0.025 * c2;
         const double B_lengthdz = t10 - t9;
         const double t11 = B_lengthdz * B_lengthdz;
         const double D_length = sinew_sqrt(t11 + D_lengthdx * D_lengthdx + D_lengthdy * D_lengthdy);
@@ -834,14 +838,14 @@ void thumb_joint_torque_batch(int count, const double *SINEW_RESTRICT q,
             * t18;
         const double t19 = f[state] * A_length_by_q0 - f[1 * n + state] * B_length_by_q0 - f[2 * n
             + state] * C_length_by_q0;
-        const double t20 = 0.005 * R22x;
+        const double t20 = 0.025 * R22x;
         const double t21 = 0.047 * R22y;
         const double pB_length_toy_by_q1 = t20 + t21;
-        const double t22 = 0.005 * s2;
+        const double t22 = 0.025 * s2;
         const double t23 = 0.047 * c2;
         const double pB_length_toz_by_q1 = t22 - t23;
         const double t24 = B_lengthdz * pB_length_toz_by_q1;
-        const double t25 = 0.005 * R21x;
+        const double t25 = 0.025 * R21x;
         const double t26 = 0.047 * R21y;
         const double pB_length_tox_by_q1 = t25 + t26;
         const double t27 = t24 + D_lengthdx * pB_length_tox_by_q1 - D_lengthdy
@@ -871,7 +875,7 @@ void thumb_joint_torque_batch(int count, const double *SINEW_RESTRICT q,
     }
 }
 
-void thumb_joint_stiffness_batch(int count, const double *SINEW_RESTRICT q,
+void thumb_table_5_2_joint_stiffness_batch(int count, const double *SINEW_RESTRICT q,
     const double *SINEW_RESTRICT f, const double *SINEW_RESTRICT kt, double *SINEW_RESTRICT K)
 {
     const size_t n = (size_t)count;
@@ -889,35 +893,35 @@ void thumb_joint_stiffness_batch(int count, const double *SINEW_RESTRICT q,
         const double t2 = -K3_4;
         const double K3_3 = 4.225e-05 * (kt[4 * n + state] + kt[5 * n + state]) + 0.0065 * t1;
         const double R21y = c1 * s2;
-        const double t3 = 0.005 * R21y;
-        const double t4 = 0.006 * s1;
+        const double t3 = 0.025 * R21y;
+        const double t4 = 0.03 * s1;
         const double t5 = t3 - t4;
         const double R21x = c1 * c2;
         const double t6 = 0.047 * R21x;
         const double pA_length_tox = t5 + t6;
         const double A_lengthdx = 0.002 - pA_length_tox;
         const double R22y = s1 * s2;
-        const double t7 = 0.005 * R22y;
-        const double t8 = 0.006 * c1;
+        const double t7 = 0.025 * R22y;
+        const double t8 = 0.03 * c1;
         const double t9 = t7 + t8;
         const double R22x = s1 * c2;
         const double t10 = 0.047 * R22x;
         const double pA_length_toy = t9 + t10;
         const double A_lengthdy = 0.03 - pA_length_toy;
-        const double t11 = 0.005 * c2;
+        const double t11 = 0.025 * c2;
         const double t12 = 0.047 * s2;
         const double pA_length_toz = t11 - t12;
         const double A_lengthdz = 0.025 - pA_length_toz;
         const double t13 = A_lengthdz * A_lengthdz;
         const double A_length = sinew_sqrt(A_lengthdx * A_lengthdx + A_lengthdy * A_lengthdy + t13);
         const double t14 = 1.0 / A_length;
-        const double t15 = 0.005 * R21x;
+        const double t15 = 0.025 * R21x;
         const double t16 = 0.047 * R21y;
         const double pA_length_tox_by_q1 = t15 - t16;
-        const double t17 = 0.005 * R22x;
+        const double t17 = 0.025 * R22x;
         const double t18 = 0.047 * R22y;
         const double pA_length_toy_by_q1 = t17 - t18;
-        const double t19 = 0.005 * s2;
+        const double t19 = 0.025 * s2;
         const double t20 = 0.047 * c2;
         const double pA_length_toz_by_q1 = t19 + t20;
         const double t21 = A_lengthdz * pA_length_toz_by_q1;
@@ -1076,7 +1080,8 @@ void thumb_joint_stiffness_batch(int count, const double *SINEW_RESTRICT q,
     }
 }
 
-void thumb_tendon_hessian_batch(int count, const double *SINEW_RESTRICT q, double *SINEW_RESTRICT H)
+void thumb_table_5_2_tendon_hessian_batch(int count, const double *SINEW_RESTRICT q,
+    double *SINEW_RESTRICT H)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
@@ -1085,24 +1090,24 @@ void thumb_tendon_hessian_batch(int count, const double *SINEW_RESTRICT q, doubl
         sinew_sincos(q[state], &s1, &c1);
         double s2, c2;
         sinew_sincos(q[1 * n + state], &s2, &c2);
-        const double t1 = 0.005 * c2;
+        const double t1 = 0.025 * c2;
         const double t2 = 0.047 * s2;
         const double pA_length_toz = t1 - t2;
         const double A_lengthdz = 0.025 - pA_length_toz;
         const double t3 = A_lengthdz * A_lengthdz;
         const double R21x = c1 * c2;
         const double t4 = 0.047 * R21x;
-        const double t5 = 0.006 * s1;
+        const double t5 = 0.03 * s1;
         const double R21y = c1 * s2;
-        const double t6 = 0.005 * R21y;
+        const double t6 = 0.025 * R21y;
         const double t7 = t6 - t5;
         const double pA_length_tox = t7 + t4;
         const double A_lengthdx = 0.002 - pA_length_tox;
         const double R22x = s1 * c2;
         const double t8 = 0.047 * R22x;
-        const double t9 = 0.006 * c1;
+        const double t9 = 0.03 * c1;
         const double R22y = s1 * s2;
-        const double t10 = 0.005 * R22y;
+        const double t10 = 0.025 * R22y;
         const double t11 = t10 + t9;
         const double pA_length_toy = t11 + t8;
         const double A_lengthdy = 0.03 - pA_length_toy;
@@ -1115,13 +1120,13 @@ void thumb_tendon_hessian_batch(int count, const double *SINEW_RESTRICT q, doubl
         const double t15 = pA_length_toy * t13 + pA_length_tox * t14 - A_length_by_q0
             * A_length_by_q0;
         const double A_length_by_q0_2_by_q0 = t15 * t12;
-        const double t16 = 0.005 * R22x;
+        const double t16 = 0.025 * R22x;
         const double t17 = 0.047 * R22y;
         const double pA_length_toy_by_q1 = t16 - t17;
-        const double t18 = 0.005 * R21x;
+        const double t18 = 0.025 * R21x;
         const double t19 = 0.047 * R21y;
         const double pA_length_tox_by_q1 = t18 - t19;
-        const double t20 = 0.005 * s2;
+        const double t20 = 0.025 * s2;
         const double t21 = 0.047 * c2;
         const double pA_length_toz_by_q1 = t20 + t21;
         const double t22 = A_lengthdz * pA_length_toz_by_q1;
@@ -1356,9 +1361,9 @@ void thumb_tendon_hessian_batch(int count, const double *SINEW_RESTRICT q, doubl
     }
 }
 
-void thumb_link_position_batch(int count, const double *SINEW_RESTRICT h,
+void thumb_table_5_2_link_position_batch(int count, const double *SINEW_RESTRICT h,
     const double *SINEW_RESTRICT q_start, double *SINEW_RESTRICT q,
-    double *SINEW_RESTRICT correction, double *SINEW_RESTRICT status)
+    double *SINEW_RESTRICT correction, int *SINEW_RESTRICT status)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
@@ -1369,19 +1374,19 @@ void thumb_link_position_batch(int count, const double *SINEW_RESTRICT h,
         sinew_sincos(start_q10, &sin_q10, &cos_q10);
         double sin_q11, cos_q11;
         sinew_sincos(start_q11, &sin_q11, &cos_q11);
-        const double t1 = 0.006 * cos_q10;
+        const double t1 = 0.03 * cos_q10;
         const double t2 = 0.03 - t1;
-        const double t3 = 0.005 * sin_q11;
+        const double t3 = 0.025 * sin_q11;
         const double t4 = 0.047 * cos_q11;
         const double along_2 = t3 - t4;
         const double t5 = sin_q10 * along_2;
         const double gap_y_6 = t2 - t5;
-        const double t6 = 0.005 * cos_q11;
+        const double t6 = 0.025 * cos_q11;
         const double t7 = 0.047 * sin_q11;
         const double up_2 = t6 + t7;
         const double gap_z_2 = 0.025 - up_2;
         const double t8 = gap_z_2 * gap_z_2;
-        const double t9 = 0.006 * sin_q10;
+        const double t9 = 0.03 * sin_q10;
         const double t10 = 0.002 - t9;
         const double t11 = cos_q10 * along_2;
         const double gap_x_6 = t10 + t11;
@@ -1462,24 +1467,24 @@ void thumb_link_position_batch(int count, const double *SINEW_RESTRICT h,
         const double q10 = start_q10 + step;
         double sin_q10_2, cos_q10_2;
         sinew_sincos(q10, &sin_q10_2, &cos_q10_2);
-        const double t29 = 0.006 * cos_q10_2;
+        const double t29 = 0.03 * cos_q10_2;
         const double t30 = 0.03 - t29;
         const double step_2 = sinew_min(sinew_max(-((H_01 * gradient_0 - gradient_1 * a) * t28),
             -0.5), 0.5);
         const double q11 = start_q11 + step_2;
         double sin_q11_2, cos_q11_2;
         sinew_sincos(q11, &sin_q11_2, &cos_q11_2);
-        const double t31 = 0.005 * sin_q11_2;
+        const double t31 = 0.025 * sin_q11_2;
         const double t32 = 0.047 * cos_q11_2;
         const double along_10 = t31 - t32;
         const double t33 = sin_q10_2 * along_10;
         const double gap_y_14 = t30 - t33;
-        const double t34 = 0.005 * cos_q11_2;
+        const double t34 = 0.025 * cos_q11_2;
         const double t35 = 0.047 * sin_q11_2;
         const double up_10 = t34 + t35;
         const double gap_z_10 = 0.025 - up_10;
         const double t36 = gap_z_10 * gap_z_10;
-        const double t37 = 0.006 * sin_q10_2;
+        const double t37 = 0.03 * sin_q10_2;
         const double t38 = 0.002 - t37;
         const double t39 = cos_q10_2 * along_10;
         const double gap_x_14 = t38 + t39;
@@ -1577,7 +1582,7 @@ void thumb_link_position_batch(int count, const double *SINEW_RESTRICT h,
         const double q10_2 = kept + step_4;
         double sin_q10_4, cos_q10_4;
         sinew_sincos(q10_2, &sin_q10_4, &cos_q10_4);
-        const double t58 = 0.006 * sin_q10_4;
+        const double t58 = 0.03 * sin_q10_4;
         const double t59 = 0.002 + t58;
         const double kept_2 = sinew_choose(better, q11, start_q11);
         const double step_6 = sinew_min(sinew_max((kept_4 * kept_12 - kept_6 * a_2) * t57, -0.5),
@@ -1585,16 +1590,16 @@ void thumb_link_position_batch(int count, const double *SINEW_RESTRICT h,
         const double q11_2 = kept_2 + step_6;
         double sin_q11_4, cos_q11_4;
         sinew_sincos(q11_2, &sin_q11_4, &cos_q11_4);
-        const double t60 = 0.005 * sin_q11_4;
+        const double t60 = 0.025 * sin_q11_4;
         const double t61 = 0.047 * cos_q11_4;
         const double along_16 = t60 + t61;
         const double t62 = cos_q10_4 * along_16;
         const double gap_x_16 = t59 - t62;
-        const double t63 = 0.006 * cos_q10_4;
+        const double t63 = 0.03 * cos_q10_4;
         const double t64 = 0.03 - t63;
         const double t65 = sin_q10_4 * along_16;
         const double gap_y_16 = t64 - t65;
-        const double t66 = 0.005 * cos_q11_4;
+        const double t66 = 0.025 * cos_q11_4;
         const double t67 = 0.047 * sin_q11_4;
         const double up_16 = t66 - t67;
         const double gap_z_16 = 0.025 - up_16;
@@ -1694,7 +1699,7 @@ void thumb_link_position_batch(int count, const double *SINEW_RESTRICT h,
         const double q10_4 = kept_18 + step_8;
         double sin_q10_6, cos_q10_6;
         sinew_sincos(q10_4, &sin_q10_6, &cos_q10_6);
-        const double t87 = 0.006 * sin_q10_6;
+        const double t87 = 0.03 * sin_q10_6;
         const double t88 = 0.002 + t87;
         const double kept_20 = sinew_choose(better_2, q11_2, kept_2);
         const double step_10 = sinew_min(sinew_max((kept_22 * kept_30 - kept_24 * a_4) * t86, -0.5),
@@ -1702,16 +1707,16 @@ void thumb_link_position_batch(int count, const double *SINEW_RESTRICT h,
         const double q11_4 = kept_20 + step_10;
         double sin_q11_6, cos_q11_6;
         sinew_sincos(q11_4, &sin_q11_6, &cos_q11_6);
-        const double t89 = 0.005 * sin_q11_6;
+        const double t89 = 0.025 * sin_q11_6;
         const double t90 = 0.047 * cos_q11_6;
         const double along_24 = t89 + t90;
         const double t91 = cos_q10_6 * along_24;
         const double gap_x_24 = t88 - t91;
-        const double t92 = 0.006 * cos_q10_6;
+        const double t92 = 0.03 * cos_q10_6;
         const double t93 = 0.03 - t92;
         const double t94 = sin_q10_6 * along_24;
         const double gap_y_24 = t93 - t94;
-        const double t95 = 0.005 * cos_q11_6;
+        const double t95 = 0.025 * cos_q11_6;
         const double t96 = 0.047 * sin_q11_6;
         const double up_24 = t95 - t96;
         const double gap_z_24 = 0.025 - up_24;
@@ -1811,7 +1816,7 @@ void thumb_link_position_batch(int count, const double *SINEW_RESTRICT h,
         const double q10_6 = kept_36 + step_12;
         double sin_q10_8, cos_q10_8;
         sinew_sincos(q10_6, &sin_q10_8, &cos_q10_8);
-        const double t116 = 0.006 * sin_q10_8;
+        const double t116 = 0.03 * sin_q10_8;
         const double t117 = 0.002 + t116;
         const double kept_38 = sinew_choose(better_4, q11_4, kept_20);
         const double step_14 = sinew_min(sinew_max((kept_40 * kept_48 - kept_42 * a_6) * t115,
@@ -1819,16 +1824,16 @@ void thumb_link_position_batch(int count, const double *SINEW_RESTRICT h,
         const double q11_6 = kept_38 + step_14;
         double sin_q11_8, cos_q11_8;
         sinew_sincos(q11_6, &sin_q11_8, &cos_q11_8);
-        const double t118 = 0.005 * sin_q11_8;
+        const double t118 = 0.025 * sin_q11_8;
         const double t119 = 0.047 * cos_q11_8;
         const double along_32 = t118 + t119;
         const double t120 = cos_q10_8 * along_32;
         const double gap_x_32 = t117 - t120;
-        const double t121 = 0.006 * cos_q10_8;
+        const double t121 = 0.03 * cos_q10_8;
         const double t122 = 0.03 - t121;
         const double t123 = sin_q10_8 * along_32;
         const double gap_y_32 = t122 - t123;
-        const double t124 = 0.005 * cos_q11_8;
+        const double t124 = 0.025 * cos_q11_8;
         const double t125 = 0.047 * sin_q11_8;
         const double up_32 = t124 - t125;
         const double gap_z_32 = 0.025 - up_32;
@@ -1927,13 +1932,13 @@ void thumb_link_position_batch(int count, const double *SINEW_RESTRICT h,
         q[state] = kept_54;
         q[1 * n + state] = kept_56;
         correction[state] = correction_2;
-        status[state] = sinew_choose(1e-06 - correction_2, 0.0, 1.0);
+        status[state] = (int)sinew_choose(1e-06 - correction_2, 0.0, 1.0);
     }
 }
 
-void thumb_link_position_warm_batch(int count, const double *SINEW_RESTRICT h,
+void thumb_table_5_2_link_position_warm_batch(int count, const double *SINEW_RESTRICT h,
     const double *SINEW_RESTRICT q_start, double *SINEW_RESTRICT q,
-    double *SINEW_RESTRICT correction, double *SINEW_RESTRICT status)
+    double *SINEW_RESTRICT correction, int *SINEW_RESTRICT status)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
@@ -1944,18 +1949,18 @@ void thumb_link_position_warm_batch(int count, const double *SINEW_RESTRICT h,
         sinew_sincos(start_q10, &sin_q10, &cos_q10);
         double sin_q11, cos_q11;
         sinew_sincos(start_q11, &sin_q11, &cos_q11);
-        const double t1 = 0.005 * sin_q11;
+        const double t1 = 0.025 * sin_q11;
         const double t2 = 0.047 * cos_q11;
         const double along = t1 + t2;
         const double t3 = cos_q10 * along;
-        const double t4 = 0.006 * sin_q10;
+        const double t4 = 0.03 * sin_q10;
         const double t5 = 0.002 + t4;
         const double gap_x = t5 - t3;
         const double t6 = sin_q10 * along;
-        const double t7 = 0.006 * cos_q10;
+        const double t7 = 0.03 * cos_q10;
         const double t8 = 0.03 - t7;
         const double gap_y = t8 - t6;
-        const double t9 = 0.005 * cos_q11;
+        const double t9 = 0.025 * cos_q11;
         const double t10 = 0.047 * sin_q11;
         const double up = t9 - t10;
         const double gap_z = 0.025 - up;
@@ -2034,7 +2039,7 @@ void thumb_link_position_warm_batch(int count, const double *SINEW_RESTRICT h,
         const double q11 = start_q11 + step_2;
         double sin_q11_2, cos_q11_2;
         sinew_sincos(q11, &sin_q11_2, &cos_q11_2);
-        const double t28 = 0.005 * sin_q11_2;
+        const double t28 = 0.025 * sin_q11_2;
         const double t29 = 0.047 * cos_q11_2;
         const double along_8 = t28 + t29;
         const double step = sinew_min(sinew_max(-((H_01 * gradient_1 - gradient_0 * d) * t25),
@@ -2043,14 +2048,14 @@ void thumb_link_position_warm_batch(int count, const double *SINEW_RESTRICT h,
         double sin_q10_2, cos_q10_2;
         sinew_sincos(q10, &sin_q10_2, &cos_q10_2);
         const double t30 = cos_q10_2 * along_8;
-        const double t31 = 0.006 * sin_q10_2;
+        const double t31 = 0.03 * sin_q10_2;
         const double t32 = 0.002 + t31;
         const double gap_x_8 = t32 - t30;
         const double t33 = sin_q10_2 * along_8;
-        const double t34 = 0.006 * cos_q10_2;
+        const double t34 = 0.03 * cos_q10_2;
         const double t35 = 0.03 - t34;
         const double gap_y_8 = t35 - t33;
-        const double t36 = 0.005 * cos_q11_2;
+        const double t36 = 0.025 * cos_q11_2;
         const double t37 = 0.047 * sin_q11_2;
         const double up_8 = t36 - t37;
         const double gap_z_8 = 0.025 - up_8;
@@ -2150,11 +2155,11 @@ void thumb_link_position_warm_batch(int count, const double *SINEW_RESTRICT h,
         q[state] = kept;
         q[1 * n + state] = kept_2;
         correction[state] = correction_2;
-        status[state] = sinew_choose(1e-06 - correction_2, 0.0, 1.0);
+        status[state] = (int)sinew_choose(1e-06 - correction_2, 0.0, 1.0);
     }
 }
 
-void thumb_link_position_gradient_step_batch(int count, const double *SINEW_RESTRICT h,
+void thumb_table_5_2_link_position_gradient_step_batch(int count, const double *SINEW_RESTRICT h,
     const double *SINEW_RESTRICT search, double *SINEW_RESTRICT next)
 {
     const size_t n = (size_t)count;
@@ -2172,18 +2177,18 @@ void thumb_link_position_gradient_step_batch(int count, const double *SINEW_REST
         sinew_sincos(q10, &sin_q10, &cos_q10);
         double sin_q11, cos_q11;
         sinew_sincos(q11, &sin_q11, &cos_q11);
-        const double t1 = 0.005 * sin_q11;
+        const double t1 = 0.025 * sin_q11;
         const double t2 = 0.047 * cos_q11;
         const double along = t1 + t2;
         const double t3 = cos_q10 * along;
-        const double t4 = 0.006 * sin_q10;
+        const double t4 = 0.03 * sin_q10;
         const double t5 = 0.002 + t4;
         const double gap_x = t5 - t3;
         const double t6 = sin_q10 * along;
-        const double t7 = 0.006 * cos_q10;
+        const double t7 = 0.03 * cos_q10;
         const double t8 = 0.03 - t7;
         const double gap_y = t8 - t6;
-        const double t9 = 0.005 * cos_q11;
+        const double t9 = 0.025 * cos_q11;
         const double t10 = 0.047 * sin_q11;
         const double up = t9 - t10;
         const double gap_z = 0.025 - up;
@@ -2264,9 +2269,8 @@ void thumb_link_position_gradient_step_batch(int count, const double *SINEW_REST
     }
 }
 
-void thumb_link_position_status_batch(int count, const double *SINEW_RESTRICT h,
-    const double *SINEW_RESTRICT q, double *SINEW_RESTRICT correction,
-    double *SINEW_RESTRICT status)
+void thumb_table_5_2_link_position_status_batch(int count, const double *SINEW_RESTRICT h,
+    const double *SINEW_RESTRICT q, double *SINEW_RESTRICT correction, int *SINEW_RESTRICT status)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
@@ -2277,18 +2281,18 @@ void thumb_link_position_status_batch(int count, const double *SINEW_RESTRICT h,
         sinew_sincos(start_q10, &sin_q10, &cos_q10);
         double sin_q11, cos_q11;
         sinew_sincos(start_q11, &sin_q11, &cos_q11);
-        const double t1 = 0.005 * sin_q11;
+        const double t1 = 0.025 * sin_q11;
         const double t2 = 0.047 * cos_q11;
         const double along = t1 + t2;
         const double t3 = cos_q10 * along;
-        const double t4 = 0.006 * sin_q10;
+        const double t4 = 0.03 * sin_q10;
         const double t5 = 0.002 + t4;
         const double gap_x = t5 - t3;
         const double t6 = sin_q10 * along;
-        const double t7 = 0.006 * cos_q10;
+        const double t7 = 0.03 * cos_q10;
         const double t8 = 0.03 - t7;
         const double gap_y = t8 - t6;
-        const double t9 = 0.005 * cos_q11;
+        const double t9 = 0.025 * cos_q11;
         const double t10 = 0.047 * sin_q11;
         const double up = t9 - t10;
         const double gap_z = 0.025 - up;
@@ -2368,13 +2372,13 @@ void thumb_link_position_status_batch(int count, const double *SINEW_RESTRICT h,
             -0.5), 0.5);
         const double correction_2 = sinew_sqrt(step * step + step_2 * step_2);
         correction[state] = correction_2;
-        status[state] = sinew_choose(1e-06 - correction_2, 0.0, 1.0);
+        status[state] = (int)sinew_choose(1e-06 - correction_2, 0.0, 1.0);
     }
 }
 
-void thumb_link_position_covariance_batch(int count, const double *SINEW_RESTRICT q,
+void thumb_table_5_2_link_position_covariance_batch(int count, const double *SINEW_RESTRICT q,
     const double *SINEW_RESTRICT sigma, double *SINEW_RESTRICT covariance,
-    double *SINEW_RESTRICT status)
+    int *SINEW_RESTRICT status)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
@@ -2383,18 +2387,18 @@ void thumb_link_position_covariance_batch(int count, const double *SINEW_RESTRIC
         sinew_sincos(q[1 * n + state], &sin_q11, &cos_q11);
         double sin_q10, cos_q10;
         sinew_sincos(q[state], &sin_q10, &cos_q10);
-        const double t1 = 0.005 * sin_q11;
+        const double t1 = 0.025 * sin_q11;
         const double t2 = 0.047 * cos_q11;
         const double along = t1 + t2;
         const double t3 = cos_q10 * along;
-        const double t4 = 0.006 * sin_q10;
+        const double t4 = 0.03 * sin_q10;
         const double t5 = 0.002 + t4;
         const double gap_x = t5 - t3;
         const double t6 = sin_q10 * along;
-        const double t7 = 0.006 * cos_q10;
+        const double t7 = 0.03 * cos_q10;
         const double t8 = 0.03 - t7;
         const double gap_y = t8 - t6;
-        const double t9 = 0.005 * cos_q11;
+        const double t9 = 0.025 * cos_q11;
         const double t10 = 0.047 * sin_q11;
         const double up = t9 - t10;
         const double gap_z = 0.025 - up;
@@ -2464,11 +2468,12 @@ void thumb_link_position_covariance_batch(int count, const double *SINEW_RESTRIC
         covariance[1 * n + state] = t25;
         covariance[2 * n + state] = t25;
         covariance[3 * n + state] = H_00 * scale;
-        status[state] = sinew_choose(determinant - determinant_floor, 0.0, 1.0);
+        status[state] = (int)sinew_choose(determinant - determinant_floor, 0.0, 1.0);
     }
 }
 
-void thumb_hinge_position_batch(int count, const double *SINEW_RESTRICT h, double *SINEW_RESTRICT q)
+void thumb_table_5_2_hinge_position_batch(int count, const double *SINEW_RESTRICT h,
+    double *SINEW_RESTRICT q)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
@@ -2479,137 +2484,99 @@ void thumb_hinge_position_batch(int count, const double *SINEW_RESTRICT h, doubl
     }
 }
 
-void thumb_bending_angles_batch(int count, const double *SINEW_RESTRICT q,
+void thumb_table_5_2_bending_angles_batch(int count, const double *SINEW_RESTRICT q,
     double *SINEW_RESTRICT angles)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
     for (size_t state = 0; state < n; ++state) {
-        double s1, c1;
-        sinew_sincos(q[state], &s1, &c1);
         double s2, c2;
         sinew_sincos(q[1 * n + state], &s2, &c2);
+        double s1, c1;
+        sinew_sincos(q[state], &s1, &c1);
         const double R21y = c1 * s2;
-        const double t1 = 0.005 * R21y;
-        const double t2 = 0.006 * s1;
+        const double t1 = 0.025 * R21y;
+        const double t2 = 0.03 * s1;
         const double t3 = t1 - t2;
         const double R21x = c1 * c2;
         const double t4 = 0.047 * R21x;
         const double A_stretch_dx = 0.002 - t3 - t4;
-        const double t5 = 0.025 - 0.005 * c2;
+        const double t5 = 0.025 - 0.025 * c2;
         const double t6 = 0.047 * s2;
         const double A_stretch_dz = t5 + t6;
-        const double t7 = s2 * A_stretch_dz;
+        const double t7 = c2 * A_stretch_dz;
         const double R22y = s1 * s2;
-        const double t8 = 0.005 * R22y;
-        const double t9 = 0.006 * c1;
+        const double t8 = 0.025 * R22y;
+        const double t9 = 0.03 * c1;
         const double t10 = 0.03 - (t8 + t9);
         const double R22x = s1 * c2;
         const double t11 = 0.047 * R22x;
         const double A_stretch_dy = t10 - t11;
-        const double A_stretch_end_dx = t7 - R21x * A_stretch_dx - R22x * A_stretch_dy;
-        const double t12 = c2 * A_stretch_dz;
-        const double A_stretch_end_dz = t12 + R21y * A_stretch_dx + R22y * A_stretch_dy;
-        const double A_stretch_end_asidey = 0.02 * A_stretch_end_dx - 0.045 * A_stretch_end_dz;
+        const double A_stretch_end_dz = t7 + R21y * A_stretch_dx + R22y * A_stretch_dy;
+        const double A_stretch_end_asidey = 0.045 * A_stretch_end_dz;
         const double A_stretch_end_dy = c1 * A_stretch_dy - s1 * A_stretch_dx;
-        const double A_stretch_end_asidex = 0.02 * A_stretch_end_dy - 0.024 * A_stretch_end_dz;
-        const double t13 = A_stretch_end_asidex * A_stretch_end_asidex + A_stretch_end_asidey
-            * A_stretch_end_asidey;
-        const double A_stretch_end_asidez = 0.024 * A_stretch_end_dx - 0.045 * A_stretch_end_dy;
-        const double t14 = 0.02 * A_stretch_end_dz + 0.024 * A_stretch_end_dy + 0.045
-            * A_stretch_end_dx;
-        const double t15 = sinew_atan2(sinew_sqrt(t13 + A_stretch_end_asidez
-            * A_stretch_end_asidez), t14);
-        const double t16 = 0.024 * A_stretch_dz;
-        const double A_stretch_start_asidex = 0.02 * A_stretch_dy - t16;
-        const double t17 = 0.045 * A_stretch_dz;
-        const double A_stretch_start_asidey = 0.02 * A_stretch_dx + t17;
-        const double t18 = A_stretch_start_asidex * A_stretch_start_asidex + A_stretch_start_asidey
-            * A_stretch_start_asidey;
-        const double A_stretch_start_asidez = 0.024 * A_stretch_dx + 0.045 * A_stretch_dy;
-        const double t19 = 0.02 * A_stretch_dz;
-        const double t20 = sinew_atan2(sinew_sqrt(t18 + A_stretch_start_asidez
-            * A_stretch_start_asidez), t19 + 0.024 * A_stretch_dy - 0.045 * A_stretch_dx);
-        const double t21 = t1 + t2;
-        const double B_stretch_dx = 0.002 + t21 - t4;
+        const double A_stretch_end_asidez = 0.045 * A_stretch_end_dy;
+        const double t12 = A_stretch_end_asidey * A_stretch_end_asidey + A_stretch_end_asidez
+            * A_stretch_end_asidez;
+        const double t13 = s2 * A_stretch_dz;
+        const double A_stretch_end_dx = t13 - R21x * A_stretch_dx - R22x * A_stretch_dy;
+        const double A_stretch_start_asidez = 0.045 * A_stretch_dy;
+        const double A_stretch_start_asidey = 0.045 * A_stretch_dz;
+        const double t14 = A_stretch_start_asidey * A_stretch_start_asidey;
+        const double t15 = sinew_atan2(sinew_sqrt(t14 + A_stretch_start_asidez
+            * A_stretch_start_asidez), -(0.045 * A_stretch_dx));
+        const double t16 = t1 + t2;
+        const double B_stretch_dx = 0.002 + t16 - t4;
         const double B_stretch_dz = t5 - t6;
-        const double t22 = s2 * B_stretch_dz;
-        const double t23 = 0.03 + (t8 - t9);
-        const double B_stretch_dy = t23 - t11;
-        const double B_stretch_end_dx = t22 + R21x * B_stretch_dx + R22x * B_stretch_dy;
-        const double t24 = c2 * B_stretch_dz;
-        const double B_stretch_end_dz = t24 - R21y * B_stretch_dx - R22y * B_stretch_dy;
-        const double B_stretch_end_asidey = 0.02 * B_stretch_end_dx + 0.045 * B_stretch_end_dz;
+        const double t17 = c2 * B_stretch_dz;
+        const double t18 = 0.03 + (t8 - t9);
+        const double B_stretch_dy = t18 - t11;
+        const double B_stretch_end_dz = t17 - R21y * B_stretch_dx - R22y * B_stretch_dy;
+        const double B_stretch_end_asidey = 0.045 * B_stretch_end_dz;
         const double B_stretch_end_dy = c1 * B_stretch_dy - s1 * B_stretch_dx;
-        const double B_stretch_end_asidex = 0.02 * B_stretch_end_dy - 0.024 * B_stretch_end_dz;
-        const double t25 = B_stretch_end_asidex * B_stretch_end_asidex + B_stretch_end_asidey
-            * B_stretch_end_asidey;
-        const double B_stretch_end_asidez = 0.024 * B_stretch_end_dx + 0.045 * B_stretch_end_dy;
-        const double t26 = 0.02 * B_stretch_end_dz + 0.024 * B_stretch_end_dy - 0.045
-            * B_stretch_end_dx;
-        const double t27 = sinew_atan2(sinew_sqrt(t25 + B_stretch_end_asidez
-            * B_stretch_end_asidez), t26);
-        const double t28 = 0.024 * B_stretch_dz;
-        const double B_stretch_start_asidex = 0.02 * B_stretch_dy - t28;
-        const double t29 = 0.045 * B_stretch_dz;
-        const double B_stretch_start_asidey = 0.02 * B_stretch_dx + t29;
-        const double t30 = B_stretch_start_asidex * B_stretch_start_asidex + B_stretch_start_asidey
-            * B_stretch_start_asidey;
-        const double B_stretch_start_asidez = 0.024 * B_stretch_dx + 0.045 * B_stretch_dy;
-        const double t31 = 0.02 * B_stretch_dz;
-        const double t32 = sinew_atan2(sinew_sqrt(t30 + B_stretch_start_asidez
-            * B_stretch_start_asidez), t31 + 0.024 * B_stretch_dy - 0.045 * B_stretch_dx);
-        const double C_stretch_dx = 0.002 - t21 - t4;
-        const double C_stretch_dy = t23 + t11;
-        const double C_stretch_end_dx = t7 - R21x * C_stretch_dx + R22x * C_stretch_dy;
-        const double C_stretch_end_dz = t12 + R21y * C_stretch_dx - R22y * C_stretch_dy;
-        const double C_stretch_end_asidey = 0.02 * C_stretch_end_dx - 0.045 * C_stretch_end_dz;
+        const double B_stretch_end_asidez = 0.045 * B_stretch_end_dy;
+        const double t19 = B_stretch_end_asidey * B_stretch_end_asidey + B_stretch_end_asidez
+            * B_stretch_end_asidez;
+        const double t20 = s2 * B_stretch_dz;
+        const double B_stretch_end_dx = t20 + R21x * B_stretch_dx + R22x * B_stretch_dy;
+        const double B_stretch_start_asidez = 0.045 * B_stretch_dy;
+        const double B_stretch_start_asidey = 0.045 * B_stretch_dz;
+        const double t21 = B_stretch_start_asidey * B_stretch_start_asidey;
+        const double t22 = sinew_atan2(sinew_sqrt(t21 + B_stretch_start_asidez
+            * B_stretch_start_asidez), -(0.045 * B_stretch_dx));
+        const double C_stretch_dx = 0.002 - t16 - t4;
+        const double C_stretch_dy = t18 + t11;
+        const double C_stretch_end_dz = t7 + R21y * C_stretch_dx - R22y * C_stretch_dy;
+        const double C_stretch_end_asidey = 0.045 * C_stretch_end_dz;
         const double C_stretch_end_dy = c1 * C_stretch_dy + s1 * C_stretch_dx;
-        const double C_stretch_end_asidex = 0.02 * C_stretch_end_dy - 0.024 * C_stretch_end_dz;
-        const double t33 = C_stretch_end_asidex * C_stretch_end_asidex + C_stretch_end_asidey
-            * C_stretch_end_asidey;
-        const double C_stretch_end_asidez = 0.024 * C_stretch_end_dx - 0.045 * C_stretch_end_dy;
-        const double t34 = 0.02 * C_stretch_end_dz + 0.024 * C_stretch_end_dy + 0.045
-            * C_stretch_end_dx;
-        const double t35 = sinew_atan2(sinew_sqrt(t33 + C_stretch_end_asidez
-            * C_stretch_end_asidez), t34);
-        const double C_stretch_start_asidex = 0.02 * C_stretch_dy - t16;
-        const double C_stretch_start_asidey = 0.02 * C_stretch_dx + t17;
-        const double t36 = C_stretch_start_asidex * C_stretch_start_asidex + C_stretch_start_asidey
-            * C_stretch_start_asidey;
-        const double C_stretch_start_asidez = 0.024 * C_stretch_dx + 0.045 * C_stretch_dy;
-        const double t37 = sinew_atan2(sinew_sqrt(t36 + C_stretch_start_asidez
-            * C_stretch_start_asidez), t19 + 0.024 * C_stretch_dy - 0.045 * C_stretch_dx);
+        const double C_stretch_end_asidez = 0.045 * C_stretch_end_dy;
+        const double t23 = C_stretch_end_asidey * C_stretch_end_asidey + C_stretch_end_asidez
+            * C_stretch_end_asidez;
+        const double C_stretch_end_dx = t13 - R21x * C_stretch_dx + R22x * C_stretch_dy;
+        const double C_stretch_start_asidez = 0.045 * C_stretch_dy;
+        const double t24 = sinew_atan2(sinew_sqrt(t14 + C_stretch_start_asidez
+            * C_stretch_start_asidez), -(0.045 * C_stretch_dx));
         const double D_stretch_dx = 0.002 + t3 - t4;
         const double D_stretch_dy = t10 + t11;
-        const double D_stretch_end_dx = t22 + R21x * D_stretch_dx - R22x * D_stretch_dy;
-        const double D_stretch_end_dz = t24 - R21y * D_stretch_dx + R22y * D_stretch_dy;
-        const double D_stretch_end_asidey = 0.02 * D_stretch_end_dx + 0.045 * D_stretch_end_dz;
+        const double D_stretch_end_dz = t17 - R21y * D_stretch_dx + R22y * D_stretch_dy;
+        const double D_stretch_end_asidey = 0.045 * D_stretch_end_dz;
         const double D_stretch_end_dy = c1 * D_stretch_dy + s1 * D_stretch_dx;
-        const double D_stretch_end_asidex = 0.02 * D_stretch_end_dy - 0.024 * D_stretch_end_dz;
-        const double t38 = D_stretch_end_asidex * D_stretch_end_asidex + D_stretch_end_asidey
-            * D_stretch_end_asidey;
-        const double D_stretch_end_asidez = 0.024 * D_stretch_end_dx + 0.045 * D_stretch_end_dy;
-        const double t39 = 0.02 * D_stretch_end_dz + 0.024 * D_stretch_end_dy - 0.045
-            * D_stretch_end_dx;
-        const double t40 = sinew_atan2(sinew_sqrt(t38 + D_stretch_end_asidez
-            * D_stretch_end_asidez), t39);
-        const double D_stretch_start_asidex = 0.02 * D_stretch_dy - t28;
-        const double D_stretch_start_asidey = 0.02 * D_stretch_dx + t29;
-        const double t41 = D_stretch_start_asidex * D_stretch_start_asidex + D_stretch_start_asidey
-            * D_stretch_start_asidey;
-        const double D_stretch_start_asidez = 0.024 * D_stretch_dx + 0.045 * D_stretch_dy;
-        const double t42 = sinew_atan2(sinew_sqrt(t41 + D_stretch_start_asidez
-            * D_stretch_start_asidez), t31 + 0.024 * D_stretch_dy - 0.045 * D_stretch_dx);
-        const double t43 = sinew_max(q[2 * n + state], -q[2 * n + state]);
-        const double t44 = t43 + sinew_max(q[3 * n + state], -q[3 * n + state]);
-        angles[state] = t20 + t15;
-        angles[1 * n + state] = t32 + t27;
-        angles[2 * n + state] = t37 + t35;
-        angles[3 * n + state] = t42 + t40;
-        angles[4 * n + state] = t43;
-        angles[5 * n + state] = t43;
-        angles[6 * n + state] = t44;
-        angles[7 * n + state] = t44;
+        const double D_stretch_end_asidez = 0.045 * D_stretch_end_dy;
+        const double t25 = D_stretch_end_asidey * D_stretch_end_asidey + D_stretch_end_asidez
+            * D_stretch_end_asidez;
+        const double D_stretch_end_dx = t20 + R21x * D_stretch_dx - R22x * D_stretch_dy;
+        const double D_stretch_start_asidez = 0.045 * D_stretch_dy;
+        const double t26 = sinew_atan2(sinew_sqrt(t21 + D_stretch_start_asidez
+            * D_stretch_start_asidez), -(0.045 * D_stretch_dx));
+        const double t27 = sinew_max(q[2 * n + state], -q[2 * n + state]);
+        const double t28 = t27 + sinew_max(q[3 * n + state], -q[3 * n + state]);
+        angles[state] = t15 + sinew_atan2(sinew_sqrt(t12), 0.045 * A_stretch_end_dx);
+        angles[1 * n + state] = t22 + sinew_atan2(sinew_sqrt(t19), -(0.045 * B_stretch_end_dx));
+        angles[2 * n + state] = t24 + sinew_atan2(sinew_sqrt(t23), 0.045 * C_stretch_end_dx);
+        angles[3 * n + state] = t26 + sinew_atan2(sinew_sqrt(t25), -(0.045 * D_stretch_end_dx));
+        angles[4 * n + state] = t27;
+        angles[5 * n + state] = t27;
+        angles[6 * n + state] = t28;
+        angles[7 * n + state] = t28;
     }
 }

@@ -18,6 +18,8 @@
 #endif
 #endif
 
+#include "../wrist.h" /* what the values of a status are called */
+
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -30,11 +32,11 @@ void wrist_palm_angles_batch(int count, const double *SINEW_RESTRICT q71,
     const double *SINEW_RESTRICT q73, double *SINEW_RESTRICT angles);
 void wrist_bar_angles_batch(int count, const double *SINEW_RESTRICT flexion,
     const double *SINEW_RESTRICT abduction, double *SINEW_RESTRICT q,
-    double *SINEW_RESTRICT residual, double *SINEW_RESTRICT status);
+    double *SINEW_RESTRICT residual, int *SINEW_RESTRICT status);
 void wrist_singularity_batch(int count, const double *SINEW_RESTRICT q71,
     const double *SINEW_RESTRICT q73, double *SINEW_RESTRICT distance);
 void wrist_status_batch(int count, const double *SINEW_RESTRICT q71,
-    const double *SINEW_RESTRICT q73, double *SINEW_RESTRICT status);
+    const double *SINEW_RESTRICT q73, int *SINEW_RESTRICT status);
 void wrist_tendon_lengths_batch(int count, const double *SINEW_RESTRICT q71,
     const double *SINEW_RESTRICT q73, double *SINEW_RESTRICT h);
 void wrist_tendon_jacobian_batch(int count, const double *SINEW_RESTRICT q71,

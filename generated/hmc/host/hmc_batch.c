@@ -52,7 +52,7 @@ void hmc_four_bar_batch(int count, const double *SINEW_RESTRICT theta2, double *
 }
 
 void hmc_locking_batch(int count, const double *SINEW_RESTRICT theta2,
-    double *SINEW_RESTRICT distance, double *SINEW_RESTRICT status)
+    double *SINEW_RESTRICT distance, int *SINEW_RESTRICT status)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
@@ -68,7 +68,7 @@ void hmc_locking_batch(int count, const double *SINEW_RESTRICT theta2,
         const double slack = 0.6944444444444444 * (C + reach) * (C - reach);
         const double sine = sinew_sqrt(sinew_max(-slack, 0.0));
         distance[state] = sinew_atan2(sine, sinew_max(cos_34, -cos_34));
-        status[state] = sinew_choose(-(1e-12 + slack), 0.0, 1.0);
+        status[state] = (int)sinew_choose(-(1e-12 + slack), 0.0, 1.0);
     }
 }
 

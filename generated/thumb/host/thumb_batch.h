@@ -18,6 +18,8 @@
 #endif
 #endif
 
+#include "../thumb.h" /* what the values of a status are called */
+
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -49,18 +51,17 @@ void thumb_tendon_hessian_batch(int count, const double *SINEW_RESTRICT q,
     double *SINEW_RESTRICT H);
 void thumb_link_position_batch(int count, const double *SINEW_RESTRICT h,
     const double *SINEW_RESTRICT q_start, double *SINEW_RESTRICT q,
-    double *SINEW_RESTRICT correction, double *SINEW_RESTRICT status);
+    double *SINEW_RESTRICT correction, int *SINEW_RESTRICT status);
 void thumb_link_position_warm_batch(int count, const double *SINEW_RESTRICT h,
     const double *SINEW_RESTRICT q_start, double *SINEW_RESTRICT q,
-    double *SINEW_RESTRICT correction, double *SINEW_RESTRICT status);
+    double *SINEW_RESTRICT correction, int *SINEW_RESTRICT status);
 void thumb_link_position_gradient_step_batch(int count, const double *SINEW_RESTRICT h,
     const double *SINEW_RESTRICT search, double *SINEW_RESTRICT next);
 void thumb_link_position_status_batch(int count, const double *SINEW_RESTRICT h,
-    const double *SINEW_RESTRICT q, double *SINEW_RESTRICT correction,
-    double *SINEW_RESTRICT status);
+    const double *SINEW_RESTRICT q, double *SINEW_RESTRICT correction, int *SINEW_RESTRICT status);
 void thumb_link_position_covariance_batch(int count, const double *SINEW_RESTRICT q,
     const double *SINEW_RESTRICT sigma, double *SINEW_RESTRICT covariance,
-    double *SINEW_RESTRICT status);
+    int *SINEW_RESTRICT status);
 void thumb_hinge_position_batch(int count, const double *SINEW_RESTRICT h,
     double *SINEW_RESTRICT q);
 void thumb_bending_angles_batch(int count, const double *SINEW_RESTRICT q,

@@ -18,13 +18,15 @@
 #endif
 #endif
 
+#include "../hmc.h" /* what the values of a status are called */
+
 #ifdef __cplusplus
 extern "C" {
 #endif
 
 void hmc_four_bar_batch(int count, const double *SINEW_RESTRICT theta2, double *SINEW_RESTRICT out);
 void hmc_locking_batch(int count, const double *SINEW_RESTRICT theta2,
-    double *SINEW_RESTRICT distance, double *SINEW_RESTRICT status);
+    double *SINEW_RESTRICT distance, int *SINEW_RESTRICT status);
 void hmc_coupler_pose_batch(int count, const double *SINEW_RESTRICT theta2,
     double *SINEW_RESTRICT T);
 void hmc_tendon_lengths_batch(int count, const double *SINEW_RESTRICT theta2,
