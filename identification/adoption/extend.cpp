@@ -87,6 +87,17 @@ void keep_centre(const Mechanism& mechanism, IdentifiedEffect& entry) {
   }
 }
 
+/// Goes with the payload's cause.
+ExtensionTerm drawing_entry(const DrawingError& error, int cause) {
+  ExtensionTerm term;
+  term.cause = cause;
+  term.entry.effect = "inertial_parameters";
+  term.entry.place = error.link;
+  for (const ParameterEstimate& e : error.estimates)
+    term.entry.coefficients.push_back({e.name, e.value, e.standard_error, e.unit});
+  return term;
+}
+
 /// An estimate may lie beyond its limit by what chance does.
 void keep_within_limits(IdentifiedEffect& entry) {
   const std::optional<DeclaredEntry> declared = declared_entry(entry.effect);
@@ -193,7 +204,8 @@ ExtensionTerms extension_terms(const DrivenSubject& subject, const Design& desig
                                const Explanation& explanation, const Selection& selection) {
   auto all = estimates(design, selection.model, selection.noise);
   ExtensionTerms extension;
-  extension.changed = make_links_physical(subject, design, selection, all);
+  const PhysicalLinks physical = make_links_physical(subject, design, selection, all);
+  extension.changed = physical.changed;
   std::vector<ExtensionTerm>& result = extension.terms;
   add_directions(subject, explanation.selection, explanation.estimates, result);
   for (std::size_t t = 0; t < selection.model.terms.size(); ++t) {
@@ -228,6 +240,8 @@ ExtensionTerms extension_terms(const DrivenSubject& subject, const Design& desig
         result.push_back(entry);
         result.back().entry.place = subject.model().joints[j].name;
       }
+    for (const DrawingError& error : physical.drawings)
+      if (error.term == t) result.push_back(drawing_entry(error, entry.cause));
     result.push_back(std::move(entry));
   }
   put_before_gains(result);

@@ -21,6 +21,7 @@ using Estimates = std::vector<std::vector<ParameterEstimate>>;
 
 constexpr double least_reach = 0.05;  // m: what hangs on a link of no length
 constexpr double worth_saying = 0.1;  // standard errors: less is what no log says anything about
+constexpr double by_chance = 3.0;     // standard errors
 
 /// Which of a body's ten numbers is called so; -1: none.
 int number_of(const std::string& name) {
@@ -200,10 +201,116 @@ Beside all_beside(const Model& model, const Split& split, const Weights& weights
   return beside;
 }
 
+/// The link's own ten numbers as a candidate, whose priors say how far its drawing may be off;
+/// nullptr where it has none, or where the fit has them already.
+const Candidate* drawing_of(const DrivenSubject& subject, const std::vector<LinkTerm>& links,
+                            const std::string& place) {
+  if (std::any_of(links.begin(), links.end(), [&](const LinkTerm& link) {
+        return link.place == place && link.effect == "inertial_parameters";
+      }))
+    return nullptr;
+  const std::vector<Candidate>& library = subject.problem().library;
+  for (std::size_t i = 0; i < library.size(); ++i)
+    if (subject.library_origins()[i].effect == "inertial_parameters" && library[i].place == place &&
+        library[i].linear.size() == 10 && library[i].linear.front().spread > 0.0)
+      return &library[i];
+  return nullptr;
+}
+
+/// Errors of drawings beside payloads that are no bodies: coefficients among the links' numbers,
+/// and their precision before any log.
+struct Drawings {
+  std::vector<std::size_t> links;  ///< indices of the payloads
+  std::vector<Index> at;           ///< of all of them, ten each
+  VectorXd precision;
+  /// Posterior covariance, and the errors over what the payloads leave of the estimates.
+  MatrixXd covariance, share;
+};
+
+Drawings drawings_beside(const DrivenSubject& subject, const std::vector<LinkTerm>& links,
+                         const VectorXd& values, const MatrixXd& information) {
+  Drawings drawings;
+  std::vector<double> precision;
+  Index at = 0;
+  for (std::size_t b = 0; b < links.size(); ++b) {
+    const auto wide = static_cast<Index>(links[b].body.estimated.size());
+    const Candidate* drawing = links[b].effect == "payload" && wide == 10
+                                   ? drawing_of(subject, links, links[b].place)
+                                   : nullptr;
+    EstimatedBody with_moments = links[b].body;
+    with_moments.as_point = false;
+    if (drawing && !are_bodies({with_moments}, values.segment(at, wide))) {
+      drawings.links.push_back(b);
+      for (Index k = 0; k < wide; ++k) {
+        drawings.at.push_back(at + k);
+        const double spread = drawing->linear[static_cast<std::size_t>(k)].spread;
+        precision.push_back(1.0 / (spread * spread));
+      }
+    }
+    at += wide;
+  }
+  drawings.precision = VectorXd::Map(precision.data(), static_cast<Index>(precision.size()));
+  MatrixXd own = information(drawings.at, drawings.at);
+  own.diagonal() += drawings.precision;
+  drawings.covariance = scaled_pseudo_inverse(own);
+  drawings.share = drawings.covariance * information(drawings.at, Eigen::all);
+  return drawings;
+}
+
+DrawingError drawing_error(const LinkTerm& link, const VectorXd& values, const VectorXd& variance) {
+  DrawingError error{link.term, link.place, {}};
+  const auto& declared = find_model_effect("payload")->coefficients;
+  for (int k = 0; k < 10; ++k) {
+    ParameterEstimate e;
+    e.name = declared[static_cast<std::size_t>(k)].name;
+    e.unit = declared[static_cast<std::size_t>(k)].unit;
+    e.value = values(k);
+    e.standard_error = std::sqrt(std::max(0.0, variance(k)));
+    error.estimates.push_back(std::move(e));
+  }
+  return error;
+}
+
+/// Bodies, and the errors of drawings beside payloads.
+struct Bodies {
+  NearestBodies nearest;
+  std::vector<DrawingError> drawings;
+  VectorXd numbers;  ///< all that the links' numbers are then
+};
+
+VectorXd numbers_of(const std::vector<LinkTerm>& links, const NearestBodies& nearest) {
+  std::vector<double> list;
+  for (std::size_t b = 0; b < links.size(); ++b)
+    for (const int k : links[b].body.estimated) list.push_back(nearest.changes[b](k));
+  return VectorXd::Map(list.data(), static_cast<Index>(list.size()));
+}
+
+Bodies find_bodies(const DrivenSubject& subject, const std::vector<LinkTerm>& links,
+                   const VectorXd& values, const MatrixXd& information) {
+  std::vector<EstimatedBody> bodies;
+  for (const LinkTerm& link : links) bodies.push_back(link.body);
+  Bodies found{nearest_bodies(bodies, values, information), {}, {}};
+  found.numbers = numbers_of(links, found.nearest);
+  if (found.nearest.misfit < by_chance * by_chance) return found;
+  const Drawings drawings = drawings_beside(subject, links, values, information);
+  if (drawings.links.empty()) return found;
+  const MatrixXd rest = information - information(Eigen::all, drawings.at) * drawings.share;
+  found.nearest = nearest_bodies(bodies, values, rest);
+  found.numbers = numbers_of(links, found.nearest);
+  const VectorXd errors = drawings.share * (values - found.numbers);
+  found.numbers(drawings.at) += errors;
+  for (std::size_t i = 0; i < drawings.links.size(); ++i) {
+    const auto at = static_cast<Index>(10 * i);
+    found.drawings.push_back(drawing_error(links[drawings.links[i]], errors.segment(at, 10),
+                                           drawings.covariance.diagonal().segment(at, 10)));
+  }
+  return found;
+}
+
 }  // namespace
 
-std::vector<std::string> make_links_physical(const DrivenSubject& subject, const Design& design,
-                                             const Selection& selection, Estimates& estimates) {
+PhysicalLinks make_links_physical(const DrivenSubject& subject, const Design& design,
+                                  const Selection& selection, Estimates& estimates) {
   const std::vector<LinkTerm> links = link_terms(subject, selection.model, estimates);
   if (links.empty()) return {};
   const Model model = with_all_numbers(design, links, selection.model);
@@ -216,23 +323,21 @@ std::vector<std::string> make_links_physical(const DrivenSubject& subject, const
                                   [](const LinkTerm& link) { return link.body.as_point; });
   if (wrong.empty() && !points) return {};
   const Beside beside = all_beside(model, split, weights);
-  std::vector<EstimatedBody> bodies;
-  for (const LinkTerm& link : links) bodies.push_back(link.body);
-  const NearestBodies nearest = nearest_bodies(bodies, values, beside.information);
-  VectorXd moved(values.size());
-  Index at = 0;
-  for (std::size_t b = 0; b < links.size(); ++b)
-    for (const int k : bodies[b].estimated) {
-      moved(at) = nearest.changes[b](k) - values(at);
-      ++at;
-    }
+  const Bodies bodies = find_bodies(subject, links, values, beside.information);
   const VectorXd before = solve(stack(selection.model, weights)).coefficients(told.others);
-  follow(design, selection.model, told, fitted(split.others) - before - beside.follows * moved,
-         estimates);
+  follow(design, selection.model, told,
+         fitted(split.others) - before - beside.follows * (bodies.numbers - values), estimates);
   for (std::size_t b = 0; b < links.size(); ++b)
-    take(links[b], nearest.changes[b], estimates[links[b].term]);
-  if (wrong.empty() || nearest.misfit < worth_saying * worth_saying) return {};
-  return {sentence_of(wrong, nearest.misfit)};
+    take(links[b], bodies.nearest.changes[b], estimates[links[b].term]);
+  PhysicalLinks physical{bodies.drawings, {}};
+  if (!wrong.empty() && bodies.nearest.misfit >= worth_saying * worth_saying)
+    physical.changed.push_back(sentence_of(wrong, bodies.nearest.misfit));
+  for (const DrawingError& error : bodies.drawings)
+    physical.changed.push_back(fmt::format(
+        "what the logs tell of the payload ({0}) is none that a body has; the drawing of {0} is "
+        "taken to be off by the rest",
+        error.link));
+  return physical;
 }
 
 }  // namespace sinew::diagnosis

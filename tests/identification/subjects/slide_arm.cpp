@@ -6,6 +6,7 @@
 #include <regex>
 
 #include "symbolic/effects/model_effects.h"
+#include "symbolic/model/pseudo_inertia.h"
 #include "tests/identification/subjects/arm_logs.h"
 #include "tests/identification/subjects/diagnosed_robot.h"
 
@@ -121,4 +122,41 @@ TEST_CASE("friction that the model lacks is adopted as it is beside a torque con
   CHECK(learnt("torque_constant", "gain_change") == Approx(1.0 / 1.2 - 1.0).epsilon(0.01));
   CHECK(learnt("coulomb_level", "level_change") == Approx(friction.coulomb).epsilon(0.01));
   CHECK(learnt("viscous_level", "viscous_change") == Approx(friction.viscous).epsilon(0.03));
+}
+
+TEST_CASE("a payload beside a drawing that is off is a body, and the link takes the rest",
+          "[slow]") {
+  // What the last link's drawing has too much makes what is told of a point's moments less than
+  // those of a point. Planted defect: no errors of drawings (physical_links.cpp): the nearest body
+  // leaves a tenth more over at the last joint.
+  Mechanism drawn = slide_arm(), built = as_built(drawn);
+  for (Mechanism* arm : {&drawn, &built}) {  // what is not asked about here
+    arm->bodies[0].mass = 7.0;
+    arm->bodies[1] = drawn.bodies[1];
+  }
+  Body& last = built.bodies[2];
+  last.mass = 0.85 * drawn.bodies[2].mass;
+  last.inertia = 0.8 * drawn.bodies[2].inertia;
+  const Eigen::Vector4d point(0.02, 0.0, 0.3, 1.0);
+  set_pseudo_inertia(body_pseudo_inertia(last) + 1.2 * point * point.transpose(), last);
+  const ArmFriction drives{0.8, 1.2, {6.0, 0.3, 0.08}};
+  const auto log = [&](std::uint64_t seed) {
+    return slide_csv(draw_log(built, seed, drives, 0.004, 30.0));
+  };
+  const diagnosis::Diagnosis found = whole_diagnosis(drawn, log(1), log(2));
+  INFO(found.findings.headline << "\n" << found.findings.extension.reason);
+  REQUIRE(found.findings.extension.adopted);
+  CHECK_THAT(found.findings.extension.reason, Catch::Contains("the drawing of link l3"));
+  Eigen::Matrix4d payload = Eigen::Matrix4d::Zero(), own = payload;
+  for (const IdentifiedEffect& e : found.extended.effects) {
+    if (e.effect == "payload") payload += pseudo_inertia_of(e);
+    if (e.effect == "inertial_parameters") own += pseudo_inertia_of(e);
+  }
+  CHECK(is_physical(payload));
+  CHECK(is_physical(body_pseudo_inertia(drawn.bodies[2]) + own));
+  CHECK(payload(3, 3) == Approx(1.05).margin(0.2));
+  const Findings true_model = diagnosed(built, log(1), log(2));
+  for (std::size_t j = 0; j < found.findings.channels.size(); ++j)
+    CHECK(found.findings.channels[j].domains.front().after <
+          1.03 * true_model.channels[j].domains.front().after);
 }
