@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "generator/assemble.h"
 
+#include "generator/calls/chain.h"
 #include "generator/cost.h"
 #include "generator/lower.h"
 #include "generator/passes/pipeline.h"
@@ -11,8 +12,11 @@ EmittedModel assemble(const ModelIdentity& identity, const std::vector<Function>
                       const Target& target, const std::vector<std::string>& without) {
   EmittedModel model{identity.name, identity.description, identity.hash, identity.notes, {},
                      target,        identity.naming};
-  for (const Function& function : functions)
+  for (const Function& function : functions) {
     model.functions.push_back(optimise(lower(function), without, target));
+    model.functions.back().chain = function.chain;
+  }
+  join_chains(model.functions);
   return model;
 }
 

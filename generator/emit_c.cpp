@@ -121,7 +121,8 @@ std::string calls_text(const EmittedModel& model, const CallingFunction& functio
     for (const std::string& name : call.arguments)
       arguments += (arguments.empty() ? "" : ", ") + name;
     for (const Port& array : call.results) {
-      text += fmt::format("    {} {}[{}];\n", model.target.type(), array.name, array.size());
+      if (!call.gives_results)
+        text += fmt::format("    {} {}[{}];\n", model.target.type(), array.name, array.size());
       arguments += ", " + array.name;
     }
     text += fmt::format("    {}_{}({});\n", model.name, call.function, arguments);

@@ -58,6 +58,9 @@ struct Function {
   std::vector<Argument> inputs;
   std::vector<Definition> definitions;  ///< in order of evaluation
   std::vector<Output> outputs;
+  /// Other functions of the model that compute the same one after the other, and are called for it:
+  /// what one gives is by name an argument of later ones, and the last one gives the results.
+  std::vector<std::string> chain = {};
 };
 
 }  // namespace sinew

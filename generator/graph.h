@@ -86,6 +86,7 @@ class Graph {
   std::string equation;
   std::vector<Port> inputs;
   std::vector<Port> outputs;
+  std::vector<std::string> chain = {};  ///< as in Function
 
   const std::vector<Node>& nodes() const { return nodes_; }
   const Node& operator[](Value v) const { return nodes_[static_cast<std::size_t>(v)]; }

@@ -14,8 +14,10 @@
 /* Kept out of the way of what happens in every tick. */
 #ifdef __GNUC__
 #define SINEW_RARE __attribute__((noinline, cold, unused))
+#define SINEW_LIKELY(condition) __builtin_expect((condition), 1)
 #else
 #define SINEW_RARE inline
+#define SINEW_LIKELY(condition) (condition)
 #endif
 
 #ifdef __cplusplus
@@ -112,20 +114,26 @@ static inline double sinew_channel_tick(sinew_channel *channel, const sinew_chan
                                         double sample) {
     const double move = sample - channel->good;
     if (channel->status != SINEW_FINE ||
-        !sinew_is_within(move, -limits->largest_step, limits->largest_step) ||
+        !(sinew_magnitude(move) <= limits->largest_step) ||
         !sinew_is_within(sample, limits->low, limits->high))
         return sinew_channel_judge(channel, limits, sample);
-    if (move == 0.0) {
-        if (limits->frozen_ticks == 0U) return sample; /* it may rest */
-        if (channel->same_ticks + 1U >= limits->frozen_ticks)
-            return sinew_channel_judge(channel, limits, sample);
-        ++channel->same_ticks;
+    if (SINEW_LIKELY(move != 0.0)) {
+        channel->good = sample;
+        channel->last = sample;
+        channel->same_ticks = 0U;
         return sample;
     }
-    channel->good = sample;
-    channel->last = sample;
-    channel->same_ticks = 0U;
+    if (limits->frozen_ticks == 0U) return sample; /* it may rest */
+    if (channel->same_ticks + 1U >= limits->frozen_ticks)
+        return sinew_channel_judge(channel, limits, sample);
+    ++channel->same_ticks;
     return sample;
+}
+
+/* The value that the last tick returned. */
+static inline double sinew_channel_value(const sinew_channel *channel,
+                                         const sinew_channel_limits *limits) {
+    return (channel->status & SINEW_SAFE) != 0U ? limits->safe : channel->good;
 }
 
 #ifdef __cplusplus

@@ -27,6 +27,15 @@ static inline int sinew_is_within(double x, double low, double high) {
     return x >= low && x <= high;
 }
 
+/* |x|, as one instruction where the compiler can be told so; may be -0 for -0. */
+static inline double sinew_magnitude(double x) {
+#ifdef __GNUC__
+    return __builtin_fabs(x);
+#else
+    return x < 0.0 ? -x : x;
+#endif
+}
+
 /* `last` moved towards `wanted` by no more than `step` >= 0. Where `wanted` is NaN: `last`. */
 static inline double sinew_approached(double last, double wanted, double step) {
     return sinew_limited(wanted, last - step, last + step, last);

@@ -6,6 +6,8 @@
 #ifndef SINEW_POLYNOMIAL_H
 #define SINEW_POLYNOMIAL_H
 
+#include "sinew_limits.h"
+
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -28,9 +30,7 @@ static inline double sinew_polynomial_slope(const double *c, int degree, double 
  * What a polynomial that was fitted over a range is evaluated at. */
 static inline double sinew_normalised(double x, double centre, double inverse) {
     const double u = (x - centre) * inverse;
-    if (!(u == u)) return 0.0;
-    if (u < -1.0) return -1.0;
-    return u > 1.0 ? 1.0 : u;
+    return sinew_magnitude(u) <= 1.0 ? u : sinew_limited(u, -1.0, 1.0, 0.0);
 }
 
 #ifdef __cplusplus

@@ -261,8 +261,9 @@ std::string hand_table_text(const hand_parameters& t, const std::string& origin)
   w.numbers("wrist_low", t.wrist_low, 2);
   w.numbers("wrist_high", t.wrist_high, 2);
   w.number("crank_reference", t.crank_reference);
-  w.numbers("joint_low", t.joint_low, HAND_COORDINATES);
-  w.numbers("joint_high", t.joint_high, HAND_COORDINATES);
+  w.line(".motor_limits = " + limits_text(t.motor_limits));
+  w.line(".lever_limits = " + limits_text(t.lever_limits));
+  w.line(".wrist_limits = " + limits_text(t.wrist_limits));
   w.numbers("closure", t.closure, HAND_TENDONS);
   for (int i = 0; i < HAND_TENDONS; ++i) {
     const std::string at = fmt::format("lever[{}]", i);
@@ -272,9 +273,8 @@ std::string hand_table_text(const hand_parameters& t, const std::string& origin)
     w.numbers((at + ".elongation").c_str(), t.lever[i].elongation, HAND_LEVER_TERMS);
     w.numbers((at + ".stiffness").c_str(), t.lever[i].stiffness, HAND_LEVER_TERMS);
   }
-  w.line(".motor_limits = " + limits_text(t.motor_limits));
-  w.line(".lever_limits = " + limits_text(t.lever_limits));
-  w.line(".wrist_limits = " + limits_text(t.wrist_limits));
+  w.numbers("joint_low", t.joint_low, HAND_COORDINATES);
+  w.numbers("joint_high", t.joint_high, HAND_COORDINATES);
   w.numbers("channel", t.channel, HAND_TENDONS);
   w.numbers("first_tendon", t.first_tendon, HAND_GROUPS);
   w.numbers("first_coordinate", t.first_coordinate, HAND_GROUPS);

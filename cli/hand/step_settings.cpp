@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/hand/step_settings.h"
 
-#include <cmath>
+#include <fmt/format.h>
 
+#include "firmware/hand/hand_parameters.h"
 #include "symbolic/files/read_text.h"
 #include "symbolic/files/toml_reader.h"
 
@@ -46,8 +47,10 @@ void read_step(TomlTable& table, StepSettings& s) {
   s.reference_rate = number(table, "reference_rate", Dimension::angular_velocity);
   s.rate_filter = number(table, "rate_filter", Dimension::frequency);
   const double turns = number(table, "turns", Dimension::none);
-  if (turns != std::round(turns) || turns > 16)
-    table.report("turns", "the turns are no whole number up to 16", "expected 1 to 16");
+  constexpr int schedule = HAND_TURNS;
+  if (turns != 1.0 && turns != schedule)
+    table.report("turns", "there is no schedule of so many turns",
+                 fmt::format("expected 1 or {}", schedule));
   s.turns = static_cast<int>(turns);
   s.restart = number(table, "restart", Dimension::time);
   table.finish();

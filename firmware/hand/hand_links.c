@@ -25,59 +25,70 @@ static void find_crank(const hand_state *s, const hand_parameters *p, const doub
   q[0] = p->crank_reference + (a * h[0] + b * h[1]) / (a * a + b * b);
 }
 
-static uint32_t find_group(hand_state *s, const hand_parameters *p, uint32_t group, const double *h,
-                           double *q) {
-  const uint32_t first = p->first_coordinate[group];
-  uint32_t status = SINEW_FINE;
-  if (group == HAND_FINGERS)
+/* Angles by the tendons; a group that is unsafe keeps its last ones. */
+static void find_group(hand_state *s, const hand_parameters *p, hand_output *out, uint32_t group) {
+  const double *h = &s->tick.moved_and_force[p->first_tendon[group]];
+  double *q = &out->q[p->first_coordinate[group]];
+  if ((out->group_status[group] & HAND_UNSAFE) != 0U)
+    memcpy(q, &s->q[p->first_coordinate[group]], hand_coordinates_of(p, group) * sizeof *q);
+  else if (group == HAND_FINGERS)
     find_crank(s, p, h, q);
   else if (hand_fingers[group].position != 0)
     hand_fingers[group].position(h, q);
   else
-    status = find_thumb(s, p, h, q);
-  const uint32_t count = hand_coordinates_of(p, group);
-  for (uint32_t j = 0; j < count; ++j) {
-    const double low = p->joint_low[first + j], high = p->joint_high[first + j];
-    if (!sinew_is_within(q[j], low, high)) status |= HAND_JOINT_RANGE;
-    q[j] = sinew_limited(q[j], low, high, s->q[first + j]);
-    s->q[first + j] = q[j];
-  }
-  return status;
+    out->group_status[group] |= find_thumb(s, p, h, q);
 }
 
-static void add_wrist_torque(const hand_output *out, const hand_tick *t, double *tau) {
-  double first = 0.0, second = 0.0;
-  for (uint32_t i = 0; i < HAND_TENDONS; ++i) {
-    first -= t->wrist_coupling[2U * i] * out->force[i];
-    second -= t->wrist_coupling[2U * i + 1U] * out->force[i];
-  }
-  tau[0] = first;
-  tau[1] = second;
+static SINEW_RARE double limit_joint(const hand_state *s, const hand_parameters *p,
+                                     hand_output *out, uint32_t j) {
+  uint32_t group = HAND_GROUPS - 1U;
+  while (p->first_coordinate[group] > j) --group;
+  out->group_status[group] |= HAND_JOINT_RANGE;
+  return sinew_limited(out->q[j], p->joint_low[j], p->joint_high[j], s->q[j]);
 }
 
-/* A group that is unsafe keeps its last angles. */
-void hand_find_links(hand_state *s, const hand_parameters *p, hand_output *out, hand_tick *t) {
-  for (uint32_t group = 0; group < HAND_GROUPS; ++group) {
-    const uint32_t first = p->first_coordinate[group], tendon = p->first_tendon[group];
-    double *q = &out->q[first], *tau = &out->joint_torque[first];
-    if ((out->group_status[group] & HAND_UNSAFE) == 0U)
-      out->group_status[group] |= find_group(s, p, group, &t->displacement[tendon], q);
-    else
-      memcpy(q, &s->q[first], hand_coordinates_of(p, group) * sizeof *q);
-    if (group < HAND_FINGERS)
-      hand_fingers[group].torque(q, &t->force[tendon], tau);
-    else
-      tau[0] =
-          -(s->crank_coupling[0] * t->force[tendon] + s->crank_coupling[1] * t->force[tendon + 1U]);
+void hand_find_links(hand_state *s, const hand_parameters *p, hand_output *out) {
+  const double *force = &s->tick.moved_and_force[HAND_TENDONS];
+  for (uint32_t group = 0; group < HAND_GROUPS; ++group) find_group(s, p, out, group);
+  for (uint32_t j = 0; j < HAND_COORDINATES; ++j) {
+    double q = out->q[j];
+    if (!sinew_is_within(q, p->joint_low[j], p->joint_high[j])) q = limit_joint(s, p, out, j);
+    out->q[j] = s->q[j] = q;
   }
-  add_wrist_torque(out, t, &out->joint_torque[HAND_COORDINATES]);
+  for (uint32_t finger = 0; finger < HAND_FINGERS; ++finger) {
+    const uint32_t first = p->first_coordinate[finger];
+    hand_fingers[finger].torque(&out->q[first], &force[p->first_tendon[finger]],
+                                &out->joint_torque[first]);
+  }
+  force += p->first_tendon[HAND_FINGERS];
+  out->joint_torque[p->first_coordinate[HAND_FINGERS]] =
+      -(s->crank_coupling[0] * force[0] + s->crank_coupling[1] * force[1]);
 }
 
+/* What whole_stiffness needs, in the tick whose state the matrix will be of. */
+static void keep_snapshot(hand_state *s, const hand_output *out) {
+  hand_snapshot *of = &s->snapshot;
+  memcpy(of->q, out->q, sizeof of->q);
+  memcpy(of->wrist_coupling, s->tick.wrist_coupling, sizeof of->wrist_coupling);
+  memcpy(of->force, out->force, sizeof of->force);
+  memcpy(of->stiffness, out->stiffness, sizeof of->stiffness);
+  of->age = 0U;
+}
+
+/* hand_joint_stiffness in two turns; the output is written as a whole in the second one. */
 void hand_take_stiffness(hand_state *s, const hand_parameters *p, hand_output *out) {
+  hand_snapshot *of = &s->snapshot;
   ++s->stiffness_age;
-  if (hand_is_turn(s, p, 0U)) {
-    hand_joint_stiffness(out->q, out->q_wrist, out->force, out->stiffness, out->joint_stiffness);
-    s->stiffness_age = 0U;
+  ++of->age;
+  if (hand_is_turn(s, p, HAND_WRIST_STIFFNESS_TURN)) {
+    keep_snapshot(s, out);
+    hand_wrist_stiffness(out->q_wrist, out->wrist_length, s->tick.wrist_coupling, out->force,
+                         out->stiffness, of->wrist_stiffness);
+  }
+  if (hand_is_turn(s, p, HAND_WHOLE_STIFFNESS_TURN)) {
+    hand_whole_stiffness(of->q, of->wrist_coupling, of->force, of->stiffness, of->wrist_stiffness,
+                         out->joint_stiffness);
+    s->stiffness_age = of->age;
   }
   out->stiffness_age = s->stiffness_age;
 }

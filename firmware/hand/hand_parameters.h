@@ -25,7 +25,8 @@ enum {
   HAND_JOINTS = 18,      /* of the fingers, without the crank */
   HAND_COORDINATES = 19, /* with the crank behind them */
   HAND_LEVER_TERMS = 8,  /* coefficients of a lever's polynomials */
-  HAND_TABLE_VERSION = 1
+  HAND_TURNS = 6,        /* ticks in which all that is done by turns has had its turn */
+  HAND_TABLE_VERSION = 2
 };
 
 /* One lever's sensor, its tendon included: polynomials, from the constant upwards, in
@@ -37,6 +38,7 @@ typedef struct {
   double stiffness[HAND_LEVER_TERMS];  /* N/m, of lever and tendon in series */
 } hand_lever;
 
+/* What is used most stands first, where processors reach it with the shortest instructions. */
 typedef struct {
   double period;                          /* s, of a tick */
   double motor_radius;                    /* m, of the motors' pulleys */
@@ -50,18 +52,18 @@ typedef struct {
   double wrist_reference[2];              /* rad, q71 and q73 of the reference pose */
   double wrist_low[2], wrist_high[2];     /* rad, the range in which the wrist is regular */
   double crank_reference;                 /* rad, where the crank's tendons have length 0 */
-  double joint_low[HAND_COORDINATES], joint_high[HAND_COORDINATES]; /* rad */
-  /* R theta + h_wrist + h_finger - elongation of each tendon (5.1) [m] */
-  double closure[HAND_TENDONS];
-  hand_lever lever[HAND_TENDONS];
   sinew_channel_limits motor_limits; /* rad */
   sinew_channel_limits lever_limits; /* counts */
   sinew_channel_limits wrist_limits; /* counts */
+  /* R theta + h_wrist + h_finger - elongation of each tendon (5.1) [m] */
+  double closure[HAND_TENDONS];
+  hand_lever lever[HAND_TENDONS];
+  double joint_low[HAND_COORDINATES], joint_high[HAND_COORDINATES]; /* rad */
   /* Wrist channel of each tendon, from 0: those of the fingers in their order, then the crank's. */
   uint32_t channel[HAND_TENDONS];
   uint32_t first_tendon[HAND_GROUPS]; /* of a group, into `channel` */
   uint32_t first_coordinate[HAND_GROUPS];
-  /* 1: everything in every tick. n: stiffness matrix, friction and ripple in turns of n ticks. */
+  /* 1: everything in every tick. HAND_TURNS: stiffness, friction and feedforward by turns. */
   uint32_t turns;
   uint32_t restart_ticks; /* not converged for so long: the thumb's search begins anew */
   uint32_t version;       /* HAND_TABLE_VERSION */

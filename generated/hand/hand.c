@@ -497,23 +497,33 @@ void hand_tendon_lengths(const double q[SINEW_AT_LEAST(19)],
     const double t4 = 0.01 * z_x;
     const double y_x = cos_q71 * u_e;
     const double layer_0_x = t3 - t4 + 0.011 * y_x;
-    const double z_plane_y = u_e * cos_A;
-    const double origin_y = M_y + 0.018 * z_plane_y;
-    const double x_plane_y = u_e * sin_A;
-    const double t5 = 0.004 * x_plane_y;
-    const double t6 = 0.01 * z_plane_y;
-    const double layer_0_y = 0.007 - origin_y - t5 + t6 + 0.011 * u_y;
     const double z_z = cos_q71 * sin_A + sin_q71 * z_plane_x;
     const double M_z = sin_q71 * M_e;
     const double origin_z = M_z - 0.018 * z_z;
     const double x_z = cos_q71 * cos_A - sin_q71 * x_plane_x;
-    const double t7 = 0.004 * x_z;
-    const double t8 = 0.01 * z_z;
+    const double t5 = 0.004 * x_z;
+    const double t6 = 0.01 * z_z;
     const double y_z = sin_q71 * u_e;
-    const double layer_0_z = 0.008 - origin_z - t7 - t8 + 0.011 * y_z;
+    const double layer_0_z = 0.008 - origin_z - t5 - t6 + 0.011 * y_z;
+    const double across = 0.5 * (layer_0_x * layer_0_x + layer_0_z * layer_0_z);
+    const double twice_across = across + across;
+    const double z_plane_y = u_e * cos_A;
+    const double origin_y = M_y + 0.018 * z_plane_y;
+    const double x_plane_y = u_e * sin_A;
+    const double t7 = 0.004 * x_plane_y;
+    const double t8 = 0.01 * z_plane_y;
+    const double layer_0_y = 0.007 - origin_y - t7 + t8 + 0.011 * u_y;
+    const double across_by_y = y_x * layer_0_x + y_z * layer_0_z;
+    const double twice_across_2 = across_by_y + across_by_y;
+    const double across_by_y_squared = 0.5 * (y_x * y_x + y_z * y_z);
+    const double twice_across_4 = across_by_y_squared + across_by_y_squared;
     const double layer_1_x = t3 + t4 + 0.013 * y_x;
-    const double layer_1_y = 0.006 - origin_y - t5 - t6 + 0.013 * u_y;
-    const double layer_1_z = 0.028 - origin_z - t7 + t8 + 0.013 * y_z;
+    const double layer_1_z = 0.028 - origin_z - t5 + t6 + 0.013 * y_z;
+    const double across_38 = 0.5 * (layer_1_x * layer_1_x + layer_1_z * layer_1_z);
+    const double twice_across_6 = across_38 + across_38;
+    const double layer_1_y = 0.006 - origin_y - t7 - t8 + 0.013 * u_y;
+    const double across_by_y_2 = y_x * layer_1_x + y_z * layer_1_z;
+    const double twice_across_8 = across_by_y_2 + across_by_y_2;
     static const double table12[18][3] = {{0.002, 0.001, 0.001}, {0.003, 0.003, 0.003},
         {0.005, 0.005, 0.004}, {0.007, 0.006, 0.006}, {0.008, 0.008, 0.008},
         {0.01, 0.009, 0.009}, {0.011, 0.011, 0.011}, {0.013, 0.013, 0.012},
@@ -524,113 +534,108 @@ void hand_tendon_lengths(const double q[SINEW_AT_LEAST(19)],
     double kept10[18];
     double kept11[18];
     for (int i9 = 0; i9 < 18; ++i9) {
-        const double strand_x = layer_1_x - table12[i9][0] * y_x;
+        const double across_slope = twice_across_8 - table12[i9][0] * twice_across_4;
+        const double across_2 = twice_across_6 - table12[i9][0] * across_slope;
         const double strand_y = table12[i9][1] + layer_1_y - table12[i9][0] * u_y;
-        const double strand_z = layer_1_z - table12[i9][0] * y_z;
-        const double length = sinew_sqrt(strand_x * strand_x + strand_y * strand_y + strand_z
-            * strand_z);
-        const double strand_x_2 = layer_0_x - table12[i9][1] * y_x;
+        const double length = sinew_sqrt(across_2 + strand_y * strand_y);
+        const double across_3 = twice_across - table12[i9][1] * (twice_across_2 - table12[i9][1]
+            * twice_across_4);
         const double strand_y_2 = table12[i9][2] + layer_0_y - table12[i9][1] * u_y;
-        const double strand_z_2 = layer_0_z - table12[i9][1] * y_z;
-        const double t13 = strand_x_2 * strand_x_2 + strand_y_2 * strand_y_2 + strand_z_2
-            * strand_z_2;
-        const double length_2 = sinew_sqrt(t13);
+        const double length_2 = sinew_sqrt(across_3 + strand_y_2 * strand_y_2);
         kept10[i9] = length_2;
         kept11[i9] = length;
     }
-    const struct sinew_sines2 sines14 = sinew_one_sincos2(q[0], q[1]);
-    const double s1 = sines14.s[0];
-    const double c1 = sines14.c[0];
-    const double s2 = sines14.s[1];
-    const double c2 = sines14.c[1];
-    const double length_0 = sinew_sqrt(layer_0_x * layer_0_x + layer_0_y * layer_0_y + layer_0_z
-        * layer_0_z);
+    const struct sinew_sines2 sines13 = sinew_one_sincos2(q[0], q[1]);
+    const double s1 = sines13.s[0];
+    const double c1 = sines13.c[0];
+    const double s2 = sines13.s[1];
+    const double c2 = sines13.c[1];
+    const double length_0 = sinew_sqrt(twice_across + layer_0_y * layer_0_y);
     const double R21y = c1 * s2;
-    const double t15 = 0.005 * R21y;
-    const double t16 = 0.006 * s1;
-    const double t17 = t15 - t16;
+    const double t14 = 0.005 * R21y;
+    const double t15 = 0.006 * s1;
+    const double t16 = t14 - t15;
     const double R21x = c1 * c2;
-    const double t18 = 0.047 * R21x;
-    const double A_lengthdx = 0.002 - t17 - t18;
+    const double t17 = 0.047 * R21x;
+    const double A_lengthdx = 0.002 - t16 - t17;
     const double R22y = s1 * s2;
-    const double t19 = 0.005 * R22y;
-    const double t20 = 0.006 * c1;
-    const double t21 = 0.03 - (t19 + t20);
+    const double t18 = 0.005 * R22y;
+    const double t19 = 0.006 * c1;
+    const double t20 = 0.03 - (t18 + t19);
     const double R22x = s1 * c2;
-    const double t22 = 0.047 * R22x;
-    const double A_lengthdy = t21 - t22;
-    const double t23 = 0.025 - 0.005 * c2;
-    const double t24 = 0.047 * s2;
-    const double A_lengthdz = t23 + t24;
-    const double t25 = A_lengthdz * A_lengthdz;
-    const double A_length = sinew_sqrt(A_lengthdx * A_lengthdx + A_lengthdy * A_lengthdy + t25);
+    const double t21 = 0.047 * R22x;
+    const double A_lengthdy = t20 - t21;
+    const double t22 = 0.025 - 0.005 * c2;
+    const double t23 = 0.047 * s2;
+    const double A_lengthdz = t22 + t23;
+    const double t24 = A_lengthdz * A_lengthdz;
+    const double A_length = sinew_sqrt(A_lengthdx * A_lengthdx + A_lengthdy * A_lengthdy + t24);
     h[0] = A_length + length_0;
-    const double t26 = t15 + t16;
-    const double B_lengthdx = 0.002 + t26 - t18;
-    const double t27 = 0.03 + (t19 - t20);
-    const double B_lengthdy = t27 - t22;
-    const double B_lengthdz = t23 - t24;
-    const double t28 = B_lengthdz * B_lengthdz;
-    const double B_length = sinew_sqrt(B_lengthdx * B_lengthdx + B_lengthdy * B_lengthdy + t28);
+    const double t25 = t14 + t15;
+    const double B_lengthdx = 0.002 + t25 - t17;
+    const double t26 = 0.03 + (t18 - t19);
+    const double B_lengthdy = t26 - t21;
+    const double B_lengthdz = t22 - t23;
+    const double t27 = B_lengthdz * B_lengthdz;
+    const double B_length = sinew_sqrt(B_lengthdx * B_lengthdx + B_lengthdy * B_lengthdy + t27);
     h[1] = B_length + kept10[0];
-    const double C_lengthdx = 0.002 - t26 - t18;
-    const double C_lengthdy = t27 + t22;
-    const double C_length = sinew_sqrt(t25 + C_lengthdx * C_lengthdx + C_lengthdy * C_lengthdy);
+    const double C_lengthdx = 0.002 - t25 - t17;
+    const double C_lengthdy = t26 + t21;
+    const double C_length = sinew_sqrt(t24 + C_lengthdx * C_lengthdx + C_lengthdy * C_lengthdy);
     h[2] = C_length + kept10[1];
-    const double D_lengthdx = 0.002 + t17 - t18;
-    const double D_lengthdy = t21 + t22;
-    const double D_length = sinew_sqrt(t28 + D_lengthdx * D_lengthdx + D_lengthdy * D_lengthdy);
+    const double D_lengthdx = 0.002 + t16 - t17;
+    const double D_lengthdy = t20 + t21;
+    const double D_length = sinew_sqrt(t27 + D_lengthdx * D_lengthdx + D_lengthdy * D_lengthdy);
     h[3] = D_length + kept10[2];
-    const double t29 = 0.0065 * q[2];
-    h[4] = kept10[3] + t29;
-    h[5] = kept10[4] - t29;
-    const double t30 = 0.0055 * q[3];
-    h[6] = kept10[5] + t30 - t29;
-    h[7] = kept10[6] - t30 + t29;
-    const double t31 = 0.0065 * q[4];
-    const double t32 = 0.0065 * q[5];
-    h[8] = kept10[7] + t31 + t32;
-    h[9] = kept10[8] + t31 - t32;
-    h[10] = kept10[9] - t31 + t32;
-    h[11] = kept10[10] - t31 - t32;
-    const double t33 = 0.0055 * q[6];
-    h[12] = kept10[11] + t33;
-    h[13] = kept10[12] - t33;
-    const double t34 = 0.0045 * q[7];
-    h[14] = kept10[13] - t34 + t33;
-    h[15] = kept10[14] + t34 - t33;
-    const double t35 = 0.0065 * q[8];
-    const double t36 = 0.0065 * q[9];
-    h[16] = kept10[15] + t35 + t36;
-    h[17] = kept10[16] + t35 - t36;
-    h[18] = kept10[17] - t35 + t36;
-    const double length_19 = sinew_sqrt(layer_1_x * layer_1_x + layer_1_y * layer_1_y + layer_1_z
-        * layer_1_z);
-    h[19] = length_19 - t35 - t36;
-    const double t37 = 0.0055 * q[10];
-    h[20] = kept11[0] + t37;
-    h[21] = kept11[1] - t37;
-    const double t38 = 0.0045 * q[11];
-    h[22] = kept11[2] - t38 + t37;
-    h[23] = kept11[3] + t38 - t37;
-    const double t39 = 0.0065 * q[12];
-    const double t40 = 0.0065 * q[13];
-    h[24] = kept11[4] + t39 + t40;
-    h[25] = kept11[5] + t39 - t40;
-    h[26] = kept11[6] - t39 + t40;
-    h[27] = kept11[7] - t39 - t40;
-    const double t41 = 0.011000000000000001 * q[14];
-    h[28] = kept11[8] + t41;
-    h[29] = kept11[9] - t41;
-    const double t42 = 0.0052 * q[15];
-    const double t43 = 0.0052 * q[16];
-    h[30] = kept11[10] + t42 + t43;
-    h[31] = kept11[11] + t42 - t43;
-    h[32] = kept11[12] - t42 + t43;
-    h[33] = kept11[13] - t42 - t43;
-    const double t44 = 0.0088 * q[17];
-    h[34] = kept11[14] + t44;
-    h[35] = kept11[15] - t44;
+    const double t28 = 0.0065 * q[2];
+    h[4] = kept10[3] + t28;
+    h[5] = kept10[4] - t28;
+    const double t29 = 0.0055 * q[3];
+    h[6] = kept10[5] + t29 - t28;
+    h[7] = kept10[6] - t29 + t28;
+    const double t30 = 0.0065 * q[4];
+    const double t31 = 0.0065 * q[5];
+    h[8] = kept10[7] + t30 + t31;
+    h[9] = kept10[8] + t30 - t31;
+    h[10] = kept10[9] - t30 + t31;
+    h[11] = kept10[10] - t30 - t31;
+    const double t32 = 0.0055 * q[6];
+    h[12] = kept10[11] + t32;
+    h[13] = kept10[12] - t32;
+    const double t33 = 0.0045 * q[7];
+    h[14] = kept10[13] - t33 + t32;
+    h[15] = kept10[14] + t33 - t32;
+    const double t34 = 0.0065 * q[8];
+    const double t35 = 0.0065 * q[9];
+    h[16] = kept10[15] + t34 + t35;
+    h[17] = kept10[16] + t34 - t35;
+    h[18] = kept10[17] - t34 + t35;
+    const double length_19 = sinew_sqrt(twice_across_6 + layer_1_y * layer_1_y);
+    h[19] = length_19 - t34 - t35;
+    const double t36 = 0.0055 * q[10];
+    h[20] = kept11[0] + t36;
+    h[21] = kept11[1] - t36;
+    const double t37 = 0.0045 * q[11];
+    h[22] = kept11[2] - t37 + t36;
+    h[23] = kept11[3] + t37 - t36;
+    const double t38 = 0.0065 * q[12];
+    const double t39 = 0.0065 * q[13];
+    h[24] = kept11[4] + t38 + t39;
+    h[25] = kept11[5] + t38 - t39;
+    h[26] = kept11[6] - t38 + t39;
+    h[27] = kept11[7] - t38 - t39;
+    const double t40 = 0.011000000000000001 * q[14];
+    h[28] = kept11[8] + t40;
+    h[29] = kept11[9] - t40;
+    const double t41 = 0.0052 * q[15];
+    const double t42 = 0.0052 * q[16];
+    h[30] = kept11[10] + t41 + t42;
+    h[31] = kept11[11] + t41 - t42;
+    h[32] = kept11[12] - t41 + t42;
+    h[33] = kept11[13] - t41 - t42;
+    const double t43 = 0.0088 * q[17];
+    h[34] = kept11[14] + t43;
+    h[35] = kept11[15] - t43;
     const double length_3 = 0.007853981633974483 - 0.005 * q[18];
     h[36] = -(length_3 - kept11[16]);
     h[37] = length_3 + kept11[17];
@@ -1234,1234 +1239,12 @@ void hand_joint_stiffness(const double q[SINEW_AT_LEAST(19)],
     const double q_wrist[SINEW_AT_LEAST(2)], const double f[SINEW_AT_LEAST(38)],
     const double kt[SINEW_AT_LEAST(38)], double K[SINEW_AT_LEAST(441)])
 {
-    const struct sinew_sines2 sines1 = sinew_one_sincos2(q_wrist[0], q_wrist[1]);
-    const double sin_q71 = sines1.s[0];
-    const double cos_q71 = sines1.c[0];
-    const double sin_q73 = sines1.s[1];
-    const double cos_q73 = sines1.c[1];
-    K[2] = 0.0;
-    K[3] = 0.0;
-    K[4] = 0.0;
-    K[5] = 0.0;
-    const double B_y = 0.074565407529229 * cos_q73;
-    const double B_to_C0_squared_by_q73_by_q73 = 0.084 * B_y;
-    const double B_to_C0_squared = 0.007324 - B_to_C0_squared_by_q73_by_q73;
-    const double t2 = 1.0 / B_to_C0_squared;
-    const double ratio = 0.003796 * t2;
-    const double t3 = 21.0 - 500.0 * B_y;
-    const double C_y = 0.002 * ratio * t3;
-    const double t4 = 23.80952380952381 * B_y;
-    const double u_y = t4 + 23.80952380952381 * C_y;
-    const double B_e = 0.074565407529229 * sin_q73;
-    const double C_e = B_e * ratio;
-    const double t5 = 0.5 * B_e;
-    const double M_e = t5 + 0.5 * C_e;
-    const double p_z_by_q71 = 0.036 * sin_q71;
-    const double s_e = M_e - p_z_by_q71;
-    const double t6 = 0.5 * B_y;
-    const double M_y = t6 - 0.5 * C_y;
-    const double s_y = 0.021 - M_y;
-    const double t7 = 23.80952380952381 * B_e;
-    const double u_e = t7 - 23.80952380952381 * C_e;
-    const double p_y = u_e * s_y + u_y * s_e;
-    const double t8 = p_y + p_y;
-    const double p_z = 0.036 * cos_q71;
-    const double p_y_by_q71 = u_y * p_z;
-    const double t9 = p_z + p_z;
-    const double t10 = p_y * p_y;
-    const double t11 = p_z * p_z;
-    const double t12 = -(1.296e-15 - t10 - t11);
-    const double reach_squared_by_q71 = sinew_choose(t12, -(t8 * p_y_by_q71 + t9 * p_z_by_q71),
-        0.0);
-    const double reach_squared = sinew_max(t10 + t11, 1.296e-15);
-    const double reach = sinew_sqrt(reach_squared);
-    const double t13 = 1.0 / reach;
-    const double reach_by_q71 = 0.5 * reach_squared_by_q71 * t13;
-    const double p_x = u_e * s_e - u_y * s_y;
-    const double projection = 0.034722222222222224 - 13.88888888888889 * (reach_squared + p_x
-        * p_x);
-    const double t14 = reach - projection;
-    const double t15 = sinew_choose(t14, 0.0, 1.0);
-    const double t16 = sinew_choose(t14, 1.0, 0.0);
-    const double t17 = 27.77777777777778 * p_x;
-    const double p_x_by_q71 = u_e * p_z;
-    const double projection_by_q71 = 13.88888888888889 * reach_squared_by_q71 - t17 * p_x_by_q71;
-    const double t18 = sinew_max(-projection, -reach);
-    const double t19 = reach - t18;
-    const double limited_by_q71 = sinew_choose(t19, -(reach_by_q71 * t15 - projection_by_q71 * t16),
-        reach_by_q71);
-    const double limited = sinew_min(t18, reach);
-    const double t20 = limited + limited;
-    const double t21 = reach + reach;
-    const double t22 = (reach + limited) * (reach - limited);
-    const double t23 = 1e-12 * reach_squared;
-    const double t24 = -(t23 - t22);
-    const double clearance_by_q71 = sinew_choose(t24, t21 * reach_by_q71 - t20 * limited_by_q71,
-        1e-12 * reach_squared_by_q71);
-    const double clearance = sinew_max(t22, t23);
-    const double root = sinew_sqrt(clearance);
-    const double t25 = 1.0 / root;
-    const double root_by_q71 = 0.5 * clearance_by_q71 * t25;
-    const double t26 = p_y * limited_by_q71 + p_z * root_by_q71 - limited * p_y_by_q71 - root
-        * p_z_by_q71;
-    const double t27 = p_z * root;
-    const double t28 = 1.0 / reach_squared;
-    const double cos_A = (p_y * limited + t27) * t28;
-    const double cos_A_by_q71 = (t26 - cos_A * reach_squared_by_q71) * t28;
-    const double z_plane_x_by_q71 = u_y * cos_A_by_q71;
-    const double t29 = p_z * limited;
-    const double sin_A = (p_y * root - t29) * t28;
-    const double t30 = cos_q71 * sin_A;
-    const double z_plane_x = u_y * cos_A;
-    const double t31 = sin_q71 * z_plane_x;
-    const double t32 = p_y * root_by_q71 - p_z * limited_by_q71 + limited * p_z_by_q71 - root
-        * p_y_by_q71;
-    const double sin_A_by_q71 = (t32 - sin_A * reach_squared_by_q71) * t28;
-    const double z_x_by_q71 = t30 - cos_q71 * z_plane_x_by_q71 + t31 + sin_q71 * sin_A_by_q71;
-    const double M_z = sin_q71 * M_e;
-    const double origin_x_by_q71 = M_z - 0.018 * z_x_by_q71;
-    const double x_plane_x_by_q71 = u_y * sin_A_by_q71;
-    const double t33 = cos_q71 * cos_A;
-    const double x_plane_x = u_y * sin_A;
-    const double t34 = sin_q71 * x_plane_x;
-    const double x_x_by_q71 = t33 + cos_q71 * x_plane_x_by_q71 - t34 + sin_q71 * cos_A_by_q71;
-    const double t35 = origin_x_by_q71 + 0.004 * x_x_by_q71;
-    const double t36 = 0.01 * z_x_by_q71;
-    const double y_z = sin_q71 * u_e;
-    const double t37 = 0.011 * y_z;
-    const double layer_0_x_by_q71 = t35 + t36 - t37;
-    const double t38 = cos_q71 * z_plane_x;
-    const double t39 = sin_q71 * sin_A;
-    const double z_x = t38 - t39;
-    const double M_x = cos_q71 * M_e;
-    const double t40 = cos_q71 * x_plane_x;
-    const double t41 = sin_q71 * cos_A;
-    const double x_x = t40 + t41;
-    const double t42 = 0.004 - M_x + 0.018 * z_x + 0.004 * x_x;
-    const double t43 = 0.01 * z_x;
-    const double y_x = cos_q71 * u_e;
-    const double t44 = 0.011 * y_x;
-    const double layer_0_x = t42 - t43 + t44;
-    const double z_plane_y_by_q71 = u_e * cos_A_by_q71;
-    const double origin_y_by_q71 = 0.018 * z_plane_y_by_q71;
-    const double t45 = 0.004 * u_e;
-    const double t46 = origin_y_by_q71 + t45 * sin_A_by_q71;
-    const double t47 = 0.01 * z_plane_y_by_q71;
-    const double layer_0_y_by_q71 = t46 - t47;
-    const double z_plane_y = u_e * cos_A;
-    const double origin_y = M_y + 0.018 * z_plane_y;
-    const double x_plane_y = u_e * sin_A;
-    const double t48 = 0.004 * x_plane_y;
-    const double t49 = 0.01 * z_plane_y;
-    const double layer_0_y = 0.007 - origin_y - t48 + t49 + 0.011 * u_y;
-    const double z_z_by_q71 = t38 + cos_q71 * sin_A_by_q71 - t39 + sin_q71 * z_plane_x_by_q71;
-    const double origin_z_by_q71 = M_x - 0.018 * z_z_by_q71;
-    const double x_z_by_q71 = t40 - cos_q71 * cos_A_by_q71 + t41 + sin_q71 * x_plane_x_by_q71;
-    const double t50 = origin_z_by_q71 - 0.004 * x_z_by_q71;
-    const double t51 = 0.01 * z_z_by_q71;
-    const double layer_0_z_by_q71 = t50 + t51 - t44;
-    const double z_z = t30 + t31;
-    const double origin_z = M_z - 0.018 * z_z;
-    const double x_z = t33 - t34;
-    const double t52 = 0.004 * x_z;
-    const double t53 = 0.01 * z_z;
-    const double layer_0_z = 0.008 - origin_z - t52 - t53 + t37;
-    const double t54 = layer_0_x * layer_0_x_by_q71 - layer_0_y * layer_0_y_by_q71 - layer_0_z
-        * layer_0_z_by_q71;
-    const double length_0 = sinew_sqrt(layer_0_x * layer_0_x + layer_0_y * layer_0_y + layer_0_z
-        * layer_0_z);
-    const double t55 = 1.0 / length_0;
-    const double length_0_by_q71 = t54 * t55;
-    const double B_to_C0_squared_by_q73 = 0.084 * B_e;
-    const double ratio_by_q73 = ratio * B_to_C0_squared_by_q73 * t2;
-    const double C_y_by_q73 = C_e - 0.002 * ratio_by_q73 * t3;
-    const double M_y_by_q73 = t5 + 0.5 * C_y_by_q73;
-    const double t56 = B_y * ratio;
-    const double C_e_by_q73 = B_e * ratio_by_q73 - t56;
-    const double M_e_by_q73 = t6 - 0.5 * C_e_by_q73;
-    const double u_y_by_q73 = t7 - 23.80952380952381 * C_y_by_q73;
-    const double u_e_by_q73 = t4 + 23.80952380952381 * C_e_by_q73;
-    const double p_y_by_q73 = u_e * M_y_by_q73 + u_y * M_e_by_q73 - s_e * u_y_by_q73 + s_y
-        * u_e_by_q73;
-    const double reach_squared_by_q73 = sinew_choose(t12, t8 * p_y_by_q73, 0.0);
-    const double p_x_by_q73 = u_e * M_e_by_q73 - u_y * M_y_by_q73 + s_e * u_e_by_q73 + s_y
-        * u_y_by_q73;
-    const double projection_by_q73 = 13.88888888888889 * reach_squared_by_q73 + t17 * p_x_by_q73;
-    const double reach_by_q73 = 0.5 * reach_squared_by_q73 * t13;
-    const double limited_by_q73 = sinew_choose(t19, -(reach_by_q73 * t15 - projection_by_q73 * t16),
-        reach_by_q73);
-    const double clearance_by_q73 = sinew_choose(t24, t21 * reach_by_q73 - t20 * limited_by_q73,
-        1e-12 * reach_squared_by_q73);
-    const double root_by_q73 = 0.5 * clearance_by_q73 * t25;
-    const double t57 = p_y * limited_by_q73 + p_z * root_by_q73 + limited * p_y_by_q73 - cos_A
-        * reach_squared_by_q73;
-    const double cos_A_by_q73 = t57 * t28;
-    const double z_plane_x_by_q73 = u_y * cos_A_by_q73 - cos_A * u_y_by_q73;
-    const double t58 = cos_q71 * z_plane_x_by_q73;
-    const double t59 = p_y * root_by_q73 - p_z * limited_by_q73 + root * p_y_by_q73 - sin_A
-        * reach_squared_by_q73;
-    const double sin_A_by_q73 = t59 * t28;
-    const double t60 = sin_q71 * sin_A_by_q73;
-    const double z_x_by_q73 = t58 - t60;
-    const double M_x_by_q73 = cos_q71 * M_e_by_q73;
-    const double origin_x_by_q73 = M_x_by_q73 - 0.018 * z_x_by_q73;
-    const double x_plane_x_by_q73 = u_y * sin_A_by_q73 - sin_A * u_y_by_q73;
-    const double t61 = cos_q71 * x_plane_x_by_q73;
-    const double t62 = sin_q71 * cos_A_by_q73;
-    const double x_x_by_q73 = t61 + t62;
-    const double t63 = origin_x_by_q73 - 0.004 * x_x_by_q73;
-    const double t64 = 0.01 * z_x_by_q73;
-    const double y_x_by_q73 = cos_q71 * u_e_by_q73;
-    const double t65 = 0.011 * y_x_by_q73;
-    const double layer_0_x_by_q73 = t63 + t64 - t65;
-    const double x_plane_y_by_q73 = u_e * sin_A_by_q73 + sin_A * u_e_by_q73;
-    const double z_plane_y_by_q73 = u_e * cos_A_by_q73 + cos_A * u_e_by_q73;
-    const double origin_y_by_q73 = M_y_by_q73 - 0.018 * z_plane_y_by_q73;
-    const double t66 = origin_y_by_q73 - 0.004 * x_plane_y_by_q73;
-    const double t67 = 0.01 * z_plane_y_by_q73;
-    const double layer_0_y_by_q73 = t66 + t67 - 0.011 * u_y_by_q73;
-    const double t68 = sin_q71 * z_plane_x_by_q73;
-    const double t69 = cos_q71 * sin_A_by_q73;
-    const double z_z_by_q73 = t69 + t68;
-    const double M_z_by_q73 = sin_q71 * M_e_by_q73;
-    const double origin_z_by_q73 = M_z_by_q73 - 0.018 * z_z_by_q73;
-    const double t70 = sin_q71 * x_plane_x_by_q73;
-    const double t71 = cos_q71 * cos_A_by_q73;
-    const double x_z_by_q73 = t71 - t70;
-    const double t72 = origin_z_by_q73 + 0.004 * x_z_by_q73;
-    const double t73 = 0.01 * z_z_by_q73;
-    const double y_z_by_q73 = sin_q71 * u_e_by_q73;
-    const double t74 = 0.011 * y_z_by_q73;
-    const double layer_0_z_by_q73 = t72 + t73 - t74;
-    const double t75 = layer_0_x * layer_0_x_by_q73 - layer_0_y * layer_0_y_by_q73 + layer_0_z
-        * layer_0_z_by_q73;
-    const double length_0_by_q73 = t75 * t55;
-    const double t76 = 0.013 * y_z;
-    const double t77 = 0.013 * y_x;
-    const double t78 = 0.013 * y_x_by_q73;
-    const double t79 = 0.013 * y_z_by_q73;
-    const double layer_1_x_by_q71 = t35 - t36 - t76;
-    const double layer_1_x = t42 + t43 + t77;
-    const double layer_1_y_by_q71 = t46 + t47;
-    const double layer_1_y = 0.006 - origin_y - t48 - t49 + 0.013 * u_y;
-    const double layer_1_z_by_q71 = t50 - t51 - t77;
-    const double layer_1_z = 0.028 - origin_z - t52 + t53 + t76;
-    const double t80 = layer_1_x * layer_1_x_by_q71 - layer_1_y * layer_1_y_by_q71 - layer_1_z
-        * layer_1_z_by_q71;
-    const double length_19 = sinew_sqrt(layer_1_x * layer_1_x + layer_1_y * layer_1_y + layer_1_z
-        * layer_1_z);
-    const double t81 = 1.0 / length_19;
-    const double length_19_by_q71 = t80 * t81;
-    const double layer_1_x_by_q73 = t63 - t64 - t78;
-    const double layer_1_y_by_q73 = t66 - t67 - 0.013 * u_y_by_q73;
-    const double layer_1_z_by_q73 = t72 - t73 - t79;
-    const double t82 = layer_1_x * layer_1_x_by_q73 - layer_1_y * layer_1_y_by_q73 + layer_1_z
-        * layer_1_z_by_q73;
-    const double length_19_by_q73 = t82 * t81;
-    const double t83 = layer_0_x_by_q71 * layer_0_x_by_q71 + layer_0_y_by_q71 * layer_0_y_by_q71;
-    const double along_38 = t83 + layer_0_z_by_q71 * layer_0_z_by_q71;
-    const double per_length_0 = f[0] * t55;
-    const double across_0 = kt[0] - per_length_0;
-    const double t84 = y_x + y_x;
-    const double t85 = y_z + y_z;
-    const double along_by_y_4 = t84 * layer_0_z_by_q71 + t85 * layer_0_x_by_q71;
-    const double along_by_y_squared_4 = y_x * y_x + y_z * y_z;
-    const double t86 = layer_1_x_by_q71 * layer_1_x_by_q71 + layer_1_y_by_q71 * layer_1_y_by_q71;
-    const double along_40 = t86 + layer_1_z_by_q71 * layer_1_z_by_q71;
-    const double per_length_19 = f[19] * t81;
-    const double across_19 = kt[19] - per_length_19;
-    const double t87 = per_length_19 * along_40 + across_19 * length_19_by_q71 * length_19_by_q71;
-    const double along_by_y_6 = t84 * layer_1_z_by_q71 + t85 * layer_1_x_by_q71;
-    const double pull_0_x = layer_0_x * per_length_0;
-    const double t88 = root_by_q71 + root_by_q71;
-    const double t89 = limited_by_q71 + limited_by_q71;
-    const double t90 = reach_by_q71 * reach_by_q71;
-    const double t91 = t90 + t90;
-    const double p_y_by_q71_by_q71 = u_y * p_z_by_q71;
-    const double t92 = p_y_by_q71 * p_y_by_q71 + p_z_by_q71 * p_z_by_q71;
-    const double reach_squared_by_q71_by_q71 = sinew_choose(t12, t92 + t92 + t8 * p_y_by_q71_by_q71
-        - t9 * p_z, 0.0);
-    const double reach_by_q71_by_q71 = 0.5 * (reach_squared_by_q71_by_q71 - t91) * t13;
-    const double t93 = 27.77777777777778 * p_x_by_q71;
-    const double projection_by_q71_by_q71 = 13.88888888888889 * reach_squared_by_q71_by_q71 + t93
-        * p_x_by_q71 + t17 * u_e * p_z_by_q71;
-    const double limited_by_q71_by_q71 = sinew_choose(t19, -(reach_by_q71_by_q71 * t15
-        - projection_by_q71_by_q71 * t16), reach_by_q71_by_q71);
-    const double t94 = t91 - t89 * limited_by_q71 + t21 * reach_by_q71_by_q71 - t20
-        * limited_by_q71_by_q71;
-    const double clearance_by_q71_by_q71 = sinew_choose(t24, t94, 1e-12
-        * reach_squared_by_q71_by_q71);
-    const double root_by_q71_by_q71 = 0.5 * (clearance_by_q71_by_q71 - t88 * root_by_q71) * t25;
-    const double t95 = p_y * limited_by_q71_by_q71 - t27 + p_z * root_by_q71_by_q71 + limited
-        * p_y_by_q71_by_q71;
-    const double t96 = p_y_by_q71 + p_y_by_q71;
-    const double t97 = p_z_by_q71 + p_z_by_q71;
-    const double t98 = t95 - cos_A * reach_squared_by_q71_by_q71 - t96 * limited_by_q71 - t97
-        * root_by_q71;
-    const double t99 = reach_squared_by_q71 + reach_squared_by_q71;
-    const double cos_A_by_q71_by_q71 = (t98 - t99 * cos_A_by_q71) * t28;
-    const double z_plane_x_by_q71_by_q71 = u_y * cos_A_by_q71_by_q71;
-    const double t100 = p_y * root_by_q71_by_q71 + t29 - p_z * limited_by_q71_by_q71 + root
-        * p_y_by_q71_by_q71;
-    const double t101 = t100 - sin_A * reach_squared_by_q71_by_q71 - t96 * root_by_q71 + t97
-        * limited_by_q71;
-    const double sin_A_by_q71_by_q71 = (t101 - t99 * sin_A_by_q71) * t28;
-    const double t102 = t38 - cos_q71 * z_plane_x_by_q71_by_q71 - t39 + sin_q71
-        * sin_A_by_q71_by_q71;
-    const double t103 = cos_q71 + cos_q71;
-    const double t104 = sin_q71 + sin_q71;
-    const double z_x_by_q71_by_q71 = t102 + t103 * sin_A_by_q71 + t104 * z_plane_x_by_q71;
-    const double origin_x_by_q71_by_q71 = M_x - 0.018 * z_x_by_q71_by_q71;
-    const double x_plane_x_by_q71_by_q71 = u_y * sin_A_by_q71_by_q71;
-    const double t105 = t40 - cos_q71 * x_plane_x_by_q71_by_q71 + t41 - sin_q71
-        * cos_A_by_q71_by_q71;
-    const double x_x_by_q71_by_q71 = t105 - t103 * cos_A_by_q71 + t104 * x_plane_x_by_q71;
-    const double t106 = origin_x_by_q71_by_q71 - 0.004 * x_x_by_q71_by_q71;
-    const double t107 = 0.01 * z_x_by_q71_by_q71;
-    const double layer_0_x_by_q71_by_q71 = t106 + t107 - t44;
-    const double pull_0_y = layer_0_y * per_length_0;
-    const double z_plane_y_by_q71_by_q71 = u_e * cos_A_by_q71_by_q71;
-    const double pull_0_z = layer_0_z * per_length_0;
-    const double t108 = t30 - cos_q71 * sin_A_by_q71_by_q71 + t31 - sin_q71
-        * z_plane_x_by_q71_by_q71;
-    const double z_z_by_q71_by_q71 = t108 - t103 * z_plane_x_by_q71 + t104 * sin_A_by_q71;
-    const double origin_z_by_q71_by_q71 = M_z - 0.018 * z_z_by_q71_by_q71;
-    const double t109 = t33 - cos_q71 * cos_A_by_q71_by_q71 - t34 + sin_q71
-        * x_plane_x_by_q71_by_q71;
-    const double x_z_by_q71_by_q71 = t109 + t103 * x_plane_x_by_q71 + t104 * cos_A_by_q71;
-    const double t110 = origin_z_by_q71_by_q71 + 0.004 * x_z_by_q71_by_q71;
-    const double t111 = 0.01 * z_z_by_q71_by_q71;
-    const double layer_0_z_by_q71_by_q71 = t110 + t111 - t37;
-    const double pull_19_x = layer_1_x * per_length_19;
-    const double layer_1_x_by_q71_by_q71 = t106 - t107 - t77;
-    const double pull_19_y = layer_1_y * per_length_19;
-    const double pull_19_z = layer_1_z * per_length_19;
-    const double layer_1_z_by_q71_by_q71 = t110 - t111 - t76;
-    const double t112 = layer_0_x_by_q71 * layer_0_x_by_q73 + layer_0_y_by_q71 * layer_0_y_by_q73;
-    const double along = t112 - layer_0_z_by_q71 * layer_0_z_by_q73;
-    const double K_0 = per_length_0 * along + length_0_by_q71 * length_0_by_q73 * across_0;
-    const double t113 = y_x * layer_0_z_by_q73 - y_z * layer_0_x_by_q73 - layer_0_x_by_q71
-        * y_x_by_q73;
-    const double along_by_y = t113 - layer_0_y_by_q71 * u_y_by_q73 + layer_0_z_by_q71 * y_z_by_q73;
-    const double along_by_y_squared = y_x * y_z_by_q73 - y_z * y_x_by_q73;
-    const double t114 = layer_1_x_by_q71 * layer_1_x_by_q73 + layer_1_y_by_q71 * layer_1_y_by_q73;
-    const double along_19 = t114 - layer_1_z_by_q71 * layer_1_z_by_q73;
-    const double K_19 = per_length_19 * along_19 + length_19_by_q71 * length_19_by_q73 * across_19;
-    const double t115 = y_x * layer_1_z_by_q73 - y_z * layer_1_x_by_q73 - u_y_by_q73
-        * layer_1_y_by_q71;
-    const double along_by_y_2 = t115 - y_x_by_q73 * layer_1_x_by_q71 + y_z_by_q73
-        * layer_1_z_by_q71;
-    const double t116 = (reach_by_q71 + reach_by_q71) * reach_by_q73;
-    const double p_y_by_q71_by_q73 = p_z * u_y_by_q73;
-    const double reach_squared_by_q71_by_q73 = sinew_choose(t12, t8 * p_y_by_q71_by_q73 - t96
-        * p_y_by_q73, 0.0);
-    const double reach_by_q71_by_q73 = 0.5 * (reach_squared_by_q71_by_q73 - t116) * t13;
-    const double projection_by_q71_by_q73 = 13.88888888888889 * reach_squared_by_q71_by_q73 - t17
-        * p_z * u_e_by_q73 - t93 * p_x_by_q73;
-    const double limited_by_q71_by_q73 = sinew_choose(t19, -(reach_by_q71_by_q73 * t15
-        - projection_by_q71_by_q73 * t16), reach_by_q71_by_q73);
-    const double t117 = t21 * reach_by_q71_by_q73 - t20 * limited_by_q71_by_q73 + t116 - t89
-        * limited_by_q73;
-    const double clearance_by_q71_by_q73 = sinew_choose(t24, t117, 1e-12
-        * reach_squared_by_q71_by_q73);
-    const double root_by_q71_by_q73 = 0.5 * (clearance_by_q71_by_q73 - t88 * root_by_q73) * t25;
-    const double t118 = p_y * limited_by_q71_by_q73 + p_z * root_by_q71_by_q73 + limited
-        * p_y_by_q71_by_q73;
-    const double t119 = t118 - cos_A * reach_squared_by_q71_by_q73 - p_y_by_q71 * limited_by_q73
-        - p_z_by_q71 * root_by_q73;
-    const double t120 = t119 - reach_squared_by_q71 * cos_A_by_q73 + limited_by_q71 * p_y_by_q73
-        - cos_A_by_q71 * reach_squared_by_q73;
-    const double cos_A_by_q71_by_q73 = t120 * t28;
-    const double z_plane_x_by_q71_by_q73 = u_y * cos_A_by_q71_by_q73 - cos_A_by_q71 * u_y_by_q73;
-    const double t121 = p_y * root_by_q71_by_q73 - p_z * limited_by_q71_by_q73 + root
-        * p_y_by_q71_by_q73;
-    const double t122 = t121 - sin_A * reach_squared_by_q71_by_q73 - p_y_by_q71 * root_by_q73
-        + p_z_by_q71 * limited_by_q73;
-    const double t123 = t122 - reach_squared_by_q71 * sin_A_by_q73 + root_by_q71 * p_y_by_q73
-        - sin_A_by_q71 * reach_squared_by_q73;
-    const double sin_A_by_q71_by_q73 = t123 * t28;
-    const double z_x_by_q71_by_q73 = t69 - cos_q71 * z_plane_x_by_q71_by_q73 + t68 + sin_q71
-        * sin_A_by_q71_by_q73;
-    const double origin_x_by_q71_by_q73 = M_z_by_q73 - 0.018 * z_x_by_q71_by_q73;
-    const double x_plane_x_by_q71_by_q73 = u_y * sin_A_by_q71_by_q73 - sin_A_by_q71 * u_y_by_q73;
-    const double x_x_by_q71_by_q73 = t71 + cos_q71 * x_plane_x_by_q71_by_q73 - t70 + sin_q71
-        * cos_A_by_q71_by_q73;
-    const double t124 = origin_x_by_q71_by_q73 + 0.004 * x_x_by_q71_by_q73;
-    const double t125 = 0.01 * z_x_by_q71_by_q73;
-    const double layer_0_x_by_q71_by_q73 = t124 + t125 - t74;
-    const double x_plane_y_by_q71_by_q73 = u_e * sin_A_by_q71_by_q73 + sin_A_by_q71 * u_e_by_q73;
-    const double z_plane_y_by_q71_by_q73 = u_e * cos_A_by_q71_by_q73 + cos_A_by_q71 * u_e_by_q73;
-    const double z_z_by_q71_by_q73 = t58 + cos_q71 * sin_A_by_q71_by_q73 - t60 + sin_q71
-        * z_plane_x_by_q71_by_q73;
-    const double origin_z_by_q71_by_q73 = M_x_by_q73 - 0.018 * z_z_by_q71_by_q73;
-    const double x_z_by_q71_by_q73 = t61 - cos_q71 * cos_A_by_q71_by_q73 + t62 + sin_q71
-        * x_plane_x_by_q71_by_q73;
-    const double t126 = origin_z_by_q71_by_q73 - 0.004 * x_z_by_q71_by_q73;
-    const double t127 = 0.01 * z_z_by_q71_by_q73;
-    const double layer_0_z_by_q71_by_q73 = t126 + t127 - t65;
-    const double layer_1_x_by_q71_by_q73 = t124 - t125 - t79;
-    const double layer_1_z_by_q71_by_q73 = t126 - t127 - t78;
-    const double t128 = layer_0_x_by_q73 * layer_0_x_by_q73 + layer_0_y_by_q73 * layer_0_y_by_q73;
-    const double along_42 = t128 + layer_0_z_by_q73 * layer_0_z_by_q73;
-    const double t129 = y_x_by_q73 + y_x_by_q73;
-    const double t130 = u_y_by_q73 + u_y_by_q73;
-    const double t131 = y_z_by_q73 + y_z_by_q73;
-    const double along_by_y_8 = t130 * layer_0_y_by_q73 + t129 * layer_0_x_by_q73 + t131
-        * layer_0_z_by_q73;
-    const double along_by_y_squared_8 = u_y_by_q73 * u_y_by_q73 + y_x_by_q73 * y_x_by_q73
-        + y_z_by_q73 * y_z_by_q73;
-    const double t132 = layer_1_x_by_q73 * layer_1_x_by_q73 + layer_1_y_by_q73 * layer_1_y_by_q73;
-    const double along_44 = t132 + layer_1_z_by_q73 * layer_1_z_by_q73;
-    const double t133 = per_length_19 * along_44 + across_19 * length_19_by_q73 * length_19_by_q73;
-    const double along_by_y_10 = t130 * layer_1_y_by_q73 + t129 * layer_1_x_by_q73 + t131
-        * layer_1_z_by_q73;
-    const double t134 = reach_by_q73 * reach_by_q73;
-    const double t135 = t134 + t134;
-    const double t136 = ratio * B_to_C0_squared_by_q73_by_q73 - (B_to_C0_squared_by_q73
-        + B_to_C0_squared_by_q73) * ratio_by_q73;
-    const double ratio_by_q73_by_q73 = t136 * t2;
-    const double C_y_by_q73_by_q73 = t56 - 0.002 * ratio_by_q73_by_q73 * t3 - (B_e + B_e)
-        * ratio_by_q73;
-    const double M_y_by_q73_by_q73 = t6 + 0.5 * C_y_by_q73_by_q73;
-    const double C_e_by_q73_by_q73 = C_e + B_e * ratio_by_q73_by_q73 + (B_y + B_y) * ratio_by_q73;
-    const double M_e_by_q73_by_q73 = t5 + 0.5 * C_e_by_q73_by_q73;
-    const double u_y_by_q73_by_q73 = t4 - 23.80952380952381 * C_y_by_q73_by_q73;
-    const double t137 = u_e * M_y_by_q73_by_q73 - u_y * M_e_by_q73_by_q73 - s_e * u_y_by_q73_by_q73;
-    const double u_e_by_q73_by_q73 = t7 - 23.80952380952381 * C_e_by_q73_by_q73;
-    const double t138 = u_e_by_q73 + u_e_by_q73;
-    const double p_y_by_q73_by_q73 = t137 - s_y * u_e_by_q73_by_q73 + t138 * M_y_by_q73 - t130
-        * M_e_by_q73;
-    const double t139 = p_y_by_q73 + p_y_by_q73;
-    const double reach_squared_by_q73_by_q73 = sinew_choose(t12, t139 * p_y_by_q73 + t8
-        * p_y_by_q73_by_q73, 0.0);
-    const double reach_by_q73_by_q73 = 0.5 * (reach_squared_by_q73_by_q73 - t135) * t13;
-    const double t140 = t135 - (limited_by_q73 + limited_by_q73) * limited_by_q73 + t21
-        * reach_by_q73_by_q73;
-    const double t141 = 13.88888888888889 * reach_squared_by_q73_by_q73 + 27.77777777777778
-        * p_x_by_q73 * p_x_by_q73;
-    const double t142 = u_e * M_e_by_q73_by_q73 + u_y * M_y_by_q73_by_q73 + s_e * u_e_by_q73_by_q73;
-    const double p_x_by_q73_by_q73 = t142 - s_y * u_y_by_q73_by_q73 - t138 * M_e_by_q73 - t130
-        * M_y_by_q73;
-    const double projection_by_q73_by_q73 = t141 - t17 * p_x_by_q73_by_q73;
-    const double limited_by_q73_by_q73 = sinew_choose(t19, -(reach_by_q73_by_q73 * t15
-        - projection_by_q73_by_q73 * t16), reach_by_q73_by_q73);
-    const double clearance_by_q73_by_q73 = sinew_choose(t24, t140 - t20 * limited_by_q73_by_q73,
-        1e-12 * reach_squared_by_q73_by_q73);
-    const double t143 = 0.5 * (clearance_by_q73_by_q73 - (root_by_q73 + root_by_q73) * root_by_q73);
-    const double root_by_q73_by_q73 = t143 * t25;
-    const double t144 = p_y * root_by_q73_by_q73 - p_z * limited_by_q73_by_q73 + root
-        * p_y_by_q73_by_q73;
-    const double t145 = reach_squared_by_q73 + reach_squared_by_q73;
-    const double t146 = t144 - sin_A * reach_squared_by_q73_by_q73 + t139 * root_by_q73 - t145
-        * sin_A_by_q73;
-    const double sin_A_by_q73_by_q73 = t146 * t28;
-    const double x_plane_x_by_q73_by_q73 = u_y * sin_A_by_q73_by_q73 - sin_A * u_y_by_q73_by_q73
-        - t130 * sin_A_by_q73;
-    const double t147 = p_y * limited_by_q73_by_q73 + p_z * root_by_q73_by_q73 + limited
-        * p_y_by_q73_by_q73;
-    const double t148 = t147 - cos_A * reach_squared_by_q73_by_q73 + t139 * limited_by_q73 - t145
-        * cos_A_by_q73;
-    const double cos_A_by_q73_by_q73 = t148 * t28;
-    const double x_x_by_q73_by_q73 = cos_q71 * x_plane_x_by_q73_by_q73 + sin_q71
-        * cos_A_by_q73_by_q73;
-    const double z_plane_x_by_q73_by_q73 = u_y * cos_A_by_q73_by_q73 - cos_A * u_y_by_q73_by_q73
-        - t130 * cos_A_by_q73;
-    const double z_x_by_q73_by_q73 = cos_q71 * z_plane_x_by_q73_by_q73 - sin_q71
-        * sin_A_by_q73_by_q73;
-    const double M_x_by_q73_by_q73 = cos_q71 * M_e_by_q73_by_q73;
-    const double origin_x_by_q73_by_q73 = M_x_by_q73_by_q73 + 0.018 * z_x_by_q73_by_q73;
-    const double t149 = origin_x_by_q73_by_q73 + 0.004 * x_x_by_q73_by_q73;
-    const double y_x_by_q73_by_q73 = cos_q71 * u_e_by_q73_by_q73;
-    const double x_plane_y_by_q73_by_q73 = u_e * sin_A_by_q73_by_q73 - sin_A * u_e_by_q73_by_q73
-        + t138 * sin_A_by_q73;
-    const double z_plane_y_by_q73_by_q73 = u_e * cos_A_by_q73_by_q73 - cos_A * u_e_by_q73_by_q73
-        + t138 * cos_A_by_q73;
-    const double origin_y_by_q73_by_q73 = M_y_by_q73_by_q73 - 0.018 * z_plane_y_by_q73_by_q73;
-    const double t150 = origin_y_by_q73_by_q73 - 0.004 * x_plane_y_by_q73_by_q73;
-    const double x_z_by_q73_by_q73 = cos_q71 * cos_A_by_q73_by_q73 - sin_q71
-        * x_plane_x_by_q73_by_q73;
-    const double z_z_by_q73_by_q73 = cos_q71 * sin_A_by_q73_by_q73 + sin_q71
-        * z_plane_x_by_q73_by_q73;
-    const double M_z_by_q73_by_q73 = sin_q71 * M_e_by_q73_by_q73;
-    const double origin_z_by_q73_by_q73 = M_z_by_q73_by_q73 + 0.018 * z_z_by_q73_by_q73;
-    const double t151 = origin_z_by_q73_by_q73 - 0.004 * x_z_by_q73_by_q73;
-    const double y_z_by_q73_by_q73 = sin_q71 * u_e_by_q73_by_q73;
-    static const double table164[18][2] = {{0.001, 0.001}, {0.003, 0.003}, {0.005, 0.004},
-        {0.006, 0.006}, {0.008, 0.008}, {0.009, 0.009}, {0.011, 0.011}, {0.013, 0.012},
-        {0.014, 0.014}, {0.016, 0.016}, {0.017, 0.017}, {0.019, 0.019}, {0.021, 0.02},
-        {0.022, 0.022}, {0.024, 0.024}, {0.025, 0.025}, {0.027, 0.027}, {0.029, 0.028}};
-    double sum153 = K_0;
-    double sum154 = per_length_0 * along_42 + across_0 * length_0_by_q73 * length_0_by_q73;
-    double sum155 = per_length_0 * along_38 + across_0 * length_0_by_q71 * length_0_by_q71;
-    double sum156 = -0.0;
-    double sum157 = -0.0;
-    double sum158 = -0.0;
-    double sum159 = pull_0_z;
-    double sum160 = pull_0_y;
-    double sum161 = pull_0_x;
-    double kept162[18];
-    double kept163[18];
-    for (int i152 = 0; i152 < 18; ++i152) {
-        const double before165 = sum153;
-        const double before166 = sum154;
-        const double before167 = sum155;
-        const double before168 = sum156;
-        const double before169 = sum157;
-        const double before170 = sum158;
-        const double before171 = sum159;
-        const double before172 = sum160;
-        const double before173 = sum161;
-        const double t174 = table164[i152][0] * y_x;
-        const double strand_x = layer_0_x - t174;
-        const double strand_y = table164[i152][1] + layer_0_y - table164[i152][0] * u_y;
-        const double t175 = table164[i152][0] * y_z;
-        const double strand_z = layer_0_z - t175;
-        const double length = sinew_sqrt(strand_x * strand_x + strand_y * strand_y + strand_z
-            * strand_z);
-        const double t176 = 1.0 / length;
-        const double per_length = f[1 + i152] * t176;
-        const double slope = along_by_y + table164[i152][0] * along_by_y_squared;
-        const double along_2 = along - table164[i152][0] * slope;
-        const double strand_x_by_q71 = layer_0_x_by_q71 + t175;
-        const double strand_z_by_q71 = layer_0_z_by_q71 + t174;
-        const double t177 = strand_x * strand_x_by_q71 - strand_y * layer_0_y_by_q71 - strand_z
-            * strand_z_by_q71;
-        const double length_by_q71 = t177 * t176;
-        const double strand_x_by_q73 = layer_0_x_by_q73 + table164[i152][0] * y_x_by_q73;
-        const double strand_y_by_q73 = layer_0_y_by_q73 + table164[i152][0] * u_y_by_q73;
-        const double strand_z_by_q73 = layer_0_z_by_q73 + table164[i152][0] * y_z_by_q73;
-        const double t178 = strand_x * strand_x_by_q73 - strand_y * strand_y_by_q73 + strand_z
-            * strand_z_by_q73;
-        const double length_by_q73 = t178 * t176;
-        const double across = kt[1 + i152] - per_length;
-        const double t179 = before165 + per_length * along_2 + length_by_q71 * length_by_q73
-            * across;
-        const double slope_4 = along_by_y_8 + table164[i152][0] * along_by_y_squared_8;
-        const double along_3 = along_42 + table164[i152][0] * slope_4;
-        const double t180 = before166 + per_length * along_3 + across * length_by_q73
-            * length_by_q73;
-        const double slope_2 = along_by_y_4 + table164[i152][0] * along_by_y_squared_4;
-        const double along_4 = along_38 + table164[i152][0] * slope_2;
-        const double t181 = before167 + per_length * along_4 + across * length_by_q71
-            * length_by_q71;
-        const double t182 = table164[i152][0] * per_length;
-        const double pull_by_y_y = strand_y * t182;
-        const double pull_by_y_z = strand_z * t182;
-        const double pull_by_y_x = strand_x * t182;
-        const double pull_z = strand_z * per_length;
-        const double pull_y = strand_y * per_length;
-        const double pull_x = strand_x * per_length;
-        sum153 = t179;
-        sum154 = t180;
-        sum155 = t181;
-        sum156 = before168 + pull_by_y_y;
-        sum157 = before169 + pull_by_y_z;
-        sum158 = before170 + pull_by_y_x;
-        sum159 = before171 + pull_z;
-        sum160 = before172 + pull_y;
-        sum161 = before173 + pull_x;
-        kept162[i152] = length_by_q71;
-        kept163[i152] = length_by_q73;
-    }
-    static const double table195[18][2] = {{0.002, 0.001}, {0.003, 0.003}, {0.005, 0.005},
-        {0.007, 0.006}, {0.008, 0.008}, {0.01, 0.009}, {0.011, 0.011}, {0.013, 0.013},
-        {0.015, 0.014}, {0.016, 0.016}, {0.018, 0.017}, {0.019, 0.019}, {0.021, 0.021},
-        {0.023, 0.022}, {0.024, 0.024}, {0.026, 0.025}, {0.027, 0.027}, {0.029, 0.029}};
-    double sum184 = K_19;
-    double sum185 = t133;
-    double sum186 = t87;
-    double sum187 = -0.0;
-    double sum188 = -0.0;
-    double sum189 = -0.0;
-    double sum190 = pull_19_z;
-    double sum191 = pull_19_y;
-    double sum192 = pull_19_x;
-    double kept193[18];
-    double kept194[18];
-    for (int i183 = 0; i183 < 18; ++i183) {
-        const double before196 = sum184;
-        const double before197 = sum185;
-        const double before198 = sum186;
-        const double before199 = sum187;
-        const double before200 = sum188;
-        const double before201 = sum189;
-        const double before202 = sum190;
-        const double before203 = sum191;
-        const double before204 = sum192;
-        const double t205 = table195[i183][0] * y_x;
-        const double strand_x_2 = layer_1_x - t205;
-        const double strand_y_2 = table195[i183][1] + layer_1_y - table195[i183][0] * u_y;
-        const double t206 = table195[i183][0] * y_z;
-        const double strand_z_2 = layer_1_z - t206;
-        const double t207 = strand_x_2 * strand_x_2 + strand_y_2 * strand_y_2 + strand_z_2
-            * strand_z_2;
-        const double length_2 = sinew_sqrt(t207);
-        const double t208 = 1.0 / length_2;
-        const double per_length_2 = f[20 + i183] * t208;
-        const double slope_3 = along_by_y_2 + table195[i183][0] * along_by_y_squared;
-        const double along_5 = along_19 - table195[i183][0] * slope_3;
-        const double strand_x_by_q71_2 = layer_1_x_by_q71 + t206;
-        const double strand_z_by_q71_2 = layer_1_z_by_q71 + t205;
-        const double t209 = strand_x_2 * strand_x_by_q71_2 - strand_y_2 * layer_1_y_by_q71
-            - strand_z_2 * strand_z_by_q71_2;
-        const double length_by_q71_2 = t209 * t208;
-        const double strand_x_by_q73_2 = layer_1_x_by_q73 + table195[i183][0] * y_x_by_q73;
-        const double strand_y_by_q73_2 = layer_1_y_by_q73 + table195[i183][0] * u_y_by_q73;
-        const double strand_z_by_q73_2 = layer_1_z_by_q73 + table195[i183][0] * y_z_by_q73;
-        const double t210 = strand_x_2 * strand_x_by_q73_2 - strand_y_2 * strand_y_by_q73_2
-            + strand_z_2 * strand_z_by_q73_2;
-        const double length_by_q73_2 = t210 * t208;
-        const double across_2 = kt[20 + i183] - per_length_2;
-        const double t211 = before196 + per_length_2 * along_5 + length_by_q71_2 * length_by_q73_2
-            * across_2;
-        const double slope_4_2 = along_by_y_10 + table195[i183][0] * along_by_y_squared_8;
-        const double along_6 = along_44 + table195[i183][0] * slope_4_2;
-        const double t212 = before197 + per_length_2 * along_6 + across_2 * length_by_q73_2
-            * length_by_q73_2;
-        const double slope_2_2 = along_by_y_6 + table195[i183][0] * along_by_y_squared_4;
-        const double along_7 = along_40 + table195[i183][0] * slope_2_2;
-        const double t213 = before198 + per_length_2 * along_7 + across_2 * length_by_q71_2
-            * length_by_q71_2;
-        const double t214 = table195[i183][0] * per_length_2;
-        const double pull_by_y_y_2 = strand_y_2 * t214;
-        const double pull_by_y_z_2 = strand_z_2 * t214;
-        const double pull_by_y_x_2 = strand_x_2 * t214;
-        const double pull_z_2 = strand_z_2 * per_length_2;
-        const double pull_y_2 = strand_y_2 * per_length_2;
-        const double pull_x_2 = strand_x_2 * per_length_2;
-        sum184 = t211;
-        sum185 = t212;
-        sum186 = t213;
-        sum187 = before199 + pull_by_y_y_2;
-        sum188 = before200 + pull_by_y_z_2;
-        sum189 = before201 + pull_by_y_x_2;
-        sum190 = before202 + pull_z_2;
-        sum191 = before203 + pull_y_2;
-        sum192 = before204 + pull_x_2;
-        kept193[i183] = length_by_q71_2;
-        kept194[i183] = length_by_q73_2;
-    }
-    for (int i215 = 0; i215 < 6; ++i215) {
-        K[6 + 21 * i215] = 0.0;
-        K[7 + 21 * i215] = 0.0;
-        K[8 + 21 * i215] = 0.0;
-        K[9 + 21 * i215] = 0.0;
-        K[10 + 21 * i215] = 0.0;
-        K[11 + 21 * i215] = 0.0;
-        K[12 + 21 * i215] = 0.0;
-        K[13 + 21 * i215] = 0.0;
-        K[14 + 21 * i215] = 0.0;
-        K[15 + 21 * i215] = 0.0;
-        K[16 + 21 * i215] = 0.0;
-        K[17 + 21 * i215] = 0.0;
-        K[18 + 21 * i215] = 0.0;
-    }
-    for (int i216 = 0; i216 < 6; ++i216) {
-        K[126 + 21 * i216] = 0.0;
-        K[127 + 21 * i216] = 0.0;
-        K[128 + 21 * i216] = 0.0;
-        K[129 + 21 * i216] = 0.0;
-        K[130 + 21 * i216] = 0.0;
-        K[131 + 21 * i216] = 0.0;
-        K[138 + 21 * i216] = 0.0;
-        K[139 + 21 * i216] = 0.0;
-        K[140 + 21 * i216] = 0.0;
-        K[141 + 21 * i216] = 0.0;
-        K[142 + 21 * i216] = 0.0;
-        K[143 + 21 * i216] = 0.0;
-        K[144 + 21 * i216] = 0.0;
-    }
-    for (int i217 = 0; i217 < 7; ++i217) {
-        K[252 + 21 * i217] = 0.0;
-        K[253 + 21 * i217] = 0.0;
-        K[254 + 21 * i217] = 0.0;
-        K[255 + 21 * i217] = 0.0;
-        K[256 + 21 * i217] = 0.0;
-        K[257 + 21 * i217] = 0.0;
-        K[258 + 21 * i217] = 0.0;
-        K[259 + 21 * i217] = 0.0;
-        K[260 + 21 * i217] = 0.0;
-        K[261 + 21 * i217] = 0.0;
-        K[262 + 21 * i217] = 0.0;
-        K[263 + 21 * i217] = 0.0;
-    }
-    const struct sinew_sines2 sines218 = sinew_one_sincos2(q[0], q[1]);
-    const double s1 = sines218.s[0];
-    const double c1 = sines218.c[0];
-    const double s2 = sines218.s[1];
-    const double c2 = sines218.c[1];
-    const double R21y = c1 * s2;
-    const double t219 = 0.005 * R21y;
-    const double t220 = 0.006 * s1;
-    const double t221 = t219 - t220;
-    const double R21x = c1 * c2;
-    const double t222 = 0.047 * R21x;
-    const double pA_length_tox = t221 + t222;
-    const double A_lengthdx = 0.002 - pA_length_tox;
-    const double R22y = s1 * s2;
-    const double t223 = 0.005 * R22y;
-    const double t224 = 0.006 * c1;
-    const double t225 = t223 + t224;
-    const double R22x = s1 * c2;
-    const double t226 = 0.047 * R22x;
-    const double pA_length_toy = t225 + t226;
-    const double A_lengthdy = 0.03 - pA_length_toy;
-    const double t227 = 0.005 * c2;
-    const double t228 = 0.047 * s2;
-    const double pA_length_toz = t227 - t228;
-    const double A_lengthdz = 0.025 - pA_length_toz;
-    const double t229 = A_lengthdz * A_lengthdz;
-    const double A_length = sinew_sqrt(A_lengthdx * A_lengthdx + A_lengthdy * A_lengthdy + t229);
-    const double t230 = 1.0 / A_length;
-    const double A_length_by_q_0 = (pA_length_tox * A_lengthdy - pA_length_toy * A_lengthdx) * t230;
-    const double t231 = A_lengthdy + pA_length_toy;
-    const double t232 = A_lengthdx + pA_length_tox;
-    const double t233 = pA_length_toy * t231 + pA_length_tox * t232 - A_length_by_q_0
-        * A_length_by_q_0;
-    const double A_length_by_q_0_2_by_q_0 = t233 * t230;
-    const double t234 = t219 + t220;
-    const double pB_length_tox = t234 - t222;
-    const double B_lengthdx = 0.002 + pB_length_tox;
-    const double t235 = t223 - t224;
-    const double pB_length_toy = t235 - t226;
-    const double B_lengthdy = 0.03 + pB_length_toy;
-    const double pB_length_toz = t227 + t228;
-    const double B_lengthdz = 0.025 - pB_length_toz;
-    const double t236 = B_lengthdz * B_lengthdz;
-    const double B_length = sinew_sqrt(B_lengthdx * B_lengthdx + B_lengthdy * B_lengthdy + t236);
-    const double t237 = 1.0 / B_length;
-    const double B_length_by_q_0 = (pB_length_tox * B_lengthdy - pB_length_toy * B_lengthdx) * t237;
-    const double t238 = B_lengthdy - pB_length_toy;
-    const double t239 = B_lengthdx - pB_length_tox;
-    const double t240 = pB_length_toy * t238 + pB_length_tox * t239 + B_length_by_q_0
-        * B_length_by_q_0;
-    const double B_length_by_q_0_2_by_q_0 = t240 * t237;
-    const double pC_length_tox = t234 + t222;
-    const double C_lengthdx = 0.002 - pC_length_tox;
-    const double pC_length_toy = t235 + t226;
-    const double C_lengthdy = 0.03 + pC_length_toy;
-    const double C_length = sinew_sqrt(t229 + C_lengthdx * C_lengthdx + C_lengthdy * C_lengthdy);
-    const double t241 = 1.0 / C_length;
-    const double C_length_by_q_0 = (pC_length_tox * C_lengthdy + pC_length_toy * C_lengthdx) * t241;
-    const double t242 = pC_length_toy - C_lengthdy;
-    const double t243 = C_lengthdx + pC_length_tox;
-    const double t244 = pC_length_toy * t242 + pC_length_tox * t243 - C_length_by_q_0
-        * C_length_by_q_0;
-    const double C_length_by_q_0_2_by_q_0 = t244 * t241;
-    const double t245 = f[0] * A_length_by_q_0_2_by_q_0 - f[1] * B_length_by_q_0_2_by_q_0 + f[2]
-        * C_length_by_q_0_2_by_q_0;
-    const double pD_length_tox = t221 - t222;
-    const double D_lengthdx = 0.002 + pD_length_tox;
-    const double pD_length_toy = t225 - t226;
-    const double D_lengthdy = 0.03 - pD_length_toy;
-    const double D_length = sinew_sqrt(t236 + D_lengthdx * D_lengthdx + D_lengthdy * D_lengthdy);
-    const double t246 = 1.0 / D_length;
-    const double D_length_by_q_0 = (pD_length_tox * D_lengthdy + pD_length_toy * D_lengthdx) * t246;
-    const double t247 = D_lengthdx - pD_length_tox;
-    const double t248 = D_lengthdy + pD_length_toy;
-    const double t249 = pD_length_tox * t247 - pD_length_toy * t248 + D_length_by_q_0
-        * D_length_by_q_0;
-    const double D_length_by_q_0_2_by_q_0 = t249 * t246;
-    const double w1_1 = kt[0] * A_length_by_q_0;
-    const double w2_1 = kt[1] * B_length_by_q_0;
-    const double t250 = t245 - f[3] * D_length_by_q_0_2_by_q_0 + A_length_by_q_0 * w1_1
-        + B_length_by_q_0 * w2_1;
-    const double w3_1 = kt[2] * C_length_by_q_0;
-    const double w4_1 = kt[3] * D_length_by_q_0;
-    const double K1_1 = t250 + C_length_by_q_0 * w3_1 + D_length_by_q_0 * w4_1;
-    K[0] = K1_1;
-    const double t251 = 0.005 * R21x;
-    const double t252 = 0.047 * R21y;
-    const double pB_length_tox_by_q_1 = t251 + t252;
-    const double t253 = 0.005 * R22x;
-    const double t254 = 0.047 * R22y;
-    const double pB_length_toy_by_q_1 = t253 + t254;
-    const double t255 = 0.005 * s2;
-    const double t256 = 0.047 * c2;
-    const double pB_length_toz_by_q_1 = t255 - t256;
-    const double t257 = B_lengthdz * pB_length_toz_by_q_1;
-    const double t258 = B_lengthdx * pB_length_tox_by_q_1 + B_lengthdy * pB_length_toy_by_q_1
-        + t257;
-    const double B_length_by_q_1 = t258 * t237;
-    const double t259 = pB_length_tox_by_q_1 * t238 + pB_length_toy_by_q_1 * -t239 - B_length_by_q_0
-        * B_length_by_q_1;
-    const double B_length_by_q_0_2_by_q_1 = t259 * t237;
-    const double pA_length_tox_by_q_1 = t251 - t252;
-    const double pA_length_toy_by_q_1 = t253 - t254;
-    const double pA_length_toz_by_q_1 = t255 + t256;
-    const double t260 = A_lengthdz * pA_length_toz_by_q_1;
-    const double t261 = A_lengthdx * pA_length_tox_by_q_1 + A_lengthdy * pA_length_toy_by_q_1
-        - t260;
-    const double A_length_by_q_1 = t261 * t230;
-    const double t262 = pA_length_toy_by_q_1 * t232 - pA_length_tox_by_q_1 * t231 - A_length_by_q_0
-        * A_length_by_q_1;
-    const double A_length_by_q_0_2_by_q_1 = t262 * t230;
-    const double t263 = t260 - C_lengthdx * pA_length_tox_by_q_1 + C_lengthdy
-        * pA_length_toy_by_q_1;
-    const double C_length_by_q_1 = t263 * t241;
-    const double t264 = pA_length_tox_by_q_1 * -t242 + pA_length_toy_by_q_1 * t243 - C_length_by_q_0
-        * C_length_by_q_1;
-    const double C_length_by_q_0_2_by_q_1 = t264 * t241;
-    const double t265 = f[0] * A_length_by_q_0_2_by_q_1 + f[1] * B_length_by_q_0_2_by_q_1 + f[2]
-        * C_length_by_q_0_2_by_q_1;
-    const double t266 = t257 + D_lengthdx * pB_length_tox_by_q_1 - D_lengthdy
-        * pB_length_toy_by_q_1;
-    const double D_length_by_q_1 = t266 * t246;
-    const double t267 = pB_length_toy_by_q_1 * -t247 - pB_length_tox_by_q_1 * t248 + D_length_by_q_0
-        * D_length_by_q_1;
-    const double D_length_by_q_0_2_by_q_1 = t267 * t246;
-    const double t268 = t265 + f[3] * D_length_by_q_0_2_by_q_1 + A_length_by_q_1 * w1_1
-        + B_length_by_q_1 * w2_1;
-    const double K1_2 = t268 + C_length_by_q_1 * w3_1 - D_length_by_q_1 * w4_1;
-    K[1] = K1_2;
-    K[21] = K1_2;
-    const double K_wrist = length_0_by_q71 * w1_1 - kept162[0] * w2_1 - kept162[1] * w3_1
-        + kept162[2] * w4_1;
-    const double t269 = -K_wrist;
-    K[19] = t269;
-    K[399] = t269;
-    const double K_wrist_2 = length_0_by_q73 * w1_1 - kept163[0] * w2_1 - kept163[1] * w3_1
-        + kept163[2] * w4_1;
-    K[20] = K_wrist_2;
-    K[420] = K_wrist_2;
-    const double pA_length_tox_by_q_1_2_by_q_1 = t219 + t222;
-    const double t270 = pA_length_toz * A_lengthdz;
-    const double pA_length_toy_by_q_1_2_by_q_1 = t223 + t226;
-    const double t271 = t270 + A_lengthdx * pA_length_tox_by_q_1_2_by_q_1 + A_lengthdy
-        * pA_length_toy_by_q_1_2_by_q_1;
-    const double t272 = pA_length_tox_by_q_1 * pA_length_tox_by_q_1;
-    const double t273 = pA_length_toy_by_q_1 * pA_length_toy_by_q_1;
-    const double t274 = pA_length_toz_by_q_1 * pA_length_toz_by_q_1;
-    const double A_length_by_q_1_2_by_q_1 = (t271 + t272 + t273 + t274 - A_length_by_q_1
-        * A_length_by_q_1) * t230;
-    const double pB_length_tox_by_q_1_2_by_q_1 = t219 - t222;
-    const double t275 = pB_length_toz * B_lengthdz;
-    const double pB_length_toy_by_q_1_2_by_q_1 = t223 - t226;
-    const double t276 = t275 - B_lengthdx * pB_length_tox_by_q_1_2_by_q_1 - B_lengthdy
-        * pB_length_toy_by_q_1_2_by_q_1;
-    const double t277 = pB_length_tox_by_q_1 * pB_length_tox_by_q_1;
-    const double t278 = pB_length_toy_by_q_1 * pB_length_toy_by_q_1;
-    const double t279 = pB_length_toz_by_q_1 * pB_length_toz_by_q_1;
-    const double B_length_by_q_1_2_by_q_1 = (t276 + t277 + t278 + t279 - B_length_by_q_1
-        * B_length_by_q_1) * t237;
-    const double t280 = t270 + C_lengthdx * pA_length_tox_by_q_1_2_by_q_1 - C_lengthdy
-        * pA_length_toy_by_q_1_2_by_q_1;
-    const double C_length_by_q_1_2_by_q_1 = (t280 + t272 + t273 + t274 - C_length_by_q_1
-        * C_length_by_q_1) * t241;
-    const double t281 = f[0] * A_length_by_q_1_2_by_q_1 + f[1] * B_length_by_q_1_2_by_q_1 + f[2]
-        * C_length_by_q_1_2_by_q_1;
-    const double t282 = t275 - D_lengthdx * pB_length_tox_by_q_1_2_by_q_1 + D_lengthdy
-        * pB_length_toy_by_q_1_2_by_q_1;
-    const double D_length_by_q_1_2_by_q_1 = (t282 + t277 + t278 + t279 - D_length_by_q_1
-        * D_length_by_q_1) * t246;
-    const double w1_2 = kt[0] * A_length_by_q_1;
-    const double w2_2 = kt[1] * B_length_by_q_1;
-    const double t283 = t281 + f[3] * D_length_by_q_1_2_by_q_1 + A_length_by_q_1 * w1_2
-        + B_length_by_q_1 * w2_2;
-    const double w3_2 = kt[2] * C_length_by_q_1;
-    const double w4_2 = kt[3] * D_length_by_q_1;
-    const double K2_2 = t283 + C_length_by_q_1 * w3_2 + D_length_by_q_1 * w4_2;
-    K[22] = K2_2;
-    K[23] = 0.0;
-    K[24] = 0.0;
-    K[25] = 0.0;
-    K[26] = 0.0;
-    const double K_wrist_4 = length_0_by_q71 * w1_2 - kept162[0] * w2_2 - kept162[1] * w3_2
-        - kept162[2] * w4_2;
-    const double t284 = -K_wrist_4;
-    K[40] = t284;
-    K[400] = t284;
-    const double K_wrist_6 = length_0_by_q73 * w1_2 - kept163[0] * w2_2 - kept163[1] * w3_2
-        - kept163[2] * w4_2;
-    K[41] = K_wrist_6;
-    K[42] = 0.0;
-    K[43] = 0.0;
-    K[421] = K_wrist_6;
-    const double w5_3 = 0.0065 * kt[4];
-    const double w6_3 = 0.0065 * kt[5];
-    const double w7_3 = 0.0065 * kt[6];
-    const double w8_3 = 0.0065 * kt[7];
-    const double K3_3 = 0.0065 * (w5_3 + w6_3 + w7_3 + w8_3);
-    K[44] = K3_3;
-    const double K3_4 = 0.0055 * (w7_3 + w8_3);
-    const double t285 = -K3_4;
-    K[45] = t285;
-    K[46] = 0.0;
-    K[47] = 0.0;
-    K[65] = t285;
-    const double K_wrist_8 = kept162[3] * w5_3 - kept162[4] * w6_3 - kept162[5] * w7_3 + kept162[6]
-        * w8_3;
-    K[61] = K_wrist_8;
-    K[401] = K_wrist_8;
-    const double K_wrist_10 = kept163[3] * w5_3 - kept163[4] * w6_3 - kept163[5] * w7_3 + kept163[6]
-        * w8_3;
-    const double t286 = -K_wrist_10;
-    K[62] = t286;
-    K[63] = 0.0;
-    K[64] = 0.0;
-    K[422] = t286;
-    const double w7_4 = 0.0055 * kt[6];
-    const double w8_4 = 0.0055 * kt[7];
-    const double K4_4 = 0.0055 * (w7_4 + w8_4);
-    K[66] = K4_4;
-    K[67] = 0.0;
-    K[68] = 0.0;
-    const double K_wrist_12 = kept162[5] * w7_4 - kept162[6] * w8_4;
-    K[82] = K_wrist_12;
-    K[402] = K_wrist_12;
-    const double K_wrist_14 = kept163[5] * w7_4 - kept163[6] * w8_4;
-    const double t287 = -K_wrist_14;
-    K[83] = t287;
-    K[84] = 0.0;
-    K[85] = 0.0;
-    K[86] = 0.0;
-    K[87] = 0.0;
-    K[423] = t287;
-    const double w1_1_2 = 0.0065 * kt[8];
-    const double t288 = 0.0065 * w1_1_2;
-    const double w2_1_2 = 0.0065 * kt[9];
-    const double t289 = 0.0065 * w2_1_2;
-    const double w3_1_2 = 0.0065 * kt[10];
-    const double t290 = 0.0065 * w3_1_2;
-    const double w4_1_2 = 0.0065 * kt[11];
-    const double t291 = 0.0065 * w4_1_2;
-    const double K1_1_2 = t288 + t289 + t290 + t291;
-    K[88] = K1_1_2;
-    K[110] = K1_1_2;
-    const double K1_2_2 = t288 - t289 - t290 + t291;
-    K[89] = K1_2_2;
-    K[109] = K1_2_2;
-    const double t292 = kept162[7] * w1_1_2;
-    const double t293 = kept162[8] * w2_1_2;
-    const double t294 = kept162[9] * w3_1_2;
-    const double t295 = kept162[10] * w4_1_2;
-    const double K_wrist_16 = t292 + t293 - t294 - t295;
-    K[103] = K_wrist_16;
-    K[403] = K_wrist_16;
-    const double t296 = kept163[7] * w1_1_2;
-    const double t297 = kept163[8] * w2_1_2;
-    const double t298 = kept163[9] * w3_1_2;
-    const double t299 = kept163[10] * w4_1_2;
-    const double K_wrist_18 = t296 + t297 - t298 - t299;
-    const double t300 = -K_wrist_18;
-    K[104] = t300;
-    K[105] = 0.0;
-    K[106] = 0.0;
-    K[107] = 0.0;
-    K[108] = 0.0;
-    K[424] = t300;
-    const double K_wrist_20 = t292 - t293 + t294 - t295;
-    K[124] = K_wrist_20;
-    K[404] = K_wrist_20;
-    const double K_wrist_22 = t296 - t297 + t298 - t299;
-    const double t301 = -K_wrist_22;
-    K[125] = t301;
-    K[425] = t301;
-    const double w5_3_2 = 0.0055 * kt[12];
-    const double w6_3_2 = 0.0055 * kt[13];
-    const double w7_3_2 = 0.0055 * kt[14];
-    const double w8_3_2 = 0.0055 * kt[15];
-    const double K3_3_2 = 0.0055 * (w5_3_2 + w6_3_2 + w7_3_2 + w8_3_2);
-    K[132] = K3_3_2;
-    const double K3_4_2 = 0.0045 * (w7_3_2 + w8_3_2);
-    const double t302 = -K3_4_2;
-    K[133] = t302;
-    K[134] = 0.0;
-    K[135] = 0.0;
-    K[136] = 0.0;
-    K[137] = 0.0;
-    K[153] = t302;
-    const double K_wrist_24 = kept162[11] * w5_3_2 - kept162[12] * w6_3_2 + kept162[13] * w7_3_2
-        - kept162[14] * w8_3_2;
-    K[145] = K_wrist_24;
-    K[405] = K_wrist_24;
-    const double K_wrist_26 = kept163[11] * w5_3_2 - kept163[12] * w6_3_2 + kept163[13] * w7_3_2
-        - kept163[14] * w8_3_2;
-    const double t303 = -K_wrist_26;
-    K[146] = t303;
-    K[426] = t303;
-    const double w7_4_2 = 0.0045 * kt[14];
-    const double w8_4_2 = 0.0045 * kt[15];
-    const double K4_4_2 = 0.0045 * (w7_4_2 + w8_4_2);
-    K[154] = K4_4_2;
-    K[155] = 0.0;
-    K[156] = 0.0;
-    K[157] = 0.0;
-    K[158] = 0.0;
-    const double K_wrist_28 = kept162[13] * w7_4_2 - kept162[14] * w8_4_2;
-    const double t304 = -K_wrist_28;
-    K[166] = t304;
-    K[406] = t304;
-    const double K_wrist_30 = kept163[13] * w7_4_2 - kept163[14] * w8_4_2;
-    K[167] = K_wrist_30;
-    K[174] = 0.0;
-    K[175] = 0.0;
-    K[427] = K_wrist_30;
-    const double w1_1_4 = 0.0065 * kt[16];
-    const double t305 = 0.0065 * w1_1_4;
-    const double w2_1_4 = 0.0065 * kt[17];
-    const double t306 = 0.0065 * w2_1_4;
-    const double w3_1_4 = 0.0065 * kt[18];
-    const double t307 = 0.0065 * w3_1_4;
-    const double w4_1_4 = 0.0065 * kt[19];
-    const double t308 = 0.0065 * w4_1_4;
-    const double K1_1_4 = t305 + t306 + t307 + t308;
-    K[176] = K1_1_4;
-    K[198] = K1_1_4;
-    K[199] = 0.0;
-    K[200] = 0.0;
-    const double K1_2_4 = t305 - t306 - t307 + t308;
-    K[177] = K1_2_4;
-    K[178] = 0.0;
-    K[179] = 0.0;
-    K[197] = K1_2_4;
-    const double t309 = kept162[15] * w1_1_4;
-    const double t310 = kept162[16] * w2_1_4;
-    const double t311 = kept162[17] * w3_1_4;
-    const double t312 = length_19_by_q71 * w4_1_4;
-    const double K_wrist_32 = t309 + t310 - t311 - t312;
-    K[187] = K_wrist_32;
-    K[407] = K_wrist_32;
-    const double t313 = kept163[15] * w1_1_4;
-    const double t314 = kept163[16] * w2_1_4;
-    const double t315 = kept163[17] * w3_1_4;
-    const double t316 = length_19_by_q73 * w4_1_4;
-    const double K_wrist_34 = t313 + t314 - t315 - t316;
-    const double t317 = -K_wrist_34;
-    K[188] = t317;
-    K[195] = 0.0;
-    K[196] = 0.0;
-    K[428] = t317;
-    const double K_wrist_36 = t309 - t310 + t311 - t312;
-    K[208] = K_wrist_36;
-    K[408] = K_wrist_36;
-    const double K_wrist_38 = t313 - t314 + t315 - t316;
-    const double t318 = -K_wrist_38;
-    K[209] = t318;
-    K[216] = 0.0;
-    K[217] = 0.0;
-    K[218] = 0.0;
-    K[219] = 0.0;
-    K[429] = t318;
-    const double w5_3_4 = 0.0055 * kt[20];
-    const double w6_3_4 = 0.0055 * kt[21];
-    const double w7_3_4 = 0.0055 * kt[22];
-    const double w8_3_4 = 0.0055 * kt[23];
-    const double K3_3_4 = 0.0055 * (w5_3_4 + w6_3_4 + w7_3_4 + w8_3_4);
-    K[220] = K3_3_4;
-    const double K3_4_4 = 0.0045 * (w7_3_4 + w8_3_4);
-    const double t319 = -K3_4_4;
-    K[221] = t319;
-    K[241] = t319;
-    const double K_wrist_40 = kept193[0] * w5_3_4 - kept193[1] * w6_3_4 + kept193[2] * w7_3_4
-        - kept193[3] * w8_3_4;
-    K[229] = K_wrist_40;
-    K[409] = K_wrist_40;
-    const double K_wrist_42 = kept194[0] * w5_3_4 - kept194[1] * w6_3_4 + kept194[2] * w7_3_4
-        - kept194[3] * w8_3_4;
-    const double t320 = -K_wrist_42;
-    K[230] = t320;
-    K[237] = 0.0;
-    K[238] = 0.0;
-    K[239] = 0.0;
-    K[240] = 0.0;
-    K[430] = t320;
-    const double w7_4_4 = 0.0045 * kt[22];
-    const double w8_4_4 = 0.0045 * kt[23];
-    const double K4_4_4 = 0.0045 * (w7_4_4 + w8_4_4);
-    K[242] = K4_4_4;
-    const double K_wrist_44 = kept193[2] * w7_4_4 - kept193[3] * w8_4_4;
-    const double t321 = -K_wrist_44;
-    K[250] = t321;
-    K[410] = t321;
-    const double K_wrist_46 = kept194[2] * w7_4_4 - kept194[3] * w8_4_4;
-    K[251] = K_wrist_46;
-    K[431] = K_wrist_46;
-    const double w1_1_6 = 0.0065 * kt[24];
-    const double t322 = 0.0065 * w1_1_6;
-    const double w2_1_6 = 0.0065 * kt[25];
-    const double t323 = 0.0065 * w2_1_6;
-    const double w3_1_6 = 0.0065 * kt[26];
-    const double t324 = 0.0065 * w3_1_6;
-    const double w4_1_6 = 0.0065 * kt[27];
-    const double t325 = 0.0065 * w4_1_6;
-    const double K1_1_6 = t322 + t323 + t324 + t325;
-    K[264] = K1_1_6;
-    K[286] = K1_1_6;
-    K[287] = 0.0;
-    K[288] = 0.0;
-    K[289] = 0.0;
-    K[290] = 0.0;
-    K[291] = 0.0;
-    const double K1_2_6 = t322 - t323 - t324 + t325;
-    K[265] = K1_2_6;
-    K[266] = 0.0;
-    K[267] = 0.0;
-    K[268] = 0.0;
-    K[269] = 0.0;
-    K[270] = 0.0;
-    K[285] = K1_2_6;
-    const double t326 = kept193[4] * w1_1_6;
-    const double t327 = kept193[5] * w2_1_6;
-    const double t328 = kept193[6] * w3_1_6;
-    const double t329 = kept193[7] * w4_1_6;
-    const double K_wrist_48 = t326 + t327 - t328 - t329;
-    K[271] = K_wrist_48;
-    K[411] = K_wrist_48;
-    const double t330 = kept194[4] * w1_1_6;
-    const double t331 = kept194[5] * w2_1_6;
-    const double t332 = kept194[6] * w3_1_6;
-    const double t333 = kept194[7] * w4_1_6;
-    const double K_wrist_50 = t330 + t331 - t332 - t333;
-    const double t334 = -K_wrist_50;
-    K[272] = t334;
-    K[432] = t334;
-    const double K_wrist_52 = t326 - t327 + t328 - t329;
-    K[292] = K_wrist_52;
-    K[412] = K_wrist_52;
-    const double K_wrist_54 = t330 - t331 + t332 - t333;
-    const double t335 = -K_wrist_54;
-    K[293] = t335;
-    K[306] = 0.0;
-    K[307] = 0.0;
-    K[433] = t335;
-    const double w5_3_6 = 0.011000000000000001 * kt[28];
-    const double w6_3_6 = 0.011000000000000001 * kt[29];
-    const double K3_3_6 = 0.011000000000000001 * (w5_3_6 + w6_3_6);
-    K[308] = K3_3_6;
-    K[309] = 0.0;
-    K[310] = 0.0;
-    K[311] = 0.0;
-    K[312] = 0.0;
-    const double K_wrist_56 = kept193[8] * w5_3_6 - kept193[9] * w6_3_6;
-    K[313] = K_wrist_56;
-    K[413] = K_wrist_56;
-    const double K_wrist_58 = kept194[8] * w5_3_6 - kept194[9] * w6_3_6;
-    const double t336 = -K_wrist_58;
-    K[314] = t336;
-    K[327] = 0.0;
-    K[328] = 0.0;
-    K[329] = 0.0;
-    K[434] = t336;
-    const double w1_1_8 = 0.0052 * kt[30];
-    const double t337 = 0.0052 * w1_1_8;
-    const double w2_1_8 = 0.0052 * kt[31];
-    const double t338 = 0.0052 * w2_1_8;
-    const double w3_1_8 = 0.0052 * kt[32];
-    const double t339 = 0.0052 * w3_1_8;
-    const double w4_1_8 = 0.0052 * kt[33];
-    const double t340 = 0.0052 * w4_1_8;
-    const double K1_1_8 = t337 + t338 + t339 + t340;
-    K[330] = K1_1_8;
-    K[352] = K1_1_8;
-    K[353] = 0.0;
-    K[354] = 0.0;
-    const double K1_2_8 = t337 - t338 - t339 + t340;
-    K[331] = K1_2_8;
-    K[332] = 0.0;
-    K[333] = 0.0;
-    K[351] = K1_2_8;
-    const double t341 = kept193[10] * w1_1_8;
-    const double t342 = kept193[11] * w2_1_8;
-    const double t343 = kept193[12] * w3_1_8;
-    const double t344 = kept193[13] * w4_1_8;
-    const double K_wrist_60 = t341 + t342 - t343 - t344;
-    K[334] = K_wrist_60;
-    K[414] = K_wrist_60;
-    const double t345 = kept194[10] * w1_1_8;
-    const double t346 = kept194[11] * w2_1_8;
-    const double t347 = kept194[12] * w3_1_8;
-    const double t348 = kept194[13] * w4_1_8;
-    const double K_wrist_62 = t345 + t346 - t347 - t348;
-    const double t349 = -K_wrist_62;
-    K[335] = t349;
-    K[348] = 0.0;
-    K[349] = 0.0;
-    K[350] = 0.0;
-    K[435] = t349;
-    const double K_wrist_64 = t341 - t342 + t343 - t344;
-    K[355] = K_wrist_64;
-    K[415] = K_wrist_64;
-    const double K_wrist_66 = t345 - t346 + t347 - t348;
-    const double t350 = -K_wrist_66;
-    K[356] = t350;
-    K[369] = 0.0;
-    K[370] = 0.0;
-    K[371] = 0.0;
-    K[372] = 0.0;
-    K[373] = 0.0;
-    K[436] = t350;
-    const double w5_3_8 = 0.0088 * kt[34];
-    const double w6_3_8 = 0.0088 * kt[35];
-    const double K3_3_8 = 0.0088 * (w5_3_8 + w6_3_8);
-    K[374] = K3_3_8;
-    K[375] = 0.0;
-    const double K_wrist_68 = kept193[14] * w5_3_8 - kept193[15] * w6_3_8;
-    K[376] = K_wrist_68;
-    K[416] = K_wrist_68;
-    const double K_wrist_70 = kept194[14] * w5_3_8 - kept194[15] * w6_3_8;
-    const double t351 = -K_wrist_70;
-    K[377] = t351;
-    K[390] = 0.0;
-    K[391] = 0.0;
-    K[392] = 0.0;
-    K[393] = 0.0;
-    K[394] = 0.0;
-    K[395] = 0.0;
-    K[437] = t351;
-    const double w1_1_10 = 0.005 * kt[36];
-    const double w2_1_10 = 0.005 * kt[37];
-    const double K1_1_10 = 0.005 * (w1_1_10 + w2_1_10);
-    K[396] = K1_1_10;
-    const double K_wrist_72 = kept193[16] * w1_1_10 - kept193[17] * w2_1_10;
-    K[397] = K_wrist_72;
-    K[417] = K_wrist_72;
-    const double K_wrist_74 = kept194[16] * w1_1_10 - kept194[17] * w2_1_10;
-    const double t352 = -K_wrist_74;
-    K[398] = t352;
-    K[438] = t352;
-    const double pull_by_y = sum158 + sum189;
-    const double pull_by_y_4 = sum157 + sum188;
-    const double t353 = sum155 + sum186 + y_x * pull_by_y + y_z * pull_by_y_4 + sum161
-        * layer_0_x_by_q71_by_q71;
-    const double origin_y_by_q71_by_q71 = 0.018 * z_plane_y_by_q71_by_q71;
-    const double t354 = origin_y_by_q71_by_q71 + t45 * sin_A_by_q71_by_q71;
-    const double t355 = 0.01 * z_plane_y_by_q71_by_q71;
-    const double layer_0_y_by_q71_by_q71 = t354 - t355;
-    const double t356 = t353 - sum160 * layer_0_y_by_q71_by_q71 + sum159 * layer_0_z_by_q71_by_q71;
-    const double layer_1_y_by_q71_by_q71 = t354 + t355;
-    const double t357 = t356 + sum192 * layer_1_x_by_q71_by_q71 - sum191 * layer_1_y_by_q71_by_q71;
-    K[418] = t357 + sum190 * layer_1_z_by_q71_by_q71;
-    const double t358 = sum153 + sum184 + y_x_by_q73 * pull_by_y_4 - y_z_by_q73 * pull_by_y - sum161
-        * layer_0_x_by_q71_by_q73;
-    const double origin_y_by_q71_by_q73 = 0.018 * z_plane_y_by_q71_by_q73;
-    const double t359 = origin_y_by_q71_by_q73 + 0.004 * x_plane_y_by_q71_by_q73;
-    const double t360 = 0.01 * z_plane_y_by_q71_by_q73;
-    const double layer_0_y_by_q71_by_q73 = t359 - t360;
-    const double t361 = t358 + sum160 * layer_0_y_by_q71_by_q73 + sum159 * layer_0_z_by_q71_by_q73;
-    const double layer_1_y_by_q71_by_q73 = t359 + t360;
-    const double t362 = t361 - sum192 * layer_1_x_by_q71_by_q73 + sum191 * layer_1_y_by_q71_by_q73;
-    const double K_01 = t362 + sum190 * layer_1_z_by_q71_by_q73;
-    const double t363 = -K_01;
-    K[419] = t363;
-    K[439] = t363;
-    const double t364 = 0.01 * z_x_by_q73_by_q73;
-    const double layer_0_x_by_q73_by_q73 = t149 - t364 - 0.011 * y_x_by_q73_by_q73;
-    const double t365 = 0.01 * z_plane_y_by_q73_by_q73;
-    const double layer_0_y_by_q73_by_q73 = t150 + t365 - 0.011 * u_y_by_q73_by_q73;
-    const double t366 = sum154 + sum185 + sum161 * layer_0_x_by_q73_by_q73 + sum160
-        * layer_0_y_by_q73_by_q73;
-    const double t367 = 0.01 * z_z_by_q73_by_q73;
-    const double layer_0_z_by_q73_by_q73 = t151 - t367 - 0.011 * y_z_by_q73_by_q73;
-    const double layer_1_x_by_q73_by_q73 = t149 + t364 - 0.013 * y_x_by_q73_by_q73;
-    const double t368 = t366 + sum159 * layer_0_z_by_q73_by_q73 + sum192 * layer_1_x_by_q73_by_q73;
-    const double layer_1_y_by_q73_by_q73 = t150 - t365 - 0.013 * u_y_by_q73_by_q73;
-    const double layer_1_z_by_q73_by_q73 = t151 + t367 - 0.013 * y_z_by_q73_by_q73;
-    const double t369 = t368 + sum191 * layer_1_y_by_q73_by_q73 + sum190 * layer_1_z_by_q73_by_q73;
-    const double pull_by_y_2 = sum156 + sum187;
-    const double t370 = t369 + pull_by_y * y_x_by_q73_by_q73 + pull_by_y_2 * u_y_by_q73_by_q73
-        + pull_by_y_4 * y_z_by_q73_by_q73;
-    K[440] = t370;
+    double h[38];
+    double P[76];
+    hand_wrist_passage(q_wrist, h, P);
+    double K_wrist[4];
+    hand_wrist_stiffness(q_wrist, h, P, f, kt, K_wrist);
+    hand_whole_stiffness(q, P, f, kt, K_wrist, K);
 }
 
 void hand_feedforward(const double q_wrist[SINEW_AT_LEAST(2)],
@@ -2507,31 +1290,39 @@ void hand_feedforward(const double q_wrist[SINEW_AT_LEAST(2)],
     const double t4 = 0.01 * z_x;
     const double y_x = cos_q71 * u_e;
     const double layer_0_x = t3 - t4 + 0.011 * y_x;
-    const double z_plane_y = u_e * cos_A;
-    const double origin_y = M_y + 0.018 * z_plane_y;
-    const double x_plane_y = u_e * sin_A;
-    const double t5 = 0.004 * x_plane_y;
-    const double t6 = 0.01 * z_plane_y;
-    const double layer_0_y = 0.007 - origin_y - t5 + t6 + 0.011 * u_y;
     const double z_z = cos_q71 * sin_A + sin_q71 * z_plane_x;
     const double M_z = sin_q71 * M_e;
     const double origin_z = M_z - 0.018 * z_z;
     const double x_z = cos_q71 * cos_A - sin_q71 * x_plane_x;
-    const double t7 = 0.004 * x_z;
-    const double t8 = 0.01 * z_z;
+    const double t5 = 0.004 * x_z;
+    const double t6 = 0.01 * z_z;
     const double y_z = sin_q71 * u_e;
-    const double layer_0_z = 0.008 - origin_z - t7 - t8 + 0.011 * y_z;
-    const double length_0 = sinew_sqrt(layer_0_x * layer_0_x + layer_0_y * layer_0_y + layer_0_z
-        * layer_0_z);
+    const double layer_0_z = 0.008 - origin_z - t5 - t6 + 0.011 * y_z;
+    const double across = 0.5 * (layer_0_x * layer_0_x + layer_0_z * layer_0_z);
+    const double twice_across = across + across;
+    const double z_plane_y = u_e * cos_A;
+    const double origin_y = M_y + 0.018 * z_plane_y;
+    const double x_plane_y = u_e * sin_A;
+    const double t7 = 0.004 * x_plane_y;
+    const double t8 = 0.01 * z_plane_y;
+    const double layer_0_y = 0.007 - origin_y - t7 + t8 + 0.011 * u_y;
+    const double length_0 = sinew_sqrt(twice_across + layer_0_y * layer_0_y);
     const double change_0 = 0.04661544808322666 - length_0;
     delta_theta[0] = 200.0 * change_0;
+    const double across_by_y = y_x * layer_0_x + y_z * layer_0_z;
+    const double twice_across_2 = across_by_y + across_by_y;
+    const double across_by_y_squared = 0.5 * (y_x * y_x + y_z * y_z);
+    const double twice_across_4 = across_by_y_squared + across_by_y_squared;
     const double layer_1_x = t3 + t4 + 0.013 * y_x;
-    const double layer_1_y = 0.006 - origin_y - t5 - t6 + 0.013 * u_y;
-    const double layer_1_z = 0.028 - origin_z - t7 + t8 + 0.013 * y_z;
-    const double length_19 = sinew_sqrt(layer_1_x * layer_1_x + layer_1_y * layer_1_y + layer_1_z
-        * layer_1_z);
+    const double layer_1_z = 0.028 - origin_z - t5 + t6 + 0.013 * y_z;
+    const double across_38 = 0.5 * (layer_1_x * layer_1_x + layer_1_z * layer_1_z);
+    const double twice_across_6 = across_38 + across_38;
+    const double layer_1_y = 0.006 - origin_y - t7 - t8 + 0.013 * u_y;
+    const double length_19 = sinew_sqrt(twice_across_6 + layer_1_y * layer_1_y);
     const double change_19 = 0.046561786907291264 - length_19;
     delta_theta[19] = 200.0 * change_19;
+    const double across_by_y_2 = y_x * layer_1_x + y_z * layer_1_z;
+    const double twice_across_8 = across_by_y_2 + across_by_y_2;
     static const double table10[18][5] = {
         {0.04661544808322666, 0.002, 0.001, 0.04661544808322666, 0.001},
         {0.046561786907291264, 0.003, 0.003, 0.04661544808322666, 0.003},
@@ -2552,18 +1343,15 @@ void hand_feedforward(const double q_wrist[SINEW_AT_LEAST(2)],
         {0.046561786907291264, 0.027, 0.027, 0.04661544808322666, 0.027},
         {0.046561786907291264, 0.029, 0.029, 0.04669047011971501, 0.028}};
     for (int i9 = 0; i9 < 18; ++i9) {
-        const double strand_x = layer_1_x - table10[i9][1] * y_x;
+        const double across_slope = twice_across_8 - table10[i9][1] * twice_across_4;
+        const double across_2 = twice_across_6 - table10[i9][1] * across_slope;
         const double strand_y = table10[i9][2] + layer_1_y - table10[i9][1] * u_y;
-        const double strand_z = layer_1_z - table10[i9][1] * y_z;
-        const double length = sinew_sqrt(strand_x * strand_x + strand_y * strand_y + strand_z
-            * strand_z);
+        const double length = sinew_sqrt(across_2 + strand_y * strand_y);
         const double change = table10[i9][0] - length;
-        const double strand_x_2 = layer_0_x - table10[i9][2] * y_x;
+        const double across_3 = twice_across - table10[i9][2] * (twice_across_2 - table10[i9][2]
+            * twice_across_4);
         const double strand_y_2 = table10[i9][4] + layer_0_y - table10[i9][2] * u_y;
-        const double strand_z_2 = layer_0_z - table10[i9][2] * y_z;
-        const double t11 = strand_x_2 * strand_x_2 + strand_y_2 * strand_y_2 + strand_z_2
-            * strand_z_2;
-        const double length_2 = sinew_sqrt(t11);
+        const double length_2 = sinew_sqrt(across_3 + strand_y_2 * strand_y_2);
         const double change_2 = table10[i9][3] - length_2;
         delta_theta[20 + i9] = 200.0 * change;
         delta_theta[1 + i9] = 200.0 * change_2;
@@ -2665,90 +1453,99 @@ void hand_feedforward_rate(const double q_wrist[SINEW_AT_LEAST(2)],
     const double t19 = 0.01 * z_x;
     const double y_x = cos_q71 * u_e;
     const double layer_0_x = t18 - t19 + 0.011 * y_x;
-    const double z_plane_y_by_t = u_e * cos_A_by_t + cos_A * u_e_by_t;
-    const double origin_y_by_t = M_y_by_t - 0.018 * z_plane_y_by_t;
-    const double x_plane_y_by_t = u_e * sin_A_by_t + sin_A * u_e_by_t;
-    const double t20 = origin_y_by_t - 0.004 * x_plane_y_by_t;
-    const double t21 = 0.01 * z_plane_y_by_t;
-    const double layer_0_y_by_t = t20 + t21 - 0.011 * u_y_by_t;
-    const double z_plane_y = u_e * cos_A;
-    const double origin_y = M_y + 0.018 * z_plane_y;
-    const double x_plane_y = u_e * sin_A;
-    const double t22 = 0.004 * x_plane_y;
-    const double t23 = 0.01 * z_plane_y;
-    const double layer_0_y = 0.007 - origin_y - t22 + t23 + 0.011 * u_y;
     const double z_z_by_t = cos_q71 * sin_A_by_t + sin_q71 * z_plane_x_by_t - sin_A * cos_q71_by_t
         + z_plane_x * sin_q71_by_t;
     const double M_z_by_t = sin_q71 * M_e_by_t + M_e * sin_q71_by_t;
     const double origin_z_by_t = M_z_by_t - 0.018 * z_z_by_t;
     const double x_z_by_t = cos_q71 * cos_A_by_t - sin_q71 * x_plane_x_by_t - cos_A * cos_q71_by_t
         - x_plane_x * sin_q71_by_t;
-    const double t24 = origin_z_by_t + 0.004 * x_z_by_t;
-    const double t25 = 0.01 * z_z_by_t;
+    const double t20 = origin_z_by_t + 0.004 * x_z_by_t;
+    const double t21 = 0.01 * z_z_by_t;
     const double y_z_by_t = sin_q71 * u_e_by_t + u_e * sin_q71_by_t;
-    const double layer_0_z_by_t = t24 + t25 - 0.011 * y_z_by_t;
+    const double layer_0_z_by_t = t20 + t21 - 0.011 * y_z_by_t;
     const double z_z = cos_q71 * sin_A + sin_q71 * z_plane_x;
     const double M_z = sin_q71 * M_e;
     const double origin_z = M_z - 0.018 * z_z;
     const double x_z = cos_q71 * cos_A - sin_q71 * x_plane_x;
-    const double t26 = 0.004 * x_z;
-    const double t27 = 0.01 * z_z;
+    const double t22 = 0.004 * x_z;
+    const double t23 = 0.01 * z_z;
     const double y_z = sin_q71 * u_e;
-    const double layer_0_z = 0.008 - origin_z - t26 - t27 + 0.011 * y_z;
-    const double t28 = layer_0_x * layer_0_x_by_t - layer_0_y * layer_0_y_by_t + layer_0_z
-        * layer_0_z_by_t;
-    const double length_0 = sinew_sqrt(layer_0_x * layer_0_x + layer_0_y * layer_0_y + layer_0_z
-        * layer_0_z);
-    const double length_0_by_t = t28 / length_0;
+    const double layer_0_z = 0.008 - origin_z - t22 - t23 + 0.011 * y_z;
+    const double across_by_t = layer_0_x * layer_0_x_by_t + layer_0_z * layer_0_z_by_t;
+    const double z_plane_y_by_t = u_e * cos_A_by_t + cos_A * u_e_by_t;
+    const double origin_y_by_t = M_y_by_t - 0.018 * z_plane_y_by_t;
+    const double x_plane_y_by_t = u_e * sin_A_by_t + sin_A * u_e_by_t;
+    const double t24 = origin_y_by_t - 0.004 * x_plane_y_by_t;
+    const double t25 = 0.01 * z_plane_y_by_t;
+    const double layer_0_y_by_t = t24 + t25 - 0.011 * u_y_by_t;
+    const double z_plane_y = u_e * cos_A;
+    const double origin_y = M_y + 0.018 * z_plane_y;
+    const double x_plane_y = u_e * sin_A;
+    const double t26 = 0.004 * x_plane_y;
+    const double t27 = 0.01 * z_plane_y;
+    const double layer_0_y = 0.007 - origin_y - t26 + t27 + 0.011 * u_y;
+    const double half_square_by = across_by_t - layer_0_y * layer_0_y_by_t;
+    const double across = 0.5 * (layer_0_x * layer_0_x + layer_0_z * layer_0_z);
+    const double twice_across = across + across;
+    const double length_0 = sinew_sqrt(twice_across + layer_0_y * layer_0_y);
+    const double length_0_by_t = half_square_by / length_0;
     delta_theta_rate[0] = 200.0 * length_0_by_t;
+    const double across_by_y_by_t = y_x * layer_0_x_by_t + y_z * layer_0_z_by_t - layer_0_x
+        * y_x_by_t - layer_0_z * y_z_by_t;
+    const double across_by_y_squared_by_t = y_x * y_x_by_t + y_z * y_z_by_t;
+    const double across_by_y = y_x * layer_0_x + y_z * layer_0_z;
+    const double twice_across_2 = across_by_y + across_by_y;
+    const double across_by_y_squared = 0.5 * (y_x * y_x + y_z * y_z);
+    const double twice_across_4 = across_by_y_squared + across_by_y_squared;
     const double layer_1_x_by_t = t16 - t17 - 0.013 * y_x_by_t;
     const double layer_1_x = t18 + t19 + 0.013 * y_x;
-    const double layer_1_y_by_t = t20 - t21 - 0.013 * u_y_by_t;
-    const double layer_1_y = 0.006 - origin_y - t22 - t23 + 0.013 * u_y;
-    const double layer_1_z_by_t = t24 - t25 - 0.013 * y_z_by_t;
-    const double layer_1_z = 0.028 - origin_z - t26 + t27 + 0.013 * y_z;
-    const double t29 = layer_1_x * layer_1_x_by_t - layer_1_y * layer_1_y_by_t + layer_1_z
-        * layer_1_z_by_t;
-    const double length_19 = sinew_sqrt(layer_1_x * layer_1_x + layer_1_y * layer_1_y + layer_1_z
-        * layer_1_z);
-    const double length_19_by_t = t29 / length_19;
+    const double layer_1_z_by_t = t20 - t21 - 0.013 * y_z_by_t;
+    const double layer_1_z = 0.028 - origin_z - t22 + t23 + 0.013 * y_z;
+    const double across_38_by_t = layer_1_x * layer_1_x_by_t + layer_1_z * layer_1_z_by_t;
+    const double layer_1_y_by_t = t24 - t25 - 0.013 * u_y_by_t;
+    const double layer_1_y = 0.006 - origin_y - t26 - t27 + 0.013 * u_y;
+    const double half_square_by_38 = across_38_by_t - layer_1_y * layer_1_y_by_t;
+    const double across_38 = 0.5 * (layer_1_x * layer_1_x + layer_1_z * layer_1_z);
+    const double twice_across_6 = across_38 + across_38;
+    const double length_19 = sinew_sqrt(twice_across_6 + layer_1_y * layer_1_y);
+    const double length_19_by_t = half_square_by_38 / length_19;
     delta_theta_rate[19] = 200.0 * length_19_by_t;
-    static const double table31[18][2] = {{0.001, 0.001}, {0.003, 0.003}, {0.005, 0.004},
+    const double across_by_y_2_by_t = y_x * layer_1_x_by_t + y_z * layer_1_z_by_t - layer_1_x
+        * y_x_by_t - layer_1_z * y_z_by_t;
+    const double across_by_y_2 = y_x * layer_1_x + y_z * layer_1_z;
+    const double twice_across_8 = across_by_y_2 + across_by_y_2;
+    static const double table29[18][2] = {{0.001, 0.001}, {0.003, 0.003}, {0.005, 0.004},
         {0.006, 0.006}, {0.008, 0.008}, {0.009, 0.009}, {0.011, 0.011}, {0.013, 0.012},
         {0.014, 0.014}, {0.016, 0.016}, {0.017, 0.017}, {0.019, 0.019}, {0.021, 0.02},
         {0.022, 0.022}, {0.024, 0.024}, {0.025, 0.025}, {0.027, 0.027}, {0.029, 0.028}};
-    for (int i30 = 0; i30 < 18; ++i30) {
-        const double strand_x = layer_0_x - table31[i30][0] * y_x;
-        const double strand_x_by_t = layer_0_x_by_t + table31[i30][0] * y_x_by_t;
-        const double strand_y = table31[i30][1] + layer_0_y - table31[i30][0] * u_y;
-        const double strand_y_by_t = layer_0_y_by_t + table31[i30][0] * u_y_by_t;
-        const double strand_z = layer_0_z - table31[i30][0] * y_z;
-        const double strand_z_by_t = layer_0_z_by_t + table31[i30][0] * y_z_by_t;
-        const double t32 = strand_x * strand_x_by_t - strand_y * strand_y_by_t + strand_z
-            * strand_z_by_t;
-        const double length = sinew_sqrt(strand_x * strand_x + strand_y * strand_y + strand_z
-            * strand_z);
-        const double length_by_t = t32 / length;
-        delta_theta_rate[1 + i30] = 200.0 * length_by_t;
+    for (int i28 = 0; i28 < 18; ++i28) {
+        const double across_slope = across_by_y_by_t + table29[i28][0] * across_by_y_squared_by_t;
+        const double across_2 = across_by_t - table29[i28][0] * across_slope;
+        const double strand_y = table29[i28][1] + layer_0_y - table29[i28][0] * u_y;
+        const double half_square_by_2 = across_2 - strand_y * (layer_0_y_by_t + table29[i28][0]
+            * u_y_by_t);
+        const double across_3 = twice_across - table29[i28][0] * (twice_across_2 - table29[i28][0]
+            * twice_across_4);
+        const double length = sinew_sqrt(across_3 + strand_y * strand_y);
+        const double length_by_t = half_square_by_2 / length;
+        delta_theta_rate[1 + i28] = 200.0 * length_by_t;
     }
-    static const double table34[18][2] = {{0.002, 0.001}, {0.003, 0.003}, {0.005, 0.005},
+    static const double table31[18][2] = {{0.002, 0.001}, {0.003, 0.003}, {0.005, 0.005},
         {0.007, 0.006}, {0.008, 0.008}, {0.01, 0.009}, {0.011, 0.011}, {0.013, 0.013},
         {0.015, 0.014}, {0.016, 0.016}, {0.018, 0.017}, {0.019, 0.019}, {0.021, 0.021},
         {0.023, 0.022}, {0.024, 0.024}, {0.026, 0.025}, {0.027, 0.027}, {0.029, 0.029}};
-    for (int i33 = 0; i33 < 18; ++i33) {
-        const double strand_x_2 = layer_1_x - table34[i33][0] * y_x;
-        const double strand_x_by_t_2 = layer_1_x_by_t + table34[i33][0] * y_x_by_t;
-        const double strand_y_2 = table34[i33][1] + layer_1_y - table34[i33][0] * u_y;
-        const double strand_y_by_t_2 = layer_1_y_by_t + table34[i33][0] * u_y_by_t;
-        const double strand_z_2 = layer_1_z - table34[i33][0] * y_z;
-        const double strand_z_by_t_2 = layer_1_z_by_t + table34[i33][0] * y_z_by_t;
-        const double t35 = strand_x_2 * strand_x_by_t_2 - strand_y_2 * strand_y_by_t_2 + strand_z_2
-            * strand_z_by_t_2;
-        const double t36 = strand_x_2 * strand_x_2 + strand_y_2 * strand_y_2 + strand_z_2
-            * strand_z_2;
-        const double length_2 = sinew_sqrt(t36);
-        const double length_by_t_2 = t35 / length_2;
-        delta_theta_rate[20 + i33] = 200.0 * length_by_t_2;
+    for (int i30 = 0; i30 < 18; ++i30) {
+        const double across_slope_2 = across_by_y_2_by_t + table31[i30][0]
+            * across_by_y_squared_by_t;
+        const double across_4 = across_38_by_t - table31[i30][0] * across_slope_2;
+        const double strand_y_2 = table31[i30][1] + layer_1_y - table31[i30][0] * u_y;
+        const double strand_y_by = layer_1_y_by_t + table31[i30][0] * u_y_by_t;
+        const double half_square_by_3 = across_4 - strand_y_2 * strand_y_by;
+        const double across_slope_3 = twice_across_8 - table31[i30][0] * twice_across_4;
+        const double across_5 = twice_across_6 - table31[i30][0] * across_slope_3;
+        const double length_2 = sinew_sqrt(across_5 + strand_y_2 * strand_y_2);
+        const double length_by_t_2 = half_square_by_3 / length_2;
+        delta_theta_rate[20 + i30] = 200.0 * length_by_t_2;
     }
 }
 
@@ -2845,53 +1642,63 @@ void hand_wrist_passage(const double q_wrist[SINEW_AT_LEAST(2)], double h[SINEW_
     const double t29 = 0.01 * z_x_by_q73;
     const double y_x_by_q73 = cos_q71 * u_e_by_q73;
     const double layer_1_x_by_q73 = t28 - t29 - 0.013 * y_x_by_q73;
-    const double z_plane_x = u_y * cos_A;
-    const double t30 = cos_q71 * z_plane_x;
-    const double t31 = sin_q71 * sin_A;
-    const double z_x = t30 - t31;
-    const double M_x = cos_q71 * M_e;
-    const double x_plane_x = u_y * sin_A;
-    const double t32 = cos_q71 * x_plane_x;
-    const double t33 = sin_q71 * cos_A;
-    const double x_x = t32 + t33;
-    const double t34 = 0.004 - M_x + 0.018 * z_x + 0.004 * x_x;
-    const double t35 = 0.01 * z_x;
     const double y_x = cos_q71 * u_e;
-    const double t36 = 0.013 * y_x;
-    const double layer_1_x = t34 + t35 + t36;
-    const double x_plane_y_by_q73 = u_e * sin_A_by_q73 + sin_A * u_e_by_q73;
-    const double z_plane_y_by_q73 = u_e * cos_A_by_q73 + cos_A * u_e_by_q73;
-    const double origin_y_by_q73 = M_y_by_q73 - 0.018 * z_plane_y_by_q73;
-    const double t37 = origin_y_by_q73 - 0.004 * x_plane_y_by_q73;
-    const double t38 = 0.01 * z_plane_y_by_q73;
-    const double layer_1_y_by_q73 = t37 - t38 - 0.013 * u_y_by_q73;
-    const double z_plane_y = u_e * cos_A;
-    const double origin_y = M_y + 0.018 * z_plane_y;
-    const double x_plane_y = u_e * sin_A;
-    const double t39 = 0.004 * x_plane_y;
-    const double t40 = 0.01 * z_plane_y;
-    const double layer_1_y = 0.006 - origin_y - t39 - t40 + 0.013 * u_y;
     const double z_z_by_q73 = cos_q71 * sin_A_by_q73 + sin_q71 * z_plane_x_by_q73;
     const double M_z_by_q73 = sin_q71 * M_e_by_q73;
     const double origin_z_by_q73 = M_z_by_q73 - 0.018 * z_z_by_q73;
     const double x_z_by_q73 = cos_q71 * cos_A_by_q73 - sin_q71 * x_plane_x_by_q73;
-    const double t41 = origin_z_by_q73 + 0.004 * x_z_by_q73;
-    const double t42 = 0.01 * z_z_by_q73;
+    const double t30 = origin_z_by_q73 + 0.004 * x_z_by_q73;
+    const double t31 = 0.01 * z_z_by_q73;
     const double y_z_by_q73 = sin_q71 * u_e_by_q73;
-    const double layer_1_z_by_q73 = t41 - t42 - 0.013 * y_z_by_q73;
-    const double t43 = sin_q71 * z_plane_x;
-    const double t44 = cos_q71 * sin_A;
-    const double z_z = t44 + t43;
+    const double layer_1_z_by_q73 = t30 - t31 - 0.013 * y_z_by_q73;
+    const double y_z = sin_q71 * u_e;
+    const double z_plane_x = u_y * cos_A;
+    const double t32 = cos_q71 * z_plane_x;
+    const double t33 = sin_q71 * sin_A;
+    const double z_x = t32 - t33;
+    const double M_x = cos_q71 * M_e;
+    const double x_plane_x = u_y * sin_A;
+    const double t34 = cos_q71 * x_plane_x;
+    const double t35 = sin_q71 * cos_A;
+    const double x_x = t34 + t35;
+    const double t36 = 0.004 - M_x + 0.018 * z_x + 0.004 * x_x;
+    const double t37 = 0.01 * z_x;
+    const double t38 = 0.013 * y_x;
+    const double layer_1_x = t36 + t37 + t38;
+    const double t39 = sin_q71 * z_plane_x;
+    const double t40 = cos_q71 * sin_A;
+    const double z_z = t40 + t39;
     const double M_z = sin_q71 * M_e;
     const double origin_z = M_z - 0.018 * z_z;
-    const double t45 = sin_q71 * x_plane_x;
-    const double t46 = cos_q71 * cos_A;
-    const double x_z = t46 - t45;
-    const double t47 = 0.004 * x_z;
-    const double t48 = 0.01 * z_z;
-    const double y_z = sin_q71 * u_e;
-    const double t49 = 0.013 * y_z;
-    const double layer_1_z = 0.028 - origin_z - t47 + t48 + t49;
+    const double t41 = sin_q71 * x_plane_x;
+    const double t42 = cos_q71 * cos_A;
+    const double x_z = t42 - t41;
+    const double t43 = 0.004 * x_z;
+    const double t44 = 0.01 * z_z;
+    const double t45 = 0.013 * y_z;
+    const double layer_1_z = 0.028 - origin_z - t43 + t44 + t45;
+    const double across_by_y_2_by_q73 = y_x * layer_1_x_by_q73 + y_z * layer_1_z_by_q73 - layer_1_x
+        * y_x_by_q73 - layer_1_z * y_z_by_q73;
+    const double across_by_y_squared_by_q73 = y_x * y_x_by_q73 + y_z * y_z_by_q73;
+    const double across_38_by_q73 = layer_1_x * layer_1_x_by_q73 + layer_1_z * layer_1_z_by_q73;
+    const double x_plane_y_by_q73 = u_e * sin_A_by_q73 + sin_A * u_e_by_q73;
+    const double z_plane_y_by_q73 = u_e * cos_A_by_q73 + cos_A * u_e_by_q73;
+    const double origin_y_by_q73 = M_y_by_q73 - 0.018 * z_plane_y_by_q73;
+    const double t46 = origin_y_by_q73 - 0.004 * x_plane_y_by_q73;
+    const double t47 = 0.01 * z_plane_y_by_q73;
+    const double layer_1_y_by_q73 = t46 - t47 - 0.013 * u_y_by_q73;
+    const double z_plane_y = u_e * cos_A;
+    const double origin_y = M_y + 0.018 * z_plane_y;
+    const double x_plane_y = u_e * sin_A;
+    const double t48 = 0.004 * x_plane_y;
+    const double t49 = 0.01 * z_plane_y;
+    const double layer_1_y = 0.006 - origin_y - t48 - t49 + 0.013 * u_y;
+    const double across_38 = 0.5 * (layer_1_x * layer_1_x + layer_1_z * layer_1_z);
+    const double twice_across_6 = across_38 + across_38;
+    const double across_by_y_2 = y_x * layer_1_x + y_z * layer_1_z;
+    const double twice_across_8 = across_by_y_2 + across_by_y_2;
+    const double across_by_y_squared = 0.5 * (y_x * y_x + y_z * y_z);
+    const double twice_across_4 = across_by_y_squared + across_by_y_squared;
     const double p_y_by_q71 = u_y * p_z;
     const double reach_squared_by_q71 = sinew_choose(t11, -(t8 * p_y_by_q71 + (p_z + p_z)
         * p_z_by_q71), 0.0);
@@ -2909,116 +1716,1214 @@ void hand_wrist_passage(const double q_wrist[SINEW_AT_LEAST(2)], double h[SINEW_
     const double t51 = p_y * root_by_q71 - p_z * limited_by_q71 + limited * p_z_by_q71 - root
         * p_y_by_q71;
     const double sin_A_by_q71 = (t51 - sin_A * reach_squared_by_q71) * t25;
-    const double z_x_by_q71 = t44 - cos_q71 * z_plane_x_by_q71 + t43 + sin_q71 * sin_A_by_q71;
+    const double z_x_by_q71 = t40 - cos_q71 * z_plane_x_by_q71 + t39 + sin_q71 * sin_A_by_q71;
     const double origin_x_by_q71 = M_z - 0.018 * z_x_by_q71;
     const double x_plane_x_by_q71 = u_y * sin_A_by_q71;
-    const double x_x_by_q71 = t46 + cos_q71 * x_plane_x_by_q71 - t45 + sin_q71 * cos_A_by_q71;
+    const double x_x_by_q71 = t42 + cos_q71 * x_plane_x_by_q71 - t41 + sin_q71 * cos_A_by_q71;
     const double t52 = origin_x_by_q71 + 0.004 * x_x_by_q71;
     const double t53 = 0.01 * z_x_by_q71;
-    const double layer_1_x_by_q71 = t52 - t53 - t49;
+    const double layer_1_x_by_q71 = t52 - t53 - t45;
+    const double z_z_by_q71 = t32 + cos_q71 * sin_A_by_q71 - t33 + sin_q71 * z_plane_x_by_q71;
+    const double origin_z_by_q71 = M_x - 0.018 * z_z_by_q71;
+    const double x_z_by_q71 = t34 - cos_q71 * cos_A_by_q71 + t35 + sin_q71 * x_plane_x_by_q71;
+    const double t54 = origin_z_by_q71 - 0.004 * x_z_by_q71;
+    const double t55 = 0.01 * z_z_by_q71;
+    const double layer_1_z_by_q71 = t54 - t55 - t38;
+    const double across_by_y_2_by_q71 = y_x * (layer_1_z + layer_1_x_by_q71) - y_z * (layer_1_x
+        + layer_1_z_by_q71);
+    const double across_38_by_q71 = layer_1_x * layer_1_x_by_q71 - layer_1_z * layer_1_z_by_q71;
     const double z_plane_y_by_q71 = u_e * cos_A_by_q71;
     const double origin_y_by_q71 = 0.018 * z_plane_y_by_q71;
-    const double t54 = origin_y_by_q71 + 0.004 * u_e * sin_A_by_q71;
-    const double t55 = 0.01 * z_plane_y_by_q71;
-    const double layer_1_y_by_q71 = t54 + t55;
-    const double z_z_by_q71 = t30 + cos_q71 * sin_A_by_q71 - t31 + sin_q71 * z_plane_x_by_q71;
-    const double origin_z_by_q71 = M_x - 0.018 * z_z_by_q71;
-    const double x_z_by_q71 = t32 - cos_q71 * cos_A_by_q71 + t33 + sin_q71 * x_plane_x_by_q71;
-    const double t56 = origin_z_by_q71 - 0.004 * x_z_by_q71;
-    const double t57 = 0.01 * z_z_by_q71;
-    const double layer_1_z_by_q71 = t56 - t57 - t36;
-    const double t58 = 0.011 * y_x;
-    const double t59 = 0.011 * y_z;
-    const double t60 = layer_1_x * layer_1_x_by_q73 - layer_1_y * layer_1_y_by_q73 + layer_1_z
-        * layer_1_z_by_q73;
-    const double length_19 = sinew_sqrt(layer_1_x * layer_1_x + layer_1_y * layer_1_y + layer_1_z
-        * layer_1_z);
+    const double t56 = origin_y_by_q71 + 0.004 * u_e * sin_A_by_q71;
+    const double t57 = 0.01 * z_plane_y_by_q71;
+    const double layer_1_y_by_q71 = t56 + t57;
+    const double half_square_by_114 = across_38_by_q73 - layer_1_y * layer_1_y_by_q73;
+    const double length_19 = sinew_sqrt(twice_across_6 + layer_1_y * layer_1_y);
     h[19] = length_19;
-    const double t61 = 1.0 / length_19;
-    const double length_19_by_q73 = t60 * t61;
+    const double t58 = 1.0 / length_19;
+    const double length_19_by_q73 = half_square_by_114 * t58;
     P[39] = -length_19_by_q73;
-    const double t62 = layer_1_x * layer_1_x_by_q71 - layer_1_y * layer_1_y_by_q71 - layer_1_z
-        * layer_1_z_by_q71;
-    const double length_19_by_q71 = t62 * t61;
+    const double half_square_by_38 = across_38_by_q71 - layer_1_y * layer_1_y_by_q71;
+    const double length_19_by_q71 = half_square_by_38 * t58;
     P[38] = length_19_by_q71;
     const double layer_0_x_by_q73 = t28 + t29 - 0.011 * y_x_by_q73;
-    const double layer_0_x = t34 - t35 + t58;
-    const double layer_0_y_by_q73 = t37 + t38 - 0.011 * u_y_by_q73;
-    const double layer_0_y = 0.007 - origin_y - t39 + t40 + 0.011 * u_y;
-    const double layer_0_z_by_q73 = t41 + t42 - 0.011 * y_z_by_q73;
-    const double layer_0_z = 0.008 - origin_z - t47 - t48 + t59;
-    const double layer_0_x_by_q71 = t52 + t53 - t59;
-    const double layer_0_y_by_q71 = t54 - t55;
-    const double layer_0_z_by_q71 = t56 + t57 - t58;
-    const double t63 = layer_0_x * layer_0_x_by_q73 - layer_0_y * layer_0_y_by_q73 + layer_0_z
-        * layer_0_z_by_q73;
-    const double length_0 = sinew_sqrt(layer_0_x * layer_0_x + layer_0_y * layer_0_y + layer_0_z
-        * layer_0_z);
+    const double layer_0_z_by_q73 = t30 + t31 - 0.011 * y_z_by_q73;
+    const double t59 = 0.011 * y_x;
+    const double layer_0_x = t36 - t37 + t59;
+    const double t60 = 0.011 * y_z;
+    const double layer_0_z = 0.008 - origin_z - t43 - t44 + t60;
+    const double across_by_y_by_q73 = y_x * layer_0_x_by_q73 + y_z * layer_0_z_by_q73 - layer_0_x
+        * y_x_by_q73 - layer_0_z * y_z_by_q73;
+    const double across_by_q73 = layer_0_x * layer_0_x_by_q73 + layer_0_z * layer_0_z_by_q73;
+    const double layer_0_y_by_q73 = t46 + t47 - 0.011 * u_y_by_q73;
+    const double layer_0_y = 0.007 - origin_y - t48 + t49 + 0.011 * u_y;
+    const double across = 0.5 * (layer_0_x * layer_0_x + layer_0_z * layer_0_z);
+    const double twice_across = across + across;
+    const double across_by_y = y_x * layer_0_x + y_z * layer_0_z;
+    const double twice_across_2 = across_by_y + across_by_y;
+    const double layer_0_x_by_q71 = t52 + t53 - t60;
+    const double layer_0_z_by_q71 = t54 + t55 - t59;
+    const double across_by_y_by_q71 = y_x * (layer_0_z + layer_0_x_by_q71) - y_z * (layer_0_x
+        + layer_0_z_by_q71);
+    const double across_by_q71 = layer_0_x * layer_0_x_by_q71 - layer_0_z * layer_0_z_by_q71;
+    const double layer_0_y_by_q71 = t56 - t57;
+    const double half_square_by_76 = across_by_q73 - layer_0_y * layer_0_y_by_q73;
+    const double length_0 = sinew_sqrt(twice_across + layer_0_y * layer_0_y);
     h[0] = length_0;
-    const double t64 = 1.0 / length_0;
-    const double length_0_by_q73 = t63 * t64;
+    const double t61 = 1.0 / length_0;
+    const double length_0_by_q73 = half_square_by_76 * t61;
     P[1] = -length_0_by_q73;
-    const double t65 = layer_0_x * layer_0_x_by_q71 - layer_0_y * layer_0_y_by_q71 - layer_0_z
-        * layer_0_z_by_q71;
-    const double length_0_by_q71 = t65 * t64;
+    const double half_square_by = across_by_q71 - layer_0_y * layer_0_y_by_q71;
+    const double length_0_by_q71 = half_square_by * t61;
     P[0] = length_0_by_q71;
-    static const double table67[18][2] = {{0.001, 0.001}, {0.003, 0.003}, {0.005, 0.004},
+    static const double table63[18][2] = {{0.001, 0.001}, {0.003, 0.003}, {0.005, 0.004},
         {0.006, 0.006}, {0.008, 0.008}, {0.009, 0.009}, {0.011, 0.011}, {0.013, 0.012},
         {0.014, 0.014}, {0.016, 0.016}, {0.017, 0.017}, {0.019, 0.019}, {0.021, 0.02},
         {0.022, 0.022}, {0.024, 0.024}, {0.025, 0.025}, {0.027, 0.027}, {0.029, 0.028}};
-    for (int i66 = 0; i66 < 18; ++i66) {
-        const double t68 = table67[i66][0] * y_x;
-        const double strand_x = layer_0_x - t68;
-        const double t69 = table67[i66][0] * y_z;
-        const double strand_x_by_q71 = layer_0_x_by_q71 + t69;
-        const double strand_y = table67[i66][1] + layer_0_y - table67[i66][0] * u_y;
-        const double strand_z = layer_0_z - t69;
-        const double strand_z_by_q71 = layer_0_z_by_q71 + t68;
-        const double t70 = strand_x * strand_x_by_q71 - strand_y * layer_0_y_by_q71 - strand_z
-            * strand_z_by_q71;
-        const double length = sinew_sqrt(strand_x * strand_x + strand_y * strand_y + strand_z
-            * strand_z);
-        const double t71 = 1.0 / length;
-        const double length_by_q71 = t70 * t71;
-        const double strand_x_by_q73 = layer_0_x_by_q73 + table67[i66][0] * y_x_by_q73;
-        const double strand_y_by_q73 = layer_0_y_by_q73 + table67[i66][0] * u_y_by_q73;
-        const double strand_z_by_q73 = layer_0_z_by_q73 + table67[i66][0] * y_z_by_q73;
-        const double t72 = strand_x * strand_x_by_q73 - strand_y * strand_y_by_q73 + strand_z
-            * strand_z_by_q73;
-        const double length_by_q73 = t72 * t71;
-        P[2 + 2 * i66] = length_by_q71;
-        P[3 + 2 * i66] = -length_by_q73;
-        h[1 + i66] = length;
+    for (int i62 = 0; i62 < 18; ++i62) {
+        const double across_2 = across_by_q71 - table63[i62][0] * across_by_y_by_q71;
+        const double strand_y = table63[i62][1] + layer_0_y - table63[i62][0] * u_y;
+        const double half_square_by_2 = across_2 - strand_y * layer_0_y_by_q71;
+        const double across_3 = twice_across - table63[i62][0] * (twice_across_2 - table63[i62][0]
+            * twice_across_4);
+        const double length = sinew_sqrt(across_3 + strand_y * strand_y);
+        const double t64 = 1.0 / length;
+        const double length_by_q71 = half_square_by_2 * t64;
+        const double across_slope = across_by_y_by_q73 + table63[i62][0]
+            * across_by_y_squared_by_q73;
+        const double across_4 = across_by_q73 - table63[i62][0] * across_slope;
+        const double half_square_by_3 = across_4 - strand_y * (layer_0_y_by_q73 + table63[i62][0]
+            * u_y_by_q73);
+        const double length_by_q73 = half_square_by_3 * t64;
+        P[2 + 2 * i62] = length_by_q71;
+        P[3 + 2 * i62] = -length_by_q73;
+        h[1 + i62] = length;
     }
-    static const double table74[18][2] = {{0.002, 0.001}, {0.003, 0.003}, {0.005, 0.005},
+    static const double table66[18][2] = {{0.002, 0.001}, {0.003, 0.003}, {0.005, 0.005},
         {0.007, 0.006}, {0.008, 0.008}, {0.01, 0.009}, {0.011, 0.011}, {0.013, 0.013},
         {0.015, 0.014}, {0.016, 0.016}, {0.018, 0.017}, {0.019, 0.019}, {0.021, 0.021},
         {0.023, 0.022}, {0.024, 0.024}, {0.026, 0.025}, {0.027, 0.027}, {0.029, 0.029}};
-    for (int i73 = 0; i73 < 18; ++i73) {
-        const double t75 = table74[i73][0] * y_x;
-        const double strand_x_2 = layer_1_x - t75;
-        const double t76 = table74[i73][0] * y_z;
-        const double strand_x_by_q71_2 = layer_1_x_by_q71 + t76;
-        const double strand_y_2 = table74[i73][1] + layer_1_y - table74[i73][0] * u_y;
-        const double strand_z_2 = layer_1_z - t76;
-        const double strand_z_by_q71_2 = layer_1_z_by_q71 + t75;
-        const double t77 = strand_x_2 * strand_x_by_q71_2 - strand_y_2 * layer_1_y_by_q71
-            - strand_z_2 * strand_z_by_q71_2;
-        const double t78 = strand_x_2 * strand_x_2 + strand_y_2 * strand_y_2 + strand_z_2
-            * strand_z_2;
-        const double length_2 = sinew_sqrt(t78);
-        const double t79 = 1.0 / length_2;
-        const double length_by_q71_2 = t77 * t79;
-        const double strand_x_by_q73_2 = layer_1_x_by_q73 + table74[i73][0] * y_x_by_q73;
-        const double strand_y_by_q73_2 = layer_1_y_by_q73 + table74[i73][0] * u_y_by_q73;
-        const double strand_z_by_q73_2 = layer_1_z_by_q73 + table74[i73][0] * y_z_by_q73;
-        const double t80 = strand_x_2 * strand_x_by_q73_2 - strand_y_2 * strand_y_by_q73_2
-            + strand_z_2 * strand_z_by_q73_2;
-        const double length_by_q73_2 = t80 * t79;
-        P[40 + 2 * i73] = length_by_q71_2;
-        P[41 + 2 * i73] = -length_by_q73_2;
-        h[20 + i73] = length_2;
+    for (int i65 = 0; i65 < 18; ++i65) {
+        const double across_5 = across_38_by_q71 - table66[i65][0] * across_by_y_2_by_q71;
+        const double strand_y_2 = table66[i65][1] + layer_1_y - table66[i65][0] * u_y;
+        const double half_square_by_4 = across_5 - strand_y_2 * layer_1_y_by_q71;
+        const double across_slope_2 = twice_across_8 - table66[i65][0] * twice_across_4;
+        const double across_6 = twice_across_6 - table66[i65][0] * across_slope_2;
+        const double length_2 = sinew_sqrt(across_6 + strand_y_2 * strand_y_2);
+        const double t67 = 1.0 / length_2;
+        const double length_by_q71_2 = half_square_by_4 * t67;
+        const double across_slope_3 = across_by_y_2_by_q73 + table66[i65][0]
+            * across_by_y_squared_by_q73;
+        const double across_7 = across_38_by_q73 - table66[i65][0] * across_slope_3;
+        const double strand_y_by = layer_1_y_by_q73 + table66[i65][0] * u_y_by_q73;
+        const double half_square_by_5 = across_7 - strand_y_2 * strand_y_by;
+        const double length_by_q73_2 = half_square_by_5 * t67;
+        P[40 + 2 * i65] = length_by_q71_2;
+        P[41 + 2 * i65] = -length_by_q73_2;
+        h[20 + i65] = length_2;
     }
+}
+
+void hand_wrist_stiffness(const double q_wrist[SINEW_AT_LEAST(2)],
+    const double h[SINEW_AT_LEAST(38)], const double P[SINEW_AT_LEAST(76)],
+    const double f[SINEW_AT_LEAST(38)], const double kt[SINEW_AT_LEAST(38)],
+    double K_wrist[SINEW_AT_LEAST(4)])
+{
+    const struct sinew_sines2 sines1 = sinew_one_sincos2(q_wrist[0], q_wrist[1]);
+    const double sin_q71 = sines1.s[0];
+    const double cos_q71 = sines1.c[0];
+    const double sin_q73 = sines1.s[1];
+    const double cos_q73 = sines1.c[1];
+    const double B_e = 0.074565407529229 * sin_q73;
+    const double t2 = 23.80952380952381 * B_e;
+    const double B_y = 0.074565407529229 * cos_q73;
+    const double B_to_C0_squared_by_q73_by_q73 = 0.084 * B_y;
+    const double B_to_C0_squared = 0.007324 - B_to_C0_squared_by_q73_by_q73;
+    const double t3 = 1.0 / B_to_C0_squared;
+    const double B_to_C0_squared_by_q73 = 0.084 * B_e;
+    const double ratio = 0.003796 * t3;
+    const double ratio_by_q73 = ratio * B_to_C0_squared_by_q73 * t3;
+    const double C_e = B_e * ratio;
+    const double t4 = ratio * B_to_C0_squared_by_q73_by_q73 - (B_to_C0_squared_by_q73
+        + B_to_C0_squared_by_q73) * ratio_by_q73;
+    const double ratio_by_q73_by_q73 = t4 * t3;
+    const double C_e_by_q73_by_q73 = C_e + B_e * ratio_by_q73_by_q73 + (B_y + B_y) * ratio_by_q73;
+    const double u_e_by_q73_by_q73 = t2 - 23.80952380952381 * C_e_by_q73_by_q73;
+    const double u_e = t2 - 23.80952380952381 * C_e;
+    const double p_z = 0.036 * cos_q71;
+    const double t5 = p_z * p_z;
+    const double t6 = 0.5 * B_y;
+    const double t7 = 21.0 - 500.0 * B_y;
+    const double C_y = 0.002 * ratio * t7;
+    const double M_y = t6 - 0.5 * C_y;
+    const double s_y = 0.021 - M_y;
+    const double p_z_by_q71 = 0.036 * sin_q71;
+    const double t8 = 0.5 * B_e;
+    const double M_e = t8 + 0.5 * C_e;
+    const double s_e = M_e - p_z_by_q71;
+    const double t9 = 23.80952380952381 * B_y;
+    const double u_y = t9 + 23.80952380952381 * C_y;
+    const double p_y = u_e * s_y + u_y * s_e;
+    const double t10 = p_y * p_y;
+    const double reach_squared = sinew_max(t10 + t5, 1.296e-15);
+    const double t11 = 1.0 / reach_squared;
+    const double reach = sinew_sqrt(reach_squared);
+    const double p_x = u_e * s_e - u_y * s_y;
+    const double projection = 0.034722222222222224 - 13.88888888888889 * (reach_squared + p_x
+        * p_x);
+    const double t12 = sinew_max(-projection, -reach);
+    const double limited = sinew_min(t12, reach);
+    const double t13 = p_z * limited;
+    const double t14 = 1e-12 * reach_squared;
+    const double t15 = (reach + limited) * (reach - limited);
+    const double clearance = sinew_max(t15, t14);
+    const double root = sinew_sqrt(clearance);
+    const double sin_A = (p_y * root - t13) * t11;
+    const double t16 = p_z * root;
+    const double cos_A = (p_y * limited + t16) * t11;
+    const double t17 = B_y * ratio;
+    const double C_y_by_q73_by_q73 = t17 - 0.002 * ratio_by_q73_by_q73 * t7 - (B_e + B_e)
+        * ratio_by_q73;
+    const double u_y_by_q73_by_q73 = t9 - 23.80952380952381 * C_y_by_q73_by_q73;
+    const double z_plane_y = u_e * cos_A;
+    const double t18 = 0.01 * z_plane_y;
+    const double x_plane_y = u_e * sin_A;
+    const double t19 = 0.004 * x_plane_y;
+    const double origin_y = M_y + 0.018 * z_plane_y;
+    const double layer_0_y = 0.007 - origin_y - t19 + t18 + 0.011 * u_y;
+    const double layer_1_y = 0.006 - origin_y - t19 - t18 + 0.013 * u_y;
+    const double per_length_19 = f[19] / h[19];
+    const double pull_19_2 = layer_1_y * per_length_19;
+    const double C_e_by_q73 = B_e * ratio_by_q73 - t17;
+    const double u_e_by_q73 = t9 + 23.80952380952381 * C_e_by_q73;
+    const double t20 = u_e_by_q73 + u_e_by_q73;
+    const double t21 = -(1.296e-15 - t10 - t5);
+    const double t22 = p_y + p_y;
+    const double C_y_by_q73 = C_e - 0.002 * ratio_by_q73 * t7;
+    const double u_y_by_q73 = t2 - 23.80952380952381 * C_y_by_q73;
+    const double M_y_by_q73 = t8 + 0.5 * C_y_by_q73;
+    const double M_e_by_q73 = t6 - 0.5 * C_e_by_q73;
+    const double p_y_by_q73 = u_e * M_y_by_q73 + u_y * M_e_by_q73 - s_e * u_y_by_q73 + s_y
+        * u_e_by_q73;
+    const double reach_squared_by_q73 = sinew_choose(t21, t22 * p_y_by_q73, 0.0);
+    const double t23 = reach - t12;
+    const double t24 = 1.0 / reach;
+    const double reach_by_q73 = 0.5 * reach_squared_by_q73 * t24;
+    const double t25 = reach - projection;
+    const double t26 = sinew_choose(t25, 0.0, 1.0);
+    const double t27 = sinew_choose(t25, 1.0, 0.0);
+    const double t28 = 27.77777777777778 * p_x;
+    const double p_x_by_q73 = u_e * M_e_by_q73 - u_y * M_y_by_q73 + s_e * u_e_by_q73 + s_y
+        * u_y_by_q73;
+    const double projection_by_q73 = 13.88888888888889 * reach_squared_by_q73 + t28 * p_x_by_q73;
+    const double limited_by_q73 = sinew_choose(t23, -(reach_by_q73 * t26 - projection_by_q73 * t27),
+        reach_by_q73);
+    const double t29 = 1.0 / root;
+    const double t30 = -(t14 - t15);
+    const double t31 = reach + reach;
+    const double t32 = limited + limited;
+    const double clearance_by_q73 = sinew_choose(t30, t31 * reach_by_q73 - t32 * limited_by_q73,
+        1e-12 * reach_squared_by_q73);
+    const double root_by_q73 = 0.5 * clearance_by_q73 * t29;
+    const double t33 = p_y * limited_by_q73 + p_z * root_by_q73 + limited * p_y_by_q73 - cos_A
+        * reach_squared_by_q73;
+    const double cos_A_by_q73 = t33 * t11;
+    const double t34 = reach_squared_by_q73 + reach_squared_by_q73;
+    const double t35 = p_y_by_q73 + p_y_by_q73;
+    const double t36 = u_y_by_q73 + u_y_by_q73;
+    const double M_y_by_q73_by_q73 = t6 + 0.5 * C_y_by_q73_by_q73;
+    const double M_e_by_q73_by_q73 = t8 + 0.5 * C_e_by_q73_by_q73;
+    const double t37 = u_e * M_y_by_q73_by_q73 - u_y * M_e_by_q73_by_q73 - s_e * u_y_by_q73_by_q73;
+    const double p_y_by_q73_by_q73 = t37 - s_y * u_e_by_q73_by_q73 + t20 * M_y_by_q73 - t36
+        * M_e_by_q73;
+    const double reach_squared_by_q73_by_q73 = sinew_choose(t21, t35 * p_y_by_q73 + t22
+        * p_y_by_q73_by_q73, 0.0);
+    const double t38 = reach_by_q73 * reach_by_q73;
+    const double t39 = t38 + t38;
+    const double reach_by_q73_by_q73 = 0.5 * (reach_squared_by_q73_by_q73 - t39) * t24;
+    const double t40 = u_e * M_e_by_q73_by_q73 + u_y * M_y_by_q73_by_q73 + s_e * u_e_by_q73_by_q73;
+    const double p_x_by_q73_by_q73 = t40 - s_y * u_y_by_q73_by_q73 - t20 * M_e_by_q73 - t36
+        * M_y_by_q73;
+    const double t41 = 13.88888888888889 * reach_squared_by_q73_by_q73 + 27.77777777777778
+        * p_x_by_q73 * p_x_by_q73;
+    const double projection_by_q73_by_q73 = t41 - t28 * p_x_by_q73_by_q73;
+    const double limited_by_q73_by_q73 = sinew_choose(t23, -(reach_by_q73_by_q73 * t26
+        - projection_by_q73_by_q73 * t27), reach_by_q73_by_q73);
+    const double t42 = t39 - (limited_by_q73 + limited_by_q73) * limited_by_q73 + t31
+        * reach_by_q73_by_q73;
+    const double clearance_by_q73_by_q73 = sinew_choose(t30, t42 - t32 * limited_by_q73_by_q73,
+        1e-12 * reach_squared_by_q73_by_q73);
+    const double t43 = 0.5 * (clearance_by_q73_by_q73 - (root_by_q73 + root_by_q73) * root_by_q73);
+    const double root_by_q73_by_q73 = t43 * t29;
+    const double t44 = p_y * limited_by_q73_by_q73 + p_z * root_by_q73_by_q73 + limited
+        * p_y_by_q73_by_q73;
+    const double t45 = t44 - cos_A * reach_squared_by_q73_by_q73 + t35 * limited_by_q73 - t34
+        * cos_A_by_q73;
+    const double cos_A_by_q73_by_q73 = t45 * t11;
+    const double t46 = p_y * root_by_q73 - p_z * limited_by_q73 + root * p_y_by_q73 - sin_A
+        * reach_squared_by_q73;
+    const double sin_A_by_q73 = t46 * t11;
+    const double t47 = p_y * root_by_q73_by_q73 - p_z * limited_by_q73_by_q73 + root
+        * p_y_by_q73_by_q73;
+    const double t48 = t47 - sin_A * reach_squared_by_q73_by_q73 + t35 * root_by_q73 - t34
+        * sin_A_by_q73;
+    const double sin_A_by_q73_by_q73 = t48 * t11;
+    const double per_length_0 = f[0] / h[0];
+    const double pull_0 = layer_0_y * per_length_0;
+    const double t49 = p_z + p_z;
+    const double p_y_by_q71 = u_y * p_z;
+    const double reach_squared_by_q71 = sinew_choose(t21, -(t22 * p_y_by_q71 + t49 * p_z_by_q71),
+        0.0);
+    const double reach_by_q71 = 0.5 * reach_squared_by_q71 * t24;
+    const double p_x_by_q71 = u_e * p_z;
+    const double projection_by_q71 = 13.88888888888889 * reach_squared_by_q71 - t28 * p_x_by_q71;
+    const double limited_by_q71 = sinew_choose(t23, -(reach_by_q71 * t26 - projection_by_q71 * t27),
+        reach_by_q71);
+    const double clearance_by_q71 = sinew_choose(t30, t31 * reach_by_q71 - t32 * limited_by_q71,
+        1e-12 * reach_squared_by_q71);
+    const double root_by_q71 = 0.5 * clearance_by_q71 * t29;
+    const double t50 = p_y * limited_by_q71 + p_z * root_by_q71 - limited * p_y_by_q71 - root
+        * p_z_by_q71;
+    const double cos_A_by_q71 = (t50 - cos_A * reach_squared_by_q71) * t11;
+    const double p_y_by_q71_by_q73 = p_z * u_y_by_q73;
+    const double t51 = p_y_by_q71 + p_y_by_q71;
+    const double reach_squared_by_q71_by_q73 = sinew_choose(t21, t22 * p_y_by_q71_by_q73 - t51
+        * p_y_by_q73, 0.0);
+    const double t52 = (reach_by_q71 + reach_by_q71) * reach_by_q73;
+    const double reach_by_q71_by_q73 = 0.5 * (reach_squared_by_q71_by_q73 - t52) * t24;
+    const double t53 = 27.77777777777778 * p_x_by_q71;
+    const double projection_by_q71_by_q73 = 13.88888888888889 * reach_squared_by_q71_by_q73 - t28
+        * p_z * u_e_by_q73 - t53 * p_x_by_q73;
+    const double limited_by_q71_by_q73 = sinew_choose(t23, -(reach_by_q71_by_q73 * t26
+        - projection_by_q71_by_q73 * t27), reach_by_q71_by_q73);
+    const double t54 = limited_by_q71 + limited_by_q71;
+    const double t55 = t31 * reach_by_q71_by_q73 - t32 * limited_by_q71_by_q73 + t52 - t54
+        * limited_by_q73;
+    const double clearance_by_q71_by_q73 = sinew_choose(t30, t55, 1e-12
+        * reach_squared_by_q71_by_q73);
+    const double t56 = root_by_q71 + root_by_q71;
+    const double root_by_q71_by_q73 = 0.5 * (clearance_by_q71_by_q73 - t56 * root_by_q73) * t29;
+    const double t57 = p_y * limited_by_q71_by_q73 + p_z * root_by_q71_by_q73 + limited
+        * p_y_by_q71_by_q73;
+    const double t58 = t57 - cos_A * reach_squared_by_q71_by_q73 - p_y_by_q71 * limited_by_q73
+        - p_z_by_q71 * root_by_q73;
+    const double t59 = t58 - reach_squared_by_q71 * cos_A_by_q73 + limited_by_q71 * p_y_by_q73
+        - cos_A_by_q71 * reach_squared_by_q73;
+    const double cos_A_by_q71_by_q73 = t59 * t11;
+    const double t60 = p_y * root_by_q71 - p_z * limited_by_q71 + limited * p_z_by_q71 - root
+        * p_y_by_q71;
+    const double sin_A_by_q71 = (t60 - sin_A * reach_squared_by_q71) * t11;
+    const double t61 = p_y * root_by_q71_by_q73 - p_z * limited_by_q71_by_q73 + root
+        * p_y_by_q71_by_q73;
+    const double t62 = t61 - sin_A * reach_squared_by_q71_by_q73 - p_y_by_q71 * root_by_q73
+        + p_z_by_q71 * limited_by_q73;
+    const double t63 = t62 - reach_squared_by_q71 * sin_A_by_q73 + root_by_q71 * p_y_by_q73
+        - sin_A_by_q71 * reach_squared_by_q73;
+    const double sin_A_by_q71_by_q73 = t63 * t11;
+    const double t64 = reach_squared_by_q71 + reach_squared_by_q71;
+    const double t65 = p_z_by_q71 + p_z_by_q71;
+    const double t66 = p_y_by_q71 * p_y_by_q71 + p_z_by_q71 * p_z_by_q71;
+    const double p_y_by_q71_by_q71 = u_y * p_z_by_q71;
+    const double reach_squared_by_q71_by_q71 = sinew_choose(t21, t66 + t66 + t22 * p_y_by_q71_by_q71
+        - t49 * p_z, 0.0);
+    const double t67 = reach_by_q71 * reach_by_q71;
+    const double t68 = t67 + t67;
+    const double reach_by_q71_by_q71 = 0.5 * (reach_squared_by_q71_by_q71 - t68) * t24;
+    const double projection_by_q71_by_q71 = 13.88888888888889 * reach_squared_by_q71_by_q71 + t53
+        * p_x_by_q71 + t28 * u_e * p_z_by_q71;
+    const double limited_by_q71_by_q71 = sinew_choose(t23, -(reach_by_q71_by_q71 * t26
+        - projection_by_q71_by_q71 * t27), reach_by_q71_by_q71);
+    const double t69 = t68 - t54 * limited_by_q71 + t31 * reach_by_q71_by_q71 - t32
+        * limited_by_q71_by_q71;
+    const double clearance_by_q71_by_q71 = sinew_choose(t30, t69, 1e-12
+        * reach_squared_by_q71_by_q71);
+    const double root_by_q71_by_q71 = 0.5 * (clearance_by_q71_by_q71 - t56 * root_by_q71) * t29;
+    const double t70 = p_y * limited_by_q71_by_q71 - t16 + p_z * root_by_q71_by_q71 + limited
+        * p_y_by_q71_by_q71;
+    const double t71 = t70 - cos_A * reach_squared_by_q71_by_q71 - t51 * limited_by_q71 - t65
+        * root_by_q71;
+    const double cos_A_by_q71_by_q71 = (t71 - t64 * cos_A_by_q71) * t11;
+    const double t72 = p_y * root_by_q71_by_q71 + t13 - p_z * limited_by_q71_by_q71 + root
+        * p_y_by_q71_by_q71;
+    const double t73 = t72 - sin_A * reach_squared_by_q71_by_q71 - t51 * root_by_q71 + t65
+        * limited_by_q71;
+    const double sin_A_by_q71_by_q71 = (t73 - t64 * sin_A_by_q71) * t11;
+    static const double table83[18][3] = {{0.001, 0.001, 0.002}, {0.003, 0.003, 0.003},
+        {0.004, 0.005, 0.005}, {0.006, 0.006, 0.007}, {0.008, 0.008, 0.008},
+        {0.009, 0.009, 0.01}, {0.011, 0.011, 0.011}, {0.012, 0.013, 0.013},
+        {0.014, 0.014, 0.015}, {0.016, 0.016, 0.016}, {0.017, 0.017, 0.018},
+        {0.019, 0.019, 0.019}, {0.02, 0.021, 0.021}, {0.022, 0.022, 0.023},
+        {0.024, 0.024, 0.024}, {0.025, 0.025, 0.026}, {0.027, 0.027, 0.027},
+        {0.028, 0.029, 0.029}};
+    double sum75 = -0.0;
+    double sum76 = pull_0;
+    double sum77 = -0.0;
+    double sum78 = -0.0;
+    double sum79 = -0.0;
+    double sum80 = pull_19_2;
+    double sum81 = -0.0;
+    double sum82 = -0.0;
+    for (int i74 = 0; i74 < 18; ++i74) {
+        const double before84 = sum75;
+        const double before85 = sum76;
+        const double before86 = sum77;
+        const double before87 = sum78;
+        const double before88 = sum79;
+        const double before89 = sum80;
+        const double before90 = sum81;
+        const double before91 = sum82;
+        const double strand_y = table83[i74][0] + layer_0_y - table83[i74][1] * u_y;
+        const double per_length = f[1 + i74] / h[1 + i74];
+        const double t92 = table83[i74][1] * per_length;
+        const double pull_by_y_along = strand_y * t92;
+        const double pull = strand_y * per_length;
+        const double strand_y_2 = table83[i74][1] + layer_1_y - table83[i74][2] * u_y;
+        const double per_length_2 = f[20 + i74] / h[20 + i74];
+        const double t93 = table83[i74][2] * per_length_2;
+        const double pull_by_y_along_2 = strand_y_2 * t93;
+        sum75 = before84 + pull_by_y_along;
+        sum76 = before85 + pull;
+        sum77 = before86 + table83[i74][1] * t92;
+        sum78 = before87 + t92;
+        sum79 = before88 + pull_by_y_along_2;
+        sum80 = before89 + strand_y_2 * per_length_2;
+        sum81 = before90 + table83[i74][2] * t93;
+        sum82 = before91 + t93;
+    }
+    double sum95 = -0.0;
+    double sum96 = -0.0;
+    double sum97 = -0.0;
+    double sum98 = -0.0;
+    double sum99 = -0.0;
+    double sum100 = -0.0;
+    double sum101 = -0.0;
+    double sum102 = -0.0;
+    for (int i94 = 0; i94 < 19; ++i94) {
+        const double before103 = sum95;
+        const double before104 = sum96;
+        const double before105 = sum97;
+        const double before106 = sum98;
+        const double before107 = sum99;
+        const double before108 = sum100;
+        const double before109 = sum101;
+        const double before110 = sum102;
+        const double per_length_3 = f[i94] / h[i94];
+        const double t111 = kt[i94] - per_length_3;
+        const double K = P[2 * i94] * P[1 + 2 * i94] * t111;
+        const double per_length_4 = f[19 + i94] / h[19 + i94];
+        const double across = kt[19 + i94] - per_length_4;
+        const double K_2 = P[38 + 2 * i94] * P[39 + 2 * i94] * across;
+        sum95 = before103 + t111 * P[2 * i94] * P[2 * i94];
+        sum96 = before104 + K;
+        sum97 = before105 + t111 * P[1 + 2 * i94] * P[1 + 2 * i94];
+        sum98 = before106 + per_length_3;
+        sum99 = before107 + across * P[38 + 2 * i94] * P[38 + 2 * i94];
+        sum100 = before108 + K_2;
+        sum101 = before109 + across * P[39 + 2 * i94] * P[39 + 2 * i94];
+        sum102 = before110 + per_length_4;
+    }
+    const double y_z_by_q73_by_q73 = sin_q71 * u_e_by_q73_by_q73;
+    const double y_z = sin_q71 * u_e;
+    const double t112 = 0.013 * y_z;
+    const double t113 = cos_q71 * sin_A;
+    const double z_plane_x = u_y * cos_A;
+    const double t114 = sin_q71 * z_plane_x;
+    const double z_z = t113 + t114;
+    const double t115 = 0.01 * z_z;
+    const double t116 = cos_q71 * cos_A;
+    const double x_plane_x = u_y * sin_A;
+    const double t117 = sin_q71 * x_plane_x;
+    const double x_z = t116 - t117;
+    const double t118 = 0.004 * x_z;
+    const double M_z = sin_q71 * M_e;
+    const double origin_z = M_z - 0.018 * z_z;
+    const double layer_1_z = 0.028 - origin_z - t118 + t115 + t112;
+    const double t119 = sum77 + sum81;
+    const double t120 = 0.011 * y_z;
+    const double layer_0_z = 0.008 - origin_z - t118 - t115 + t120;
+    const double pull_axis_z_4 = y_z * t119 - layer_0_z * sum78 - layer_1_z * sum82;
+    const double pull_axis_y_4 = sum75 + sum79;
+    const double y_x_by_q73_by_q73 = cos_q71 * u_e_by_q73_by_q73;
+    const double y_x = cos_q71 * u_e;
+    const double t121 = 0.013 * y_x;
+    const double t122 = sin_q71 * sin_A;
+    const double t123 = cos_q71 * z_plane_x;
+    const double z_x = t123 - t122;
+    const double t124 = 0.01 * z_x;
+    const double t125 = sin_q71 * cos_A;
+    const double t126 = cos_q71 * x_plane_x;
+    const double x_x = t126 + t125;
+    const double M_x = cos_q71 * M_e;
+    const double t127 = 0.004 - M_x + 0.018 * z_x + 0.004 * x_x;
+    const double layer_1_x = t127 + t124 + t121;
+    const double t128 = 0.011 * y_x;
+    const double layer_0_x = t127 - t124 + t128;
+    const double pull_axis_x_4 = y_x * t119 - layer_0_x * sum78 - layer_1_x * sum82;
+    const double z_plane_y_by_q73_by_q73 = u_e * cos_A_by_q73_by_q73 - cos_A * u_e_by_q73_by_q73
+        + t20 * cos_A_by_q73;
+    const double t129 = 0.01 * z_plane_y_by_q73_by_q73;
+    const double origin_y_by_q73_by_q73 = M_y_by_q73_by_q73 - 0.018 * z_plane_y_by_q73_by_q73;
+    const double x_plane_y_by_q73_by_q73 = u_e * sin_A_by_q73_by_q73 - sin_A * u_e_by_q73_by_q73
+        + t20 * sin_A_by_q73;
+    const double t130 = origin_y_by_q73_by_q73 - 0.004 * x_plane_y_by_q73_by_q73;
+    const double layer_1_y_by_q73_by_q73 = t130 - t129 - 0.013 * u_y_by_q73_by_q73;
+    const double y_z_by_q71_by_q73 = cos_q71 * u_e_by_q73;
+    const double t131 = y_z_by_q71_by_q73 + y_z_by_q71_by_q73;
+    const double t132 = 0.013 * y_z_by_q71_by_q73;
+    const double t133 = sin_q71 * sin_A_by_q73;
+    const double z_plane_x_by_q73 = u_y * cos_A_by_q73 - cos_A * u_y_by_q73;
+    const double t134 = cos_q71 * z_plane_x_by_q73;
+    const double z_x_by_q73 = t134 - t133;
+    const double t135 = 0.01 * z_x_by_q73;
+    const double t136 = sin_q71 * cos_A_by_q73;
+    const double x_plane_x_by_q73 = u_y * sin_A_by_q73 - sin_A * u_y_by_q73;
+    const double t137 = cos_q71 * x_plane_x_by_q73;
+    const double x_x_by_q73 = t137 + t136;
+    const double M_z_by_q71_by_q73 = cos_q71 * M_e_by_q73;
+    const double origin_x_by_q73 = M_z_by_q71_by_q73 - 0.018 * z_x_by_q73;
+    const double t138 = origin_x_by_q73 - 0.004 * x_x_by_q73;
+    const double layer_1_x_by_q73 = t138 - t135 - t132;
+    const double z_plane_y_by_q73 = u_e * cos_A_by_q73 + cos_A * u_e_by_q73;
+    const double t139 = 0.01 * z_plane_y_by_q73;
+    const double origin_y_by_q73 = M_y_by_q73 - 0.018 * z_plane_y_by_q73;
+    const double x_plane_y_by_q73 = u_e * sin_A_by_q73 + sin_A * u_e_by_q73;
+    const double t140 = origin_y_by_q73 - 0.004 * x_plane_y_by_q73;
+    const double layer_1_y_by_q73 = t140 - t139 - 0.013 * u_y_by_q73;
+    const double y_x_by_q71_by_q73 = sin_q71 * u_e_by_q73;
+    const double t141 = y_x_by_q71_by_q73 + y_x_by_q71_by_q73;
+    const double t142 = 0.013 * y_x_by_q71_by_q73;
+    const double t143 = cos_q71 * sin_A_by_q73;
+    const double t144 = sin_q71 * z_plane_x_by_q73;
+    const double z_z_by_q73 = t143 + t144;
+    const double t145 = 0.01 * z_z_by_q73;
+    const double t146 = cos_q71 * cos_A_by_q73;
+    const double t147 = sin_q71 * x_plane_x_by_q73;
+    const double x_z_by_q73 = t146 - t147;
+    const double M_x_by_q71_by_q73 = sin_q71 * M_e_by_q73;
+    const double origin_z_by_q73 = M_x_by_q71_by_q73 - 0.018 * z_z_by_q73;
+    const double t148 = origin_z_by_q73 + 0.004 * x_z_by_q73;
+    const double layer_1_z_by_q73 = t148 - t145 - t142;
+    const double mixed_10 = t36 * layer_1_y_by_q73 + t141 * layer_1_z_by_q73 + t131
+        * layer_1_x_by_q73;
+    const double t149 = layer_1_x_by_q73 * layer_1_x_by_q73 + layer_1_y_by_q73 * layer_1_y_by_q73;
+    const double along_10 = t149 + layer_1_z_by_q73 * layer_1_z_by_q73;
+    const double layer_0_y_by_q73_by_q73 = t130 + t129 - 0.011 * u_y_by_q73_by_q73;
+    const double t150 = 0.011 * y_z_by_q71_by_q73;
+    const double layer_0_x_by_q73 = t138 + t135 - t150;
+    const double layer_0_y_by_q73 = t140 + t139 - 0.011 * u_y_by_q73;
+    const double t151 = 0.011 * y_x_by_q71_by_q73;
+    const double layer_0_z_by_q73 = t148 + t145 - t151;
+    const double mixed_8 = t36 * layer_0_y_by_q73 + t141 * layer_0_z_by_q73 + t131
+        * layer_0_x_by_q73;
+    const double turned_8 = u_y_by_q73 * u_y_by_q73 + y_x_by_q71_by_q73 * y_x_by_q71_by_q73
+        + y_z_by_q71_by_q73 * y_z_by_q71_by_q73;
+    const double t152 = layer_0_x_by_q73 * layer_0_x_by_q73 + layer_0_y_by_q73 * layer_0_y_by_q73;
+    const double along_8 = t152 + layer_0_z_by_q73 * layer_0_z_by_q73;
+    const double pull_x = y_x * sum78 - layer_0_x * sum98;
+    const double z_plane_x_by_q73_by_q73 = u_y * cos_A_by_q73_by_q73 - cos_A * u_y_by_q73_by_q73
+        - t36 * cos_A_by_q73;
+    const double z_x_by_q73_by_q73 = cos_q71 * z_plane_x_by_q73_by_q73 - sin_q71
+        * sin_A_by_q73_by_q73;
+    const double t153 = 0.01 * z_x_by_q73_by_q73;
+    const double M_x_by_q73_by_q73 = cos_q71 * M_e_by_q73_by_q73;
+    const double origin_x_by_q73_by_q73 = M_x_by_q73_by_q73 + 0.018 * z_x_by_q73_by_q73;
+    const double x_plane_x_by_q73_by_q73 = u_y * sin_A_by_q73_by_q73 - sin_A * u_y_by_q73_by_q73
+        - t36 * sin_A_by_q73;
+    const double x_x_by_q73_by_q73 = cos_q71 * x_plane_x_by_q73_by_q73 + sin_q71
+        * cos_A_by_q73_by_q73;
+    const double t154 = origin_x_by_q73_by_q73 + 0.004 * x_x_by_q73_by_q73;
+    const double layer_0_x_by_q73_by_q73 = t154 - t153 - 0.011 * y_x_by_q73_by_q73;
+    const double t155 = turned_8 * t119 + sum97 + sum101 + sum98 * along_8 + sum78 * mixed_8
+        - pull_x * layer_0_x_by_q73_by_q73;
+    const double pull_z = y_z * sum78 - layer_0_z * sum98;
+    const double z_z_by_q73_by_q73 = cos_q71 * sin_A_by_q73_by_q73 + sin_q71
+        * z_plane_x_by_q73_by_q73;
+    const double t156 = 0.01 * z_z_by_q73_by_q73;
+    const double M_z_by_q73_by_q73 = sin_q71 * M_e_by_q73_by_q73;
+    const double origin_z_by_q73_by_q73 = M_z_by_q73_by_q73 + 0.018 * z_z_by_q73_by_q73;
+    const double x_z_by_q73_by_q73 = cos_q71 * cos_A_by_q73_by_q73 - sin_q71
+        * x_plane_x_by_q73_by_q73;
+    const double t157 = origin_z_by_q73_by_q73 - 0.004 * x_z_by_q73_by_q73;
+    const double layer_0_z_by_q73_by_q73 = t157 - t156 - 0.011 * y_z_by_q73_by_q73;
+    const double t158 = t155 + sum76 * layer_0_y_by_q73_by_q73 - pull_z * layer_0_z_by_q73_by_q73;
+    const double pull_x_2 = y_x * sum82 - layer_1_x * sum102;
+    const double layer_1_x_by_q73_by_q73 = t154 + t153 - 0.013 * y_x_by_q73_by_q73;
+    const double t159 = t158 + sum102 * along_10 + sum82 * mixed_10 - pull_x_2
+        * layer_1_x_by_q73_by_q73;
+    const double pull_z_2 = y_z * sum82 - layer_1_z * sum102;
+    const double layer_1_z_by_q73_by_q73 = t157 + t156 - 0.013 * y_z_by_q73_by_q73;
+    const double t160 = t159 + sum80 * layer_1_y_by_q73_by_q73 - pull_z_2 * layer_1_z_by_q73_by_q73;
+    const double t161 = t160 - pull_axis_x_4 * y_x_by_q73_by_q73 + pull_axis_y_4
+        * u_y_by_q73_by_q73;
+    const double z_plane_y_by_q71_by_q73 = u_e * cos_A_by_q71_by_q73 + cos_A_by_q71 * u_e_by_q73;
+    const double t162 = 0.01 * z_plane_y_by_q71_by_q73;
+    const double origin_y_by_q71_by_q73 = 0.018 * z_plane_y_by_q71_by_q73;
+    const double x_plane_y_by_q71_by_q73 = u_e * sin_A_by_q71_by_q73 + sin_A_by_q71 * u_e_by_q73;
+    const double t163 = origin_y_by_q71_by_q73 + 0.004 * x_plane_y_by_q71_by_q73;
+    const double layer_1_y_by_q71_by_q73 = t163 + t162;
+    const double z_plane_x_by_q71 = u_y * cos_A_by_q71;
+    const double z_x_by_q71 = t113 - cos_q71 * z_plane_x_by_q71 + t114 + sin_q71 * sin_A_by_q71;
+    const double t164 = 0.01 * z_x_by_q71;
+    const double x_plane_x_by_q71 = u_y * sin_A_by_q71;
+    const double x_x_by_q71 = t116 + cos_q71 * x_plane_x_by_q71 - t117 + sin_q71 * cos_A_by_q71;
+    const double origin_x_by_q71 = M_z - 0.018 * z_x_by_q71;
+    const double t165 = origin_x_by_q71 + 0.004 * x_x_by_q71;
+    const double layer_1_x_by_q71 = t165 - t164 - t112;
+    const double z_z_by_q71 = t123 + cos_q71 * sin_A_by_q71 - t122 + sin_q71 * z_plane_x_by_q71;
+    const double t166 = 0.01 * z_z_by_q71;
+    const double x_z_by_q71 = t126 - cos_q71 * cos_A_by_q71 + t125 + sin_q71 * x_plane_x_by_q71;
+    const double origin_z_by_q71 = M_x - 0.018 * z_z_by_q71;
+    const double t167 = origin_z_by_q71 - 0.004 * x_z_by_q71;
+    const double layer_1_z_by_q71 = t167 - t166 - t121;
+    const double z_plane_y_by_q71 = u_e * cos_A_by_q71;
+    const double t168 = 0.01 * z_plane_y_by_q71;
+    const double origin_y_by_q71 = 0.018 * z_plane_y_by_q71;
+    const double t169 = 0.004 * u_e;
+    const double t170 = origin_y_by_q71 + t169 * sin_A_by_q71;
+    const double layer_1_y_by_q71 = t170 + t168;
+    const double t171 = y_x * layer_1_z_by_q73 - y_z * layer_1_x_by_q73 - u_y_by_q73
+        * layer_1_y_by_q71;
+    const double mixed_2 = t171 + y_x_by_q71_by_q73 * layer_1_z_by_q71 - y_z_by_q71_by_q73
+        * layer_1_x_by_q71;
+    const double t172 = layer_1_x_by_q71 * layer_1_x_by_q73 + layer_1_y_by_q71 * layer_1_y_by_q73;
+    const double along_2 = t172 - layer_1_z_by_q71 * layer_1_z_by_q73;
+    const double layer_0_y_by_q71_by_q73 = t163 - t162;
+    const double layer_0_z_by_q71 = t167 + t166 - t128;
+    const double layer_0_y_by_q71 = t170 - t168;
+    const double layer_0_x_by_q71 = t165 + t164 - t120;
+    const double t173 = y_x * layer_0_z_by_q73 - y_z * layer_0_x_by_q73 - layer_0_x_by_q71
+        * y_z_by_q71_by_q73;
+    const double mixed = t173 - layer_0_y_by_q71 * u_y_by_q73 + layer_0_z_by_q71
+        * y_x_by_q71_by_q73;
+    const double turned = y_x * y_x_by_q71_by_q73 - y_z * y_z_by_q71_by_q73;
+    const double t174 = layer_0_x_by_q71 * layer_0_x_by_q73 + layer_0_y_by_q71 * layer_0_y_by_q73;
+    const double along = t174 - layer_0_z_by_q71 * layer_0_z_by_q73;
+    const double z_plane_x_by_q71_by_q73 = u_y * cos_A_by_q71_by_q73 - cos_A_by_q71 * u_y_by_q73;
+    const double z_x_by_q71_by_q73 = t143 - cos_q71 * z_plane_x_by_q71_by_q73 + sin_q71
+        * sin_A_by_q71_by_q73 + t144;
+    const double t175 = 0.01 * z_x_by_q71_by_q73;
+    const double x_plane_x_by_q71_by_q73 = u_y * sin_A_by_q71_by_q73 - sin_A_by_q71 * u_y_by_q73;
+    const double x_x_by_q71_by_q73 = t146 + cos_q71 * x_plane_x_by_q71_by_q73 - t147 + sin_q71
+        * cos_A_by_q71_by_q73;
+    const double origin_x_by_q71_by_q73 = M_x_by_q71_by_q73 - 0.018 * z_x_by_q71_by_q73;
+    const double t176 = origin_x_by_q71_by_q73 + 0.004 * x_x_by_q71_by_q73;
+    const double layer_0_x_by_q71_by_q73 = t176 + t175 - t151;
+    const double t177 = turned * t119 + sum96 + sum100 - sum98 * along + sum78 * mixed - pull_x
+        * layer_0_x_by_q71_by_q73;
+    const double z_z_by_q71_by_q73 = cos_q71 * sin_A_by_q71_by_q73 + t134 - t133 + sin_q71
+        * z_plane_x_by_q71_by_q73;
+    const double t178 = 0.01 * z_z_by_q71_by_q73;
+    const double x_z_by_q71_by_q73 = t137 - cos_q71 * cos_A_by_q71_by_q73 + t136 + sin_q71
+        * x_plane_x_by_q71_by_q73;
+    const double origin_z_by_q71_by_q73 = M_z_by_q71_by_q73 - 0.018 * z_z_by_q71_by_q73;
+    const double t179 = origin_z_by_q71_by_q73 - 0.004 * x_z_by_q71_by_q73;
+    const double layer_0_z_by_q71_by_q73 = t179 + t178 - t150;
+    const double t180 = t177 - sum76 * layer_0_y_by_q71_by_q73 + pull_z * layer_0_z_by_q71_by_q73;
+    const double layer_1_x_by_q71_by_q73 = t176 - t175 - t142;
+    const double t181 = t180 - sum102 * along_2 + sum82 * mixed_2 - pull_x_2
+        * layer_1_x_by_q71_by_q73;
+    const double layer_1_z_by_q71_by_q73 = t179 - t178 - t132;
+    const double t182 = t181 - sum80 * layer_1_y_by_q71_by_q73 + pull_z_2 * layer_1_z_by_q71_by_q73;
+    const double K_01 = t182 - y_x_by_q71_by_q73 * pull_axis_x_4 + y_z_by_q71_by_q73
+        * pull_axis_z_4;
+    const double z_plane_y_by_q71_by_q71 = u_e * cos_A_by_q71_by_q71;
+    const double t183 = 0.01 * z_plane_y_by_q71_by_q71;
+    const double origin_y_by_q71_by_q71 = 0.018 * z_plane_y_by_q71_by_q71;
+    const double t184 = origin_y_by_q71_by_q71 + t169 * sin_A_by_q71_by_q71;
+    const double layer_1_y_by_q71_by_q71 = t184 + t183;
+    const double t185 = y_x + y_x;
+    const double t186 = y_z + y_z;
+    const double mixed_6 = t185 * layer_1_z_by_q71 + t186 * layer_1_x_by_q71;
+    const double t187 = layer_1_x_by_q71 * layer_1_x_by_q71 + layer_1_y_by_q71 * layer_1_y_by_q71;
+    const double along_6 = t187 + layer_1_z_by_q71 * layer_1_z_by_q71;
+    const double layer_0_y_by_q71_by_q71 = t184 - t183;
+    const double mixed_4 = t185 * layer_0_z_by_q71 + t186 * layer_0_x_by_q71;
+    const double turned_4 = y_x * y_x + y_z * y_z;
+    const double t188 = turned_4 * t119 + sum95 + sum99 - y_x * pull_axis_x_4 - y_z * pull_axis_z_4;
+    const double t189 = layer_0_x_by_q71 * layer_0_x_by_q71 + layer_0_y_by_q71 * layer_0_y_by_q71;
+    const double along_4 = t189 + layer_0_z_by_q71 * layer_0_z_by_q71;
+    const double t190 = sin_q71 + sin_q71;
+    const double t191 = cos_q71 + cos_q71;
+    const double z_plane_x_by_q71_by_q71 = u_y * cos_A_by_q71_by_q71;
+    const double t192 = t123 - cos_q71 * z_plane_x_by_q71_by_q71 - t122 + sin_q71
+        * sin_A_by_q71_by_q71;
+    const double z_x_by_q71_by_q71 = t192 + t191 * sin_A_by_q71 + t190 * z_plane_x_by_q71;
+    const double t193 = 0.01 * z_x_by_q71_by_q71;
+    const double x_plane_x_by_q71_by_q71 = u_y * sin_A_by_q71_by_q71;
+    const double t194 = t126 - cos_q71 * x_plane_x_by_q71_by_q71 + t125 - sin_q71
+        * cos_A_by_q71_by_q71;
+    const double x_x_by_q71_by_q71 = t194 - t191 * cos_A_by_q71 + t190 * x_plane_x_by_q71;
+    const double origin_x_by_q71_by_q71 = M_x - 0.018 * z_x_by_q71_by_q71;
+    const double t195 = origin_x_by_q71_by_q71 - 0.004 * x_x_by_q71_by_q71;
+    const double layer_0_x_by_q71_by_q71 = t195 + t193 - t128;
+    const double t196 = t188 + sum98 * along_4 + sum78 * mixed_4 - pull_x * layer_0_x_by_q71_by_q71;
+    const double t197 = t113 - cos_q71 * sin_A_by_q71_by_q71 + t114 - sin_q71
+        * z_plane_x_by_q71_by_q71;
+    const double z_z_by_q71_by_q71 = t197 - t191 * z_plane_x_by_q71 + t190 * sin_A_by_q71;
+    const double t198 = 0.01 * z_z_by_q71_by_q71;
+    const double t199 = t116 - cos_q71 * cos_A_by_q71_by_q71 - t117 + sin_q71
+        * x_plane_x_by_q71_by_q71;
+    const double x_z_by_q71_by_q71 = t199 + t191 * x_plane_x_by_q71 + t190 * cos_A_by_q71;
+    const double origin_z_by_q71_by_q71 = M_z - 0.018 * z_z_by_q71_by_q71;
+    const double t200 = origin_z_by_q71_by_q71 + 0.004 * x_z_by_q71_by_q71;
+    const double layer_0_z_by_q71_by_q71 = t200 + t198 - t120;
+    const double t201 = t196 - sum76 * layer_0_y_by_q71_by_q71 - pull_z * layer_0_z_by_q71_by_q71;
+    const double layer_1_x_by_q71_by_q71 = t195 - t193 - t121;
+    const double t202 = t201 + sum102 * along_6 + sum82 * mixed_6 - pull_x_2
+        * layer_1_x_by_q71_by_q71;
+    const double layer_1_z_by_q71_by_q71 = t200 - t198 - t112;
+    const double t203 = t202 - sum80 * layer_1_y_by_q71_by_q71 - pull_z_2 * layer_1_z_by_q71_by_q71;
+    K_wrist[0] = t203;
+    K_wrist[1] = K_01;
+    K_wrist[2] = K_01;
+    K_wrist[3] = t161 - pull_axis_z_4 * y_z_by_q73_by_q73;
+}
+
+void hand_whole_stiffness(const double q[SINEW_AT_LEAST(19)], const double P[SINEW_AT_LEAST(76)],
+    const double f[SINEW_AT_LEAST(38)], const double kt[SINEW_AT_LEAST(38)],
+    const double K_wrist[SINEW_AT_LEAST(4)], double K[SINEW_AT_LEAST(441)])
+{
+    static const double table6[3][3] = {{1.0, 0.0065, 0.0055}, {-1.0, 0.0055, -0.0045},
+        {-1.0, 0.0055, -0.0045}};
+    double kept2[3];
+    double kept3[3];
+    double kept4[3];
+    double kept5[3];
+    for (int i1 = 0; i1 < 3; ++i1) {
+        const double t7 = P[12 + 16 * i1] * kt[6 + 8 * i1];
+        const double t8 = P[8 + 16 * i1] * kt[4 + 8 * i1] - P[10 + 16 * i1] * kt[5 + 8 * i1]
+            - table6[i1][0] * t7;
+        const double t9 = P[14 + 16 * i1] * kt[7 + 8 * i1];
+        const double t10 = table6[i1][1] * (t8 + table6[i1][0] * t9);
+        const double t11 = table6[i1][2] * (t7 - t9);
+        const double t12 = 0.0065 * P[16 + 16 * i1] * kt[8 + 8 * i1];
+        const double t13 = 0.0065 * P[18 + 16 * i1] * kt[9 + 8 * i1];
+        const double t14 = 0.0065 * P[20 + 16 * i1] * kt[10 + 8 * i1];
+        const double t15 = 0.0065 * P[22 + 16 * i1] * kt[11 + 8 * i1];
+        const double K_wrist_2 = t12 + t13 - t14 - t15;
+        const double K_wrist_3 = t12 - t13 + t14 - t15;
+        K[401 + 4 * i1] = t10;
+        K[402 + 4 * i1] = t11;
+        K[403 + 4 * i1] = K_wrist_2;
+        K[404 + 4 * i1] = K_wrist_3;
+        kept2[i1] = t10;
+        kept3[i1] = t11;
+        kept4[i1] = K_wrist_2;
+        kept5[i1] = K_wrist_3;
+    }
+    for (int i16 = 0; i16 < 6; ++i16) {
+        K[6 + 21 * i16] = 0.0;
+        K[7 + 21 * i16] = 0.0;
+        K[8 + 21 * i16] = 0.0;
+        K[9 + 21 * i16] = 0.0;
+        K[10 + 21 * i16] = 0.0;
+        K[11 + 21 * i16] = 0.0;
+        K[12 + 21 * i16] = 0.0;
+        K[13 + 21 * i16] = 0.0;
+        K[14 + 21 * i16] = 0.0;
+        K[15 + 21 * i16] = 0.0;
+        K[16 + 21 * i16] = 0.0;
+        K[17 + 21 * i16] = 0.0;
+        K[18 + 21 * i16] = 0.0;
+    }
+    for (int i17 = 0; i17 < 6; ++i17) {
+        K[126 + 21 * i17] = 0.0;
+        K[127 + 21 * i17] = 0.0;
+        K[128 + 21 * i17] = 0.0;
+        K[129 + 21 * i17] = 0.0;
+        K[130 + 21 * i17] = 0.0;
+        K[131 + 21 * i17] = 0.0;
+        K[138 + 21 * i17] = 0.0;
+        K[139 + 21 * i17] = 0.0;
+        K[140 + 21 * i17] = 0.0;
+        K[141 + 21 * i17] = 0.0;
+        K[142 + 21 * i17] = 0.0;
+        K[143 + 21 * i17] = 0.0;
+        K[144 + 21 * i17] = 0.0;
+    }
+    for (int i18 = 0; i18 < 7; ++i18) {
+        K[252 + 21 * i18] = 0.0;
+        K[253 + 21 * i18] = 0.0;
+        K[254 + 21 * i18] = 0.0;
+        K[255 + 21 * i18] = 0.0;
+        K[256 + 21 * i18] = 0.0;
+        K[257 + 21 * i18] = 0.0;
+        K[258 + 21 * i18] = 0.0;
+        K[259 + 21 * i18] = 0.0;
+        K[260 + 21 * i18] = 0.0;
+        K[261 + 21 * i18] = 0.0;
+        K[262 + 21 * i18] = 0.0;
+        K[263 + 21 * i18] = 0.0;
+    }
+    const struct sinew_sines2 sines19 = sinew_one_sincos2(q[0], q[1]);
+    const double s1 = sines19.s[0];
+    const double c1 = sines19.c[0];
+    const double s2 = sines19.s[1];
+    const double c2 = sines19.c[1];
+    const double w7_3 = 0.0065 * kt[6];
+    const double w8_3 = 0.0065 * kt[7];
+    const double t20 = w7_3 + w8_3;
+    const double K3_3 = 4.225e-05 * (kt[4] + kt[5]) + 0.0065 * t20;
+    K[44] = K3_3;
+    const double K3_4 = 0.0055 * t20;
+    const double t21 = -K3_4;
+    K[45] = t21;
+    K[46] = 0.0;
+    K[47] = 0.0;
+    K[65] = t21;
+    K[61] = kept2[0];
+    const double t22 = P[13] * kt[6];
+    const double t23 = P[15] * kt[7];
+    const double K_wrist_10 = 0.0065 * (P[9] * kt[4] - P[11] * kt[5] - t22 + t23);
+    K[62] = K_wrist_10;
+    K[63] = 0.0;
+    K[64] = 0.0;
+    K[422] = K_wrist_10;
+    const double K4_4 = 3.0249999999999997e-05 * (kt[6] + kt[7]);
+    K[66] = K4_4;
+    K[67] = 0.0;
+    K[68] = 0.0;
+    K[82] = kept3[0];
+    const double K_wrist_14 = 0.0055 * (t22 - t23);
+    K[83] = K_wrist_14;
+    K[84] = 0.0;
+    K[85] = 0.0;
+    K[86] = 0.0;
+    K[87] = 0.0;
+    K[423] = K_wrist_14;
+    const double t24 = 4.225e-05 * kt[8];
+    const double t25 = 4.225e-05 * kt[9];
+    const double t26 = 4.225e-05 * kt[10];
+    const double t27 = 4.225e-05 * kt[11];
+    const double K1_1_2 = t24 + t25 + t26 + t27;
+    K[88] = K1_1_2;
+    K[110] = K1_1_2;
+    const double K1_2_2 = t24 - t25 - t26 + t27;
+    K[89] = K1_2_2;
+    K[109] = K1_2_2;
+    K[103] = kept4[0];
+    const double t28 = 0.0065 * P[17] * kt[8];
+    const double t29 = 0.0065 * P[19] * kt[9];
+    const double t30 = 0.0065 * P[21] * kt[10];
+    const double t31 = 0.0065 * P[23] * kt[11];
+    const double K_wrist_18 = t28 + t29 - t30 - t31;
+    K[104] = K_wrist_18;
+    K[105] = 0.0;
+    K[106] = 0.0;
+    K[107] = 0.0;
+    K[108] = 0.0;
+    K[424] = K_wrist_18;
+    K[124] = kept5[0];
+    const double K_wrist_22 = t28 - t29 + t30 - t31;
+    K[125] = K_wrist_22;
+    K[425] = K_wrist_22;
+    const double w7_3_2 = 0.0055 * kt[14];
+    const double w8_3_2 = 0.0055 * kt[15];
+    const double t32 = w7_3_2 + w8_3_2;
+    const double K3_3_2 = 3.0249999999999997e-05 * (kt[12] + kt[13]) + 0.0055 * t32;
+    K[132] = K3_3_2;
+    const double K3_4_2 = 0.0045 * t32;
+    const double t33 = -K3_4_2;
+    K[133] = t33;
+    K[134] = 0.0;
+    K[135] = 0.0;
+    K[136] = 0.0;
+    K[137] = 0.0;
+    K[153] = t33;
+    K[145] = kept2[1];
+    const double t34 = P[29] * kt[14];
+    const double t35 = P[31] * kt[15];
+    const double K_wrist_26 = 0.0055 * (P[25] * kt[12] - P[27] * kt[13] + t34 - t35);
+    K[146] = K_wrist_26;
+    K[426] = K_wrist_26;
+    const double K4_4_2 = 2.0249999999999998e-05 * (kt[14] + kt[15]);
+    K[154] = K4_4_2;
+    K[155] = 0.0;
+    K[156] = 0.0;
+    K[157] = 0.0;
+    K[158] = 0.0;
+    K[166] = kept3[1];
+    const double K_wrist_30 = 0.0045 * (t34 - t35);
+    const double t36 = -K_wrist_30;
+    K[167] = t36;
+    K[174] = 0.0;
+    K[175] = 0.0;
+    K[427] = t36;
+    const double t37 = 4.225e-05 * kt[16];
+    const double t38 = 4.225e-05 * kt[17];
+    const double t39 = 4.225e-05 * kt[18];
+    const double t40 = 4.225e-05 * kt[19];
+    const double K1_1_4 = t37 + t38 + t39 + t40;
+    K[176] = K1_1_4;
+    K[198] = K1_1_4;
+    K[199] = 0.0;
+    K[200] = 0.0;
+    const double K1_2_4 = t37 - t38 - t39 + t40;
+    K[177] = K1_2_4;
+    K[178] = 0.0;
+    K[179] = 0.0;
+    K[197] = K1_2_4;
+    K[187] = kept4[1];
+    const double t41 = 0.0065 * P[33] * kt[16];
+    const double t42 = 0.0065 * P[35] * kt[17];
+    const double t43 = 0.0065 * P[37] * kt[18];
+    const double t44 = 0.0065 * P[39] * kt[19];
+    const double K_wrist_34 = t41 + t42 - t43 - t44;
+    K[188] = K_wrist_34;
+    K[195] = 0.0;
+    K[196] = 0.0;
+    K[428] = K_wrist_34;
+    K[208] = kept5[1];
+    const double K_wrist_38 = t41 - t42 + t43 - t44;
+    K[209] = K_wrist_38;
+    K[216] = 0.0;
+    K[217] = 0.0;
+    K[218] = 0.0;
+    K[219] = 0.0;
+    K[429] = K_wrist_38;
+    const double w7_3_4 = 0.0055 * kt[22];
+    const double w8_3_4 = 0.0055 * kt[23];
+    const double t45 = w7_3_4 + w8_3_4;
+    const double K3_3_4 = 3.0249999999999997e-05 * (kt[20] + kt[21]) + 0.0055 * t45;
+    K[220] = K3_3_4;
+    const double K3_4_4 = 0.0045 * t45;
+    const double t46 = -K3_4_4;
+    K[221] = t46;
+    K[241] = t46;
+    K[229] = kept2[2];
+    const double t47 = P[45] * kt[22];
+    const double t48 = P[47] * kt[23];
+    const double K_wrist_42 = 0.0055 * (P[41] * kt[20] - P[43] * kt[21] + t47 - t48);
+    K[230] = K_wrist_42;
+    K[237] = 0.0;
+    K[238] = 0.0;
+    K[239] = 0.0;
+    K[240] = 0.0;
+    K[430] = K_wrist_42;
+    const double K4_4_4 = 2.0249999999999998e-05 * (kt[22] + kt[23]);
+    K[242] = K4_4_4;
+    K[250] = kept3[2];
+    const double K_wrist_46 = 0.0045 * (t47 - t48);
+    const double t49 = -K_wrist_46;
+    K[251] = t49;
+    K[431] = t49;
+    const double t50 = 4.225e-05 * kt[24];
+    const double t51 = 4.225e-05 * kt[25];
+    const double t52 = 4.225e-05 * kt[26];
+    const double t53 = 4.225e-05 * kt[27];
+    const double K1_1_6 = t50 + t51 + t52 + t53;
+    K[264] = K1_1_6;
+    K[286] = K1_1_6;
+    K[287] = 0.0;
+    K[288] = 0.0;
+    K[289] = 0.0;
+    K[290] = 0.0;
+    K[291] = 0.0;
+    const double K1_2_6 = t50 - t51 - t52 + t53;
+    K[265] = K1_2_6;
+    K[266] = 0.0;
+    K[267] = 0.0;
+    K[268] = 0.0;
+    K[269] = 0.0;
+    K[270] = 0.0;
+    K[285] = K1_2_6;
+    K[271] = kept4[2];
+    const double t54 = 0.0065 * P[49] * kt[24];
+    const double t55 = 0.0065 * P[51] * kt[25];
+    const double t56 = 0.0065 * P[53] * kt[26];
+    const double t57 = 0.0065 * P[55] * kt[27];
+    const double K_wrist_50 = t54 + t55 - t56 - t57;
+    K[272] = K_wrist_50;
+    K[432] = K_wrist_50;
+    K[292] = kept5[2];
+    const double K_wrist_54 = t54 - t55 + t56 - t57;
+    K[293] = K_wrist_54;
+    K[306] = 0.0;
+    K[307] = 0.0;
+    K[433] = K_wrist_54;
+    const double K3_3_6 = 0.00012100000000000003 * (kt[28] + kt[29]);
+    K[308] = K3_3_6;
+    K[309] = 0.0;
+    K[310] = 0.0;
+    K[311] = 0.0;
+    K[312] = 0.0;
+    const double K_wrist_56 = 0.011000000000000001 * (P[56] * kt[28] - P[58] * kt[29]);
+    K[313] = K_wrist_56;
+    K[413] = K_wrist_56;
+    const double K_wrist_58 = 0.011000000000000001 * (P[57] * kt[28] - P[59] * kt[29]);
+    K[314] = K_wrist_58;
+    K[327] = 0.0;
+    K[328] = 0.0;
+    K[329] = 0.0;
+    K[434] = K_wrist_58;
+    const double t58 = 2.704e-05 * kt[30];
+    const double t59 = 2.704e-05 * kt[31];
+    const double t60 = 2.704e-05 * kt[32];
+    const double t61 = 2.704e-05 * kt[33];
+    const double K1_1_8 = t58 + t59 + t60 + t61;
+    K[330] = K1_1_8;
+    K[352] = K1_1_8;
+    K[353] = 0.0;
+    K[354] = 0.0;
+    const double K1_2_8 = t58 - t59 - t60 + t61;
+    K[331] = K1_2_8;
+    K[332] = 0.0;
+    K[333] = 0.0;
+    K[351] = K1_2_8;
+    const double t62 = 0.0052 * P[60] * kt[30];
+    const double t63 = 0.0052 * P[62] * kt[31];
+    const double t64 = 0.0052 * P[64] * kt[32];
+    const double t65 = 0.0052 * P[66] * kt[33];
+    const double K_wrist_60 = t62 + t63 - t64 - t65;
+    K[334] = K_wrist_60;
+    K[414] = K_wrist_60;
+    const double t66 = 0.0052 * P[61] * kt[30];
+    const double t67 = 0.0052 * P[63] * kt[31];
+    const double t68 = 0.0052 * P[65] * kt[32];
+    const double t69 = 0.0052 * P[67] * kt[33];
+    const double K_wrist_62 = t66 + t67 - t68 - t69;
+    K[335] = K_wrist_62;
+    K[348] = 0.0;
+    K[349] = 0.0;
+    K[350] = 0.0;
+    K[435] = K_wrist_62;
+    const double K_wrist_64 = t62 - t63 + t64 - t65;
+    K[355] = K_wrist_64;
+    K[415] = K_wrist_64;
+    const double K_wrist_66 = t66 - t67 + t68 - t69;
+    K[356] = K_wrist_66;
+    K[369] = 0.0;
+    K[370] = 0.0;
+    K[371] = 0.0;
+    K[372] = 0.0;
+    K[373] = 0.0;
+    K[436] = K_wrist_66;
+    const double K3_3_8 = 7.744e-05 * (kt[34] + kt[35]);
+    K[374] = K3_3_8;
+    K[375] = 0.0;
+    const double K_wrist_68 = 0.0088 * (P[68] * kt[34] - P[70] * kt[35]);
+    K[376] = K_wrist_68;
+    K[416] = K_wrist_68;
+    const double K_wrist_70 = 0.0088 * (P[69] * kt[34] - P[71] * kt[35]);
+    K[377] = K_wrist_70;
+    K[390] = 0.0;
+    K[391] = 0.0;
+    K[392] = 0.0;
+    K[393] = 0.0;
+    K[394] = 0.0;
+    K[395] = 0.0;
+    K[437] = K_wrist_70;
+    const double K1_1_10 = 2.5e-05 * (kt[36] + kt[37]);
+    K[396] = K1_1_10;
+    const double t70 = 0.005 * c2;
+    const double t71 = 0.047 * s2;
+    const double pA_length_toz = t70 - t71;
+    const double A_lengthdz = 0.025 - pA_length_toz;
+    const double t72 = A_lengthdz * A_lengthdz;
+    const double R21x = c1 * c2;
+    const double t73 = 0.047 * R21x;
+    const double t74 = 0.006 * s1;
+    const double R21y = c1 * s2;
+    const double t75 = 0.005 * R21y;
+    const double t76 = t75 - t74;
+    const double pA_length_tox = t76 + t73;
+    const double A_lengthdx = 0.002 - pA_length_tox;
+    const double R22x = s1 * c2;
+    const double t77 = 0.047 * R22x;
+    const double t78 = 0.006 * c1;
+    const double R22y = s1 * s2;
+    const double t79 = 0.005 * R22y;
+    const double t80 = t79 + t78;
+    const double pA_length_toy = t80 + t77;
+    const double A_lengthdy = 0.03 - pA_length_toy;
+    const double A_length = sinew_sqrt(A_lengthdx * A_lengthdx + A_lengthdy * A_lengthdy + t72);
+    const double t81 = 1.0 / A_length;
+    const double t82 = A_lengthdy + pA_length_toy;
+    const double t83 = A_lengthdx + pA_length_tox;
+    const double A_length_by_q_0 = (pA_length_tox * A_lengthdy - pA_length_toy * A_lengthdx) * t81;
+    const double t84 = pA_length_toy * t82 + pA_length_tox * t83 - A_length_by_q_0
+        * A_length_by_q_0;
+    const double A_length_by_q_0_2_by_q_0 = t84 * t81;
+    const double pB_length_toz = t70 + t71;
+    const double B_lengthdz = 0.025 - pB_length_toz;
+    const double t85 = B_lengthdz * B_lengthdz;
+    const double t86 = t75 + t74;
+    const double pB_length_tox = t86 - t73;
+    const double B_lengthdx = 0.002 + pB_length_tox;
+    const double t87 = t79 - t78;
+    const double pB_length_toy = t87 - t77;
+    const double B_lengthdy = 0.03 + pB_length_toy;
+    const double B_length = sinew_sqrt(B_lengthdx * B_lengthdx + B_lengthdy * B_lengthdy + t85);
+    const double t88 = 1.0 / B_length;
+    const double t89 = B_lengthdy - pB_length_toy;
+    const double t90 = B_lengthdx - pB_length_tox;
+    const double B_length_by_q_0 = (pB_length_tox * B_lengthdy - pB_length_toy * B_lengthdx) * t88;
+    const double t91 = pB_length_toy * t89 + pB_length_tox * t90 + B_length_by_q_0
+        * B_length_by_q_0;
+    const double B_length_by_q_0_2_by_q_0 = t91 * t88;
+    const double t92 = 0.005 * R22x;
+    const double t93 = 0.047 * R22y;
+    const double pA_length_toy_by_q_1 = t92 - t93;
+    const double t94 = 0.005 * R21x;
+    const double t95 = 0.047 * R21y;
+    const double pA_length_tox_by_q_1 = t94 - t95;
+    const double t96 = 0.005 * s2;
+    const double t97 = 0.047 * c2;
+    const double pA_length_toz_by_q_1 = t96 + t97;
+    const double t98 = A_lengthdz * pA_length_toz_by_q_1;
+    const double t99 = A_lengthdx * pA_length_tox_by_q_1 + A_lengthdy * pA_length_toy_by_q_1 - t98;
+    const double A_length_by_q_1 = t99 * t81;
+    const double t100 = pA_length_toy_by_q_1 * t83 - pA_length_tox_by_q_1 * t82 - A_length_by_q_0
+        * A_length_by_q_1;
+    const double A_length_by_q_0_2_by_q_1 = t100 * t81;
+    const double pB_length_tox_by_q_1 = t94 + t95;
+    const double pB_length_toy_by_q_1 = t92 + t93;
+    const double pB_length_toz_by_q_1 = t96 - t97;
+    const double t101 = B_lengthdz * pB_length_toz_by_q_1;
+    const double t102 = B_lengthdx * pB_length_tox_by_q_1 + B_lengthdy * pB_length_toy_by_q_1
+        + t101;
+    const double B_length_by_q_1 = t102 * t88;
+    const double t103 = pB_length_tox_by_q_1 * t89 + pB_length_toy_by_q_1 * -t90 - B_length_by_q_0
+        * B_length_by_q_1;
+    const double B_length_by_q_0_2_by_q_1 = t103 * t88;
+    const double t104 = pA_length_toz_by_q_1 * pA_length_toz_by_q_1;
+    const double t105 = pA_length_toy_by_q_1 * pA_length_toy_by_q_1;
+    const double t106 = pA_length_tox_by_q_1 * pA_length_tox_by_q_1;
+    const double pA_length_toy_by_q_1_2_by_q_1 = t79 + t77;
+    const double t107 = pA_length_toz * A_lengthdz;
+    const double pA_length_tox_by_q_1_2_by_q_1 = t75 + t73;
+    const double t108 = t107 + A_lengthdx * pA_length_tox_by_q_1_2_by_q_1 + A_lengthdy
+        * pA_length_toy_by_q_1_2_by_q_1;
+    const double A_length_by_q_1_2_by_q_1 = (t108 + t106 + t105 + t104 - A_length_by_q_1
+        * A_length_by_q_1) * t81;
+    const double t109 = pB_length_toz_by_q_1 * pB_length_toz_by_q_1;
+    const double t110 = pB_length_toy_by_q_1 * pB_length_toy_by_q_1;
+    const double t111 = pB_length_tox_by_q_1 * pB_length_tox_by_q_1;
+    const double pB_length_toy_by_q_1_2_by_q_1 = t79 - t77;
+    const double t112 = pB_length_toz * B_lengthdz;
+    const double pB_length_tox_by_q_1_2_by_q_1 = t75 - t73;
+    const double t113 = t112 - B_lengthdx * pB_length_tox_by_q_1_2_by_q_1 - B_lengthdy
+        * pB_length_toy_by_q_1_2_by_q_1;
+    const double B_length_by_q_1_2_by_q_1 = (t113 + t111 + t110 + t109 - B_length_by_q_1
+        * B_length_by_q_1) * t88;
+    const double K_wrist_72 = 0.005 * (P[72] * kt[36] - P[74] * kt[37]);
+    K[397] = K_wrist_72;
+    K[417] = K_wrist_72;
+    K[418] = K_wrist[0];
+    K[419] = K_wrist[1];
+    const double K_wrist_74 = 0.005 * (P[73] * kt[36] - P[75] * kt[37]);
+    K[398] = K_wrist_74;
+    K[438] = K_wrist_74;
+    K[439] = K_wrist[2];
+    K[440] = K_wrist[3];
+    const double pC_length_toy = t87 + t77;
+    const double C_lengthdy = 0.03 + pC_length_toy;
+    const double pC_length_tox = t86 + t73;
+    const double C_lengthdx = 0.002 - pC_length_tox;
+    const double C_length = sinew_sqrt(t72 + C_lengthdx * C_lengthdx + C_lengthdy * C_lengthdy);
+    const double t114 = 1.0 / C_length;
+    const double t115 = pC_length_toy - C_lengthdy;
+    const double t116 = C_lengthdx + pC_length_tox;
+    const double C_length_by_q_0 = (pC_length_tox * C_lengthdy + pC_length_toy * C_lengthdx) * t114;
+    const double t117 = pC_length_toy * t115 + pC_length_tox * t116 - C_length_by_q_0
+        * C_length_by_q_0;
+    const double C_length_by_q_0_2_by_q_0 = t117 * t114;
+    const double t118 = f[0] * A_length_by_q_0_2_by_q_0 - f[1] * B_length_by_q_0_2_by_q_0 + f[2]
+        * C_length_by_q_0_2_by_q_0;
+    const double t119 = t98 - C_lengthdx * pA_length_tox_by_q_1 + C_lengthdy * pA_length_toy_by_q_1;
+    const double C_length_by_q_1 = t119 * t114;
+    const double t120 = pA_length_tox_by_q_1 * -t115 + pA_length_toy_by_q_1 * t116 - C_length_by_q_0
+        * C_length_by_q_1;
+    const double C_length_by_q_0_2_by_q_1 = t120 * t114;
+    const double t121 = f[0] * A_length_by_q_0_2_by_q_1 + f[1] * B_length_by_q_0_2_by_q_1 + f[2]
+        * C_length_by_q_0_2_by_q_1;
+    const double t122 = t107 + C_lengthdx * pA_length_tox_by_q_1_2_by_q_1 - C_lengthdy
+        * pA_length_toy_by_q_1_2_by_q_1;
+    const double C_length_by_q_1_2_by_q_1 = (t122 + t106 + t105 + t104 - C_length_by_q_1
+        * C_length_by_q_1) * t114;
+    const double t123 = f[0] * A_length_by_q_1_2_by_q_1 + f[1] * B_length_by_q_1_2_by_q_1 + f[2]
+        * C_length_by_q_1_2_by_q_1;
+    const double pD_length_toy = t80 - t77;
+    const double D_lengthdy = 0.03 - pD_length_toy;
+    const double pD_length_tox = t76 - t73;
+    const double D_lengthdx = 0.002 + pD_length_tox;
+    const double D_length = sinew_sqrt(t85 + D_lengthdx * D_lengthdx + D_lengthdy * D_lengthdy);
+    const double t124 = 1.0 / D_length;
+    const double t125 = D_lengthdx - pD_length_tox;
+    const double t126 = D_lengthdy + pD_length_toy;
+    const double D_length_by_q_0 = (pD_length_tox * D_lengthdy + pD_length_toy * D_lengthdx) * t124;
+    const double t127 = pD_length_tox * t125 - pD_length_toy * t126 + D_length_by_q_0
+        * D_length_by_q_0;
+    const double D_length_by_q_0_2_by_q_0 = t127 * t124;
+    const double t128 = t101 + D_lengthdx * pB_length_tox_by_q_1 - D_lengthdy
+        * pB_length_toy_by_q_1;
+    const double D_length_by_q_1 = t128 * t124;
+    const double t129 = pB_length_toy_by_q_1 * -t125 - pB_length_tox_by_q_1 * t126 + D_length_by_q_0
+        * D_length_by_q_1;
+    const double D_length_by_q_0_2_by_q_1 = t129 * t124;
+    const double t130 = t112 - D_lengthdx * pB_length_tox_by_q_1_2_by_q_1 + D_lengthdy
+        * pB_length_toy_by_q_1_2_by_q_1;
+    const double D_length_by_q_1_2_by_q_1 = (t130 + t111 + t110 + t109 - D_length_by_q_1
+        * D_length_by_q_1) * t124;
+    const double w1_1 = kt[0] * A_length_by_q_0;
+    const double w1_2 = kt[0] * A_length_by_q_1;
+    const double w2_1 = kt[1] * B_length_by_q_0;
+    const double t131 = t118 - f[3] * D_length_by_q_0_2_by_q_0 + A_length_by_q_0 * w1_1
+        + B_length_by_q_0 * w2_1;
+    const double t132 = t121 + f[3] * D_length_by_q_0_2_by_q_1 + A_length_by_q_1 * w1_1
+        + B_length_by_q_1 * w2_1;
+    const double t133 = P[0] * kt[0];
+    const double t134 = P[2] * kt[1];
+    const double t135 = P[1] * kt[0];
+    const double t136 = P[3] * kt[1];
+    const double w2_2 = kt[1] * B_length_by_q_1;
+    const double t137 = t123 + f[3] * D_length_by_q_1_2_by_q_1 + A_length_by_q_1 * w1_2
+        + B_length_by_q_1 * w2_2;
+    const double w3_1 = kt[2] * C_length_by_q_0;
+    const double t138 = P[4] * kt[2];
+    const double t139 = P[5] * kt[2];
+    const double w3_2 = kt[2] * C_length_by_q_1;
+    const double w4_1 = kt[3] * D_length_by_q_0;
+    const double K1_1 = t131 + C_length_by_q_0 * w3_1 + D_length_by_q_0 * w4_1;
+    K[0] = K1_1;
+    const double K1_2 = t132 + C_length_by_q_1 * w3_1 - D_length_by_q_1 * w4_1;
+    K[1] = K1_2;
+    K[2] = 0.0;
+    K[3] = 0.0;
+    K[4] = 0.0;
+    K[5] = 0.0;
+    K[21] = K1_2;
+    const double t140 = P[6] * kt[3];
+    const double K_wrist_4 = t133 * A_length_by_q_0 - t134 * B_length_by_q_0 - t138
+        * C_length_by_q_0 + t140 * D_length_by_q_0;
+    const double t141 = -K_wrist_4;
+    K[19] = t141;
+    K[399] = t141;
+    const double t142 = P[7] * kt[3];
+    const double K_wrist_2_2 = t135 * A_length_by_q_0 - t136 * B_length_by_q_0 - t139
+        * C_length_by_q_0 + t142 * D_length_by_q_0;
+    const double t143 = -K_wrist_2_2;
+    K[20] = t143;
+    K[420] = t143;
+    const double w4_2 = kt[3] * D_length_by_q_1;
+    const double K2_2 = t137 + C_length_by_q_1 * w3_2 + D_length_by_q_1 * w4_2;
+    K[22] = K2_2;
+    K[23] = 0.0;
+    K[24] = 0.0;
+    K[25] = 0.0;
+    K[26] = 0.0;
+    const double K_wrist_4_2 = t133 * A_length_by_q_1 - t134 * B_length_by_q_1 - t138
+        * C_length_by_q_1 - t140 * D_length_by_q_1;
+    const double t144 = -K_wrist_4_2;
+    K[40] = t144;
+    K[400] = t144;
+    const double K_wrist_6 = t135 * A_length_by_q_1 - t136 * B_length_by_q_1 - t139
+        * C_length_by_q_1 - t142 * D_length_by_q_1;
+    const double t145 = -K_wrist_6;
+    K[41] = t145;
+    K[42] = 0.0;
+    K[43] = 0.0;
+    K[421] = t145;
 }
 
 void hand_inverse_dynamics(const double q[SINEW_AT_LEAST(18)], const double qd[SINEW_AT_LEAST(18)],

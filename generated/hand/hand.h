@@ -73,7 +73,7 @@ void hand_finger_gravity(const double q[SINEW_AT_LEAST(19)],
  *     -0.6981..0.6981, -0.2..1.6, -0.2..1.6, -0.35..0.35, -0.2..1.6, -0.2..1.6, -0.2..1.6, ...
  *   in  q_wrist       2 [rad] bar angles q71, q73; made for 0.337..0.88, 0.725..1.269
  *   out h            38 [m] by wrist channel
- * 282 multiplications, 356 additions, 2 divisions, 44 square roots, 4 sincos, 4 other functions. */
+ * 234 multiplications, 328 additions, 2 divisions, 44 square roots, 4 sincos, 4 other functions. */
 void hand_tendon_lengths(const double q[SINEW_AT_LEAST(19)],
     const double q_wrist[SINEW_AT_LEAST(2)], double h[SINEW_AT_LEAST(38)]);
 
@@ -82,7 +82,7 @@ void hand_tendon_lengths(const double q[SINEW_AT_LEAST(19)],
  *     -0.6981..0.6981, -0.2..1.6, -0.2..1.6, -0.35..0.35, -0.2..1.6, -0.2..1.6, -0.2..1.6, ...
  *   in  q_wrist       2 [rad] bar angles q71, q73; made for 0.337..0.88, 0.725..1.269
  *   out P         38x21 [m/rad] rows by wrist channel; the last two columns are q71, q73
- * 800 multiplications, 742 additions, 46 divisions, 44 square roots, 4 sincos, 12 other
+ * 673 multiplications, 619 additions, 46 divisions, 44 square roots, 4 sincos, 12 other
  *     functions. */
 void hand_coupling_matrix(const double q[SINEW_AT_LEAST(19)],
     const double q_wrist[SINEW_AT_LEAST(2)], double P[SINEW_AT_LEAST(798)]);
@@ -93,7 +93,7 @@ void hand_coupling_matrix(const double q[SINEW_AT_LEAST(19)],
  *   in  q_wrist       2 [rad] bar angles q71, q73; made for 0.337..0.88, 0.725..1.269
  *   in  f            38 [N] tendon forces, pulling; made for 0..100
  *   out tau          21 [N m] fingers, crank, q71, q73
- * 909 multiplications, 861 additions, 46 divisions, 44 square roots, 4 sincos, 12 other
+ * 782 multiplications, 738 additions, 46 divisions, 44 square roots, 4 sincos, 12 other
  *     functions. */
 void hand_joint_torque(const double q[SINEW_AT_LEAST(19)], const double q_wrist[SINEW_AT_LEAST(2)],
     const double f[SINEW_AT_LEAST(38)], double tau[SINEW_AT_LEAST(21)]);
@@ -105,7 +105,7 @@ void hand_joint_torque(const double q[SINEW_AT_LEAST(19)], const double q_wrist[
  *   in  f            38 [N] tendon forces, pulling; made for 0..100
  *   in  kt           38 [N/m] tendon stiffnesses; made for 1000..5e+04
  *   out K         21x21 [N m/rad] symmetric; fingers, crank, q71, q73
- * 2168 multiplications, 1903 additions, 46 divisions, 44 square roots, 4 sincos, 21 other
+ * 1667 multiplications, 1470 additions, 84 divisions, 44 square roots, 4 sincos, 23 other
  *     functions. */
 void hand_joint_stiffness(const double q[SINEW_AT_LEAST(19)],
     const double q_wrist[SINEW_AT_LEAST(2)], const double f[SINEW_AT_LEAST(38)],
@@ -114,7 +114,7 @@ void hand_joint_stiffness(const double q[SINEW_AT_LEAST(19)],
 /* Motor angles that hold the fingers still while the wrist moves.
  *   in  q_wrist       2 [rad] bar angles q71, q73; made for 0.337..0.88, 0.725..1.269
  *   out delta_theta     38 [rad] 0 in the reference pose
- * 281 multiplications, 304 additions, 2 divisions, 40 square roots, 2 sincos, 4 other functions. */
+ * 233 multiplications, 276 additions, 2 divisions, 40 square roots, 2 sincos, 4 other functions. */
 void hand_feedforward(const double q_wrist[SINEW_AT_LEAST(2)],
     double delta_theta[SINEW_AT_LEAST(38)]);
 
@@ -122,7 +122,7 @@ void hand_feedforward(const double q_wrist[SINEW_AT_LEAST(2)],
  *   in  q_wrist       2 [rad] bar angles q71, q73; made for 0.337..0.88, 0.725..1.269
  *   in  qd_wrist      2 [rad/s] rates of the bar angles; made for -3..3
  *   out delta_theta_rate     38 [rad/s] 
- * 564 multiplications, 520 additions, 42 divisions, 40 square roots, 2 sincos, 9 other
+ * 469 multiplications, 463 additions, 42 divisions, 40 square roots, 2 sincos, 9 other
  *     functions. */
 void hand_feedforward_rate(const double q_wrist[SINEW_AT_LEAST(2)],
     const double qd_wrist[SINEW_AT_LEAST(2)], double delta_theta_rate[SINEW_AT_LEAST(38)]);
@@ -131,10 +131,37 @@ void hand_feedforward_rate(const double q_wrist[SINEW_AT_LEAST(2)],
  *   in  q_wrist       2 [rad] bar angles q71, q73; made for 0.337..0.88, 0.725..1.269
  *   out h            38 [m] without the fingers
  *   out P          38x2 [m/rad] 
- * 746 multiplications, 693 additions, 42 divisions, 40 square roots, 2 sincos, 12 other
+ * 619 multiplications, 570 additions, 42 divisions, 40 square roots, 2 sincos, 12 other
  *     functions. */
 void hand_wrist_passage(const double q_wrist[SINEW_AT_LEAST(2)], double h[SINEW_AT_LEAST(38)],
     double P[SINEW_AT_LEAST(76)]);
+
+/* Stiffness of the wrist's bars: the last block of joint_stiffness.
+ *   in  q_wrist       2 [rad] bar angles q71, q73; made for 0.337..0.88, 0.725..1.269
+ *   in  h            38 [m] of wrist_passage; made for 0.02..0.1
+ *   in  P          38x2 [m/rad] of wrist_passage; made for -0.02..0.02
+ *   in  f            38 [N] tendon forces, pulling; made for 0..100
+ *   in  kt           38 [N/m] tendon stiffnesses; made for 1000..5e+04
+ *   out K_wrist     2x2 [N m/rad] symmetric
+ * 911 multiplications, 824 additions, 42 divisions, 2 square roots, 2 sincos, 21 other
+ *     functions. */
+void hand_wrist_stiffness(const double q_wrist[SINEW_AT_LEAST(2)],
+    const double h[SINEW_AT_LEAST(38)], const double P[SINEW_AT_LEAST(76)],
+    const double f[SINEW_AT_LEAST(38)], const double kt[SINEW_AT_LEAST(38)],
+    double K_wrist[SINEW_AT_LEAST(4)]);
+
+/* joint_stiffness where the wrist's own block is known. (5.12)
+ *   in  q            19 [rad] coordinates of the fingers, crank angle; made for -0.6981..0.6981,
+ *     -0.6981..0.6981, -0.2..1.6, -0.2..1.6, -0.35..0.35, -0.2..1.6, -0.2..1.6, -0.2..1.6, ...
+ *   in  P          38x2 [m/rad] of wrist_passage; made for -0.02..0.02
+ *   in  f            38 [N] tendon forces, pulling; made for 0..100
+ *   in  kt           38 [N/m] tendon stiffnesses; made for 1000..5e+04
+ *   in  K_wrist     2x2 [N m/rad] of wrist_stiffness; made for -100..100
+ *   out K         21x21 [N m/rad] symmetric; fingers, crank, q71, q73
+ * 321 multiplications, 252 additions, 4 divisions, 4 square roots, 2 sincos. */
+void hand_whole_stiffness(const double q[SINEW_AT_LEAST(19)], const double P[SINEW_AT_LEAST(76)],
+    const double f[SINEW_AT_LEAST(38)], const double kt[SINEW_AT_LEAST(38)],
+    const double K_wrist[SINEW_AT_LEAST(4)], double K[SINEW_AT_LEAST(441)]);
 
 /* Joint torques that a motion of the fingers takes, each on a base at rest: M(q) qdd + C(q,qd) qd +
  *     g(q). (2.1)

@@ -432,29 +432,37 @@ void wrist_tendon_lengths(double q71, double q73, double h[SINEW_AT_LEAST(38)])
     const double t4 = 0.01 * z_x;
     const double y_x = cos_q71 * u_e;
     const double layer_0_x = t3 - t4 + 0.011 * y_x;
-    const double z_plane_y = u_e * cos_A;
-    const double origin_y = M_y + 0.018 * z_plane_y;
-    const double x_plane_y = u_e * sin_A;
-    const double t5 = 0.004 * x_plane_y;
-    const double t6 = 0.01 * z_plane_y;
-    const double layer_0_y = 0.007 - origin_y - t5 + t6 + 0.011 * u_y;
     const double z_z = cos_q71 * sin_A + sin_q71 * z_plane_x;
     const double M_z = sin_q71 * M_e;
     const double origin_z = M_z - 0.018 * z_z;
     const double x_z = cos_q71 * cos_A - sin_q71 * x_plane_x;
-    const double t7 = 0.004 * x_z;
-    const double t8 = 0.01 * z_z;
+    const double t5 = 0.004 * x_z;
+    const double t6 = 0.01 * z_z;
     const double y_z = sin_q71 * u_e;
-    const double layer_0_z = 0.008 - origin_z - t7 - t8 + 0.011 * y_z;
-    const double length_0 = sinew_sqrt(layer_0_x * layer_0_x + layer_0_y * layer_0_y + layer_0_z
-        * layer_0_z);
+    const double layer_0_z = 0.008 - origin_z - t5 - t6 + 0.011 * y_z;
+    const double across = 0.5 * (layer_0_x * layer_0_x + layer_0_z * layer_0_z);
+    const double twice_across = across + across;
+    const double z_plane_y = u_e * cos_A;
+    const double origin_y = M_y + 0.018 * z_plane_y;
+    const double x_plane_y = u_e * sin_A;
+    const double t7 = 0.004 * x_plane_y;
+    const double t8 = 0.01 * z_plane_y;
+    const double layer_0_y = 0.007 - origin_y - t7 + t8 + 0.011 * u_y;
+    const double length_0 = sinew_sqrt(twice_across + layer_0_y * layer_0_y);
     h[0] = length_0;
+    const double across_by_y = y_x * layer_0_x + y_z * layer_0_z;
+    const double twice_across_2 = across_by_y + across_by_y;
+    const double across_by_y_squared = 0.5 * (y_x * y_x + y_z * y_z);
+    const double twice_across_4 = across_by_y_squared + across_by_y_squared;
     const double layer_1_x = t3 + t4 + 0.013 * y_x;
-    const double layer_1_y = 0.006 - origin_y - t5 - t6 + 0.013 * u_y;
-    const double layer_1_z = 0.028 - origin_z - t7 + t8 + 0.013 * y_z;
-    const double length_19 = sinew_sqrt(layer_1_x * layer_1_x + layer_1_y * layer_1_y + layer_1_z
-        * layer_1_z);
+    const double layer_1_z = 0.028 - origin_z - t5 + t6 + 0.013 * y_z;
+    const double across_38 = 0.5 * (layer_1_x * layer_1_x + layer_1_z * layer_1_z);
+    const double twice_across_6 = across_38 + across_38;
+    const double layer_1_y = 0.006 - origin_y - t7 - t8 + 0.013 * u_y;
+    const double length_19 = sinew_sqrt(twice_across_6 + layer_1_y * layer_1_y);
     h[19] = length_19;
+    const double across_by_y_2 = y_x * layer_1_x + y_z * layer_1_z;
+    const double twice_across_8 = across_by_y_2 + across_by_y_2;
     static const double table10[18][3] = {{0.002, 0.001, 0.001}, {0.003, 0.003, 0.003},
         {0.005, 0.005, 0.004}, {0.007, 0.006, 0.006}, {0.008, 0.008, 0.008},
         {0.01, 0.009, 0.009}, {0.011, 0.011, 0.011}, {0.013, 0.013, 0.012},
@@ -463,17 +471,14 @@ void wrist_tendon_lengths(double q71, double q73, double h[SINEW_AT_LEAST(38)])
         {0.024, 0.024, 0.024}, {0.026, 0.025, 0.025}, {0.027, 0.027, 0.027},
         {0.029, 0.029, 0.028}};
     for (int i9 = 0; i9 < 18; ++i9) {
-        const double strand_x = layer_1_x - table10[i9][0] * y_x;
+        const double across_slope = twice_across_8 - table10[i9][0] * twice_across_4;
+        const double across_2 = twice_across_6 - table10[i9][0] * across_slope;
         const double strand_y = table10[i9][1] + layer_1_y - table10[i9][0] * u_y;
-        const double strand_z = layer_1_z - table10[i9][0] * y_z;
-        const double length = sinew_sqrt(strand_x * strand_x + strand_y * strand_y + strand_z
-            * strand_z);
-        const double strand_x_2 = layer_0_x - table10[i9][1] * y_x;
+        const double length = sinew_sqrt(across_2 + strand_y * strand_y);
+        const double across_3 = twice_across - table10[i9][1] * (twice_across_2 - table10[i9][1]
+            * twice_across_4);
         const double strand_y_2 = table10[i9][2] + layer_0_y - table10[i9][1] * u_y;
-        const double strand_z_2 = layer_0_z - table10[i9][1] * y_z;
-        const double t11 = strand_x_2 * strand_x_2 + strand_y_2 * strand_y_2 + strand_z_2
-            * strand_z_2;
-        const double length_2 = sinew_sqrt(t11);
+        const double length_2 = sinew_sqrt(across_3 + strand_y_2 * strand_y_2);
         h[20 + i9] = length;
         h[1 + i9] = length_2;
     }
@@ -580,35 +585,36 @@ void wrist_tendon_jacobian(double q71, double q73, double P[SINEW_AT_LEAST(76)])
     const double y_x = cos_q71 * u_e;
     const double t41 = 0.011 * y_x;
     const double layer_0_x = t39 - t40 + t41;
-    const double z_plane_y_by_q71 = u_e * cos_A_by_q71;
-    const double origin_y_by_q71 = 0.018 * z_plane_y_by_q71;
-    const double t42 = origin_y_by_q71 + 0.004 * u_e * sin_A_by_q71;
-    const double t43 = 0.01 * z_plane_y_by_q71;
-    const double layer_0_y_by_q71 = t42 - t43;
-    const double z_plane_y = u_e * cos_A;
-    const double origin_y = M_y + 0.018 * z_plane_y;
-    const double x_plane_y = u_e * sin_A;
-    const double t44 = 0.004 * x_plane_y;
-    const double t45 = 0.01 * z_plane_y;
-    const double layer_0_y = 0.007 - origin_y - t44 + t45 + 0.011 * u_y;
     const double z_z_by_q71 = t35 + cos_q71 * sin_A_by_q71 - t36 + sin_q71 * z_plane_x_by_q71;
     const double origin_z_by_q71 = M_x - 0.018 * z_z_by_q71;
     const double x_z_by_q71 = t37 - cos_q71 * cos_A_by_q71 + t38 + sin_q71 * x_plane_x_by_q71;
-    const double t46 = origin_z_by_q71 - 0.004 * x_z_by_q71;
-    const double t47 = 0.01 * z_z_by_q71;
-    const double layer_0_z_by_q71 = t46 + t47 - t41;
+    const double t42 = origin_z_by_q71 - 0.004 * x_z_by_q71;
+    const double t43 = 0.01 * z_z_by_q71;
+    const double layer_0_z_by_q71 = t42 + t43 - t41;
     const double z_z = t27 + t28;
     const double origin_z = M_z - 0.018 * z_z;
     const double x_z = t30 - t31;
-    const double t48 = 0.004 * x_z;
-    const double t49 = 0.01 * z_z;
-    const double layer_0_z = 0.008 - origin_z - t48 - t49 + t34;
-    const double t50 = layer_0_x * layer_0_x_by_q71 - layer_0_y * layer_0_y_by_q71 - layer_0_z
-        * layer_0_z_by_q71;
-    const double length_0 = sinew_sqrt(layer_0_x * layer_0_x + layer_0_y * layer_0_y + layer_0_z
-        * layer_0_z);
-    const double t51 = 1.0 / length_0;
-    const double length_0_by_q71 = t50 * t51;
+    const double t44 = 0.004 * x_z;
+    const double t45 = 0.01 * z_z;
+    const double layer_0_z = 0.008 - origin_z - t44 - t45 + t34;
+    const double across_by_q71 = layer_0_x * layer_0_x_by_q71 - layer_0_z * layer_0_z_by_q71;
+    const double z_plane_y_by_q71 = u_e * cos_A_by_q71;
+    const double origin_y_by_q71 = 0.018 * z_plane_y_by_q71;
+    const double t46 = origin_y_by_q71 + 0.004 * u_e * sin_A_by_q71;
+    const double t47 = 0.01 * z_plane_y_by_q71;
+    const double layer_0_y_by_q71 = t46 - t47;
+    const double z_plane_y = u_e * cos_A;
+    const double origin_y = M_y + 0.018 * z_plane_y;
+    const double x_plane_y = u_e * sin_A;
+    const double t48 = 0.004 * x_plane_y;
+    const double t49 = 0.01 * z_plane_y;
+    const double layer_0_y = 0.007 - origin_y - t48 + t49 + 0.011 * u_y;
+    const double half_square_by = across_by_q71 - layer_0_y * layer_0_y_by_q71;
+    const double across = 0.5 * (layer_0_x * layer_0_x + layer_0_z * layer_0_z);
+    const double twice_across = across + across;
+    const double length_0 = sinew_sqrt(twice_across + layer_0_y * layer_0_y);
+    const double t50 = 1.0 / length_0;
+    const double length_0_by_q71 = half_square_by * t50;
     P[0] = length_0_by_q71;
     const double B_to_C0_squared_by_q73 = 0.084 * B_e;
     const double ratio_by_q73 = ratio * B_to_C0_squared_by_q73 * t2;
@@ -630,116 +636,121 @@ void wrist_tendon_jacobian(double q71, double q73, double P[SINEW_AT_LEAST(76)])
     const double clearance_by_q73 = sinew_choose(t23, t20 * reach_by_q73 - t19 * limited_by_q73,
         1e-12 * reach_squared_by_q73);
     const double root_by_q73 = 0.5 * clearance_by_q73 * t24;
-    const double t52 = p_y * limited_by_q73 + p_z * root_by_q73 + limited * p_y_by_q73 - cos_A
+    const double t51 = p_y * limited_by_q73 + p_z * root_by_q73 + limited * p_y_by_q73 - cos_A
         * reach_squared_by_q73;
-    const double cos_A_by_q73 = t52 * t26;
+    const double cos_A_by_q73 = t51 * t26;
     const double z_plane_x_by_q73 = u_y * cos_A_by_q73 - cos_A * u_y_by_q73;
-    const double t53 = p_y * root_by_q73 - p_z * limited_by_q73 + root * p_y_by_q73 - sin_A
+    const double t52 = p_y * root_by_q73 - p_z * limited_by_q73 + root * p_y_by_q73 - sin_A
         * reach_squared_by_q73;
-    const double sin_A_by_q73 = t53 * t26;
+    const double sin_A_by_q73 = t52 * t26;
     const double z_x_by_q73 = cos_q71 * z_plane_x_by_q73 - sin_q71 * sin_A_by_q73;
     const double M_x_by_q73 = cos_q71 * M_e_by_q73;
     const double origin_x_by_q73 = M_x_by_q73 - 0.018 * z_x_by_q73;
     const double x_plane_x_by_q73 = u_y * sin_A_by_q73 - sin_A * u_y_by_q73;
     const double x_x_by_q73 = cos_q71 * x_plane_x_by_q73 + sin_q71 * cos_A_by_q73;
-    const double t54 = origin_x_by_q73 - 0.004 * x_x_by_q73;
-    const double t55 = 0.01 * z_x_by_q73;
+    const double t53 = origin_x_by_q73 - 0.004 * x_x_by_q73;
+    const double t54 = 0.01 * z_x_by_q73;
     const double y_x_by_q73 = cos_q71 * u_e_by_q73;
-    const double layer_0_x_by_q73 = t54 + t55 - 0.011 * y_x_by_q73;
-    const double x_plane_y_by_q73 = u_e * sin_A_by_q73 + sin_A * u_e_by_q73;
-    const double z_plane_y_by_q73 = u_e * cos_A_by_q73 + cos_A * u_e_by_q73;
-    const double origin_y_by_q73 = M_y_by_q73 - 0.018 * z_plane_y_by_q73;
-    const double t56 = origin_y_by_q73 - 0.004 * x_plane_y_by_q73;
-    const double t57 = 0.01 * z_plane_y_by_q73;
-    const double layer_0_y_by_q73 = t56 + t57 - 0.011 * u_y_by_q73;
+    const double layer_0_x_by_q73 = t53 + t54 - 0.011 * y_x_by_q73;
     const double z_z_by_q73 = cos_q71 * sin_A_by_q73 + sin_q71 * z_plane_x_by_q73;
     const double M_z_by_q73 = sin_q71 * M_e_by_q73;
     const double origin_z_by_q73 = M_z_by_q73 - 0.018 * z_z_by_q73;
     const double x_z_by_q73 = cos_q71 * cos_A_by_q73 - sin_q71 * x_plane_x_by_q73;
-    const double t58 = origin_z_by_q73 + 0.004 * x_z_by_q73;
-    const double t59 = 0.01 * z_z_by_q73;
+    const double t55 = origin_z_by_q73 + 0.004 * x_z_by_q73;
+    const double t56 = 0.01 * z_z_by_q73;
     const double y_z_by_q73 = sin_q71 * u_e_by_q73;
-    const double layer_0_z_by_q73 = t58 + t59 - 0.011 * y_z_by_q73;
-    const double t60 = layer_0_x * layer_0_x_by_q73 - layer_0_y * layer_0_y_by_q73 + layer_0_z
-        * layer_0_z_by_q73;
-    const double length_0_by_q73 = t60 * t51;
+    const double layer_0_z_by_q73 = t55 + t56 - 0.011 * y_z_by_q73;
+    const double across_by_q73 = layer_0_x * layer_0_x_by_q73 + layer_0_z * layer_0_z_by_q73;
+    const double x_plane_y_by_q73 = u_e * sin_A_by_q73 + sin_A * u_e_by_q73;
+    const double z_plane_y_by_q73 = u_e * cos_A_by_q73 + cos_A * u_e_by_q73;
+    const double origin_y_by_q73 = M_y_by_q73 - 0.018 * z_plane_y_by_q73;
+    const double t57 = origin_y_by_q73 - 0.004 * x_plane_y_by_q73;
+    const double t58 = 0.01 * z_plane_y_by_q73;
+    const double layer_0_y_by_q73 = t57 + t58 - 0.011 * u_y_by_q73;
+    const double half_square_by_76 = across_by_q73 - layer_0_y * layer_0_y_by_q73;
+    const double length_0_by_q73 = half_square_by_76 * t50;
     P[1] = -length_0_by_q73;
-    const double t61 = 0.013 * y_z;
-    const double t62 = 0.013 * y_x;
-    const double layer_1_x_by_q71 = t32 - t33 - t61;
-    const double layer_1_x = t39 + t40 + t62;
-    const double layer_1_y_by_q71 = t42 + t43;
-    const double layer_1_y = 0.006 - origin_y - t44 - t45 + 0.013 * u_y;
-    const double layer_1_z_by_q71 = t46 - t47 - t62;
-    const double layer_1_z = 0.028 - origin_z - t48 + t49 + t61;
-    const double t63 = layer_1_x * layer_1_x_by_q71 - layer_1_y * layer_1_y_by_q71 - layer_1_z
-        * layer_1_z_by_q71;
-    const double length_19 = sinew_sqrt(layer_1_x * layer_1_x + layer_1_y * layer_1_y + layer_1_z
-        * layer_1_z);
-    const double t64 = 1.0 / length_19;
-    const double length_19_by_q71 = t63 * t64;
+    const double across_by_y_by_q71 = y_x * (layer_0_z + layer_0_x_by_q71) - y_z * (layer_0_x
+        + layer_0_z_by_q71);
+    const double across_by_y = y_x * layer_0_x + y_z * layer_0_z;
+    const double twice_across_2 = across_by_y + across_by_y;
+    const double across_by_y_squared = 0.5 * (y_x * y_x + y_z * y_z);
+    const double twice_across_4 = across_by_y_squared + across_by_y_squared;
+    const double across_by_y_by_q73 = y_x * layer_0_x_by_q73 + y_z * layer_0_z_by_q73 - layer_0_x
+        * y_x_by_q73 - layer_0_z * y_z_by_q73;
+    const double across_by_y_squared_by_q73 = y_x * y_x_by_q73 + y_z * y_z_by_q73;
+    const double t59 = 0.013 * y_z;
+    const double layer_1_x_by_q71 = t32 - t33 - t59;
+    const double t60 = 0.013 * y_x;
+    const double layer_1_x = t39 + t40 + t60;
+    const double layer_1_z_by_q71 = t42 - t43 - t60;
+    const double layer_1_z = 0.028 - origin_z - t44 + t45 + t59;
+    const double across_38_by_q71 = layer_1_x * layer_1_x_by_q71 - layer_1_z * layer_1_z_by_q71;
+    const double layer_1_y_by_q71 = t46 + t47;
+    const double layer_1_y = 0.006 - origin_y - t48 - t49 + 0.013 * u_y;
+    const double half_square_by_38 = across_38_by_q71 - layer_1_y * layer_1_y_by_q71;
+    const double across_38 = 0.5 * (layer_1_x * layer_1_x + layer_1_z * layer_1_z);
+    const double twice_across_6 = across_38 + across_38;
+    const double length_19 = sinew_sqrt(twice_across_6 + layer_1_y * layer_1_y);
+    const double t61 = 1.0 / length_19;
+    const double length_19_by_q71 = half_square_by_38 * t61;
     P[38] = length_19_by_q71;
-    const double layer_1_x_by_q73 = t54 - t55 - 0.013 * y_x_by_q73;
-    const double layer_1_y_by_q73 = t56 - t57 - 0.013 * u_y_by_q73;
-    const double layer_1_z_by_q73 = t58 - t59 - 0.013 * y_z_by_q73;
-    const double t65 = layer_1_x * layer_1_x_by_q73 - layer_1_y * layer_1_y_by_q73 + layer_1_z
-        * layer_1_z_by_q73;
-    const double length_19_by_q73 = t65 * t64;
+    const double layer_1_x_by_q73 = t53 - t54 - 0.013 * y_x_by_q73;
+    const double layer_1_z_by_q73 = t55 - t56 - 0.013 * y_z_by_q73;
+    const double across_38_by_q73 = layer_1_x * layer_1_x_by_q73 + layer_1_z * layer_1_z_by_q73;
+    const double layer_1_y_by_q73 = t57 - t58 - 0.013 * u_y_by_q73;
+    const double half_square_by_114 = across_38_by_q73 - layer_1_y * layer_1_y_by_q73;
+    const double length_19_by_q73 = half_square_by_114 * t61;
     P[39] = -length_19_by_q73;
-    static const double table67[18][2] = {{0.001, 0.001}, {0.003, 0.003}, {0.005, 0.004},
+    const double across_by_y_2_by_q71 = y_x * (layer_1_z + layer_1_x_by_q71) - y_z * (layer_1_x
+        + layer_1_z_by_q71);
+    const double across_by_y_2 = y_x * layer_1_x + y_z * layer_1_z;
+    const double twice_across_8 = across_by_y_2 + across_by_y_2;
+    const double across_by_y_2_by_q73 = y_x * layer_1_x_by_q73 + y_z * layer_1_z_by_q73 - layer_1_x
+        * y_x_by_q73 - layer_1_z * y_z_by_q73;
+    static const double table63[18][2] = {{0.001, 0.001}, {0.003, 0.003}, {0.005, 0.004},
         {0.006, 0.006}, {0.008, 0.008}, {0.009, 0.009}, {0.011, 0.011}, {0.013, 0.012},
         {0.014, 0.014}, {0.016, 0.016}, {0.017, 0.017}, {0.019, 0.019}, {0.021, 0.02},
         {0.022, 0.022}, {0.024, 0.024}, {0.025, 0.025}, {0.027, 0.027}, {0.029, 0.028}};
-    for (int i66 = 0; i66 < 18; ++i66) {
-        const double t68 = table67[i66][0] * y_x;
-        const double strand_x = layer_0_x - t68;
-        const double t69 = table67[i66][0] * y_z;
-        const double strand_x_by_q71 = layer_0_x_by_q71 + t69;
-        const double strand_y = table67[i66][1] + layer_0_y - table67[i66][0] * u_y;
-        const double strand_z = layer_0_z - t69;
-        const double strand_z_by_q71 = layer_0_z_by_q71 + t68;
-        const double t70 = strand_x * strand_x_by_q71 - strand_y * layer_0_y_by_q71 - strand_z
-            * strand_z_by_q71;
-        const double length = sinew_sqrt(strand_x * strand_x + strand_y * strand_y + strand_z
-            * strand_z);
-        const double t71 = 1.0 / length;
-        const double length_by_q71 = t70 * t71;
-        const double strand_x_by_q73 = layer_0_x_by_q73 + table67[i66][0] * y_x_by_q73;
-        const double strand_y_by_q73 = layer_0_y_by_q73 + table67[i66][0] * u_y_by_q73;
-        const double strand_z_by_q73 = layer_0_z_by_q73 + table67[i66][0] * y_z_by_q73;
-        const double t72 = strand_x * strand_x_by_q73 - strand_y * strand_y_by_q73 + strand_z
-            * strand_z_by_q73;
-        const double length_by_q73 = t72 * t71;
-        P[2 + 2 * i66] = length_by_q71;
-        P[3 + 2 * i66] = -length_by_q73;
+    for (int i62 = 0; i62 < 18; ++i62) {
+        const double across_2 = across_by_q71 - table63[i62][0] * across_by_y_by_q71;
+        const double strand_y = table63[i62][1] + layer_0_y - table63[i62][0] * u_y;
+        const double half_square_by_2 = across_2 - strand_y * layer_0_y_by_q71;
+        const double across_3 = twice_across - table63[i62][0] * (twice_across_2 - table63[i62][0]
+            * twice_across_4);
+        const double length = sinew_sqrt(across_3 + strand_y * strand_y);
+        const double t64 = 1.0 / length;
+        const double length_by_q71 = half_square_by_2 * t64;
+        const double across_slope = across_by_y_by_q73 + table63[i62][0]
+            * across_by_y_squared_by_q73;
+        const double across_4 = across_by_q73 - table63[i62][0] * across_slope;
+        const double half_square_by_3 = across_4 - strand_y * (layer_0_y_by_q73 + table63[i62][0]
+            * u_y_by_q73);
+        const double length_by_q73 = half_square_by_3 * t64;
+        P[2 + 2 * i62] = length_by_q71;
+        P[3 + 2 * i62] = -length_by_q73;
     }
-    static const double table74[18][2] = {{0.002, 0.001}, {0.003, 0.003}, {0.005, 0.005},
+    static const double table66[18][2] = {{0.002, 0.001}, {0.003, 0.003}, {0.005, 0.005},
         {0.007, 0.006}, {0.008, 0.008}, {0.01, 0.009}, {0.011, 0.011}, {0.013, 0.013},
         {0.015, 0.014}, {0.016, 0.016}, {0.018, 0.017}, {0.019, 0.019}, {0.021, 0.021},
         {0.023, 0.022}, {0.024, 0.024}, {0.026, 0.025}, {0.027, 0.027}, {0.029, 0.029}};
-    for (int i73 = 0; i73 < 18; ++i73) {
-        const double t75 = table74[i73][0] * y_x;
-        const double strand_x_2 = layer_1_x - t75;
-        const double t76 = table74[i73][0] * y_z;
-        const double strand_x_by_q71_2 = layer_1_x_by_q71 + t76;
-        const double strand_y_2 = table74[i73][1] + layer_1_y - table74[i73][0] * u_y;
-        const double strand_z_2 = layer_1_z - t76;
-        const double strand_z_by_q71_2 = layer_1_z_by_q71 + t75;
-        const double t77 = strand_x_2 * strand_x_by_q71_2 - strand_y_2 * layer_1_y_by_q71
-            - strand_z_2 * strand_z_by_q71_2;
-        const double t78 = strand_x_2 * strand_x_2 + strand_y_2 * strand_y_2 + strand_z_2
-            * strand_z_2;
-        const double length_2 = sinew_sqrt(t78);
-        const double t79 = 1.0 / length_2;
-        const double length_by_q71_2 = t77 * t79;
-        const double strand_x_by_q73_2 = layer_1_x_by_q73 + table74[i73][0] * y_x_by_q73;
-        const double strand_y_by_q73_2 = layer_1_y_by_q73 + table74[i73][0] * u_y_by_q73;
-        const double strand_z_by_q73_2 = layer_1_z_by_q73 + table74[i73][0] * y_z_by_q73;
-        const double t80 = strand_x_2 * strand_x_by_q73_2 - strand_y_2 * strand_y_by_q73_2
-            + strand_z_2 * strand_z_by_q73_2;
-        const double length_by_q73_2 = t80 * t79;
-        P[40 + 2 * i73] = length_by_q71_2;
-        P[41 + 2 * i73] = -length_by_q73_2;
+    for (int i65 = 0; i65 < 18; ++i65) {
+        const double across_5 = across_38_by_q71 - table66[i65][0] * across_by_y_2_by_q71;
+        const double strand_y_2 = table66[i65][1] + layer_1_y - table66[i65][0] * u_y;
+        const double half_square_by_4 = across_5 - strand_y_2 * layer_1_y_by_q71;
+        const double across_slope_2 = twice_across_8 - table66[i65][0] * twice_across_4;
+        const double across_6 = twice_across_6 - table66[i65][0] * across_slope_2;
+        const double length_2 = sinew_sqrt(across_6 + strand_y_2 * strand_y_2);
+        const double t67 = 1.0 / length_2;
+        const double length_by_q71_2 = half_square_by_4 * t67;
+        const double across_slope_3 = across_by_y_2_by_q73 + table66[i65][0]
+            * across_by_y_squared_by_q73;
+        const double across_7 = across_38_by_q73 - table66[i65][0] * across_slope_3;
+        const double strand_y_by = layer_1_y_by_q73 + table66[i65][0] * u_y_by_q73;
+        const double half_square_by_5 = across_7 - strand_y_2 * strand_y_by;
+        const double length_by_q73_2 = half_square_by_5 * t67;
+        P[40 + 2 * i65] = length_by_q71_2;
+        P[41 + 2 * i65] = -length_by_q73_2;
     }
 }
 
@@ -882,78 +893,78 @@ void wrist_tendon_hessian(double q71, double q73, double H[SINEW_AT_LEAST(152)])
     const double t56 = 0.004 - M_x + 0.018 * z_x + 0.004 * x_x;
     const double t57 = 0.01 * z_x;
     const double layer_0_x = t56 - t57 + t55;
-    const double z_plane_y_by_q71_by_q71 = u_e * cos_A_by_q71_by_q71;
-    const double origin_y_by_q71_by_q71 = 0.018 * z_plane_y_by_q71_by_q71;
-    const double t58 = 0.004 * u_e;
-    const double t59 = origin_y_by_q71_by_q71 + t58 * sin_A_by_q71_by_q71;
-    const double t60 = 0.01 * z_plane_y_by_q71_by_q71;
-    const double layer_0_y_by_q71_by_q71 = t59 - t60;
-    const double z_plane_y = u_e * cos_A;
-    const double origin_y = M_y + 0.018 * z_plane_y;
-    const double x_plane_y = u_e * sin_A;
-    const double t61 = 0.004 * x_plane_y;
-    const double t62 = 0.01 * z_plane_y;
-    const double layer_0_y = 0.007 - origin_y - t61 + t62 + 0.011 * u_y;
-    const double t63 = layer_0_x * layer_0_x_by_q71_by_q71 - layer_0_y * layer_0_y_by_q71_by_q71;
-    const double t64 = cos_q71 * sin_A;
-    const double t65 = sin_q71 * z_plane_x;
-    const double t66 = t64 - cos_q71 * sin_A_by_q71_by_q71 + t65 - sin_q71
+    const double t58 = cos_q71 * sin_A;
+    const double t59 = sin_q71 * z_plane_x;
+    const double t60 = t58 - cos_q71 * sin_A_by_q71_by_q71 + t59 - sin_q71
         * z_plane_x_by_q71_by_q71;
-    const double z_z_by_q71_by_q71 = t66 - t48 * z_plane_x_by_q71 + t49 * sin_A_by_q71;
+    const double z_z_by_q71_by_q71 = t60 - t48 * z_plane_x_by_q71 + t49 * sin_A_by_q71;
     const double M_z = sin_q71 * M_e;
     const double origin_z_by_q71_by_q71 = M_z - 0.018 * z_z_by_q71_by_q71;
-    const double t67 = cos_q71 * cos_A;
-    const double t68 = sin_q71 * x_plane_x;
-    const double t69 = t67 - cos_q71 * cos_A_by_q71_by_q71 - t68 + sin_q71
+    const double t61 = cos_q71 * cos_A;
+    const double t62 = sin_q71 * x_plane_x;
+    const double t63 = t61 - cos_q71 * cos_A_by_q71_by_q71 - t62 + sin_q71
         * x_plane_x_by_q71_by_q71;
-    const double x_z_by_q71_by_q71 = t69 + t48 * x_plane_x_by_q71 + t49 * cos_A_by_q71;
-    const double t70 = origin_z_by_q71_by_q71 + 0.004 * x_z_by_q71_by_q71;
-    const double t71 = 0.01 * z_z_by_q71_by_q71;
+    const double x_z_by_q71_by_q71 = t63 + t48 * x_plane_x_by_q71 + t49 * cos_A_by_q71;
+    const double t64 = origin_z_by_q71_by_q71 + 0.004 * x_z_by_q71_by_q71;
+    const double t65 = 0.01 * z_z_by_q71_by_q71;
     const double y_z = sin_q71 * u_e;
-    const double t72 = 0.011 * y_z;
-    const double layer_0_z_by_q71_by_q71 = t70 + t71 - t72;
-    const double z_z = t64 + t65;
+    const double t66 = 0.011 * y_z;
+    const double layer_0_z_by_q71_by_q71 = t64 + t65 - t66;
+    const double z_z = t58 + t59;
     const double origin_z = M_z - 0.018 * z_z;
-    const double x_z = t67 - t68;
-    const double t73 = 0.004 * x_z;
-    const double t74 = 0.01 * z_z;
-    const double layer_0_z = 0.008 - origin_z - t73 - t74 + t72;
-    const double z_x_by_q71 = t64 - cos_q71 * z_plane_x_by_q71 + t65 + sin_q71 * sin_A_by_q71;
+    const double x_z = t61 - t62;
+    const double t67 = 0.004 * x_z;
+    const double t68 = 0.01 * z_z;
+    const double layer_0_z = 0.008 - origin_z - t67 - t68 + t66;
+    const double t69 = layer_0_x * layer_0_x_by_q71_by_q71 + layer_0_z * layer_0_z_by_q71_by_q71;
+    const double z_x_by_q71 = t58 - cos_q71 * z_plane_x_by_q71 + t59 + sin_q71 * sin_A_by_q71;
     const double origin_x_by_q71 = M_z - 0.018 * z_x_by_q71;
-    const double x_x_by_q71 = t67 + cos_q71 * x_plane_x_by_q71 - t68 + sin_q71 * cos_A_by_q71;
-    const double t75 = origin_x_by_q71 + 0.004 * x_x_by_q71;
-    const double t76 = 0.01 * z_x_by_q71;
-    const double layer_0_x_by_q71 = t75 + t76 - t72;
-    const double t77 = t63 + layer_0_z * layer_0_z_by_q71_by_q71 + layer_0_x_by_q71
-        * layer_0_x_by_q71;
-    const double z_plane_y_by_q71 = u_e * cos_A_by_q71;
-    const double origin_y_by_q71 = 0.018 * z_plane_y_by_q71;
-    const double t78 = origin_y_by_q71 + t58 * sin_A_by_q71;
-    const double t79 = 0.01 * z_plane_y_by_q71;
-    const double layer_0_y_by_q71 = t78 - t79;
-    const double t80 = layer_0_y_by_q71 * layer_0_y_by_q71;
+    const double x_x_by_q71 = t61 + cos_q71 * x_plane_x_by_q71 - t62 + sin_q71 * cos_A_by_q71;
+    const double t70 = origin_x_by_q71 + 0.004 * x_x_by_q71;
+    const double t71 = 0.01 * z_x_by_q71;
+    const double layer_0_x_by_q71 = t70 + t71 - t66;
     const double z_z_by_q71 = t41 + cos_q71 * sin_A_by_q71 - t43 + sin_q71 * z_plane_x_by_q71;
     const double origin_z_by_q71 = M_x - 0.018 * z_z_by_q71;
     const double x_z_by_q71 = t50 - cos_q71 * cos_A_by_q71 + t51 + sin_q71 * x_plane_x_by_q71;
-    const double t81 = origin_z_by_q71 - 0.004 * x_z_by_q71;
-    const double t82 = 0.01 * z_z_by_q71;
-    const double layer_0_z_by_q71 = t81 + t82 - t55;
-    const double t83 = layer_0_x * layer_0_x_by_q71 - layer_0_y * layer_0_y_by_q71 - layer_0_z
+    const double t72 = origin_z_by_q71 - 0.004 * x_z_by_q71;
+    const double t73 = 0.01 * z_z_by_q71;
+    const double layer_0_z_by_q71 = t72 + t73 - t55;
+    const double across_by_q71_by_q71 = t69 + layer_0_x_by_q71 * layer_0_x_by_q71 + layer_0_z_by_q71
         * layer_0_z_by_q71;
-    const double length_0 = sinew_sqrt(layer_0_x * layer_0_x + layer_0_y * layer_0_y + layer_0_z
-        * layer_0_z);
-    const double t84 = 1.0 / length_0;
-    const double length_0_by_q71 = t83 * t84;
-    const double t85 = t77 + t80 + layer_0_z_by_q71 * layer_0_z_by_q71 - length_0_by_q71
-        * length_0_by_q71;
-    const double length_0_by_q71_by_q71 = t85 * t84;
-    H[0] = length_0_by_q71_by_q71;
+    const double z_plane_y_by_q71_by_q71 = u_e * cos_A_by_q71_by_q71;
+    const double origin_y_by_q71_by_q71 = 0.018 * z_plane_y_by_q71_by_q71;
+    const double t74 = 0.004 * u_e;
+    const double t75 = origin_y_by_q71_by_q71 + t74 * sin_A_by_q71_by_q71;
+    const double t76 = 0.01 * z_plane_y_by_q71_by_q71;
+    const double layer_0_y_by_q71_by_q71 = t75 - t76;
+    const double z_plane_y = u_e * cos_A;
+    const double origin_y = M_y + 0.018 * z_plane_y;
+    const double x_plane_y = u_e * sin_A;
+    const double t77 = 0.004 * x_plane_y;
+    const double t78 = 0.01 * z_plane_y;
+    const double layer_0_y = 0.007 - origin_y - t77 + t78 + 0.011 * u_y;
+    const double z_plane_y_by_q71 = u_e * cos_A_by_q71;
+    const double origin_y_by_q71 = 0.018 * z_plane_y_by_q71;
+    const double t79 = origin_y_by_q71 + t74 * sin_A_by_q71;
+    const double t80 = 0.01 * z_plane_y_by_q71;
+    const double layer_0_y_by_q71 = t79 - t80;
+    const double t81 = layer_0_y_by_q71 * layer_0_y_by_q71;
+    const double across_by_q71 = layer_0_x * layer_0_x_by_q71 - layer_0_z * layer_0_z_by_q71;
+    const double half_square_by = across_by_q71 - layer_0_y * layer_0_y_by_q71;
+    const double across = 0.5 * (layer_0_x * layer_0_x + layer_0_z * layer_0_z);
+    const double twice_across = across + across;
+    const double length_0 = sinew_sqrt(twice_across + layer_0_y * layer_0_y);
+    const double t82 = 1.0 / length_0;
+    const double length_0_by_q71 = half_square_by * t82;
+    const double curvature = across_by_q71_by_q71 - layer_0_y * layer_0_y_by_q71_by_q71 + t81
+        - length_0_by_q71 * length_0_by_q71;
+    H[0] = curvature * t82;
     const double B_to_C0_squared_by_q73 = 0.084 * B_e;
     const double ratio_by_q73 = ratio * B_to_C0_squared_by_q73 * t2;
     const double C_y_by_q73 = C_e - 0.002 * ratio_by_q73 * t3;
     const double M_y_by_q73 = t5 + 0.5 * C_y_by_q73;
-    const double t86 = B_y * ratio;
-    const double C_e_by_q73 = B_e * ratio_by_q73 - t86;
+    const double t83 = B_y * ratio;
+    const double C_e_by_q73 = B_e * ratio_by_q73 - t83;
     const double M_e_by_q73 = t6 - 0.5 * C_e_by_q73;
     const double u_y_by_q73 = t7 - 23.80952380952381 * C_y_by_q73;
     const double u_e_by_q73 = t4 + 23.80952380952381 * C_e_by_q73;
@@ -969,368 +980,385 @@ void wrist_tendon_hessian(double q71, double q73, double H[SINEW_AT_LEAST(152)])
     const double clearance_by_q73 = sinew_choose(t24, t21 * reach_by_q73 - t20 * limited_by_q73,
         1e-12 * reach_squared_by_q73);
     const double root_by_q73 = 0.5 * clearance_by_q73 * t25;
-    const double t87 = (reach_by_q71 + reach_by_q71) * reach_by_q73;
+    const double t84 = (reach_by_q71 + reach_by_q71) * reach_by_q73;
     const double p_y_by_q71_by_q73 = p_z * u_y_by_q73;
     const double reach_squared_by_q71_by_q73 = sinew_choose(t12, t8 * p_y_by_q71_by_q73 - t36
         * p_y_by_q73, 0.0);
-    const double reach_by_q71_by_q73 = 0.5 * (reach_squared_by_q71_by_q73 - t87) * t13;
+    const double reach_by_q71_by_q73 = 0.5 * (reach_squared_by_q71_by_q73 - t84) * t13;
     const double projection_by_q71_by_q73 = 13.88888888888889 * reach_squared_by_q71_by_q73 - t17
         * p_z * u_e_by_q73 - t31 * p_x_by_q73;
     const double limited_by_q71_by_q73 = sinew_choose(t19, -(reach_by_q71_by_q73 * t15
         - projection_by_q71_by_q73 * t16), reach_by_q71_by_q73);
-    const double t88 = t21 * reach_by_q71_by_q73 - t20 * limited_by_q71_by_q73 + t87 - t27
+    const double t85 = t21 * reach_by_q71_by_q73 - t20 * limited_by_q71_by_q73 + t84 - t27
         * limited_by_q73;
-    const double clearance_by_q71_by_q73 = sinew_choose(t24, t88, 1e-12
+    const double clearance_by_q71_by_q73 = sinew_choose(t24, t85, 1e-12
         * reach_squared_by_q71_by_q73);
     const double root_by_q71_by_q73 = 0.5 * (clearance_by_q71_by_q73 - t26 * root_by_q73) * t25;
-    const double t89 = p_y * limited_by_q71_by_q73 + p_z * root_by_q71_by_q73 + limited
+    const double t86 = p_y * limited_by_q71_by_q73 + p_z * root_by_q71_by_q73 + limited
         * p_y_by_q71_by_q73;
-    const double t90 = t89 - cos_A * reach_squared_by_q71_by_q73 - p_y_by_q71 * limited_by_q73
+    const double t87 = t86 - cos_A * reach_squared_by_q71_by_q73 - p_y_by_q71 * limited_by_q73
         - p_z_by_q71 * root_by_q73;
-    const double t91 = p_y * limited_by_q73 + p_z * root_by_q73 + limited * p_y_by_q73 - cos_A
+    const double t88 = p_y * limited_by_q73 + p_z * root_by_q73 + limited * p_y_by_q73 - cos_A
         * reach_squared_by_q73;
-    const double cos_A_by_q73 = t91 * t35;
-    const double t92 = t90 - reach_squared_by_q71 * cos_A_by_q73 + limited_by_q71 * p_y_by_q73
+    const double cos_A_by_q73 = t88 * t35;
+    const double t89 = t87 - reach_squared_by_q71 * cos_A_by_q73 + limited_by_q71 * p_y_by_q73
         - cos_A_by_q71 * reach_squared_by_q73;
-    const double cos_A_by_q71_by_q73 = t92 * t35;
+    const double cos_A_by_q71_by_q73 = t89 * t35;
     const double z_plane_x_by_q71_by_q73 = u_y * cos_A_by_q71_by_q73 - cos_A_by_q71 * u_y_by_q73;
-    const double t93 = p_y * root_by_q73 - p_z * limited_by_q73 + root * p_y_by_q73 - sin_A
+    const double t90 = p_y * root_by_q73 - p_z * limited_by_q73 + root * p_y_by_q73 - sin_A
         * reach_squared_by_q73;
-    const double sin_A_by_q73 = t93 * t35;
-    const double t94 = cos_q71 * sin_A_by_q73;
+    const double sin_A_by_q73 = t90 * t35;
+    const double t91 = cos_q71 * sin_A_by_q73;
     const double z_plane_x_by_q73 = u_y * cos_A_by_q73 - cos_A * u_y_by_q73;
-    const double t95 = sin_q71 * z_plane_x_by_q73;
-    const double t96 = p_y * root_by_q71_by_q73 - p_z * limited_by_q71_by_q73 + root
+    const double t92 = sin_q71 * z_plane_x_by_q73;
+    const double t93 = p_y * root_by_q71_by_q73 - p_z * limited_by_q71_by_q73 + root
         * p_y_by_q71_by_q73;
-    const double t97 = t96 - sin_A * reach_squared_by_q71_by_q73 - p_y_by_q71 * root_by_q73
+    const double t94 = t93 - sin_A * reach_squared_by_q71_by_q73 - p_y_by_q71 * root_by_q73
         + p_z_by_q71 * limited_by_q73;
-    const double t98 = t97 - reach_squared_by_q71 * sin_A_by_q73 + root_by_q71 * p_y_by_q73
+    const double t95 = t94 - reach_squared_by_q71 * sin_A_by_q73 + root_by_q71 * p_y_by_q73
         - sin_A_by_q71 * reach_squared_by_q73;
-    const double sin_A_by_q71_by_q73 = t98 * t35;
-    const double z_x_by_q71_by_q73 = t94 - cos_q71 * z_plane_x_by_q71_by_q73 + t95 + sin_q71
+    const double sin_A_by_q71_by_q73 = t95 * t35;
+    const double z_x_by_q71_by_q73 = t91 - cos_q71 * z_plane_x_by_q71_by_q73 + t92 + sin_q71
         * sin_A_by_q71_by_q73;
     const double M_z_by_q73 = sin_q71 * M_e_by_q73;
     const double origin_x_by_q71_by_q73 = M_z_by_q73 - 0.018 * z_x_by_q71_by_q73;
     const double x_plane_x_by_q71_by_q73 = u_y * sin_A_by_q71_by_q73 - sin_A_by_q71 * u_y_by_q73;
-    const double t99 = cos_q71 * cos_A_by_q73;
+    const double t96 = cos_q71 * cos_A_by_q73;
     const double x_plane_x_by_q73 = u_y * sin_A_by_q73 - sin_A * u_y_by_q73;
-    const double t100 = sin_q71 * x_plane_x_by_q73;
-    const double x_x_by_q71_by_q73 = t99 + cos_q71 * x_plane_x_by_q71_by_q73 - t100 + sin_q71
+    const double t97 = sin_q71 * x_plane_x_by_q73;
+    const double x_x_by_q71_by_q73 = t96 + cos_q71 * x_plane_x_by_q71_by_q73 - t97 + sin_q71
         * cos_A_by_q71_by_q73;
-    const double t101 = origin_x_by_q71_by_q73 + 0.004 * x_x_by_q71_by_q73;
-    const double t102 = 0.01 * z_x_by_q71_by_q73;
+    const double t98 = origin_x_by_q71_by_q73 + 0.004 * x_x_by_q71_by_q73;
+    const double t99 = 0.01 * z_x_by_q71_by_q73;
     const double y_z_by_q73 = sin_q71 * u_e_by_q73;
-    const double t103 = 0.011 * y_z_by_q73;
-    const double layer_0_x_by_q71_by_q73 = t101 + t102 - t103;
-    const double x_plane_y_by_q71_by_q73 = u_e * sin_A_by_q71_by_q73 + sin_A_by_q71 * u_e_by_q73;
-    const double z_plane_y_by_q71_by_q73 = u_e * cos_A_by_q71_by_q73 + cos_A_by_q71 * u_e_by_q73;
-    const double origin_y_by_q71_by_q73 = 0.018 * z_plane_y_by_q71_by_q73;
-    const double t104 = origin_y_by_q71_by_q73 + 0.004 * x_plane_y_by_q71_by_q73;
-    const double t105 = 0.01 * z_plane_y_by_q71_by_q73;
-    const double layer_0_y_by_q71_by_q73 = t104 - t105;
-    const double t106 = layer_0_x * layer_0_x_by_q71_by_q73 - layer_0_y * layer_0_y_by_q71_by_q73;
-    const double t107 = cos_q71 * z_plane_x_by_q73;
-    const double t108 = sin_q71 * sin_A_by_q73;
-    const double z_z_by_q71_by_q73 = t107 + cos_q71 * sin_A_by_q71_by_q73 - t108 + sin_q71
+    const double t100 = 0.011 * y_z_by_q73;
+    const double layer_0_x_by_q71_by_q73 = t98 + t99 - t100;
+    const double t101 = cos_q71 * z_plane_x_by_q73;
+    const double t102 = sin_q71 * sin_A_by_q73;
+    const double z_z_by_q71_by_q73 = t101 + cos_q71 * sin_A_by_q71_by_q73 - t102 + sin_q71
         * z_plane_x_by_q71_by_q73;
     const double M_x_by_q73 = cos_q71 * M_e_by_q73;
     const double origin_z_by_q71_by_q73 = M_x_by_q73 - 0.018 * z_z_by_q71_by_q73;
-    const double t109 = cos_q71 * x_plane_x_by_q73;
-    const double t110 = sin_q71 * cos_A_by_q73;
-    const double x_z_by_q71_by_q73 = t109 - cos_q71 * cos_A_by_q71_by_q73 + t110 + sin_q71
+    const double t103 = cos_q71 * x_plane_x_by_q73;
+    const double t104 = sin_q71 * cos_A_by_q73;
+    const double x_z_by_q71_by_q73 = t103 - cos_q71 * cos_A_by_q71_by_q73 + t104 + sin_q71
         * x_plane_x_by_q71_by_q73;
-    const double t111 = origin_z_by_q71_by_q73 - 0.004 * x_z_by_q71_by_q73;
-    const double t112 = 0.01 * z_z_by_q71_by_q73;
+    const double t105 = origin_z_by_q71_by_q73 - 0.004 * x_z_by_q71_by_q73;
+    const double t106 = 0.01 * z_z_by_q71_by_q73;
     const double y_x_by_q73 = cos_q71 * u_e_by_q73;
-    const double t113 = 0.011 * y_x_by_q73;
-    const double layer_0_z_by_q71_by_q73 = t111 + t112 - t113;
-    const double z_x_by_q73 = t107 - t108;
+    const double t107 = 0.011 * y_x_by_q73;
+    const double layer_0_z_by_q71_by_q73 = t105 + t106 - t107;
+    const double t108 = layer_0_x * layer_0_x_by_q71_by_q73 - layer_0_z * layer_0_z_by_q71_by_q73;
+    const double z_x_by_q73 = t101 - t102;
     const double origin_x_by_q73 = M_x_by_q73 - 0.018 * z_x_by_q73;
-    const double x_x_by_q73 = t109 + t110;
-    const double t114 = origin_x_by_q73 - 0.004 * x_x_by_q73;
-    const double t115 = 0.01 * z_x_by_q73;
-    const double layer_0_x_by_q73 = t114 + t115 - t113;
-    const double t116 = t106 - layer_0_z * layer_0_z_by_q71_by_q73 - layer_0_x_by_q71
-        * layer_0_x_by_q73;
+    const double x_x_by_q73 = t103 + t104;
+    const double t109 = origin_x_by_q73 - 0.004 * x_x_by_q73;
+    const double t110 = 0.01 * z_x_by_q73;
+    const double layer_0_x_by_q73 = t109 + t110 - t107;
+    const double z_z_by_q73 = t91 + t92;
+    const double origin_z_by_q73 = M_z_by_q73 - 0.018 * z_z_by_q73;
+    const double x_z_by_q73 = t96 - t97;
+    const double t111 = origin_z_by_q73 + 0.004 * x_z_by_q73;
+    const double t112 = 0.01 * z_z_by_q73;
+    const double layer_0_z_by_q73 = t111 + t112 - t100;
+    const double across_by_q71_by_q73 = t108 - layer_0_x_by_q71 * layer_0_x_by_q73
+        + layer_0_z_by_q71 * layer_0_z_by_q73;
+    const double x_plane_y_by_q71_by_q73 = u_e * sin_A_by_q71_by_q73 + sin_A_by_q71 * u_e_by_q73;
+    const double z_plane_y_by_q71_by_q73 = u_e * cos_A_by_q71_by_q73 + cos_A_by_q71 * u_e_by_q73;
+    const double origin_y_by_q71_by_q73 = 0.018 * z_plane_y_by_q71_by_q73;
+    const double t113 = origin_y_by_q71_by_q73 + 0.004 * x_plane_y_by_q71_by_q73;
+    const double t114 = 0.01 * z_plane_y_by_q71_by_q73;
+    const double layer_0_y_by_q71_by_q73 = t113 - t114;
     const double x_plane_y_by_q73 = u_e * sin_A_by_q73 + sin_A * u_e_by_q73;
     const double z_plane_y_by_q73 = u_e * cos_A_by_q73 + cos_A * u_e_by_q73;
     const double origin_y_by_q73 = M_y_by_q73 - 0.018 * z_plane_y_by_q73;
-    const double t117 = origin_y_by_q73 - 0.004 * x_plane_y_by_q73;
-    const double t118 = 0.01 * z_plane_y_by_q73;
-    const double layer_0_y_by_q73 = t117 + t118 - 0.011 * u_y_by_q73;
-    const double z_z_by_q73 = t94 + t95;
-    const double origin_z_by_q73 = M_z_by_q73 - 0.018 * z_z_by_q73;
-    const double x_z_by_q73 = t99 - t100;
-    const double t119 = origin_z_by_q73 + 0.004 * x_z_by_q73;
-    const double t120 = 0.01 * z_z_by_q73;
-    const double layer_0_z_by_q73 = t119 + t120 - t103;
-    const double t121 = t116 - layer_0_y_by_q71 * layer_0_y_by_q73 + layer_0_z_by_q71
-        * layer_0_z_by_q73;
-    const double t122 = layer_0_x * layer_0_x_by_q73 - layer_0_y * layer_0_y_by_q73 + layer_0_z
-        * layer_0_z_by_q73;
-    const double length_0_by_q73 = t122 * t84;
-    const double length_0_by_q71_by_q73 = (t121 + length_0_by_q71 * length_0_by_q73) * t84;
-    H[1] = length_0_by_q71_by_q73;
-    H[2] = length_0_by_q71_by_q73;
-    const double t123 = reach_by_q73 * reach_by_q73;
-    const double t124 = t123 + t123;
-    const double t125 = ratio * B_to_C0_squared_by_q73_by_q73 - (B_to_C0_squared_by_q73
+    const double t115 = origin_y_by_q73 - 0.004 * x_plane_y_by_q73;
+    const double t116 = 0.01 * z_plane_y_by_q73;
+    const double layer_0_y_by_q73 = t115 + t116 - 0.011 * u_y_by_q73;
+    const double t117 = across_by_q71_by_q73 - layer_0_y * layer_0_y_by_q71_by_q73
+        - layer_0_y_by_q71 * layer_0_y_by_q73;
+    const double across_by_q73 = layer_0_x * layer_0_x_by_q73 + layer_0_z * layer_0_z_by_q73;
+    const double half_square_by_76 = across_by_q73 - layer_0_y * layer_0_y_by_q73;
+    const double length_0_by_q73 = half_square_by_76 * t82;
+    const double curvature_76 = t117 + length_0_by_q71 * length_0_by_q73;
+    const double t118 = curvature_76 * t82;
+    H[1] = t118;
+    H[2] = t118;
+    const double t119 = reach_by_q73 * reach_by_q73;
+    const double t120 = t119 + t119;
+    const double t121 = ratio * B_to_C0_squared_by_q73_by_q73 - (B_to_C0_squared_by_q73
         + B_to_C0_squared_by_q73) * ratio_by_q73;
-    const double ratio_by_q73_by_q73 = t125 * t2;
-    const double C_y_by_q73_by_q73 = t86 - 0.002 * ratio_by_q73_by_q73 * t3 - (B_e + B_e)
+    const double ratio_by_q73_by_q73 = t121 * t2;
+    const double C_y_by_q73_by_q73 = t83 - 0.002 * ratio_by_q73_by_q73 * t3 - (B_e + B_e)
         * ratio_by_q73;
     const double M_y_by_q73_by_q73 = t6 + 0.5 * C_y_by_q73_by_q73;
     const double C_e_by_q73_by_q73 = C_e + B_e * ratio_by_q73_by_q73 + (B_y + B_y) * ratio_by_q73;
     const double M_e_by_q73_by_q73 = t5 + 0.5 * C_e_by_q73_by_q73;
     const double u_y_by_q73_by_q73 = t4 - 23.80952380952381 * C_y_by_q73_by_q73;
-    const double t126 = u_e * M_y_by_q73_by_q73 - u_y * M_e_by_q73_by_q73 - s_e * u_y_by_q73_by_q73;
+    const double t122 = u_e * M_y_by_q73_by_q73 - u_y * M_e_by_q73_by_q73 - s_e * u_y_by_q73_by_q73;
     const double u_e_by_q73_by_q73 = t7 - 23.80952380952381 * C_e_by_q73_by_q73;
-    const double t127 = u_e_by_q73 + u_e_by_q73;
-    const double t128 = u_y_by_q73 + u_y_by_q73;
-    const double p_y_by_q73_by_q73 = t126 - s_y * u_e_by_q73_by_q73 + t127 * M_y_by_q73 - t128
+    const double t123 = u_e_by_q73 + u_e_by_q73;
+    const double t124 = u_y_by_q73 + u_y_by_q73;
+    const double p_y_by_q73_by_q73 = t122 - s_y * u_e_by_q73_by_q73 + t123 * M_y_by_q73 - t124
         * M_e_by_q73;
-    const double t129 = p_y_by_q73 + p_y_by_q73;
-    const double reach_squared_by_q73_by_q73 = sinew_choose(t12, t129 * p_y_by_q73 + t8
+    const double t125 = p_y_by_q73 + p_y_by_q73;
+    const double reach_squared_by_q73_by_q73 = sinew_choose(t12, t125 * p_y_by_q73 + t8
         * p_y_by_q73_by_q73, 0.0);
-    const double reach_by_q73_by_q73 = 0.5 * (reach_squared_by_q73_by_q73 - t124) * t13;
-    const double t130 = t124 - (limited_by_q73 + limited_by_q73) * limited_by_q73 + t21
+    const double reach_by_q73_by_q73 = 0.5 * (reach_squared_by_q73_by_q73 - t120) * t13;
+    const double t126 = t120 - (limited_by_q73 + limited_by_q73) * limited_by_q73 + t21
         * reach_by_q73_by_q73;
-    const double t131 = 13.88888888888889 * reach_squared_by_q73_by_q73 + 27.77777777777778
+    const double t127 = 13.88888888888889 * reach_squared_by_q73_by_q73 + 27.77777777777778
         * p_x_by_q73 * p_x_by_q73;
-    const double t132 = u_e * M_e_by_q73_by_q73 + u_y * M_y_by_q73_by_q73 + s_e * u_e_by_q73_by_q73;
-    const double p_x_by_q73_by_q73 = t132 - s_y * u_y_by_q73_by_q73 - t127 * M_e_by_q73 - t128
+    const double t128 = u_e * M_e_by_q73_by_q73 + u_y * M_y_by_q73_by_q73 + s_e * u_e_by_q73_by_q73;
+    const double p_x_by_q73_by_q73 = t128 - s_y * u_y_by_q73_by_q73 - t123 * M_e_by_q73 - t124
         * M_y_by_q73;
-    const double projection_by_q73_by_q73 = t131 - t17 * p_x_by_q73_by_q73;
+    const double projection_by_q73_by_q73 = t127 - t17 * p_x_by_q73_by_q73;
     const double limited_by_q73_by_q73 = sinew_choose(t19, -(reach_by_q73_by_q73 * t15
         - projection_by_q73_by_q73 * t16), reach_by_q73_by_q73);
-    const double clearance_by_q73_by_q73 = sinew_choose(t24, t130 - t20 * limited_by_q73_by_q73,
+    const double clearance_by_q73_by_q73 = sinew_choose(t24, t126 - t20 * limited_by_q73_by_q73,
         1e-12 * reach_squared_by_q73_by_q73);
-    const double t133 = 0.5 * (clearance_by_q73_by_q73 - (root_by_q73 + root_by_q73) * root_by_q73);
-    const double root_by_q73_by_q73 = t133 * t25;
-    const double t134 = p_y * root_by_q73_by_q73 - p_z * limited_by_q73_by_q73 + root
+    const double t129 = 0.5 * (clearance_by_q73_by_q73 - (root_by_q73 + root_by_q73) * root_by_q73);
+    const double root_by_q73_by_q73 = t129 * t25;
+    const double t130 = p_y * root_by_q73_by_q73 - p_z * limited_by_q73_by_q73 + root
         * p_y_by_q73_by_q73;
-    const double t135 = reach_squared_by_q73 + reach_squared_by_q73;
-    const double t136 = t134 - sin_A * reach_squared_by_q73_by_q73 + t129 * root_by_q73 - t135
+    const double t131 = reach_squared_by_q73 + reach_squared_by_q73;
+    const double t132 = t130 - sin_A * reach_squared_by_q73_by_q73 + t125 * root_by_q73 - t131
         * sin_A_by_q73;
-    const double sin_A_by_q73_by_q73 = t136 * t35;
+    const double sin_A_by_q73_by_q73 = t132 * t35;
     const double x_plane_x_by_q73_by_q73 = u_y * sin_A_by_q73_by_q73 - sin_A * u_y_by_q73_by_q73
-        - t128 * sin_A_by_q73;
-    const double t137 = p_y * limited_by_q73_by_q73 + p_z * root_by_q73_by_q73 + limited
+        - t124 * sin_A_by_q73;
+    const double t133 = p_y * limited_by_q73_by_q73 + p_z * root_by_q73_by_q73 + limited
         * p_y_by_q73_by_q73;
-    const double t138 = t137 - cos_A * reach_squared_by_q73_by_q73 + t129 * limited_by_q73 - t135
+    const double t134 = t133 - cos_A * reach_squared_by_q73_by_q73 + t125 * limited_by_q73 - t131
         * cos_A_by_q73;
-    const double cos_A_by_q73_by_q73 = t138 * t35;
+    const double cos_A_by_q73_by_q73 = t134 * t35;
     const double x_x_by_q73_by_q73 = cos_q71 * x_plane_x_by_q73_by_q73 + sin_q71
         * cos_A_by_q73_by_q73;
     const double z_plane_x_by_q73_by_q73 = u_y * cos_A_by_q73_by_q73 - cos_A * u_y_by_q73_by_q73
-        - t128 * cos_A_by_q73;
+        - t124 * cos_A_by_q73;
     const double z_x_by_q73_by_q73 = cos_q71 * z_plane_x_by_q73_by_q73 - sin_q71
         * sin_A_by_q73_by_q73;
     const double M_x_by_q73_by_q73 = cos_q71 * M_e_by_q73_by_q73;
     const double origin_x_by_q73_by_q73 = M_x_by_q73_by_q73 + 0.018 * z_x_by_q73_by_q73;
-    const double t139 = origin_x_by_q73_by_q73 + 0.004 * x_x_by_q73_by_q73;
-    const double t140 = 0.01 * z_x_by_q73_by_q73;
+    const double t135 = origin_x_by_q73_by_q73 + 0.004 * x_x_by_q73_by_q73;
+    const double t136 = 0.01 * z_x_by_q73_by_q73;
     const double y_x_by_q73_by_q73 = cos_q71 * u_e_by_q73_by_q73;
-    const double layer_0_x_by_q73_by_q73 = t139 - t140 - 0.011 * y_x_by_q73_by_q73;
-    const double x_plane_y_by_q73_by_q73 = u_e * sin_A_by_q73_by_q73 - sin_A * u_e_by_q73_by_q73
-        + t127 * sin_A_by_q73;
-    const double z_plane_y_by_q73_by_q73 = u_e * cos_A_by_q73_by_q73 - cos_A * u_e_by_q73_by_q73
-        + t127 * cos_A_by_q73;
-    const double origin_y_by_q73_by_q73 = M_y_by_q73_by_q73 - 0.018 * z_plane_y_by_q73_by_q73;
-    const double t141 = origin_y_by_q73_by_q73 - 0.004 * x_plane_y_by_q73_by_q73;
-    const double t142 = 0.01 * z_plane_y_by_q73_by_q73;
-    const double layer_0_y_by_q73_by_q73 = t141 + t142 - 0.011 * u_y_by_q73_by_q73;
-    const double t143 = layer_0_x * layer_0_x_by_q73_by_q73 + layer_0_y * layer_0_y_by_q73_by_q73;
+    const double layer_0_x_by_q73_by_q73 = t135 - t136 - 0.011 * y_x_by_q73_by_q73;
     const double x_z_by_q73_by_q73 = cos_q71 * cos_A_by_q73_by_q73 - sin_q71
         * x_plane_x_by_q73_by_q73;
     const double z_z_by_q73_by_q73 = cos_q71 * sin_A_by_q73_by_q73 + sin_q71
         * z_plane_x_by_q73_by_q73;
     const double M_z_by_q73_by_q73 = sin_q71 * M_e_by_q73_by_q73;
     const double origin_z_by_q73_by_q73 = M_z_by_q73_by_q73 + 0.018 * z_z_by_q73_by_q73;
-    const double t144 = origin_z_by_q73_by_q73 - 0.004 * x_z_by_q73_by_q73;
-    const double t145 = 0.01 * z_z_by_q73_by_q73;
+    const double t137 = origin_z_by_q73_by_q73 - 0.004 * x_z_by_q73_by_q73;
+    const double t138 = 0.01 * z_z_by_q73_by_q73;
     const double y_z_by_q73_by_q73 = sin_q71 * u_e_by_q73_by_q73;
-    const double layer_0_z_by_q73_by_q73 = t144 - t145 - 0.011 * y_z_by_q73_by_q73;
-    const double t146 = t143 + layer_0_z * layer_0_z_by_q73_by_q73 + layer_0_x_by_q73
-        * layer_0_x_by_q73;
-    const double t147 = t146 + layer_0_y_by_q73 * layer_0_y_by_q73 + layer_0_z_by_q73
-        * layer_0_z_by_q73;
-    const double length_0_by_q73_by_q73 = (t147 - length_0_by_q73 * length_0_by_q73) * t84;
-    H[3] = length_0_by_q73_by_q73;
-    const double t148 = 0.013 * y_x;
-    const double t149 = 0.013 * y_z;
-    const double t150 = 0.013 * y_z_by_q73;
-    const double t151 = 0.013 * y_x_by_q73;
-    const double layer_1_x_by_q71_by_q71 = t53 - t54 - t148;
-    const double layer_1_x = t56 + t57 + t148;
-    const double layer_1_y_by_q71_by_q71 = t59 + t60;
-    const double layer_1_y = 0.006 - origin_y - t61 - t62 + 0.013 * u_y;
-    const double t152 = layer_1_x * layer_1_x_by_q71_by_q71 - layer_1_y * layer_1_y_by_q71_by_q71;
-    const double layer_1_z_by_q71_by_q71 = t70 - t71 - t149;
-    const double layer_1_z = 0.028 - origin_z - t73 + t74 + t149;
-    const double layer_1_x_by_q71 = t75 - t76 - t149;
-    const double t153 = t152 + layer_1_z * layer_1_z_by_q71_by_q71 + layer_1_x_by_q71
+    const double layer_0_z_by_q73_by_q73 = t137 - t138 - 0.011 * y_z_by_q73_by_q73;
+    const double t139 = layer_0_x * layer_0_x_by_q73_by_q73 + layer_0_z * layer_0_z_by_q73_by_q73;
+    const double across_by_q73_by_q73 = t139 + layer_0_x_by_q73 * layer_0_x_by_q73
+        + layer_0_z_by_q73 * layer_0_z_by_q73;
+    const double x_plane_y_by_q73_by_q73 = u_e * sin_A_by_q73_by_q73 - sin_A * u_e_by_q73_by_q73
+        + t123 * sin_A_by_q73;
+    const double z_plane_y_by_q73_by_q73 = u_e * cos_A_by_q73_by_q73 - cos_A * u_e_by_q73_by_q73
+        + t123 * cos_A_by_q73;
+    const double origin_y_by_q73_by_q73 = M_y_by_q73_by_q73 - 0.018 * z_plane_y_by_q73_by_q73;
+    const double t140 = origin_y_by_q73_by_q73 - 0.004 * x_plane_y_by_q73_by_q73;
+    const double t141 = 0.01 * z_plane_y_by_q73_by_q73;
+    const double layer_0_y_by_q73_by_q73 = t140 + t141 - 0.011 * u_y_by_q73_by_q73;
+    const double t142 = across_by_q73_by_q73 + layer_0_y * layer_0_y_by_q73_by_q73
+        + layer_0_y_by_q73 * layer_0_y_by_q73;
+    const double curvature_152 = t142 - length_0_by_q73 * length_0_by_q73;
+    H[3] = curvature_152 * t82;
+    const double t143 = y_x * layer_0_x;
+    const double t144 = y_z * layer_0_z;
+    const double t145 = t143 - y_x * layer_0_x_by_q71_by_q71 + t144 - y_z * layer_0_z_by_q71_by_q71;
+    const double t146 = y_x + y_x;
+    const double t147 = y_z + y_z;
+    const double across_by_y_by_q71_by_q71 = t145 + t146 * layer_0_z_by_q71 + t147
+        * layer_0_x_by_q71;
+    const double t148 = y_x * y_x;
+    const double t149 = y_z * y_z;
+    const double t150 = t148 + t149;
+    const double across_by_y_squared_by_q71_by_q71 = t150 - t148 - t149;
+    const double t151 = layer_0_z + layer_0_x_by_q71;
+    const double t152 = layer_0_x + layer_0_z_by_q71;
+    const double across_by_y_by_q71 = y_x * t151 - y_z * t152;
+    const double across_by_y = t143 + t144;
+    const double twice_across_2 = across_by_y + across_by_y;
+    const double across_by_y_squared = 0.5 * t150;
+    const double twice_across_4 = across_by_y_squared + across_by_y_squared;
+    const double t153 = y_z_by_q73 * t152 - y_x_by_q73 * t151 + y_z * (layer_0_z_by_q71_by_q73
+        - layer_0_x_by_q73);
+    const double across_by_y_by_q71_by_q73 = t153 + y_x * (layer_0_z_by_q73
+        - layer_0_x_by_q71_by_q73);
+    const double across_by_y_by_q73 = y_x * layer_0_x_by_q73 + y_z * layer_0_z_by_q73 - layer_0_x
+        * y_x_by_q73 - layer_0_z * y_z_by_q73;
+    const double across_by_y_squared_by_q73 = y_x * y_x_by_q73 + y_z * y_z_by_q73;
+    const double t154 = y_x * layer_0_x_by_q73_by_q73 + y_z * layer_0_z_by_q73_by_q73 - layer_0_x
+        * y_x_by_q73_by_q73;
+    const double t155 = y_x_by_q73 + y_x_by_q73;
+    const double t156 = y_z_by_q73 + y_z_by_q73;
+    const double across_by_y_by_q73_by_q73 = t154 - layer_0_z * y_z_by_q73_by_q73 - t155
+        * layer_0_x_by_q73 - t156 * layer_0_z_by_q73;
+    const double t157 = y_x * y_x_by_q73_by_q73 + y_z * y_z_by_q73_by_q73 - y_x_by_q73 * y_x_by_q73;
+    const double across_by_y_squared_by_q73_by_q73 = t157 - y_z_by_q73 * y_z_by_q73;
+    const double t158 = 0.013 * y_x;
+    const double layer_1_x_by_q71_by_q71 = t53 - t54 - t158;
+    const double layer_1_x = t56 + t57 + t158;
+    const double t159 = 0.013 * y_z;
+    const double layer_1_z_by_q71_by_q71 = t64 - t65 - t159;
+    const double layer_1_z = 0.028 - origin_z - t67 + t68 + t159;
+    const double t160 = layer_1_x * layer_1_x_by_q71_by_q71 + layer_1_z * layer_1_z_by_q71_by_q71;
+    const double layer_1_x_by_q71 = t70 - t71 - t159;
+    const double layer_1_z_by_q71 = t72 - t73 - t158;
+    const double across_38_by_q71_by_q71 = t160 + layer_1_x_by_q71 * layer_1_x_by_q71
+        + layer_1_z_by_q71 * layer_1_z_by_q71;
+    const double layer_1_y_by_q71_by_q71 = t75 + t76;
+    const double layer_1_y = 0.006 - origin_y - t77 - t78 + 0.013 * u_y;
+    const double layer_1_y_by_q71 = t79 + t80;
+    const double t161 = layer_1_y_by_q71 * layer_1_y_by_q71;
+    const double across_38_by_q71 = layer_1_x * layer_1_x_by_q71 - layer_1_z * layer_1_z_by_q71;
+    const double half_square_by_38 = across_38_by_q71 - layer_1_y * layer_1_y_by_q71;
+    const double across_38 = 0.5 * (layer_1_x * layer_1_x + layer_1_z * layer_1_z);
+    const double twice_across_6 = across_38 + across_38;
+    const double length_19 = sinew_sqrt(twice_across_6 + layer_1_y * layer_1_y);
+    const double t162 = 1.0 / length_19;
+    const double length_19_by_q71 = half_square_by_38 * t162;
+    const double curvature_38 = across_38_by_q71_by_q71 - layer_1_y * layer_1_y_by_q71_by_q71 + t161
+        - length_19_by_q71 * length_19_by_q71;
+    H[76] = curvature_38 * t162;
+    const double t163 = 0.013 * y_z_by_q73;
+    const double layer_1_x_by_q71_by_q73 = t98 - t99 - t163;
+    const double t164 = 0.013 * y_x_by_q73;
+    const double layer_1_z_by_q71_by_q73 = t105 - t106 - t164;
+    const double t165 = layer_1_x * layer_1_x_by_q71_by_q73 - layer_1_z * layer_1_z_by_q71_by_q73;
+    const double layer_1_x_by_q73 = t109 - t110 - t164;
+    const double layer_1_z_by_q73 = t111 - t112 - t163;
+    const double across_38_by_q71_by_q73 = t165 - layer_1_x_by_q71 * layer_1_x_by_q73
+        + layer_1_z_by_q71 * layer_1_z_by_q73;
+    const double layer_1_y_by_q71_by_q73 = t113 + t114;
+    const double layer_1_y_by_q73 = t115 - t116 - 0.013 * u_y_by_q73;
+    const double t166 = across_38_by_q71_by_q73 - layer_1_y * layer_1_y_by_q71_by_q73
+        - layer_1_y_by_q71 * layer_1_y_by_q73;
+    const double across_38_by_q73 = layer_1_x * layer_1_x_by_q73 + layer_1_z * layer_1_z_by_q73;
+    const double half_square_by_114 = across_38_by_q73 - layer_1_y * layer_1_y_by_q73;
+    const double length_19_by_q73 = half_square_by_114 * t162;
+    const double curvature_114 = t166 + length_19_by_q71 * length_19_by_q73;
+    const double t167 = curvature_114 * t162;
+    H[77] = t167;
+    H[78] = t167;
+    const double layer_1_x_by_q73_by_q73 = t135 + t136 - 0.013 * y_x_by_q73_by_q73;
+    const double layer_1_z_by_q73_by_q73 = t137 + t138 - 0.013 * y_z_by_q73_by_q73;
+    const double t168 = layer_1_x * layer_1_x_by_q73_by_q73 + layer_1_z * layer_1_z_by_q73_by_q73;
+    const double across_38_by_q73_by_q73 = t168 + layer_1_x_by_q73 * layer_1_x_by_q73
+        + layer_1_z_by_q73 * layer_1_z_by_q73;
+    const double layer_1_y_by_q73_by_q73 = t140 - t141 - 0.013 * u_y_by_q73_by_q73;
+    const double t169 = across_38_by_q73_by_q73 + layer_1_y * layer_1_y_by_q73_by_q73
+        + layer_1_y_by_q73 * layer_1_y_by_q73;
+    const double curvature_190 = t169 - length_19_by_q73 * length_19_by_q73;
+    H[79] = curvature_190 * t162;
+    const double t170 = y_x * layer_1_x;
+    const double t171 = y_z * layer_1_z;
+    const double t172 = t170 - y_x * layer_1_x_by_q71_by_q71 + t171 - y_z * layer_1_z_by_q71_by_q71;
+    const double across_by_y_2_by_q71_by_q71 = t172 + t146 * layer_1_z_by_q71 + t147
         * layer_1_x_by_q71;
-    const double layer_1_y_by_q71 = t78 + t79;
-    const double t154 = layer_1_y_by_q71 * layer_1_y_by_q71;
-    const double layer_1_z_by_q71 = t81 - t82 - t148;
-    const double t155 = layer_1_x * layer_1_x_by_q71 - layer_1_y * layer_1_y_by_q71 - layer_1_z
-        * layer_1_z_by_q71;
-    const double length_19 = sinew_sqrt(layer_1_x * layer_1_x + layer_1_y * layer_1_y + layer_1_z
-        * layer_1_z);
-    const double t156 = 1.0 / length_19;
-    const double length_19_by_q71 = t155 * t156;
-    const double t157 = t153 + t154 + layer_1_z_by_q71 * layer_1_z_by_q71 - length_19_by_q71
-        * length_19_by_q71;
-    const double length_19_by_q71_by_q71 = t157 * t156;
-    H[76] = length_19_by_q71_by_q71;
-    const double layer_1_x_by_q71_by_q73 = t101 - t102 - t150;
-    const double layer_1_y_by_q71_by_q73 = t104 + t105;
-    const double t158 = layer_1_x * layer_1_x_by_q71_by_q73 - layer_1_y * layer_1_y_by_q71_by_q73;
-    const double layer_1_z_by_q71_by_q73 = t111 - t112 - t151;
-    const double layer_1_x_by_q73 = t114 - t115 - t151;
-    const double t159 = t158 - layer_1_z * layer_1_z_by_q71_by_q73 - layer_1_x_by_q71
-        * layer_1_x_by_q73;
-    const double layer_1_y_by_q73 = t117 - t118 - 0.013 * u_y_by_q73;
-    const double layer_1_z_by_q73 = t119 - t120 - t150;
-    const double t160 = t159 - layer_1_y_by_q71 * layer_1_y_by_q73 + layer_1_z_by_q71
-        * layer_1_z_by_q73;
-    const double t161 = layer_1_x * layer_1_x_by_q73 - layer_1_y * layer_1_y_by_q73 + layer_1_z
-        * layer_1_z_by_q73;
-    const double length_19_by_q73 = t161 * t156;
-    const double length_19_by_q71_by_q73 = (t160 + length_19_by_q71 * length_19_by_q73) * t156;
-    H[77] = length_19_by_q71_by_q73;
-    H[78] = length_19_by_q71_by_q73;
-    const double layer_1_x_by_q73_by_q73 = t139 + t140 - 0.013 * y_x_by_q73_by_q73;
-    const double layer_1_y_by_q73_by_q73 = t141 - t142 - 0.013 * u_y_by_q73_by_q73;
-    const double t162 = layer_1_x * layer_1_x_by_q73_by_q73 + layer_1_y * layer_1_y_by_q73_by_q73;
-    const double layer_1_z_by_q73_by_q73 = t144 + t145 - 0.013 * y_z_by_q73_by_q73;
-    const double t163 = t162 + layer_1_z * layer_1_z_by_q73_by_q73 + layer_1_x_by_q73
-        * layer_1_x_by_q73;
-    const double t164 = t163 + layer_1_y_by_q73 * layer_1_y_by_q73 + layer_1_z_by_q73
-        * layer_1_z_by_q73;
-    const double length_19_by_q73_by_q73 = (t164 - length_19_by_q73 * length_19_by_q73) * t156;
-    H[79] = length_19_by_q73_by_q73;
-    static const double table166[18][2] = {{0.001, 0.001}, {0.003, 0.003}, {0.005, 0.004},
+    const double t173 = layer_1_z + layer_1_x_by_q71;
+    const double t174 = layer_1_x + layer_1_z_by_q71;
+    const double across_by_y_2_by_q71 = y_x * t173 - y_z * t174;
+    const double across_by_y_2 = t170 + t171;
+    const double twice_across_8 = across_by_y_2 + across_by_y_2;
+    const double t175 = y_z_by_q73 * t174 - y_x_by_q73 * t173 + y_z * (layer_1_z_by_q71_by_q73
+        - layer_1_x_by_q73);
+    const double across_by_y_2_by_q71_by_q73 = t175 + y_x * (layer_1_z_by_q73
+        - layer_1_x_by_q71_by_q73);
+    const double across_by_y_2_by_q73 = y_x * layer_1_x_by_q73 + y_z * layer_1_z_by_q73 - layer_1_x
+        * y_x_by_q73 - layer_1_z * y_z_by_q73;
+    const double t176 = y_x * layer_1_x_by_q73_by_q73 + y_z * layer_1_z_by_q73_by_q73 - layer_1_x
+        * y_x_by_q73_by_q73;
+    const double across_by_y_2_by_q73_by_q73 = t176 - layer_1_z * y_z_by_q73_by_q73 - t155
+        * layer_1_x_by_q73 - t156 * layer_1_z_by_q73;
+    static const double table178[18][2] = {{0.001, 0.001}, {0.003, 0.003}, {0.005, 0.004},
         {0.006, 0.006}, {0.008, 0.008}, {0.009, 0.009}, {0.011, 0.011}, {0.013, 0.012},
         {0.014, 0.014}, {0.016, 0.016}, {0.017, 0.017}, {0.019, 0.019}, {0.021, 0.02},
         {0.022, 0.022}, {0.024, 0.024}, {0.025, 0.025}, {0.027, 0.027}, {0.029, 0.028}};
-    for (int i165 = 0; i165 < 18; ++i165) {
-        const double t167 = table166[i165][0] * y_x;
-        const double strand_x = layer_0_x - t167;
-        const double strand_x_by_q71_by_q71 = layer_0_x_by_q71_by_q71 + t167;
-        const double strand_y = table166[i165][1] + layer_0_y - table166[i165][0] * u_y;
-        const double t168 = table166[i165][0] * y_z;
-        const double strand_z = layer_0_z - t168;
-        const double strand_z_by_q71_by_q71 = layer_0_z_by_q71_by_q71 + t168;
-        const double t169 = strand_x * strand_x_by_q71_by_q71 - strand_y * layer_0_y_by_q71_by_q71
-            + strand_z * strand_z_by_q71_by_q71;
-        const double strand_x_by_q71 = layer_0_x_by_q71 + t168;
-        const double strand_z_by_q71 = layer_0_z_by_q71 + t167;
-        const double t170 = t169 + t80 + strand_x_by_q71 * strand_x_by_q71 + strand_z_by_q71
-            * strand_z_by_q71;
-        const double t171 = strand_x * strand_x_by_q71 - strand_y * layer_0_y_by_q71 - strand_z
-            * strand_z_by_q71;
-        const double length = sinew_sqrt(strand_x * strand_x + strand_y * strand_y + strand_z
-            * strand_z);
-        const double t172 = 1.0 / length;
-        const double length_by_q71 = t171 * t172;
-        const double length_by_q71_by_q71 = (t170 - length_by_q71 * length_by_q71) * t172;
-        const double t173 = table166[i165][0] * y_z_by_q73;
-        const double strand_x_by_q71_by_q73 = layer_0_x_by_q71_by_q73 + t173;
-        const double t174 = table166[i165][0] * y_x_by_q73;
-        const double strand_z_by_q71_by_q73 = layer_0_z_by_q71_by_q73 + t174;
-        const double t175 = strand_x * strand_x_by_q71_by_q73 - strand_y * layer_0_y_by_q71_by_q73
-            - strand_z * strand_z_by_q71_by_q73;
-        const double strand_y_by_q73 = layer_0_y_by_q73 + table166[i165][0] * u_y_by_q73;
-        const double strand_x_by_q73 = layer_0_x_by_q73 + t174;
-        const double t176 = t175 - layer_0_y_by_q71 * strand_y_by_q73 - strand_x_by_q71
-            * strand_x_by_q73;
-        const double strand_z_by_q73 = layer_0_z_by_q73 + t173;
-        const double t177 = strand_x * strand_x_by_q73 - strand_y * strand_y_by_q73 + strand_z
-            * strand_z_by_q73;
-        const double length_by_q73 = t177 * t172;
-        const double length_by_q71_by_q73 = (t176 + strand_z_by_q71 * strand_z_by_q73
-            + length_by_q71 * length_by_q73) * t172;
-        const double strand_x_by_q73_by_q73 = layer_0_x_by_q73_by_q73 + table166[i165][0]
-            * y_x_by_q73_by_q73;
-        const double strand_y_by_q73_by_q73 = layer_0_y_by_q73_by_q73 + table166[i165][0]
-            * u_y_by_q73_by_q73;
-        const double strand_z_by_q73_by_q73 = layer_0_z_by_q73_by_q73 + table166[i165][0]
-            * y_z_by_q73_by_q73;
-        const double t178 = strand_x * strand_x_by_q73_by_q73 + strand_y * strand_y_by_q73_by_q73
-            + strand_z * strand_z_by_q73_by_q73;
-        const double t179 = t178 + strand_x_by_q73 * strand_x_by_q73 + strand_y_by_q73
-            * strand_y_by_q73;
-        const double length_by_q73_by_q73 = (t179 + strand_z_by_q73 * strand_z_by_q73
-            - length_by_q73 * length_by_q73) * t172;
-        H[4 + 4 * i165] = length_by_q71_by_q71;
-        H[5 + 4 * i165] = length_by_q71_by_q73;
-        H[6 + 4 * i165] = length_by_q71_by_q73;
-        H[7 + 4 * i165] = length_by_q73_by_q73;
+    for (int i177 = 0; i177 < 18; ++i177) {
+        const double across_slope = across_by_y_by_q71_by_q71 - table178[i177][0]
+            * across_by_y_squared_by_q71_by_q71;
+        const double across_2 = across_by_q71_by_q71 + table178[i177][0] * across_slope;
+        const double strand_y = table178[i177][1] + layer_0_y - table178[i177][0] * u_y;
+        const double across_3 = across_by_q71 - table178[i177][0] * across_by_y_by_q71;
+        const double half_square_by_2 = across_3 - strand_y * layer_0_y_by_q71;
+        const double t179 = table178[i177][0] * (twice_across_2 - table178[i177][0]
+            * twice_across_4);
+        const double across_4 = twice_across - t179;
+        const double length = sinew_sqrt(across_4 + strand_y * strand_y);
+        const double t180 = 1.0 / length;
+        const double length_by_q71 = half_square_by_2 * t180;
+        const double curvature_2 = across_2 - strand_y * layer_0_y_by_q71_by_q71 + t81
+            - length_by_q71 * length_by_q71;
+        const double across_5 = across_by_q71_by_q73 + table178[i177][0]
+            * across_by_y_by_q71_by_q73;
+        const double t181 = layer_0_y_by_q73 + table178[i177][0] * u_y_by_q73;
+        const double across_slope_2 = across_by_y_by_q73 + table178[i177][0]
+            * across_by_y_squared_by_q73;
+        const double across_6 = across_by_q73 - table178[i177][0] * across_slope_2;
+        const double half_square_by_3 = across_6 - strand_y * t181;
+        const double length_by_q73 = half_square_by_3 * t180;
+        const double curvature_3 = across_5 - strand_y * layer_0_y_by_q71_by_q73 - layer_0_y_by_q71
+            * t181 + length_by_q71 * length_by_q73;
+        const double t182 = curvature_3 * t180;
+        const double across_slope_3 = across_by_y_by_q73_by_q73 + table178[i177][0]
+            * across_by_y_squared_by_q73_by_q73;
+        const double across_7 = across_by_q73_by_q73 - table178[i177][0] * across_slope_3;
+        const double strand_y_by = layer_0_y_by_q73_by_q73 + table178[i177][0] * u_y_by_q73_by_q73;
+        const double curvature_4 = across_7 + strand_y * strand_y_by + t181 * t181 - length_by_q73
+            * length_by_q73;
+        H[4 + 4 * i177] = curvature_2 * t180;
+        H[5 + 4 * i177] = t182;
+        H[6 + 4 * i177] = t182;
+        H[7 + 4 * i177] = curvature_4 * t180;
     }
-    static const double table181[18][2] = {{0.002, 0.001}, {0.003, 0.003}, {0.005, 0.005},
+    static const double table184[18][2] = {{0.002, 0.001}, {0.003, 0.003}, {0.005, 0.005},
         {0.007, 0.006}, {0.008, 0.008}, {0.01, 0.009}, {0.011, 0.011}, {0.013, 0.013},
         {0.015, 0.014}, {0.016, 0.016}, {0.018, 0.017}, {0.019, 0.019}, {0.021, 0.021},
         {0.023, 0.022}, {0.024, 0.024}, {0.026, 0.025}, {0.027, 0.027}, {0.029, 0.029}};
-    for (int i180 = 0; i180 < 18; ++i180) {
-        const double t182 = table181[i180][0] * y_x;
-        const double strand_x_2 = layer_1_x - t182;
-        const double strand_x_by_q71_by_q71_2 = layer_1_x_by_q71_by_q71 + t182;
-        const double strand_y_2 = table181[i180][1] + layer_1_y - table181[i180][0] * u_y;
-        const double t183 = strand_x_2 * strand_x_by_q71_by_q71_2 - strand_y_2
-            * layer_1_y_by_q71_by_q71;
-        const double t184 = table181[i180][0] * y_z;
-        const double strand_z_2 = layer_1_z - t184;
-        const double strand_z_by_q71_by_q71_2 = layer_1_z_by_q71_by_q71 + t184;
-        const double strand_x_by_q71_2 = layer_1_x_by_q71 + t184;
-        const double t185 = t183 + strand_z_2 * strand_z_by_q71_by_q71_2 + t154 + strand_x_by_q71_2
-            * strand_x_by_q71_2;
-        const double strand_z_by_q71_2 = layer_1_z_by_q71 + t182;
-        const double t186 = strand_x_2 * strand_x_by_q71_2 - strand_y_2 * layer_1_y_by_q71
-            - strand_z_2 * strand_z_by_q71_2;
-        const double t187 = strand_x_2 * strand_x_2 + strand_y_2 * strand_y_2 + strand_z_2
-            * strand_z_2;
-        const double length_2 = sinew_sqrt(t187);
-        const double t188 = 1.0 / length_2;
-        const double length_by_q71_2 = t186 * t188;
-        const double t189 = t185 + strand_z_by_q71_2 * strand_z_by_q71_2 - length_by_q71_2
-            * length_by_q71_2;
-        const double length_by_q71_by_q71_2 = t189 * t188;
-        const double t190 = table181[i180][0] * y_z_by_q73;
-        const double strand_x_by_q71_by_q73_2 = layer_1_x_by_q71_by_q73 + t190;
-        const double t191 = strand_x_2 * strand_x_by_q71_by_q73_2 - strand_y_2
-            * layer_1_y_by_q71_by_q73;
-        const double t192 = table181[i180][0] * y_x_by_q73;
-        const double strand_z_by_q71_by_q73_2 = layer_1_z_by_q71_by_q73 + t192;
-        const double strand_y_by_q73_2 = layer_1_y_by_q73 + table181[i180][0] * u_y_by_q73;
-        const double t193 = t191 - strand_z_2 * strand_z_by_q71_by_q73_2 - layer_1_y_by_q71
-            * strand_y_by_q73_2;
-        const double strand_x_by_q73_2 = layer_1_x_by_q73 + t192;
-        const double strand_z_by_q73_2 = layer_1_z_by_q73 + t190;
-        const double t194 = t193 - strand_x_by_q71_2 * strand_x_by_q73_2 + strand_z_by_q71_2
-            * strand_z_by_q73_2;
-        const double t195 = strand_x_2 * strand_x_by_q73_2 - strand_y_2 * strand_y_by_q73_2
-            + strand_z_2 * strand_z_by_q73_2;
-        const double length_by_q73_2 = t195 * t188;
-        const double length_by_q71_by_q73_2 = (t194 + length_by_q71_2 * length_by_q73_2) * t188;
-        const double strand_x_by_q73_by_q73_2 = layer_1_x_by_q73_by_q73 + table181[i180][0]
-            * y_x_by_q73_by_q73;
-        const double strand_y_by_q73_by_q73_2 = layer_1_y_by_q73_by_q73 + table181[i180][0]
+    for (int i183 = 0; i183 < 18; ++i183) {
+        const double across_slope_4 = across_by_y_2_by_q71_by_q71 - table184[i183][0]
+            * across_by_y_squared_by_q71_by_q71;
+        const double across_8 = across_38_by_q71_by_q71 + table184[i183][0] * across_slope_4;
+        const double strand_y_2 = table184[i183][1] + layer_1_y - table184[i183][0] * u_y;
+        const double across_9 = across_38_by_q71 - table184[i183][0] * across_by_y_2_by_q71;
+        const double half_square_by_4 = across_9 - strand_y_2 * layer_1_y_by_q71;
+        const double across_slope_5 = twice_across_8 - table184[i183][0] * twice_across_4;
+        const double across_10 = twice_across_6 - table184[i183][0] * across_slope_5;
+        const double length_2 = sinew_sqrt(across_10 + strand_y_2 * strand_y_2);
+        const double t185 = 1.0 / length_2;
+        const double length_by_q71_2 = half_square_by_4 * t185;
+        const double curvature_5 = across_8 - strand_y_2 * layer_1_y_by_q71_by_q71 + t161
+            - length_by_q71_2 * length_by_q71_2;
+        const double across_11 = across_38_by_q71_by_q73 + table184[i183][0]
+            * across_by_y_2_by_q71_by_q73;
+        const double strand_y_by_2 = layer_1_y_by_q73 + table184[i183][0] * u_y_by_q73;
+        const double t186 = across_11 - strand_y_2 * layer_1_y_by_q71_by_q73 - layer_1_y_by_q71
+            * strand_y_by_2;
+        const double across_slope_6 = across_by_y_2_by_q73 + table184[i183][0]
+            * across_by_y_squared_by_q73;
+        const double across_12 = across_38_by_q73 - table184[i183][0] * across_slope_6;
+        const double half_square_by_5 = across_12 - strand_y_2 * strand_y_by_2;
+        const double length_by_q73_2 = half_square_by_5 * t185;
+        const double curvature_6 = t186 + length_by_q71_2 * length_by_q73_2;
+        const double t187 = curvature_6 * t185;
+        const double across_slope_7 = across_by_y_2_by_q73_by_q73 + table184[i183][0]
+            * across_by_y_squared_by_q73_by_q73;
+        const double across_13 = across_38_by_q73_by_q73 - table184[i183][0] * across_slope_7;
+        const double strand_y_by_3 = layer_1_y_by_q73_by_q73 + table184[i183][0]
             * u_y_by_q73_by_q73;
-        const double t196 = strand_x_2 * strand_x_by_q73_by_q73_2 + strand_y_2
-            * strand_y_by_q73_by_q73_2;
-        const double strand_z_by_q73_by_q73_2 = layer_1_z_by_q73_by_q73 + table181[i180][0]
-            * y_z_by_q73_by_q73;
-        const double t197 = t196 + strand_z_2 * strand_z_by_q73_by_q73_2 + strand_x_by_q73_2
-            * strand_x_by_q73_2;
-        const double t198 = t197 + strand_y_by_q73_2 * strand_y_by_q73_2 + strand_z_by_q73_2
-            * strand_z_by_q73_2;
-        const double length_by_q73_by_q73_2 = (t198 - length_by_q73_2 * length_by_q73_2) * t188;
-        H[80 + 4 * i180] = length_by_q71_by_q71_2;
-        H[81 + 4 * i180] = length_by_q71_by_q73_2;
-        H[82 + 4 * i180] = length_by_q71_by_q73_2;
-        H[83 + 4 * i180] = length_by_q73_by_q73_2;
+        const double curvature_7 = across_13 + strand_y_2 * strand_y_by_3 + strand_y_by_2
+            * strand_y_by_2 - length_by_q73_2 * length_by_q73_2;
+        H[80 + 4 * i183] = curvature_5 * t185;
+        H[81 + 4 * i183] = t187;
+        H[82 + 4 * i183] = t187;
+        H[83 + 4 * i183] = curvature_7 * t185;
     }
 }
 
@@ -1598,90 +1626,99 @@ void wrist_feedforward_rate(double q71, double q73, double dq71, double dq73,
     const double t19 = 0.01 * z_x;
     const double y_x = cos_q71 * u_e;
     const double layer_0_x = t18 - t19 + 0.011 * y_x;
-    const double z_plane_y_by_t = u_e * cos_A_by_t + cos_A * u_e_by_t;
-    const double origin_y_by_t = M_y_by_t - 0.018 * z_plane_y_by_t;
-    const double x_plane_y_by_t = u_e * sin_A_by_t + sin_A * u_e_by_t;
-    const double t20 = origin_y_by_t - 0.004 * x_plane_y_by_t;
-    const double t21 = 0.01 * z_plane_y_by_t;
-    const double layer_0_y_by_t = t20 + t21 - 0.011 * u_y_by_t;
-    const double z_plane_y = u_e * cos_A;
-    const double origin_y = M_y + 0.018 * z_plane_y;
-    const double x_plane_y = u_e * sin_A;
-    const double t22 = 0.004 * x_plane_y;
-    const double t23 = 0.01 * z_plane_y;
-    const double layer_0_y = 0.007 - origin_y - t22 + t23 + 0.011 * u_y;
     const double z_z_by_t = cos_q71 * sin_A_by_t + sin_q71 * z_plane_x_by_t - sin_A * cos_q71_by_t
         + z_plane_x * sin_q71_by_t;
     const double M_z_by_t = sin_q71 * M_e_by_t + M_e * sin_q71_by_t;
     const double origin_z_by_t = M_z_by_t - 0.018 * z_z_by_t;
     const double x_z_by_t = cos_q71 * cos_A_by_t - sin_q71 * x_plane_x_by_t - cos_A * cos_q71_by_t
         - x_plane_x * sin_q71_by_t;
-    const double t24 = origin_z_by_t + 0.004 * x_z_by_t;
-    const double t25 = 0.01 * z_z_by_t;
+    const double t20 = origin_z_by_t + 0.004 * x_z_by_t;
+    const double t21 = 0.01 * z_z_by_t;
     const double y_z_by_t = sin_q71 * u_e_by_t + u_e * sin_q71_by_t;
-    const double layer_0_z_by_t = t24 + t25 - 0.011 * y_z_by_t;
+    const double layer_0_z_by_t = t20 + t21 - 0.011 * y_z_by_t;
     const double z_z = cos_q71 * sin_A + sin_q71 * z_plane_x;
     const double M_z = sin_q71 * M_e;
     const double origin_z = M_z - 0.018 * z_z;
     const double x_z = cos_q71 * cos_A - sin_q71 * x_plane_x;
-    const double t26 = 0.004 * x_z;
-    const double t27 = 0.01 * z_z;
+    const double t22 = 0.004 * x_z;
+    const double t23 = 0.01 * z_z;
     const double y_z = sin_q71 * u_e;
-    const double layer_0_z = 0.008 - origin_z - t26 - t27 + 0.011 * y_z;
-    const double t28 = layer_0_x * layer_0_x_by_t - layer_0_y * layer_0_y_by_t + layer_0_z
-        * layer_0_z_by_t;
-    const double length_0 = sinew_sqrt(layer_0_x * layer_0_x + layer_0_y * layer_0_y + layer_0_z
-        * layer_0_z);
-    const double length_0_by_t = t28 / length_0;
+    const double layer_0_z = 0.008 - origin_z - t22 - t23 + 0.011 * y_z;
+    const double across_by_t = layer_0_x * layer_0_x_by_t + layer_0_z * layer_0_z_by_t;
+    const double z_plane_y_by_t = u_e * cos_A_by_t + cos_A * u_e_by_t;
+    const double origin_y_by_t = M_y_by_t - 0.018 * z_plane_y_by_t;
+    const double x_plane_y_by_t = u_e * sin_A_by_t + sin_A * u_e_by_t;
+    const double t24 = origin_y_by_t - 0.004 * x_plane_y_by_t;
+    const double t25 = 0.01 * z_plane_y_by_t;
+    const double layer_0_y_by_t = t24 + t25 - 0.011 * u_y_by_t;
+    const double z_plane_y = u_e * cos_A;
+    const double origin_y = M_y + 0.018 * z_plane_y;
+    const double x_plane_y = u_e * sin_A;
+    const double t26 = 0.004 * x_plane_y;
+    const double t27 = 0.01 * z_plane_y;
+    const double layer_0_y = 0.007 - origin_y - t26 + t27 + 0.011 * u_y;
+    const double half_square_by = across_by_t - layer_0_y * layer_0_y_by_t;
+    const double across = 0.5 * (layer_0_x * layer_0_x + layer_0_z * layer_0_z);
+    const double twice_across = across + across;
+    const double length_0 = sinew_sqrt(twice_across + layer_0_y * layer_0_y);
+    const double length_0_by_t = half_square_by / length_0;
     delta_theta_rate[0] = 200.0 * length_0_by_t;
+    const double across_by_y_by_t = y_x * layer_0_x_by_t + y_z * layer_0_z_by_t - layer_0_x
+        * y_x_by_t - layer_0_z * y_z_by_t;
+    const double across_by_y_squared_by_t = y_x * y_x_by_t + y_z * y_z_by_t;
+    const double across_by_y = y_x * layer_0_x + y_z * layer_0_z;
+    const double twice_across_2 = across_by_y + across_by_y;
+    const double across_by_y_squared = 0.5 * (y_x * y_x + y_z * y_z);
+    const double twice_across_4 = across_by_y_squared + across_by_y_squared;
     const double layer_1_x_by_t = t16 - t17 - 0.013 * y_x_by_t;
     const double layer_1_x = t18 + t19 + 0.013 * y_x;
-    const double layer_1_y_by_t = t20 - t21 - 0.013 * u_y_by_t;
-    const double layer_1_y = 0.006 - origin_y - t22 - t23 + 0.013 * u_y;
-    const double layer_1_z_by_t = t24 - t25 - 0.013 * y_z_by_t;
-    const double layer_1_z = 0.028 - origin_z - t26 + t27 + 0.013 * y_z;
-    const double t29 = layer_1_x * layer_1_x_by_t - layer_1_y * layer_1_y_by_t + layer_1_z
-        * layer_1_z_by_t;
-    const double length_19 = sinew_sqrt(layer_1_x * layer_1_x + layer_1_y * layer_1_y + layer_1_z
-        * layer_1_z);
-    const double length_19_by_t = t29 / length_19;
+    const double layer_1_z_by_t = t20 - t21 - 0.013 * y_z_by_t;
+    const double layer_1_z = 0.028 - origin_z - t22 + t23 + 0.013 * y_z;
+    const double across_38_by_t = layer_1_x * layer_1_x_by_t + layer_1_z * layer_1_z_by_t;
+    const double layer_1_y_by_t = t24 - t25 - 0.013 * u_y_by_t;
+    const double layer_1_y = 0.006 - origin_y - t26 - t27 + 0.013 * u_y;
+    const double half_square_by_38 = across_38_by_t - layer_1_y * layer_1_y_by_t;
+    const double across_38 = 0.5 * (layer_1_x * layer_1_x + layer_1_z * layer_1_z);
+    const double twice_across_6 = across_38 + across_38;
+    const double length_19 = sinew_sqrt(twice_across_6 + layer_1_y * layer_1_y);
+    const double length_19_by_t = half_square_by_38 / length_19;
     delta_theta_rate[19] = 200.0 * length_19_by_t;
-    static const double table31[18][2] = {{0.001, 0.001}, {0.003, 0.003}, {0.005, 0.004},
+    const double across_by_y_2_by_t = y_x * layer_1_x_by_t + y_z * layer_1_z_by_t - layer_1_x
+        * y_x_by_t - layer_1_z * y_z_by_t;
+    const double across_by_y_2 = y_x * layer_1_x + y_z * layer_1_z;
+    const double twice_across_8 = across_by_y_2 + across_by_y_2;
+    static const double table29[18][2] = {{0.001, 0.001}, {0.003, 0.003}, {0.005, 0.004},
         {0.006, 0.006}, {0.008, 0.008}, {0.009, 0.009}, {0.011, 0.011}, {0.013, 0.012},
         {0.014, 0.014}, {0.016, 0.016}, {0.017, 0.017}, {0.019, 0.019}, {0.021, 0.02},
         {0.022, 0.022}, {0.024, 0.024}, {0.025, 0.025}, {0.027, 0.027}, {0.029, 0.028}};
-    for (int i30 = 0; i30 < 18; ++i30) {
-        const double strand_x = layer_0_x - table31[i30][0] * y_x;
-        const double strand_x_by_t = layer_0_x_by_t + table31[i30][0] * y_x_by_t;
-        const double strand_y = table31[i30][1] + layer_0_y - table31[i30][0] * u_y;
-        const double strand_y_by_t = layer_0_y_by_t + table31[i30][0] * u_y_by_t;
-        const double strand_z = layer_0_z - table31[i30][0] * y_z;
-        const double strand_z_by_t = layer_0_z_by_t + table31[i30][0] * y_z_by_t;
-        const double t32 = strand_x * strand_x_by_t - strand_y * strand_y_by_t + strand_z
-            * strand_z_by_t;
-        const double length = sinew_sqrt(strand_x * strand_x + strand_y * strand_y + strand_z
-            * strand_z);
-        const double length_by_t = t32 / length;
-        delta_theta_rate[1 + i30] = 200.0 * length_by_t;
+    for (int i28 = 0; i28 < 18; ++i28) {
+        const double across_slope = across_by_y_by_t + table29[i28][0] * across_by_y_squared_by_t;
+        const double across_2 = across_by_t - table29[i28][0] * across_slope;
+        const double strand_y = table29[i28][1] + layer_0_y - table29[i28][0] * u_y;
+        const double half_square_by_2 = across_2 - strand_y * (layer_0_y_by_t + table29[i28][0]
+            * u_y_by_t);
+        const double across_3 = twice_across - table29[i28][0] * (twice_across_2 - table29[i28][0]
+            * twice_across_4);
+        const double length = sinew_sqrt(across_3 + strand_y * strand_y);
+        const double length_by_t = half_square_by_2 / length;
+        delta_theta_rate[1 + i28] = 200.0 * length_by_t;
     }
-    static const double table34[18][2] = {{0.002, 0.001}, {0.003, 0.003}, {0.005, 0.005},
+    static const double table31[18][2] = {{0.002, 0.001}, {0.003, 0.003}, {0.005, 0.005},
         {0.007, 0.006}, {0.008, 0.008}, {0.01, 0.009}, {0.011, 0.011}, {0.013, 0.013},
         {0.015, 0.014}, {0.016, 0.016}, {0.018, 0.017}, {0.019, 0.019}, {0.021, 0.021},
         {0.023, 0.022}, {0.024, 0.024}, {0.026, 0.025}, {0.027, 0.027}, {0.029, 0.029}};
-    for (int i33 = 0; i33 < 18; ++i33) {
-        const double strand_x_2 = layer_1_x - table34[i33][0] * y_x;
-        const double strand_x_by_t_2 = layer_1_x_by_t + table34[i33][0] * y_x_by_t;
-        const double strand_y_2 = table34[i33][1] + layer_1_y - table34[i33][0] * u_y;
-        const double strand_y_by_t_2 = layer_1_y_by_t + table34[i33][0] * u_y_by_t;
-        const double strand_z_2 = layer_1_z - table34[i33][0] * y_z;
-        const double strand_z_by_t_2 = layer_1_z_by_t + table34[i33][0] * y_z_by_t;
-        const double t35 = strand_x_2 * strand_x_by_t_2 - strand_y_2 * strand_y_by_t_2 + strand_z_2
-            * strand_z_by_t_2;
-        const double t36 = strand_x_2 * strand_x_2 + strand_y_2 * strand_y_2 + strand_z_2
-            * strand_z_2;
-        const double length_2 = sinew_sqrt(t36);
-        const double length_by_t_2 = t35 / length_2;
-        delta_theta_rate[20 + i33] = 200.0 * length_by_t_2;
+    for (int i30 = 0; i30 < 18; ++i30) {
+        const double across_slope_2 = across_by_y_2_by_t + table31[i30][0]
+            * across_by_y_squared_by_t;
+        const double across_4 = across_38_by_t - table31[i30][0] * across_slope_2;
+        const double strand_y_2 = table31[i30][1] + layer_1_y - table31[i30][0] * u_y;
+        const double strand_y_by = layer_1_y_by_t + table31[i30][0] * u_y_by_t;
+        const double half_square_by_3 = across_4 - strand_y_2 * strand_y_by;
+        const double across_slope_3 = twice_across_8 - table31[i30][0] * twice_across_4;
+        const double across_5 = twice_across_6 - table31[i30][0] * across_slope_3;
+        const double length_2 = sinew_sqrt(across_5 + strand_y_2 * strand_y_2);
+        const double length_by_t_2 = half_square_by_3 / length_2;
+        delta_theta_rate[20 + i30] = 200.0 * length_by_t_2;
     }
 }
 
@@ -1777,65 +1814,69 @@ void wrist_joint_torque(double q71, double q73, const double f[SINEW_AT_LEAST(38
     const double origin_x_by_q73 = M_x_by_q73 - 0.018 * z_x_by_q73;
     const double t28 = origin_x_by_q73 - 0.004 * x_x_by_q73;
     const double y_x = cos_q71 * u_e;
-    const double t29 = 0.011 * y_x;
-    const double t30 = sin_q71 * sin_A;
-    const double z_plane_x = u_y * cos_A;
-    const double t31 = cos_q71 * z_plane_x;
-    const double z_x = t31 - t30;
-    const double t32 = 0.01 * z_x;
-    const double t33 = sin_q71 * cos_A;
-    const double x_plane_x = u_y * sin_A;
-    const double t34 = cos_q71 * x_plane_x;
-    const double x_x = t34 + t33;
-    const double M_x = cos_q71 * M_e;
-    const double t35 = 0.004 - M_x + 0.018 * z_x + 0.004 * x_x;
-    const double layer_0_x = t35 - t32 + t29;
+    const double z_plane_y = u_e * cos_A;
+    const double t29 = 0.01 * z_plane_y;
+    const double x_plane_y = u_e * sin_A;
+    const double t30 = 0.004 * x_plane_y;
+    const double origin_y = M_y + 0.018 * z_plane_y;
+    const double layer_0_y = 0.007 - origin_y - t30 + t29 + 0.011 * u_y;
     const double y_z = sin_q71 * u_e;
-    const double t36 = 0.011 * y_z;
-    const double t37 = cos_q71 * sin_A;
-    const double t38 = sin_q71 * z_plane_x;
-    const double z_z = t37 + t38;
-    const double t39 = 0.01 * z_z;
-    const double t40 = cos_q71 * cos_A;
-    const double t41 = sin_q71 * x_plane_x;
-    const double x_z = t40 - t41;
-    const double t42 = 0.004 * x_z;
+    const double across_by_y_squared = 0.5 * (y_x * y_x + y_z * y_z);
+    const double twice_across_4 = across_by_y_squared + across_by_y_squared;
+    const double t31 = 0.011 * y_x;
+    const double t32 = sin_q71 * sin_A;
+    const double z_plane_x = u_y * cos_A;
+    const double t33 = cos_q71 * z_plane_x;
+    const double z_x = t33 - t32;
+    const double t34 = 0.01 * z_x;
+    const double t35 = sin_q71 * cos_A;
+    const double x_plane_x = u_y * sin_A;
+    const double t36 = cos_q71 * x_plane_x;
+    const double x_x = t36 + t35;
+    const double M_x = cos_q71 * M_e;
+    const double t37 = 0.004 - M_x + 0.018 * z_x + 0.004 * x_x;
+    const double layer_0_x = t37 - t34 + t31;
+    const double t38 = 0.011 * y_z;
+    const double t39 = cos_q71 * sin_A;
+    const double t40 = sin_q71 * z_plane_x;
+    const double z_z = t39 + t40;
+    const double t41 = 0.01 * z_z;
+    const double t42 = cos_q71 * cos_A;
+    const double t43 = sin_q71 * x_plane_x;
+    const double x_z = t42 - t43;
+    const double t44 = 0.004 * x_z;
     const double M_z = sin_q71 * M_e;
     const double origin_z = M_z - 0.018 * z_z;
-    const double layer_0_z = 0.008 - origin_z - t42 - t39 + t36;
-    const double z_plane_y = u_e * cos_A;
-    const double t43 = 0.01 * z_plane_y;
-    const double x_plane_y = u_e * sin_A;
-    const double t44 = 0.004 * x_plane_y;
-    const double origin_y = M_y + 0.018 * z_plane_y;
-    const double layer_0_y = 0.007 - origin_y - t44 + t43 + 0.011 * u_y;
-    const double t45 = 0.013 * y_x;
-    const double t46 = 0.013 * y_z;
-    const double length_0 = sinew_sqrt(layer_0_x * layer_0_x + layer_0_y * layer_0_y + layer_0_z
-        * layer_0_z);
+    const double layer_0_z = 0.008 - origin_z - t44 - t41 + t38;
+    const double across_by_y = y_x * layer_0_x + y_z * layer_0_z;
+    const double twice_across_2 = across_by_y + across_by_y;
+    const double across = 0.5 * (layer_0_x * layer_0_x + layer_0_z * layer_0_z);
+    const double twice_across = across + across;
+    const double length_0 = sinew_sqrt(twice_across + layer_0_y * layer_0_y);
     const double per_length_0 = f[0] / length_0;
-    const double pull_0_x = layer_0_x * per_length_0;
     const double z_plane_y_by_q73 = u_e * cos_A_by_q73 + cos_A * u_e_by_q73;
     const double origin_y_by_q73 = M_y_by_q73 - 0.018 * z_plane_y_by_q73;
     const double x_plane_y_by_q73 = u_e * sin_A_by_q73 + sin_A * u_e_by_q73;
-    const double t47 = origin_y_by_q73 - 0.004 * x_plane_y_by_q73;
-    const double pull_0_y = layer_0_y * per_length_0;
+    const double t45 = origin_y_by_q73 - 0.004 * x_plane_y_by_q73;
+    const double pull_0 = layer_0_y * per_length_0;
     const double y_z_by_q73 = sin_q71 * u_e_by_q73;
     const double z_z_by_q73 = cos_q71 * sin_A_by_q73 + sin_q71 * z_plane_x_by_q73;
     const double x_z_by_q73 = cos_q71 * cos_A_by_q73 - sin_q71 * x_plane_x_by_q73;
     const double M_z_by_q73 = sin_q71 * M_e_by_q73;
     const double origin_z_by_q73 = M_z_by_q73 - 0.018 * z_z_by_q73;
-    const double t48 = origin_z_by_q73 + 0.004 * x_z_by_q73;
-    const double pull_0_z = layer_0_z * per_length_0;
-    const double layer_1_x = t35 + t32 + t45;
-    const double layer_1_z = 0.028 - origin_z - t42 + t39 + t46;
-    const double layer_1_y = 0.006 - origin_y - t44 - t43 + 0.013 * u_y;
-    const double length_19 = sinew_sqrt(layer_1_x * layer_1_x + layer_1_y * layer_1_y + layer_1_z
-        * layer_1_z);
+    const double t46 = origin_z_by_q73 + 0.004 * x_z_by_q73;
+    const double layer_1_y = 0.006 - origin_y - t30 - t29 + 0.013 * u_y;
+    const double t47 = 0.013 * y_x;
+    const double layer_1_x = t37 + t34 + t47;
+    const double t48 = 0.013 * y_z;
+    const double layer_1_z = 0.028 - origin_z - t44 + t41 + t48;
+    const double across_by_y_2 = y_x * layer_1_x + y_z * layer_1_z;
+    const double twice_across_8 = across_by_y_2 + across_by_y_2;
+    const double across_38 = 0.5 * (layer_1_x * layer_1_x + layer_1_z * layer_1_z);
+    const double twice_across_6 = across_38 + across_38;
+    const double length_19 = sinew_sqrt(twice_across_6 + layer_1_y * layer_1_y);
     const double per_length_19 = f[19] / length_19;
-    const double pull_19_x = layer_1_x * per_length_19;
-    const double pull_19_y = layer_1_y * per_length_19;
-    const double pull_19_z = layer_1_z * per_length_19;
+    const double pull_19_2 = layer_1_y * per_length_19;
     const double p_y_by_q71 = u_y * p_z;
     const double reach_squared_by_q71 = sinew_choose(t11, -(t12 * p_y_by_q71 + (p_z + p_z)
         * p_z_by_q71), 0.0);
@@ -1853,126 +1894,113 @@ void wrist_joint_torque(double q71, double q73, const double f[SINEW_AT_LEAST(38
         * p_z_by_q71;
     const double cos_A_by_q71 = (t50 - cos_A * reach_squared_by_q71) * t10;
     const double z_plane_x_by_q71 = u_y * cos_A_by_q71;
-    const double z_x_by_q71 = t37 - cos_q71 * z_plane_x_by_q71 + t38 + sin_q71 * sin_A_by_q71;
+    const double z_x_by_q71 = t39 - cos_q71 * z_plane_x_by_q71 + t40 + sin_q71 * sin_A_by_q71;
     const double t51 = 0.01 * z_x_by_q71;
     const double x_plane_x_by_q71 = u_y * sin_A_by_q71;
-    const double x_x_by_q71 = t40 + cos_q71 * x_plane_x_by_q71 - t41 + sin_q71 * cos_A_by_q71;
+    const double x_x_by_q71 = t42 + cos_q71 * x_plane_x_by_q71 - t43 + sin_q71 * cos_A_by_q71;
     const double origin_x_by_q71 = M_z - 0.018 * z_x_by_q71;
     const double t52 = origin_x_by_q71 + 0.004 * x_x_by_q71;
-    const double layer_0_x_by_q71 = t52 + t51 - t36;
+    const double layer_0_x_by_q71 = t52 + t51 - t38;
     const double z_plane_y_by_q71 = u_e * cos_A_by_q71;
-    const double z_z_by_q71 = t31 + cos_q71 * sin_A_by_q71 - t30 + sin_q71 * z_plane_x_by_q71;
+    const double z_z_by_q71 = t33 + cos_q71 * sin_A_by_q71 - t32 + sin_q71 * z_plane_x_by_q71;
     const double t53 = 0.01 * z_z_by_q71;
-    const double x_z_by_q71 = t34 - cos_q71 * cos_A_by_q71 + t33 + sin_q71 * x_plane_x_by_q71;
+    const double x_z_by_q71 = t36 - cos_q71 * cos_A_by_q71 + t35 + sin_q71 * x_plane_x_by_q71;
     const double origin_z_by_q71 = M_x - 0.018 * z_z_by_q71;
     const double t54 = origin_z_by_q71 - 0.004 * x_z_by_q71;
-    const double layer_0_z_by_q71 = t54 + t53 - t29;
-    const double layer_1_x_by_q71 = t52 - t51 - t46;
-    const double layer_1_z_by_q71 = t54 - t53 - t45;
-    static const double table62[18][2] = {{0.001, 0.001}, {0.003, 0.003}, {0.005, 0.004},
-        {0.006, 0.006}, {0.008, 0.008}, {0.009, 0.009}, {0.011, 0.011}, {0.013, 0.012},
-        {0.014, 0.014}, {0.016, 0.016}, {0.017, 0.017}, {0.019, 0.019}, {0.021, 0.02},
-        {0.022, 0.022}, {0.024, 0.024}, {0.025, 0.025}, {0.027, 0.027}, {0.029, 0.028}};
+    const double layer_0_z_by_q71 = t54 + t53 - t31;
+    const double layer_1_x_by_q71 = t52 - t51 - t48;
+    const double layer_1_z_by_q71 = t54 - t53 - t47;
+    static const double table61[18][2] = {{0.001, 0.001}, {0.003, 0.003}, {0.004, 0.005},
+        {0.006, 0.006}, {0.008, 0.008}, {0.009, 0.009}, {0.011, 0.011}, {0.012, 0.013},
+        {0.014, 0.014}, {0.016, 0.016}, {0.017, 0.017}, {0.019, 0.019}, {0.02, 0.021},
+        {0.022, 0.022}, {0.024, 0.024}, {0.025, 0.025}, {0.027, 0.027}, {0.028, 0.029}};
     double sum56 = -0.0;
     double sum57 = -0.0;
-    double sum58 = -0.0;
-    double sum59 = pull_0_z;
-    double sum60 = pull_0_y;
-    double sum61 = pull_0_x;
+    double sum58 = pull_0;
+    double sum59 = -0.0;
+    double sum60 = per_length_0;
     for (int i55 = 0; i55 < 18; ++i55) {
-        const double before63 = sum56;
-        const double before64 = sum57;
-        const double before65 = sum58;
-        const double before66 = sum59;
-        const double before67 = sum60;
-        const double before68 = sum61;
-        const double strand_z = layer_0_z - table62[i55][0] * y_z;
-        const double strand_x = layer_0_x - table62[i55][0] * y_x;
-        const double strand_y = table62[i55][1] + layer_0_y - table62[i55][0] * u_y;
-        const double length = sinew_sqrt(strand_x * strand_x + strand_y * strand_y + strand_z
-            * strand_z);
+        const double before62 = sum56;
+        const double before63 = sum57;
+        const double before64 = sum58;
+        const double before65 = sum59;
+        const double before66 = sum60;
+        const double strand_y = table61[i55][0] + layer_0_y - table61[i55][1] * u_y;
+        const double across_2 = twice_across - table61[i55][1] * (twice_across_2 - table61[i55][1]
+            * twice_across_4);
+        const double length = sinew_sqrt(across_2 + strand_y * strand_y);
         const double per_length = f[1 + i55] / length;
-        const double t69 = table62[i55][0] * per_length;
-        const double pull_by_y_z = strand_z * t69;
-        const double pull_by_y_y = strand_y * t69;
-        const double pull_by_y_x = strand_x * t69;
-        const double pull_z = strand_z * per_length;
-        const double pull_y = strand_y * per_length;
-        const double pull_x = strand_x * per_length;
-        sum56 = before63 + pull_by_y_z;
-        sum57 = before64 + pull_by_y_y;
-        sum58 = before65 + pull_by_y_x;
-        sum59 = before66 + pull_z;
-        sum60 = before67 + pull_y;
-        sum61 = before68 + pull_x;
+        const double t67 = table61[i55][1] * per_length;
+        const double pull_by_y_along = strand_y * t67;
+        const double pull = strand_y * per_length;
+        sum56 = before62 + pull_by_y_along;
+        sum57 = before63 + table61[i55][1] * t67;
+        sum58 = before64 + pull;
+        sum59 = before65 + t67;
+        sum60 = before66 + per_length;
     }
-    static const double table77[18][2] = {{0.002, 0.001}, {0.003, 0.003}, {0.005, 0.005},
-        {0.007, 0.006}, {0.008, 0.008}, {0.01, 0.009}, {0.011, 0.011}, {0.013, 0.013},
-        {0.015, 0.014}, {0.016, 0.016}, {0.018, 0.017}, {0.019, 0.019}, {0.021, 0.021},
-        {0.023, 0.022}, {0.024, 0.024}, {0.026, 0.025}, {0.027, 0.027}, {0.029, 0.029}};
-    double sum71 = -0.0;
+    static const double table74[18][2] = {{0.001, 0.002}, {0.003, 0.003}, {0.005, 0.005},
+        {0.006, 0.007}, {0.008, 0.008}, {0.009, 0.01}, {0.011, 0.011}, {0.013, 0.013},
+        {0.014, 0.015}, {0.016, 0.016}, {0.017, 0.018}, {0.019, 0.019}, {0.021, 0.021},
+        {0.022, 0.023}, {0.024, 0.024}, {0.025, 0.026}, {0.027, 0.027}, {0.029, 0.029}};
+    double sum69 = -0.0;
+    double sum70 = -0.0;
+    double sum71 = pull_19_2;
     double sum72 = -0.0;
-    double sum73 = -0.0;
-    double sum74 = pull_19_z;
-    double sum75 = pull_19_y;
-    double sum76 = pull_19_x;
-    for (int i70 = 0; i70 < 18; ++i70) {
-        const double before78 = sum71;
-        const double before79 = sum72;
-        const double before80 = sum73;
-        const double before81 = sum74;
-        const double before82 = sum75;
-        const double before83 = sum76;
-        const double strand_z_2 = layer_1_z - table77[i70][0] * y_z;
-        const double strand_x_2 = layer_1_x - table77[i70][0] * y_x;
-        const double strand_y_2 = table77[i70][1] + layer_1_y - table77[i70][0] * u_y;
-        const double t84 = strand_x_2 * strand_x_2 + strand_y_2 * strand_y_2 + strand_z_2
-            * strand_z_2;
-        const double length_2 = sinew_sqrt(t84);
-        const double per_length_2 = f[20 + i70] / length_2;
-        const double t85 = table77[i70][0] * per_length_2;
-        const double pull_by_y_z_2 = strand_z_2 * t85;
-        const double pull_by_y_y_2 = strand_y_2 * t85;
-        const double pull_by_y_x_2 = strand_x_2 * t85;
-        const double pull_z_2 = strand_z_2 * per_length_2;
-        const double pull_y_2 = strand_y_2 * per_length_2;
-        const double pull_x_2 = strand_x_2 * per_length_2;
-        sum71 = before78 + pull_by_y_z_2;
-        sum72 = before79 + pull_by_y_y_2;
-        sum73 = before80 + pull_by_y_x_2;
-        sum74 = before81 + pull_z_2;
-        sum75 = before82 + pull_y_2;
-        sum76 = before83 + pull_x_2;
+    double sum73 = per_length_19;
+    for (int i68 = 0; i68 < 18; ++i68) {
+        const double before75 = sum69;
+        const double before76 = sum70;
+        const double before77 = sum71;
+        const double before78 = sum72;
+        const double before79 = sum73;
+        const double strand_y_2 = table74[i68][0] + layer_1_y - table74[i68][1] * u_y;
+        const double across_slope = twice_across_8 - table74[i68][1] * twice_across_4;
+        const double across_3 = twice_across_6 - table74[i68][1] * across_slope;
+        const double length_2 = sinew_sqrt(across_3 + strand_y_2 * strand_y_2);
+        const double per_length_2 = f[20 + i68] / length_2;
+        const double t80 = table74[i68][1] * per_length_2;
+        const double pull_by_y_along_2 = strand_y_2 * t80;
+        sum69 = before75 + pull_by_y_along_2;
+        sum70 = before76 + table74[i68][1] * t80;
+        sum71 = before77 + strand_y_2 * per_length_2;
+        sum72 = before78 + t80;
+        sum73 = before79 + per_length_2;
     }
-    const double t86 = 0.01 * z_x_by_q73;
-    const double layer_0_x_by_q73 = t28 + t86 - 0.011 * y_x_by_q73;
-    const double t87 = 0.01 * z_plane_y_by_q73;
-    const double layer_0_y_by_q73 = t47 + t87 - 0.011 * u_y_by_q73;
-    const double t88 = 0.01 * z_z_by_q73;
-    const double layer_0_z_by_q73 = t48 + t88 - 0.011 * y_z_by_q73;
-    const double t89 = sum61 * layer_0_x_by_q73 - sum60 * layer_0_y_by_q73 + sum59
+    const double t81 = 0.01 * z_x_by_q73;
+    const double layer_0_x_by_q73 = t28 + t81 - 0.011 * y_x_by_q73;
+    const double pull_x = y_x * sum59 - layer_0_x * sum60;
+    const double t82 = 0.01 * z_plane_y_by_q73;
+    const double layer_0_y_by_q73 = t45 + t82 - 0.011 * u_y_by_q73;
+    const double t83 = 0.01 * z_z_by_q73;
+    const double layer_0_z_by_q73 = t46 + t83 - 0.011 * y_z_by_q73;
+    const double pull_z = y_z * sum59 - layer_0_z * sum60;
+    const double t84 = pull_x * layer_0_x_by_q73 + sum58 * layer_0_y_by_q73 + pull_z
         * layer_0_z_by_q73;
-    const double layer_1_x_by_q73 = t28 - t86 - 0.013 * y_x_by_q73;
-    const double layer_1_y_by_q73 = t47 - t87 - 0.013 * u_y_by_q73;
-    const double layer_1_z_by_q73 = t48 - t88 - 0.013 * y_z_by_q73;
-    const double t90 = t89 + sum76 * layer_1_x_by_q73 - sum75 * layer_1_y_by_q73 + sum74
+    const double layer_1_x_by_q73 = t28 - t81 - 0.013 * y_x_by_q73;
+    const double pull_x_2 = y_x * sum72 - layer_1_x * sum73;
+    const double layer_1_y_by_q73 = t45 - t82 - 0.013 * u_y_by_q73;
+    const double layer_1_z_by_q73 = t46 - t83 - 0.013 * y_z_by_q73;
+    const double pull_z_2 = y_z * sum72 - layer_1_z * sum73;
+    const double t85 = t84 + pull_x_2 * layer_1_x_by_q73 + sum71 * layer_1_y_by_q73 + pull_z_2
         * layer_1_z_by_q73;
-    const double pull_by_y = sum58 + sum73;
-    const double pull_by_y_2 = sum57 + sum72;
-    const double pull_by_y_4 = sum56 + sum71;
-    const double t91 = t90 + pull_by_y * y_x_by_q73 - pull_by_y_2 * u_y_by_q73 + pull_by_y_4
+    const double t86 = sum57 + sum70;
+    const double pull_axis_x_4 = y_x * t86 - layer_0_x * sum59 - layer_1_x * sum72;
+    const double pull_axis_y_4 = sum56 + sum69;
+    const double pull_axis_z_4 = y_z * t86 - layer_0_z * sum59 - layer_1_z * sum72;
+    const double t87 = t85 + pull_axis_x_4 * y_x_by_q73 + pull_axis_y_4 * u_y_by_q73 + pull_axis_z_4
         * y_z_by_q73;
-    const double t92 = 0.01 * z_plane_y_by_q71;
+    const double t88 = 0.01 * z_plane_y_by_q71;
     const double origin_y_by_q71 = 0.018 * z_plane_y_by_q71;
-    const double t93 = origin_y_by_q71 + 0.004 * u_e * sin_A_by_q71;
-    const double layer_0_y_by_q71 = t93 - t92;
-    const double t94 = y_x * pull_by_y_4 - y_z * pull_by_y - sum61 * layer_0_x_by_q71 + sum60
+    const double t89 = origin_y_by_q71 + 0.004 * u_e * sin_A_by_q71;
+    const double layer_0_y_by_q71 = t89 - t88;
+    const double t90 = y_x * pull_axis_z_4 - y_z * pull_axis_x_4 - pull_x * layer_0_x_by_q71 - sum58
         * layer_0_y_by_q71;
-    const double layer_1_y_by_q71 = t93 + t92;
-    const double t95 = t94 + sum59 * layer_0_z_by_q71 - sum76 * layer_1_x_by_q71 + sum75
+    const double layer_1_y_by_q71 = t89 + t88;
+    const double t91 = t90 + pull_z * layer_0_z_by_q71 - pull_x_2 * layer_1_x_by_q71 - sum71
         * layer_1_y_by_q71;
-    tau[0] = t95 + sum74 * layer_1_z_by_q71;
-    tau[1] = t91;
+    tau[0] = -(t91 + pull_z_2 * layer_1_z_by_q71);
+    tau[1] = -t87;
 }
 
 void wrist_joint_stiffness(double q71, double q73, const double f[SINEW_AT_LEAST(38)],
@@ -2004,616 +2032,598 @@ void wrist_joint_stiffness(double q71, double q73, const double f[SINEW_AT_LEAST
     const double t7 = 23.80952380952381 * B_e;
     const double u_e = t7 - 23.80952380952381 * C_e;
     const double p_y = u_e * s_y + u_y * s_e;
-    const double t8 = p_y + p_y;
+    const double t8 = p_y * p_y;
     const double p_z = 0.036 * cos_q71;
-    const double p_y_by_q71 = u_y * p_z;
-    const double t9 = p_z + p_z;
-    const double t10 = p_y * p_y;
-    const double t11 = p_z * p_z;
-    const double t12 = -(1.296e-15 - t10 - t11);
-    const double reach_squared_by_q71 = sinew_choose(t12, -(t8 * p_y_by_q71 + t9 * p_z_by_q71),
-        0.0);
-    const double reach_squared = sinew_max(t10 + t11, 1.296e-15);
-    const double reach = sinew_sqrt(reach_squared);
-    const double t13 = 1.0 / reach;
-    const double reach_by_q71 = 0.5 * reach_squared_by_q71 * t13;
+    const double t9 = p_z * p_z;
+    const double reach_squared = sinew_max(t8 + t9, 1.296e-15);
     const double p_x = u_e * s_e - u_y * s_y;
     const double projection = 0.034722222222222224 - 13.88888888888889 * (reach_squared + p_x
         * p_x);
-    const double t14 = reach - projection;
-    const double t15 = sinew_choose(t14, 0.0, 1.0);
-    const double t16 = sinew_choose(t14, 1.0, 0.0);
-    const double t17 = 27.77777777777778 * p_x;
-    const double p_x_by_q71 = u_e * p_z;
-    const double projection_by_q71 = 13.88888888888889 * reach_squared_by_q71 - t17 * p_x_by_q71;
-    const double t18 = sinew_max(-projection, -reach);
-    const double t19 = reach - t18;
-    const double limited_by_q71 = sinew_choose(t19, -(reach_by_q71 * t15 - projection_by_q71 * t16),
-        reach_by_q71);
-    const double limited = sinew_min(t18, reach);
-    const double t20 = limited + limited;
-    const double t21 = reach + reach;
-    const double t22 = (reach + limited) * (reach - limited);
-    const double t23 = 1e-12 * reach_squared;
-    const double t24 = -(t23 - t22);
-    const double clearance_by_q71 = sinew_choose(t24, t21 * reach_by_q71 - t20 * limited_by_q71,
-        1e-12 * reach_squared_by_q71);
-    const double clearance = sinew_max(t22, t23);
+    const double reach = sinew_sqrt(reach_squared);
+    const double t10 = sinew_max(-projection, -reach);
+    const double limited = sinew_min(t10, reach);
+    const double t11 = (reach + limited) * (reach - limited);
+    const double t12 = 1e-12 * reach_squared;
+    const double clearance = sinew_max(t11, t12);
     const double root = sinew_sqrt(clearance);
-    const double t25 = 1.0 / root;
-    const double root_by_q71 = 0.5 * clearance_by_q71 * t25;
-    const double t26 = p_y * limited_by_q71 + p_z * root_by_q71 - limited * p_y_by_q71 - root
-        * p_z_by_q71;
-    const double t27 = p_z * root;
-    const double t28 = 1.0 / reach_squared;
-    const double cos_A = (p_y * limited + t27) * t28;
-    const double cos_A_by_q71 = (t26 - cos_A * reach_squared_by_q71) * t28;
-    const double z_plane_x_by_q71 = u_y * cos_A_by_q71;
-    const double t29 = p_z * limited;
-    const double sin_A = (p_y * root - t29) * t28;
-    const double t30 = cos_q71 * sin_A;
+    const double t13 = p_z * root;
+    const double t14 = 1.0 / reach_squared;
+    const double cos_A = (p_y * limited + t13) * t14;
     const double z_plane_x = u_y * cos_A;
-    const double t31 = sin_q71 * z_plane_x;
-    const double t32 = p_y * root_by_q71 - p_z * limited_by_q71 + limited * p_z_by_q71 - root
-        * p_y_by_q71;
-    const double sin_A_by_q71 = (t32 - sin_A * reach_squared_by_q71) * t28;
-    const double z_x_by_q71 = t30 - cos_q71 * z_plane_x_by_q71 + t31 + sin_q71 * sin_A_by_q71;
-    const double M_z = sin_q71 * M_e;
-    const double origin_x_by_q71 = M_z - 0.018 * z_x_by_q71;
-    const double x_plane_x_by_q71 = u_y * sin_A_by_q71;
-    const double t33 = cos_q71 * cos_A;
-    const double x_plane_x = u_y * sin_A;
-    const double t34 = sin_q71 * x_plane_x;
-    const double x_x_by_q71 = t33 + cos_q71 * x_plane_x_by_q71 - t34 + sin_q71 * cos_A_by_q71;
-    const double t35 = origin_x_by_q71 + 0.004 * x_x_by_q71;
-    const double t36 = 0.01 * z_x_by_q71;
-    const double y_z = sin_q71 * u_e;
-    const double t37 = 0.011 * y_z;
-    const double layer_0_x_by_q71 = t35 + t36 - t37;
-    const double z_plane_y_by_q71 = u_e * cos_A_by_q71;
-    const double origin_y_by_q71 = 0.018 * z_plane_y_by_q71;
-    const double t38 = 0.004 * u_e;
-    const double t39 = origin_y_by_q71 + t38 * sin_A_by_q71;
-    const double t40 = 0.01 * z_plane_y_by_q71;
-    const double layer_0_y_by_q71 = t39 - t40;
-    const double t41 = layer_0_x_by_q71 * layer_0_x_by_q71 + layer_0_y_by_q71 * layer_0_y_by_q71;
-    const double t42 = cos_q71 * z_plane_x;
-    const double t43 = sin_q71 * sin_A;
-    const double z_z_by_q71 = t42 + cos_q71 * sin_A_by_q71 - t43 + sin_q71 * z_plane_x_by_q71;
+    const double t15 = cos_q71 * z_plane_x;
+    const double t16 = p_z * limited;
+    const double sin_A = (p_y * root - t16) * t14;
+    const double t17 = sin_q71 * sin_A;
+    const double z_x = t15 - t17;
     const double M_x = cos_q71 * M_e;
-    const double origin_z_by_q71 = M_x - 0.018 * z_z_by_q71;
-    const double t44 = cos_q71 * x_plane_x;
-    const double t45 = sin_q71 * cos_A;
-    const double x_z_by_q71 = t44 - cos_q71 * cos_A_by_q71 + t45 + sin_q71 * x_plane_x_by_q71;
-    const double t46 = origin_z_by_q71 - 0.004 * x_z_by_q71;
-    const double t47 = 0.01 * z_z_by_q71;
+    const double x_plane_x = u_y * sin_A;
+    const double t18 = cos_q71 * x_plane_x;
+    const double t19 = sin_q71 * cos_A;
+    const double x_x = t18 + t19;
+    const double t20 = 0.004 - M_x + 0.018 * z_x + 0.004 * x_x;
+    const double t21 = 0.01 * z_x;
     const double y_x = cos_q71 * u_e;
-    const double t48 = 0.011 * y_x;
-    const double layer_0_z_by_q71 = t46 + t47 - t48;
-    const double along_38 = t41 + layer_0_z_by_q71 * layer_0_z_by_q71;
-    const double z_x = t42 - t43;
-    const double x_x = t44 + t45;
-    const double t49 = 0.004 - M_x + 0.018 * z_x + 0.004 * x_x;
-    const double t50 = 0.01 * z_x;
-    const double layer_0_x = t49 - t50 + t48;
+    const double t22 = 0.011 * y_x;
+    const double layer_0_x = t20 - t21 + t22;
+    const double t23 = sin_q71 * z_plane_x;
+    const double t24 = cos_q71 * sin_A;
+    const double z_z = t24 + t23;
+    const double M_z = sin_q71 * M_e;
+    const double origin_z = M_z - 0.018 * z_z;
+    const double t25 = sin_q71 * x_plane_x;
+    const double t26 = cos_q71 * cos_A;
+    const double x_z = t26 - t25;
+    const double t27 = 0.004 * x_z;
+    const double t28 = 0.01 * z_z;
+    const double y_z = sin_q71 * u_e;
+    const double t29 = 0.011 * y_z;
+    const double layer_0_z = 0.008 - origin_z - t27 - t28 + t29;
+    const double across = 0.5 * (layer_0_x * layer_0_x + layer_0_z * layer_0_z);
+    const double twice_across = across + across;
+    const double across_by_y = y_x * layer_0_x + y_z * layer_0_z;
+    const double twice_across_2 = across_by_y + across_by_y;
+    const double turned_4 = y_x * y_x + y_z * y_z;
+    const double across_by_y_squared = 0.5 * turned_4;
+    const double twice_across_4 = across_by_y_squared + across_by_y_squared;
     const double z_plane_y = u_e * cos_A;
     const double origin_y = M_y + 0.018 * z_plane_y;
     const double x_plane_y = u_e * sin_A;
-    const double t51 = 0.004 * x_plane_y;
-    const double t52 = 0.01 * z_plane_y;
-    const double layer_0_y = 0.007 - origin_y - t51 + t52 + 0.011 * u_y;
-    const double z_z = t30 + t31;
-    const double origin_z = M_z - 0.018 * z_z;
-    const double x_z = t33 - t34;
-    const double t53 = 0.004 * x_z;
-    const double t54 = 0.01 * z_z;
-    const double layer_0_z = 0.008 - origin_z - t53 - t54 + t37;
-    const double length_0 = sinew_sqrt(layer_0_x * layer_0_x + layer_0_y * layer_0_y + layer_0_z
-        * layer_0_z);
-    const double t55 = 1.0 / length_0;
-    const double per_length_0 = f[0] * t55;
-    const double t56 = layer_0_x * layer_0_x_by_q71 - layer_0_y * layer_0_y_by_q71 - layer_0_z
-        * layer_0_z_by_q71;
-    const double length_0_by_q71 = t56 * t55;
-    const double across_0 = k[0] - per_length_0;
-    const double t57 = y_x + y_x;
-    const double t58 = y_z + y_z;
-    const double along_by_y_4 = t57 * layer_0_z_by_q71 + t58 * layer_0_x_by_q71;
-    const double along_by_y_squared_4 = y_x * y_x + y_z * y_z;
-    const double t59 = 0.013 * y_x;
-    const double t60 = 0.013 * y_z;
-    const double layer_1_x_by_q71 = t35 - t36 - t60;
-    const double layer_1_y_by_q71 = t39 + t40;
-    const double t61 = layer_1_x_by_q71 * layer_1_x_by_q71 + layer_1_y_by_q71 * layer_1_y_by_q71;
-    const double layer_1_z_by_q71 = t46 - t47 - t59;
-    const double along_40 = t61 + layer_1_z_by_q71 * layer_1_z_by_q71;
-    const double layer_1_x = t49 + t50 + t59;
-    const double layer_1_y = 0.006 - origin_y - t51 - t52 + 0.013 * u_y;
-    const double layer_1_z = 0.028 - origin_z - t53 + t54 + t60;
-    const double length_19 = sinew_sqrt(layer_1_x * layer_1_x + layer_1_y * layer_1_y + layer_1_z
-        * layer_1_z);
-    const double t62 = 1.0 / length_19;
-    const double per_length_19 = f[19] * t62;
-    const double t63 = layer_1_x * layer_1_x_by_q71 - layer_1_y * layer_1_y_by_q71 - layer_1_z
-        * layer_1_z_by_q71;
-    const double length_19_by_q71 = t63 * t62;
-    const double across_19 = k[19] - per_length_19;
-    const double t64 = per_length_19 * along_40 + across_19 * length_19_by_q71 * length_19_by_q71;
-    const double along_by_y_6 = t57 * layer_1_z_by_q71 + t58 * layer_1_x_by_q71;
-    const double pull_0_x = layer_0_x * per_length_0;
-    const double t65 = root_by_q71 + root_by_q71;
-    const double t66 = limited_by_q71 + limited_by_q71;
-    const double t67 = reach_by_q71 * reach_by_q71;
-    const double t68 = t67 + t67;
-    const double p_y_by_q71_by_q71 = u_y * p_z_by_q71;
-    const double t69 = p_y_by_q71 * p_y_by_q71 + p_z_by_q71 * p_z_by_q71;
-    const double reach_squared_by_q71_by_q71 = sinew_choose(t12, t69 + t69 + t8 * p_y_by_q71_by_q71
-        - t9 * p_z, 0.0);
-    const double reach_by_q71_by_q71 = 0.5 * (reach_squared_by_q71_by_q71 - t68) * t13;
-    const double t70 = 27.77777777777778 * p_x_by_q71;
-    const double projection_by_q71_by_q71 = 13.88888888888889 * reach_squared_by_q71_by_q71 + t70
-        * p_x_by_q71 + t17 * u_e * p_z_by_q71;
-    const double limited_by_q71_by_q71 = sinew_choose(t19, -(reach_by_q71_by_q71 * t15
-        - projection_by_q71_by_q71 * t16), reach_by_q71_by_q71);
-    const double t71 = t68 - t66 * limited_by_q71 + t21 * reach_by_q71_by_q71 - t20
-        * limited_by_q71_by_q71;
-    const double clearance_by_q71_by_q71 = sinew_choose(t24, t71, 1e-12
-        * reach_squared_by_q71_by_q71);
-    const double root_by_q71_by_q71 = 0.5 * (clearance_by_q71_by_q71 - t65 * root_by_q71) * t25;
-    const double t72 = p_y * limited_by_q71_by_q71 - t27 + p_z * root_by_q71_by_q71 + limited
-        * p_y_by_q71_by_q71;
-    const double t73 = p_y_by_q71 + p_y_by_q71;
-    const double t74 = p_z_by_q71 + p_z_by_q71;
-    const double t75 = t72 - cos_A * reach_squared_by_q71_by_q71 - t73 * limited_by_q71 - t74
-        * root_by_q71;
-    const double t76 = reach_squared_by_q71 + reach_squared_by_q71;
-    const double cos_A_by_q71_by_q71 = (t75 - t76 * cos_A_by_q71) * t28;
-    const double z_plane_x_by_q71_by_q71 = u_y * cos_A_by_q71_by_q71;
-    const double t77 = p_y * root_by_q71_by_q71 + t29 - p_z * limited_by_q71_by_q71 + root
-        * p_y_by_q71_by_q71;
-    const double t78 = t77 - sin_A * reach_squared_by_q71_by_q71 - t73 * root_by_q71 + t74
-        * limited_by_q71;
-    const double sin_A_by_q71_by_q71 = (t78 - t76 * sin_A_by_q71) * t28;
-    const double t79 = t42 - cos_q71 * z_plane_x_by_q71_by_q71 - t43 + sin_q71
-        * sin_A_by_q71_by_q71;
-    const double t80 = cos_q71 + cos_q71;
-    const double t81 = sin_q71 + sin_q71;
-    const double z_x_by_q71_by_q71 = t79 + t80 * sin_A_by_q71 + t81 * z_plane_x_by_q71;
-    const double origin_x_by_q71_by_q71 = M_x - 0.018 * z_x_by_q71_by_q71;
-    const double x_plane_x_by_q71_by_q71 = u_y * sin_A_by_q71_by_q71;
-    const double t82 = t44 - cos_q71 * x_plane_x_by_q71_by_q71 + t45 - sin_q71
-        * cos_A_by_q71_by_q71;
-    const double x_x_by_q71_by_q71 = t82 - t80 * cos_A_by_q71 + t81 * x_plane_x_by_q71;
-    const double t83 = origin_x_by_q71_by_q71 - 0.004 * x_x_by_q71_by_q71;
-    const double t84 = 0.01 * z_x_by_q71_by_q71;
-    const double layer_0_x_by_q71_by_q71 = t83 + t84 - t48;
-    const double pull_0_y = layer_0_y * per_length_0;
-    const double z_plane_y_by_q71_by_q71 = u_e * cos_A_by_q71_by_q71;
-    const double pull_0_z = layer_0_z * per_length_0;
-    const double t85 = t30 - cos_q71 * sin_A_by_q71_by_q71 + t31 - sin_q71
-        * z_plane_x_by_q71_by_q71;
-    const double z_z_by_q71_by_q71 = t85 - t80 * z_plane_x_by_q71 + t81 * sin_A_by_q71;
-    const double origin_z_by_q71_by_q71 = M_z - 0.018 * z_z_by_q71_by_q71;
-    const double t86 = t33 - cos_q71 * cos_A_by_q71_by_q71 - t34 + sin_q71
-        * x_plane_x_by_q71_by_q71;
-    const double x_z_by_q71_by_q71 = t86 + t80 * x_plane_x_by_q71 + t81 * cos_A_by_q71;
-    const double t87 = origin_z_by_q71_by_q71 + 0.004 * x_z_by_q71_by_q71;
-    const double t88 = 0.01 * z_z_by_q71_by_q71;
-    const double layer_0_z_by_q71_by_q71 = t87 + t88 - t37;
-    const double pull_19_x = layer_1_x * per_length_19;
-    const double layer_1_x_by_q71_by_q71 = t83 - t84 - t59;
-    const double pull_19_y = layer_1_y * per_length_19;
-    const double pull_19_z = layer_1_z * per_length_19;
-    const double layer_1_z_by_q71_by_q71 = t87 - t88 - t60;
+    const double t30 = 0.004 * x_plane_y;
+    const double t31 = 0.01 * z_plane_y;
+    const double layer_0_y = 0.007 - origin_y - t30 + t31 + 0.011 * u_y;
+    const double t32 = 0.013 * y_x;
+    const double layer_1_x = t20 + t21 + t32;
+    const double t33 = 0.013 * y_z;
+    const double layer_1_z = 0.028 - origin_z - t27 + t28 + t33;
+    const double across_38 = 0.5 * (layer_1_x * layer_1_x + layer_1_z * layer_1_z);
+    const double twice_across_6 = across_38 + across_38;
+    const double across_by_y_2 = y_x * layer_1_x + y_z * layer_1_z;
+    const double twice_across_8 = across_by_y_2 + across_by_y_2;
+    const double layer_1_y = 0.006 - origin_y - t30 - t31 + 0.013 * u_y;
     const double B_to_C0_squared_by_q73 = 0.084 * B_e;
     const double ratio_by_q73 = ratio * B_to_C0_squared_by_q73 * t2;
     const double C_y_by_q73 = C_e - 0.002 * ratio_by_q73 * t3;
-    const double M_y_by_q73 = t5 + 0.5 * C_y_by_q73;
-    const double t89 = B_y * ratio;
-    const double C_e_by_q73 = B_e * ratio_by_q73 - t89;
-    const double M_e_by_q73 = t6 - 0.5 * C_e_by_q73;
     const double u_y_by_q73 = t7 - 23.80952380952381 * C_y_by_q73;
+    const double t34 = B_y * ratio;
+    const double C_e_by_q73 = B_e * ratio_by_q73 - t34;
     const double u_e_by_q73 = t4 + 23.80952380952381 * C_e_by_q73;
+    const double y_x_by_q71_by_q73 = sin_q71 * u_e_by_q73;
+    const double y_z_by_q71_by_q73 = cos_q71 * u_e_by_q73;
+    const double M_y_by_q73 = t5 + 0.5 * C_y_by_q73;
+    const double M_e_by_q73 = t6 - 0.5 * C_e_by_q73;
     const double p_y_by_q73 = u_e * M_y_by_q73 + u_y * M_e_by_q73 - s_e * u_y_by_q73 + s_y
         * u_e_by_q73;
-    const double reach_squared_by_q73 = sinew_choose(t12, t8 * p_y_by_q73, 0.0);
+    const double t35 = p_y + p_y;
+    const double t36 = -(1.296e-15 - t8 - t9);
+    const double reach_squared_by_q73 = sinew_choose(t36, t35 * p_y_by_q73, 0.0);
     const double p_x_by_q73 = u_e * M_e_by_q73 - u_y * M_y_by_q73 + s_e * u_e_by_q73 + s_y
         * u_y_by_q73;
-    const double projection_by_q73 = 13.88888888888889 * reach_squared_by_q73 + t17 * p_x_by_q73;
-    const double reach_by_q73 = 0.5 * reach_squared_by_q73 * t13;
-    const double limited_by_q73 = sinew_choose(t19, -(reach_by_q73 * t15 - projection_by_q73 * t16),
+    const double t37 = 27.77777777777778 * p_x;
+    const double projection_by_q73 = 13.88888888888889 * reach_squared_by_q73 + t37 * p_x_by_q73;
+    const double t38 = reach - projection;
+    const double t39 = sinew_choose(t38, 1.0, 0.0);
+    const double t40 = 1.0 / reach;
+    const double reach_by_q73 = 0.5 * reach_squared_by_q73 * t40;
+    const double t41 = sinew_choose(t38, 0.0, 1.0);
+    const double t42 = reach - t10;
+    const double limited_by_q73 = sinew_choose(t42, -(reach_by_q73 * t41 - projection_by_q73 * t39),
         reach_by_q73);
-    const double clearance_by_q73 = sinew_choose(t24, t21 * reach_by_q73 - t20 * limited_by_q73,
+    const double t43 = limited + limited;
+    const double t44 = reach + reach;
+    const double t45 = -(t12 - t11);
+    const double clearance_by_q73 = sinew_choose(t45, t44 * reach_by_q73 - t43 * limited_by_q73,
         1e-12 * reach_squared_by_q73);
-    const double root_by_q73 = 0.5 * clearance_by_q73 * t25;
-    const double t90 = p_y * limited_by_q73 + p_z * root_by_q73 + limited * p_y_by_q73 - cos_A
+    const double t46 = 1.0 / root;
+    const double root_by_q73 = 0.5 * clearance_by_q73 * t46;
+    const double t47 = p_y * limited_by_q73 + p_z * root_by_q73 + limited * p_y_by_q73 - cos_A
         * reach_squared_by_q73;
-    const double cos_A_by_q73 = t90 * t28;
+    const double cos_A_by_q73 = t47 * t14;
     const double z_plane_x_by_q73 = u_y * cos_A_by_q73 - cos_A * u_y_by_q73;
-    const double t91 = cos_q71 * z_plane_x_by_q73;
-    const double t92 = p_y * root_by_q73 - p_z * limited_by_q73 + root * p_y_by_q73 - sin_A
+    const double t48 = cos_q71 * z_plane_x_by_q73;
+    const double t49 = p_y * root_by_q73 - p_z * limited_by_q73 + root * p_y_by_q73 - sin_A
         * reach_squared_by_q73;
-    const double sin_A_by_q73 = t92 * t28;
-    const double t93 = sin_q71 * sin_A_by_q73;
-    const double z_x_by_q73 = t91 - t93;
+    const double sin_A_by_q73 = t49 * t14;
+    const double t50 = sin_q71 * sin_A_by_q73;
+    const double z_x_by_q73 = t48 - t50;
     const double M_z_by_q71_by_q73 = cos_q71 * M_e_by_q73;
     const double origin_x_by_q73 = M_z_by_q71_by_q73 - 0.018 * z_x_by_q73;
     const double x_plane_x_by_q73 = u_y * sin_A_by_q73 - sin_A * u_y_by_q73;
-    const double t94 = cos_q71 * x_plane_x_by_q73;
-    const double t95 = sin_q71 * cos_A_by_q73;
-    const double x_x_by_q73 = t94 + t95;
-    const double t96 = origin_x_by_q73 - 0.004 * x_x_by_q73;
-    const double t97 = 0.01 * z_x_by_q73;
-    const double y_z_by_q71_by_q73 = cos_q71 * u_e_by_q73;
-    const double t98 = 0.011 * y_z_by_q71_by_q73;
-    const double layer_0_x_by_q73 = t96 + t97 - t98;
+    const double t51 = cos_q71 * x_plane_x_by_q73;
+    const double t52 = sin_q71 * cos_A_by_q73;
+    const double x_x_by_q73 = t51 + t52;
+    const double t53 = origin_x_by_q73 - 0.004 * x_x_by_q73;
+    const double t54 = 0.01 * z_x_by_q73;
+    const double t55 = 0.011 * y_z_by_q71_by_q73;
+    const double layer_0_x_by_q73 = t53 + t54 - t55;
+    const double t56 = sin_q71 * z_plane_x_by_q73;
+    const double t57 = cos_q71 * sin_A_by_q73;
+    const double z_z_by_q73 = t57 + t56;
+    const double M_x_by_q71_by_q73 = sin_q71 * M_e_by_q73;
+    const double origin_z_by_q73 = M_x_by_q71_by_q73 - 0.018 * z_z_by_q73;
+    const double t58 = sin_q71 * x_plane_x_by_q73;
+    const double t59 = cos_q71 * cos_A_by_q73;
+    const double x_z_by_q73 = t59 - t58;
+    const double t60 = origin_z_by_q73 + 0.004 * x_z_by_q73;
+    const double t61 = 0.01 * z_z_by_q73;
+    const double t62 = 0.011 * y_x_by_q71_by_q73;
+    const double layer_0_z_by_q73 = t60 + t61 - t62;
+    const double across_by_q73 = layer_0_x * layer_0_x_by_q73 + layer_0_z * layer_0_z_by_q73;
     const double x_plane_y_by_q73 = u_e * sin_A_by_q73 + sin_A * u_e_by_q73;
     const double z_plane_y_by_q73 = u_e * cos_A_by_q73 + cos_A * u_e_by_q73;
     const double origin_y_by_q73 = M_y_by_q73 - 0.018 * z_plane_y_by_q73;
-    const double t99 = origin_y_by_q73 - 0.004 * x_plane_y_by_q73;
-    const double t100 = 0.01 * z_plane_y_by_q73;
-    const double layer_0_y_by_q73 = t99 + t100 - 0.011 * u_y_by_q73;
-    const double t101 = layer_0_x_by_q71 * layer_0_x_by_q73 + layer_0_y_by_q71 * layer_0_y_by_q73;
-    const double t102 = sin_q71 * z_plane_x_by_q73;
-    const double t103 = cos_q71 * sin_A_by_q73;
-    const double z_z_by_q73 = t103 + t102;
-    const double M_x_by_q71_by_q73 = sin_q71 * M_e_by_q73;
-    const double origin_z_by_q73 = M_x_by_q71_by_q73 - 0.018 * z_z_by_q73;
-    const double t104 = sin_q71 * x_plane_x_by_q73;
-    const double t105 = cos_q71 * cos_A_by_q73;
-    const double x_z_by_q73 = t105 - t104;
-    const double t106 = origin_z_by_q73 + 0.004 * x_z_by_q73;
-    const double t107 = 0.01 * z_z_by_q73;
-    const double y_x_by_q71_by_q73 = sin_q71 * u_e_by_q73;
-    const double t108 = 0.011 * y_x_by_q71_by_q73;
-    const double layer_0_z_by_q73 = t106 + t107 - t108;
-    const double along = t101 - layer_0_z_by_q71 * layer_0_z_by_q73;
-    const double t109 = layer_0_x * layer_0_x_by_q73 - layer_0_y * layer_0_y_by_q73 + layer_0_z
-        * layer_0_z_by_q73;
-    const double length_0_by_q73 = t109 * t55;
-    const double K_0 = per_length_0 * along + length_0_by_q71 * length_0_by_q73 * across_0;
-    const double t110 = y_x * layer_0_z_by_q73 - y_z * layer_0_x_by_q73 - layer_0_x_by_q71
+    const double t63 = origin_y_by_q73 - 0.004 * x_plane_y_by_q73;
+    const double t64 = 0.01 * z_plane_y_by_q73;
+    const double layer_0_y_by_q73 = t63 + t64 - 0.011 * u_y_by_q73;
+    const double half_square_by_76 = across_by_q73 - layer_0_y * layer_0_y_by_q73;
+    const double length_0 = sinew_sqrt(twice_across + layer_0_y * layer_0_y);
+    const double t65 = 1.0 / length_0;
+    const double length_0_by_q73 = half_square_by_76 * t65;
+    const double per_length_0 = f[0] * t65;
+    const double across_0 = k[0] - per_length_0;
+    const double t66 = y_x * layer_0_x_by_q73 + y_z * layer_0_z_by_q73 - layer_0_x
         * y_z_by_q71_by_q73;
-    const double along_by_y = t110 - u_y_by_q73 * layer_0_y_by_q71 + y_x_by_q71_by_q73
-        * layer_0_z_by_q71;
-    const double along_by_y_squared = y_x * y_x_by_q71_by_q73 - y_z * y_z_by_q71_by_q73;
-    const double t111 = 0.013 * y_z_by_q71_by_q73;
-    const double t112 = 0.013 * y_x_by_q71_by_q73;
-    const double layer_1_x_by_q73 = t96 - t97 - t111;
-    const double layer_1_y_by_q73 = t99 - t100 - 0.013 * u_y_by_q73;
-    const double t113 = layer_1_x_by_q71 * layer_1_x_by_q73 + layer_1_y_by_q71 * layer_1_y_by_q73;
-    const double layer_1_z_by_q73 = t106 - t107 - t112;
-    const double along_19 = t113 - layer_1_z_by_q71 * layer_1_z_by_q73;
-    const double t114 = layer_1_x * layer_1_x_by_q73 - layer_1_y * layer_1_y_by_q73 + layer_1_z
-        * layer_1_z_by_q73;
-    const double length_19_by_q73 = t114 * t62;
-    const double K_19 = per_length_19 * along_19 + length_19_by_q71 * length_19_by_q73 * across_19;
-    const double t115 = y_x * layer_1_z_by_q73 - y_z * layer_1_x_by_q73 - u_y_by_q73
-        * layer_1_y_by_q71;
-    const double along_by_y_2 = t115 + y_x_by_q71_by_q73 * layer_1_z_by_q71 - layer_1_x_by_q71
+    const double across_by_y_by_q73 = t66 - layer_0_z * y_x_by_q71_by_q73;
+    const double across_by_y_squared_by_q73 = y_x * y_z_by_q71_by_q73 + y_z * y_x_by_q71_by_q73;
+    const double t67 = 0.013 * y_z_by_q71_by_q73;
+    const double layer_1_x_by_q73 = t53 - t54 - t67;
+    const double t68 = 0.013 * y_x_by_q71_by_q73;
+    const double layer_1_z_by_q73 = t60 - t61 - t68;
+    const double across_38_by_q73 = layer_1_x * layer_1_x_by_q73 + layer_1_z * layer_1_z_by_q73;
+    const double layer_1_y_by_q73 = t63 - t64 - 0.013 * u_y_by_q73;
+    const double half_square_by_114 = across_38_by_q73 - layer_1_y * layer_1_y_by_q73;
+    const double length_19 = sinew_sqrt(twice_across_6 + layer_1_y * layer_1_y);
+    const double t69 = 1.0 / length_19;
+    const double length_19_by_q73 = half_square_by_114 * t69;
+    const double per_length_19 = f[19] * t69;
+    const double across_19 = k[19] - per_length_19;
+    const double t70 = y_x * layer_1_x_by_q73 + y_z * layer_1_z_by_q73 - layer_1_x
         * y_z_by_q71_by_q73;
-    const double t116 = (reach_by_q71 + reach_by_q71) * reach_by_q73;
-    const double p_y_by_q71_by_q73 = p_z * u_y_by_q73;
-    const double reach_squared_by_q71_by_q73 = sinew_choose(t12, t8 * p_y_by_q71_by_q73 - t73
-        * p_y_by_q73, 0.0);
-    const double reach_by_q71_by_q73 = 0.5 * (reach_squared_by_q71_by_q73 - t116) * t13;
-    const double projection_by_q71_by_q73 = 13.88888888888889 * reach_squared_by_q71_by_q73 - t17
-        * p_z * u_e_by_q73 - t70 * p_x_by_q73;
-    const double limited_by_q71_by_q73 = sinew_choose(t19, -(reach_by_q71_by_q73 * t15
-        - projection_by_q71_by_q73 * t16), reach_by_q71_by_q73);
-    const double t117 = t21 * reach_by_q71_by_q73 - t20 * limited_by_q71_by_q73 + t116 - t66
-        * limited_by_q73;
-    const double clearance_by_q71_by_q73 = sinew_choose(t24, t117, 1e-12
-        * reach_squared_by_q71_by_q73);
-    const double root_by_q71_by_q73 = 0.5 * (clearance_by_q71_by_q73 - t65 * root_by_q73) * t25;
-    const double t118 = p_y * limited_by_q71_by_q73 + p_z * root_by_q71_by_q73 + limited
-        * p_y_by_q71_by_q73;
-    const double t119 = t118 - cos_A * reach_squared_by_q71_by_q73 - p_y_by_q71 * limited_by_q73
-        - p_z_by_q71 * root_by_q73;
-    const double t120 = t119 - reach_squared_by_q71 * cos_A_by_q73 + limited_by_q71 * p_y_by_q73
-        - cos_A_by_q71 * reach_squared_by_q73;
-    const double cos_A_by_q71_by_q73 = t120 * t28;
-    const double z_plane_x_by_q71_by_q73 = u_y * cos_A_by_q71_by_q73 - cos_A_by_q71 * u_y_by_q73;
-    const double t121 = p_y * root_by_q71_by_q73 - p_z * limited_by_q71_by_q73 + root
-        * p_y_by_q71_by_q73;
-    const double t122 = t121 - sin_A * reach_squared_by_q71_by_q73 - p_y_by_q71 * root_by_q73
-        + p_z_by_q71 * limited_by_q73;
-    const double t123 = t122 - reach_squared_by_q71 * sin_A_by_q73 + root_by_q71 * p_y_by_q73
-        - sin_A_by_q71 * reach_squared_by_q73;
-    const double sin_A_by_q71_by_q73 = t123 * t28;
-    const double z_x_by_q71_by_q73 = t103 - cos_q71 * z_plane_x_by_q71_by_q73 + sin_q71
-        * sin_A_by_q71_by_q73 + t102;
-    const double origin_x_by_q71_by_q73 = M_x_by_q71_by_q73 - 0.018 * z_x_by_q71_by_q73;
-    const double x_plane_x_by_q71_by_q73 = u_y * sin_A_by_q71_by_q73 - sin_A_by_q71 * u_y_by_q73;
-    const double x_x_by_q71_by_q73 = t105 + cos_q71 * x_plane_x_by_q71_by_q73 - t104 + sin_q71
-        * cos_A_by_q71_by_q73;
-    const double t124 = origin_x_by_q71_by_q73 + 0.004 * x_x_by_q71_by_q73;
-    const double t125 = 0.01 * z_x_by_q71_by_q73;
-    const double layer_0_x_by_q71_by_q73 = t124 + t125 - t108;
-    const double x_plane_y_by_q71_by_q73 = u_e * sin_A_by_q71_by_q73 + sin_A_by_q71 * u_e_by_q73;
-    const double z_plane_y_by_q71_by_q73 = u_e * cos_A_by_q71_by_q73 + cos_A_by_q71 * u_e_by_q73;
-    const double z_z_by_q71_by_q73 = cos_q71 * sin_A_by_q71_by_q73 + t91 - t93 + sin_q71
-        * z_plane_x_by_q71_by_q73;
-    const double origin_z_by_q71_by_q73 = M_z_by_q71_by_q73 - 0.018 * z_z_by_q71_by_q73;
-    const double x_z_by_q71_by_q73 = t94 - cos_q71 * cos_A_by_q71_by_q73 + t95 + sin_q71
-        * x_plane_x_by_q71_by_q73;
-    const double t126 = origin_z_by_q71_by_q73 - 0.004 * x_z_by_q71_by_q73;
-    const double t127 = 0.01 * z_z_by_q71_by_q73;
-    const double layer_0_z_by_q71_by_q73 = t126 + t127 - t98;
-    const double layer_1_x_by_q71_by_q73 = t124 - t125 - t112;
-    const double layer_1_z_by_q71_by_q73 = t126 - t127 - t111;
-    const double t128 = layer_0_x_by_q73 * layer_0_x_by_q73 + layer_0_y_by_q73 * layer_0_y_by_q73;
-    const double along_42 = t128 + layer_0_z_by_q73 * layer_0_z_by_q73;
-    const double t129 = y_x_by_q71_by_q73 + y_x_by_q71_by_q73;
-    const double t130 = u_y_by_q73 + u_y_by_q73;
-    const double t131 = y_z_by_q71_by_q73 + y_z_by_q71_by_q73;
-    const double along_by_y_8 = t130 * layer_0_y_by_q73 + t129 * layer_0_z_by_q73 + t131
-        * layer_0_x_by_q73;
-    const double along_by_y_squared_8 = u_y_by_q73 * u_y_by_q73 + y_x_by_q71_by_q73
-        * y_x_by_q71_by_q73 + y_z_by_q71_by_q73 * y_z_by_q71_by_q73;
-    const double t132 = layer_1_x_by_q73 * layer_1_x_by_q73 + layer_1_y_by_q73 * layer_1_y_by_q73;
-    const double along_44 = t132 + layer_1_z_by_q73 * layer_1_z_by_q73;
-    const double t133 = per_length_19 * along_44 + across_19 * length_19_by_q73 * length_19_by_q73;
-    const double along_by_y_10 = t130 * layer_1_y_by_q73 + t129 * layer_1_z_by_q73 + t131
-        * layer_1_x_by_q73;
-    const double t134 = reach_by_q73 * reach_by_q73;
-    const double t135 = t134 + t134;
-    const double t136 = ratio * B_to_C0_squared_by_q73_by_q73 - (B_to_C0_squared_by_q73
+    const double across_by_y_2_by_q73 = t70 - layer_1_z * y_x_by_q71_by_q73;
+    const double t71 = layer_0_x_by_q73 * layer_0_x_by_q73 + layer_0_y_by_q73 * layer_0_y_by_q73;
+    const double along_8 = t71 + layer_0_z_by_q73 * layer_0_z_by_q73;
+    const double t72 = y_x_by_q71_by_q73 + y_x_by_q71_by_q73;
+    const double t73 = u_y_by_q73 + u_y_by_q73;
+    const double t74 = y_z_by_q71_by_q73 + y_z_by_q71_by_q73;
+    const double mixed_8 = t73 * layer_0_y_by_q73 + t72 * layer_0_z_by_q73 + t74 * layer_0_x_by_q73;
+    const double t75 = reach_by_q73 * reach_by_q73;
+    const double t76 = t75 + t75;
+    const double t77 = ratio * B_to_C0_squared_by_q73_by_q73 - (B_to_C0_squared_by_q73
         + B_to_C0_squared_by_q73) * ratio_by_q73;
-    const double ratio_by_q73_by_q73 = t136 * t2;
-    const double C_y_by_q73_by_q73 = t89 - 0.002 * ratio_by_q73_by_q73 * t3 - (B_e + B_e)
+    const double ratio_by_q73_by_q73 = t77 * t2;
+    const double C_y_by_q73_by_q73 = t34 - 0.002 * ratio_by_q73_by_q73 * t3 - (B_e + B_e)
         * ratio_by_q73;
     const double M_y_by_q73_by_q73 = t6 + 0.5 * C_y_by_q73_by_q73;
     const double C_e_by_q73_by_q73 = C_e + B_e * ratio_by_q73_by_q73 + (B_y + B_y) * ratio_by_q73;
     const double M_e_by_q73_by_q73 = t5 + 0.5 * C_e_by_q73_by_q73;
     const double u_y_by_q73_by_q73 = t4 - 23.80952380952381 * C_y_by_q73_by_q73;
-    const double t137 = u_e * M_y_by_q73_by_q73 - u_y * M_e_by_q73_by_q73 - s_e * u_y_by_q73_by_q73;
+    const double t78 = u_e * M_y_by_q73_by_q73 - u_y * M_e_by_q73_by_q73 - s_e * u_y_by_q73_by_q73;
     const double u_e_by_q73_by_q73 = t7 - 23.80952380952381 * C_e_by_q73_by_q73;
-    const double t138 = u_e_by_q73 + u_e_by_q73;
-    const double p_y_by_q73_by_q73 = t137 - s_y * u_e_by_q73_by_q73 + t138 * M_y_by_q73 - t130
+    const double t79 = u_e_by_q73 + u_e_by_q73;
+    const double p_y_by_q73_by_q73 = t78 - s_y * u_e_by_q73_by_q73 + t79 * M_y_by_q73 - t73
         * M_e_by_q73;
-    const double t139 = p_y_by_q73 + p_y_by_q73;
-    const double reach_squared_by_q73_by_q73 = sinew_choose(t12, t139 * p_y_by_q73 + t8
+    const double t80 = p_y_by_q73 + p_y_by_q73;
+    const double reach_squared_by_q73_by_q73 = sinew_choose(t36, t80 * p_y_by_q73 + t35
         * p_y_by_q73_by_q73, 0.0);
-    const double reach_by_q73_by_q73 = 0.5 * (reach_squared_by_q73_by_q73 - t135) * t13;
-    const double t140 = t135 - (limited_by_q73 + limited_by_q73) * limited_by_q73 + t21
+    const double reach_by_q73_by_q73 = 0.5 * (reach_squared_by_q73_by_q73 - t76) * t40;
+    const double t81 = t76 - (limited_by_q73 + limited_by_q73) * limited_by_q73 + t44
         * reach_by_q73_by_q73;
-    const double t141 = 13.88888888888889 * reach_squared_by_q73_by_q73 + 27.77777777777778
+    const double t82 = 13.88888888888889 * reach_squared_by_q73_by_q73 + 27.77777777777778
         * p_x_by_q73 * p_x_by_q73;
-    const double t142 = u_e * M_e_by_q73_by_q73 + u_y * M_y_by_q73_by_q73 + s_e * u_e_by_q73_by_q73;
-    const double p_x_by_q73_by_q73 = t142 - s_y * u_y_by_q73_by_q73 - t138 * M_e_by_q73 - t130
+    const double t83 = u_e * M_e_by_q73_by_q73 + u_y * M_y_by_q73_by_q73 + s_e * u_e_by_q73_by_q73;
+    const double p_x_by_q73_by_q73 = t83 - s_y * u_y_by_q73_by_q73 - t79 * M_e_by_q73 - t73
         * M_y_by_q73;
-    const double projection_by_q73_by_q73 = t141 - t17 * p_x_by_q73_by_q73;
-    const double limited_by_q73_by_q73 = sinew_choose(t19, -(reach_by_q73_by_q73 * t15
-        - projection_by_q73_by_q73 * t16), reach_by_q73_by_q73);
-    const double clearance_by_q73_by_q73 = sinew_choose(t24, t140 - t20 * limited_by_q73_by_q73,
+    const double projection_by_q73_by_q73 = t82 - t37 * p_x_by_q73_by_q73;
+    const double limited_by_q73_by_q73 = sinew_choose(t42, -(reach_by_q73_by_q73 * t41
+        - projection_by_q73_by_q73 * t39), reach_by_q73_by_q73);
+    const double clearance_by_q73_by_q73 = sinew_choose(t45, t81 - t43 * limited_by_q73_by_q73,
         1e-12 * reach_squared_by_q73_by_q73);
-    const double t143 = 0.5 * (clearance_by_q73_by_q73 - (root_by_q73 + root_by_q73) * root_by_q73);
-    const double root_by_q73_by_q73 = t143 * t25;
-    const double t144 = p_y * root_by_q73_by_q73 - p_z * limited_by_q73_by_q73 + root
+    const double t84 = 0.5 * (clearance_by_q73_by_q73 - (root_by_q73 + root_by_q73) * root_by_q73);
+    const double root_by_q73_by_q73 = t84 * t46;
+    const double t85 = p_y * root_by_q73_by_q73 - p_z * limited_by_q73_by_q73 + root
         * p_y_by_q73_by_q73;
-    const double t145 = reach_squared_by_q73 + reach_squared_by_q73;
-    const double t146 = t144 - sin_A * reach_squared_by_q73_by_q73 + t139 * root_by_q73 - t145
+    const double t86 = reach_squared_by_q73 + reach_squared_by_q73;
+    const double t87 = t85 - sin_A * reach_squared_by_q73_by_q73 + t80 * root_by_q73 - t86
         * sin_A_by_q73;
-    const double sin_A_by_q73_by_q73 = t146 * t28;
+    const double sin_A_by_q73_by_q73 = t87 * t14;
     const double x_plane_x_by_q73_by_q73 = u_y * sin_A_by_q73_by_q73 - sin_A * u_y_by_q73_by_q73
-        - t130 * sin_A_by_q73;
-    const double t147 = p_y * limited_by_q73_by_q73 + p_z * root_by_q73_by_q73 + limited
+        - t73 * sin_A_by_q73;
+    const double t88 = p_y * limited_by_q73_by_q73 + p_z * root_by_q73_by_q73 + limited
         * p_y_by_q73_by_q73;
-    const double t148 = t147 - cos_A * reach_squared_by_q73_by_q73 + t139 * limited_by_q73 - t145
+    const double t89 = t88 - cos_A * reach_squared_by_q73_by_q73 + t80 * limited_by_q73 - t86
         * cos_A_by_q73;
-    const double cos_A_by_q73_by_q73 = t148 * t28;
+    const double cos_A_by_q73_by_q73 = t89 * t14;
     const double x_x_by_q73_by_q73 = cos_q71 * x_plane_x_by_q73_by_q73 + sin_q71
         * cos_A_by_q73_by_q73;
     const double z_plane_x_by_q73_by_q73 = u_y * cos_A_by_q73_by_q73 - cos_A * u_y_by_q73_by_q73
-        - t130 * cos_A_by_q73;
+        - t73 * cos_A_by_q73;
     const double z_x_by_q73_by_q73 = cos_q71 * z_plane_x_by_q73_by_q73 - sin_q71
         * sin_A_by_q73_by_q73;
     const double M_x_by_q73_by_q73 = cos_q71 * M_e_by_q73_by_q73;
     const double origin_x_by_q73_by_q73 = M_x_by_q73_by_q73 + 0.018 * z_x_by_q73_by_q73;
-    const double t149 = origin_x_by_q73_by_q73 + 0.004 * x_x_by_q73_by_q73;
+    const double t90 = origin_x_by_q73_by_q73 + 0.004 * x_x_by_q73_by_q73;
     const double y_x_by_q73_by_q73 = cos_q71 * u_e_by_q73_by_q73;
+    const double pull_0 = layer_0_y * per_length_0;
     const double x_plane_y_by_q73_by_q73 = u_e * sin_A_by_q73_by_q73 - sin_A * u_e_by_q73_by_q73
-        + t138 * sin_A_by_q73;
+        + t79 * sin_A_by_q73;
     const double z_plane_y_by_q73_by_q73 = u_e * cos_A_by_q73_by_q73 - cos_A * u_e_by_q73_by_q73
-        + t138 * cos_A_by_q73;
+        + t79 * cos_A_by_q73;
     const double origin_y_by_q73_by_q73 = M_y_by_q73_by_q73 - 0.018 * z_plane_y_by_q73_by_q73;
-    const double t150 = origin_y_by_q73_by_q73 - 0.004 * x_plane_y_by_q73_by_q73;
+    const double t91 = origin_y_by_q73_by_q73 - 0.004 * x_plane_y_by_q73_by_q73;
     const double x_z_by_q73_by_q73 = cos_q71 * cos_A_by_q73_by_q73 - sin_q71
         * x_plane_x_by_q73_by_q73;
     const double z_z_by_q73_by_q73 = cos_q71 * sin_A_by_q73_by_q73 + sin_q71
         * z_plane_x_by_q73_by_q73;
     const double M_z_by_q73_by_q73 = sin_q71 * M_e_by_q73_by_q73;
     const double origin_z_by_q73_by_q73 = M_z_by_q73_by_q73 + 0.018 * z_z_by_q73_by_q73;
-    const double t151 = origin_z_by_q73_by_q73 - 0.004 * x_z_by_q73_by_q73;
+    const double t92 = origin_z_by_q73_by_q73 - 0.004 * x_z_by_q73_by_q73;
     const double y_z_by_q73_by_q73 = sin_q71 * u_e_by_q73_by_q73;
-    static const double table162[18][2] = {{0.001, 0.001}, {0.003, 0.003}, {0.005, 0.004},
+    const double t93 = layer_1_x_by_q73 * layer_1_x_by_q73 + layer_1_y_by_q73 * layer_1_y_by_q73;
+    const double along_10 = t93 + layer_1_z_by_q73 * layer_1_z_by_q73;
+    const double mixed_10 = t73 * layer_1_y_by_q73 + t72 * layer_1_z_by_q73 + t74
+        * layer_1_x_by_q73;
+    const double pull_19_2 = layer_1_y * per_length_19;
+    const double p_y_by_q71 = u_y * p_z;
+    const double t94 = p_z + p_z;
+    const double reach_squared_by_q71 = sinew_choose(t36, -(t35 * p_y_by_q71 + t94 * p_z_by_q71),
+        0.0);
+    const double reach_by_q71 = 0.5 * reach_squared_by_q71 * t40;
+    const double p_x_by_q71 = u_e * p_z;
+    const double projection_by_q71 = 13.88888888888889 * reach_squared_by_q71 - t37 * p_x_by_q71;
+    const double limited_by_q71 = sinew_choose(t42, -(reach_by_q71 * t41 - projection_by_q71 * t39),
+        reach_by_q71);
+    const double clearance_by_q71 = sinew_choose(t45, t44 * reach_by_q71 - t43 * limited_by_q71,
+        1e-12 * reach_squared_by_q71);
+    const double root_by_q71 = 0.5 * clearance_by_q71 * t46;
+    const double t95 = p_y * limited_by_q71 + p_z * root_by_q71 - limited * p_y_by_q71 - root
+        * p_z_by_q71;
+    const double cos_A_by_q71 = (t95 - cos_A * reach_squared_by_q71) * t14;
+    const double z_plane_x_by_q71 = u_y * cos_A_by_q71;
+    const double t96 = p_y * root_by_q71 - p_z * limited_by_q71 + limited * p_z_by_q71 - root
+        * p_y_by_q71;
+    const double sin_A_by_q71 = (t96 - sin_A * reach_squared_by_q71) * t14;
+    const double z_x_by_q71 = t24 - cos_q71 * z_plane_x_by_q71 + t23 + sin_q71 * sin_A_by_q71;
+    const double origin_x_by_q71 = M_z - 0.018 * z_x_by_q71;
+    const double x_plane_x_by_q71 = u_y * sin_A_by_q71;
+    const double x_x_by_q71 = t26 + cos_q71 * x_plane_x_by_q71 - t25 + sin_q71 * cos_A_by_q71;
+    const double t97 = origin_x_by_q71 + 0.004 * x_x_by_q71;
+    const double t98 = 0.01 * z_x_by_q71;
+    const double layer_0_x_by_q71 = t97 + t98 - t29;
+    const double z_z_by_q71 = t15 + cos_q71 * sin_A_by_q71 - t17 + sin_q71 * z_plane_x_by_q71;
+    const double origin_z_by_q71 = M_x - 0.018 * z_z_by_q71;
+    const double x_z_by_q71 = t18 - cos_q71 * cos_A_by_q71 + t19 + sin_q71 * x_plane_x_by_q71;
+    const double t99 = origin_z_by_q71 - 0.004 * x_z_by_q71;
+    const double t100 = 0.01 * z_z_by_q71;
+    const double layer_0_z_by_q71 = t99 + t100 - t22;
+    const double across_by_q71 = layer_0_x * layer_0_x_by_q71 - layer_0_z * layer_0_z_by_q71;
+    const double z_plane_y_by_q71 = u_e * cos_A_by_q71;
+    const double origin_y_by_q71 = 0.018 * z_plane_y_by_q71;
+    const double t101 = 0.004 * u_e;
+    const double t102 = origin_y_by_q71 + t101 * sin_A_by_q71;
+    const double t103 = 0.01 * z_plane_y_by_q71;
+    const double layer_0_y_by_q71 = t102 - t103;
+    const double half_square_by = across_by_q71 - layer_0_y * layer_0_y_by_q71;
+    const double length_0_by_q71 = half_square_by * t65;
+    const double K_0 = length_0_by_q71 * length_0_by_q73 * across_0;
+    const double across_by_y_by_q71 = y_x * (layer_0_z + layer_0_x_by_q71) - y_z * (layer_0_x
+        + layer_0_z_by_q71);
+    const double layer_1_x_by_q71 = t97 - t98 - t33;
+    const double layer_1_z_by_q71 = t99 - t100 - t32;
+    const double across_38_by_q71 = layer_1_x * layer_1_x_by_q71 - layer_1_z * layer_1_z_by_q71;
+    const double layer_1_y_by_q71 = t102 + t103;
+    const double half_square_by_38 = across_38_by_q71 - layer_1_y * layer_1_y_by_q71;
+    const double length_19_by_q71 = half_square_by_38 * t69;
+    const double K_19 = length_19_by_q71 * length_19_by_q73 * across_19;
+    const double across_by_y_2_by_q71 = y_x * (layer_1_z + layer_1_x_by_q71) - y_z * (layer_1_x
+        + layer_1_z_by_q71);
+    const double t104 = layer_0_x_by_q71 * layer_0_x_by_q73 + layer_0_y_by_q71 * layer_0_y_by_q73;
+    const double along = t104 - layer_0_z_by_q71 * layer_0_z_by_q73;
+    const double t105 = y_x * layer_0_z_by_q73 - y_z * layer_0_x_by_q73 - layer_0_x_by_q71
+        * y_z_by_q71_by_q73;
+    const double mixed = t105 - layer_0_y_by_q71 * u_y_by_q73 + layer_0_z_by_q71
+        * y_x_by_q71_by_q73;
+    const double t106 = root_by_q71 + root_by_q71;
+    const double t107 = (reach_by_q71 + reach_by_q71) * reach_by_q73;
+    const double t108 = p_y_by_q71 + p_y_by_q71;
+    const double p_y_by_q71_by_q73 = p_z * u_y_by_q73;
+    const double reach_squared_by_q71_by_q73 = sinew_choose(t36, t35 * p_y_by_q71_by_q73 - t108
+        * p_y_by_q73, 0.0);
+    const double reach_by_q71_by_q73 = 0.5 * (reach_squared_by_q71_by_q73 - t107) * t40;
+    const double t109 = 27.77777777777778 * p_x_by_q71;
+    const double projection_by_q71_by_q73 = 13.88888888888889 * reach_squared_by_q71_by_q73 - t37
+        * p_z * u_e_by_q73 - t109 * p_x_by_q73;
+    const double limited_by_q71_by_q73 = sinew_choose(t42, -(reach_by_q71_by_q73 * t41
+        - projection_by_q71_by_q73 * t39), reach_by_q71_by_q73);
+    const double t110 = limited_by_q71 + limited_by_q71;
+    const double t111 = t44 * reach_by_q71_by_q73 - t43 * limited_by_q71_by_q73 + t107 - t110
+        * limited_by_q73;
+    const double clearance_by_q71_by_q73 = sinew_choose(t45, t111, 1e-12
+        * reach_squared_by_q71_by_q73);
+    const double root_by_q71_by_q73 = 0.5 * (clearance_by_q71_by_q73 - t106 * root_by_q73) * t46;
+    const double t112 = p_y * limited_by_q71_by_q73 + p_z * root_by_q71_by_q73 + limited
+        * p_y_by_q71_by_q73;
+    const double t113 = t112 - cos_A * reach_squared_by_q71_by_q73 - p_y_by_q71 * limited_by_q73
+        - p_z_by_q71 * root_by_q73;
+    const double t114 = t113 - reach_squared_by_q71 * cos_A_by_q73 + limited_by_q71 * p_y_by_q73
+        - cos_A_by_q71 * reach_squared_by_q73;
+    const double cos_A_by_q71_by_q73 = t114 * t14;
+    const double z_plane_x_by_q71_by_q73 = u_y * cos_A_by_q71_by_q73 - cos_A_by_q71 * u_y_by_q73;
+    const double t115 = p_y * root_by_q71_by_q73 - p_z * limited_by_q71_by_q73 + root
+        * p_y_by_q71_by_q73;
+    const double t116 = t115 - sin_A * reach_squared_by_q71_by_q73 - p_y_by_q71 * root_by_q73
+        + p_z_by_q71 * limited_by_q73;
+    const double t117 = t116 - reach_squared_by_q71 * sin_A_by_q73 + root_by_q71 * p_y_by_q73
+        - sin_A_by_q71 * reach_squared_by_q73;
+    const double sin_A_by_q71_by_q73 = t117 * t14;
+    const double z_x_by_q71_by_q73 = t57 - cos_q71 * z_plane_x_by_q71_by_q73 + sin_q71
+        * sin_A_by_q71_by_q73 + t56;
+    const double origin_x_by_q71_by_q73 = M_x_by_q71_by_q73 - 0.018 * z_x_by_q71_by_q73;
+    const double x_plane_x_by_q71_by_q73 = u_y * sin_A_by_q71_by_q73 - sin_A_by_q71 * u_y_by_q73;
+    const double x_x_by_q71_by_q73 = t59 + cos_q71 * x_plane_x_by_q71_by_q73 - t58 + sin_q71
+        * cos_A_by_q71_by_q73;
+    const double t118 = origin_x_by_q71_by_q73 + 0.004 * x_x_by_q71_by_q73;
+    const double t119 = 0.01 * z_x_by_q71_by_q73;
+    const double layer_0_x_by_q71_by_q73 = t118 + t119 - t62;
+    const double x_plane_y_by_q71_by_q73 = u_e * sin_A_by_q71_by_q73 + sin_A_by_q71 * u_e_by_q73;
+    const double z_plane_y_by_q71_by_q73 = u_e * cos_A_by_q71_by_q73 + cos_A_by_q71 * u_e_by_q73;
+    const double z_z_by_q71_by_q73 = cos_q71 * sin_A_by_q71_by_q73 + t48 - t50 + sin_q71
+        * z_plane_x_by_q71_by_q73;
+    const double origin_z_by_q71_by_q73 = M_z_by_q71_by_q73 - 0.018 * z_z_by_q71_by_q73;
+    const double x_z_by_q71_by_q73 = t51 - cos_q71 * cos_A_by_q71_by_q73 + t52 + sin_q71
+        * x_plane_x_by_q71_by_q73;
+    const double t120 = origin_z_by_q71_by_q73 - 0.004 * x_z_by_q71_by_q73;
+    const double t121 = 0.01 * z_z_by_q71_by_q73;
+    const double layer_0_z_by_q71_by_q73 = t120 + t121 - t55;
+    const double t122 = layer_1_x_by_q71 * layer_1_x_by_q73 + layer_1_y_by_q71 * layer_1_y_by_q73;
+    const double along_2 = t122 - layer_1_z_by_q71 * layer_1_z_by_q73;
+    const double t123 = y_x * layer_1_z_by_q73 - y_z * layer_1_x_by_q73 - u_y_by_q73
+        * layer_1_y_by_q71;
+    const double mixed_2 = t123 + y_x_by_q71_by_q73 * layer_1_z_by_q71 - y_z_by_q71_by_q73
+        * layer_1_x_by_q71;
+    const double layer_1_x_by_q71_by_q73 = t118 - t119 - t68;
+    const double layer_1_z_by_q71_by_q73 = t120 - t121 - t67;
+    const double t124 = layer_0_x_by_q71 * layer_0_x_by_q71 + layer_0_y_by_q71 * layer_0_y_by_q71;
+    const double along_4 = t124 + layer_0_z_by_q71 * layer_0_z_by_q71;
+    const double t125 = y_x + y_x;
+    const double t126 = y_z + y_z;
+    const double mixed_4 = t125 * layer_0_z_by_q71 + t126 * layer_0_x_by_q71;
+    const double t127 = reach_by_q71 * reach_by_q71;
+    const double t128 = t127 + t127;
+    const double p_y_by_q71_by_q71 = u_y * p_z_by_q71;
+    const double t129 = p_y_by_q71 * p_y_by_q71 + p_z_by_q71 * p_z_by_q71;
+    const double reach_squared_by_q71_by_q71 = sinew_choose(t36, t129 + t129 + t35
+        * p_y_by_q71_by_q71 - t94 * p_z, 0.0);
+    const double reach_by_q71_by_q71 = 0.5 * (reach_squared_by_q71_by_q71 - t128) * t40;
+    const double projection_by_q71_by_q71 = 13.88888888888889 * reach_squared_by_q71_by_q71 + t109
+        * p_x_by_q71 + t37 * u_e * p_z_by_q71;
+    const double limited_by_q71_by_q71 = sinew_choose(t42, -(reach_by_q71_by_q71 * t41
+        - projection_by_q71_by_q71 * t39), reach_by_q71_by_q71);
+    const double t130 = t128 - t110 * limited_by_q71 + t44 * reach_by_q71_by_q71 - t43
+        * limited_by_q71_by_q71;
+    const double clearance_by_q71_by_q71 = sinew_choose(t45, t130, 1e-12
+        * reach_squared_by_q71_by_q71);
+    const double root_by_q71_by_q71 = 0.5 * (clearance_by_q71_by_q71 - t106 * root_by_q71) * t46;
+    const double t131 = p_y * limited_by_q71_by_q71 - t13 + p_z * root_by_q71_by_q71 + limited
+        * p_y_by_q71_by_q71;
+    const double t132 = p_z_by_q71 + p_z_by_q71;
+    const double t133 = t131 - cos_A * reach_squared_by_q71_by_q71 - t108 * limited_by_q71 - t132
+        * root_by_q71;
+    const double t134 = reach_squared_by_q71 + reach_squared_by_q71;
+    const double cos_A_by_q71_by_q71 = (t133 - t134 * cos_A_by_q71) * t14;
+    const double z_plane_x_by_q71_by_q71 = u_y * cos_A_by_q71_by_q71;
+    const double t135 = p_y * root_by_q71_by_q71 + t16 - p_z * limited_by_q71_by_q71 + root
+        * p_y_by_q71_by_q71;
+    const double t136 = t135 - sin_A * reach_squared_by_q71_by_q71 - t108 * root_by_q71 + t132
+        * limited_by_q71;
+    const double sin_A_by_q71_by_q71 = (t136 - t134 * sin_A_by_q71) * t14;
+    const double t137 = t15 - cos_q71 * z_plane_x_by_q71_by_q71 - t17 + sin_q71
+        * sin_A_by_q71_by_q71;
+    const double t138 = cos_q71 + cos_q71;
+    const double t139 = sin_q71 + sin_q71;
+    const double z_x_by_q71_by_q71 = t137 + t138 * sin_A_by_q71 + t139 * z_plane_x_by_q71;
+    const double origin_x_by_q71_by_q71 = M_x - 0.018 * z_x_by_q71_by_q71;
+    const double x_plane_x_by_q71_by_q71 = u_y * sin_A_by_q71_by_q71;
+    const double t140 = t18 - cos_q71 * x_plane_x_by_q71_by_q71 + t19 - sin_q71
+        * cos_A_by_q71_by_q71;
+    const double x_x_by_q71_by_q71 = t140 - t138 * cos_A_by_q71 + t139 * x_plane_x_by_q71;
+    const double t141 = origin_x_by_q71_by_q71 - 0.004 * x_x_by_q71_by_q71;
+    const double t142 = 0.01 * z_x_by_q71_by_q71;
+    const double layer_0_x_by_q71_by_q71 = t141 + t142 - t22;
+    const double z_plane_y_by_q71_by_q71 = u_e * cos_A_by_q71_by_q71;
+    const double t143 = t24 - cos_q71 * sin_A_by_q71_by_q71 + t23 - sin_q71
+        * z_plane_x_by_q71_by_q71;
+    const double z_z_by_q71_by_q71 = t143 - t138 * z_plane_x_by_q71 + t139 * sin_A_by_q71;
+    const double origin_z_by_q71_by_q71 = M_z - 0.018 * z_z_by_q71_by_q71;
+    const double t144 = t26 - cos_q71 * cos_A_by_q71_by_q71 - t25 + sin_q71
+        * x_plane_x_by_q71_by_q71;
+    const double x_z_by_q71_by_q71 = t144 + t138 * x_plane_x_by_q71 + t139 * cos_A_by_q71;
+    const double t145 = origin_z_by_q71_by_q71 + 0.004 * x_z_by_q71_by_q71;
+    const double t146 = 0.01 * z_z_by_q71_by_q71;
+    const double layer_0_z_by_q71_by_q71 = t145 + t146 - t29;
+    const double t147 = layer_1_x_by_q71 * layer_1_x_by_q71 + layer_1_y_by_q71 * layer_1_y_by_q71;
+    const double along_6 = t147 + layer_1_z_by_q71 * layer_1_z_by_q71;
+    const double mixed_6 = t125 * layer_1_z_by_q71 + t126 * layer_1_x_by_q71;
+    const double layer_1_x_by_q71_by_q71 = t141 - t142 - t32;
+    const double layer_1_z_by_q71_by_q71 = t145 - t146 - t33;
+    static const double table157[18][2] = {{0.001, 0.001}, {0.003, 0.003}, {0.005, 0.004},
         {0.006, 0.006}, {0.008, 0.008}, {0.009, 0.009}, {0.011, 0.011}, {0.013, 0.012},
         {0.014, 0.014}, {0.016, 0.016}, {0.017, 0.017}, {0.019, 0.019}, {0.021, 0.02},
         {0.022, 0.022}, {0.024, 0.024}, {0.025, 0.025}, {0.027, 0.027}, {0.029, 0.028}};
-    double sum153 = K_0;
-    double sum154 = per_length_0 * along_42 + across_0 * length_0_by_q73 * length_0_by_q73;
-    double sum155 = per_length_0 * along_38 + across_0 * length_0_by_q71 * length_0_by_q71;
-    double sum156 = -0.0;
-    double sum157 = -0.0;
-    double sum158 = -0.0;
-    double sum159 = pull_0_z;
-    double sum160 = pull_0_y;
-    double sum161 = pull_0_x;
-    for (int i152 = 0; i152 < 18; ++i152) {
-        const double before163 = sum153;
-        const double before164 = sum154;
-        const double before165 = sum155;
-        const double before166 = sum156;
-        const double before167 = sum157;
-        const double before168 = sum158;
-        const double before169 = sum159;
-        const double before170 = sum160;
-        const double before171 = sum161;
-        const double t172 = table162[i152][0] * y_x;
-        const double strand_x = layer_0_x - t172;
-        const double strand_y = table162[i152][1] + layer_0_y - table162[i152][0] * u_y;
-        const double t173 = table162[i152][0] * y_z;
-        const double strand_z = layer_0_z - t173;
-        const double length = sinew_sqrt(strand_x * strand_x + strand_y * strand_y + strand_z
-            * strand_z);
-        const double t174 = 1.0 / length;
-        const double per_length = f[1 + i152] * t174;
-        const double slope = along_by_y + table162[i152][0] * along_by_y_squared;
-        const double along_2 = along - table162[i152][0] * slope;
-        const double strand_x_by_q71 = layer_0_x_by_q71 + t173;
-        const double strand_z_by_q71 = layer_0_z_by_q71 + t172;
-        const double t175 = strand_x * strand_x_by_q71 - strand_y * layer_0_y_by_q71 - strand_z
-            * strand_z_by_q71;
-        const double length_by_q71 = t175 * t174;
-        const double strand_x_by_q73 = layer_0_x_by_q73 + table162[i152][0] * y_z_by_q71_by_q73;
-        const double strand_y_by_q73 = layer_0_y_by_q73 + table162[i152][0] * u_y_by_q73;
-        const double strand_z_by_q73 = layer_0_z_by_q73 + table162[i152][0] * y_x_by_q71_by_q73;
-        const double t176 = strand_x * strand_x_by_q73 - strand_y * strand_y_by_q73 + strand_z
-            * strand_z_by_q73;
-        const double length_by_q73 = t176 * t174;
-        const double across = k[1 + i152] - per_length;
-        const double t177 = before163 + per_length * along_2 + length_by_q71 * length_by_q73
-            * across;
-        const double slope_4 = along_by_y_8 + table162[i152][0] * along_by_y_squared_8;
-        const double along_3 = along_42 + table162[i152][0] * slope_4;
-        const double t178 = before164 + per_length * along_3 + across * length_by_q73
-            * length_by_q73;
-        const double slope_2 = along_by_y_4 + table162[i152][0] * along_by_y_squared_4;
-        const double along_4 = along_38 + table162[i152][0] * slope_2;
-        const double t179 = before165 + per_length * along_4 + across * length_by_q71
-            * length_by_q71;
-        const double t180 = table162[i152][0] * per_length;
-        const double pull_by_y_y = strand_y * t180;
-        const double pull_by_y_z = strand_z * t180;
-        const double pull_by_y_x = strand_x * t180;
-        const double pull_z = strand_z * per_length;
-        const double pull_y = strand_y * per_length;
-        const double pull_x = strand_x * per_length;
-        sum153 = t177;
-        sum154 = t178;
-        sum155 = t179;
-        sum156 = before166 + pull_by_y_y;
-        sum157 = before167 + pull_by_y_z;
-        sum158 = before168 + pull_by_y_x;
-        sum159 = before169 + pull_z;
-        sum160 = before170 + pull_y;
-        sum161 = before171 + pull_x;
+    double sum149 = K_0;
+    double sum150 = across_0 * length_0_by_q73 * length_0_by_q73;
+    double sum151 = across_0 * length_0_by_q71 * length_0_by_q71;
+    double sum152 = -0.0;
+    double sum153 = -0.0;
+    double sum154 = pull_0;
+    double sum155 = -0.0;
+    double sum156 = per_length_0;
+    for (int i148 = 0; i148 < 18; ++i148) {
+        const double before158 = sum149;
+        const double before159 = sum150;
+        const double before160 = sum151;
+        const double before161 = sum152;
+        const double before162 = sum153;
+        const double before163 = sum154;
+        const double before164 = sum155;
+        const double before165 = sum156;
+        const double across_2 = across_by_q71 - table157[i148][0] * across_by_y_by_q71;
+        const double strand_y = table157[i148][1] + layer_0_y - table157[i148][0] * u_y;
+        const double half_square_by_2 = across_2 - strand_y * layer_0_y_by_q71;
+        const double t166 = table157[i148][0] * (twice_across_2 - table157[i148][0]
+            * twice_across_4);
+        const double across_3 = twice_across - t166;
+        const double length = sinew_sqrt(across_3 + strand_y * strand_y);
+        const double t167 = 1.0 / length;
+        const double length_by_q71 = half_square_by_2 * t167;
+        const double across_slope = across_by_y_by_q73 + table157[i148][0]
+            * across_by_y_squared_by_q73;
+        const double across_4 = across_by_q73 - table157[i148][0] * across_slope;
+        const double half_square_by_3 = across_4 - strand_y * (layer_0_y_by_q73 + table157[i148][0]
+            * u_y_by_q73);
+        const double length_by_q73 = half_square_by_3 * t167;
+        const double per_length = f[1 + i148] * t167;
+        const double t168 = k[1 + i148] - per_length;
+        const double K_2 = length_by_q71 * length_by_q73 * t168;
+        const double t169 = table157[i148][0] * per_length;
+        const double pull_by_y_along = strand_y * t169;
+        const double pull = strand_y * per_length;
+        sum149 = before158 + K_2;
+        sum150 = before159 + t168 * length_by_q73 * length_by_q73;
+        sum151 = before160 + t168 * length_by_q71 * length_by_q71;
+        sum152 = before161 + pull_by_y_along;
+        sum153 = before162 + table157[i148][0] * t169;
+        sum154 = before163 + pull;
+        sum155 = before164 + t169;
+        sum156 = before165 + per_length;
     }
-    static const double table191[18][2] = {{0.002, 0.001}, {0.003, 0.003}, {0.005, 0.005},
+    static const double table179[18][2] = {{0.002, 0.001}, {0.003, 0.003}, {0.005, 0.005},
         {0.007, 0.006}, {0.008, 0.008}, {0.01, 0.009}, {0.011, 0.011}, {0.013, 0.013},
         {0.015, 0.014}, {0.016, 0.016}, {0.018, 0.017}, {0.019, 0.019}, {0.021, 0.021},
         {0.023, 0.022}, {0.024, 0.024}, {0.026, 0.025}, {0.027, 0.027}, {0.029, 0.029}};
-    double sum182 = K_19;
-    double sum183 = t133;
-    double sum184 = t64;
-    double sum185 = -0.0;
-    double sum186 = -0.0;
-    double sum187 = -0.0;
-    double sum188 = pull_19_z;
-    double sum189 = pull_19_y;
-    double sum190 = pull_19_x;
-    for (int i181 = 0; i181 < 18; ++i181) {
-        const double before192 = sum182;
-        const double before193 = sum183;
-        const double before194 = sum184;
-        const double before195 = sum185;
-        const double before196 = sum186;
-        const double before197 = sum187;
-        const double before198 = sum188;
-        const double before199 = sum189;
-        const double before200 = sum190;
-        const double t201 = table191[i181][0] * y_x;
-        const double strand_x_2 = layer_1_x - t201;
-        const double strand_y_2 = table191[i181][1] + layer_1_y - table191[i181][0] * u_y;
-        const double t202 = table191[i181][0] * y_z;
-        const double strand_z_2 = layer_1_z - t202;
-        const double t203 = strand_x_2 * strand_x_2 + strand_y_2 * strand_y_2 + strand_z_2
-            * strand_z_2;
-        const double length_2 = sinew_sqrt(t203);
-        const double t204 = 1.0 / length_2;
-        const double per_length_2 = f[20 + i181] * t204;
-        const double slope_3 = along_by_y_2 + table191[i181][0] * along_by_y_squared;
-        const double along_5 = along_19 - table191[i181][0] * slope_3;
-        const double strand_x_by_q71_2 = layer_1_x_by_q71 + t202;
-        const double strand_z_by_q71_2 = layer_1_z_by_q71 + t201;
-        const double t205 = strand_x_2 * strand_x_by_q71_2 - strand_y_2 * layer_1_y_by_q71
-            - strand_z_2 * strand_z_by_q71_2;
-        const double length_by_q71_2 = t205 * t204;
-        const double strand_x_by_q73_2 = layer_1_x_by_q73 + table191[i181][0] * y_z_by_q71_by_q73;
-        const double strand_y_by_q73_2 = layer_1_y_by_q73 + table191[i181][0] * u_y_by_q73;
-        const double strand_z_by_q73_2 = layer_1_z_by_q73 + table191[i181][0] * y_x_by_q71_by_q73;
-        const double t206 = strand_x_2 * strand_x_by_q73_2 - strand_y_2 * strand_y_by_q73_2
-            + strand_z_2 * strand_z_by_q73_2;
-        const double length_by_q73_2 = t206 * t204;
-        const double across_2 = k[20 + i181] - per_length_2;
-        const double t207 = before192 + per_length_2 * along_5 + length_by_q71_2 * length_by_q73_2
-            * across_2;
-        const double slope_4_2 = along_by_y_10 + table191[i181][0] * along_by_y_squared_8;
-        const double along_6 = along_44 + table191[i181][0] * slope_4_2;
-        const double t208 = before193 + per_length_2 * along_6 + across_2 * length_by_q73_2
-            * length_by_q73_2;
-        const double slope_2_2 = along_by_y_6 + table191[i181][0] * along_by_y_squared_4;
-        const double along_7 = along_40 + table191[i181][0] * slope_2_2;
-        const double t209 = before194 + per_length_2 * along_7 + across_2 * length_by_q71_2
-            * length_by_q71_2;
-        const double t210 = table191[i181][0] * per_length_2;
-        const double pull_by_y_y_2 = strand_y_2 * t210;
-        const double pull_by_y_z_2 = strand_z_2 * t210;
-        const double pull_by_y_x_2 = strand_x_2 * t210;
-        const double pull_z_2 = strand_z_2 * per_length_2;
-        const double pull_y_2 = strand_y_2 * per_length_2;
-        const double pull_x_2 = strand_x_2 * per_length_2;
-        sum182 = t207;
-        sum183 = t208;
-        sum184 = t209;
-        sum185 = before195 + pull_by_y_y_2;
-        sum186 = before196 + pull_by_y_z_2;
-        sum187 = before197 + pull_by_y_x_2;
-        sum188 = before198 + pull_z_2;
-        sum189 = before199 + pull_y_2;
-        sum190 = before200 + pull_x_2;
+    double sum171 = K_19;
+    double sum172 = across_19 * length_19_by_q73 * length_19_by_q73;
+    double sum173 = across_19 * length_19_by_q71 * length_19_by_q71;
+    double sum174 = -0.0;
+    double sum175 = -0.0;
+    double sum176 = pull_19_2;
+    double sum177 = -0.0;
+    double sum178 = per_length_19;
+    for (int i170 = 0; i170 < 18; ++i170) {
+        const double before180 = sum171;
+        const double before181 = sum172;
+        const double before182 = sum173;
+        const double before183 = sum174;
+        const double before184 = sum175;
+        const double before185 = sum176;
+        const double before186 = sum177;
+        const double before187 = sum178;
+        const double across_5 = across_38_by_q71 - table179[i170][0] * across_by_y_2_by_q71;
+        const double strand_y_2 = table179[i170][1] + layer_1_y - table179[i170][0] * u_y;
+        const double half_square_by_4 = across_5 - strand_y_2 * layer_1_y_by_q71;
+        const double across_slope_2 = twice_across_8 - table179[i170][0] * twice_across_4;
+        const double across_6 = twice_across_6 - table179[i170][0] * across_slope_2;
+        const double length_2 = sinew_sqrt(across_6 + strand_y_2 * strand_y_2);
+        const double t188 = 1.0 / length_2;
+        const double length_by_q71_2 = half_square_by_4 * t188;
+        const double across_slope_3 = across_by_y_2_by_q73 + table179[i170][0]
+            * across_by_y_squared_by_q73;
+        const double across_7 = across_38_by_q73 - table179[i170][0] * across_slope_3;
+        const double strand_y_by = layer_1_y_by_q73 + table179[i170][0] * u_y_by_q73;
+        const double half_square_by_5 = across_7 - strand_y_2 * strand_y_by;
+        const double length_by_q73_2 = half_square_by_5 * t188;
+        const double per_length_2 = f[20 + i170] * t188;
+        const double t189 = k[20 + i170] - per_length_2;
+        const double K_3 = length_by_q71_2 * length_by_q73_2 * t189;
+        const double t190 = table179[i170][0] * per_length_2;
+        const double pull_by_y_along_2 = strand_y_2 * t190;
+        sum171 = before180 + K_3;
+        sum172 = before181 + t189 * length_by_q73_2 * length_by_q73_2;
+        sum173 = before182 + t189 * length_by_q71_2 * length_by_q71_2;
+        sum174 = before183 + pull_by_y_along_2;
+        sum175 = before184 + table179[i170][0] * t190;
+        sum176 = before185 + strand_y_2 * per_length_2;
+        sum177 = before186 + t190;
+        sum178 = before187 + per_length_2;
     }
-    const double pull_by_y = sum158 + sum187;
-    const double pull_by_y_4 = sum157 + sum186;
-    const double t211 = sum155 + sum184 + y_x * pull_by_y + y_z * pull_by_y_4 + sum161
+    const double t191 = sum153 + sum175;
+    const double turned_8 = u_y_by_q73 * u_y_by_q73 + y_x_by_q71_by_q73 * y_x_by_q71_by_q73
+        + y_z_by_q71_by_q73 * y_z_by_q71_by_q73;
+    const double pull_x = y_x * sum155 - layer_0_x * sum156;
+    const double t192 = 0.01 * z_x_by_q73_by_q73;
+    const double layer_0_x_by_q73_by_q73 = t90 - t192 - 0.011 * y_x_by_q73_by_q73;
+    const double t193 = turned_8 * t191 + sum150 + sum172 + sum156 * along_8 + sum155 * mixed_8
+        - pull_x * layer_0_x_by_q73_by_q73;
+    const double t194 = 0.01 * z_plane_y_by_q73_by_q73;
+    const double layer_0_y_by_q73_by_q73 = t91 + t194 - 0.011 * u_y_by_q73_by_q73;
+    const double pull_z = y_z * sum155 - layer_0_z * sum156;
+    const double t195 = 0.01 * z_z_by_q73_by_q73;
+    const double layer_0_z_by_q73_by_q73 = t92 - t195 - 0.011 * y_z_by_q73_by_q73;
+    const double t196 = t193 + sum154 * layer_0_y_by_q73_by_q73 - pull_z * layer_0_z_by_q73_by_q73;
+    const double pull_x_2 = y_x * sum177 - layer_1_x * sum178;
+    const double layer_1_x_by_q73_by_q73 = t90 + t192 - 0.013 * y_x_by_q73_by_q73;
+    const double t197 = t196 + sum178 * along_10 + sum177 * mixed_10 - pull_x_2
+        * layer_1_x_by_q73_by_q73;
+    const double layer_1_y_by_q73_by_q73 = t91 - t194 - 0.013 * u_y_by_q73_by_q73;
+    const double pull_z_2 = y_z * sum177 - layer_1_z * sum178;
+    const double layer_1_z_by_q73_by_q73 = t92 + t195 - 0.013 * y_z_by_q73_by_q73;
+    const double t198 = t197 + sum176 * layer_1_y_by_q73_by_q73 - pull_z_2
+        * layer_1_z_by_q73_by_q73;
+    const double pull_axis_x_4 = y_x * t191 - layer_0_x * sum155 - layer_1_x * sum177;
+    const double pull_axis_y_4 = sum152 + sum174;
+    const double t199 = t198 - pull_axis_x_4 * y_x_by_q73_by_q73 + pull_axis_y_4
+        * u_y_by_q73_by_q73;
+    const double pull_axis_z_4 = y_z * t191 - layer_0_z * sum155 - layer_1_z * sum177;
+    const double turned = y_x * y_x_by_q71_by_q73 - y_z * y_z_by_q71_by_q73;
+    const double t200 = sum149 - turned * t191 + sum171 + sum156 * along - sum155 * mixed + pull_x
+        * layer_0_x_by_q71_by_q73;
+    const double origin_y_by_q71_by_q73 = 0.018 * z_plane_y_by_q71_by_q73;
+    const double t201 = origin_y_by_q71_by_q73 + 0.004 * x_plane_y_by_q71_by_q73;
+    const double t202 = 0.01 * z_plane_y_by_q71_by_q73;
+    const double layer_0_y_by_q71_by_q73 = t201 - t202;
+    const double t203 = t200 + sum154 * layer_0_y_by_q71_by_q73 - pull_z * layer_0_z_by_q71_by_q73;
+    const double t204 = t203 + sum178 * along_2 - sum177 * mixed_2 + pull_x_2
+        * layer_1_x_by_q71_by_q73;
+    const double layer_1_y_by_q71_by_q73 = t201 + t202;
+    const double t205 = t204 + sum176 * layer_1_y_by_q71_by_q73 - pull_z_2
+        * layer_1_z_by_q71_by_q73;
+    const double K_01 = t205 + y_x_by_q71_by_q73 * pull_axis_x_4 - y_z_by_q71_by_q73
+        * pull_axis_z_4;
+    const double t206 = -K_01;
+    const double t207 = turned_4 * t191 + sum151 + sum173 - y_x * pull_axis_x_4 - y_z
+        * pull_axis_z_4;
+    const double t208 = t207 + sum156 * along_4 + sum155 * mixed_4 - pull_x
         * layer_0_x_by_q71_by_q71;
     const double origin_y_by_q71_by_q71 = 0.018 * z_plane_y_by_q71_by_q71;
-    const double t212 = origin_y_by_q71_by_q71 + t38 * sin_A_by_q71_by_q71;
-    const double t213 = 0.01 * z_plane_y_by_q71_by_q71;
-    const double layer_0_y_by_q71_by_q71 = t212 - t213;
-    const double t214 = t211 - sum160 * layer_0_y_by_q71_by_q71 + sum159 * layer_0_z_by_q71_by_q71;
-    const double layer_1_y_by_q71_by_q71 = t212 + t213;
-    const double t215 = t214 + sum190 * layer_1_x_by_q71_by_q71 - sum189 * layer_1_y_by_q71_by_q71;
-    const double origin_y_by_q71_by_q73 = 0.018 * z_plane_y_by_q71_by_q73;
-    const double t216 = origin_y_by_q71_by_q73 + 0.004 * x_plane_y_by_q71_by_q73;
-    const double t217 = 0.01 * z_plane_y_by_q71_by_q73;
-    const double layer_0_y_by_q71_by_q73 = t216 - t217;
-    const double t218 = sum153 + sum182 - sum161 * layer_0_x_by_q71_by_q73 + sum160
-        * layer_0_y_by_q71_by_q73;
-    const double t219 = t218 + sum159 * layer_0_z_by_q71_by_q73 - sum190 * layer_1_x_by_q71_by_q73;
-    const double layer_1_y_by_q71_by_q73 = t216 + t217;
-    const double t220 = t219 + sum189 * layer_1_y_by_q71_by_q73 + sum188 * layer_1_z_by_q71_by_q73;
-    const double K_01 = t220 - y_x_by_q71_by_q73 * pull_by_y + y_z_by_q71_by_q73 * pull_by_y_4;
-    const double t221 = -K_01;
-    const double t222 = 0.01 * z_x_by_q73_by_q73;
-    const double layer_0_x_by_q73_by_q73 = t149 - t222 - 0.011 * y_x_by_q73_by_q73;
-    const double t223 = 0.01 * z_plane_y_by_q73_by_q73;
-    const double layer_0_y_by_q73_by_q73 = t150 + t223 - 0.011 * u_y_by_q73_by_q73;
-    const double t224 = sum154 + sum183 + sum161 * layer_0_x_by_q73_by_q73 + sum160
-        * layer_0_y_by_q73_by_q73;
-    const double t225 = 0.01 * z_z_by_q73_by_q73;
-    const double layer_0_z_by_q73_by_q73 = t151 - t225 - 0.011 * y_z_by_q73_by_q73;
-    const double layer_1_x_by_q73_by_q73 = t149 + t222 - 0.013 * y_x_by_q73_by_q73;
-    const double t226 = t224 + sum159 * layer_0_z_by_q73_by_q73 + sum190 * layer_1_x_by_q73_by_q73;
-    const double layer_1_y_by_q73_by_q73 = t150 - t223 - 0.013 * u_y_by_q73_by_q73;
-    const double layer_1_z_by_q73_by_q73 = t151 + t225 - 0.013 * y_z_by_q73_by_q73;
-    const double t227 = t226 + sum189 * layer_1_y_by_q73_by_q73 + sum188 * layer_1_z_by_q73_by_q73;
-    const double pull_by_y_2 = sum156 + sum185;
-    const double t228 = t227 + pull_by_y * y_x_by_q73_by_q73 + pull_by_y_2 * u_y_by_q73_by_q73
-        + pull_by_y_4 * y_z_by_q73_by_q73;
-    K[0] = t215 + sum188 * layer_1_z_by_q71_by_q71;
-    K[1] = t221;
-    K[2] = t221;
-    K[3] = t228;
+    const double t209 = origin_y_by_q71_by_q71 + t101 * sin_A_by_q71_by_q71;
+    const double t210 = 0.01 * z_plane_y_by_q71_by_q71;
+    const double layer_0_y_by_q71_by_q71 = t209 - t210;
+    const double t211 = t208 - sum154 * layer_0_y_by_q71_by_q71 - pull_z * layer_0_z_by_q71_by_q71;
+    const double t212 = t211 + sum178 * along_6 + sum177 * mixed_6 - pull_x_2
+        * layer_1_x_by_q71_by_q71;
+    const double layer_1_y_by_q71_by_q71 = t209 + t210;
+    const double t213 = t212 - sum176 * layer_1_y_by_q71_by_q71 - pull_z_2
+        * layer_1_z_by_q71_by_q71;
+    K[0] = t213;
+    K[1] = t206;
+    K[2] = t206;
+    K[3] = t199 - pull_axis_z_4 * y_z_by_q73_by_q73;
 }

@@ -76,14 +76,14 @@ enum { WRIST_STATUS_FINE = 0, WRIST_STATUS_SINGULAR = 1 };
  *   in  q71           1 [rad] turns the bar plane about y; made for 0.337..0.88
  *   in  q73           1 [rad] swings the bars within their plane; made for 0.725..1.269
  *   out h            38 [m] tendon lengths
- * 243 multiplications, 266 additions, 2 divisions, 40 square roots, 2 sincos, 4 other functions. */
+ * 195 multiplications, 238 additions, 2 divisions, 40 square roots, 2 sincos, 4 other functions. */
 void wrist_tendon_lengths(double q71, double q73, double h[SINEW_AT_LEAST(38)]);
 
 /* Derivatives of the lengths by q71 and q73.
  *   in  q71           1 [rad] turns the bar plane about y; made for 0.337..0.88
  *   in  q73           1 [rad] swings the bars within their plane; made for 0.725..1.269
  *   out P          38x2 [m/rad] dh/dq
- * 746 multiplications, 693 additions, 42 divisions, 40 square roots, 2 sincos, 12 other
+ * 619 multiplications, 570 additions, 42 divisions, 40 square roots, 2 sincos, 12 other
  *     functions. */
 void wrist_tendon_jacobian(double q71, double q73, double P[SINEW_AT_LEAST(76)]);
 
@@ -91,7 +91,7 @@ void wrist_tendon_jacobian(double q71, double q73, double P[SINEW_AT_LEAST(76)])
  *   in  q71           1 [rad] turns the bar plane about y; made for 0.337..0.88
  *   in  q73           1 [rad] swings the bars within their plane; made for 0.725..1.269
  *   out H          38x4 [m/rad^2] each row a symmetric 2x2 matrix
- * 1916 multiplications, 1833 additions, 42 divisions, 40 square roots, 2 sincos, 21 other
+ * 1501 multiplications, 1389 additions, 42 divisions, 40 square roots, 2 sincos, 21 other
  *     functions. */
 void wrist_tendon_hessian(double q71, double q73, double H[SINEW_AT_LEAST(152)]);
 
@@ -107,7 +107,7 @@ void wrist_bending_angles(double q71, double q73, double angles[SINEW_AT_LEAST(3
  *   in  q71           1 [rad] turns the bar plane about y; made for 0.337..0.88
  *   in  q73           1 [rad] swings the bars within their plane; made for 0.725..1.269
  *   out delta_theta     38 [rad] 0 in the reference pose
- * 281 multiplications, 304 additions, 2 divisions, 40 square roots, 2 sincos, 4 other functions. */
+ * 233 multiplications, 276 additions, 2 divisions, 40 square roots, 2 sincos, 4 other functions. */
 void wrist_feedforward(double q71, double q73, double delta_theta[SINEW_AT_LEAST(38)]);
 
 /* Rates of the motor angles of wrist_feedforward.
@@ -116,7 +116,7 @@ void wrist_feedforward(double q71, double q73, double delta_theta[SINEW_AT_LEAST
  *   in  dq71          1 [rad/s] rate of q71; made for -3..3
  *   in  dq73          1 [rad/s] rate of q73; made for -3..3
  *   out delta_theta_rate     38 [rad/s] 
- * 564 multiplications, 520 additions, 42 divisions, 40 square roots, 2 sincos, 9 other
+ * 469 multiplications, 463 additions, 42 divisions, 40 square roots, 2 sincos, 9 other
  *     functions. */
 void wrist_feedforward_rate(double q71, double q73, double dq71, double dq73,
     double delta_theta_rate[SINEW_AT_LEAST(38)]);
@@ -126,7 +126,7 @@ void wrist_feedforward_rate(double q71, double q73, double dq71, double dq73,
  *   in  q73           1 [rad] swings the bars within their plane; made for 0.725..1.269
  *   in  f            38 [N] tendon forces; made for 0..100
  *   out tau           2 [N m] -P^T f
- * 648 multiplications, 589 additions, 42 divisions, 40 square roots, 2 sincos, 12 other
+ * 502 multiplications, 532 additions, 42 divisions, 40 square roots, 2 sincos, 12 other
  *     functions. */
 void wrist_joint_torque(double q71, double q73, const double f[SINEW_AT_LEAST(38)],
     double tau[SINEW_AT_LEAST(2)]);
@@ -137,7 +137,7 @@ void wrist_joint_torque(double q71, double q73, const double f[SINEW_AT_LEAST(38
  *   in  f            38 [N] tendon forces; made for 0..100
  *   in  k            38 [N/m] tendon stiffnesses; made for 1000..5e+04
  *   out K           2x2 [N m/rad] sum of f d2h/dq2, plus P^T diag(k) P; symmetric
- * 1862 multiplications, 1648 additions, 42 divisions, 40 square roots, 2 sincos, 21 other
+ * 1353 multiplications, 1180 additions, 42 divisions, 40 square roots, 2 sincos, 21 other
  *     functions. */
 void wrist_joint_stiffness(double q71, double q73, const double f[SINEW_AT_LEAST(38)],
     const double k[SINEW_AT_LEAST(38)], double K[SINEW_AT_LEAST(4)]);

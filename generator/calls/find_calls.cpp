@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 
+#include "generator/calls/chain.h"
 #include "generator/calls/value_keys.h"
 
 namespace sinew {
@@ -139,6 +140,18 @@ class Caller {
   int arrays_ = 0;
 };
 
+CallingFunction of_chain(const std::vector<Graph>& functions, const Graph& chain) {
+  CallingFunction function{{}, chain.empty_like()};
+  function.rest.outputs.clear();  // the calls give them
+  for (const std::string& name : chain.chain) {
+    const Graph& callee = functions[place_of_function(functions, name)];
+    Call call{name, {}, callee.outputs, name == chain.chain.back()};
+    for (const Port& port : callee.inputs) call.arguments.push_back(port.name);
+    function.calls.push_back(std::move(call));
+  }
+  return function;
+}
+
 PlanSize straight_size(const Graph& graph) {
   return size_of(graph, straight_plan(graph));
 }
@@ -156,6 +169,7 @@ class CallFinder {
 
   /// The call that leaves least first, until none saves enough.
   CallingFunction run(std::size_t caller) const {
+    if (!functions_[caller].chain.empty()) return of_chain(functions_, functions_[caller]);
     Caller best(functions_[caller], keys_[caller]);
     Sizes size{sizes_[caller].written, 0};
     while (const std::optional<Choice> next = best_call(caller, best, size)) {
@@ -216,7 +230,8 @@ class CallFinder {
 std::size_t array_elements(const std::vector<Call>& calls) {
   std::size_t count = 0;
   for (const Call& call : calls)
-    for (const Port& array : call.results) count += static_cast<std::size_t>(array.size());
+    for (const Port& array : call.results)
+      if (!call.gives_results) count += static_cast<std::size_t>(array.size());
   return count;
 }
 

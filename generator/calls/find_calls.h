@@ -16,6 +16,7 @@ struct Call {
   std::string function;                ///< without the model's prefix
   std::vector<std::string> arguments;  ///< inputs of the caller by name, in the callee's order
   std::vector<Port> results;           ///< local arrays, in the callee's order
+  bool gives_results = false;          ///< they are the caller's own results
 };
 
 /// Elements of all arrays that the calls fill.
@@ -28,8 +29,9 @@ struct CallingFunction {
   Graph rest;
 };
 
-/// A function calls another one, with fewer operations, where that leaves clearly fewer operations
-/// to write and costs hardly more instructions, by size_of. Results have the bits of the graphs.
+/// A chain calls its functions. Another function calls one with fewer operations where that leaves
+/// clearly fewer operations to write and costs hardly more instructions, by size_of. Results have
+/// the bits of the graphs.
 std::vector<CallingFunction> find_calls(const std::vector<Graph>& functions,
                                         const LoopLimits& limits);
 

@@ -32,7 +32,7 @@ std::vector<symbol> of_channels(const std::vector<symbol>& all, const std::vecto
 }
 
 /// channels x (coordinates + 2): each tendon's own member, and the wrist.
-std::vector<ex> whole_coupling(HandStart& start) {
+std::vector<ex> whole_coupling(HandStart& start, const std::vector<ex>& wrist) {
   const std::size_t columns = start.coordinates() + 2;
   std::vector<ex> P(start.channels() * columns, ex(0));
   for (const HandMember& member : start.members)
@@ -40,11 +40,13 @@ std::vector<ex> whole_coupling(HandStart& start) {
       for (std::size_t j = 0; j < member.q.size(); ++j)
         P[static_cast<std::size_t>(member.channels[t]) * columns + member.first + j] =
             member.P[t * member.q.size() + j];
-  const std::vector<ex> wrist =
-      inlined(start.list, wrist_tendon_jacobian(start.hand.wrist), start.wrist_inputs())[0];
   for (std::size_t i = 0; i < start.channels(); ++i)
     for (std::size_t j = 0; j < 2; ++j) P[i * columns + start.coordinates() + j] = wrist[2 * i + j];
   return P;
+}
+std::vector<ex> whole_coupling(HandStart& start) {
+  return whole_coupling(
+      start, inlined(start.list, wrist_tendon_jacobian(start.hand.wrist), start.wrist_inputs())[0]);
 }
 
 Function hand_coupling_matrix(const Hand& hand) {
@@ -96,28 +98,77 @@ void add_member(HandStart& start, const HandMember& member, const std::vector<sy
   }
 }
 
+/// Of fingers and crank, and the wrist's own 2 x 2 block.
+Output whole_stiffness(HandStart& start, const Argument& f, const Argument& kt,
+                       const std::vector<ex>& P, const std::vector<ex>& wrist) {
+  const std::size_t n = start.coordinates() + 2;
+  std::vector<ex> K(n * n, ex(0));
+  for (const HandMember& member : start.members)
+    add_member(start, member, f.symbols, kt.symbols, P, K);
+  for (std::size_t r = 0; r < 2; ++r)
+    for (std::size_t c = 0; c < 2; ++c) K[(n - 2 + r) * n + n - 2 + c] = wrist[2 * r + c];
+  return {"K", static_cast<int>(n), static_cast<int>(n),
+          K,   "N m/rad",           "symmetric; fingers, crank, q71, q73"};
+}
+
+void append(std::vector<ex>& values, const std::vector<symbol>& more) {
+  values.insert(values.end(), more.begin(), more.end());
+}
+
+/// Emitted as calls, so that what takes long can be done in parts.
 Function hand_joint_stiffness(const Hand& hand) {
   HandStart start(hand);
   start.add_tendons();
   const Argument f = forces(start), kt = stiffnesses(start);
-  const std::size_t n = start.coordinates() + 2;
-  std::vector<ex> K(n * n, ex(0));
   const std::vector<ex> P = whole_coupling(start);
-  for (const HandMember& member : start.members)
-    add_member(start, member, f.symbols, kt.symbols, P, K);
   std::vector<ex> inputs = start.wrist_inputs();
-  inputs.insert(inputs.end(), f.symbols.begin(), f.symbols.end());
-  inputs.insert(inputs.end(), kt.symbols.begin(), kt.symbols.end());
+  append(inputs, f.symbols);
+  append(inputs, kt.symbols);
   const std::vector<ex> wrist = inlined(start.list, wrist_joint_stiffness(hand.wrist), inputs)[0];
-  for (std::size_t r = 0; r < 2; ++r)
-    for (std::size_t c = 0; c < 2; ++c) K[(n - 2 + r) * n + n - 2 + c] = wrist[2 * r + c];
+  const Output K = whole_stiffness(start, f, kt, P, wrist);
   return {"joint_stiffness",
           "Stiffness of all joints with the motors held; wrist and fingers are coupled.",
           "(5.12)",
           {start.q, start.q_wrist, f, kt},
           start.list.items(),
-          {{"K", static_cast<int>(n), static_cast<int>(n), K, "N m/rad",
-            "symmetric; fingers, crank, q71, q73"}}};
+          {K},
+          {"wrist_passage", "wrist_stiffness", "whole_stiffness"}};
+}
+
+Argument passage_jacobian(const HandStart& start) {
+  return array_argument("P", static_cast<int>(start.channels()), 2, "m/rad", {-0.02, 0.02},
+                        "of wrist_passage");
+}
+
+Function hand_wrist_stiffness(const Hand& hand) {
+  HandStart start(hand);
+  const Argument f = forces(start), kt = stiffnesses(start), P = passage_jacobian(start);
+  const Argument h = array_argument("h", static_cast<int>(start.channels()), 1, "m", {0.02, 0.1},
+                                    "of wrist_passage");
+  std::vector<ex> inputs = start.wrist_inputs();
+  for (const Argument& argument : {h, P, f, kt}) append(inputs, argument.symbols);
+  const std::vector<ex> K = inlined(start.list, wrist_passage_stiffness(hand.wrist), inputs)[0];
+  return {"wrist_stiffness",
+          "Stiffness of the wrist's bars: the last block of joint_stiffness.",
+          "",
+          {start.q_wrist, h, P, f, kt},
+          start.list.items(),
+          {{"K_wrist", 2, 2, K, "N m/rad", "symmetric"}}};
+}
+
+Function hand_whole_stiffness(const Hand& hand) {
+  HandStart start(hand);
+  start.add_tendons();
+  const Argument f = forces(start), kt = stiffnesses(start), P_wrist = passage_jacobian(start);
+  const Argument K_wrist =
+      array_argument("K_wrist", 2, 2, "N m/rad", {-100.0, 100.0}, "of wrist_stiffness");
+  std::vector<ex> of_wrist, block;
+  append(of_wrist, P_wrist.symbols);
+  append(block, K_wrist.symbols);
+  const Output K = whole_stiffness(start, f, kt, whole_coupling(start, of_wrist), block);
+  return {"whole_stiffness",  "joint_stiffness where the wrist's own block is known.",
+          "(5.12)",           {start.q, P_wrist, f, kt, K_wrist},
+          start.list.items(), {K}};
 }
 
 Function hand_feedforward(const Hand& hand) {
@@ -182,7 +233,7 @@ std::vector<Function> hand_functions(const Hand& hand) {
   return {hand_fingertips(hand),      hand_finger_gravity(hand),   hand_tendon_lengths(hand),
           hand_coupling_matrix(hand), hand_joint_torque(hand),     hand_joint_stiffness(hand),
           hand_feedforward(hand),     hand_feedforward_rate(hand), hand_wrist_passage(hand),
-          hand_inverse_dynamics(hand)};
+          hand_wrist_stiffness(hand), hand_whole_stiffness(hand),  hand_inverse_dynamics(hand)};
 }
 
 }  // namespace sinew

@@ -79,6 +79,9 @@ Function wrist_feedforward_rate(const WristParameters& parameters);
 Function wrist_joint_torque(const WristParameters& parameters);
 /// joint_stiffness(q71, q73, f m, k m -> K 2x2): Σ f ∂²h/∂q² + Pᵀ diag(k) P [N·m/rad].
 Function wrist_joint_stiffness(const WristParameters& parameters);
+/// passage_stiffness(q71, q73, h m, P m x 2, f m, k m -> K 2x2): the same from lengths and Jacobian
+/// that are known.
+Function wrist_passage_stiffness(const WristParameters& parameters);
 /// finger_stiffness(q71, q73, k, P_finger -> K 2 x joints): P_wristᵀ diag(k) P_finger over the
 /// given tendons [N·m/rad], the off-diagonal block of the stiffness of wrist and finger together.
 /// `name` is the function's name; `channels` are the finger's tendons, from 0; P_finger has one row
@@ -86,7 +89,7 @@ Function wrist_joint_stiffness(const WristParameters& parameters);
 Function wrist_finger_stiffness(const WristParameters& parameters, const std::string& name,
                                 const std::vector<int>& channels, int joints);
 
-/// All of the above but finger_stiffness.
+/// All of the above but finger_stiffness and passage_stiffness.
 std::vector<Function> wrist_functions(const WristParameters& parameters);
 
 }  // namespace sinew

@@ -19,10 +19,18 @@ constexpr Range force_range{0.0, 100.0};        // N
 constexpr Range stiffness_range{1.0e3, 5.0e4};  // N/m
 constexpr Range rate_range{-3.0, 3.0};          // rad/s
 constexpr Range moment_arm_range{-0.02, 0.02};  // m/rad
+constexpr Range length_range{0.02, 0.1};        // m
 
-/// From the palm point of each tendon to its forearm point. Within a layer the points differ in y
-/// only: a strand is its layer's first one, a constant along y, and -y times the palm's y axis, y
-/// from the first one's palm point. So all but the first have one form, and are emitted as a loop.
+/// The tendons of one layer: their points differ in y only.
+struct Layer {
+  Vector3 first;         ///< from the palm point of the layer's first tendon to its forearm point
+  ex forearm_y, palm_y;  ///< of the first one
+  std::vector<std::size_t> tendons = {};
+};
+
+/// From the palm point of each tendon to its forearm point: the layer's first strand, a constant
+/// along y, and -y times the palm's y axis. So all but the first have one form, and are emitted as
+/// a loop.
 class Strands {
  public:
   Strands(const WristParameters& parameters, WristStart& start) : start_(start) {
@@ -35,28 +43,26 @@ class Strands {
       const auto [place, is_new] = index.try_emplace(key, layers_.size());
       const Vector3 F = exact_vector(forearm[i]), P = exact_vector(palm[i]);
       if (is_new) add_layer(F, P);
-      add(layers_[place->second], F[1], P[1]);
+      Layer& layer = layers_[place->second];
+      layer.tendons.push_back(i);
+      forearm_y_.push_back(F[1] - layer.forearm_y);
+      palm_y_.push_back(P[1] - layer.palm_y);
     }
   }
 
-  /// The strands of one layer.
-  struct Layer {
-    Vector3 first;
-    ex forearm_y, palm_y;  ///< of the first one
-    std::vector<std::size_t> tendons = {};
-  };
   const std::vector<Layer>& layers() const { return layers_; }
-  const Vector3& operator[](std::size_t tendon) const { return strands_[tendon]; }
-  const std::vector<Vector3>& all() const { return strands_; }
-  /// Of a palm point, from that of the layer's first tendon.
-  const ex& y(std::size_t tendon) const { return y_[tendon]; }
+  /// Of the points of a tendon, from those of its layer's first one.
+  const ex& forearm_y(std::size_t tendon) const { return forearm_y_[tendon]; }
+  const ex& palm_y(std::size_t tendon) const { return palm_y_[tendon]; }
 
-  std::vector<ex> lengths() {
-    std::vector<ex> result;
-    for (std::size_t i = 0; i < strands_.size(); ++i)
-      result.push_back(start_.list.define("length_" + std::to_string(i),
-                                          GiNaC::sqrt(dot(strands_[i], strands_[i]))));
-    return result;
+  std::vector<Vector3> all() const {
+    std::vector<Vector3> strands(palm_y_.size());
+    for (const Layer& layer : layers_)
+      for (const std::size_t i : layer.tendons)
+        strands[i] =
+            define(start_.list, "strand_" + std::to_string(i),
+                   layer.first + Vector3{0, forearm_y_[i], 0} - palm_y_[i] * start_.pose.y);
+    return strands;
   }
 
  private:
@@ -68,104 +74,210 @@ class Strands {
                        forearm[1], palm[1]});
   }
 
-  void add(Layer& layer, const ex& forearm_y, const ex& palm_y) {
-    layer.tendons.push_back(strands_.size());
-    y_.push_back(palm_y - layer.palm_y);
-    const Vector3 along_y{0, forearm_y - layer.forearm_y, 0};
-    strands_.push_back(define(start_.list, "strand_" + std::to_string(strands_.size()),
-                              layer.first + along_y - y_.back() * start_.pose.y));
-  }
-
   WristStart& start_;
   std::vector<Layer> layers_;
-  std::vector<Vector3> strands_;
-  std::vector<ex> y_;
+  std::vector<ex> forearm_y_, palm_y_;
 };
 
 int tendon_count(const WristParameters& parameters) {
   return static_cast<int>(parameters.palm_points.size());
 }
 
-/// Lengths with their first and second derivatives with respect to q71 and q73.
+/// Lengths with their first and second derivatives with respect to q71 and q73. With L the first
+/// strand of a layer, a the palm's y axis, F and y of a tendon's points, half the square of its
+/// strand is
+///   (L_x² + L_z²)/2 - y (L_x a_x + L_z a_z) + y² (a_x² + a_z²)/2 + s_y²/2,  s_y = F + L_y - y a_y:
+/// but for s_y a polynomial in y that is the layer's. Only its coefficients are differentiated.
 struct Lengths {
+  /// Coefficients of a layer, or their derivatives.
+  struct Terms {
+    std::array<ex, 3> across;  ///< of 1, y, y² in what x and z have of half the square
+    ex along, axis;            ///< L_y, a_y
+  };
+
   explicit Lengths(const WristParameters& parameters)
       : start(parameters),
         strands(parameters, start),
-        h(strands.lengths()),
+        h(parameters.palm_points.size()),
+        strand_y(h.size()),
         by_q71(start.list, start.q71(), "q71"),
-        by_q73(start.list, start.q73(), "q73") {}
+        by_q73(start.list, start.q73(), "q73") {
+    for (const Layer& layer : strands.layers()) {
+      add_terms(layer);
+      add_lengths(layer);
+    }
+  }
+  /// With lengths and Jacobian known.
+  Lengths(const WristParameters& parameters, const Argument& lengths, const Argument& jacobian)
+      : start(parameters),
+        strands(parameters, start),
+        h(lengths.symbols.begin(), lengths.symbols.end()),
+        strand_y(h.size()),
+        by_q71(start.list, start.q71(), "q71"),
+        by_q73(start.list, start.q73(), "q73") {
+    for (const Layer& layer : strands.layers()) add_terms(layer);
+    for (std::size_t i = 0; i < jacobian.symbols.size(); ++i)
+      slopes_[i % 2].push_back(jacobian.symbols[i]);
+  }
 
   /// Column 0 or 1 of the Jacobian.
-  ex slope(std::size_t tendon, int j) { return derivative(j).of(h[tendon]); }
-  ex curvature(std::size_t tendon, int i, int j) {
-    return derivative(std::max(i, j)).of(slope(tendon, std::min(i, j)));
+  const ex& slope(std::size_t tendon, int j) {
+    std::vector<ex>& column = slopes_[static_cast<std::size_t>(j)];
+    if (column.empty()) column = slopes(derivative(j), j == 0 ? "q71" : "q73");
+    return column[tendon];
+  }
+  /// By what the derivative is taken by, named `suffix`.
+  std::vector<ex> slopes(ForwardDerivative& by, const std::string& suffix) {
+    std::vector<ex> result(h.size());
+    for (std::size_t layer = 0; layer < terms_.size(); ++layer) {
+      const Terms terms = derived(terms_[layer], by);
+      for (const std::size_t i : strands.layers()[layer].tendons) {
+        const ex half_square =
+            across(terms, i) + strand_y[i] * list().define("strand_y_by", strand(terms, i));
+        result[i] = list().define("length_" + std::to_string(i) + "_by_" + suffix,
+                                  list().define("half_square_by", half_square) / h[i]);
+      }
+    }
+    return result;
+  }
+  /// ∂²h/(∂q_i ∂q_j) = (∂²(h²/2)/(∂q_i ∂q_j) - ∂h/∂q_i ∂h/∂q_j)/h.
+  ex curvature(std::size_t layer, std::size_t tendon, int i, int j) {
+    const Terms terms = second(layer, i, j);
+    const ex by_i = list().define("strand_y_by", strand(first(layer, i), tendon));
+    const ex by_j = list().define("strand_y_by", strand(first(layer, j), tendon));
+    const ex half_square = across(terms, tendon) + by_i * by_j +
+                           strand_y[tendon] * list().define("strand_y_by", strand(terms, tendon));
+    return list().define("curvature", half_square - slope(tendon, i) * slope(tendon, j)) /
+           h[tendon];
+  }
+  Terms first(std::size_t layer, int j) { return derived(terms_[layer], derivative(j)); }
+  Terms second(std::size_t layer, int i, int j) {
+    return derived(first(layer, std::min(i, j)), derivative(std::max(i, j)));
   }
   ForwardDerivative& derivative(int j) { return j == 0 ? by_q71 : by_q73; }
+  DefinitionList& list() { return start.list; }
 
   WristStart start;
   Strands strands;
-  std::vector<ex> h;
+  std::vector<ex> h, strand_y;
   ForwardDerivative by_q71, by_q73;
+
+ private:
+  void add_terms(const Layer& layer) {
+    const Vector3 &L = layer.first, &a = start.pose.y;
+    terms_.push_back({{list().define("across", (L[0] * L[0] + L[2] * L[2]) / 2),
+                       list().define("across_by_y", -(L[0] * a[0] + L[2] * a[2])),
+                       list().define("across_by_y_squared", (a[0] * a[0] + a[2] * a[2]) / 2)},
+                      L[1],
+                      a[1]});
+    for (const std::size_t i : layer.tendons)
+      strand_y[i] = list().define("strand_y_" + std::to_string(i),
+                                  strands.forearm_y(i) + strand(terms_.back(), i));
+  }
+  void add_lengths(const Layer& layer) {
+    Terms twice = terms_.back();
+    for (ex& term : twice.across) term = list().define("twice_across", 2 * term);
+    for (const std::size_t i : layer.tendons)
+      h[i] = list().define("length_" + std::to_string(i),
+                           GiNaC::sqrt(across(twice, i) + strand_y[i] * strand_y[i]));
+  }
+
+  ex across(const Terms& terms, std::size_t tendon) {
+    const ex& y = strands.palm_y(tendon);
+    const ex slope = list().define("across_slope", terms.across[1] + y * terms.across[2]);
+    return list().define("across", terms.across[0] + y * slope);
+  }
+  ex strand(const Terms& terms, std::size_t tendon) const {
+    return terms.along - strands.palm_y(tendon) * terms.axis;
+  }
+
+  static Terms derived(const Terms& terms, ForwardDerivative& by) {
+    const auto& [constant, linear, square] = terms.across;
+    return {{by.of(constant), by.of(linear), by.of(square)}, by.of(terms.along), by.of(terms.axis)};
+  }
+
+  std::vector<Terms> terms_;
+  std::array<std::vector<ex>, 2> slopes_;
 };
 
-/// Sums of forces over the tendons of each layer, taken before anything is differentiated: the
-/// pose's derivatives are multiplied once instead of once a tendon. With the pulls p = f s/|s|,
-///   Σ f d|s| = Σ over the layers (Σ p) · d(layer) - (Σ y p) · d(palm's y axis).
+/// Sums over the tendons of each layer, taken before anything is differentiated. With w = f/h and a
+/// tendon's strand s = L + F e_y - y a, they are w, w y, w y² and, for each layer and for the
+/// palm's y axis, what a change of L or a is multiplied by: Σ w s and -Σ w y s.
 class Pulls {
  public:
   Pulls(Lengths& lengths, const std::vector<GiNaC::symbol>& f)
       : lengths_(lengths), per_length_(f.size()) {
-    for (const Strands::Layer& layer : lengths.strands.layers()) {
-      Vector3 sum, by_y;
-      for (std::size_t i : layer.tendons) {
-        const std::string index = std::to_string(i);
-        per_length_[i] = list().define("per_length_" + index, f[i] / lengths.h[i]);
-        const ex by_y_of_it =
-            list().define("by_y_per_length_" + index, lengths.strands.y(i) * per_length_[i]);
+    DefinitionList& list = lengths.list();
+    for (const Layer& layer : lengths.strands.layers()) {
+      Sums sums;
+      ex along_y = 0, by_y_along_y = 0;
+      for (const std::size_t i : layer.tendons) {
+        const std::string index = "_" + std::to_string(i);
+        const ex& y = lengths.strands.palm_y(i);
         // Named, so that the terms of a sum keep this order.
-        const Vector3& strand = lengths.strands[i];
-        sum = sum + define(list(), "pull_" + index, per_length_[i] * strand);
-        by_y = by_y + define(list(), "pull_by_y_" + index, by_y_of_it * strand);
+        const ex w = per_length_[i] = list.define("per_length" + index, f[i] / lengths.h[i]);
+        const ex by_y = list.define("pull_by_y" + index, y * w);
+        sums.weight[0] += w;
+        sums.weight[1] += by_y;
+        sums.weight[2] += list.define("pull_by_y_squared" + index, y * by_y);
+        along_y += list.define("pull" + index, w * lengths.strand_y[i]);
+        by_y_along_y += list.define("pull_by_y_along" + index, by_y * lengths.strand_y[i]);
       }
-      sums_.push_back({define(list(), "pull", sum), define(list(), "pull_by_y", by_y)});
+      for (ex& sum : sums.weight) sum = list.define("pull", sum);
+      const auto& [w, wy, wyy] = sums.weight;
+      const Vector3 &L = layer.first, &a = lengths.start.pose.y;
+      sums.on_layer = define(list, "pull", {w * L[0] - wy * a[0], along_y, w * L[2] - wy * a[2]});
+      sums.on_axis = define(list, "pull_axis",
+                            {wyy * a[0] - wy * L[0], -by_y_along_y, wyy * a[2] - wy * L[2]});
+      sums_.push_back(sums);
     }
   }
 
-  /// f/|s| of a tendon.
+  /// f/h of a tendon.
   const ex& per_length(std::size_t tendon) const { return per_length_[tendon]; }
 
-  /// Σ f ∂|s|/∂q_j.
+  /// Σ f ∂h/∂q_j.
   ex slope(int j) const {
-    return weighted([&](const ex& value) { return lengths_.derivative(j).of(value); });
+    return weighted([&](const Vector3& value) { return by(value, j); });
   }
-  /// Σ p · ∂²s/(∂q_i ∂q_j).
+  /// Σ f ∂²h/(∂q_i ∂q_j) + (f/h) ∂h/∂q_i ∂h/∂q_j.
   ex curvature(int i, int j) const {
-    return weighted([&](const ex& value) {
-      return lengths_.derivative(std::max(i, j)).of(lengths_.derivative(std::min(i, j)).of(value));
-    });
+    ex sum = weighted(
+        [&](const Vector3& value) { return by(by(value, std::min(i, j)), std::max(i, j)); });
+    const Vector3 a_i = by(lengths_.start.pose.y, i), a_j = by(lengths_.start.pose.y, j);
+    for (std::size_t layer = 0; layer < sums_.size(); ++layer) {
+      const Vector3& L = lengths_.strands.layers()[layer].first;
+      const Vector3 L_i = by(L, i), L_j = by(L, j);
+      const ex mixed = lengths_.list().define("mixed", dot(L_i, a_j) + dot(a_i, L_j));
+      const auto& [w, wy, wyy] = sums_[layer].weight;
+      sum += w * lengths_.list().define("along", dot(L_i, L_j)) - wy * mixed +
+             wyy * lengths_.list().define("turned", dot(a_i, a_j));
+    }
+    return sum;
   }
 
  private:
   struct Sums {
-    Vector3 of_pulls, by_y;
+    std::array<ex, 3> weight = {0, 0, 0};
+    Vector3 on_layer, on_axis;
   };
+
+  Vector3 by(const Vector3& value, int j) const {
+    ForwardDerivative& derivative = lengths_.derivative(j);
+    return {derivative.of(value[0]), derivative.of(value[1]), derivative.of(value[2])};
+  }
 
   template <class Derivative>
   ex weighted(const Derivative& derivative) const {
     ex sum = 0;
-    for (std::size_t k = 0; k < 3; ++k) {
-      ex by_y = 0;
-      for (std::size_t layer = 0; layer < sums_.size(); ++layer) {
-        const ex moved = derivative(lengths_.strands.layers()[layer].first[k]);
-        sum += sums_[layer].of_pulls[k] * moved;
-        by_y += sums_[layer].by_y[k];
-      }
-      const ex turned = derivative(lengths_.start.pose.y[k]);
-      sum -= list().define("pull_by_y", by_y) * turned;
+    Vector3 on_axis{0, 0, 0};
+    for (std::size_t layer = 0; layer < sums_.size(); ++layer) {
+      sum += dot(sums_[layer].on_layer, derivative(lengths_.strands.layers()[layer].first));
+      on_axis = on_axis + sums_[layer].on_axis;
     }
-    return sum;
+    return sum +
+           dot(define(lengths_.list(), "pull_axis", on_axis), derivative(lengths_.start.pose.y));
   }
-  DefinitionList& list() const { return lengths_.start.list; }
 
   Lengths& lengths_;
   std::vector<ex> per_length_;
@@ -199,10 +311,10 @@ ex reference_length(const WristLinks& links, const Eigen::Vector3d& forearm,
 }  // namespace
 
 Function wrist_tendon_lengths(const WristParameters& parameters) {
-  WristStart start(parameters);
-  const std::vector<ex> h = Strands(parameters, start).lengths();
-  return start.finish("tendon_lengths", "(6.9)", "Lengths of the tendons through the wrist.",
-                      {{"h", tendon_count(parameters), 1, h, "m", "tendon lengths"}});
+  const Lengths lengths(parameters);
+  return lengths.start.finish(
+      "tendon_lengths", "(6.9)", "Lengths of the tendons through the wrist.",
+      {{"h", tendon_count(parameters), 1, lengths.h, "m", "tendon lengths"}});
 }
 
 Function wrist_tendon_jacobian(const WristParameters& parameters) {
@@ -216,11 +328,13 @@ Function wrist_tendon_jacobian(const WristParameters& parameters) {
 
 Function wrist_tendon_hessian(const WristParameters& parameters) {
   Lengths lengths(parameters);
-  std::vector<ex> H;
-  for (std::size_t i = 0; i < lengths.h.size(); ++i) {
-    const ex mixed = lengths.curvature(i, 0, 1);
-    H.insert(H.end(), {lengths.curvature(i, 0, 0), mixed, mixed, lengths.curvature(i, 1, 1)});
-  }
+  std::vector<ex> H(4 * lengths.h.size());
+  for (const auto& [row, col] : {std::pair{0, 0}, std::pair{0, 1}, std::pair{1, 1}})
+    for (std::size_t layer = 0; layer < lengths.strands.layers().size(); ++layer)
+      for (const std::size_t i : lengths.strands.layers()[layer].tendons) {
+        const ex value = lengths.curvature(layer, i, row, col);
+        H[4 * i + std::size_t(2 * row + col)] = H[4 * i + std::size_t(2 * col + row)] = value;
+      }
   return lengths.start.finish(
       "tendon_hessian", "", "Second derivatives of the lengths by q71 and q73.",
       {{"H", tendon_count(parameters), 4, H, "m/rad^2", "each row a symmetric 2x2 matrix"}});
@@ -246,8 +360,9 @@ Function wrist_bending_angles(const WristParameters& parameters) {
 }
 
 Function wrist_feedforward(const WristParameters& parameters) {
-  WristStart start(parameters);
-  std::vector<ex> change = Strands(parameters, start).lengths();
+  Lengths lengths(parameters);
+  WristStart& start = lengths.start;
+  std::vector<ex> change = lengths.h;
   for (std::size_t i = 0; i < change.size(); ++i)  // named, so that the difference is taken first
     change[i] =
         start.list.define("change_" + std::to_string(i),
@@ -266,8 +381,7 @@ Function wrist_feedforward_rate(const WristParameters& parameters) {
   ForwardDerivative rate(lengths.start.list, GiNaC::symbol("t"), "t");
   rate.seed(lengths.start.q71(), dq71.symbols[0]);
   rate.seed(lengths.start.q73(), dq73.symbols[0]);
-  std::vector<ex> rates;
-  for (const ex& length : lengths.h) rates.push_back(rate.of(length));
+  const std::vector<ex> rates = lengths.slopes(rate, "t");
   Function function = lengths.start.finish("feedforward_rate", "",
                                            "Rates of the motor angles of wrist_feedforward.",
                                            {{"delta_theta_rate", tendon_count(parameters), 1,
@@ -291,56 +405,54 @@ Function wrist_joint_torque(const WristParameters& parameters) {
 
 namespace {
 
-/// Σ (f/|s|) ∂s/∂q_i · ∂s/∂q_j + (k - f/|s|) P_i P_j, over a layer. The first product is a
-/// polynomial in the tendon's y.
-ex stiffness_of_layer(Lengths& lengths, const Pulls& pulls, const Strands::Layer& layer,
-                      const std::vector<GiNaC::symbol>& k, int i, int j) {
-  DefinitionList& list = lengths.start.list;
-  const auto by = [&](const Vector3& vector, int variable) {
-    Vector3 derivative;
-    for (std::size_t c = 0; c < 3; ++c) derivative[c] = lengths.derivative(variable).of(vector[c]);
-    return derivative;
+/// Σ f ∂²h + k ∂h ∂h, of which Pulls has f ∂²h + (f/h) ∂h ∂h.
+std::vector<ex> joint_stiffness(Lengths& lengths, const std::vector<GiNaC::symbol>& f,
+                                const std::vector<GiNaC::symbol>& k) {
+  const Pulls pulls(lengths, f);
+  const auto entry = [&](int row, int col) -> ex {
+    ex sum = pulls.curvature(row, col);
+    for (const Layer& layer : lengths.strands.layers()) {
+      ex of_layer = 0;
+      for (const std::size_t i : layer.tendons) {
+        // What they need is written down in this order, whatever the compiler's order of operands.
+        const ex by_row = lengths.slope(i, row), by_col = lengths.slope(i, col);
+        const std::string index = "_" + std::to_string(i);
+        const ex across = lengths.list().define("across" + index, k[i] - pulls.per_length(i));
+        of_layer += lengths.list().define("K" + index, across * by_row * by_col);
+      }
+      sum += lengths.list().define("K_of_layer", of_layer);
+    }
+    return sum;
   };
-  const Vector3 layer_i = by(layer.first, i), layer_j = by(layer.first, j);
-  const Vector3 axis_i = by(lengths.start.pose.y, i), axis_j = by(lengths.start.pose.y, j);
-  const ex constant = list.define("along", dot(layer_i, layer_j));
-  const ex linear = list.define("along_by_y", dot(layer_i, axis_j) + dot(axis_i, layer_j));
-  const ex square = list.define("along_by_y_squared", dot(axis_i, axis_j));
-  ex sum = 0;
-  for (std::size_t t : layer.tendons) {
-    // What they need is written down in this order, whatever the compiler's order of operands.
-    const ex by_i = lengths.slope(t, i), by_j = lengths.slope(t, j);
-    const ex& y = lengths.strands.y(t);
-    const ex& per_length = pulls.per_length(t);
-    const std::string index = std::to_string(t);
-    const ex slope = list.define("slope_" + index, linear - y * square);
-    const ex along = list.define("along_" + index, constant - y * slope);
-    const ex across = list.define("across_" + index, k[t] - per_length);
-    sum += list.define("K_" + index,  // named, so that a tendon's terms stay together
-                       per_length * along + across * by_i * by_j);
-  }
-  return list.define("K_of_layer", sum);
+  const ex mixed = lengths.list().define("K_01", entry(0, 1));
+  return {entry(0, 0), mixed, mixed, entry(1, 1)};
 }
 
 }  // namespace
 
-/// ∂²|s| = (∂s · ∂s - ∂|s| ∂|s| + s · ∂²s)/|s|.
 Function wrist_joint_stiffness(const WristParameters& parameters) {
   Lengths lengths(parameters);
   const Argument f = forces(parameters), k = stiffnesses(tendon_count(parameters));
-  Pulls pulls(lengths, f.symbols);
-  const auto entry = [&](int row, int col) -> ex {
-    ex sum = pulls.curvature(row, col);
-    for (const Strands::Layer& layer : lengths.strands.layers())
-      sum += stiffness_of_layer(lengths, pulls, layer, k.symbols, row, col);
-    return sum;
-  };
-  const ex mixed = lengths.start.list.define("K_01", entry(0, 1));
-  const std::vector<ex> K{entry(0, 0), mixed, mixed, entry(1, 1)};
+  const std::vector<ex> K = joint_stiffness(lengths, f.symbols, k.symbols);
   Function function = lengths.start.finish(
       "joint_stiffness", "", "Stiffness of the wrist's bars, motors held.",
       {{"K", 2, 2, K, "N m/rad", "sum of f d2h/dq2, plus P^T diag(k) P; symmetric"}});
   function.inputs.insert(function.inputs.end(), {f, k});
+  return function;
+}
+
+Function wrist_passage_stiffness(const WristParameters& parameters) {
+  const int count = tendon_count(parameters);
+  const Argument h = array_argument("h", count, 1, "m", length_range, "tendon lengths");
+  const Argument P =
+      array_argument("P", count, 2, "m/rad", moment_arm_range, "their derivatives by q71 and q73");
+  const Argument f = forces(parameters), k = stiffnesses(count);
+  Lengths lengths(parameters, h, P);
+  const std::vector<ex> K = joint_stiffness(lengths, f.symbols, k.symbols);
+  Function function = lengths.start.finish("passage_stiffness", "",
+                                           "The same where lengths and Jacobian are known.",
+                                           {{"K", 2, 2, K, "N m/rad", "symmetric"}});
+  function.inputs.insert(function.inputs.end(), {h, P, f, k});
   return function;
 }
 

@@ -4,6 +4,7 @@
 
 #include <bit>
 
+#include "generator/calls/chain.h"
 #include "generator/calls/find_calls.h"
 #include "generator/emit_c.h"
 #include "generator/evaluate.h"
@@ -113,4 +114,71 @@ TEST_CASE("C with calls has the interpreter's bits") {
   const FileSet files = emit_files(model_of({lengths(), weighted("q")}));
   CHECK(files.at("sample.c").find("    sample_lengths(q, lengths_h);\n") != std::string::npos);
   CHECK(differing(weighted("q"), files) == 0);
+}
+
+namespace {
+
+/// The weighted sum where the lengths are an argument.
+Graph sum_of_lengths() {
+  Graph graph;
+  graph.name = "sum_of_lengths";
+  graph.inputs = {argument("f", points), argument("h", points)};
+  Value sum = graph.make(Op::sine, graph.input(1));
+  for (int i = 0; i < points; ++i)
+    sum =
+        graph.make(Op::add, sum, graph.make(Op::multiply, graph.input(i), graph.input(points + i)));
+  graph.outputs = {{"sum", 1, 1, "", "", {}, {sum}}};
+  return graph;
+}
+
+/// `weighted` as a chain of those two.
+std::vector<Graph> chained() {
+  Graph chain = weighted("q");
+  chain.chain = {"lengths", "sum_of_lengths"};
+  return {lengths(), sum_of_lengths(), chain};
+}
+
+}  // namespace
+
+// Planted: results of the first function taken in the wrong order in chain.cpp, seen red.
+TEST_CASE("a chain is emitted as the calls of its functions, with their bits") {
+  std::vector<Graph> graphs = chained();
+  join_chains(graphs);
+  const FileSet files = emit_files(model_of(graphs));
+  const std::string& c = files.at("sample.c");
+  CHECK(c.find("    double h[20];\n    sample_lengths(q, h);\n"
+               "    sample_sum_of_lengths(f, h, sum);\n}") != std::string::npos);
+  CHECK(differing(graphs[2], files) == 0);
+  // The last length has the other sign: it is the chain's sum, and not that of the derivation.
+  const std::vector<double> state = states_of(graphs[2], 1, 3)[0];
+  const std::vector<double> h = evaluate(lengths(), std::vector<double>{state[0], state[1]});
+  std::vector<double> arguments(state.begin() + 2, state.end());
+  arguments.insert(arguments.end(), h.begin(), h.end());
+  CHECK(evaluate(graphs[2], state)[0] == evaluate(sum_of_lengths(), arguments)[0]);
+}
+
+TEST_CASE("a chain that lacks an argument, or ends with other results, is refused") {
+  std::vector<Graph> graphs = chained();
+  graphs[2].chain = {"sum_of_lengths"};
+  CHECK_THROWS_WITH(join_chains(graphs),
+                    "weighted: as a chain of functions, it has no h of that size");
+  graphs = chained();
+  graphs[2].chain = {"lengths"};
+  CHECK_THROWS_WITH(join_chains(graphs),
+                    "weighted: as a chain of functions, it has no sum of that size");
+  graphs = chained();
+  graphs[2].chain = {"lengths", "sum_of_lengths", "lengths"};
+  CHECK_THROWS_WITH(join_chains(graphs),
+                    "weighted: as a chain of functions, it has two arrays named h");
+  graphs = chained();
+  Graph other = lengths();
+  other.name = "other";
+  other.outputs[0].name = "g";
+  graphs.push_back(other);
+  graphs[2].chain = {"lengths", "sum_of_lengths", "other"};
+  CHECK_THROWS_WITH(join_chains(graphs),
+                    "weighted: as a chain of functions, it does not end with its results");
+  graphs = chained();
+  graphs[2].chain = {"nothing"};
+  CHECK_THROWS_WITH(join_chains(graphs), "there is no function nothing");
 }

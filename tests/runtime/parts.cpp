@@ -38,6 +38,7 @@ struct Channel {
   }
   std::uint32_t tick(double sample) {
     value = sinew_channel_tick(&state, &l, sample);
+    CHECK(sinew_channel_value(&state, &l) == value);
     return state.status;
   }
 };
@@ -51,6 +52,9 @@ TEST_CASE("a limit holds for every number", "[parts]") {
     CHECK(y == std::min(std::max(x, -1.0), 1.0));
   }
   CHECK(sinew_limited(no_value, -1.0, 1.0, 0.25) == 0.25);
+  for (const double x : {-infinite, -2.5, -0.0, 0.5, infinite})
+    CHECK(sinew_magnitude(x) == std::abs(x));
+  CHECK_FALSE(sinew_magnitude(no_value) <= infinite);
   CHECK(sinew_is_finite(1e308));
   for (const double x : {infinite, -infinite, no_value}) CHECK_FALSE(sinew_is_finite(x));
   CHECK(sinew_is_within(1.0, -1.0, 1.0));

@@ -41,6 +41,12 @@ void hand_feedforward_rate_batch(int count, const double *SINEW_RESTRICT q_wrist
     const double *SINEW_RESTRICT qd_wrist, double *SINEW_RESTRICT delta_theta_rate);
 void hand_wrist_passage_batch(int count, const double *SINEW_RESTRICT q_wrist,
     double *SINEW_RESTRICT h, double *SINEW_RESTRICT P);
+void hand_wrist_stiffness_batch(int count, const double *SINEW_RESTRICT q_wrist,
+    const double *SINEW_RESTRICT h, const double *SINEW_RESTRICT P, const double *SINEW_RESTRICT f,
+    const double *SINEW_RESTRICT kt, double *SINEW_RESTRICT K_wrist);
+void hand_whole_stiffness_batch(int count, const double *SINEW_RESTRICT q,
+    const double *SINEW_RESTRICT P, const double *SINEW_RESTRICT f, const double *SINEW_RESTRICT kt,
+    const double *SINEW_RESTRICT K_wrist, double *SINEW_RESTRICT K);
 void hand_inverse_dynamics_batch(int count, const double *SINEW_RESTRICT q,
     const double *SINEW_RESTRICT qd, const double *SINEW_RESTRICT qdd,
     const double *SINEW_RESTRICT g, double *SINEW_RESTRICT tau);
