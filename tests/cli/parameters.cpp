@@ -44,12 +44,13 @@ TEST_CASE("mistakes in the settings are told with their place, and nothing is wr
   const Workplace here;
   copy_models(here);
   CHECK(here.sinew({"parameters", "models/index", "--out", "table.c"}).says("is no hand"));
-  here.change("models/hand/real_time.toml", "turns = { value = 4", "turns = { value = 2.5");
+  here.change("models/hand/real_time.toml", "turns = { value = 6", "turns = { value = 4");
   here.change("models/hand/real_time.toml", "range = { value = [0, 4095]",
               "range = { value = [4095, 0]");
   const Ended refused = here.sinew({"parameters", "models/hand", "--out", "table.c"});
   CHECK(refused.status == 2);
-  CHECK(refused.says("real_time.toml:14:"));
+  CHECK(refused.says("real_time.toml:15:"));
+  CHECK(refused.says("there is no schedule of so many turns"));
   CHECK(refused.says("the range is empty"));
   CHECK_FALSE(fs::exists(here.path("table.c")));
 }
