@@ -217,12 +217,10 @@ const Candidate* drawing_of(const DrivenSubject& subject, const std::vector<Link
   return nullptr;
 }
 
-/// Errors of drawings beside payloads that are no bodies: coefficients among the links' numbers,
-/// and their precision before any log.
+/// Errors of drawings beside payloads that are no bodies.
 struct Drawings {
   std::vector<std::size_t> links;  ///< indices of the payloads
   std::vector<Index> at;           ///< of all of them, ten each
-  VectorXd precision;
   /// Posterior covariance, and the errors over what the payloads leave of the estimates.
   MatrixXd covariance, share;
 };
@@ -230,7 +228,7 @@ struct Drawings {
 Drawings drawings_beside(const DrivenSubject& subject, const std::vector<LinkTerm>& links,
                          const VectorXd& values, const MatrixXd& information) {
   Drawings drawings;
-  std::vector<double> precision;
+  std::vector<double> precision;  // before any log
   Index at = 0;
   for (std::size_t b = 0; b < links.size(); ++b) {
     const auto wide = static_cast<Index>(links[b].body.estimated.size());
@@ -249,9 +247,8 @@ Drawings drawings_beside(const DrivenSubject& subject, const std::vector<LinkTer
     }
     at += wide;
   }
-  drawings.precision = VectorXd::Map(precision.data(), static_cast<Index>(precision.size()));
   MatrixXd own = information(drawings.at, drawings.at);
-  own.diagonal() += drawings.precision;
+  own.diagonal() += VectorXd::Map(precision.data(), static_cast<Index>(precision.size()));
   drawings.covariance = scaled_pseudo_inverse(own);
   drawings.share = drawings.covariance * information(drawings.at, Eigen::all);
   return drawings;
@@ -285,13 +282,21 @@ VectorXd numbers_of(const std::vector<LinkTerm>& links, const NearestBodies& nea
   return VectorXd::Map(list.data(), static_cast<Index>(list.size()));
 }
 
+/// Of what noise makes of bodies: a point gives up six numbers that the fit had free.
+double expected_misfit(const std::vector<LinkTerm>& links) {
+  double numbers = 1.0;
+  for (const LinkTerm& link : links)
+    if (link.body.as_point) numbers += 6.0;
+  return by_chance * by_chance * numbers;
+}
+
 Bodies find_bodies(const DrivenSubject& subject, const std::vector<LinkTerm>& links,
                    const VectorXd& values, const MatrixXd& information) {
   std::vector<EstimatedBody> bodies;
   for (const LinkTerm& link : links) bodies.push_back(link.body);
   Bodies found{nearest_bodies(bodies, values, information), {}, {}};
   found.numbers = numbers_of(links, found.nearest);
-  if (found.nearest.misfit < by_chance * by_chance) return found;
+  if (found.nearest.misfit < expected_misfit(links)) return found;
   const Drawings drawings = drawings_beside(subject, links, values, information);
   if (drawings.links.empty()) return found;
   const MatrixXd rest = information - information(Eigen::all, drawings.at) * drawings.share;
