@@ -302,7 +302,7 @@ void effects_guiding_presliding(const double signals[SINEW_AT_LEAST(11)],
     double columns[SINEW_AT_LEAST(2)], double next[SINEW_AT_LEAST(1)])
 {
     const double t1 = signals[1] * signals[7] / shape[0];
-    const double t2 = sinew_one_exp(-sinew_max(t1, -t1));
+    const double t2 = sinew_one_exp(-sinew_abs(t1));
     const double t3 = sinew_choose(t1, 1.0 - (1.0 - memory[0]) * t2, -(1.0 - (1.0 + memory[0])
         * t2));
     columns[0] = signals[4] * t3;
@@ -344,7 +344,7 @@ void effects_presliding(const double signals[SINEW_AT_LEAST(11)],
     double columns[SINEW_AT_LEAST(1)], double next[SINEW_AT_LEAST(1)])
 {
     const double t1 = signals[1] * signals[7] / shape[0];
-    const double t2 = sinew_one_exp(-sinew_max(t1, -t1));
+    const double t2 = sinew_one_exp(-sinew_abs(t1));
     const double t3 = sinew_choose(t1, 1.0 - (1.0 - memory[0]) * t2, -(1.0 - (1.0 + memory[0])
         * t2));
     columns[0] = t3;
@@ -363,7 +363,7 @@ void effects_late_reversal(const double signals[SINEW_AT_LEAST(11)],
     double columns[SINEW_AT_LEAST(1)], double next[SINEW_AT_LEAST(1)])
 {
     const double t1 = signals[1] * signals[7] / shape[0];
-    const double t2 = sinew_one_exp(-sinew_max(t1, -t1));
+    const double t2 = sinew_one_exp(-sinew_abs(t1));
     const double t3 = sinew_choose(t1, 1.0 - (1.0 - memory[0]) * t2, -(1.0 - (1.0 + memory[0])
         * t2));
     const double t4 = (sinew_choose(signals[1], 1.0, -1.0) - t3) * sinew_max(signals[6],

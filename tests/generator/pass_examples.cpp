@@ -2,6 +2,9 @@
 // The worked example at the head of every pass's file: operations before and after.
 #include <catch2/catch.hpp>
 
+#include <bit>
+#include <cstdint>
+
 #include "generator/cost.h"
 #include "generator/dump.h"
 #include "generator/evaluate.h"
@@ -39,6 +42,13 @@ int count_of(const Graph& graph, Op op) {
   int count = 0;
   for (const Node& node : graph.nodes()) count += node.op == op;
   return count;
+}
+
+/// Tells -0 from 0.
+std::vector<std::uint64_t> bits(const std::vector<double>& numbers) {
+  std::vector<std::uint64_t> all;
+  for (const double number : numbers) all.push_back(std::bit_cast<std::uint64_t>(number));
+  return all;
 }
 
 std::vector<Op> order_of(const Graph& graph) {
@@ -228,6 +238,25 @@ TEST_CASE("example: reduce_strength") {
   CHECK(count_operations(after).divide == 1);
   CHECK(count_of(after, Op::add) == 1);
   CHECK(evaluate<double>(after, {1, 3, 6, 2, 4}) == std::vector<double>{0.25, 6, 12});
+}
+
+// Seen to fail with in_magnitude() taking any maximum, and with magnitudes replaced everywhere.
+TEST_CASE("example: reduce_strength of magnitudes under an exponential") {
+  Example x;
+  const auto decay_of = [&x](Value y, Value z) {
+    return x.make(Op::exponential, x.make(Op::negate, x.make(Op::maximum, y, z)));
+  };
+  const Value minus_a = x.make(Op::negate, x.a), minus_b = x.make(Op::negate, x.b);
+  const Graph& before =
+      x.returning({decay_of(x.a, minus_a), decay_of(minus_b, x.b), decay_of(x.a, minus_b),
+                   x.make(Op::exponential, x.make(Op::maximum, x.c, x.make(Op::negate, x.c))),
+                   x.make(Op::maximum, x.d, x.make(Op::negate, x.d))});
+  const Graph after = remove_dead(reduce_strength(before));
+  CHECK(count_of(after, Op::absolute) == 2);
+  CHECK(count_of(after, Op::maximum) == 3);
+  for (const double number : {0.0, -0.0, 2.0, -2.0, 1e-320, 800.0})
+    CHECK(bits(evaluate<double>(after, {number, number, number, number, 1})) ==
+          bits(evaluate<double>(before, {number, number, number, number, 1})));
 }
 
 TEST_CASE("example: remove_dead") {

@@ -145,6 +145,10 @@ TEST_CASE("selection treats zero as not negative and NaN as not chosen") {
   CHECK(sinew_maxf(1.0F, 3.0F) == 3.0F);
   CHECK(sinew_abs(-2.5) == 2.5);
   CHECK(sinew_absf(-2.5F) == 2.5F);
+  for (const double x : {0.0, -0.0, infinity, -infinity, quiet, -quiet}) {
+    CHECK_FALSE(std::signbit(sinew_abs(x)));
+    CHECK_FALSE(std::signbit(sinew_absf(static_cast<float>(x))));
+  }
 }
 
 TEST_CASE("square roots are those of the C library, and zero where there is none") {

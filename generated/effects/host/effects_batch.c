@@ -415,7 +415,7 @@ void effects_guiding_presliding_batch(int count, const double *SINEW_RESTRICT si
     SINEW_STATES_ARE_INDEPENDENT
     for (size_t state = 0; state < n; ++state) {
         const double t1 = signals[1 * n + state] * signals[7 * n + state] / shape[state];
-        const double t2 = sinew_exp(-sinew_max(t1, -t1));
+        const double t2 = sinew_exp(-sinew_abs(t1));
         const double t3 = sinew_choose(t1, 1.0 - (1.0 - memory[state]) * t2, -(1.0 - (1.0
             + memory[state]) * t2));
         columns[state] = signals[4 * n + state] * t3;
@@ -476,7 +476,7 @@ void effects_presliding_batch(int count, const double *SINEW_RESTRICT signals,
     SINEW_STATES_ARE_INDEPENDENT
     for (size_t state = 0; state < n; ++state) {
         const double t1 = signals[1 * n + state] * signals[7 * n + state] / shape[state];
-        const double t2 = sinew_exp(-sinew_max(t1, -t1));
+        const double t2 = sinew_exp(-sinew_abs(t1));
         const double t3 = sinew_choose(t1, 1.0 - (1.0 - memory[state]) * t2, -(1.0 - (1.0
             + memory[state]) * t2));
         columns[state] = t3;
@@ -504,7 +504,7 @@ void effects_late_reversal_batch(int count, const double *SINEW_RESTRICT signals
     SINEW_STATES_ARE_INDEPENDENT
     for (size_t state = 0; state < n; ++state) {
         const double t1 = signals[1 * n + state] * signals[7 * n + state] / shape[state];
-        const double t2 = sinew_exp(-sinew_max(t1, -t1));
+        const double t2 = sinew_exp(-sinew_abs(t1));
         const double t3 = sinew_choose(t1, 1.0 - (1.0 - memory[state]) * t2, -(1.0 - (1.0
             + memory[state]) * t2));
         const double t4 = (sinew_choose(signals[1 * n + state], 1.0, -1.0) - t3)
