@@ -77,6 +77,10 @@ class Writer {
         write_loop(plan_.loops[static_cast<std::size_t>(step.loop)]);
         continue;
       }
+      if (step.call >= 0) {
+        write_call(graph_.inputs[static_cast<std::size_t>(step.call)]);
+        continue;
+      }
       write(step.value);
       for (const Element& element : stores.after[step.value]) store(element);
     }
@@ -346,6 +350,12 @@ class Writer {
       index -= port.size();
     }
     return "?";
+  }
+
+  void write_call(const Port& port) {
+    std::vector<std::string> passed;
+    for (Value v : port.values) passed.push_back(text(v).text);
+    for (const std::string& line : names_.call(port, passed)) lines_.push_back(line);
   }
 
   /// A block of its own. What is carried is read before anything is assigned.

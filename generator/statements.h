@@ -19,6 +19,9 @@ struct ArrayNames {
   bool stores_last = false;   ///< all results are stored at the end
   bool shared = false;        ///< the file's copies of long functions are called (runtime_calls.h)
   bool int_statuses = false;  ///< a status is an int, else (in a loop's body) a number
+  /// The call that fills an input array, from the numbers that are passed to it.
+  std::function<std::vector<std::string>(const Port& port, const std::vector<std::string>& passed)>
+      call = {};
 };
 
 /// As the arguments of a function are: q[2], a number by its name, *status.

@@ -39,9 +39,76 @@ SINEW_NOT_INLINE static struct sinew_sines2 sinew_one_sincos2(double x0, double 
     return y;
 }
 
+/* Parts: what several functions compute alike, or one at several places. */
+
+SINEW_NOT_INLINE static void hand_part_1(const double q_wrist[SINEW_AT_LEAST(2)],
+    double part[SINEW_AT_LEAST(12)])
+{
+    const struct sinew_sines2 sines1 = sinew_one_sincos2(q_wrist[0], q_wrist[1]);
+    const double sin_q71 = sines1.s[0];
+    const double cos_q71 = sines1.c[0];
+    const double sin_q73 = sines1.s[1];
+    const double cos_q73 = sines1.c[1];
+    const double B_y = 0.074565407529229 * cos_q73;
+    const double B_to_C0_squared = 0.007324 - 0.084 * B_y;
+    const double ratio = 0.003796 / B_to_C0_squared;
+    const double C_y = 0.002 * ratio * (21.0 - 500.0 * B_y);
+    const double t2 = B_y + C_y;
+    const double u_y = 23.80952380952381 * t2;
+    const double B_e = 0.074565407529229 * sin_q73;
+    const double C_e = B_e * ratio;
+    const double M_e = 0.5 * (B_e + C_e);
+    const double s_e = M_e - 0.036 * sin_q71;
+    const double M_y = 0.5 * (B_y - C_y);
+    const double s_y = 0.021 - M_y;
+    const double u_e = 23.80952380952381 * (B_e - C_e);
+    const double p_y = u_e * s_y + u_y * s_e;
+    const double p_z = 0.036 * cos_q71;
+    const double reach_squared = sinew_max(p_y * p_y + p_z * p_z, 1.296e-15);
+    const double p_x = u_e * s_e - u_y * s_y;
+    const double projection = 0.034722222222222224 - 13.88888888888889 * (reach_squared + p_x
+        * p_x);
+    const double reach = sinew_sqrt(reach_squared);
+    const double limited = sinew_min(sinew_max(-projection, -reach), reach);
+    const double clearance = sinew_max((reach + limited) * (reach - limited), 1e-12
+        * reach_squared);
+    const double root = sinew_sqrt(clearance);
+    const double t3 = 1.0 / reach_squared;
+    const double cos_A = (p_y * limited + p_z * root) * t3;
+    const double z_plane_x = u_y * cos_A;
+    const double sin_A = (p_y * root - p_z * limited) * t3;
+    const double z_x = cos_q71 * z_plane_x - sin_q71 * sin_A;
+    const double M_x = cos_q71 * M_e;
+    const double x_plane_x = u_y * sin_A;
+    const double x_x = cos_q71 * x_plane_x + sin_q71 * cos_A;
+    const double y_x = cos_q71 * u_e;
+    const double z_plane_y = u_e * cos_A;
+    const double origin_y = M_y + 0.018 * z_plane_y;
+    const double x_plane_y = u_e * sin_A;
+    const double z_z = cos_q71 * sin_A + sin_q71 * z_plane_x;
+    const double M_z = sin_q71 * M_e;
+    const double origin_z = M_z - 0.018 * z_z;
+    const double x_z = cos_q71 * cos_A - sin_q71 * x_plane_x;
+    const double y_z = sin_q71 * u_e;
+    part[0] = t2;
+    part[1] = z_x;
+    part[2] = M_x;
+    part[3] = x_x;
+    part[4] = y_x;
+    part[5] = z_plane_y;
+    part[6] = origin_y;
+    part[7] = x_plane_y;
+    part[8] = z_z;
+    part[9] = origin_z;
+    part[10] = x_z;
+    part[11] = y_z;
+}
+
 void hand_fingertips(const double q[SINEW_AT_LEAST(19)], const double q_wrist[SINEW_AT_LEAST(2)],
     double in_palm[SINEW_AT_LEAST(80)], double in_forearm[SINEW_AT_LEAST(80)])
 {
+    double part_1[12];
+    hand_part_1(q_wrist, part_1);
     const double phi3 = q[1] + q[2];
     const double phi4 = q[3] + phi3;
     const double phi3_8 = q[16] + q[17];
@@ -66,86 +133,49 @@ void hand_fingertips(const double q[SINEW_AT_LEAST(19)], const double q_wrist[SI
     const double c2_8 = sines4.c[0];
     const double s3_8 = sines4.s[1];
     const double c3_8 = sines4.c[1];
-    const struct sinew_sines2 sines5 = sinew_one_sincos2(q[18], q_wrist[0]);
+    const struct sinew_sines sines5 = sinew_one_sincos(q[18]);
     const double sin2 = sines5.s[0];
     const double cos2 = sines5.c[0];
-    const double sin_q71 = sines5.s[1];
-    const double cos_q71 = sines5.c[1];
-    const struct sinew_sines sines6 = sinew_one_sincos(q_wrist[1]);
-    const double sin_q73 = sines6.s[0];
-    const double cos_q73 = sines6.c[0];
     in_palm[66] = s1_8;
     const double l3y_8 = 0.032304 * s2_8;
     const double l4y_8 = 0.02384 * s3_8;
     const double o4y_8 = l3y_8 + l4y_8;
     const double ptipz_8 = o4y_8 + 0.01608 * s4_8;
-    const double t7 = 0.01 * cos2;
+    const double t6 = 0.01 * cos2;
     const double A = 1.2 - cos2;
     const double reach_squared_2 = sinew_max(sin2 * sin2 + A * A, 1e-12);
-    const double t8 = 1.0 / reach_squared_2;
+    const double t7 = 1.0 / reach_squared_2;
     const double reach_2 = sinew_sqrt(reach_squared_2);
     const double C = 1.0045454545454546 - 1.0909090909090908 * cos2;
     const double limited_2 = sinew_min(sinew_max(C, -reach_2), reach_2);
     const double slack = 0.6944444444444444 * (C + reach_2) * (C - reach_2);
     const double root_2 = sinew_sqrt(sinew_max(-slack, 1e-12));
     const double side = 1.2 * root_2;
-    const double cos4 = (sin2 * side - A * limited_2) * t8;
-    const double along = 0.012 - t7 + 0.011 * cos4;
-    const double t9 = 0.01 * sin2;
-    const double sin4 = (sin2 * limited_2 + A * side) * t8;
-    const double across = t9 - 0.011 * sin4;
+    const double cos4 = (sin2 * side - A * limited_2) * t7;
+    const double along = 0.012 - t6 + 0.011 * cos4;
+    const double t8 = 0.01 * sin2;
+    const double sin4 = (sin2 * limited_2 + A * side) * t7;
+    const double across = t8 - 0.011 * sin4;
     const double length = sinew_sqrt(sinew_max(along * along + across * across, 1.44e-16));
-    const double t10 = 1.0 / length;
-    const double cos3 = along * t10;
+    const double t9 = 1.0 / length;
+    const double cos3 = along * t9;
     const double R42x_8 = s1_8 * c4_8;
     const double l3x_8 = 0.032304 * c2_8;
     const double l4x_8 = 0.02384 * c3_8;
     const double o4x_8 = l3x_8 + l4x_8;
-    const double t11 = 0.0048 + o4x_8;
-    const double ptipy_8 = s1_8 * t11 + 0.00456 * c1_8 + 0.01608 * R42x_8;
-    const double t12 = 0.006 + ptipy_8;
-    const double sin3 = across * t10;
-    const double placed_58 = sin3 * t12 + 0.01 - t9 - cos3 * ptipz_8;
-    const double p_z = 0.036 * cos_q71;
-    const double B_e = 0.074565407529229 * sin_q73;
-    const double B_y = 0.074565407529229 * cos_q73;
-    const double B_to_C0_squared = 0.007324 - 0.084 * B_y;
-    const double ratio = 0.003796 / B_to_C0_squared;
-    const double C_e = B_e * ratio;
-    const double u_e = 23.80952380952381 * (B_e - C_e);
-    const double C_y = 0.002 * ratio * (21.0 - 500.0 * B_y);
-    const double M_y = 0.5 * (B_y - C_y);
-    const double s_y = 0.021 - M_y;
-    const double M_e = 0.5 * (B_e + C_e);
-    const double s_e = M_e - 0.036 * sin_q71;
-    const double t13 = B_y + C_y;
-    const double u_y = 23.80952380952381 * t13;
-    const double p_y = u_e * s_y + u_y * s_e;
-    const double reach_squared = sinew_max(p_y * p_y + p_z * p_z, 1.296e-15);
-    const double t14 = 1.0 / reach_squared;
-    const double reach = sinew_sqrt(reach_squared);
-    const double p_x = u_e * s_e - u_y * s_y;
-    const double projection = 0.034722222222222224 - 13.88888888888889 * (reach_squared + p_x
-        * p_x);
-    const double limited = sinew_min(sinew_max(-projection, -reach), reach);
-    const double clearance = sinew_max((reach + limited) * (reach - limited), 1e-12
-        * reach_squared);
-    const double root = sinew_sqrt(clearance);
-    const double sin_A = (p_y * root - p_z * limited) * t14;
-    const double cos_A = (p_y * limited + p_z * root) * t14;
-    const double z_plane_x = u_y * cos_A;
-    const double z_z = cos_q71 * sin_A + sin_q71 * z_plane_x;
-    const double y_z = sin_q71 * u_e;
-    const double placed_50 = 0.027 - cos3 * t12 - t7 - sin3 * ptipz_8;
-    const double M_z = sin_q71 * M_e;
-    const double origin_z = M_z - 0.018 * z_z;
+    const double t10 = 0.0048 + o4x_8;
+    const double ptipy_8 = s1_8 * t10 + 0.00456 * c1_8 + 0.01608 * R42x_8;
+    const double t11 = 0.006 + ptipy_8;
+    const double sin3 = across * t9;
+    const double placed_58 = sin3 * t11 + 0.01 - t8 - cos3 * ptipz_8;
+    const double u_y = 23.80952380952381 * part_1[0];
+    const double placed_50 = 0.027 - cos3 * t11 - t6 - sin3 * ptipz_8;
     const double R41x_8 = c1_8 * c4_8;
     in_palm[64] = R41x_8;
-    const double placed_42 = c1_8 * t11 + 0.065 - 0.00456 * s1_8 + 0.01608 * R41x_8;
+    const double placed_42 = c1_8 * t10 + 0.065 - 0.00456 * s1_8 + 0.01608 * R41x_8;
     in_palm[67] = placed_42;
-    const double x_plane_x = u_y * sin_A;
-    const double x_z = cos_q71 * cos_A - sin_q71 * x_plane_x;
-    const double seen_118 = origin_z - x_z * placed_42 - y_z * placed_50 - z_z * placed_58;
+    const double seen_118 = part_1[9] - part_1[10] * placed_42 - part_1[11] * placed_50 - part_1[8]
+        * placed_58;
     in_forearm[75] = seen_118;
     in_forearm[76] = 0.0;
     in_forearm[77] = 0.0;
@@ -154,45 +184,39 @@ void hand_fingertips(const double q[SINEW_AT_LEAST(19)], const double q_wrist[SI
     const double placed_56 = sin3 * c1_8;
     in_palm[74] = placed_56;
     const double placed_48 = cos3 * c1_8;
-    const double seen_116 = x_z * s1_8 + y_z * placed_48 - z_z * placed_56;
+    const double seen_116 = part_1[10] * s1_8 + part_1[11] * placed_48 - part_1[8] * placed_56;
     in_forearm[74] = -seen_116;
     const double R42y_8 = s1_8 * s4_8;
     const double placed_54 = cos3 * c4_8 + sin3 * R42y_8;
     in_palm[73] = placed_54;
     const double placed_46 = cos3 * R42y_8 - sin3 * c4_8;
     const double R41y_8 = c1_8 * s4_8;
-    const double seen_114 = x_z * R41y_8 - y_z * placed_46 + z_z * placed_54;
+    const double seen_114 = part_1[10] * R41y_8 - part_1[11] * placed_46 + part_1[8] * placed_54;
     in_forearm[73] = seen_114;
     const double placed_52 = cos3 * s4_8 - sin3 * R42x_8;
     in_palm[72] = placed_52;
     const double placed_44 = cos3 * R42x_8 + sin3 * s4_8;
     in_palm[68] = placed_44;
-    const double seen_112 = x_z * R41x_8 - y_z * placed_44 - z_z * placed_52;
+    const double seen_112 = part_1[10] * R41x_8 - part_1[11] * placed_44 - part_1[8] * placed_52;
     in_forearm[72] = -seen_112;
-    const double z_plane_y = u_e * cos_A;
-    const double x_plane_y = u_e * sin_A;
-    const double origin_y = M_y + 0.018 * z_plane_y;
-    const double seen_110 = origin_y - u_y * placed_50 - x_plane_y * placed_42 + z_plane_y
+    const double seen_110 = part_1[6] - u_y * placed_50 - part_1[7] * placed_42 + part_1[5]
         * placed_58;
     in_forearm[71] = seen_110;
-    const double seen_108 = u_y * placed_48 + x_plane_y * s1_8 + z_plane_y * placed_56;
+    const double seen_108 = u_y * placed_48 + part_1[7] * s1_8 + part_1[5] * placed_56;
     in_forearm[70] = -seen_108;
-    const double seen_106 = u_y * placed_46 - x_plane_y * R41y_8 + z_plane_y * placed_54;
+    const double seen_106 = u_y * placed_46 - part_1[7] * R41y_8 + part_1[5] * placed_54;
     in_forearm[69] = -seen_106;
-    const double seen_104 = u_y * placed_44 - x_plane_y * R41x_8 - z_plane_y * placed_52;
+    const double seen_104 = u_y * placed_44 - part_1[7] * R41x_8 - part_1[5] * placed_52;
     in_forearm[68] = seen_104;
-    const double z_x = cos_q71 * z_plane_x - sin_q71 * sin_A;
-    const double y_x = cos_q71 * u_e;
-    const double M_x = cos_q71 * M_e;
-    const double origin_x = M_x - 0.018 * z_x;
-    const double x_x = cos_q71 * x_plane_x + sin_q71 * cos_A;
-    const double seen_102 = origin_x + x_x * placed_42 - y_x * placed_50 - z_x * placed_58;
+    const double origin_x = part_1[2] - 0.018 * part_1[1];
+    const double seen_102 = origin_x + part_1[3] * placed_42 - part_1[4] * placed_50 - part_1[1]
+        * placed_58;
     in_forearm[67] = seen_102;
-    const double seen_100 = x_x * s1_8 - y_x * placed_48 + z_x * placed_56;
+    const double seen_100 = part_1[3] * s1_8 - part_1[4] * placed_48 + part_1[1] * placed_56;
     in_forearm[66] = seen_100;
-    const double seen_98 = x_x * R41y_8 + y_x * placed_46 - z_x * placed_54;
+    const double seen_98 = part_1[3] * R41y_8 + part_1[4] * placed_46 - part_1[1] * placed_54;
     in_forearm[65] = -seen_98;
-    const double seen_96 = x_x * R41x_8 + y_x * placed_44 + z_x * placed_52;
+    const double seen_96 = part_1[3] * R41x_8 + part_1[4] * placed_44 + part_1[1] * placed_52;
     in_forearm[64] = seen_96;
     const double l3y = 0.045 * s2;
     const double l4y = 0.0298 * s3;
@@ -214,7 +238,8 @@ void hand_fingertips(const double q[SINEW_AT_LEAST(19)], const double q_wrist[SI
     const double placed_6 = 0.01 - 0.32139380484326974 * ptipy - 0.5566703992264193 * ptipz
         + 0.766044443118978 * ptipx;
     in_palm[3] = placed_6;
-    const double seen_22 = origin_z - x_z * placed_6 + y_z * placed_14 - z_z * placed_22;
+    const double seen_22 = part_1[9] - part_1[10] * placed_6 + part_1[11] * placed_14 - part_1[8]
+        * placed_22;
     in_forearm[11] = seen_22;
     in_forearm[60] = 0.0;
     in_forearm[61] = 0.0;
@@ -229,13 +254,13 @@ void hand_fingertips(const double q[SINEW_AT_LEAST(19)], const double q_wrist[SI
     const double placed_4 = 0.32139380484326974 * R42x - 0.5566703992264193 * c4 - 0.766044443118978
         * R41x;
     in_palm[2] = placed_4;
-    const double seen_20 = x_z * placed_4 + y_z * placed_12 - z_z * placed_20;
+    const double seen_20 = part_1[10] * placed_4 + part_1[11] * placed_12 - part_1[8] * placed_20;
     in_forearm[10] = -seen_20;
     const double placed_18 = 0.8660254037844386 * c1;
     const double placed_10 = 0.3830222215594891 * c1 - 0.6427876096865393 * s1;
     in_palm[5] = placed_10;
     const double placed_2 = 0.32139380484326974 * c1 + 0.766044443118978 * s1;
-    const double seen_18 = x_z * placed_2 + y_z * placed_10 - z_z * placed_18;
+    const double seen_18 = part_1[10] * placed_2 + part_1[11] * placed_10 - part_1[8] * placed_18;
     in_forearm[9] = seen_18;
     const double placed_16 = 0.5000000000000001 * s4 - 0.8660254037844386 * R42y;
     in_palm[8] = placed_16;
@@ -244,24 +269,25 @@ void hand_fingertips(const double q[SINEW_AT_LEAST(19)], const double q_wrist[SI
     in_palm[4] = placed_8;
     const double placed = 0.32139380484326974 * R42y + 0.5566703992264193 * s4 - 0.766044443118978
         * R41y;
-    const double seen_16 = x_z * placed + y_z * placed_8 + z_z * placed_16;
+    const double seen_16 = part_1[10] * placed + part_1[11] * placed_8 + part_1[8] * placed_16;
     in_forearm[8] = seen_16;
-    const double seen_14 = origin_y + u_y * placed_14 - x_plane_y * placed_6 + z_plane_y
+    const double seen_14 = part_1[6] + u_y * placed_14 - part_1[7] * placed_6 + part_1[5]
         * placed_22;
     in_forearm[7] = seen_14;
-    const double seen_12 = u_y * placed_12 + x_plane_y * placed_4 + z_plane_y * placed_20;
+    const double seen_12 = u_y * placed_12 + part_1[7] * placed_4 + part_1[5] * placed_20;
     in_forearm[6] = -seen_12;
-    const double seen_10 = u_y * placed_10 + x_plane_y * placed_2 + z_plane_y * placed_18;
+    const double seen_10 = u_y * placed_10 + part_1[7] * placed_2 + part_1[5] * placed_18;
     in_forearm[5] = seen_10;
-    const double seen_8 = u_y * placed_8 + x_plane_y * placed - z_plane_y * placed_16;
+    const double seen_8 = u_y * placed_8 + part_1[7] * placed - part_1[5] * placed_16;
     in_forearm[4] = seen_8;
-    const double seen_6 = origin_x + x_x * placed_6 + y_x * placed_14 - z_x * placed_22;
+    const double seen_6 = origin_x + part_1[3] * placed_6 + part_1[4] * placed_14 - part_1[1]
+        * placed_22;
     in_forearm[3] = seen_6;
-    const double seen_4 = x_x * placed_4 - y_x * placed_12 + z_x * placed_20;
+    const double seen_4 = part_1[3] * placed_4 - part_1[4] * placed_12 + part_1[1] * placed_20;
     in_forearm[2] = seen_4;
-    const double seen_2 = x_x * placed_2 - y_x * placed_10 + z_x * placed_18;
+    const double seen_2 = part_1[3] * placed_2 - part_1[4] * placed_10 + part_1[1] * placed_18;
     in_forearm[1] = -seen_2;
-    const double seen = x_x * placed - y_x * placed_8 - z_x * placed_16;
+    const double seen = part_1[3] * placed - part_1[4] * placed_8 - part_1[1] * placed_16;
     in_forearm[0] = -seen;
     in_palm[75] = -placed_58;
     in_palm[76] = 0.0;
@@ -281,89 +307,92 @@ void hand_fingertips(const double q[SINEW_AT_LEAST(19)], const double q_wrist[SI
     in_palm[6] = -placed_12;
     in_palm[1] = -placed_2;
     in_palm[0] = -placed;
-    static const double table16[3][12] = {
+    static const double table13[3][12] = {
         {1.0, 0.006, 0.04038, 0.0298, 0.07, 0.0057, 0.0201, 1.0, 0.021, 0.0057, 0.0201,
             23.80952380952381},
         {1.0, 0.00648, 0.0436104, 0.032184, 0.072, 0.006156, 0.021708, 1.0, 0.007, 0.006156,
             0.021708, 23.80952380952381},
         {1.2222222222222223, 0.006, 0.04038, 0.0298, 0.07, 0.0057, 0.0201, -1.0, 0.007, -0.0057,
             -0.0201, -23.80952380952381}};
-    static const unsigned short element17[3] = {7, 11, 14};
-    for (int i15 = 0; i15 < 3; ++i15) {
-        const struct sinew_sines sines18 = sinew_one_sincos(q[4 + 4 * i15]);
-        const double s1_2 = sines18.s[0];
-        const double c1_2 = sines18.c[0];
-        const double phi3_2 = q[5 + 4 * i15] + q[6 + 4 * i15];
-        const double phi4_2 = table16[i15][0] * q[element17[i15]] + phi3_2;
-        const struct sinew_sines sines19 = sinew_one_sincos(phi4_2);
-        const double s4_2 = sines19.s[0];
-        const double c4_2 = sines19.c[0];
+    static const unsigned short element14[3] = {7, 11, 14};
+    for (int i12 = 0; i12 < 3; ++i12) {
+        const struct sinew_sines sines15 = sinew_one_sincos(q[4 + 4 * i12]);
+        const double s1_2 = sines15.s[0];
+        const double c1_2 = sines15.c[0];
+        const double phi3_2 = q[5 + 4 * i12] + q[6 + 4 * i12];
+        const double phi4_2 = table13[i12][0] * q[element14[i12]] + phi3_2;
+        const struct sinew_sines sines16 = sinew_one_sincos(phi4_2);
+        const double s4_2 = sines16.s[0];
+        const double c4_2 = sines16.c[0];
         const double R41x_2 = c1_2 * c4_2;
         const double R42x_2 = s1_2 * c4_2;
-        const double seen_3 = x_x * R41x_2 + y_x * R42x_2 + z_x * s4_2;
+        const double seen_3 = part_1[3] * R41x_2 + part_1[4] * R42x_2 + part_1[1] * s4_2;
         const double R41y_2 = c1_2 * s4_2;
         const double R42y_2 = s1_2 * s4_2;
-        const double seen_5 = x_x * R41y_2 + y_x * R42y_2 - z_x * c4_2;
-        const double seen_7 = x_x * s1_2 - y_x * c1_2;
-        const struct sinew_sines sines20 = sinew_one_sincos(q[5 + 4 * i15]);
-        const double s2_2 = sines20.s[0];
-        const double c2_2 = sines20.c[0];
-        const struct sinew_sines sines21 = sinew_one_sincos(phi3_2);
-        const double s3_2 = sines21.s[0];
-        const double c3_2 = sines21.c[0];
-        const double o4x_2 = table16[i15][2] * c2_2 + table16[i15][3] * c3_2;
-        const double t22 = table16[i15][1] + o4x_2;
-        const double placed_3 = c1_2 * t22 + table16[i15][4] - table16[i15][5] * s1_2
-            + table16[i15][6] * R41x_2;
-        const double t23 = table16[i15][7] * (s1_2 * t22) + table16[i15][8] + table16[i15][9]
+        const double seen_5 = part_1[3] * R41y_2 + part_1[4] * R42y_2 - part_1[1] * c4_2;
+        const double seen_7 = part_1[3] * s1_2 - part_1[4] * c1_2;
+        const struct sinew_sines sines17 = sinew_one_sincos(q[5 + 4 * i12]);
+        const double s2_2 = sines17.s[0];
+        const double c2_2 = sines17.c[0];
+        const struct sinew_sines sines18 = sinew_one_sincos(phi3_2);
+        const double s3_2 = sines18.s[0];
+        const double c3_2 = sines18.c[0];
+        const double o4x_2 = table13[i12][2] * c2_2 + table13[i12][3] * c3_2;
+        const double t19 = table13[i12][1] + o4x_2;
+        const double placed_3 = c1_2 * t19 + table13[i12][4] - table13[i12][5] * s1_2
+            + table13[i12][6] * R41x_2;
+        const double t20 = table13[i12][7] * (s1_2 * t19) + table13[i12][8] + table13[i12][9]
             * c1_2;
-        const double placed_5 = t23 + table16[i15][10] * R42x_2;
-        const double o4y_2 = table16[i15][2] * s2_2 + table16[i15][3] * s3_2;
-        const double ptipz_2 = o4y_2 + table16[i15][6] * s4_2;
-        const double seen_9 = origin_x + x_x * placed_3 + table16[i15][7] * (y_x * placed_5) + z_x
-            * ptipz_2;
-        const double seen_11 = u_y * R42x_2 - x_plane_y * R41x_2 - z_plane_y * s4_2;
-        const double seen_13 = u_y * R42y_2 - x_plane_y * R41y_2 + z_plane_y * c4_2;
-        const double seen_15 = u_y * c1_2 + x_plane_y * s1_2;
-        const double seen_17 = origin_y + table16[i15][11] * t13 * placed_5 - x_plane_y * placed_3
-            - z_plane_y * ptipz_2;
-        const double seen_19 = x_z * R41x_2 - y_z * R42x_2 - z_z * s4_2;
-        const double seen_21 = x_z * R41y_2 - y_z * R42y_2 + z_z * c4_2;
-        const double seen_23 = x_z * s1_2 + y_z * c1_2;
-        const double seen_24 = origin_z - x_z * placed_3 + table16[i15][7] * (y_z * placed_5) + z_z
-            * ptipz_2;
-        in_forearm[12 + 16 * i15] = 0.0;
-        in_forearm[13 + 16 * i15] = 0.0;
-        in_forearm[14 + 16 * i15] = 0.0;
-        in_forearm[15 + 16 * i15] = 1.0;
-        in_forearm[16 + 16 * i15] = seen_3;
-        in_forearm[17 + 16 * i15] = -seen_5;
-        in_forearm[18 + 16 * i15] = seen_7;
-        in_forearm[19 + 16 * i15] = seen_9;
-        in_forearm[20 + 16 * i15] = seen_11;
-        in_forearm[21 + 16 * i15] = -seen_13;
-        in_forearm[22 + 16 * i15] = -seen_15;
-        in_forearm[23 + 16 * i15] = seen_17;
-        in_forearm[24 + 16 * i15] = -seen_19;
-        in_forearm[25 + 16 * i15] = seen_21;
-        in_forearm[26 + 16 * i15] = -seen_23;
-        in_forearm[27 + 16 * i15] = seen_24;
-        in_palm[12 + 16 * i15] = 0.0;
-        in_palm[13 + 16 * i15] = 0.0;
-        in_palm[14 + 16 * i15] = 0.0;
-        in_palm[15 + 16 * i15] = 1.0;
-        in_palm[16 + 16 * i15] = R41x_2;
-        in_palm[17 + 16 * i15] = -R41y_2;
-        in_palm[18 + 16 * i15] = s1_2;
-        in_palm[19 + 16 * i15] = placed_3;
-        in_palm[20 + 16 * i15] = R42x_2;
-        in_palm[21 + 16 * i15] = -R42y_2;
-        in_palm[22 + 16 * i15] = -c1_2;
-        in_palm[23 + 16 * i15] = table16[i15][7] * placed_5;
-        in_palm[24 + 16 * i15] = s4_2;
-        in_palm[25 + 16 * i15] = c4_2;
-        in_palm[26 + 16 * i15] = 0.0;
-        in_palm[27 + 16 * i15] = ptipz_2;
+        const double placed_5 = t20 + table13[i12][10] * R42x_2;
+        const double t21 = origin_x + part_1[3] * placed_3 + table13[i12][7] * (part_1[4]
+            * placed_5);
+        const double o4y_2 = table13[i12][2] * s2_2 + table13[i12][3] * s3_2;
+        const double ptipz_2 = o4y_2 + table13[i12][6] * s4_2;
+        const double seen_9 = t21 + part_1[1] * ptipz_2;
+        const double seen_11 = u_y * R42x_2 - part_1[7] * R41x_2 - part_1[5] * s4_2;
+        const double seen_13 = u_y * R42y_2 - part_1[7] * R41y_2 + part_1[5] * c4_2;
+        const double seen_15 = u_y * c1_2 + part_1[7] * s1_2;
+        const double t22 = part_1[6] + table13[i12][11] * part_1[0] * placed_5 - part_1[7]
+            * placed_3;
+        const double seen_17 = t22 - part_1[5] * ptipz_2;
+        const double seen_19 = part_1[10] * R41x_2 - part_1[11] * R42x_2 - part_1[8] * s4_2;
+        const double seen_21 = part_1[10] * R41y_2 - part_1[11] * R42y_2 + part_1[8] * c4_2;
+        const double seen_23 = part_1[10] * s1_2 + part_1[11] * c1_2;
+        const double t23 = part_1[9] - part_1[10] * placed_3 + table13[i12][7] * (part_1[11]
+            * placed_5);
+        const double seen_24 = t23 + part_1[8] * ptipz_2;
+        in_forearm[12 + 16 * i12] = 0.0;
+        in_forearm[13 + 16 * i12] = 0.0;
+        in_forearm[14 + 16 * i12] = 0.0;
+        in_forearm[15 + 16 * i12] = 1.0;
+        in_forearm[16 + 16 * i12] = seen_3;
+        in_forearm[17 + 16 * i12] = -seen_5;
+        in_forearm[18 + 16 * i12] = seen_7;
+        in_forearm[19 + 16 * i12] = seen_9;
+        in_forearm[20 + 16 * i12] = seen_11;
+        in_forearm[21 + 16 * i12] = -seen_13;
+        in_forearm[22 + 16 * i12] = -seen_15;
+        in_forearm[23 + 16 * i12] = seen_17;
+        in_forearm[24 + 16 * i12] = -seen_19;
+        in_forearm[25 + 16 * i12] = seen_21;
+        in_forearm[26 + 16 * i12] = -seen_23;
+        in_forearm[27 + 16 * i12] = seen_24;
+        in_palm[12 + 16 * i12] = 0.0;
+        in_palm[13 + 16 * i12] = 0.0;
+        in_palm[14 + 16 * i12] = 0.0;
+        in_palm[15 + 16 * i12] = 1.0;
+        in_palm[16 + 16 * i12] = R41x_2;
+        in_palm[17 + 16 * i12] = -R41y_2;
+        in_palm[18 + 16 * i12] = s1_2;
+        in_palm[19 + 16 * i12] = placed_3;
+        in_palm[20 + 16 * i12] = R42x_2;
+        in_palm[21 + 16 * i12] = -R42y_2;
+        in_palm[22 + 16 * i12] = -c1_2;
+        in_palm[23 + 16 * i12] = table13[i12][7] * placed_5;
+        in_palm[24 + 16 * i12] = s4_2;
+        in_palm[25 + 16 * i12] = c4_2;
+        in_palm[26 + 16 * i12] = 0.0;
+        in_palm[27 + 16 * i12] = ptipz_2;
     }
 }
 
@@ -457,183 +486,141 @@ void hand_finger_gravity(const double q[SINEW_AT_LEAST(19)],
 void hand_tendon_lengths(const double q[SINEW_AT_LEAST(19)],
     const double q_wrist[SINEW_AT_LEAST(2)], double h[SINEW_AT_LEAST(38)])
 {
-    const struct sinew_sines2 sines1 = sinew_one_sincos2(q_wrist[0], q_wrist[1]);
-    const double sin_q71 = sines1.s[0];
-    const double cos_q71 = sines1.c[0];
-    const double sin_q73 = sines1.s[1];
-    const double cos_q73 = sines1.c[1];
-    const double B_y = 0.074565407529229 * cos_q73;
-    const double B_to_C0_squared = 0.007324 - 0.084 * B_y;
-    const double ratio = 0.003796 / B_to_C0_squared;
-    const double C_y = 0.002 * ratio * (21.0 - 500.0 * B_y);
-    const double u_y = 23.80952380952381 * (B_y + C_y);
-    const double B_e = 0.074565407529229 * sin_q73;
-    const double C_e = B_e * ratio;
-    const double M_e = 0.5 * (B_e + C_e);
-    const double s_e = M_e - 0.036 * sin_q71;
-    const double M_y = 0.5 * (B_y - C_y);
-    const double s_y = 0.021 - M_y;
-    const double u_e = 23.80952380952381 * (B_e - C_e);
-    const double p_y = u_e * s_y + u_y * s_e;
-    const double p_z = 0.036 * cos_q71;
-    const double reach_squared = sinew_max(p_y * p_y + p_z * p_z, 1.296e-15);
-    const double p_x = u_e * s_e - u_y * s_y;
-    const double projection = 0.034722222222222224 - 13.88888888888889 * (reach_squared + p_x
-        * p_x);
-    const double reach = sinew_sqrt(reach_squared);
-    const double limited = sinew_min(sinew_max(-projection, -reach), reach);
-    const double clearance = sinew_max((reach + limited) * (reach - limited), 1e-12
-        * reach_squared);
-    const double root = sinew_sqrt(clearance);
-    const double t2 = 1.0 / reach_squared;
-    const double cos_A = (p_y * limited + p_z * root) * t2;
-    const double z_plane_x = u_y * cos_A;
-    const double sin_A = (p_y * root - p_z * limited) * t2;
-    const double z_x = cos_q71 * z_plane_x - sin_q71 * sin_A;
-    const double M_x = cos_q71 * M_e;
-    const double x_plane_x = u_y * sin_A;
-    const double x_x = cos_q71 * x_plane_x + sin_q71 * cos_A;
-    const double t3 = 0.004 - M_x + 0.018 * z_x + 0.004 * x_x;
-    const double t4 = 0.01 * z_x;
-    const double y_x = cos_q71 * u_e;
-    const double layer_0_x = t3 - t4 + 0.011 * y_x;
-    const double z_plane_y = u_e * cos_A;
-    const double origin_y = M_y + 0.018 * z_plane_y;
-    const double x_plane_y = u_e * sin_A;
-    const double t5 = 0.004 * x_plane_y;
-    const double t6 = 0.01 * z_plane_y;
-    const double layer_0_y = 0.007 - origin_y - t5 + t6 + 0.011 * u_y;
-    const double z_z = cos_q71 * sin_A + sin_q71 * z_plane_x;
-    const double M_z = sin_q71 * M_e;
-    const double origin_z = M_z - 0.018 * z_z;
-    const double x_z = cos_q71 * cos_A - sin_q71 * x_plane_x;
-    const double t7 = 0.004 * x_z;
-    const double t8 = 0.01 * z_z;
-    const double y_z = sin_q71 * u_e;
-    const double layer_0_z = 0.008 - origin_z - t7 - t8 + 0.011 * y_z;
-    const double layer_1_x = t3 + t4 + 0.013 * y_x;
-    const double layer_1_y = 0.006 - origin_y - t5 - t6 + 0.013 * u_y;
-    const double layer_1_z = 0.028 - origin_z - t7 + t8 + 0.013 * y_z;
-    static const double table12[18][3] = {{0.002, 0.001, 0.001}, {0.003, 0.003, 0.003},
+    double part_1[12];
+    hand_part_1(q_wrist, part_1);
+    const double u_y = 23.80952380952381 * part_1[0];
+    const double t1 = 0.004 - part_1[2] + 0.018 * part_1[1] + 0.004 * part_1[3];
+    const double t2 = 0.01 * part_1[1];
+    const double layer_0_x = t1 - t2 + 0.011 * part_1[4];
+    const double t3 = 0.004 * part_1[7];
+    const double t4 = 0.01 * part_1[5];
+    const double layer_0_y = 0.007 - part_1[6] - t3 + t4 + 0.011 * u_y;
+    const double t5 = 0.004 * part_1[10];
+    const double t6 = 0.01 * part_1[8];
+    const double layer_0_z = 0.008 - part_1[9] - t5 - t6 + 0.011 * part_1[11];
+    const double layer_1_x = t1 + t2 + 0.013 * part_1[4];
+    const double layer_1_y = 0.006 - part_1[6] - t3 - t4 + 0.013 * u_y;
+    const double layer_1_z = 0.028 - part_1[9] - t5 + t6 + 0.013 * part_1[11];
+    static const double table10[18][3] = {{0.002, 0.001, 0.001}, {0.003, 0.003, 0.003},
         {0.005, 0.005, 0.004}, {0.007, 0.006, 0.006}, {0.008, 0.008, 0.008},
         {0.01, 0.009, 0.009}, {0.011, 0.011, 0.011}, {0.013, 0.013, 0.012},
         {0.015, 0.014, 0.014}, {0.016, 0.016, 0.016}, {0.018, 0.017, 0.017},
         {0.019, 0.019, 0.019}, {0.021, 0.021, 0.02}, {0.023, 0.022, 0.022},
         {0.024, 0.024, 0.024}, {0.026, 0.025, 0.025}, {0.027, 0.027, 0.027},
         {0.029, 0.029, 0.028}};
-    double kept10[18];
-    double kept11[18];
-    for (int i9 = 0; i9 < 18; ++i9) {
-        const double strand_x = layer_1_x - table12[i9][0] * y_x;
-        const double strand_y = table12[i9][1] + layer_1_y - table12[i9][0] * u_y;
-        const double strand_z = layer_1_z - table12[i9][0] * y_z;
+    double kept8[18];
+    double kept9[18];
+    for (int i7 = 0; i7 < 18; ++i7) {
+        const double strand_x = layer_1_x - table10[i7][0] * part_1[4];
+        const double strand_y = table10[i7][1] + layer_1_y - table10[i7][0] * u_y;
+        const double strand_z = layer_1_z - table10[i7][0] * part_1[11];
         const double length = sinew_sqrt(strand_x * strand_x + strand_y * strand_y + strand_z
             * strand_z);
-        const double strand_x_2 = layer_0_x - table12[i9][1] * y_x;
-        const double strand_y_2 = table12[i9][2] + layer_0_y - table12[i9][1] * u_y;
-        const double strand_z_2 = layer_0_z - table12[i9][1] * y_z;
-        const double t13 = strand_x_2 * strand_x_2 + strand_y_2 * strand_y_2 + strand_z_2
+        const double strand_x_2 = layer_0_x - table10[i7][1] * part_1[4];
+        const double strand_y_2 = table10[i7][2] + layer_0_y - table10[i7][1] * u_y;
+        const double strand_z_2 = layer_0_z - table10[i7][1] * part_1[11];
+        const double t11 = strand_x_2 * strand_x_2 + strand_y_2 * strand_y_2 + strand_z_2
             * strand_z_2;
-        const double length_2 = sinew_sqrt(t13);
-        kept10[i9] = length_2;
-        kept11[i9] = length;
+        const double length_2 = sinew_sqrt(t11);
+        kept8[i7] = length_2;
+        kept9[i7] = length;
     }
-    const struct sinew_sines2 sines14 = sinew_one_sincos2(q[0], q[1]);
-    const double s1 = sines14.s[0];
-    const double c1 = sines14.c[0];
-    const double s2 = sines14.s[1];
-    const double c2 = sines14.c[1];
+    const struct sinew_sines2 sines12 = sinew_one_sincos2(q[0], q[1]);
+    const double s1 = sines12.s[0];
+    const double c1 = sines12.c[0];
+    const double s2 = sines12.s[1];
+    const double c2 = sines12.c[1];
     const double length_0 = sinew_sqrt(layer_0_x * layer_0_x + layer_0_y * layer_0_y + layer_0_z
         * layer_0_z);
     const double R21y = c1 * s2;
-    const double t15 = 0.005 * R21y;
-    const double t16 = 0.006 * s1;
-    const double t17 = t15 - t16;
+    const double t13 = 0.005 * R21y;
+    const double t14 = 0.006 * s1;
+    const double t15 = t13 - t14;
     const double R21x = c1 * c2;
-    const double t18 = 0.047 * R21x;
-    const double A_lengthdx = 0.002 - t17 - t18;
+    const double t16 = 0.047 * R21x;
+    const double A_lengthdx = 0.002 - t15 - t16;
     const double R22y = s1 * s2;
-    const double t19 = 0.005 * R22y;
-    const double t20 = 0.006 * c1;
-    const double t21 = 0.03 - (t19 + t20);
+    const double t17 = 0.005 * R22y;
+    const double t18 = 0.006 * c1;
+    const double t19 = 0.03 - (t17 + t18);
     const double R22x = s1 * c2;
-    const double t22 = 0.047 * R22x;
-    const double A_lengthdy = t21 - t22;
-    const double t23 = 0.025 - 0.005 * c2;
-    const double t24 = 0.047 * s2;
-    const double A_lengthdz = t23 + t24;
-    const double t25 = A_lengthdz * A_lengthdz;
-    const double A_length = sinew_sqrt(A_lengthdx * A_lengthdx + A_lengthdy * A_lengthdy + t25);
+    const double t20 = 0.047 * R22x;
+    const double A_lengthdy = t19 - t20;
+    const double t21 = 0.025 - 0.005 * c2;
+    const double t22 = 0.047 * s2;
+    const double A_lengthdz = t21 + t22;
+    const double t23 = A_lengthdz * A_lengthdz;
+    const double A_length = sinew_sqrt(A_lengthdx * A_lengthdx + A_lengthdy * A_lengthdy + t23);
     h[0] = A_length + length_0;
-    const double t26 = t15 + t16;
-    const double B_lengthdx = 0.002 + t26 - t18;
-    const double t27 = 0.03 + (t19 - t20);
-    const double B_lengthdy = t27 - t22;
-    const double B_lengthdz = t23 - t24;
-    const double t28 = B_lengthdz * B_lengthdz;
-    const double B_length = sinew_sqrt(B_lengthdx * B_lengthdx + B_lengthdy * B_lengthdy + t28);
-    h[1] = B_length + kept10[0];
-    const double C_lengthdx = 0.002 - t26 - t18;
-    const double C_lengthdy = t27 + t22;
-    const double C_length = sinew_sqrt(t25 + C_lengthdx * C_lengthdx + C_lengthdy * C_lengthdy);
-    h[2] = C_length + kept10[1];
-    const double D_lengthdx = 0.002 + t17 - t18;
-    const double D_lengthdy = t21 + t22;
-    const double D_length = sinew_sqrt(t28 + D_lengthdx * D_lengthdx + D_lengthdy * D_lengthdy);
-    h[3] = D_length + kept10[2];
-    const double t29 = 0.0065 * q[2];
-    h[4] = kept10[3] + t29;
-    h[5] = kept10[4] - t29;
-    const double t30 = 0.0055 * q[3];
-    h[6] = kept10[5] + t30 - t29;
-    h[7] = kept10[6] - t30 + t29;
-    const double t31 = 0.0065 * q[4];
-    const double t32 = 0.0065 * q[5];
-    h[8] = kept10[7] + t31 + t32;
-    h[9] = kept10[8] + t31 - t32;
-    h[10] = kept10[9] - t31 + t32;
-    h[11] = kept10[10] - t31 - t32;
-    const double t33 = 0.0055 * q[6];
-    h[12] = kept10[11] + t33;
-    h[13] = kept10[12] - t33;
-    const double t34 = 0.0045 * q[7];
-    h[14] = kept10[13] - t34 + t33;
-    h[15] = kept10[14] + t34 - t33;
-    const double t35 = 0.0065 * q[8];
-    const double t36 = 0.0065 * q[9];
-    h[16] = kept10[15] + t35 + t36;
-    h[17] = kept10[16] + t35 - t36;
-    h[18] = kept10[17] - t35 + t36;
+    const double t24 = t13 + t14;
+    const double B_lengthdx = 0.002 + t24 - t16;
+    const double t25 = 0.03 + (t17 - t18);
+    const double B_lengthdy = t25 - t20;
+    const double B_lengthdz = t21 - t22;
+    const double t26 = B_lengthdz * B_lengthdz;
+    const double B_length = sinew_sqrt(B_lengthdx * B_lengthdx + B_lengthdy * B_lengthdy + t26);
+    h[1] = B_length + kept8[0];
+    const double C_lengthdx = 0.002 - t24 - t16;
+    const double C_lengthdy = t25 + t20;
+    const double C_length = sinew_sqrt(t23 + C_lengthdx * C_lengthdx + C_lengthdy * C_lengthdy);
+    h[2] = C_length + kept8[1];
+    const double D_lengthdx = 0.002 + t15 - t16;
+    const double D_lengthdy = t19 + t20;
+    const double D_length = sinew_sqrt(t26 + D_lengthdx * D_lengthdx + D_lengthdy * D_lengthdy);
+    h[3] = D_length + kept8[2];
+    const double t27 = 0.0065 * q[2];
+    h[4] = kept8[3] + t27;
+    h[5] = kept8[4] - t27;
+    const double t28 = 0.0055 * q[3];
+    h[6] = kept8[5] + t28 - t27;
+    h[7] = kept8[6] - t28 + t27;
+    const double t29 = 0.0065 * q[4];
+    const double t30 = 0.0065 * q[5];
+    h[8] = kept8[7] + t29 + t30;
+    h[9] = kept8[8] + t29 - t30;
+    h[10] = kept8[9] - t29 + t30;
+    h[11] = kept8[10] - t29 - t30;
+    const double t31 = 0.0055 * q[6];
+    h[12] = kept8[11] + t31;
+    h[13] = kept8[12] - t31;
+    const double t32 = 0.0045 * q[7];
+    h[14] = kept8[13] - t32 + t31;
+    h[15] = kept8[14] + t32 - t31;
+    const double t33 = 0.0065 * q[8];
+    const double t34 = 0.0065 * q[9];
+    h[16] = kept8[15] + t33 + t34;
+    h[17] = kept8[16] + t33 - t34;
+    h[18] = kept8[17] - t33 + t34;
     const double length_19 = sinew_sqrt(layer_1_x * layer_1_x + layer_1_y * layer_1_y + layer_1_z
         * layer_1_z);
-    h[19] = length_19 - t35 - t36;
-    const double t37 = 0.0055 * q[10];
-    h[20] = kept11[0] + t37;
-    h[21] = kept11[1] - t37;
-    const double t38 = 0.0045 * q[11];
-    h[22] = kept11[2] - t38 + t37;
-    h[23] = kept11[3] + t38 - t37;
-    const double t39 = 0.0065 * q[12];
-    const double t40 = 0.0065 * q[13];
-    h[24] = kept11[4] + t39 + t40;
-    h[25] = kept11[5] + t39 - t40;
-    h[26] = kept11[6] - t39 + t40;
-    h[27] = kept11[7] - t39 - t40;
-    const double t41 = 0.011000000000000001 * q[14];
-    h[28] = kept11[8] + t41;
-    h[29] = kept11[9] - t41;
-    const double t42 = 0.0052 * q[15];
-    const double t43 = 0.0052 * q[16];
-    h[30] = kept11[10] + t42 + t43;
-    h[31] = kept11[11] + t42 - t43;
-    h[32] = kept11[12] - t42 + t43;
-    h[33] = kept11[13] - t42 - t43;
-    const double t44 = 0.0088 * q[17];
-    h[34] = kept11[14] + t44;
-    h[35] = kept11[15] - t44;
+    h[19] = length_19 - t33 - t34;
+    const double t35 = 0.0055 * q[10];
+    h[20] = kept9[0] + t35;
+    h[21] = kept9[1] - t35;
+    const double t36 = 0.0045 * q[11];
+    h[22] = kept9[2] - t36 + t35;
+    h[23] = kept9[3] + t36 - t35;
+    const double t37 = 0.0065 * q[12];
+    const double t38 = 0.0065 * q[13];
+    h[24] = kept9[4] + t37 + t38;
+    h[25] = kept9[5] + t37 - t38;
+    h[26] = kept9[6] - t37 + t38;
+    h[27] = kept9[7] - t37 - t38;
+    const double t39 = 0.011000000000000001 * q[14];
+    h[28] = kept9[8] + t39;
+    h[29] = kept9[9] - t39;
+    const double t40 = 0.0052 * q[15];
+    const double t41 = 0.0052 * q[16];
+    h[30] = kept9[10] + t40 + t41;
+    h[31] = kept9[11] + t40 - t41;
+    h[32] = kept9[12] - t40 + t41;
+    h[33] = kept9[13] - t40 - t41;
+    const double t42 = 0.0088 * q[17];
+    h[34] = kept9[14] + t42;
+    h[35] = kept9[15] - t42;
     const double length_3 = 0.007853981633974483 - 0.005 * q[18];
-    h[36] = -(length_3 - kept11[16]);
-    h[37] = length_3 + kept11[17];
+    h[36] = -(length_3 - kept9[16]);
+    h[37] = length_3 + kept9[17];
 }
 
 void hand_coupling_matrix(const double q[SINEW_AT_LEAST(19)],
@@ -2467,106 +2454,64 @@ void hand_joint_stiffness(const double q[SINEW_AT_LEAST(19)],
 void hand_feedforward(const double q_wrist[SINEW_AT_LEAST(2)],
     double delta_theta[SINEW_AT_LEAST(38)])
 {
-    const struct sinew_sines2 sines1 = sinew_one_sincos2(q_wrist[0], q_wrist[1]);
-    const double sin_q71 = sines1.s[0];
-    const double cos_q71 = sines1.c[0];
-    const double sin_q73 = sines1.s[1];
-    const double cos_q73 = sines1.c[1];
-    const double B_y = 0.074565407529229 * cos_q73;
-    const double B_to_C0_squared = 0.007324 - 0.084 * B_y;
-    const double ratio = 0.003796 / B_to_C0_squared;
-    const double C_y = 0.002 * ratio * (21.0 - 500.0 * B_y);
-    const double u_y = 23.80952380952381 * (B_y + C_y);
-    const double B_e = 0.074565407529229 * sin_q73;
-    const double C_e = B_e * ratio;
-    const double M_e = 0.5 * (B_e + C_e);
-    const double s_e = M_e - 0.036 * sin_q71;
-    const double M_y = 0.5 * (B_y - C_y);
-    const double s_y = 0.021 - M_y;
-    const double u_e = 23.80952380952381 * (B_e - C_e);
-    const double p_y = u_e * s_y + u_y * s_e;
-    const double p_z = 0.036 * cos_q71;
-    const double reach_squared = sinew_max(p_y * p_y + p_z * p_z, 1.296e-15);
-    const double p_x = u_e * s_e - u_y * s_y;
-    const double projection = 0.034722222222222224 - 13.88888888888889 * (reach_squared + p_x
-        * p_x);
-    const double reach = sinew_sqrt(reach_squared);
-    const double limited = sinew_min(sinew_max(-projection, -reach), reach);
-    const double clearance = sinew_max((reach + limited) * (reach - limited), 1e-12
-        * reach_squared);
-    const double root = sinew_sqrt(clearance);
-    const double t2 = 1.0 / reach_squared;
-    const double cos_A = (p_y * limited + p_z * root) * t2;
-    const double z_plane_x = u_y * cos_A;
-    const double sin_A = (p_y * root - p_z * limited) * t2;
-    const double z_x = cos_q71 * z_plane_x - sin_q71 * sin_A;
-    const double M_x = cos_q71 * M_e;
-    const double x_plane_x = u_y * sin_A;
-    const double x_x = cos_q71 * x_plane_x + sin_q71 * cos_A;
-    const double t3 = 0.004 - M_x + 0.018 * z_x + 0.004 * x_x;
-    const double t4 = 0.01 * z_x;
-    const double y_x = cos_q71 * u_e;
-    const double layer_0_x = t3 - t4 + 0.011 * y_x;
-    const double z_plane_y = u_e * cos_A;
-    const double origin_y = M_y + 0.018 * z_plane_y;
-    const double x_plane_y = u_e * sin_A;
-    const double t5 = 0.004 * x_plane_y;
-    const double t6 = 0.01 * z_plane_y;
-    const double layer_0_y = 0.007 - origin_y - t5 + t6 + 0.011 * u_y;
-    const double z_z = cos_q71 * sin_A + sin_q71 * z_plane_x;
-    const double M_z = sin_q71 * M_e;
-    const double origin_z = M_z - 0.018 * z_z;
-    const double x_z = cos_q71 * cos_A - sin_q71 * x_plane_x;
-    const double t7 = 0.004 * x_z;
-    const double t8 = 0.01 * z_z;
-    const double y_z = sin_q71 * u_e;
-    const double layer_0_z = 0.008 - origin_z - t7 - t8 + 0.011 * y_z;
+    double part_1[12];
+    hand_part_1(q_wrist, part_1);
+    const double u_y = 23.80952380952381 * part_1[0];
+    const double t1 = 0.004 - part_1[2] + 0.018 * part_1[1] + 0.004 * part_1[3];
+    const double t2 = 0.01 * part_1[1];
+    const double layer_0_x = t1 - t2 + 0.011 * part_1[4];
+    const double t3 = 0.004 * part_1[7];
+    const double t4 = 0.01 * part_1[5];
+    const double layer_0_y = 0.007 - part_1[6] - t3 + t4 + 0.011 * u_y;
+    const double t5 = 0.004 * part_1[10];
+    const double t6 = 0.01 * part_1[8];
+    const double layer_0_z = 0.008 - part_1[9] - t5 - t6 + 0.011 * part_1[11];
     const double length_0 = sinew_sqrt(layer_0_x * layer_0_x + layer_0_y * layer_0_y + layer_0_z
         * layer_0_z);
     const double change_0 = 0.04661544808322666 - length_0;
     delta_theta[0] = 200.0 * change_0;
-    const double layer_1_x = t3 + t4 + 0.013 * y_x;
-    const double layer_1_y = 0.006 - origin_y - t5 - t6 + 0.013 * u_y;
-    const double layer_1_z = 0.028 - origin_z - t7 + t8 + 0.013 * y_z;
+    const double layer_1_x = t1 + t2 + 0.013 * part_1[4];
+    const double layer_1_y = 0.006 - part_1[6] - t3 - t4 + 0.013 * u_y;
+    const double layer_1_z = 0.028 - part_1[9] - t5 + t6 + 0.013 * part_1[11];
     const double length_19 = sinew_sqrt(layer_1_x * layer_1_x + layer_1_y * layer_1_y + layer_1_z
         * layer_1_z);
     const double change_19 = 0.046561786907291264 - length_19;
     delta_theta[19] = 200.0 * change_19;
-    static const double table10[18][5] = {
-        {0.04661544808322666, 0.002, 0.001, 0.04661544808322666, 0.001},
-        {0.046561786907291264, 0.003, 0.003, 0.04661544808322666, 0.003},
-        {0.046561786907291264, 0.005, 0.005, 0.04669047011971501, 0.004},
-        {0.04661544808322666, 0.007, 0.006, 0.04661544808322666, 0.006},
-        {0.046561786907291264, 0.008, 0.008, 0.04661544808322666, 0.008},
-        {0.04661544808322666, 0.01, 0.009, 0.04661544808322666, 0.009},
-        {0.046561786907291264, 0.011, 0.011, 0.04661544808322666, 0.011},
-        {0.046561786907291264, 0.013, 0.013, 0.04669047011971501, 0.012},
-        {0.04661544808322666, 0.015, 0.014, 0.04661544808322666, 0.014},
-        {0.046561786907291264, 0.016, 0.016, 0.04661544808322666, 0.016},
-        {0.04661544808322666, 0.018, 0.017, 0.04661544808322666, 0.017},
-        {0.046561786907291264, 0.019, 0.019, 0.04661544808322666, 0.019},
-        {0.046561786907291264, 0.021, 0.021, 0.04669047011971501, 0.02},
-        {0.04661544808322666, 0.023, 0.022, 0.04661544808322666, 0.022},
-        {0.046561786907291264, 0.024, 0.024, 0.04661544808322666, 0.024},
-        {0.04661544808322666, 0.026, 0.025, 0.04661544808322666, 0.025},
-        {0.046561786907291264, 0.027, 0.027, 0.04661544808322666, 0.027},
-        {0.046561786907291264, 0.029, 0.029, 0.04669047011971501, 0.028}};
-    for (int i9 = 0; i9 < 18; ++i9) {
-        const double strand_x = layer_1_x - table10[i9][1] * y_x;
-        const double strand_y = table10[i9][2] + layer_1_y - table10[i9][1] * u_y;
-        const double strand_z = layer_1_z - table10[i9][1] * y_z;
+    static const double table8[18][5] = {
+        {0.04661544808322666, 0.001, 0.001, 0.04661544808322666, 0.002},
+        {0.04661544808322666, 0.003, 0.003, 0.046561786907291264, 0.003},
+        {0.04669047011971501, 0.005, 0.004, 0.046561786907291264, 0.005},
+        {0.04661544808322666, 0.006, 0.006, 0.04661544808322666, 0.007},
+        {0.04661544808322666, 0.008, 0.008, 0.046561786907291264, 0.008},
+        {0.04661544808322666, 0.009, 0.009, 0.04661544808322666, 0.01},
+        {0.04661544808322666, 0.011, 0.011, 0.046561786907291264, 0.011},
+        {0.04669047011971501, 0.013, 0.012, 0.046561786907291264, 0.013},
+        {0.04661544808322666, 0.014, 0.014, 0.04661544808322666, 0.015},
+        {0.04661544808322666, 0.016, 0.016, 0.046561786907291264, 0.016},
+        {0.04661544808322666, 0.017, 0.017, 0.04661544808322666, 0.018},
+        {0.04661544808322666, 0.019, 0.019, 0.046561786907291264, 0.019},
+        {0.04669047011971501, 0.021, 0.02, 0.046561786907291264, 0.021},
+        {0.04661544808322666, 0.022, 0.022, 0.04661544808322666, 0.023},
+        {0.04661544808322666, 0.024, 0.024, 0.046561786907291264, 0.024},
+        {0.04661544808322666, 0.025, 0.025, 0.04661544808322666, 0.026},
+        {0.04661544808322666, 0.027, 0.027, 0.046561786907291264, 0.027},
+        {0.04669047011971501, 0.029, 0.028, 0.046561786907291264, 0.029}};
+    for (int i7 = 0; i7 < 18; ++i7) {
+        const double strand_x = layer_0_x - table8[i7][1] * part_1[4];
+        const double strand_y = table8[i7][2] + layer_0_y - table8[i7][1] * u_y;
+        const double strand_z = layer_0_z - table8[i7][1] * part_1[11];
         const double length = sinew_sqrt(strand_x * strand_x + strand_y * strand_y + strand_z
             * strand_z);
-        const double change = table10[i9][0] - length;
-        const double strand_x_2 = layer_0_x - table10[i9][2] * y_x;
-        const double strand_y_2 = table10[i9][4] + layer_0_y - table10[i9][2] * u_y;
-        const double strand_z_2 = layer_0_z - table10[i9][2] * y_z;
-        const double t11 = strand_x_2 * strand_x_2 + strand_y_2 * strand_y_2 + strand_z_2
+        const double change = table8[i7][0] - length;
+        const double strand_x_2 = layer_1_x - table8[i7][4] * part_1[4];
+        const double strand_y_2 = table8[i7][1] + layer_1_y - table8[i7][4] * u_y;
+        const double strand_z_2 = layer_1_z - table8[i7][4] * part_1[11];
+        const double t9 = strand_x_2 * strand_x_2 + strand_y_2 * strand_y_2 + strand_z_2
             * strand_z_2;
-        const double length_2 = sinew_sqrt(t11);
-        const double change_2 = table10[i9][3] - length_2;
-        delta_theta[20 + i9] = 200.0 * change;
-        delta_theta[1 + i9] = 200.0 * change_2;
+        const double length_2 = sinew_sqrt(t9);
+        const double change_2 = table8[i7][3] - length_2;
+        delta_theta[1 + i7] = 200.0 * change;
+        delta_theta[20 + i7] = 200.0 * change_2;
     }
 }
 

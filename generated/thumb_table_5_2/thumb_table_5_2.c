@@ -44,6 +44,113 @@ SINEW_NOT_INLINE static struct sinew_sines2 sinew_one_sincos2(double x0, double 
     return y;
 }
 
+/* Parts: what several functions compute alike, or one at several places. */
+
+SINEW_NOT_INLINE static void thumb_table_5_2_part_1(const double h[SINEW_AT_LEAST(4)], double q10,
+    double q11,
+    double part[SINEW_AT_LEAST(10)])
+{
+    const struct sinew_sines2 sines1 = sinew_one_sincos2(q10, q11);
+    const double sin_q10 = sines1.s[0];
+    const double cos_q10 = sines1.c[0];
+    const double sin_q11 = sines1.s[1];
+    const double cos_q11 = sines1.c[1];
+    const double t2 = 0.03 * cos_q10;
+    const double t3 = 0.03 - t2;
+    const double t4 = 0.025 * sin_q11;
+    const double t5 = 0.047 * cos_q11;
+    const double along_2 = t4 - t5;
+    const double t6 = sin_q10 * along_2;
+    const double gap_y_6 = t3 - t6;
+    const double t7 = 0.025 * cos_q11;
+    const double t8 = 0.047 * sin_q11;
+    const double up_2 = t7 + t8;
+    const double gap_z_2 = 0.025 - up_2;
+    const double t9 = gap_z_2 * gap_z_2;
+    const double t10 = 0.03 * sin_q10;
+    const double t11 = 0.002 - t10;
+    const double t12 = cos_q10 * along_2;
+    const double gap_x_6 = t11 + t12;
+    const double stretch_6 = sinew_sqrt(t9 + gap_x_6 * gap_x_6 + gap_y_6 * gap_y_6);
+    const double error_6 = h[3] - stretch_6;
+    const double t13 = error_6 * error_6;
+    const double along = t4 + t5;
+    const double t14 = sin_q10 * along;
+    const double gap_y_4 = t3 + t14;
+    const double up = t7 - t8;
+    const double gap_z = 0.025 - up;
+    const double t15 = gap_z * gap_z;
+    const double t16 = cos_q10 * along;
+    const double gap_x_4 = t11 - t16;
+    const double stretch_4 = sinew_sqrt(t15 + gap_x_4 * gap_x_4 + gap_y_4 * gap_y_4);
+    const double error_4 = h[2] - stretch_4;
+    const double t17 = error_4 * error_4;
+    const double t18 = 0.002 + t10;
+    const double gap_x = t18 - t16;
+    const double gap_y = t3 - t14;
+    const double stretch = sinew_sqrt(gap_x * gap_x + gap_y * gap_y + t15);
+    const double error = h[0] - stretch;
+    const double t19 = error * error;
+    const double gap_x_2 = t18 + t12;
+    const double gap_y_2 = t3 + t6;
+    const double stretch_2 = sinew_sqrt(gap_x_2 * gap_x_2 + gap_y_2 * gap_y_2 + t9);
+    const double error_2 = h[1] - stretch_2;
+    const double t20 = error_2 * error_2;
+    const double gap_y_2_by_q11 = sin_q10 * up_2;
+    const double t21 = along_2 * gap_z_2;
+    const double gap_x_2_by_q11 = cos_q10 * up_2;
+    const double t22 = 1.0 / stretch_6;
+    const double stretch_6_by_q11 = (t21 + gap_x_6 * gap_x_2_by_q11 - gap_y_6 * gap_y_2_by_q11)
+        * t22;
+    const double gap_y_by_q11 = sin_q10 * up;
+    const double t23 = along * gap_z;
+    const double gap_x_by_q11 = cos_q10 * up;
+    const double t24 = 1.0 / stretch_4;
+    const double stretch_4_by_q11 = (t23 - gap_x_4 * gap_x_by_q11 + gap_y_4 * gap_y_by_q11) * t24;
+    const double t25 = 1.0 / stretch;
+    const double stretch_by_q11 = (t23 - gap_x * gap_x_by_q11 - gap_y * gap_y_by_q11) * t25;
+    const double t26 = 1.0 / stretch_2;
+    const double stretch_2_by_q11 = (t21 + gap_x_2 * gap_x_2_by_q11 + gap_y_2 * gap_y_2_by_q11)
+        * t26;
+    const double t27 = stretch_by_q11 * error + stretch_2_by_q11 * error_2 + stretch_4_by_q11
+        * error_4;
+    const double gradient_1 = t27 + stretch_6_by_q11 * error_6;
+    const double gap_x_6_by_q10 = t2 + t6;
+    const double gap_y_6_by_q10 = t10 - t12;
+    const double stretch_6_by_q10 = (gap_x_6 * gap_x_6_by_q10 - gap_y_6 * gap_y_6_by_q10) * t22;
+    const double gap_x_4_by_q10 = t2 - t14;
+    const double gap_y_4_by_q10 = t10 + t16;
+    const double stretch_4_by_q10 = (gap_x_4 * gap_x_4_by_q10 - gap_y_4 * gap_y_4_by_q10) * t24;
+    const double gap_x_by_q10 = t2 + t14;
+    const double gap_y_by_q10 = t10 - t16;
+    const double stretch_by_q10 = (gap_x * gap_x_by_q10 + gap_y * gap_y_by_q10) * t25;
+    const double gap_x_2_by_q10 = t2 - t6;
+    const double gap_y_2_by_q10 = t10 + t12;
+    const double stretch_2_by_q10 = (gap_x_2 * gap_x_2_by_q10 + gap_y_2 * gap_y_2_by_q10) * t26;
+    const double t28 = stretch_by_q10 * stretch_by_q11 + stretch_2_by_q10 * stretch_2_by_q11
+        - stretch_4_by_q10 * stretch_4_by_q11;
+    const double H_01 = t28 - stretch_6_by_q10 * stretch_6_by_q11;
+    const double t29 = stretch_by_q10 * error + stretch_2_by_q10 * error_2 - stretch_4_by_q10
+        * error_4;
+    const double gradient_0 = t29 - stretch_6_by_q10 * error_6;
+    const double t30 = stretch_by_q11 * stretch_by_q11 + stretch_2_by_q11 * stretch_2_by_q11
+        + stretch_4_by_q11 * stretch_4_by_q11;
+    const double H_11 = t30 + stretch_6_by_q11 * stretch_6_by_q11;
+    const double t31 = stretch_by_q10 * stretch_by_q10 + stretch_2_by_q10 * stretch_2_by_q10
+        + stretch_4_by_q10 * stretch_4_by_q10;
+    const double H_00 = t31 + stretch_6_by_q10 * stretch_6_by_q10;
+    part[0] = t13;
+    part[1] = t17;
+    part[2] = t19;
+    part[3] = t20;
+    part[4] = t19 + t20 + t17 + t13;
+    part[5] = gradient_1;
+    part[6] = H_01;
+    part[7] = gradient_0;
+    part[8] = H_11;
+    part[9] = H_00;
+}
+
 void thumb_table_5_2_forward_kinematics(const double q[SINEW_AT_LEAST(4)],
     double T[SINEW_AT_LEAST(16)])
 {
@@ -1219,567 +1326,107 @@ void thumb_table_5_2_link_position(const double h[SINEW_AT_LEAST(4)],
 {
     const double start_q10 = sinew_min(sinew_max(q_start[0], -1.5), 1.5);
     const double start_q11 = sinew_min(sinew_max(q_start[1], -1.5), 1.5);
-    const struct sinew_sines2 sines1 = sinew_one_sincos2(start_q10, start_q11);
-    const double sin_q10 = sines1.s[0];
-    const double cos_q10 = sines1.c[0];
-    const double sin_q11 = sines1.s[1];
-    const double cos_q11 = sines1.c[1];
-    const double t2 = 0.03 * cos_q10;
-    const double t3 = 0.03 - t2;
-    const double t4 = 0.025 * sin_q11;
-    const double t5 = 0.047 * cos_q11;
-    const double along_2 = t4 - t5;
-    const double t6 = sin_q10 * along_2;
-    const double gap_y_6 = t3 - t6;
-    const double t7 = 0.025 * cos_q11;
-    const double t8 = 0.047 * sin_q11;
-    const double up_2 = t7 + t8;
-    const double gap_z_2 = 0.025 - up_2;
-    const double t9 = gap_z_2 * gap_z_2;
-    const double t10 = 0.03 * sin_q10;
-    const double t11 = 0.002 - t10;
-    const double t12 = cos_q10 * along_2;
-    const double gap_x_6 = t11 + t12;
-    const double stretch_6 = sinew_sqrt(t9 + gap_x_6 * gap_x_6 + gap_y_6 * gap_y_6);
-    const double error_6 = h[3] - stretch_6;
-    const double along = t4 + t5;
-    const double t13 = sin_q10 * along;
-    const double gap_y_4 = t3 + t13;
-    const double up = t7 - t8;
-    const double gap_z = 0.025 - up;
-    const double t14 = gap_z * gap_z;
-    const double t15 = cos_q10 * along;
-    const double gap_x_4 = t11 - t15;
-    const double stretch_4 = sinew_sqrt(t14 + gap_x_4 * gap_x_4 + gap_y_4 * gap_y_4);
-    const double error_4 = h[2] - stretch_4;
-    const double t16 = 0.002 + t10;
-    const double gap_x = t16 - t15;
-    const double gap_y = t3 - t13;
-    const double stretch = sinew_sqrt(gap_x * gap_x + gap_y * gap_y + t14);
-    const double error = h[0] - stretch;
-    const double gap_x_2 = t16 + t12;
-    const double gap_y_2 = t3 + t6;
-    const double stretch_2 = sinew_sqrt(gap_x_2 * gap_x_2 + gap_y_2 * gap_y_2 + t9);
-    const double error_2 = h[1] - stretch_2;
-    const double t17 = error * error + error_2 * error_2 + error_4 * error_4 + error_6 * error_6;
-    const double cost = 0.5 * t17;
-    const double gap_y_2_by_q11 = sin_q10 * up_2;
-    const double t18 = along_2 * gap_z_2;
-    const double gap_x_2_by_q11 = cos_q10 * up_2;
-    const double t19 = 1.0 / stretch_6;
-    const double stretch_6_by_q11 = (t18 + gap_x_6 * gap_x_2_by_q11 - gap_y_6 * gap_y_2_by_q11)
-        * t19;
-    const double gap_y_by_q11 = sin_q10 * up;
-    const double t20 = along * gap_z;
-    const double gap_x_by_q11 = cos_q10 * up;
-    const double t21 = 1.0 / stretch_4;
-    const double stretch_4_by_q11 = (t20 - gap_x_4 * gap_x_by_q11 + gap_y_4 * gap_y_by_q11) * t21;
-    const double t22 = 1.0 / stretch;
-    const double stretch_by_q11 = (t20 - gap_x * gap_x_by_q11 - gap_y * gap_y_by_q11) * t22;
-    const double t23 = 1.0 / stretch_2;
-    const double stretch_2_by_q11 = (t18 + gap_x_2 * gap_x_2_by_q11 + gap_y_2 * gap_y_2_by_q11)
-        * t23;
-    const double t24 = stretch_by_q11 * error + stretch_2_by_q11 * error_2 + stretch_4_by_q11
-        * error_4;
-    const double gradient_1 = t24 + stretch_6_by_q11 * error_6;
-    const double gap_x_6_by_q10 = t2 + t6;
-    const double gap_y_6_by_q10 = t10 - t12;
-    const double stretch_6_by_q10 = (gap_x_6 * gap_x_6_by_q10 - gap_y_6 * gap_y_6_by_q10) * t19;
-    const double gap_x_4_by_q10 = t2 - t13;
-    const double gap_y_4_by_q10 = t10 + t15;
-    const double stretch_4_by_q10 = (gap_x_4 * gap_x_4_by_q10 - gap_y_4 * gap_y_4_by_q10) * t21;
-    const double gap_x_by_q10 = t2 + t13;
-    const double gap_y_by_q10 = t10 - t15;
-    const double stretch_by_q10 = (gap_x * gap_x_by_q10 + gap_y * gap_y_by_q10) * t22;
-    const double gap_x_2_by_q10 = t2 - t6;
-    const double gap_y_2_by_q10 = t10 + t12;
-    const double stretch_2_by_q10 = (gap_x_2 * gap_x_2_by_q10 + gap_y_2 * gap_y_2_by_q10) * t23;
-    const double t25 = stretch_by_q10 * stretch_by_q11 + stretch_2_by_q10 * stretch_2_by_q11
-        - stretch_4_by_q10 * stretch_4_by_q11;
-    const double H_01 = t25 - stretch_6_by_q10 * stretch_6_by_q11;
-    const double t26 = stretch_by_q10 * error + stretch_2_by_q10 * error_2 - stretch_4_by_q10
-        * error_4;
-    const double gradient_0 = t26 - stretch_6_by_q10 * error_6;
-    const double t27 = stretch_by_q11 * stretch_by_q11 + stretch_2_by_q11 * stretch_2_by_q11
-        + stretch_4_by_q11 * stretch_4_by_q11;
-    const double H_11 = t27 + stretch_6_by_q11 * stretch_6_by_q11;
-    const double d = 1.0001 * H_11;
-    const double t28 = stretch_by_q10 * stretch_by_q10 + stretch_2_by_q10 * stretch_2_by_q10
-        + stretch_4_by_q10 * stretch_4_by_q10;
-    const double H_00 = t28 + stretch_6_by_q10 * stretch_6_by_q10;
-    const double a = 1.0001 * H_00;
-    const double safe = sinew_max(a * d - H_01 * H_01, 1e-24 + 1e-09 * a * d);
-    const double t29 = 1.0 / safe;
-    const double step = sinew_min(sinew_max(-((H_01 * gradient_1 - gradient_0 * d) * t29), -0.5),
+    double part_1[10];
+    thumb_table_5_2_part_1(h, start_q10, start_q11, part_1);
+    const double cost = 0.5 * part_1[4];
+    const double d = 1.0001 * part_1[8];
+    const double a = 1.0001 * part_1[9];
+    const double safe = sinew_max(a * d - part_1[6] * part_1[6], 1e-24 + 1e-09 * a * d);
+    const double t1 = 1.0 / safe;
+    const double step = sinew_min(sinew_max(-((part_1[6] * part_1[5] - part_1[7] * d) * t1), -0.5),
         0.5);
     const double q10 = start_q10 + step;
-    const struct sinew_sines sines30 = sinew_one_sincos(q10);
-    const double sin_q10_2 = sines30.s[0];
-    const double cos_q10_2 = sines30.c[0];
-    const double t31 = 0.03 * cos_q10_2;
-    const double t32 = 0.03 - t31;
-    const double step_2 = sinew_min(sinew_max(-((H_01 * gradient_0 - gradient_1 * a) * t29), -0.5),
-        0.5);
+    const double step_2 = sinew_min(sinew_max(-((part_1[6] * part_1[7] - part_1[5] * a) * t1),
+        -0.5), 0.5);
     const double q11 = start_q11 + step_2;
-    const struct sinew_sines sines33 = sinew_one_sincos(q11);
-    const double sin_q11_2 = sines33.s[0];
-    const double cos_q11_2 = sines33.c[0];
-    const double t34 = 0.025 * sin_q11_2;
-    const double t35 = 0.047 * cos_q11_2;
-    const double along_10 = t34 - t35;
-    const double t36 = sin_q10_2 * along_10;
-    const double gap_y_14 = t32 - t36;
-    const double t37 = 0.025 * cos_q11_2;
-    const double t38 = 0.047 * sin_q11_2;
-    const double up_10 = t37 + t38;
-    const double gap_z_10 = 0.025 - up_10;
-    const double t39 = gap_z_10 * gap_z_10;
-    const double t40 = 0.03 * sin_q10_2;
-    const double t41 = 0.002 - t40;
-    const double t42 = cos_q10_2 * along_10;
-    const double gap_x_14 = t41 + t42;
-    const double stretch_14 = sinew_sqrt(t39 + gap_x_14 * gap_x_14 + gap_y_14 * gap_y_14);
-    const double error_14 = h[3] - stretch_14;
-    const double along_8 = t34 + t35;
-    const double t43 = sin_q10_2 * along_8;
-    const double gap_y_12 = t32 + t43;
-    const double up_8 = t37 - t38;
-    const double gap_z_8 = 0.025 - up_8;
-    const double t44 = gap_z_8 * gap_z_8;
-    const double t45 = cos_q10_2 * along_8;
-    const double gap_x_12 = t41 - t45;
-    const double stretch_12 = sinew_sqrt(t44 + gap_x_12 * gap_x_12 + gap_y_12 * gap_y_12);
-    const double error_12 = h[2] - stretch_12;
-    const double t46 = 0.002 + t40;
-    const double gap_x_8 = t46 - t45;
-    const double gap_y_8 = t32 - t43;
-    const double stretch_8 = sinew_sqrt(gap_x_8 * gap_x_8 + gap_y_8 * gap_y_8 + t44);
-    const double error_8 = h[0] - stretch_8;
-    const double gap_x_10 = t46 + t42;
-    const double gap_y_10 = t32 + t36;
-    const double stretch_10 = sinew_sqrt(gap_x_10 * gap_x_10 + gap_y_10 * gap_y_10 + t39);
-    const double error_10 = h[1] - stretch_10;
-    const double t47 = error_8 * error_8 + error_10 * error_10 + error_12 * error_12 + error_14
-        * error_14;
-    const double cost_2 = 0.5 * t47;
+    double part_1_2[10];
+    thumb_table_5_2_part_1(h, q10, q11, part_1_2);
+    const double cost_2 = 0.5 * part_1_2[4];
     const double better = cost - cost_2;
     const double kept_8 = sinew_choose(better, cost_2, cost);
     const double kept = sinew_choose(better, q10, start_q10);
-    const double gap_x_8_by_q10 = t31 + t43;
-    const double gap_y_8_by_q10 = t40 - t45;
-    const double t48 = 1.0 / stretch_8;
-    const double stretch_8_by_q10 = (gap_x_8 * gap_x_8_by_q10 + gap_y_8 * gap_y_8_by_q10) * t48;
-    const double gap_x_10_by_q10 = t31 - t36;
-    const double gap_y_10_by_q10 = t40 + t42;
-    const double t49 = 1.0 / stretch_10;
-    const double stretch_10_by_q10 = (gap_x_10 * gap_x_10_by_q10 + gap_y_10 * gap_y_10_by_q10)
-        * t49;
-    const double gap_x_12_by_q10 = t31 - t43;
-    const double gap_y_12_by_q10 = t40 + t45;
-    const double t50 = 1.0 / stretch_12;
-    const double stretch_12_by_q10 = (gap_x_12 * gap_x_12_by_q10 - gap_y_12 * gap_y_12_by_q10)
-        * t50;
-    const double t51 = stretch_8_by_q10 * error_8 + stretch_10_by_q10 * error_10 - stretch_12_by_q10
-        * error_12;
-    const double gap_x_14_by_q10 = t31 + t36;
-    const double gap_y_14_by_q10 = t40 - t42;
-    const double t52 = 1.0 / stretch_14;
-    const double stretch_14_by_q10 = (gap_x_14 * gap_x_14_by_q10 - gap_y_14 * gap_y_14_by_q10)
-        * t52;
-    const double gradient_0_2 = t51 - stretch_14_by_q10 * error_14;
-    const double kept_4 = sinew_choose(better, -gradient_0_2, -gradient_0);
-    const double gap_y_8_by_q11 = sin_q10_2 * up_8;
-    const double t53 = along_8 * gap_z_8;
-    const double gap_x_8_by_q11 = cos_q10_2 * up_8;
-    const double stretch_8_by_q11 = (t53 - gap_x_8 * gap_x_8_by_q11 - gap_y_8 * gap_y_8_by_q11)
-        * t48;
-    const double gap_y_10_by_q11 = sin_q10_2 * up_10;
-    const double t54 = along_10 * gap_z_10;
-    const double gap_x_10_by_q11 = cos_q10_2 * up_10;
-    const double stretch_10_by_q11 = (t54 + gap_x_10 * gap_x_10_by_q11 + gap_y_10 * gap_y_10_by_q11)
-        * t49;
-    const double t55 = stretch_8_by_q11 * stretch_8_by_q11 + stretch_10_by_q11 * stretch_10_by_q11;
-    const double stretch_12_by_q11 = (t53 - gap_x_12 * gap_x_8_by_q11 + gap_y_12 * gap_y_8_by_q11)
-        * t50;
-    const double stretch_14_by_q11 = (t54 + gap_x_14 * gap_x_10_by_q11 - gap_y_14 * gap_y_10_by_q11)
-        * t52;
-    const double H_11_2 = t55 + stretch_12_by_q11 * stretch_12_by_q11 + stretch_14_by_q11
-        * stretch_14_by_q11;
-    const double kept_14 = sinew_choose(better, H_11_2, H_11);
+    const double kept_4 = sinew_choose(better, -part_1_2[7], -part_1[7]);
+    const double kept_14 = sinew_choose(better, part_1_2[8], part_1[8]);
     const double kept_16 = sinew_choose(better, 1e-05, 0.001);
-    const double t56 = 1.0 + kept_16;
-    const double d_2 = kept_14 * t56;
-    const double t57 = stretch_8_by_q11 * error_8 + stretch_10_by_q11 * error_10 + stretch_12_by_q11
-        * error_12;
-    const double gradient_1_2 = t57 + stretch_14_by_q11 * error_14;
-    const double kept_6 = sinew_choose(better, -gradient_1_2, -gradient_1);
-    const double t58 = stretch_8_by_q10 * stretch_8_by_q11 + stretch_10_by_q10 * stretch_10_by_q11;
-    const double H_01_2 = t58 - stretch_12_by_q10 * stretch_12_by_q11 - stretch_14_by_q10
-        * stretch_14_by_q11;
-    const double kept_12 = sinew_choose(better, H_01_2, H_01);
-    const double t59 = stretch_8_by_q10 * stretch_8_by_q10 + stretch_10_by_q10 * stretch_10_by_q10;
-    const double H_00_2 = t59 + stretch_12_by_q10 * stretch_12_by_q10 + stretch_14_by_q10
-        * stretch_14_by_q10;
-    const double kept_10 = sinew_choose(better, H_00_2, H_00);
-    const double a_2 = kept_10 * t56;
+    const double t2 = 1.0 + kept_16;
+    const double d_2 = kept_14 * t2;
+    const double kept_6 = sinew_choose(better, -part_1_2[5], -part_1[5]);
+    const double kept_12 = sinew_choose(better, part_1_2[6], part_1[6]);
+    const double kept_10 = sinew_choose(better, part_1_2[9], part_1[9]);
+    const double a_2 = kept_10 * t2;
     const double safe_2 = sinew_max(a_2 * d_2 - kept_12 * kept_12, 1e-24 + 1e-09 * a_2 * d_2);
-    const double t60 = 1.0 / safe_2;
-    const double step_4 = sinew_min(sinew_max(-((kept_4 * d_2 - kept_6 * kept_12) * t60), -0.5),
+    const double t3 = 1.0 / safe_2;
+    const double step_4 = sinew_min(sinew_max(-((kept_4 * d_2 - kept_6 * kept_12) * t3), -0.5),
         0.5);
     const double q10_2 = kept + step_4;
-    const struct sinew_sines sines61 = sinew_one_sincos(q10_2);
-    const double sin_q10_4 = sines61.s[0];
-    const double cos_q10_4 = sines61.c[0];
-    const double t62 = 0.03 * sin_q10_4;
-    const double t63 = 0.002 + t62;
     const double kept_2 = sinew_choose(better, q11, start_q11);
-    const double step_6 = sinew_min(sinew_max((kept_4 * kept_12 - kept_6 * a_2) * t60, -0.5), 0.5);
+    const double step_6 = sinew_min(sinew_max((kept_4 * kept_12 - kept_6 * a_2) * t3, -0.5), 0.5);
     const double q11_2 = kept_2 + step_6;
-    const struct sinew_sines sines64 = sinew_one_sincos(q11_2);
-    const double sin_q11_4 = sines64.s[0];
-    const double cos_q11_4 = sines64.c[0];
-    const double t65 = 0.025 * sin_q11_4;
-    const double t66 = 0.047 * cos_q11_4;
-    const double along_16 = t65 + t66;
-    const double t67 = cos_q10_4 * along_16;
-    const double gap_x_16 = t63 - t67;
-    const double t68 = 0.03 * cos_q10_4;
-    const double t69 = 0.03 - t68;
-    const double t70 = sin_q10_4 * along_16;
-    const double gap_y_16 = t69 - t70;
-    const double t71 = 0.025 * cos_q11_4;
-    const double t72 = 0.047 * sin_q11_4;
-    const double up_16 = t71 - t72;
-    const double gap_z_16 = 0.025 - up_16;
-    const double t73 = gap_z_16 * gap_z_16;
-    const double stretch_16 = sinew_sqrt(gap_x_16 * gap_x_16 + gap_y_16 * gap_y_16 + t73);
-    const double error_16 = h[0] - stretch_16;
-    const double along_18 = t65 - t66;
-    const double t74 = cos_q10_4 * along_18;
-    const double gap_x_18 = t63 + t74;
-    const double t75 = sin_q10_4 * along_18;
-    const double gap_y_18 = t69 + t75;
-    const double up_18 = t71 + t72;
-    const double gap_z_18 = 0.025 - up_18;
-    const double t76 = gap_z_18 * gap_z_18;
-    const double stretch_18 = sinew_sqrt(gap_x_18 * gap_x_18 + gap_y_18 * gap_y_18 + t76);
-    const double error_18 = h[1] - stretch_18;
-    const double t77 = 0.002 - t62;
-    const double gap_x_20 = t77 - t67;
-    const double gap_y_20 = t69 + t70;
-    const double stretch_20 = sinew_sqrt(t73 + gap_x_20 * gap_x_20 + gap_y_20 * gap_y_20);
-    const double error_20 = h[2] - stretch_20;
-    const double gap_x_22 = t77 + t74;
-    const double gap_y_22 = t69 - t75;
-    const double stretch_22 = sinew_sqrt(t76 + gap_x_22 * gap_x_22 + gap_y_22 * gap_y_22);
-    const double error_22 = h[3] - stretch_22;
-    const double t78 = error_16 * error_16 + error_18 * error_18 + error_20 * error_20 + error_22
-        * error_22;
-    const double cost_4 = 0.5 * t78;
+    double part_1_3[10];
+    thumb_table_5_2_part_1(h, q10_2, q11_2, part_1_3);
+    const double cost_4 = 0.5 * part_1_3[4];
     const double better_2 = kept_8 - cost_4;
     const double kept_26 = sinew_choose(better_2, cost_4, kept_8);
     const double kept_18 = sinew_choose(better_2, q10_2, kept);
-    const double gap_x_16_by_q10 = t68 + t70;
-    const double gap_y_16_by_q10 = t62 - t67;
-    const double t79 = 1.0 / stretch_16;
-    const double stretch_16_by_q10 = (gap_x_16 * gap_x_16_by_q10 + gap_y_16 * gap_y_16_by_q10)
-        * t79;
-    const double gap_x_18_by_q10 = t68 - t75;
-    const double gap_y_18_by_q10 = t62 + t74;
-    const double t80 = 1.0 / stretch_18;
-    const double stretch_18_by_q10 = (gap_x_18 * gap_x_18_by_q10 + gap_y_18 * gap_y_18_by_q10)
-        * t80;
-    const double gap_x_20_by_q10 = t68 - t70;
-    const double gap_y_20_by_q10 = t62 + t67;
-    const double t81 = 1.0 / stretch_20;
-    const double stretch_20_by_q10 = (gap_x_20 * gap_x_20_by_q10 - gap_y_20 * gap_y_20_by_q10)
-        * t81;
-    const double t82 = stretch_16_by_q10 * error_16 + stretch_18_by_q10 * error_18
-        - stretch_20_by_q10 * error_20;
-    const double gap_x_22_by_q10 = t68 + t75;
-    const double gap_y_22_by_q10 = t62 - t74;
-    const double t83 = 1.0 / stretch_22;
-    const double stretch_22_by_q10 = (gap_x_22 * gap_x_22_by_q10 - gap_y_22 * gap_y_22_by_q10)
-        * t83;
-    const double gradient_0_4 = t82 - stretch_22_by_q10 * error_22;
-    const double kept_22 = sinew_choose(better_2, -gradient_0_4, kept_4);
-    const double t84 = along_16 * gap_z_16;
-    const double gap_x_16_by_q11 = cos_q10_4 * up_16;
-    const double gap_y_16_by_q11 = sin_q10_4 * up_16;
-    const double stretch_16_by_q11 = (t84 - gap_x_16 * gap_x_16_by_q11 - gap_y_16 * gap_y_16_by_q11)
-        * t79;
-    const double t85 = along_18 * gap_z_18;
-    const double gap_x_18_by_q11 = cos_q10_4 * up_18;
-    const double gap_y_18_by_q11 = sin_q10_4 * up_18;
-    const double stretch_18_by_q11 = (t85 + gap_x_18 * gap_x_18_by_q11 + gap_y_18 * gap_y_18_by_q11)
-        * t80;
-    const double t86 = stretch_16_by_q11 * stretch_16_by_q11 + stretch_18_by_q11
-        * stretch_18_by_q11;
-    const double stretch_20_by_q11 = (t84 - gap_x_20 * gap_x_16_by_q11 + gap_y_20 * gap_y_16_by_q11)
-        * t81;
-    const double stretch_22_by_q11 = (t85 + gap_x_22 * gap_x_18_by_q11 - gap_y_22 * gap_y_18_by_q11)
-        * t83;
-    const double H_11_4 = t86 + stretch_20_by_q11 * stretch_20_by_q11 + stretch_22_by_q11
-        * stretch_22_by_q11;
-    const double kept_32 = sinew_choose(better_2, H_11_4, kept_14);
+    const double kept_22 = sinew_choose(better_2, -part_1_3[7], kept_4);
+    const double kept_32 = sinew_choose(better_2, part_1_3[8], kept_14);
     const double kept_34 = sinew_choose(better_2, 0.1 * kept_16, 10.0 * kept_16);
-    const double t87 = 1.0 + kept_34;
-    const double d_4 = kept_32 * t87;
-    const double t88 = stretch_16_by_q11 * error_16 + stretch_18_by_q11 * error_18
-        + stretch_20_by_q11 * error_20;
-    const double gradient_1_4 = t88 + stretch_22_by_q11 * error_22;
-    const double kept_24 = sinew_choose(better_2, -gradient_1_4, kept_6);
-    const double t89 = stretch_16_by_q10 * stretch_16_by_q11 + stretch_18_by_q10
-        * stretch_18_by_q11;
-    const double H_01_4 = t89 - stretch_20_by_q10 * stretch_20_by_q11 - stretch_22_by_q10
-        * stretch_22_by_q11;
-    const double kept_30 = sinew_choose(better_2, H_01_4, kept_12);
-    const double t90 = stretch_16_by_q10 * stretch_16_by_q10 + stretch_18_by_q10
-        * stretch_18_by_q10;
-    const double H_00_4 = t90 + stretch_20_by_q10 * stretch_20_by_q10 + stretch_22_by_q10
-        * stretch_22_by_q10;
-    const double kept_28 = sinew_choose(better_2, H_00_4, kept_10);
-    const double a_4 = kept_28 * t87;
+    const double t4 = 1.0 + kept_34;
+    const double d_4 = kept_32 * t4;
+    const double kept_24 = sinew_choose(better_2, -part_1_3[5], kept_6);
+    const double kept_30 = sinew_choose(better_2, part_1_3[6], kept_12);
+    const double kept_28 = sinew_choose(better_2, part_1_3[9], kept_10);
+    const double a_4 = kept_28 * t4;
     const double safe_4 = sinew_max(a_4 * d_4 - kept_30 * kept_30, 1e-24 + 1e-09 * a_4 * d_4);
-    const double t91 = 1.0 / safe_4;
-    const double step_8 = sinew_min(sinew_max(-((kept_22 * d_4 - kept_24 * kept_30) * t91), -0.5),
+    const double t5 = 1.0 / safe_4;
+    const double step_8 = sinew_min(sinew_max(-((kept_22 * d_4 - kept_24 * kept_30) * t5), -0.5),
         0.5);
     const double q10_4 = kept_18 + step_8;
-    const struct sinew_sines sines92 = sinew_one_sincos(q10_4);
-    const double sin_q10_6 = sines92.s[0];
-    const double cos_q10_6 = sines92.c[0];
-    const double t93 = 0.03 * sin_q10_6;
-    const double t94 = 0.002 + t93;
     const double kept_20 = sinew_choose(better_2, q11_2, kept_2);
-    const double step_10 = sinew_min(sinew_max((kept_22 * kept_30 - kept_24 * a_4) * t91, -0.5),
+    const double step_10 = sinew_min(sinew_max((kept_22 * kept_30 - kept_24 * a_4) * t5, -0.5),
         0.5);
     const double q11_4 = kept_20 + step_10;
-    const struct sinew_sines sines95 = sinew_one_sincos(q11_4);
-    const double sin_q11_6 = sines95.s[0];
-    const double cos_q11_6 = sines95.c[0];
-    const double t96 = 0.025 * sin_q11_6;
-    const double t97 = 0.047 * cos_q11_6;
-    const double along_24 = t96 + t97;
-    const double t98 = cos_q10_6 * along_24;
-    const double gap_x_24 = t94 - t98;
-    const double t99 = 0.03 * cos_q10_6;
-    const double t100 = 0.03 - t99;
-    const double t101 = sin_q10_6 * along_24;
-    const double gap_y_24 = t100 - t101;
-    const double t102 = 0.025 * cos_q11_6;
-    const double t103 = 0.047 * sin_q11_6;
-    const double up_24 = t102 - t103;
-    const double gap_z_24 = 0.025 - up_24;
-    const double t104 = gap_z_24 * gap_z_24;
-    const double stretch_24 = sinew_sqrt(gap_x_24 * gap_x_24 + gap_y_24 * gap_y_24 + t104);
-    const double error_24 = h[0] - stretch_24;
-    const double along_26 = t96 - t97;
-    const double t105 = cos_q10_6 * along_26;
-    const double gap_x_26 = t94 + t105;
-    const double t106 = sin_q10_6 * along_26;
-    const double gap_y_26 = t100 + t106;
-    const double up_26 = t102 + t103;
-    const double gap_z_26 = 0.025 - up_26;
-    const double t107 = gap_z_26 * gap_z_26;
-    const double stretch_26 = sinew_sqrt(gap_x_26 * gap_x_26 + gap_y_26 * gap_y_26 + t107);
-    const double error_26 = h[1] - stretch_26;
-    const double t108 = 0.002 - t93;
-    const double gap_x_28 = t108 - t98;
-    const double gap_y_28 = t100 + t101;
-    const double stretch_28 = sinew_sqrt(t104 + gap_x_28 * gap_x_28 + gap_y_28 * gap_y_28);
-    const double error_28 = h[2] - stretch_28;
-    const double gap_x_30 = t108 + t105;
-    const double gap_y_30 = t100 - t106;
-    const double stretch_30 = sinew_sqrt(t107 + gap_x_30 * gap_x_30 + gap_y_30 * gap_y_30);
-    const double error_30 = h[3] - stretch_30;
-    const double t109 = error_24 * error_24 + error_26 * error_26 + error_28 * error_28 + error_30
-        * error_30;
-    const double cost_6 = 0.5 * t109;
+    double part_1_4[10];
+    thumb_table_5_2_part_1(h, q10_4, q11_4, part_1_4);
+    const double cost_6 = 0.5 * part_1_4[4];
     const double better_4 = kept_26 - cost_6;
     const double kept_44 = sinew_choose(better_4, cost_6, kept_26);
     const double kept_36 = sinew_choose(better_4, q10_4, kept_18);
-    const double gap_x_24_by_q10 = t99 + t101;
-    const double gap_y_24_by_q10 = t93 - t98;
-    const double t110 = 1.0 / stretch_24;
-    const double stretch_24_by_q10 = (gap_x_24 * gap_x_24_by_q10 + gap_y_24 * gap_y_24_by_q10)
-        * t110;
-    const double gap_x_26_by_q10 = t99 - t106;
-    const double gap_y_26_by_q10 = t93 + t105;
-    const double t111 = 1.0 / stretch_26;
-    const double stretch_26_by_q10 = (gap_x_26 * gap_x_26_by_q10 + gap_y_26 * gap_y_26_by_q10)
-        * t111;
-    const double gap_x_28_by_q10 = t99 - t101;
-    const double gap_y_28_by_q10 = t93 + t98;
-    const double t112 = 1.0 / stretch_28;
-    const double stretch_28_by_q10 = (gap_x_28 * gap_x_28_by_q10 - gap_y_28 * gap_y_28_by_q10)
-        * t112;
-    const double t113 = stretch_24_by_q10 * error_24 + stretch_26_by_q10 * error_26
-        - stretch_28_by_q10 * error_28;
-    const double gap_x_30_by_q10 = t99 + t106;
-    const double gap_y_30_by_q10 = t93 - t105;
-    const double t114 = 1.0 / stretch_30;
-    const double stretch_30_by_q10 = (gap_x_30 * gap_x_30_by_q10 - gap_y_30 * gap_y_30_by_q10)
-        * t114;
-    const double gradient_0_6 = t113 - stretch_30_by_q10 * error_30;
-    const double kept_40 = sinew_choose(better_4, -gradient_0_6, kept_22);
-    const double t115 = along_24 * gap_z_24;
-    const double gap_x_24_by_q11 = cos_q10_6 * up_24;
-    const double gap_y_24_by_q11 = sin_q10_6 * up_24;
-    const double stretch_24_by_q11 = (t115 - gap_x_24 * gap_x_24_by_q11 - gap_y_24
-        * gap_y_24_by_q11) * t110;
-    const double t116 = along_26 * gap_z_26;
-    const double gap_x_26_by_q11 = cos_q10_6 * up_26;
-    const double gap_y_26_by_q11 = sin_q10_6 * up_26;
-    const double stretch_26_by_q11 = (t116 + gap_x_26 * gap_x_26_by_q11 + gap_y_26
-        * gap_y_26_by_q11) * t111;
-    const double t117 = stretch_24_by_q11 * stretch_24_by_q11 + stretch_26_by_q11
-        * stretch_26_by_q11;
-    const double stretch_28_by_q11 = (t115 - gap_x_28 * gap_x_24_by_q11 + gap_y_28
-        * gap_y_24_by_q11) * t112;
-    const double stretch_30_by_q11 = (t116 + gap_x_30 * gap_x_26_by_q11 - gap_y_30
-        * gap_y_26_by_q11) * t114;
-    const double H_11_6 = t117 + stretch_28_by_q11 * stretch_28_by_q11 + stretch_30_by_q11
-        * stretch_30_by_q11;
-    const double kept_50 = sinew_choose(better_4, H_11_6, kept_32);
+    const double kept_40 = sinew_choose(better_4, -part_1_4[7], kept_22);
+    const double kept_50 = sinew_choose(better_4, part_1_4[8], kept_32);
     const double kept_52 = sinew_choose(better_4, 0.1 * kept_34, 10.0 * kept_34);
-    const double t118 = 1.0 + kept_52;
-    const double d_6 = kept_50 * t118;
-    const double t119 = stretch_24_by_q11 * error_24 + stretch_26_by_q11 * error_26
-        + stretch_28_by_q11 * error_28;
-    const double gradient_1_6 = t119 + stretch_30_by_q11 * error_30;
-    const double kept_42 = sinew_choose(better_4, -gradient_1_6, kept_24);
-    const double t120 = stretch_24_by_q10 * stretch_24_by_q11 + stretch_26_by_q10
-        * stretch_26_by_q11;
-    const double H_01_6 = t120 - stretch_28_by_q10 * stretch_28_by_q11 - stretch_30_by_q10
-        * stretch_30_by_q11;
-    const double kept_48 = sinew_choose(better_4, H_01_6, kept_30);
-    const double t121 = stretch_24_by_q10 * stretch_24_by_q10 + stretch_26_by_q10
-        * stretch_26_by_q10;
-    const double H_00_6 = t121 + stretch_28_by_q10 * stretch_28_by_q10 + stretch_30_by_q10
-        * stretch_30_by_q10;
-    const double kept_46 = sinew_choose(better_4, H_00_6, kept_28);
-    const double a_6 = kept_46 * t118;
+    const double t6 = 1.0 + kept_52;
+    const double d_6 = kept_50 * t6;
+    const double kept_42 = sinew_choose(better_4, -part_1_4[5], kept_24);
+    const double kept_48 = sinew_choose(better_4, part_1_4[6], kept_30);
+    const double kept_46 = sinew_choose(better_4, part_1_4[9], kept_28);
+    const double a_6 = kept_46 * t6;
     const double safe_6 = sinew_max(a_6 * d_6 - kept_48 * kept_48, 1e-24 + 1e-09 * a_6 * d_6);
-    const double t122 = 1.0 / safe_6;
-    const double step_12 = sinew_min(sinew_max(-((kept_40 * d_6 - kept_42 * kept_48) * t122), -0.5),
+    const double t7 = 1.0 / safe_6;
+    const double step_12 = sinew_min(sinew_max(-((kept_40 * d_6 - kept_42 * kept_48) * t7), -0.5),
         0.5);
     const double q10_6 = kept_36 + step_12;
-    const struct sinew_sines sines123 = sinew_one_sincos(q10_6);
-    const double sin_q10_8 = sines123.s[0];
-    const double cos_q10_8 = sines123.c[0];
-    const double t124 = 0.03 * sin_q10_8;
-    const double t125 = 0.002 + t124;
     const double kept_38 = sinew_choose(better_4, q11_4, kept_20);
-    const double step_14 = sinew_min(sinew_max((kept_40 * kept_48 - kept_42 * a_6) * t122, -0.5),
+    const double step_14 = sinew_min(sinew_max((kept_40 * kept_48 - kept_42 * a_6) * t7, -0.5),
         0.5);
     const double q11_6 = kept_38 + step_14;
-    const struct sinew_sines sines126 = sinew_one_sincos(q11_6);
-    const double sin_q11_8 = sines126.s[0];
-    const double cos_q11_8 = sines126.c[0];
-    const double t127 = 0.025 * sin_q11_8;
-    const double t128 = 0.047 * cos_q11_8;
-    const double along_32 = t127 + t128;
-    const double t129 = cos_q10_8 * along_32;
-    const double gap_x_32 = t125 - t129;
-    const double t130 = 0.03 * cos_q10_8;
-    const double t131 = 0.03 - t130;
-    const double t132 = sin_q10_8 * along_32;
-    const double gap_y_32 = t131 - t132;
-    const double t133 = 0.025 * cos_q11_8;
-    const double t134 = 0.047 * sin_q11_8;
-    const double up_32 = t133 - t134;
-    const double gap_z_32 = 0.025 - up_32;
-    const double t135 = gap_z_32 * gap_z_32;
-    const double stretch_32 = sinew_sqrt(gap_x_32 * gap_x_32 + gap_y_32 * gap_y_32 + t135);
-    const double error_32 = h[0] - stretch_32;
-    const double along_34 = t127 - t128;
-    const double t136 = cos_q10_8 * along_34;
-    const double gap_x_34 = t125 + t136;
-    const double t137 = sin_q10_8 * along_34;
-    const double gap_y_34 = t131 + t137;
-    const double up_34 = t133 + t134;
-    const double gap_z_34 = 0.025 - up_34;
-    const double t138 = gap_z_34 * gap_z_34;
-    const double stretch_34 = sinew_sqrt(gap_x_34 * gap_x_34 + gap_y_34 * gap_y_34 + t138);
-    const double error_34 = h[1] - stretch_34;
-    const double t139 = 0.002 - t124;
-    const double gap_x_36 = t139 - t129;
-    const double gap_y_36 = t131 + t132;
-    const double stretch_36 = sinew_sqrt(t135 + gap_x_36 * gap_x_36 + gap_y_36 * gap_y_36);
-    const double error_36 = h[2] - stretch_36;
-    const double gap_x_38 = t139 + t136;
-    const double gap_y_38 = t131 - t137;
-    const double stretch_38 = sinew_sqrt(t138 + gap_x_38 * gap_x_38 + gap_y_38 * gap_y_38);
-    const double error_38 = h[3] - stretch_38;
-    const double t140 = error_32 * error_32 + error_34 * error_34 + error_36 * error_36 + error_38
-        * error_38;
-    const double better_6 = kept_44 - 0.5 * t140;
+    double part_1_5[10];
+    thumb_table_5_2_part_1(h, q10_6, q11_6, part_1_5);
+    const double better_6 = kept_44 - 0.5 * part_1_5[4];
     const double kept_54 = sinew_choose(better_6, q10_6, kept_36);
     const double kept_56 = sinew_choose(better_6, q11_6, kept_38);
-    const double gap_x_32_by_q10 = t130 + t132;
-    const double gap_y_32_by_q10 = t124 - t129;
-    const double t141 = 1.0 / stretch_32;
-    const double stretch_32_by_q10 = (gap_x_32 * gap_x_32_by_q10 + gap_y_32 * gap_y_32_by_q10)
-        * t141;
-    const double gap_x_34_by_q10 = t130 - t137;
-    const double gap_y_34_by_q10 = t124 + t136;
-    const double t142 = 1.0 / stretch_34;
-    const double stretch_34_by_q10 = (gap_x_34 * gap_x_34_by_q10 + gap_y_34 * gap_y_34_by_q10)
-        * t142;
-    const double gap_x_36_by_q10 = t130 - t132;
-    const double gap_y_36_by_q10 = t124 + t129;
-    const double t143 = 1.0 / stretch_36;
-    const double stretch_36_by_q10 = (gap_x_36 * gap_x_36_by_q10 - gap_y_36 * gap_y_36_by_q10)
-        * t143;
-    const double t144 = stretch_32_by_q10 * error_32 + stretch_34_by_q10 * error_34
-        - stretch_36_by_q10 * error_36;
-    const double gap_x_38_by_q10 = t130 + t137;
-    const double gap_y_38_by_q10 = t124 - t136;
-    const double t145 = 1.0 / stretch_38;
-    const double stretch_38_by_q10 = (gap_x_38 * gap_x_38_by_q10 - gap_y_38 * gap_y_38_by_q10)
-        * t145;
-    const double gradient_0_8 = t144 - stretch_38_by_q10 * error_38;
-    const double kept_58 = sinew_choose(better_6, -gradient_0_8, kept_40);
-    const double t146 = along_32 * gap_z_32;
-    const double gap_x_32_by_q11 = cos_q10_8 * up_32;
-    const double gap_y_32_by_q11 = sin_q10_8 * up_32;
-    const double stretch_32_by_q11 = (t146 - gap_x_32 * gap_x_32_by_q11 - gap_y_32
-        * gap_y_32_by_q11) * t141;
-    const double t147 = along_34 * gap_z_34;
-    const double gap_x_34_by_q11 = cos_q10_8 * up_34;
-    const double gap_y_34_by_q11 = sin_q10_8 * up_34;
-    const double stretch_34_by_q11 = (t147 + gap_x_34 * gap_x_34_by_q11 + gap_y_34
-        * gap_y_34_by_q11) * t142;
-    const double t148 = stretch_32_by_q11 * stretch_32_by_q11 + stretch_34_by_q11
-        * stretch_34_by_q11;
-    const double stretch_36_by_q11 = (t146 - gap_x_36 * gap_x_32_by_q11 + gap_y_36
-        * gap_y_32_by_q11) * t143;
-    const double stretch_38_by_q11 = (t147 + gap_x_38 * gap_x_34_by_q11 - gap_y_38
-        * gap_y_34_by_q11) * t145;
-    const double H_11_8 = t148 + stretch_36_by_q11 * stretch_36_by_q11 + stretch_38_by_q11
-        * stretch_38_by_q11;
-    const double kept_68 = sinew_choose(better_6, H_11_8, kept_50);
-    const double t149 = stretch_32_by_q11 * error_32 + stretch_34_by_q11 * error_34
-        + stretch_36_by_q11 * error_36;
-    const double gradient_1_8 = t149 + stretch_38_by_q11 * error_38;
-    const double kept_60 = sinew_choose(better_6, -gradient_1_8, kept_42);
-    const double t150 = stretch_32_by_q10 * stretch_32_by_q11 + stretch_34_by_q10
-        * stretch_34_by_q11;
-    const double H_01_8 = t150 - stretch_36_by_q10 * stretch_36_by_q11 - stretch_38_by_q10
-        * stretch_38_by_q11;
-    const double kept_66 = sinew_choose(better_6, H_01_8, kept_48);
-    const double t151 = stretch_32_by_q10 * stretch_32_by_q10 + stretch_34_by_q10
-        * stretch_34_by_q10;
-    const double H_00_8 = t151 + stretch_36_by_q10 * stretch_36_by_q10 + stretch_38_by_q10
-        * stretch_38_by_q10;
-    const double kept_64 = sinew_choose(better_6, H_00_8, kept_46);
+    const double kept_58 = sinew_choose(better_6, -part_1_5[7], kept_40);
+    const double kept_68 = sinew_choose(better_6, part_1_5[8], kept_50);
+    const double kept_60 = sinew_choose(better_6, -part_1_5[5], kept_42);
+    const double kept_66 = sinew_choose(better_6, part_1_5[6], kept_48);
+    const double kept_64 = sinew_choose(better_6, part_1_5[9], kept_46);
     const double safe_8 = sinew_max(kept_64 * kept_68 - kept_66 * kept_66, 1e-24 + 1e-09 * kept_64
         * kept_68);
-    const double t152 = 1.0 / safe_8;
-    const double step_16 = sinew_min(sinew_max(-((kept_58 * kept_68 - kept_60 * kept_66) * t152),
+    const double t8 = 1.0 / safe_8;
+    const double step_16 = sinew_min(sinew_max(-((kept_58 * kept_68 - kept_60 * kept_66) * t8),
         -0.5), 0.5);
-    const double step_18 = sinew_min(sinew_max((kept_58 * kept_66 - kept_60 * kept_64) * t152,
-        -0.5), 0.5);
+    const double step_18 = sinew_min(sinew_max((kept_58 * kept_66 - kept_60 * kept_64) * t8, -0.5),
+        0.5);
     const double correction_2 = sinew_sqrt(step_16 * step_16 + step_18 * step_18);
     q[0] = kept_54;
     q[1] = kept_56;
@@ -1793,209 +1440,34 @@ void thumb_table_5_2_link_position_warm(const double h[SINEW_AT_LEAST(4)],
 {
     const double start_q10 = sinew_min(sinew_max(q_start[0], -1.5), 1.5);
     const double start_q11 = sinew_min(sinew_max(q_start[1], -1.5), 1.5);
-    const struct sinew_sines2 sines1 = sinew_one_sincos2(start_q10, start_q11);
-    const double sin_q10 = sines1.s[0];
-    const double cos_q10 = sines1.c[0];
-    const double sin_q11 = sines1.s[1];
-    const double cos_q11 = sines1.c[1];
-    const double t2 = 0.025 * sin_q11;
-    const double t3 = 0.047 * cos_q11;
-    const double along = t2 + t3;
-    const double t4 = cos_q10 * along;
-    const double t5 = 0.03 * sin_q10;
-    const double t6 = 0.002 + t5;
-    const double gap_x = t6 - t4;
-    const double t7 = sin_q10 * along;
-    const double t8 = 0.03 * cos_q10;
-    const double t9 = 0.03 - t8;
-    const double gap_y = t9 - t7;
-    const double t10 = 0.025 * cos_q11;
-    const double t11 = 0.047 * sin_q11;
-    const double up = t10 - t11;
-    const double gap_z = 0.025 - up;
-    const double t12 = gap_z * gap_z;
-    const double stretch = sinew_sqrt(gap_x * gap_x + gap_y * gap_y + t12);
-    const double t13 = 1.0 / stretch;
-    const double gap_x_by_q11 = cos_q10 * up;
-    const double t14 = along * gap_z;
-    const double gap_y_by_q11 = sin_q10 * up;
-    const double stretch_by_q11 = (t14 - gap_x * gap_x_by_q11 - gap_y * gap_y_by_q11) * t13;
-    const double along_2 = t2 - t3;
-    const double t15 = cos_q10 * along_2;
-    const double gap_x_2 = t6 + t15;
-    const double t16 = sin_q10 * along_2;
-    const double gap_y_2 = t9 + t16;
-    const double up_2 = t10 + t11;
-    const double gap_z_2 = 0.025 - up_2;
-    const double t17 = gap_z_2 * gap_z_2;
-    const double stretch_2 = sinew_sqrt(gap_x_2 * gap_x_2 + gap_y_2 * gap_y_2 + t17);
-    const double t18 = 1.0 / stretch_2;
-    const double gap_x_2_by_q11 = cos_q10 * up_2;
-    const double t19 = along_2 * gap_z_2;
-    const double gap_y_2_by_q11 = sin_q10 * up_2;
-    const double stretch_2_by_q11 = (t19 + gap_x_2 * gap_x_2_by_q11 + gap_y_2 * gap_y_2_by_q11)
-        * t18;
-    const double t20 = 0.002 - t5;
-    const double gap_x_4 = t20 - t4;
-    const double gap_y_4 = t9 + t7;
-    const double stretch_4 = sinew_sqrt(t12 + gap_x_4 * gap_x_4 + gap_y_4 * gap_y_4);
-    const double t21 = 1.0 / stretch_4;
-    const double stretch_4_by_q11 = (t14 - gap_x_4 * gap_x_by_q11 + gap_y_4 * gap_y_by_q11) * t21;
-    const double t22 = stretch_by_q11 * stretch_by_q11 + stretch_2_by_q11 * stretch_2_by_q11
-        + stretch_4_by_q11 * stretch_4_by_q11;
-    const double gap_x_6 = t20 + t15;
-    const double gap_y_6 = t9 - t16;
-    const double stretch_6 = sinew_sqrt(t17 + gap_x_6 * gap_x_6 + gap_y_6 * gap_y_6);
-    const double t23 = 1.0 / stretch_6;
-    const double stretch_6_by_q11 = (t19 + gap_x_6 * gap_x_2_by_q11 - gap_y_6 * gap_y_2_by_q11)
-        * t23;
-    const double H_11 = t22 + stretch_6_by_q11 * stretch_6_by_q11;
-    const double d = 1.0001 * H_11;
-    const double gap_x_by_q10 = t8 + t7;
-    const double gap_y_by_q10 = t5 - t4;
-    const double stretch_by_q10 = (gap_x * gap_x_by_q10 + gap_y * gap_y_by_q10) * t13;
-    const double gap_x_2_by_q10 = t8 - t16;
-    const double gap_y_2_by_q10 = t5 + t15;
-    const double stretch_2_by_q10 = (gap_x_2 * gap_x_2_by_q10 + gap_y_2 * gap_y_2_by_q10) * t18;
-    const double gap_x_4_by_q10 = t8 - t7;
-    const double gap_y_4_by_q10 = t5 + t4;
-    const double stretch_4_by_q10 = (gap_x_4 * gap_x_4_by_q10 - gap_y_4 * gap_y_4_by_q10) * t21;
-    const double t24 = stretch_by_q10 * stretch_by_q10 + stretch_2_by_q10 * stretch_2_by_q10
-        + stretch_4_by_q10 * stretch_4_by_q10;
-    const double gap_x_6_by_q10 = t8 + t16;
-    const double gap_y_6_by_q10 = t5 - t15;
-    const double stretch_6_by_q10 = (gap_x_6 * gap_x_6_by_q10 - gap_y_6 * gap_y_6_by_q10) * t23;
-    const double H_00 = t24 + stretch_6_by_q10 * stretch_6_by_q10;
-    const double a = 1.0001 * H_00;
-    const double t25 = stretch_by_q10 * stretch_by_q11 + stretch_2_by_q10 * stretch_2_by_q11
-        - stretch_4_by_q10 * stretch_4_by_q11;
-    const double H_01 = t25 - stretch_6_by_q10 * stretch_6_by_q11;
-    const double safe = sinew_max(a * d - H_01 * H_01, 1e-24 + 1e-09 * a * d);
-    const double t26 = 1.0 / safe;
-    const double error = h[0] - stretch;
-    const double error_2 = h[1] - stretch_2;
-    const double error_4 = h[2] - stretch_4;
-    const double t27 = stretch_by_q11 * error + stretch_2_by_q11 * error_2 + stretch_4_by_q11
-        * error_4;
-    const double error_6 = h[3] - stretch_6;
-    const double gradient_1 = t27 + stretch_6_by_q11 * error_6;
-    const double t28 = stretch_by_q10 * error + stretch_2_by_q10 * error_2 - stretch_4_by_q10
-        * error_4;
-    const double gradient_0 = t28 - stretch_6_by_q10 * error_6;
-    const double step_2 = sinew_min(sinew_max(-((H_01 * gradient_0 - gradient_1 * a) * t26), -0.5),
-        0.5);
+    double part_1[10];
+    thumb_table_5_2_part_1(h, start_q10, start_q11, part_1);
+    const double d = 1.0001 * part_1[8];
+    const double a = 1.0001 * part_1[9];
+    const double safe = sinew_max(a * d - part_1[6] * part_1[6], 1e-24 + 1e-09 * a * d);
+    const double t1 = 1.0 / safe;
+    const double step_2 = sinew_min(sinew_max(-((part_1[6] * part_1[7] - part_1[5] * a) * t1),
+        -0.5), 0.5);
     const double q11 = start_q11 + step_2;
-    const struct sinew_sines sines29 = sinew_one_sincos(q11);
-    const double sin_q11_2 = sines29.s[0];
-    const double cos_q11_2 = sines29.c[0];
-    const double t30 = 0.025 * sin_q11_2;
-    const double t31 = 0.047 * cos_q11_2;
-    const double along_8 = t30 + t31;
-    const double step = sinew_min(sinew_max(-((H_01 * gradient_1 - gradient_0 * d) * t26), -0.5),
+    const double step = sinew_min(sinew_max(-((part_1[6] * part_1[5] - part_1[7] * d) * t1), -0.5),
         0.5);
     const double q10 = start_q10 + step;
-    const struct sinew_sines sines32 = sinew_one_sincos(q10);
-    const double sin_q10_2 = sines32.s[0];
-    const double cos_q10_2 = sines32.c[0];
-    const double t33 = cos_q10_2 * along_8;
-    const double t34 = 0.03 * sin_q10_2;
-    const double t35 = 0.002 + t34;
-    const double gap_x_8 = t35 - t33;
-    const double t36 = sin_q10_2 * along_8;
-    const double t37 = 0.03 * cos_q10_2;
-    const double t38 = 0.03 - t37;
-    const double gap_y_8 = t38 - t36;
-    const double t39 = 0.025 * cos_q11_2;
-    const double t40 = 0.047 * sin_q11_2;
-    const double up_8 = t39 - t40;
-    const double gap_z_8 = 0.025 - up_8;
-    const double t41 = gap_z_8 * gap_z_8;
-    const double stretch_8 = sinew_sqrt(gap_x_8 * gap_x_8 + gap_y_8 * gap_y_8 + t41);
-    const double error_8 = h[0] - stretch_8;
-    const double t42 = error * error + error_2 * error_2 + error_4 * error_4 + error_6 * error_6;
-    const double along_10 = t30 - t31;
-    const double t43 = cos_q10_2 * along_10;
-    const double gap_x_10 = t35 + t43;
-    const double t44 = sin_q10_2 * along_10;
-    const double gap_y_10 = t38 + t44;
-    const double up_10 = t39 + t40;
-    const double gap_z_10 = 0.025 - up_10;
-    const double t45 = gap_z_10 * gap_z_10;
-    const double stretch_10 = sinew_sqrt(gap_x_10 * gap_x_10 + gap_y_10 * gap_y_10 + t45);
-    const double error_10 = h[1] - stretch_10;
-    const double t46 = 0.002 - t34;
-    const double gap_x_12 = t46 - t33;
-    const double gap_y_12 = t38 + t36;
-    const double stretch_12 = sinew_sqrt(t41 + gap_x_12 * gap_x_12 + gap_y_12 * gap_y_12);
-    const double error_12 = h[2] - stretch_12;
-    const double gap_x_14 = t46 + t43;
-    const double gap_y_14 = t38 - t44;
-    const double stretch_14 = sinew_sqrt(t45 + gap_x_14 * gap_x_14 + gap_y_14 * gap_y_14);
-    const double error_14 = h[3] - stretch_14;
-    const double t47 = t42 - error_8 * error_8 - error_10 * error_10 - error_12 * error_12
-        - error_14 * error_14;
-    const double better = 0.5 * t47;
+    double part_1_2[10];
+    thumb_table_5_2_part_1(h, q10, q11, part_1_2);
+    const double better = 0.5 * (part_1[4] - part_1_2[2] - part_1_2[3] - part_1_2[1] - part_1_2[0]);
     const double kept = sinew_choose(better, q10, start_q10);
     const double kept_2 = sinew_choose(better, q11, start_q11);
-    const double t48 = 1.0 / stretch_8;
-    const double gap_x_8_by_q10 = t37 + t36;
-    const double gap_y_8_by_q10 = t34 - t33;
-    const double stretch_8_by_q10 = (gap_x_8 * gap_x_8_by_q10 + gap_y_8 * gap_y_8_by_q10) * t48;
-    const double t49 = 1.0 / stretch_10;
-    const double gap_x_10_by_q10 = t37 - t44;
-    const double gap_y_10_by_q10 = t34 + t43;
-    const double stretch_10_by_q10 = (gap_x_10 * gap_x_10_by_q10 + gap_y_10 * gap_y_10_by_q10)
-        * t49;
-    const double t50 = 1.0 / stretch_12;
-    const double gap_x_12_by_q10 = t37 - t36;
-    const double gap_y_12_by_q10 = t34 + t33;
-    const double stretch_12_by_q10 = (gap_x_12 * gap_x_12_by_q10 - gap_y_12 * gap_y_12_by_q10)
-        * t50;
-    const double t51 = stretch_8_by_q10 * error_8 + stretch_10_by_q10 * error_10 - stretch_12_by_q10
-        * error_12;
-    const double t52 = 1.0 / stretch_14;
-    const double gap_x_14_by_q10 = t37 + t44;
-    const double gap_y_14_by_q10 = t34 - t43;
-    const double stretch_14_by_q10 = (gap_x_14 * gap_x_14_by_q10 - gap_y_14 * gap_y_14_by_q10)
-        * t52;
-    const double gradient_0_2 = t51 - stretch_14_by_q10 * error_14;
-    const double kept_4 = sinew_choose(better, -gradient_0_2, -gradient_0);
-    const double gap_x_8_by_q11 = cos_q10_2 * up_8;
-    const double t53 = along_8 * gap_z_8;
-    const double gap_y_8_by_q11 = sin_q10_2 * up_8;
-    const double stretch_8_by_q11 = (t53 - gap_x_8 * gap_x_8_by_q11 - gap_y_8 * gap_y_8_by_q11)
-        * t48;
-    const double gap_x_10_by_q11 = cos_q10_2 * up_10;
-    const double t54 = along_10 * gap_z_10;
-    const double gap_y_10_by_q11 = sin_q10_2 * up_10;
-    const double stretch_10_by_q11 = (t54 + gap_x_10 * gap_x_10_by_q11 + gap_y_10 * gap_y_10_by_q11)
-        * t49;
-    const double t55 = stretch_8_by_q11 * stretch_8_by_q11 + stretch_10_by_q11 * stretch_10_by_q11;
-    const double stretch_12_by_q11 = (t53 - gap_x_12 * gap_x_8_by_q11 + gap_y_12 * gap_y_8_by_q11)
-        * t50;
-    const double stretch_14_by_q11 = (t54 + gap_x_14 * gap_x_10_by_q11 - gap_y_14 * gap_y_10_by_q11)
-        * t52;
-    const double H_11_2 = t55 + stretch_12_by_q11 * stretch_12_by_q11 + stretch_14_by_q11
-        * stretch_14_by_q11;
-    const double kept_14 = sinew_choose(better, H_11_2, H_11);
-    const double t56 = stretch_8_by_q11 * error_8 + stretch_10_by_q11 * error_10 + stretch_12_by_q11
-        * error_12;
-    const double gradient_1_2 = t56 + stretch_14_by_q11 * error_14;
-    const double kept_6 = sinew_choose(better, -gradient_1_2, -gradient_1);
-    const double t57 = stretch_8_by_q10 * stretch_8_by_q11 + stretch_10_by_q10 * stretch_10_by_q11;
-    const double H_01_2 = t57 - stretch_12_by_q10 * stretch_12_by_q11 - stretch_14_by_q10
-        * stretch_14_by_q11;
-    const double kept_12 = sinew_choose(better, H_01_2, H_01);
-    const double t58 = stretch_8_by_q10 * stretch_8_by_q10 + stretch_10_by_q10 * stretch_10_by_q10;
-    const double H_00_2 = t58 + stretch_12_by_q10 * stretch_12_by_q10 + stretch_14_by_q10
-        * stretch_14_by_q10;
-    const double kept_10 = sinew_choose(better, H_00_2, H_00);
+    const double kept_4 = sinew_choose(better, -part_1_2[7], -part_1[7]);
+    const double kept_14 = sinew_choose(better, part_1_2[8], part_1[8]);
+    const double kept_6 = sinew_choose(better, -part_1_2[5], -part_1[5]);
+    const double kept_12 = sinew_choose(better, part_1_2[6], part_1[6]);
+    const double kept_10 = sinew_choose(better, part_1_2[9], part_1[9]);
     const double safe_2 = sinew_max(kept_10 * kept_14 - kept_12 * kept_12, 1e-24 + 1e-09 * kept_10
         * kept_14);
-    const double t59 = 1.0 / safe_2;
-    const double step_4 = sinew_min(sinew_max(-((kept_4 * kept_14 - kept_6 * kept_12) * t59), -0.5),
+    const double t2 = 1.0 / safe_2;
+    const double step_4 = sinew_min(sinew_max(-((kept_4 * kept_14 - kept_6 * kept_12) * t2), -0.5),
         0.5);
-    const double step_6 = sinew_min(sinew_max((kept_4 * kept_12 - kept_6 * kept_10) * t59, -0.5),
+    const double step_6 = sinew_min(sinew_max((kept_4 * kept_12 - kept_6 * kept_10) * t2, -0.5),
         0.5);
     const double correction_2 = sinew_sqrt(step_4 * step_4 + step_6 * step_6);
     q[0] = kept;
@@ -2013,89 +1485,14 @@ void thumb_table_5_2_link_position_gradient_step(const double h[SINEW_AT_LEAST(4
     const double step_2 = sinew_min(sinew_max(-(search[3] * search[4]), -0.5), 0.5);
     const double start_q11 = sinew_min(sinew_max(search[1], -1.5), 1.5);
     const double q11 = start_q11 + step_2;
-    const struct sinew_sines2 sines1 = sinew_one_sincos2(q10, q11);
-    const double sin_q10 = sines1.s[0];
-    const double cos_q10 = sines1.c[0];
-    const double sin_q11 = sines1.s[1];
-    const double cos_q11 = sines1.c[1];
-    const double t2 = 0.025 * sin_q11;
-    const double t3 = 0.047 * cos_q11;
-    const double along = t2 + t3;
-    const double t4 = cos_q10 * along;
-    const double t5 = 0.03 * sin_q10;
-    const double t6 = 0.002 + t5;
-    const double gap_x = t6 - t4;
-    const double t7 = sin_q10 * along;
-    const double t8 = 0.03 * cos_q10;
-    const double t9 = 0.03 - t8;
-    const double gap_y = t9 - t7;
-    const double t10 = 0.025 * cos_q11;
-    const double t11 = 0.047 * sin_q11;
-    const double up = t10 - t11;
-    const double gap_z = 0.025 - up;
-    const double t12 = gap_z * gap_z;
-    const double stretch = sinew_sqrt(gap_x * gap_x + gap_y * gap_y + t12);
-    const double error = h[0] - stretch;
-    const double along_2 = t2 - t3;
-    const double t13 = cos_q10 * along_2;
-    const double gap_x_2 = t6 + t13;
-    const double t14 = sin_q10 * along_2;
-    const double gap_y_2 = t9 + t14;
-    const double up_2 = t10 + t11;
-    const double gap_z_2 = 0.025 - up_2;
-    const double t15 = gap_z_2 * gap_z_2;
-    const double stretch_2 = sinew_sqrt(gap_x_2 * gap_x_2 + gap_y_2 * gap_y_2 + t15);
-    const double error_2 = h[1] - stretch_2;
-    const double t16 = 0.002 - t5;
-    const double gap_x_4 = t16 - t4;
-    const double gap_y_4 = t9 + t7;
-    const double stretch_4 = sinew_sqrt(t12 + gap_x_4 * gap_x_4 + gap_y_4 * gap_y_4);
-    const double error_4 = h[2] - stretch_4;
-    const double gap_x_6 = t16 + t13;
-    const double gap_y_6 = t9 - t14;
-    const double stretch_6 = sinew_sqrt(t15 + gap_x_6 * gap_x_6 + gap_y_6 * gap_y_6);
-    const double error_6 = h[3] - stretch_6;
-    const double t17 = error * error + error_2 * error_2 + error_4 * error_4 + error_6 * error_6;
-    const double cost = 0.5 * t17;
+    double part_1[10];
+    thumb_table_5_2_part_1(h, q10, q11, part_1);
+    const double cost = 0.5 * part_1[4];
     const double better = search[5] - cost;
     const double kept = sinew_choose(better, q10, start_q10);
     const double kept_2 = sinew_choose(better, q11, start_q11);
-    const double t18 = 1.0 / stretch;
-    const double gap_x_by_q10 = t8 + t7;
-    const double gap_y_by_q10 = t5 - t4;
-    const double stretch_by_q10 = (gap_x * gap_x_by_q10 + gap_y * gap_y_by_q10) * t18;
-    const double t19 = 1.0 / stretch_2;
-    const double gap_x_2_by_q10 = t8 - t14;
-    const double gap_y_2_by_q10 = t5 + t13;
-    const double stretch_2_by_q10 = (gap_x_2 * gap_x_2_by_q10 + gap_y_2 * gap_y_2_by_q10) * t19;
-    const double t20 = 1.0 / stretch_4;
-    const double gap_x_4_by_q10 = t8 - t7;
-    const double gap_y_4_by_q10 = t5 + t4;
-    const double stretch_4_by_q10 = (gap_x_4 * gap_x_4_by_q10 - gap_y_4 * gap_y_4_by_q10) * t20;
-    const double t21 = stretch_by_q10 * error + stretch_2_by_q10 * error_2 - stretch_4_by_q10
-        * error_4;
-    const double t22 = 1.0 / stretch_6;
-    const double gap_x_6_by_q10 = t8 + t14;
-    const double gap_y_6_by_q10 = t5 - t13;
-    const double stretch_6_by_q10 = (gap_x_6 * gap_x_6_by_q10 - gap_y_6 * gap_y_6_by_q10) * t22;
-    const double gradient_0 = t21 - stretch_6_by_q10 * error_6;
-    const double kept_4 = sinew_choose(better, -gradient_0, search[2]);
-    const double gap_x_by_q11 = cos_q10 * up;
-    const double t23 = along * gap_z;
-    const double gap_y_by_q11 = sin_q10 * up;
-    const double stretch_by_q11 = (t23 - gap_x * gap_x_by_q11 - gap_y * gap_y_by_q11) * t18;
-    const double gap_x_2_by_q11 = cos_q10 * up_2;
-    const double t24 = along_2 * gap_z_2;
-    const double gap_y_2_by_q11 = sin_q10 * up_2;
-    const double stretch_2_by_q11 = (t24 + gap_x_2 * gap_x_2_by_q11 + gap_y_2 * gap_y_2_by_q11)
-        * t19;
-    const double stretch_4_by_q11 = (t23 - gap_x_4 * gap_x_by_q11 + gap_y_4 * gap_y_by_q11) * t20;
-    const double t25 = stretch_by_q11 * error + stretch_2_by_q11 * error_2 + stretch_4_by_q11
-        * error_4;
-    const double stretch_6_by_q11 = (t24 + gap_x_6 * gap_x_2_by_q11 - gap_y_6 * gap_y_2_by_q11)
-        * t22;
-    const double gradient_1 = t25 + stretch_6_by_q11 * error_6;
-    const double kept_6 = sinew_choose(better, -gradient_1, search[3]);
+    const double kept_4 = sinew_choose(better, -part_1[7], search[2]);
+    const double kept_6 = sinew_choose(better, -part_1[5], search[3]);
     const double kept_8 = sinew_choose(better, search[4], 0.5 * search[4]);
     const double kept_10 = sinew_choose(better, cost, search[5]);
     next[0] = kept;
@@ -2111,99 +1508,16 @@ void thumb_table_5_2_link_position_status(const double h[SINEW_AT_LEAST(4)],
 {
     const double start_q10 = sinew_min(sinew_max(q[0], -1.5), 1.5);
     const double start_q11 = sinew_min(sinew_max(q[1], -1.5), 1.5);
-    const struct sinew_sines2 sines1 = sinew_one_sincos2(start_q10, start_q11);
-    const double sin_q10 = sines1.s[0];
-    const double cos_q10 = sines1.c[0];
-    const double sin_q11 = sines1.s[1];
-    const double cos_q11 = sines1.c[1];
-    const double t2 = 0.025 * sin_q11;
-    const double t3 = 0.047 * cos_q11;
-    const double along = t2 + t3;
-    const double t4 = cos_q10 * along;
-    const double t5 = 0.03 * sin_q10;
-    const double t6 = 0.002 + t5;
-    const double gap_x = t6 - t4;
-    const double t7 = sin_q10 * along;
-    const double t8 = 0.03 * cos_q10;
-    const double t9 = 0.03 - t8;
-    const double gap_y = t9 - t7;
-    const double t10 = 0.025 * cos_q11;
-    const double t11 = 0.047 * sin_q11;
-    const double up = t10 - t11;
-    const double gap_z = 0.025 - up;
-    const double t12 = gap_z * gap_z;
-    const double stretch = sinew_sqrt(gap_x * gap_x + gap_y * gap_y + t12);
-    const double t13 = 1.0 / stretch;
-    const double gap_x_by_q11 = cos_q10 * up;
-    const double t14 = along * gap_z;
-    const double gap_y_by_q11 = sin_q10 * up;
-    const double stretch_by_q11 = (t14 - gap_x * gap_x_by_q11 - gap_y * gap_y_by_q11) * t13;
-    const double along_2 = t2 - t3;
-    const double t15 = cos_q10 * along_2;
-    const double gap_x_2 = t6 + t15;
-    const double t16 = sin_q10 * along_2;
-    const double gap_y_2 = t9 + t16;
-    const double up_2 = t10 + t11;
-    const double gap_z_2 = 0.025 - up_2;
-    const double t17 = gap_z_2 * gap_z_2;
-    const double stretch_2 = sinew_sqrt(gap_x_2 * gap_x_2 + gap_y_2 * gap_y_2 + t17);
-    const double t18 = 1.0 / stretch_2;
-    const double gap_x_2_by_q11 = cos_q10 * up_2;
-    const double t19 = along_2 * gap_z_2;
-    const double gap_y_2_by_q11 = sin_q10 * up_2;
-    const double stretch_2_by_q11 = (t19 + gap_x_2 * gap_x_2_by_q11 + gap_y_2 * gap_y_2_by_q11)
-        * t18;
-    const double t20 = 0.002 - t5;
-    const double gap_x_4 = t20 - t4;
-    const double gap_y_4 = t9 + t7;
-    const double stretch_4 = sinew_sqrt(t12 + gap_x_4 * gap_x_4 + gap_y_4 * gap_y_4);
-    const double t21 = 1.0 / stretch_4;
-    const double stretch_4_by_q11 = (t14 - gap_x_4 * gap_x_by_q11 + gap_y_4 * gap_y_by_q11) * t21;
-    const double t22 = stretch_by_q11 * stretch_by_q11 + stretch_2_by_q11 * stretch_2_by_q11
-        + stretch_4_by_q11 * stretch_4_by_q11;
-    const double gap_x_6 = t20 + t15;
-    const double gap_y_6 = t9 - t16;
-    const double stretch_6 = sinew_sqrt(t17 + gap_x_6 * gap_x_6 + gap_y_6 * gap_y_6);
-    const double t23 = 1.0 / stretch_6;
-    const double stretch_6_by_q11 = (t19 + gap_x_6 * gap_x_2_by_q11 - gap_y_6 * gap_y_2_by_q11)
-        * t23;
-    const double H_11 = t22 + stretch_6_by_q11 * stretch_6_by_q11;
-    const double gap_x_by_q10 = t8 + t7;
-    const double gap_y_by_q10 = t5 - t4;
-    const double stretch_by_q10 = (gap_x * gap_x_by_q10 + gap_y * gap_y_by_q10) * t13;
-    const double gap_x_2_by_q10 = t8 - t16;
-    const double gap_y_2_by_q10 = t5 + t15;
-    const double stretch_2_by_q10 = (gap_x_2 * gap_x_2_by_q10 + gap_y_2 * gap_y_2_by_q10) * t18;
-    const double gap_x_4_by_q10 = t8 - t7;
-    const double gap_y_4_by_q10 = t5 + t4;
-    const double stretch_4_by_q10 = (gap_x_4 * gap_x_4_by_q10 - gap_y_4 * gap_y_4_by_q10) * t21;
-    const double t24 = stretch_by_q10 * stretch_by_q10 + stretch_2_by_q10 * stretch_2_by_q10
-        + stretch_4_by_q10 * stretch_4_by_q10;
-    const double gap_x_6_by_q10 = t8 + t16;
-    const double gap_y_6_by_q10 = t5 - t15;
-    const double stretch_6_by_q10 = (gap_x_6 * gap_x_6_by_q10 - gap_y_6 * gap_y_6_by_q10) * t23;
-    const double H_00 = t24 + stretch_6_by_q10 * stretch_6_by_q10;
-    const double t25 = stretch_by_q10 * stretch_by_q11 + stretch_2_by_q10 * stretch_2_by_q11
-        - stretch_4_by_q10 * stretch_4_by_q11;
-    const double H_01 = t25 - stretch_6_by_q10 * stretch_6_by_q11;
-    const double determinant = H_00 * H_11 - H_01 * H_01;
-    const double determinant_floor = 1e-24 + 1e-09 * H_00 * H_11;
+    double part_1[10];
+    thumb_table_5_2_part_1(h, start_q10, start_q11, part_1);
+    const double determinant = part_1[9] * part_1[8] - part_1[6] * part_1[6];
+    const double determinant_floor = 1e-24 + 1e-09 * part_1[9] * part_1[8];
     const double safe = sinew_max(determinant, determinant_floor);
-    const double t26 = 1.0 / safe;
-    const double error = h[0] - stretch;
-    const double error_2 = h[1] - stretch_2;
-    const double error_4 = h[2] - stretch_4;
-    const double t27 = stretch_by_q11 * error + stretch_2_by_q11 * error_2 + stretch_4_by_q11
-        * error_4;
-    const double error_6 = h[3] - stretch_6;
-    const double gradient_1 = t27 + stretch_6_by_q11 * error_6;
-    const double t28 = stretch_by_q10 * error + stretch_2_by_q10 * error_2 - stretch_4_by_q10
-        * error_4;
-    const double gradient_0 = t28 - stretch_6_by_q10 * error_6;
-    const double step = sinew_min(sinew_max(-((H_01 * gradient_1 - H_11 * gradient_0) * t26), -0.5),
-        0.5);
-    const double step_2 = sinew_min(sinew_max((H_00 * gradient_1 - H_01 * gradient_0) * t26, -0.5),
-        0.5);
+    const double t1 = 1.0 / safe;
+    const double step = sinew_min(sinew_max(-((part_1[6] * part_1[5] - part_1[8] * part_1[7]) * t1),
+        -0.5), 0.5);
+    const double step_2 = sinew_min(sinew_max((part_1[9] * part_1[5] - part_1[6] * part_1[7]) * t1,
+        -0.5), 0.5);
     const double correction_2 = sinew_sqrt(step * step + step_2 * step_2);
     correction[0] = correction_2;
     *status = (int)sinew_choose(1e-06 - correction_2, 0.0, 1.0);

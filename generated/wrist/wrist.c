@@ -49,6 +49,703 @@ SINEW_NOT_INLINE static struct sinew_sines2 sinew_one_sincos2(double x0, double 
     return y;
 }
 
+/* Parts: what several functions compute alike, or one at several places. */
+
+SINEW_NOT_INLINE static void wrist_part_1(double q71, double q73, double part[SINEW_AT_LEAST(53)])
+{
+    const struct sinew_sines2 sines1 = sinew_one_sincos2(q71, q73);
+    const double sin_q71 = sines1.s[0];
+    const double cos_q71 = sines1.c[0];
+    const double sin_q73 = sines1.s[1];
+    const double cos_q73 = sines1.c[1];
+    const double B_y = 0.074565407529229 * cos_q73;
+    const double B_to_C0_squared_by_q73_by_q73 = 0.084 * B_y;
+    const double B_to_C0_squared = 0.007324 - B_to_C0_squared_by_q73_by_q73;
+    const double t2 = 1.0 / B_to_C0_squared;
+    const double ratio = 0.003796 * t2;
+    const double t3 = 21.0 - 500.0 * B_y;
+    const double C_y = 0.002 * ratio * t3;
+    const double t4 = 23.80952380952381 * B_y;
+    const double u_y = t4 + 23.80952380952381 * C_y;
+    part[0] = u_y;
+    const double B_e = 0.074565407529229 * sin_q73;
+    const double C_e = B_e * ratio;
+    const double t5 = 0.5 * B_e;
+    const double M_e = t5 + 0.5 * C_e;
+    const double p_z_by_q71 = 0.036 * sin_q71;
+    const double s_e = M_e - p_z_by_q71;
+    const double t6 = 0.5 * B_y;
+    const double M_y = t6 - 0.5 * C_y;
+    const double s_y = 0.021 - M_y;
+    const double t7 = 23.80952380952381 * B_e;
+    const double u_e = t7 - 23.80952380952381 * C_e;
+    const double p_y = u_e * s_y + u_y * s_e;
+    const double t8 = p_y + p_y;
+    const double p_z = 0.036 * cos_q71;
+    const double p_y_by_q71 = u_y * p_z;
+    const double t9 = p_z + p_z;
+    const double t10 = p_y * p_y;
+    const double t11 = p_z * p_z;
+    const double t12 = -(1.296e-15 - t10 - t11);
+    const double reach_squared_by_q71 = sinew_choose(t12, -(t8 * p_y_by_q71 + t9 * p_z_by_q71),
+        0.0);
+    const double reach_squared = sinew_max(t10 + t11, 1.296e-15);
+    const double reach = sinew_sqrt(reach_squared);
+    const double t13 = 1.0 / reach;
+    const double reach_by_q71 = 0.5 * reach_squared_by_q71 * t13;
+    const double p_x = u_e * s_e - u_y * s_y;
+    const double projection = 0.034722222222222224 - 13.88888888888889 * (reach_squared + p_x
+        * p_x);
+    const double t14 = reach - projection;
+    const double t15 = sinew_choose(t14, 0.0, 1.0);
+    const double t16 = sinew_choose(t14, 1.0, 0.0);
+    const double t17 = 27.77777777777778 * p_x;
+    const double p_x_by_q71 = u_e * p_z;
+    const double projection_by_q71 = 13.88888888888889 * reach_squared_by_q71 - t17 * p_x_by_q71;
+    const double t18 = sinew_max(-projection, -reach);
+    const double t19 = reach - t18;
+    const double limited_by_q71 = sinew_choose(t19, -(reach_by_q71 * t15 - projection_by_q71 * t16),
+        reach_by_q71);
+    const double limited = sinew_min(t18, reach);
+    const double t20 = limited + limited;
+    const double t21 = reach + reach;
+    const double t22 = (reach + limited) * (reach - limited);
+    const double t23 = 1e-12 * reach_squared;
+    const double t24 = -(t23 - t22);
+    const double clearance_by_q71 = sinew_choose(t24, t21 * reach_by_q71 - t20 * limited_by_q71,
+        1e-12 * reach_squared_by_q71);
+    const double clearance = sinew_max(t22, t23);
+    const double root = sinew_sqrt(clearance);
+    const double t25 = 1.0 / root;
+    const double root_by_q71 = 0.5 * clearance_by_q71 * t25;
+    const double t26 = p_y * limited_by_q71 + p_z * root_by_q71 - limited * p_y_by_q71 - root
+        * p_z_by_q71;
+    const double t27 = p_z * root;
+    const double t28 = 1.0 / reach_squared;
+    const double cos_A = (p_y * limited + t27) * t28;
+    const double cos_A_by_q71 = (t26 - cos_A * reach_squared_by_q71) * t28;
+    const double z_plane_x_by_q71 = u_y * cos_A_by_q71;
+    const double t29 = p_z * limited;
+    const double sin_A = (p_y * root - t29) * t28;
+    const double t30 = cos_q71 * sin_A;
+    const double z_plane_x = u_y * cos_A;
+    const double t31 = sin_q71 * z_plane_x;
+    const double t32 = p_y * root_by_q71 - p_z * limited_by_q71 + limited * p_z_by_q71 - root
+        * p_y_by_q71;
+    const double sin_A_by_q71 = (t32 - sin_A * reach_squared_by_q71) * t28;
+    const double z_x_by_q71 = t30 - cos_q71 * z_plane_x_by_q71 + t31 + sin_q71 * sin_A_by_q71;
+    const double M_z = sin_q71 * M_e;
+    const double origin_x_by_q71 = M_z - 0.018 * z_x_by_q71;
+    const double x_plane_x_by_q71 = u_y * sin_A_by_q71;
+    const double t33 = cos_q71 * cos_A;
+    const double x_plane_x = u_y * sin_A;
+    const double t34 = sin_q71 * x_plane_x;
+    const double x_x_by_q71 = t33 + cos_q71 * x_plane_x_by_q71 - t34 + sin_q71 * cos_A_by_q71;
+    const double t35 = origin_x_by_q71 + 0.004 * x_x_by_q71;
+    const double t36 = 0.01 * z_x_by_q71;
+    const double y_z = sin_q71 * u_e;
+    part[1] = y_z;
+    const double t37 = 0.011 * y_z;
+    const double layer_0_x_by_q71 = t35 + t36 - t37;
+    part[2] = layer_0_x_by_q71;
+    const double z_plane_y_by_q71 = u_e * cos_A_by_q71;
+    const double origin_y_by_q71 = 0.018 * z_plane_y_by_q71;
+    const double t38 = 0.004 * u_e;
+    const double t39 = origin_y_by_q71 + t38 * sin_A_by_q71;
+    const double t40 = 0.01 * z_plane_y_by_q71;
+    const double layer_0_y_by_q71 = t39 - t40;
+    part[3] = layer_0_y_by_q71;
+    const double t41 = cos_q71 * z_plane_x;
+    const double t42 = sin_q71 * sin_A;
+    const double z_z_by_q71 = t41 + cos_q71 * sin_A_by_q71 - t42 + sin_q71 * z_plane_x_by_q71;
+    const double M_x = cos_q71 * M_e;
+    const double origin_z_by_q71 = M_x - 0.018 * z_z_by_q71;
+    const double t43 = cos_q71 * x_plane_x;
+    const double t44 = sin_q71 * cos_A;
+    const double x_z_by_q71 = t43 - cos_q71 * cos_A_by_q71 + t44 + sin_q71 * x_plane_x_by_q71;
+    const double t45 = origin_z_by_q71 - 0.004 * x_z_by_q71;
+    const double t46 = 0.01 * z_z_by_q71;
+    const double y_x = cos_q71 * u_e;
+    part[4] = y_x;
+    const double t47 = 0.011 * y_x;
+    const double layer_0_z_by_q71 = t45 + t46 - t47;
+    part[5] = layer_0_z_by_q71;
+    const double z_x = t41 - t42;
+    const double x_x = t43 + t44;
+    const double t48 = 0.004 - M_x + 0.018 * z_x + 0.004 * x_x;
+    const double t49 = 0.01 * z_x;
+    const double layer_0_x = t48 - t49 + t47;
+    part[6] = layer_0_x;
+    const double z_plane_y = u_e * cos_A;
+    const double origin_y = M_y + 0.018 * z_plane_y;
+    const double x_plane_y = u_e * sin_A;
+    const double t50 = 0.004 * x_plane_y;
+    const double t51 = 0.01 * z_plane_y;
+    const double layer_0_y = 0.007 - origin_y - t50 + t51 + 0.011 * u_y;
+    part[7] = layer_0_y;
+    const double z_z = t30 + t31;
+    const double origin_z = M_z - 0.018 * z_z;
+    const double x_z = t33 - t34;
+    const double t52 = 0.004 * x_z;
+    const double t53 = 0.01 * z_z;
+    const double layer_0_z = 0.008 - origin_z - t52 - t53 + t37;
+    part[8] = layer_0_z;
+    const double length_0 = sinew_sqrt(layer_0_x * layer_0_x + layer_0_y * layer_0_y + layer_0_z
+        * layer_0_z);
+    const double t54 = 1.0 / length_0;
+    part[9] = t54;
+    const double t55 = layer_0_x * layer_0_x_by_q71 - layer_0_y * layer_0_y_by_q71 - layer_0_z
+        * layer_0_z_by_q71;
+    const double length_0_by_q71 = t55 * t54;
+    part[10] = length_0_by_q71;
+    const double t56 = 0.013 * y_x;
+    const double t57 = 0.013 * y_z;
+    const double layer_1_x_by_q71 = t35 - t36 - t57;
+    part[11] = layer_1_x_by_q71;
+    const double layer_1_y_by_q71 = t39 + t40;
+    part[12] = layer_1_y_by_q71;
+    const double layer_1_z_by_q71 = t45 - t46 - t56;
+    part[13] = layer_1_z_by_q71;
+    const double layer_1_x = t48 + t49 + t56;
+    part[14] = layer_1_x;
+    const double layer_1_y = 0.006 - origin_y - t50 - t51 + 0.013 * u_y;
+    part[15] = layer_1_y;
+    const double layer_1_z = 0.028 - origin_z - t52 + t53 + t57;
+    part[16] = layer_1_z;
+    const double length_19 = sinew_sqrt(layer_1_x * layer_1_x + layer_1_y * layer_1_y + layer_1_z
+        * layer_1_z);
+    const double t58 = 1.0 / length_19;
+    part[17] = t58;
+    const double t59 = layer_1_x * layer_1_x_by_q71 - layer_1_y * layer_1_y_by_q71 - layer_1_z
+        * layer_1_z_by_q71;
+    const double length_19_by_q71 = t59 * t58;
+    part[18] = length_19_by_q71;
+    const double t60 = root_by_q71 + root_by_q71;
+    const double t61 = limited_by_q71 + limited_by_q71;
+    const double t62 = reach_by_q71 * reach_by_q71;
+    const double t63 = t62 + t62;
+    const double p_y_by_q71_by_q71 = u_y * p_z_by_q71;
+    const double t64 = p_y_by_q71 * p_y_by_q71 + p_z_by_q71 * p_z_by_q71;
+    const double reach_squared_by_q71_by_q71 = sinew_choose(t12, t64 + t64 + t8 * p_y_by_q71_by_q71
+        - t9 * p_z, 0.0);
+    const double reach_by_q71_by_q71 = 0.5 * (reach_squared_by_q71_by_q71 - t63) * t13;
+    const double t65 = 27.77777777777778 * p_x_by_q71;
+    const double projection_by_q71_by_q71 = 13.88888888888889 * reach_squared_by_q71_by_q71 + t65
+        * p_x_by_q71 + t17 * u_e * p_z_by_q71;
+    const double limited_by_q71_by_q71 = sinew_choose(t19, -(reach_by_q71_by_q71 * t15
+        - projection_by_q71_by_q71 * t16), reach_by_q71_by_q71);
+    const double t66 = t63 - t61 * limited_by_q71 + t21 * reach_by_q71_by_q71 - t20
+        * limited_by_q71_by_q71;
+    const double clearance_by_q71_by_q71 = sinew_choose(t24, t66, 1e-12
+        * reach_squared_by_q71_by_q71);
+    const double root_by_q71_by_q71 = 0.5 * (clearance_by_q71_by_q71 - t60 * root_by_q71) * t25;
+    const double t67 = p_y * limited_by_q71_by_q71 - t27 + p_z * root_by_q71_by_q71 + limited
+        * p_y_by_q71_by_q71;
+    const double t68 = p_y_by_q71 + p_y_by_q71;
+    const double t69 = p_z_by_q71 + p_z_by_q71;
+    const double t70 = t67 - cos_A * reach_squared_by_q71_by_q71 - t68 * limited_by_q71 - t69
+        * root_by_q71;
+    const double t71 = reach_squared_by_q71 + reach_squared_by_q71;
+    const double cos_A_by_q71_by_q71 = (t70 - t71 * cos_A_by_q71) * t28;
+    const double z_plane_x_by_q71_by_q71 = u_y * cos_A_by_q71_by_q71;
+    const double t72 = p_y * root_by_q71_by_q71 + t29 - p_z * limited_by_q71_by_q71 + root
+        * p_y_by_q71_by_q71;
+    const double t73 = t72 - sin_A * reach_squared_by_q71_by_q71 - t68 * root_by_q71 + t69
+        * limited_by_q71;
+    const double sin_A_by_q71_by_q71 = (t73 - t71 * sin_A_by_q71) * t28;
+    const double t74 = t41 - cos_q71 * z_plane_x_by_q71_by_q71 - t42 + sin_q71
+        * sin_A_by_q71_by_q71;
+    const double t75 = cos_q71 + cos_q71;
+    const double t76 = sin_q71 + sin_q71;
+    const double z_x_by_q71_by_q71 = t74 + t75 * sin_A_by_q71 + t76 * z_plane_x_by_q71;
+    const double origin_x_by_q71_by_q71 = M_x - 0.018 * z_x_by_q71_by_q71;
+    const double x_plane_x_by_q71_by_q71 = u_y * sin_A_by_q71_by_q71;
+    const double t77 = t43 - cos_q71 * x_plane_x_by_q71_by_q71 + t44 - sin_q71
+        * cos_A_by_q71_by_q71;
+    const double x_x_by_q71_by_q71 = t77 - t75 * cos_A_by_q71 + t76 * x_plane_x_by_q71;
+    const double t78 = origin_x_by_q71_by_q71 - 0.004 * x_x_by_q71_by_q71;
+    const double t79 = 0.01 * z_x_by_q71_by_q71;
+    const double layer_0_x_by_q71_by_q71 = t78 + t79 - t47;
+    part[19] = layer_0_x_by_q71_by_q71;
+    const double z_plane_y_by_q71_by_q71 = u_e * cos_A_by_q71_by_q71;
+    const double origin_y_by_q71_by_q71 = 0.018 * z_plane_y_by_q71_by_q71;
+    const double t80 = origin_y_by_q71_by_q71 + t38 * sin_A_by_q71_by_q71;
+    const double t81 = 0.01 * z_plane_y_by_q71_by_q71;
+    const double layer_0_y_by_q71_by_q71 = t80 - t81;
+    part[20] = layer_0_y_by_q71_by_q71;
+    const double t82 = t30 - cos_q71 * sin_A_by_q71_by_q71 + t31 - sin_q71
+        * z_plane_x_by_q71_by_q71;
+    const double z_z_by_q71_by_q71 = t82 - t75 * z_plane_x_by_q71 + t76 * sin_A_by_q71;
+    const double origin_z_by_q71_by_q71 = M_z - 0.018 * z_z_by_q71_by_q71;
+    const double t83 = t33 - cos_q71 * cos_A_by_q71_by_q71 - t34 + sin_q71
+        * x_plane_x_by_q71_by_q71;
+    const double x_z_by_q71_by_q71 = t83 + t75 * x_plane_x_by_q71 + t76 * cos_A_by_q71;
+    const double t84 = origin_z_by_q71_by_q71 + 0.004 * x_z_by_q71_by_q71;
+    const double t85 = 0.01 * z_z_by_q71_by_q71;
+    const double layer_0_z_by_q71_by_q71 = t84 + t85 - t37;
+    part[21] = layer_0_z_by_q71_by_q71;
+    const double layer_1_x_by_q71_by_q71 = t78 - t79 - t56;
+    part[22] = layer_1_x_by_q71_by_q71;
+    const double layer_1_y_by_q71_by_q71 = t80 + t81;
+    part[23] = layer_1_y_by_q71_by_q71;
+    const double layer_1_z_by_q71_by_q71 = t84 - t85 - t57;
+    part[24] = layer_1_z_by_q71_by_q71;
+    const double B_to_C0_squared_by_q73 = 0.084 * B_e;
+    const double ratio_by_q73 = ratio * B_to_C0_squared_by_q73 * t2;
+    const double C_y_by_q73 = C_e - 0.002 * ratio_by_q73 * t3;
+    const double M_y_by_q73 = t5 + 0.5 * C_y_by_q73;
+    const double t86 = B_y * ratio;
+    const double C_e_by_q73 = B_e * ratio_by_q73 - t86;
+    const double M_e_by_q73 = t6 - 0.5 * C_e_by_q73;
+    const double u_y_by_q73 = t7 - 23.80952380952381 * C_y_by_q73;
+    part[25] = u_y_by_q73;
+    const double u_e_by_q73 = t4 + 23.80952380952381 * C_e_by_q73;
+    const double p_y_by_q73 = u_e * M_y_by_q73 + u_y * M_e_by_q73 - s_e * u_y_by_q73 + s_y
+        * u_e_by_q73;
+    const double reach_squared_by_q73 = sinew_choose(t12, t8 * p_y_by_q73, 0.0);
+    const double p_x_by_q73 = u_e * M_e_by_q73 - u_y * M_y_by_q73 + s_e * u_e_by_q73 + s_y
+        * u_y_by_q73;
+    const double projection_by_q73 = 13.88888888888889 * reach_squared_by_q73 + t17 * p_x_by_q73;
+    const double reach_by_q73 = 0.5 * reach_squared_by_q73 * t13;
+    const double limited_by_q73 = sinew_choose(t19, -(reach_by_q73 * t15 - projection_by_q73 * t16),
+        reach_by_q73);
+    const double clearance_by_q73 = sinew_choose(t24, t21 * reach_by_q73 - t20 * limited_by_q73,
+        1e-12 * reach_squared_by_q73);
+    const double root_by_q73 = 0.5 * clearance_by_q73 * t25;
+    const double t87 = p_y * limited_by_q73 + p_z * root_by_q73 + limited * p_y_by_q73 - cos_A
+        * reach_squared_by_q73;
+    const double cos_A_by_q73 = t87 * t28;
+    const double z_plane_x_by_q73 = u_y * cos_A_by_q73 - cos_A * u_y_by_q73;
+    const double t88 = cos_q71 * z_plane_x_by_q73;
+    const double t89 = p_y * root_by_q73 - p_z * limited_by_q73 + root * p_y_by_q73 - sin_A
+        * reach_squared_by_q73;
+    const double sin_A_by_q73 = t89 * t28;
+    const double t90 = sin_q71 * sin_A_by_q73;
+    const double z_x_by_q73 = t88 - t90;
+    const double M_z_by_q71_by_q73 = cos_q71 * M_e_by_q73;
+    const double origin_x_by_q73 = M_z_by_q71_by_q73 - 0.018 * z_x_by_q73;
+    const double x_plane_x_by_q73 = u_y * sin_A_by_q73 - sin_A * u_y_by_q73;
+    const double t91 = cos_q71 * x_plane_x_by_q73;
+    const double t92 = sin_q71 * cos_A_by_q73;
+    const double x_x_by_q73 = t91 + t92;
+    const double t93 = origin_x_by_q73 - 0.004 * x_x_by_q73;
+    const double t94 = 0.01 * z_x_by_q73;
+    part[26] = t93 + t94;
+    const double y_z_by_q71_by_q73 = cos_q71 * u_e_by_q73;
+    part[27] = y_z_by_q71_by_q73;
+    const double x_plane_y_by_q73 = u_e * sin_A_by_q73 + sin_A * u_e_by_q73;
+    const double z_plane_y_by_q73 = u_e * cos_A_by_q73 + cos_A * u_e_by_q73;
+    const double origin_y_by_q73 = M_y_by_q73 - 0.018 * z_plane_y_by_q73;
+    const double t95 = origin_y_by_q73 - 0.004 * x_plane_y_by_q73;
+    const double t96 = 0.01 * z_plane_y_by_q73;
+    part[28] = t95 + t96;
+    const double t97 = sin_q71 * z_plane_x_by_q73;
+    part[29] = t97;
+    const double t98 = cos_q71 * sin_A_by_q73;
+    const double z_z_by_q73 = t98 + t97;
+    const double M_x_by_q71_by_q73 = sin_q71 * M_e_by_q73;
+    part[30] = M_x_by_q71_by_q73;
+    const double origin_z_by_q73 = M_x_by_q71_by_q73 - 0.018 * z_z_by_q73;
+    const double t99 = sin_q71 * x_plane_x_by_q73;
+    const double t100 = cos_q71 * cos_A_by_q73;
+    const double x_z_by_q73 = t100 - t99;
+    const double t101 = origin_z_by_q73 + 0.004 * x_z_by_q73;
+    const double t102 = 0.01 * z_z_by_q73;
+    part[31] = t101 + t102;
+    const double y_x_by_q71_by_q73 = sin_q71 * u_e_by_q73;
+    part[32] = y_x_by_q71_by_q73;
+    part[33] = t93 - t94;
+    part[34] = t95 - t96;
+    part[35] = t101 - t102;
+    const double t103 = (reach_by_q71 + reach_by_q71) * reach_by_q73;
+    const double p_y_by_q71_by_q73 = p_z * u_y_by_q73;
+    const double reach_squared_by_q71_by_q73 = sinew_choose(t12, t8 * p_y_by_q71_by_q73 - t68
+        * p_y_by_q73, 0.0);
+    const double reach_by_q71_by_q73 = 0.5 * (reach_squared_by_q71_by_q73 - t103) * t13;
+    const double projection_by_q71_by_q73 = 13.88888888888889 * reach_squared_by_q71_by_q73 - t17
+        * p_z * u_e_by_q73 - t65 * p_x_by_q73;
+    const double limited_by_q71_by_q73 = sinew_choose(t19, -(reach_by_q71_by_q73 * t15
+        - projection_by_q71_by_q73 * t16), reach_by_q71_by_q73);
+    const double t104 = t21 * reach_by_q71_by_q73 - t20 * limited_by_q71_by_q73 + t103 - t61
+        * limited_by_q73;
+    const double clearance_by_q71_by_q73 = sinew_choose(t24, t104, 1e-12
+        * reach_squared_by_q71_by_q73);
+    const double root_by_q71_by_q73 = 0.5 * (clearance_by_q71_by_q73 - t60 * root_by_q73) * t25;
+    const double t105 = p_y * limited_by_q71_by_q73 + p_z * root_by_q71_by_q73 + limited
+        * p_y_by_q71_by_q73;
+    const double t106 = t105 - cos_A * reach_squared_by_q71_by_q73 - p_y_by_q71 * limited_by_q73
+        - p_z_by_q71 * root_by_q73;
+    const double t107 = t106 - reach_squared_by_q71 * cos_A_by_q73 + limited_by_q71 * p_y_by_q73
+        - cos_A_by_q71 * reach_squared_by_q73;
+    const double cos_A_by_q71_by_q73 = t107 * t28;
+    const double z_plane_x_by_q71_by_q73 = u_y * cos_A_by_q71_by_q73 - cos_A_by_q71 * u_y_by_q73;
+    part[36] = t98 - cos_q71 * z_plane_x_by_q71_by_q73;
+    const double t108 = p_y * root_by_q71_by_q73 - p_z * limited_by_q71_by_q73 + root
+        * p_y_by_q71_by_q73;
+    const double t109 = t108 - sin_A * reach_squared_by_q71_by_q73 - p_y_by_q71 * root_by_q73
+        + p_z_by_q71 * limited_by_q73;
+    const double t110 = t109 - reach_squared_by_q71 * sin_A_by_q73 + root_by_q71 * p_y_by_q73
+        - sin_A_by_q71 * reach_squared_by_q73;
+    const double sin_A_by_q71_by_q73 = t110 * t28;
+    part[37] = sin_q71 * sin_A_by_q71_by_q73;
+    const double x_plane_x_by_q71_by_q73 = u_y * sin_A_by_q71_by_q73 - sin_A_by_q71 * u_y_by_q73;
+    const double x_x_by_q71_by_q73 = t100 + cos_q71 * x_plane_x_by_q71_by_q73 - t99 + sin_q71
+        * cos_A_by_q71_by_q73;
+    part[38] = x_x_by_q71_by_q73;
+    const double x_plane_y_by_q71_by_q73 = u_e * sin_A_by_q71_by_q73 + sin_A_by_q71 * u_e_by_q73;
+    const double z_plane_y_by_q71_by_q73 = u_e * cos_A_by_q71_by_q73 + cos_A_by_q71 * u_e_by_q73;
+    const double origin_y_by_q71_by_q73 = 0.018 * z_plane_y_by_q71_by_q73;
+    const double t111 = origin_y_by_q71_by_q73 + 0.004 * x_plane_y_by_q71_by_q73;
+    const double t112 = 0.01 * z_plane_y_by_q71_by_q73;
+    const double layer_0_y_by_q71_by_q73 = t111 - t112;
+    part[39] = layer_0_y_by_q71_by_q73;
+    const double z_z_by_q71_by_q73 = cos_q71 * sin_A_by_q71_by_q73 + t88 - t90 + sin_q71
+        * z_plane_x_by_q71_by_q73;
+    const double origin_z_by_q71_by_q73 = M_z_by_q71_by_q73 - 0.018 * z_z_by_q71_by_q73;
+    const double x_z_by_q71_by_q73 = t91 - cos_q71 * cos_A_by_q71_by_q73 + t92 + sin_q71
+        * x_plane_x_by_q71_by_q73;
+    const double t113 = origin_z_by_q71_by_q73 - 0.004 * x_z_by_q71_by_q73;
+    const double t114 = 0.01 * z_z_by_q71_by_q73;
+    part[40] = t113 + t114;
+    const double layer_1_y_by_q71_by_q73 = t111 + t112;
+    part[41] = layer_1_y_by_q71_by_q73;
+    part[42] = t113 - t114;
+    const double t115 = u_y_by_q73 + u_y_by_q73;
+    part[43] = t115;
+    const double t116 = reach_by_q73 * reach_by_q73;
+    const double t117 = t116 + t116;
+    const double t118 = ratio * B_to_C0_squared_by_q73_by_q73 - (B_to_C0_squared_by_q73
+        + B_to_C0_squared_by_q73) * ratio_by_q73;
+    const double ratio_by_q73_by_q73 = t118 * t2;
+    const double C_y_by_q73_by_q73 = t86 - 0.002 * ratio_by_q73_by_q73 * t3 - (B_e + B_e)
+        * ratio_by_q73;
+    const double M_y_by_q73_by_q73 = t6 + 0.5 * C_y_by_q73_by_q73;
+    const double C_e_by_q73_by_q73 = C_e + B_e * ratio_by_q73_by_q73 + (B_y + B_y) * ratio_by_q73;
+    const double M_e_by_q73_by_q73 = t5 + 0.5 * C_e_by_q73_by_q73;
+    const double u_y_by_q73_by_q73 = t4 - 23.80952380952381 * C_y_by_q73_by_q73;
+    part[44] = u_y_by_q73_by_q73;
+    const double t119 = u_e * M_y_by_q73_by_q73 - u_y * M_e_by_q73_by_q73 - s_e * u_y_by_q73_by_q73;
+    const double u_e_by_q73_by_q73 = t7 - 23.80952380952381 * C_e_by_q73_by_q73;
+    const double t120 = u_e_by_q73 + u_e_by_q73;
+    const double p_y_by_q73_by_q73 = t119 - s_y * u_e_by_q73_by_q73 + t120 * M_y_by_q73 - t115
+        * M_e_by_q73;
+    const double t121 = p_y_by_q73 + p_y_by_q73;
+    const double reach_squared_by_q73_by_q73 = sinew_choose(t12, t121 * p_y_by_q73 + t8
+        * p_y_by_q73_by_q73, 0.0);
+    const double reach_by_q73_by_q73 = 0.5 * (reach_squared_by_q73_by_q73 - t117) * t13;
+    const double t122 = t117 - (limited_by_q73 + limited_by_q73) * limited_by_q73 + t21
+        * reach_by_q73_by_q73;
+    const double t123 = 13.88888888888889 * reach_squared_by_q73_by_q73 + 27.77777777777778
+        * p_x_by_q73 * p_x_by_q73;
+    const double t124 = u_e * M_e_by_q73_by_q73 + u_y * M_y_by_q73_by_q73 + s_e * u_e_by_q73_by_q73;
+    const double p_x_by_q73_by_q73 = t124 - s_y * u_y_by_q73_by_q73 - t120 * M_e_by_q73 - t115
+        * M_y_by_q73;
+    const double projection_by_q73_by_q73 = t123 - t17 * p_x_by_q73_by_q73;
+    const double limited_by_q73_by_q73 = sinew_choose(t19, -(reach_by_q73_by_q73 * t15
+        - projection_by_q73_by_q73 * t16), reach_by_q73_by_q73);
+    const double clearance_by_q73_by_q73 = sinew_choose(t24, t122 - t20 * limited_by_q73_by_q73,
+        1e-12 * reach_squared_by_q73_by_q73);
+    const double t125 = 0.5 * (clearance_by_q73_by_q73 - (root_by_q73 + root_by_q73) * root_by_q73);
+    const double root_by_q73_by_q73 = t125 * t25;
+    const double t126 = p_y * root_by_q73_by_q73 - p_z * limited_by_q73_by_q73 + root
+        * p_y_by_q73_by_q73;
+    const double t127 = reach_squared_by_q73 + reach_squared_by_q73;
+    const double t128 = t126 - sin_A * reach_squared_by_q73_by_q73 + t121 * root_by_q73 - t127
+        * sin_A_by_q73;
+    const double sin_A_by_q73_by_q73 = t128 * t28;
+    const double x_plane_x_by_q73_by_q73 = u_y * sin_A_by_q73_by_q73 - sin_A * u_y_by_q73_by_q73
+        - t115 * sin_A_by_q73;
+    const double t129 = p_y * limited_by_q73_by_q73 + p_z * root_by_q73_by_q73 + limited
+        * p_y_by_q73_by_q73;
+    const double t130 = t129 - cos_A * reach_squared_by_q73_by_q73 + t121 * limited_by_q73 - t127
+        * cos_A_by_q73;
+    const double cos_A_by_q73_by_q73 = t130 * t28;
+    const double x_x_by_q73_by_q73 = cos_q71 * x_plane_x_by_q73_by_q73 + sin_q71
+        * cos_A_by_q73_by_q73;
+    const double z_plane_x_by_q73_by_q73 = u_y * cos_A_by_q73_by_q73 - cos_A * u_y_by_q73_by_q73
+        - t115 * cos_A_by_q73;
+    const double z_x_by_q73_by_q73 = cos_q71 * z_plane_x_by_q73_by_q73 - sin_q71
+        * sin_A_by_q73_by_q73;
+    const double M_x_by_q73_by_q73 = cos_q71 * M_e_by_q73_by_q73;
+    const double origin_x_by_q73_by_q73 = M_x_by_q73_by_q73 + 0.018 * z_x_by_q73_by_q73;
+    const double t131 = origin_x_by_q73_by_q73 + 0.004 * x_x_by_q73_by_q73;
+    const double t132 = 0.01 * z_x_by_q73_by_q73;
+    part[45] = t131 - t132;
+    const double y_x_by_q73_by_q73 = cos_q71 * u_e_by_q73_by_q73;
+    part[46] = y_x_by_q73_by_q73;
+    const double x_plane_y_by_q73_by_q73 = u_e * sin_A_by_q73_by_q73 - sin_A * u_e_by_q73_by_q73
+        + t120 * sin_A_by_q73;
+    const double z_plane_y_by_q73_by_q73 = u_e * cos_A_by_q73_by_q73 - cos_A * u_e_by_q73_by_q73
+        + t120 * cos_A_by_q73;
+    const double origin_y_by_q73_by_q73 = M_y_by_q73_by_q73 - 0.018 * z_plane_y_by_q73_by_q73;
+    const double t133 = origin_y_by_q73_by_q73 - 0.004 * x_plane_y_by_q73_by_q73;
+    const double t134 = 0.01 * z_plane_y_by_q73_by_q73;
+    part[47] = t133 + t134;
+    const double x_z_by_q73_by_q73 = cos_q71 * cos_A_by_q73_by_q73 - sin_q71
+        * x_plane_x_by_q73_by_q73;
+    const double z_z_by_q73_by_q73 = cos_q71 * sin_A_by_q73_by_q73 + sin_q71
+        * z_plane_x_by_q73_by_q73;
+    const double M_z_by_q73_by_q73 = sin_q71 * M_e_by_q73_by_q73;
+    const double origin_z_by_q73_by_q73 = M_z_by_q73_by_q73 + 0.018 * z_z_by_q73_by_q73;
+    const double t135 = origin_z_by_q73_by_q73 - 0.004 * x_z_by_q73_by_q73;
+    const double t136 = 0.01 * z_z_by_q73_by_q73;
+    part[48] = t135 - t136;
+    const double y_z_by_q73_by_q73 = sin_q71 * u_e_by_q73_by_q73;
+    part[49] = y_z_by_q73_by_q73;
+    part[50] = t131 + t132;
+    part[51] = t133 - t134;
+    part[52] = t135 + t136;
+}
+
+SINEW_NOT_INLINE static void wrist_part_2(double q71, double q73, double part[SINEW_AT_LEAST(26)])
+{
+    const struct sinew_sines2 sines1 = sinew_one_sincos2(q71, q73);
+    const double sin_q71 = sines1.s[0];
+    const double cos_q71 = sines1.c[0];
+    const double sin_q73 = sines1.s[1];
+    const double cos_q73 = sines1.c[1];
+    const double B_y = 0.074565407529229 * cos_q73;
+    const double t2 = 23.80952380952381 * B_y;
+    const double B_to_C0_squared = 0.007324 - 0.084 * B_y;
+    const double t3 = 1.0 / B_to_C0_squared;
+    const double ratio = 0.003796 * t3;
+    const double B_e = 0.074565407529229 * sin_q73;
+    const double B_to_C0_squared_by_q73 = 0.084 * B_e;
+    const double ratio_by_q73 = ratio * B_to_C0_squared_by_q73 * t3;
+    const double C_e_by_q73 = B_e * ratio_by_q73 - B_y * ratio;
+    const double u_e_by_q73 = t2 + 23.80952380952381 * C_e_by_q73;
+    const double y_x_by_q73 = cos_q71 * u_e_by_q73;
+    part[0] = y_x_by_q73;
+    const double p_z = 0.036 * cos_q71;
+    const double t4 = p_z * p_z;
+    const double t5 = 23.80952380952381 * B_e;
+    const double C_e = B_e * ratio;
+    const double u_e = t5 - 23.80952380952381 * C_e;
+    const double t6 = 0.5 * B_y;
+    const double t7 = 21.0 - 500.0 * B_y;
+    const double C_y = 0.002 * ratio * t7;
+    const double M_y = t6 - 0.5 * C_y;
+    const double s_y = 0.021 - M_y;
+    const double p_z_by_q71 = 0.036 * sin_q71;
+    const double t8 = 0.5 * B_e;
+    const double M_e = t8 + 0.5 * C_e;
+    const double s_e = M_e - p_z_by_q71;
+    const double u_y = t2 + 23.80952380952381 * C_y;
+    part[1] = u_y;
+    const double p_y = u_e * s_y + u_y * s_e;
+    const double t9 = p_y * p_y;
+    const double reach_squared = sinew_max(t9 + t4, 1.296e-15);
+    const double t10 = 1.0 / reach_squared;
+    const double t11 = -(1.296e-15 - t9 - t4);
+    const double t12 = p_y + p_y;
+    const double C_y_by_q73 = C_e - 0.002 * ratio_by_q73 * t7;
+    const double u_y_by_q73 = t5 - 23.80952380952381 * C_y_by_q73;
+    part[2] = u_y_by_q73;
+    const double M_y_by_q73 = t8 + 0.5 * C_y_by_q73;
+    const double M_e_by_q73 = t6 - 0.5 * C_e_by_q73;
+    const double p_y_by_q73 = u_e * M_y_by_q73 + u_y * M_e_by_q73 - s_e * u_y_by_q73 + s_y
+        * u_e_by_q73;
+    const double reach_squared_by_q73 = sinew_choose(t11, t12 * p_y_by_q73, 0.0);
+    const double reach = sinew_sqrt(reach_squared);
+    const double p_x = u_e * s_e - u_y * s_y;
+    const double projection = 0.034722222222222224 - 13.88888888888889 * (reach_squared + p_x
+        * p_x);
+    const double t13 = sinew_max(-projection, -reach);
+    const double limited = sinew_min(t13, reach);
+    const double t14 = 1e-12 * reach_squared;
+    const double t15 = (reach + limited) * (reach - limited);
+    const double clearance = sinew_max(t15, t14);
+    const double root = sinew_sqrt(clearance);
+    const double sin_A = (p_y * root - p_z * limited) * t10;
+    const double t16 = reach - t13;
+    const double t17 = 1.0 / reach;
+    const double reach_by_q73 = 0.5 * reach_squared_by_q73 * t17;
+    const double t18 = reach - projection;
+    const double t19 = sinew_choose(t18, 0.0, 1.0);
+    const double t20 = sinew_choose(t18, 1.0, 0.0);
+    const double t21 = 27.77777777777778 * p_x;
+    const double p_x_by_q73 = u_e * M_e_by_q73 - u_y * M_y_by_q73 + s_e * u_e_by_q73 + s_y
+        * u_y_by_q73;
+    const double projection_by_q73 = 13.88888888888889 * reach_squared_by_q73 + t21 * p_x_by_q73;
+    const double limited_by_q73 = sinew_choose(t16, -(reach_by_q73 * t19 - projection_by_q73 * t20),
+        reach_by_q73);
+    const double t22 = 1.0 / root;
+    const double t23 = -(t14 - t15);
+    const double t24 = reach + reach;
+    const double t25 = limited + limited;
+    const double clearance_by_q73 = sinew_choose(t23, t24 * reach_by_q73 - t25 * limited_by_q73,
+        1e-12 * reach_squared_by_q73);
+    const double root_by_q73 = 0.5 * clearance_by_q73 * t22;
+    const double t26 = p_y * root_by_q73 - p_z * limited_by_q73 + root * p_y_by_q73 - sin_A
+        * reach_squared_by_q73;
+    const double sin_A_by_q73 = t26 * t10;
+    const double cos_A = (p_y * limited + p_z * root) * t10;
+    const double t27 = p_y * limited_by_q73 + p_z * root_by_q73 + limited * p_y_by_q73 - cos_A
+        * reach_squared_by_q73;
+    const double cos_A_by_q73 = t27 * t10;
+    const double z_plane_x_by_q73 = u_y * cos_A_by_q73 - cos_A * u_y_by_q73;
+    const double z_x_by_q73 = cos_q71 * z_plane_x_by_q73 - sin_q71 * sin_A_by_q73;
+    const double t28 = 0.01 * z_x_by_q73;
+    const double x_plane_x_by_q73 = u_y * sin_A_by_q73 - sin_A * u_y_by_q73;
+    const double x_x_by_q73 = cos_q71 * x_plane_x_by_q73 + sin_q71 * cos_A_by_q73;
+    const double M_x_by_q73 = cos_q71 * M_e_by_q73;
+    const double origin_x_by_q73 = M_x_by_q73 - 0.018 * z_x_by_q73;
+    const double t29 = origin_x_by_q73 - 0.004 * x_x_by_q73;
+    part[3] = t29 + t28;
+    const double y_x = cos_q71 * u_e;
+    part[4] = y_x;
+    const double t30 = 0.011 * y_x;
+    const double t31 = sin_q71 * sin_A;
+    const double z_plane_x = u_y * cos_A;
+    const double t32 = cos_q71 * z_plane_x;
+    const double z_x = t32 - t31;
+    const double t33 = 0.01 * z_x;
+    const double t34 = sin_q71 * cos_A;
+    const double x_plane_x = u_y * sin_A;
+    const double t35 = cos_q71 * x_plane_x;
+    const double x_x = t35 + t34;
+    const double M_x = cos_q71 * M_e;
+    const double t36 = 0.004 - M_x + 0.018 * z_x + 0.004 * x_x;
+    const double layer_0_x = t36 - t33 + t30;
+    part[5] = layer_0_x;
+    const double y_z = sin_q71 * u_e;
+    part[6] = y_z;
+    const double t37 = 0.011 * y_z;
+    const double t38 = cos_q71 * sin_A;
+    const double t39 = sin_q71 * z_plane_x;
+    const double z_z = t38 + t39;
+    const double t40 = 0.01 * z_z;
+    const double t41 = cos_q71 * cos_A;
+    const double t42 = sin_q71 * x_plane_x;
+    const double x_z = t41 - t42;
+    const double t43 = 0.004 * x_z;
+    const double M_z = sin_q71 * M_e;
+    const double origin_z = M_z - 0.018 * z_z;
+    const double layer_0_z = 0.008 - origin_z - t43 - t40 + t37;
+    part[7] = layer_0_z;
+    const double z_plane_y = u_e * cos_A;
+    const double t44 = 0.01 * z_plane_y;
+    const double x_plane_y = u_e * sin_A;
+    const double t45 = 0.004 * x_plane_y;
+    const double origin_y = M_y + 0.018 * z_plane_y;
+    const double layer_0_y = 0.007 - origin_y - t45 + t44 + 0.011 * u_y;
+    part[8] = layer_0_y;
+    const double t46 = 0.013 * y_x;
+    const double t47 = 0.013 * y_z;
+    const double length_0 = sinew_sqrt(layer_0_x * layer_0_x + layer_0_y * layer_0_y + layer_0_z
+        * layer_0_z);
+    part[9] = length_0;
+    const double z_plane_y_by_q73 = u_e * cos_A_by_q73 + cos_A * u_e_by_q73;
+    const double t48 = 0.01 * z_plane_y_by_q73;
+    const double origin_y_by_q73 = M_y_by_q73 - 0.018 * z_plane_y_by_q73;
+    const double x_plane_y_by_q73 = u_e * sin_A_by_q73 + sin_A * u_e_by_q73;
+    const double t49 = origin_y_by_q73 - 0.004 * x_plane_y_by_q73;
+    part[10] = t49 + t48;
+    const double y_z_by_q73 = sin_q71 * u_e_by_q73;
+    part[11] = y_z_by_q73;
+    const double z_z_by_q73 = cos_q71 * sin_A_by_q73 + sin_q71 * z_plane_x_by_q73;
+    const double t50 = 0.01 * z_z_by_q73;
+    const double x_z_by_q73 = cos_q71 * cos_A_by_q73 - sin_q71 * x_plane_x_by_q73;
+    const double M_z_by_q73 = sin_q71 * M_e_by_q73;
+    const double origin_z_by_q73 = M_z_by_q73 - 0.018 * z_z_by_q73;
+    const double t51 = origin_z_by_q73 + 0.004 * x_z_by_q73;
+    part[12] = t51 + t50;
+    part[13] = t29 - t28;
+    const double layer_1_x = t36 + t33 + t46;
+    part[14] = layer_1_x;
+    const double layer_1_z = 0.028 - origin_z - t43 + t40 + t47;
+    part[15] = layer_1_z;
+    const double layer_1_y = 0.006 - origin_y - t45 - t44 + 0.013 * u_y;
+    part[16] = layer_1_y;
+    const double length_19 = sinew_sqrt(layer_1_x * layer_1_x + layer_1_y * layer_1_y + layer_1_z
+        * layer_1_z);
+    part[17] = length_19;
+    part[18] = t49 - t48;
+    part[19] = t51 - t50;
+    const double p_y_by_q71 = u_y * p_z;
+    const double reach_squared_by_q71 = sinew_choose(t11, -(t12 * p_y_by_q71 + (p_z + p_z)
+        * p_z_by_q71), 0.0);
+    const double reach_by_q71 = 0.5 * reach_squared_by_q71 * t17;
+    const double projection_by_q71 = 13.88888888888889 * reach_squared_by_q71 - t21 * u_e * p_z;
+    const double limited_by_q71 = sinew_choose(t16, -(reach_by_q71 * t19 - projection_by_q71 * t20),
+        reach_by_q71);
+    const double clearance_by_q71 = sinew_choose(t23, t24 * reach_by_q71 - t25 * limited_by_q71,
+        1e-12 * reach_squared_by_q71);
+    const double root_by_q71 = 0.5 * clearance_by_q71 * t22;
+    const double t52 = p_y * root_by_q71 - p_z * limited_by_q71 + limited * p_z_by_q71 - root
+        * p_y_by_q71;
+    const double sin_A_by_q71 = (t52 - sin_A * reach_squared_by_q71) * t10;
+    const double t53 = p_y * limited_by_q71 + p_z * root_by_q71 - limited * p_y_by_q71 - root
+        * p_z_by_q71;
+    const double cos_A_by_q71 = (t53 - cos_A * reach_squared_by_q71) * t10;
+    const double z_plane_x_by_q71 = u_y * cos_A_by_q71;
+    const double z_x_by_q71 = t38 - cos_q71 * z_plane_x_by_q71 + t39 + sin_q71 * sin_A_by_q71;
+    const double t54 = 0.01 * z_x_by_q71;
+    const double x_plane_x_by_q71 = u_y * sin_A_by_q71;
+    const double x_x_by_q71 = t41 + cos_q71 * x_plane_x_by_q71 - t42 + sin_q71 * cos_A_by_q71;
+    const double origin_x_by_q71 = M_z - 0.018 * z_x_by_q71;
+    const double t55 = origin_x_by_q71 + 0.004 * x_x_by_q71;
+    const double layer_0_x_by_q71 = t55 + t54 - t37;
+    part[20] = layer_0_x_by_q71;
+    const double z_plane_y_by_q71 = u_e * cos_A_by_q71;
+    const double t56 = 0.01 * z_plane_y_by_q71;
+    const double origin_y_by_q71 = 0.018 * z_plane_y_by_q71;
+    const double t57 = origin_y_by_q71 + 0.004 * u_e * sin_A_by_q71;
+    const double layer_0_y_by_q71 = t57 - t56;
+    part[21] = layer_0_y_by_q71;
+    const double z_z_by_q71 = t32 + cos_q71 * sin_A_by_q71 - t31 + sin_q71 * z_plane_x_by_q71;
+    const double t58 = 0.01 * z_z_by_q71;
+    const double x_z_by_q71 = t35 - cos_q71 * cos_A_by_q71 + t34 + sin_q71 * x_plane_x_by_q71;
+    const double origin_z_by_q71 = M_x - 0.018 * z_z_by_q71;
+    const double t59 = origin_z_by_q71 - 0.004 * x_z_by_q71;
+    const double layer_0_z_by_q71 = t59 + t58 - t30;
+    part[22] = layer_0_z_by_q71;
+    const double layer_1_x_by_q71 = t55 - t54 - t47;
+    part[23] = layer_1_x_by_q71;
+    const double layer_1_y_by_q71 = t57 + t56;
+    part[24] = layer_1_y_by_q71;
+    const double layer_1_z_by_q71 = t59 - t58 - t46;
+    part[25] = layer_1_z_by_q71;
+}
+
+SINEW_NOT_INLINE static void wrist_part_3(double q71, double q73, double part[SINEW_AT_LEAST(10)])
+{
+    const struct sinew_sines2 sines1 = sinew_one_sincos2(q71, q73);
+    const double sin_q71 = sines1.s[0];
+    const double cos_q71 = sines1.c[0];
+    const double sin_q73 = sines1.s[1];
+    const double cos_q73 = sines1.c[1];
+    const double B_y = 0.074565407529229 * cos_q73;
+    const double B_to_C0_squared = 0.007324 - 0.084 * B_y;
+    const double ratio = 0.003796 / B_to_C0_squared;
+    const double C_y = 0.002 * ratio * (21.0 - 500.0 * B_y);
+    const double t2 = B_y + C_y;
+    const double u_y = 23.80952380952381 * t2;
+    const double B_e = 0.074565407529229 * sin_q73;
+    const double C_e = B_e * ratio;
+    const double s_e = 0.5 * (B_e + C_e) - 0.036 * sin_q71;
+    const double s_y = 0.5 * (C_y - B_y) + 0.021;
+    const double t3 = B_e - C_e;
+    const double u_e = 23.80952380952381 * t3;
+    const double p_y = u_e * s_y + u_y * s_e;
+    const double p_z = 0.036 * cos_q71;
+    const double reach_squared = sinew_max(p_y * p_y + p_z * p_z, 1.296e-15);
+    const double p_x = u_e * s_e - u_y * s_y;
+    const double projection = 0.034722222222222224 - 13.88888888888889 * (reach_squared + p_x
+        * p_x);
+    const double reach = sinew_sqrt(reach_squared);
+    part[0] = cos_q71;
+    part[1] = sin_q71;
+    part[2] = sin_q73;
+    part[3] = cos_q73;
+    part[4] = t2;
+    part[5] = t3;
+    part[6] = p_y;
+    part[7] = reach_squared;
+    part[8] = projection;
+    part[9] = reach;
+}
+
 void wrist_pose(double q71, double q73, double T[SINEW_AT_LEAST(16)])
 {
     const struct sinew_sines2 sines1 = sinew_one_sincos2(q71, q73);
@@ -170,38 +867,21 @@ void wrist_points(double q71, double q73, double ABC[SINEW_AT_LEAST(9)])
 
 void wrist_palm_angles(double q71, double q73, double angles[SINEW_AT_LEAST(2)])
 {
-    const struct sinew_sines2 sines1 = sinew_one_sincos2(q71, q73);
-    const double sin_q71 = sines1.s[0];
-    const double cos_q71 = sines1.c[0];
-    const double sin_q73 = sines1.s[1];
-    const double cos_q73 = sines1.c[1];
-    const double B_y = 0.074565407529229 * cos_q73;
-    const double B_to_C0_squared = 0.007324 - 0.084 * B_y;
-    const double ratio = 0.003796 / B_to_C0_squared;
-    const double C_y = 0.002 * ratio * (21.0 - 500.0 * B_y);
-    const double u_y = 23.80952380952381 * (B_y + C_y);
-    const double B_e = 0.074565407529229 * sin_q73;
-    const double C_e = B_e * ratio;
-    const double s_e = 0.5 * (B_e + C_e) - 0.036 * sin_q71;
-    const double s_y = 0.5 * (C_y - B_y) + 0.021;
-    const double u_e = 23.80952380952381 * (B_e - C_e);
-    const double p_y = u_e * s_y + u_y * s_e;
-    const double p_z = 0.036 * cos_q71;
-    const double reach_squared = sinew_max(p_y * p_y + p_z * p_z, 1.296e-15);
-    const double p_x = u_e * s_e - u_y * s_y;
-    const double projection = 0.034722222222222224 - 13.88888888888889 * (reach_squared + p_x
-        * p_x);
-    const double reach = sinew_sqrt(reach_squared);
-    const double limited = sinew_min(sinew_max(-projection, -reach), reach);
-    const double clearance = sinew_max((reach + limited) * (reach - limited), 1e-12
-        * reach_squared);
+    double part_3[10];
+    wrist_part_3(q71, q73, part_3);
+    const double u_y = 23.80952380952381 * part_3[4];
+    const double u_e = 23.80952380952381 * part_3[5];
+    const double p_z = 0.036 * part_3[0];
+    const double limited = sinew_min(sinew_max(-part_3[8], -part_3[9]), part_3[9]);
+    const double clearance = sinew_max((part_3[9] + limited) * (part_3[9] - limited), 1e-12
+        * part_3[7]);
     const double root = sinew_sqrt(clearance);
-    const double t2 = 1.0 / reach_squared;
-    const double sin_A = (p_y * root - p_z * limited) * t2;
+    const double t1 = 1.0 / part_3[7];
+    const double sin_A = (part_3[6] * root - p_z * limited) * t1;
     const double x_plane_x = u_y * sin_A;
-    const double cos_A = (p_y * limited + p_z * root) * t2;
-    const double x_z = cos_q71 * cos_A - sin_q71 * x_plane_x;
-    const double x_x = cos_q71 * x_plane_x + sin_q71 * cos_A;
+    const double cos_A = (part_3[6] * limited + p_z * root) * t1;
+    const double x_z = part_3[0] * cos_A - part_3[1] * x_plane_x;
+    const double x_x = part_3[0] * x_plane_x + part_3[1] * cos_A;
     const double x_plane_y = u_e * sin_A;
     angles[0] = sinew_one_atan2(-x_z, x_x);
     angles[1] = sinew_one_asin(sinew_min(sinew_max(-x_plane_y, -1.0), 1.0));
@@ -333,32 +1013,13 @@ void wrist_bar_angles(double flexion, double abduction, double q[SINEW_AT_LEAST(
 
 void wrist_singularity(double q71, double q73, double distance[SINEW_AT_LEAST(2)])
 {
-    const struct sinew_sines2 sines1 = sinew_one_sincos2(q73, q71);
-    const double sin_q73 = sines1.s[0];
-    const double cos_q73 = sines1.c[0];
-    const double sin_q71 = sines1.s[1];
-    const double cos_q71 = sines1.c[1];
-    const double t2 = sinew_one_atan2(sinew_max(sin_q73, -sin_q73), sinew_max(cos_q73, -cos_q73));
-    const double B_y = 0.074565407529229 * cos_q73;
-    const double B_to_C0_squared = 0.007324 - 0.084 * B_y;
-    const double ratio = 0.003796 / B_to_C0_squared;
-    const double C_y = 0.002 * ratio * (21.0 - 500.0 * B_y);
-    const double u_y = 23.80952380952381 * (B_y + C_y);
-    const double B_e = 0.074565407529229 * sin_q73;
-    const double C_e = B_e * ratio;
-    const double s_e = 0.5 * (B_e + C_e) - 0.036 * sin_q71;
-    const double s_y = 0.5 * (C_y - B_y) + 0.021;
-    const double u_e = 23.80952380952381 * (B_e - C_e);
-    const double p_y = u_e * s_y + u_y * s_e;
-    const double p_z = 0.036 * cos_q71;
-    const double reach_squared = sinew_max(p_y * p_y + p_z * p_z, 1.296e-15);
-    const double p_x = u_e * s_e - u_y * s_y;
-    const double projection = 0.034722222222222224 - 13.88888888888889 * (reach_squared + p_x
-        * p_x);
-    const double reach = sinew_sqrt(reach_squared);
-    const double height = sinew_sqrt(sinew_max(reach * reach - projection * projection, 0.0));
-    distance[0] = t2;
-    distance[1] = sinew_one_atan2(height, sinew_max(-projection, projection));
+    double part_3[10];
+    wrist_part_3(q71, q73, part_3);
+    const double t1 = sinew_one_atan2(sinew_max(part_3[2], -part_3[2]), sinew_max(part_3[3],
+        -part_3[3]));
+    const double height = sinew_sqrt(sinew_max(part_3[9] * part_3[9] - part_3[8] * part_3[8], 0.0));
+    distance[0] = t1;
+    distance[1] = sinew_one_atan2(height, sinew_max(-part_3[8], part_3[8]));
 }
 
 void wrist_status(double q71, double q73, int *status)
@@ -481,856 +1142,278 @@ void wrist_tendon_lengths(double q71, double q73, double h[SINEW_AT_LEAST(38)])
 
 void wrist_tendon_jacobian(double q71, double q73, double P[SINEW_AT_LEAST(76)])
 {
-    const struct sinew_sines2 sines1 = sinew_one_sincos2(q71, q73);
-    const double sin_q71 = sines1.s[0];
-    const double cos_q71 = sines1.c[0];
-    const double sin_q73 = sines1.s[1];
-    const double cos_q73 = sines1.c[1];
-    const double B_y = 0.074565407529229 * cos_q73;
-    const double B_to_C0_squared = 0.007324 - 0.084 * B_y;
-    const double t2 = 1.0 / B_to_C0_squared;
-    const double ratio = 0.003796 * t2;
-    const double t3 = 21.0 - 500.0 * B_y;
-    const double C_y = 0.002 * ratio * t3;
-    const double t4 = 23.80952380952381 * B_y;
-    const double u_y = t4 + 23.80952380952381 * C_y;
-    const double B_e = 0.074565407529229 * sin_q73;
-    const double C_e = B_e * ratio;
-    const double t5 = 0.5 * B_e;
-    const double M_e = t5 + 0.5 * C_e;
-    const double p_z_by_q71 = 0.036 * sin_q71;
-    const double s_e = M_e - p_z_by_q71;
-    const double t6 = 0.5 * B_y;
-    const double M_y = t6 - 0.5 * C_y;
-    const double s_y = 0.021 - M_y;
-    const double t7 = 23.80952380952381 * B_e;
-    const double u_e = t7 - 23.80952380952381 * C_e;
-    const double p_y = u_e * s_y + u_y * s_e;
-    const double t8 = p_y + p_y;
-    const double p_z = 0.036 * cos_q71;
-    const double p_y_by_q71 = u_y * p_z;
-    const double t9 = p_y * p_y;
-    const double t10 = p_z * p_z;
-    const double t11 = -(1.296e-15 - t9 - t10);
-    const double reach_squared_by_q71 = sinew_choose(t11, -(t8 * p_y_by_q71 + (p_z + p_z)
-        * p_z_by_q71), 0.0);
-    const double reach_squared = sinew_max(t9 + t10, 1.296e-15);
-    const double reach = sinew_sqrt(reach_squared);
-    const double t12 = 1.0 / reach;
-    const double reach_by_q71 = 0.5 * reach_squared_by_q71 * t12;
-    const double p_x = u_e * s_e - u_y * s_y;
-    const double projection = 0.034722222222222224 - 13.88888888888889 * (reach_squared + p_x
-        * p_x);
-    const double t13 = reach - projection;
-    const double t14 = sinew_choose(t13, 0.0, 1.0);
-    const double t15 = sinew_choose(t13, 1.0, 0.0);
-    const double t16 = 27.77777777777778 * p_x;
-    const double projection_by_q71 = 13.88888888888889 * reach_squared_by_q71 - t16 * u_e * p_z;
-    const double t17 = sinew_max(-projection, -reach);
-    const double t18 = reach - t17;
-    const double limited_by_q71 = sinew_choose(t18, -(reach_by_q71 * t14 - projection_by_q71 * t15),
-        reach_by_q71);
-    const double limited = sinew_min(t17, reach);
-    const double t19 = limited + limited;
-    const double t20 = reach + reach;
-    const double t21 = (reach + limited) * (reach - limited);
-    const double t22 = 1e-12 * reach_squared;
-    const double t23 = -(t22 - t21);
-    const double clearance_by_q71 = sinew_choose(t23, t20 * reach_by_q71 - t19 * limited_by_q71,
-        1e-12 * reach_squared_by_q71);
-    const double clearance = sinew_max(t21, t22);
-    const double root = sinew_sqrt(clearance);
-    const double t24 = 1.0 / root;
-    const double root_by_q71 = 0.5 * clearance_by_q71 * t24;
-    const double t25 = p_y * limited_by_q71 + p_z * root_by_q71 - limited * p_y_by_q71 - root
-        * p_z_by_q71;
-    const double t26 = 1.0 / reach_squared;
-    const double cos_A = (p_y * limited + p_z * root) * t26;
-    const double cos_A_by_q71 = (t25 - cos_A * reach_squared_by_q71) * t26;
-    const double z_plane_x_by_q71 = u_y * cos_A_by_q71;
-    const double sin_A = (p_y * root - p_z * limited) * t26;
-    const double t27 = cos_q71 * sin_A;
-    const double z_plane_x = u_y * cos_A;
-    const double t28 = sin_q71 * z_plane_x;
-    const double t29 = p_y * root_by_q71 - p_z * limited_by_q71 + limited * p_z_by_q71 - root
-        * p_y_by_q71;
-    const double sin_A_by_q71 = (t29 - sin_A * reach_squared_by_q71) * t26;
-    const double z_x_by_q71 = t27 - cos_q71 * z_plane_x_by_q71 + t28 + sin_q71 * sin_A_by_q71;
-    const double M_z = sin_q71 * M_e;
-    const double origin_x_by_q71 = M_z - 0.018 * z_x_by_q71;
-    const double x_plane_x_by_q71 = u_y * sin_A_by_q71;
-    const double t30 = cos_q71 * cos_A;
-    const double x_plane_x = u_y * sin_A;
-    const double t31 = sin_q71 * x_plane_x;
-    const double x_x_by_q71 = t30 + cos_q71 * x_plane_x_by_q71 - t31 + sin_q71 * cos_A_by_q71;
-    const double t32 = origin_x_by_q71 + 0.004 * x_x_by_q71;
-    const double t33 = 0.01 * z_x_by_q71;
-    const double y_z = sin_q71 * u_e;
-    const double t34 = 0.011 * y_z;
-    const double layer_0_x_by_q71 = t32 + t33 - t34;
-    const double t35 = cos_q71 * z_plane_x;
-    const double t36 = sin_q71 * sin_A;
-    const double z_x = t35 - t36;
-    const double M_x = cos_q71 * M_e;
-    const double t37 = cos_q71 * x_plane_x;
-    const double t38 = sin_q71 * cos_A;
-    const double x_x = t37 + t38;
-    const double t39 = 0.004 - M_x + 0.018 * z_x + 0.004 * x_x;
-    const double t40 = 0.01 * z_x;
-    const double y_x = cos_q71 * u_e;
-    const double t41 = 0.011 * y_x;
-    const double layer_0_x = t39 - t40 + t41;
-    const double z_plane_y_by_q71 = u_e * cos_A_by_q71;
-    const double origin_y_by_q71 = 0.018 * z_plane_y_by_q71;
-    const double t42 = origin_y_by_q71 + 0.004 * u_e * sin_A_by_q71;
-    const double t43 = 0.01 * z_plane_y_by_q71;
-    const double layer_0_y_by_q71 = t42 - t43;
-    const double z_plane_y = u_e * cos_A;
-    const double origin_y = M_y + 0.018 * z_plane_y;
-    const double x_plane_y = u_e * sin_A;
-    const double t44 = 0.004 * x_plane_y;
-    const double t45 = 0.01 * z_plane_y;
-    const double layer_0_y = 0.007 - origin_y - t44 + t45 + 0.011 * u_y;
-    const double z_z_by_q71 = t35 + cos_q71 * sin_A_by_q71 - t36 + sin_q71 * z_plane_x_by_q71;
-    const double origin_z_by_q71 = M_x - 0.018 * z_z_by_q71;
-    const double x_z_by_q71 = t37 - cos_q71 * cos_A_by_q71 + t38 + sin_q71 * x_plane_x_by_q71;
-    const double t46 = origin_z_by_q71 - 0.004 * x_z_by_q71;
-    const double t47 = 0.01 * z_z_by_q71;
-    const double layer_0_z_by_q71 = t46 + t47 - t41;
-    const double z_z = t27 + t28;
-    const double origin_z = M_z - 0.018 * z_z;
-    const double x_z = t30 - t31;
-    const double t48 = 0.004 * x_z;
-    const double t49 = 0.01 * z_z;
-    const double layer_0_z = 0.008 - origin_z - t48 - t49 + t34;
-    const double t50 = layer_0_x * layer_0_x_by_q71 - layer_0_y * layer_0_y_by_q71 - layer_0_z
-        * layer_0_z_by_q71;
-    const double length_0 = sinew_sqrt(layer_0_x * layer_0_x + layer_0_y * layer_0_y + layer_0_z
-        * layer_0_z);
-    const double t51 = 1.0 / length_0;
-    const double length_0_by_q71 = t50 * t51;
+    double part_2[26];
+    wrist_part_2(q71, q73, part_2);
+    const double t1 = 1.0 / part_2[9];
+    const double length_0_by_q71 = (part_2[5] * part_2[20] - part_2[8] * part_2[21] - part_2[7]
+        * part_2[22]) * t1;
     P[0] = length_0_by_q71;
-    const double B_to_C0_squared_by_q73 = 0.084 * B_e;
-    const double ratio_by_q73 = ratio * B_to_C0_squared_by_q73 * t2;
-    const double C_y_by_q73 = C_e - 0.002 * ratio_by_q73 * t3;
-    const double M_y_by_q73 = t5 + 0.5 * C_y_by_q73;
-    const double C_e_by_q73 = B_e * ratio_by_q73 - B_y * ratio;
-    const double M_e_by_q73 = t6 - 0.5 * C_e_by_q73;
-    const double u_y_by_q73 = t7 - 23.80952380952381 * C_y_by_q73;
-    const double u_e_by_q73 = t4 + 23.80952380952381 * C_e_by_q73;
-    const double p_y_by_q73 = u_e * M_y_by_q73 + u_y * M_e_by_q73 - s_e * u_y_by_q73 + s_y
-        * u_e_by_q73;
-    const double reach_squared_by_q73 = sinew_choose(t11, t8 * p_y_by_q73, 0.0);
-    const double p_x_by_q73 = u_e * M_e_by_q73 - u_y * M_y_by_q73 + s_e * u_e_by_q73 + s_y
-        * u_y_by_q73;
-    const double projection_by_q73 = 13.88888888888889 * reach_squared_by_q73 + t16 * p_x_by_q73;
-    const double reach_by_q73 = 0.5 * reach_squared_by_q73 * t12;
-    const double limited_by_q73 = sinew_choose(t18, -(reach_by_q73 * t14 - projection_by_q73 * t15),
-        reach_by_q73);
-    const double clearance_by_q73 = sinew_choose(t23, t20 * reach_by_q73 - t19 * limited_by_q73,
-        1e-12 * reach_squared_by_q73);
-    const double root_by_q73 = 0.5 * clearance_by_q73 * t24;
-    const double t52 = p_y * limited_by_q73 + p_z * root_by_q73 + limited * p_y_by_q73 - cos_A
-        * reach_squared_by_q73;
-    const double cos_A_by_q73 = t52 * t26;
-    const double z_plane_x_by_q73 = u_y * cos_A_by_q73 - cos_A * u_y_by_q73;
-    const double t53 = p_y * root_by_q73 - p_z * limited_by_q73 + root * p_y_by_q73 - sin_A
-        * reach_squared_by_q73;
-    const double sin_A_by_q73 = t53 * t26;
-    const double z_x_by_q73 = cos_q71 * z_plane_x_by_q73 - sin_q71 * sin_A_by_q73;
-    const double M_x_by_q73 = cos_q71 * M_e_by_q73;
-    const double origin_x_by_q73 = M_x_by_q73 - 0.018 * z_x_by_q73;
-    const double x_plane_x_by_q73 = u_y * sin_A_by_q73 - sin_A * u_y_by_q73;
-    const double x_x_by_q73 = cos_q71 * x_plane_x_by_q73 + sin_q71 * cos_A_by_q73;
-    const double t54 = origin_x_by_q73 - 0.004 * x_x_by_q73;
-    const double t55 = 0.01 * z_x_by_q73;
-    const double y_x_by_q73 = cos_q71 * u_e_by_q73;
-    const double layer_0_x_by_q73 = t54 + t55 - 0.011 * y_x_by_q73;
-    const double x_plane_y_by_q73 = u_e * sin_A_by_q73 + sin_A * u_e_by_q73;
-    const double z_plane_y_by_q73 = u_e * cos_A_by_q73 + cos_A * u_e_by_q73;
-    const double origin_y_by_q73 = M_y_by_q73 - 0.018 * z_plane_y_by_q73;
-    const double t56 = origin_y_by_q73 - 0.004 * x_plane_y_by_q73;
-    const double t57 = 0.01 * z_plane_y_by_q73;
-    const double layer_0_y_by_q73 = t56 + t57 - 0.011 * u_y_by_q73;
-    const double z_z_by_q73 = cos_q71 * sin_A_by_q73 + sin_q71 * z_plane_x_by_q73;
-    const double M_z_by_q73 = sin_q71 * M_e_by_q73;
-    const double origin_z_by_q73 = M_z_by_q73 - 0.018 * z_z_by_q73;
-    const double x_z_by_q73 = cos_q71 * cos_A_by_q73 - sin_q71 * x_plane_x_by_q73;
-    const double t58 = origin_z_by_q73 + 0.004 * x_z_by_q73;
-    const double t59 = 0.01 * z_z_by_q73;
-    const double y_z_by_q73 = sin_q71 * u_e_by_q73;
-    const double layer_0_z_by_q73 = t58 + t59 - 0.011 * y_z_by_q73;
-    const double t60 = layer_0_x * layer_0_x_by_q73 - layer_0_y * layer_0_y_by_q73 + layer_0_z
+    const double layer_0_x_by_q73 = part_2[3] - 0.011 * part_2[0];
+    const double layer_0_y_by_q73 = part_2[10] - 0.011 * part_2[2];
+    const double layer_0_z_by_q73 = part_2[12] - 0.011 * part_2[11];
+    const double t2 = part_2[5] * layer_0_x_by_q73 - part_2[8] * layer_0_y_by_q73 + part_2[7]
         * layer_0_z_by_q73;
-    const double length_0_by_q73 = t60 * t51;
+    const double length_0_by_q73 = t2 * t1;
     P[1] = -length_0_by_q73;
-    const double t61 = 0.013 * y_z;
-    const double t62 = 0.013 * y_x;
-    const double layer_1_x_by_q71 = t32 - t33 - t61;
-    const double layer_1_x = t39 + t40 + t62;
-    const double layer_1_y_by_q71 = t42 + t43;
-    const double layer_1_y = 0.006 - origin_y - t44 - t45 + 0.013 * u_y;
-    const double layer_1_z_by_q71 = t46 - t47 - t62;
-    const double layer_1_z = 0.028 - origin_z - t48 + t49 + t61;
-    const double t63 = layer_1_x * layer_1_x_by_q71 - layer_1_y * layer_1_y_by_q71 - layer_1_z
-        * layer_1_z_by_q71;
-    const double length_19 = sinew_sqrt(layer_1_x * layer_1_x + layer_1_y * layer_1_y + layer_1_z
-        * layer_1_z);
-    const double t64 = 1.0 / length_19;
-    const double length_19_by_q71 = t63 * t64;
+    const double t3 = part_2[14] * part_2[23] - part_2[16] * part_2[24] - part_2[15] * part_2[25];
+    const double t4 = 1.0 / part_2[17];
+    const double length_19_by_q71 = t3 * t4;
     P[38] = length_19_by_q71;
-    const double layer_1_x_by_q73 = t54 - t55 - 0.013 * y_x_by_q73;
-    const double layer_1_y_by_q73 = t56 - t57 - 0.013 * u_y_by_q73;
-    const double layer_1_z_by_q73 = t58 - t59 - 0.013 * y_z_by_q73;
-    const double t65 = layer_1_x * layer_1_x_by_q73 - layer_1_y * layer_1_y_by_q73 + layer_1_z
+    const double layer_1_x_by_q73 = part_2[13] - 0.013 * part_2[0];
+    const double layer_1_y_by_q73 = part_2[18] - 0.013 * part_2[2];
+    const double layer_1_z_by_q73 = part_2[19] - 0.013 * part_2[11];
+    const double t5 = part_2[14] * layer_1_x_by_q73 - part_2[16] * layer_1_y_by_q73 + part_2[15]
         * layer_1_z_by_q73;
-    const double length_19_by_q73 = t65 * t64;
+    const double length_19_by_q73 = t5 * t4;
     P[39] = -length_19_by_q73;
-    static const double table67[18][2] = {{0.001, 0.001}, {0.003, 0.003}, {0.005, 0.004},
+    static const double table7[18][2] = {{0.001, 0.001}, {0.003, 0.003}, {0.005, 0.004},
         {0.006, 0.006}, {0.008, 0.008}, {0.009, 0.009}, {0.011, 0.011}, {0.013, 0.012},
         {0.014, 0.014}, {0.016, 0.016}, {0.017, 0.017}, {0.019, 0.019}, {0.021, 0.02},
         {0.022, 0.022}, {0.024, 0.024}, {0.025, 0.025}, {0.027, 0.027}, {0.029, 0.028}};
-    for (int i66 = 0; i66 < 18; ++i66) {
-        const double t68 = table67[i66][0] * y_x;
-        const double strand_x = layer_0_x - t68;
-        const double t69 = table67[i66][0] * y_z;
-        const double strand_x_by_q71 = layer_0_x_by_q71 + t69;
-        const double strand_y = table67[i66][1] + layer_0_y - table67[i66][0] * u_y;
-        const double strand_z = layer_0_z - t69;
-        const double strand_z_by_q71 = layer_0_z_by_q71 + t68;
-        const double t70 = strand_x * strand_x_by_q71 - strand_y * layer_0_y_by_q71 - strand_z
+    for (int i6 = 0; i6 < 18; ++i6) {
+        const double t8 = table7[i6][0] * part_2[4];
+        const double strand_x = part_2[5] - t8;
+        const double t9 = table7[i6][0] * part_2[6];
+        const double strand_x_by_q71 = part_2[20] + t9;
+        const double strand_y = table7[i6][1] + part_2[8] - table7[i6][0] * part_2[1];
+        const double strand_z = part_2[7] - t9;
+        const double strand_z_by_q71 = part_2[22] + t8;
+        const double t10 = strand_x * strand_x_by_q71 - strand_y * part_2[21] - strand_z
             * strand_z_by_q71;
         const double length = sinew_sqrt(strand_x * strand_x + strand_y * strand_y + strand_z
             * strand_z);
-        const double t71 = 1.0 / length;
-        const double length_by_q71 = t70 * t71;
-        const double strand_x_by_q73 = layer_0_x_by_q73 + table67[i66][0] * y_x_by_q73;
-        const double strand_y_by_q73 = layer_0_y_by_q73 + table67[i66][0] * u_y_by_q73;
-        const double strand_z_by_q73 = layer_0_z_by_q73 + table67[i66][0] * y_z_by_q73;
-        const double t72 = strand_x * strand_x_by_q73 - strand_y * strand_y_by_q73 + strand_z
+        const double t11 = 1.0 / length;
+        const double length_by_q71 = t10 * t11;
+        const double strand_x_by_q73 = layer_0_x_by_q73 + table7[i6][0] * part_2[0];
+        const double strand_y_by_q73 = layer_0_y_by_q73 + table7[i6][0] * part_2[2];
+        const double strand_z_by_q73 = layer_0_z_by_q73 + table7[i6][0] * part_2[11];
+        const double t12 = strand_x * strand_x_by_q73 - strand_y * strand_y_by_q73 + strand_z
             * strand_z_by_q73;
-        const double length_by_q73 = t72 * t71;
-        P[2 + 2 * i66] = length_by_q71;
-        P[3 + 2 * i66] = -length_by_q73;
+        const double length_by_q73 = t12 * t11;
+        P[2 + 2 * i6] = length_by_q71;
+        P[3 + 2 * i6] = -length_by_q73;
     }
-    static const double table74[18][2] = {{0.002, 0.001}, {0.003, 0.003}, {0.005, 0.005},
+    static const double table14[18][2] = {{0.002, 0.001}, {0.003, 0.003}, {0.005, 0.005},
         {0.007, 0.006}, {0.008, 0.008}, {0.01, 0.009}, {0.011, 0.011}, {0.013, 0.013},
         {0.015, 0.014}, {0.016, 0.016}, {0.018, 0.017}, {0.019, 0.019}, {0.021, 0.021},
         {0.023, 0.022}, {0.024, 0.024}, {0.026, 0.025}, {0.027, 0.027}, {0.029, 0.029}};
-    for (int i73 = 0; i73 < 18; ++i73) {
-        const double t75 = table74[i73][0] * y_x;
-        const double strand_x_2 = layer_1_x - t75;
-        const double t76 = table74[i73][0] * y_z;
-        const double strand_x_by_q71_2 = layer_1_x_by_q71 + t76;
-        const double strand_y_2 = table74[i73][1] + layer_1_y - table74[i73][0] * u_y;
-        const double strand_z_2 = layer_1_z - t76;
-        const double strand_z_by_q71_2 = layer_1_z_by_q71 + t75;
-        const double t77 = strand_x_2 * strand_x_by_q71_2 - strand_y_2 * layer_1_y_by_q71
-            - strand_z_2 * strand_z_by_q71_2;
-        const double t78 = strand_x_2 * strand_x_2 + strand_y_2 * strand_y_2 + strand_z_2
+    for (int i13 = 0; i13 < 18; ++i13) {
+        const double t15 = table14[i13][0] * part_2[4];
+        const double strand_x_2 = part_2[14] - t15;
+        const double t16 = table14[i13][0] * part_2[6];
+        const double strand_x_by_q71_2 = part_2[23] + t16;
+        const double strand_y_2 = table14[i13][1] + part_2[16] - table14[i13][0] * part_2[1];
+        const double strand_z_2 = part_2[15] - t16;
+        const double strand_z_by_q71_2 = part_2[25] + t15;
+        const double t17 = strand_x_2 * strand_x_by_q71_2 - strand_y_2 * part_2[24] - strand_z_2
+            * strand_z_by_q71_2;
+        const double t18 = strand_x_2 * strand_x_2 + strand_y_2 * strand_y_2 + strand_z_2
             * strand_z_2;
-        const double length_2 = sinew_sqrt(t78);
-        const double t79 = 1.0 / length_2;
-        const double length_by_q71_2 = t77 * t79;
-        const double strand_x_by_q73_2 = layer_1_x_by_q73 + table74[i73][0] * y_x_by_q73;
-        const double strand_y_by_q73_2 = layer_1_y_by_q73 + table74[i73][0] * u_y_by_q73;
-        const double strand_z_by_q73_2 = layer_1_z_by_q73 + table74[i73][0] * y_z_by_q73;
-        const double t80 = strand_x_2 * strand_x_by_q73_2 - strand_y_2 * strand_y_by_q73_2
+        const double length_2 = sinew_sqrt(t18);
+        const double t19 = 1.0 / length_2;
+        const double length_by_q71_2 = t17 * t19;
+        const double strand_x_by_q73_2 = layer_1_x_by_q73 + table14[i13][0] * part_2[0];
+        const double strand_y_by_q73_2 = layer_1_y_by_q73 + table14[i13][0] * part_2[2];
+        const double strand_z_by_q73_2 = layer_1_z_by_q73 + table14[i13][0] * part_2[11];
+        const double t20 = strand_x_2 * strand_x_by_q73_2 - strand_y_2 * strand_y_by_q73_2
             + strand_z_2 * strand_z_by_q73_2;
-        const double length_by_q73_2 = t80 * t79;
-        P[40 + 2 * i73] = length_by_q71_2;
-        P[41 + 2 * i73] = -length_by_q73_2;
+        const double length_by_q73_2 = t20 * t19;
+        P[40 + 2 * i13] = length_by_q71_2;
+        P[41 + 2 * i13] = -length_by_q73_2;
     }
 }
 
 void wrist_tendon_hessian(double q71, double q73, double H[SINEW_AT_LEAST(152)])
 {
-    const struct sinew_sines2 sines1 = sinew_one_sincos2(q71, q73);
-    const double sin_q71 = sines1.s[0];
-    const double cos_q71 = sines1.c[0];
-    const double sin_q73 = sines1.s[1];
-    const double cos_q73 = sines1.c[1];
-    const double B_y = 0.074565407529229 * cos_q73;
-    const double B_to_C0_squared_by_q73_by_q73 = 0.084 * B_y;
-    const double B_to_C0_squared = 0.007324 - B_to_C0_squared_by_q73_by_q73;
-    const double t2 = 1.0 / B_to_C0_squared;
-    const double ratio = 0.003796 * t2;
-    const double t3 = 21.0 - 500.0 * B_y;
-    const double C_y = 0.002 * ratio * t3;
-    const double t4 = 23.80952380952381 * B_y;
-    const double u_y = t4 + 23.80952380952381 * C_y;
-    const double B_e = 0.074565407529229 * sin_q73;
-    const double C_e = B_e * ratio;
-    const double t5 = 0.5 * B_e;
-    const double M_e = t5 + 0.5 * C_e;
-    const double p_z_by_q71 = 0.036 * sin_q71;
-    const double s_e = M_e - p_z_by_q71;
-    const double t6 = 0.5 * B_y;
-    const double M_y = t6 - 0.5 * C_y;
-    const double s_y = 0.021 - M_y;
-    const double t7 = 23.80952380952381 * B_e;
-    const double u_e = t7 - 23.80952380952381 * C_e;
-    const double p_y = u_e * s_y + u_y * s_e;
-    const double t8 = p_y + p_y;
-    const double p_z = 0.036 * cos_q71;
-    const double p_y_by_q71 = u_y * p_z;
-    const double t9 = p_z + p_z;
-    const double t10 = p_y * p_y;
-    const double t11 = p_z * p_z;
-    const double t12 = -(1.296e-15 - t10 - t11);
-    const double reach_squared_by_q71 = sinew_choose(t12, -(t8 * p_y_by_q71 + t9 * p_z_by_q71),
-        0.0);
-    const double reach_squared = sinew_max(t10 + t11, 1.296e-15);
-    const double reach = sinew_sqrt(reach_squared);
-    const double t13 = 1.0 / reach;
-    const double reach_by_q71 = 0.5 * reach_squared_by_q71 * t13;
-    const double p_x = u_e * s_e - u_y * s_y;
-    const double projection = 0.034722222222222224 - 13.88888888888889 * (reach_squared + p_x
-        * p_x);
-    const double t14 = reach - projection;
-    const double t15 = sinew_choose(t14, 0.0, 1.0);
-    const double t16 = sinew_choose(t14, 1.0, 0.0);
-    const double t17 = 27.77777777777778 * p_x;
-    const double p_x_by_q71 = u_e * p_z;
-    const double projection_by_q71 = 13.88888888888889 * reach_squared_by_q71 - t17 * p_x_by_q71;
-    const double t18 = sinew_max(-projection, -reach);
-    const double t19 = reach - t18;
-    const double limited_by_q71 = sinew_choose(t19, -(reach_by_q71 * t15 - projection_by_q71 * t16),
-        reach_by_q71);
-    const double limited = sinew_min(t18, reach);
-    const double t20 = limited + limited;
-    const double t21 = reach + reach;
-    const double t22 = (reach + limited) * (reach - limited);
-    const double t23 = 1e-12 * reach_squared;
-    const double t24 = -(t23 - t22);
-    const double clearance_by_q71 = sinew_choose(t24, t21 * reach_by_q71 - t20 * limited_by_q71,
-        1e-12 * reach_squared_by_q71);
-    const double clearance = sinew_max(t22, t23);
-    const double root = sinew_sqrt(clearance);
-    const double t25 = 1.0 / root;
-    const double root_by_q71 = 0.5 * clearance_by_q71 * t25;
-    const double t26 = root_by_q71 + root_by_q71;
-    const double t27 = limited_by_q71 + limited_by_q71;
-    const double t28 = reach_by_q71 * reach_by_q71;
-    const double t29 = t28 + t28;
-    const double p_y_by_q71_by_q71 = u_y * p_z_by_q71;
-    const double t30 = p_y_by_q71 * p_y_by_q71 + p_z_by_q71 * p_z_by_q71;
-    const double reach_squared_by_q71_by_q71 = sinew_choose(t12, t30 + t30 + t8 * p_y_by_q71_by_q71
-        - t9 * p_z, 0.0);
-    const double reach_by_q71_by_q71 = 0.5 * (reach_squared_by_q71_by_q71 - t29) * t13;
-    const double t31 = 27.77777777777778 * p_x_by_q71;
-    const double projection_by_q71_by_q71 = 13.88888888888889 * reach_squared_by_q71_by_q71 + t31
-        * p_x_by_q71 + t17 * u_e * p_z_by_q71;
-    const double limited_by_q71_by_q71 = sinew_choose(t19, -(reach_by_q71_by_q71 * t15
-        - projection_by_q71_by_q71 * t16), reach_by_q71_by_q71);
-    const double t32 = t29 - t27 * limited_by_q71 + t21 * reach_by_q71_by_q71 - t20
-        * limited_by_q71_by_q71;
-    const double clearance_by_q71_by_q71 = sinew_choose(t24, t32, 1e-12
-        * reach_squared_by_q71_by_q71);
-    const double root_by_q71_by_q71 = 0.5 * (clearance_by_q71_by_q71 - t26 * root_by_q71) * t25;
-    const double t33 = p_z * root;
-    const double t34 = p_y * limited_by_q71_by_q71 - t33 + p_z * root_by_q71_by_q71 + limited
-        * p_y_by_q71_by_q71;
-    const double t35 = 1.0 / reach_squared;
-    const double cos_A = (p_y * limited + t33) * t35;
-    const double t36 = p_y_by_q71 + p_y_by_q71;
-    const double t37 = p_z_by_q71 + p_z_by_q71;
-    const double t38 = t34 - cos_A * reach_squared_by_q71_by_q71 - t36 * limited_by_q71 - t37
-        * root_by_q71;
-    const double t39 = p_y * limited_by_q71 + p_z * root_by_q71 - limited * p_y_by_q71 - root
-        * p_z_by_q71;
-    const double cos_A_by_q71 = (t39 - cos_A * reach_squared_by_q71) * t35;
-    const double t40 = reach_squared_by_q71 + reach_squared_by_q71;
-    const double cos_A_by_q71_by_q71 = (t38 - t40 * cos_A_by_q71) * t35;
-    const double z_plane_x_by_q71_by_q71 = u_y * cos_A_by_q71_by_q71;
-    const double z_plane_x = u_y * cos_A;
-    const double t41 = cos_q71 * z_plane_x;
-    const double t42 = p_z * limited;
-    const double sin_A = (p_y * root - t42) * t35;
-    const double t43 = sin_q71 * sin_A;
-    const double t44 = p_y * root_by_q71_by_q71 + t42 - p_z * limited_by_q71_by_q71 + root
-        * p_y_by_q71_by_q71;
-    const double t45 = t44 - sin_A * reach_squared_by_q71_by_q71 - t36 * root_by_q71 + t37
-        * limited_by_q71;
-    const double t46 = p_y * root_by_q71 - p_z * limited_by_q71 + limited * p_z_by_q71 - root
-        * p_y_by_q71;
-    const double sin_A_by_q71 = (t46 - sin_A * reach_squared_by_q71) * t35;
-    const double sin_A_by_q71_by_q71 = (t45 - t40 * sin_A_by_q71) * t35;
-    const double t47 = t41 - cos_q71 * z_plane_x_by_q71_by_q71 - t43 + sin_q71
-        * sin_A_by_q71_by_q71;
-    const double t48 = cos_q71 + cos_q71;
-    const double z_plane_x_by_q71 = u_y * cos_A_by_q71;
-    const double t49 = sin_q71 + sin_q71;
-    const double z_x_by_q71_by_q71 = t47 + t48 * sin_A_by_q71 + t49 * z_plane_x_by_q71;
-    const double M_x = cos_q71 * M_e;
-    const double origin_x_by_q71_by_q71 = M_x - 0.018 * z_x_by_q71_by_q71;
-    const double x_plane_x_by_q71_by_q71 = u_y * sin_A_by_q71_by_q71;
-    const double x_plane_x = u_y * sin_A;
-    const double t50 = cos_q71 * x_plane_x;
-    const double t51 = sin_q71 * cos_A;
-    const double t52 = t50 - cos_q71 * x_plane_x_by_q71_by_q71 + t51 - sin_q71
-        * cos_A_by_q71_by_q71;
-    const double x_plane_x_by_q71 = u_y * sin_A_by_q71;
-    const double x_x_by_q71_by_q71 = t52 - t48 * cos_A_by_q71 + t49 * x_plane_x_by_q71;
-    const double t53 = origin_x_by_q71_by_q71 - 0.004 * x_x_by_q71_by_q71;
-    const double t54 = 0.01 * z_x_by_q71_by_q71;
-    const double y_x = cos_q71 * u_e;
-    const double t55 = 0.011 * y_x;
-    const double layer_0_x_by_q71_by_q71 = t53 + t54 - t55;
-    const double z_x = t41 - t43;
-    const double x_x = t50 + t51;
-    const double t56 = 0.004 - M_x + 0.018 * z_x + 0.004 * x_x;
-    const double t57 = 0.01 * z_x;
-    const double layer_0_x = t56 - t57 + t55;
-    const double z_plane_y_by_q71_by_q71 = u_e * cos_A_by_q71_by_q71;
-    const double origin_y_by_q71_by_q71 = 0.018 * z_plane_y_by_q71_by_q71;
-    const double t58 = 0.004 * u_e;
-    const double t59 = origin_y_by_q71_by_q71 + t58 * sin_A_by_q71_by_q71;
-    const double t60 = 0.01 * z_plane_y_by_q71_by_q71;
-    const double layer_0_y_by_q71_by_q71 = t59 - t60;
-    const double z_plane_y = u_e * cos_A;
-    const double origin_y = M_y + 0.018 * z_plane_y;
-    const double x_plane_y = u_e * sin_A;
-    const double t61 = 0.004 * x_plane_y;
-    const double t62 = 0.01 * z_plane_y;
-    const double layer_0_y = 0.007 - origin_y - t61 + t62 + 0.011 * u_y;
-    const double t63 = layer_0_x * layer_0_x_by_q71_by_q71 - layer_0_y * layer_0_y_by_q71_by_q71;
-    const double t64 = cos_q71 * sin_A;
-    const double t65 = sin_q71 * z_plane_x;
-    const double t66 = t64 - cos_q71 * sin_A_by_q71_by_q71 + t65 - sin_q71
-        * z_plane_x_by_q71_by_q71;
-    const double z_z_by_q71_by_q71 = t66 - t48 * z_plane_x_by_q71 + t49 * sin_A_by_q71;
-    const double M_z = sin_q71 * M_e;
-    const double origin_z_by_q71_by_q71 = M_z - 0.018 * z_z_by_q71_by_q71;
-    const double t67 = cos_q71 * cos_A;
-    const double t68 = sin_q71 * x_plane_x;
-    const double t69 = t67 - cos_q71 * cos_A_by_q71_by_q71 - t68 + sin_q71
-        * x_plane_x_by_q71_by_q71;
-    const double x_z_by_q71_by_q71 = t69 + t48 * x_plane_x_by_q71 + t49 * cos_A_by_q71;
-    const double t70 = origin_z_by_q71_by_q71 + 0.004 * x_z_by_q71_by_q71;
-    const double t71 = 0.01 * z_z_by_q71_by_q71;
-    const double y_z = sin_q71 * u_e;
-    const double t72 = 0.011 * y_z;
-    const double layer_0_z_by_q71_by_q71 = t70 + t71 - t72;
-    const double z_z = t64 + t65;
-    const double origin_z = M_z - 0.018 * z_z;
-    const double x_z = t67 - t68;
-    const double t73 = 0.004 * x_z;
-    const double t74 = 0.01 * z_z;
-    const double layer_0_z = 0.008 - origin_z - t73 - t74 + t72;
-    const double z_x_by_q71 = t64 - cos_q71 * z_plane_x_by_q71 + t65 + sin_q71 * sin_A_by_q71;
-    const double origin_x_by_q71 = M_z - 0.018 * z_x_by_q71;
-    const double x_x_by_q71 = t67 + cos_q71 * x_plane_x_by_q71 - t68 + sin_q71 * cos_A_by_q71;
-    const double t75 = origin_x_by_q71 + 0.004 * x_x_by_q71;
-    const double t76 = 0.01 * z_x_by_q71;
-    const double layer_0_x_by_q71 = t75 + t76 - t72;
-    const double t77 = t63 + layer_0_z * layer_0_z_by_q71_by_q71 + layer_0_x_by_q71
-        * layer_0_x_by_q71;
-    const double z_plane_y_by_q71 = u_e * cos_A_by_q71;
-    const double origin_y_by_q71 = 0.018 * z_plane_y_by_q71;
-    const double t78 = origin_y_by_q71 + t58 * sin_A_by_q71;
-    const double t79 = 0.01 * z_plane_y_by_q71;
-    const double layer_0_y_by_q71 = t78 - t79;
-    const double t80 = layer_0_y_by_q71 * layer_0_y_by_q71;
-    const double z_z_by_q71 = t41 + cos_q71 * sin_A_by_q71 - t43 + sin_q71 * z_plane_x_by_q71;
-    const double origin_z_by_q71 = M_x - 0.018 * z_z_by_q71;
-    const double x_z_by_q71 = t50 - cos_q71 * cos_A_by_q71 + t51 + sin_q71 * x_plane_x_by_q71;
-    const double t81 = origin_z_by_q71 - 0.004 * x_z_by_q71;
-    const double t82 = 0.01 * z_z_by_q71;
-    const double layer_0_z_by_q71 = t81 + t82 - t55;
-    const double t83 = layer_0_x * layer_0_x_by_q71 - layer_0_y * layer_0_y_by_q71 - layer_0_z
-        * layer_0_z_by_q71;
-    const double length_0 = sinew_sqrt(layer_0_x * layer_0_x + layer_0_y * layer_0_y + layer_0_z
-        * layer_0_z);
-    const double t84 = 1.0 / length_0;
-    const double length_0_by_q71 = t83 * t84;
-    const double t85 = t77 + t80 + layer_0_z_by_q71 * layer_0_z_by_q71 - length_0_by_q71
-        * length_0_by_q71;
-    const double length_0_by_q71_by_q71 = t85 * t84;
+    double part_1[53];
+    wrist_part_1(q71, q73, part_1);
+    const double t1 = part_1[6] * part_1[19] - part_1[7] * part_1[20] + part_1[8] * part_1[21]
+        + part_1[2] * part_1[2];
+    const double t2 = part_1[3] * part_1[3];
+    const double length_0_by_q71_by_q71 = (t1 + t2 + part_1[5] * part_1[5] - part_1[10]
+        * part_1[10]) * part_1[9];
     H[0] = length_0_by_q71_by_q71;
-    const double B_to_C0_squared_by_q73 = 0.084 * B_e;
-    const double ratio_by_q73 = ratio * B_to_C0_squared_by_q73 * t2;
-    const double C_y_by_q73 = C_e - 0.002 * ratio_by_q73 * t3;
-    const double M_y_by_q73 = t5 + 0.5 * C_y_by_q73;
-    const double t86 = B_y * ratio;
-    const double C_e_by_q73 = B_e * ratio_by_q73 - t86;
-    const double M_e_by_q73 = t6 - 0.5 * C_e_by_q73;
-    const double u_y_by_q73 = t7 - 23.80952380952381 * C_y_by_q73;
-    const double u_e_by_q73 = t4 + 23.80952380952381 * C_e_by_q73;
-    const double p_y_by_q73 = u_e * M_y_by_q73 + u_y * M_e_by_q73 - s_e * u_y_by_q73 + s_y
-        * u_e_by_q73;
-    const double reach_squared_by_q73 = sinew_choose(t12, t8 * p_y_by_q73, 0.0);
-    const double p_x_by_q73 = u_e * M_e_by_q73 - u_y * M_y_by_q73 + s_e * u_e_by_q73 + s_y
-        * u_y_by_q73;
-    const double projection_by_q73 = 13.88888888888889 * reach_squared_by_q73 + t17 * p_x_by_q73;
-    const double reach_by_q73 = 0.5 * reach_squared_by_q73 * t13;
-    const double limited_by_q73 = sinew_choose(t19, -(reach_by_q73 * t15 - projection_by_q73 * t16),
-        reach_by_q73);
-    const double clearance_by_q73 = sinew_choose(t24, t21 * reach_by_q73 - t20 * limited_by_q73,
-        1e-12 * reach_squared_by_q73);
-    const double root_by_q73 = 0.5 * clearance_by_q73 * t25;
-    const double t87 = (reach_by_q71 + reach_by_q71) * reach_by_q73;
-    const double p_y_by_q71_by_q73 = p_z * u_y_by_q73;
-    const double reach_squared_by_q71_by_q73 = sinew_choose(t12, t8 * p_y_by_q71_by_q73 - t36
-        * p_y_by_q73, 0.0);
-    const double reach_by_q71_by_q73 = 0.5 * (reach_squared_by_q71_by_q73 - t87) * t13;
-    const double projection_by_q71_by_q73 = 13.88888888888889 * reach_squared_by_q71_by_q73 - t17
-        * p_z * u_e_by_q73 - t31 * p_x_by_q73;
-    const double limited_by_q71_by_q73 = sinew_choose(t19, -(reach_by_q71_by_q73 * t15
-        - projection_by_q71_by_q73 * t16), reach_by_q71_by_q73);
-    const double t88 = t21 * reach_by_q71_by_q73 - t20 * limited_by_q71_by_q73 + t87 - t27
-        * limited_by_q73;
-    const double clearance_by_q71_by_q73 = sinew_choose(t24, t88, 1e-12
-        * reach_squared_by_q71_by_q73);
-    const double root_by_q71_by_q73 = 0.5 * (clearance_by_q71_by_q73 - t26 * root_by_q73) * t25;
-    const double t89 = p_y * limited_by_q71_by_q73 + p_z * root_by_q71_by_q73 + limited
-        * p_y_by_q71_by_q73;
-    const double t90 = t89 - cos_A * reach_squared_by_q71_by_q73 - p_y_by_q71 * limited_by_q73
-        - p_z_by_q71 * root_by_q73;
-    const double t91 = p_y * limited_by_q73 + p_z * root_by_q73 + limited * p_y_by_q73 - cos_A
-        * reach_squared_by_q73;
-    const double cos_A_by_q73 = t91 * t35;
-    const double t92 = t90 - reach_squared_by_q71 * cos_A_by_q73 + limited_by_q71 * p_y_by_q73
-        - cos_A_by_q71 * reach_squared_by_q73;
-    const double cos_A_by_q71_by_q73 = t92 * t35;
-    const double z_plane_x_by_q71_by_q73 = u_y * cos_A_by_q71_by_q73 - cos_A_by_q71 * u_y_by_q73;
-    const double t93 = p_y * root_by_q73 - p_z * limited_by_q73 + root * p_y_by_q73 - sin_A
-        * reach_squared_by_q73;
-    const double sin_A_by_q73 = t93 * t35;
-    const double t94 = cos_q71 * sin_A_by_q73;
-    const double z_plane_x_by_q73 = u_y * cos_A_by_q73 - cos_A * u_y_by_q73;
-    const double t95 = sin_q71 * z_plane_x_by_q73;
-    const double t96 = p_y * root_by_q71_by_q73 - p_z * limited_by_q71_by_q73 + root
-        * p_y_by_q71_by_q73;
-    const double t97 = t96 - sin_A * reach_squared_by_q71_by_q73 - p_y_by_q71 * root_by_q73
-        + p_z_by_q71 * limited_by_q73;
-    const double t98 = t97 - reach_squared_by_q71 * sin_A_by_q73 + root_by_q71 * p_y_by_q73
-        - sin_A_by_q71 * reach_squared_by_q73;
-    const double sin_A_by_q71_by_q73 = t98 * t35;
-    const double z_x_by_q71_by_q73 = t94 - cos_q71 * z_plane_x_by_q71_by_q73 + t95 + sin_q71
-        * sin_A_by_q71_by_q73;
-    const double M_z_by_q73 = sin_q71 * M_e_by_q73;
-    const double origin_x_by_q71_by_q73 = M_z_by_q73 - 0.018 * z_x_by_q71_by_q73;
-    const double x_plane_x_by_q71_by_q73 = u_y * sin_A_by_q71_by_q73 - sin_A_by_q71 * u_y_by_q73;
-    const double t99 = cos_q71 * cos_A_by_q73;
-    const double x_plane_x_by_q73 = u_y * sin_A_by_q73 - sin_A * u_y_by_q73;
-    const double t100 = sin_q71 * x_plane_x_by_q73;
-    const double x_x_by_q71_by_q73 = t99 + cos_q71 * x_plane_x_by_q71_by_q73 - t100 + sin_q71
-        * cos_A_by_q71_by_q73;
-    const double t101 = origin_x_by_q71_by_q73 + 0.004 * x_x_by_q71_by_q73;
-    const double t102 = 0.01 * z_x_by_q71_by_q73;
-    const double y_z_by_q73 = sin_q71 * u_e_by_q73;
-    const double t103 = 0.011 * y_z_by_q73;
-    const double layer_0_x_by_q71_by_q73 = t101 + t102 - t103;
-    const double x_plane_y_by_q71_by_q73 = u_e * sin_A_by_q71_by_q73 + sin_A_by_q71 * u_e_by_q73;
-    const double z_plane_y_by_q71_by_q73 = u_e * cos_A_by_q71_by_q73 + cos_A_by_q71 * u_e_by_q73;
-    const double origin_y_by_q71_by_q73 = 0.018 * z_plane_y_by_q71_by_q73;
-    const double t104 = origin_y_by_q71_by_q73 + 0.004 * x_plane_y_by_q71_by_q73;
-    const double t105 = 0.01 * z_plane_y_by_q71_by_q73;
-    const double layer_0_y_by_q71_by_q73 = t104 - t105;
-    const double t106 = layer_0_x * layer_0_x_by_q71_by_q73 - layer_0_y * layer_0_y_by_q71_by_q73;
-    const double t107 = cos_q71 * z_plane_x_by_q73;
-    const double t108 = sin_q71 * sin_A_by_q73;
-    const double z_z_by_q71_by_q73 = t107 + cos_q71 * sin_A_by_q71_by_q73 - t108 + sin_q71
-        * z_plane_x_by_q71_by_q73;
-    const double M_x_by_q73 = cos_q71 * M_e_by_q73;
-    const double origin_z_by_q71_by_q73 = M_x_by_q73 - 0.018 * z_z_by_q71_by_q73;
-    const double t109 = cos_q71 * x_plane_x_by_q73;
-    const double t110 = sin_q71 * cos_A_by_q73;
-    const double x_z_by_q71_by_q73 = t109 - cos_q71 * cos_A_by_q71_by_q73 + t110 + sin_q71
-        * x_plane_x_by_q71_by_q73;
-    const double t111 = origin_z_by_q71_by_q73 - 0.004 * x_z_by_q71_by_q73;
-    const double t112 = 0.01 * z_z_by_q71_by_q73;
-    const double y_x_by_q73 = cos_q71 * u_e_by_q73;
-    const double t113 = 0.011 * y_x_by_q73;
-    const double layer_0_z_by_q71_by_q73 = t111 + t112 - t113;
-    const double z_x_by_q73 = t107 - t108;
-    const double origin_x_by_q73 = M_x_by_q73 - 0.018 * z_x_by_q73;
-    const double x_x_by_q73 = t109 + t110;
-    const double t114 = origin_x_by_q73 - 0.004 * x_x_by_q73;
-    const double t115 = 0.01 * z_x_by_q73;
-    const double layer_0_x_by_q73 = t114 + t115 - t113;
-    const double t116 = t106 - layer_0_z * layer_0_z_by_q71_by_q73 - layer_0_x_by_q71
-        * layer_0_x_by_q73;
-    const double x_plane_y_by_q73 = u_e * sin_A_by_q73 + sin_A * u_e_by_q73;
-    const double z_plane_y_by_q73 = u_e * cos_A_by_q73 + cos_A * u_e_by_q73;
-    const double origin_y_by_q73 = M_y_by_q73 - 0.018 * z_plane_y_by_q73;
-    const double t117 = origin_y_by_q73 - 0.004 * x_plane_y_by_q73;
-    const double t118 = 0.01 * z_plane_y_by_q73;
-    const double layer_0_y_by_q73 = t117 + t118 - 0.011 * u_y_by_q73;
-    const double z_z_by_q73 = t94 + t95;
-    const double origin_z_by_q73 = M_z_by_q73 - 0.018 * z_z_by_q73;
-    const double x_z_by_q73 = t99 - t100;
-    const double t119 = origin_z_by_q73 + 0.004 * x_z_by_q73;
-    const double t120 = 0.01 * z_z_by_q73;
-    const double layer_0_z_by_q73 = t119 + t120 - t103;
-    const double t121 = t116 - layer_0_y_by_q71 * layer_0_y_by_q73 + layer_0_z_by_q71
+    const double z_x_by_q71_by_q73 = part_1[36] + part_1[29] + part_1[37];
+    const double origin_x_by_q71_by_q73 = part_1[30] - 0.018 * z_x_by_q71_by_q73;
+    const double t3 = origin_x_by_q71_by_q73 + 0.004 * part_1[38];
+    const double t4 = 0.01 * z_x_by_q71_by_q73;
+    const double t5 = 0.011 * part_1[32];
+    const double layer_0_x_by_q71_by_q73 = t3 + t4 - t5;
+    const double t6 = 0.011 * part_1[27];
+    const double layer_0_z_by_q71_by_q73 = part_1[40] - t6;
+    const double t7 = part_1[6] * layer_0_x_by_q71_by_q73 - part_1[7] * part_1[39] - part_1[8]
+        * layer_0_z_by_q71_by_q73;
+    const double layer_0_x_by_q73 = part_1[26] - t6;
+    const double layer_0_y_by_q73 = part_1[28] - 0.011 * part_1[25];
+    const double layer_0_z_by_q73 = part_1[31] - t5;
+    const double t8 = t7 - part_1[2] * layer_0_x_by_q73 - part_1[3] * layer_0_y_by_q73 + part_1[5]
         * layer_0_z_by_q73;
-    const double t122 = layer_0_x * layer_0_x_by_q73 - layer_0_y * layer_0_y_by_q73 + layer_0_z
+    const double t9 = part_1[6] * layer_0_x_by_q73 - part_1[7] * layer_0_y_by_q73 + part_1[8]
         * layer_0_z_by_q73;
-    const double length_0_by_q73 = t122 * t84;
-    const double length_0_by_q71_by_q73 = (t121 + length_0_by_q71 * length_0_by_q73) * t84;
+    const double length_0_by_q73 = t9 * part_1[9];
+    const double length_0_by_q71_by_q73 = (t8 + part_1[10] * length_0_by_q73) * part_1[9];
     H[1] = length_0_by_q71_by_q73;
     H[2] = length_0_by_q71_by_q73;
-    const double t123 = reach_by_q73 * reach_by_q73;
-    const double t124 = t123 + t123;
-    const double t125 = ratio * B_to_C0_squared_by_q73_by_q73 - (B_to_C0_squared_by_q73
-        + B_to_C0_squared_by_q73) * ratio_by_q73;
-    const double ratio_by_q73_by_q73 = t125 * t2;
-    const double C_y_by_q73_by_q73 = t86 - 0.002 * ratio_by_q73_by_q73 * t3 - (B_e + B_e)
-        * ratio_by_q73;
-    const double M_y_by_q73_by_q73 = t6 + 0.5 * C_y_by_q73_by_q73;
-    const double C_e_by_q73_by_q73 = C_e + B_e * ratio_by_q73_by_q73 + (B_y + B_y) * ratio_by_q73;
-    const double M_e_by_q73_by_q73 = t5 + 0.5 * C_e_by_q73_by_q73;
-    const double u_y_by_q73_by_q73 = t4 - 23.80952380952381 * C_y_by_q73_by_q73;
-    const double t126 = u_e * M_y_by_q73_by_q73 - u_y * M_e_by_q73_by_q73 - s_e * u_y_by_q73_by_q73;
-    const double u_e_by_q73_by_q73 = t7 - 23.80952380952381 * C_e_by_q73_by_q73;
-    const double t127 = u_e_by_q73 + u_e_by_q73;
-    const double t128 = u_y_by_q73 + u_y_by_q73;
-    const double p_y_by_q73_by_q73 = t126 - s_y * u_e_by_q73_by_q73 + t127 * M_y_by_q73 - t128
-        * M_e_by_q73;
-    const double t129 = p_y_by_q73 + p_y_by_q73;
-    const double reach_squared_by_q73_by_q73 = sinew_choose(t12, t129 * p_y_by_q73 + t8
-        * p_y_by_q73_by_q73, 0.0);
-    const double reach_by_q73_by_q73 = 0.5 * (reach_squared_by_q73_by_q73 - t124) * t13;
-    const double t130 = t124 - (limited_by_q73 + limited_by_q73) * limited_by_q73 + t21
-        * reach_by_q73_by_q73;
-    const double t131 = 13.88888888888889 * reach_squared_by_q73_by_q73 + 27.77777777777778
-        * p_x_by_q73 * p_x_by_q73;
-    const double t132 = u_e * M_e_by_q73_by_q73 + u_y * M_y_by_q73_by_q73 + s_e * u_e_by_q73_by_q73;
-    const double p_x_by_q73_by_q73 = t132 - s_y * u_y_by_q73_by_q73 - t127 * M_e_by_q73 - t128
-        * M_y_by_q73;
-    const double projection_by_q73_by_q73 = t131 - t17 * p_x_by_q73_by_q73;
-    const double limited_by_q73_by_q73 = sinew_choose(t19, -(reach_by_q73_by_q73 * t15
-        - projection_by_q73_by_q73 * t16), reach_by_q73_by_q73);
-    const double clearance_by_q73_by_q73 = sinew_choose(t24, t130 - t20 * limited_by_q73_by_q73,
-        1e-12 * reach_squared_by_q73_by_q73);
-    const double t133 = 0.5 * (clearance_by_q73_by_q73 - (root_by_q73 + root_by_q73) * root_by_q73);
-    const double root_by_q73_by_q73 = t133 * t25;
-    const double t134 = p_y * root_by_q73_by_q73 - p_z * limited_by_q73_by_q73 + root
-        * p_y_by_q73_by_q73;
-    const double t135 = reach_squared_by_q73 + reach_squared_by_q73;
-    const double t136 = t134 - sin_A * reach_squared_by_q73_by_q73 + t129 * root_by_q73 - t135
-        * sin_A_by_q73;
-    const double sin_A_by_q73_by_q73 = t136 * t35;
-    const double x_plane_x_by_q73_by_q73 = u_y * sin_A_by_q73_by_q73 - sin_A * u_y_by_q73_by_q73
-        - t128 * sin_A_by_q73;
-    const double t137 = p_y * limited_by_q73_by_q73 + p_z * root_by_q73_by_q73 + limited
-        * p_y_by_q73_by_q73;
-    const double t138 = t137 - cos_A * reach_squared_by_q73_by_q73 + t129 * limited_by_q73 - t135
-        * cos_A_by_q73;
-    const double cos_A_by_q73_by_q73 = t138 * t35;
-    const double x_x_by_q73_by_q73 = cos_q71 * x_plane_x_by_q73_by_q73 + sin_q71
-        * cos_A_by_q73_by_q73;
-    const double z_plane_x_by_q73_by_q73 = u_y * cos_A_by_q73_by_q73 - cos_A * u_y_by_q73_by_q73
-        - t128 * cos_A_by_q73;
-    const double z_x_by_q73_by_q73 = cos_q71 * z_plane_x_by_q73_by_q73 - sin_q71
-        * sin_A_by_q73_by_q73;
-    const double M_x_by_q73_by_q73 = cos_q71 * M_e_by_q73_by_q73;
-    const double origin_x_by_q73_by_q73 = M_x_by_q73_by_q73 + 0.018 * z_x_by_q73_by_q73;
-    const double t139 = origin_x_by_q73_by_q73 + 0.004 * x_x_by_q73_by_q73;
-    const double t140 = 0.01 * z_x_by_q73_by_q73;
-    const double y_x_by_q73_by_q73 = cos_q71 * u_e_by_q73_by_q73;
-    const double layer_0_x_by_q73_by_q73 = t139 - t140 - 0.011 * y_x_by_q73_by_q73;
-    const double x_plane_y_by_q73_by_q73 = u_e * sin_A_by_q73_by_q73 - sin_A * u_e_by_q73_by_q73
-        + t127 * sin_A_by_q73;
-    const double z_plane_y_by_q73_by_q73 = u_e * cos_A_by_q73_by_q73 - cos_A * u_e_by_q73_by_q73
-        + t127 * cos_A_by_q73;
-    const double origin_y_by_q73_by_q73 = M_y_by_q73_by_q73 - 0.018 * z_plane_y_by_q73_by_q73;
-    const double t141 = origin_y_by_q73_by_q73 - 0.004 * x_plane_y_by_q73_by_q73;
-    const double t142 = 0.01 * z_plane_y_by_q73_by_q73;
-    const double layer_0_y_by_q73_by_q73 = t141 + t142 - 0.011 * u_y_by_q73_by_q73;
-    const double t143 = layer_0_x * layer_0_x_by_q73_by_q73 + layer_0_y * layer_0_y_by_q73_by_q73;
-    const double x_z_by_q73_by_q73 = cos_q71 * cos_A_by_q73_by_q73 - sin_q71
-        * x_plane_x_by_q73_by_q73;
-    const double z_z_by_q73_by_q73 = cos_q71 * sin_A_by_q73_by_q73 + sin_q71
-        * z_plane_x_by_q73_by_q73;
-    const double M_z_by_q73_by_q73 = sin_q71 * M_e_by_q73_by_q73;
-    const double origin_z_by_q73_by_q73 = M_z_by_q73_by_q73 + 0.018 * z_z_by_q73_by_q73;
-    const double t144 = origin_z_by_q73_by_q73 - 0.004 * x_z_by_q73_by_q73;
-    const double t145 = 0.01 * z_z_by_q73_by_q73;
-    const double y_z_by_q73_by_q73 = sin_q71 * u_e_by_q73_by_q73;
-    const double layer_0_z_by_q73_by_q73 = t144 - t145 - 0.011 * y_z_by_q73_by_q73;
-    const double t146 = t143 + layer_0_z * layer_0_z_by_q73_by_q73 + layer_0_x_by_q73
+    const double layer_0_x_by_q73_by_q73 = part_1[45] - 0.011 * part_1[46];
+    const double layer_0_y_by_q73_by_q73 = part_1[47] - 0.011 * part_1[44];
+    const double t10 = part_1[6] * layer_0_x_by_q73_by_q73 + part_1[7] * layer_0_y_by_q73_by_q73;
+    const double layer_0_z_by_q73_by_q73 = part_1[48] - 0.011 * part_1[49];
+    const double t11 = t10 + part_1[8] * layer_0_z_by_q73_by_q73 + layer_0_x_by_q73
         * layer_0_x_by_q73;
-    const double t147 = t146 + layer_0_y_by_q73 * layer_0_y_by_q73 + layer_0_z_by_q73
+    const double t12 = t11 + layer_0_y_by_q73 * layer_0_y_by_q73 + layer_0_z_by_q73
         * layer_0_z_by_q73;
-    const double length_0_by_q73_by_q73 = (t147 - length_0_by_q73 * length_0_by_q73) * t84;
+    const double length_0_by_q73_by_q73 = (t12 - length_0_by_q73 * length_0_by_q73) * part_1[9];
     H[3] = length_0_by_q73_by_q73;
-    const double t148 = 0.013 * y_x;
-    const double t149 = 0.013 * y_z;
-    const double t150 = 0.013 * y_z_by_q73;
-    const double t151 = 0.013 * y_x_by_q73;
-    const double layer_1_x_by_q71_by_q71 = t53 - t54 - t148;
-    const double layer_1_x = t56 + t57 + t148;
-    const double layer_1_y_by_q71_by_q71 = t59 + t60;
-    const double layer_1_y = 0.006 - origin_y - t61 - t62 + 0.013 * u_y;
-    const double t152 = layer_1_x * layer_1_x_by_q71_by_q71 - layer_1_y * layer_1_y_by_q71_by_q71;
-    const double layer_1_z_by_q71_by_q71 = t70 - t71 - t149;
-    const double layer_1_z = 0.028 - origin_z - t73 + t74 + t149;
-    const double layer_1_x_by_q71 = t75 - t76 - t149;
-    const double t153 = t152 + layer_1_z * layer_1_z_by_q71_by_q71 + layer_1_x_by_q71
-        * layer_1_x_by_q71;
-    const double layer_1_y_by_q71 = t78 + t79;
-    const double t154 = layer_1_y_by_q71 * layer_1_y_by_q71;
-    const double layer_1_z_by_q71 = t81 - t82 - t148;
-    const double t155 = layer_1_x * layer_1_x_by_q71 - layer_1_y * layer_1_y_by_q71 - layer_1_z
-        * layer_1_z_by_q71;
-    const double length_19 = sinew_sqrt(layer_1_x * layer_1_x + layer_1_y * layer_1_y + layer_1_z
-        * layer_1_z);
-    const double t156 = 1.0 / length_19;
-    const double length_19_by_q71 = t155 * t156;
-    const double t157 = t153 + t154 + layer_1_z_by_q71 * layer_1_z_by_q71 - length_19_by_q71
-        * length_19_by_q71;
-    const double length_19_by_q71_by_q71 = t157 * t156;
+    const double t13 = 0.013 * part_1[32];
+    const double t14 = 0.013 * part_1[27];
+    const double t15 = part_1[14] * part_1[22] - part_1[15] * part_1[23] + part_1[16] * part_1[24];
+    const double t16 = part_1[12] * part_1[12];
+    const double t17 = t15 + part_1[11] * part_1[11] + t16 + part_1[13] * part_1[13] - part_1[18]
+        * part_1[18];
+    const double length_19_by_q71_by_q71 = t17 * part_1[17];
     H[76] = length_19_by_q71_by_q71;
-    const double layer_1_x_by_q71_by_q73 = t101 - t102 - t150;
-    const double layer_1_y_by_q71_by_q73 = t104 + t105;
-    const double t158 = layer_1_x * layer_1_x_by_q71_by_q73 - layer_1_y * layer_1_y_by_q71_by_q73;
-    const double layer_1_z_by_q71_by_q73 = t111 - t112 - t151;
-    const double layer_1_x_by_q73 = t114 - t115 - t151;
-    const double t159 = t158 - layer_1_z * layer_1_z_by_q71_by_q73 - layer_1_x_by_q71
-        * layer_1_x_by_q73;
-    const double layer_1_y_by_q73 = t117 - t118 - 0.013 * u_y_by_q73;
-    const double layer_1_z_by_q73 = t119 - t120 - t150;
-    const double t160 = t159 - layer_1_y_by_q71 * layer_1_y_by_q73 + layer_1_z_by_q71
+    const double layer_1_x_by_q71_by_q73 = t3 - t4 - t13;
+    const double layer_1_z_by_q71_by_q73 = part_1[42] - t14;
+    const double t18 = part_1[14] * layer_1_x_by_q71_by_q73 - part_1[15] * part_1[41] - part_1[16]
+        * layer_1_z_by_q71_by_q73;
+    const double layer_1_x_by_q73 = part_1[33] - t14;
+    const double layer_1_y_by_q73 = part_1[34] - 0.013 * part_1[25];
+    const double layer_1_z_by_q73 = part_1[35] - t13;
+    const double t19 = t18 - part_1[11] * layer_1_x_by_q73 - part_1[12] * layer_1_y_by_q73
+        + part_1[13] * layer_1_z_by_q73;
+    const double t20 = part_1[14] * layer_1_x_by_q73 - part_1[15] * layer_1_y_by_q73 + part_1[16]
         * layer_1_z_by_q73;
-    const double t161 = layer_1_x * layer_1_x_by_q73 - layer_1_y * layer_1_y_by_q73 + layer_1_z
-        * layer_1_z_by_q73;
-    const double length_19_by_q73 = t161 * t156;
-    const double length_19_by_q71_by_q73 = (t160 + length_19_by_q71 * length_19_by_q73) * t156;
+    const double length_19_by_q73 = t20 * part_1[17];
+    const double length_19_by_q71_by_q73 = (t19 + part_1[18] * length_19_by_q73) * part_1[17];
     H[77] = length_19_by_q71_by_q73;
     H[78] = length_19_by_q71_by_q73;
-    const double layer_1_x_by_q73_by_q73 = t139 + t140 - 0.013 * y_x_by_q73_by_q73;
-    const double layer_1_y_by_q73_by_q73 = t141 - t142 - 0.013 * u_y_by_q73_by_q73;
-    const double t162 = layer_1_x * layer_1_x_by_q73_by_q73 + layer_1_y * layer_1_y_by_q73_by_q73;
-    const double layer_1_z_by_q73_by_q73 = t144 + t145 - 0.013 * y_z_by_q73_by_q73;
-    const double t163 = t162 + layer_1_z * layer_1_z_by_q73_by_q73 + layer_1_x_by_q73
+    const double layer_1_x_by_q73_by_q73 = part_1[50] - 0.013 * part_1[46];
+    const double layer_1_y_by_q73_by_q73 = part_1[51] - 0.013 * part_1[44];
+    const double t21 = part_1[14] * layer_1_x_by_q73_by_q73 + part_1[15] * layer_1_y_by_q73_by_q73;
+    const double layer_1_z_by_q73_by_q73 = part_1[52] - 0.013 * part_1[49];
+    const double t22 = t21 + part_1[16] * layer_1_z_by_q73_by_q73 + layer_1_x_by_q73
         * layer_1_x_by_q73;
-    const double t164 = t163 + layer_1_y_by_q73 * layer_1_y_by_q73 + layer_1_z_by_q73
+    const double t23 = t22 + layer_1_y_by_q73 * layer_1_y_by_q73 + layer_1_z_by_q73
         * layer_1_z_by_q73;
-    const double length_19_by_q73_by_q73 = (t164 - length_19_by_q73 * length_19_by_q73) * t156;
+    const double length_19_by_q73_by_q73 = (t23 - length_19_by_q73 * length_19_by_q73) * part_1[17];
     H[79] = length_19_by_q73_by_q73;
-    static const double table166[18][2] = {{0.001, 0.001}, {0.003, 0.003}, {0.005, 0.004},
+    static const double table25[18][2] = {{0.001, 0.001}, {0.003, 0.003}, {0.005, 0.004},
         {0.006, 0.006}, {0.008, 0.008}, {0.009, 0.009}, {0.011, 0.011}, {0.013, 0.012},
         {0.014, 0.014}, {0.016, 0.016}, {0.017, 0.017}, {0.019, 0.019}, {0.021, 0.02},
         {0.022, 0.022}, {0.024, 0.024}, {0.025, 0.025}, {0.027, 0.027}, {0.029, 0.028}};
-    for (int i165 = 0; i165 < 18; ++i165) {
-        const double t167 = table166[i165][0] * y_x;
-        const double strand_x = layer_0_x - t167;
-        const double strand_x_by_q71_by_q71 = layer_0_x_by_q71_by_q71 + t167;
-        const double strand_y = table166[i165][1] + layer_0_y - table166[i165][0] * u_y;
-        const double t168 = table166[i165][0] * y_z;
-        const double strand_z = layer_0_z - t168;
-        const double strand_z_by_q71_by_q71 = layer_0_z_by_q71_by_q71 + t168;
-        const double t169 = strand_x * strand_x_by_q71_by_q71 - strand_y * layer_0_y_by_q71_by_q71
-            + strand_z * strand_z_by_q71_by_q71;
-        const double strand_x_by_q71 = layer_0_x_by_q71 + t168;
-        const double strand_z_by_q71 = layer_0_z_by_q71 + t167;
-        const double t170 = t169 + t80 + strand_x_by_q71 * strand_x_by_q71 + strand_z_by_q71
+    for (int i24 = 0; i24 < 18; ++i24) {
+        const double t26 = table25[i24][0] * part_1[4];
+        const double strand_x = part_1[6] - t26;
+        const double strand_x_by_q71_by_q71 = part_1[19] + t26;
+        const double strand_y = table25[i24][1] + part_1[7] - table25[i24][0] * part_1[0];
+        const double t27 = table25[i24][0] * part_1[1];
+        const double strand_z = part_1[8] - t27;
+        const double strand_z_by_q71_by_q71 = part_1[21] + t27;
+        const double t28 = strand_x * strand_x_by_q71_by_q71 - strand_y * part_1[20] + strand_z
+            * strand_z_by_q71_by_q71;
+        const double strand_x_by_q71 = part_1[2] + t27;
+        const double strand_z_by_q71 = part_1[5] + t26;
+        const double t29 = t28 + t2 + strand_x_by_q71 * strand_x_by_q71 + strand_z_by_q71
             * strand_z_by_q71;
-        const double t171 = strand_x * strand_x_by_q71 - strand_y * layer_0_y_by_q71 - strand_z
+        const double t30 = strand_x * strand_x_by_q71 - strand_y * part_1[3] - strand_z
             * strand_z_by_q71;
         const double length = sinew_sqrt(strand_x * strand_x + strand_y * strand_y + strand_z
             * strand_z);
-        const double t172 = 1.0 / length;
-        const double length_by_q71 = t171 * t172;
-        const double length_by_q71_by_q71 = (t170 - length_by_q71 * length_by_q71) * t172;
-        const double t173 = table166[i165][0] * y_z_by_q73;
-        const double strand_x_by_q71_by_q73 = layer_0_x_by_q71_by_q73 + t173;
-        const double t174 = table166[i165][0] * y_x_by_q73;
-        const double strand_z_by_q71_by_q73 = layer_0_z_by_q71_by_q73 + t174;
-        const double t175 = strand_x * strand_x_by_q71_by_q73 - strand_y * layer_0_y_by_q71_by_q73
-            - strand_z * strand_z_by_q71_by_q73;
-        const double strand_y_by_q73 = layer_0_y_by_q73 + table166[i165][0] * u_y_by_q73;
-        const double strand_x_by_q73 = layer_0_x_by_q73 + t174;
-        const double t176 = t175 - layer_0_y_by_q71 * strand_y_by_q73 - strand_x_by_q71
-            * strand_x_by_q73;
-        const double strand_z_by_q73 = layer_0_z_by_q73 + t173;
-        const double t177 = strand_x * strand_x_by_q73 - strand_y * strand_y_by_q73 + strand_z
+        const double t31 = 1.0 / length;
+        const double length_by_q71 = t30 * t31;
+        const double length_by_q71_by_q71 = (t29 - length_by_q71 * length_by_q71) * t31;
+        const double t32 = table25[i24][0] * part_1[32];
+        const double strand_x_by_q71_by_q73 = layer_0_x_by_q71_by_q73 + t32;
+        const double t33 = table25[i24][0] * part_1[27];
+        const double strand_z_by_q71_by_q73 = layer_0_z_by_q71_by_q73 + t33;
+        const double t34 = strand_x * strand_x_by_q71_by_q73 - strand_y * part_1[39] - strand_z
+            * strand_z_by_q71_by_q73;
+        const double strand_y_by_q73 = layer_0_y_by_q73 + table25[i24][0] * part_1[25];
+        const double strand_x_by_q73 = layer_0_x_by_q73 + t33;
+        const double strand_z_by_q73 = layer_0_z_by_q73 + t32;
+        const double t35 = t34 - part_1[3] * strand_y_by_q73 - strand_x_by_q71 * strand_x_by_q73
+            + strand_z_by_q71 * strand_z_by_q73;
+        const double t36 = strand_x * strand_x_by_q73 - strand_y * strand_y_by_q73 + strand_z
             * strand_z_by_q73;
-        const double length_by_q73 = t177 * t172;
-        const double length_by_q71_by_q73 = (t176 + strand_z_by_q71 * strand_z_by_q73
-            + length_by_q71 * length_by_q73) * t172;
-        const double strand_x_by_q73_by_q73 = layer_0_x_by_q73_by_q73 + table166[i165][0]
-            * y_x_by_q73_by_q73;
-        const double strand_y_by_q73_by_q73 = layer_0_y_by_q73_by_q73 + table166[i165][0]
-            * u_y_by_q73_by_q73;
-        const double strand_z_by_q73_by_q73 = layer_0_z_by_q73_by_q73 + table166[i165][0]
-            * y_z_by_q73_by_q73;
-        const double t178 = strand_x * strand_x_by_q73_by_q73 + strand_y * strand_y_by_q73_by_q73
+        const double length_by_q73 = t36 * t31;
+        const double length_by_q71_by_q73 = (t35 + length_by_q71 * length_by_q73) * t31;
+        const double strand_x_by_q73_by_q73 = layer_0_x_by_q73_by_q73 + table25[i24][0]
+            * part_1[46];
+        const double strand_y_by_q73_by_q73 = layer_0_y_by_q73_by_q73 + table25[i24][0]
+            * part_1[44];
+        const double strand_z_by_q73_by_q73 = layer_0_z_by_q73_by_q73 + table25[i24][0]
+            * part_1[49];
+        const double t37 = strand_x * strand_x_by_q73_by_q73 + strand_y * strand_y_by_q73_by_q73
             + strand_z * strand_z_by_q73_by_q73;
-        const double t179 = t178 + strand_x_by_q73 * strand_x_by_q73 + strand_y_by_q73
+        const double t38 = t37 + strand_x_by_q73 * strand_x_by_q73 + strand_y_by_q73
             * strand_y_by_q73;
-        const double length_by_q73_by_q73 = (t179 + strand_z_by_q73 * strand_z_by_q73
-            - length_by_q73 * length_by_q73) * t172;
-        H[4 + 4 * i165] = length_by_q71_by_q71;
-        H[5 + 4 * i165] = length_by_q71_by_q73;
-        H[6 + 4 * i165] = length_by_q71_by_q73;
-        H[7 + 4 * i165] = length_by_q73_by_q73;
+        const double length_by_q73_by_q73 = (t38 + strand_z_by_q73 * strand_z_by_q73 - length_by_q73
+            * length_by_q73) * t31;
+        H[4 + 4 * i24] = length_by_q71_by_q71;
+        H[5 + 4 * i24] = length_by_q71_by_q73;
+        H[6 + 4 * i24] = length_by_q71_by_q73;
+        H[7 + 4 * i24] = length_by_q73_by_q73;
     }
-    static const double table181[18][2] = {{0.002, 0.001}, {0.003, 0.003}, {0.005, 0.005},
+    static const double table40[18][2] = {{0.002, 0.001}, {0.003, 0.003}, {0.005, 0.005},
         {0.007, 0.006}, {0.008, 0.008}, {0.01, 0.009}, {0.011, 0.011}, {0.013, 0.013},
         {0.015, 0.014}, {0.016, 0.016}, {0.018, 0.017}, {0.019, 0.019}, {0.021, 0.021},
         {0.023, 0.022}, {0.024, 0.024}, {0.026, 0.025}, {0.027, 0.027}, {0.029, 0.029}};
-    for (int i180 = 0; i180 < 18; ++i180) {
-        const double t182 = table181[i180][0] * y_x;
-        const double strand_x_2 = layer_1_x - t182;
-        const double strand_x_by_q71_by_q71_2 = layer_1_x_by_q71_by_q71 + t182;
-        const double strand_y_2 = table181[i180][1] + layer_1_y - table181[i180][0] * u_y;
-        const double t183 = strand_x_2 * strand_x_by_q71_by_q71_2 - strand_y_2
-            * layer_1_y_by_q71_by_q71;
-        const double t184 = table181[i180][0] * y_z;
-        const double strand_z_2 = layer_1_z - t184;
-        const double strand_z_by_q71_by_q71_2 = layer_1_z_by_q71_by_q71 + t184;
-        const double strand_x_by_q71_2 = layer_1_x_by_q71 + t184;
-        const double t185 = t183 + strand_z_2 * strand_z_by_q71_by_q71_2 + t154 + strand_x_by_q71_2
-            * strand_x_by_q71_2;
-        const double strand_z_by_q71_2 = layer_1_z_by_q71 + t182;
-        const double t186 = strand_x_2 * strand_x_by_q71_2 - strand_y_2 * layer_1_y_by_q71
-            - strand_z_2 * strand_z_by_q71_2;
-        const double t187 = strand_x_2 * strand_x_2 + strand_y_2 * strand_y_2 + strand_z_2
+    for (int i39 = 0; i39 < 18; ++i39) {
+        const double t41 = table40[i39][0] * part_1[4];
+        const double strand_x_2 = part_1[14] - t41;
+        const double strand_x_by_q71_by_q71_2 = part_1[22] + t41;
+        const double strand_y_2 = table40[i39][1] + part_1[15] - table40[i39][0] * part_1[0];
+        const double t42 = table40[i39][0] * part_1[1];
+        const double strand_z_2 = part_1[16] - t42;
+        const double strand_z_by_q71_by_q71_2 = part_1[24] + t42;
+        const double t43 = strand_x_2 * strand_x_by_q71_by_q71_2 - strand_y_2 * part_1[23]
+            + strand_z_2 * strand_z_by_q71_by_q71_2;
+        const double strand_x_by_q71_2 = part_1[11] + t42;
+        const double strand_z_by_q71_2 = part_1[13] + t41;
+        const double t44 = t43 + t16 + strand_x_by_q71_2 * strand_x_by_q71_2 + strand_z_by_q71_2
+            * strand_z_by_q71_2;
+        const double t45 = strand_x_2 * strand_x_by_q71_2 - strand_y_2 * part_1[12] - strand_z_2
+            * strand_z_by_q71_2;
+        const double t46 = strand_x_2 * strand_x_2 + strand_y_2 * strand_y_2 + strand_z_2
             * strand_z_2;
-        const double length_2 = sinew_sqrt(t187);
-        const double t188 = 1.0 / length_2;
-        const double length_by_q71_2 = t186 * t188;
-        const double t189 = t185 + strand_z_by_q71_2 * strand_z_by_q71_2 - length_by_q71_2
-            * length_by_q71_2;
-        const double length_by_q71_by_q71_2 = t189 * t188;
-        const double t190 = table181[i180][0] * y_z_by_q73;
-        const double strand_x_by_q71_by_q73_2 = layer_1_x_by_q71_by_q73 + t190;
-        const double t191 = strand_x_2 * strand_x_by_q71_by_q73_2 - strand_y_2
-            * layer_1_y_by_q71_by_q73;
-        const double t192 = table181[i180][0] * y_x_by_q73;
-        const double strand_z_by_q71_by_q73_2 = layer_1_z_by_q71_by_q73 + t192;
-        const double strand_y_by_q73_2 = layer_1_y_by_q73 + table181[i180][0] * u_y_by_q73;
-        const double t193 = t191 - strand_z_2 * strand_z_by_q71_by_q73_2 - layer_1_y_by_q71
-            * strand_y_by_q73_2;
-        const double strand_x_by_q73_2 = layer_1_x_by_q73 + t192;
-        const double strand_z_by_q73_2 = layer_1_z_by_q73 + t190;
-        const double t194 = t193 - strand_x_by_q71_2 * strand_x_by_q73_2 + strand_z_by_q71_2
-            * strand_z_by_q73_2;
-        const double t195 = strand_x_2 * strand_x_by_q73_2 - strand_y_2 * strand_y_by_q73_2
-            + strand_z_2 * strand_z_by_q73_2;
-        const double length_by_q73_2 = t195 * t188;
-        const double length_by_q71_by_q73_2 = (t194 + length_by_q71_2 * length_by_q73_2) * t188;
-        const double strand_x_by_q73_by_q73_2 = layer_1_x_by_q73_by_q73 + table181[i180][0]
-            * y_x_by_q73_by_q73;
-        const double strand_y_by_q73_by_q73_2 = layer_1_y_by_q73_by_q73 + table181[i180][0]
-            * u_y_by_q73_by_q73;
-        const double t196 = strand_x_2 * strand_x_by_q73_by_q73_2 + strand_y_2
-            * strand_y_by_q73_by_q73_2;
-        const double strand_z_by_q73_by_q73_2 = layer_1_z_by_q73_by_q73 + table181[i180][0]
-            * y_z_by_q73_by_q73;
-        const double t197 = t196 + strand_z_2 * strand_z_by_q73_by_q73_2 + strand_x_by_q73_2
+        const double length_2 = sinew_sqrt(t46);
+        const double t47 = 1.0 / length_2;
+        const double length_by_q71_2 = t45 * t47;
+        const double length_by_q71_by_q71_2 = (t44 - length_by_q71_2 * length_by_q71_2) * t47;
+        const double t48 = table40[i39][0] * part_1[32];
+        const double strand_x_by_q71_by_q73_2 = layer_1_x_by_q71_by_q73 + t48;
+        const double t49 = table40[i39][0] * part_1[27];
+        const double strand_z_by_q71_by_q73_2 = layer_1_z_by_q71_by_q73 + t49;
+        const double t50 = strand_x_2 * strand_x_by_q71_by_q73_2 - strand_y_2 * part_1[41]
+            - strand_z_2 * strand_z_by_q71_by_q73_2;
+        const double strand_y_by_q73_2 = layer_1_y_by_q73 + table40[i39][0] * part_1[25];
+        const double strand_x_by_q73_2 = layer_1_x_by_q73 + t49;
+        const double t51 = t50 - part_1[12] * strand_y_by_q73_2 - strand_x_by_q71_2
             * strand_x_by_q73_2;
-        const double t198 = t197 + strand_y_by_q73_2 * strand_y_by_q73_2 + strand_z_by_q73_2
+        const double strand_z_by_q73_2 = layer_1_z_by_q73 + t48;
+        const double t52 = strand_x_2 * strand_x_by_q73_2 - strand_y_2 * strand_y_by_q73_2
+            + strand_z_2 * strand_z_by_q73_2;
+        const double length_by_q73_2 = t52 * t47;
+        const double t53 = t51 + strand_z_by_q71_2 * strand_z_by_q73_2 + length_by_q71_2
+            * length_by_q73_2;
+        const double length_by_q71_by_q73_2 = t53 * t47;
+        const double strand_x_by_q73_by_q73_2 = layer_1_x_by_q73_by_q73 + table40[i39][0]
+            * part_1[46];
+        const double strand_y_by_q73_by_q73_2 = layer_1_y_by_q73_by_q73 + table40[i39][0]
+            * part_1[44];
+        const double t54 = strand_x_2 * strand_x_by_q73_by_q73_2 + strand_y_2
+            * strand_y_by_q73_by_q73_2;
+        const double strand_z_by_q73_by_q73_2 = layer_1_z_by_q73_by_q73 + table40[i39][0]
+            * part_1[49];
+        const double t55 = t54 + strand_z_2 * strand_z_by_q73_by_q73_2 + strand_x_by_q73_2
+            * strand_x_by_q73_2;
+        const double t56 = t55 + strand_y_by_q73_2 * strand_y_by_q73_2 + strand_z_by_q73_2
             * strand_z_by_q73_2;
-        const double length_by_q73_by_q73_2 = (t198 - length_by_q73_2 * length_by_q73_2) * t188;
-        H[80 + 4 * i180] = length_by_q71_by_q71_2;
-        H[81 + 4 * i180] = length_by_q71_by_q73_2;
-        H[82 + 4 * i180] = length_by_q71_by_q73_2;
-        H[83 + 4 * i180] = length_by_q73_by_q73_2;
+        const double length_by_q73_by_q73_2 = (t56 - length_by_q73_2 * length_by_q73_2) * t47;
+        H[80 + 4 * i39] = length_by_q71_by_q71_2;
+        H[81 + 4 * i39] = length_by_q71_by_q73_2;
+        H[82 + 4 * i39] = length_by_q71_by_q73_2;
+        H[83 + 4 * i39] = length_by_q73_by_q73_2;
     }
 }
 
@@ -1688,932 +1771,354 @@ void wrist_feedforward_rate(double q71, double q73, double dq71, double dq73,
 void wrist_joint_torque(double q71, double q73, const double f[SINEW_AT_LEAST(38)],
     double tau[SINEW_AT_LEAST(2)])
 {
-    const struct sinew_sines2 sines1 = sinew_one_sincos2(q71, q73);
-    const double sin_q71 = sines1.s[0];
-    const double cos_q71 = sines1.c[0];
-    const double sin_q73 = sines1.s[1];
-    const double cos_q73 = sines1.c[1];
-    const double B_y = 0.074565407529229 * cos_q73;
-    const double t2 = 23.80952380952381 * B_y;
-    const double B_to_C0_squared = 0.007324 - 0.084 * B_y;
-    const double t3 = 1.0 / B_to_C0_squared;
-    const double ratio = 0.003796 * t3;
-    const double B_e = 0.074565407529229 * sin_q73;
-    const double B_to_C0_squared_by_q73 = 0.084 * B_e;
-    const double ratio_by_q73 = ratio * B_to_C0_squared_by_q73 * t3;
-    const double C_e_by_q73 = B_e * ratio_by_q73 - B_y * ratio;
-    const double u_e_by_q73 = t2 + 23.80952380952381 * C_e_by_q73;
-    const double y_x_by_q73 = cos_q71 * u_e_by_q73;
-    const double p_z = 0.036 * cos_q71;
-    const double t4 = p_z * p_z;
-    const double t5 = 23.80952380952381 * B_e;
-    const double C_e = B_e * ratio;
-    const double u_e = t5 - 23.80952380952381 * C_e;
-    const double t6 = 0.5 * B_y;
-    const double t7 = 21.0 - 500.0 * B_y;
-    const double C_y = 0.002 * ratio * t7;
-    const double M_y = t6 - 0.5 * C_y;
-    const double s_y = 0.021 - M_y;
-    const double p_z_by_q71 = 0.036 * sin_q71;
-    const double t8 = 0.5 * B_e;
-    const double M_e = t8 + 0.5 * C_e;
-    const double s_e = M_e - p_z_by_q71;
-    const double u_y = t2 + 23.80952380952381 * C_y;
-    const double p_y = u_e * s_y + u_y * s_e;
-    const double t9 = p_y * p_y;
-    const double reach_squared = sinew_max(t9 + t4, 1.296e-15);
-    const double t10 = 1.0 / reach_squared;
-    const double t11 = -(1.296e-15 - t9 - t4);
-    const double t12 = p_y + p_y;
-    const double C_y_by_q73 = C_e - 0.002 * ratio_by_q73 * t7;
-    const double u_y_by_q73 = t5 - 23.80952380952381 * C_y_by_q73;
-    const double M_y_by_q73 = t8 + 0.5 * C_y_by_q73;
-    const double M_e_by_q73 = t6 - 0.5 * C_e_by_q73;
-    const double p_y_by_q73 = u_e * M_y_by_q73 + u_y * M_e_by_q73 - s_e * u_y_by_q73 + s_y
-        * u_e_by_q73;
-    const double reach_squared_by_q73 = sinew_choose(t11, t12 * p_y_by_q73, 0.0);
-    const double reach = sinew_sqrt(reach_squared);
-    const double p_x = u_e * s_e - u_y * s_y;
-    const double projection = 0.034722222222222224 - 13.88888888888889 * (reach_squared + p_x
-        * p_x);
-    const double t13 = sinew_max(-projection, -reach);
-    const double limited = sinew_min(t13, reach);
-    const double t14 = 1e-12 * reach_squared;
-    const double t15 = (reach + limited) * (reach - limited);
-    const double clearance = sinew_max(t15, t14);
-    const double root = sinew_sqrt(clearance);
-    const double sin_A = (p_y * root - p_z * limited) * t10;
-    const double t16 = reach - t13;
-    const double t17 = 1.0 / reach;
-    const double reach_by_q73 = 0.5 * reach_squared_by_q73 * t17;
-    const double t18 = reach - projection;
-    const double t19 = sinew_choose(t18, 0.0, 1.0);
-    const double t20 = sinew_choose(t18, 1.0, 0.0);
-    const double t21 = 27.77777777777778 * p_x;
-    const double p_x_by_q73 = u_e * M_e_by_q73 - u_y * M_y_by_q73 + s_e * u_e_by_q73 + s_y
-        * u_y_by_q73;
-    const double projection_by_q73 = 13.88888888888889 * reach_squared_by_q73 + t21 * p_x_by_q73;
-    const double limited_by_q73 = sinew_choose(t16, -(reach_by_q73 * t19 - projection_by_q73 * t20),
-        reach_by_q73);
-    const double t22 = 1.0 / root;
-    const double t23 = -(t14 - t15);
-    const double t24 = reach + reach;
-    const double t25 = limited + limited;
-    const double clearance_by_q73 = sinew_choose(t23, t24 * reach_by_q73 - t25 * limited_by_q73,
-        1e-12 * reach_squared_by_q73);
-    const double root_by_q73 = 0.5 * clearance_by_q73 * t22;
-    const double t26 = p_y * root_by_q73 - p_z * limited_by_q73 + root * p_y_by_q73 - sin_A
-        * reach_squared_by_q73;
-    const double sin_A_by_q73 = t26 * t10;
-    const double cos_A = (p_y * limited + p_z * root) * t10;
-    const double t27 = p_y * limited_by_q73 + p_z * root_by_q73 + limited * p_y_by_q73 - cos_A
-        * reach_squared_by_q73;
-    const double cos_A_by_q73 = t27 * t10;
-    const double z_plane_x_by_q73 = u_y * cos_A_by_q73 - cos_A * u_y_by_q73;
-    const double z_x_by_q73 = cos_q71 * z_plane_x_by_q73 - sin_q71 * sin_A_by_q73;
-    const double x_plane_x_by_q73 = u_y * sin_A_by_q73 - sin_A * u_y_by_q73;
-    const double x_x_by_q73 = cos_q71 * x_plane_x_by_q73 + sin_q71 * cos_A_by_q73;
-    const double M_x_by_q73 = cos_q71 * M_e_by_q73;
-    const double origin_x_by_q73 = M_x_by_q73 - 0.018 * z_x_by_q73;
-    const double t28 = origin_x_by_q73 - 0.004 * x_x_by_q73;
-    const double y_x = cos_q71 * u_e;
-    const double t29 = 0.011 * y_x;
-    const double t30 = sin_q71 * sin_A;
-    const double z_plane_x = u_y * cos_A;
-    const double t31 = cos_q71 * z_plane_x;
-    const double z_x = t31 - t30;
-    const double t32 = 0.01 * z_x;
-    const double t33 = sin_q71 * cos_A;
-    const double x_plane_x = u_y * sin_A;
-    const double t34 = cos_q71 * x_plane_x;
-    const double x_x = t34 + t33;
-    const double M_x = cos_q71 * M_e;
-    const double t35 = 0.004 - M_x + 0.018 * z_x + 0.004 * x_x;
-    const double layer_0_x = t35 - t32 + t29;
-    const double y_z = sin_q71 * u_e;
-    const double t36 = 0.011 * y_z;
-    const double t37 = cos_q71 * sin_A;
-    const double t38 = sin_q71 * z_plane_x;
-    const double z_z = t37 + t38;
-    const double t39 = 0.01 * z_z;
-    const double t40 = cos_q71 * cos_A;
-    const double t41 = sin_q71 * x_plane_x;
-    const double x_z = t40 - t41;
-    const double t42 = 0.004 * x_z;
-    const double M_z = sin_q71 * M_e;
-    const double origin_z = M_z - 0.018 * z_z;
-    const double layer_0_z = 0.008 - origin_z - t42 - t39 + t36;
-    const double z_plane_y = u_e * cos_A;
-    const double t43 = 0.01 * z_plane_y;
-    const double x_plane_y = u_e * sin_A;
-    const double t44 = 0.004 * x_plane_y;
-    const double origin_y = M_y + 0.018 * z_plane_y;
-    const double layer_0_y = 0.007 - origin_y - t44 + t43 + 0.011 * u_y;
-    const double t45 = 0.013 * y_x;
-    const double t46 = 0.013 * y_z;
-    const double length_0 = sinew_sqrt(layer_0_x * layer_0_x + layer_0_y * layer_0_y + layer_0_z
-        * layer_0_z);
-    const double per_length_0 = f[0] / length_0;
-    const double pull_0_x = layer_0_x * per_length_0;
-    const double z_plane_y_by_q73 = u_e * cos_A_by_q73 + cos_A * u_e_by_q73;
-    const double origin_y_by_q73 = M_y_by_q73 - 0.018 * z_plane_y_by_q73;
-    const double x_plane_y_by_q73 = u_e * sin_A_by_q73 + sin_A * u_e_by_q73;
-    const double t47 = origin_y_by_q73 - 0.004 * x_plane_y_by_q73;
-    const double pull_0_y = layer_0_y * per_length_0;
-    const double y_z_by_q73 = sin_q71 * u_e_by_q73;
-    const double z_z_by_q73 = cos_q71 * sin_A_by_q73 + sin_q71 * z_plane_x_by_q73;
-    const double x_z_by_q73 = cos_q71 * cos_A_by_q73 - sin_q71 * x_plane_x_by_q73;
-    const double M_z_by_q73 = sin_q71 * M_e_by_q73;
-    const double origin_z_by_q73 = M_z_by_q73 - 0.018 * z_z_by_q73;
-    const double t48 = origin_z_by_q73 + 0.004 * x_z_by_q73;
-    const double pull_0_z = layer_0_z * per_length_0;
-    const double layer_1_x = t35 + t32 + t45;
-    const double layer_1_z = 0.028 - origin_z - t42 + t39 + t46;
-    const double layer_1_y = 0.006 - origin_y - t44 - t43 + 0.013 * u_y;
-    const double length_19 = sinew_sqrt(layer_1_x * layer_1_x + layer_1_y * layer_1_y + layer_1_z
-        * layer_1_z);
-    const double per_length_19 = f[19] / length_19;
-    const double pull_19_x = layer_1_x * per_length_19;
-    const double pull_19_y = layer_1_y * per_length_19;
-    const double pull_19_z = layer_1_z * per_length_19;
-    const double p_y_by_q71 = u_y * p_z;
-    const double reach_squared_by_q71 = sinew_choose(t11, -(t12 * p_y_by_q71 + (p_z + p_z)
-        * p_z_by_q71), 0.0);
-    const double reach_by_q71 = 0.5 * reach_squared_by_q71 * t17;
-    const double projection_by_q71 = 13.88888888888889 * reach_squared_by_q71 - t21 * u_e * p_z;
-    const double limited_by_q71 = sinew_choose(t16, -(reach_by_q71 * t19 - projection_by_q71 * t20),
-        reach_by_q71);
-    const double clearance_by_q71 = sinew_choose(t23, t24 * reach_by_q71 - t25 * limited_by_q71,
-        1e-12 * reach_squared_by_q71);
-    const double root_by_q71 = 0.5 * clearance_by_q71 * t22;
-    const double t49 = p_y * root_by_q71 - p_z * limited_by_q71 + limited * p_z_by_q71 - root
-        * p_y_by_q71;
-    const double sin_A_by_q71 = (t49 - sin_A * reach_squared_by_q71) * t10;
-    const double t50 = p_y * limited_by_q71 + p_z * root_by_q71 - limited * p_y_by_q71 - root
-        * p_z_by_q71;
-    const double cos_A_by_q71 = (t50 - cos_A * reach_squared_by_q71) * t10;
-    const double z_plane_x_by_q71 = u_y * cos_A_by_q71;
-    const double z_x_by_q71 = t37 - cos_q71 * z_plane_x_by_q71 + t38 + sin_q71 * sin_A_by_q71;
-    const double t51 = 0.01 * z_x_by_q71;
-    const double x_plane_x_by_q71 = u_y * sin_A_by_q71;
-    const double x_x_by_q71 = t40 + cos_q71 * x_plane_x_by_q71 - t41 + sin_q71 * cos_A_by_q71;
-    const double origin_x_by_q71 = M_z - 0.018 * z_x_by_q71;
-    const double t52 = origin_x_by_q71 + 0.004 * x_x_by_q71;
-    const double layer_0_x_by_q71 = t52 + t51 - t36;
-    const double z_plane_y_by_q71 = u_e * cos_A_by_q71;
-    const double z_z_by_q71 = t31 + cos_q71 * sin_A_by_q71 - t30 + sin_q71 * z_plane_x_by_q71;
-    const double t53 = 0.01 * z_z_by_q71;
-    const double x_z_by_q71 = t34 - cos_q71 * cos_A_by_q71 + t33 + sin_q71 * x_plane_x_by_q71;
-    const double origin_z_by_q71 = M_x - 0.018 * z_z_by_q71;
-    const double t54 = origin_z_by_q71 - 0.004 * x_z_by_q71;
-    const double layer_0_z_by_q71 = t54 + t53 - t29;
-    const double layer_1_x_by_q71 = t52 - t51 - t46;
-    const double layer_1_z_by_q71 = t54 - t53 - t45;
-    static const double table62[18][2] = {{0.001, 0.001}, {0.003, 0.003}, {0.005, 0.004},
+    double part_2[26];
+    wrist_part_2(q71, q73, part_2);
+    const double per_length_0 = f[0] / part_2[9];
+    const double pull_0_x = part_2[5] * per_length_0;
+    const double pull_0_y = part_2[8] * per_length_0;
+    const double pull_0_z = part_2[7] * per_length_0;
+    const double per_length_19 = f[19] / part_2[17];
+    const double pull_19_x = part_2[14] * per_length_19;
+    const double pull_19_y = part_2[16] * per_length_19;
+    const double pull_19_z = part_2[15] * per_length_19;
+    static const double table8[18][2] = {{0.001, 0.001}, {0.003, 0.003}, {0.005, 0.004},
         {0.006, 0.006}, {0.008, 0.008}, {0.009, 0.009}, {0.011, 0.011}, {0.013, 0.012},
         {0.014, 0.014}, {0.016, 0.016}, {0.017, 0.017}, {0.019, 0.019}, {0.021, 0.02},
         {0.022, 0.022}, {0.024, 0.024}, {0.025, 0.025}, {0.027, 0.027}, {0.029, 0.028}};
-    double sum56 = -0.0;
-    double sum57 = -0.0;
-    double sum58 = -0.0;
-    double sum59 = pull_0_z;
-    double sum60 = pull_0_y;
-    double sum61 = pull_0_x;
-    for (int i55 = 0; i55 < 18; ++i55) {
-        const double before63 = sum56;
-        const double before64 = sum57;
-        const double before65 = sum58;
-        const double before66 = sum59;
-        const double before67 = sum60;
-        const double before68 = sum61;
-        const double strand_z = layer_0_z - table62[i55][0] * y_z;
-        const double strand_x = layer_0_x - table62[i55][0] * y_x;
-        const double strand_y = table62[i55][1] + layer_0_y - table62[i55][0] * u_y;
+    double sum2 = -0.0;
+    double sum3 = -0.0;
+    double sum4 = -0.0;
+    double sum5 = pull_0_z;
+    double sum6 = pull_0_y;
+    double sum7 = pull_0_x;
+    for (int i1 = 0; i1 < 18; ++i1) {
+        const double before9 = sum2;
+        const double before10 = sum3;
+        const double before11 = sum4;
+        const double before12 = sum5;
+        const double before13 = sum6;
+        const double before14 = sum7;
+        const double strand_z = part_2[7] - table8[i1][0] * part_2[6];
+        const double strand_x = part_2[5] - table8[i1][0] * part_2[4];
+        const double strand_y = table8[i1][1] + part_2[8] - table8[i1][0] * part_2[1];
         const double length = sinew_sqrt(strand_x * strand_x + strand_y * strand_y + strand_z
             * strand_z);
-        const double per_length = f[1 + i55] / length;
-        const double t69 = table62[i55][0] * per_length;
-        const double pull_by_y_z = strand_z * t69;
-        const double pull_by_y_y = strand_y * t69;
-        const double pull_by_y_x = strand_x * t69;
+        const double per_length = f[1 + i1] / length;
+        const double t15 = table8[i1][0] * per_length;
+        const double pull_by_y_z = strand_z * t15;
+        const double pull_by_y_y = strand_y * t15;
+        const double pull_by_y_x = strand_x * t15;
         const double pull_z = strand_z * per_length;
         const double pull_y = strand_y * per_length;
         const double pull_x = strand_x * per_length;
-        sum56 = before63 + pull_by_y_z;
-        sum57 = before64 + pull_by_y_y;
-        sum58 = before65 + pull_by_y_x;
-        sum59 = before66 + pull_z;
-        sum60 = before67 + pull_y;
-        sum61 = before68 + pull_x;
+        sum2 = before9 + pull_by_y_z;
+        sum3 = before10 + pull_by_y_y;
+        sum4 = before11 + pull_by_y_x;
+        sum5 = before12 + pull_z;
+        sum6 = before13 + pull_y;
+        sum7 = before14 + pull_x;
     }
-    static const double table77[18][2] = {{0.002, 0.001}, {0.003, 0.003}, {0.005, 0.005},
+    static const double table23[18][2] = {{0.002, 0.001}, {0.003, 0.003}, {0.005, 0.005},
         {0.007, 0.006}, {0.008, 0.008}, {0.01, 0.009}, {0.011, 0.011}, {0.013, 0.013},
         {0.015, 0.014}, {0.016, 0.016}, {0.018, 0.017}, {0.019, 0.019}, {0.021, 0.021},
         {0.023, 0.022}, {0.024, 0.024}, {0.026, 0.025}, {0.027, 0.027}, {0.029, 0.029}};
-    double sum71 = -0.0;
-    double sum72 = -0.0;
-    double sum73 = -0.0;
-    double sum74 = pull_19_z;
-    double sum75 = pull_19_y;
-    double sum76 = pull_19_x;
-    for (int i70 = 0; i70 < 18; ++i70) {
-        const double before78 = sum71;
-        const double before79 = sum72;
-        const double before80 = sum73;
-        const double before81 = sum74;
-        const double before82 = sum75;
-        const double before83 = sum76;
-        const double strand_z_2 = layer_1_z - table77[i70][0] * y_z;
-        const double strand_x_2 = layer_1_x - table77[i70][0] * y_x;
-        const double strand_y_2 = table77[i70][1] + layer_1_y - table77[i70][0] * u_y;
-        const double t84 = strand_x_2 * strand_x_2 + strand_y_2 * strand_y_2 + strand_z_2
+    double sum17 = -0.0;
+    double sum18 = -0.0;
+    double sum19 = -0.0;
+    double sum20 = pull_19_z;
+    double sum21 = pull_19_y;
+    double sum22 = pull_19_x;
+    for (int i16 = 0; i16 < 18; ++i16) {
+        const double before24 = sum17;
+        const double before25 = sum18;
+        const double before26 = sum19;
+        const double before27 = sum20;
+        const double before28 = sum21;
+        const double before29 = sum22;
+        const double strand_z_2 = part_2[15] - table23[i16][0] * part_2[6];
+        const double strand_x_2 = part_2[14] - table23[i16][0] * part_2[4];
+        const double strand_y_2 = table23[i16][1] + part_2[16] - table23[i16][0] * part_2[1];
+        const double t30 = strand_x_2 * strand_x_2 + strand_y_2 * strand_y_2 + strand_z_2
             * strand_z_2;
-        const double length_2 = sinew_sqrt(t84);
-        const double per_length_2 = f[20 + i70] / length_2;
-        const double t85 = table77[i70][0] * per_length_2;
-        const double pull_by_y_z_2 = strand_z_2 * t85;
-        const double pull_by_y_y_2 = strand_y_2 * t85;
-        const double pull_by_y_x_2 = strand_x_2 * t85;
+        const double length_2 = sinew_sqrt(t30);
+        const double per_length_2 = f[20 + i16] / length_2;
+        const double t31 = table23[i16][0] * per_length_2;
+        const double pull_by_y_z_2 = strand_z_2 * t31;
+        const double pull_by_y_y_2 = strand_y_2 * t31;
+        const double pull_by_y_x_2 = strand_x_2 * t31;
         const double pull_z_2 = strand_z_2 * per_length_2;
         const double pull_y_2 = strand_y_2 * per_length_2;
         const double pull_x_2 = strand_x_2 * per_length_2;
-        sum71 = before78 + pull_by_y_z_2;
-        sum72 = before79 + pull_by_y_y_2;
-        sum73 = before80 + pull_by_y_x_2;
-        sum74 = before81 + pull_z_2;
-        sum75 = before82 + pull_y_2;
-        sum76 = before83 + pull_x_2;
+        sum17 = before24 + pull_by_y_z_2;
+        sum18 = before25 + pull_by_y_y_2;
+        sum19 = before26 + pull_by_y_x_2;
+        sum20 = before27 + pull_z_2;
+        sum21 = before28 + pull_y_2;
+        sum22 = before29 + pull_x_2;
     }
-    const double t86 = 0.01 * z_x_by_q73;
-    const double layer_0_x_by_q73 = t28 + t86 - 0.011 * y_x_by_q73;
-    const double t87 = 0.01 * z_plane_y_by_q73;
-    const double layer_0_y_by_q73 = t47 + t87 - 0.011 * u_y_by_q73;
-    const double t88 = 0.01 * z_z_by_q73;
-    const double layer_0_z_by_q73 = t48 + t88 - 0.011 * y_z_by_q73;
-    const double t89 = sum61 * layer_0_x_by_q73 - sum60 * layer_0_y_by_q73 + sum59
-        * layer_0_z_by_q73;
-    const double layer_1_x_by_q73 = t28 - t86 - 0.013 * y_x_by_q73;
-    const double layer_1_y_by_q73 = t47 - t87 - 0.013 * u_y_by_q73;
-    const double layer_1_z_by_q73 = t48 - t88 - 0.013 * y_z_by_q73;
-    const double t90 = t89 + sum76 * layer_1_x_by_q73 - sum75 * layer_1_y_by_q73 + sum74
+    const double layer_0_x_by_q73 = part_2[3] - 0.011 * part_2[0];
+    const double layer_0_y_by_q73 = part_2[10] - 0.011 * part_2[2];
+    const double layer_0_z_by_q73 = part_2[12] - 0.011 * part_2[11];
+    const double t32 = sum7 * layer_0_x_by_q73 - sum6 * layer_0_y_by_q73 + sum5 * layer_0_z_by_q73;
+    const double layer_1_x_by_q73 = part_2[13] - 0.013 * part_2[0];
+    const double layer_1_y_by_q73 = part_2[18] - 0.013 * part_2[2];
+    const double layer_1_z_by_q73 = part_2[19] - 0.013 * part_2[11];
+    const double t33 = t32 + sum22 * layer_1_x_by_q73 - sum21 * layer_1_y_by_q73 + sum20
         * layer_1_z_by_q73;
-    const double pull_by_y = sum58 + sum73;
-    const double pull_by_y_2 = sum57 + sum72;
-    const double pull_by_y_4 = sum56 + sum71;
-    const double t91 = t90 + pull_by_y * y_x_by_q73 - pull_by_y_2 * u_y_by_q73 + pull_by_y_4
-        * y_z_by_q73;
-    const double t92 = 0.01 * z_plane_y_by_q71;
-    const double origin_y_by_q71 = 0.018 * z_plane_y_by_q71;
-    const double t93 = origin_y_by_q71 + 0.004 * u_e * sin_A_by_q71;
-    const double layer_0_y_by_q71 = t93 - t92;
-    const double t94 = y_x * pull_by_y_4 - y_z * pull_by_y - sum61 * layer_0_x_by_q71 + sum60
-        * layer_0_y_by_q71;
-    const double layer_1_y_by_q71 = t93 + t92;
-    const double t95 = t94 + sum59 * layer_0_z_by_q71 - sum76 * layer_1_x_by_q71 + sum75
-        * layer_1_y_by_q71;
-    tau[0] = t95 + sum74 * layer_1_z_by_q71;
-    tau[1] = t91;
+    const double pull_by_y = sum4 + sum19;
+    const double pull_by_y_2 = sum3 + sum18;
+    const double pull_by_y_4 = sum2 + sum17;
+    const double t34 = t33 + pull_by_y * part_2[0] - pull_by_y_2 * part_2[2] + pull_by_y_4
+        * part_2[11];
+    const double t35 = part_2[4] * pull_by_y_4 - part_2[6] * pull_by_y - sum7 * part_2[20] + sum6
+        * part_2[21];
+    const double t36 = t35 + sum5 * part_2[22] - sum22 * part_2[23] + sum21 * part_2[24] + sum20
+        * part_2[25];
+    tau[0] = t36;
+    tau[1] = t34;
 }
 
 void wrist_joint_stiffness(double q71, double q73, const double f[SINEW_AT_LEAST(38)],
     const double k[SINEW_AT_LEAST(38)], double K[SINEW_AT_LEAST(4)])
 {
-    const struct sinew_sines2 sines1 = sinew_one_sincos2(q71, q73);
-    const double sin_q71 = sines1.s[0];
-    const double cos_q71 = sines1.c[0];
-    const double sin_q73 = sines1.s[1];
-    const double cos_q73 = sines1.c[1];
-    const double B_y = 0.074565407529229 * cos_q73;
-    const double B_to_C0_squared_by_q73_by_q73 = 0.084 * B_y;
-    const double B_to_C0_squared = 0.007324 - B_to_C0_squared_by_q73_by_q73;
-    const double t2 = 1.0 / B_to_C0_squared;
-    const double ratio = 0.003796 * t2;
-    const double t3 = 21.0 - 500.0 * B_y;
-    const double C_y = 0.002 * ratio * t3;
-    const double t4 = 23.80952380952381 * B_y;
-    const double u_y = t4 + 23.80952380952381 * C_y;
-    const double B_e = 0.074565407529229 * sin_q73;
-    const double C_e = B_e * ratio;
-    const double t5 = 0.5 * B_e;
-    const double M_e = t5 + 0.5 * C_e;
-    const double p_z_by_q71 = 0.036 * sin_q71;
-    const double s_e = M_e - p_z_by_q71;
-    const double t6 = 0.5 * B_y;
-    const double M_y = t6 - 0.5 * C_y;
-    const double s_y = 0.021 - M_y;
-    const double t7 = 23.80952380952381 * B_e;
-    const double u_e = t7 - 23.80952380952381 * C_e;
-    const double p_y = u_e * s_y + u_y * s_e;
-    const double t8 = p_y + p_y;
-    const double p_z = 0.036 * cos_q71;
-    const double p_y_by_q71 = u_y * p_z;
-    const double t9 = p_z + p_z;
-    const double t10 = p_y * p_y;
-    const double t11 = p_z * p_z;
-    const double t12 = -(1.296e-15 - t10 - t11);
-    const double reach_squared_by_q71 = sinew_choose(t12, -(t8 * p_y_by_q71 + t9 * p_z_by_q71),
-        0.0);
-    const double reach_squared = sinew_max(t10 + t11, 1.296e-15);
-    const double reach = sinew_sqrt(reach_squared);
-    const double t13 = 1.0 / reach;
-    const double reach_by_q71 = 0.5 * reach_squared_by_q71 * t13;
-    const double p_x = u_e * s_e - u_y * s_y;
-    const double projection = 0.034722222222222224 - 13.88888888888889 * (reach_squared + p_x
-        * p_x);
-    const double t14 = reach - projection;
-    const double t15 = sinew_choose(t14, 0.0, 1.0);
-    const double t16 = sinew_choose(t14, 1.0, 0.0);
-    const double t17 = 27.77777777777778 * p_x;
-    const double p_x_by_q71 = u_e * p_z;
-    const double projection_by_q71 = 13.88888888888889 * reach_squared_by_q71 - t17 * p_x_by_q71;
-    const double t18 = sinew_max(-projection, -reach);
-    const double t19 = reach - t18;
-    const double limited_by_q71 = sinew_choose(t19, -(reach_by_q71 * t15 - projection_by_q71 * t16),
-        reach_by_q71);
-    const double limited = sinew_min(t18, reach);
-    const double t20 = limited + limited;
-    const double t21 = reach + reach;
-    const double t22 = (reach + limited) * (reach - limited);
-    const double t23 = 1e-12 * reach_squared;
-    const double t24 = -(t23 - t22);
-    const double clearance_by_q71 = sinew_choose(t24, t21 * reach_by_q71 - t20 * limited_by_q71,
-        1e-12 * reach_squared_by_q71);
-    const double clearance = sinew_max(t22, t23);
-    const double root = sinew_sqrt(clearance);
-    const double t25 = 1.0 / root;
-    const double root_by_q71 = 0.5 * clearance_by_q71 * t25;
-    const double t26 = p_y * limited_by_q71 + p_z * root_by_q71 - limited * p_y_by_q71 - root
-        * p_z_by_q71;
-    const double t27 = p_z * root;
-    const double t28 = 1.0 / reach_squared;
-    const double cos_A = (p_y * limited + t27) * t28;
-    const double cos_A_by_q71 = (t26 - cos_A * reach_squared_by_q71) * t28;
-    const double z_plane_x_by_q71 = u_y * cos_A_by_q71;
-    const double t29 = p_z * limited;
-    const double sin_A = (p_y * root - t29) * t28;
-    const double t30 = cos_q71 * sin_A;
-    const double z_plane_x = u_y * cos_A;
-    const double t31 = sin_q71 * z_plane_x;
-    const double t32 = p_y * root_by_q71 - p_z * limited_by_q71 + limited * p_z_by_q71 - root
-        * p_y_by_q71;
-    const double sin_A_by_q71 = (t32 - sin_A * reach_squared_by_q71) * t28;
-    const double z_x_by_q71 = t30 - cos_q71 * z_plane_x_by_q71 + t31 + sin_q71 * sin_A_by_q71;
-    const double M_z = sin_q71 * M_e;
-    const double origin_x_by_q71 = M_z - 0.018 * z_x_by_q71;
-    const double x_plane_x_by_q71 = u_y * sin_A_by_q71;
-    const double t33 = cos_q71 * cos_A;
-    const double x_plane_x = u_y * sin_A;
-    const double t34 = sin_q71 * x_plane_x;
-    const double x_x_by_q71 = t33 + cos_q71 * x_plane_x_by_q71 - t34 + sin_q71 * cos_A_by_q71;
-    const double t35 = origin_x_by_q71 + 0.004 * x_x_by_q71;
-    const double t36 = 0.01 * z_x_by_q71;
-    const double y_z = sin_q71 * u_e;
-    const double t37 = 0.011 * y_z;
-    const double layer_0_x_by_q71 = t35 + t36 - t37;
-    const double z_plane_y_by_q71 = u_e * cos_A_by_q71;
-    const double origin_y_by_q71 = 0.018 * z_plane_y_by_q71;
-    const double t38 = 0.004 * u_e;
-    const double t39 = origin_y_by_q71 + t38 * sin_A_by_q71;
-    const double t40 = 0.01 * z_plane_y_by_q71;
-    const double layer_0_y_by_q71 = t39 - t40;
-    const double t41 = layer_0_x_by_q71 * layer_0_x_by_q71 + layer_0_y_by_q71 * layer_0_y_by_q71;
-    const double t42 = cos_q71 * z_plane_x;
-    const double t43 = sin_q71 * sin_A;
-    const double z_z_by_q71 = t42 + cos_q71 * sin_A_by_q71 - t43 + sin_q71 * z_plane_x_by_q71;
-    const double M_x = cos_q71 * M_e;
-    const double origin_z_by_q71 = M_x - 0.018 * z_z_by_q71;
-    const double t44 = cos_q71 * x_plane_x;
-    const double t45 = sin_q71 * cos_A;
-    const double x_z_by_q71 = t44 - cos_q71 * cos_A_by_q71 + t45 + sin_q71 * x_plane_x_by_q71;
-    const double t46 = origin_z_by_q71 - 0.004 * x_z_by_q71;
-    const double t47 = 0.01 * z_z_by_q71;
-    const double y_x = cos_q71 * u_e;
-    const double t48 = 0.011 * y_x;
-    const double layer_0_z_by_q71 = t46 + t47 - t48;
-    const double along_38 = t41 + layer_0_z_by_q71 * layer_0_z_by_q71;
-    const double z_x = t42 - t43;
-    const double x_x = t44 + t45;
-    const double t49 = 0.004 - M_x + 0.018 * z_x + 0.004 * x_x;
-    const double t50 = 0.01 * z_x;
-    const double layer_0_x = t49 - t50 + t48;
-    const double z_plane_y = u_e * cos_A;
-    const double origin_y = M_y + 0.018 * z_plane_y;
-    const double x_plane_y = u_e * sin_A;
-    const double t51 = 0.004 * x_plane_y;
-    const double t52 = 0.01 * z_plane_y;
-    const double layer_0_y = 0.007 - origin_y - t51 + t52 + 0.011 * u_y;
-    const double z_z = t30 + t31;
-    const double origin_z = M_z - 0.018 * z_z;
-    const double x_z = t33 - t34;
-    const double t53 = 0.004 * x_z;
-    const double t54 = 0.01 * z_z;
-    const double layer_0_z = 0.008 - origin_z - t53 - t54 + t37;
-    const double length_0 = sinew_sqrt(layer_0_x * layer_0_x + layer_0_y * layer_0_y + layer_0_z
-        * layer_0_z);
-    const double t55 = 1.0 / length_0;
-    const double per_length_0 = f[0] * t55;
-    const double t56 = layer_0_x * layer_0_x_by_q71 - layer_0_y * layer_0_y_by_q71 - layer_0_z
-        * layer_0_z_by_q71;
-    const double length_0_by_q71 = t56 * t55;
+    double part_1[53];
+    wrist_part_1(q71, q73, part_1);
+    const double along_38 = part_1[2] * part_1[2] + part_1[3] * part_1[3] + part_1[5] * part_1[5];
+    const double per_length_0 = f[0] * part_1[9];
     const double across_0 = k[0] - per_length_0;
-    const double t57 = y_x + y_x;
-    const double t58 = y_z + y_z;
-    const double along_by_y_4 = t57 * layer_0_z_by_q71 + t58 * layer_0_x_by_q71;
-    const double along_by_y_squared_4 = y_x * y_x + y_z * y_z;
-    const double t59 = 0.013 * y_x;
-    const double t60 = 0.013 * y_z;
-    const double layer_1_x_by_q71 = t35 - t36 - t60;
-    const double layer_1_y_by_q71 = t39 + t40;
-    const double t61 = layer_1_x_by_q71 * layer_1_x_by_q71 + layer_1_y_by_q71 * layer_1_y_by_q71;
-    const double layer_1_z_by_q71 = t46 - t47 - t59;
-    const double along_40 = t61 + layer_1_z_by_q71 * layer_1_z_by_q71;
-    const double layer_1_x = t49 + t50 + t59;
-    const double layer_1_y = 0.006 - origin_y - t51 - t52 + 0.013 * u_y;
-    const double layer_1_z = 0.028 - origin_z - t53 + t54 + t60;
-    const double length_19 = sinew_sqrt(layer_1_x * layer_1_x + layer_1_y * layer_1_y + layer_1_z
-        * layer_1_z);
-    const double t62 = 1.0 / length_19;
-    const double per_length_19 = f[19] * t62;
-    const double t63 = layer_1_x * layer_1_x_by_q71 - layer_1_y * layer_1_y_by_q71 - layer_1_z
-        * layer_1_z_by_q71;
-    const double length_19_by_q71 = t63 * t62;
+    const double t1 = part_1[4] + part_1[4];
+    const double t2 = part_1[1] + part_1[1];
+    const double along_by_y_4 = t1 * part_1[5] + t2 * part_1[2];
+    const double along_by_y_squared_4 = part_1[4] * part_1[4] + part_1[1] * part_1[1];
+    const double along_40 = part_1[11] * part_1[11] + part_1[12] * part_1[12] + part_1[13]
+        * part_1[13];
+    const double per_length_19 = f[19] * part_1[17];
     const double across_19 = k[19] - per_length_19;
-    const double t64 = per_length_19 * along_40 + across_19 * length_19_by_q71 * length_19_by_q71;
-    const double along_by_y_6 = t57 * layer_1_z_by_q71 + t58 * layer_1_x_by_q71;
-    const double pull_0_x = layer_0_x * per_length_0;
-    const double t65 = root_by_q71 + root_by_q71;
-    const double t66 = limited_by_q71 + limited_by_q71;
-    const double t67 = reach_by_q71 * reach_by_q71;
-    const double t68 = t67 + t67;
-    const double p_y_by_q71_by_q71 = u_y * p_z_by_q71;
-    const double t69 = p_y_by_q71 * p_y_by_q71 + p_z_by_q71 * p_z_by_q71;
-    const double reach_squared_by_q71_by_q71 = sinew_choose(t12, t69 + t69 + t8 * p_y_by_q71_by_q71
-        - t9 * p_z, 0.0);
-    const double reach_by_q71_by_q71 = 0.5 * (reach_squared_by_q71_by_q71 - t68) * t13;
-    const double t70 = 27.77777777777778 * p_x_by_q71;
-    const double projection_by_q71_by_q71 = 13.88888888888889 * reach_squared_by_q71_by_q71 + t70
-        * p_x_by_q71 + t17 * u_e * p_z_by_q71;
-    const double limited_by_q71_by_q71 = sinew_choose(t19, -(reach_by_q71_by_q71 * t15
-        - projection_by_q71_by_q71 * t16), reach_by_q71_by_q71);
-    const double t71 = t68 - t66 * limited_by_q71 + t21 * reach_by_q71_by_q71 - t20
-        * limited_by_q71_by_q71;
-    const double clearance_by_q71_by_q71 = sinew_choose(t24, t71, 1e-12
-        * reach_squared_by_q71_by_q71);
-    const double root_by_q71_by_q71 = 0.5 * (clearance_by_q71_by_q71 - t65 * root_by_q71) * t25;
-    const double t72 = p_y * limited_by_q71_by_q71 - t27 + p_z * root_by_q71_by_q71 + limited
-        * p_y_by_q71_by_q71;
-    const double t73 = p_y_by_q71 + p_y_by_q71;
-    const double t74 = p_z_by_q71 + p_z_by_q71;
-    const double t75 = t72 - cos_A * reach_squared_by_q71_by_q71 - t73 * limited_by_q71 - t74
-        * root_by_q71;
-    const double t76 = reach_squared_by_q71 + reach_squared_by_q71;
-    const double cos_A_by_q71_by_q71 = (t75 - t76 * cos_A_by_q71) * t28;
-    const double z_plane_x_by_q71_by_q71 = u_y * cos_A_by_q71_by_q71;
-    const double t77 = p_y * root_by_q71_by_q71 + t29 - p_z * limited_by_q71_by_q71 + root
-        * p_y_by_q71_by_q71;
-    const double t78 = t77 - sin_A * reach_squared_by_q71_by_q71 - t73 * root_by_q71 + t74
-        * limited_by_q71;
-    const double sin_A_by_q71_by_q71 = (t78 - t76 * sin_A_by_q71) * t28;
-    const double t79 = t42 - cos_q71 * z_plane_x_by_q71_by_q71 - t43 + sin_q71
-        * sin_A_by_q71_by_q71;
-    const double t80 = cos_q71 + cos_q71;
-    const double t81 = sin_q71 + sin_q71;
-    const double z_x_by_q71_by_q71 = t79 + t80 * sin_A_by_q71 + t81 * z_plane_x_by_q71;
-    const double origin_x_by_q71_by_q71 = M_x - 0.018 * z_x_by_q71_by_q71;
-    const double x_plane_x_by_q71_by_q71 = u_y * sin_A_by_q71_by_q71;
-    const double t82 = t44 - cos_q71 * x_plane_x_by_q71_by_q71 + t45 - sin_q71
-        * cos_A_by_q71_by_q71;
-    const double x_x_by_q71_by_q71 = t82 - t80 * cos_A_by_q71 + t81 * x_plane_x_by_q71;
-    const double t83 = origin_x_by_q71_by_q71 - 0.004 * x_x_by_q71_by_q71;
-    const double t84 = 0.01 * z_x_by_q71_by_q71;
-    const double layer_0_x_by_q71_by_q71 = t83 + t84 - t48;
-    const double pull_0_y = layer_0_y * per_length_0;
-    const double z_plane_y_by_q71_by_q71 = u_e * cos_A_by_q71_by_q71;
-    const double pull_0_z = layer_0_z * per_length_0;
-    const double t85 = t30 - cos_q71 * sin_A_by_q71_by_q71 + t31 - sin_q71
-        * z_plane_x_by_q71_by_q71;
-    const double z_z_by_q71_by_q71 = t85 - t80 * z_plane_x_by_q71 + t81 * sin_A_by_q71;
-    const double origin_z_by_q71_by_q71 = M_z - 0.018 * z_z_by_q71_by_q71;
-    const double t86 = t33 - cos_q71 * cos_A_by_q71_by_q71 - t34 + sin_q71
-        * x_plane_x_by_q71_by_q71;
-    const double x_z_by_q71_by_q71 = t86 + t80 * x_plane_x_by_q71 + t81 * cos_A_by_q71;
-    const double t87 = origin_z_by_q71_by_q71 + 0.004 * x_z_by_q71_by_q71;
-    const double t88 = 0.01 * z_z_by_q71_by_q71;
-    const double layer_0_z_by_q71_by_q71 = t87 + t88 - t37;
-    const double pull_19_x = layer_1_x * per_length_19;
-    const double layer_1_x_by_q71_by_q71 = t83 - t84 - t59;
-    const double pull_19_y = layer_1_y * per_length_19;
-    const double pull_19_z = layer_1_z * per_length_19;
-    const double layer_1_z_by_q71_by_q71 = t87 - t88 - t60;
-    const double B_to_C0_squared_by_q73 = 0.084 * B_e;
-    const double ratio_by_q73 = ratio * B_to_C0_squared_by_q73 * t2;
-    const double C_y_by_q73 = C_e - 0.002 * ratio_by_q73 * t3;
-    const double M_y_by_q73 = t5 + 0.5 * C_y_by_q73;
-    const double t89 = B_y * ratio;
-    const double C_e_by_q73 = B_e * ratio_by_q73 - t89;
-    const double M_e_by_q73 = t6 - 0.5 * C_e_by_q73;
-    const double u_y_by_q73 = t7 - 23.80952380952381 * C_y_by_q73;
-    const double u_e_by_q73 = t4 + 23.80952380952381 * C_e_by_q73;
-    const double p_y_by_q73 = u_e * M_y_by_q73 + u_y * M_e_by_q73 - s_e * u_y_by_q73 + s_y
-        * u_e_by_q73;
-    const double reach_squared_by_q73 = sinew_choose(t12, t8 * p_y_by_q73, 0.0);
-    const double p_x_by_q73 = u_e * M_e_by_q73 - u_y * M_y_by_q73 + s_e * u_e_by_q73 + s_y
-        * u_y_by_q73;
-    const double projection_by_q73 = 13.88888888888889 * reach_squared_by_q73 + t17 * p_x_by_q73;
-    const double reach_by_q73 = 0.5 * reach_squared_by_q73 * t13;
-    const double limited_by_q73 = sinew_choose(t19, -(reach_by_q73 * t15 - projection_by_q73 * t16),
-        reach_by_q73);
-    const double clearance_by_q73 = sinew_choose(t24, t21 * reach_by_q73 - t20 * limited_by_q73,
-        1e-12 * reach_squared_by_q73);
-    const double root_by_q73 = 0.5 * clearance_by_q73 * t25;
-    const double t90 = p_y * limited_by_q73 + p_z * root_by_q73 + limited * p_y_by_q73 - cos_A
-        * reach_squared_by_q73;
-    const double cos_A_by_q73 = t90 * t28;
-    const double z_plane_x_by_q73 = u_y * cos_A_by_q73 - cos_A * u_y_by_q73;
-    const double t91 = cos_q71 * z_plane_x_by_q73;
-    const double t92 = p_y * root_by_q73 - p_z * limited_by_q73 + root * p_y_by_q73 - sin_A
-        * reach_squared_by_q73;
-    const double sin_A_by_q73 = t92 * t28;
-    const double t93 = sin_q71 * sin_A_by_q73;
-    const double z_x_by_q73 = t91 - t93;
-    const double M_z_by_q71_by_q73 = cos_q71 * M_e_by_q73;
-    const double origin_x_by_q73 = M_z_by_q71_by_q73 - 0.018 * z_x_by_q73;
-    const double x_plane_x_by_q73 = u_y * sin_A_by_q73 - sin_A * u_y_by_q73;
-    const double t94 = cos_q71 * x_plane_x_by_q73;
-    const double t95 = sin_q71 * cos_A_by_q73;
-    const double x_x_by_q73 = t94 + t95;
-    const double t96 = origin_x_by_q73 - 0.004 * x_x_by_q73;
-    const double t97 = 0.01 * z_x_by_q73;
-    const double y_z_by_q71_by_q73 = cos_q71 * u_e_by_q73;
-    const double t98 = 0.011 * y_z_by_q71_by_q73;
-    const double layer_0_x_by_q73 = t96 + t97 - t98;
-    const double x_plane_y_by_q73 = u_e * sin_A_by_q73 + sin_A * u_e_by_q73;
-    const double z_plane_y_by_q73 = u_e * cos_A_by_q73 + cos_A * u_e_by_q73;
-    const double origin_y_by_q73 = M_y_by_q73 - 0.018 * z_plane_y_by_q73;
-    const double t99 = origin_y_by_q73 - 0.004 * x_plane_y_by_q73;
-    const double t100 = 0.01 * z_plane_y_by_q73;
-    const double layer_0_y_by_q73 = t99 + t100 - 0.011 * u_y_by_q73;
-    const double t101 = layer_0_x_by_q71 * layer_0_x_by_q73 + layer_0_y_by_q71 * layer_0_y_by_q73;
-    const double t102 = sin_q71 * z_plane_x_by_q73;
-    const double t103 = cos_q71 * sin_A_by_q73;
-    const double z_z_by_q73 = t103 + t102;
-    const double M_x_by_q71_by_q73 = sin_q71 * M_e_by_q73;
-    const double origin_z_by_q73 = M_x_by_q71_by_q73 - 0.018 * z_z_by_q73;
-    const double t104 = sin_q71 * x_plane_x_by_q73;
-    const double t105 = cos_q71 * cos_A_by_q73;
-    const double x_z_by_q73 = t105 - t104;
-    const double t106 = origin_z_by_q73 + 0.004 * x_z_by_q73;
-    const double t107 = 0.01 * z_z_by_q73;
-    const double y_x_by_q71_by_q73 = sin_q71 * u_e_by_q73;
-    const double t108 = 0.011 * y_x_by_q71_by_q73;
-    const double layer_0_z_by_q73 = t106 + t107 - t108;
-    const double along = t101 - layer_0_z_by_q71 * layer_0_z_by_q73;
-    const double t109 = layer_0_x * layer_0_x_by_q73 - layer_0_y * layer_0_y_by_q73 + layer_0_z
+    const double along_by_y_6 = t1 * part_1[13] + t2 * part_1[11];
+    const double pull_0_x = part_1[6] * per_length_0;
+    const double pull_0_y = part_1[7] * per_length_0;
+    const double pull_0_z = part_1[8] * per_length_0;
+    const double pull_19_x = part_1[14] * per_length_19;
+    const double pull_19_y = part_1[15] * per_length_19;
+    const double pull_19_z = part_1[16] * per_length_19;
+    const double t3 = 0.011 * part_1[27];
+    const double layer_0_x_by_q73 = part_1[26] - t3;
+    const double layer_0_y_by_q73 = part_1[28] - 0.011 * part_1[25];
+    const double t4 = 0.011 * part_1[32];
+    const double layer_0_z_by_q73 = part_1[31] - t4;
+    const double along = part_1[2] * layer_0_x_by_q73 + part_1[3] * layer_0_y_by_q73 - part_1[5]
         * layer_0_z_by_q73;
-    const double length_0_by_q73 = t109 * t55;
-    const double K_0 = per_length_0 * along + length_0_by_q71 * length_0_by_q73 * across_0;
-    const double t110 = y_x * layer_0_z_by_q73 - y_z * layer_0_x_by_q73 - layer_0_x_by_q71
-        * y_z_by_q71_by_q73;
-    const double along_by_y = t110 - u_y_by_q73 * layer_0_y_by_q71 + y_x_by_q71_by_q73
-        * layer_0_z_by_q71;
-    const double along_by_y_squared = y_x * y_x_by_q71_by_q73 - y_z * y_z_by_q71_by_q73;
-    const double t111 = 0.013 * y_z_by_q71_by_q73;
-    const double t112 = 0.013 * y_x_by_q71_by_q73;
-    const double layer_1_x_by_q73 = t96 - t97 - t111;
-    const double layer_1_y_by_q73 = t99 - t100 - 0.013 * u_y_by_q73;
-    const double t113 = layer_1_x_by_q71 * layer_1_x_by_q73 + layer_1_y_by_q71 * layer_1_y_by_q73;
-    const double layer_1_z_by_q73 = t106 - t107 - t112;
-    const double along_19 = t113 - layer_1_z_by_q71 * layer_1_z_by_q73;
-    const double t114 = layer_1_x * layer_1_x_by_q73 - layer_1_y * layer_1_y_by_q73 + layer_1_z
+    const double t5 = part_1[6] * layer_0_x_by_q73 - part_1[7] * layer_0_y_by_q73 + part_1[8]
+        * layer_0_z_by_q73;
+    const double length_0_by_q73 = t5 * part_1[9];
+    const double K_0 = per_length_0 * along + part_1[10] * length_0_by_q73 * across_0;
+    const double t6 = part_1[4] * layer_0_z_by_q73 - part_1[1] * layer_0_x_by_q73 - part_1[2]
+        * part_1[27];
+    const double along_by_y = t6 - part_1[25] * part_1[3] + part_1[32] * part_1[5];
+    const double along_by_y_squared = part_1[4] * part_1[32] - part_1[1] * part_1[27];
+    const double t7 = 0.013 * part_1[27];
+    const double t8 = 0.013 * part_1[32];
+    const double layer_1_x_by_q73 = part_1[33] - t7;
+    const double layer_1_y_by_q73 = part_1[34] - 0.013 * part_1[25];
+    const double layer_1_z_by_q73 = part_1[35] - t8;
+    const double along_19 = part_1[11] * layer_1_x_by_q73 + part_1[12] * layer_1_y_by_q73
+        - part_1[13] * layer_1_z_by_q73;
+    const double t9 = part_1[14] * layer_1_x_by_q73 - part_1[15] * layer_1_y_by_q73 + part_1[16]
         * layer_1_z_by_q73;
-    const double length_19_by_q73 = t114 * t62;
-    const double K_19 = per_length_19 * along_19 + length_19_by_q71 * length_19_by_q73 * across_19;
-    const double t115 = y_x * layer_1_z_by_q73 - y_z * layer_1_x_by_q73 - u_y_by_q73
-        * layer_1_y_by_q71;
-    const double along_by_y_2 = t115 + y_x_by_q71_by_q73 * layer_1_z_by_q71 - layer_1_x_by_q71
-        * y_z_by_q71_by_q73;
-    const double t116 = (reach_by_q71 + reach_by_q71) * reach_by_q73;
-    const double p_y_by_q71_by_q73 = p_z * u_y_by_q73;
-    const double reach_squared_by_q71_by_q73 = sinew_choose(t12, t8 * p_y_by_q71_by_q73 - t73
-        * p_y_by_q73, 0.0);
-    const double reach_by_q71_by_q73 = 0.5 * (reach_squared_by_q71_by_q73 - t116) * t13;
-    const double projection_by_q71_by_q73 = 13.88888888888889 * reach_squared_by_q71_by_q73 - t17
-        * p_z * u_e_by_q73 - t70 * p_x_by_q73;
-    const double limited_by_q71_by_q73 = sinew_choose(t19, -(reach_by_q71_by_q73 * t15
-        - projection_by_q71_by_q73 * t16), reach_by_q71_by_q73);
-    const double t117 = t21 * reach_by_q71_by_q73 - t20 * limited_by_q71_by_q73 + t116 - t66
-        * limited_by_q73;
-    const double clearance_by_q71_by_q73 = sinew_choose(t24, t117, 1e-12
-        * reach_squared_by_q71_by_q73);
-    const double root_by_q71_by_q73 = 0.5 * (clearance_by_q71_by_q73 - t65 * root_by_q73) * t25;
-    const double t118 = p_y * limited_by_q71_by_q73 + p_z * root_by_q71_by_q73 + limited
-        * p_y_by_q71_by_q73;
-    const double t119 = t118 - cos_A * reach_squared_by_q71_by_q73 - p_y_by_q71 * limited_by_q73
-        - p_z_by_q71 * root_by_q73;
-    const double t120 = t119 - reach_squared_by_q71 * cos_A_by_q73 + limited_by_q71 * p_y_by_q73
-        - cos_A_by_q71 * reach_squared_by_q73;
-    const double cos_A_by_q71_by_q73 = t120 * t28;
-    const double z_plane_x_by_q71_by_q73 = u_y * cos_A_by_q71_by_q73 - cos_A_by_q71 * u_y_by_q73;
-    const double t121 = p_y * root_by_q71_by_q73 - p_z * limited_by_q71_by_q73 + root
-        * p_y_by_q71_by_q73;
-    const double t122 = t121 - sin_A * reach_squared_by_q71_by_q73 - p_y_by_q71 * root_by_q73
-        + p_z_by_q71 * limited_by_q73;
-    const double t123 = t122 - reach_squared_by_q71 * sin_A_by_q73 + root_by_q71 * p_y_by_q73
-        - sin_A_by_q71 * reach_squared_by_q73;
-    const double sin_A_by_q71_by_q73 = t123 * t28;
-    const double z_x_by_q71_by_q73 = t103 - cos_q71 * z_plane_x_by_q71_by_q73 + sin_q71
-        * sin_A_by_q71_by_q73 + t102;
-    const double origin_x_by_q71_by_q73 = M_x_by_q71_by_q73 - 0.018 * z_x_by_q71_by_q73;
-    const double x_plane_x_by_q71_by_q73 = u_y * sin_A_by_q71_by_q73 - sin_A_by_q71 * u_y_by_q73;
-    const double x_x_by_q71_by_q73 = t105 + cos_q71 * x_plane_x_by_q71_by_q73 - t104 + sin_q71
-        * cos_A_by_q71_by_q73;
-    const double t124 = origin_x_by_q71_by_q73 + 0.004 * x_x_by_q71_by_q73;
-    const double t125 = 0.01 * z_x_by_q71_by_q73;
-    const double layer_0_x_by_q71_by_q73 = t124 + t125 - t108;
-    const double x_plane_y_by_q71_by_q73 = u_e * sin_A_by_q71_by_q73 + sin_A_by_q71 * u_e_by_q73;
-    const double z_plane_y_by_q71_by_q73 = u_e * cos_A_by_q71_by_q73 + cos_A_by_q71 * u_e_by_q73;
-    const double z_z_by_q71_by_q73 = cos_q71 * sin_A_by_q71_by_q73 + t91 - t93 + sin_q71
-        * z_plane_x_by_q71_by_q73;
-    const double origin_z_by_q71_by_q73 = M_z_by_q71_by_q73 - 0.018 * z_z_by_q71_by_q73;
-    const double x_z_by_q71_by_q73 = t94 - cos_q71 * cos_A_by_q71_by_q73 + t95 + sin_q71
-        * x_plane_x_by_q71_by_q73;
-    const double t126 = origin_z_by_q71_by_q73 - 0.004 * x_z_by_q71_by_q73;
-    const double t127 = 0.01 * z_z_by_q71_by_q73;
-    const double layer_0_z_by_q71_by_q73 = t126 + t127 - t98;
-    const double layer_1_x_by_q71_by_q73 = t124 - t125 - t112;
-    const double layer_1_z_by_q71_by_q73 = t126 - t127 - t111;
-    const double t128 = layer_0_x_by_q73 * layer_0_x_by_q73 + layer_0_y_by_q73 * layer_0_y_by_q73;
-    const double along_42 = t128 + layer_0_z_by_q73 * layer_0_z_by_q73;
-    const double t129 = y_x_by_q71_by_q73 + y_x_by_q71_by_q73;
-    const double t130 = u_y_by_q73 + u_y_by_q73;
-    const double t131 = y_z_by_q71_by_q73 + y_z_by_q71_by_q73;
-    const double along_by_y_8 = t130 * layer_0_y_by_q73 + t129 * layer_0_z_by_q73 + t131
+    const double length_19_by_q73 = t9 * part_1[17];
+    const double K_19 = per_length_19 * along_19 + part_1[18] * length_19_by_q73 * across_19;
+    const double t10 = part_1[4] * layer_1_z_by_q73 - part_1[1] * layer_1_x_by_q73 - part_1[25]
+        * part_1[12];
+    const double along_by_y_2 = t10 + part_1[32] * part_1[13] - part_1[11] * part_1[27];
+    const double t11 = layer_0_x_by_q73 * layer_0_x_by_q73 + layer_0_y_by_q73 * layer_0_y_by_q73;
+    const double along_42 = t11 + layer_0_z_by_q73 * layer_0_z_by_q73;
+    const double t12 = part_1[32] + part_1[32];
+    const double t13 = part_1[27] + part_1[27];
+    const double along_by_y_8 = part_1[43] * layer_0_y_by_q73 + t12 * layer_0_z_by_q73 + t13
         * layer_0_x_by_q73;
-    const double along_by_y_squared_8 = u_y_by_q73 * u_y_by_q73 + y_x_by_q71_by_q73
-        * y_x_by_q71_by_q73 + y_z_by_q71_by_q73 * y_z_by_q71_by_q73;
-    const double t132 = layer_1_x_by_q73 * layer_1_x_by_q73 + layer_1_y_by_q73 * layer_1_y_by_q73;
-    const double along_44 = t132 + layer_1_z_by_q73 * layer_1_z_by_q73;
-    const double t133 = per_length_19 * along_44 + across_19 * length_19_by_q73 * length_19_by_q73;
-    const double along_by_y_10 = t130 * layer_1_y_by_q73 + t129 * layer_1_z_by_q73 + t131
+    const double along_by_y_squared_8 = part_1[25] * part_1[25] + part_1[32] * part_1[32]
+        + part_1[27] * part_1[27];
+    const double t14 = layer_1_x_by_q73 * layer_1_x_by_q73 + layer_1_y_by_q73 * layer_1_y_by_q73;
+    const double along_44 = t14 + layer_1_z_by_q73 * layer_1_z_by_q73;
+    const double t15 = per_length_19 * along_44 + across_19 * length_19_by_q73 * length_19_by_q73;
+    const double along_by_y_10 = part_1[43] * layer_1_y_by_q73 + t12 * layer_1_z_by_q73 + t13
         * layer_1_x_by_q73;
-    const double t134 = reach_by_q73 * reach_by_q73;
-    const double t135 = t134 + t134;
-    const double t136 = ratio * B_to_C0_squared_by_q73_by_q73 - (B_to_C0_squared_by_q73
-        + B_to_C0_squared_by_q73) * ratio_by_q73;
-    const double ratio_by_q73_by_q73 = t136 * t2;
-    const double C_y_by_q73_by_q73 = t89 - 0.002 * ratio_by_q73_by_q73 * t3 - (B_e + B_e)
-        * ratio_by_q73;
-    const double M_y_by_q73_by_q73 = t6 + 0.5 * C_y_by_q73_by_q73;
-    const double C_e_by_q73_by_q73 = C_e + B_e * ratio_by_q73_by_q73 + (B_y + B_y) * ratio_by_q73;
-    const double M_e_by_q73_by_q73 = t5 + 0.5 * C_e_by_q73_by_q73;
-    const double u_y_by_q73_by_q73 = t4 - 23.80952380952381 * C_y_by_q73_by_q73;
-    const double t137 = u_e * M_y_by_q73_by_q73 - u_y * M_e_by_q73_by_q73 - s_e * u_y_by_q73_by_q73;
-    const double u_e_by_q73_by_q73 = t7 - 23.80952380952381 * C_e_by_q73_by_q73;
-    const double t138 = u_e_by_q73 + u_e_by_q73;
-    const double p_y_by_q73_by_q73 = t137 - s_y * u_e_by_q73_by_q73 + t138 * M_y_by_q73 - t130
-        * M_e_by_q73;
-    const double t139 = p_y_by_q73 + p_y_by_q73;
-    const double reach_squared_by_q73_by_q73 = sinew_choose(t12, t139 * p_y_by_q73 + t8
-        * p_y_by_q73_by_q73, 0.0);
-    const double reach_by_q73_by_q73 = 0.5 * (reach_squared_by_q73_by_q73 - t135) * t13;
-    const double t140 = t135 - (limited_by_q73 + limited_by_q73) * limited_by_q73 + t21
-        * reach_by_q73_by_q73;
-    const double t141 = 13.88888888888889 * reach_squared_by_q73_by_q73 + 27.77777777777778
-        * p_x_by_q73 * p_x_by_q73;
-    const double t142 = u_e * M_e_by_q73_by_q73 + u_y * M_y_by_q73_by_q73 + s_e * u_e_by_q73_by_q73;
-    const double p_x_by_q73_by_q73 = t142 - s_y * u_y_by_q73_by_q73 - t138 * M_e_by_q73 - t130
-        * M_y_by_q73;
-    const double projection_by_q73_by_q73 = t141 - t17 * p_x_by_q73_by_q73;
-    const double limited_by_q73_by_q73 = sinew_choose(t19, -(reach_by_q73_by_q73 * t15
-        - projection_by_q73_by_q73 * t16), reach_by_q73_by_q73);
-    const double clearance_by_q73_by_q73 = sinew_choose(t24, t140 - t20 * limited_by_q73_by_q73,
-        1e-12 * reach_squared_by_q73_by_q73);
-    const double t143 = 0.5 * (clearance_by_q73_by_q73 - (root_by_q73 + root_by_q73) * root_by_q73);
-    const double root_by_q73_by_q73 = t143 * t25;
-    const double t144 = p_y * root_by_q73_by_q73 - p_z * limited_by_q73_by_q73 + root
-        * p_y_by_q73_by_q73;
-    const double t145 = reach_squared_by_q73 + reach_squared_by_q73;
-    const double t146 = t144 - sin_A * reach_squared_by_q73_by_q73 + t139 * root_by_q73 - t145
-        * sin_A_by_q73;
-    const double sin_A_by_q73_by_q73 = t146 * t28;
-    const double x_plane_x_by_q73_by_q73 = u_y * sin_A_by_q73_by_q73 - sin_A * u_y_by_q73_by_q73
-        - t130 * sin_A_by_q73;
-    const double t147 = p_y * limited_by_q73_by_q73 + p_z * root_by_q73_by_q73 + limited
-        * p_y_by_q73_by_q73;
-    const double t148 = t147 - cos_A * reach_squared_by_q73_by_q73 + t139 * limited_by_q73 - t145
-        * cos_A_by_q73;
-    const double cos_A_by_q73_by_q73 = t148 * t28;
-    const double x_x_by_q73_by_q73 = cos_q71 * x_plane_x_by_q73_by_q73 + sin_q71
-        * cos_A_by_q73_by_q73;
-    const double z_plane_x_by_q73_by_q73 = u_y * cos_A_by_q73_by_q73 - cos_A * u_y_by_q73_by_q73
-        - t130 * cos_A_by_q73;
-    const double z_x_by_q73_by_q73 = cos_q71 * z_plane_x_by_q73_by_q73 - sin_q71
-        * sin_A_by_q73_by_q73;
-    const double M_x_by_q73_by_q73 = cos_q71 * M_e_by_q73_by_q73;
-    const double origin_x_by_q73_by_q73 = M_x_by_q73_by_q73 + 0.018 * z_x_by_q73_by_q73;
-    const double t149 = origin_x_by_q73_by_q73 + 0.004 * x_x_by_q73_by_q73;
-    const double y_x_by_q73_by_q73 = cos_q71 * u_e_by_q73_by_q73;
-    const double x_plane_y_by_q73_by_q73 = u_e * sin_A_by_q73_by_q73 - sin_A * u_e_by_q73_by_q73
-        + t138 * sin_A_by_q73;
-    const double z_plane_y_by_q73_by_q73 = u_e * cos_A_by_q73_by_q73 - cos_A * u_e_by_q73_by_q73
-        + t138 * cos_A_by_q73;
-    const double origin_y_by_q73_by_q73 = M_y_by_q73_by_q73 - 0.018 * z_plane_y_by_q73_by_q73;
-    const double t150 = origin_y_by_q73_by_q73 - 0.004 * x_plane_y_by_q73_by_q73;
-    const double x_z_by_q73_by_q73 = cos_q71 * cos_A_by_q73_by_q73 - sin_q71
-        * x_plane_x_by_q73_by_q73;
-    const double z_z_by_q73_by_q73 = cos_q71 * sin_A_by_q73_by_q73 + sin_q71
-        * z_plane_x_by_q73_by_q73;
-    const double M_z_by_q73_by_q73 = sin_q71 * M_e_by_q73_by_q73;
-    const double origin_z_by_q73_by_q73 = M_z_by_q73_by_q73 + 0.018 * z_z_by_q73_by_q73;
-    const double t151 = origin_z_by_q73_by_q73 - 0.004 * x_z_by_q73_by_q73;
-    const double y_z_by_q73_by_q73 = sin_q71 * u_e_by_q73_by_q73;
-    static const double table162[18][2] = {{0.001, 0.001}, {0.003, 0.003}, {0.005, 0.004},
+    static const double table26[18][2] = {{0.001, 0.001}, {0.003, 0.003}, {0.005, 0.004},
         {0.006, 0.006}, {0.008, 0.008}, {0.009, 0.009}, {0.011, 0.011}, {0.013, 0.012},
         {0.014, 0.014}, {0.016, 0.016}, {0.017, 0.017}, {0.019, 0.019}, {0.021, 0.02},
         {0.022, 0.022}, {0.024, 0.024}, {0.025, 0.025}, {0.027, 0.027}, {0.029, 0.028}};
-    double sum153 = K_0;
-    double sum154 = per_length_0 * along_42 + across_0 * length_0_by_q73 * length_0_by_q73;
-    double sum155 = per_length_0 * along_38 + across_0 * length_0_by_q71 * length_0_by_q71;
-    double sum156 = -0.0;
-    double sum157 = -0.0;
-    double sum158 = -0.0;
-    double sum159 = pull_0_z;
-    double sum160 = pull_0_y;
-    double sum161 = pull_0_x;
-    for (int i152 = 0; i152 < 18; ++i152) {
-        const double before163 = sum153;
-        const double before164 = sum154;
-        const double before165 = sum155;
-        const double before166 = sum156;
-        const double before167 = sum157;
-        const double before168 = sum158;
-        const double before169 = sum159;
-        const double before170 = sum160;
-        const double before171 = sum161;
-        const double t172 = table162[i152][0] * y_x;
-        const double strand_x = layer_0_x - t172;
-        const double strand_y = table162[i152][1] + layer_0_y - table162[i152][0] * u_y;
-        const double t173 = table162[i152][0] * y_z;
-        const double strand_z = layer_0_z - t173;
+    double sum17 = K_0;
+    double sum18 = per_length_0 * along_42 + across_0 * length_0_by_q73 * length_0_by_q73;
+    double sum19 = per_length_0 * along_38 + across_0 * part_1[10] * part_1[10];
+    double sum20 = -0.0;
+    double sum21 = -0.0;
+    double sum22 = -0.0;
+    double sum23 = pull_0_z;
+    double sum24 = pull_0_y;
+    double sum25 = pull_0_x;
+    for (int i16 = 0; i16 < 18; ++i16) {
+        const double before27 = sum17;
+        const double before28 = sum18;
+        const double before29 = sum19;
+        const double before30 = sum20;
+        const double before31 = sum21;
+        const double before32 = sum22;
+        const double before33 = sum23;
+        const double before34 = sum24;
+        const double before35 = sum25;
+        const double t36 = table26[i16][0] * part_1[4];
+        const double strand_x = part_1[6] - t36;
+        const double strand_y = table26[i16][1] + part_1[7] - table26[i16][0] * part_1[0];
+        const double t37 = table26[i16][0] * part_1[1];
+        const double strand_z = part_1[8] - t37;
         const double length = sinew_sqrt(strand_x * strand_x + strand_y * strand_y + strand_z
             * strand_z);
-        const double t174 = 1.0 / length;
-        const double per_length = f[1 + i152] * t174;
-        const double slope = along_by_y + table162[i152][0] * along_by_y_squared;
-        const double along_2 = along - table162[i152][0] * slope;
-        const double strand_x_by_q71 = layer_0_x_by_q71 + t173;
-        const double strand_z_by_q71 = layer_0_z_by_q71 + t172;
-        const double t175 = strand_x * strand_x_by_q71 - strand_y * layer_0_y_by_q71 - strand_z
+        const double t38 = 1.0 / length;
+        const double per_length = f[1 + i16] * t38;
+        const double slope = along_by_y + table26[i16][0] * along_by_y_squared;
+        const double along_2 = along - table26[i16][0] * slope;
+        const double strand_x_by_q71 = part_1[2] + t37;
+        const double strand_z_by_q71 = part_1[5] + t36;
+        const double t39 = strand_x * strand_x_by_q71 - strand_y * part_1[3] - strand_z
             * strand_z_by_q71;
-        const double length_by_q71 = t175 * t174;
-        const double strand_x_by_q73 = layer_0_x_by_q73 + table162[i152][0] * y_z_by_q71_by_q73;
-        const double strand_y_by_q73 = layer_0_y_by_q73 + table162[i152][0] * u_y_by_q73;
-        const double strand_z_by_q73 = layer_0_z_by_q73 + table162[i152][0] * y_x_by_q71_by_q73;
-        const double t176 = strand_x * strand_x_by_q73 - strand_y * strand_y_by_q73 + strand_z
+        const double length_by_q71 = t39 * t38;
+        const double strand_x_by_q73 = layer_0_x_by_q73 + table26[i16][0] * part_1[27];
+        const double strand_y_by_q73 = layer_0_y_by_q73 + table26[i16][0] * part_1[25];
+        const double strand_z_by_q73 = layer_0_z_by_q73 + table26[i16][0] * part_1[32];
+        const double t40 = strand_x * strand_x_by_q73 - strand_y * strand_y_by_q73 + strand_z
             * strand_z_by_q73;
-        const double length_by_q73 = t176 * t174;
-        const double across = k[1 + i152] - per_length;
-        const double t177 = before163 + per_length * along_2 + length_by_q71 * length_by_q73
-            * across;
-        const double slope_4 = along_by_y_8 + table162[i152][0] * along_by_y_squared_8;
-        const double along_3 = along_42 + table162[i152][0] * slope_4;
-        const double t178 = before164 + per_length * along_3 + across * length_by_q73
-            * length_by_q73;
-        const double slope_2 = along_by_y_4 + table162[i152][0] * along_by_y_squared_4;
-        const double along_4 = along_38 + table162[i152][0] * slope_2;
-        const double t179 = before165 + per_length * along_4 + across * length_by_q71
-            * length_by_q71;
-        const double t180 = table162[i152][0] * per_length;
-        const double pull_by_y_y = strand_y * t180;
-        const double pull_by_y_z = strand_z * t180;
-        const double pull_by_y_x = strand_x * t180;
+        const double length_by_q73 = t40 * t38;
+        const double across = k[1 + i16] - per_length;
+        const double slope_4 = along_by_y_8 + table26[i16][0] * along_by_y_squared_8;
+        const double along_3 = along_42 + table26[i16][0] * slope_4;
+        const double slope_2 = along_by_y_4 + table26[i16][0] * along_by_y_squared_4;
+        const double along_4 = along_38 + table26[i16][0] * slope_2;
+        const double t41 = table26[i16][0] * per_length;
+        const double pull_by_y_y = strand_y * t41;
+        const double pull_by_y_z = strand_z * t41;
+        const double pull_by_y_x = strand_x * t41;
         const double pull_z = strand_z * per_length;
         const double pull_y = strand_y * per_length;
         const double pull_x = strand_x * per_length;
-        sum153 = t177;
-        sum154 = t178;
-        sum155 = t179;
-        sum156 = before166 + pull_by_y_y;
-        sum157 = before167 + pull_by_y_z;
-        sum158 = before168 + pull_by_y_x;
-        sum159 = before169 + pull_z;
-        sum160 = before170 + pull_y;
-        sum161 = before171 + pull_x;
+        sum17 = before27 + per_length * along_2 + length_by_q71 * length_by_q73 * across;
+        sum18 = before28 + per_length * along_3 + across * length_by_q73 * length_by_q73;
+        sum19 = before29 + per_length * along_4 + across * length_by_q71 * length_by_q71;
+        sum20 = before30 + pull_by_y_y;
+        sum21 = before31 + pull_by_y_z;
+        sum22 = before32 + pull_by_y_x;
+        sum23 = before33 + pull_z;
+        sum24 = before34 + pull_y;
+        sum25 = before35 + pull_x;
     }
-    static const double table191[18][2] = {{0.002, 0.001}, {0.003, 0.003}, {0.005, 0.005},
+    static const double table52[18][2] = {{0.002, 0.001}, {0.003, 0.003}, {0.005, 0.005},
         {0.007, 0.006}, {0.008, 0.008}, {0.01, 0.009}, {0.011, 0.011}, {0.013, 0.013},
         {0.015, 0.014}, {0.016, 0.016}, {0.018, 0.017}, {0.019, 0.019}, {0.021, 0.021},
         {0.023, 0.022}, {0.024, 0.024}, {0.026, 0.025}, {0.027, 0.027}, {0.029, 0.029}};
-    double sum182 = K_19;
-    double sum183 = t133;
-    double sum184 = t64;
-    double sum185 = -0.0;
-    double sum186 = -0.0;
-    double sum187 = -0.0;
-    double sum188 = pull_19_z;
-    double sum189 = pull_19_y;
-    double sum190 = pull_19_x;
-    for (int i181 = 0; i181 < 18; ++i181) {
-        const double before192 = sum182;
-        const double before193 = sum183;
-        const double before194 = sum184;
-        const double before195 = sum185;
-        const double before196 = sum186;
-        const double before197 = sum187;
-        const double before198 = sum188;
-        const double before199 = sum189;
-        const double before200 = sum190;
-        const double t201 = table191[i181][0] * y_x;
-        const double strand_x_2 = layer_1_x - t201;
-        const double strand_y_2 = table191[i181][1] + layer_1_y - table191[i181][0] * u_y;
-        const double t202 = table191[i181][0] * y_z;
-        const double strand_z_2 = layer_1_z - t202;
-        const double t203 = strand_x_2 * strand_x_2 + strand_y_2 * strand_y_2 + strand_z_2
+    double sum43 = K_19;
+    double sum44 = t15;
+    double sum45 = per_length_19 * along_40 + across_19 * part_1[18] * part_1[18];
+    double sum46 = -0.0;
+    double sum47 = -0.0;
+    double sum48 = -0.0;
+    double sum49 = pull_19_z;
+    double sum50 = pull_19_y;
+    double sum51 = pull_19_x;
+    for (int i42 = 0; i42 < 18; ++i42) {
+        const double before53 = sum43;
+        const double before54 = sum44;
+        const double before55 = sum45;
+        const double before56 = sum46;
+        const double before57 = sum47;
+        const double before58 = sum48;
+        const double before59 = sum49;
+        const double before60 = sum50;
+        const double before61 = sum51;
+        const double t62 = table52[i42][0] * part_1[4];
+        const double strand_x_2 = part_1[14] - t62;
+        const double strand_y_2 = table52[i42][1] + part_1[15] - table52[i42][0] * part_1[0];
+        const double t63 = table52[i42][0] * part_1[1];
+        const double strand_z_2 = part_1[16] - t63;
+        const double t64 = strand_x_2 * strand_x_2 + strand_y_2 * strand_y_2 + strand_z_2
             * strand_z_2;
-        const double length_2 = sinew_sqrt(t203);
-        const double t204 = 1.0 / length_2;
-        const double per_length_2 = f[20 + i181] * t204;
-        const double slope_3 = along_by_y_2 + table191[i181][0] * along_by_y_squared;
-        const double along_5 = along_19 - table191[i181][0] * slope_3;
-        const double strand_x_by_q71_2 = layer_1_x_by_q71 + t202;
-        const double strand_z_by_q71_2 = layer_1_z_by_q71 + t201;
-        const double t205 = strand_x_2 * strand_x_by_q71_2 - strand_y_2 * layer_1_y_by_q71
-            - strand_z_2 * strand_z_by_q71_2;
-        const double length_by_q71_2 = t205 * t204;
-        const double strand_x_by_q73_2 = layer_1_x_by_q73 + table191[i181][0] * y_z_by_q71_by_q73;
-        const double strand_y_by_q73_2 = layer_1_y_by_q73 + table191[i181][0] * u_y_by_q73;
-        const double strand_z_by_q73_2 = layer_1_z_by_q73 + table191[i181][0] * y_x_by_q71_by_q73;
-        const double t206 = strand_x_2 * strand_x_by_q73_2 - strand_y_2 * strand_y_by_q73_2
+        const double length_2 = sinew_sqrt(t64);
+        const double t65 = 1.0 / length_2;
+        const double per_length_2 = f[20 + i42] * t65;
+        const double slope_3 = along_by_y_2 + table52[i42][0] * along_by_y_squared;
+        const double along_5 = along_19 - table52[i42][0] * slope_3;
+        const double strand_x_by_q71_2 = part_1[11] + t63;
+        const double strand_z_by_q71_2 = part_1[13] + t62;
+        const double t66 = strand_x_2 * strand_x_by_q71_2 - strand_y_2 * part_1[12] - strand_z_2
+            * strand_z_by_q71_2;
+        const double length_by_q71_2 = t66 * t65;
+        const double strand_x_by_q73_2 = layer_1_x_by_q73 + table52[i42][0] * part_1[27];
+        const double strand_y_by_q73_2 = layer_1_y_by_q73 + table52[i42][0] * part_1[25];
+        const double strand_z_by_q73_2 = layer_1_z_by_q73 + table52[i42][0] * part_1[32];
+        const double t67 = strand_x_2 * strand_x_by_q73_2 - strand_y_2 * strand_y_by_q73_2
             + strand_z_2 * strand_z_by_q73_2;
-        const double length_by_q73_2 = t206 * t204;
-        const double across_2 = k[20 + i181] - per_length_2;
-        const double t207 = before192 + per_length_2 * along_5 + length_by_q71_2 * length_by_q73_2
+        const double length_by_q73_2 = t67 * t65;
+        const double across_2 = k[20 + i42] - per_length_2;
+        const double t68 = before53 + per_length_2 * along_5 + length_by_q71_2 * length_by_q73_2
             * across_2;
-        const double slope_4_2 = along_by_y_10 + table191[i181][0] * along_by_y_squared_8;
-        const double along_6 = along_44 + table191[i181][0] * slope_4_2;
-        const double t208 = before193 + per_length_2 * along_6 + across_2 * length_by_q73_2
+        const double slope_4_2 = along_by_y_10 + table52[i42][0] * along_by_y_squared_8;
+        const double along_6 = along_44 + table52[i42][0] * slope_4_2;
+        const double t69 = before54 + per_length_2 * along_6 + across_2 * length_by_q73_2
             * length_by_q73_2;
-        const double slope_2_2 = along_by_y_6 + table191[i181][0] * along_by_y_squared_4;
-        const double along_7 = along_40 + table191[i181][0] * slope_2_2;
-        const double t209 = before194 + per_length_2 * along_7 + across_2 * length_by_q71_2
+        const double slope_2_2 = along_by_y_6 + table52[i42][0] * along_by_y_squared_4;
+        const double along_7 = along_40 + table52[i42][0] * slope_2_2;
+        const double t70 = before55 + per_length_2 * along_7 + across_2 * length_by_q71_2
             * length_by_q71_2;
-        const double t210 = table191[i181][0] * per_length_2;
-        const double pull_by_y_y_2 = strand_y_2 * t210;
-        const double pull_by_y_z_2 = strand_z_2 * t210;
-        const double pull_by_y_x_2 = strand_x_2 * t210;
+        const double t71 = table52[i42][0] * per_length_2;
+        const double pull_by_y_y_2 = strand_y_2 * t71;
+        const double pull_by_y_z_2 = strand_z_2 * t71;
+        const double pull_by_y_x_2 = strand_x_2 * t71;
         const double pull_z_2 = strand_z_2 * per_length_2;
         const double pull_y_2 = strand_y_2 * per_length_2;
         const double pull_x_2 = strand_x_2 * per_length_2;
-        sum182 = t207;
-        sum183 = t208;
-        sum184 = t209;
-        sum185 = before195 + pull_by_y_y_2;
-        sum186 = before196 + pull_by_y_z_2;
-        sum187 = before197 + pull_by_y_x_2;
-        sum188 = before198 + pull_z_2;
-        sum189 = before199 + pull_y_2;
-        sum190 = before200 + pull_x_2;
+        sum43 = t68;
+        sum44 = t69;
+        sum45 = t70;
+        sum46 = before56 + pull_by_y_y_2;
+        sum47 = before57 + pull_by_y_z_2;
+        sum48 = before58 + pull_by_y_x_2;
+        sum49 = before59 + pull_z_2;
+        sum50 = before60 + pull_y_2;
+        sum51 = before61 + pull_x_2;
     }
-    const double pull_by_y = sum158 + sum187;
-    const double pull_by_y_4 = sum157 + sum186;
-    const double t211 = sum155 + sum184 + y_x * pull_by_y + y_z * pull_by_y_4 + sum161
-        * layer_0_x_by_q71_by_q71;
-    const double origin_y_by_q71_by_q71 = 0.018 * z_plane_y_by_q71_by_q71;
-    const double t212 = origin_y_by_q71_by_q71 + t38 * sin_A_by_q71_by_q71;
-    const double t213 = 0.01 * z_plane_y_by_q71_by_q71;
-    const double layer_0_y_by_q71_by_q71 = t212 - t213;
-    const double t214 = t211 - sum160 * layer_0_y_by_q71_by_q71 + sum159 * layer_0_z_by_q71_by_q71;
-    const double layer_1_y_by_q71_by_q71 = t212 + t213;
-    const double t215 = t214 + sum190 * layer_1_x_by_q71_by_q71 - sum189 * layer_1_y_by_q71_by_q71;
-    const double origin_y_by_q71_by_q73 = 0.018 * z_plane_y_by_q71_by_q73;
-    const double t216 = origin_y_by_q71_by_q73 + 0.004 * x_plane_y_by_q71_by_q73;
-    const double t217 = 0.01 * z_plane_y_by_q71_by_q73;
-    const double layer_0_y_by_q71_by_q73 = t216 - t217;
-    const double t218 = sum153 + sum182 - sum161 * layer_0_x_by_q71_by_q73 + sum160
-        * layer_0_y_by_q71_by_q73;
-    const double t219 = t218 + sum159 * layer_0_z_by_q71_by_q73 - sum190 * layer_1_x_by_q71_by_q73;
-    const double layer_1_y_by_q71_by_q73 = t216 + t217;
-    const double t220 = t219 + sum189 * layer_1_y_by_q71_by_q73 + sum188 * layer_1_z_by_q71_by_q73;
-    const double K_01 = t220 - y_x_by_q71_by_q73 * pull_by_y + y_z_by_q71_by_q73 * pull_by_y_4;
-    const double t221 = -K_01;
-    const double t222 = 0.01 * z_x_by_q73_by_q73;
-    const double layer_0_x_by_q73_by_q73 = t149 - t222 - 0.011 * y_x_by_q73_by_q73;
-    const double t223 = 0.01 * z_plane_y_by_q73_by_q73;
-    const double layer_0_y_by_q73_by_q73 = t150 + t223 - 0.011 * u_y_by_q73_by_q73;
-    const double t224 = sum154 + sum183 + sum161 * layer_0_x_by_q73_by_q73 + sum160
+    const double pull_by_y = sum22 + sum48;
+    const double pull_by_y_4 = sum21 + sum47;
+    const double t72 = sum19 + sum45 + part_1[4] * pull_by_y + part_1[1] * pull_by_y_4 + sum25
+        * part_1[19];
+    const double t73 = t72 - sum24 * part_1[20] + sum23 * part_1[21] + sum51 * part_1[22] - sum50
+        * part_1[23];
+    const double z_x_by_q71_by_q73 = part_1[36] + part_1[37] + part_1[29];
+    const double origin_x_by_q71_by_q73 = part_1[30] - 0.018 * z_x_by_q71_by_q73;
+    const double t74 = origin_x_by_q71_by_q73 + 0.004 * part_1[38];
+    const double t75 = 0.01 * z_x_by_q71_by_q73;
+    const double layer_0_x_by_q71_by_q73 = t74 + t75 - t4;
+    const double layer_0_z_by_q71_by_q73 = part_1[40] - t3;
+    const double t76 = sum17 + sum43 - sum25 * layer_0_x_by_q71_by_q73 + sum24 * part_1[39] + sum23
+        * layer_0_z_by_q71_by_q73;
+    const double layer_1_x_by_q71_by_q73 = t74 - t75 - t8;
+    const double layer_1_z_by_q71_by_q73 = part_1[42] - t7;
+    const double t77 = t76 - sum51 * layer_1_x_by_q71_by_q73 + sum50 * part_1[41] + sum49
+        * layer_1_z_by_q71_by_q73;
+    const double K_01 = t77 - part_1[32] * pull_by_y + part_1[27] * pull_by_y_4;
+    const double t78 = -K_01;
+    const double layer_0_x_by_q73_by_q73 = part_1[45] - 0.011 * part_1[46];
+    const double layer_0_y_by_q73_by_q73 = part_1[47] - 0.011 * part_1[44];
+    const double t79 = sum18 + sum44 + sum25 * layer_0_x_by_q73_by_q73 + sum24
         * layer_0_y_by_q73_by_q73;
-    const double t225 = 0.01 * z_z_by_q73_by_q73;
-    const double layer_0_z_by_q73_by_q73 = t151 - t225 - 0.011 * y_z_by_q73_by_q73;
-    const double layer_1_x_by_q73_by_q73 = t149 + t222 - 0.013 * y_x_by_q73_by_q73;
-    const double t226 = t224 + sum159 * layer_0_z_by_q73_by_q73 + sum190 * layer_1_x_by_q73_by_q73;
-    const double layer_1_y_by_q73_by_q73 = t150 - t223 - 0.013 * u_y_by_q73_by_q73;
-    const double layer_1_z_by_q73_by_q73 = t151 + t225 - 0.013 * y_z_by_q73_by_q73;
-    const double t227 = t226 + sum189 * layer_1_y_by_q73_by_q73 + sum188 * layer_1_z_by_q73_by_q73;
-    const double pull_by_y_2 = sum156 + sum185;
-    const double t228 = t227 + pull_by_y * y_x_by_q73_by_q73 + pull_by_y_2 * u_y_by_q73_by_q73
-        + pull_by_y_4 * y_z_by_q73_by_q73;
-    K[0] = t215 + sum188 * layer_1_z_by_q71_by_q71;
-    K[1] = t221;
-    K[2] = t221;
-    K[3] = t228;
+    const double layer_0_z_by_q73_by_q73 = part_1[48] - 0.011 * part_1[49];
+    const double layer_1_x_by_q73_by_q73 = part_1[50] - 0.013 * part_1[46];
+    const double layer_1_y_by_q73_by_q73 = part_1[51] - 0.013 * part_1[44];
+    const double t80 = t79 + sum23 * layer_0_z_by_q73_by_q73 + sum51 * layer_1_x_by_q73_by_q73
+        + sum50 * layer_1_y_by_q73_by_q73;
+    const double layer_1_z_by_q73_by_q73 = part_1[52] - 0.013 * part_1[49];
+    const double pull_by_y_2 = sum20 + sum46;
+    const double t81 = t80 + sum49 * layer_1_z_by_q73_by_q73 + pull_by_y * part_1[46] + pull_by_y_2
+        * part_1[44];
+    K[0] = t73 + sum49 * part_1[24];
+    K[1] = t78;
+    K[2] = t78;
+    K[3] = t81 + pull_by_y_4 * part_1[49];
 }
