@@ -196,8 +196,8 @@ std::vector<std::string> emit_functions(const EmittedModel& model) {
   work();
   for (std::future<void>& worker : workers) worker.get();
   if (!parts.empty())
-    texts[0] =
-        "/* Parts: what several functions compute alike, or one at several places. */\n\n" + texts[0];
+    texts[0] = "/* Parts: what several functions compute alike, or one at several places. */\n\n" +
+               texts[0];
   return texts;
 }
 

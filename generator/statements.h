@@ -36,8 +36,8 @@ bool reads_port(const Graph& graph, const std::string& name);
 bool stores_early(const Graph& graph);
 
 /// The body of a function: declarations and loops in the plan's order, and the stores of the
-/// results. A value gets a name where the derivation named it, where it is used more than once or
-/// where the line would grow too long; the rest is written in place.
+/// results. A value gets a name where it is used more than once or would make a line too long, the
+/// sooner where the derivation has a name for it; the rest is written in place.
 std::vector<std::string> statements(const Graph& graph, const Plan& plan, const Target& target,
                                     const ArrayNames& names);
 

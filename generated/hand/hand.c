@@ -50,8 +50,7 @@ SINEW_NOT_INLINE static void hand_part_1(const double q_wrist[SINEW_AT_LEAST(2)]
     const double sin_q73 = sines1.s[1];
     const double cos_q73 = sines1.c[1];
     const double B_y = 0.074565407529229 * cos_q73;
-    const double B_to_C0_squared = 0.007324 - 0.084 * B_y;
-    const double ratio = 0.003796 / B_to_C0_squared;
+    const double ratio = 0.003796 / (0.007324 - 0.084 * B_y);
     const double C_y = 0.002 * ratio * (21.0 - 500.0 * B_y);
     const double t2 = B_y + C_y;
     const double u_y = 23.80952380952381 * t2;
@@ -77,31 +76,21 @@ SINEW_NOT_INLINE static void hand_part_1(const double q_wrist[SINEW_AT_LEAST(2)]
     const double cos_A = (p_y * limited + p_z * root) * t3;
     const double z_plane_x = u_y * cos_A;
     const double sin_A = (p_y * root - p_z * limited) * t3;
-    const double z_x = cos_q71 * z_plane_x - sin_q71 * sin_A;
-    const double M_x = cos_q71 * M_e;
     const double x_plane_x = u_y * sin_A;
-    const double x_x = cos_q71 * x_plane_x + sin_q71 * cos_A;
-    const double y_x = cos_q71 * u_e;
     const double z_plane_y = u_e * cos_A;
-    const double origin_y = M_y + 0.018 * z_plane_y;
-    const double x_plane_y = u_e * sin_A;
     const double z_z = cos_q71 * sin_A + sin_q71 * z_plane_x;
-    const double M_z = sin_q71 * M_e;
-    const double origin_z = M_z - 0.018 * z_z;
-    const double x_z = cos_q71 * cos_A - sin_q71 * x_plane_x;
-    const double y_z = sin_q71 * u_e;
     part[0] = t2;
-    part[1] = z_x;
-    part[2] = M_x;
-    part[3] = x_x;
-    part[4] = y_x;
+    part[1] = cos_q71 * z_plane_x - sin_q71 * sin_A;
+    part[2] = cos_q71 * M_e;
+    part[3] = cos_q71 * x_plane_x + sin_q71 * cos_A;
+    part[4] = cos_q71 * u_e;
     part[5] = z_plane_y;
-    part[6] = origin_y;
-    part[7] = x_plane_y;
+    part[6] = M_y + 0.018 * z_plane_y;
+    part[7] = u_e * sin_A;
     part[8] = z_z;
-    part[9] = origin_z;
-    part[10] = x_z;
-    part[11] = y_z;
+    part[9] = sin_q71 * M_e - 0.018 * z_z;
+    part[10] = cos_q71 * cos_A - sin_q71 * x_plane_x;
+    part[11] = sin_q71 * u_e;
 }
 
 void hand_fingertips(const double q[SINEW_AT_LEAST(19)], const double q_wrist[SINEW_AT_LEAST(2)],
@@ -137,10 +126,7 @@ void hand_fingertips(const double q[SINEW_AT_LEAST(19)], const double q_wrist[SI
     const double sin2 = sines5.s[0];
     const double cos2 = sines5.c[0];
     in_palm[66] = s1_8;
-    const double l3y_8 = 0.032304 * s2_8;
-    const double l4y_8 = 0.02384 * s3_8;
-    const double o4y_8 = l3y_8 + l4y_8;
-    const double ptipz_8 = o4y_8 + 0.01608 * s4_8;
+    const double ptipz_8 = 0.032304 * s2_8 + 0.02384 * s3_8 + 0.01608 * s4_8;
     const double t6 = 0.01 * cos2;
     const double A = 1.2 - cos2;
     const double reach_squared_2 = sinew_max(sin2 * sin2 + A * A, 1e-12);
@@ -149,21 +135,15 @@ void hand_fingertips(const double q[SINEW_AT_LEAST(19)], const double q_wrist[SI
     const double C = 1.0045454545454546 - 1.0909090909090908 * cos2;
     const double limited_2 = sinew_min(sinew_max(C, -reach_2), reach_2);
     const double slack = 0.6944444444444444 * (C + reach_2) * (C - reach_2);
-    const double root_2 = sinew_sqrt(sinew_max(-slack, 1e-12));
-    const double side = 1.2 * root_2;
-    const double cos4 = (sin2 * side - A * limited_2) * t7;
-    const double along = 0.012 - t6 + 0.011 * cos4;
+    const double side = 1.2 * sinew_sqrt(sinew_max(-slack, 1e-12));
+    const double along = 0.012 - t6 + 0.011 * ((sin2 * side - A * limited_2) * t7);
     const double t8 = 0.01 * sin2;
-    const double sin4 = (sin2 * limited_2 + A * side) * t7;
-    const double across = t8 - 0.011 * sin4;
+    const double across = t8 - 0.011 * ((sin2 * limited_2 + A * side) * t7);
     const double length = sinew_sqrt(sinew_max(along * along + across * across, 1.44e-16));
     const double t9 = 1.0 / length;
     const double cos3 = along * t9;
     const double R42x_8 = s1_8 * c4_8;
-    const double l3x_8 = 0.032304 * c2_8;
-    const double l4x_8 = 0.02384 * c3_8;
-    const double o4x_8 = l3x_8 + l4x_8;
-    const double t10 = 0.0048 + o4x_8;
+    const double t10 = 0.0048 + (0.032304 * c2_8 + 0.02384 * c3_8);
     const double ptipy_8 = s1_8 * t10 + 0.00456 * c1_8 + 0.01608 * R42x_8;
     const double t11 = 0.006 + ptipy_8;
     const double sin3 = across * t9;
@@ -218,20 +198,13 @@ void hand_fingertips(const double q[SINEW_AT_LEAST(19)], const double q_wrist[SI
     in_forearm[65] = -seen_98;
     const double seen_96 = part_1[3] * R41x_8 + part_1[4] * placed_44 + part_1[1] * placed_52;
     in_forearm[64] = seen_96;
-    const double l3y = 0.045 * s2;
-    const double l4y = 0.0298 * s3;
-    const double o4y = l3y + l4y;
-    const double ptipz = o4y + 0.0201 * s4;
+    const double ptipz = 0.045 * s2 + 0.0298 * s3 + 0.0201 * s4;
     const double R42y = s1 * c4;
-    const double l3x = 0.045 * c2;
-    const double l4x = 0.0298 * c3;
-    const double o4x = l3x + l4x;
-    const double p4y = s1 * o4x;
-    const double ptipy = p4y + 0.0201 * R42y;
+    const double o4x = 0.045 * c2 + 0.0298 * c3;
+    const double ptipy = s1 * o4x + 0.0201 * R42y;
     const double placed_22 = 0.01 - 0.5000000000000001 * ptipz + 0.8660254037844386 * ptipy;
     const double R41y = c1 * c4;
-    const double p4x = c1 * o4x;
-    const double ptipx = p4x + 0.0201 * R41y;
+    const double ptipx = c1 * o4x + 0.0201 * R41y;
     const double placed_14 = 0.03 + 0.3830222215594891 * ptipy + 0.6427876096865393 * ptipx
         + 0.6634139481689384 * ptipz;
     in_palm[7] = placed_14;
@@ -330,7 +303,6 @@ void hand_fingertips(const double q[SINEW_AT_LEAST(19)], const double q_wrist[SI
         const double R41y_2 = c1_2 * s4_2;
         const double R42y_2 = s1_2 * s4_2;
         const double seen_5 = part_1[3] * R41y_2 + part_1[4] * R42y_2 - part_1[1] * c4_2;
-        const double seen_7 = part_1[3] * s1_2 - part_1[4] * c1_2;
         const struct sinew_sines sines17 = sinew_one_sincos(q[5 + 4 * i12]);
         const double s2_2 = sines17.s[0];
         const double c2_2 = sines17.c[0];
@@ -346,37 +318,32 @@ void hand_fingertips(const double q[SINEW_AT_LEAST(19)], const double q_wrist[SI
         const double placed_5 = t20 + table13[i12][10] * R42x_2;
         const double t21 = origin_x + part_1[3] * placed_3 + table13[i12][7] * (part_1[4]
             * placed_5);
-        const double o4y_2 = table13[i12][2] * s2_2 + table13[i12][3] * s3_2;
-        const double ptipz_2 = o4y_2 + table13[i12][6] * s4_2;
-        const double seen_9 = t21 + part_1[1] * ptipz_2;
-        const double seen_11 = u_y * R42x_2 - part_1[7] * R41x_2 - part_1[5] * s4_2;
-        const double seen_13 = u_y * R42y_2 - part_1[7] * R41y_2 + part_1[5] * c4_2;
-        const double seen_15 = u_y * c1_2 + part_1[7] * s1_2;
+        const double o4y = table13[i12][2] * s2_2 + table13[i12][3] * s3_2;
+        const double ptipz_2 = o4y + table13[i12][6] * s4_2;
+        const double seen_7 = u_y * R42x_2 - part_1[7] * R41x_2 - part_1[5] * s4_2;
+        const double seen_9 = u_y * R42y_2 - part_1[7] * R41y_2 + part_1[5] * c4_2;
         const double t22 = part_1[6] + table13[i12][11] * part_1[0] * placed_5 - part_1[7]
             * placed_3;
-        const double seen_17 = t22 - part_1[5] * ptipz_2;
-        const double seen_19 = part_1[10] * R41x_2 - part_1[11] * R42x_2 - part_1[8] * s4_2;
-        const double seen_21 = part_1[10] * R41y_2 - part_1[11] * R42y_2 + part_1[8] * c4_2;
-        const double seen_23 = part_1[10] * s1_2 + part_1[11] * c1_2;
+        const double seen_11 = part_1[10] * R41x_2 - part_1[11] * R42x_2 - part_1[8] * s4_2;
+        const double seen_13 = part_1[10] * R41y_2 - part_1[11] * R42y_2 + part_1[8] * c4_2;
         const double t23 = part_1[9] - part_1[10] * placed_3 + table13[i12][7] * (part_1[11]
             * placed_5);
-        const double seen_24 = t23 + part_1[8] * ptipz_2;
         in_forearm[12 + 16 * i12] = 0.0;
         in_forearm[13 + 16 * i12] = 0.0;
         in_forearm[14 + 16 * i12] = 0.0;
         in_forearm[15 + 16 * i12] = 1.0;
         in_forearm[16 + 16 * i12] = seen_3;
         in_forearm[17 + 16 * i12] = -seen_5;
-        in_forearm[18 + 16 * i12] = seen_7;
-        in_forearm[19 + 16 * i12] = seen_9;
-        in_forearm[20 + 16 * i12] = seen_11;
-        in_forearm[21 + 16 * i12] = -seen_13;
-        in_forearm[22 + 16 * i12] = -seen_15;
-        in_forearm[23 + 16 * i12] = seen_17;
-        in_forearm[24 + 16 * i12] = -seen_19;
-        in_forearm[25 + 16 * i12] = seen_21;
-        in_forearm[26 + 16 * i12] = -seen_23;
-        in_forearm[27 + 16 * i12] = seen_24;
+        in_forearm[18 + 16 * i12] = part_1[3] * s1_2 - part_1[4] * c1_2;
+        in_forearm[19 + 16 * i12] = t21 + part_1[1] * ptipz_2;
+        in_forearm[20 + 16 * i12] = seen_7;
+        in_forearm[21 + 16 * i12] = -seen_9;
+        in_forearm[22 + 16 * i12] = -(u_y * c1_2 + part_1[7] * s1_2);
+        in_forearm[23 + 16 * i12] = t22 - part_1[5] * ptipz_2;
+        in_forearm[24 + 16 * i12] = -seen_11;
+        in_forearm[25 + 16 * i12] = seen_13;
+        in_forearm[26 + 16 * i12] = -(part_1[10] * s1_2 + part_1[11] * c1_2);
+        in_forearm[27 + 16 * i12] = t23 + part_1[8] * ptipz_2;
         in_palm[12 + 16 * i12] = 0.0;
         in_palm[13 + 16 * i12] = 0.0;
         in_palm[14 + 16 * i12] = 0.0;
@@ -409,8 +376,7 @@ void hand_finger_gravity(const double q[SINEW_AT_LEAST(19)],
     const double sin2 = sines2.s[0];
     const double cos2 = sines2.c[0];
     const double B_y = 0.074565407529229 * cos_q73;
-    const double B_to_C0_squared = 0.007324 - 0.084 * B_y;
-    const double ratio = 0.003796 / B_to_C0_squared;
+    const double ratio = 0.003796 / (0.007324 - 0.084 * B_y);
     const double C_y = 0.002 * ratio * (21.0 - 500.0 * B_y);
     const double u_y = 23.80952380952381 * (B_y + C_y);
     const double B_e = 0.074565407529229 * sin_q73;
@@ -433,16 +399,14 @@ void hand_finger_gravity(const double q[SINEW_AT_LEAST(19)],
     const double sin_A = (p_y * root - p_z * limited) * t3;
     const double x_plane_x = u_y * sin_A;
     const double cos_A = (p_y * limited + p_z * root) * t3;
-    const double x_x = cos_q71 * x_plane_x + sin_q71 * cos_A;
     const double t4 = gravity[1] * u_e;
-    const double x_z = cos_q71 * cos_A - sin_q71 * x_plane_x;
-    const double turned = gravity[0] * x_x - t4 * sin_A - gravity[2] * x_z;
+    const double turned = gravity[0] * (cos_q71 * x_plane_x + sin_q71 * cos_A) - t4 * sin_A
+        - gravity[2] * (cos_q71 * cos_A - sin_q71 * x_plane_x);
     const double turned_2 = u_e * (gravity[0] * cos_q71 + gravity[2] * sin_q71) + gravity[1] * u_y;
     const double turned_6 = 0.6427876096865393 * turned_2 + 0.766044443118978 * turned;
     const double z_plane_x = u_y * cos_A;
-    const double z_x = cos_q71 * z_plane_x - sin_q71 * sin_A;
-    const double z_z = cos_q71 * sin_A + sin_q71 * z_plane_x;
-    const double turned_4 = gravity[0] * z_x - t4 * cos_A + gravity[2] * z_z;
+    const double turned_4 = gravity[0] * (cos_q71 * z_plane_x - sin_q71 * sin_A) - t4 * cos_A
+        + gravity[2] * (cos_q71 * sin_A + sin_q71 * z_plane_x);
     const double turned_8 = 0.32139380484326974 * turned - 0.3830222215594891 * turned_2
         + 0.8660254037844386 * turned_4;
     const double turned_10 = 0.5000000000000001 * turned_4 - 0.5566703992264193 * turned
@@ -452,20 +416,15 @@ void hand_finger_gravity(const double q[SINEW_AT_LEAST(19)],
     const double reach_2 = sinew_sqrt(reach_squared_2);
     const double C = 1.0045454545454546 - 1.0909090909090908 * cos2;
     const double slack = 0.6944444444444444 * (C + reach_2) * (C - reach_2);
-    const double root_2 = sinew_sqrt(sinew_max(-slack, 1e-12));
-    const double side = 1.2 * root_2;
+    const double side = 1.2 * sinew_sqrt(sinew_max(-slack, 1e-12));
     const double limited_2 = sinew_min(sinew_max(C, -reach_2), reach_2);
     const double t5 = 1.0 / reach_squared_2;
-    const double cos4 = (sin2 * side - A * limited_2) * t5;
-    const double along = 0.012 - 0.01 * cos2 + 0.011 * cos4;
-    const double sin4 = (sin2 * limited_2 + A * side) * t5;
-    const double across = 0.01 * sin2 - 0.011 * sin4;
+    const double along = 0.012 - 0.01 * cos2 + 0.011 * ((sin2 * side - A * limited_2) * t5);
+    const double across = 0.01 * sin2 - 0.011 * ((sin2 * limited_2 + A * side) * t5);
     const double length = sinew_sqrt(sinew_max(along * along + across * across, 1.44e-16));
     const double t6 = 1.0 / length;
     const double sin3 = across * t6;
     const double cos3 = along * t6;
-    const double turned_12 = cos3 * turned_2 - sin3 * turned_4;
-    const double turned_14 = cos3 * turned_4 + sin3 * turned_2;
     g[0] = turned_6;
     g[1] = -turned_8;
     g[2] = turned_10;
@@ -479,8 +438,8 @@ void hand_finger_gravity(const double q[SINEW_AT_LEAST(19)],
     g[10] = turned_2;
     g[11] = turned_4;
     g[12] = turned;
-    g[13] = turned_12;
-    g[14] = turned_14;
+    g[13] = cos3 * turned_2 - sin3 * turned_4;
+    g[14] = cos3 * turned_4 + sin3 * turned_2;
 }
 
 void hand_tendon_lengths(const double q[SINEW_AT_LEAST(19)],
@@ -521,8 +480,7 @@ void hand_tendon_lengths(const double q[SINEW_AT_LEAST(19)],
         const double strand_z_2 = layer_0_z - table10[i7][1] * part_1[11];
         const double t11 = strand_x_2 * strand_x_2 + strand_y_2 * strand_y_2 + strand_z_2
             * strand_z_2;
-        const double length_2 = sinew_sqrt(t11);
-        kept8[i7] = length_2;
+        kept8[i7] = sinew_sqrt(t11);
         kept9[i7] = length;
     }
     const struct sinew_sines2 sines12 = sinew_one_sincos2(q[0], q[1]);
@@ -532,19 +490,15 @@ void hand_tendon_lengths(const double q[SINEW_AT_LEAST(19)],
     const double c2 = sines12.c[1];
     const double length_0 = sinew_sqrt(layer_0_x * layer_0_x + layer_0_y * layer_0_y + layer_0_z
         * layer_0_z);
-    const double R21y = c1 * s2;
-    const double t13 = 0.005 * R21y;
+    const double t13 = 0.005 * (c1 * s2);
     const double t14 = 0.006 * s1;
     const double t15 = t13 - t14;
-    const double R21x = c1 * c2;
-    const double t16 = 0.047 * R21x;
+    const double t16 = 0.047 * (c1 * c2);
     const double A_lengthdx = 0.002 - t15 - t16;
-    const double R22y = s1 * s2;
-    const double t17 = 0.005 * R22y;
+    const double t17 = 0.005 * (s1 * s2);
     const double t18 = 0.006 * c1;
     const double t19 = 0.03 - (t17 + t18);
-    const double R22x = s1 * c2;
-    const double t20 = 0.047 * R22x;
+    const double t20 = 0.047 * (s1 * c2);
     const double A_lengthdy = t19 - t20;
     const double t21 = 0.025 - 0.005 * c2;
     const double t22 = 0.047 * s2;
@@ -618,9 +572,9 @@ void hand_tendon_lengths(const double q[SINEW_AT_LEAST(19)],
     const double t42 = 0.0088 * q[17];
     h[34] = kept9[14] + t42;
     h[35] = kept9[15] - t42;
-    const double length_3 = 0.007853981633974483 - 0.005 * q[18];
-    h[36] = -(length_3 - kept9[16]);
-    h[37] = length_3 + kept9[17];
+    const double length_2 = 0.007853981633974483 - 0.005 * q[18];
+    h[36] = -(length_2 - kept9[16]);
+    h[37] = length_2 + kept9[17];
 }
 
 void hand_coupling_matrix(const double q[SINEW_AT_LEAST(19)],
@@ -629,10 +583,7 @@ void hand_coupling_matrix(const double q[SINEW_AT_LEAST(19)],
     double wrist_passage_h[38];
     double wrist_passage_P[76];
     hand_wrist_passage(q_wrist, wrist_passage_h, wrist_passage_P);
-    for (int i1 = 0; i1 < 14; ++i1) {
-        P[7 + 21 * i1] = 0.0;
-        P[8 + 21 * i1] = 0.0;
-        P[9 + 21 * i1] = 0.0;
+    for (int i1 = 0; i1 < 20; ++i1) {
         P[10 + 21 * i1] = 0.0;
         P[11 + 21 * i1] = 0.0;
         P[12 + 21 * i1] = 0.0;
@@ -643,104 +594,103 @@ void hand_coupling_matrix(const double q[SINEW_AT_LEAST(19)],
         P[17 + 21 * i1] = 0.0;
         P[18 + 21 * i1] = 0.0;
     }
-    for (int i2 = 0; i2 < 8; ++i2) {
-        P[294 + 21 * i2] = 0.0;
-        P[295 + 21 * i2] = 0.0;
-        P[296 + 21 * i2] = 0.0;
-        P[297 + 21 * i2] = 0.0;
-        P[298 + 21 * i2] = 0.0;
-        P[299 + 21 * i2] = 0.0;
-        P[305 + 21 * i2] = 0.0;
-        P[306 + 21 * i2] = 0.0;
-        P[307 + 21 * i2] = 0.0;
-        P[308 + 21 * i2] = 0.0;
-        P[309 + 21 * i2] = 0.0;
-        P[310 + 21 * i2] = 0.0;
-        P[311 + 21 * i2] = 0.0;
-        P[312 + 21 * i2] = 0.0;
+    for (int i2 = 0; i2 < 18; ++i2) {
+        P[420 + 21 * i2] = 0.0;
+        P[421 + 21 * i2] = 0.0;
+        P[422 + 21 * i2] = 0.0;
+        P[423 + 21 * i2] = 0.0;
+        P[424 + 21 * i2] = 0.0;
+        P[425 + 21 * i2] = 0.0;
+        P[426 + 21 * i2] = 0.0;
+        P[427 + 21 * i2] = 0.0;
+        P[428 + 21 * i2] = 0.0;
+        P[429 + 21 * i2] = 0.0;
     }
-    for (int i3 = 0; i3 < 8; ++i3) {
-        P[462 + 21 * i3] = 0.0;
-        P[463 + 21 * i3] = 0.0;
-        P[464 + 21 * i3] = 0.0;
-        P[465 + 21 * i3] = 0.0;
-        P[466 + 21 * i3] = 0.0;
-        P[467 + 21 * i3] = 0.0;
-        P[468 + 21 * i3] = 0.0;
-        P[469 + 21 * i3] = 0.0;
-        P[470 + 21 * i3] = 0.0;
-        P[471 + 21 * i3] = 0.0;
-        P[477 + 21 * i3] = 0.0;
-        P[478 + 21 * i3] = 0.0;
-        P[479 + 21 * i3] = 0.0;
-        P[480 + 21 * i3] = 0.0;
+    for (int i3 = 0; i3 < 10; ++i3) {
+        P[84 + 21 * i3] = 0.0;
+        P[85 + 21 * i3] = 0.0;
+        P[91 + 21 * i3] = 0.0;
+        P[92 + 21 * i3] = 0.0;
+        P[93 + 21 * i3] = 0.0;
     }
-    for (int i4 = 0; i4 < 8; ++i4) {
-        P[630 + 21 * i4] = 0.0;
-        P[631 + 21 * i4] = 0.0;
-        P[632 + 21 * i4] = 0.0;
-        P[633 + 21 * i4] = 0.0;
-        P[634 + 21 * i4] = 0.0;
-        P[635 + 21 * i4] = 0.0;
-        P[636 + 21 * i4] = 0.0;
-        P[637 + 21 * i4] = 0.0;
-        P[638 + 21 * i4] = 0.0;
-        P[639 + 21 * i4] = 0.0;
-        P[640 + 21 * i4] = 0.0;
-        P[641 + 21 * i4] = 0.0;
-        P[642 + 21 * i4] = 0.0;
-        P[643 + 21 * i4] = 0.0;
-        P[644 + 21 * i4] = 0.0;
+    for (int i4 = 0; i4 < 10; ++i4) {
+        P[435 + 21 * i4] = 0.0;
+        P[436 + 21 * i4] = 0.0;
+        P[437 + 21 * i4] = 0.0;
+        P[438 + 21 * i4] = 0.0;
     }
-    const struct sinew_sines2 sines5 = sinew_one_sincos2(q[0], q[1]);
-    const double s1 = sines5.s[0];
-    const double c1 = sines5.c[0];
-    const double s2 = sines5.s[1];
-    const double c2 = sines5.c[1];
+    for (int i5 = 0; i5 < 10; ++i5) {
+        P[598 + 21 * i5] = 0.0;
+        P[599 + 21 * i5] = 0.0;
+        P[600 + 21 * i5] = 0.0;
+        P[601 + 21 * i5] = 0.0;
+    }
+    for (int i6 = 0; i6 < 6; ++i6) {
+        P[294 + 21 * i6] = 0.0;
+        P[295 + 21 * i6] = 0.0;
+        P[296 + 21 * i6] = 0.0;
+        P[297 + 21 * i6] = 0.0;
+        P[298 + 21 * i6] = 0.0;
+        P[299 + 21 * i6] = 0.0;
+    }
+    for (int i7 = 0; i7 < 4; ++i7) {
+        P[2 + 21 * i7] = 0.0;
+        P[3 + 21 * i7] = 0.0;
+        P[4 + 21 * i7] = 0.0;
+        P[5 + 21 * i7] = 0.0;
+        P[6 + 21 * i7] = 0.0;
+        P[7 + 21 * i7] = 0.0;
+        P[8 + 21 * i7] = 0.0;
+        P[9 + 21 * i7] = 0.0;
+    }
+    for (int i8 = 0; i8 < 6; ++i8) {
+        P[170 + 21 * i8] = 0.0;
+        P[171 + 21 * i8] = 0.0;
+    }
+    for (int i9 = 0; i9 < 6; ++i9) {
+        P[644 + 21 * i9] = 0.0;
+        P[648 + 21 * i9] = 0.0;
+    }
+    const struct sinew_sines2 sines10 = sinew_one_sincos2(q[0], q[1]);
+    const double s1 = sines10.s[0];
+    const double c1 = sines10.c[0];
+    const double s2 = sines10.s[1];
+    const double c2 = sines10.c[1];
     const double R21y = c1 * s2;
-    const double t6 = 0.005 * R21y;
-    const double t7 = 0.006 * s1;
-    const double t8 = t6 - t7;
+    const double t11 = 0.005 * R21y;
+    const double t12 = 0.006 * s1;
+    const double t13 = t11 - t12;
     const double R21x = c1 * c2;
-    const double t9 = 0.047 * R21x;
-    const double pD_length_tox = t8 - t9;
+    const double t14 = 0.047 * R21x;
+    const double pD_length_tox = t13 - t14;
     const double D_lengthdx = 0.002 + pD_length_tox;
-    const double t10 = 0.025 - 0.005 * c2;
-    const double t11 = 0.047 * s2;
-    const double B_lengthdz = t10 - t11;
-    const double t12 = B_lengthdz * B_lengthdz;
+    const double t15 = 0.025 - 0.005 * c2;
+    const double t16 = 0.047 * s2;
+    const double B_lengthdz = t15 - t16;
+    const double t17 = B_lengthdz * B_lengthdz;
     const double R22y = s1 * s2;
-    const double t13 = 0.005 * R22y;
-    const double t14 = 0.006 * c1;
-    const double t15 = t13 + t14;
+    const double t18 = 0.005 * R22y;
+    const double t19 = 0.006 * c1;
+    const double t20 = t18 + t19;
     const double R22x = s1 * c2;
-    const double t16 = 0.047 * R22x;
-    const double pD_length_toy = t15 - t16;
+    const double t21 = 0.047 * R22x;
+    const double pD_length_toy = t20 - t21;
     const double D_lengthdy = 0.03 - pD_length_toy;
-    const double D_length = sinew_sqrt(t12 + D_lengthdx * D_lengthdx + D_lengthdy * D_lengthdy);
-    const double t17 = 1.0 / D_length;
-    const double t18 = 0.005 * R21x;
-    const double t19 = 0.047 * R21y;
-    const double pB_length_tox_by_q_1 = t18 + t19;
-    const double t20 = 0.005 * s2;
-    const double t21 = 0.047 * c2;
-    const double pB_length_toz_by_q_1 = t20 - t21;
-    const double t22 = B_lengthdz * pB_length_toz_by_q_1;
-    const double t23 = 0.005 * R22x;
-    const double t24 = 0.047 * R22y;
-    const double pB_length_toy_by_q_1 = t23 + t24;
-    const double t25 = t22 + D_lengthdx * pB_length_tox_by_q_1 - D_lengthdy * pB_length_toy_by_q_1;
-    const double D_length_by_q_1 = t25 * t17;
-    P[64] = D_length_by_q_1;
-    P[65] = 0.0;
-    P[66] = 0.0;
-    P[67] = 0.0;
-    P[68] = 0.0;
-    P[69] = 0.0;
+    const double D_length = sinew_sqrt(t17 + D_lengthdx * D_lengthdx + D_lengthdy * D_lengthdy);
+    const double t22 = 1.0 / D_length;
+    const double t23 = 0.005 * R21x;
+    const double t24 = 0.047 * R21y;
+    const double pB_length_tox_by_q_1 = t23 + t24;
+    const double t25 = 0.005 * s2;
+    const double t26 = 0.047 * c2;
+    const double t27 = B_lengthdz * (t25 - t26);
+    const double t28 = 0.005 * R22x;
+    const double t29 = 0.047 * R22y;
+    const double pB_length_toy_by_q_1 = t28 + t29;
+    const double t30 = t27 + D_lengthdx * pB_length_tox_by_q_1 - D_lengthdy * pB_length_toy_by_q_1;
+    P[64] = t30 * t22;
     P[82] = wrist_passage_P[6];
     P[83] = wrist_passage_P[7];
-    P[84] = 0.0;
-    P[85] = 0.0;
     P[86] = 0.0065;
     P[87] = 0.0;
     P[88] = 0.0;
@@ -748,8 +698,6 @@ void hand_coupling_matrix(const double q[SINEW_AT_LEAST(19)],
     P[90] = 0.0;
     P[103] = wrist_passage_P[8];
     P[104] = wrist_passage_P[9];
-    P[105] = 0.0;
-    P[106] = 0.0;
     P[107] = -0.0065;
     P[108] = 0.0;
     P[109] = 0.0;
@@ -757,8 +705,6 @@ void hand_coupling_matrix(const double q[SINEW_AT_LEAST(19)],
     P[111] = 0.0;
     P[124] = wrist_passage_P[10];
     P[125] = wrist_passage_P[11];
-    P[126] = 0.0;
-    P[127] = 0.0;
     P[128] = -0.0065;
     P[129] = 0.0055;
     P[130] = 0.0;
@@ -766,8 +712,6 @@ void hand_coupling_matrix(const double q[SINEW_AT_LEAST(19)],
     P[132] = 0.0;
     P[145] = wrist_passage_P[12];
     P[146] = wrist_passage_P[13];
-    P[147] = 0.0;
-    P[148] = 0.0;
     P[149] = 0.0065;
     P[150] = -0.0055;
     P[151] = 0.0;
@@ -775,55 +719,31 @@ void hand_coupling_matrix(const double q[SINEW_AT_LEAST(19)],
     P[153] = 0.0;
     P[166] = wrist_passage_P[14];
     P[167] = wrist_passage_P[15];
-    P[168] = 0.0;
-    P[169] = 0.0;
-    P[170] = 0.0;
-    P[171] = 0.0;
     P[172] = 0.0065;
     P[173] = 0.0065;
     P[174] = 0.0;
     P[187] = wrist_passage_P[16];
     P[188] = wrist_passage_P[17];
-    P[189] = 0.0;
-    P[190] = 0.0;
-    P[191] = 0.0;
-    P[192] = 0.0;
     P[193] = 0.0065;
     P[194] = -0.0065;
     P[195] = 0.0;
     P[208] = wrist_passage_P[18];
     P[209] = wrist_passage_P[19];
-    P[210] = 0.0;
-    P[211] = 0.0;
-    P[212] = 0.0;
-    P[213] = 0.0;
     P[214] = -0.0065;
     P[215] = 0.0065;
     P[216] = 0.0;
     P[229] = wrist_passage_P[20];
     P[230] = wrist_passage_P[21];
-    P[231] = 0.0;
-    P[232] = 0.0;
-    P[233] = 0.0;
-    P[234] = 0.0;
     P[235] = -0.0065;
     P[236] = -0.0065;
     P[237] = 0.0;
     P[250] = wrist_passage_P[22];
     P[251] = wrist_passage_P[23];
-    P[252] = 0.0;
-    P[253] = 0.0;
-    P[254] = 0.0;
-    P[255] = 0.0;
     P[256] = 0.0;
     P[257] = 0.0;
     P[258] = 0.0055;
     P[271] = wrist_passage_P[24];
     P[272] = wrist_passage_P[25];
-    P[273] = 0.0;
-    P[274] = 0.0;
-    P[275] = 0.0;
-    P[276] = 0.0;
     P[277] = 0.0;
     P[278] = 0.0;
     P[279] = -0.0055;
@@ -833,56 +753,50 @@ void hand_coupling_matrix(const double q[SINEW_AT_LEAST(19)],
     P[301] = -0.0045;
     P[302] = 0.0;
     P[303] = 0.0;
-    P[304] = 0.0;
     P[313] = wrist_passage_P[28];
     P[314] = wrist_passage_P[29];
     P[321] = -0.0055;
     P[322] = 0.0045;
     P[323] = 0.0;
     P[324] = 0.0;
-    P[325] = 0.0;
     P[334] = wrist_passage_P[30];
     P[335] = wrist_passage_P[31];
     P[342] = 0.0;
     P[343] = 0.0;
     P[344] = 0.0065;
     P[345] = 0.0065;
-    P[346] = 0.0;
     P[355] = wrist_passage_P[32];
     P[356] = wrist_passage_P[33];
     P[363] = 0.0;
     P[364] = 0.0;
     P[365] = 0.0065;
     P[366] = -0.0065;
-    P[367] = 0.0;
     P[376] = wrist_passage_P[34];
     P[377] = wrist_passage_P[35];
     P[384] = 0.0;
     P[385] = 0.0;
     P[386] = -0.0065;
     P[387] = 0.0065;
-    P[388] = 0.0;
     P[397] = wrist_passage_P[36];
     P[398] = wrist_passage_P[37];
     P[405] = 0.0;
     P[406] = 0.0;
     P[407] = -0.0065;
     P[408] = -0.0065;
-    P[409] = 0.0;
     P[418] = wrist_passage_P[38];
     P[419] = wrist_passage_P[39];
-    P[426] = 0.0;
-    P[427] = 0.0;
-    P[428] = 0.0;
-    P[429] = 0.0;
     P[430] = 0.0055;
+    P[431] = 0.0;
+    P[432] = 0.0;
+    P[433] = 0.0;
+    P[434] = 0.0;
     P[439] = wrist_passage_P[40];
     P[440] = wrist_passage_P[41];
-    P[447] = 0.0;
-    P[448] = 0.0;
-    P[449] = 0.0;
-    P[450] = 0.0;
     P[451] = -0.0055;
+    P[452] = 0.0;
+    P[453] = 0.0;
+    P[454] = 0.0;
+    P[455] = 0.0;
     P[460] = wrist_passage_P[42];
     P[461] = wrist_passage_P[43];
     P[472] = 0.0055;
@@ -927,131 +841,100 @@ void hand_coupling_matrix(const double q[SINEW_AT_LEAST(19)],
     P[581] = 0.0;
     P[586] = wrist_passage_P[54];
     P[587] = wrist_passage_P[55];
-    P[598] = 0.0;
-    P[599] = 0.0;
-    P[600] = 0.0;
-    P[601] = 0.0;
     P[602] = 0.011000000000000001;
     P[607] = wrist_passage_P[56];
     P[608] = wrist_passage_P[57];
-    P[619] = 0.0;
-    P[620] = 0.0;
-    P[621] = 0.0;
-    P[622] = 0.0;
     P[623] = -0.011000000000000001;
     P[628] = wrist_passage_P[58];
     P[629] = wrist_passage_P[59];
     P[645] = 0.0052;
     P[646] = 0.0052;
     P[647] = 0.0;
-    P[648] = 0.0;
     P[649] = wrist_passage_P[60];
     P[650] = wrist_passage_P[61];
     P[666] = 0.0052;
     P[667] = -0.0052;
     P[668] = 0.0;
-    P[669] = 0.0;
     P[670] = wrist_passage_P[62];
     P[671] = wrist_passage_P[63];
     P[687] = -0.0052;
     P[688] = 0.0052;
     P[689] = 0.0;
-    P[690] = 0.0;
     P[691] = wrist_passage_P[64];
     P[692] = wrist_passage_P[65];
     P[708] = -0.0052;
     P[709] = -0.0052;
     P[710] = 0.0;
-    P[711] = 0.0;
     P[712] = wrist_passage_P[66];
     P[713] = wrist_passage_P[67];
     P[729] = 0.0;
     P[730] = 0.0;
     P[731] = 0.0088;
-    P[732] = 0.0;
     P[733] = wrist_passage_P[68];
     P[734] = wrist_passage_P[69];
     P[750] = 0.0;
     P[751] = 0.0;
     P[752] = -0.0088;
-    P[753] = 0.0;
     P[754] = wrist_passage_P[70];
     P[755] = wrist_passage_P[71];
+    P[770] = 0.0;
     P[771] = 0.0;
     P[772] = 0.0;
     P[773] = 0.0;
     P[774] = 0.005;
     P[775] = wrist_passage_P[72];
     P[776] = wrist_passage_P[73];
+    P[791] = 0.0;
     P[792] = 0.0;
     P[793] = 0.0;
     P[794] = 0.0;
     P[795] = -0.005;
     P[796] = wrist_passage_P[74];
     P[797] = wrist_passage_P[75];
-    const double D_length_by_q_0 = (pD_length_tox * D_lengthdy + pD_length_toy * D_lengthdx) * t17;
+    const double D_length_by_q_0 = (pD_length_tox * D_lengthdy + pD_length_toy * D_lengthdx) * t22;
     P[63] = -D_length_by_q_0;
-    const double t26 = t6 + t7;
-    const double pC_length_tox = t26 + t9;
+    const double t31 = t11 + t12;
+    const double pC_length_tox = t31 + t14;
     const double C_lengthdx = 0.002 - pC_length_tox;
-    const double A_lengthdz = t10 + t11;
-    const double t27 = A_lengthdz * A_lengthdz;
-    const double t28 = t13 - t14;
-    const double pC_length_toy = t28 + t16;
+    const double A_lengthdz = t15 + t16;
+    const double t32 = A_lengthdz * A_lengthdz;
+    const double t33 = t18 - t19;
+    const double pC_length_toy = t33 + t21;
     const double C_lengthdy = 0.03 + pC_length_toy;
-    const double C_length = sinew_sqrt(t27 + C_lengthdx * C_lengthdx + C_lengthdy * C_lengthdy);
-    const double t29 = 1.0 / C_length;
-    const double pA_length_tox_by_q_1 = t18 - t19;
-    const double pA_length_toz_by_q_1 = t20 + t21;
-    const double t30 = A_lengthdz * pA_length_toz_by_q_1;
-    const double pA_length_toy_by_q_1 = t23 - t24;
-    const double t31 = t30 - C_lengthdx * pA_length_tox_by_q_1 + C_lengthdy * pA_length_toy_by_q_1;
-    const double C_length_by_q_1 = t31 * t29;
-    P[43] = C_length_by_q_1;
-    P[44] = 0.0;
-    P[45] = 0.0;
-    P[46] = 0.0;
-    P[47] = 0.0;
-    P[48] = 0.0;
+    const double C_length = sinew_sqrt(t32 + C_lengthdx * C_lengthdx + C_lengthdy * C_lengthdy);
+    const double t34 = 1.0 / C_length;
+    const double pA_length_tox_by_q_1 = t23 - t24;
+    const double t35 = A_lengthdz * (t25 + t26);
+    const double pA_length_toy_by_q_1 = t28 - t29;
+    const double t36 = t35 - C_lengthdx * pA_length_tox_by_q_1 + C_lengthdy * pA_length_toy_by_q_1;
+    P[43] = t36 * t34;
     P[61] = wrist_passage_P[4];
     P[62] = wrist_passage_P[5];
-    const double C_length_by_q_0 = (pC_length_tox * C_lengthdy + pC_length_toy * C_lengthdx) * t29;
+    const double C_length_by_q_0 = (pC_length_tox * C_lengthdy + pC_length_toy * C_lengthdx) * t34;
     P[42] = C_length_by_q_0;
-    const double pB_length_tox = t26 - t9;
+    const double pB_length_tox = t31 - t14;
     const double B_lengthdx = 0.002 + pB_length_tox;
-    const double pB_length_toy = t28 - t16;
+    const double pB_length_toy = t33 - t21;
     const double B_lengthdy = 0.03 + pB_length_toy;
-    const double B_length = sinew_sqrt(B_lengthdx * B_lengthdx + B_lengthdy * B_lengthdy + t12);
-    const double t32 = 1.0 / B_length;
-    const double t33 = B_lengthdx * pB_length_tox_by_q_1 + B_lengthdy * pB_length_toy_by_q_1 + t22;
-    const double B_length_by_q_1 = t33 * t32;
-    P[22] = B_length_by_q_1;
-    P[23] = 0.0;
-    P[24] = 0.0;
-    P[25] = 0.0;
-    P[26] = 0.0;
-    P[27] = 0.0;
+    const double B_length = sinew_sqrt(B_lengthdx * B_lengthdx + B_lengthdy * B_lengthdy + t17);
+    const double t37 = 1.0 / B_length;
+    const double t38 = B_lengthdx * pB_length_tox_by_q_1 + B_lengthdy * pB_length_toy_by_q_1 + t27;
+    P[22] = t38 * t37;
     P[40] = wrist_passage_P[2];
     P[41] = wrist_passage_P[3];
-    const double B_length_by_q_0 = (pB_length_tox * B_lengthdy - pB_length_toy * B_lengthdx) * t32;
+    const double B_length_by_q_0 = (pB_length_tox * B_lengthdy - pB_length_toy * B_lengthdx) * t37;
     P[21] = B_length_by_q_0;
-    const double pA_length_tox = t8 + t9;
+    const double pA_length_tox = t13 + t14;
     const double A_lengthdx = 0.002 - pA_length_tox;
-    const double pA_length_toy = t15 + t16;
+    const double pA_length_toy = t20 + t21;
     const double A_lengthdy = 0.03 - pA_length_toy;
-    const double A_length = sinew_sqrt(A_lengthdx * A_lengthdx + A_lengthdy * A_lengthdy + t27);
-    const double t34 = 1.0 / A_length;
-    const double t35 = A_lengthdx * pA_length_tox_by_q_1 + A_lengthdy * pA_length_toy_by_q_1 - t30;
-    const double A_length_by_q_1 = t35 * t34;
-    P[1] = -A_length_by_q_1;
-    P[2] = 0.0;
-    P[3] = 0.0;
-    P[4] = 0.0;
-    P[5] = 0.0;
-    P[6] = 0.0;
+    const double A_length = sinew_sqrt(A_lengthdx * A_lengthdx + A_lengthdy * A_lengthdy + t32);
+    const double t39 = 1.0 / A_length;
+    const double t40 = A_lengthdx * pA_length_tox_by_q_1 + A_lengthdy * pA_length_toy_by_q_1 - t35;
+    P[1] = -(t40 * t39);
     P[19] = wrist_passage_P[0];
     P[20] = wrist_passage_P[1];
-    const double A_length_by_q_0 = (pA_length_tox * A_lengthdy - pA_length_toy * A_lengthdx) * t34;
+    const double A_length_by_q_0 = (pA_length_tox * A_lengthdy - pA_length_toy * A_lengthdx) * t39;
     P[0] = -A_length_by_q_0;
 }
 
@@ -1130,10 +1013,8 @@ void hand_joint_torque(const double q[SINEW_AT_LEAST(19)], const double q_wrist[
     const double pA_length_toy_by_q_1 = t33 - t34;
     const double t35 = 0.005 * s2;
     const double t36 = 0.047 * c2;
-    const double pA_length_toz_by_q_1 = t35 + t36;
-    const double t37 = A_lengthdz * pA_length_toz_by_q_1;
+    const double t37 = A_lengthdz * (t35 + t36);
     const double t38 = A_lengthdx * pA_length_tox_by_q_1 + A_lengthdy * pA_length_toy_by_q_1 - t37;
-    const double A_length_by_q_1 = t38 * t30;
     const double t39 = t19 + t20;
     const double pB_length_tox = t39 - t22;
     const double B_lengthdx = 0.002 + pB_length_tox;
@@ -1146,10 +1027,8 @@ void hand_joint_torque(const double q[SINEW_AT_LEAST(19)], const double q_wrist[
     const double t42 = 1.0 / B_length;
     const double pB_length_tox_by_q_1 = t31 + t32;
     const double pB_length_toy_by_q_1 = t33 + t34;
-    const double pB_length_toz_by_q_1 = t35 - t36;
-    const double t43 = B_lengthdz * pB_length_toz_by_q_1;
+    const double t43 = B_lengthdz * (t35 - t36);
     const double t44 = B_lengthdx * pB_length_tox_by_q_1 + B_lengthdy * pB_length_toy_by_q_1 + t43;
-    const double B_length_by_q_1 = t44 * t42;
     const double pC_length_tox = t39 + t22;
     const double C_lengthdx = 0.002 - pC_length_tox;
     const double pC_length_toy = t40 + t26;
@@ -1157,7 +1036,6 @@ void hand_joint_torque(const double q[SINEW_AT_LEAST(19)], const double q_wrist[
     const double C_length = sinew_sqrt(t29 + C_lengthdx * C_lengthdx + C_lengthdy * C_lengthdy);
     const double t45 = 1.0 / C_length;
     const double t46 = t37 - C_lengthdx * pA_length_tox_by_q_1 + C_lengthdy * pA_length_toy_by_q_1;
-    const double C_length_by_q_1 = t46 * t45;
     const double pD_length_tox = t21 - t22;
     const double D_lengthdx = 0.002 + pD_length_tox;
     const double pD_length_toy = t25 - t26;
@@ -1165,9 +1043,8 @@ void hand_joint_torque(const double q[SINEW_AT_LEAST(19)], const double q_wrist[
     const double D_length = sinew_sqrt(t41 + D_lengthdx * D_lengthdx + D_lengthdy * D_lengthdy);
     const double t47 = 1.0 / D_length;
     const double t48 = t43 + D_lengthdx * pB_length_tox_by_q_1 - D_lengthdy * pB_length_toy_by_q_1;
-    const double D_length_by_q_1 = t48 * t47;
-    const double t49 = f[0] * A_length_by_q_1 - f[1] * B_length_by_q_1 - f[2] * C_length_by_q_1
-        - f[3] * D_length_by_q_1;
+    const double t49 = f[0] * (t38 * t30) - f[1] * (t44 * t42) - f[2] * (t46 * t45) - f[3] * (t48
+        * t47);
     tau[1] = t49;
     const double A_length_by_q_0 = (pA_length_tox * A_lengthdy - pA_length_toy * A_lengthdx) * t30;
     const double B_length_by_q_0 = (pB_length_tox * B_lengthdy - pB_length_toy * B_lengthdx) * t42;
@@ -1232,8 +1109,7 @@ void hand_joint_stiffness(const double q[SINEW_AT_LEAST(19)],
     K[5] = 0.0;
     const double B_y = 0.074565407529229 * cos_q73;
     const double B_to_C0_squared_by_q73_by_q73 = 0.084 * B_y;
-    const double B_to_C0_squared = 0.007324 - B_to_C0_squared_by_q73_by_q73;
-    const double t2 = 1.0 / B_to_C0_squared;
+    const double t2 = 1.0 / (0.007324 - B_to_C0_squared_by_q73_by_q73);
     const double ratio = 0.003796 * t2;
     const double t3 = 21.0 - 500.0 * B_y;
     const double C_y = 0.002 * ratio * t3;
@@ -1285,8 +1161,7 @@ void hand_joint_stiffness(const double q[SINEW_AT_LEAST(19)],
     const double t24 = -(t23 - t22);
     const double clearance_by_q71 = sinew_choose(t24, t21 * reach_by_q71 - t20 * limited_by_q71,
         1e-12 * reach_squared_by_q71);
-    const double clearance = sinew_max(t22, t23);
-    const double root = sinew_sqrt(clearance);
+    const double root = sinew_sqrt(sinew_max(t22, t23));
     const double t25 = 1.0 / root;
     const double root_by_q71 = 0.5 * clearance_by_q71 * t25;
     const double t26 = p_y * limited_by_q71 + p_z * root_by_q71 - limited * p_y_by_q71 - root
@@ -1306,13 +1181,12 @@ void hand_joint_stiffness(const double q[SINEW_AT_LEAST(19)],
     const double sin_A_by_q71 = (t32 - sin_A * reach_squared_by_q71) * t28;
     const double z_x_by_q71 = t30 - cos_q71 * z_plane_x_by_q71 + t31 + sin_q71 * sin_A_by_q71;
     const double M_z = sin_q71 * M_e;
-    const double origin_x_by_q71 = M_z - 0.018 * z_x_by_q71;
     const double x_plane_x_by_q71 = u_y * sin_A_by_q71;
     const double t33 = cos_q71 * cos_A;
     const double x_plane_x = u_y * sin_A;
     const double t34 = sin_q71 * x_plane_x;
     const double x_x_by_q71 = t33 + cos_q71 * x_plane_x_by_q71 - t34 + sin_q71 * cos_A_by_q71;
-    const double t35 = origin_x_by_q71 + 0.004 * x_x_by_q71;
+    const double t35 = M_z - 0.018 * z_x_by_q71 + 0.004 * x_x_by_q71;
     const double t36 = 0.01 * z_x_by_q71;
     const double y_z = sin_q71 * u_e;
     const double t37 = 0.011 * y_z;
@@ -1323,34 +1197,29 @@ void hand_joint_stiffness(const double q[SINEW_AT_LEAST(19)],
     const double M_x = cos_q71 * M_e;
     const double t40 = cos_q71 * x_plane_x;
     const double t41 = sin_q71 * cos_A;
-    const double x_x = t40 + t41;
-    const double t42 = 0.004 - M_x + 0.018 * z_x + 0.004 * x_x;
+    const double t42 = 0.004 - M_x + 0.018 * z_x + 0.004 * (t40 + t41);
     const double t43 = 0.01 * z_x;
     const double y_x = cos_q71 * u_e;
     const double t44 = 0.011 * y_x;
     const double layer_0_x = t42 - t43 + t44;
     const double z_plane_y_by_q71 = u_e * cos_A_by_q71;
-    const double origin_y_by_q71 = 0.018 * z_plane_y_by_q71;
     const double t45 = 0.004 * u_e;
-    const double t46 = origin_y_by_q71 + t45 * sin_A_by_q71;
+    const double t46 = 0.018 * z_plane_y_by_q71 + t45 * sin_A_by_q71;
     const double t47 = 0.01 * z_plane_y_by_q71;
     const double layer_0_y_by_q71 = t46 - t47;
     const double z_plane_y = u_e * cos_A;
     const double origin_y = M_y + 0.018 * z_plane_y;
-    const double x_plane_y = u_e * sin_A;
-    const double t48 = 0.004 * x_plane_y;
+    const double t48 = 0.004 * (u_e * sin_A);
     const double t49 = 0.01 * z_plane_y;
     const double layer_0_y = 0.007 - origin_y - t48 + t49 + 0.011 * u_y;
     const double z_z_by_q71 = t38 + cos_q71 * sin_A_by_q71 - t39 + sin_q71 * z_plane_x_by_q71;
-    const double origin_z_by_q71 = M_x - 0.018 * z_z_by_q71;
     const double x_z_by_q71 = t40 - cos_q71 * cos_A_by_q71 + t41 + sin_q71 * x_plane_x_by_q71;
-    const double t50 = origin_z_by_q71 - 0.004 * x_z_by_q71;
+    const double t50 = M_x - 0.018 * z_z_by_q71 - 0.004 * x_z_by_q71;
     const double t51 = 0.01 * z_z_by_q71;
     const double layer_0_z_by_q71 = t50 + t51 - t44;
     const double z_z = t30 + t31;
     const double origin_z = M_z - 0.018 * z_z;
-    const double x_z = t33 - t34;
-    const double t52 = 0.004 * x_z;
+    const double t52 = 0.004 * (t33 - t34);
     const double t53 = 0.01 * z_z;
     const double layer_0_z = 0.008 - origin_z - t52 - t53 + t37;
     const double t54 = layer_0_x * layer_0_x_by_q71 - layer_0_y * layer_0_y_by_q71 - layer_0_z
@@ -1391,31 +1260,26 @@ void hand_joint_stiffness(const double q[SINEW_AT_LEAST(19)],
     const double t60 = sin_q71 * sin_A_by_q73;
     const double z_x_by_q73 = t58 - t60;
     const double M_x_by_q73 = cos_q71 * M_e_by_q73;
-    const double origin_x_by_q73 = M_x_by_q73 - 0.018 * z_x_by_q73;
     const double x_plane_x_by_q73 = u_y * sin_A_by_q73 - sin_A * u_y_by_q73;
     const double t61 = cos_q71 * x_plane_x_by_q73;
     const double t62 = sin_q71 * cos_A_by_q73;
-    const double x_x_by_q73 = t61 + t62;
-    const double t63 = origin_x_by_q73 - 0.004 * x_x_by_q73;
+    const double t63 = M_x_by_q73 - 0.018 * z_x_by_q73 - 0.004 * (t61 + t62);
     const double t64 = 0.01 * z_x_by_q73;
     const double y_x_by_q73 = cos_q71 * u_e_by_q73;
     const double t65 = 0.011 * y_x_by_q73;
     const double layer_0_x_by_q73 = t63 + t64 - t65;
-    const double x_plane_y_by_q73 = u_e * sin_A_by_q73 + sin_A * u_e_by_q73;
     const double z_plane_y_by_q73 = u_e * cos_A_by_q73 + cos_A * u_e_by_q73;
-    const double origin_y_by_q73 = M_y_by_q73 - 0.018 * z_plane_y_by_q73;
-    const double t66 = origin_y_by_q73 - 0.004 * x_plane_y_by_q73;
+    const double t66 = M_y_by_q73 - 0.018 * z_plane_y_by_q73 - 0.004 * (u_e * sin_A_by_q73 + sin_A
+        * u_e_by_q73);
     const double t67 = 0.01 * z_plane_y_by_q73;
     const double layer_0_y_by_q73 = t66 + t67 - 0.011 * u_y_by_q73;
     const double t68 = sin_q71 * z_plane_x_by_q73;
     const double t69 = cos_q71 * sin_A_by_q73;
     const double z_z_by_q73 = t69 + t68;
     const double M_z_by_q73 = sin_q71 * M_e_by_q73;
-    const double origin_z_by_q73 = M_z_by_q73 - 0.018 * z_z_by_q73;
     const double t70 = sin_q71 * x_plane_x_by_q73;
     const double t71 = cos_q71 * cos_A_by_q73;
-    const double x_z_by_q73 = t71 - t70;
-    const double t72 = origin_z_by_q73 + 0.004 * x_z_by_q73;
+    const double t72 = M_z_by_q73 - 0.018 * z_z_by_q73 + 0.004 * (t71 - t70);
     const double t73 = 0.01 * z_z_by_q73;
     const double y_z_by_q73 = sin_q71 * u_e_by_q73;
     const double t74 = 0.011 * y_z_by_q73;
@@ -1459,7 +1323,6 @@ void hand_joint_stiffness(const double q[SINEW_AT_LEAST(19)],
     const double across_19 = kt[19] - per_length_19;
     const double t87 = per_length_19 * along_40 + across_19 * length_19_by_q71 * length_19_by_q71;
     const double along_by_y_6 = t84 * layer_1_z_by_q71 + t85 * layer_1_x_by_q71;
-    const double pull_0_x = layer_0_x * per_length_0;
     const double t88 = root_by_q71 + root_by_q71;
     const double t89 = limited_by_q71 + limited_by_q71;
     const double t90 = reach_by_q71 * reach_by_q71;
@@ -1498,32 +1361,21 @@ void hand_joint_stiffness(const double q[SINEW_AT_LEAST(19)],
     const double t103 = cos_q71 + cos_q71;
     const double t104 = sin_q71 + sin_q71;
     const double z_x_by_q71_by_q71 = t102 + t103 * sin_A_by_q71 + t104 * z_plane_x_by_q71;
-    const double origin_x_by_q71_by_q71 = M_x - 0.018 * z_x_by_q71_by_q71;
     const double x_plane_x_by_q71_by_q71 = u_y * sin_A_by_q71_by_q71;
     const double t105 = t40 - cos_q71 * x_plane_x_by_q71_by_q71 + t41 - sin_q71
         * cos_A_by_q71_by_q71;
     const double x_x_by_q71_by_q71 = t105 - t103 * cos_A_by_q71 + t104 * x_plane_x_by_q71;
-    const double t106 = origin_x_by_q71_by_q71 - 0.004 * x_x_by_q71_by_q71;
+    const double t106 = M_x - 0.018 * z_x_by_q71_by_q71 - 0.004 * x_x_by_q71_by_q71;
     const double t107 = 0.01 * z_x_by_q71_by_q71;
-    const double layer_0_x_by_q71_by_q71 = t106 + t107 - t44;
-    const double pull_0_y = layer_0_y * per_length_0;
     const double z_plane_y_by_q71_by_q71 = u_e * cos_A_by_q71_by_q71;
-    const double pull_0_z = layer_0_z * per_length_0;
     const double t108 = t30 - cos_q71 * sin_A_by_q71_by_q71 + t31 - sin_q71
         * z_plane_x_by_q71_by_q71;
     const double z_z_by_q71_by_q71 = t108 - t103 * z_plane_x_by_q71 + t104 * sin_A_by_q71;
-    const double origin_z_by_q71_by_q71 = M_z - 0.018 * z_z_by_q71_by_q71;
     const double t109 = t33 - cos_q71 * cos_A_by_q71_by_q71 - t34 + sin_q71
         * x_plane_x_by_q71_by_q71;
     const double x_z_by_q71_by_q71 = t109 + t103 * x_plane_x_by_q71 + t104 * cos_A_by_q71;
-    const double t110 = origin_z_by_q71_by_q71 + 0.004 * x_z_by_q71_by_q71;
+    const double t110 = M_z - 0.018 * z_z_by_q71_by_q71 + 0.004 * x_z_by_q71_by_q71;
     const double t111 = 0.01 * z_z_by_q71_by_q71;
-    const double layer_0_z_by_q71_by_q71 = t110 + t111 - t37;
-    const double pull_19_x = layer_1_x * per_length_19;
-    const double layer_1_x_by_q71_by_q71 = t106 - t107 - t77;
-    const double pull_19_y = layer_1_y * per_length_19;
-    const double pull_19_z = layer_1_z * per_length_19;
-    const double layer_1_z_by_q71_by_q71 = t110 - t111 - t76;
     const double t112 = layer_0_x_by_q71 * layer_0_x_by_q73 + layer_0_y_by_q71 * layer_0_y_by_q73;
     const double along = t112 - layer_0_z_by_q71 * layer_0_z_by_q73;
     const double K_0 = per_length_0 * along + length_0_by_q71 * length_0_by_q73 * across_0;
@@ -1569,25 +1421,19 @@ void hand_joint_stiffness(const double q[SINEW_AT_LEAST(19)],
     const double sin_A_by_q71_by_q73 = t123 * t28;
     const double z_x_by_q71_by_q73 = t69 - cos_q71 * z_plane_x_by_q71_by_q73 + t68 + sin_q71
         * sin_A_by_q71_by_q73;
-    const double origin_x_by_q71_by_q73 = M_z_by_q73 - 0.018 * z_x_by_q71_by_q73;
     const double x_plane_x_by_q71_by_q73 = u_y * sin_A_by_q71_by_q73 - sin_A_by_q71 * u_y_by_q73;
     const double x_x_by_q71_by_q73 = t71 + cos_q71 * x_plane_x_by_q71_by_q73 - t70 + sin_q71
         * cos_A_by_q71_by_q73;
-    const double t124 = origin_x_by_q71_by_q73 + 0.004 * x_x_by_q71_by_q73;
+    const double t124 = M_z_by_q73 - 0.018 * z_x_by_q71_by_q73 + 0.004 * x_x_by_q71_by_q73;
     const double t125 = 0.01 * z_x_by_q71_by_q73;
-    const double layer_0_x_by_q71_by_q73 = t124 + t125 - t74;
     const double x_plane_y_by_q71_by_q73 = u_e * sin_A_by_q71_by_q73 + sin_A_by_q71 * u_e_by_q73;
     const double z_plane_y_by_q71_by_q73 = u_e * cos_A_by_q71_by_q73 + cos_A_by_q71 * u_e_by_q73;
     const double z_z_by_q71_by_q73 = t58 + cos_q71 * sin_A_by_q71_by_q73 - t60 + sin_q71
         * z_plane_x_by_q71_by_q73;
-    const double origin_z_by_q71_by_q73 = M_x_by_q73 - 0.018 * z_z_by_q71_by_q73;
     const double x_z_by_q71_by_q73 = t61 - cos_q71 * cos_A_by_q71_by_q73 + t62 + sin_q71
         * x_plane_x_by_q71_by_q73;
-    const double t126 = origin_z_by_q71_by_q73 - 0.004 * x_z_by_q71_by_q73;
+    const double t126 = M_x_by_q73 - 0.018 * z_z_by_q71_by_q73 - 0.004 * x_z_by_q71_by_q73;
     const double t127 = 0.01 * z_z_by_q71_by_q73;
-    const double layer_0_z_by_q71_by_q73 = t126 + t127 - t65;
-    const double layer_1_x_by_q71_by_q73 = t124 - t125 - t79;
-    const double layer_1_z_by_q71_by_q73 = t126 - t127 - t78;
     const double t128 = layer_0_x_by_q73 * layer_0_x_by_q73 + layer_0_y_by_q73 * layer_0_y_by_q73;
     const double along_42 = t128 + layer_0_z_by_q73 * layer_0_z_by_q73;
     const double t129 = y_x_by_q73 + y_x_by_q73;
@@ -1629,9 +1475,8 @@ void hand_joint_stiffness(const double q[SINEW_AT_LEAST(19)],
     const double t142 = u_e * M_e_by_q73_by_q73 + u_y * M_y_by_q73_by_q73 + s_e * u_e_by_q73_by_q73;
     const double p_x_by_q73_by_q73 = t142 - s_y * u_y_by_q73_by_q73 - t138 * M_e_by_q73 - t130
         * M_y_by_q73;
-    const double projection_by_q73_by_q73 = t141 - t17 * p_x_by_q73_by_q73;
-    const double limited_by_q73_by_q73 = sinew_choose(t19, -(reach_by_q73_by_q73 * t15
-        - projection_by_q73_by_q73 * t16), reach_by_q73_by_q73);
+    const double limited_by_q73_by_q73 = sinew_choose(t19, -(reach_by_q73_by_q73 * t15 - (t141 - t17
+        * p_x_by_q73_by_q73) * t16), reach_by_q73_by_q73);
     const double clearance_by_q73_by_q73 = sinew_choose(t24, t140 - t20 * limited_by_q73_by_q73,
         1e-12 * reach_squared_by_q73_by_q73);
     const double t143 = 0.5 * (clearance_by_q73_by_q73 - (root_by_q73 + root_by_q73) * root_by_q73);
@@ -1655,8 +1500,7 @@ void hand_joint_stiffness(const double q[SINEW_AT_LEAST(19)],
         - t130 * cos_A_by_q73;
     const double z_x_by_q73_by_q73 = cos_q71 * z_plane_x_by_q73_by_q73 - sin_q71
         * sin_A_by_q73_by_q73;
-    const double M_x_by_q73_by_q73 = cos_q71 * M_e_by_q73_by_q73;
-    const double origin_x_by_q73_by_q73 = M_x_by_q73_by_q73 + 0.018 * z_x_by_q73_by_q73;
+    const double origin_x_by_q73_by_q73 = cos_q71 * M_e_by_q73_by_q73 + 0.018 * z_x_by_q73_by_q73;
     const double t149 = origin_x_by_q73_by_q73 + 0.004 * x_x_by_q73_by_q73;
     const double y_x_by_q73_by_q73 = cos_q71 * u_e_by_q73_by_q73;
     const double x_plane_y_by_q73_by_q73 = u_e * sin_A_by_q73_by_q73 - sin_A * u_e_by_q73_by_q73
@@ -1669,8 +1513,7 @@ void hand_joint_stiffness(const double q[SINEW_AT_LEAST(19)],
         * x_plane_x_by_q73_by_q73;
     const double z_z_by_q73_by_q73 = cos_q71 * sin_A_by_q73_by_q73 + sin_q71
         * z_plane_x_by_q73_by_q73;
-    const double M_z_by_q73_by_q73 = sin_q71 * M_e_by_q73_by_q73;
-    const double origin_z_by_q73_by_q73 = M_z_by_q73_by_q73 + 0.018 * z_z_by_q73_by_q73;
+    const double origin_z_by_q73_by_q73 = sin_q71 * M_e_by_q73_by_q73 + 0.018 * z_z_by_q73_by_q73;
     const double t151 = origin_z_by_q73_by_q73 - 0.004 * x_z_by_q73_by_q73;
     const double y_z_by_q73_by_q73 = sin_q71 * u_e_by_q73_by_q73;
     static const double table164[18][2] = {{0.001, 0.001}, {0.003, 0.003}, {0.005, 0.004},
@@ -1683,9 +1526,9 @@ void hand_joint_stiffness(const double q[SINEW_AT_LEAST(19)],
     double sum156 = -0.0;
     double sum157 = -0.0;
     double sum158 = -0.0;
-    double sum159 = pull_0_z;
-    double sum160 = pull_0_y;
-    double sum161 = pull_0_x;
+    double sum159 = layer_0_z * per_length_0;
+    double sum160 = layer_0_y * per_length_0;
+    double sum161 = layer_0_x * per_length_0;
     double kept162[18];
     double kept163[18];
     for (int i152 = 0; i152 < 18; ++i152) {
@@ -1708,11 +1551,8 @@ void hand_joint_stiffness(const double q[SINEW_AT_LEAST(19)],
         const double t176 = 1.0 / length;
         const double per_length = f[1 + i152] * t176;
         const double slope = along_by_y + table164[i152][0] * along_by_y_squared;
-        const double along_2 = along - table164[i152][0] * slope;
-        const double strand_x_by_q71 = layer_0_x_by_q71 + t175;
-        const double strand_z_by_q71 = layer_0_z_by_q71 + t174;
-        const double t177 = strand_x * strand_x_by_q71 - strand_y * layer_0_y_by_q71 - strand_z
-            * strand_z_by_q71;
+        const double t177 = strand_x * (layer_0_x_by_q71 + t175) - strand_y * layer_0_y_by_q71
+            - strand_z * (layer_0_z_by_q71 + t174);
         const double length_by_q71 = t177 * t176;
         const double strand_x_by_q73 = layer_0_x_by_q73 + table164[i152][0] * y_x_by_q73;
         const double strand_y_by_q73 = layer_0_y_by_q73 + table164[i152][0] * u_y_by_q73;
@@ -1721,32 +1561,24 @@ void hand_joint_stiffness(const double q[SINEW_AT_LEAST(19)],
             * strand_z_by_q73;
         const double length_by_q73 = t178 * t176;
         const double across = kt[1 + i152] - per_length;
-        const double t179 = before165 + per_length * along_2 + length_by_q71 * length_by_q73
-            * across;
+        const double t179 = before165 + per_length * (along - table164[i152][0] * slope)
+            + length_by_q71 * length_by_q73 * across;
         const double slope_4 = along_by_y_8 + table164[i152][0] * along_by_y_squared_8;
-        const double along_3 = along_42 + table164[i152][0] * slope_4;
-        const double t180 = before166 + per_length * along_3 + across * length_by_q73
-            * length_by_q73;
+        const double t180 = before166 + per_length * (along_42 + table164[i152][0] * slope_4)
+            + across * length_by_q73 * length_by_q73;
         const double slope_2 = along_by_y_4 + table164[i152][0] * along_by_y_squared_4;
-        const double along_4 = along_38 + table164[i152][0] * slope_2;
-        const double t181 = before167 + per_length * along_4 + across * length_by_q71
-            * length_by_q71;
+        const double t181 = before167 + per_length * (along_38 + table164[i152][0] * slope_2)
+            + across * length_by_q71 * length_by_q71;
         const double t182 = table164[i152][0] * per_length;
-        const double pull_by_y_y = strand_y * t182;
-        const double pull_by_y_z = strand_z * t182;
-        const double pull_by_y_x = strand_x * t182;
-        const double pull_z = strand_z * per_length;
-        const double pull_y = strand_y * per_length;
-        const double pull_x = strand_x * per_length;
         sum153 = t179;
         sum154 = t180;
         sum155 = t181;
-        sum156 = before168 + pull_by_y_y;
-        sum157 = before169 + pull_by_y_z;
-        sum158 = before170 + pull_by_y_x;
-        sum159 = before171 + pull_z;
-        sum160 = before172 + pull_y;
-        sum161 = before173 + pull_x;
+        sum156 = before168 + strand_y * t182;
+        sum157 = before169 + strand_z * t182;
+        sum158 = before170 + strand_x * t182;
+        sum159 = before171 + strand_z * per_length;
+        sum160 = before172 + strand_y * per_length;
+        sum161 = before173 + strand_x * per_length;
         kept162[i152] = length_by_q71;
         kept163[i152] = length_by_q73;
     }
@@ -1760,9 +1592,9 @@ void hand_joint_stiffness(const double q[SINEW_AT_LEAST(19)],
     double sum187 = -0.0;
     double sum188 = -0.0;
     double sum189 = -0.0;
-    double sum190 = pull_19_z;
-    double sum191 = pull_19_y;
-    double sum192 = pull_19_x;
+    double sum190 = layer_1_z * per_length_19;
+    double sum191 = layer_1_y * per_length_19;
+    double sum192 = layer_1_x * per_length_19;
     double kept193[18];
     double kept194[18];
     for (int i183 = 0; i183 < 18; ++i183) {
@@ -1782,15 +1614,11 @@ void hand_joint_stiffness(const double q[SINEW_AT_LEAST(19)],
         const double strand_z_2 = layer_1_z - t206;
         const double t207 = strand_x_2 * strand_x_2 + strand_y_2 * strand_y_2 + strand_z_2
             * strand_z_2;
-        const double length_2 = sinew_sqrt(t207);
-        const double t208 = 1.0 / length_2;
+        const double t208 = 1.0 / sinew_sqrt(t207);
         const double per_length_2 = f[20 + i183] * t208;
         const double slope_3 = along_by_y_2 + table195[i183][0] * along_by_y_squared;
-        const double along_5 = along_19 - table195[i183][0] * slope_3;
-        const double strand_x_by_q71_2 = layer_1_x_by_q71 + t206;
-        const double strand_z_by_q71_2 = layer_1_z_by_q71 + t205;
-        const double t209 = strand_x_2 * strand_x_by_q71_2 - strand_y_2 * layer_1_y_by_q71
-            - strand_z_2 * strand_z_by_q71_2;
+        const double t209 = strand_x_2 * (layer_1_x_by_q71 + t206) - strand_y_2 * layer_1_y_by_q71
+            - strand_z_2 * (layer_1_z_by_q71 + t205);
         const double length_by_q71_2 = t209 * t208;
         const double strand_x_by_q73_2 = layer_1_x_by_q73 + table195[i183][0] * y_x_by_q73;
         const double strand_y_by_q73_2 = layer_1_y_by_q73 + table195[i183][0] * u_y_by_q73;
@@ -1799,40 +1627,28 @@ void hand_joint_stiffness(const double q[SINEW_AT_LEAST(19)],
             + strand_z_2 * strand_z_by_q73_2;
         const double length_by_q73_2 = t210 * t208;
         const double across_2 = kt[20 + i183] - per_length_2;
-        const double t211 = before196 + per_length_2 * along_5 + length_by_q71_2 * length_by_q73_2
-            * across_2;
+        const double t211 = before196 + per_length_2 * (along_19 - table195[i183][0] * slope_3)
+            + length_by_q71_2 * length_by_q73_2 * across_2;
         const double slope_4_2 = along_by_y_10 + table195[i183][0] * along_by_y_squared_8;
-        const double along_6 = along_44 + table195[i183][0] * slope_4_2;
-        const double t212 = before197 + per_length_2 * along_6 + across_2 * length_by_q73_2
-            * length_by_q73_2;
+        const double t212 = before197 + per_length_2 * (along_44 + table195[i183][0] * slope_4_2)
+            + across_2 * length_by_q73_2 * length_by_q73_2;
         const double slope_2_2 = along_by_y_6 + table195[i183][0] * along_by_y_squared_4;
-        const double along_7 = along_40 + table195[i183][0] * slope_2_2;
-        const double t213 = before198 + per_length_2 * along_7 + across_2 * length_by_q71_2
-            * length_by_q71_2;
+        const double t213 = before198 + per_length_2 * (along_40 + table195[i183][0] * slope_2_2)
+            + across_2 * length_by_q71_2 * length_by_q71_2;
         const double t214 = table195[i183][0] * per_length_2;
-        const double pull_by_y_y_2 = strand_y_2 * t214;
-        const double pull_by_y_z_2 = strand_z_2 * t214;
-        const double pull_by_y_x_2 = strand_x_2 * t214;
-        const double pull_z_2 = strand_z_2 * per_length_2;
-        const double pull_y_2 = strand_y_2 * per_length_2;
-        const double pull_x_2 = strand_x_2 * per_length_2;
         sum184 = t211;
         sum185 = t212;
         sum186 = t213;
-        sum187 = before199 + pull_by_y_y_2;
-        sum188 = before200 + pull_by_y_z_2;
-        sum189 = before201 + pull_by_y_x_2;
-        sum190 = before202 + pull_z_2;
-        sum191 = before203 + pull_y_2;
-        sum192 = before204 + pull_x_2;
+        sum187 = before199 + strand_y_2 * t214;
+        sum188 = before200 + strand_z_2 * t214;
+        sum189 = before201 + strand_x_2 * t214;
+        sum190 = before202 + strand_z_2 * per_length_2;
+        sum191 = before203 + strand_y_2 * per_length_2;
+        sum192 = before204 + strand_x_2 * per_length_2;
         kept193[i183] = length_by_q71_2;
         kept194[i183] = length_by_q73_2;
     }
-    for (int i215 = 0; i215 < 6; ++i215) {
-        K[6 + 21 * i215] = 0.0;
-        K[7 + 21 * i215] = 0.0;
-        K[8 + 21 * i215] = 0.0;
-        K[9 + 21 * i215] = 0.0;
+    for (int i215 = 0; i215 < 10; ++i215) {
         K[10 + 21 * i215] = 0.0;
         K[11 + 21 * i215] = 0.0;
         K[12 + 21 * i215] = 0.0;
@@ -1843,211 +1659,208 @@ void hand_joint_stiffness(const double q[SINEW_AT_LEAST(19)],
         K[17 + 21 * i215] = 0.0;
         K[18 + 21 * i215] = 0.0;
     }
-    for (int i216 = 0; i216 < 6; ++i216) {
-        K[126 + 21 * i216] = 0.0;
-        K[127 + 21 * i216] = 0.0;
-        K[128 + 21 * i216] = 0.0;
-        K[129 + 21 * i216] = 0.0;
-        K[130 + 21 * i216] = 0.0;
-        K[131 + 21 * i216] = 0.0;
-        K[138 + 21 * i216] = 0.0;
-        K[139 + 21 * i216] = 0.0;
-        K[140 + 21 * i216] = 0.0;
-        K[141 + 21 * i216] = 0.0;
-        K[142 + 21 * i216] = 0.0;
-        K[143 + 21 * i216] = 0.0;
-        K[144 + 21 * i216] = 0.0;
+    for (int i216 = 0; i216 < 11; ++i216) {
+        K[168 + 21 * i216] = 0.0;
+        K[169 + 21 * i216] = 0.0;
+        K[170 + 21 * i216] = 0.0;
+        K[171 + 21 * i216] = 0.0;
+        K[172 + 21 * i216] = 0.0;
+        K[173 + 21 * i216] = 0.0;
+        K[174 + 21 * i216] = 0.0;
+        K[175 + 21 * i216] = 0.0;
     }
-    for (int i217 = 0; i217 < 7; ++i217) {
-        K[252 + 21 * i217] = 0.0;
-        K[253 + 21 * i217] = 0.0;
-        K[254 + 21 * i217] = 0.0;
-        K[255 + 21 * i217] = 0.0;
-        K[256 + 21 * i217] = 0.0;
-        K[257 + 21 * i217] = 0.0;
-        K[258 + 21 * i217] = 0.0;
-        K[259 + 21 * i217] = 0.0;
+    for (int i217 = 0; i217 < 6; ++i217) {
         K[260 + 21 * i217] = 0.0;
         K[261 + 21 * i217] = 0.0;
         K[262 + 21 * i217] = 0.0;
         K[263 + 21 * i217] = 0.0;
+        K[270 + 21 * i217] = 0.0;
     }
-    const struct sinew_sines2 sines218 = sinew_one_sincos2(q[0], q[1]);
-    const double s1 = sines218.s[0];
-    const double c1 = sines218.c[0];
-    const double s2 = sines218.s[1];
-    const double c2 = sines218.c[1];
+    for (int i218 = 0; i218 < 6; ++i218) {
+        K[6 + 21 * i218] = 0.0;
+        K[7 + 21 * i218] = 0.0;
+        K[8 + 21 * i218] = 0.0;
+        K[9 + 21 * i218] = 0.0;
+    }
+    for (int i219 = 0; i219 < 4; ++i219) {
+        K[84 + 21 * i219] = 0.0;
+        K[85 + 21 * i219] = 0.0;
+        K[86 + 21 * i219] = 0.0;
+        K[87 + 21 * i219] = 0.0;
+    }
+    for (int i220 = 0; i220 < 4; ++i220) {
+        K[224 + 21 * i220] = 0.0;
+        K[225 + 21 * i220] = 0.0;
+        K[226 + 21 * i220] = 0.0;
+        K[227 + 21 * i220] = 0.0;
+    }
+    const struct sinew_sines2 sines221 = sinew_one_sincos2(q[0], q[1]);
+    const double s1 = sines221.s[0];
+    const double c1 = sines221.c[0];
+    const double s2 = sines221.s[1];
+    const double c2 = sines221.c[1];
     const double R21y = c1 * s2;
-    const double t219 = 0.005 * R21y;
-    const double t220 = 0.006 * s1;
-    const double t221 = t219 - t220;
+    const double t222 = 0.005 * R21y;
+    const double t223 = 0.006 * s1;
+    const double t224 = t222 - t223;
     const double R21x = c1 * c2;
-    const double t222 = 0.047 * R21x;
-    const double pA_length_tox = t221 + t222;
+    const double t225 = 0.047 * R21x;
+    const double pA_length_tox = t224 + t225;
     const double A_lengthdx = 0.002 - pA_length_tox;
     const double R22y = s1 * s2;
-    const double t223 = 0.005 * R22y;
-    const double t224 = 0.006 * c1;
-    const double t225 = t223 + t224;
+    const double t226 = 0.005 * R22y;
+    const double t227 = 0.006 * c1;
+    const double t228 = t226 + t227;
     const double R22x = s1 * c2;
-    const double t226 = 0.047 * R22x;
-    const double pA_length_toy = t225 + t226;
+    const double t229 = 0.047 * R22x;
+    const double pA_length_toy = t228 + t229;
     const double A_lengthdy = 0.03 - pA_length_toy;
-    const double t227 = 0.005 * c2;
-    const double t228 = 0.047 * s2;
-    const double pA_length_toz = t227 - t228;
+    const double t230 = 0.005 * c2;
+    const double t231 = 0.047 * s2;
+    const double pA_length_toz = t230 - t231;
     const double A_lengthdz = 0.025 - pA_length_toz;
-    const double t229 = A_lengthdz * A_lengthdz;
-    const double A_length = sinew_sqrt(A_lengthdx * A_lengthdx + A_lengthdy * A_lengthdy + t229);
-    const double t230 = 1.0 / A_length;
-    const double A_length_by_q_0 = (pA_length_tox * A_lengthdy - pA_length_toy * A_lengthdx) * t230;
-    const double t231 = A_lengthdy + pA_length_toy;
-    const double t232 = A_lengthdx + pA_length_tox;
-    const double t233 = pA_length_toy * t231 + pA_length_tox * t232 - A_length_by_q_0
+    const double t232 = A_lengthdz * A_lengthdz;
+    const double A_length = sinew_sqrt(A_lengthdx * A_lengthdx + A_lengthdy * A_lengthdy + t232);
+    const double t233 = 1.0 / A_length;
+    const double A_length_by_q_0 = (pA_length_tox * A_lengthdy - pA_length_toy * A_lengthdx) * t233;
+    const double t234 = A_lengthdy + pA_length_toy;
+    const double t235 = A_lengthdx + pA_length_tox;
+    const double t236 = pA_length_toy * t234 + pA_length_tox * t235 - A_length_by_q_0
         * A_length_by_q_0;
-    const double A_length_by_q_0_2_by_q_0 = t233 * t230;
-    const double t234 = t219 + t220;
-    const double pB_length_tox = t234 - t222;
+    const double t237 = t222 + t223;
+    const double pB_length_tox = t237 - t225;
     const double B_lengthdx = 0.002 + pB_length_tox;
-    const double t235 = t223 - t224;
-    const double pB_length_toy = t235 - t226;
+    const double t238 = t226 - t227;
+    const double pB_length_toy = t238 - t229;
     const double B_lengthdy = 0.03 + pB_length_toy;
-    const double pB_length_toz = t227 + t228;
+    const double pB_length_toz = t230 + t231;
     const double B_lengthdz = 0.025 - pB_length_toz;
-    const double t236 = B_lengthdz * B_lengthdz;
-    const double B_length = sinew_sqrt(B_lengthdx * B_lengthdx + B_lengthdy * B_lengthdy + t236);
-    const double t237 = 1.0 / B_length;
-    const double B_length_by_q_0 = (pB_length_tox * B_lengthdy - pB_length_toy * B_lengthdx) * t237;
-    const double t238 = B_lengthdy - pB_length_toy;
-    const double t239 = B_lengthdx - pB_length_tox;
-    const double t240 = pB_length_toy * t238 + pB_length_tox * t239 + B_length_by_q_0
+    const double t239 = B_lengthdz * B_lengthdz;
+    const double B_length = sinew_sqrt(B_lengthdx * B_lengthdx + B_lengthdy * B_lengthdy + t239);
+    const double t240 = 1.0 / B_length;
+    const double B_length_by_q_0 = (pB_length_tox * B_lengthdy - pB_length_toy * B_lengthdx) * t240;
+    const double t241 = B_lengthdy - pB_length_toy;
+    const double t242 = B_lengthdx - pB_length_tox;
+    const double t243 = pB_length_toy * t241 + pB_length_tox * t242 + B_length_by_q_0
         * B_length_by_q_0;
-    const double B_length_by_q_0_2_by_q_0 = t240 * t237;
-    const double pC_length_tox = t234 + t222;
+    const double pC_length_tox = t237 + t225;
     const double C_lengthdx = 0.002 - pC_length_tox;
-    const double pC_length_toy = t235 + t226;
+    const double pC_length_toy = t238 + t229;
     const double C_lengthdy = 0.03 + pC_length_toy;
-    const double C_length = sinew_sqrt(t229 + C_lengthdx * C_lengthdx + C_lengthdy * C_lengthdy);
-    const double t241 = 1.0 / C_length;
-    const double C_length_by_q_0 = (pC_length_tox * C_lengthdy + pC_length_toy * C_lengthdx) * t241;
-    const double t242 = pC_length_toy - C_lengthdy;
-    const double t243 = C_lengthdx + pC_length_tox;
-    const double t244 = pC_length_toy * t242 + pC_length_tox * t243 - C_length_by_q_0
+    const double C_length = sinew_sqrt(t232 + C_lengthdx * C_lengthdx + C_lengthdy * C_lengthdy);
+    const double t244 = 1.0 / C_length;
+    const double C_length_by_q_0 = (pC_length_tox * C_lengthdy + pC_length_toy * C_lengthdx) * t244;
+    const double t245 = pC_length_toy - C_lengthdy;
+    const double t246 = C_lengthdx + pC_length_tox;
+    const double t247 = pC_length_toy * t245 + pC_length_tox * t246 - C_length_by_q_0
         * C_length_by_q_0;
-    const double C_length_by_q_0_2_by_q_0 = t244 * t241;
-    const double t245 = f[0] * A_length_by_q_0_2_by_q_0 - f[1] * B_length_by_q_0_2_by_q_0 + f[2]
-        * C_length_by_q_0_2_by_q_0;
-    const double pD_length_tox = t221 - t222;
+    const double pD_length_tox = t224 - t225;
     const double D_lengthdx = 0.002 + pD_length_tox;
-    const double pD_length_toy = t225 - t226;
+    const double pD_length_toy = t228 - t229;
     const double D_lengthdy = 0.03 - pD_length_toy;
-    const double D_length = sinew_sqrt(t236 + D_lengthdx * D_lengthdx + D_lengthdy * D_lengthdy);
-    const double t246 = 1.0 / D_length;
-    const double D_length_by_q_0 = (pD_length_tox * D_lengthdy + pD_length_toy * D_lengthdx) * t246;
-    const double t247 = D_lengthdx - pD_length_tox;
-    const double t248 = D_lengthdy + pD_length_toy;
-    const double t249 = pD_length_tox * t247 - pD_length_toy * t248 + D_length_by_q_0
+    const double D_length = sinew_sqrt(t239 + D_lengthdx * D_lengthdx + D_lengthdy * D_lengthdy);
+    const double t248 = 1.0 / D_length;
+    const double D_length_by_q_0 = (pD_length_tox * D_lengthdy + pD_length_toy * D_lengthdx) * t248;
+    const double t249 = D_lengthdx - pD_length_tox;
+    const double t250 = D_lengthdy + pD_length_toy;
+    const double t251 = pD_length_tox * t249 - pD_length_toy * t250 + D_length_by_q_0
         * D_length_by_q_0;
-    const double D_length_by_q_0_2_by_q_0 = t249 * t246;
+    const double t252 = f[0] * (t236 * t233) - f[1] * (t243 * t240) + f[2] * (t247 * t244) - f[3]
+        * (t251 * t248);
     const double w1_1 = kt[0] * A_length_by_q_0;
     const double w2_1 = kt[1] * B_length_by_q_0;
-    const double t250 = t245 - f[3] * D_length_by_q_0_2_by_q_0 + A_length_by_q_0 * w1_1
-        + B_length_by_q_0 * w2_1;
     const double w3_1 = kt[2] * C_length_by_q_0;
+    const double t253 = t252 + A_length_by_q_0 * w1_1 + B_length_by_q_0 * w2_1 + C_length_by_q_0
+        * w3_1;
     const double w4_1 = kt[3] * D_length_by_q_0;
-    const double K1_1 = t250 + C_length_by_q_0 * w3_1 + D_length_by_q_0 * w4_1;
-    K[0] = K1_1;
-    const double t251 = 0.005 * R21x;
-    const double t252 = 0.047 * R21y;
-    const double pB_length_tox_by_q_1 = t251 + t252;
-    const double t253 = 0.005 * R22x;
-    const double t254 = 0.047 * R22y;
-    const double pB_length_toy_by_q_1 = t253 + t254;
-    const double t255 = 0.005 * s2;
-    const double t256 = 0.047 * c2;
-    const double pB_length_toz_by_q_1 = t255 - t256;
-    const double t257 = B_lengthdz * pB_length_toz_by_q_1;
-    const double t258 = B_lengthdx * pB_length_tox_by_q_1 + B_lengthdy * pB_length_toy_by_q_1
-        + t257;
-    const double B_length_by_q_1 = t258 * t237;
-    const double t259 = pB_length_tox_by_q_1 * t238 + pB_length_toy_by_q_1 * -t239 - B_length_by_q_0
+    K[0] = t253 + D_length_by_q_0 * w4_1;
+    const double t254 = 0.005 * R21x;
+    const double t255 = 0.047 * R21y;
+    const double pB_length_tox_by_q_1 = t254 + t255;
+    const double t256 = 0.005 * R22x;
+    const double t257 = 0.047 * R22y;
+    const double pB_length_toy_by_q_1 = t256 + t257;
+    const double t258 = 0.005 * s2;
+    const double t259 = 0.047 * c2;
+    const double pB_length_toz_by_q_1 = t258 - t259;
+    const double t260 = B_lengthdz * pB_length_toz_by_q_1;
+    const double t261 = B_lengthdx * pB_length_tox_by_q_1 + B_lengthdy * pB_length_toy_by_q_1
+        + t260;
+    const double B_length_by_q_1 = t261 * t240;
+    const double t262 = pB_length_tox_by_q_1 * t241 + pB_length_toy_by_q_1 * -t242 - B_length_by_q_0
         * B_length_by_q_1;
-    const double B_length_by_q_0_2_by_q_1 = t259 * t237;
-    const double pA_length_tox_by_q_1 = t251 - t252;
-    const double pA_length_toy_by_q_1 = t253 - t254;
-    const double pA_length_toz_by_q_1 = t255 + t256;
-    const double t260 = A_lengthdz * pA_length_toz_by_q_1;
-    const double t261 = A_lengthdx * pA_length_tox_by_q_1 + A_lengthdy * pA_length_toy_by_q_1
-        - t260;
-    const double A_length_by_q_1 = t261 * t230;
-    const double t262 = pA_length_toy_by_q_1 * t232 - pA_length_tox_by_q_1 * t231 - A_length_by_q_0
+    const double pA_length_tox_by_q_1 = t254 - t255;
+    const double pA_length_toy_by_q_1 = t256 - t257;
+    const double pA_length_toz_by_q_1 = t258 + t259;
+    const double t263 = A_lengthdz * pA_length_toz_by_q_1;
+    const double t264 = A_lengthdx * pA_length_tox_by_q_1 + A_lengthdy * pA_length_toy_by_q_1
+        - t263;
+    const double A_length_by_q_1 = t264 * t233;
+    const double t265 = pA_length_toy_by_q_1 * t235 - pA_length_tox_by_q_1 * t234 - A_length_by_q_0
         * A_length_by_q_1;
-    const double A_length_by_q_0_2_by_q_1 = t262 * t230;
-    const double t263 = t260 - C_lengthdx * pA_length_tox_by_q_1 + C_lengthdy
+    const double t266 = t263 - C_lengthdx * pA_length_tox_by_q_1 + C_lengthdy
         * pA_length_toy_by_q_1;
-    const double C_length_by_q_1 = t263 * t241;
-    const double t264 = pA_length_tox_by_q_1 * -t242 + pA_length_toy_by_q_1 * t243 - C_length_by_q_0
+    const double C_length_by_q_1 = t266 * t244;
+    const double t267 = pA_length_tox_by_q_1 * -t245 + pA_length_toy_by_q_1 * t246 - C_length_by_q_0
         * C_length_by_q_1;
-    const double C_length_by_q_0_2_by_q_1 = t264 * t241;
-    const double t265 = f[0] * A_length_by_q_0_2_by_q_1 + f[1] * B_length_by_q_0_2_by_q_1 + f[2]
-        * C_length_by_q_0_2_by_q_1;
-    const double t266 = t257 + D_lengthdx * pB_length_tox_by_q_1 - D_lengthdy
+    const double t268 = t260 + D_lengthdx * pB_length_tox_by_q_1 - D_lengthdy
         * pB_length_toy_by_q_1;
-    const double D_length_by_q_1 = t266 * t246;
-    const double t267 = pB_length_toy_by_q_1 * -t247 - pB_length_tox_by_q_1 * t248 + D_length_by_q_0
+    const double D_length_by_q_1 = t268 * t248;
+    const double t269 = pB_length_toy_by_q_1 * -t249 - pB_length_tox_by_q_1 * t250 + D_length_by_q_0
         * D_length_by_q_1;
-    const double D_length_by_q_0_2_by_q_1 = t267 * t246;
-    const double t268 = t265 + f[3] * D_length_by_q_0_2_by_q_1 + A_length_by_q_1 * w1_1
-        + B_length_by_q_1 * w2_1;
-    const double K1_2 = t268 + C_length_by_q_1 * w3_1 - D_length_by_q_1 * w4_1;
+    const double t270 = f[0] * (t265 * t233) + f[1] * (t262 * t240) + f[2] * (t267 * t244) + f[3]
+        * (t269 * t248);
+    const double t271 = t270 + A_length_by_q_1 * w1_1 + B_length_by_q_1 * w2_1 + C_length_by_q_1
+        * w3_1;
+    const double K1_2 = t271 - D_length_by_q_1 * w4_1;
     K[1] = K1_2;
     K[21] = K1_2;
     const double K_wrist = length_0_by_q71 * w1_1 - kept162[0] * w2_1 - kept162[1] * w3_1
         + kept162[2] * w4_1;
-    const double t269 = -K_wrist;
-    K[19] = t269;
-    K[399] = t269;
+    const double t272 = -K_wrist;
+    K[19] = t272;
+    K[399] = t272;
     const double K_wrist_2 = length_0_by_q73 * w1_1 - kept163[0] * w2_1 - kept163[1] * w3_1
         + kept163[2] * w4_1;
     K[20] = K_wrist_2;
     K[420] = K_wrist_2;
-    const double pA_length_tox_by_q_1_2_by_q_1 = t219 + t222;
-    const double t270 = pA_length_toz * A_lengthdz;
-    const double pA_length_toy_by_q_1_2_by_q_1 = t223 + t226;
-    const double t271 = t270 + A_lengthdx * pA_length_tox_by_q_1_2_by_q_1 + A_lengthdy
+    const double pA_length_tox_by_q_1_2_by_q_1 = t222 + t225;
+    const double t273 = pA_length_toz * A_lengthdz;
+    const double pA_length_toy_by_q_1_2_by_q_1 = t226 + t229;
+    const double t274 = t273 + A_lengthdx * pA_length_tox_by_q_1_2_by_q_1 + A_lengthdy
         * pA_length_toy_by_q_1_2_by_q_1;
-    const double t272 = pA_length_tox_by_q_1 * pA_length_tox_by_q_1;
-    const double t273 = pA_length_toy_by_q_1 * pA_length_toy_by_q_1;
-    const double t274 = pA_length_toz_by_q_1 * pA_length_toz_by_q_1;
-    const double A_length_by_q_1_2_by_q_1 = (t271 + t272 + t273 + t274 - A_length_by_q_1
-        * A_length_by_q_1) * t230;
-    const double pB_length_tox_by_q_1_2_by_q_1 = t219 - t222;
-    const double t275 = pB_length_toz * B_lengthdz;
-    const double pB_length_toy_by_q_1_2_by_q_1 = t223 - t226;
-    const double t276 = t275 - B_lengthdx * pB_length_tox_by_q_1_2_by_q_1 - B_lengthdy
+    const double t275 = pA_length_tox_by_q_1 * pA_length_tox_by_q_1;
+    const double t276 = pA_length_toy_by_q_1 * pA_length_toy_by_q_1;
+    const double t277 = pA_length_toz_by_q_1 * pA_length_toz_by_q_1;
+    const double A_length_by_q_1_2_by_q_1 = (t274 + t275 + t276 + t277 - A_length_by_q_1
+        * A_length_by_q_1) * t233;
+    const double pB_length_tox_by_q_1_2_by_q_1 = t222 - t225;
+    const double t278 = pB_length_toz * B_lengthdz;
+    const double pB_length_toy_by_q_1_2_by_q_1 = t226 - t229;
+    const double t279 = t278 - B_lengthdx * pB_length_tox_by_q_1_2_by_q_1 - B_lengthdy
         * pB_length_toy_by_q_1_2_by_q_1;
-    const double t277 = pB_length_tox_by_q_1 * pB_length_tox_by_q_1;
-    const double t278 = pB_length_toy_by_q_1 * pB_length_toy_by_q_1;
-    const double t279 = pB_length_toz_by_q_1 * pB_length_toz_by_q_1;
-    const double B_length_by_q_1_2_by_q_1 = (t276 + t277 + t278 + t279 - B_length_by_q_1
-        * B_length_by_q_1) * t237;
-    const double t280 = t270 + C_lengthdx * pA_length_tox_by_q_1_2_by_q_1 - C_lengthdy
+    const double t280 = pB_length_tox_by_q_1 * pB_length_tox_by_q_1;
+    const double t281 = pB_length_toy_by_q_1 * pB_length_toy_by_q_1;
+    const double t282 = pB_length_toz_by_q_1 * pB_length_toz_by_q_1;
+    const double B_length_by_q_1_2_by_q_1 = (t279 + t280 + t281 + t282 - B_length_by_q_1
+        * B_length_by_q_1) * t240;
+    const double t283 = t273 + C_lengthdx * pA_length_tox_by_q_1_2_by_q_1 - C_lengthdy
         * pA_length_toy_by_q_1_2_by_q_1;
-    const double C_length_by_q_1_2_by_q_1 = (t280 + t272 + t273 + t274 - C_length_by_q_1
-        * C_length_by_q_1) * t241;
-    const double t281 = f[0] * A_length_by_q_1_2_by_q_1 + f[1] * B_length_by_q_1_2_by_q_1 + f[2]
+    const double C_length_by_q_1_2_by_q_1 = (t283 + t275 + t276 + t277 - C_length_by_q_1
+        * C_length_by_q_1) * t244;
+    const double t284 = f[0] * A_length_by_q_1_2_by_q_1 + f[1] * B_length_by_q_1_2_by_q_1 + f[2]
         * C_length_by_q_1_2_by_q_1;
-    const double t282 = t275 - D_lengthdx * pB_length_tox_by_q_1_2_by_q_1 + D_lengthdy
+    const double t285 = t278 - D_lengthdx * pB_length_tox_by_q_1_2_by_q_1 + D_lengthdy
         * pB_length_toy_by_q_1_2_by_q_1;
-    const double D_length_by_q_1_2_by_q_1 = (t282 + t277 + t278 + t279 - D_length_by_q_1
-        * D_length_by_q_1) * t246;
+    const double D_length_by_q_1_2_by_q_1 = (t285 + t280 + t281 + t282 - D_length_by_q_1
+        * D_length_by_q_1) * t248;
     const double w1_2 = kt[0] * A_length_by_q_1;
     const double w2_2 = kt[1] * B_length_by_q_1;
-    const double t283 = t281 + f[3] * D_length_by_q_1_2_by_q_1 + A_length_by_q_1 * w1_2
+    const double t286 = t284 + f[3] * D_length_by_q_1_2_by_q_1 + A_length_by_q_1 * w1_2
         + B_length_by_q_1 * w2_2;
     const double w3_2 = kt[2] * C_length_by_q_1;
     const double w4_2 = kt[3] * D_length_by_q_1;
-    const double K2_2 = t283 + C_length_by_q_1 * w3_2 + D_length_by_q_1 * w4_2;
+    const double K2_2 = t286 + C_length_by_q_1 * w3_2 + D_length_by_q_1 * w4_2;
     K[22] = K2_2;
     K[23] = 0.0;
     K[24] = 0.0;
@@ -2055,9 +1868,9 @@ void hand_joint_stiffness(const double q[SINEW_AT_LEAST(19)],
     K[26] = 0.0;
     const double K_wrist_4 = length_0_by_q71 * w1_2 - kept162[0] * w2_2 - kept162[1] * w3_2
         - kept162[2] * w4_2;
-    const double t284 = -K_wrist_4;
-    K[40] = t284;
-    K[400] = t284;
+    const double t287 = -K_wrist_4;
+    K[40] = t287;
+    K[400] = t287;
     const double K_wrist_6 = length_0_by_q73 * w1_2 - kept163[0] * w2_2 - kept163[1] * w3_2
         - kept163[2] * w4_2;
     K[41] = K_wrist_6;
@@ -2068,387 +1881,333 @@ void hand_joint_stiffness(const double q[SINEW_AT_LEAST(19)],
     const double w6_3 = 0.0065 * kt[5];
     const double w7_3 = 0.0065 * kt[6];
     const double w8_3 = 0.0065 * kt[7];
-    const double K3_3 = 0.0065 * (w5_3 + w6_3 + w7_3 + w8_3);
-    K[44] = K3_3;
-    const double K3_4 = 0.0055 * (w7_3 + w8_3);
-    const double t285 = -K3_4;
-    K[45] = t285;
+    K[44] = 0.0065 * (w5_3 + w6_3 + w7_3 + w8_3);
+    const double t288 = -(0.0055 * (w7_3 + w8_3));
+    K[45] = t288;
     K[46] = 0.0;
     K[47] = 0.0;
-    K[65] = t285;
+    K[65] = t288;
     const double K_wrist_8 = kept162[3] * w5_3 - kept162[4] * w6_3 - kept162[5] * w7_3 + kept162[6]
         * w8_3;
     K[61] = K_wrist_8;
     K[401] = K_wrist_8;
     const double K_wrist_10 = kept163[3] * w5_3 - kept163[4] * w6_3 - kept163[5] * w7_3 + kept163[6]
         * w8_3;
-    const double t286 = -K_wrist_10;
-    K[62] = t286;
+    const double t289 = -K_wrist_10;
+    K[62] = t289;
     K[63] = 0.0;
     K[64] = 0.0;
-    K[422] = t286;
+    K[422] = t289;
     const double w7_4 = 0.0055 * kt[6];
     const double w8_4 = 0.0055 * kt[7];
-    const double K4_4 = 0.0055 * (w7_4 + w8_4);
-    K[66] = K4_4;
+    K[66] = 0.0055 * (w7_4 + w8_4);
     K[67] = 0.0;
     K[68] = 0.0;
     const double K_wrist_12 = kept162[5] * w7_4 - kept162[6] * w8_4;
     K[82] = K_wrist_12;
     K[402] = K_wrist_12;
-    const double K_wrist_14 = kept163[5] * w7_4 - kept163[6] * w8_4;
-    const double t287 = -K_wrist_14;
-    K[83] = t287;
-    K[84] = 0.0;
-    K[85] = 0.0;
-    K[86] = 0.0;
-    K[87] = 0.0;
-    K[423] = t287;
+    const double t290 = -(kept163[5] * w7_4 - kept163[6] * w8_4);
+    K[83] = t290;
+    K[423] = t290;
     const double w1_1_2 = 0.0065 * kt[8];
-    const double t288 = 0.0065 * w1_1_2;
+    const double t291 = 0.0065 * w1_1_2;
     const double w2_1_2 = 0.0065 * kt[9];
-    const double t289 = 0.0065 * w2_1_2;
+    const double t292 = 0.0065 * w2_1_2;
     const double w3_1_2 = 0.0065 * kt[10];
-    const double t290 = 0.0065 * w3_1_2;
+    const double t293 = 0.0065 * w3_1_2;
     const double w4_1_2 = 0.0065 * kt[11];
-    const double t291 = 0.0065 * w4_1_2;
-    const double K1_1_2 = t288 + t289 + t290 + t291;
+    const double t294 = 0.0065 * w4_1_2;
+    const double K1_1_2 = t291 + t292 + t293 + t294;
     K[88] = K1_1_2;
     K[110] = K1_1_2;
-    const double K1_2_2 = t288 - t289 - t290 + t291;
+    const double K1_2_2 = t291 - t292 - t293 + t294;
     K[89] = K1_2_2;
     K[109] = K1_2_2;
-    const double t292 = kept162[7] * w1_1_2;
-    const double t293 = kept162[8] * w2_1_2;
-    const double t294 = kept162[9] * w3_1_2;
-    const double t295 = kept162[10] * w4_1_2;
-    const double K_wrist_16 = t292 + t293 - t294 - t295;
+    const double t295 = kept162[7] * w1_1_2;
+    const double t296 = kept162[8] * w2_1_2;
+    const double t297 = kept162[9] * w3_1_2;
+    const double t298 = kept162[10] * w4_1_2;
+    const double K_wrist_16 = t295 + t296 - t297 - t298;
     K[103] = K_wrist_16;
     K[403] = K_wrist_16;
-    const double t296 = kept163[7] * w1_1_2;
-    const double t297 = kept163[8] * w2_1_2;
-    const double t298 = kept163[9] * w3_1_2;
-    const double t299 = kept163[10] * w4_1_2;
-    const double K_wrist_18 = t296 + t297 - t298 - t299;
-    const double t300 = -K_wrist_18;
-    K[104] = t300;
-    K[105] = 0.0;
-    K[106] = 0.0;
-    K[107] = 0.0;
-    K[108] = 0.0;
-    K[424] = t300;
-    const double K_wrist_20 = t292 - t293 + t294 - t295;
+    const double t299 = kept163[7] * w1_1_2;
+    const double t300 = kept163[8] * w2_1_2;
+    const double t301 = kept163[9] * w3_1_2;
+    const double t302 = kept163[10] * w4_1_2;
+    const double t303 = -(t299 + t300 - t301 - t302);
+    K[104] = t303;
+    K[424] = t303;
+    const double K_wrist_20 = t295 - t296 + t297 - t298;
     K[124] = K_wrist_20;
     K[404] = K_wrist_20;
-    const double K_wrist_22 = t296 - t297 + t298 - t299;
-    const double t301 = -K_wrist_22;
-    K[125] = t301;
-    K[425] = t301;
+    const double t304 = -(t299 - t300 + t301 - t302);
+    K[125] = t304;
+    K[130] = 0.0;
+    K[131] = 0.0;
+    K[425] = t304;
     const double w5_3_2 = 0.0055 * kt[12];
     const double w6_3_2 = 0.0055 * kt[13];
     const double w7_3_2 = 0.0055 * kt[14];
     const double w8_3_2 = 0.0055 * kt[15];
     const double K3_3_2 = 0.0055 * (w5_3_2 + w6_3_2 + w7_3_2 + w8_3_2);
     K[132] = K3_3_2;
-    const double K3_4_2 = 0.0045 * (w7_3_2 + w8_3_2);
-    const double t302 = -K3_4_2;
-    K[133] = t302;
+    const double t305 = -(0.0045 * (w7_3_2 + w8_3_2));
+    K[133] = t305;
     K[134] = 0.0;
     K[135] = 0.0;
-    K[136] = 0.0;
-    K[137] = 0.0;
-    K[153] = t302;
+    K[153] = t305;
     const double K_wrist_24 = kept162[11] * w5_3_2 - kept162[12] * w6_3_2 + kept162[13] * w7_3_2
         - kept162[14] * w8_3_2;
     K[145] = K_wrist_24;
     K[405] = K_wrist_24;
     const double K_wrist_26 = kept163[11] * w5_3_2 - kept163[12] * w6_3_2 + kept163[13] * w7_3_2
         - kept163[14] * w8_3_2;
-    const double t303 = -K_wrist_26;
-    K[146] = t303;
-    K[426] = t303;
+    const double t306 = -K_wrist_26;
+    K[146] = t306;
+    K[151] = 0.0;
+    K[152] = 0.0;
+    K[426] = t306;
     const double w7_4_2 = 0.0045 * kt[14];
     const double w8_4_2 = 0.0045 * kt[15];
-    const double K4_4_2 = 0.0045 * (w7_4_2 + w8_4_2);
-    K[154] = K4_4_2;
+    K[154] = 0.0045 * (w7_4_2 + w8_4_2);
     K[155] = 0.0;
     K[156] = 0.0;
-    K[157] = 0.0;
-    K[158] = 0.0;
     const double K_wrist_28 = kept162[13] * w7_4_2 - kept162[14] * w8_4_2;
-    const double t304 = -K_wrist_28;
-    K[166] = t304;
-    K[406] = t304;
+    const double t307 = -K_wrist_28;
+    K[166] = t307;
+    K[406] = t307;
     const double K_wrist_30 = kept163[13] * w7_4_2 - kept163[14] * w8_4_2;
     K[167] = K_wrist_30;
-    K[174] = 0.0;
-    K[175] = 0.0;
     K[427] = K_wrist_30;
     const double w1_1_4 = 0.0065 * kt[16];
-    const double t305 = 0.0065 * w1_1_4;
+    const double t308 = 0.0065 * w1_1_4;
     const double w2_1_4 = 0.0065 * kt[17];
-    const double t306 = 0.0065 * w2_1_4;
+    const double t309 = 0.0065 * w2_1_4;
     const double w3_1_4 = 0.0065 * kt[18];
-    const double t307 = 0.0065 * w3_1_4;
+    const double t310 = 0.0065 * w3_1_4;
     const double w4_1_4 = 0.0065 * kt[19];
-    const double t308 = 0.0065 * w4_1_4;
-    const double K1_1_4 = t305 + t306 + t307 + t308;
+    const double t311 = 0.0065 * w4_1_4;
+    const double K1_1_4 = t308 + t309 + t310 + t311;
     K[176] = K1_1_4;
     K[198] = K1_1_4;
-    K[199] = 0.0;
-    K[200] = 0.0;
-    const double K1_2_4 = t305 - t306 - t307 + t308;
+    const double K1_2_4 = t308 - t309 - t310 + t311;
     K[177] = K1_2_4;
-    K[178] = 0.0;
-    K[179] = 0.0;
     K[197] = K1_2_4;
-    const double t309 = kept162[15] * w1_1_4;
-    const double t310 = kept162[16] * w2_1_4;
-    const double t311 = kept162[17] * w3_1_4;
-    const double t312 = length_19_by_q71 * w4_1_4;
-    const double K_wrist_32 = t309 + t310 - t311 - t312;
+    const double t312 = kept162[15] * w1_1_4;
+    const double t313 = kept162[16] * w2_1_4;
+    const double t314 = kept162[17] * w3_1_4;
+    const double t315 = length_19_by_q71 * w4_1_4;
+    const double K_wrist_32 = t312 + t313 - t314 - t315;
     K[187] = K_wrist_32;
     K[407] = K_wrist_32;
-    const double t313 = kept163[15] * w1_1_4;
-    const double t314 = kept163[16] * w2_1_4;
-    const double t315 = kept163[17] * w3_1_4;
-    const double t316 = length_19_by_q73 * w4_1_4;
-    const double K_wrist_34 = t313 + t314 - t315 - t316;
-    const double t317 = -K_wrist_34;
-    K[188] = t317;
-    K[195] = 0.0;
-    K[196] = 0.0;
-    K[428] = t317;
-    const double K_wrist_36 = t309 - t310 + t311 - t312;
+    const double t316 = kept163[15] * w1_1_4;
+    const double t317 = kept163[16] * w2_1_4;
+    const double t318 = kept163[17] * w3_1_4;
+    const double t319 = length_19_by_q73 * w4_1_4;
+    const double t320 = -(t316 + t317 - t318 - t319);
+    K[188] = t320;
+    K[428] = t320;
+    const double K_wrist_36 = t312 - t313 + t314 - t315;
     K[208] = K_wrist_36;
     K[408] = K_wrist_36;
-    const double K_wrist_38 = t313 - t314 + t315 - t316;
-    const double t318 = -K_wrist_38;
-    K[209] = t318;
-    K[216] = 0.0;
-    K[217] = 0.0;
+    const double t321 = -(t316 - t317 + t318 - t319);
+    K[209] = t321;
     K[218] = 0.0;
     K[219] = 0.0;
-    K[429] = t318;
+    K[429] = t321;
     const double w5_3_4 = 0.0055 * kt[20];
     const double w6_3_4 = 0.0055 * kt[21];
     const double w7_3_4 = 0.0055 * kt[22];
     const double w8_3_4 = 0.0055 * kt[23];
     const double K3_3_4 = 0.0055 * (w5_3_4 + w6_3_4 + w7_3_4 + w8_3_4);
     K[220] = K3_3_4;
-    const double K3_4_4 = 0.0045 * (w7_3_4 + w8_3_4);
-    const double t319 = -K3_4_4;
-    K[221] = t319;
-    K[241] = t319;
+    const double t322 = -(0.0045 * (w7_3_4 + w8_3_4));
+    K[221] = t322;
+    K[222] = 0.0;
+    K[223] = 0.0;
+    K[228] = 0.0;
+    K[241] = t322;
     const double K_wrist_40 = kept193[0] * w5_3_4 - kept193[1] * w6_3_4 + kept193[2] * w7_3_4
         - kept193[3] * w8_3_4;
     K[229] = K_wrist_40;
     K[409] = K_wrist_40;
     const double K_wrist_42 = kept194[0] * w5_3_4 - kept194[1] * w6_3_4 + kept194[2] * w7_3_4
         - kept194[3] * w8_3_4;
-    const double t320 = -K_wrist_42;
-    K[230] = t320;
-    K[237] = 0.0;
-    K[238] = 0.0;
+    const double t323 = -K_wrist_42;
+    K[230] = t323;
     K[239] = 0.0;
     K[240] = 0.0;
-    K[430] = t320;
+    K[430] = t323;
     const double w7_4_4 = 0.0045 * kt[22];
     const double w8_4_4 = 0.0045 * kt[23];
-    const double K4_4_4 = 0.0045 * (w7_4_4 + w8_4_4);
-    K[242] = K4_4_4;
+    K[242] = 0.0045 * (w7_4_4 + w8_4_4);
+    K[243] = 0.0;
+    K[244] = 0.0;
+    K[249] = 0.0;
     const double K_wrist_44 = kept193[2] * w7_4_4 - kept193[3] * w8_4_4;
-    const double t321 = -K_wrist_44;
-    K[250] = t321;
-    K[410] = t321;
+    const double t324 = -K_wrist_44;
+    K[250] = t324;
+    K[410] = t324;
     const double K_wrist_46 = kept194[2] * w7_4_4 - kept194[3] * w8_4_4;
     K[251] = K_wrist_46;
     K[431] = K_wrist_46;
     const double w1_1_6 = 0.0065 * kt[24];
-    const double t322 = 0.0065 * w1_1_6;
+    const double t325 = 0.0065 * w1_1_6;
     const double w2_1_6 = 0.0065 * kt[25];
-    const double t323 = 0.0065 * w2_1_6;
+    const double t326 = 0.0065 * w2_1_6;
     const double w3_1_6 = 0.0065 * kt[26];
-    const double t324 = 0.0065 * w3_1_6;
+    const double t327 = 0.0065 * w3_1_6;
     const double w4_1_6 = 0.0065 * kt[27];
-    const double t325 = 0.0065 * w4_1_6;
-    const double K1_1_6 = t322 + t323 + t324 + t325;
+    const double t328 = 0.0065 * w4_1_6;
+    const double K1_1_6 = t325 + t326 + t327 + t328;
     K[264] = K1_1_6;
     K[286] = K1_1_6;
-    K[287] = 0.0;
-    K[288] = 0.0;
-    K[289] = 0.0;
-    K[290] = 0.0;
-    K[291] = 0.0;
-    const double K1_2_6 = t322 - t323 - t324 + t325;
+    const double K1_2_6 = t325 - t326 - t327 + t328;
     K[265] = K1_2_6;
-    K[266] = 0.0;
-    K[267] = 0.0;
-    K[268] = 0.0;
-    K[269] = 0.0;
-    K[270] = 0.0;
     K[285] = K1_2_6;
-    const double t326 = kept193[4] * w1_1_6;
-    const double t327 = kept193[5] * w2_1_6;
-    const double t328 = kept193[6] * w3_1_6;
-    const double t329 = kept193[7] * w4_1_6;
-    const double K_wrist_48 = t326 + t327 - t328 - t329;
+    const double t329 = kept193[4] * w1_1_6;
+    const double t330 = kept193[5] * w2_1_6;
+    const double t331 = kept193[6] * w3_1_6;
+    const double t332 = kept193[7] * w4_1_6;
+    const double K_wrist_48 = t329 + t330 - t331 - t332;
     K[271] = K_wrist_48;
     K[411] = K_wrist_48;
-    const double t330 = kept194[4] * w1_1_6;
-    const double t331 = kept194[5] * w2_1_6;
-    const double t332 = kept194[6] * w3_1_6;
-    const double t333 = kept194[7] * w4_1_6;
-    const double K_wrist_50 = t330 + t331 - t332 - t333;
-    const double t334 = -K_wrist_50;
-    K[272] = t334;
-    K[432] = t334;
-    const double K_wrist_52 = t326 - t327 + t328 - t329;
+    const double t333 = kept194[4] * w1_1_6;
+    const double t334 = kept194[5] * w2_1_6;
+    const double t335 = kept194[6] * w3_1_6;
+    const double t336 = kept194[7] * w4_1_6;
+    const double t337 = -(t333 + t334 - t335 - t336);
+    K[272] = t337;
+    K[432] = t337;
+    const double K_wrist_52 = t329 - t330 + t331 - t332;
     K[292] = K_wrist_52;
     K[412] = K_wrist_52;
-    const double K_wrist_54 = t330 - t331 + t332 - t333;
-    const double t335 = -K_wrist_54;
-    K[293] = t335;
+    const double t338 = -(t333 - t334 + t335 - t336);
+    K[293] = t338;
     K[306] = 0.0;
     K[307] = 0.0;
-    K[433] = t335;
+    K[433] = t338;
     const double w5_3_6 = 0.011000000000000001 * kt[28];
     const double w6_3_6 = 0.011000000000000001 * kt[29];
-    const double K3_3_6 = 0.011000000000000001 * (w5_3_6 + w6_3_6);
-    K[308] = K3_3_6;
+    K[308] = 0.011000000000000001 * (w5_3_6 + w6_3_6);
     K[309] = 0.0;
     K[310] = 0.0;
     K[311] = 0.0;
-    K[312] = 0.0;
     const double K_wrist_56 = kept193[8] * w5_3_6 - kept193[9] * w6_3_6;
     K[313] = K_wrist_56;
     K[413] = K_wrist_56;
     const double K_wrist_58 = kept194[8] * w5_3_6 - kept194[9] * w6_3_6;
-    const double t336 = -K_wrist_58;
-    K[314] = t336;
+    const double t339 = -K_wrist_58;
+    K[314] = t339;
     K[327] = 0.0;
     K[328] = 0.0;
     K[329] = 0.0;
-    K[434] = t336;
+    K[434] = t339;
     const double w1_1_8 = 0.0052 * kt[30];
-    const double t337 = 0.0052 * w1_1_8;
+    const double t340 = 0.0052 * w1_1_8;
     const double w2_1_8 = 0.0052 * kt[31];
-    const double t338 = 0.0052 * w2_1_8;
+    const double t341 = 0.0052 * w2_1_8;
     const double w3_1_8 = 0.0052 * kt[32];
-    const double t339 = 0.0052 * w3_1_8;
+    const double t342 = 0.0052 * w3_1_8;
     const double w4_1_8 = 0.0052 * kt[33];
-    const double t340 = 0.0052 * w4_1_8;
-    const double K1_1_8 = t337 + t338 + t339 + t340;
+    const double t343 = 0.0052 * w4_1_8;
+    const double K1_1_8 = t340 + t341 + t342 + t343;
     K[330] = K1_1_8;
     K[352] = K1_1_8;
     K[353] = 0.0;
-    K[354] = 0.0;
-    const double K1_2_8 = t337 - t338 - t339 + t340;
+    const double K1_2_8 = t340 - t341 - t342 + t343;
     K[331] = K1_2_8;
     K[332] = 0.0;
-    K[333] = 0.0;
     K[351] = K1_2_8;
-    const double t341 = kept193[10] * w1_1_8;
-    const double t342 = kept193[11] * w2_1_8;
-    const double t343 = kept193[12] * w3_1_8;
-    const double t344 = kept193[13] * w4_1_8;
-    const double K_wrist_60 = t341 + t342 - t343 - t344;
+    const double t344 = kept193[10] * w1_1_8;
+    const double t345 = kept193[11] * w2_1_8;
+    const double t346 = kept193[12] * w3_1_8;
+    const double t347 = kept193[13] * w4_1_8;
+    const double K_wrist_60 = t344 + t345 - t346 - t347;
     K[334] = K_wrist_60;
     K[414] = K_wrist_60;
-    const double t345 = kept194[10] * w1_1_8;
-    const double t346 = kept194[11] * w2_1_8;
-    const double t347 = kept194[12] * w3_1_8;
-    const double t348 = kept194[13] * w4_1_8;
-    const double K_wrist_62 = t345 + t346 - t347 - t348;
-    const double t349 = -K_wrist_62;
-    K[335] = t349;
+    const double t348 = kept194[10] * w1_1_8;
+    const double t349 = kept194[11] * w2_1_8;
+    const double t350 = kept194[12] * w3_1_8;
+    const double t351 = kept194[13] * w4_1_8;
+    const double t352 = -(t348 + t349 - t350 - t351);
+    K[335] = t352;
     K[348] = 0.0;
     K[349] = 0.0;
     K[350] = 0.0;
-    K[435] = t349;
-    const double K_wrist_64 = t341 - t342 + t343 - t344;
+    K[435] = t352;
+    const double K_wrist_64 = t344 - t345 + t346 - t347;
     K[355] = K_wrist_64;
     K[415] = K_wrist_64;
-    const double K_wrist_66 = t345 - t346 + t347 - t348;
-    const double t350 = -K_wrist_66;
-    K[356] = t350;
+    const double t353 = -(t348 - t349 + t350 - t351);
+    K[356] = t353;
     K[369] = 0.0;
     K[370] = 0.0;
     K[371] = 0.0;
     K[372] = 0.0;
     K[373] = 0.0;
-    K[436] = t350;
+    K[436] = t353;
     const double w5_3_8 = 0.0088 * kt[34];
     const double w6_3_8 = 0.0088 * kt[35];
-    const double K3_3_8 = 0.0088 * (w5_3_8 + w6_3_8);
-    K[374] = K3_3_8;
-    K[375] = 0.0;
+    K[374] = 0.0088 * (w5_3_8 + w6_3_8);
     const double K_wrist_68 = kept193[14] * w5_3_8 - kept193[15] * w6_3_8;
     K[376] = K_wrist_68;
     K[416] = K_wrist_68;
     const double K_wrist_70 = kept194[14] * w5_3_8 - kept194[15] * w6_3_8;
-    const double t351 = -K_wrist_70;
-    K[377] = t351;
+    const double t354 = -K_wrist_70;
+    K[377] = t354;
+    K[386] = 0.0;
+    K[387] = 0.0;
+    K[388] = 0.0;
+    K[389] = 0.0;
     K[390] = 0.0;
     K[391] = 0.0;
     K[392] = 0.0;
     K[393] = 0.0;
     K[394] = 0.0;
     K[395] = 0.0;
-    K[437] = t351;
+    K[437] = t354;
     const double w1_1_10 = 0.005 * kt[36];
     const double w2_1_10 = 0.005 * kt[37];
-    const double K1_1_10 = 0.005 * (w1_1_10 + w2_1_10);
-    K[396] = K1_1_10;
+    K[396] = 0.005 * (w1_1_10 + w2_1_10);
     const double K_wrist_72 = kept193[16] * w1_1_10 - kept193[17] * w2_1_10;
     K[397] = K_wrist_72;
     K[417] = K_wrist_72;
     const double K_wrist_74 = kept194[16] * w1_1_10 - kept194[17] * w2_1_10;
-    const double t352 = -K_wrist_74;
-    K[398] = t352;
-    K[438] = t352;
+    const double t355 = -K_wrist_74;
+    K[398] = t355;
+    K[438] = t355;
     const double pull_by_y = sum158 + sum189;
     const double pull_by_y_4 = sum157 + sum188;
-    const double t353 = sum155 + sum186 + y_x * pull_by_y + y_z * pull_by_y_4 + sum161
-        * layer_0_x_by_q71_by_q71;
-    const double origin_y_by_q71_by_q71 = 0.018 * z_plane_y_by_q71_by_q71;
-    const double t354 = origin_y_by_q71_by_q71 + t45 * sin_A_by_q71_by_q71;
-    const double t355 = 0.01 * z_plane_y_by_q71_by_q71;
-    const double layer_0_y_by_q71_by_q71 = t354 - t355;
-    const double t356 = t353 - sum160 * layer_0_y_by_q71_by_q71 + sum159 * layer_0_z_by_q71_by_q71;
-    const double layer_1_y_by_q71_by_q71 = t354 + t355;
-    const double t357 = t356 + sum192 * layer_1_x_by_q71_by_q71 - sum191 * layer_1_y_by_q71_by_q71;
-    K[418] = t357 + sum190 * layer_1_z_by_q71_by_q71;
-    const double t358 = sum153 + sum184 + y_x_by_q73 * pull_by_y_4 - y_z_by_q73 * pull_by_y - sum161
-        * layer_0_x_by_q71_by_q73;
-    const double origin_y_by_q71_by_q73 = 0.018 * z_plane_y_by_q71_by_q73;
-    const double t359 = origin_y_by_q71_by_q73 + 0.004 * x_plane_y_by_q71_by_q73;
-    const double t360 = 0.01 * z_plane_y_by_q71_by_q73;
-    const double layer_0_y_by_q71_by_q73 = t359 - t360;
-    const double t361 = t358 + sum160 * layer_0_y_by_q71_by_q73 + sum159 * layer_0_z_by_q71_by_q73;
-    const double layer_1_y_by_q71_by_q73 = t359 + t360;
-    const double t362 = t361 - sum192 * layer_1_x_by_q71_by_q73 + sum191 * layer_1_y_by_q71_by_q73;
-    const double K_01 = t362 + sum190 * layer_1_z_by_q71_by_q73;
-    const double t363 = -K_01;
-    K[419] = t363;
-    K[439] = t363;
-    const double t364 = 0.01 * z_x_by_q73_by_q73;
-    const double layer_0_x_by_q73_by_q73 = t149 - t364 - 0.011 * y_x_by_q73_by_q73;
-    const double t365 = 0.01 * z_plane_y_by_q73_by_q73;
-    const double layer_0_y_by_q73_by_q73 = t150 + t365 - 0.011 * u_y_by_q73_by_q73;
-    const double t366 = sum154 + sum185 + sum161 * layer_0_x_by_q73_by_q73 + sum160
-        * layer_0_y_by_q73_by_q73;
-    const double t367 = 0.01 * z_z_by_q73_by_q73;
-    const double layer_0_z_by_q73_by_q73 = t151 - t367 - 0.011 * y_z_by_q73_by_q73;
-    const double layer_1_x_by_q73_by_q73 = t149 + t364 - 0.013 * y_x_by_q73_by_q73;
-    const double t368 = t366 + sum159 * layer_0_z_by_q73_by_q73 + sum192 * layer_1_x_by_q73_by_q73;
-    const double layer_1_y_by_q73_by_q73 = t150 - t365 - 0.013 * u_y_by_q73_by_q73;
-    const double layer_1_z_by_q73_by_q73 = t151 + t367 - 0.013 * y_z_by_q73_by_q73;
-    const double t369 = t368 + sum191 * layer_1_y_by_q73_by_q73 + sum190 * layer_1_z_by_q73_by_q73;
-    const double pull_by_y_2 = sum156 + sum187;
-    const double t370 = t369 + pull_by_y * y_x_by_q73_by_q73 + pull_by_y_2 * u_y_by_q73_by_q73
-        + pull_by_y_4 * y_z_by_q73_by_q73;
-    K[440] = t370;
+    const double t356 = sum155 + sum186 + y_x * pull_by_y + y_z * pull_by_y_4 + sum161 * (t106
+        + t107 - t44);
+    const double t357 = 0.018 * z_plane_y_by_q71_by_q71 + t45 * sin_A_by_q71_by_q71;
+    const double t358 = 0.01 * z_plane_y_by_q71_by_q71;
+    const double t359 = t356 - sum160 * (t357 - t358) + sum159 * (t110 + t111 - t37) + sum192
+        * (t106 - t107 - t77);
+    K[418] = t359 - sum191 * (t357 + t358) + sum190 * (t110 - t111 - t76);
+    const double t360 = sum153 + sum184 + y_x_by_q73 * pull_by_y_4 - y_z_by_q73 * pull_by_y - sum161
+        * (t124 + t125 - t74);
+    const double t361 = 0.018 * z_plane_y_by_q71_by_q73 + 0.004 * x_plane_y_by_q71_by_q73;
+    const double t362 = 0.01 * z_plane_y_by_q71_by_q73;
+    const double t363 = t360 + sum160 * (t361 - t362) + sum159 * (t126 + t127 - t65) - sum192
+        * (t124 - t125 - t79);
+    const double K_01 = t363 + sum191 * (t361 + t362) + sum190 * (t126 - t127 - t78);
+    const double t364 = -K_01;
+    K[419] = t364;
+    K[439] = t364;
+    const double t365 = 0.01 * z_x_by_q73_by_q73;
+    const double t366 = 0.01 * z_plane_y_by_q73_by_q73;
+    const double t367 = sum154 + sum185 + sum161 * (t149 - t365 - 0.011 * y_x_by_q73_by_q73)
+        + sum160 * (t150 + t366 - 0.011 * u_y_by_q73_by_q73);
+    const double t368 = 0.01 * z_z_by_q73_by_q73;
+    const double t369 = t367 + sum159 * (t151 - t368 - 0.011 * y_z_by_q73_by_q73) + sum192 * (t149
+        + t365 - 0.013 * y_x_by_q73_by_q73);
+    const double t370 = t369 + sum191 * (t150 - t366 - 0.013 * u_y_by_q73_by_q73) + sum190 * (t151
+        + t368 - 0.013 * y_z_by_q73_by_q73);
+    const double t371 = t370 + pull_by_y * y_x_by_q73_by_q73 + (sum156 + sum187)
+        * u_y_by_q73_by_q73;
+    K[440] = t371 + pull_by_y_4 * y_z_by_q73_by_q73;
 }
 
 void hand_feedforward(const double q_wrist[SINEW_AT_LEAST(2)],
@@ -2468,15 +2227,13 @@ void hand_feedforward(const double q_wrist[SINEW_AT_LEAST(2)],
     const double layer_0_z = 0.008 - part_1[9] - t5 - t6 + 0.011 * part_1[11];
     const double length_0 = sinew_sqrt(layer_0_x * layer_0_x + layer_0_y * layer_0_y + layer_0_z
         * layer_0_z);
-    const double change_0 = 0.04661544808322666 - length_0;
-    delta_theta[0] = 200.0 * change_0;
+    delta_theta[0] = 200.0 * (0.04661544808322666 - length_0);
     const double layer_1_x = t1 + t2 + 0.013 * part_1[4];
     const double layer_1_y = 0.006 - part_1[6] - t3 - t4 + 0.013 * u_y;
     const double layer_1_z = 0.028 - part_1[9] - t5 + t6 + 0.013 * part_1[11];
     const double length_19 = sinew_sqrt(layer_1_x * layer_1_x + layer_1_y * layer_1_y + layer_1_z
         * layer_1_z);
-    const double change_19 = 0.046561786907291264 - length_19;
-    delta_theta[19] = 200.0 * change_19;
+    delta_theta[19] = 200.0 * (0.046561786907291264 - length_19);
     static const double table8[18][5] = {
         {0.04661544808322666, 0.001, 0.001, 0.04661544808322666, 0.002},
         {0.04661544808322666, 0.003, 0.003, 0.046561786907291264, 0.003},
@@ -2502,16 +2259,13 @@ void hand_feedforward(const double q_wrist[SINEW_AT_LEAST(2)],
         const double strand_z = layer_0_z - table8[i7][1] * part_1[11];
         const double length = sinew_sqrt(strand_x * strand_x + strand_y * strand_y + strand_z
             * strand_z);
-        const double change = table8[i7][0] - length;
         const double strand_x_2 = layer_1_x - table8[i7][4] * part_1[4];
         const double strand_y_2 = table8[i7][1] + layer_1_y - table8[i7][4] * u_y;
         const double strand_z_2 = layer_1_z - table8[i7][4] * part_1[11];
         const double t9 = strand_x_2 * strand_x_2 + strand_y_2 * strand_y_2 + strand_z_2
             * strand_z_2;
-        const double length_2 = sinew_sqrt(t9);
-        const double change_2 = table8[i7][3] - length_2;
-        delta_theta[1 + i7] = 200.0 * change;
-        delta_theta[20 + i7] = 200.0 * change_2;
+        delta_theta[1 + i7] = 200.0 * (table8[i7][0] - length);
+        delta_theta[20 + i7] = 200.0 * (table8[i7][3] - sinew_sqrt(t9));
     }
 }
 
@@ -2524,16 +2278,12 @@ void hand_feedforward_rate(const double q_wrist[SINEW_AT_LEAST(2)],
     const double sin_q73 = sines1.s[1];
     const double cos_q73 = sines1.c[1];
     const double B_y = 0.074565407529229 * cos_q73;
-    const double B_to_C0_squared = 0.007324 - 0.084 * B_y;
-    const double t2 = 1.0 / B_to_C0_squared;
+    const double t2 = 1.0 / (0.007324 - 0.084 * B_y);
     const double ratio = 0.003796 * t2;
-    const double cos_q73_by_t = qd_wrist[1] * sin_q73;
-    const double B_y_by_t = 0.074565407529229 * cos_q73_by_t;
-    const double B_to_C0_squared_by_t = 0.084 * B_y_by_t;
-    const double ratio_by_t = ratio * B_to_C0_squared_by_t * t2;
+    const double B_y_by_t = 0.074565407529229 * (qd_wrist[1] * sin_q73);
+    const double ratio_by_t = ratio * (0.084 * B_y_by_t) * t2;
     const double B_e = 0.074565407529229 * sin_q73;
-    const double sin_q73_by_t = qd_wrist[1] * cos_q73;
-    const double B_e_by_t = 0.074565407529229 * sin_q73_by_t;
+    const double B_e_by_t = 0.074565407529229 * (qd_wrist[1] * cos_q73);
     const double C_e_by_t = B_e * ratio_by_t - ratio * B_e_by_t;
     const double M_e_by_t = 0.5 * (B_e_by_t - C_e_by_t);
     const double sin_q71_by_t = qd_wrist[0] * cos_q71;
@@ -2579,8 +2329,7 @@ void hand_feedforward_rate(const double q_wrist[SINEW_AT_LEAST(2)],
     const double t11 = (reach + limited) * (reach - limited);
     const double t12 = 1e-12 * reach_squared;
     const double clearance_by_t = sinew_choose(-(t12 - t11), t10 + t10, 1e-12 * reach_squared_by_t);
-    const double clearance = sinew_max(t11, t12);
-    const double root = sinew_sqrt(clearance);
+    const double root = sinew_sqrt(sinew_max(t11, t12));
     const double root_by_t = 0.5 * clearance_by_t / root;
     const double t13 = p_y * limited_by_t + p_z * root_by_t + limited * p_y_by_t - root * p_z_by_t;
     const double t14 = 1.0 / reach_squared;
@@ -2593,8 +2342,7 @@ void hand_feedforward_rate(const double q_wrist[SINEW_AT_LEAST(2)],
     const double z_plane_x = u_y * cos_A;
     const double z_x_by_t = cos_q71 * z_plane_x_by_t - sin_q71 * sin_A_by_t - sin_A * sin_q71_by_t
         - z_plane_x * cos_q71_by_t;
-    const double M_x_by_t = cos_q71 * M_e_by_t - M_e * cos_q71_by_t;
-    const double origin_x_by_t = M_x_by_t - 0.018 * z_x_by_t;
+    const double origin_x_by_t = cos_q71 * M_e_by_t - M_e * cos_q71_by_t - 0.018 * z_x_by_t;
     const double x_plane_x_by_t = u_y * sin_A_by_t - sin_A * u_y_by_t;
     const double x_plane_x = u_y * sin_A;
     const double x_x_by_t = cos_q71 * x_plane_x_by_t + sin_q71 * cos_A_by_t + cos_A * sin_q71_by_t
@@ -2604,28 +2352,24 @@ void hand_feedforward_rate(const double q_wrist[SINEW_AT_LEAST(2)],
     const double y_x_by_t = cos_q71 * u_e_by_t - u_e * cos_q71_by_t;
     const double layer_0_x_by_t = t16 + t17 - 0.011 * y_x_by_t;
     const double z_x = cos_q71 * z_plane_x - sin_q71 * sin_A;
-    const double M_x = cos_q71 * M_e;
-    const double x_x = cos_q71 * x_plane_x + sin_q71 * cos_A;
-    const double t18 = 0.004 - M_x + 0.018 * z_x + 0.004 * x_x;
+    const double t18 = 0.004 - cos_q71 * M_e + 0.018 * z_x + 0.004 * (cos_q71 * x_plane_x + sin_q71
+        * cos_A);
     const double t19 = 0.01 * z_x;
     const double y_x = cos_q71 * u_e;
     const double layer_0_x = t18 - t19 + 0.011 * y_x;
     const double z_plane_y_by_t = u_e * cos_A_by_t + cos_A * u_e_by_t;
-    const double origin_y_by_t = M_y_by_t - 0.018 * z_plane_y_by_t;
-    const double x_plane_y_by_t = u_e * sin_A_by_t + sin_A * u_e_by_t;
-    const double t20 = origin_y_by_t - 0.004 * x_plane_y_by_t;
+    const double t20 = M_y_by_t - 0.018 * z_plane_y_by_t - 0.004 * (u_e * sin_A_by_t + sin_A
+        * u_e_by_t);
     const double t21 = 0.01 * z_plane_y_by_t;
     const double layer_0_y_by_t = t20 + t21 - 0.011 * u_y_by_t;
     const double z_plane_y = u_e * cos_A;
     const double origin_y = M_y + 0.018 * z_plane_y;
-    const double x_plane_y = u_e * sin_A;
-    const double t22 = 0.004 * x_plane_y;
+    const double t22 = 0.004 * (u_e * sin_A);
     const double t23 = 0.01 * z_plane_y;
     const double layer_0_y = 0.007 - origin_y - t22 + t23 + 0.011 * u_y;
     const double z_z_by_t = cos_q71 * sin_A_by_t + sin_q71 * z_plane_x_by_t - sin_A * cos_q71_by_t
         + z_plane_x * sin_q71_by_t;
-    const double M_z_by_t = sin_q71 * M_e_by_t + M_e * sin_q71_by_t;
-    const double origin_z_by_t = M_z_by_t - 0.018 * z_z_by_t;
+    const double origin_z_by_t = sin_q71 * M_e_by_t + M_e * sin_q71_by_t - 0.018 * z_z_by_t;
     const double x_z_by_t = cos_q71 * cos_A_by_t - sin_q71 * x_plane_x_by_t - cos_A * cos_q71_by_t
         - x_plane_x * sin_q71_by_t;
     const double t24 = origin_z_by_t + 0.004 * x_z_by_t;
@@ -2633,10 +2377,8 @@ void hand_feedforward_rate(const double q_wrist[SINEW_AT_LEAST(2)],
     const double y_z_by_t = sin_q71 * u_e_by_t + u_e * sin_q71_by_t;
     const double layer_0_z_by_t = t24 + t25 - 0.011 * y_z_by_t;
     const double z_z = cos_q71 * sin_A + sin_q71 * z_plane_x;
-    const double M_z = sin_q71 * M_e;
-    const double origin_z = M_z - 0.018 * z_z;
-    const double x_z = cos_q71 * cos_A - sin_q71 * x_plane_x;
-    const double t26 = 0.004 * x_z;
+    const double origin_z = sin_q71 * M_e - 0.018 * z_z;
+    const double t26 = 0.004 * (cos_q71 * cos_A - sin_q71 * x_plane_x);
     const double t27 = 0.01 * z_z;
     const double y_z = sin_q71 * u_e;
     const double layer_0_z = 0.008 - origin_z - t26 - t27 + 0.011 * y_z;
@@ -2644,8 +2386,7 @@ void hand_feedforward_rate(const double q_wrist[SINEW_AT_LEAST(2)],
         * layer_0_z_by_t;
     const double length_0 = sinew_sqrt(layer_0_x * layer_0_x + layer_0_y * layer_0_y + layer_0_z
         * layer_0_z);
-    const double length_0_by_t = t28 / length_0;
-    delta_theta_rate[0] = 200.0 * length_0_by_t;
+    delta_theta_rate[0] = 200.0 * (t28 / length_0);
     const double layer_1_x_by_t = t16 - t17 - 0.013 * y_x_by_t;
     const double layer_1_x = t18 + t19 + 0.013 * y_x;
     const double layer_1_y_by_t = t20 - t21 - 0.013 * u_y_by_t;
@@ -2656,8 +2397,7 @@ void hand_feedforward_rate(const double q_wrist[SINEW_AT_LEAST(2)],
         * layer_1_z_by_t;
     const double length_19 = sinew_sqrt(layer_1_x * layer_1_x + layer_1_y * layer_1_y + layer_1_z
         * layer_1_z);
-    const double length_19_by_t = t29 / length_19;
-    delta_theta_rate[19] = 200.0 * length_19_by_t;
+    delta_theta_rate[19] = 200.0 * (t29 / length_19);
     static const double table31[18][2] = {{0.001, 0.001}, {0.003, 0.003}, {0.005, 0.004},
         {0.006, 0.006}, {0.008, 0.008}, {0.009, 0.009}, {0.011, 0.011}, {0.013, 0.012},
         {0.014, 0.014}, {0.016, 0.016}, {0.017, 0.017}, {0.019, 0.019}, {0.021, 0.02},
@@ -2673,8 +2413,7 @@ void hand_feedforward_rate(const double q_wrist[SINEW_AT_LEAST(2)],
             * strand_z_by_t;
         const double length = sinew_sqrt(strand_x * strand_x + strand_y * strand_y + strand_z
             * strand_z);
-        const double length_by_t = t32 / length;
-        delta_theta_rate[1 + i30] = 200.0 * length_by_t;
+        delta_theta_rate[1 + i30] = 200.0 * (t32 / length);
     }
     static const double table34[18][2] = {{0.002, 0.001}, {0.003, 0.003}, {0.005, 0.005},
         {0.007, 0.006}, {0.008, 0.008}, {0.01, 0.009}, {0.011, 0.011}, {0.013, 0.013},
@@ -2691,9 +2430,7 @@ void hand_feedforward_rate(const double q_wrist[SINEW_AT_LEAST(2)],
             * strand_z_by_t_2;
         const double t36 = strand_x_2 * strand_x_2 + strand_y_2 * strand_y_2 + strand_z_2
             * strand_z_2;
-        const double length_2 = sinew_sqrt(t36);
-        const double length_by_t_2 = t35 / length_2;
-        delta_theta_rate[20 + i33] = 200.0 * length_by_t_2;
+        delta_theta_rate[20 + i33] = 200.0 * (t35 / sinew_sqrt(t36));
     }
 }
 
@@ -2706,12 +2443,10 @@ void hand_wrist_passage(const double q_wrist[SINEW_AT_LEAST(2)], double h[SINEW_
     const double sin_q73 = sines1.s[1];
     const double cos_q73 = sines1.c[1];
     const double B_y = 0.074565407529229 * cos_q73;
-    const double B_to_C0_squared = 0.007324 - 0.084 * B_y;
-    const double t2 = 1.0 / B_to_C0_squared;
+    const double t2 = 1.0 / (0.007324 - 0.084 * B_y);
     const double ratio = 0.003796 * t2;
     const double B_e = 0.074565407529229 * sin_q73;
-    const double B_to_C0_squared_by_q73 = 0.084 * B_e;
-    const double ratio_by_q73 = ratio * B_to_C0_squared_by_q73 * t2;
+    const double ratio_by_q73 = ratio * (0.084 * B_e) * t2;
     const double t3 = 21.0 - 500.0 * B_y;
     const double C_e = B_e * ratio;
     const double C_y_by_q73 = C_e - 0.002 * ratio_by_q73 * t3;
@@ -2767,8 +2502,7 @@ void hand_wrist_passage(const double q_wrist[SINEW_AT_LEAST(2)], double h[SINEW_
     const double t23 = -(t22 - t21);
     const double clearance_by_q73 = sinew_choose(t23, t20 * reach_by_q73 - t19 * limited_by_q73,
         1e-12 * reach_squared_by_q73);
-    const double clearance = sinew_max(t21, t22);
-    const double root = sinew_sqrt(clearance);
+    const double root = sinew_sqrt(sinew_max(t21, t22));
     const double t24 = 1.0 / root;
     const double root_by_q73 = 0.5 * clearance_by_q73 * t24;
     const double t25 = 1.0 / reach_squared;
@@ -2782,8 +2516,7 @@ void hand_wrist_passage(const double q_wrist[SINEW_AT_LEAST(2)], double h[SINEW_
         * reach_squared_by_q73;
     const double sin_A_by_q73 = t27 * t25;
     const double z_x_by_q73 = cos_q71 * z_plane_x_by_q73 - sin_q71 * sin_A_by_q73;
-    const double M_x_by_q73 = cos_q71 * M_e_by_q73;
-    const double origin_x_by_q73 = M_x_by_q73 - 0.018 * z_x_by_q73;
+    const double origin_x_by_q73 = cos_q71 * M_e_by_q73 - 0.018 * z_x_by_q73;
     const double x_plane_x_by_q73 = u_y * sin_A_by_q73 - sin_A * u_y_by_q73;
     const double x_x_by_q73 = cos_q71 * x_plane_x_by_q73 + sin_q71 * cos_A_by_q73;
     const double t28 = origin_x_by_q73 - 0.004 * x_x_by_q73;
@@ -2798,27 +2531,23 @@ void hand_wrist_passage(const double q_wrist[SINEW_AT_LEAST(2)], double h[SINEW_
     const double x_plane_x = u_y * sin_A;
     const double t32 = cos_q71 * x_plane_x;
     const double t33 = sin_q71 * cos_A;
-    const double x_x = t32 + t33;
-    const double t34 = 0.004 - M_x + 0.018 * z_x + 0.004 * x_x;
+    const double t34 = 0.004 - M_x + 0.018 * z_x + 0.004 * (t32 + t33);
     const double t35 = 0.01 * z_x;
     const double y_x = cos_q71 * u_e;
     const double t36 = 0.013 * y_x;
     const double layer_1_x = t34 + t35 + t36;
-    const double x_plane_y_by_q73 = u_e * sin_A_by_q73 + sin_A * u_e_by_q73;
     const double z_plane_y_by_q73 = u_e * cos_A_by_q73 + cos_A * u_e_by_q73;
-    const double origin_y_by_q73 = M_y_by_q73 - 0.018 * z_plane_y_by_q73;
-    const double t37 = origin_y_by_q73 - 0.004 * x_plane_y_by_q73;
+    const double t37 = M_y_by_q73 - 0.018 * z_plane_y_by_q73 - 0.004 * (u_e * sin_A_by_q73 + sin_A
+        * u_e_by_q73);
     const double t38 = 0.01 * z_plane_y_by_q73;
     const double layer_1_y_by_q73 = t37 - t38 - 0.013 * u_y_by_q73;
     const double z_plane_y = u_e * cos_A;
     const double origin_y = M_y + 0.018 * z_plane_y;
-    const double x_plane_y = u_e * sin_A;
-    const double t39 = 0.004 * x_plane_y;
+    const double t39 = 0.004 * (u_e * sin_A);
     const double t40 = 0.01 * z_plane_y;
     const double layer_1_y = 0.006 - origin_y - t39 - t40 + 0.013 * u_y;
     const double z_z_by_q73 = cos_q71 * sin_A_by_q73 + sin_q71 * z_plane_x_by_q73;
-    const double M_z_by_q73 = sin_q71 * M_e_by_q73;
-    const double origin_z_by_q73 = M_z_by_q73 - 0.018 * z_z_by_q73;
+    const double origin_z_by_q73 = sin_q71 * M_e_by_q73 - 0.018 * z_z_by_q73;
     const double x_z_by_q73 = cos_q71 * cos_A_by_q73 - sin_q71 * x_plane_x_by_q73;
     const double t41 = origin_z_by_q73 + 0.004 * x_z_by_q73;
     const double t42 = 0.01 * z_z_by_q73;
@@ -2831,8 +2560,7 @@ void hand_wrist_passage(const double q_wrist[SINEW_AT_LEAST(2)], double h[SINEW_
     const double origin_z = M_z - 0.018 * z_z;
     const double t45 = sin_q71 * x_plane_x;
     const double t46 = cos_q71 * cos_A;
-    const double x_z = t46 - t45;
-    const double t47 = 0.004 * x_z;
+    const double t47 = 0.004 * (t46 - t45);
     const double t48 = 0.01 * z_z;
     const double y_z = sin_q71 * u_e;
     const double t49 = 0.013 * y_z;
@@ -2855,21 +2583,18 @@ void hand_wrist_passage(const double q_wrist[SINEW_AT_LEAST(2)], double h[SINEW_
         * p_y_by_q71;
     const double sin_A_by_q71 = (t51 - sin_A * reach_squared_by_q71) * t25;
     const double z_x_by_q71 = t44 - cos_q71 * z_plane_x_by_q71 + t43 + sin_q71 * sin_A_by_q71;
-    const double origin_x_by_q71 = M_z - 0.018 * z_x_by_q71;
     const double x_plane_x_by_q71 = u_y * sin_A_by_q71;
     const double x_x_by_q71 = t46 + cos_q71 * x_plane_x_by_q71 - t45 + sin_q71 * cos_A_by_q71;
-    const double t52 = origin_x_by_q71 + 0.004 * x_x_by_q71;
+    const double t52 = M_z - 0.018 * z_x_by_q71 + 0.004 * x_x_by_q71;
     const double t53 = 0.01 * z_x_by_q71;
     const double layer_1_x_by_q71 = t52 - t53 - t49;
     const double z_plane_y_by_q71 = u_e * cos_A_by_q71;
-    const double origin_y_by_q71 = 0.018 * z_plane_y_by_q71;
-    const double t54 = origin_y_by_q71 + 0.004 * u_e * sin_A_by_q71;
+    const double t54 = 0.018 * z_plane_y_by_q71 + 0.004 * u_e * sin_A_by_q71;
     const double t55 = 0.01 * z_plane_y_by_q71;
     const double layer_1_y_by_q71 = t54 + t55;
     const double z_z_by_q71 = t30 + cos_q71 * sin_A_by_q71 - t31 + sin_q71 * z_plane_x_by_q71;
-    const double origin_z_by_q71 = M_x - 0.018 * z_z_by_q71;
     const double x_z_by_q71 = t32 - cos_q71 * cos_A_by_q71 + t33 + sin_q71 * x_plane_x_by_q71;
-    const double t56 = origin_z_by_q71 - 0.004 * x_z_by_q71;
+    const double t56 = M_x - 0.018 * z_z_by_q71 - 0.004 * x_z_by_q71;
     const double t57 = 0.01 * z_z_by_q71;
     const double layer_1_z_by_q71 = t56 - t57 - t36;
     const double t58 = 0.011 * y_x;
@@ -2880,12 +2605,10 @@ void hand_wrist_passage(const double q_wrist[SINEW_AT_LEAST(2)], double h[SINEW_
         * layer_1_z);
     h[19] = length_19;
     const double t61 = 1.0 / length_19;
-    const double length_19_by_q73 = t60 * t61;
-    P[39] = -length_19_by_q73;
+    P[39] = -(t60 * t61);
     const double t62 = layer_1_x * layer_1_x_by_q71 - layer_1_y * layer_1_y_by_q71 - layer_1_z
         * layer_1_z_by_q71;
-    const double length_19_by_q71 = t62 * t61;
-    P[38] = length_19_by_q71;
+    P[38] = t62 * t61;
     const double layer_0_x_by_q73 = t28 + t29 - 0.011 * y_x_by_q73;
     const double layer_0_x = t34 - t35 + t58;
     const double layer_0_y_by_q73 = t37 + t38 - 0.011 * u_y_by_q73;
@@ -2901,12 +2624,10 @@ void hand_wrist_passage(const double q_wrist[SINEW_AT_LEAST(2)], double h[SINEW_
         * layer_0_z);
     h[0] = length_0;
     const double t64 = 1.0 / length_0;
-    const double length_0_by_q73 = t63 * t64;
-    P[1] = -length_0_by_q73;
+    P[1] = -(t63 * t64);
     const double t65 = layer_0_x * layer_0_x_by_q71 - layer_0_y * layer_0_y_by_q71 - layer_0_z
         * layer_0_z_by_q71;
-    const double length_0_by_q71 = t65 * t64;
-    P[0] = length_0_by_q71;
+    P[0] = t65 * t64;
     static const double table67[18][2] = {{0.001, 0.001}, {0.003, 0.003}, {0.005, 0.004},
         {0.006, 0.006}, {0.008, 0.008}, {0.009, 0.009}, {0.011, 0.011}, {0.013, 0.012},
         {0.014, 0.014}, {0.016, 0.016}, {0.017, 0.017}, {0.019, 0.019}, {0.021, 0.02},
@@ -2915,24 +2636,20 @@ void hand_wrist_passage(const double q_wrist[SINEW_AT_LEAST(2)], double h[SINEW_
         const double t68 = table67[i66][0] * y_x;
         const double strand_x = layer_0_x - t68;
         const double t69 = table67[i66][0] * y_z;
-        const double strand_x_by_q71 = layer_0_x_by_q71 + t69;
         const double strand_y = table67[i66][1] + layer_0_y - table67[i66][0] * u_y;
         const double strand_z = layer_0_z - t69;
-        const double strand_z_by_q71 = layer_0_z_by_q71 + t68;
-        const double t70 = strand_x * strand_x_by_q71 - strand_y * layer_0_y_by_q71 - strand_z
-            * strand_z_by_q71;
+        const double t70 = strand_x * (layer_0_x_by_q71 + t69) - strand_y * layer_0_y_by_q71
+            - strand_z * (layer_0_z_by_q71 + t68);
         const double length = sinew_sqrt(strand_x * strand_x + strand_y * strand_y + strand_z
             * strand_z);
         const double t71 = 1.0 / length;
-        const double length_by_q71 = t70 * t71;
         const double strand_x_by_q73 = layer_0_x_by_q73 + table67[i66][0] * y_x_by_q73;
         const double strand_y_by_q73 = layer_0_y_by_q73 + table67[i66][0] * u_y_by_q73;
         const double strand_z_by_q73 = layer_0_z_by_q73 + table67[i66][0] * y_z_by_q73;
         const double t72 = strand_x * strand_x_by_q73 - strand_y * strand_y_by_q73 + strand_z
             * strand_z_by_q73;
-        const double length_by_q73 = t72 * t71;
-        P[2 + 2 * i66] = length_by_q71;
-        P[3 + 2 * i66] = -length_by_q73;
+        P[2 + 2 * i66] = t70 * t71;
+        P[3 + 2 * i66] = -(t72 * t71);
         h[1 + i66] = length;
     }
     static const double table74[18][2] = {{0.002, 0.001}, {0.003, 0.003}, {0.005, 0.005},
@@ -2943,25 +2660,21 @@ void hand_wrist_passage(const double q_wrist[SINEW_AT_LEAST(2)], double h[SINEW_
         const double t75 = table74[i73][0] * y_x;
         const double strand_x_2 = layer_1_x - t75;
         const double t76 = table74[i73][0] * y_z;
-        const double strand_x_by_q71_2 = layer_1_x_by_q71 + t76;
         const double strand_y_2 = table74[i73][1] + layer_1_y - table74[i73][0] * u_y;
         const double strand_z_2 = layer_1_z - t76;
-        const double strand_z_by_q71_2 = layer_1_z_by_q71 + t75;
-        const double t77 = strand_x_2 * strand_x_by_q71_2 - strand_y_2 * layer_1_y_by_q71
-            - strand_z_2 * strand_z_by_q71_2;
+        const double t77 = strand_x_2 * (layer_1_x_by_q71 + t76) - strand_y_2 * layer_1_y_by_q71
+            - strand_z_2 * (layer_1_z_by_q71 + t75);
         const double t78 = strand_x_2 * strand_x_2 + strand_y_2 * strand_y_2 + strand_z_2
             * strand_z_2;
         const double length_2 = sinew_sqrt(t78);
         const double t79 = 1.0 / length_2;
-        const double length_by_q71_2 = t77 * t79;
         const double strand_x_by_q73_2 = layer_1_x_by_q73 + table74[i73][0] * y_x_by_q73;
         const double strand_y_by_q73_2 = layer_1_y_by_q73 + table74[i73][0] * u_y_by_q73;
         const double strand_z_by_q73_2 = layer_1_z_by_q73 + table74[i73][0] * y_z_by_q73;
         const double t80 = strand_x_2 * strand_x_by_q73_2 - strand_y_2 * strand_y_by_q73_2
             + strand_z_2 * strand_z_by_q73_2;
-        const double length_by_q73_2 = t80 * t79;
-        P[40 + 2 * i73] = length_by_q71_2;
-        P[41 + 2 * i73] = -length_by_q73_2;
+        P[40 + 2 * i73] = t77 * t79;
+        P[41 + 2 * i73] = -(t80 * t79);
         h[20 + i73] = length_2;
     }
 }
@@ -3040,22 +2753,19 @@ void hand_inverse_dynamics(const double q[SINEW_AT_LEAST(18)], const double qd[S
     const double w3zz_8 = w3z_8 * w3z_8;
     const double al3z_8 = qdd[16] + qdd[17];
     const double e3x_8 = c3_8 * w3zz_8 + s3_8 * al3z_8;
-    const double a4x_8 = a3x_8 + 0.02384 * e3x_8;
     const double j4y1_8 = 1.234944e-05 * s4_8;
     const double e3y_8 = c3_8 * al3z_8 - s3_8 * w3zz_8;
-    const double e2y_8 = qdd[16] * c2_8 - s2_8 * w2zz_8;
-    const double a3y_8 = g[14] - 0.032304 * e2y_8;
-    const double a4y_8 = a3y_8 - 0.02384 * e3y_8;
+    const double a3y_8 = g[14] - 0.032304 * (qdd[16] * c2_8 - s2_8 * w2zz_8);
     const double j4x1_8 = 1.234944e-05 * c4_8;
     const double al4z_8 = al3z_8 + 1.2222222222222223 * qdd[17];
-    const double n4_8 = 1.462099968e-07 * al4z_8 - j4x1_8 * a4y_8 + j4y1_8 * a4x_8;
+    const double n4_8 = 1.462099968e-07 * al4z_8 - j4x1_8 * (a3y_8 - 0.02384 * e3y_8) + j4y1_8
+        * (a3x_8 + 0.02384 * e3x_8);
     const double j3x1_8 = 7.323648000000001e-05 * c3_8;
     const double j3y1_8 = 7.323648000000001e-05 * s3_8;
     const double t11 = 1.2222222222222223 * qd[17];
     const double w4z_8 = w3z_8 + t11;
     const double w4zz_8 = w4z_8 * w4z_8;
-    const double e4y_8 = c4_8 * al4z_8 - s4_8 * w4zz_8;
-    const double F4y_8 = 1.234944e-05 * e4y_8;
+    const double F4y_8 = 1.234944e-05 * (c4_8 * al4z_8 - s4_8 * w4zz_8);
     const double l4x_8 = 0.02384 * c3_8;
     const double t12 = n4_8 + 1.482612736e-06 * al3z_8 - j3x1_8 * a3y_8 + j3y1_8 * a3x_8 + l4x_8
         * F4y_8;
@@ -3064,34 +2774,26 @@ void hand_inverse_dynamics(const double q[SINEW_AT_LEAST(18)], const double qd[S
     const double l4y_8 = 0.02384 * s3_8;
     const double n3_8 = t12 + l4y_8 * F4x_8;
     const double j4yz_6 = 5.2855603200000006e-08 * s4_8;
-    const double j3yz_6 = 2.2996254720000002e-07 * s3_8;
-    const double K3yz_6 = j3yz_6 + j4yz_6;
+    const double K3yz_6 = 2.2996254720000002e-07 * s3_8 + j4yz_6;
     const double l3x_8 = 0.032304 * c2_8;
     const double o4x_8 = l3x_8 + l4x_8;
     const double j4u_8 = 1.185619968e-07 * c4_8;
-    const double j4xy_8 = s4_8 * j4u_8;
-    const double K4yx_8 = j4xy_8 + o4x_8 * j4y1_8;
+    const double K4yx_8 = s4_8 * j4u_8 + o4x_8 * j4y1_8;
     const double j3u_8 = 1.427316736e-06 * c3_8;
-    const double j3xy_8 = s3_8 * j3u_8;
-    const double K3yx_8 = j3xy_8 + K4yx_8 + l3x_8 * j3y1_8 + l4y_8 * j4x1_8;
+    const double K3yx_8 = s3_8 * j3u_8 + K4yx_8 + l3x_8 * j3y1_8 + l4y_8 * j4x1_8;
     const double t3_8 = n3_8 + qdd[15] * K3yz_6 + w1zz_8 * K3yx_8;
     const double t4_8 = n4_8 + qdd[15] * j4yz_6 + w1zz_8 * K4yx_8;
     tau[17] = t3_8 + 1.2222222222222223 * t4_8;
     const double j2x1_8 = 0.000223285248 * c2_8;
     const double j2y1_8 = 0.000223285248 * s2_8;
-    const double F3y_8 = F4y_8 + 7.323648000000001e-05 * e3y_8;
     const double t13 = n3_8 + 6.45303346786e-06 * qdd[16] - g[14] * j2x1_8 + b2x_6 * j2y1_8 + l3x_8
-        * F3y_8;
-    const double F3x_8 = F4x_8 + 7.323648000000001e-05 * e3x_8;
+        * (F4y_8 + 7.323648000000001e-05 * e3y_8);
     const double l3y_8 = 0.032304 * s2_8;
-    const double n2_8 = t13 + l3y_8 * F3x_8;
-    const double j2yz_6 = 4.1084485632e-07 * s2_8;
-    const double K2yz_6 = j2yz_6 + K3yz_6;
+    const double n2_8 = t13 + l3y_8 * (F4x_8 + 7.323648000000001e-05 * e3x_8);
     const double j2u_8 = 6.37008946786e-06 * c2_8;
-    const double j2xy_8 = s2_8 * j2u_8;
     const double S3x_8 = j3x1_8 + j4x1_8;
-    const double K2yx_8 = j2xy_8 + K3yx_8 + l3y_8 * S3x_8;
-    const double t2_8 = n2_8 + qdd[15] * K2yz_6 + w1zz_8 * K2yx_8;
+    const double K2yx_8 = s2_8 * j2u_8 + K3yx_8 + l3y_8 * S3x_8;
+    const double t2_8 = n2_8 + qdd[15] * (4.1084485632e-07 * s2_8 + K3yz_6) + w1zz_8 * K2yx_8;
     tau[16] = t2_8;
     const double R2yx_8 = qd[16] * K2yx_8 + qd[17] * K3yx_8 + t11 * K4yx_8;
     const double w_2y_8 = qd[15] + qd[15];
@@ -3101,14 +2803,11 @@ void hand_inverse_dynamics(const double q[SINEW_AT_LEAST(18)], const double qd[S
         + 4.1084485632e-07 * e2x_8;
     const double S2x_8 = j2x1_8 + S3x_8;
     const double a1y_8 = g[12] * s1_8 - g[13] * c1_8;
-    const double b2y_6 = a1y_8 + 0.0048 * qdd[15];
-    const double t17 = t16 + b2y_6 * S2x_8 - w_2y_8 * R2yx_8 + 1.271808e-05 * a1x_8 + 4.66944e-05
-        * a1y_8;
+    const double t17 = t16 + (a1y_8 + 0.0048 * qdd[15]) * S2x_8 - w_2y_8 * R2yx_8 + 1.271808e-05
+        * a1x_8;
     const double S3y_8 = j3y1_8 + j4y1_8;
-    const double S2y_8 = j2y1_8 + S3y_8;
-    const double R2y_8 = qd[16] * S2y_8 + qd[17] * S3y_8 + t11 * j4y1_8;
-    const double P2z_8 = qdd[15] * S2x_8 - w_2y_8 * R2y_8;
-    const double N1z_8 = t17 + 0.0048 * P2z_8;
+    const double R2y_8 = qd[16] * (j2y1_8 + S3y_8) + qd[17] * S3y_8 + t11 * j4y1_8;
+    const double N1z_8 = t17 + 4.66944e-05 * a1y_8 + 0.0048 * (qdd[15] * S2x_8 - w_2y_8 * R2y_8);
     tau[15] = N1z_8;
     const double a1x_6 = g[9] * c1_6 + g[10] * s1_6;
     const double w1zz_6 = qd[12] * qd[12];
@@ -3120,22 +2819,19 @@ void hand_inverse_dynamics(const double q[SINEW_AT_LEAST(18)], const double qd[S
     const double w3zz_6 = w3z_6 * w3z_6;
     const double al3z_6 = qdd[13] + qdd[14];
     const double e3x_6 = c3_6 * w3zz_6 + s3_6 * al3z_6;
-    const double a4x_6 = a3x_6 + 0.0298 * e3x_6;
     const double j4y1_6 = 3.015e-05 * s4_6;
     const double e3y_6 = c3_6 * al3z_6 - s3_6 * w3zz_6;
-    const double e2y_6 = qdd[13] * c2_6 - s2_6 * w2zz_6;
-    const double a3y_6 = g[11] - 0.04038 * e2y_6;
-    const double a4y_6 = a3y_6 - 0.0298 * e3y_6;
+    const double a3y_6 = g[11] - 0.04038 * (qdd[13] * c2_6 - s2_6 * w2zz_6);
     const double j4x1_6 = 3.015e-05 * c4_6;
     const double al4z_6 = al3z_6 + 1.2222222222222223 * qdd[14];
-    const double n4_6 = 4.3101e-07 * al4z_6 - j4x1_6 * a4y_6 + j4y1_6 * a4x_6;
+    const double n4_6 = 4.3101e-07 * al4z_6 - j4x1_6 * (a3y_6 - 0.0298 * e3y_6) + j4y1_6 * (a3x_6
+        + 0.0298 * e3x_6);
     const double j3x1_6 = 0.0001788 * c3_6;
     const double j3y1_6 = 0.0001788 * s3_6;
     const double t18 = 1.2222222222222223 * qd[14];
     const double w4z_6 = w3z_6 + t18;
     const double w4zz_6 = w4z_6 * w4z_6;
-    const double e4y_6 = c4_6 * al4z_6 - s4_6 * w4zz_6;
-    const double F4y_6 = 3.015e-05 * e4y_6;
+    const double F4y_6 = 3.015e-05 * (c4_6 * al4z_6 - s4_6 * w4zz_6);
     const double l4x_6 = 0.0298 * c3_6;
     const double t19 = n4_6 + 4.4942e-06 * al3z_6 - j3x1_6 * a3y_6 + j3y1_6 * a3x_6 + l4x_6 * F4y_6;
     const double e4x_6 = c4_6 * w4zz_6 + s4_6 * al4z_6;
@@ -3143,34 +2839,26 @@ void hand_inverse_dynamics(const double q[SINEW_AT_LEAST(18)], const double qd[S
     const double l4y_6 = 0.0298 * s3_6;
     const double n3_6 = t19 + l4y_6 * F4x_6;
     const double j4yz_4 = 1.613025e-07 * s4_6;
-    const double j3yz_4 = 7.0179e-07 * s3_6;
-    const double K3yz_4 = j3yz_4 + j4yz_4;
+    const double K3yz_4 = 7.0179e-07 * s3_6 + j4yz_4;
     const double l3x_6 = 0.04038 * c2_6;
     const double o4x_6 = l3x_6 + l4x_6;
     const double j4u_6 = 3.7701e-07 * c4_6;
-    const double j4xy_6 = s4_6 * j4u_6;
-    const double K4yx_6 = j4xy_6 + o4x_6 * j4y1_6;
+    const double K4yx_6 = s4_6 * j4u_6 + o4x_6 * j4y1_6;
     const double j3u_6 = 4.3862e-06 * c3_6;
-    const double j3xy_6 = s3_6 * j3u_6;
-    const double K3yx_6 = j3xy_6 + K4yx_6 + l3x_6 * j3y1_6 + l4y_6 * j4x1_6;
+    const double K3yx_6 = s3_6 * j3u_6 + K4yx_6 + l3x_6 * j3y1_6 + l4y_6 * j4x1_6;
     const double t3_6 = n3_6 + qdd[12] * K3yz_4 + w1zz_6 * K3yx_6;
     const double t4_6 = n4_6 + qdd[12] * j4yz_4 + w1zz_6 * K4yx_6;
     tau[14] = t3_6 + 1.2222222222222223 * t4_6;
     const double j2x1_6 = 0.00054513 * c2_6;
     const double j2y1_6 = 0.00054513 * s2_6;
-    const double F3y_6 = F4y_6 + 0.0001788 * e3y_6;
     const double t20 = n3_6 + 1.96475328e-05 * qdd[13] - g[11] * j2x1_6 + b2x_4 * j2y1_6 + l3x_6
-        * F3y_6;
-    const double F3x_6 = F4x_6 + 0.0001788 * e3x_6;
+        * (F4y_6 + 0.0001788 * e3y_6);
     const double l3y_6 = 0.04038 * s2_6;
-    const double n2_6 = t20 + l3y_6 * F3x_6;
-    const double j2yz_4 = 1.253799e-06 * s2_6;
-    const double K2yz_4 = j2yz_4 + K3yz_4;
+    const double n2_6 = t20 + l3y_6 * (F4x_6 + 0.0001788 * e3x_6);
     const double j2u_6 = 1.94855328e-05 * c2_6;
-    const double j2xy_6 = s2_6 * j2u_6;
     const double S3x_6 = j3x1_6 + j4x1_6;
-    const double K2yx_6 = j2xy_6 + K3yx_6 + l3y_6 * S3x_6;
-    const double t2_6 = n2_6 + qdd[12] * K2yz_4 + w1zz_6 * K2yx_6;
+    const double K2yx_6 = s2_6 * j2u_6 + K3yx_6 + l3y_6 * S3x_6;
+    const double t2_6 = n2_6 + qdd[12] * (1.253799e-06 * s2_6 + K3yz_4) + w1zz_6 * K2yx_6;
     tau[13] = t2_6;
     const double R2yx_6 = qd[13] * K2yx_6 + qd[14] * K3yx_6 + t18 * K4yx_6;
     const double w_2y_6 = qd[12] + qd[12];
@@ -3178,15 +2866,12 @@ void hand_inverse_dynamics(const double q[SINEW_AT_LEAST(18)], const double qd[S
     const double t22 = qdd[12] * (t21 + l4x_6 * j4x1_6 + l3x_6 * S3x_6 + 1.1373675000000002e-06);
     const double S2x_6 = j2x1_6 + S3x_6;
     const double a1y_6 = g[9] * s1_6 - g[10] * c1_6;
-    const double b2y_4 = a1y_6 + 0.006 * qdd[12];
     const double t23 = t22 + 1.613025e-07 * e4x_6 + 7.0179e-07 * e3x_6 + 1.253799e-06 * e2x_6
-        + b2y_4 * S2x_6;
+        + (a1y_6 + 0.006 * qdd[12]) * S2x_6;
     const double S3y_6 = j3y1_6 + j4y1_6;
-    const double S2y_6 = j2y1_6 + S3y_6;
-    const double R2y_6 = qd[13] * S2y_6 + qd[14] * S3y_6 + t18 * j4y1_6;
-    const double P2z_6 = qdd[12] * S2x_6 - w_2y_6 * R2y_6;
+    const double R2y_6 = qd[13] * (j2y1_6 + S3y_6) + qd[14] * S3y_6 + t18 * j4y1_6;
     const double N1z_6 = t23 - w_2y_6 * R2yx_6 + 3.105e-05 * a1x_6 + 0.000114 * a1y_6 + 0.006
-        * P2z_6;
+        * (qdd[12] * S2x_6 - w_2y_6 * R2y_6);
     tau[12] = N1z_6;
     const double a1x_4 = g[6] * c1_4 + g[7] * s1_4;
     const double w1zz_4 = qd[8] * qd[8];
@@ -3198,58 +2883,45 @@ void hand_inverse_dynamics(const double q[SINEW_AT_LEAST(18)], const double qd[S
     const double w3zz_4 = w3z_4 * w3z_4;
     const double al3z_4 = qdd[9] + qdd[10];
     const double e3x_4 = c3_4 * w3zz_4 + s3_4 * al3z_4;
-    const double a4x_4 = a3x_4 + 0.032184 * e3x_4;
     const double j4y1_4 = 4.101874214400001e-05 * s4_4;
     const double e3y_4 = c3_4 * al3z_4 - s3_4 * w3zz_4;
-    const double e2y_4 = qdd[9] * c2_4 - s2_4 * w2zz_4;
-    const double a3y_4 = g[8] - 0.0436104 * e2y_4;
-    const double a4y_4 = a3y_4 - 0.032184 * e3y_4;
+    const double a3y_4 = g[8] - 0.0436104 * (qdd[9] * c2_4 - s2_4 * w2zz_4);
     const double j4x1_4 = 4.101874214400001e-05 * c4_4;
     const double al4z_4 = qdd[11] + al3z_4;
-    const double n4_4 = 6.27635460330976e-07 * al4z_4 - j4x1_4 * a4y_4 + j4y1_4 * a4x_4;
+    const double n4_4 = 6.27635460330976e-07 * al4z_4 - j4x1_4 * (a3y_4 - 0.032184 * e3y_4) + j4y1_4
+        * (a3x_4 + 0.032184 * e3x_4);
     const double j4yz_2 = 2.3700629210803204e-07 * s4_4;
     const double l4x_4 = 0.032184 * c3_4;
     const double l3x_4 = 0.0436104 * c2_4;
     const double o4x_4 = l3x_4 + l4x_4;
     const double j4u_4 = 5.59611012330976e-07 * c4_4;
-    const double j4xy_4 = s4_4 * j4u_4;
-    const double K4yx_4 = j4xy_4 + o4x_4 * j4y1_4;
-    const double t4_4 = n4_4 + qdd[8] * j4yz_2 + w1zz_4 * K4yx_4;
-    tau[11] = t4_4;
+    const double K4yx_4 = s4_4 * j4u_4 + o4x_4 * j4y1_4;
+    tau[11] = n4_4 + qdd[8] * j4yz_2 + w1zz_4 * K4yx_4;
     const double j3x1_4 = 0.000243255426048 * c3_4;
     const double j3y1_4 = 0.000243255426048 * s3_4;
     const double w4z_4 = qd[11] + w3z_4;
     const double w4zz_4 = w4z_4 * w4z_4;
-    const double e4y_4 = c4_4 * al4z_4 - s4_4 * w4zz_4;
-    const double F4y_4 = 4.101874214400001e-05 * e4y_4;
+    const double F4y_4 = 4.101874214400001e-05 * (c4_4 * al4z_4 - s4_4 * w4zz_4);
     const double t24 = n4_4 + 6.592134974646623e-06 * al3z_4 - j3x1_4 * a3y_4 + j3y1_4 * a3x_4
         + l4x_4 * F4y_4;
     const double e4x_4 = c4_4 * w4zz_4 + s4_4 * al4z_4;
     const double F4x_4 = 4.101874214400001e-05 * e4x_4;
     const double l4y_4 = 0.032184 * s3_4;
     const double n3_4 = t24 + l4y_4 * F4x_4;
-    const double j3yz_2 = 1.031159751017472e-06 * s3_4;
-    const double K3yz_2 = j3yz_2 + j4yz_2;
+    const double K3yz_2 = 1.031159751017472e-06 * s3_4 + j4yz_2;
     const double j3u_4 = 6.456086078646624e-06 * c3_4;
-    const double j3xy_4 = s3_4 * j3u_4;
-    const double K3yx_4 = j3xy_4 + K4yx_4 + l3x_4 * j3y1_4 + l4y_4 * j4x1_4;
-    const double t3_4 = n3_4 + qdd[8] * K3yz_2 + w1zz_4 * K3yx_4;
-    tau[10] = t3_4;
+    const double K3yx_4 = s3_4 * j3u_4 + K4yx_4 + l3x_4 * j3y1_4 + l4y_4 * j4x1_4;
+    tau[10] = n3_4 + qdd[8] * K3yz_2 + w1zz_4 * K3yx_4;
     const double j2x1_4 = 0.0007416433467648001 * c2_4;
     const double j2y1_4 = 0.0007416433467648001 * s2_4;
-    const double F3y_4 = F4y_4 + 0.000243255426048 * e3y_4;
     const double t25 = n3_4 + 2.8851692681126364e-05 * qdd[9] - g[8] * j2x1_4 + b2x_2 * j2y1_4
-        + l3x_4 * F3y_4;
-    const double F3x_4 = F4x_4 + 0.000243255426048 * e3x_4;
+        + l3x_4 * (F4y_4 + 0.000243255426048 * e3y_4);
     const double l3y_4 = 0.0436104 * s2_4;
-    const double n2_4 = t25 + l3y_4 * F3x_4;
-    const double j2yz_2 = 1.8422420733637633e-06 * s2_4;
-    const double K2yz_2 = j2yz_2 + K3yz_2;
+    const double n2_4 = t25 + l3y_4 * (F4x_4 + 0.000243255426048 * e3x_4);
     const double j2u_4 = 2.8647619337126362e-05 * c2_4;
-    const double j2xy_4 = s2_4 * j2u_4;
     const double S3x_4 = j3x1_4 + j4x1_4;
-    const double K2yx_4 = j2xy_4 + K3yx_4 + l3y_4 * S3x_4;
-    const double t2_4 = n2_4 + qdd[8] * K2yz_2 + w1zz_4 * K2yx_4;
+    const double K2yx_4 = s2_4 * j2u_4 + K3yx_4 + l3y_4 * S3x_4;
+    const double t2_4 = n2_4 + qdd[8] * (1.8422420733637633e-06 * s2_4 + K3yz_2) + w1zz_4 * K2yx_4;
     tau[9] = t2_4;
     const double R2yx_4 = qd[9] * K2yx_4 + qd[10] * K3yx_4 + qd[11] * K4yx_4;
     const double w_2y_4 = qd[8] + qd[8];
@@ -3258,16 +2930,13 @@ void hand_inverse_dynamics(const double q[SINEW_AT_LEAST(18)], const double qd[S
         + 2.3700629210803204e-07 * e4x_4;
     const double S2x_4 = j2x1_4 + S3x_4;
     const double a1y_4 = g[6] * s1_4 - g[7] * c1_4;
-    const double b2y_2 = a1y_4 + 0.00648 * qdd[8];
-    const double t28 = t27 + 1.031159751017472e-06 * e3x_4 + 1.8422420733637633e-06 * e2x_4 + b2y_2
-        * S2x_4;
+    const double t28 = t27 + 1.031159751017472e-06 * e3x_4 + 1.8422420733637633e-06 * e2x_4 + (a1y_4
+        + 0.00648 * qdd[8]) * S2x_4;
     const double t29 = t28 - w_2y_4 * R2yx_4 + 4.2243182208000006e-05 * a1x_4 + 0.00015509574144
         * a1y_4;
     const double S3y_4 = j3y1_4 + j4y1_4;
-    const double S2y_4 = j2y1_4 + S3y_4;
-    const double R2y_4 = qd[9] * S2y_4 + qd[10] * S3y_4 + qd[11] * j4y1_4;
-    const double P2z_4 = qdd[8] * S2x_4 - w_2y_4 * R2y_4;
-    const double N1z_4 = t29 + 0.00648 * P2z_4;
+    const double R2y_4 = qd[9] * (j2y1_4 + S3y_4) + qd[10] * S3y_4 + qd[11] * j4y1_4;
+    const double N1z_4 = t29 + 0.00648 * (qdd[8] * S2x_4 - w_2y_4 * R2y_4);
     tau[8] = N1z_4;
     const double a1x_2 = g[3] * c1_2 + g[4] * s1_2;
     const double w1zz_2 = qd[4] * qd[4];
@@ -3279,57 +2948,44 @@ void hand_inverse_dynamics(const double q[SINEW_AT_LEAST(18)], const double qd[S
     const double w3zz_2 = w3z_2 * w3z_2;
     const double al3z_2 = qdd[5] + qdd[6];
     const double e3x_2 = c3_2 * w3zz_2 + s3_2 * al3z_2;
-    const double a4x_2 = a3x_2 + 0.0298 * e3x_2;
     const double j4y1_2 = 3.015e-05 * s4_2;
     const double e3y_2 = c3_2 * al3z_2 - s3_2 * w3zz_2;
-    const double e2y_2 = qdd[5] * c2_2 - s2_2 * w2zz_2;
-    const double a3y_2 = g[5] - 0.04038 * e2y_2;
-    const double a4y_2 = a3y_2 - 0.0298 * e3y_2;
+    const double a3y_2 = g[5] - 0.04038 * (qdd[5] * c2_2 - s2_2 * w2zz_2);
     const double j4x1_2 = 3.015e-05 * c4_2;
     const double al4z_2 = qdd[7] + al3z_2;
-    const double n4_2 = 4.3101e-07 * al4z_2 - j4x1_2 * a4y_2 + j4y1_2 * a4x_2;
+    const double n4_2 = 4.3101e-07 * al4z_2 - j4x1_2 * (a3y_2 - 0.0298 * e3y_2) + j4y1_2 * (a3x_2
+        + 0.0298 * e3x_2);
     const double j4yz = 1.613025e-07 * s4_2;
     const double l4x_2 = 0.0298 * c3_2;
     const double l3x_2 = 0.04038 * c2_2;
     const double o4x_2 = l3x_2 + l4x_2;
     const double j4u_2 = 3.7701e-07 * c4_2;
-    const double j4xy_2 = s4_2 * j4u_2;
-    const double K4yx_2 = j4xy_2 + o4x_2 * j4y1_2;
-    const double t4_2 = n4_2 + qdd[4] * j4yz + w1zz_2 * K4yx_2;
-    tau[7] = t4_2;
+    const double K4yx_2 = s4_2 * j4u_2 + o4x_2 * j4y1_2;
+    tau[7] = n4_2 + qdd[4] * j4yz + w1zz_2 * K4yx_2;
     const double j3x1_2 = 0.0001788 * c3_2;
     const double j3y1_2 = 0.0001788 * s3_2;
     const double w4z_2 = qd[7] + w3z_2;
     const double w4zz_2 = w4z_2 * w4z_2;
-    const double e4y_2 = c4_2 * al4z_2 - s4_2 * w4zz_2;
-    const double F4y_2 = 3.015e-05 * e4y_2;
+    const double F4y_2 = 3.015e-05 * (c4_2 * al4z_2 - s4_2 * w4zz_2);
     const double t30 = n4_2 + 4.4942e-06 * al3z_2 - j3x1_2 * a3y_2 + j3y1_2 * a3x_2 + l4x_2 * F4y_2;
     const double e4x_2 = c4_2 * w4zz_2 + s4_2 * al4z_2;
     const double F4x_2 = 3.015e-05 * e4x_2;
     const double l4y_2 = 0.0298 * s3_2;
     const double n3_2 = t30 + l4y_2 * F4x_2;
-    const double j3yz = 7.0179e-07 * s3_2;
-    const double K3yz = j3yz + j4yz;
+    const double K3yz = 7.0179e-07 * s3_2 + j4yz;
     const double j3u_2 = 4.3862e-06 * c3_2;
-    const double j3xy_2 = s3_2 * j3u_2;
-    const double K3yx_2 = j3xy_2 + K4yx_2 + l3x_2 * j3y1_2 + l4y_2 * j4x1_2;
-    const double t3_2 = n3_2 + qdd[4] * K3yz + w1zz_2 * K3yx_2;
-    tau[6] = t3_2;
+    const double K3yx_2 = s3_2 * j3u_2 + K4yx_2 + l3x_2 * j3y1_2 + l4y_2 * j4x1_2;
+    tau[6] = n3_2 + qdd[4] * K3yz + w1zz_2 * K3yx_2;
     const double j2x1_2 = 0.00054513 * c2_2;
     const double j2y1_2 = 0.00054513 * s2_2;
-    const double F3y_2 = F4y_2 + 0.0001788 * e3y_2;
     const double t31 = n3_2 + 1.96475328e-05 * qdd[5] - g[5] * j2x1_2 + b2x * j2y1_2 + l3x_2
-        * F3y_2;
-    const double F3x_2 = F4x_2 + 0.0001788 * e3x_2;
+        * (F4y_2 + 0.0001788 * e3y_2);
     const double l3y_2 = 0.04038 * s2_2;
-    const double n2_2 = t31 + l3y_2 * F3x_2;
-    const double j2yz = 1.253799e-06 * s2_2;
-    const double K2yz = j2yz + K3yz;
+    const double n2_2 = t31 + l3y_2 * (F4x_2 + 0.0001788 * e3x_2);
     const double j2u_2 = 1.94855328e-05 * c2_2;
-    const double j2xy_2 = s2_2 * j2u_2;
     const double S3x_2 = j3x1_2 + j4x1_2;
-    const double K2yx_2 = j2xy_2 + K3yx_2 + l3y_2 * S3x_2;
-    const double t2_2 = n2_2 + qdd[4] * K2yz + w1zz_2 * K2yx_2;
+    const double K2yx_2 = s2_2 * j2u_2 + K3yx_2 + l3y_2 * S3x_2;
+    const double t2_2 = n2_2 + qdd[4] * (1.253799e-06 * s2_2 + K3yz) + w1zz_2 * K2yx_2;
     tau[5] = t2_2;
     const double R2yx_2 = qd[5] * K2yx_2 + qd[6] * K3yx_2 + qd[7] * K4yx_2;
     const double w_2y_2 = qd[4] + qd[4];
@@ -3338,74 +2994,57 @@ void hand_inverse_dynamics(const double q[SINEW_AT_LEAST(18)], const double qd[S
         + 1.613025e-07 * e4x_2;
     const double S2x_2 = j2x1_2 + S3x_2;
     const double a1y_2 = g[3] * s1_2 - g[4] * c1_2;
-    const double b2y = a1y_2 + 0.006 * qdd[4];
-    const double t34 = t33 + 7.0179e-07 * e3x_2 + 1.253799e-06 * e2x_2 + b2y * S2x_2 - w_2y_2
-        * R2yx_2;
+    const double t34 = t33 + 7.0179e-07 * e3x_2 + 1.253799e-06 * e2x_2 + (a1y_2 + 0.006 * qdd[4])
+        * S2x_2;
     const double S3y_2 = j3y1_2 + j4y1_2;
-    const double S2y_2 = j2y1_2 + S3y_2;
-    const double R2y_2 = qd[5] * S2y_2 + qd[6] * S3y_2 + qd[7] * j4y1_2;
-    const double P2z_2 = qdd[4] * S2x_2 - w_2y_2 * R2y_2;
-    const double N1z_2 = t34 + 3.105e-05 * a1x_2 + 0.000114 * a1y_2 + 0.006 * P2z_2;
+    const double R2y_2 = qd[5] * (j2y1_2 + S3y_2) + qd[6] * S3y_2 + qd[7] * j4y1_2;
+    const double N1z_2 = t34 - w_2y_2 * R2yx_2 + 3.105e-05 * a1x_2 + 0.000114 * a1y_2 + 0.006
+        * (qdd[4] * S2x_2 - w_2y_2 * R2y_2);
     tau[4] = N1z_2;
     const double w3z = qd[1] + qd[2];
     const double w3zz = w3z * w3z;
     const double al3z = qdd[1] + qdd[2];
     const double e3y = c3 * al3z - s3 * w3zz;
     const double w2zz = qd[1] * qd[1];
-    const double e2y = qdd[1] * c2 - s2 * w2zz;
-    const double a3y = g[2] - 0.045 * e2y;
-    const double a4y = a3y - 0.0298 * e3y;
+    const double a3y = g[2] - 0.045 * (qdd[1] * c2 - s2 * w2zz);
     const double j4x1 = 3.015e-05 * c4;
     const double al4z = qdd[3] + al3z;
-    const double e2x = qdd[1] * s2 + c2 * w2zz;
     const double a1x = g[0] * c1 + g[1] * s1;
-    const double a3x = a1x + 0.045 * e2x;
+    const double a3x = a1x + 0.045 * (qdd[1] * s2 + c2 * w2zz);
     const double e3x = c3 * w3zz + s3 * al3z;
-    const double a4x = a3x + 0.0298 * e3x;
     const double j4y1 = 3.015e-05 * s4;
-    const double n4 = 4.3101e-07 * al4z - j4x1 * a4y + j4y1 * a4x;
+    const double n4 = 4.3101e-07 * al4z - j4x1 * (a3y - 0.0298 * e3y) + j4y1 * (a3x + 0.0298 * e3x);
     const double l4x = 0.0298 * c3;
     const double l3x = 0.045 * c2;
     const double o4x = l3x + l4x;
     const double j4u = 3.7701e-07 * s4;
-    const double j4xy = c4 * j4u;
-    const double K4yx = j4xy + o4x * j4y1;
+    const double K4yx = c4 * j4u + o4x * j4y1;
     const double w1zz = qd[0] * qd[0];
-    const double t4 = n4 + w1zz * K4yx;
-    tau[3] = t4;
+    tau[3] = n4 + w1zz * K4yx;
     const double j3x1 = 0.0001788 * c3;
     const double j3y1 = 0.0001788 * s3;
     const double w4z = qd[3] + w3z;
     const double w4zz = w4z * w4z;
-    const double e4x = c4 * al4z - s4 * w4zz;
-    const double F4y = 3.015e-05 * e4x;
-    const double e4y = c4 * w4zz + s4 * al4z;
-    const double F4x = 3.015e-05 * e4y;
+    const double F4y = 3.015e-05 * (c4 * al4z - s4 * w4zz);
+    const double F4x = 3.015e-05 * (c4 * w4zz + s4 * al4z);
     const double l4y = 0.0298 * s3;
     const double n3 = n4 + 4.4942e-06 * al3z - j3x1 * a3y + j3y1 * a3x + l4x * F4y + l4y * F4x;
     const double j3u = 4.3862e-06 * c3;
-    const double j3xy = s3 * j3u;
-    const double K3yx = j3xy + K4yx + l3x * j3y1 + l4y * j4x1;
-    const double t3 = n3 + w1zz * K3yx;
-    tau[2] = t3;
+    const double K3yx = s3 * j3u + K4yx + l3x * j3y1 + l4y * j4x1;
+    tau[2] = n3 + w1zz * K3yx;
     const double j2x1 = 0.0006075 * c2;
-    const double F3y = F4y + 0.0001788 * e3y;
-    const double t35 = n3 + 2.4381e-05 * qdd[1] - g[2] * j2x1 + a1x * 0.0006075 * s2 + l3x * F3y;
-    const double F3x = F4x + 0.0001788 * e3x;
+    const double t35 = n3 + 2.4381e-05 * qdd[1] - g[2] * j2x1 + a1x * 0.0006075 * s2 + l3x * (F4y
+        + 0.0001788 * e3y);
     const double l3y = 0.045 * s2;
-    const double n2 = t35 + l3y * F3x;
     const double j2u = 2.4218999999999996e-05 * c2;
-    const double j2xy = s2 * j2u;
     const double S3x = j3x1 + j4x1;
-    const double K2yx = j2xy + K3yx + l3y * S3x;
-    const double t2 = n2 + w1zz * K2yx;
+    const double K2yx = s2 * j2u + K3yx + l3y * S3x;
+    const double t2 = t35 + l3y * (F4x + 0.0001788 * e3x) + w1zz * K2yx;
     tau[1] = t2;
     const double R2yx = qd[1] * K2yx + qd[2] * K3yx + qd[3] * K4yx;
-    const double w_2y = qd[0] + qd[0];
     const double t36 = c2 * j2u + c3 * j3u - s4 * j4u + o4x * j4x1 + l3x * j3x1 + l4x * j4x1 + l3x
         * S3x;
-    const double S2x = j2x1 + S3x;
-    const double a1y = g[0] * s1 - g[1] * c1;
-    const double N1z = qdd[0] * (t36 + 7.2501e-07) + a1y * S2x - w_2y * R2yx;
+    const double N1z = qdd[0] * (t36 + 7.2501e-07) + (g[0] * s1 - g[1] * c1) * (j2x1 + S3x) - (qd[0]
+        + qd[0]) * R2yx;
     tau[0] = N1z;
 }

@@ -45,18 +45,14 @@ SINEW_NOT_INLINE static void lever_part_1(double theta_start, double dL_target,
     const double C2_y = 0.005 - 0.014 * sin_theta;
     const double t2 = C2_y * C2_y;
     const double s23_distance_squared = sinew_max(t2 + s23_x * s23_x, 1e-10);
-    const double s23_margin = 6.4e-05 - s23_distance_squared;
-    const double s23_length = sinew_sqrt(sinew_max(-s23_margin, 1e-10));
+    const double s23_length = sinew_sqrt(sinew_max(-(6.4e-05 - s23_distance_squared), 1e-10));
     const double s23_v = 0.008 * s23_x - C2_y * s23_length;
     const double s12_distance_squared = sinew_max(C2_x * C2_x + t2, 1e-10);
-    const double s12_margin = 8.1e-05 - s12_distance_squared;
-    const double s12_length = sinew_sqrt(sinew_max(-s12_margin, 1e-10));
+    const double s12_length = sinew_sqrt(sinew_max(-(8.1e-05 - s12_distance_squared), 1e-10));
     const double s12_v = 0.009 * C2_x - C2_y * s12_length;
     const double s23_u = 0.008 * C2_y + s23_x * s23_length;
     const double s12_u = 0.009 * C2_y + C2_x * s12_length;
-    const double s23_angle = sinew_one_atan2(-s23_v, s23_u);
-    const double s12_angle = sinew_one_atan2(s12_v, s12_u);
-    const double t3 = dL_target - s12_length - s23_length + 0.008 * s23_angle - 0.009 * s12_angle;
+    const double t3 = dL_target - s12_length - s23_length + 0.008 * sinew_one_atan2(-s23_v, s23_u);
     part[0] = cos_theta;
     part[1] = sin_theta;
     part[2] = s23_distance_squared;
@@ -65,7 +61,7 @@ SINEW_NOT_INLINE static void lever_part_1(double theta_start, double dL_target,
     part[5] = s12_v;
     part[6] = s23_u;
     part[7] = s12_u;
-    part[8] = t3;
+    part[8] = t3 - 0.009 * sinew_one_atan2(s12_v, s12_u);
 }
 
 SINEW_NOT_INLINE static void lever_part_2(double theta_start, double dL_target,
@@ -74,18 +70,13 @@ SINEW_NOT_INLINE static void lever_part_2(double theta_start, double dL_target,
     double part_1[9];
     lever_part_1(theta_start, dL_target, part_1);
     const double t1 = 1.0 / part_1[2];
-    const double s23_along_y = part_1[3] * t1;
     const double t2 = 1.0 / part_1[4];
-    const double s12_along_y = part_1[5] * t2;
-    const double s23_along_x = part_1[6] * t1;
-    const double s12_along_x = part_1[7] * t2;
-    const double dL_slope = 0.014 * part_1[0] * (s12_along_y + s23_along_y) - 0.014 * part_1[1]
-        * (s12_along_x - s23_along_x);
+    const double dL_slope = 0.014 * part_1[0] * (part_1[5] * t2 + part_1[3] * t1) - 0.014
+        * part_1[1] * (part_1[7] * t2 - part_1[6] * t1);
     const double dL_safe_slope = sinew_choose(dL_slope, sinew_max(dL_slope, 1.4e-08),
         sinew_min(dL_slope, -1.4e-08));
-    const double theta_next = theta_start + part_1[8] / dL_safe_slope;
-    const double theta_limited = sinew_min(sinew_max(theta_next, 0.09548248781986068),
-        0.8377580409572781);
+    const double theta_limited = sinew_min(sinew_max(theta_start + part_1[8] / dL_safe_slope,
+        0.09548248781986068), 0.8377580409572781);
     part[0] = theta_limited;
 }
 
@@ -161,21 +152,16 @@ void lever_state(double theta, double out[SINEW_AT_LEAST(4)])
     const double spring_length_squared = 0.000769 - 0.024 * spring_y + 0.04 * spring_x;
     const double spring_length = sinew_sqrt(spring_length_squared);
     const double t13 = 1.0 / spring_length;
-    const double spring_strain = 1.0 - 0.018138347076759653 * t13;
-    const double t14 = 6400.0 * spring_strain;
+    const double t14 = 6400.0 * (1.0 - 0.018138347076759653 * t13);
     const double spring_moment = 0.012 * spring_x + 0.02 * spring_y;
-    const double energy_slope = t14 * spring_moment;
-    const double force = energy_slope * t12;
-    const double spring_length_by_theta = spring_moment * t13;
-    const double spring_strain_by_theta = 0.018138347076759653 * spring_length_by_theta
+    const double force = t14 * spring_moment * t12;
+    const double spring_strain_by_theta = 0.018138347076759653 * (spring_moment * t13)
         / (spring_length * spring_length);
-    const double spring_moment_by_theta = 0.012 * spring_y - 0.02 * spring_x;
-    const double energy_slope_by_theta = t14 * spring_moment_by_theta + 6400.0 * spring_moment
-        * spring_strain_by_theta;
+    const double energy_slope_by_theta = t14 * (0.012 * spring_y - 0.02 * spring_x) + 6400.0
+        * spring_moment * spring_strain_by_theta;
     const double force_by_theta = (energy_slope_by_theta + force * dL_safe_slope_by_theta) * t12;
-    const double s23_angle = sinew_one_atan2(-s23_v, s23_u);
-    const double s12_angle = sinew_one_atan2(s12_v, s12_u);
-    const double dL = s12_length + s23_length - 0.008 * s23_angle + 0.009 * s12_angle;
+    const double dL = s12_length + s23_length - 0.008 * sinew_one_atan2(-s23_v, s23_u) + 0.009
+        * sinew_one_atan2(s12_v, s12_u);
     out[0] = dL;
     out[1] = 0.04541547683053999 - dL;
     out[2] = force;
@@ -194,30 +180,21 @@ void lever_slope(double theta, double out[SINEW_AT_LEAST(2)])
     const double C2_y = 0.005 - t3;
     const double t4 = C2_y * C2_y;
     const double s23_distance_squared = sinew_max(t4 + s23_x * s23_x, 1e-10);
-    const double s23_margin = 6.4e-05 - s23_distance_squared;
-    const double s23_length = sinew_sqrt(sinew_max(-s23_margin, 1e-10));
-    const double s23_v = 0.008 * s23_x - C2_y * s23_length;
+    const double s23_length = sinew_sqrt(sinew_max(-(6.4e-05 - s23_distance_squared), 1e-10));
     const double t5 = 1.0 / s23_distance_squared;
-    const double s23_along_y = s23_v * t5;
     const double s12_distance_squared = sinew_max(C2_x * C2_x + t4, 1e-10);
-    const double s12_margin = 8.1e-05 - s12_distance_squared;
-    const double s12_length = sinew_sqrt(sinew_max(-s12_margin, 1e-10));
-    const double s12_v = 0.009 * C2_x - C2_y * s12_length;
+    const double s12_length = sinew_sqrt(sinew_max(-(8.1e-05 - s12_distance_squared), 1e-10));
     const double t6 = 1.0 / s12_distance_squared;
-    const double s12_along_y = s12_v * t6;
-    const double s23_u = 0.008 * C2_y + s23_x * s23_length;
-    const double s23_along_x = s23_u * t5;
-    const double s12_u = 0.009 * C2_y + C2_x * s12_length;
-    const double s12_along_x = s12_u * t6;
-    const double dL_slope = t2 * (s12_along_y + s23_along_y) - t3 * (s12_along_x - s23_along_x);
+    const double t7 = (0.009 * C2_x - C2_y * s12_length) * t6 + (0.008 * s23_x - C2_y * s23_length)
+        * t5;
+    const double t8 = (0.009 * C2_y + C2_x * s12_length) * t6 - (0.008 * C2_y + s23_x * s23_length)
+        * t5;
     const double spring_y = 0.00964181414529809 * sin_theta + 0.01149066664678467 * cos_theta;
     const double spring_x = 0.00964181414529809 * cos_theta - 0.01149066664678467 * sin_theta;
     const double spring_length_squared = 0.000769 - 0.024 * spring_y + 0.04 * spring_x;
-    const double spring_length = sinew_sqrt(spring_length_squared);
-    const double spring_strain = 1.0 - 0.018138347076759653 / spring_length;
-    const double spring_moment = 0.012 * spring_x + 0.02 * spring_y;
-    const double energy_slope = 6400.0 * spring_strain * spring_moment;
-    out[0] = dL_slope;
+    const double spring_strain = 1.0 - 0.018138347076759653 / sinew_sqrt(spring_length_squared);
+    const double energy_slope = 6400.0 * spring_strain * (0.012 * spring_x + 0.02 * spring_y);
+    out[0] = t2 * t7 - t3 * t8;
     out[1] = -energy_slope;
 }
 
@@ -255,26 +232,20 @@ void lever_status(double theta, int *status)
     const double C2_y = 0.005 - t3;
     const double t4 = C2_y * C2_y;
     const double s23_distance_squared = sinew_max(t4 + s23_x * s23_x, 1e-10);
-    const double s23_margin = 6.4e-05 - s23_distance_squared;
-    const double t5 = -s23_margin;
+    const double t5 = -(6.4e-05 - s23_distance_squared);
     const double s23_length = sinew_sqrt(sinew_max(t5, 1e-10));
-    const double s23_v = 0.008 * s23_x - C2_y * s23_length;
     const double t6 = 1.0 / s23_distance_squared;
-    const double s23_along_y = s23_v * t6;
     const double s12_distance_squared = sinew_max(C2_x * C2_x + t4, 1e-10);
-    const double s12_margin = 8.1e-05 - s12_distance_squared;
-    const double t7 = -s12_margin;
+    const double t7 = -(8.1e-05 - s12_distance_squared);
     const double s12_length = sinew_sqrt(sinew_max(t7, 1e-10));
-    const double s12_v = 0.009 * C2_x - C2_y * s12_length;
     const double t8 = 1.0 / s12_distance_squared;
-    const double s12_along_y = s12_v * t8;
-    const double s23_u = 0.008 * C2_y + s23_x * s23_length;
-    const double s23_along_x = s23_u * t6;
-    const double s12_u = 0.009 * C2_y + C2_x * s12_length;
-    const double s12_along_x = s12_u * t8;
-    const double dL_slope = t2 * (s12_along_y + s23_along_y) - t3 * (s12_along_x - s23_along_x);
-    const double t9 = sinew_choose(-(1.4e-08 - sinew_max(dL_slope, -dL_slope)),
+    const double t9 = (0.009 * C2_x - C2_y * s12_length) * t8 + (0.008 * s23_x - C2_y * s23_length)
+        * t6;
+    const double t10 = (0.009 * C2_y + C2_x * s12_length) * t8 - (0.008 * C2_y + s23_x * s23_length)
+        * t6;
+    const double dL_slope = t2 * t9 - t3 * t10;
+    const double t11 = sinew_choose(-(1.4e-08 - sinew_max(dL_slope, -dL_slope)),
         sinew_choose(sinew_min(t7, t5), 0.0, 1.0), 1.0);
-    const double t10 = theta - sinew_min(sinew_max(theta, 0.09548248781986068), 0.8377580409572781);
-    *status = (int)sinew_choose(-sinew_max(t10, -t10), t9, 1.0);
+    const double t12 = theta - sinew_min(sinew_max(theta, 0.09548248781986068), 0.8377580409572781);
+    *status = (int)sinew_choose(-sinew_max(t12, -t12), t11, 1.0);
 }

@@ -107,27 +107,20 @@ SINEW_NOT_INLINE static void tendon_part_1(double theta_start, double x,
     const double spring_length_squared = 0.000769 - 0.024 * spring_y + 0.04 * spring_x;
     const double spring_length = sinew_sqrt(spring_length_squared);
     const double t13 = 1.0 / spring_length;
-    const double spring_strain = 1.0 - 0.018138347076759653 * t13;
-    const double t14 = 6400.0 * spring_strain;
+    const double t14 = 6400.0 * (1.0 - 0.018138347076759653 * t13);
     const double spring_moment = 0.012 * spring_x + 0.02 * spring_y;
-    const double energy_slope = t14 * spring_moment;
-    const double force = energy_slope * t12;
-    const double spring_length_by_theta = spring_moment * t13;
-    const double spring_strain_by_theta = 0.018138347076759653 * spring_length_by_theta
+    const double force = t14 * spring_moment * t12;
+    const double spring_strain_by_theta = 0.018138347076759653 * (spring_moment * t13)
         / (spring_length * spring_length);
-    const double spring_moment_by_theta = 0.012 * spring_y - 0.02 * spring_x;
-    const double energy_slope_by_theta = t14 * spring_moment_by_theta + 6400.0 * spring_moment
-        * spring_strain_by_theta;
+    const double energy_slope_by_theta = t14 * (0.012 * spring_y - 0.02 * spring_x) + 6400.0
+        * spring_moment * spring_strain_by_theta;
     const double force_by_theta = (energy_slope_by_theta + force * dL_safe_slope_by_theta) * t12;
-    const double elongation_slope = dL_safe_slope + 5e-05 * force_by_theta;
-    const double s23_angle = sinew_one_atan2(-s23_v, s23_u);
-    const double s12_angle = sinew_one_atan2(s12_v, s12_u);
-    const double t15 = x + s12_length + s23_length - 0.008 * s23_angle + 0.009 * s12_angle - 5e-05
-        * force;
+    const double t15 = x + s12_length + s23_length - 0.008 * sinew_one_atan2(-s23_v, s23_u) + 0.009
+        * sinew_one_atan2(s12_v, s12_u);
     part[0] = force;
     part[1] = force_by_theta;
-    part[2] = elongation_slope;
-    part[3] = t15;
+    part[2] = dL_safe_slope + 5e-05 * force_by_theta;
+    part[3] = t15 - 5e-05 * force;
 }
 
 void tendon_series_stiffness(double k_lever, double k[SINEW_AT_LEAST(1)])
@@ -144,9 +137,8 @@ void tendon_force(double elongation, double theta, double out[SINEW_AT_LEAST(3)]
     const double t1 = limited_elongation - 0.04541547683053999;
     double part_1[4];
     tendon_part_1(theta_start, t1, part_1);
-    const double theta_next = theta_start - part_1[3] / part_1[2];
-    const double theta_limited = sinew_min(sinew_max(theta_next, 0.09548248781986068),
-        0.8377580409572781);
+    const double theta_limited = sinew_min(sinew_max(theta_start - part_1[3] / part_1[2],
+        0.09548248781986068), 0.8377580409572781);
     double part_1_2[4];
     tendon_part_1(theta_limited, t1, part_1_2);
     const double theta_next_2 = theta_limited - part_1_2[3] / part_1_2[2];

@@ -60,8 +60,7 @@ SINEW_NOT_INLINE static void wrist_part_1(double q71, double q73, double part[SI
     const double cos_q73 = sines1.c[1];
     const double B_y = 0.074565407529229 * cos_q73;
     const double B_to_C0_squared_by_q73_by_q73 = 0.084 * B_y;
-    const double B_to_C0_squared = 0.007324 - B_to_C0_squared_by_q73_by_q73;
-    const double t2 = 1.0 / B_to_C0_squared;
+    const double t2 = 1.0 / (0.007324 - B_to_C0_squared_by_q73_by_q73);
     const double ratio = 0.003796 * t2;
     const double t3 = 21.0 - 500.0 * B_y;
     const double C_y = 0.002 * ratio * t3;
@@ -114,8 +113,7 @@ SINEW_NOT_INLINE static void wrist_part_1(double q71, double q73, double part[SI
     const double t24 = -(t23 - t22);
     const double clearance_by_q71 = sinew_choose(t24, t21 * reach_by_q71 - t20 * limited_by_q71,
         1e-12 * reach_squared_by_q71);
-    const double clearance = sinew_max(t22, t23);
-    const double root = sinew_sqrt(clearance);
+    const double root = sinew_sqrt(sinew_max(t22, t23));
     const double t25 = 1.0 / root;
     const double root_by_q71 = 0.5 * clearance_by_q71 * t25;
     const double t26 = p_y * limited_by_q71 + p_z * root_by_q71 - limited * p_y_by_q71 - root
@@ -135,13 +133,12 @@ SINEW_NOT_INLINE static void wrist_part_1(double q71, double q73, double part[SI
     const double sin_A_by_q71 = (t32 - sin_A * reach_squared_by_q71) * t28;
     const double z_x_by_q71 = t30 - cos_q71 * z_plane_x_by_q71 + t31 + sin_q71 * sin_A_by_q71;
     const double M_z = sin_q71 * M_e;
-    const double origin_x_by_q71 = M_z - 0.018 * z_x_by_q71;
     const double x_plane_x_by_q71 = u_y * sin_A_by_q71;
     const double t33 = cos_q71 * cos_A;
     const double x_plane_x = u_y * sin_A;
     const double t34 = sin_q71 * x_plane_x;
     const double x_x_by_q71 = t33 + cos_q71 * x_plane_x_by_q71 - t34 + sin_q71 * cos_A_by_q71;
-    const double t35 = origin_x_by_q71 + 0.004 * x_x_by_q71;
+    const double t35 = M_z - 0.018 * z_x_by_q71 + 0.004 * x_x_by_q71;
     const double t36 = 0.01 * z_x_by_q71;
     const double y_z = sin_q71 * u_e;
     part[1] = y_z;
@@ -149,9 +146,8 @@ SINEW_NOT_INLINE static void wrist_part_1(double q71, double q73, double part[SI
     const double layer_0_x_by_q71 = t35 + t36 - t37;
     part[2] = layer_0_x_by_q71;
     const double z_plane_y_by_q71 = u_e * cos_A_by_q71;
-    const double origin_y_by_q71 = 0.018 * z_plane_y_by_q71;
     const double t38 = 0.004 * u_e;
-    const double t39 = origin_y_by_q71 + t38 * sin_A_by_q71;
+    const double t39 = 0.018 * z_plane_y_by_q71 + t38 * sin_A_by_q71;
     const double t40 = 0.01 * z_plane_y_by_q71;
     const double layer_0_y_by_q71 = t39 - t40;
     part[3] = layer_0_y_by_q71;
@@ -159,11 +155,10 @@ SINEW_NOT_INLINE static void wrist_part_1(double q71, double q73, double part[SI
     const double t42 = sin_q71 * sin_A;
     const double z_z_by_q71 = t41 + cos_q71 * sin_A_by_q71 - t42 + sin_q71 * z_plane_x_by_q71;
     const double M_x = cos_q71 * M_e;
-    const double origin_z_by_q71 = M_x - 0.018 * z_z_by_q71;
     const double t43 = cos_q71 * x_plane_x;
     const double t44 = sin_q71 * cos_A;
     const double x_z_by_q71 = t43 - cos_q71 * cos_A_by_q71 + t44 + sin_q71 * x_plane_x_by_q71;
-    const double t45 = origin_z_by_q71 - 0.004 * x_z_by_q71;
+    const double t45 = M_x - 0.018 * z_z_by_q71 - 0.004 * x_z_by_q71;
     const double t46 = 0.01 * z_z_by_q71;
     const double y_x = cos_q71 * u_e;
     part[4] = y_x;
@@ -171,22 +166,19 @@ SINEW_NOT_INLINE static void wrist_part_1(double q71, double q73, double part[SI
     const double layer_0_z_by_q71 = t45 + t46 - t47;
     part[5] = layer_0_z_by_q71;
     const double z_x = t41 - t42;
-    const double x_x = t43 + t44;
-    const double t48 = 0.004 - M_x + 0.018 * z_x + 0.004 * x_x;
+    const double t48 = 0.004 - M_x + 0.018 * z_x + 0.004 * (t43 + t44);
     const double t49 = 0.01 * z_x;
     const double layer_0_x = t48 - t49 + t47;
     part[6] = layer_0_x;
     const double z_plane_y = u_e * cos_A;
     const double origin_y = M_y + 0.018 * z_plane_y;
-    const double x_plane_y = u_e * sin_A;
-    const double t50 = 0.004 * x_plane_y;
+    const double t50 = 0.004 * (u_e * sin_A);
     const double t51 = 0.01 * z_plane_y;
     const double layer_0_y = 0.007 - origin_y - t50 + t51 + 0.011 * u_y;
     part[7] = layer_0_y;
     const double z_z = t30 + t31;
     const double origin_z = M_z - 0.018 * z_z;
-    const double x_z = t33 - t34;
-    const double t52 = 0.004 * x_z;
+    const double t52 = 0.004 * (t33 - t34);
     const double t53 = 0.01 * z_z;
     const double layer_0_z = 0.008 - origin_z - t52 - t53 + t37;
     part[8] = layer_0_z;
@@ -196,8 +188,7 @@ SINEW_NOT_INLINE static void wrist_part_1(double q71, double q73, double part[SI
     part[9] = t54;
     const double t55 = layer_0_x * layer_0_x_by_q71 - layer_0_y * layer_0_y_by_q71 - layer_0_z
         * layer_0_z_by_q71;
-    const double length_0_by_q71 = t55 * t54;
-    part[10] = length_0_by_q71;
+    part[10] = t55 * t54;
     const double t56 = 0.013 * y_x;
     const double t57 = 0.013 * y_z;
     const double layer_1_x_by_q71 = t35 - t36 - t57;
@@ -218,8 +209,7 @@ SINEW_NOT_INLINE static void wrist_part_1(double q71, double q73, double part[SI
     part[17] = t58;
     const double t59 = layer_1_x * layer_1_x_by_q71 - layer_1_y * layer_1_y_by_q71 - layer_1_z
         * layer_1_z_by_q71;
-    const double length_19_by_q71 = t59 * t58;
-    part[18] = length_19_by_q71;
+    part[18] = t59 * t58;
     const double t60 = root_by_q71 + root_by_q71;
     const double t61 = limited_by_q71 + limited_by_q71;
     const double t62 = reach_by_q71 * reach_by_q71;
@@ -258,38 +248,29 @@ SINEW_NOT_INLINE static void wrist_part_1(double q71, double q73, double part[SI
     const double t75 = cos_q71 + cos_q71;
     const double t76 = sin_q71 + sin_q71;
     const double z_x_by_q71_by_q71 = t74 + t75 * sin_A_by_q71 + t76 * z_plane_x_by_q71;
-    const double origin_x_by_q71_by_q71 = M_x - 0.018 * z_x_by_q71_by_q71;
     const double x_plane_x_by_q71_by_q71 = u_y * sin_A_by_q71_by_q71;
     const double t77 = t43 - cos_q71 * x_plane_x_by_q71_by_q71 + t44 - sin_q71
         * cos_A_by_q71_by_q71;
     const double x_x_by_q71_by_q71 = t77 - t75 * cos_A_by_q71 + t76 * x_plane_x_by_q71;
-    const double t78 = origin_x_by_q71_by_q71 - 0.004 * x_x_by_q71_by_q71;
+    const double t78 = M_x - 0.018 * z_x_by_q71_by_q71 - 0.004 * x_x_by_q71_by_q71;
     const double t79 = 0.01 * z_x_by_q71_by_q71;
-    const double layer_0_x_by_q71_by_q71 = t78 + t79 - t47;
-    part[19] = layer_0_x_by_q71_by_q71;
+    part[19] = t78 + t79 - t47;
     const double z_plane_y_by_q71_by_q71 = u_e * cos_A_by_q71_by_q71;
-    const double origin_y_by_q71_by_q71 = 0.018 * z_plane_y_by_q71_by_q71;
-    const double t80 = origin_y_by_q71_by_q71 + t38 * sin_A_by_q71_by_q71;
+    const double t80 = 0.018 * z_plane_y_by_q71_by_q71 + t38 * sin_A_by_q71_by_q71;
     const double t81 = 0.01 * z_plane_y_by_q71_by_q71;
-    const double layer_0_y_by_q71_by_q71 = t80 - t81;
-    part[20] = layer_0_y_by_q71_by_q71;
+    part[20] = t80 - t81;
     const double t82 = t30 - cos_q71 * sin_A_by_q71_by_q71 + t31 - sin_q71
         * z_plane_x_by_q71_by_q71;
     const double z_z_by_q71_by_q71 = t82 - t75 * z_plane_x_by_q71 + t76 * sin_A_by_q71;
-    const double origin_z_by_q71_by_q71 = M_z - 0.018 * z_z_by_q71_by_q71;
     const double t83 = t33 - cos_q71 * cos_A_by_q71_by_q71 - t34 + sin_q71
         * x_plane_x_by_q71_by_q71;
     const double x_z_by_q71_by_q71 = t83 + t75 * x_plane_x_by_q71 + t76 * cos_A_by_q71;
-    const double t84 = origin_z_by_q71_by_q71 + 0.004 * x_z_by_q71_by_q71;
+    const double t84 = M_z - 0.018 * z_z_by_q71_by_q71 + 0.004 * x_z_by_q71_by_q71;
     const double t85 = 0.01 * z_z_by_q71_by_q71;
-    const double layer_0_z_by_q71_by_q71 = t84 + t85 - t37;
-    part[21] = layer_0_z_by_q71_by_q71;
-    const double layer_1_x_by_q71_by_q71 = t78 - t79 - t56;
-    part[22] = layer_1_x_by_q71_by_q71;
-    const double layer_1_y_by_q71_by_q71 = t80 + t81;
-    part[23] = layer_1_y_by_q71_by_q71;
-    const double layer_1_z_by_q71_by_q71 = t84 - t85 - t57;
-    part[24] = layer_1_z_by_q71_by_q71;
+    part[21] = t84 + t85 - t37;
+    part[22] = t78 - t79 - t56;
+    part[23] = t80 + t81;
+    part[24] = t84 - t85 - t57;
     const double B_to_C0_squared_by_q73 = 0.084 * B_e;
     const double ratio_by_q73 = ratio * B_to_C0_squared_by_q73 * t2;
     const double C_y_by_q73 = C_e - 0.002 * ratio_by_q73 * t3;
@@ -323,20 +304,16 @@ SINEW_NOT_INLINE static void wrist_part_1(double q71, double q73, double part[SI
     const double t90 = sin_q71 * sin_A_by_q73;
     const double z_x_by_q73 = t88 - t90;
     const double M_z_by_q71_by_q73 = cos_q71 * M_e_by_q73;
-    const double origin_x_by_q73 = M_z_by_q71_by_q73 - 0.018 * z_x_by_q73;
     const double x_plane_x_by_q73 = u_y * sin_A_by_q73 - sin_A * u_y_by_q73;
     const double t91 = cos_q71 * x_plane_x_by_q73;
     const double t92 = sin_q71 * cos_A_by_q73;
-    const double x_x_by_q73 = t91 + t92;
-    const double t93 = origin_x_by_q73 - 0.004 * x_x_by_q73;
+    const double t93 = M_z_by_q71_by_q73 - 0.018 * z_x_by_q73 - 0.004 * (t91 + t92);
     const double t94 = 0.01 * z_x_by_q73;
     part[26] = t93 + t94;
-    const double y_z_by_q71_by_q73 = cos_q71 * u_e_by_q73;
-    part[27] = y_z_by_q71_by_q73;
-    const double x_plane_y_by_q73 = u_e * sin_A_by_q73 + sin_A * u_e_by_q73;
+    part[27] = cos_q71 * u_e_by_q73;
     const double z_plane_y_by_q73 = u_e * cos_A_by_q73 + cos_A * u_e_by_q73;
-    const double origin_y_by_q73 = M_y_by_q73 - 0.018 * z_plane_y_by_q73;
-    const double t95 = origin_y_by_q73 - 0.004 * x_plane_y_by_q73;
+    const double t95 = M_y_by_q73 - 0.018 * z_plane_y_by_q73 - 0.004 * (u_e * sin_A_by_q73 + sin_A
+        * u_e_by_q73);
     const double t96 = 0.01 * z_plane_y_by_q73;
     part[28] = t95 + t96;
     const double t97 = sin_q71 * z_plane_x_by_q73;
@@ -345,15 +322,12 @@ SINEW_NOT_INLINE static void wrist_part_1(double q71, double q73, double part[SI
     const double z_z_by_q73 = t98 + t97;
     const double M_x_by_q71_by_q73 = sin_q71 * M_e_by_q73;
     part[30] = M_x_by_q71_by_q73;
-    const double origin_z_by_q73 = M_x_by_q71_by_q73 - 0.018 * z_z_by_q73;
     const double t99 = sin_q71 * x_plane_x_by_q73;
     const double t100 = cos_q71 * cos_A_by_q73;
-    const double x_z_by_q73 = t100 - t99;
-    const double t101 = origin_z_by_q73 + 0.004 * x_z_by_q73;
+    const double t101 = M_x_by_q71_by_q73 - 0.018 * z_z_by_q73 + 0.004 * (t100 - t99);
     const double t102 = 0.01 * z_z_by_q73;
     part[31] = t101 + t102;
-    const double y_x_by_q71_by_q73 = sin_q71 * u_e_by_q73;
-    part[32] = y_x_by_q71_by_q73;
+    part[32] = sin_q71 * u_e_by_q73;
     part[33] = t93 - t94;
     part[34] = t95 - t96;
     part[35] = t101 - t102;
@@ -394,11 +368,9 @@ SINEW_NOT_INLINE static void wrist_part_1(double q71, double q73, double part[SI
     part[38] = x_x_by_q71_by_q73;
     const double x_plane_y_by_q71_by_q73 = u_e * sin_A_by_q71_by_q73 + sin_A_by_q71 * u_e_by_q73;
     const double z_plane_y_by_q71_by_q73 = u_e * cos_A_by_q71_by_q73 + cos_A_by_q71 * u_e_by_q73;
-    const double origin_y_by_q71_by_q73 = 0.018 * z_plane_y_by_q71_by_q73;
-    const double t111 = origin_y_by_q71_by_q73 + 0.004 * x_plane_y_by_q71_by_q73;
+    const double t111 = 0.018 * z_plane_y_by_q71_by_q73 + 0.004 * x_plane_y_by_q71_by_q73;
     const double t112 = 0.01 * z_plane_y_by_q71_by_q73;
-    const double layer_0_y_by_q71_by_q73 = t111 - t112;
-    part[39] = layer_0_y_by_q71_by_q73;
+    part[39] = t111 - t112;
     const double z_z_by_q71_by_q73 = cos_q71 * sin_A_by_q71_by_q73 + t88 - t90 + sin_q71
         * z_plane_x_by_q71_by_q73;
     const double origin_z_by_q71_by_q73 = M_z_by_q71_by_q73 - 0.018 * z_z_by_q71_by_q73;
@@ -407,8 +379,7 @@ SINEW_NOT_INLINE static void wrist_part_1(double q71, double q73, double part[SI
     const double t113 = origin_z_by_q71_by_q73 - 0.004 * x_z_by_q71_by_q73;
     const double t114 = 0.01 * z_z_by_q71_by_q73;
     part[40] = t113 + t114;
-    const double layer_1_y_by_q71_by_q73 = t111 + t112;
-    part[41] = layer_1_y_by_q71_by_q73;
+    part[41] = t111 + t112;
     part[42] = t113 - t114;
     const double t115 = u_y_by_q73 + u_y_by_q73;
     part[43] = t115;
@@ -440,9 +411,8 @@ SINEW_NOT_INLINE static void wrist_part_1(double q71, double q73, double part[SI
     const double t124 = u_e * M_e_by_q73_by_q73 + u_y * M_y_by_q73_by_q73 + s_e * u_e_by_q73_by_q73;
     const double p_x_by_q73_by_q73 = t124 - s_y * u_y_by_q73_by_q73 - t120 * M_e_by_q73 - t115
         * M_y_by_q73;
-    const double projection_by_q73_by_q73 = t123 - t17 * p_x_by_q73_by_q73;
-    const double limited_by_q73_by_q73 = sinew_choose(t19, -(reach_by_q73_by_q73 * t15
-        - projection_by_q73_by_q73 * t16), reach_by_q73_by_q73);
+    const double limited_by_q73_by_q73 = sinew_choose(t19, -(reach_by_q73_by_q73 * t15 - (t123 - t17
+        * p_x_by_q73_by_q73) * t16), reach_by_q73_by_q73);
     const double clearance_by_q73_by_q73 = sinew_choose(t24, t122 - t20 * limited_by_q73_by_q73,
         1e-12 * reach_squared_by_q73_by_q73);
     const double t125 = 0.5 * (clearance_by_q73_by_q73 - (root_by_q73 + root_by_q73) * root_by_q73);
@@ -466,13 +436,11 @@ SINEW_NOT_INLINE static void wrist_part_1(double q71, double q73, double part[SI
         - t115 * cos_A_by_q73;
     const double z_x_by_q73_by_q73 = cos_q71 * z_plane_x_by_q73_by_q73 - sin_q71
         * sin_A_by_q73_by_q73;
-    const double M_x_by_q73_by_q73 = cos_q71 * M_e_by_q73_by_q73;
-    const double origin_x_by_q73_by_q73 = M_x_by_q73_by_q73 + 0.018 * z_x_by_q73_by_q73;
+    const double origin_x_by_q73_by_q73 = cos_q71 * M_e_by_q73_by_q73 + 0.018 * z_x_by_q73_by_q73;
     const double t131 = origin_x_by_q73_by_q73 + 0.004 * x_x_by_q73_by_q73;
     const double t132 = 0.01 * z_x_by_q73_by_q73;
     part[45] = t131 - t132;
-    const double y_x_by_q73_by_q73 = cos_q71 * u_e_by_q73_by_q73;
-    part[46] = y_x_by_q73_by_q73;
+    part[46] = cos_q71 * u_e_by_q73_by_q73;
     const double x_plane_y_by_q73_by_q73 = u_e * sin_A_by_q73_by_q73 - sin_A * u_e_by_q73_by_q73
         + t120 * sin_A_by_q73;
     const double z_plane_y_by_q73_by_q73 = u_e * cos_A_by_q73_by_q73 - cos_A * u_e_by_q73_by_q73
@@ -485,13 +453,11 @@ SINEW_NOT_INLINE static void wrist_part_1(double q71, double q73, double part[SI
         * x_plane_x_by_q73_by_q73;
     const double z_z_by_q73_by_q73 = cos_q71 * sin_A_by_q73_by_q73 + sin_q71
         * z_plane_x_by_q73_by_q73;
-    const double M_z_by_q73_by_q73 = sin_q71 * M_e_by_q73_by_q73;
-    const double origin_z_by_q73_by_q73 = M_z_by_q73_by_q73 + 0.018 * z_z_by_q73_by_q73;
+    const double origin_z_by_q73_by_q73 = sin_q71 * M_e_by_q73_by_q73 + 0.018 * z_z_by_q73_by_q73;
     const double t135 = origin_z_by_q73_by_q73 - 0.004 * x_z_by_q73_by_q73;
     const double t136 = 0.01 * z_z_by_q73_by_q73;
     part[48] = t135 - t136;
-    const double y_z_by_q73_by_q73 = sin_q71 * u_e_by_q73_by_q73;
-    part[49] = y_z_by_q73_by_q73;
+    part[49] = sin_q71 * u_e_by_q73_by_q73;
     part[50] = t131 + t132;
     part[51] = t133 - t134;
     part[52] = t135 + t136;
@@ -506,16 +472,13 @@ SINEW_NOT_INLINE static void wrist_part_2(double q71, double q73, double part[SI
     const double cos_q73 = sines1.c[1];
     const double B_y = 0.074565407529229 * cos_q73;
     const double t2 = 23.80952380952381 * B_y;
-    const double B_to_C0_squared = 0.007324 - 0.084 * B_y;
-    const double t3 = 1.0 / B_to_C0_squared;
+    const double t3 = 1.0 / (0.007324 - 0.084 * B_y);
     const double ratio = 0.003796 * t3;
     const double B_e = 0.074565407529229 * sin_q73;
-    const double B_to_C0_squared_by_q73 = 0.084 * B_e;
-    const double ratio_by_q73 = ratio * B_to_C0_squared_by_q73 * t3;
+    const double ratio_by_q73 = ratio * (0.084 * B_e) * t3;
     const double C_e_by_q73 = B_e * ratio_by_q73 - B_y * ratio;
     const double u_e_by_q73 = t2 + 23.80952380952381 * C_e_by_q73;
-    const double y_x_by_q73 = cos_q71 * u_e_by_q73;
-    part[0] = y_x_by_q73;
+    part[0] = cos_q71 * u_e_by_q73;
     const double p_z = 0.036 * cos_q71;
     const double t4 = p_z * p_z;
     const double t5 = 23.80952380952381 * B_e;
@@ -554,8 +517,7 @@ SINEW_NOT_INLINE static void wrist_part_2(double q71, double q73, double part[SI
     const double limited = sinew_min(t13, reach);
     const double t14 = 1e-12 * reach_squared;
     const double t15 = (reach + limited) * (reach - limited);
-    const double clearance = sinew_max(t15, t14);
-    const double root = sinew_sqrt(clearance);
+    const double root = sinew_sqrt(sinew_max(t15, t14));
     const double sin_A = (p_y * root - p_z * limited) * t10;
     const double t16 = reach - t13;
     const double t17 = 1.0 / reach;
@@ -588,8 +550,7 @@ SINEW_NOT_INLINE static void wrist_part_2(double q71, double q73, double part[SI
     const double t28 = 0.01 * z_x_by_q73;
     const double x_plane_x_by_q73 = u_y * sin_A_by_q73 - sin_A * u_y_by_q73;
     const double x_x_by_q73 = cos_q71 * x_plane_x_by_q73 + sin_q71 * cos_A_by_q73;
-    const double M_x_by_q73 = cos_q71 * M_e_by_q73;
-    const double origin_x_by_q73 = M_x_by_q73 - 0.018 * z_x_by_q73;
+    const double origin_x_by_q73 = cos_q71 * M_e_by_q73 - 0.018 * z_x_by_q73;
     const double t29 = origin_x_by_q73 - 0.004 * x_x_by_q73;
     part[3] = t29 + t28;
     const double y_x = cos_q71 * u_e;
@@ -603,9 +564,8 @@ SINEW_NOT_INLINE static void wrist_part_2(double q71, double q73, double part[SI
     const double t34 = sin_q71 * cos_A;
     const double x_plane_x = u_y * sin_A;
     const double t35 = cos_q71 * x_plane_x;
-    const double x_x = t35 + t34;
     const double M_x = cos_q71 * M_e;
-    const double t36 = 0.004 - M_x + 0.018 * z_x + 0.004 * x_x;
+    const double t36 = 0.004 - M_x + 0.018 * z_x + 0.004 * (t35 + t34);
     const double layer_0_x = t36 - t33 + t30;
     part[5] = layer_0_x;
     const double y_z = sin_q71 * u_e;
@@ -617,16 +577,14 @@ SINEW_NOT_INLINE static void wrist_part_2(double q71, double q73, double part[SI
     const double t40 = 0.01 * z_z;
     const double t41 = cos_q71 * cos_A;
     const double t42 = sin_q71 * x_plane_x;
-    const double x_z = t41 - t42;
-    const double t43 = 0.004 * x_z;
+    const double t43 = 0.004 * (t41 - t42);
     const double M_z = sin_q71 * M_e;
     const double origin_z = M_z - 0.018 * z_z;
     const double layer_0_z = 0.008 - origin_z - t43 - t40 + t37;
     part[7] = layer_0_z;
     const double z_plane_y = u_e * cos_A;
     const double t44 = 0.01 * z_plane_y;
-    const double x_plane_y = u_e * sin_A;
-    const double t45 = 0.004 * x_plane_y;
+    const double t45 = 0.004 * (u_e * sin_A);
     const double origin_y = M_y + 0.018 * z_plane_y;
     const double layer_0_y = 0.007 - origin_y - t45 + t44 + 0.011 * u_y;
     part[8] = layer_0_y;
@@ -637,17 +595,14 @@ SINEW_NOT_INLINE static void wrist_part_2(double q71, double q73, double part[SI
     part[9] = length_0;
     const double z_plane_y_by_q73 = u_e * cos_A_by_q73 + cos_A * u_e_by_q73;
     const double t48 = 0.01 * z_plane_y_by_q73;
-    const double origin_y_by_q73 = M_y_by_q73 - 0.018 * z_plane_y_by_q73;
-    const double x_plane_y_by_q73 = u_e * sin_A_by_q73 + sin_A * u_e_by_q73;
-    const double t49 = origin_y_by_q73 - 0.004 * x_plane_y_by_q73;
+    const double t49 = M_y_by_q73 - 0.018 * z_plane_y_by_q73 - 0.004 * (u_e * sin_A_by_q73 + sin_A
+        * u_e_by_q73);
     part[10] = t49 + t48;
-    const double y_z_by_q73 = sin_q71 * u_e_by_q73;
-    part[11] = y_z_by_q73;
+    part[11] = sin_q71 * u_e_by_q73;
     const double z_z_by_q73 = cos_q71 * sin_A_by_q73 + sin_q71 * z_plane_x_by_q73;
     const double t50 = 0.01 * z_z_by_q73;
     const double x_z_by_q73 = cos_q71 * cos_A_by_q73 - sin_q71 * x_plane_x_by_q73;
-    const double M_z_by_q73 = sin_q71 * M_e_by_q73;
-    const double origin_z_by_q73 = M_z_by_q73 - 0.018 * z_z_by_q73;
+    const double origin_z_by_q73 = sin_q71 * M_e_by_q73 - 0.018 * z_z_by_q73;
     const double t51 = origin_z_by_q73 + 0.004 * x_z_by_q73;
     part[12] = t51 + t50;
     part[13] = t29 - t28;
@@ -683,29 +638,20 @@ SINEW_NOT_INLINE static void wrist_part_2(double q71, double q73, double part[SI
     const double t54 = 0.01 * z_x_by_q71;
     const double x_plane_x_by_q71 = u_y * sin_A_by_q71;
     const double x_x_by_q71 = t41 + cos_q71 * x_plane_x_by_q71 - t42 + sin_q71 * cos_A_by_q71;
-    const double origin_x_by_q71 = M_z - 0.018 * z_x_by_q71;
-    const double t55 = origin_x_by_q71 + 0.004 * x_x_by_q71;
-    const double layer_0_x_by_q71 = t55 + t54 - t37;
-    part[20] = layer_0_x_by_q71;
+    const double t55 = M_z - 0.018 * z_x_by_q71 + 0.004 * x_x_by_q71;
+    part[20] = t55 + t54 - t37;
     const double z_plane_y_by_q71 = u_e * cos_A_by_q71;
     const double t56 = 0.01 * z_plane_y_by_q71;
-    const double origin_y_by_q71 = 0.018 * z_plane_y_by_q71;
-    const double t57 = origin_y_by_q71 + 0.004 * u_e * sin_A_by_q71;
-    const double layer_0_y_by_q71 = t57 - t56;
-    part[21] = layer_0_y_by_q71;
+    const double t57 = 0.018 * z_plane_y_by_q71 + 0.004 * u_e * sin_A_by_q71;
+    part[21] = t57 - t56;
     const double z_z_by_q71 = t32 + cos_q71 * sin_A_by_q71 - t31 + sin_q71 * z_plane_x_by_q71;
     const double t58 = 0.01 * z_z_by_q71;
     const double x_z_by_q71 = t35 - cos_q71 * cos_A_by_q71 + t34 + sin_q71 * x_plane_x_by_q71;
-    const double origin_z_by_q71 = M_x - 0.018 * z_z_by_q71;
-    const double t59 = origin_z_by_q71 - 0.004 * x_z_by_q71;
-    const double layer_0_z_by_q71 = t59 + t58 - t30;
-    part[22] = layer_0_z_by_q71;
-    const double layer_1_x_by_q71 = t55 - t54 - t47;
-    part[23] = layer_1_x_by_q71;
-    const double layer_1_y_by_q71 = t57 + t56;
-    part[24] = layer_1_y_by_q71;
-    const double layer_1_z_by_q71 = t59 - t58 - t46;
-    part[25] = layer_1_z_by_q71;
+    const double t59 = M_x - 0.018 * z_z_by_q71 - 0.004 * x_z_by_q71;
+    part[22] = t59 + t58 - t30;
+    part[23] = t55 - t54 - t47;
+    part[24] = t57 + t56;
+    part[25] = t59 - t58 - t46;
 }
 
 SINEW_NOT_INLINE static void wrist_part_3(double q71, double q73, double part[SINEW_AT_LEAST(10)])
@@ -716,8 +662,7 @@ SINEW_NOT_INLINE static void wrist_part_3(double q71, double q73, double part[SI
     const double sin_q73 = sines1.s[1];
     const double cos_q73 = sines1.c[1];
     const double B_y = 0.074565407529229 * cos_q73;
-    const double B_to_C0_squared = 0.007324 - 0.084 * B_y;
-    const double ratio = 0.003796 / B_to_C0_squared;
+    const double ratio = 0.003796 / (0.007324 - 0.084 * B_y);
     const double C_y = 0.002 * ratio * (21.0 - 500.0 * B_y);
     const double t2 = B_y + C_y;
     const double u_y = 23.80952380952381 * t2;
@@ -733,7 +678,6 @@ SINEW_NOT_INLINE static void wrist_part_3(double q71, double q73, double part[SI
     const double p_x = u_e * s_e - u_y * s_y;
     const double projection = 0.034722222222222224 - 13.88888888888889 * (reach_squared + p_x
         * p_x);
-    const double reach = sinew_sqrt(reach_squared);
     part[0] = cos_q71;
     part[1] = sin_q71;
     part[2] = sin_q73;
@@ -743,7 +687,7 @@ SINEW_NOT_INLINE static void wrist_part_3(double q71, double q73, double part[SI
     part[6] = p_y;
     part[7] = reach_squared;
     part[8] = projection;
-    part[9] = reach;
+    part[9] = sinew_sqrt(reach_squared);
 }
 
 void wrist_pose(double q71, double q73, double T[SINEW_AT_LEAST(16)])
@@ -754,8 +698,7 @@ void wrist_pose(double q71, double q73, double T[SINEW_AT_LEAST(16)])
     const double sin_q73 = sines1.s[1];
     const double cos_q73 = sines1.c[1];
     const double B_y = 0.074565407529229 * cos_q73;
-    const double B_to_C0_squared = 0.007324 - 0.084 * B_y;
-    const double ratio = 0.003796 / B_to_C0_squared;
+    const double ratio = 0.003796 / (0.007324 - 0.084 * B_y);
     const double C_y = 0.002 * ratio * (21.0 - 500.0 * B_y);
     const double u_y = 23.80952380952381 * (B_y + C_y);
     const double B_e = 0.074565407529229 * sin_q73;
@@ -780,32 +723,22 @@ void wrist_pose(double q71, double q73, double T[SINEW_AT_LEAST(16)])
     const double sin_A = (p_y * root - p_z * limited) * t2;
     const double x_plane_x = u_y * sin_A;
     const double cos_A = (p_y * limited + p_z * root) * t2;
-    const double x_x = cos_q71 * x_plane_x + sin_q71 * cos_A;
-    const double y_x = cos_q71 * u_e;
     const double z_plane_x = u_y * cos_A;
     const double z_x = cos_q71 * z_plane_x - sin_q71 * sin_A;
-    const double M_x = cos_q71 * M_e;
-    const double origin_x = M_x - 0.018 * z_x;
-    const double x_plane_y = u_e * sin_A;
     const double z_plane_y = u_e * cos_A;
-    const double origin_y = M_y + 0.018 * z_plane_y;
-    const double x_z = cos_q71 * cos_A - sin_q71 * x_plane_x;
-    const double y_z = sin_q71 * u_e;
     const double z_z = cos_q71 * sin_A + sin_q71 * z_plane_x;
-    const double M_z = sin_q71 * M_e;
-    const double origin_z = M_z - 0.018 * z_z;
-    T[0] = x_x;
-    T[1] = y_x;
+    T[0] = cos_q71 * x_plane_x + sin_q71 * cos_A;
+    T[1] = cos_q71 * u_e;
     T[2] = z_x;
-    T[3] = origin_x;
-    T[4] = -x_plane_y;
+    T[3] = cos_q71 * M_e - 0.018 * z_x;
+    T[4] = -(u_e * sin_A);
     T[5] = u_y;
     T[6] = -z_plane_y;
-    T[7] = origin_y;
-    T[8] = -x_z;
-    T[9] = y_z;
+    T[7] = M_y + 0.018 * z_plane_y;
+    T[8] = -(cos_q71 * cos_A - sin_q71 * x_plane_x);
+    T[9] = sin_q71 * u_e;
     T[10] = z_z;
-    T[11] = origin_z;
+    T[11] = sin_q71 * M_e - 0.018 * z_z;
     T[12] = 0.0;
     T[13] = 0.0;
     T[14] = 0.0;
@@ -820,15 +753,10 @@ void wrist_points(double q71, double q73, double ABC[SINEW_AT_LEAST(9)])
     const double sin_q73 = sines1.s[1];
     const double cos_q73 = sines1.c[1];
     const double B_y = 0.074565407529229 * cos_q73;
-    const double B_to_C0_squared = 0.007324 - 0.084 * B_y;
-    const double ratio = 0.003796 / B_to_C0_squared;
+    const double ratio = 0.003796 / (0.007324 - 0.084 * B_y);
     const double B_e = 0.074565407529229 * sin_q73;
     const double C_e = B_e * ratio;
-    const double C_z = sin_q71 * C_e;
     const double C_y = 0.002 * ratio * (21.0 - 500.0 * B_y);
-    const double C_x = cos_q71 * C_e;
-    const double B_z = sin_q71 * B_e;
-    const double B_x = cos_q71 * B_e;
     const double u_y = 23.80952380952381 * (B_y + C_y);
     const double M_e = 0.5 * (B_e + C_e);
     const double s_e = M_e - 0.036 * sin_q71;
@@ -850,27 +778,21 @@ void wrist_points(double q71, double q73, double ABC[SINEW_AT_LEAST(9)])
     const double cos_A = (p_y * limited + p_z * root) * t2;
     const double z_plane_x = u_y * cos_A;
     const double sin_A = (p_y * root - p_z * limited) * t2;
-    const double z_z = cos_q71 * sin_A + sin_q71 * z_plane_x;
-    const double M_z = sin_q71 * M_e;
-    const double z_x = cos_q71 * z_plane_x - sin_q71 * sin_A;
-    const double M_x = cos_q71 * M_e;
-    ABC[0] = M_x - 0.036 * z_x;
+    ABC[0] = cos_q71 * M_e - 0.036 * (cos_q71 * z_plane_x - sin_q71 * sin_A);
     ABC[1] = M_y + 0.036 * u_e * cos_A;
-    ABC[2] = M_z - 0.036 * z_z;
-    ABC[3] = B_x;
+    ABC[2] = sin_q71 * M_e - 0.036 * (cos_q71 * sin_A + sin_q71 * z_plane_x);
+    ABC[3] = cos_q71 * B_e;
     ABC[4] = B_y;
-    ABC[5] = B_z;
-    ABC[6] = C_x;
+    ABC[5] = sin_q71 * B_e;
+    ABC[6] = cos_q71 * C_e;
     ABC[7] = -C_y;
-    ABC[8] = C_z;
+    ABC[8] = sin_q71 * C_e;
 }
 
 void wrist_palm_angles(double q71, double q73, double angles[SINEW_AT_LEAST(2)])
 {
     double part_3[10];
     wrist_part_3(q71, q73, part_3);
-    const double u_y = 23.80952380952381 * part_3[4];
-    const double u_e = 23.80952380952381 * part_3[5];
     const double p_z = 0.036 * part_3[0];
     const double limited = sinew_min(sinew_max(-part_3[8], -part_3[9]), part_3[9]);
     const double clearance = sinew_max((part_3[9] + limited) * (part_3[9] - limited), 1e-12
@@ -878,13 +800,13 @@ void wrist_palm_angles(double q71, double q73, double angles[SINEW_AT_LEAST(2)])
     const double root = sinew_sqrt(clearance);
     const double t1 = 1.0 / part_3[7];
     const double sin_A = (part_3[6] * root - p_z * limited) * t1;
-    const double x_plane_x = u_y * sin_A;
+    const double x_plane_x = 23.80952380952381 * part_3[4] * sin_A;
     const double cos_A = (part_3[6] * limited + p_z * root) * t1;
     const double x_z = part_3[0] * cos_A - part_3[1] * x_plane_x;
     const double x_x = part_3[0] * x_plane_x + part_3[1] * cos_A;
-    const double x_plane_y = u_e * sin_A;
+    const double t2 = sinew_min(sinew_max(-(23.80952380952381 * part_3[5] * sin_A), -1.0), 1.0);
     angles[0] = sinew_one_atan2(-x_z, x_x);
-    angles[1] = sinew_one_asin(sinew_min(sinew_max(-x_plane_y, -1.0), 1.0));
+    angles[1] = sinew_one_asin(t2);
 }
 
 void wrist_bar_angles(double flexion, double abduction, double q[SINEW_AT_LEAST(2)],
@@ -960,18 +882,15 @@ void wrist_bar_angles(double flexion, double abduction, double q[SINEW_AT_LEAST(
     const double v_e_8 = v_x * cos_q71_8 + v_z * sin_q71_8;
     const double v_length_8 = sinew_sqrt(sinew_max(t8 + v_e_8 * v_e_8, 1e-12));
     const double t53 = 1.0 / v_length_8;
-    const double cos_tilt_8 = v_e_8 * t53;
-    const double cos_half_tilt_8 = sinew_sqrt(sinew_max(0.5 + 0.5 * cos_tilt_8, 1e-12));
+    const double cos_half_tilt_8 = sinew_sqrt(sinew_max(0.5 + 0.5 * (v_e_8 * t53), 1e-12));
     const double cos_sum_8 = 0.5632638698251111 * cos_half_tilt_8;
     const double sin_sum_8 = sinew_sqrt(1.0 - cos_sum_8 * cos_sum_8);
-    const double sin_tilt_8 = v_y * t53;
-    const double sin_half_tilt_8 = 0.5 * sin_tilt_8 / cos_half_tilt_8;
+    const double sin_half_tilt_8 = 0.5 * (v_y * t53) / cos_half_tilt_8;
     const double sin_q73_8 = cos_half_tilt_8 * sin_sum_8 - sin_half_tilt_8 * cos_sum_8;
     const double cos_q73_8 = cos_half_tilt_8 * cos_sum_8 + sin_half_tilt_8 * sin_sum_8;
     const double B_e = 0.074565407529229 * sin_q73_8;
     const double B_y = 0.074565407529229 * cos_q73_8;
-    const double B_to_C0_squared = 0.007324 - 0.084 * B_y;
-    const double ratio = 0.003796 / B_to_C0_squared;
+    const double ratio = 0.003796 / (0.007324 - 0.084 * B_y);
     const double C_e = B_e * ratio;
     const double u_e = 23.80952380952381 * (B_e - C_e);
     const double C_y = 0.002 * ratio * (21.0 - 500.0 * B_y);
@@ -1030,8 +949,7 @@ void wrist_status(double q71, double q73, int *status)
     const double sin_q71 = sines1.s[1];
     const double cos_q71 = sines1.c[1];
     const double B_y = 0.074565407529229 * cos_q73;
-    const double B_to_C0_squared = 0.007324 - 0.084 * B_y;
-    const double ratio = 0.003796 / B_to_C0_squared;
+    const double ratio = 0.003796 / (0.007324 - 0.084 * B_y);
     const double C_y = 0.002 * ratio * (21.0 - 500.0 * B_y);
     const double u_y = 23.80952380952381 * (B_y + C_y);
     const double B_e = 0.074565407529229 * sin_q73;
@@ -1059,8 +977,7 @@ void wrist_tendon_lengths(double q71, double q73, double h[SINEW_AT_LEAST(38)])
     const double sin_q73 = sines1.s[1];
     const double cos_q73 = sines1.c[1];
     const double B_y = 0.074565407529229 * cos_q73;
-    const double B_to_C0_squared = 0.007324 - 0.084 * B_y;
-    const double ratio = 0.003796 / B_to_C0_squared;
+    const double ratio = 0.003796 / (0.007324 - 0.084 * B_y);
     const double C_y = 0.002 * ratio * (21.0 - 500.0 * B_y);
     const double u_y = 23.80952380952381 * (B_y + C_y);
     const double B_e = 0.074565407529229 * sin_q73;
@@ -1086,24 +1003,20 @@ void wrist_tendon_lengths(double q71, double q73, double h[SINEW_AT_LEAST(38)])
     const double z_plane_x = u_y * cos_A;
     const double sin_A = (p_y * root - p_z * limited) * t2;
     const double z_x = cos_q71 * z_plane_x - sin_q71 * sin_A;
-    const double M_x = cos_q71 * M_e;
     const double x_plane_x = u_y * sin_A;
-    const double x_x = cos_q71 * x_plane_x + sin_q71 * cos_A;
-    const double t3 = 0.004 - M_x + 0.018 * z_x + 0.004 * x_x;
+    const double t3 = 0.004 - cos_q71 * M_e + 0.018 * z_x + 0.004 * (cos_q71 * x_plane_x + sin_q71
+        * cos_A);
     const double t4 = 0.01 * z_x;
     const double y_x = cos_q71 * u_e;
     const double layer_0_x = t3 - t4 + 0.011 * y_x;
     const double z_plane_y = u_e * cos_A;
     const double origin_y = M_y + 0.018 * z_plane_y;
-    const double x_plane_y = u_e * sin_A;
-    const double t5 = 0.004 * x_plane_y;
+    const double t5 = 0.004 * (u_e * sin_A);
     const double t6 = 0.01 * z_plane_y;
     const double layer_0_y = 0.007 - origin_y - t5 + t6 + 0.011 * u_y;
     const double z_z = cos_q71 * sin_A + sin_q71 * z_plane_x;
-    const double M_z = sin_q71 * M_e;
-    const double origin_z = M_z - 0.018 * z_z;
-    const double x_z = cos_q71 * cos_A - sin_q71 * x_plane_x;
-    const double t7 = 0.004 * x_z;
+    const double origin_z = sin_q71 * M_e - 0.018 * z_z;
+    const double t7 = 0.004 * (cos_q71 * cos_A - sin_q71 * x_plane_x);
     const double t8 = 0.01 * z_z;
     const double y_z = sin_q71 * u_e;
     const double layer_0_z = 0.008 - origin_z - t7 - t8 + 0.011 * y_z;
@@ -1134,9 +1047,8 @@ void wrist_tendon_lengths(double q71, double q73, double h[SINEW_AT_LEAST(38)])
         const double strand_z_2 = layer_0_z - table10[i9][1] * y_z;
         const double t11 = strand_x_2 * strand_x_2 + strand_y_2 * strand_y_2 + strand_z_2
             * strand_z_2;
-        const double length_2 = sinew_sqrt(t11);
         h[20 + i9] = length;
-        h[1 + i9] = length_2;
+        h[1 + i9] = sinew_sqrt(t11);
     }
 }
 
@@ -1153,19 +1065,16 @@ void wrist_tendon_jacobian(double q71, double q73, double P[SINEW_AT_LEAST(76)])
     const double layer_0_z_by_q73 = part_2[12] - 0.011 * part_2[11];
     const double t2 = part_2[5] * layer_0_x_by_q73 - part_2[8] * layer_0_y_by_q73 + part_2[7]
         * layer_0_z_by_q73;
-    const double length_0_by_q73 = t2 * t1;
-    P[1] = -length_0_by_q73;
+    P[1] = -(t2 * t1);
     const double t3 = part_2[14] * part_2[23] - part_2[16] * part_2[24] - part_2[15] * part_2[25];
     const double t4 = 1.0 / part_2[17];
-    const double length_19_by_q71 = t3 * t4;
-    P[38] = length_19_by_q71;
+    P[38] = t3 * t4;
     const double layer_1_x_by_q73 = part_2[13] - 0.013 * part_2[0];
     const double layer_1_y_by_q73 = part_2[18] - 0.013 * part_2[2];
     const double layer_1_z_by_q73 = part_2[19] - 0.013 * part_2[11];
     const double t5 = part_2[14] * layer_1_x_by_q73 - part_2[16] * layer_1_y_by_q73 + part_2[15]
         * layer_1_z_by_q73;
-    const double length_19_by_q73 = t5 * t4;
-    P[39] = -length_19_by_q73;
+    P[39] = -(t5 * t4);
     static const double table7[18][2] = {{0.001, 0.001}, {0.003, 0.003}, {0.005, 0.004},
         {0.006, 0.006}, {0.008, 0.008}, {0.009, 0.009}, {0.011, 0.011}, {0.013, 0.012},
         {0.014, 0.014}, {0.016, 0.016}, {0.017, 0.017}, {0.019, 0.019}, {0.021, 0.02},
@@ -1174,24 +1083,20 @@ void wrist_tendon_jacobian(double q71, double q73, double P[SINEW_AT_LEAST(76)])
         const double t8 = table7[i6][0] * part_2[4];
         const double strand_x = part_2[5] - t8;
         const double t9 = table7[i6][0] * part_2[6];
-        const double strand_x_by_q71 = part_2[20] + t9;
         const double strand_y = table7[i6][1] + part_2[8] - table7[i6][0] * part_2[1];
         const double strand_z = part_2[7] - t9;
-        const double strand_z_by_q71 = part_2[22] + t8;
-        const double t10 = strand_x * strand_x_by_q71 - strand_y * part_2[21] - strand_z
-            * strand_z_by_q71;
+        const double t10 = strand_x * (part_2[20] + t9) - strand_y * part_2[21] - strand_z
+            * (part_2[22] + t8);
         const double length = sinew_sqrt(strand_x * strand_x + strand_y * strand_y + strand_z
             * strand_z);
         const double t11 = 1.0 / length;
-        const double length_by_q71 = t10 * t11;
         const double strand_x_by_q73 = layer_0_x_by_q73 + table7[i6][0] * part_2[0];
         const double strand_y_by_q73 = layer_0_y_by_q73 + table7[i6][0] * part_2[2];
         const double strand_z_by_q73 = layer_0_z_by_q73 + table7[i6][0] * part_2[11];
         const double t12 = strand_x * strand_x_by_q73 - strand_y * strand_y_by_q73 + strand_z
             * strand_z_by_q73;
-        const double length_by_q73 = t12 * t11;
-        P[2 + 2 * i6] = length_by_q71;
-        P[3 + 2 * i6] = -length_by_q73;
+        P[2 + 2 * i6] = t10 * t11;
+        P[3 + 2 * i6] = -(t12 * t11);
     }
     static const double table14[18][2] = {{0.002, 0.001}, {0.003, 0.003}, {0.005, 0.005},
         {0.007, 0.006}, {0.008, 0.008}, {0.01, 0.009}, {0.011, 0.011}, {0.013, 0.013},
@@ -1201,25 +1106,20 @@ void wrist_tendon_jacobian(double q71, double q73, double P[SINEW_AT_LEAST(76)])
         const double t15 = table14[i13][0] * part_2[4];
         const double strand_x_2 = part_2[14] - t15;
         const double t16 = table14[i13][0] * part_2[6];
-        const double strand_x_by_q71_2 = part_2[23] + t16;
         const double strand_y_2 = table14[i13][1] + part_2[16] - table14[i13][0] * part_2[1];
         const double strand_z_2 = part_2[15] - t16;
-        const double strand_z_by_q71_2 = part_2[25] + t15;
-        const double t17 = strand_x_2 * strand_x_by_q71_2 - strand_y_2 * part_2[24] - strand_z_2
-            * strand_z_by_q71_2;
+        const double t17 = strand_x_2 * (part_2[23] + t16) - strand_y_2 * part_2[24] - strand_z_2
+            * (part_2[25] + t15);
         const double t18 = strand_x_2 * strand_x_2 + strand_y_2 * strand_y_2 + strand_z_2
             * strand_z_2;
-        const double length_2 = sinew_sqrt(t18);
-        const double t19 = 1.0 / length_2;
-        const double length_by_q71_2 = t17 * t19;
+        const double t19 = 1.0 / sinew_sqrt(t18);
         const double strand_x_by_q73_2 = layer_1_x_by_q73 + table14[i13][0] * part_2[0];
         const double strand_y_by_q73_2 = layer_1_y_by_q73 + table14[i13][0] * part_2[2];
         const double strand_z_by_q73_2 = layer_1_z_by_q73 + table14[i13][0] * part_2[11];
         const double t20 = strand_x_2 * strand_x_by_q73_2 - strand_y_2 * strand_y_by_q73_2
             + strand_z_2 * strand_z_by_q73_2;
-        const double length_by_q73_2 = t20 * t19;
-        P[40 + 2 * i13] = length_by_q71_2;
-        P[41 + 2 * i13] = -length_by_q73_2;
+        P[40 + 2 * i13] = t17 * t19;
+        P[41 + 2 * i13] = -(t20 * t19);
     }
 }
 
@@ -1234,8 +1134,7 @@ void wrist_tendon_hessian(double q71, double q73, double H[SINEW_AT_LEAST(152)])
         * part_1[10]) * part_1[9];
     H[0] = length_0_by_q71_by_q71;
     const double z_x_by_q71_by_q73 = part_1[36] + part_1[29] + part_1[37];
-    const double origin_x_by_q71_by_q73 = part_1[30] - 0.018 * z_x_by_q71_by_q73;
-    const double t3 = origin_x_by_q71_by_q73 + 0.004 * part_1[38];
+    const double t3 = part_1[30] - 0.018 * z_x_by_q71_by_q73 + 0.004 * part_1[38];
     const double t4 = 0.01 * z_x_by_q71_by_q73;
     const double t5 = 0.011 * part_1[32];
     const double layer_0_x_by_q71_by_q73 = t3 + t4 - t5;
@@ -1270,8 +1169,7 @@ void wrist_tendon_hessian(double q71, double q73, double H[SINEW_AT_LEAST(152)])
     const double t16 = part_1[12] * part_1[12];
     const double t17 = t15 + part_1[11] * part_1[11] + t16 + part_1[13] * part_1[13] - part_1[18]
         * part_1[18];
-    const double length_19_by_q71_by_q71 = t17 * part_1[17];
-    H[76] = length_19_by_q71_by_q71;
+    H[76] = t17 * part_1[17];
     const double layer_1_x_by_q71_by_q73 = t3 - t4 - t13;
     const double layer_1_z_by_q71_by_q73 = part_1[42] - t14;
     const double t18 = part_1[14] * layer_1_x_by_q71_by_q73 - part_1[15] * part_1[41] - part_1[16]
@@ -1304,13 +1202,11 @@ void wrist_tendon_hessian(double q71, double q73, double H[SINEW_AT_LEAST(152)])
     for (int i24 = 0; i24 < 18; ++i24) {
         const double t26 = table25[i24][0] * part_1[4];
         const double strand_x = part_1[6] - t26;
-        const double strand_x_by_q71_by_q71 = part_1[19] + t26;
         const double strand_y = table25[i24][1] + part_1[7] - table25[i24][0] * part_1[0];
         const double t27 = table25[i24][0] * part_1[1];
         const double strand_z = part_1[8] - t27;
-        const double strand_z_by_q71_by_q71 = part_1[21] + t27;
-        const double t28 = strand_x * strand_x_by_q71_by_q71 - strand_y * part_1[20] + strand_z
-            * strand_z_by_q71_by_q71;
+        const double t28 = strand_x * (part_1[19] + t26) - strand_y * part_1[20] + strand_z
+            * (part_1[21] + t27);
         const double strand_x_by_q71 = part_1[2] + t27;
         const double strand_z_by_q71 = part_1[5] + t26;
         const double t29 = t28 + t2 + strand_x_by_q71 * strand_x_by_q71 + strand_z_by_q71
@@ -1323,11 +1219,9 @@ void wrist_tendon_hessian(double q71, double q73, double H[SINEW_AT_LEAST(152)])
         const double length_by_q71 = t30 * t31;
         const double length_by_q71_by_q71 = (t29 - length_by_q71 * length_by_q71) * t31;
         const double t32 = table25[i24][0] * part_1[32];
-        const double strand_x_by_q71_by_q73 = layer_0_x_by_q71_by_q73 + t32;
         const double t33 = table25[i24][0] * part_1[27];
-        const double strand_z_by_q71_by_q73 = layer_0_z_by_q71_by_q73 + t33;
-        const double t34 = strand_x * strand_x_by_q71_by_q73 - strand_y * part_1[39] - strand_z
-            * strand_z_by_q71_by_q73;
+        const double t34 = strand_x * (layer_0_x_by_q71_by_q73 + t32) - strand_y * part_1[39]
+            - strand_z * (layer_0_z_by_q71_by_q73 + t33);
         const double strand_y_by_q73 = layer_0_y_by_q73 + table25[i24][0] * part_1[25];
         const double strand_x_by_q73 = layer_0_x_by_q73 + t33;
         const double strand_z_by_q73 = layer_0_z_by_q73 + t32;
@@ -1361,13 +1255,11 @@ void wrist_tendon_hessian(double q71, double q73, double H[SINEW_AT_LEAST(152)])
     for (int i39 = 0; i39 < 18; ++i39) {
         const double t41 = table40[i39][0] * part_1[4];
         const double strand_x_2 = part_1[14] - t41;
-        const double strand_x_by_q71_by_q71_2 = part_1[22] + t41;
         const double strand_y_2 = table40[i39][1] + part_1[15] - table40[i39][0] * part_1[0];
         const double t42 = table40[i39][0] * part_1[1];
         const double strand_z_2 = part_1[16] - t42;
-        const double strand_z_by_q71_by_q71_2 = part_1[24] + t42;
-        const double t43 = strand_x_2 * strand_x_by_q71_by_q71_2 - strand_y_2 * part_1[23]
-            + strand_z_2 * strand_z_by_q71_by_q71_2;
+        const double t43 = strand_x_2 * (part_1[22] + t41) - strand_y_2 * part_1[23] + strand_z_2
+            * (part_1[24] + t42);
         const double strand_x_by_q71_2 = part_1[11] + t42;
         const double strand_z_by_q71_2 = part_1[13] + t41;
         const double t44 = t43 + t16 + strand_x_by_q71_2 * strand_x_by_q71_2 + strand_z_by_q71_2
@@ -1376,16 +1268,13 @@ void wrist_tendon_hessian(double q71, double q73, double H[SINEW_AT_LEAST(152)])
             * strand_z_by_q71_2;
         const double t46 = strand_x_2 * strand_x_2 + strand_y_2 * strand_y_2 + strand_z_2
             * strand_z_2;
-        const double length_2 = sinew_sqrt(t46);
-        const double t47 = 1.0 / length_2;
+        const double t47 = 1.0 / sinew_sqrt(t46);
         const double length_by_q71_2 = t45 * t47;
         const double length_by_q71_by_q71_2 = (t44 - length_by_q71_2 * length_by_q71_2) * t47;
         const double t48 = table40[i39][0] * part_1[32];
-        const double strand_x_by_q71_by_q73_2 = layer_1_x_by_q71_by_q73 + t48;
         const double t49 = table40[i39][0] * part_1[27];
-        const double strand_z_by_q71_by_q73_2 = layer_1_z_by_q71_by_q73 + t49;
-        const double t50 = strand_x_2 * strand_x_by_q71_by_q73_2 - strand_y_2 * part_1[41]
-            - strand_z_2 * strand_z_by_q71_by_q73_2;
+        const double t50 = strand_x_2 * (layer_1_x_by_q71_by_q73 + t48) - strand_y_2 * part_1[41]
+            - strand_z_2 * (layer_1_z_by_q71_by_q73 + t49);
         const double strand_y_by_q73_2 = layer_1_y_by_q73 + table40[i39][0] * part_1[25];
         const double strand_x_by_q73_2 = layer_1_x_by_q73 + t49;
         const double t51 = t50 - part_1[12] * strand_y_by_q73_2 - strand_x_by_q71_2
@@ -1425,18 +1314,14 @@ void wrist_bending_angles(double q71, double q73, double angles[SINEW_AT_LEAST(3
     const double sin_q73 = sines1.s[0];
     const double cos_q73 = sines1.c[0];
     const double cos_q71 = sines1.c[1];
-    const double B_y = 0.074565407529229 * cos_q73;
-    const double B_to_C0_squared = 0.007324 - 0.084 * B_y;
-    const double ratio = 0.003796 / B_to_C0_squared;
+    const double B_to_C0_squared = 0.007324 - 0.084 * (0.074565407529229 * cos_q73);
     const double B_e = 0.074565407529229 * sin_q73;
-    const double C_e = B_e * ratio;
-    const double M_e = 0.5 * (B_e + C_e);
+    const double M_e = 0.5 * (B_e + B_e * (0.003796 / B_to_C0_squared));
     const double t3 = -pose_T[8];
     const double t4 = 0.004 * t3;
     const double t5 = 0.01 * pose_T[10];
     const double layer_0_z = 0.008 - pose_T[11] - t4 - t5 + 0.011 * pose_T[9];
-    const double M_x = cos_q71 * M_e;
-    const double t6 = 0.004 - M_x + 0.018 * pose_T[2] + 0.004 * pose_T[0];
+    const double t6 = 0.004 - cos_q71 * M_e + 0.018 * pose_T[2] + 0.004 * pose_T[0];
     const double t7 = 0.01 * pose_T[2];
     const double layer_0_x = t6 - t7 + 0.011 * pose_T[1];
     const double aside_y = pose_T[0] * layer_0_z + t3 * layer_0_x;
@@ -1595,16 +1480,12 @@ void wrist_feedforward_rate(double q71, double q73, double dq71, double dq73,
     const double sin_q73 = sines1.s[1];
     const double cos_q73 = sines1.c[1];
     const double B_y = 0.074565407529229 * cos_q73;
-    const double B_to_C0_squared = 0.007324 - 0.084 * B_y;
-    const double t2 = 1.0 / B_to_C0_squared;
+    const double t2 = 1.0 / (0.007324 - 0.084 * B_y);
     const double ratio = 0.003796 * t2;
-    const double cos_q73_by_t = dq73 * sin_q73;
-    const double B_y_by_t = 0.074565407529229 * cos_q73_by_t;
-    const double B_to_C0_squared_by_t = 0.084 * B_y_by_t;
-    const double ratio_by_t = ratio * B_to_C0_squared_by_t * t2;
+    const double B_y_by_t = 0.074565407529229 * (dq73 * sin_q73);
+    const double ratio_by_t = ratio * (0.084 * B_y_by_t) * t2;
     const double B_e = 0.074565407529229 * sin_q73;
-    const double sin_q73_by_t = dq73 * cos_q73;
-    const double B_e_by_t = 0.074565407529229 * sin_q73_by_t;
+    const double B_e_by_t = 0.074565407529229 * (dq73 * cos_q73);
     const double C_e_by_t = B_e * ratio_by_t - ratio * B_e_by_t;
     const double M_e_by_t = 0.5 * (B_e_by_t - C_e_by_t);
     const double sin_q71_by_t = dq71 * cos_q71;
@@ -1650,8 +1531,7 @@ void wrist_feedforward_rate(double q71, double q73, double dq71, double dq73,
     const double t11 = (reach + limited) * (reach - limited);
     const double t12 = 1e-12 * reach_squared;
     const double clearance_by_t = sinew_choose(-(t12 - t11), t10 + t10, 1e-12 * reach_squared_by_t);
-    const double clearance = sinew_max(t11, t12);
-    const double root = sinew_sqrt(clearance);
+    const double root = sinew_sqrt(sinew_max(t11, t12));
     const double root_by_t = 0.5 * clearance_by_t / root;
     const double t13 = p_y * limited_by_t + p_z * root_by_t + limited * p_y_by_t - root * p_z_by_t;
     const double t14 = 1.0 / reach_squared;
@@ -1664,8 +1544,7 @@ void wrist_feedforward_rate(double q71, double q73, double dq71, double dq73,
     const double z_plane_x = u_y * cos_A;
     const double z_x_by_t = cos_q71 * z_plane_x_by_t - sin_q71 * sin_A_by_t - sin_A * sin_q71_by_t
         - z_plane_x * cos_q71_by_t;
-    const double M_x_by_t = cos_q71 * M_e_by_t - M_e * cos_q71_by_t;
-    const double origin_x_by_t = M_x_by_t - 0.018 * z_x_by_t;
+    const double origin_x_by_t = cos_q71 * M_e_by_t - M_e * cos_q71_by_t - 0.018 * z_x_by_t;
     const double x_plane_x_by_t = u_y * sin_A_by_t - sin_A * u_y_by_t;
     const double x_plane_x = u_y * sin_A;
     const double x_x_by_t = cos_q71 * x_plane_x_by_t + sin_q71 * cos_A_by_t + cos_A * sin_q71_by_t
@@ -1675,28 +1554,24 @@ void wrist_feedforward_rate(double q71, double q73, double dq71, double dq73,
     const double y_x_by_t = cos_q71 * u_e_by_t - u_e * cos_q71_by_t;
     const double layer_0_x_by_t = t16 + t17 - 0.011 * y_x_by_t;
     const double z_x = cos_q71 * z_plane_x - sin_q71 * sin_A;
-    const double M_x = cos_q71 * M_e;
-    const double x_x = cos_q71 * x_plane_x + sin_q71 * cos_A;
-    const double t18 = 0.004 - M_x + 0.018 * z_x + 0.004 * x_x;
+    const double t18 = 0.004 - cos_q71 * M_e + 0.018 * z_x + 0.004 * (cos_q71 * x_plane_x + sin_q71
+        * cos_A);
     const double t19 = 0.01 * z_x;
     const double y_x = cos_q71 * u_e;
     const double layer_0_x = t18 - t19 + 0.011 * y_x;
     const double z_plane_y_by_t = u_e * cos_A_by_t + cos_A * u_e_by_t;
-    const double origin_y_by_t = M_y_by_t - 0.018 * z_plane_y_by_t;
-    const double x_plane_y_by_t = u_e * sin_A_by_t + sin_A * u_e_by_t;
-    const double t20 = origin_y_by_t - 0.004 * x_plane_y_by_t;
+    const double t20 = M_y_by_t - 0.018 * z_plane_y_by_t - 0.004 * (u_e * sin_A_by_t + sin_A
+        * u_e_by_t);
     const double t21 = 0.01 * z_plane_y_by_t;
     const double layer_0_y_by_t = t20 + t21 - 0.011 * u_y_by_t;
     const double z_plane_y = u_e * cos_A;
     const double origin_y = M_y + 0.018 * z_plane_y;
-    const double x_plane_y = u_e * sin_A;
-    const double t22 = 0.004 * x_plane_y;
+    const double t22 = 0.004 * (u_e * sin_A);
     const double t23 = 0.01 * z_plane_y;
     const double layer_0_y = 0.007 - origin_y - t22 + t23 + 0.011 * u_y;
     const double z_z_by_t = cos_q71 * sin_A_by_t + sin_q71 * z_plane_x_by_t - sin_A * cos_q71_by_t
         + z_plane_x * sin_q71_by_t;
-    const double M_z_by_t = sin_q71 * M_e_by_t + M_e * sin_q71_by_t;
-    const double origin_z_by_t = M_z_by_t - 0.018 * z_z_by_t;
+    const double origin_z_by_t = sin_q71 * M_e_by_t + M_e * sin_q71_by_t - 0.018 * z_z_by_t;
     const double x_z_by_t = cos_q71 * cos_A_by_t - sin_q71 * x_plane_x_by_t - cos_A * cos_q71_by_t
         - x_plane_x * sin_q71_by_t;
     const double t24 = origin_z_by_t + 0.004 * x_z_by_t;
@@ -1704,10 +1579,8 @@ void wrist_feedforward_rate(double q71, double q73, double dq71, double dq73,
     const double y_z_by_t = sin_q71 * u_e_by_t + u_e * sin_q71_by_t;
     const double layer_0_z_by_t = t24 + t25 - 0.011 * y_z_by_t;
     const double z_z = cos_q71 * sin_A + sin_q71 * z_plane_x;
-    const double M_z = sin_q71 * M_e;
-    const double origin_z = M_z - 0.018 * z_z;
-    const double x_z = cos_q71 * cos_A - sin_q71 * x_plane_x;
-    const double t26 = 0.004 * x_z;
+    const double origin_z = sin_q71 * M_e - 0.018 * z_z;
+    const double t26 = 0.004 * (cos_q71 * cos_A - sin_q71 * x_plane_x);
     const double t27 = 0.01 * z_z;
     const double y_z = sin_q71 * u_e;
     const double layer_0_z = 0.008 - origin_z - t26 - t27 + 0.011 * y_z;
@@ -1715,8 +1588,7 @@ void wrist_feedforward_rate(double q71, double q73, double dq71, double dq73,
         * layer_0_z_by_t;
     const double length_0 = sinew_sqrt(layer_0_x * layer_0_x + layer_0_y * layer_0_y + layer_0_z
         * layer_0_z);
-    const double length_0_by_t = t28 / length_0;
-    delta_theta_rate[0] = 200.0 * length_0_by_t;
+    delta_theta_rate[0] = 200.0 * (t28 / length_0);
     const double layer_1_x_by_t = t16 - t17 - 0.013 * y_x_by_t;
     const double layer_1_x = t18 + t19 + 0.013 * y_x;
     const double layer_1_y_by_t = t20 - t21 - 0.013 * u_y_by_t;
@@ -1727,8 +1599,7 @@ void wrist_feedforward_rate(double q71, double q73, double dq71, double dq73,
         * layer_1_z_by_t;
     const double length_19 = sinew_sqrt(layer_1_x * layer_1_x + layer_1_y * layer_1_y + layer_1_z
         * layer_1_z);
-    const double length_19_by_t = t29 / length_19;
-    delta_theta_rate[19] = 200.0 * length_19_by_t;
+    delta_theta_rate[19] = 200.0 * (t29 / length_19);
     static const double table31[18][2] = {{0.001, 0.001}, {0.003, 0.003}, {0.005, 0.004},
         {0.006, 0.006}, {0.008, 0.008}, {0.009, 0.009}, {0.011, 0.011}, {0.013, 0.012},
         {0.014, 0.014}, {0.016, 0.016}, {0.017, 0.017}, {0.019, 0.019}, {0.021, 0.02},
@@ -1744,8 +1615,7 @@ void wrist_feedforward_rate(double q71, double q73, double dq71, double dq73,
             * strand_z_by_t;
         const double length = sinew_sqrt(strand_x * strand_x + strand_y * strand_y + strand_z
             * strand_z);
-        const double length_by_t = t32 / length;
-        delta_theta_rate[1 + i30] = 200.0 * length_by_t;
+        delta_theta_rate[1 + i30] = 200.0 * (t32 / length);
     }
     static const double table34[18][2] = {{0.002, 0.001}, {0.003, 0.003}, {0.005, 0.005},
         {0.007, 0.006}, {0.008, 0.008}, {0.01, 0.009}, {0.011, 0.011}, {0.013, 0.013},
@@ -1762,9 +1632,7 @@ void wrist_feedforward_rate(double q71, double q73, double dq71, double dq73,
             * strand_z_by_t_2;
         const double t36 = strand_x_2 * strand_x_2 + strand_y_2 * strand_y_2 + strand_z_2
             * strand_z_2;
-        const double length_2 = sinew_sqrt(t36);
-        const double length_by_t_2 = t35 / length_2;
-        delta_theta_rate[20 + i33] = 200.0 * length_by_t_2;
+        delta_theta_rate[20 + i33] = 200.0 * (t35 / sinew_sqrt(t36));
     }
 }
 
@@ -1774,13 +1642,7 @@ void wrist_joint_torque(double q71, double q73, const double f[SINEW_AT_LEAST(38
     double part_2[26];
     wrist_part_2(q71, q73, part_2);
     const double per_length_0 = f[0] / part_2[9];
-    const double pull_0_x = part_2[5] * per_length_0;
-    const double pull_0_y = part_2[8] * per_length_0;
-    const double pull_0_z = part_2[7] * per_length_0;
     const double per_length_19 = f[19] / part_2[17];
-    const double pull_19_x = part_2[14] * per_length_19;
-    const double pull_19_y = part_2[16] * per_length_19;
-    const double pull_19_z = part_2[15] * per_length_19;
     static const double table8[18][2] = {{0.001, 0.001}, {0.003, 0.003}, {0.005, 0.004},
         {0.006, 0.006}, {0.008, 0.008}, {0.009, 0.009}, {0.011, 0.011}, {0.013, 0.012},
         {0.014, 0.014}, {0.016, 0.016}, {0.017, 0.017}, {0.019, 0.019}, {0.021, 0.02},
@@ -1788,9 +1650,9 @@ void wrist_joint_torque(double q71, double q73, const double f[SINEW_AT_LEAST(38
     double sum2 = -0.0;
     double sum3 = -0.0;
     double sum4 = -0.0;
-    double sum5 = pull_0_z;
-    double sum6 = pull_0_y;
-    double sum7 = pull_0_x;
+    double sum5 = part_2[7] * per_length_0;
+    double sum6 = part_2[8] * per_length_0;
+    double sum7 = part_2[5] * per_length_0;
     for (int i1 = 0; i1 < 18; ++i1) {
         const double before9 = sum2;
         const double before10 = sum3;
@@ -1805,18 +1667,12 @@ void wrist_joint_torque(double q71, double q73, const double f[SINEW_AT_LEAST(38
             * strand_z);
         const double per_length = f[1 + i1] / length;
         const double t15 = table8[i1][0] * per_length;
-        const double pull_by_y_z = strand_z * t15;
-        const double pull_by_y_y = strand_y * t15;
-        const double pull_by_y_x = strand_x * t15;
-        const double pull_z = strand_z * per_length;
-        const double pull_y = strand_y * per_length;
-        const double pull_x = strand_x * per_length;
-        sum2 = before9 + pull_by_y_z;
-        sum3 = before10 + pull_by_y_y;
-        sum4 = before11 + pull_by_y_x;
-        sum5 = before12 + pull_z;
-        sum6 = before13 + pull_y;
-        sum7 = before14 + pull_x;
+        sum2 = before9 + strand_z * t15;
+        sum3 = before10 + strand_y * t15;
+        sum4 = before11 + strand_x * t15;
+        sum5 = before12 + strand_z * per_length;
+        sum6 = before13 + strand_y * per_length;
+        sum7 = before14 + strand_x * per_length;
     }
     static const double table23[18][2] = {{0.002, 0.001}, {0.003, 0.003}, {0.005, 0.005},
         {0.007, 0.006}, {0.008, 0.008}, {0.01, 0.009}, {0.011, 0.011}, {0.013, 0.013},
@@ -1825,9 +1681,9 @@ void wrist_joint_torque(double q71, double q73, const double f[SINEW_AT_LEAST(38
     double sum17 = -0.0;
     double sum18 = -0.0;
     double sum19 = -0.0;
-    double sum20 = pull_19_z;
-    double sum21 = pull_19_y;
-    double sum22 = pull_19_x;
+    double sum20 = part_2[15] * per_length_19;
+    double sum21 = part_2[16] * per_length_19;
+    double sum22 = part_2[14] * per_length_19;
     for (int i16 = 0; i16 < 18; ++i16) {
         const double before24 = sum17;
         const double before25 = sum18;
@@ -1840,42 +1696,31 @@ void wrist_joint_torque(double q71, double q73, const double f[SINEW_AT_LEAST(38
         const double strand_y_2 = table23[i16][1] + part_2[16] - table23[i16][0] * part_2[1];
         const double t30 = strand_x_2 * strand_x_2 + strand_y_2 * strand_y_2 + strand_z_2
             * strand_z_2;
-        const double length_2 = sinew_sqrt(t30);
-        const double per_length_2 = f[20 + i16] / length_2;
+        const double per_length_2 = f[20 + i16] / sinew_sqrt(t30);
         const double t31 = table23[i16][0] * per_length_2;
-        const double pull_by_y_z_2 = strand_z_2 * t31;
-        const double pull_by_y_y_2 = strand_y_2 * t31;
-        const double pull_by_y_x_2 = strand_x_2 * t31;
-        const double pull_z_2 = strand_z_2 * per_length_2;
-        const double pull_y_2 = strand_y_2 * per_length_2;
-        const double pull_x_2 = strand_x_2 * per_length_2;
-        sum17 = before24 + pull_by_y_z_2;
-        sum18 = before25 + pull_by_y_y_2;
-        sum19 = before26 + pull_by_y_x_2;
-        sum20 = before27 + pull_z_2;
-        sum21 = before28 + pull_y_2;
-        sum22 = before29 + pull_x_2;
+        sum17 = before24 + strand_z_2 * t31;
+        sum18 = before25 + strand_y_2 * t31;
+        sum19 = before26 + strand_x_2 * t31;
+        sum20 = before27 + strand_z_2 * per_length_2;
+        sum21 = before28 + strand_y_2 * per_length_2;
+        sum22 = before29 + strand_x_2 * per_length_2;
     }
-    const double layer_0_x_by_q73 = part_2[3] - 0.011 * part_2[0];
-    const double layer_0_y_by_q73 = part_2[10] - 0.011 * part_2[2];
-    const double layer_0_z_by_q73 = part_2[12] - 0.011 * part_2[11];
-    const double t32 = sum7 * layer_0_x_by_q73 - sum6 * layer_0_y_by_q73 + sum5 * layer_0_z_by_q73;
-    const double layer_1_x_by_q73 = part_2[13] - 0.013 * part_2[0];
-    const double layer_1_y_by_q73 = part_2[18] - 0.013 * part_2[2];
-    const double layer_1_z_by_q73 = part_2[19] - 0.013 * part_2[11];
-    const double t33 = t32 + sum22 * layer_1_x_by_q73 - sum21 * layer_1_y_by_q73 + sum20
-        * layer_1_z_by_q73;
+    const double t32 = sum7 * (part_2[3] - 0.011 * part_2[0]) - sum6 * (part_2[10] - 0.011
+        * part_2[2]);
+    const double t33 = t32 + sum5 * (part_2[12] - 0.011 * part_2[11]) + sum22 * (part_2[13] - 0.013
+        * part_2[0]);
+    const double t34 = t33 - sum21 * (part_2[18] - 0.013 * part_2[2]) + sum20 * (part_2[19] - 0.013
+        * part_2[11]);
     const double pull_by_y = sum4 + sum19;
-    const double pull_by_y_2 = sum3 + sum18;
     const double pull_by_y_4 = sum2 + sum17;
-    const double t34 = t33 + pull_by_y * part_2[0] - pull_by_y_2 * part_2[2] + pull_by_y_4
+    const double t35 = t34 + pull_by_y * part_2[0] - (sum3 + sum18) * part_2[2] + pull_by_y_4
         * part_2[11];
-    const double t35 = part_2[4] * pull_by_y_4 - part_2[6] * pull_by_y - sum7 * part_2[20] + sum6
+    const double t36 = part_2[4] * pull_by_y_4 - part_2[6] * pull_by_y - sum7 * part_2[20] + sum6
         * part_2[21];
-    const double t36 = t35 + sum5 * part_2[22] - sum22 * part_2[23] + sum21 * part_2[24] + sum20
+    const double t37 = t36 + sum5 * part_2[22] - sum22 * part_2[23] + sum21 * part_2[24] + sum20
         * part_2[25];
-    tau[0] = t36;
-    tau[1] = t34;
+    tau[0] = t37;
+    tau[1] = t35;
 }
 
 void wrist_joint_stiffness(double q71, double q73, const double f[SINEW_AT_LEAST(38)],
@@ -1895,12 +1740,6 @@ void wrist_joint_stiffness(double q71, double q73, const double f[SINEW_AT_LEAST
     const double per_length_19 = f[19] * part_1[17];
     const double across_19 = k[19] - per_length_19;
     const double along_by_y_6 = t1 * part_1[13] + t2 * part_1[11];
-    const double pull_0_x = part_1[6] * per_length_0;
-    const double pull_0_y = part_1[7] * per_length_0;
-    const double pull_0_z = part_1[8] * per_length_0;
-    const double pull_19_x = part_1[14] * per_length_19;
-    const double pull_19_y = part_1[15] * per_length_19;
-    const double pull_19_z = part_1[16] * per_length_19;
     const double t3 = 0.011 * part_1[27];
     const double layer_0_x_by_q73 = part_1[26] - t3;
     const double layer_0_y_by_q73 = part_1[28] - 0.011 * part_1[25];
@@ -1953,9 +1792,9 @@ void wrist_joint_stiffness(double q71, double q73, const double f[SINEW_AT_LEAST
     double sum20 = -0.0;
     double sum21 = -0.0;
     double sum22 = -0.0;
-    double sum23 = pull_0_z;
-    double sum24 = pull_0_y;
-    double sum25 = pull_0_x;
+    double sum23 = part_1[8] * per_length_0;
+    double sum24 = part_1[7] * per_length_0;
+    double sum25 = part_1[6] * per_length_0;
     for (int i16 = 0; i16 < 18; ++i16) {
         const double before27 = sum17;
         const double before28 = sum18;
@@ -1976,11 +1815,8 @@ void wrist_joint_stiffness(double q71, double q73, const double f[SINEW_AT_LEAST
         const double t38 = 1.0 / length;
         const double per_length = f[1 + i16] * t38;
         const double slope = along_by_y + table26[i16][0] * along_by_y_squared;
-        const double along_2 = along - table26[i16][0] * slope;
-        const double strand_x_by_q71 = part_1[2] + t37;
-        const double strand_z_by_q71 = part_1[5] + t36;
-        const double t39 = strand_x * strand_x_by_q71 - strand_y * part_1[3] - strand_z
-            * strand_z_by_q71;
+        const double t39 = strand_x * (part_1[2] + t37) - strand_y * part_1[3] - strand_z
+            * (part_1[5] + t36);
         const double length_by_q71 = t39 * t38;
         const double strand_x_by_q73 = layer_0_x_by_q73 + table26[i16][0] * part_1[27];
         const double strand_y_by_q73 = layer_0_y_by_q73 + table26[i16][0] * part_1[25];
@@ -1989,136 +1825,112 @@ void wrist_joint_stiffness(double q71, double q73, const double f[SINEW_AT_LEAST
             * strand_z_by_q73;
         const double length_by_q73 = t40 * t38;
         const double across = k[1 + i16] - per_length;
+        const double t41 = before27 + per_length * (along - table26[i16][0] * slope) + length_by_q71
+            * length_by_q73 * across;
         const double slope_4 = along_by_y_8 + table26[i16][0] * along_by_y_squared_8;
-        const double along_3 = along_42 + table26[i16][0] * slope_4;
+        const double t42 = before28 + per_length * (along_42 + table26[i16][0] * slope_4) + across
+            * length_by_q73 * length_by_q73;
         const double slope_2 = along_by_y_4 + table26[i16][0] * along_by_y_squared_4;
-        const double along_4 = along_38 + table26[i16][0] * slope_2;
-        const double t41 = table26[i16][0] * per_length;
-        const double pull_by_y_y = strand_y * t41;
-        const double pull_by_y_z = strand_z * t41;
-        const double pull_by_y_x = strand_x * t41;
-        const double pull_z = strand_z * per_length;
-        const double pull_y = strand_y * per_length;
-        const double pull_x = strand_x * per_length;
-        sum17 = before27 + per_length * along_2 + length_by_q71 * length_by_q73 * across;
-        sum18 = before28 + per_length * along_3 + across * length_by_q73 * length_by_q73;
-        sum19 = before29 + per_length * along_4 + across * length_by_q71 * length_by_q71;
-        sum20 = before30 + pull_by_y_y;
-        sum21 = before31 + pull_by_y_z;
-        sum22 = before32 + pull_by_y_x;
-        sum23 = before33 + pull_z;
-        sum24 = before34 + pull_y;
-        sum25 = before35 + pull_x;
+        const double t43 = before29 + per_length * (along_38 + table26[i16][0] * slope_2) + across
+            * length_by_q71 * length_by_q71;
+        const double t44 = table26[i16][0] * per_length;
+        sum17 = t41;
+        sum18 = t42;
+        sum19 = t43;
+        sum20 = before30 + strand_y * t44;
+        sum21 = before31 + strand_z * t44;
+        sum22 = before32 + strand_x * t44;
+        sum23 = before33 + strand_z * per_length;
+        sum24 = before34 + strand_y * per_length;
+        sum25 = before35 + strand_x * per_length;
     }
-    static const double table52[18][2] = {{0.002, 0.001}, {0.003, 0.003}, {0.005, 0.005},
+    static const double table55[18][2] = {{0.002, 0.001}, {0.003, 0.003}, {0.005, 0.005},
         {0.007, 0.006}, {0.008, 0.008}, {0.01, 0.009}, {0.011, 0.011}, {0.013, 0.013},
         {0.015, 0.014}, {0.016, 0.016}, {0.018, 0.017}, {0.019, 0.019}, {0.021, 0.021},
         {0.023, 0.022}, {0.024, 0.024}, {0.026, 0.025}, {0.027, 0.027}, {0.029, 0.029}};
-    double sum43 = K_19;
-    double sum44 = t15;
-    double sum45 = per_length_19 * along_40 + across_19 * part_1[18] * part_1[18];
-    double sum46 = -0.0;
-    double sum47 = -0.0;
-    double sum48 = -0.0;
-    double sum49 = pull_19_z;
-    double sum50 = pull_19_y;
-    double sum51 = pull_19_x;
-    for (int i42 = 0; i42 < 18; ++i42) {
-        const double before53 = sum43;
-        const double before54 = sum44;
-        const double before55 = sum45;
+    double sum46 = K_19;
+    double sum47 = t15;
+    double sum48 = per_length_19 * along_40 + across_19 * part_1[18] * part_1[18];
+    double sum49 = -0.0;
+    double sum50 = -0.0;
+    double sum51 = -0.0;
+    double sum52 = part_1[16] * per_length_19;
+    double sum53 = part_1[15] * per_length_19;
+    double sum54 = part_1[14] * per_length_19;
+    for (int i45 = 0; i45 < 18; ++i45) {
         const double before56 = sum46;
         const double before57 = sum47;
         const double before58 = sum48;
         const double before59 = sum49;
         const double before60 = sum50;
         const double before61 = sum51;
-        const double t62 = table52[i42][0] * part_1[4];
-        const double strand_x_2 = part_1[14] - t62;
-        const double strand_y_2 = table52[i42][1] + part_1[15] - table52[i42][0] * part_1[0];
-        const double t63 = table52[i42][0] * part_1[1];
-        const double strand_z_2 = part_1[16] - t63;
-        const double t64 = strand_x_2 * strand_x_2 + strand_y_2 * strand_y_2 + strand_z_2
+        const double before62 = sum52;
+        const double before63 = sum53;
+        const double before64 = sum54;
+        const double t65 = table55[i45][0] * part_1[4];
+        const double strand_x_2 = part_1[14] - t65;
+        const double strand_y_2 = table55[i45][1] + part_1[15] - table55[i45][0] * part_1[0];
+        const double t66 = table55[i45][0] * part_1[1];
+        const double strand_z_2 = part_1[16] - t66;
+        const double t67 = strand_x_2 * strand_x_2 + strand_y_2 * strand_y_2 + strand_z_2
             * strand_z_2;
-        const double length_2 = sinew_sqrt(t64);
-        const double t65 = 1.0 / length_2;
-        const double per_length_2 = f[20 + i42] * t65;
-        const double slope_3 = along_by_y_2 + table52[i42][0] * along_by_y_squared;
-        const double along_5 = along_19 - table52[i42][0] * slope_3;
-        const double strand_x_by_q71_2 = part_1[11] + t63;
-        const double strand_z_by_q71_2 = part_1[13] + t62;
-        const double t66 = strand_x_2 * strand_x_by_q71_2 - strand_y_2 * part_1[12] - strand_z_2
-            * strand_z_by_q71_2;
-        const double length_by_q71_2 = t66 * t65;
-        const double strand_x_by_q73_2 = layer_1_x_by_q73 + table52[i42][0] * part_1[27];
-        const double strand_y_by_q73_2 = layer_1_y_by_q73 + table52[i42][0] * part_1[25];
-        const double strand_z_by_q73_2 = layer_1_z_by_q73 + table52[i42][0] * part_1[32];
-        const double t67 = strand_x_2 * strand_x_by_q73_2 - strand_y_2 * strand_y_by_q73_2
+        const double t68 = 1.0 / sinew_sqrt(t67);
+        const double per_length_2 = f[20 + i45] * t68;
+        const double slope_3 = along_by_y_2 + table55[i45][0] * along_by_y_squared;
+        const double t69 = strand_x_2 * (part_1[11] + t66) - strand_y_2 * part_1[12] - strand_z_2
+            * (part_1[13] + t65);
+        const double length_by_q71_2 = t69 * t68;
+        const double strand_x_by_q73_2 = layer_1_x_by_q73 + table55[i45][0] * part_1[27];
+        const double strand_y_by_q73_2 = layer_1_y_by_q73 + table55[i45][0] * part_1[25];
+        const double strand_z_by_q73_2 = layer_1_z_by_q73 + table55[i45][0] * part_1[32];
+        const double t70 = strand_x_2 * strand_x_by_q73_2 - strand_y_2 * strand_y_by_q73_2
             + strand_z_2 * strand_z_by_q73_2;
-        const double length_by_q73_2 = t67 * t65;
-        const double across_2 = k[20 + i42] - per_length_2;
-        const double t68 = before53 + per_length_2 * along_5 + length_by_q71_2 * length_by_q73_2
-            * across_2;
-        const double slope_4_2 = along_by_y_10 + table52[i42][0] * along_by_y_squared_8;
-        const double along_6 = along_44 + table52[i42][0] * slope_4_2;
-        const double t69 = before54 + per_length_2 * along_6 + across_2 * length_by_q73_2
-            * length_by_q73_2;
-        const double slope_2_2 = along_by_y_6 + table52[i42][0] * along_by_y_squared_4;
-        const double along_7 = along_40 + table52[i42][0] * slope_2_2;
-        const double t70 = before55 + per_length_2 * along_7 + across_2 * length_by_q71_2
-            * length_by_q71_2;
-        const double t71 = table52[i42][0] * per_length_2;
-        const double pull_by_y_y_2 = strand_y_2 * t71;
-        const double pull_by_y_z_2 = strand_z_2 * t71;
-        const double pull_by_y_x_2 = strand_x_2 * t71;
-        const double pull_z_2 = strand_z_2 * per_length_2;
-        const double pull_y_2 = strand_y_2 * per_length_2;
-        const double pull_x_2 = strand_x_2 * per_length_2;
-        sum43 = t68;
-        sum44 = t69;
-        sum45 = t70;
-        sum46 = before56 + pull_by_y_y_2;
-        sum47 = before57 + pull_by_y_z_2;
-        sum48 = before58 + pull_by_y_x_2;
-        sum49 = before59 + pull_z_2;
-        sum50 = before60 + pull_y_2;
-        sum51 = before61 + pull_x_2;
+        const double length_by_q73_2 = t70 * t68;
+        const double across_2 = k[20 + i45] - per_length_2;
+        const double t71 = before56 + per_length_2 * (along_19 - table55[i45][0] * slope_3)
+            + length_by_q71_2 * length_by_q73_2 * across_2;
+        const double slope_4_2 = along_by_y_10 + table55[i45][0] * along_by_y_squared_8;
+        const double t72 = before57 + per_length_2 * (along_44 + table55[i45][0] * slope_4_2)
+            + across_2 * length_by_q73_2 * length_by_q73_2;
+        const double slope_2_2 = along_by_y_6 + table55[i45][0] * along_by_y_squared_4;
+        const double t73 = before58 + per_length_2 * (along_40 + table55[i45][0] * slope_2_2)
+            + across_2 * length_by_q71_2 * length_by_q71_2;
+        const double t74 = table55[i45][0] * per_length_2;
+        sum46 = t71;
+        sum47 = t72;
+        sum48 = t73;
+        sum49 = before59 + strand_y_2 * t74;
+        sum50 = before60 + strand_z_2 * t74;
+        sum51 = before61 + strand_x_2 * t74;
+        sum52 = before62 + strand_z_2 * per_length_2;
+        sum53 = before63 + strand_y_2 * per_length_2;
+        sum54 = before64 + strand_x_2 * per_length_2;
     }
-    const double pull_by_y = sum22 + sum48;
-    const double pull_by_y_4 = sum21 + sum47;
-    const double t72 = sum19 + sum45 + part_1[4] * pull_by_y + part_1[1] * pull_by_y_4 + sum25
+    const double pull_by_y = sum22 + sum51;
+    const double pull_by_y_4 = sum21 + sum50;
+    const double t75 = sum19 + sum48 + part_1[4] * pull_by_y + part_1[1] * pull_by_y_4 + sum25
         * part_1[19];
-    const double t73 = t72 - sum24 * part_1[20] + sum23 * part_1[21] + sum51 * part_1[22] - sum50
+    const double t76 = t75 - sum24 * part_1[20] + sum23 * part_1[21] + sum54 * part_1[22] - sum53
         * part_1[23];
     const double z_x_by_q71_by_q73 = part_1[36] + part_1[37] + part_1[29];
-    const double origin_x_by_q71_by_q73 = part_1[30] - 0.018 * z_x_by_q71_by_q73;
-    const double t74 = origin_x_by_q71_by_q73 + 0.004 * part_1[38];
-    const double t75 = 0.01 * z_x_by_q71_by_q73;
-    const double layer_0_x_by_q71_by_q73 = t74 + t75 - t4;
-    const double layer_0_z_by_q71_by_q73 = part_1[40] - t3;
-    const double t76 = sum17 + sum43 - sum25 * layer_0_x_by_q71_by_q73 + sum24 * part_1[39] + sum23
-        * layer_0_z_by_q71_by_q73;
-    const double layer_1_x_by_q71_by_q73 = t74 - t75 - t8;
-    const double layer_1_z_by_q71_by_q73 = part_1[42] - t7;
-    const double t77 = t76 - sum51 * layer_1_x_by_q71_by_q73 + sum50 * part_1[41] + sum49
-        * layer_1_z_by_q71_by_q73;
-    const double K_01 = t77 - part_1[32] * pull_by_y + part_1[27] * pull_by_y_4;
-    const double t78 = -K_01;
-    const double layer_0_x_by_q73_by_q73 = part_1[45] - 0.011 * part_1[46];
-    const double layer_0_y_by_q73_by_q73 = part_1[47] - 0.011 * part_1[44];
-    const double t79 = sum18 + sum44 + sum25 * layer_0_x_by_q73_by_q73 + sum24
-        * layer_0_y_by_q73_by_q73;
-    const double layer_0_z_by_q73_by_q73 = part_1[48] - 0.011 * part_1[49];
-    const double layer_1_x_by_q73_by_q73 = part_1[50] - 0.013 * part_1[46];
-    const double layer_1_y_by_q73_by_q73 = part_1[51] - 0.013 * part_1[44];
-    const double t80 = t79 + sum23 * layer_0_z_by_q73_by_q73 + sum51 * layer_1_x_by_q73_by_q73
-        + sum50 * layer_1_y_by_q73_by_q73;
-    const double layer_1_z_by_q73_by_q73 = part_1[52] - 0.013 * part_1[49];
-    const double pull_by_y_2 = sum20 + sum46;
-    const double t81 = t80 + sum49 * layer_1_z_by_q73_by_q73 + pull_by_y * part_1[46] + pull_by_y_2
-        * part_1[44];
-    K[0] = t73 + sum49 * part_1[24];
-    K[1] = t78;
-    K[2] = t78;
-    K[3] = t81 + pull_by_y_4 * part_1[49];
+    const double t77 = part_1[30] - 0.018 * z_x_by_q71_by_q73 + 0.004 * part_1[38];
+    const double t78 = 0.01 * z_x_by_q71_by_q73;
+    const double t79 = sum17 + sum46 - sum25 * (t77 + t78 - t4) + sum24 * part_1[39] + sum23
+        * (part_1[40] - t3);
+    const double t80 = t79 - sum54 * (t77 - t78 - t8) + sum53 * part_1[41] + sum52 * (part_1[42]
+        - t7);
+    const double K_01 = t80 - part_1[32] * pull_by_y + part_1[27] * pull_by_y_4;
+    const double t81 = -K_01;
+    const double t82 = sum18 + sum47 + sum25 * (part_1[45] - 0.011 * part_1[46]) + sum24
+        * (part_1[47] - 0.011 * part_1[44]);
+    const double t83 = t82 + sum23 * (part_1[48] - 0.011 * part_1[49]) + sum54 * (part_1[50] - 0.013
+        * part_1[46]);
+    const double t84 = t83 + sum53 * (part_1[51] - 0.013 * part_1[44]) + sum52 * (part_1[52] - 0.013
+        * part_1[49]);
+    const double t85 = t84 + pull_by_y * part_1[46] + (sum20 + sum49) * part_1[44] + pull_by_y_4
+        * part_1[49];
+    K[0] = t76 + sum52 * part_1[24];
+    K[1] = t81;
+    K[2] = t81;
+    K[3] = t85;
 }
